@@ -1,0 +1,13 @@
+# cmake -DFOLDER=dir -DOUTPUT=file -P embed_mazes.cmake
+file(GLOB files ${FOLDER}/*.txt)
+list(SORT files)
+set(text "#include \"labmouse/lab/builtin_mazes.hpp\"\n\n#include <array>\n\nnamespace labmouse {\nnamespace {\n\n")
+list(LENGTH files count)
+string(APPEND text "constexpr std::array<BuiltinMaze, ${count}> mazes = {{\n")
+foreach(file IN LISTS files)
+  get_filename_component(name ${file} NAME_WE)
+  file(READ ${file} content)
+  string(APPEND text "{\"${name}\", R\"maze(${content})maze\"},\n")
+endforeach()
+string(APPEND text "}};\n\n}  // namespace\n\nstd::span<const BuiltinMaze> builtin_mazes() { return mazes; }\n\n}  // namespace labmouse\n")
+file(WRITE ${OUTPUT} "${text}")

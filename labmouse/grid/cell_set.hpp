@@ -1,0 +1,77 @@
+// Sets of cells as rows of bits: bit x of word y is cell (x,y).
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstdint>
+
+#include "labmouse/grid/cell.hpp"
+#include "labmouse/grid/heading.hpp"
+
+namespace labmouse {
+
+/// A set of cells with coordinates 0 to 63. Cells outside are never members; asking for one is fine, inserting is not.
+class CellSet {
+ public:
+  constexpr CellSet() = default;
+
+  /// All cells of a maze of that size.
+  static constexpr CellSet all(Size size) {
+    CellSet cells;
+    const std::uint64_t row = ~std::uint64_t{0} >> (max_side - size.width);
+    for (int y = 0; y < size.height; ++y) cells.rows_[static_cast<unsigned>(y)] = row;
+    return cells;
+  }
+
+  constexpr bool contains(Cell cell) const {
+    if (cell.x < 0 || cell.y < 0 || cell.x >= max_side || cell.y >= max_side) return false;
+    return (row(cell.y) >> cell.x & 1U) != 0;
+  }
+  constexpr void insert(Cell cell) { rows_[static_cast<unsigned>(cell.y)] |= bit(cell); }
+  constexpr void erase(Cell cell) { rows_[static_cast<unsigned>(cell.y)] &= ~bit(cell); }
+
+  constexpr std::uint64_t row(int y) const { return rows_[static_cast<unsigned>(y)]; }
+  /// All 64 rows, the southernmost first.
+  constexpr const std::uint64_t* rows() const { return rows_.data(); }
+  constexpr void set_row(int y, std::uint64_t bits) { rows_[static_cast<unsigned>(y)] = bits; }
+
+  constexpr bool empty() const {
+    for (const auto bits : rows_)
+      if (bits != 0) return false;
+    return true;
+  }
+  constexpr int count() const {
+    int cells = 0;
+    for (const auto bits : rows_) cells += std::popcount(bits);
+    return cells;
+  }
+
+  constexpr CellSet& operator|=(const CellSet& other) {
+    for (unsigned y = 0; y < rows_.size(); ++y) rows_[y] |= other.rows_[y];
+    return *this;
+  }
+  constexpr CellSet& operator&=(const CellSet& other) {
+    for (unsigned y = 0; y < rows_.size(); ++y) rows_[y] &= other.rows_[y];
+    return *this;
+  }
+  /// Takes the other set's cells out of this one.
+  constexpr CellSet& operator-=(const CellSet& other) {
+    for (unsigned y = 0; y < rows_.size(); ++y) rows_[y] &= ~other.rows_[y];
+    return *this;
+  }
+  friend constexpr bool operator==(const CellSet&, const CellSet&) = default;
+
+  /// Calls visit(Cell) for each member in the total order of cells.
+  template <class Visit>
+  constexpr void for_each(Visit visit) const {
+    for (int y = 0; y < max_side; ++y)
+      for (std::uint64_t bits = row(y); bits != 0; bits &= bits - 1) visit(Cell{std::countr_zero(bits), y});
+  }
+
+ private:
+  static constexpr std::uint64_t bit(Cell cell) { return std::uint64_t{1} << cell.x; }
+
+  std::array<std::uint64_t, max_side> rows_{};
+};
+
+}  // namespace labmouse

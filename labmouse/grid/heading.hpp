@@ -1,0 +1,49 @@
+// The four headings, and how to turn and to go.
+//
+//            north (y + 1)
+//               |
+//   west -------+------- east (x + 1)
+//               |
+//             south
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "labmouse/grid/cell.hpp"
+
+namespace labmouse {
+
+/// A direction in the maze. The values count quarter turns clockwise from north.
+enum class Heading : std::uint8_t { north, east, south, west };
+
+inline constexpr std::array all_headings = {Heading::north, Heading::east, Heading::south, Heading::west};
+
+/// The heading after `quarters` clockwise quarter turns (negative: counter-clockwise).
+constexpr Heading turned(Heading heading, int quarters) {
+  return static_cast<Heading>((static_cast<unsigned>(heading) + static_cast<unsigned>(quarters)) & 3U);
+}
+constexpr Heading left_of(Heading heading) { return turned(heading, -1); }
+constexpr Heading right_of(Heading heading) { return turned(heading, 1); }
+constexpr Heading opposite(Heading heading) { return turned(heading, 2); }
+
+/// Clockwise quarter turns that lead from one heading to the other, 0 to 3.
+constexpr int quarters_between(Heading from, Heading to) {
+  return static_cast<int>((static_cast<unsigned>(to) - static_cast<unsigned>(from)) & 3U);
+}
+
+/// The cell `count` cells away in a heading (negative: behind); may lie outside of the maze.
+constexpr Cell neighbour(Cell cell, Heading heading, int count = 1) {
+  constexpr std::array<int, 4> dx = {0, 1, 0, -1};
+  constexpr std::array<int, 4> dy = {1, 0, -1, 0};
+  const auto side = static_cast<unsigned>(heading);
+  return {cell.x + dx[side] * count, cell.y + dy[side] * count};
+}
+
+constexpr std::string_view name_of(Heading heading) {
+  constexpr std::array<std::string_view, 4> names = {"north", "east", "south", "west"};
+  return names[static_cast<unsigned>(heading)];
+}
+
+}  // namespace labmouse

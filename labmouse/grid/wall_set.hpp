@@ -1,0 +1,62 @@
+// Sets of walls: what truth and belief are both made of.
+#pragma once
+
+#include "labmouse/grid/cell_set.hpp"
+#include "labmouse/grid/wall.hpp"
+
+namespace labmouse {
+
+/// A set of inner walls (those between two cells of a maze), each kept once under its one name.
+/// Border walls are never members: a maze keeps them closed and a mouse knows that from birth.
+class WallSet {
+ public:
+  constexpr WallSet() = default;
+
+  /// All inner walls of a maze of that size.
+  static constexpr WallSet all(Size size) {
+    WallSet walls;
+    if (size.height > 1) walls.north_ = CellSet::all({size.width, size.height - 1});
+    if (size.width > 1) walls.east_ = CellSet::all({size.width - 1, size.height});
+    return walls;
+  }
+
+  constexpr bool contains(Wall wall) const { return side(wall).contains(wall.cell); }
+  /// The wall must be an inner one.
+  constexpr void insert(Wall wall) { side(wall).insert(wall.cell); }
+  constexpr void erase(Wall wall) { side(wall).erase(wall.cell); }
+
+  /// The cells whose north (east) side is in the set.
+  constexpr const CellSet& north() const { return north_; }
+  constexpr const CellSet& east() const { return east_; }
+
+  constexpr bool empty() const { return north_.empty() && east_.empty(); }
+  constexpr int count() const { return north_.count() + east_.count(); }
+
+  constexpr WallSet& operator|=(const WallSet& other) {
+    north_ |= other.north_;
+    east_ |= other.east_;
+    return *this;
+  }
+  constexpr WallSet& operator-=(const WallSet& other) {
+    north_ -= other.north_;
+    east_ -= other.east_;
+    return *this;
+  }
+  friend constexpr bool operator==(const WallSet&, const WallSet&) = default;
+
+  /// Calls visit(Wall) for each member in a fixed order: all north sides, then all east sides.
+  template <class Visit>
+  constexpr void for_each(Visit visit) const {
+    north_.for_each([&](Cell cell) { visit(Wall{cell, Heading::north}); });
+    east_.for_each([&](Cell cell) { visit(Wall{cell, Heading::east}); });
+  }
+
+ private:
+  constexpr CellSet& side(Wall wall) { return wall.side == Heading::north ? north_ : east_; }
+  constexpr const CellSet& side(Wall wall) const { return wall.side == Heading::north ? north_ : east_; }
+
+  CellSet north_;
+  CellSet east_;
+};
+
+}  // namespace labmouse
