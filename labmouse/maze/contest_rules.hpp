@@ -1,0 +1,32 @@
+// The official rules for the maze of a classic (16×16) or half-size (32×32) micromouse contest.
+//
+// Source: the rules of the All Japan Micromouse Contest (New Technology Foundation) and of the IEEE Region contests as
+// far as they speak of the maze, and two habits of their makers: a wall follower must fail, and there is a choice of
+// routes. Lengths, colours and materials are left out.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "labmouse/maze/maze.hpp"
+
+namespace labmouse {
+
+/// What became of one rule.
+struct RuleFinding {
+  /// A short name: "size", "start", "posts" and so on.
+  std::string_view name;
+  bool passed = false;
+  /// What is wrong and where (the first few places); empty when the rule is kept.
+  std::string reason;
+};
+
+/// Checks every rule, always all of them and in the same order:
+/// size, border, start, goal room, entrance, posts, goal reachable, left wall follower, right wall follower, routes.
+std::vector<RuleFinding> check_contest_rules(const Maze& maze);
+
+/// Whether the maze keeps all of them.
+bool keeps_contest_rules(const Maze& maze);
+
+}  // namespace labmouse

@@ -1,0 +1,62 @@
+#include "labmouse/maze/formats/cell_table.hpp"
+
+#include <array>
+
+#include "labmouse/maze/formats/problem_list.hpp"
+
+namespace labmouse::formats {
+namespace {
+
+// The sides of all cells, each as its own statement has them.
+using SideTable = std::array<Sides, max_side * max_side>;
+
+std::string contradiction(Cell cell, Heading side) {
+  return "cell " + name_of(cell) + " is open to the " + std::string(labmouse::name_of(side)) + " but its neighbour " +
+         name_of(neighbour(cell, side)) + " is closed to the " + std::string(labmouse::name_of(opposite(side)));
+}
+
+// What is wrong with an open side; empty when nothing is.
+std::string objection(Cell cell, Heading side, Size size, const SideTable& table) {
+  const Cell other = neighbour(cell, side);
+  if (!size.contains(other)) return open_border(cell, side);
+  if (!has_side(table[static_cast<unsigned>(size.index(other))], opposite(side))) return contradiction(cell, side);
+  return {};
+}
+
+}  // namespace
+
+ReadResult maze_of(Size size, std::span<const CellStatement> statements) {
+  SideTable table{};
+  for (const auto& said : statements) table[static_cast<unsigned>(size.index(said.cell))] = said.open;
+
+  MazeDraft draft(size, MazeDraft::Inside::closed);
+  ProblemList problems;
+  for (const auto& said : statements) {
+    for (const Heading side : all_headings) {
+      if (!has_side(said.open, side)) continue;
+      if (std::string reason = objection(said.cell, side, size, table); !reason.empty())
+        problems.add(said.line, said.column, std::move(reason));
+      else
+        draft.open(said.cell, side);
+    }
+  }
+  if (!problems.empty()) return problems.failure();
+  return {Maze(draft), {}};
+}
+
+Sides open_sides(const Maze& maze, Cell cell) {
+  Sides open = 0;
+  for (const Heading side : all_headings)
+    if (maze.is_open(cell, side)) open |= 1U << static_cast<unsigned>(side);
+  return open;
+}
+
+std::string refused_marks(const Maze& maze) {
+  if (maze.start() != Cell{0, 0} || maze.start_heading() != Heading::north)
+    return "the start is " + name_of(maze.start()) + " heading " +
+           std::string(labmouse::name_of(maze.start_heading())) + "; this format has only (0,0) heading north";
+  if (maze.goals() != centre_of(maze.size())) return "the goal is not the centre; this format has no other";
+  return {};
+}
+
+}  // namespace labmouse::formats

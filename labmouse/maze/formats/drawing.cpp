@@ -1,0 +1,71 @@
+// The drawing that the micromouse world shares: posts `o` or `+`, walls `---` and `|`, start `S`, goals `G`.
+//
+//     o---o---o   line 1: the north sides of the row y = 1
+//     |     G |   line 2: its cells, each with the wall west of it
+//     o   o---o   line 3: the north sides of the row y = 0
+//     | S     |
+//     o---o---o   last line: the south sides of the row y = 0, under their one name the north sides of y = -1
+#include "labmouse/maze/formats/drawing_reader.hpp"
+#include "labmouse/maze/formats/problem_list.hpp"
+#include "labmouse/maze/formats/text.hpp"
+
+namespace labmouse {
+namespace {
+
+using namespace formats;
+
+bool recognises(std::string_view content) {
+  const std::string_view line = first_line(content);
+  return !line.empty() && is_post(line.front()) && line.find_first_not_of("o+- ") == std::string_view::npos;
+}
+
+// Which marks are drawn. A cell has room for one letter, so where the start is a goal one of the two is left out and
+// must be the one that a reader puts there anyway.
+struct Marks {
+  bool start = true;
+  bool goals = true;
+};
+
+std::optional<Marks> marks_of(const Maze& maze) {
+  if (!maze.is_goal(maze.start())) return Marks{};
+  if (maze.start() == Cell{0, 0}) return Marks{.start = false};
+  if (maze.goals() == centre_of(maze.size())) return Marks{.goals = false};
+  return std::nullopt;
+}
+
+std::string wall_line(const Maze& maze, int y) {
+  std::string line = "o";
+  for (int x = 0; x < maze.size().width; ++x)
+    line += maze.open_walls().contains({{x, y}, Heading::north}) ? "   o" : "---o";
+  return line + '\n';
+}
+
+std::string cell_line(const Maze& maze, int y, Marks marks) {
+  std::string line;
+  for (int x = 0; x < maze.size().width; ++x) {
+    const Cell cell{x, y};
+    line += maze.is_open(cell, Heading::west) ? "  " : "| ";
+    const bool start = marks.start && cell == maze.start();
+    const bool goal = marks.goals && maze.is_goal(cell);
+    line += start ? "S " : goal ? "G " : "  ";
+  }
+  return line + "|\n";
+}
+
+WriteResult write(const Maze& maze) {
+  if (maze.start_heading() != Heading::north)
+    return {std::nullopt, "the start heading is " + std::string(labmouse::name_of(maze.start_heading())) +
+                              "; in a drawing it is always north"};
+  const auto marks = marks_of(maze);
+  if (!marks) return {std::nullopt, "the start is also a goal; a drawing has room for one letter in a cell"};
+  std::string content;
+  for (int y = maze.size().height - 1; y >= 0; --y) content += wall_line(maze, y) + cell_line(maze, y, *marks);
+  return {content + wall_line(maze, -1), {}};
+}
+
+}  // namespace
+
+constinit const Format drawing_format = {"drawing", "posts, walls, S and G, as one would draw them", recognises,
+                                         read_drawing, write};
+
+}  // namespace labmouse

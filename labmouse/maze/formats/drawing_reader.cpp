@@ -1,0 +1,150 @@
+#include "labmouse/maze/formats/drawing_reader.hpp"
+
+#include "labmouse/maze/formats/problem_list.hpp"
+#include "labmouse/maze/formats/text.hpp"
+
+namespace labmouse::formats {
+namespace {
+
+constexpr std::size_t most_lines = 2 * max_side + 1;
+
+constexpr std::size_t text_width(Size size) { return 4 * static_cast<std::size_t>(size.width) + 1; }
+
+// The size that the lines have, with a problem for each side that is none.
+Size size_of(const std::vector<Line>& lines, ProblemList& problems) {
+  const std::size_t width = lines.front().text.size();
+  if (width % 4 != 1 || width < 5 || width > text_width({max_side, max_side}))
+    problems.add(1, lines.front().end(),
+                 "the top line has " + std::to_string(width) +
+                     " characters; it has 4 for each cell and 1 more, for 1 to 64 cells");
+  if (lines.size() > most_lines)
+    problems.add(lines.back().number, 1, "a drawing has at most 129 lines, for 64 rows of cells");
+  else if (lines.size() % 2 != 1 || lines.size() < 3)
+    problems.add(lines.back().number + 1, 1,
+                 "the drawing has " + std::to_string(lines.size()) + (lines.size() == 1 ? " line" : " lines") +
+                     "; it has 2 for each row of cells and 1 more");
+  if (!problems.empty()) return {};
+  return {static_cast<int>(width / 4), static_cast<int>(lines.size() / 2)};
+}
+
+class DrawingReader {
+ public:
+  explicit DrawingReader(Size size) : size_(size), draft_(size, MazeDraft::Inside::closed) {}
+
+  ReadResult read(const std::vector<Line>& lines) {
+    for (const Line& line : lines) {
+      if (problems_.full()) break;
+      const int y = size_.height - (line.number + 1) / 2;
+      if (line.number % 2 == 1)
+        read_walls(line, y);
+      else
+        read_cells(line, y);
+      if (line.text.size() > text_width(size_))
+        problems_.add(line.number, static_cast<int>(text_width(size_)) + 1, "the line is longer than the top line");
+    }
+    if (!problems_.empty()) return problems_.failure();
+    return {Maze(draft_), {}};
+  }
+
+ private:
+  // The posts of a line and the walls between them: the north sides of the row y.
+  void read_walls(const Line& line, int y) {
+    if (line.text.size() < text_width(size_)) {
+      problems_.add(line.number, line.end(), "the line is shorter than the top line; a post is missing");
+      return;
+    }
+    for (int x = 0; x <= size_.width; ++x) {
+      const int column = 4 * x + 1;
+      if (!is_post(letter(line, column))) unexpected(line, column, "expected a post (o or +)");
+      if (x < size_.width) read_wall(line, column + 1, {{x, y}, Heading::north});
+    }
+  }
+
+  // Three characters that are all `-` or all blank; otherwise the first that breaks the row is the wrong one.
+  void read_wall(const Line& line, int column, Wall wall) {
+    const char first = letter(line, column);
+    int wrong = column;
+    if (first == '-' || first == ' ')
+      while (wrong < column + 3 && letter(line, wrong) == first) ++wrong;
+    if (wrong < column + 3)
+      unexpected(line, wrong, "expected a wall (---) or three blanks");
+    else if (first == ' ')
+      open(line, column, wall);
+  }
+
+  // The cells of the row y, each with the wall west of it, which is the east side of its neighbour.
+  void read_cells(const Line& line, int y) {
+    for (int x = 0; x <= size_.width; ++x) {
+      const int column = 4 * x + 1;
+      const Wall wall{{x - 1, y}, Heading::east};
+      if (const char side = letter(line, column); side == ' ')
+        open(line, column, wall);
+      else if (side != '|')
+        unexpected(line, column, "expected a wall (|) or a blank");
+      if (x < size_.width) read_cell(line, column + 1, {x, y});
+    }
+  }
+
+  void read_cell(const Line& line, int column, Cell cell) {
+    for (int i = 0; i < 3; ++i) {
+      const char mark = letter(line, column + i);
+      if (mark == ' ') continue;
+      if (i == 1 && mark == 'S')
+        read_start(line, column + i, cell);
+      else if (i == 1 && mark == 'G')
+        draft_.add_goal(cell);
+      else
+        unexpected(line, column + i, "cell " + name_of(cell) + " may hold only S or G in its middle");
+    }
+  }
+
+  void read_start(const Line& line, int column, Cell cell) {
+    if (start_found_)
+      problems_.add(line.number, column,
+                    "cell " + name_of(cell) + " is a second start; the first is " + name_of(draft_.start()));
+    else
+      draft_.set_start(cell);
+    start_found_ = true;
+  }
+
+  void open(const Line& line, int column, Wall wall) {
+    if (!on_border(wall, size_)) {
+      draft_.open(wall.cell, wall.side);
+      return;
+    }
+    const bool outside = !size_.contains(wall.cell);
+    const Cell cell = outside ? neighbour(wall.cell, wall.side) : wall.cell;
+    problems_.add(line.number, column, open_border(cell, outside ? opposite(wall.side) : wall.side));
+  }
+
+  void unexpected(const Line& line, int column, std::string rule) {
+    const char found = letter(line, column);
+    problems_.add(line.number, column, std::move(rule) + ", found " + quoted({&found, 1}));
+  }
+
+  // A line may lack its trailing blanks.
+  static char letter(const Line& line, int column) {
+    const auto at = static_cast<std::size_t>(column) - 1;
+    return at < line.text.size() ? line.text[at] : ' ';
+  }
+
+  Size size_;
+  MazeDraft draft_;
+  bool start_found_ = false;
+  ProblemList problems_;
+};
+
+}  // namespace
+
+bool is_post(char letter) { return letter == 'o' || letter == '+'; }
+
+ReadResult read_drawing(std::string_view content) {
+  const auto lines = lines_of(content, most_lines + 1);
+  if (lines.empty()) return failure(0, 0, "the file is empty");
+  ProblemList problems;
+  const Size size = size_of(lines, problems);
+  if (!problems.empty()) return problems.failure();
+  return DrawingReader(size).read(lines);
+}
+
+}  // namespace labmouse::formats

@@ -1,0 +1,16 @@
+// The reading half of the drawing format; drawing.cpp has the picture and the writing half.
+#pragma once
+
+#include <string_view>
+
+#include "labmouse/maze/formats/format.hpp"
+
+namespace labmouse::formats {
+
+/// Whether a character stands for a post.
+bool is_post(char letter);
+
+/// The maze of a drawing, or what is wrong with it.
+ReadResult read_drawing(std::string_view content);
+
+}  // namespace labmouse::formats

@@ -1,0 +1,62 @@
+// Maze files: which formats there are, how one is recognised, read and written. docs/formats.md has the grammars.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "labmouse/maze/maze.hpp"
+
+namespace labmouse {
+
+/// What is wrong with an input, and where: line and column count from 1; 0 where the input as a whole is meant.
+/// In a binary file the line is 0 and the column the byte's position counted from 1.
+struct Problem {
+  int line = 0;
+  int column = 0;
+  std::string reason;
+
+  friend bool operator==(const Problem&, const Problem&) = default;
+};
+
+/// At most so many problems of one input are listed.
+inline constexpr std::size_t most_problems = 10;
+
+/// A maze, or what is wrong with its file: exactly one of the two is there.
+struct ReadResult {
+  std::optional<Maze> maze;
+  std::vector<Problem> problems;
+};
+
+/// A maze as file content, or the reason why the format cannot hold it.
+struct WriteResult {
+  std::optional<std::string> content;
+  std::string reason;
+};
+
+/// One file format; each is defined in a file of its own.
+struct Format {
+  std::string_view name;
+  std::string_view summary;
+  /// Whether content is of this format, judged by a look that never fails and may be wrong only on broken content.
+  bool (*recognises)(std::string_view content);
+  ReadResult (*read)(std::string_view content);
+  WriteResult (*write)(const Maze& maze);
+};
+
+extern const Format capstone_format;
+extern const Format drawing_format;
+extern const Format num_format;
+extern const Format maz_format;
+
+/// All formats, in the order in which they are asked whether they recognise a file.
+std::span<const Format* const> all_formats();
+/// The format of that name, or null.
+const Format* find_format(std::string_view name);
+
+/// Reads a maze in whatever format its content shows. Never throws, whatever the content.
+ReadResult read_maze(std::string_view content);
+
+}  // namespace labmouse

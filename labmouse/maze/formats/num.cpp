@@ -1,0 +1,121 @@
+// The "num" format of the mms simulator: a line `x y n e s w` for each cell, in any order; 1 is a wall, 0 is open.
+#include <algorithm>
+#include <array>
+
+#include "labmouse/maze/formats/cell_table.hpp"
+#include "labmouse/maze/formats/problem_list.hpp"
+#include "labmouse/maze/formats/text.hpp"
+
+namespace labmouse {
+namespace {
+
+using namespace formats;
+
+constexpr std::size_t most_lines = max_side * max_side;
+constexpr std::size_t words_in_line = 6;
+
+// A line of several numbers without commas. Whether there are six, and whether they fit, is for the reader to say.
+bool recognises(std::string_view content) {
+  const std::string_view line = first_line(content);
+  return has_only_numbers(line) && line.find(',') == std::string_view::npos &&
+         words_between_blanks(line, 2).size() == 2;
+}
+
+// What the lines say so far.
+struct Table {
+  std::vector<CellStatement> statements;
+  std::array<int, max_side * max_side> line_of{};  // by cell of a maze of the largest size; 0: not yet
+  Size size;
+  ProblemList problems;
+
+  int& line_of_cell(Cell cell) { return line_of[static_cast<unsigned>(Size{max_side, max_side}.index(cell))]; }
+};
+
+// The number of a word, or -1 and a problem.
+int read_number(const Line& line, const Word& word, int most, ProblemList& problems) {
+  if (const auto number = number_of(word.text, 0, most)) return *number;
+  problems.add(line.number, word.column,
+               "expected a number from 0 to " + std::to_string(most) + ", found " + quoted(word.text));
+  return -1;
+}
+
+void add_statement(Table& table, const CellStatement& said) {
+  int& line = table.line_of_cell(said.cell);
+  if (line != 0) {
+    table.problems.add(said.line, said.column,
+                       "cell " + name_of(said.cell) + " is already on line " + std::to_string(line));
+    return;
+  }
+  line = said.line;
+  table.statements.push_back(said);
+  table.size.width = std::max(table.size.width, said.cell.x + 1);
+  table.size.height = std::max(table.size.height, said.cell.y + 1);
+}
+
+void read_line(Table& table, const Line& line) {
+  const auto words = words_between_blanks(line.text, words_in_line + 1);
+  if (words.size() < words_in_line) {
+    table.problems.add(line.number, line.end(),
+                       "expected six numbers (x y n e s w), found " + std::to_string(words.size()));
+    return;
+  }
+  if (words.size() > words_in_line) {
+    table.problems.add(line.number, words.back().column, "expected only six numbers (x y n e s w), found more");
+    return;
+  }
+  std::array<int, words_in_line> numbers{};
+  bool complete = true;
+  for (unsigned i = 0; i < words_in_line; ++i) {
+    numbers[i] = read_number(line, words[i], i < 2 ? max_side - 1 : 1, table.problems);
+    complete = complete && numbers[i] >= 0;
+  }
+  if (!complete) return;
+  Sides open = 0;
+  for (unsigned side = 0; side < 4; ++side)
+    if (numbers[2 + side] == 0) open |= 1U << side;
+  add_statement(table, {{numbers[0], numbers[1]}, open, line.number, words.front().column});
+}
+
+void find_missing(Table& table) {
+  for (int i = 0; i < table.size.area() && !table.problems.full(); ++i) {
+    const Cell cell = table.size.cell_at(i);
+    if (table.line_of_cell(cell) == 0)
+      table.problems.add(0, 0,
+                         "cell " + name_of(cell) + " is missing in a maze of " + std::to_string(table.size.width) +
+                             "x" + std::to_string(table.size.height) + " cells");
+  }
+}
+
+ReadResult read(std::string_view content) {
+  // One line too many is a problem of its own accord: some cell is there twice.
+  const auto lines = lines_of(content, most_lines + 1);
+  if (lines.empty()) return failure(0, 0, "the file is empty");
+  Table table;
+  for (const Line& line : lines)
+    if (!table.problems.full()) read_line(table, line);
+  // A line that could not be read leaves a gap, which is no news.
+  if (table.problems.empty()) find_missing(table);
+  if (!table.problems.empty()) return table.problems.failure();
+  return maze_of(table.size, table.statements);
+}
+
+WriteResult write(const Maze& maze) {
+  if (std::string reason = refused_marks(maze); !reason.empty()) return {std::nullopt, std::move(reason)};
+  const Size size = maze.size();
+  std::string content;
+  for (int x = 0; x < size.width; ++x) {
+    for (int y = 0; y < size.height; ++y) {
+      content += std::to_string(x) + ' ' + std::to_string(y);
+      for (const Heading side : all_headings) content += maze.is_open({x, y}, side) ? " 0" : " 1";
+      content += '\n';
+    }
+  }
+  return {std::move(content), {}};
+}
+
+}  // namespace
+
+constinit const Format num_format = {"num", "a line `x y n e s w` for each cell, 1 for a wall", recognises, read,
+                                     write};
+
+}  // namespace labmouse

@@ -1,0 +1,42 @@
+// What readers collect and how they word it.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "labmouse/maze/formats/format.hpp"
+
+namespace labmouse::formats {
+
+/// The problems of one input in the order in which they are found; those past most_problems are dropped.
+class ProblemList {
+ public:
+  void add(int line, int column, std::string reason) {
+    if (!full()) problems_.push_back({line, column, std::move(reason)});
+  }
+  bool empty() const { return problems_.empty(); }
+  /// A reader may stop here: nothing more will be listed.
+  bool full() const { return problems_.size() >= most_problems; }
+
+  /// The result of a reading that failed; the list must not be empty.
+  ReadResult failure() const { return {std::nullopt, problems_}; }
+
+ private:
+  std::vector<Problem> problems_;
+};
+
+/// The result of a reading that failed for a single reason.
+ReadResult failure(int line, int column, std::string reason);
+
+/// A cell as reasons name it: "(3,4)".
+std::string name_of(Cell cell);
+
+/// A piece of the input between single quotes: shortened, and made printable whatever its bytes are.
+std::string quoted(std::string_view text);
+
+/// Why an open side of a cell is wrong when it lies on the border.
+std::string open_border(Cell cell, Heading side);
+
+}  // namespace labmouse::formats

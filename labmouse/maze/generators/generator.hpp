@@ -1,0 +1,52 @@
+// Makers of mazes: seeded, the same bits on every compiler.
+//
+// depth-first, prim, kruskal, wilson and division make perfect mazes: one way between any two cells, so that width ×
+// height - 1 walls are open. They differ in texture, from long winding corridors (depth-first) to many short dead ends
+// (prim); wilson makes every perfect maze equally likely. `loops` then opens more walls; a larger share opens the same
+// walls as a smaller one and some more.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "labmouse/maze/maze.hpp"
+
+namespace labmouse {
+
+/// What a generator is asked for.
+struct GeneratorOrder {
+  Size size{16, 16};
+  std::uint64_t seed = 1;
+  /// Share of the remaining inner walls to open afterwards, in thousandths (0 to 1000): makes loops.
+  int loops = 0;
+};
+
+/// One way to make mazes; each is defined in a file of its own.
+struct Generator {
+  std::string_view name;
+  std::string_view summary;
+  /// Why the generator cannot make such a maze (a line for the user), or empty when it can.
+  std::string_view (*refuses)(const GeneratorOrder& order);
+  /// Makes the maze; only for orders that it does not refuse.
+  Maze (*make)(const GeneratorOrder& order);
+};
+
+extern const Generator depth_first_generator;
+extern const Generator prim_generator;
+extern const Generator kruskal_generator;
+extern const Generator wilson_generator;
+extern const Generator division_generator;
+extern const Generator empty_generator;
+extern const Generator contest_generator;
+
+/// What every generator refuses: a size or a share of loops that is out of range.
+std::string_view refuses_out_of_range(const GeneratorOrder& order);
+
+/// All generators, in the order of the list above.
+std::span<const Generator* const> all_generators();
+/// The generator of that name, or null.
+const Generator* find_generator(std::string_view name);
+
+}  // namespace labmouse

@@ -1,0 +1,51 @@
+// Drawing lots, and opening walls by lot, which gives a perfect maze its loops.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "labmouse/chance/dice.hpp"
+#include "labmouse/maze/generators/generator.hpp"
+
+namespace labmouse {
+
+/// Takes one member, each with the same chance, out of the lots, which must not be empty.
+template <class T>
+T draw(std::vector<T>& lots, Dice& dice) {
+  std::swap(lots[static_cast<std::size_t>(dice.below(static_cast<int>(lots.size())))], lots.back());
+  const T drawn = lots.back();
+  lots.pop_back();
+  return drawn;
+}
+
+/// The walls of a set as lots.
+inline std::vector<Wall> lots_of(const WallSet& walls) {
+  std::vector<Wall> lots;
+  walls.for_each([&](Wall wall) { lots.push_back(wall); });
+  return lots;
+}
+
+/// Opens the ordered share of the inner walls that still stand, rounded to the nearest number, drawn one by one; a wall
+/// is passed over unless may_open(draft, wall). The dice depend on the order's seed alone, so that a larger share opens
+/// the same walls and more.
+template <class MayOpen>
+void open_loops(MazeDraft& draft, const GeneratorOrder& order, MayOpen may_open) {
+  Dice dice(seed_for(order.seed, "loops"));
+  WallSet standing = WallSet::all(order.size);
+  standing -= draft.open_walls();
+  std::vector<Wall> lots = lots_of(standing);
+  int to_open = (static_cast<int>(lots.size()) * order.loops + 500) / 1000;
+  while (to_open > 0 && !lots.empty()) {
+    const Wall wall = draw(lots, dice);
+    if (!may_open(draft, wall)) continue;
+    draft.open(wall.cell, wall.side);
+    --to_open;
+  }
+}
+
+/// The same, where any wall may be opened.
+inline void open_loops(MazeDraft& draft, const GeneratorOrder& order) {
+  open_loops(draft, order, [](const MazeDraft&, Wall) { return true; });
+}
+
+}  // namespace labmouse

@@ -1,0 +1,47 @@
+// Prim: grow the maze from the start; of all walls between it and the rest open one, by lot, until no cell is left.
+// Many short dead ends, and short ways outwards from the start.
+//
+// Source: Prim, "Shortest connection networks and some generalizations" (Bell System Technical Journal, 1957), with
+// lots in the place of lengths.
+#include "labmouse/maze/generators/loops.hpp"
+
+namespace labmouse {
+namespace {
+
+// A way out of the grown part, into a neighbour that may have joined meanwhile.
+struct Way {
+  Cell from;
+  Heading heading;
+};
+
+void add_ways(Size size, const CellSet& grown, Cell from, std::vector<Way>& ways) {
+  for (const Heading heading : all_headings)
+    if (const Cell to = neighbour(from, heading); size.contains(to) && !grown.contains(to))
+      ways.push_back({from, heading});
+}
+
+Maze make(const GeneratorOrder& order) {
+  Dice dice(order.seed);
+  MazeDraft draft(order.size, MazeDraft::Inside::closed);
+  CellSet grown;
+  grown.insert(draft.start());
+  std::vector<Way> ways;
+  add_ways(order.size, grown, draft.start(), ways);
+  while (!ways.empty()) {
+    const auto [from, heading] = draw(ways, dice);
+    const Cell to = neighbour(from, heading);
+    if (grown.contains(to)) continue;
+    draft.open(from, heading);
+    grown.insert(to);
+    add_ways(order.size, grown, to, ways);
+  }
+  open_loops(draft, order);
+  return Maze(draft);
+}
+
+}  // namespace
+
+constinit const Generator prim_generator = {
+    .name = "prim", .summary = "many short dead ends", .refuses = refuses_out_of_range, .make = make};
+
+}  // namespace labmouse

@@ -1,0 +1,57 @@
+// Wall growth: a maze made from its walls instead of its corridors.
+//
+// Method: walls grow from posts that stand to posts that are free, and never to one that stands already. So every post
+// ends with a wall, and no wall ever closes a ring: all cells stay connected. Walls that hang on the border are one
+// body; each island of walls apart from it is a loop of the maze. Which way a wall grows follows the grain of its
+// patch of the maze, rows, columns or stairs, so that neighbouring walls run side by side: long straights and zigzags.
+// Limits: sides of at most 63 cells.
+// Source: the wall-extending method (kabe-nobashi) of Japanese maze programming, folklore of the 1980s; the grain is
+// our own.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "labmouse/chance/dice.hpp"
+#include "labmouse/maze/maze.hpp"
+#include "labmouse/maze/post.hpp"
+
+namespace labmouse {
+
+/// The way in which walls prefer to grow: along rows, along columns, or in stairs (north and east take turns, or south
+/// and west: rising; north and west, or south and east: falling).
+enum class Grain : std::uint8_t { row, column, rising_stairs, falling_stairs };
+
+/// Grows walls in a draft. Posts of the border and posts with a wall stand from the beginning.
+class WallGrowth {
+ public:
+  /// Draft and dice must outlive the growth. No wall starts at or comes to a barren post.
+  WallGrowth(MazeDraft& draft, Dice& dice, const CellSet& barren);
+
+  /// Plants up to `count` islands: a wall of at least one piece at a free post among free posts, each.
+  void plant_islands(int count);
+  /// Grows walls until no free post next to a standing one is left.
+  void fill();
+
+ private:
+  // The posts nearest to a centre share their grain.
+  struct Patch {
+    Post centre;
+    Grain grain;
+  };
+
+  bool is_free(Post post) const { return is_inner(post, draft_.size()) && !standing_.contains(post); }
+  std::vector<Heading> free_headings(Post post) const;
+  Grain grain_at(Post post) const;
+  Heading choose(Post tip, std::optional<Heading> last, std::vector<Heading> free);
+  bool grow_wall(Post root);
+
+  MazeDraft& draft_;
+  Dice& dice_;
+  CellSet standing_;
+  CellSet barren_;
+  std::vector<Post> roots_;  // standing posts from which a wall may still grow
+  std::vector<Patch> patches_;
+};
+
+}  // namespace labmouse

@@ -1,0 +1,6 @@
+#include "tests/fuzz/check_reader.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+  labmouse::fuzz::check_reader(labmouse::capstone_format, bytes, size);
+  return 0;
+}

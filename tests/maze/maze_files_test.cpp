@@ -1,0 +1,61 @@
+// Reads every maze of a folder: LABMOUSE_MAZES, or ../shared/mazes beside the checkout. Skipped where there is none.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <vector>
+
+#include "labmouse/maze/formats/format.hpp"
+#include "tests/maze/problem_lines.hpp"
+
+namespace labmouse {
+namespace {
+
+std::filesystem::path folder() {
+  if (const char* const named = std::getenv("LABMOUSE_MAZES")) return named;
+  return LABMOUSE_SOURCE_DIR "/../shared/mazes";
+}
+
+std::vector<std::filesystem::path> maze_files() {
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder()))
+    if (entry.is_regular_file() && entry.path().filename() != "README.md") files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::string content_of(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+class MazeFiles : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!std::filesystem::is_directory(folder()))
+      GTEST_SKIP() << "no maze files: " << folder() << " is not a folder; set LABMOUSE_MAZES";
+  }
+};
+
+TEST_F(MazeFiles, AreAllRead) {
+  for (const auto& file : maze_files()) EXPECT_EQ(test::lines_of(read_maze(content_of(file))), test::Lines{}) << file;
+}
+
+TEST_F(MazeFiles, SurviveEveryFormatThatHoldsThem) {
+  for (const auto& file : maze_files()) {
+    const auto maze = read_maze(content_of(file)).maze;
+    if (!maze) continue;
+    for (const Format* format : all_formats()) {
+      const auto written = format->write(*maze);
+      if (!written.content) continue;
+      EXPECT_EQ(read_maze(*written.content).maze, maze) << file << " as " << format->name;
+    }
+    EXPECT_TRUE(drawing_format.write(*maze).content) << file;
+  }
+}
+
+}  // namespace
+}  // namespace labmouse
