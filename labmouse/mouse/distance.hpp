@@ -1,0 +1,73 @@
+// Distance fields on rows of bits.
+//
+// A set of cells is one integer a row, and the rows are lanes of a vector. One layer of a breadth-first search is then
+// a few vector instructions for all cells at once:
+//
+//     next = unreached & ( north1 & up(last, 1)   | north2 & up(last, 2)   | north3 & up(last, 3)
+//                        | east1 & (last << 1)    | east2 & (last << 2)    | ...                )
+//
+// where north2 holds the cells that can be entered by a straight move of two cells northwards, and so on.
+//
+// The distances themselves are kept as planes of bits: bit y,x of plane k is bit k of the distance of cell (x,y). All
+// cells not yet reached count up together, layer by layer; a binary counter flips two bits a step on average, so the
+// bookkeeping costs two vector instructions a layer.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "labmouse/grid/wall_set.hpp"
+#include "labmouse/mouse/motion.hpp"
+
+namespace labmouse {
+
+struct FieldOrder;
+
+/// The distance that a cell has which cannot be reached: larger than any real one, and safe to add to.
+inline constexpr int unreachable = 1 << 24;
+
+/// Cheapest costs from a set of cells to every cell, under a motion table. Moves can be made both ways at the same
+/// cost, so these are the costs to the set as well.
+class DistanceField {
+ public:
+  /// Which code does the work: the widest that the processor has, or the one that runs everywhere (for comparison).
+  enum class Path : std::uint8_t { widest, portable };
+
+  /// Takes all memory that it will need: about 0.4 KiB at 16×16, 1.5 KiB at 32×32 and 7 KiB at 64×64 for strides.
+  DistanceField(Size size, const Motion& motion, Path path = Path::widest);
+
+  /// Computes the field over the given passages (all inside the size) from the given cells.
+  void fill(const WallSet& passages, const CellSet& from);
+
+  /// Distance of a cell, in the motion's unit, or unreachable (also for cells outside).
+  int at(Cell cell) const;
+  bool reaches(Cell cell) const { return at(cell) < unreachable; }
+  /// Writes the distance of every cell to out[size.index(cell)]; the span has size.area() elements.
+  void copy_to(std::span<int> out) const;
+
+  const Motion& motion() const { return motion_; }
+  Size size() const { return size_; }
+
+ private:
+  struct alignas(64) Block {
+    std::uint64_t words[8];
+  };
+  /// The sets lie in rows of 16, 32 or 64 bits, as the maze is large: these read the rows as that Word.
+  template <class Word>
+  int read(Cell cell) const;
+  template <class Word>
+  void read_all(std::span<int> out) const;
+  std::uint64_t* sets() { return storage_.data()->words; }
+  const std::uint64_t* sets() const { return storage_.data()->words; }
+
+  Size size_;
+  Motion motion_;
+  int row_bits_;
+  int planes_;
+  void (*kernel_)(const FieldOrder&);
+  /// The unreached cells, then the planes, then what the kernel needs to remember: sets of rows of row_bits_ bits.
+  std::vector<Block> storage_;
+};
+
+}  // namespace labmouse

@@ -1,0 +1,60 @@
+#include "labmouse/mouse/explorer.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+namespace labmouse {
+
+Explorer::Explorer(const Briefing& briefing)
+    : briefing_(briefing),
+      knowledge_(briefing.size),
+      pose_(briefing.start),
+      to_goal_(briefing.size, briefing.motion) {
+  assert(briefing.size.contains(briefing.start.cell) && !briefing.goals.empty());
+}
+
+Action Explorer::decide(const Sighting& seen) {
+  if (!knowledge_.learn(pose_, seen)) return Action::forfeit(ForfeitReason::contradiction);
+  seen_ = seen;
+  const Action action = racing_ ? race() : explore();
+  perform(action);
+  ++steps_;
+  return action;
+}
+
+Action Explorer::race() {
+  to_goal_.fill(knowledge_.open(), briefing_.goals);
+  return step_along(to_goal_, knowledge_.open(), pose_);
+}
+
+Action Explorer::step_in_hope(const DistanceField& hope) const {
+  const auto move = next_move(hope, knowledge_.possible(), pose_);
+  if (!move) return Action::forfeit(ForfeitReason::no_way);
+  int known = 0;
+  Cell cell = pose_.cell;
+  while (known < move->cells && knowledge_.open().contains(wall_at(cell, move->direction))) {
+    cell = neighbour(cell, move->direction);
+    ++known;
+  }
+  // Only the wall behind can be unknown: the other three were just read.
+  return known > 0 ? move_in(pose_.heading, move->direction, known) : Action::step(90, 0);
+}
+
+void Explorer::perform(const Action& action) {
+  switch (action.kind) {
+    case Action::Kind::step:
+      pose_ = after(pose_, action);
+      assert(briefing_.size.contains(pose_.cell));
+      if (!racing_ && briefing_.goals.contains(pose_.cell)) goal_entered_ = true;
+      break;
+    case Action::Kind::reset:
+      assert(goal_entered_ && !racing_);
+      pose_ = briefing_.start;
+      racing_ = true;
+      break;
+    case Action::Kind::forfeit:
+      break;
+  }
+}
+
+}  // namespace labmouse

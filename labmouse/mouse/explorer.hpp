@@ -1,0 +1,53 @@
+// What every mouse of our own has in common: it keeps track of where it stands, learns what it sees, and in the speed
+// run takes the shortest route that it knows. What is left to the mind is where to explore and when to stop.
+#pragma once
+
+#include "labmouse/mouse/briefing.hpp"
+#include "labmouse/mouse/route.hpp"
+#include "labmouse/mouse/strategy.hpp"
+
+namespace labmouse {
+
+/// A strategy with the bookkeeping done. A mind derives from it and writes explore().
+class Explorer : public Strategy {
+ public:
+  explicit Explorer(const Briefing& briefing);
+
+  Action decide(const Sighting& seen) final;
+  const Knowledge& knowledge() const final { return knowledge_; }
+
+ protected:
+  /// One action of the exploration. Moves must lead through walls known to be open; a reset is only for a mouse that
+  /// has entered a goal.
+  virtual Action explore() = 0;
+  /// One action of the speed run; unless a mind has its own, the next on the shortest known route, planned anew at each
+  /// step because the readings may have shown a shorter one.
+  virtual Action race();
+
+  const Briefing& briefing() const { return briefing_; }
+  const Pose& pose() const { return pose_; }
+  /// The reading in the present pose.
+  const Sighting& seen() const { return seen_; }
+  /// Whether a step of the exploration has ended in a goal, so that a reset is allowed.
+  bool goal_entered() const { return goal_entered_; }
+  /// Steps that the budget still allows, the present one among them.
+  int steps_left() const { return briefing_.budget - steps_; }
+
+  /// One step towards the cells at distance 0 of a field filled over knowledge().possible(): along a cheapest route as
+  /// far as it is known to be open; where it begins behind a wall not yet seen, a quarter turn to look at that wall.
+  Action step_in_hope(const DistanceField& hope) const;
+
+ private:
+  void perform(const Action& action);
+
+  Briefing briefing_;
+  Knowledge knowledge_;
+  Pose pose_;
+  Sighting seen_;
+  DistanceField to_goal_;
+  int steps_ = 0;
+  bool goal_entered_ = false;
+  bool racing_ = false;
+};
+
+}  // namespace labmouse

@@ -1,0 +1,47 @@
+#include "labmouse/mouse/knowledge.hpp"
+
+#include <cassert>
+
+namespace labmouse {
+
+Knowledge::Knowledge(Size size) : size_(size), possible_(WallSet::all(size)) { assert(size.valid()); }
+
+WallState Knowledge::state(Wall wall) const {
+  if (open_.contains(wall)) return WallState::open;
+  return possible_.contains(wall) ? WallState::unknown : WallState::closed;
+}
+
+WallSet Knowledge::unknown() const {
+  WallSet walls = possible_;
+  walls -= open_;
+  return walls;
+}
+
+bool Knowledge::learn(Pose pose, Sighting sighting) {
+  for (const int side : {-1, 0, 1})
+    if (!agrees({pose.cell, turned(pose.heading, side)}, sighting.towards(side))) return false;
+  for (const int side : {-1, 0, 1}) learn_corridor({pose.cell, turned(pose.heading, side)}, sighting.towards(side));
+  return true;
+}
+
+bool Knowledge::agrees(Pose pose, int open_cells) const {
+  if (open_cells < 0 || open_cells >= max_side) return false;
+  Cell cell = pose.cell;
+  for (int passed = 0; passed < open_cells; ++passed) {
+    if (state(wall_at(cell, pose.heading)) == WallState::closed) return false;
+    cell = neighbour(cell, pose.heading);
+  }
+  return state(wall_at(cell, pose.heading)) != WallState::open;
+}
+
+void Knowledge::learn_corridor(Pose pose, int open_cells) {
+  Cell cell = pose.cell;
+  for (int passed = 0; passed < open_cells; ++passed) {
+    open_.insert(wall_at(cell, pose.heading));
+    cell = neighbour(cell, pose.heading);
+  }
+  // The wall that ends the corridor; on the border there is nothing to learn.
+  if (const Wall end = wall_at(cell, pose.heading); !on_border(end, size_)) possible_.erase(end);
+}
+
+}  // namespace labmouse

@@ -1,0 +1,40 @@
+// What a mouse knows: which walls are open, which are closed, and which it has not seen.
+#pragma once
+
+#include "labmouse/grid/wall_set.hpp"
+#include "labmouse/mouse/pose.hpp"
+#include "labmouse/mouse/sighting.hpp"
+
+namespace labmouse {
+
+enum class WallState : std::uint8_t { unknown, open, closed };
+
+/// Belief about one maze. It only grows: a wall that was learned never changes. The border is known from birth.
+class Knowledge {
+ public:
+  explicit Knowledge(Size size);
+
+  Size size() const { return size_; }
+  WallState state(Wall wall) const;
+
+  /// Learns all that a reading shows: in each of the three directions the open walls of the corridor, and the closed
+  /// one at its end. False, and nothing is learned, where the reading contradicts what is known.
+  [[nodiscard]] bool learn(Pose pose, Sighting sighting);
+
+  /// Walls known to be open: passages.
+  const WallSet& open() const { return open_; }
+  /// Walls not known to be closed: open and unknown ones, what an optimist walks through. Contains open().
+  const WallSet& possible() const { return possible_; }
+  /// Walls that have not been seen.
+  WallSet unknown() const;
+
+ private:
+  bool agrees(Pose pose, int open_cells) const;
+  void learn_corridor(Pose pose, int open_cells);
+
+  Size size_;
+  WallSet open_;
+  WallSet possible_;
+};
+
+}  // namespace labmouse

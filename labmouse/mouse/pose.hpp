@@ -1,0 +1,15 @@
+// Where a mouse stands and looks.
+#pragma once
+
+#include "labmouse/grid/heading.hpp"
+
+namespace labmouse {
+
+struct Pose {
+  Cell cell;
+  Heading heading = Heading::north;
+
+  friend constexpr bool operator==(const Pose&, const Pose&) = default;
+};
+
+}  // namespace labmouse
