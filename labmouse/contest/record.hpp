@@ -1,0 +1,60 @@
+// What happened in one contest, step by step: append-only and complete.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "labmouse/mouse/action.hpp"
+#include "labmouse/mouse/pose.hpp"
+#include "labmouse/mouse/sighting.hpp"
+
+namespace labmouse {
+
+/// The two runs of a contest.
+enum class Run : std::uint8_t { exploration, speed };
+
+/// How a contest ended.
+enum class Outcome : std::uint8_t {
+  solved,                 ///< the speed run ended in a goal
+  out_of_steps,           ///< the budget ended before a step of the exploration ended in a goal
+  never_reset,            ///< a goal was entered, and the budget ended before the mouse went back to the start
+  speed_run_unfinished,   ///< the budget ended in the speed run
+  forfeit,                ///< the mouse gave up; the last step's action has the reason
+};
+
+constexpr std::string_view name_of(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::solved: return "solved";
+    case Outcome::out_of_steps: return "out of steps";
+    case Outcome::never_reset: return "never reset";
+    case Outcome::speed_run_unfinished: return "speed run unfinished";
+    case Outcome::forfeit: return "forfeit";
+  }
+  return "unknown";
+}
+
+/// One step: where the mouse stood, what it was shown, what it did.
+struct StepRecord {
+  Run run = Run::exploration;
+  /// Count of the clock, from 1 over both runs.
+  int step = 0;
+  Pose pose;          ///< before the action
+  Sighting sighting;  ///< as read in that pose
+  Action action;      ///< as asked for
+  bool blocked = false;  ///< a wall ended the movement early
+
+  friend constexpr bool operator==(const StepRecord&, const StepRecord&) = default;
+};
+
+/// One contest of one mouse in one maze.
+struct RunRecord {
+  std::vector<StepRecord> steps;
+  Outcome outcome = Outcome::out_of_steps;
+  /// Where the mouse stood at the end.
+  Pose end;
+
+  friend bool operator==(const RunRecord&, const RunRecord&) = default;
+};
+
+}  // namespace labmouse

@@ -1,0 +1,134 @@
+// certify: explores until its route is proven shortest, and no further.
+//
+// Method: flood fill to the goal, because the reset needs it entered and the way there is worth seeing. From then on the
+// shortest optimistic route, which takes unknown walls for open, is compared with the shortest known one. While it is
+// shorter, some wall on it is unknown: the mouse goes to the nearest cell from which it can see such a wall (any on any
+// shortest optimistic route), looks, and plans again. When both lengths agree, nothing unseen can make the route
+// shorter: it is proven, and the mouse resets. Where the budget ends before the proof, it resets while it still can.
+// Limits: buys the proof at any price; a point of score is 30 steps of exploration, and the proof often costs more.
+// Source: contest mice explore so before they dare the fast run; as a walk that plans anew on optimistic costs it is
+// kin to D* Lite (Koenig and Likhachev 2002).
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "labmouse/mouse/explorer.hpp"
+#include "labmouse/strategies/roster.hpp"
+
+namespace labmouse {
+namespace {
+
+class Certify final : public Explorer {
+ public:
+  explicit Certify(const Briefing& briefing)
+      : Explorer(briefing),
+        from_start_(briefing.size, briefing.motion),
+        to_goal_(briefing.size, briefing.motion),
+        travel_(briefing.size, briefing.motion),
+        start_costs_(static_cast<std::size_t>(briefing.size.area())),
+        goal_costs_(static_cast<std::size_t>(briefing.size.area())) {
+    start_.insert(briefing.start.cell);
+  }
+
+ private:
+  Action explore() override {
+    if (!goal_entered()) return enter_goal();
+    to_goal_.fill(knowledge().open(), briefing().goals);
+    const int known = to_goal_.at(briefing().start.cell);
+    // The last moment at which the reset and the known route still fit into the budget.
+    const bool last_call = steps_left() <= known + 1;
+    return last_call || proven(known) ? Action::reset() : go_and_look();
+  }
+
+  Action enter_goal() {
+    to_goal_.fill(knowledge().possible(), briefing().goals);
+    // The start may be a goal; a step has to end there.
+    return to_goal_.at(pose().cell) == 0 ? Action::step(0, 0) : step_in_hope(to_goal_);
+  }
+
+  /// Whether no route that could exist is shorter than the known one. Leaves the optimistic length in hoped_.
+  bool proven(int known) {
+    from_start_.fill(knowledge().possible(), start_);
+    hoped_ = unreachable;
+    briefing().goals.for_each([&](Cell goal) { hoped_ = std::min(hoped_, from_start_.at(goal)); });
+    return hoped_ == known && known < unreachable;
+  }
+
+  Action go_and_look() {
+    if (hoped_ == unreachable) return Action::forfeit(ForfeitReason::no_way);
+    const CellSet viewpoints = viewpoints_of(hoped_walls());
+    // Standing where the wall could be seen and not seeing it: it is behind.
+    if (viewpoints.contains(pose().cell)) return Action::step(90, 0);
+    travel_.fill(knowledge().open(), viewpoints);
+    return step_along(travel_, knowledge().open(), pose());
+  }
+
+  /// The unknown walls on the shortest optimistic routes.
+  WallSet hoped_walls() {
+    from_start_.copy_to(start_costs_);
+    to_goal_.fill(knowledge().possible(), briefing().goals);
+    to_goal_.copy_to(goal_costs_);
+    WallSet walls;
+    const Size size = briefing().size;
+    for (int index = 0; index < size.area(); ++index) {
+      const Cell cell = size.cell_at(index);
+      if (cost(start_costs_, cell) + cost(goal_costs_, cell) != hoped_) continue;
+      for (const Heading direction : all_headings) add_hoped_walls(cell, direction, walls);
+    }
+    return walls;
+  }
+
+  /// Adds the unknown walls of those straight moves from a cell that lie on a shortest optimistic route.
+  void add_hoped_walls(Cell from, Heading direction, WallSet& walls) {
+    const Motion& motion = briefing().motion;
+    const int spent = cost(start_costs_, from);
+    std::array<Wall, Motion::max_longest> passed;
+    unsigned count = 0;
+    Cell cell = from;
+    for (int cells = 1; cells <= motion.longest; ++cells) {
+      const Wall wall = wall_at(cell, direction);
+      if (!knowledge().possible().contains(wall)) return;
+      if (!knowledge().open().contains(wall)) passed[count++] = wall;
+      cell = neighbour(cell, direction);
+      if (spent + motion.cost[static_cast<unsigned>(cells)] + cost(goal_costs_, cell) == hoped_)
+        for (unsigned i = 0; i < count; ++i) walls.insert(passed[i]);
+    }
+  }
+
+  /// The cells that look along a corridor of open walls at one of the walls.
+  CellSet viewpoints_of(const WallSet& walls) const {
+    CellSet cells;
+    walls.for_each([&](Wall wall) {
+      for (const Heading direction : {wall.side, opposite(wall.side)}) {
+        Cell cell = direction == wall.side ? wall.cell : neighbour(wall.cell, wall.side);
+        cells.insert(cell);
+        while (knowledge().open().contains(wall_at(cell, opposite(direction)))) {
+          cell = neighbour(cell, opposite(direction));
+          cells.insert(cell);
+        }
+      }
+    });
+    return cells;
+  }
+
+  int cost(const std::vector<int>& costs, Cell cell) const {
+    return costs[static_cast<std::size_t>(briefing().size.index(cell))];
+  }
+
+  DistanceField from_start_;
+  DistanceField to_goal_;
+  DistanceField travel_;
+  std::vector<int> start_costs_;
+  std::vector<int> goal_costs_;
+  CellSet start_;
+  int hoped_ = 0;
+};
+
+}  // namespace
+
+const RosterEntry certify_mouse = {"certify", "explores until its route is proven shortest", {},
+                                   [](const Briefing& briefing, const Settings&) -> std::unique_ptr<Strategy> {
+                                     return std::make_unique<Certify>(briefing);
+                                   }};
+
+}  // namespace labmouse

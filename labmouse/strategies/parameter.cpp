@@ -1,0 +1,170 @@
+#include "labmouse/strategies/parameter.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <numeric>
+
+namespace labmouse {
+namespace {
+
+constexpr std::array<std::string_view, 2> yes = {"yes", "true"};
+constexpr std::array<std::string_view, 2> no = {"no", "false"};
+
+template <std::size_t N>
+bool is_one_of(std::string_view word, const std::array<std::string_view, N>& words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (;;) {
+    const auto end = text.find(separator);
+    parts.push_back(text.substr(0, end));
+    if (end == std::string_view::npos) return parts;
+    text.remove_prefix(end + 1);
+  }
+}
+
+/// A bound of a range as it would be typed: `3`, `0.25`.
+std::string plain(double number) {
+  std::string text = std::to_string(number);
+  while (text.back() == '0') text.pop_back();
+  if (text.back() == '.') text.pop_back();
+  return text;
+}
+
+std::string check_number(const Parameter& parameter, std::string_view value) {
+  double number = 0.0;
+  if (!parse_number(value, number)) return "is not a number";
+  if (parameter.type == ParameterType::whole && number != std::floor(number)) return "is not a whole number";
+  if (number < parameter.low || number > parameter.high)
+    return "is outside of " + plain(parameter.low) + " to " + plain(parameter.high);
+  return "";
+}
+
+std::string check_choice(const Parameter& parameter, std::string_view value) {
+  const auto choices = split(parameter.choices, '/');
+  if (std::find(choices.begin(), choices.end(), value) != choices.end()) return "";
+  const auto near = nearest_name(value, choices);
+  return near.empty() ? "is none of " + std::string(parameter.choices) : "is unknown; did you mean '" + std::string(near) + "'?";
+}
+
+/// Edits (insert, delete, replace a letter) that lead from one word to another (Levenshtein 1966).
+std::size_t edits_between(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
+    }
+  }
+  return row.back();
+}
+
+}  // namespace
+
+std::string_view name_of(ParameterType type) {
+  switch (type) {
+    case ParameterType::whole: return "whole number";
+    case ParameterType::real: return "number";
+    case ParameterType::flag: return "yes/no";
+    case ParameterType::choice: return "choice";
+    case ParameterType::list: return "list";
+  }
+  return "unknown";
+}
+
+Settings::Settings(std::span<const Parameter> parameters) {
+  for (const Parameter& parameter : parameters)
+    settings_.push_back({std::string(parameter.name), std::string(parameter.default_value)});
+}
+
+void Settings::set(std::string_view name, std::string_view value) {
+  const auto setting = std::find_if(settings_.begin(), settings_.end(), [&](const Setting& s) { return s.name == name; });
+  assert(setting != settings_.end());
+  setting->value = value;
+}
+
+std::string_view Settings::choice(std::string_view name) const {
+  const auto setting = std::find_if(settings_.begin(), settings_.end(), [&](const Setting& s) { return s.name == name; });
+  assert(setting != settings_.end());
+  return setting->value;
+}
+
+double Settings::real(std::string_view name) const {
+  double number = 0.0;
+  [[maybe_unused]] const bool parsed = parse_number(choice(name), number);
+  assert(parsed);
+  return number;
+}
+
+int Settings::whole(std::string_view name) const { return static_cast<int>(real(name)); }
+
+bool Settings::flag(std::string_view name) const { return is_one_of(choice(name), yes); }
+
+std::vector<double> Settings::list(std::string_view name) const {
+  std::vector<double> numbers;
+  for (const auto part : split(choice(name), '/')) parse_number(part, numbers.emplace_back());
+  return numbers;
+}
+
+std::string check_value(const Parameter& parameter, std::string_view value) {
+  switch (parameter.type) {
+    case ParameterType::whole:
+    case ParameterType::real:
+      return check_number(parameter, value);
+    case ParameterType::flag:
+      return is_one_of(value, yes) || is_one_of(value, no) ? "" : "is neither yes nor no";
+    case ParameterType::choice:
+      return check_choice(parameter, value);
+    case ParameterType::list: {
+      const auto parts = split(value, '/');
+      const auto length = split(parameter.default_value, '/').size();
+      if (parts.size() != length) return "has not " + std::to_string(length) + " elements separated by '/'";
+      for (const auto part : parts)
+        if (const auto reason = check_number(parameter, part); !reason.empty()) return "has an element that " + reason;
+      return "";
+    }
+  }
+  return "";
+}
+
+std::string_view nearest_name(std::string_view word, std::span<const std::string_view> candidates) {
+  std::string_view nearest;
+  std::size_t fewest = std::max<std::size_t>(2, word.size() / 2);  // more edits than this is another word
+  for (const auto candidate : candidates)
+    if (const std::size_t edits = edits_between(word, candidate); edits < fewest || (edits == fewest && nearest.empty())) {
+      fewest = edits;
+      nearest = candidate;
+    }
+  return nearest;
+}
+
+bool parse_number(std::string_view text, double& number) {
+  const bool negative = !text.empty() && text.front() == '-';
+  if (negative) text.remove_prefix(1);
+  // At most 15 digits, so that digits and scale are exact in a double and one division rounds correctly.
+  double digits = 0.0, scale = 1.0;
+  int count = 0;
+  bool fraction = false;
+  for (const char letter : text) {
+    if (letter == '.' && !fraction) {
+      fraction = true;
+      continue;
+    }
+    if (letter < '0' || letter > '9' || ++count > 15) return false;
+    digits = digits * 10.0 + (letter - '0');
+    if (fraction) scale *= 10.0;
+  }
+  if (count == 0) return false;
+  number = (negative ? -digits : digits) / scale;
+  return true;
+}
+
+}  // namespace labmouse

@@ -1,0 +1,19 @@
+#include "labmouse/strategies/roster.hpp"
+
+#include <array>
+
+namespace labmouse {
+
+std::span<const RosterEntry* const> roster() {
+  static constexpr std::array entries = {&random_mouse, &wall_left_mouse,    &wall_right_mouse,
+                                         &flood_mouse,  &flood_return_mouse, &certify_mouse};
+  return entries;
+}
+
+const RosterEntry* find_mouse(std::string_view name) {
+  for (const RosterEntry* entry : roster())
+    if (entry->name == name) return entry;
+  return nullptr;
+}
+
+}  // namespace labmouse

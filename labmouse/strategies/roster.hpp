@@ -1,0 +1,41 @@
+// The roster: every mouse that labmouse brings, in one plain table.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "labmouse/mouse/briefing.hpp"
+#include "labmouse/mouse/strategy.hpp"
+#include "labmouse/strategies/parameter.hpp"
+
+namespace labmouse {
+
+using MouseFactory = std::unique_ptr<Strategy> (*)(const Briefing& briefing, const Settings& settings);
+
+/// One mouse: its name, what it does in a line, its parameters, and how it is made. Each mind's file defines its own.
+struct RosterEntry {
+  std::string_view name;
+  std::string_view summary;
+  std::span<const Parameter> parameters;
+  MouseFactory make;
+  /// Whether it throws dice: then one run says little, and races give it several.
+  bool uses_chance = false;
+};
+
+extern const RosterEntry random_mouse;
+extern const RosterEntry wall_left_mouse;
+extern const RosterEntry wall_right_mouse;
+extern const RosterEntry flood_mouse;
+extern const RosterEntry flood_return_mouse;
+extern const RosterEntry certify_mouse;
+
+/// All of them, from the simplest to the best.
+std::span<const RosterEntry* const> roster();
+
+/// The entry of that name, or null.
+const RosterEntry* find_mouse(std::string_view name);
+
+}  // namespace labmouse

@@ -1,0 +1,41 @@
+// wall-left, wall-right: one hand on the wall.
+//
+// Method: at each cell the first open side in the order hand side, ahead, other side; in a dead end it turns on the
+// spot, away from the hand. After the goal it resets and takes the shortest route that it has seen.
+// Limits: walks for ever around a goal that hangs on no wall of the outside ("island"), as contest mazes ensure.
+// Source: folklore, older than the contests; the maze is a graph drawn in the plane, and its hand traces one face.
+#include "labmouse/mouse/explorer.hpp"
+#include "labmouse/strategies/roster.hpp"
+
+namespace labmouse {
+namespace {
+
+class WallFollower final : public Explorer {
+ public:
+  /// `hand` is the side of the hand in quarter turns: -1 left, 1 right.
+  WallFollower(const Briefing& briefing, int hand) : Explorer(briefing), hand_(hand) {}
+
+ private:
+  Action explore() override {
+    if (goal_entered()) return Action::reset();
+    for (const int side : {hand_, 0, -hand_})
+      if (seen().towards(side) > 0) return Action::step(90 * side, 1);
+    return Action::step(-90 * hand_, 0);
+  }
+
+  int hand_;
+};
+
+}  // namespace
+
+const RosterEntry wall_left_mouse = {"wall-left", "keeps its left hand on the wall until the goal", {},
+                                     [](const Briefing& briefing, const Settings&) -> std::unique_ptr<Strategy> {
+                                       return std::make_unique<WallFollower>(briefing, -1);
+                                     }};
+
+const RosterEntry wall_right_mouse = {"wall-right", "keeps its right hand on the wall until the goal", {},
+                                      [](const Briefing& briefing, const Settings&) -> std::unique_ptr<Strategy> {
+                                        return std::make_unique<WallFollower>(briefing, 1);
+                                      }};
+
+}  // namespace labmouse
