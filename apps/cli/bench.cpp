@@ -1,0 +1,50 @@
+// labmouse bench: one number for behaviour, and the speeds of this build on this machine.
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "command.hpp"
+#include "labmouse/lab/signature.hpp"
+#include "labmouse/lab/speed.hpp"
+
+namespace labmouse::cli {
+namespace {
+
+std::string bench_table(const std::string& signature, const Speed& speed) {
+  std::string text = fmt::format("signature {}\n\ndistance field, strides of three, median ns\n{:>5}{:>10}{:>16}{:>10}{:>10}{:>14}\n",
+                                 signature, "side", "rows", "rows, portable", "queue", "plain", "queue / rows");
+  for (const auto& [side, ns] : speed.distance_ns)
+    text += fmt::format("{:>5}{:>10.0f}{:>16.0f}{:>10.0f}{:>10.0f}{:>14.1f}\n", side, ns.rows, ns.portable_rows, ns.queue,
+                        ns.plain, ns.queue / ns.rows);
+  text += "\ncontests a second on one thread, 16x16\n";
+  for (const auto& [mouse, contests] : speed.contests_per_second) text += fmt::format("{:>14}{:>10.0f}\n", mouse, contests);
+  return text;
+}
+
+std::string bench_json(const std::string& signature, const Speed& speed) {
+  nlohmann::ordered_json json;
+  json["signature"] = signature;
+  for (const auto& [side, ns] : speed.distance_ns)
+    json["distance_ns"][fmt::format("{}", side)] = {
+        {"rows", ns.rows}, {"portable_rows", ns.portable_rows}, {"queue", ns.queue}, {"plain", ns.plain}};
+  for (const auto& [mouse, contests] : speed.contests_per_second) json["contests_per_second"][mouse] = contests;
+  return json.dump(1) + "\n";
+}
+
+}  // namespace
+
+void add_bench(CLI::App& app, int& exit) {
+  auto format = std::make_shared<std::string>("table");
+  CLI::App* command = app.add_subcommand("bench", "Print the behaviour signature and the speeds");
+  command->add_option("--format", *format, "Output")->check(CLI::IsMember({"table", "json"}))->capture_default_str();
+  command->footer("Example: labmouse bench --format json");
+  command->callback([format, &exit] {
+    const std::string signature = fmt::format("{:016x}", behaviour_signature());
+    const Speed speed = measure_speed();
+    print(*format == "json" ? bench_json(signature, speed) : bench_table(signature, speed));
+    exit = exit_good;
+  });
+}
+
+}  // namespace labmouse::cli

@@ -1,0 +1,105 @@
+#include "command.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+
+#include "labmouse/lab/files.hpp"
+#include "labmouse/mouse/pose.hpp"
+#include "labmouse/strategies/parameter.hpp"
+
+namespace labmouse::cli {
+namespace {
+
+/// Reads `X,Y` or, where a heading may stand behind it, `X,Y,HEADING`.
+Pose read_place(const std::string& text, bool with_heading) {
+  std::vector<std::string> parts;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const auto comma = std::min(text.find(',', begin), text.size());
+    parts.push_back(text.substr(begin, comma - begin));
+    begin = comma + 1;
+  }
+  const auto bad = [&] {
+    return UsageError(fmt::format("error: '{}' is no place; write X,Y{}, as in 0,0", text, with_heading ? " or X,Y,HEADING" : ""));
+  };
+  double x = 0.0, y = 0.0;
+  if (parts.size() < 2 || parts.size() > (with_heading ? 3U : 2U)) throw bad();
+  if (!parse_number(parts[0], x) || !parse_number(parts[1], y)) throw bad();
+  if (x < 0 || y < 0 || x >= max_side || y >= max_side || x != static_cast<int>(x) || y != static_cast<int>(y)) throw bad();
+  Pose pose{{static_cast<int>(x), static_cast<int>(y)}, Heading::north};
+  if (parts.size() == 2) return pose;
+  for (const Heading heading : all_headings)
+    if (parts[2] == name_of(heading)) return {pose.cell, heading};
+  throw bad();
+}
+
+void require_inside(const NamedMaze& maze, Cell cell, const char* what) {
+  const Size size = maze.maze.size();
+  if (size.contains(cell)) return;
+  throw UsageError(fmt::format("{}: error: the {} ({},{}) lies outside of the maze, which is {}x{}", maze.name, what, cell.x,
+                               cell.y, size.width, size.height));
+}
+
+void apply(const Places& places, NamedMaze& maze) {
+  if (!places.start.empty()) {
+    const Pose start = read_place(places.start, true);
+    require_inside(maze, start.cell, "start");
+    maze.maze = maze.maze.with_start(start.cell, start.heading);
+  }
+  if (places.goals.empty()) return;
+  CellSet goals;
+  for (const std::string& text : places.goals) {
+    const Cell goal = read_place(text, false).cell;
+    require_inside(maze, goal, "goal");
+    goals.insert(goal);
+  }
+  maze.maze = maze.maze.with_goals(goals);
+}
+
+std::string describe_all(const std::vector<SkippedFile>& files) {
+  std::string text;
+  for (const SkippedFile& file : files)
+    for (const Problem& problem : file.problems) text += describe(file.path, problem) + "\n";
+  if (!text.empty()) text.pop_back();
+  return text;
+}
+
+}  // namespace
+
+void add_places(CLI::App& command, Places& places) {
+  command.add_option("--start", places.start, "Start cell, X,Y or X,Y,HEADING, in place of the file's")->type_name("X,Y[,HEADING]");
+  command.add_option("--goal", places.goals, "Goal cell in place of the file's (may repeat)")->type_name("X,Y")->expected(1)->take_all();
+}
+
+MazeCollection find_mazes(const std::vector<std::string>& paths, const Places& places) {
+  MazeCollection collection = paths.empty() ? load_builtin_mazes() : load_mazes(paths);
+  if (!collection.errors.empty()) throw UsageError(describe_all(collection.errors));
+  if (!collection.skipped.empty()) std::fputs((describe_all(collection.skipped) + "\n").c_str(), stderr);
+  if (collection.mazes.empty()) throw UsageError("error: no maze to work on; name a maze file, or leave the paths out for the built-in ones");
+  for (NamedMaze& maze : collection.mazes) apply(places, maze);
+  return collection;
+}
+
+NamedMaze find_maze(const std::string& path, const Places& places) {
+  MazeCollection collection = find_mazes({path}, places);
+  if (collection.mazes.size() == 1) return collection.mazes.front();
+  throw UsageError(fmt::format("{}: error: holds {} mazes; name one", path, collection.mazes.size()));
+}
+
+void print(const std::string& text) {
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
+    throw UsageError("error: cannot write to standard output");
+}
+
+void save(const std::string& path, const std::string& content) {
+  if (const auto error = write_file(path, content); !error.empty()) throw UsageError(fmt::format("{}: error: {}", path, error));
+}
+
+bool colours() {
+  const char* no_colour = std::getenv("NO_COLOR");
+  return isatty(STDOUT_FILENO) != 0 && (no_colour == nullptr || *no_colour == '\0');
+}
+
+}  // namespace labmouse::cli

@@ -1,0 +1,55 @@
+// What the subcommands share: how they end, how they find mazes, and how they speak.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "labmouse/lab/maze_files.hpp"
+
+namespace labmouse::cli {
+
+enum ExitCode { exit_good = 0, exit_finding = 1, exit_usage = 2, exit_interrupted = 130 };
+
+/// Bad usage or input: one line or several for standard error; ends the program with exit code 2.
+struct UsageError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// --start and --goal, which override what a maze file says.
+struct Places {
+  std::string start;
+  std::vector<std::string> goals;
+};
+void add_places(CLI::App& command, Places& places);
+
+/// The mazes of the paths (the built-in ones where there is none), with the places applied. What was skipped is told on
+/// standard error; a path named directly that is no maze throws UsageError.
+MazeCollection find_mazes(const std::vector<std::string>& paths, const Places& places);
+/// The one maze of a path.
+NamedMaze find_maze(const std::string& path, const Places& places);
+
+/// Writes to standard output, or throws UsageError when it cannot.
+void print(const std::string& text);
+/// Writes a file whole or throws UsageError.
+void save(const std::string& path, const std::string& content);
+
+/// Whether to colour what goes to standard output: it is a terminal and NO_COLOR is not set.
+bool colours();
+
+/// Adds each subcommand; its callback leaves the exit code in `exit`.
+void add_race(CLI::App& app, int& exit);
+void add_run(CLI::App& app, int& exit);
+void add_show(CLI::App& app, int& exit);
+void add_inspect(CLI::App& app, int& exit);
+void add_make(CLI::App& app, int& exit);
+void add_convert(CLI::App& app, int& exit);
+void add_mice(CLI::App& app, int& exit);
+void add_bound(CLI::App& app, int& exit);
+void add_replay(CLI::App& app, int& exit);
+void add_score(CLI::App& app, int& exit);
+void add_bench(CLI::App& app, int& exit);
+
+}  // namespace labmouse::cli

@@ -1,0 +1,68 @@
+// labmouse mice: the roster. labmouse bound: how low anyone could score.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "command.hpp"
+#include "labmouse/lab/bounds.hpp"
+#include "labmouse/strategies/roster.hpp"
+
+namespace labmouse::cli {
+namespace {
+
+std::string range_of(const Parameter& parameter) {
+  switch (parameter.type) {
+    case ParameterType::flag: return "yes or no";
+    case ParameterType::choice: return std::string(parameter.choices);
+    default: return fmt::format("{:g} to {:g}", parameter.low, parameter.high);
+  }
+}
+
+std::string describe_mice() {
+  std::string text;
+  for (const RosterEntry* mouse : roster()) {
+    text += fmt::format("{:<14}{}{}\n", mouse->name, mouse->summary, mouse->uses_chance ? " (throws dice)" : "");
+    for (const Parameter& parameter : mouse->parameters)
+      text += fmt::format("    {}={}  {}, {}: {}\n", parameter.name, parameter.default_value, name_of(parameter.type),
+                          range_of(parameter), parameter.meaning);
+  }
+  return text + fmt::format("{:<14}{}\n", "oracle", "knows the maze: the bound's witness, not a contestant");
+}
+
+struct BoundOptions {
+  std::vector<std::string> mazes;
+  Places places;
+};
+
+void print_bounds(const BoundOptions& options) {
+  for (const NamedMaze& maze : find_mazes(options.mazes, options.places).mazes) {
+    const Bound bound = bound_of(maze.maze, Rules());
+    print(bound.score ? fmt::format("{:>8.3f}  shortest run {:>3} steps  {}\n", *bound.score, *bound.optimum, maze.name)
+                      : fmt::format("{:>8}  the goal cannot be reached  {}\n", "none", maze.name));
+  }
+}
+
+}  // namespace
+
+void add_mice(CLI::App& app, int& exit) {
+  CLI::App* command = app.add_subcommand("mice", "List the mice and their parameters with defaults and ranges");
+  command->footer("Example: labmouse mice");
+  command->callback([&exit] {
+    print(describe_mice());
+    exit = exit_good;
+  });
+}
+
+void add_bound(CLI::App& app, int& exit) {
+  auto options = std::make_shared<BoundOptions>();
+  CLI::App* command = app.add_subcommand("bound", "The best possible score of mazes: that of a mouse which knows them");
+  command->add_option("mazes", options->mazes, "Maze files, folders, patterns or names of built-in mazes")->required()->type_name("MAZE");
+  add_places(*command, options->places);
+  command->footer("Example: labmouse bound capstone-1");
+  command->callback([options, &exit] {
+    print_bounds(*options);
+    exit = exit_good;
+  });
+}
+
+}  // namespace labmouse::cli

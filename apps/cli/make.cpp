@@ -1,0 +1,98 @@
+// labmouse make: a maze from a generator. labmouse convert: a maze from one format into another.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "command.hpp"
+#include "labmouse/maze/generators/generator.hpp"
+#include "labmouse/strategies/parameter.hpp"
+
+namespace labmouse::cli {
+namespace {
+
+template <class Things>
+std::string names_of(const Things& things) {
+  std::string names;
+  for (const auto* thing : things) names += (names.empty() ? "" : ", ") + std::string(thing->name);
+  return names;
+}
+
+/// The format of that name; without a name the one that the path's ending suggests, or the drawing.
+const Format& choose_format(const std::string& name, const std::string& path) {
+  if (name.empty()) return path.ends_with(".maz") ? maz_format : path.ends_with(".num") ? num_format : drawing_format;
+  if (const Format* format = find_format(name)) return *format;
+  throw UsageError(fmt::format("error: format '{}' is unknown; there are {}", name, names_of(all_formats())));
+}
+
+void write(const Maze& maze, const std::string& path, const std::string& format_name) {
+  const Format& format = choose_format(format_name, path);
+  const WriteResult result = format.write(maze);
+  if (!result.content) throw UsageError(fmt::format("{}: error: format {} cannot hold this maze: {}", path, format.name, result.reason));
+  if (path == "-")
+    print(*result.content);
+  else
+    save(path, *result.content);
+}
+
+struct MakeOptions {
+  std::string kind, size = "16x16", out = "-", format;
+  std::uint64_t seed = 1;
+  double loops = 0.0;
+};
+
+Size read_size(const std::string& text) {
+  const auto cross = text.find('x');
+  double width = 0.0, height = 0.0;
+  const bool good = parse_number(text.substr(0, cross), width) &&
+                    parse_number(cross == std::string::npos ? text : text.substr(cross + 1), height) &&
+                    width >= 1 && height >= 1 && width <= max_side && height <= max_side;
+  const Size size{static_cast<int>(width), static_cast<int>(height)};
+  if (good && size.width == width && size.height == height) return size;
+  throw UsageError(fmt::format("error: size '{}' is not WIDTHxHEIGHT with sides of 1 to {}", text, max_side));
+}
+
+void make(const MakeOptions& options) {
+  const Generator* generator = find_generator(options.kind);
+  if (generator == nullptr) throw UsageError(fmt::format("error: kind '{}' is unknown; there are {}", options.kind, names_of(all_generators())));
+  const GeneratorOrder order{read_size(options.size), options.seed, static_cast<int>(options.loops * 1000.0 + 0.5)};
+  if (const auto reason = generator->refuses(order); !reason.empty()) throw UsageError(fmt::format("error: {}", reason));
+  write(generator->make(order), options.out, options.format);
+}
+
+struct ConvertOptions {
+  std::string in, out, format;
+};
+
+}  // namespace
+
+void add_make(CLI::App& app, int& exit) {
+  auto options = std::make_shared<MakeOptions>();
+  CLI::App* command = app.add_subcommand("make", "Make a maze");
+  command->add_option("kind", options->kind, "Generator: " + names_of(all_generators()))->required()->type_name("KIND");
+  command->add_option("--size", options->size, "Width and height in cells")->type_name("WxH")->capture_default_str();
+  command->add_option("--seed", options->seed, "Seed of all chance")->capture_default_str();
+  command->add_option("--loops", options->loops, "Share of the remaining inner walls to take away, which makes loops")
+      ->check(CLI::Range(0.0, 1.0))->capture_default_str();
+  command->add_option("-o,--out", options->out, "File to write; - is standard output")->type_name("FILE")->capture_default_str();
+  command->add_option("--format", options->format, "Format: " + names_of(all_formats()) + "; default by the file's ending, or drawing");
+  command->footer("Example: labmouse make contest --size 32x32 --seed 7 -o my-maze.txt");
+  command->callback([options, &exit] {
+    make(*options);
+    exit = exit_good;
+  });
+}
+
+void add_convert(CLI::App& app, int& exit) {
+  auto options = std::make_shared<ConvertOptions>();
+  CLI::App* command = app.add_subcommand("convert", "Convert a maze into another format");
+  command->add_option("in", options->in, "Maze file or name of a built-in maze")->required()->type_name("IN");
+  command->add_option("out", options->out, "File to write; - is standard output")->required()->type_name("OUT");
+  command->add_option("--format", options->format, "Format: " + names_of(all_formats()) + "; default by the ending of OUT, or drawing");
+  command->footer("Example: labmouse convert maze.txt maze.maz");
+  command->callback([options, &exit] {
+    write(find_maze(options->in, {}).maze, options->out, options->format);
+    exit = exit_good;
+  });
+}
+
+}  // namespace labmouse::cli

@@ -1,0 +1,155 @@
+// labmouse race: many mice on many mazes, and a leaderboard.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <csignal>
+#include <memory>
+
+#include "command.hpp"
+#include "labmouse/lab/baseline.hpp"
+#include "labmouse/lab/drawing.hpp"
+#include "labmouse/lab/files.hpp"
+#include "labmouse/lab/race_files.hpp"
+#include "labmouse/lab/report.hpp"
+
+namespace labmouse::cli {
+namespace {
+
+std::atomic<bool> interrupted{false};
+
+struct RaceOptions {
+  std::vector<std::string> mice;
+  std::vector<std::string> mazes;
+  Places places;
+  RaceOrder order;
+  std::string format = "table";
+  std::string out;
+  std::string baseline;
+  double fail_above = 0.0;
+  bool has_limit = false;
+  int worst = 0;
+};
+
+std::vector<Contestant> find_contestants(const std::vector<std::string>& specs) {
+  if (specs.empty()) return all_contestants();
+  std::string joined;
+  for (const std::string& spec : specs) joined += (joined.empty() ? "" : ",") + spec;
+  SpecResult result = read_specs(joined);
+  if (!result.error.empty()) throw UsageError("error: " + result.error);
+  return std::move(result.contestants);
+}
+
+/// A bar on standard error, where that is a terminal.
+class Progress {
+ public:
+  void advance(std::size_t all) {
+    if (!shown_) return;
+    const auto percent = ++done_ * 100 / all;
+    if (percent == percent_) return;
+    percent_ = percent;
+    fmt::print(stderr, "\r[{:<40}] {:>3} %", std::string(percent * 40 / 100, '#'), percent);
+  }
+  ~Progress() {
+    if (shown_ && done_ > 0) fmt::print(stderr, "\r\x1b[K");
+  }
+
+ private:
+  bool shown_ = isatty(STDERR_FILENO) != 0;
+  std::size_t done_ = 0;
+  std::size_t percent_ = 101;
+};
+
+Race hold(const RaceOptions& options, std::vector<NamedMaze> mazes) {
+  Progress progress;
+  std::string failed_write;
+  RaceHooks hooks;
+  hooks.stop = &interrupted;
+  hooks.finished = [&](const Race& race, const ContestResult& contest, const RunRecord& record) {
+    progress.advance(race.results.size());
+    if (options.out.empty() || !failed_write.empty()) return;
+    failed_write = save_contest(options.out, race, contest, record);
+  };
+  std::signal(SIGINT, [](int) { interrupted = true; });
+  Race race = hold_race(find_contestants(options.mice), std::move(mazes), options.order, hooks);
+  std::signal(SIGINT, SIG_DFL);
+  if (!failed_write.empty()) throw UsageError(failed_write);
+  return race;
+}
+
+std::string report(const RaceOptions& options, const Race& race, const std::vector<SkippedFile>& skipped) {
+  if (options.format == "json") return json_of(race, skipped);
+  if (options.format == "csv") return csv_of(race);
+  return table_of(race, colours());
+}
+
+/// What is more than the results goes beside them: below a table, to standard error where a program reads the output.
+void add(const RaceOptions& options, const std::string& text) {
+  if (options.format == "table")
+    print("\n" + text);
+  else
+    fmt::print(stderr, "{}", text);
+}
+
+std::string read_baseline(const RaceOptions& options) {
+  if (options.baseline.empty()) return "";
+  const FileContent file = read_file(options.baseline, std::size_t{1} << 30U);
+  if (!file.error.empty()) throw UsageError(fmt::format("{}: error: {}", options.baseline, file.error));
+  return file.content;
+}
+
+/// The mice whose mean over all contests is above the limit.
+std::string above_limit(const RaceOptions& options, const Race& race) {
+  std::string text;
+  for (const Standing& standing : standings_of(race))
+    if (standing.penalised_mean && *standing.penalised_mean > options.fail_above && !race.mice[standing.mouse].reference)
+      text += fmt::format("{} scores {:.3f}, above the limit of {:g}\n", race.mice[standing.mouse].name,
+                          *standing.penalised_mean, options.fail_above);
+  return text;
+}
+
+int race(const RaceOptions& options) {
+  const std::string baseline = read_baseline(options);
+  MazeCollection mazes = find_mazes(options.mazes, options.places);
+  const Race result = hold(options, std::move(mazes.mazes));
+  BaselineResult change;
+  if (!options.baseline.empty()) change = compare_with_baseline(result, baseline);
+  if (!change.error.empty()) throw UsageError(fmt::format("{}: error: {}", options.baseline, change.error));
+  print(report(options, result, mazes.skipped));
+  if (options.worst > 0) add(options, worst_of(result, options.worst));
+  if (!change.text.empty()) add(options, change.text);
+  if (result.stopped) return exit_interrupted;
+  const std::string above = options.has_limit ? above_limit(options, result) : "";
+  fmt::print(stderr, "{}", above);
+  return above.empty() ? exit_good : exit_finding;
+}
+
+}  // namespace
+
+void add_race(CLI::App& app, int& exit) {
+  auto options = std::make_shared<RaceOptions>();
+  CLI::App* command = app.add_subcommand("race", "Race many mice on many mazes and print the leaderboard");
+  command->add_option("--mice", options->mice, "Mice: name[:key=value]..., several separated by commas (may repeat); default: all")
+      ->type_name("SPEC")->expected(1)->take_all();
+  command->add_option("--mazes", options->mazes, "Maze files, folders, patterns or names of built-in mazes; default: all built-in mazes")
+      ->type_name("PATH")->expected(1, 1 << 20)->take_all();
+  add_places(*command, options->places);
+  command->add_option("--runs", options->order.runs, "Contests of each mouse that throws dice, in each maze")
+      ->check(CLI::Range(1, 1'000'000))->capture_default_str();
+  command->add_option("--seed", options->order.seed, "Seed of all chance")->capture_default_str();
+  command->add_option("--jobs", options->order.jobs, "Threads; 0 takes all processors")->check(CLI::Range(0, 1024))->capture_default_str();
+  command->add_option("--format", options->format, "Output")->check(CLI::IsMember({"table", "json", "csv"}))->capture_default_str();
+  command->add_option("--out", options->out, "Folder for records and one SVG a maze and mouse")->type_name("DIR");
+  command->add_option("--baseline", options->baseline, "JSON of an earlier race: prints the paired difference")->type_name("FILE");
+  auto* limit = command->add_option("--fail-above", options->fail_above, "Exit with 1 if a mouse's mean score over all is above this")
+      ->type_name("SCORE");
+  command->add_option("--worst", options->worst, "Print the N mazes that cost each mouse most")->type_name("N")->check(CLI::Range(1, 1'000'000));
+  command->footer("Example: labmouse race --mice flood:stride=1,certify --mazes my-mazes/ --format json > today.json\n"
+                  "         labmouse race --mazes my-mazes/ --baseline today.json");
+  command->callback([options, limit, &exit] {
+    options->has_limit = limit->count() > 0;
+    exit = race(*options);
+  });
+}
+
+}  // namespace labmouse::cli

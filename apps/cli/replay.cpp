@@ -1,0 +1,83 @@
+// labmouse replay: plays a record again. labmouse score: what it is worth.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "command.hpp"
+#include "labmouse/contest/score.hpp"
+#include "labmouse/lab/files.hpp"
+#include "labmouse/lab/record_file.hpp"
+#include "walk.hpp"
+
+namespace labmouse::cli {
+namespace {
+
+struct ReplayOptions {
+  std::string file, maze, svg;
+  bool watch = false;
+  int delay = 60;
+};
+
+RecordFile load(const std::string& path) {
+  const FileContent file = read_file(path, std::size_t{1} << 28U);
+  if (!file.error.empty()) throw UsageError(fmt::format("{}: error: {}", path, file.error));
+  ReadRecordResult result = read_record(file.content);
+  if (!result.file) throw UsageError(describe(path, result.problems.front()));
+  return std::move(*result.file);
+}
+
+/// Plays the record in its maze, or in another one, and takes over what comes out; false where it disagrees.
+bool re_enact(const std::string& path, RecordFile& file) {
+  ReplayResult result = replay(file, *file.maze);
+  if (!result.disagreement.empty()) {
+    fmt::print(stderr, "{}: error: does not agree with its maze: {}\n", path, result.disagreement);
+    return false;
+  }
+  file.run = std::move(result.run);
+  return true;
+}
+
+int replay_file(const ReplayOptions& options) {
+  RecordFile file = load(options.file);
+  if (!options.maze.empty()) {
+    NamedMaze maze = find_maze(options.maze, {});
+    file.maze = std::move(maze.maze);
+    file.maze_name = std::move(maze.name);
+  }
+  if (!re_enact(options.file, file)) return exit_finding;
+  if (options.watch) watch(file, options.delay);
+  print(options.watch ? result_line(file) : summary_of(file));
+  if (!options.svg.empty()) save(options.svg, picture_of(file));
+  return exit_good;
+}
+
+int score_file(const std::string& path) {
+  RecordFile file = load(path);
+  if (!file.ended && !re_enact(path, file)) return exit_finding;
+  print(result_line(file));
+  return exit_good;
+}
+
+}  // namespace
+
+void add_replay(CLI::App& app, int& exit) {
+  auto options = std::make_shared<ReplayOptions>();
+  CLI::App* command = app.add_subcommand("replay", "Play a record again and check that it agrees with its maze");
+  command->add_option("file", options->file, "Record")->required()->type_name("FILE");
+  command->add_option("--maze", options->maze, "Play it in this maze in place of the record's own")->type_name("MAZE");
+  command->add_flag("--watch", options->watch, "Draw it step by step");
+  command->add_option("--delay", options->delay, "Milliseconds a step stays on the screen")->check(CLI::Range(0, 60'000))->capture_default_str();
+  command->add_option("--svg", options->svg, "Save a picture")->type_name("FILE");
+  command->footer("Example: labmouse run certify capstone-1 --record walk.jsonl && labmouse replay walk.jsonl --watch");
+  command->callback([options, &exit] { exit = replay_file(*options); });
+}
+
+void add_score(CLI::App& app, int& exit) {
+  auto path = std::make_shared<std::string>();
+  CLI::App* command = app.add_subcommand("score", "Score a record");
+  command->add_option("file", *path, "Record")->required()->type_name("FILE");
+  command->footer("Example: labmouse score walk.jsonl");
+  command->callback([path, &exit] { exit = score_file(*path); });
+}
+
+}  // namespace labmouse::cli

@@ -1,0 +1,58 @@
+// labmouse run: one contest.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "command.hpp"
+#include "labmouse/contest/simulator.hpp"
+#include "labmouse/lab/contestants.hpp"
+#include "labmouse/lab/race_files.hpp"
+#include "walk.hpp"
+
+namespace labmouse::cli {
+namespace {
+
+struct RunOptions {
+  std::string mouse, maze, svg, record;
+  Places places;
+  std::uint64_t seed = 1;
+  bool watch = false;
+  int delay = 60;
+};
+
+void run_contest(const RunOptions& options) {
+  const SpecResult spec = read_specs(options.mouse);
+  if (!spec.error.empty()) throw UsageError("error: " + spec.error);
+  if (spec.contestants.size() != 1) throw UsageError("error: `run` takes one mouse; `labmouse race` takes several");
+  const Contestant& mouse = spec.contestants.front();
+  const NamedMaze maze = find_maze(options.maze, options.places);
+  const Rules rules;
+  const auto mind = mouse.make(maze.maze, rules, options.seed);
+  const RecordFile file = record_file_of(mouse, maze, rules, options.seed, labmouse::run(maze.maze, rules, *mind));
+  if (options.watch) watch(file, options.delay);
+  print(options.watch ? result_line(file) : summary_of(file));
+  if (!options.record.empty()) save(options.record, write_record(file));
+  if (!options.svg.empty()) save(options.svg, picture_of(file));
+}
+
+}  // namespace
+
+void add_run(CLI::App& app, int& exit) {
+  auto options = std::make_shared<RunOptions>();
+  CLI::App* command = app.add_subcommand("run", "Run one mouse in one maze");
+  command->add_option("mouse", options->mouse, "Mouse, name[:key=value]...")->required()->type_name("MOUSE");
+  command->add_option("maze", options->maze, "Maze file or name of a built-in maze")->required()->type_name("MAZE");
+  add_places(*command, options->places);
+  command->add_option("--seed", options->seed, "Seed of a mouse that throws dice")->capture_default_str();
+  command->add_flag("--watch", options->watch, "Draw it step by step");
+  command->add_option("--delay", options->delay, "Milliseconds a step stays on the screen")->check(CLI::Range(0, 60'000))->capture_default_str();
+  command->add_option("--svg", options->svg, "Save a picture")->type_name("FILE");
+  command->add_option("--record", options->record, "Save the record")->type_name("FILE");
+  command->footer("Example: labmouse run certify capstone-1 --watch --svg walk.svg");
+  command->callback([options, &exit] {
+    run_contest(*options);
+    exit = exit_good;
+  });
+}
+
+}  // namespace labmouse::cli

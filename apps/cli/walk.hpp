@@ -1,0 +1,22 @@
+// A contest in the terminal: step by step, or its end.
+#pragma once
+
+#include <string>
+
+#include "labmouse/lab/record_file.hpp"
+
+namespace labmouse::cli {
+
+/// Draws every step with what the mouse knows by then: as frames of an animation on a terminal, one below the other
+/// elsewhere. `delay` is the time a frame stays, in milliseconds.
+void watch(const RecordFile& file, int delay);
+
+/// The maze with the speed run, and a line on how the contest went.
+std::string summary_of(const RecordFile& file);
+/// That line alone.
+std::string result_line(const RecordFile& file);
+
+/// The picture of the contest as SVG.
+std::string picture_of(const RecordFile& file);
+
+}  // namespace labmouse::cli

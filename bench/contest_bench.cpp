@@ -1,0 +1,26 @@
+// Whole contests of each mouse, 16×16.
+#include <benchmark/benchmark.h>
+
+#include "bench_mazes.hpp"
+#include "labmouse/contest/simulator.hpp"
+#include "labmouse/strategies/roster.hpp"
+
+namespace labmouse {
+namespace {
+
+void contest(benchmark::State& state) {
+  const RosterEntry& mouse = *roster()[static_cast<std::size_t>(state.range(0))];
+  const auto mazes = bench_mazes(16);
+  const Rules rules;
+  std::size_t i = 0;
+  for (auto _ : state) {
+    const auto mind = mouse.make(brief(mazes[i], rules, 1), Settings(mouse.parameters));
+    benchmark::DoNotOptimize(run(mazes[i], rules, *mind));
+    i = i + 1 < mazes.size() ? i + 1 : 0;
+  }
+  state.SetLabel(std::string(mouse.name));
+}
+BENCHMARK(contest)->DenseRange(0, static_cast<int>(roster().size()) - 1);
+
+}  // namespace
+}  // namespace labmouse

@@ -1,0 +1,53 @@
+// One distance field, strides of three: rows of bits beside a queue in an array and the plain way, in one run.
+#include <benchmark/benchmark.h>
+
+#include "bench_mazes.hpp"
+#include "labmouse/lab/plain_distance.hpp"
+#include "labmouse/mouse/distance.hpp"
+
+namespace labmouse {
+namespace {
+
+/// Calls work(i) for one maze after the other and reports the time of one call.
+template <class Work>
+void for_each_maze(benchmark::State& state, std::size_t mazes, Work work) {
+  std::size_t i = 0;
+  for (auto _ : state) {
+    work(i);
+    i = i + 1 < mazes ? i + 1 : 0;
+  }
+  state.counters["mazes"] = static_cast<double>(mazes);
+}
+
+void rows(benchmark::State& state, DistanceField::Path path) {
+  const int side = static_cast<int>(state.range(0));
+  const auto mazes = bench_mazes(side);
+  DistanceField field({side, side}, strides(), path);
+  for_each_maze(state, mazes.size(), [&](std::size_t i) {
+    field.fill(mazes[i].open_walls(), mazes[i].goals());
+    benchmark::DoNotOptimize(field);
+  });
+}
+BENCHMARK_CAPTURE(rows, widest, DistanceField::Path::widest)->Arg(16)->Arg(32)->Arg(64);
+BENCHMARK_CAPTURE(rows, portable, DistanceField::Path::portable)->Arg(16)->Arg(32)->Arg(64);
+
+void ring_queue(benchmark::State& state) {
+  const int side = static_cast<int>(state.range(0));
+  const auto mazes = bench_mazes(side);
+  std::vector<RingSearch> searches;
+  for (const Maze& maze : mazes) searches.emplace_back(maze.size(), strides().longest, maze.open_walls());
+  for_each_maze(state, mazes.size(), [&](std::size_t i) { benchmark::DoNotOptimize(searches[i].fill(mazes[i].goals())); });
+}
+BENCHMARK(ring_queue)->Arg(16)->Arg(32)->Arg(64);
+
+void plain(benchmark::State& state) {
+  const int side = static_cast<int>(state.range(0));
+  const auto mazes = bench_mazes(side);
+  for_each_maze(state, mazes.size(), [&](std::size_t i) {
+    benchmark::DoNotOptimize(plain_distances(mazes[i].size(), strides(), mazes[i].open_walls(), mazes[i].goals()));
+  });
+}
+BENCHMARK(plain)->Arg(16)->Arg(32)->Arg(64);
+
+}  // namespace
+}  // namespace labmouse

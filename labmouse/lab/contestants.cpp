@@ -1,0 +1,123 @@
+#include "labmouse/lab/contestants.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "labmouse/contest/simulator.hpp"
+#include "labmouse/lab/bounds.hpp"
+#include "labmouse/strategies/roster.hpp"
+
+namespace labmouse {
+namespace {
+
+constexpr std::string_view oracle_name = "oracle";
+
+Contestant oracle() {
+  Contestant contestant;
+  contestant.name = oracle_name;
+  contestant.reference = true;
+  contestant.make = [](const Maze& maze, const Rules& rules, std::uint64_t) { return make_oracle(maze, rules); };
+  return contestant;
+}
+
+Contestant contestant_of(const RosterEntry& entry, Settings settings) {
+  Contestant contestant;
+  contestant.name = entry.name;
+  for (std::size_t i = 0; i < entry.parameters.size(); ++i)
+    if (const Setting& setting = settings.all()[i]; setting.value != entry.parameters[i].default_value)
+      contestant.name += ":" + setting.name + "=" + setting.value;
+  contestant.uses_chance = entry.uses_chance;
+  contestant.make = [&entry, settings](const Maze& maze, const Rules& rules, std::uint64_t seed) {
+    return entry.make(brief(maze, rules, seed), settings);
+  };
+  contestant.settings = std::move(settings);
+  return contestant;
+}
+
+std::string unknown_mouse(std::string_view name) {
+  std::vector<std::string_view> names = {oracle_name};
+  for (const RosterEntry* entry : roster()) names.push_back(entry->name);
+  const auto near = nearest_name(name, names);
+  const auto hint = near.empty() ? std::string() : fmt::format("did you mean '{}'? ", near);
+  return fmt::format("mouse '{}' is unknown; {}`labmouse mice` lists all", name, hint);
+}
+
+std::string unknown_parameter(const RosterEntry& entry, std::string_view key) {
+  if (entry.parameters.empty()) return fmt::format("mouse '{}' has no parameters, so none called '{}'", entry.name, key);
+  std::vector<std::string_view> names;
+  for (const Parameter& parameter : entry.parameters) names.push_back(parameter.name);
+  const auto near = nearest_name(key, names);
+  return fmt::format("mouse '{}' has no parameter '{}'; {}", entry.name, key,
+                     near.empty() ? fmt::format("it has {}", fmt::join(names, ", ")) : fmt::format("did you mean '{}'?", near));
+}
+
+/// Applies one `key=value`; returns what is wrong with it, or nothing.
+std::string apply(const RosterEntry& entry, std::string_view assignment, Settings& settings) {
+  const auto equals = assignment.find('=');
+  if (equals == std::string_view::npos)
+    return fmt::format("'{}' of mouse '{}' is not of the form key=value", assignment, entry.name);
+  const auto key = assignment.substr(0, equals), value = assignment.substr(equals + 1);
+  const auto parameter = std::find_if(entry.parameters.begin(), entry.parameters.end(),
+                                      [&](const Parameter& p) { return p.name == key; });
+  if (parameter == entry.parameters.end()) return unknown_parameter(entry, key);
+  if (const auto reason = check_value(*parameter, value); !reason.empty())
+    return fmt::format("value '{}' of parameter '{}' of mouse '{}' {}", value, key, entry.name, reason);
+  settings.set(key, value);
+  return "";
+}
+
+/// Reads one mouse into the list; returns what is wrong with it, or nothing.
+std::string read_spec(std::string_view spec, std::vector<Contestant>& contestants) {
+  const auto colon = spec.find(':');
+  const auto name = spec.substr(0, colon);
+  if (name.empty()) return "a mouse without a name; write name[:key=value]..., several separated by commas";
+  if (name == oracle_name && colon == std::string_view::npos) {
+    contestants.push_back(oracle());
+    return "";
+  }
+  const RosterEntry* entry = find_mouse(name);
+  if (entry == nullptr) return unknown_mouse(name);
+  Settings settings(entry->parameters);
+  auto rest = colon == std::string_view::npos ? std::string_view() : spec.substr(colon + 1);
+  for (bool more = colon != std::string_view::npos; more;) {
+    const auto next = rest.find(':');
+    if (auto error = apply(*entry, rest.substr(0, next), settings); !error.empty()) return error;
+    more = next != std::string_view::npos;
+    if (more) rest.remove_prefix(next + 1);
+  }
+  contestants.push_back(contestant_of(*entry, std::move(settings)));
+  return "";
+}
+
+void drop_repetitions(std::vector<Contestant>& contestants) {
+  for (std::size_t i = 0; i < contestants.size(); ++i)
+    contestants.erase(std::remove_if(contestants.begin() + static_cast<std::ptrdiff_t>(i) + 1, contestants.end(),
+                                     [&](const Contestant& c) { return c.name == contestants[i].name; }),
+                      contestants.end());
+}
+
+}  // namespace
+
+SpecResult read_specs(std::string_view text) {
+  SpecResult result;
+  for (bool more = true; more;) {
+    const auto comma = text.find(',');
+    if (result.error = read_spec(text.substr(0, comma), result.contestants); !result.error.empty()) {
+      result.contestants.clear();
+      return result;
+    }
+    more = comma != std::string_view::npos;
+    if (more) text.remove_prefix(comma + 1);
+  }
+  drop_repetitions(result.contestants);
+  return result;
+}
+
+std::vector<Contestant> all_contestants() {
+  std::vector<Contestant> contestants;
+  for (const RosterEntry* entry : roster()) contestants.push_back(contestant_of(*entry, Settings(entry->parameters)));
+  return contestants;
+}
+
+}  // namespace labmouse

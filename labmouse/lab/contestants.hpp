@@ -1,0 +1,40 @@
+// Who races: mice by their SPEC, `name[:key=value]...`, several separated by commas.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "labmouse/contest/rules.hpp"
+#include "labmouse/maze/maze.hpp"
+#include "labmouse/mouse/strategy.hpp"
+#include "labmouse/strategies/parameter.hpp"
+
+namespace labmouse {
+
+/// A mouse with its parameters, ready to be made once a contest.
+struct Contestant {
+  /// The SPEC in its shortest form: parameters that differ from their defaults, in the order of the mouse's table.
+  std::string name;
+  Settings settings;
+  bool uses_chance = false;
+  /// Takes part as a measure and not as a contestant (the oracle).
+  bool reference = false;
+  std::function<std::unique_ptr<Strategy>(const Maze&, const Rules&, std::uint64_t seed)> make;
+};
+
+/// Contestants, or the reason why the text is no SPEC: exactly one of the two is there.
+struct SpecResult {
+  std::vector<Contestant> contestants;
+  std::string error;
+};
+
+/// Reads one or more mice; a name that stands twice with equal parameters counts once.
+SpecResult read_specs(std::string_view text);
+
+/// Every mouse of the roster with its defaults.
+std::vector<Contestant> all_contestants();
+
+}  // namespace labmouse

@@ -1,0 +1,41 @@
+// Mazes and walks as pictures: SVG for documents, text for terminals.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "labmouse/contest/record.hpp"
+#include "labmouse/maze/maze.hpp"
+
+namespace labmouse {
+
+/// What to draw over the walls. Texts may come from anywhere: both drawings make them harmless.
+struct DrawingLayers {
+  bool coordinates = false;
+  /// A text for each cell (a distance, a count), empty for none.
+  std::function<std::string(Cell)> label;
+  /// What the labels are, with their unit, for the legend of the SVG: "steps to the goal".
+  std::string label_meaning;
+  /// A walk as poses from its first to its last, one a step: drawn as a line with a numbered dot at the end of each
+  /// step. Where no open straight way leads to the next pose (the mouse was carried to the start), the line breaks.
+  std::vector<Pose> route;
+  /// How often each cell was visited: drawn as heat (in text only with colours).
+  std::function<int(Cell)> visits;
+  /// Belief instead of truth: walls that the mouse does not know are drawn faintly, open or not.
+  std::optional<WallSet> unknown;
+  /// Where the mouse stands now.
+  std::optional<Pose> mouse;
+  std::string title;
+};
+
+/// One self-contained SVG picture with a legend; colours that colour-blind eyes tell apart, for light and dark ground.
+std::string draw_svg(const Maze& maze, const DrawingLayers& layers);
+
+/// Lines of text: posts `o`, walls `---` and `|`, unknown walls `- -` and `:`, the route as dots with the number of
+/// each step where it ends, the mouse as one of `^ > v <`. A cell is three columns wide; longer labels end in `~`.
+/// ASCII but for what labels and title bring; with ANSI colours only where asked for.
+std::string draw_text(const Maze& maze, const DrawingLayers& layers, bool colours);
+
+}  // namespace labmouse

@@ -1,0 +1,83 @@
+#include "labmouse/lab/drawing/canvas.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cstddef>
+
+#include "labmouse/lab/drawing/heat.hpp"
+#include "labmouse/lab/printable.hpp"
+
+namespace labmouse::drawing {
+namespace {
+
+// Of the 256 colours of terminals: blues of growing lightness, all dark enough for white text.
+constexpr std::array<int, Heat::levels + 1> heat_colours = {0, 17, 18, 19, 25, 26, 32};
+
+/// The ANSI code of an ink. Plain text on heat is white, since the ground behind it is dark on every terminal.
+std::string_view code_of(Ink ink, bool on_heat) {
+  switch (ink) {
+    case Ink::plain:
+      return on_heat ? "97" : "";
+    case Ink::dim:
+      return "2";
+    case Ink::start:
+      return "1;94";
+    case Ink::goal:
+      return "1;32";
+    case Ink::route:
+      return on_heat ? "1;93" : "33";
+    case Ink::mouse:
+      return on_heat ? "1;97" : "1";
+  }
+  return "";
+}
+
+}  // namespace
+
+Canvas::Canvas(int columns, int rows)
+    : columns_(columns), rows_(rows), glyphs_(static_cast<std::size_t>(columns * rows)) {}
+
+void Canvas::put(int column, int row, std::u32string_view text, Ink ink) {
+  for (const char32_t character : text) {
+    Glyph& glyph = at(column++, row);
+    glyph.character = character;
+    glyph.ink = ink;
+  }
+}
+
+void Canvas::warm(int column, int row, int columns, int level) {
+  for (int offset = 0; offset < columns; ++offset) at(column + offset, row).heat = level;
+}
+
+std::string Canvas::text(bool colours) const {
+  std::string text;
+  for (int row = 0; row < rows_; ++row) text += line(row, colours) + '\n';
+  return text;
+}
+
+std::string Canvas::style_of(const Glyph& glyph) {
+  const bool on_heat = glyph.heat > 0;
+  // Blanks have no ink, so that runs of them do not switch colours.
+  std::string style{code_of(glyph.character == U' ' ? Ink::plain : glyph.ink, on_heat)};
+  if (on_heat) style += fmt::format(";48;5;{}", heat_colours[static_cast<std::size_t>(glyph.heat)]);
+  return style;
+}
+
+std::string Canvas::line(int row, bool colours) const {
+  const auto first = glyphs_.begin() + static_cast<std::ptrdiff_t>(index(0, row));
+  auto last = first + columns_;
+  while (last != first && (last - 1)->character == U' ' && (last - 1)->heat == 0) --last;
+  std::string line;
+  std::string current;
+  for (auto glyph = first; glyph != last; ++glyph) {
+    const std::string style = colours ? style_of(*glyph) : "";
+    if (style != current) line += style.empty() ? "\x1b[0m" : fmt::format("\x1b[0;{}m", style);
+    current = style;
+    line += utf8({&glyph->character, 1});
+  }
+  if (!current.empty()) line += "\x1b[0m";
+  return line;
+}
+
+}  // namespace labmouse::drawing

@@ -1,0 +1,43 @@
+// Characters with inks: the paper of text drawings.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace labmouse::drawing {
+
+enum class Ink { plain, dim, start, goal, route, mouse };
+
+/// A grid of characters, row 0 at the top, blank at first. All positions handed to it must lie on it.
+class Canvas {
+ public:
+  Canvas(int columns, int rows);
+
+  void put(int column, int row, std::u32string_view text, Ink ink = Ink::plain);
+  bool blank(int column, int row) const { return at(column, row).character == U' '; }
+  /// The level of heat (0 for none) behind a stretch of a row.
+  void warm(int column, int row, int columns, int level);
+
+  /// The rows without trailing blanks, each ended by a line feed; inks and heat as ANSI codes only with `colours`.
+  std::string text(bool colours) const;
+
+ private:
+  struct Glyph {
+    char32_t character = U' ';
+    Ink ink = Ink::plain;
+    int heat = 0;
+  };
+
+  std::size_t index(int column, int row) const { return static_cast<std::size_t>(row * columns_ + column); }
+  Glyph& at(int column, int row) { return glyphs_[index(column, row)]; }
+  const Glyph& at(int column, int row) const { return glyphs_[index(column, row)]; }
+  static std::string style_of(const Glyph& glyph);
+  std::string line(int row, bool colours) const;
+
+  int columns_;
+  int rows_;
+  std::vector<Glyph> glyphs_;
+};
+
+}  // namespace labmouse::drawing

@@ -1,0 +1,30 @@
+// Every wall of a picture once, and how it looks.
+#pragma once
+
+#include <optional>
+
+#include "labmouse/maze/maze.hpp"
+
+namespace labmouse::drawing {
+
+enum class WallLook { open, closed, unknown };
+
+/// How to draw a wall of the maze (or its border) for eyes that do not know the walls in `unknown`.
+inline WallLook look_of(const Maze& maze, const std::optional<WallSet>& unknown, Wall wall) {
+  if (on_border(wall, maze.size())) return WallLook::closed;
+  if (unknown && unknown->contains(wall)) return WallLook::unknown;
+  return maze.open_walls().contains(wall) ? WallLook::open : WallLook::closed;
+}
+
+/// Calls visit(Wall) for each wall of a maze of that size, the border included, row by row.
+template <class Visit>
+void for_each_wall(Size size, Visit visit) {
+  for (int y = -1; y < size.height; ++y) {
+    for (int x = -1; x < size.width; ++x) {
+      if (x >= 0) visit(Wall{{x, y}, Heading::north});
+      if (y >= 0) visit(Wall{{x, y}, Heading::east});
+    }
+  }
+}
+
+}  // namespace labmouse::drawing

@@ -1,0 +1,43 @@
+// Mazes from files, folders, patterns, and those that the program brings.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "labmouse/maze/formats/format.hpp"
+
+namespace labmouse {
+
+/// A maze under the name by which results call it: its path as given, or the built-in one's name.
+struct NamedMaze {
+  std::string name;
+  Maze maze;
+};
+
+/// A file that is no maze, and why.
+struct SkippedFile {
+  std::string path;
+  std::vector<Problem> problems;
+};
+
+struct MazeCollection {
+  /// Sorted by name; a name that was given twice stands once.
+  std::vector<NamedMaze> mazes;
+  /// Unreadable files found in folders and by patterns.
+  std::vector<SkippedFile> skipped;
+  /// Unreadable files that were named directly, and paths that lead to nothing.
+  std::vector<SkippedFile> errors;
+};
+
+/// `FILE:LINE:COLUMN: error: REASON`; 0:0 is the content as a whole, and `FILE: error: REASON` a file that was not read.
+std::string describe(const std::string& path, const Problem& problem);
+
+/// Reads each path: a file, a folder (with all that is in it, but nothing hidden), a pattern with `*` and `?`, or the
+/// name of a built-in maze where no such file is.
+MazeCollection load_mazes(std::span<const std::string> paths);
+
+/// All built-in mazes.
+MazeCollection load_builtin_mazes();
+
+}  // namespace labmouse

@@ -1,0 +1,240 @@
+#include <fmt/format.h>
+
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "labmouse/contest/simulator.hpp"
+#include "labmouse/lab/record_file.hpp"
+#include "labmouse/lab/script.hpp"
+
+namespace labmouse {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr int longest_record = 1'000'000;  // steps; a limit on what a hostile file can make us hold
+
+/// Reads values out of one line's object and remembers the first that is missing or wrong.
+class Fields {
+ public:
+  Fields(const Json& json, std::string path) : json_(json), path_(std::move(path)) {
+    if (!json.is_object()) fail("is not an object");
+  }
+
+  const std::string& error() const { return error_; }
+  bool has(const char* key) const { return json_.is_object() && json_.contains(key); }
+  void fail(const std::string& reason) {
+    if (error_.empty()) error_ = path_.empty() ? "the line " + reason : fmt::format("'{}' {}", path_, reason);
+  }
+
+  std::string text(const char* key) {
+    const Json& value = get(key);
+    if (value.is_string()) return value.get<std::string>();
+    return wrong(key, "is not a text"), "";
+  }
+  int whole(const char* key, int low, int high) { return whole(get(key), key, low, high); }
+  bool flag(const char* key) {
+    const Json& value = get(key);
+    if (value.is_boolean()) return value.get<bool>();
+    return wrong(key, "is neither true nor false"), false;
+  }
+  Cell cell(const char* key) { return cell(get(key), key); }
+  Heading heading(const char* key) {
+    const std::string name = text(key);
+    for (const Heading heading : all_headings)
+      if (name_of(heading) == name) return heading;
+    return wrong(key, "is none of north, east, south, west"), Heading::north;
+  }
+  const Json& list(const char* key) {
+    static const Json none = Json::array();
+    const Json& value = get(key);
+    if (value.is_array()) return value;
+    return wrong(key, "is not a list"), none;
+  }
+  int whole(const Json& value, const char* key, int low, int high) {
+    if (!value.is_number_integer()) return wrong(key, "is not a whole number"), low;
+    const bool fits = value.is_number_unsigned()
+                          ? value.get<std::uint64_t>() <= static_cast<std::uint64_t>(std::numeric_limits<int>::max())
+                          : value.get<std::int64_t>() >= std::numeric_limits<int>::min();
+    if (fits && value.get<std::int64_t>() >= low && value.get<std::int64_t>() <= high) return value.get<int>();
+    return wrong(key, fmt::format("is outside of {} to {}", low, high)), low;
+  }
+  Cell cell(const Json& value, const char* key) {
+    if (!value.is_array() || value.size() != 2) return wrong(key, "is not a cell [x, y]"), Cell();
+    return {whole(value[0], key, 0, max_side - 1), whole(value[1], key, 0, max_side - 1)};
+  }
+
+ private:
+  const Json& get(const char* key) {
+    static const Json nothing;
+    if (has(key)) return json_[key];
+    return wrong(key, "is missing"), nothing;
+  }
+  void wrong(const char* key, std::string_view reason) {
+    if (error_.empty()) error_ = fmt::format("'{}{}{}' {}", path_, path_.empty() ? "" : ".", key, reason);
+  }
+
+  const Json& json_;
+  std::string path_;
+  std::string error_;
+};
+
+/// Reads the maze of a header; on failure the fields hold the error.
+std::optional<Maze> read_record_maze(Fields& fields) {
+  std::string drawing;
+  for (const Json& row : fields.list("drawing")) {
+    if (!row.is_string()) return fields.fail("has a drawing with a line that is no text"), std::nullopt;
+    drawing += row.get<std::string>() + "\n";
+  }
+  const ReadResult read = drawing_format.read(drawing);
+  if (!read.maze) {
+    const Problem& first = read.problems.front();
+    return fields.fail(fmt::format("has a bad drawing, row {}, column {}: {}", first.line, first.column, first.reason)), std::nullopt;
+  }
+  const Cell start = fields.cell("start");
+  const Heading heading = fields.heading("heading");
+  CellSet goals;
+  for (const Json& goal : fields.list("goals")) goals.insert(fields.cell(goal, "goals"));
+  CellSet outside = goals;
+  outside -= CellSet::all(read.maze->size());
+  if (goals.empty() || !outside.empty() || !read.maze->size().contains(start))
+    fields.fail("has a start or goals outside of the maze, or no goal");
+  if (!fields.error().empty()) return std::nullopt;
+  return read.maze->with_goals(goals).with_start(start, heading);
+}
+
+/// Reads the header into the file; returns what is wrong, or nothing.
+std::string read_header(const Json& json, RecordFile& file) {
+  Fields fields(json, "");
+  if (fields.has("labmouse") && fields.text("labmouse") != "record") fields.fail("is not the header of a record");
+  if (fields.whole("format", 0, 1'000'000) != 1) fields.fail("has a format other than 1, which this version does not know");
+  if (!fields.error().empty()) return fields.error();
+  if (fields.has("version")) file.version = fields.text("version");
+  if (fields.has("seed") && json["seed"].is_number_unsigned()) file.seed = json["seed"].get<std::uint64_t>();
+  if (fields.has("rules")) {
+    Fields rules(json["rules"], "rules");
+    file.rules.budget = rules.whole("budget", 1, longest_record);
+    file.rules.exploration_factor = rules.whole("exploration_factor", 1, longest_record);
+    file.rules.stride = rules.whole("stride", 1, Motion::max_longest);
+    if (!rules.error().empty()) return rules.error();
+  }
+  if (!fields.has("maze")) return "'maze' is missing";
+  if (!fields.has("mouse")) return "'mouse' is missing";
+  Fields mouse(json["mouse"], "mouse"), maze(json["maze"], "maze");
+  file.mouse = mouse.text("name");
+  file.maze_name = maze.text("name");
+  file.maze = read_record_maze(maze);
+  return !mouse.error().empty() ? mouse.error() : maze.error();
+}
+
+Action read_action(const Json& json, Fields& fields) {
+  constexpr int far = 1'000'000;  // wrong rotations and movements are part of a record, within reason
+  if (json.is_array() && json.size() == 2)
+    return Action::step(fields.whole(json[0], "action", -far, far), fields.whole(json[1], "action", -far, far));
+  if (json == "reset") return Action::reset();
+  for (const auto reason : {ForfeitReason::none, ForfeitReason::contradiction, ForfeitReason::no_way, ForfeitReason::lost,
+                            ForfeitReason::finished})
+    if (json == "forfeit: " + std::string(name_of(reason))) return Action::forfeit(reason);
+  return fields.fail("has an action that is neither [rotation, movement] nor reset nor forfeit"), Action();
+}
+
+Run read_run(Fields& fields) {
+  const std::string run = fields.text("run");
+  if (run != "exploration" && run != "speed") fields.fail("has a run that is neither exploration nor speed");
+  return run == "speed" ? Run::speed : Run::exploration;
+}
+
+std::string read_step(const Json& json, RecordFile& file) {
+  Fields fields(json, "");
+  StepRecord step;
+  step.run = read_run(fields);
+  step.step = fields.whole("step", 1, longest_record);
+  step.pose = {fields.cell("cell"), fields.heading("heading")};
+  const Json& reading = fields.list("reading");
+  if (reading.size() != 3) fields.fail("has a reading that is not [left, ahead, right]");
+  if (!fields.error().empty()) return fields.error();
+  step.sighting = {fields.whole(reading[0], "reading", 0, max_side), fields.whole(reading[1], "reading", 0, max_side),
+                   fields.whole(reading[2], "reading", 0, max_side)};
+  step.action = fields.has("action") ? read_action(json["action"], fields) : (fields.fail("has no action"), Action());
+  step.blocked = fields.flag("blocked");
+  if (step.step != static_cast<int>(file.run.steps.size()) + 1)
+    fields.fail(fmt::format("has step {} where step {} is due", step.step, file.run.steps.size() + 1));
+  file.run.steps.push_back(step);
+  return fields.error();
+}
+
+std::string read_end(const Json& json, RecordFile& file) {
+  Fields fields(json, "");
+  const std::string name = fields.text("outcome");
+  file.run.end = {fields.cell("cell"), fields.heading("heading")};
+  for (const Outcome outcome : {Outcome::solved, Outcome::out_of_steps, Outcome::never_reset,
+                                Outcome::speed_run_unfinished, Outcome::forfeit})
+    if (name_of(outcome) == name) {
+      file.run.outcome = outcome;
+      file.ended = true;
+      return fields.error();
+    }
+  return fmt::format("'outcome' is '{}', which this version does not know", name);
+}
+
+/// Reads one line after the header; returns what is wrong, or nothing.
+std::string read_line(const Json& json, RecordFile& file) {
+  if (file.ended) return "the line stands behind the end of the record";
+  return json.is_object() && json.contains("outcome") ? read_end(json, file) : read_step(json, file);
+}
+
+}  // namespace
+
+ReadRecordResult read_record(std::string_view text) {
+  RecordFile file;
+  file.ended = false;
+  const auto failed = [](int line, std::string reason) {
+    return ReadRecordResult{std::nullopt, {{line, 1, std::move(reason)}}};
+  };
+  int number = 0;
+  while (!text.empty()) {
+    const auto end = text.find('\n');
+    const auto line = text.substr(0, end);
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    ++number;
+    if (line.find_first_not_of(" \t\r") == std::string_view::npos) continue;
+    const Json json = Json::parse(line, nullptr, false);
+    if (json.is_discarded()) return failed(number, "the line is not JSON");
+    if (auto error = file.maze ? read_line(json, file) : read_header(json, file); !error.empty())
+      return failed(number, std::move(error));
+  }
+  if (!file.maze) return failed(0, "the record is empty");
+  return {std::move(file), {}};
+}
+
+ReplayResult replay(const RecordFile& file, const Maze& maze) {
+  std::vector<Action> actions;
+  for (const StepRecord& step : file.run.steps) actions.push_back(step.action);
+  Script script(maze.size(), std::move(actions));
+  Rules rules = file.rules;
+  // A record without its last line may stop anywhere: play as far as it goes.
+  if (!file.ended) rules.budget = std::min(rules.budget, static_cast<int>(file.run.steps.size()));
+  ReplayResult result{run(maze, rules, script), ""};
+  const auto& played = result.run.steps;
+  for (std::size_t i = 0; i < file.run.steps.size(); ++i) {
+    if (i >= played.size()) {
+      result.disagreement = fmt::format("step {} is recorded, but the contest had ended", i + 1);
+      return result;
+    }
+    const StepRecord &was = file.run.steps[i], &is = played[i];
+    if (was == is) continue;
+    result.disagreement = fmt::format(
+        "step {}: recorded at ({},{}) heading {}, reading {} {} {}{}; played at ({},{}) heading {}, reading {} {} {}{}", i + 1,
+        was.pose.cell.x, was.pose.cell.y, name_of(was.pose.heading), was.sighting.left, was.sighting.ahead,
+        was.sighting.right, was.blocked ? ", blocked" : "", is.pose.cell.x, is.pose.cell.y, name_of(is.pose.heading),
+        is.sighting.left, is.sighting.ahead, is.sighting.right, is.blocked ? ", blocked" : "");
+    return result;
+  }
+  if (file.ended && (result.run.outcome != file.run.outcome || result.run.end != file.run.end))
+    result.disagreement = fmt::format("the record ends '{}' at ({},{}); played, it ends '{}' at ({},{})",
+                                      name_of(file.run.outcome), file.run.end.cell.x, file.run.end.cell.y,
+                                      name_of(result.run.outcome), result.run.end.cell.x, result.run.end.cell.y);
+  return result;
+}
+
+}  // namespace labmouse

@@ -1,0 +1,23 @@
+// A race as a table, as JSON and as CSV. docs/results.md describes all three.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "labmouse/lab/standings.hpp"
+
+namespace labmouse {
+
+/// The leaderboard for a terminal, with notes below.
+std::string table_of(const Race& race, bool colours);
+
+/// The race as one JSON object; `skipped` are the files that were no mazes.
+std::string json_of(const Race& race, const std::vector<SkippedFile>& skipped);
+
+/// One line a contest, with a header.
+std::string csv_of(const Race& race);
+
+/// For each mouse the mazes that cost it most above the bound, `count` of each.
+std::string worst_of(const Race& race, int count);
+
+}  // namespace labmouse

@@ -1,0 +1,107 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "labmouse/lab/report.hpp"
+#include "labmouse/lab/settings_json.hpp"
+#include "labmouse/lab/version.hpp"
+
+namespace labmouse {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class Value>
+Json or_null(const std::optional<Value>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json maze_json(const NamedMaze& maze, const Bound& bound) {
+  return {{"name", maze.name},
+          {"width", maze.maze.size().width},
+          {"height", maze.maze.size().height},
+          {"optimum", or_null(bound.optimum)},
+          {"bound", or_null(bound.score)}};
+}
+
+std::string outcome_text(const ContestResult& contest) {
+  if (contest.score.outcome != Outcome::forfeit) return std::string(name_of(contest.score.outcome));
+  return fmt::format("{}: {}", name_of(contest.score.outcome), name_of(contest.reason));
+}
+
+Json result_json(const Race& race, const ContestResult& contest) {
+  const bool solved = contest.score.value.has_value();
+  return {{"maze", race.mazes[contest.maze].name},
+          {"seed", contest.seed},
+          {"outcome", outcome_text(contest)},
+          {"score", or_null(contest.score.value)},
+          {"exploration_steps", contest.score.exploration_steps},
+          {"speed_steps", solved ? Json(contest.score.speed_steps) : Json(nullptr)},
+          {"microseconds_per_decision", contest.microseconds / std::max(1, contest.decisions)}};
+}
+
+Json mouse_json(const Race& race, const Standing& standing) {
+  const Contestant& mouse = race.mice[standing.mouse];
+  Json results = Json::array();
+  for (const ContestResult& contest : race.results)
+    if (contest.mouse == standing.mouse && contest.done) results.push_back(result_json(race, contest));
+  return {{"name", mouse.name},
+          {"parameters", settings_json(mouse.settings)},
+          {"contestant", !mouse.reference},
+          {"solved", standing.solved},
+          {"runs", standing.runs},
+          {"mean_score", or_null(standing.mean_score)},
+          {"penalised_mean", or_null(standing.penalised_mean)},
+          {"interval", standing.runs > 0 ? Json{standing.interval.low, standing.interval.high} : Json(nullptr)},
+          {"mean_ratio", or_null(standing.mean_ratio)},
+          {"mean_exploration_steps", or_null(standing.mean_exploration)},
+          {"mean_speed_over_optimum", or_null(standing.mean_speed_over_optimum)},
+          {"optimal_share", standing.optimal_share},
+          {"microseconds_per_decision", standing.microseconds_per_decision},
+          {"results", std::move(results)}};
+}
+
+std::string quoted(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char letter : text) quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
+  return quoted + "\"";
+}
+
+}  // namespace
+
+std::string json_of(const Race& race, const std::vector<SkippedFile>& skipped) {
+  Json json;
+  json["labmouse"] = version();
+  json["seed"] = race.order.seed;
+  json["stopped"] = race.stopped;
+  json["mazes"] = Json::array();
+  for (std::size_t i = 0; i < race.mazes.size(); ++i) json["mazes"].push_back(maze_json(race.mazes[i], race.bounds[i]));
+  json["mice"] = Json::array();
+  for (const Standing& standing : standings_of(race)) json["mice"].push_back(mouse_json(race, standing));
+  json["skipped"] = Json::array();
+  for (const SkippedFile& file : skipped) {
+    Json reasons = Json::array();
+    for (const Problem& problem : file.problems) reasons.push_back(describe(file.path, problem));
+    json["skipped"].push_back({{"path", file.path}, {"reasons", std::move(reasons)}});
+  }
+  // Names come from the file system and may be no UTF-8: what is none is replaced.
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string csv_of(const Race& race) {
+  std::string text = "mouse,maze,seed,outcome,score,exploration_steps,speed_steps,optimum,bound,microseconds_per_decision\n";
+  for (const ContestResult& contest : race.results) {
+    if (!contest.done) continue;
+    const Bound& bound = race.bounds[contest.maze];
+    const auto field = [](const auto& value) { return value ? fmt::format("{}", *value) : std::string(); };
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{:.3f}\n", quoted(race.mice[contest.mouse].name),
+                        quoted(race.mazes[contest.maze].name), contest.seed, quoted(outcome_text(contest)),
+                        field(contest.score.value), contest.score.exploration_steps,
+                        contest.score.value ? fmt::format("{}", contest.score.speed_steps) : "", field(bound.optimum),
+                        field(bound.score), contest.microseconds / std::max(1, contest.decisions));
+  }
+  return text;
+}
+
+}  // namespace labmouse

@@ -1,0 +1,107 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "labmouse/lab/report.hpp"
+#include "labmouse/lab/version.hpp"
+
+namespace labmouse {
+namespace {
+
+std::string number(const std::optional<double>& value, int digits) {
+  return value ? fmt::format("{:.{}f}", *value, digits) : "-";
+}
+
+std::string row_of(const Race& race, const Standing& standing, std::size_t width) {
+  const Contestant& mouse = race.mice[standing.mouse];
+  return fmt::format("{:<{}}  {:>9}  {:>8}  {:>8}  {:>17}  {:>6}  {:>7}  {:>6}  {:>6.1f} %  {:>7.2f}\n",
+                     mouse.name + (mouse.reference ? " *" : ""), width,
+                     fmt::format("{}/{}", standing.solved, standing.runs), number(standing.penalised_mean, 3),
+                     number(standing.mean_score, 3),
+                     fmt::format("[{:.2f}, {:.2f}]", standing.interval.low, standing.interval.high),
+                     number(standing.mean_ratio, 3), number(standing.mean_exploration, 1),
+                     number(standing.mean_speed_over_optimum, 2), 100.0 * standing.optimal_share,
+                     standing.microseconds_per_decision);
+}
+
+/// Which contests of a mouse were solved, as maze and run, to see whether two means cover the same ones.
+std::vector<std::size_t> solved_mazes(const Race& race, std::size_t mouse) {
+  std::vector<std::size_t> mazes;
+  for (const ContestResult& contest : race.results)
+    if (contest.mouse == mouse && counts(race, contest) && contest.score.value &&
+        (mazes.empty() || mazes.back() != contest.maze))
+      mazes.push_back(contest.maze);
+  return mazes;
+}
+
+bool solved_different_mazes(const Race& race) {
+  for (std::size_t mouse = 1; mouse < race.mice.size(); ++mouse)
+    if (solved_mazes(race, mouse) != solved_mazes(race, 0)) return true;
+  return false;
+}
+
+std::string failures_of(const Race& race) {
+  std::string text;
+  for (std::size_t mouse = 0; mouse < race.mice.size(); ++mouse)
+    for (const Outcome outcome : {Outcome::out_of_steps, Outcome::never_reset, Outcome::speed_run_unfinished, Outcome::forfeit}) {
+      const auto times = std::count_if(race.results.begin(), race.results.end(), [&](const ContestResult& contest) {
+        return contest.mouse == mouse && counts(race, contest) && contest.score.outcome == outcome;
+      });
+      if (times > 0) text += fmt::format("{}{} {} {}", text.empty() ? "" : "; ", race.mice[mouse].name, name_of(outcome), times);
+    }
+  return text;
+}
+
+std::string notes_of(const Race& race) {
+  const Rules& rules = race.order.rules;
+  std::string notes = fmt::format("Score: speed-run steps + exploration steps / {}. A failed contest counts {:g} in 'all' "
+                                  "and is left out of 'solved'.\n", rules.exploration_factor, rules.failure_score);
+  if (solved_different_mazes(race))
+    notes += "Mean scores over 'solved' cover different mazes for different mice: compare 'all'.\n";
+  if (const auto failures = failures_of(race); !failures.empty()) notes += fmt::format("Failures: {}.\n", failures);
+  const auto routeless = std::count_if(race.bounds.begin(), race.bounds.end(), [](const Bound& b) { return !b.score; });
+  if (routeless > 0) notes += fmt::format("Left out of all means: {} maze(s) whose goal cannot be reached.\n", routeless);
+  if (std::any_of(race.mice.begin(), race.mice.end(), [](const Contestant& m) { return m.reference; }))
+    notes += "* knows the maze: the bound's witness, not a contestant.\n";
+  if (race.stopped) {
+    const auto done = std::count_if(race.results.begin(), race.results.end(), [](const ContestResult& r) { return r.done; });
+    notes += fmt::format("Stopped early: {} of {} contests done.\n", done, race.results.size());
+  }
+  return notes;
+}
+
+}  // namespace
+
+std::string table_of(const Race& race, bool colours) {
+  std::size_t width = 5;
+  for (const Contestant& mouse : race.mice) width = std::max(width, mouse.name.size() + (mouse.reference ? 2 : 0));
+  const char* bold = colours ? "\x1b[1m" : "";
+  const char* plain = colours ? "\x1b[0m" : "";
+  std::string text = fmt::format("labmouse {}: {} mice, {} mazes, seed {}\n\n", version(), race.mice.size(),
+                                 race.mazes.size(), race.order.seed);
+  text += fmt::format("{}{:<{}}  {:>9}  {:>8}  {:>8}  {:>17}  {:>6}  {:>7}  {:>6}  {:>8}  {:>7}{}\n", bold, "", width, "",
+                      "score", "score", "95 % interval", "/bound", "explore", "speed", "optimal", "us per", plain);
+  text += fmt::format("{}{:<{}}  {:>9}  {:>8}  {:>8}  {:>17}  {:>6}  {:>7}  {:>6}  {:>8}  {:>7}{}\n", bold, "mouse", width,
+                      "solved", "all", "solved", "of 'all'", "", "steps", "+steps", "runs", "decide", plain);
+  for (const Standing& standing : standings_of(race)) text += row_of(race, standing, width);
+  return text + "\n" + notes_of(race);
+}
+
+std::string worst_of(const Race& race, int count) {
+  std::string text;
+  for (const Standing& standing : standings_of(race)) {
+    std::vector<std::pair<double, std::size_t>> losses;
+    const auto scores = scores_by_maze(race, standing.mouse);
+    for (std::size_t maze = 0; maze < scores.size(); ++maze)
+      if (scores[maze]) losses.emplace_back(*scores[maze] - *race.bounds[maze].score, maze);
+    std::stable_sort(losses.begin(), losses.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+    losses.resize(std::min(losses.size(), static_cast<std::size_t>(count)));
+    text += fmt::format("{}: worst mazes\n", race.mice[standing.mouse].name);
+    for (const auto& [loss, maze] : losses)
+      text += fmt::format("  {:>8.3f} = bound {:.3f} + {:.3f}  {}\n", *scores[maze], *race.bounds[maze].score, loss,
+                          race.mazes[maze].name);
+  }
+  return text;
+}
+
+}  // namespace labmouse

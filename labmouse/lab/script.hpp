@@ -1,0 +1,27 @@
+// A mouse that plays a prepared list of actions: for walks known before, and for records.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "labmouse/mouse/strategy.hpp"
+
+namespace labmouse {
+
+/// Plays its actions in order and forfeits when there is no other. It knows nothing and looks at nothing.
+class Script final : public Strategy {
+ public:
+  Script(Size size, std::vector<Action> actions) : knowledge_(size), actions_(std::move(actions)) {}
+
+  Action decide(const Sighting&) override {
+    return next_ < actions_.size() ? actions_[next_++] : Action::forfeit(ForfeitReason::finished);
+  }
+  const Knowledge& knowledge() const override { return knowledge_; }
+
+ private:
+  Knowledge knowledge_;
+  std::vector<Action> actions_;
+  std::size_t next_ = 0;
+};
+
+}  // namespace labmouse

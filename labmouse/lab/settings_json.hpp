@@ -1,0 +1,25 @@
+// Parameters of a mouse as a JSON object.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "labmouse/strategies/parameter.hpp"
+
+namespace labmouse {
+
+/// Name to value. Numbers stand as numbers, everything else as in a SPEC.
+inline nlohmann::ordered_json settings_json(const Settings& settings) {
+  auto json = nlohmann::ordered_json::object();
+  for (const Setting& setting : settings.all()) {
+    double number = 0.0;
+    if (!parse_number(setting.value, number))
+      json[setting.name] = setting.value;
+    else if (number == static_cast<double>(static_cast<long>(number)))
+      json[setting.name] = static_cast<long>(number);
+    else
+      json[setting.name] = number;
+  }
+  return json;
+}
+
+}  // namespace labmouse

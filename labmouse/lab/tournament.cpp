@@ -1,0 +1,93 @@
+#include "labmouse/lab/tournament.hpp"
+
+#include <tbb/parallel_for.h>
+#include <tbb/partitioner.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <chrono>
+#include <mutex>
+
+#include "labmouse/chance/dice.hpp"
+#include "labmouse/contest/simulator.hpp"
+
+namespace labmouse {
+namespace {
+
+/// A mouse with a stopwatch, which minds themselves may not have.
+class Timed final : public Strategy {
+ public:
+  explicit Timed(Strategy& mouse) : mouse_(mouse) {}
+
+  Action decide(const Sighting& seen) override {
+    const auto begin = std::chrono::steady_clock::now();
+    const Action action = mouse_.decide(seen);
+    spent_ += std::chrono::steady_clock::now() - begin;
+    return action;
+  }
+  const Knowledge& knowledge() const override { return mouse_.knowledge(); }
+  double microseconds() const { return std::chrono::duration<double, std::micro>(spent_).count(); }
+
+ private:
+  Strategy& mouse_;
+  std::chrono::steady_clock::duration spent_{};
+};
+
+std::vector<ContestResult> list_contests(const Race& race) {
+  std::vector<ContestResult> contests;
+  for (std::size_t mouse = 0; mouse < race.mice.size(); ++mouse)
+    for (std::size_t maze = 0; maze < race.mazes.size(); ++maze)
+      for (int run = 0; run < (race.mice[mouse].uses_chance ? race.order.runs : 1); ++run) {
+        ContestResult contest;
+        contest.mouse = mouse;
+        contest.maze = maze;
+        contest.run = run;
+        contest.seed = contest_seed(race.order.seed, race.mazes[maze].name, run);
+        contests.push_back(contest);
+      }
+  return contests;
+}
+
+RunRecord hold_contest(const Race& race, ContestResult& contest) {
+  const Maze& maze = race.mazes[contest.maze].maze;
+  const auto mouse = race.mice[contest.mouse].make(maze, race.order.rules, contest.seed);
+  Timed timed(*mouse);
+  RunRecord record = run(maze, race.order.rules, timed);
+  contest.score = score(record, race.order.rules);
+  if (record.outcome == Outcome::forfeit) contest.reason = record.steps.back().action.reason;
+  contest.decisions = static_cast<int>(record.steps.size());
+  contest.microseconds = timed.microseconds();
+  contest.done = true;
+  return record;
+}
+
+}  // namespace
+
+std::uint64_t contest_seed(std::uint64_t seed, std::string_view maze_name, int run) {
+  return seed_for(seed, maze_name.substr(maze_name.rfind('/') + 1), static_cast<std::uint64_t>(run));
+}
+
+Race hold_race(std::vector<Contestant> mice, std::vector<NamedMaze> mazes, const RaceOrder& order,
+               const RaceHooks& hooks) {
+  Race race{order, std::move(mice), std::move(mazes), {}, {}, false};
+  const auto by_name = [](const auto& a, const auto& b) { return a.name < b.name; };
+  std::sort(race.mice.begin(), race.mice.end(), by_name);
+  std::sort(race.mazes.begin(), race.mazes.end(), by_name);
+  for (const NamedMaze& maze : race.mazes) race.bounds.push_back(bound_of(maze.maze, order.rules));
+  race.results = list_contests(race);
+
+  std::mutex telling;
+  const auto hold = [&](std::size_t i) {
+    if (hooks.stop != nullptr && hooks.stop->load()) return;
+    const RunRecord record = hold_contest(race, race.results[i]);
+    if (!hooks.finished) return;
+    const std::lock_guard lock(telling);
+    hooks.finished(race, race.results[i], record);
+  };
+  tbb::task_arena arena(order.jobs > 0 ? order.jobs : tbb::task_arena::automatic);
+  arena.execute([&] { tbb::parallel_for(std::size_t{0}, race.results.size(), hold, tbb::simple_partitioner()); });
+  race.stopped = std::any_of(race.results.begin(), race.results.end(), [](const ContestResult& r) { return !r.done; });
+  return race;
+}
+
+}  // namespace labmouse

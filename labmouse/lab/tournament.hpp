@@ -1,0 +1,63 @@
+// Many mice on many mazes.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "labmouse/contest/score.hpp"
+#include "labmouse/lab/bounds.hpp"
+#include "labmouse/lab/contestants.hpp"
+#include "labmouse/lab/maze_files.hpp"
+
+namespace labmouse {
+
+struct RaceOrder {
+  Rules rules;
+  /// Contests of each mouse that throws dice in each maze; the others need one.
+  int runs = 20;
+  std::uint64_t seed = 1;
+  /// Threads; 0 takes as many as there are processors. Results do not depend on it.
+  int jobs = 0;
+};
+
+/// One contest and how it went. `mouse` and `maze` are positions in the race's lists.
+struct ContestResult {
+  std::size_t mouse = 0;
+  std::size_t maze = 0;
+  int run = 0;
+  std::uint64_t seed = 0;
+  bool done = false;  ///< false where the race was stopped before
+  Score score;
+  ForfeitReason reason = ForfeitReason::none;
+  int decisions = 0;
+  /// Time spent in the mouse's decisions, in microseconds: the one figure that differs from race to race.
+  double microseconds = 0.0;
+};
+
+struct Race {
+  RaceOrder order;
+  std::vector<Contestant> mice;  ///< in the order of their names
+  std::vector<NamedMaze> mazes;  ///< in the order of their names
+  std::vector<Bound> bounds;     ///< of each maze
+  std::vector<ContestResult> results;  ///< by mouse, maze and run
+  bool stopped = false;          ///< before all contests were done
+};
+
+/// What a race tells while it goes on.
+struct RaceHooks {
+  /// Called after each contest, from any thread but never from two at once.
+  std::function<void(const Race&, const ContestResult&, const RunRecord&)> finished;
+  /// Asked before each contest; once it is true no other begins.
+  const std::atomic<bool>* stop = nullptr;
+};
+
+/// Races every contestant on every maze.
+Race hold_race(std::vector<Contestant> mice, std::vector<NamedMaze> mazes, const RaceOrder& order,
+               const RaceHooks& hooks = {});
+
+/// The seed of a contest: from the race's seed, the maze's name without its folders, and the number of the run.
+std::uint64_t contest_seed(std::uint64_t seed, std::string_view maze_name, int run);
+
+}  // namespace labmouse
