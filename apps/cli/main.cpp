@@ -1,12 +1,14 @@
 // labmouse: the command. One file a subcommand; what they do lies in labmouse/lab.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <exception>
 
 #include "command.hpp"
 #include "labmouse/lab/version.hpp"
+#include "labmouse/strategies/parameter.hpp"
 
 namespace {
 
@@ -17,6 +19,18 @@ int refuse(const CLI::App& app, const CLI::ParseError& error) {
   const std::string name = command == &app ? "labmouse" : "labmouse " + command->get_name();
   fmt::print(stderr, "error: {} (see `{} --help`)\n", error.what(), name);
   return labmouse::cli::exit_usage;
+}
+
+/// A first word that is no command, which CLI11 would only call a missing one.
+void refuse_unknown_command(const CLI::App& app, const std::string& word) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  if (word.starts_with('-') || std::find(names.begin(), names.end(), word) != names.end()) return;
+  const std::vector<std::string_view> candidates(names.begin(), names.end());
+  const auto near = labmouse::nearest_name(word, candidates);
+  throw labmouse::cli::UsageError(fmt::format("error: command '{}' is unknown; {} (see `labmouse --help`)", word,
+                                              near.empty() ? fmt::format("there are {}", fmt::join(names, ", "))
+                                                           : fmt::format("did you mean '{}'?", near)));
 }
 
 }  // namespace
@@ -42,6 +56,7 @@ int main(int argc, char** argv) {
   add_score(app, exit);
   add_bench(app, exit);
   try {
+    if (argc > 1) refuse_unknown_command(app, argv[1]);
     app.parse(argc, argv);
     return exit;
   } catch (const CLI::CallForHelp&) {

@@ -9,6 +9,7 @@
 #include "command.hpp"
 #include "labmouse/contest/score.hpp"
 #include "labmouse/lab/bounds.hpp"
+#include "labmouse/lab/printable.hpp"
 #include "labmouse/lab/race_files.hpp"
 
 namespace labmouse::cli {
@@ -58,7 +59,8 @@ std::string result_line(const RecordFile& file) {
                         result.exploration_steps, file.rules.exploration_factor);
   else
     line += fmt::format(" after {} exploration and {} speed steps", result.exploration_steps, result.speed_steps);
-  return line + (bound.score ? fmt::format("; bound {:.3f}\n", *bound.score) : "; the goal cannot be reached\n");
+  line += bound.score ? fmt::format("; bound {:.3f}", *bound.score) : "; the goal cannot be reached";
+  return utf8(printable(line)) + "\n";
 }
 
 std::string summary_of(const RecordFile& file) {

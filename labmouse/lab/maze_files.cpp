@@ -8,6 +8,7 @@
 
 #include "labmouse/lab/builtin_mazes.hpp"
 #include "labmouse/lab/files.hpp"
+#include "labmouse/lab/printable.hpp"
 #include "labmouse/strategies/parameter.hpp"
 
 namespace labmouse {
@@ -102,8 +103,9 @@ void sort_by_name(MazeCollection& collection) {
 }  // namespace
 
 std::string describe(const std::string& path, const Problem& problem) {
-  if (problem.line == no_place) return fmt::format("{}: error: {}", path, problem.reason);
-  return fmt::format("{}:{}:{}: error: {}", path, problem.line, problem.column, problem.reason);
+  const std::string place = problem.line == no_place ? "" : fmt::format(":{}:{}", problem.line, problem.column);
+  // Paths and contents are foreign: neither may break the line or steer a terminal.
+  return utf8(printable(fmt::format("{}{}: error: {}", path, place, problem.reason)));
 }
 
 MazeCollection load_mazes(std::span<const std::string> paths) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "labmouse/lab/printable.hpp"
 #include "labmouse/lab/report.hpp"
 #include "labmouse/lab/version.hpp"
 
@@ -10,6 +11,10 @@ namespace {
 
 std::string number(const std::optional<double>& value, int digits) {
   return value ? fmt::format("{:.{}f}", *value, digits) : "-";
+}
+
+std::string counted(std::size_t count, std::string_view one, std::string_view many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
 std::string row_of(const Race& race, const Standing& standing, std::size_t width) {
@@ -59,8 +64,10 @@ std::string notes_of(const Race& race) {
   if (solved_different_mazes(race))
     notes += "Mean scores over 'solved' cover different mazes for different mice: compare 'all'.\n";
   if (const auto failures = failures_of(race); !failures.empty()) notes += fmt::format("Failures: {}.\n", failures);
-  const auto routeless = std::count_if(race.bounds.begin(), race.bounds.end(), [](const Bound& b) { return !b.score; });
-  if (routeless > 0) notes += fmt::format("Left out of all means: {} maze(s) whose goal cannot be reached.\n", routeless);
+  const auto routeless = static_cast<std::size_t>(
+      std::count_if(race.bounds.begin(), race.bounds.end(), [](const Bound& bound) { return !bound.score; }));
+  if (routeless > 0)
+    notes += fmt::format("Left out of all means: {} whose goal cannot be reached.\n", counted(routeless, "maze", "mazes"));
   if (std::any_of(race.mice.begin(), race.mice.end(), [](const Contestant& m) { return m.reference; }))
     notes += "* knows the maze: the bound's witness, not a contestant.\n";
   if (race.stopped) {
@@ -77,8 +84,8 @@ std::string table_of(const Race& race, bool colours) {
   for (const Contestant& mouse : race.mice) width = std::max(width, mouse.name.size() + (mouse.reference ? 2 : 0));
   const char* bold = colours ? "\x1b[1m" : "";
   const char* plain = colours ? "\x1b[0m" : "";
-  std::string text = fmt::format("labmouse {}: {} mice, {} mazes, seed {}\n\n", version(), race.mice.size(),
-                                 race.mazes.size(), race.order.seed);
+  std::string text = fmt::format("labmouse {}: {}, {}, seed {}\n\n", version(), counted(race.mice.size(), "mouse", "mice"),
+                                 counted(race.mazes.size(), "maze", "mazes"), race.order.seed);
   text += fmt::format("{}{:<{}}  {:>9}  {:>8}  {:>8}  {:>17}  {:>6}  {:>7}  {:>6}  {:>8}  {:>7}{}\n", bold, "", width, "",
                       "score", "score", "95 % interval", "/bound", "explore", "speed", "optimal", "us per", plain);
   text += fmt::format("{}{:<{}}  {:>9}  {:>8}  {:>8}  {:>17}  {:>6}  {:>7}  {:>6}  {:>8}  {:>7}{}\n", bold, "mouse", width,
@@ -99,7 +106,7 @@ std::string worst_of(const Race& race, int count) {
     text += fmt::format("{}: worst mazes\n", race.mice[standing.mouse].name);
     for (const auto& [loss, maze] : losses)
       text += fmt::format("  {:>8.3f} = bound {:.3f} + {:.3f}  {}\n", *scores[maze], *race.bounds[maze].score, loss,
-                          race.mazes[maze].name);
+                          utf8(printable(race.mazes[maze].name)));
   }
   return text;
 }

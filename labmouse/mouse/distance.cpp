@@ -34,7 +34,7 @@ DistanceField::DistanceField(Size size, const Motion& motion, Path path)
   // The count goes on for a round of the ring after the last cell was reached.
   planes_ = std::bit_width(static_cast<unsigned>((size.area() + 2) * dearest));
   kernel_ = choose_kernel(path, row_bits_, motion);
-  const int sets = 1 + planes_ + (motion.uniform() ? 0 : dearest + 1);
+  const int sets = 1 + planes_ + dearest + 1;  // the last ones are the ring of the kernel for any costs
   constexpr int words_in_block = sizeof(Block) / sizeof(std::uint64_t);
   storage_.resize(static_cast<std::size_t>((sets * words_in_set(row_bits_) + words_in_block - 1) / words_in_block));
 }

@@ -1,0 +1,14 @@
+// Any bytes as a SPEC: there are mice or an error of one line, and mice have names that read as the same mice again.
+#include <cstdlib>
+
+#include "labmouse/lab/contestants.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+  const auto result = labmouse::read_specs({reinterpret_cast<const char*>(bytes), size});
+  if (result.contestants.empty() == result.error.empty()) std::abort();
+  for (const auto& mouse : result.contestants) {
+    const auto again = labmouse::read_specs(mouse.name);
+    if (again.contestants.size() != 1 || again.contestants.front().name != mouse.name) std::abort();
+  }
+  return 0;
+}
