@@ -7,7 +7,7 @@
 
 #include "labmouse/mouse/distance_kernel.hpp"
 
-#if defined(__AVX2__)
+#if LABMOUSE_CHUNK == 32
 #include <immintrin.h>
 #endif
 
@@ -29,7 +29,7 @@ struct Rows {
 
 template <class Word>
 [[gnu::always_inline]] inline bool any(typename Rows<Word>::Chunk chunk) {
-#if defined(__AVX2__)
+#if LABMOUSE_CHUNK == 32
   return _mm256_testz_si256(reinterpret_cast<__m256i>(chunk), reinterpret_cast<__m256i>(chunk)) == 0;
 #else
   typedef std::uint64_t Wide __attribute__((vector_size(LABMOUSE_CHUNK)));

@@ -1,0 +1,23 @@
+# The two commands. Both install what is missing, build what has changed, and stay quiet about it unless it fails.
+#   make race    races the mice on the built-in mazes and prints the leaderboard
+#   make check   builds and runs all tests
+# One build tree, build/release, serves both: a race builds the program alone, so that it never waits for tests.
+.PHONY: race check
+
+# Configured once: from then on the build does it by itself, where it has to.
+race:
+	@scripts/install race
+	@test -e build/release/build.ninja || scripts/quietly cmake --preset release
+	@test -e build/release/labmouse || echo "building labmouse: a minute or two" >&2
+	@scripts/quietly cmake --build --preset release --target labmouse
+	@build/release/labmouse race
+
+# More options for CMake, and so for both commands until the next check; CI takes warnings as errors.
+CHECK_OPTIONS ?= -DLABMOUSE_WERROR=OFF
+
+check:
+	@scripts/install check
+	@scripts/quietly cmake --preset release -DLABMOUSE_TESTS=ON $(CHECK_OPTIONS)
+	@test -e build/release/tests/lab_test || echo "building labmouse and its tests: some minutes" >&2
+	@scripts/quietly cmake --build --preset release
+	@ctest --preset release --parallel $$(nproc) --progress
