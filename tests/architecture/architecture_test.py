@@ -1,0 +1,96 @@
+"""The tree keeps to ARCHITECTURE.md, and small trees that do not are found out."""
+import tempfile
+import unittest
+from pathlib import Path
+
+from architecture import rooms_of, violations
+
+ROOT = Path(__file__).resolve().parents[2]
+
+PAGE = """
+| room | holds | may include | must not touch |
+|---|---|---|---|
+| grid | cells | nothing | heap |
+| maze | truth | grid | mouse |
+| mouse | belief | grid | maze |
+| strategies | minds | grid, mouse | maze |
+| lab | many runs | all above | terminals |
+| apps | programs | all above | logic |
+"""
+
+
+def violations_of(files, page=PAGE):
+    """What is found in a tree of these files, {path: text}."""
+    with tempfile.TemporaryDirectory() as folder:
+        for name, text in {"ARCHITECTURE.md": page, "CMakeLists.txt": "", **files}.items():
+            path = Path(folder) / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text, encoding="utf-8")
+        return violations(folder)
+
+
+class Architecture(unittest.TestCase):
+    def test_this_tree_keeps_to_the_page(self):
+        self.assertEqual(violations(ROOT), [])
+
+    def test_the_page_lists_every_room_and_no_other(self):
+        folders = {path.name for path in (ROOT / "labmouse").iterdir() if path.is_dir()}
+        self.assertEqual(set(rooms_of((ROOT / "ARCHITECTURE.md").read_text(encoding="utf-8"))), folders | {"apps"})
+
+    def test_what_the_table_allows_is_no_violation(self):
+        self.assertEqual(violations_of({
+            "labmouse/maze/maze.hpp": '#include <vector>\n#include "labmouse/grid/cell.hpp"\n',
+            "labmouse/maze/maze.cpp": '#include "labmouse/maze/maze.hpp"\n',
+            "labmouse/lab/race.cpp": '#include <thread>\n#include "labmouse/mouse/strategy.hpp"\n',
+            "apps/cli/main.cpp": '#include <iostream>\n#include "command.hpp"\n#include "labmouse/lab/race.hpp"\n',
+            "CMakeLists.txt": "labmouse_room(maze grid)\n",
+        }), [])
+
+    def test_a_mind_that_includes_a_maze(self):
+        self.assertEqual(violations_of({"labmouse/strategies/cheat.cpp": '\n#include "labmouse/maze/maze.hpp"\n'}),
+                         ["labmouse/strategies/cheat.cpp:2: error: strategies must not include maze: "
+                          "labmouse/maze/maze.hpp"])
+
+    def test_a_room_that_includes_one_below_it(self):
+        self.assertEqual(violations_of({"labmouse/grid/cell.hpp": '#  include "labmouse/lab/race.hpp"\n'}),
+                         ["labmouse/grid/cell.hpp:1: error: grid must not include lab: labmouse/lab/race.hpp"])
+
+    def test_a_room_that_the_page_does_not_know(self):
+        self.assertEqual(violations_of({"labmouse/attic/box.hpp": ""}),
+                         ["labmouse/attic/box.hpp:1: error: attic is no room of ARCHITECTURE.md"])
+
+    def test_an_include_that_hides_its_room(self):
+        self.assertEqual(violations_of({"labmouse/mouse/route.cpp": '#include "../maze/maze.hpp"\n'}),
+                         ['labmouse/mouse/route.cpp:1: error: ../maze/maze.hpp is not named by its path from the root: '
+                          '"labmouse/..."'])
+
+    def test_a_program_that_climbs_into_the_library(self):
+        self.assertEqual(violations_of({"apps/cli/main.cpp": '#include "../../labmouse/lab/race.hpp"\n'}),
+                         ["apps/cli/main.cpp:1: error: ../../labmouse/lab/race.hpp climbs out of its folder"])
+
+    def test_a_portable_room_that_throws_the_library_s_dice(self):
+        self.assertEqual(violations_of({"labmouse/maze/prim.cpp": "#include <random>\n"}),
+                         ["labmouse/maze/prim.cpp:1: error: maze must not include <random>"])
+
+    def test_a_link_that_the_page_does_not_allow(self):
+        self.assertEqual(violations_of({"CMakeLists.txt": "labmouse_room(mouse grid maze)\n"}),
+                         ["CMakeLists.txt:1: error: mouse links grid maze, but ARCHITECTURE.md says: grid"])
+
+    def test_a_mind_that_is_not_on_the_roster(self):
+        self.assertEqual(violations_of({
+            "labmouse/strategies/roster.cpp": "constexpr std::array entries = {&flood_mouse};\n",
+            "labmouse/strategies/flood.cpp": "const RosterEntry flood_mouse = {};\n",
+            "labmouse/strategies/shy.cpp": "const RosterEntry shy_mouse = {};\n",
+        }), ["labmouse/strategies/shy.cpp:1: error: shy_mouse is not on the roster"])
+
+    def test_a_table_out_of_order(self):
+        with self.assertRaisesRegex(ValueError, "room grid may include maze, which the table does not list above it"):
+            violations_of({}, "| grid | cells | maze | heap |\n| maze | truth | grid | mouse |\n")
+
+    def test_a_page_without_a_table(self):
+        with self.assertRaisesRegex(ValueError, "no table of rooms"):
+            violations_of({}, "# Architecture\n")
+
+
+if __name__ == "__main__":
+    unittest.main()
