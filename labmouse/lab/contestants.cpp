@@ -63,7 +63,7 @@ std::string apply(const RosterEntry& entry, std::string_view assignment, Setting
   if (parameter == entry.parameters.end()) return unknown_parameter(entry, key);
   if (const auto reason = check_value(*parameter, value); !reason.empty())
     return fmt::format("value '{}' of parameter '{}' of mouse '{}' {}", value, key, entry.name, reason);
-  settings.set(key, value);
+  settings.set(key, canonical_value(*parameter, value));
   return "";
 }
 
@@ -72,7 +72,8 @@ std::string read_spec(std::string_view spec, std::vector<Contestant>& contestant
   const auto colon = spec.find(':');
   const auto name = spec.substr(0, colon);
   if (name.empty()) return "a mouse without a name; write name[:key=value]..., several separated by commas";
-  if (name == oracle_name && colon == std::string_view::npos) {
+  if (name == oracle_name) {
+    if (colon != std::string_view::npos) return "the oracle has no parameters";
     contestants.push_back(oracle());
     return "";
   }

@@ -27,13 +27,21 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   }
 }
 
-/// A bound of a range as it would be typed: `3`, `0.25`.
-std::string plain(double number) {
-  std::string text = std::to_string(number);
-  while (text.back() == '0') text.pop_back();
-  if (text.back() == '.') text.pop_back();
-  return text;
+/// A number without the zeros that say nothing: `3`, `0.25`.
+std::string plain(std::string_view number) {
+  const bool negative = number.front() == '-';
+  if (negative) number.remove_prefix(1);
+  const auto point = number.find('.');
+  std::string whole(number.substr(0, point));
+  std::string fraction(point == std::string_view::npos ? "" : number.substr(point + 1));
+  whole.erase(0, std::min(whole.find_first_not_of('0'), whole.size()));
+  fraction.erase(fraction.find_last_not_of('0') + 1);
+  if (whole.empty()) whole = "0";
+  if (!fraction.empty()) whole += "." + fraction;
+  return negative && whole != "0" ? "-" + whole : whole;
 }
+
+std::string plain(double number) { return plain(std::to_string(number)); }
 
 std::string check_number(const Parameter& parameter, std::string_view value) {
   double number = 0.0;
@@ -133,6 +141,14 @@ std::string check_value(const Parameter& parameter, std::string_view value) {
     }
   }
   return "";
+}
+
+std::string canonical_value(const Parameter& parameter, std::string_view value) {
+  if (parameter.type == ParameterType::choice) return std::string(value);
+  if (parameter.type == ParameterType::flag) return is_one_of(value, yes) ? "yes" : "no";
+  std::string numbers;
+  for (const auto part : split(value, '/')) numbers += (numbers.empty() ? "" : "/") + plain(part);
+  return numbers;
 }
 
 std::string_view nearest_name(std::string_view word, std::span<const std::string_view> candidates) {

@@ -61,6 +61,9 @@ class Settings {
 /// Why a value does not suit a parameter, as a line for the user; empty where it does.
 std::string check_value(const Parameter& parameter, std::string_view value);
 
+/// A value that has passed check_value in its one spelling: `3` for `03`, `0.5` for `.50`, `yes` for `true`.
+std::string canonical_value(const Parameter& parameter, std::string_view value);
+
 /// The candidate that is spelled most like a word, for "did you mean"; empty where none is near.
 std::string_view nearest_name(std::string_view word, std::span<const std::string_view> candidates);
 

@@ -1,0 +1,262 @@
+// The program from end to end: what it prints, where, and how it exits.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "tests/cli/program.hpp"
+
+namespace labmouse {
+namespace {
+
+using Json = nlohmann::json;
+using test::content_of;
+using test::Ended;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+/// A user in an empty folder.
+class AUser : public testing::Test {
+ protected:
+  AUser() { std::filesystem::create_directories(folder_); }
+  ~AUser() override { std::filesystem::remove_all(folder_); }
+
+  Ended labmouse(std::vector<std::string> arguments, const char* variable = nullptr) const {
+    return test::Program(folder_, std::move(arguments), variable).wait();
+  }
+  /// Bad usage or input: exit code 2, one line on standard error, nothing on standard output.
+  void is_refused(std::vector<std::string> arguments, std::string_view reason) const {
+    const Ended ended = labmouse(std::move(arguments));
+    EXPECT_EQ(ended.code, 2);
+    EXPECT_EQ(ended.out, "");
+    EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
+    EXPECT_THAT(ended.err, HasSubstr(reason));
+  }
+  Json race(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), {"race", "--format", "json"});
+    const Ended ended = labmouse(std::move(arguments));
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    return Json::parse(ended.out, nullptr, false);
+  }
+  std::string file(const std::string& name, const std::string& content) const {
+    std::ofstream(folder_ / name, std::ios::binary) << content;
+    return name;
+  }
+  std::string content(const std::string& name) const { return content_of(folder_ / name); }
+
+  std::filesystem::path folder_ =
+      std::filesystem::temp_directory_path() /
+      ("labmouse-cli-" + std::to_string(getpid()) + "-" + testing::UnitTest::GetInstance()->current_test_info()->name());
+};
+
+constexpr const char* corridor = "o---o---o---o\n| S       G |\no---o---o---o\n";
+
+/// A race's JSON without what differs from race to race.
+void leave_times_out(Json& json) {
+  for (Json& mouse : json.at("mice")) {
+    mouse.erase("microseconds_per_decision");
+    for (Json& result : mouse.at("results")) result.erase("microseconds_per_decision");
+  }
+}
+
+constexpr const char* commands[] = {"race", "run",  "show",  "inspect", "make",  "convert",
+                                    "mice", "bound", "replay", "score",   "bench"};
+
+TEST_F(AUser, FindsHelpWithAnExampleForEverything) {
+  const Ended all = labmouse({"--help"});
+  EXPECT_EQ(all.code, 0);
+  EXPECT_THAT(all.out, HasSubstr("Example"));
+  for (const std::string command : commands) {
+    EXPECT_THAT(all.out, HasSubstr("\n  " + command + " "));
+    const Ended help = labmouse({command, "--help"});
+    EXPECT_EQ(help.code, 0) << command;
+    EXPECT_EQ(help.err, "");
+    EXPECT_THAT(help.out, ::testing::ContainsRegex("Example: .*labmouse " + command));
+  }
+}
+
+TEST_F(AUser, AsksForTheVersion) {
+  EXPECT_EQ(labmouse({"--version"}).out.find("labmouse 0."), 0U);
+  EXPECT_EQ(labmouse({"--version"}).code, 0);
+}
+
+TEST_F(AUser, IsToldInOneLineWhatIsWrong) {
+  is_refused({}, "subcommand is required");
+  is_refused({"rase"}, "rase");
+  is_refused({"race", "--mise", "flood"}, "labmouse race --help");
+  is_refused({"race", "--mice", "flod"}, "did you mean 'flood'?");
+  is_refused({"race", "--mice", "flood:stride=99"}, "value '99' of parameter 'stride'");
+  is_refused({"race", "--mazes", "capston-1"}, "did you mean 'capstone-1'?");
+  is_refused({"race", "--runs", "0"}, "--runs");
+  is_refused({"race", "--jobs", "many"}, "--jobs");
+  is_refused({"race", "--format", "xml"}, "--format");
+  is_refused({"race", "--baseline", "nothing.json"}, "nothing.json: error: no such file");
+  is_refused({"run", "flood"}, "required");
+  is_refused({"run", "flood,certify", "capstone-1"}, "one mouse");
+  is_refused({"run", "flood", "capstone-1", "--start", "99,0"}, "'99,0' is no place");
+  is_refused({"run", "flood", "capstone-1", "--goal", "12,0"}, "outside of the maze");
+  is_refused({"replay", "nothing.jsonl"}, "nothing.jsonl: error: no such file");
+  is_refused({"make", "castle"}, "castle");
+}
+
+TEST_F(AUser, IsToldWhereAMazeFileIsBad) {
+  file("bad.txt", "o---o---o\n| S   X |\no---o---o\n");
+  is_refused({"show", "bad.txt"}, "bad.txt:2:");
+  is_refused({"race", "--mazes", "bad.txt"}, "bad.txt:2:");
+}
+
+TEST_F(AUser, RacesOnWhereAFolderHoldsABadFile) {
+  std::filesystem::create_directories(folder_ / "mazes");
+  file("mazes/bad.txt", "rubbish");
+  file("mazes/fine.txt", corridor);
+  const Ended ended = labmouse({"race", "--mazes", "mazes", "--format", "json"});
+  EXPECT_EQ(ended.code, 0);
+  EXPECT_THAT(ended.err, HasSubstr("mazes/bad.txt"));
+  const Json json = Json::parse(ended.out);
+  EXPECT_EQ(json.at("mazes").size(), 1U);
+  EXPECT_EQ(json.at("skipped").at(0).at("path"), "mazes/bad.txt");
+}
+
+TEST_F(AUser, GetsNothingButJson) {
+  const Ended ended = labmouse({"race", "--mice", "flood,random", "--runs", "2", "--format", "json", "--worst", "2"});
+  EXPECT_TRUE(Json::accept(ended.out));
+  EXPECT_THAT(ended.err, HasSubstr("worst mazes"));
+}
+
+TEST_F(AUser, GetsTheSameForAnyNumberOfJobsAndAnyOrder) {
+  Json one = race({"--jobs", "1", "--runs", "3"});
+  Json two = race({"--jobs", "2", "--runs", "3", "--mice", "random,certify,flood,flood-return,wall-right", "--mice", "wall-left"});
+  leave_times_out(one);
+  leave_times_out(two);
+  EXPECT_EQ(one, two);
+}
+
+TEST_F(AUser, SeesEveryMouseInTheTable) {
+  const Ended ended = labmouse({"race", "--runs", "1"});
+  EXPECT_EQ(ended.code, 0);
+  for (const char* mouse : {"random", "wall-left", "wall-right", "flood", "flood-return", "certify"})
+    EXPECT_THAT(ended.out, HasSubstr("\n" + std::string(mouse) + " "));
+  EXPECT_EQ(ended.err, "");
+}
+
+TEST_F(AUser, SeesNoColoursInAFile) {
+  EXPECT_THAT(labmouse({"race", "--mice", "flood"}).out, Not(HasSubstr("\x1b")));
+  EXPECT_THAT(labmouse({"show", "capstone-1"}, "NO_COLOR=1").out, Not(HasSubstr("\x1b")));
+}
+
+TEST_F(AUser, MayHaveFailingMice) {
+  file("closed.txt", "o---o---o\n| S | G |\no---o---o\n");
+  const Ended ended = labmouse({"race", "--mice", "flood", "--mazes", "closed.txt"});
+  EXPECT_EQ(ended.code, 0);
+  EXPECT_THAT(ended.out, HasSubstr("0/0"));
+}
+
+TEST_F(AUser, FailsABuildAboveAScore) {
+  file("corridor.txt", corridor);
+  EXPECT_EQ(labmouse({"race", "--mice", "flood", "--mazes", "corridor.txt", "--fail-above", "1.07"}).code, 0);
+  const Ended above = labmouse({"race", "--mice", "flood", "--mazes", "corridor.txt", "--fail-above", "1.06"});
+  EXPECT_EQ(above.code, 1);
+  EXPECT_THAT(above.err, HasSubstr("flood scores 1.067, above the limit of 1.06"));
+}
+
+TEST_F(AUser, ComparesWithAnEarlierRace) {
+  file("earlier.json", labmouse({"race", "--mice", "flood", "--format", "json"}).out);
+  const Ended same = labmouse({"race", "--mice", "flood", "--baseline", "earlier.json"});
+  EXPECT_EQ(same.code, 0);
+  EXPECT_THAT(same.out, HasSubstr("flood: +0.000 [+0.000, +0.000]"));
+  is_refused({"race", "--mice", "flood", "--baseline", file("bad.json", "{}")}, "bad.json: error: is not the JSON of a race");
+}
+
+TEST_F(AUser, KeepsRecordsAndPicturesOfARace) {
+  file("corridor.txt", corridor);
+  ASSERT_EQ(labmouse({"race", "--mice", "flood,random", "--runs", "2", "--mazes", "corridor.txt", "--out", "out"}).code, 0);
+  std::vector<std::string> files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_ / "out"))
+    if (entry.is_regular_file()) files.push_back(entry.path().lexically_relative(folder_).string());
+  EXPECT_EQ(files.size(), 3U + 2U);  // a record each, and a picture a maze and mouse
+  for (const std::string& name : files) {
+    if (name.ends_with(".svg")) continue;
+    EXPECT_EQ(labmouse({"replay", name}).code, 0) << name;
+  }
+}
+
+TEST_F(AUser, LearnsTheBound) {
+  const Ended ended = labmouse({"bound", "capstone-1"});
+  EXPECT_EQ(ended.code, 0);
+  EXPECT_THAT(ended.out, HasSubstr("17.600"));
+}
+
+TEST_F(AUser, OverridesStartAndGoal) {
+  file("corridor.txt", corridor);
+  EXPECT_THAT(labmouse({"run", "flood", "corridor.txt", "--goal", "1,0"}).out, HasSubstr("1 speed"));
+  EXPECT_THAT(labmouse({"run", "flood", "corridor.txt", "--start", "2,0,west", "--goal", "0,0"}).out, HasSubstr("bound 1.067"));
+}
+
+TEST_F(AUser, ReplaysAndScoresARecord) {
+  ASSERT_EQ(labmouse({"run", "certify", "capstone-1", "--record", "walk.jsonl", "--svg", "walk.svg"}).code, 0);
+  EXPECT_THAT(content("walk.svg"), HasSubstr("<svg"));
+  const Ended replayed = labmouse({"replay", "walk.jsonl"}), scored = labmouse({"score", "walk.jsonl"});
+  EXPECT_EQ(replayed.code, 0);
+  EXPECT_EQ(scored.code, 0);
+  EXPECT_THAT(replayed.out, HasSubstr("certify in capstone-1: solved, score "));
+  EXPECT_THAT(replayed.out, HasSubstr(scored.out));
+}
+
+TEST_F(AUser, CannotReplayATamperedRecord) {
+  ASSERT_EQ(labmouse({"run", "flood", "capstone-1", "--record", "walk.jsonl"}).code, 0);
+  std::string text = content("walk.jsonl");
+  const auto reading = text.find("\"reading\":[0,11,0]");
+  ASSERT_NE(reading, std::string::npos);
+  file("tampered.jsonl", text.replace(reading, 18, "\"reading\":[0,10,0]"));
+  const Ended ended = labmouse({"replay", "tampered.jsonl"});
+  EXPECT_EQ(ended.code, 1);
+  EXPECT_EQ(ended.out, "");
+  EXPECT_THAT(ended.err, HasSubstr("tampered.jsonl: error: does not agree with its maze: step 1"));
+}
+
+TEST_F(AUser, CannotReplayARecordInAnotherMaze) {
+  ASSERT_EQ(labmouse({"run", "flood", "capstone-1", "--record", "walk.jsonl"}).code, 0);
+  EXPECT_EQ(labmouse({"replay", "walk.jsonl", "--maze", "empty-12"}).code, 1);
+}
+
+TEST_F(AUser, MakesConvertsAndShowsAMaze) {
+  ASSERT_EQ(labmouse({"bound", "capstone-1"}).code, 0);
+  const Ended made = labmouse({"make", "prim", "--seed", "4"});
+  EXPECT_EQ(made.code, 0);
+  EXPECT_EQ(made.out, labmouse({"make", "prim", "--seed", "4"}).out);
+  EXPECT_NE(made.out, labmouse({"make", "prim", "--seed", "5"}).out);
+  file("made.txt", made.out);
+  EXPECT_EQ(labmouse({"convert", "made.txt", "made.num"}).code, 0);
+  EXPECT_EQ(labmouse({"show", "made.num"}).code, 0);
+}
+
+TEST_F(AUser, IsToldWhatCannotBeWritten) {
+  file("corridor.txt", corridor);
+  is_refused({"make", "prim", "-o", "corridor.txt/maze.txt"}, "corridor.txt/maze.txt: error: cannot");
+  is_refused({"race", "--mice", "flood", "--mazes", "corridor.txt", "--out", "corridor.txt"}, "error: cannot");
+}
+
+TEST_F(AUser, WhoInterruptsARaceSeesWhatIsDone) {
+  file("corridor.txt", corridor);
+  // Far more contests than a minute holds; the first record shows that the race is under way.
+  std::vector<std::string> arguments = {"race", "--mazes", "corridor.txt", "--mice", "random", "--runs", "500000",
+                                        "--jobs", "1", "--format", "json", "--out", "out"};
+  const test::Program program(folder_, arguments);
+  const auto first = folder_ / "out" / "random";
+  const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  while ((!std::filesystem::exists(first) || std::filesystem::is_empty(first)) && std::chrono::steady_clock::now() < patience)
+    std::this_thread::yield();
+  program.interrupt();
+  const Ended ended = program.wait();
+  EXPECT_EQ(ended.code, 130);
+  const Json json = Json::parse(ended.out, nullptr, false);
+  ASSERT_FALSE(json.is_discarded()) << ended.err;
+  EXPECT_EQ(json.at("stopped"), true);
+  EXPECT_GE(json.at("mice").at(0).at("results").size(), 1U);
+  EXPECT_LT(json.at("mice").at(0).at("results").size(), 500'000U);
+}
+
+}  // namespace
+}  // namespace labmouse

@@ -1,0 +1,64 @@
+// Runs the program as a user does.
+#pragma once
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace labmouse::test {
+
+inline std::string content_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// How a run of the program went.
+struct Ended {
+  int code = -1;  ///< exit code, or minus the signal that ended it
+  std::string out;
+  std::string err;
+};
+
+/// One run of the program in a folder, with its output in files, so that it never waits for a reader.
+class Program {
+ public:
+  Program(const std::filesystem::path& folder, std::vector<std::string> arguments, const char* variable = nullptr)
+      : out_(folder / ".out"), err_(folder / ".err") {
+    arguments.insert(arguments.begin(), LABMOUSE_PROGRAM);
+    std::vector<char*> words;
+    for (std::string& argument : arguments) words.push_back(argument.data());
+    words.push_back(nullptr);
+    std::fflush(nullptr);  // or the child would write it once more
+    child_ = fork();
+    if (child_ != 0) return;
+    if (variable != nullptr) putenv(const_cast<char*>(variable));
+    if (chdir(folder.c_str()) != 0 || std::freopen(out_.c_str(), "wb", stdout) == nullptr ||
+        std::freopen(err_.c_str(), "wb", stderr) == nullptr)
+      _exit(126);
+    execv(words[0], words.data());
+    _exit(127);
+  }
+
+  void interrupt() const { kill(child_, SIGINT); }
+
+  Ended wait() const {
+    int status = 0;
+    waitpid(child_, &status, 0);
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status), content_of(out_), content_of(err_)};
+  }
+
+ private:
+  std::filesystem::path out_, err_;
+  pid_t child_ = 0;
+};
+
+}  // namespace labmouse::test

@@ -1,0 +1,67 @@
+#!/usr/bin/env python3
+"""Runs the examples of a Markdown page and compares what they print with what the page says.
+
+usage: run_examples.py PAGE.md PROGRAM
+
+In a block marked `console`, each line after `$ ` is a command, and the lines below it are what it prints. A line `...`
+stands for any lines; `...` at the end of a line for any rest of it. All blocks of a page run in one new folder, in
+order, by `sh`; `labmouse` is PROGRAM. Blocks marked otherwise are not run.
+"""
+
+import os
+import re
+import subprocess
+import sys
+import tempfile
+
+
+def examples(page):
+    """The examples of a page, each as (line number, command, expected lines)."""
+    found = []
+    inside = False
+    for number, line in enumerate(page.splitlines(), 1):
+        if line.startswith("```"):
+            inside = line == "```console"
+        elif inside and line.startswith("$ "):
+            found.append((number, line[2:], []))
+        elif inside and found:
+            found[-1][2].append(line)
+    return found
+
+
+def agrees(expected, printed):
+    """Whether printed lines fit the expected ones with their ellipses."""
+    pattern = ""
+    for line in expected:
+        if line.strip() == "...":
+            pattern += r"(?:.*\n)*?"
+        elif line.endswith("..."):
+            pattern += re.escape(line[:-3]) + r".*\n"
+        else:
+            pattern += re.escape(line.rstrip()) + r"[ ]*\n"
+    return re.fullmatch(pattern, printed) is not None
+
+
+def main():
+    page, program = sys.argv[1], os.path.abspath(sys.argv[2])
+    with open(page, encoding="utf-8") as file:
+        found = examples(file.read())
+    failures = 0
+    with tempfile.TemporaryDirectory() as folder:
+        os.symlink(program, os.path.join(folder, "labmouse"))
+        environment = dict(os.environ, PATH=folder + ":" + os.environ["PATH"], NO_COLOR="1")
+        work = os.path.join(folder, "work")
+        os.mkdir(work)
+        for number, command, expected in found:
+            run = subprocess.run(["sh", "-c", command], cwd=work, env=environment, stdin=subprocess.DEVNULL,
+                                 stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=120)
+            if not agrees(expected, run.stdout):
+                failures += 1
+                print(f"{page}:{number}: `{command}` prints (exit {run.returncode}):\n{run.stdout}"
+                      "where the page says:\n" + "\n".join(expected) + "\n")
+    print(f"{page}: {len(found)} examples, {failures} wrong")
+    return 1 if failures or not found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,221 @@
+#include "labmouse/lab/record_file.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "labmouse/contest/simulator.hpp"
+#include "labmouse/lab/race_files.hpp"
+#include "labmouse/lab/script.hpp"
+#include "tests/lab/race_fixture.hpp"
+
+namespace labmouse {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// The record of a mouse in a maze, as a file.
+RecordFile recorded(std::string_view spec, const NamedMaze& maze = test::loop(), std::uint64_t seed = 1) {
+  const Contestant mouse = test::mice(spec).front();
+  return record_file_of(mouse, maze, Rules(), seed, run(maze.maze, Rules(), *mouse.make(maze.maze, Rules(), seed)));
+}
+
+RecordFile read(const std::string& text) {
+  ReadRecordResult result = read_record(text);
+  if (!result.file) ADD_FAILURE() << result.problems.front().line << ": " << result.problems.front().reason;
+  return result.file ? *result.file : RecordFile();
+}
+
+Problem problem(const std::string& text) {
+  const ReadRecordResult result = read_record(text);
+  EXPECT_FALSE(result.file.has_value());
+  EXPECT_FALSE(result.problems.empty());
+  return result.problems.empty() ? Problem() : result.problems.front();
+}
+
+std::string disagreement(const std::string& text) {
+  const RecordFile file = read(text);
+  return file.maze ? replay(file, *file.maze).disagreement : "not read";
+}
+
+/// The text with the first `from` replaced, which must be there.
+std::string changed(std::string text, std::string_view from, std::string_view to) {
+  const auto at = text.find(from);
+  if (at == std::string::npos) ADD_FAILURE() << "the record has no " << from << ":\n" << text;
+  return at == std::string::npos ? text : text.replace(at, from.size(), to);
+}
+
+/// The first lines of a text.
+std::string head(const std::string& text, int lines) {
+  std::size_t end = 0;
+  while (lines-- > 0) end = text.find('\n', end) + 1;
+  return text.substr(0, end);
+}
+
+TEST(Record, ReadsAsItWasWritten) {
+  for (const char* mouse : {"flood:stride=2", "random", "certify", "wall-right"}) {
+    const RecordFile written = recorded(mouse, test::loop(), 18446744073709551615U);
+    const RecordFile file = read(write_record(written));
+    EXPECT_EQ(file.run, written.run);
+    EXPECT_EQ(file.maze, written.maze);
+    EXPECT_EQ(file.maze_name, "loop");
+    EXPECT_EQ(file.mouse, mouse);
+    EXPECT_EQ(file.seed, written.seed);
+    EXPECT_EQ(file.rules, written.rules);
+    EXPECT_TRUE(file.ended);
+  }
+}
+
+TEST(Record, ReplaysToItself) {
+  for (const auto& maze : {test::loop(), test::corridor(), test::without_route()})
+    for (const char* mouse : {"flood", "random", "oracle"}) {
+      const RecordFile file = read(write_record(recorded(mouse, maze)));
+      const ReplayResult again = replay(file, *file.maze);
+      EXPECT_EQ(again.disagreement, "") << mouse << " in " << maze.name;
+      EXPECT_EQ(again.run, file.run);
+    }
+}
+
+TEST(Record, KeepsAStartHeadingThatNoDrawingHolds) {
+  NamedMaze maze = test::loop();
+  maze.maze = maze.maze.with_start({4, 3}, Heading::west);
+  EXPECT_EQ(read(write_record(recorded("flood", maze))).maze, maze.maze);
+}
+
+TEST(Record, KeepsActionsThatNoMouseShouldTake) {
+  const NamedMaze maze = test::loop();
+  RecordFile file = recorded("flood", maze);
+  Script script(maze.maze.size(), {Action::step(45, 1000), Action::step(-180, -7), Action::reset()});
+  file.run = run(maze.maze, Rules(), script);
+  const std::string text = write_record(file);
+  EXPECT_EQ(read(text).run, file.run);
+  EXPECT_EQ(disagreement(text), "");
+}
+
+TEST(Record, HasALineForEachStepBesidesHeaderAndEnd) {
+  const RecordFile file = recorded("flood");
+  const std::string text = write_record(file);
+  EXPECT_EQ(static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')), file.run.steps.size() + 2);
+}
+
+TEST(Record, CutAfterAnyStepStillReadsAndReplays) {
+  const RecordFile whole = recorded("flood");
+  for (std::size_t steps = 0; steps <= whole.run.steps.size(); ++steps) {
+    const RecordFile file = read(head(write_record(whole), static_cast<int>(steps) + 1));
+    EXPECT_FALSE(file.ended);
+    EXPECT_EQ(file.run.steps.size(), steps);
+    EXPECT_EQ(replay(file, *file.maze).disagreement, "") << steps;
+  }
+}
+
+TEST(Record, CutWithinALineIsRefusedWithItsNumber) {
+  const std::string text = write_record(recorded("flood"));
+  const Problem found = problem(head(text, 3).substr(0, head(text, 3).size() - 5));
+  EXPECT_EQ(found.line, 3);
+  EXPECT_THAT(found.reason, HasSubstr("not JSON"));
+}
+
+TEST(Record, CutAtAnyByteNeverCrashes) {
+  const std::string text = write_record(recorded("oracle", test::corridor()));
+  for (std::size_t bytes = 0; bytes < text.size(); ++bytes) read_record(text.substr(0, bytes));
+}
+
+TEST(Record, RubbishIsRefused) {
+  EXPECT_THAT(problem("").reason, HasSubstr("empty"));
+  EXPECT_EQ(problem("rubbish\n").line, 1);
+  for (const char* bad : {"\x00\xff\xfe", "[]", "3", "null", "\"record\"", "{}", "{\"format\":1}", "{\"format\":\"1\"}",
+                          "{\"format\":1,\"maze\":3,\"mouse\":3}", "{\"format\":1,\"maze\":{},\"mouse\":{\"name\":\"x\"}}"})
+    problem(bad);
+}
+
+TEST(Record, OfAnotherFormatIsRefused) {
+  EXPECT_THAT(problem(changed(write_record(recorded("flood")), "\"format\":1", "\"format\":2")).reason, HasSubstr("format"));
+}
+
+TEST(Record, OfAnotherProgramIsRefused) {
+  problem(changed(write_record(recorded("flood")), "\"labmouse\":\"record\"", "\"labmouse\":\"recipe\""));
+}
+
+TEST(Record, CellsOutOfRangeAreRefused) {
+  const std::string text = write_record(recorded("flood"));
+  for (const char* cell : {"[-1,0]", "[0,64]", "[0,99999999999]", "[0.5,0]", "[0]", "[0,0,0]", "null", "\"0,0\""})
+    problem(changed(text, "\"cell\":[0,0]", "\"cell\":" + std::string(cell)));
+}
+
+TEST(Record, AStartOrAGoalOutsideIsRefused) {
+  const std::string text = write_record(recorded("flood"));
+  EXPECT_EQ(problem(changed(text, "\"start\":[0,0]", "\"start\":[0,40]")).line, 1);
+  EXPECT_EQ(problem(changed(text, "\"goals\":[[2,2]]", "\"goals\":[[2,40]]")).line, 1);
+  EXPECT_EQ(problem(changed(text, "\"goals\":[[2,2]]", "\"goals\":[]")).line, 1);
+}
+
+TEST(Record, NumbersOutOfRangeAreRefused) {
+  const std::string text = write_record(recorded("certify"));
+  problem(changed(text, "\"budget\":1000", "\"budget\":0"));
+  problem(changed(text, "\"stride\":3", "\"stride\":1000000"));
+  problem(changed(text, "\"exploration_factor\":30", "\"exploration_factor\":0"));
+  problem(changed(text, "\"reading\":[0,", "\"reading\":[-1,"));
+  problem(changed(text, "\"reading\":[0,", "\"reading\":[99999999999999999999,"));
+}
+
+TEST(Record, AMissingStepIsRefused) {
+  const std::string text = write_record(recorded("flood"));
+  const std::string missing = head(text, 2) + text.substr(head(text, 3).size());
+  EXPECT_EQ(problem(missing).line, 3);
+}
+
+TEST(Record, LinesBehindTheEndAreRefused) {
+  const std::string text = write_record(recorded("flood"));
+  problem(text + "{\"outcome\":\"solved\",\"cell\":[0,0],\"heading\":\"north\"}\n");
+}
+
+TEST(Record, UnknownWordsAreRefused) {
+  const std::string text = write_record(recorded("flood"));
+  problem(changed(text, "\"heading\":\"north\"", "\"heading\":\"up\""));
+  problem(changed(text, "\"run\":\"exploration\"", "\"run\":\"walk\""));
+  problem(changed(text, "\"outcome\":\"solved\"", "\"outcome\":\"won\""));
+  problem(changed(text, "\"action\":[0,", "\"action\":[\"left\","));
+  problem(changed(text, "\"blocked\":false", "\"blocked\":0"));
+}
+
+TEST(Replay, RefusesAnotherMaze) {
+  const RecordFile file = read(write_record(recorded("flood")));
+  const Maze open(MazeDraft(file.maze->size(), MazeDraft::Inside::open));
+  EXPECT_THAT(replay(file, open).disagreement, HasSubstr("step 1: recorded at (0,0)"));
+}
+
+TEST(Replay, RefusesAMazeOfAnotherSize) {
+  const RecordFile file = read(write_record(recorded("flood")));
+  EXPECT_NE(replay(file, test::corridor().maze).disagreement, "");
+  EXPECT_NE(replay(file, Maze(MazeDraft({1, 1}, MazeDraft::Inside::open))).disagreement, "");
+}
+
+TEST(Replay, RefusesAChangedReadingActionOrFlag) {
+  const std::string text = write_record(recorded("flood"));
+  EXPECT_THAT(disagreement(changed(text, "\"reading\":[0,4,0]", "\"reading\":[0,2,0]")), HasSubstr("step 1"));
+  EXPECT_THAT(disagreement(changed(text, "\"blocked\":false", "\"blocked\":true")), HasSubstr("step 1"));
+  EXPECT_NE(disagreement(changed(text, "\"action\":[0,", "\"action\":[90,")), "");
+}
+
+TEST(Replay, RefusesAnotherOutcomeOrEnd) {
+  const std::string text = write_record(recorded("flood"));
+  EXPECT_THAT(disagreement(changed(text, "\"outcome\":\"solved\"", "\"outcome\":\"never reset\"")), HasSubstr("never reset"));
+}
+
+TEST(Replay, RefusesStepsBehindTheContestsEnd) {
+  RecordFile file = recorded("flood");
+  StepRecord more = file.run.steps.back();
+  ++more.step;
+  file.run.steps.push_back(more);
+  EXPECT_THAT(disagreement(write_record(file)), HasSubstr("the contest had ended"));
+}
+
+TEST(Replay, RefusesARecordThatEndsTooEarly) {
+  RecordFile file = recorded("flood");
+  file.run.steps.pop_back();
+  EXPECT_NE(disagreement(write_record(file)), "");
+}
+
+}  // namespace
+}  // namespace labmouse

@@ -1,0 +1,188 @@
+#include "labmouse/lab/report.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "labmouse/lab/version.hpp"
+#include "tests/lab/race_fixture.hpp"
+
+namespace labmouse {
+namespace {
+
+using Json = nlohmann::json;
+using ::testing::HasSubstr;
+using ::testing::IsSupersetOf;
+using ::testing::Not;
+using ::testing::UnorderedElementsAre;
+
+std::vector<std::string> keys(const Json& json) {
+  std::vector<std::string> list;
+  for (const auto& item : json.items()) list.push_back(item.key());
+  return list;
+}
+
+/// A race as JSON, read back.
+class RaceAsJson : public testing::Test {
+ protected:
+  const Json& maze(int i) const { return json_.at("mazes").at(static_cast<std::size_t>(i)); }
+  const Json& mouse(std::string_view name) const {
+    for (const Json& mouse : json_.at("mice"))
+      if (mouse.at("name") == name) return mouse;
+    throw std::runtime_error("no such mouse");
+  }
+  const Json& result(std::string_view mouse_name, std::string_view maze) const {
+    for (const Json& result : mouse(mouse_name).at("results"))
+      if (result.at("maze") == maze) return result;
+    throw std::runtime_error("no such result");
+  }
+
+  Race race_ = test::race_of("flood:stride=1,random");
+  Json json_ = Json::parse(json_of(race_, {{"bad.txt", {{2, 5, "is odd"}, {0, 0, "is bad"}}}}));
+};
+
+TEST_F(RaceAsJson, NamesItsVersion) { EXPECT_EQ(json_.at("labmouse"), version()); }
+
+TEST_F(RaceAsJson, HasAllFieldsOfAMaze) {
+  EXPECT_THAT(keys(maze(0)), UnorderedElementsAre("name", "width", "height", "optimum", "bound"));
+}
+
+TEST_F(RaceAsJson, HasAllFieldsOfAMouse) {
+  EXPECT_THAT(keys(mouse("random")),
+              IsSupersetOf({"name", "parameters", "solved", "runs", "mean_score", "penalised_mean", "interval", "mean_ratio", "results"}));
+}
+
+TEST_F(RaceAsJson, HasAllFieldsOfAResult) {
+  EXPECT_THAT(keys(result("random", "loop")), UnorderedElementsAre("maze", "seed", "outcome", "score", "exploration_steps",
+                                                                   "speed_steps", "microseconds_per_decision"));
+}
+
+TEST_F(RaceAsJson, ListsMazesInTheOrderOfTheirNames) {
+  EXPECT_EQ(maze(0).at("name"), "corridor");
+  EXPECT_EQ(maze(1).at("name"), "loop");
+  EXPECT_EQ(maze(2).at("name"), "without-route");
+}
+
+TEST_F(RaceAsJson, AMazeHasItsSizeAndLimits) {
+  EXPECT_EQ(maze(0).at("width"), 4);
+  EXPECT_EQ(maze(0).at("height"), 2);
+  EXPECT_EQ(maze(0).at("optimum"), 3);
+  EXPECT_DOUBLE_EQ(maze(0).at("bound"), 3 + 4 / 30.0);
+}
+
+TEST_F(RaceAsJson, AMazeWithoutARouteHasNullLimits) {
+  EXPECT_TRUE(maze(2).at("optimum").is_null());
+  EXPECT_TRUE(maze(2).at("bound").is_null());
+}
+
+TEST_F(RaceAsJson, AFailedContestLacksItsScoreAndSpeedSteps) {
+  const Json& failed = result("flood:stride=1", "without-route");
+  EXPECT_EQ(failed.at("outcome"), "forfeit: no way");
+  EXPECT_TRUE(failed.at("score").is_null());
+  EXPECT_TRUE(failed.at("speed_steps").is_null());
+}
+
+TEST_F(RaceAsJson, ASolvedContestHasItsScore) {
+  const Json& solved = result("flood:stride=1", "corridor");
+  EXPECT_EQ(solved.at("outcome"), "solved");
+  EXPECT_DOUBLE_EQ(solved.at("score"), solved.at("speed_steps").get<int>() + solved.at("exploration_steps").get<int>() / 30.0);
+}
+
+TEST_F(RaceAsJson, ParametersAreNamesAndValues) {
+  EXPECT_EQ(mouse("flood:stride=1").at("parameters"), Json({{"stride", 1}}));
+}
+
+TEST_F(RaceAsJson, TheIntervalIsLowAndHighOfThePenalisedMean) {
+  const Json& interval = mouse("random").at("interval");
+  ASSERT_EQ(interval.size(), 2U);
+  EXPECT_LE(interval[0], mouse("random").at("penalised_mean"));
+  EXPECT_GE(interval[1], mouse("random").at("penalised_mean"));
+}
+
+TEST_F(RaceAsJson, SeedsAreWholeNumbers) { EXPECT_TRUE(result("random", "loop").at("seed").is_number_unsigned()); }
+
+TEST_F(RaceAsJson, ListsSkippedFilesWithTheReasons) {
+  ASSERT_EQ(json_.at("skipped").size(), 1U);
+  EXPECT_EQ(json_.at("skipped")[0].at("path"), "bad.txt");
+  EXPECT_EQ(json_.at("skipped")[0].at("reasons"), Json({"bad.txt:2:5: error: is odd", "bad.txt:0:0: error: is bad"}));
+}
+
+TEST(RaceAsJsonToo, AMouseWithoutARouteAnywhereHasNullMeans) {
+  const Json json = Json::parse(json_of(hold_race(test::mice("flood"), {test::without_route()}, {}), {}));
+  for (const char* field : {"mean_score", "penalised_mean", "interval", "mean_ratio"})
+    EXPECT_TRUE(json.at("mice")[0].at(field).is_null()) << field;
+  EXPECT_TRUE(json.at("skipped").empty());
+}
+
+TEST(RaceAsJsonToo, NamesThatAreNoUtf8DoNoHarm) {
+  NamedMaze maze = test::corridor();
+  maze.name = "caf\xe9.txt";
+  EXPECT_NO_THROW(Json::parse(json_of(hold_race(test::mice("flood"), {maze}, {}), {{"b\xff", {{0, 0, "is b\xff"}}}})));
+}
+
+std::vector<std::string> lines(const std::string& text) {
+  std::vector<std::string> list;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) list.push_back(line);
+  return list;
+}
+
+TEST(RaceAsCsv, HasALineForEachContest) {
+  const Race race = test::race_of("flood,certify");
+  const auto list = lines(csv_of(race));
+  ASSERT_EQ(list.size(), 1U + race.results.size());
+  EXPECT_EQ(list[0], "mouse,maze,seed,outcome,score,exploration_steps,speed_steps,optimum,bound,microseconds_per_decision");
+  for (const std::string& line : list) EXPECT_EQ(std::count(line.begin(), line.end(), ','), 9);
+  EXPECT_EQ(list[1].find("certify,corridor,"), 0U);
+}
+
+TEST(RaceAsCsv, LeavesEmptyWhatAFailedContestLacks) {
+  const auto list = lines(csv_of(hold_race(test::mice("flood"), {test::without_route()}, {})));
+  EXPECT_THAT(list[1], HasSubstr(",forfeit: no way,,"));
+  EXPECT_THAT(list[1], HasSubstr(",,,,"));
+}
+
+TEST(RaceAsCsv, QuotesNamesWithCommasAndQuotes) {
+  NamedMaze maze = test::corridor();
+  maze.name = "a \"big\", long one";
+  EXPECT_THAT(csv_of(hold_race(test::mice("flood"), {maze}, {})), HasSubstr(",\"a \"\"big\"\", long one\","));
+}
+
+TEST(RaceAsTable, ShowsEveryMouseBestFirst) {
+  const std::string table = table_of(test::race_of("random,flood"), false);
+  EXPECT_LT(table.find("\nflood "), table.find("\nrandom "));
+  EXPECT_THAT(table, HasSubstr("Left out of all means: 1 maze whose goal cannot be reached."));
+}
+
+TEST(RaceAsTable, ColoursOnlyWhereAsked) {
+  const Race race = test::race_of("flood");
+  EXPECT_THAT(table_of(race, false), Not(HasSubstr("\x1b")));
+  EXPECT_THAT(table_of(race, true), HasSubstr("\x1b["));
+}
+
+TEST(RaceAsTable, SaysWhereSolvedMeansCoverDifferentMazes) {
+  RaceOrder order;
+  order.rules.budget = 15;  // too little for a flood of the loop
+  const Race race = hold_race(test::mice("oracle,flood"), {test::loop(), test::corridor()}, order);
+  EXPECT_THAT(table_of(race, false), HasSubstr("cover different mazes"));
+  EXPECT_THAT(table_of(test::race_of("oracle,flood"), false), Not(HasSubstr("cover different mazes")));
+}
+
+TEST(RaceAsTable, MarksTheOracle) {
+  EXPECT_THAT(table_of(test::race_of("oracle,flood"), false), HasSubstr("oracle *"));
+}
+
+TEST(Worst, ListsTheCostliestMazesFirst) {
+  const std::string text = worst_of(test::race_of("flood"), 1);
+  EXPECT_THAT(text, HasSubstr("loop"));
+  EXPECT_THAT(text, Not(HasSubstr("corridor")));
+}
+
+TEST(Worst, CountsFromTheBound) {
+  EXPECT_THAT(worst_of(hold_race(test::mice("oracle"), {test::corridor()}, {}), 5), HasSubstr("3.133 = bound 3.133 + 0.000"));
+}
+
+}  // namespace
+}  // namespace labmouse

@@ -1,0 +1,378 @@
+// What every mouse of the roster promises, in every maze.
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "labmouse/chance/dice.hpp"
+#include "labmouse/contest/score.hpp"
+#include "labmouse/contest/simulator.hpp"
+#include "labmouse/maze/routes.hpp"
+#include "labmouse/strategies/roster.hpp"
+#include "tests/strategies/allocations.hpp"
+#include "tests/strategies/contract_mazes.hpp"
+
+namespace labmouse {
+namespace {
+
+using test::contract_mazes;
+using test::ContractMaze;
+
+bool has_route(const Maze& maze) { return shortest_in_cells(maze).has_value(); }
+
+std::unique_ptr<Strategy> make(const RosterEntry& mouse, const Maze& maze, const Rules& rules = {}, std::uint64_t seed = 1) {
+  return mouse.make(brief(maze, rules, seed), Settings(mouse.parameters));
+}
+
+RunRecord run_of(const RosterEntry& mouse, const Maze& maze, const Rules& rules = {}, std::uint64_t seed = 1) {
+  return run(maze, rules, *make(mouse, maze, rules, seed));
+}
+
+/// The mouse's record in each of the mazes, run once for all tests of the program.
+const std::vector<RunRecord>& records_of(const RosterEntry& mouse) {
+  static std::map<const RosterEntry*, std::vector<RunRecord>> records;
+  std::vector<RunRecord>& of_mouse = records[&mouse];
+  if (of_mouse.empty())
+    for (const ContractMaze& maze : contract_mazes()) of_mouse.push_back(run_of(mouse, maze.maze));
+  return of_mouse;
+}
+
+/// Stands between a contest and a mouse and looks at what the mouse believes after each decision.
+class Examiner final : public Strategy {
+ public:
+  Examiner(Strategy& mouse, const Maze& maze) : mouse_(mouse), maze_(maze) {}
+
+  Action decide(const Sighting& seen) override {
+    const WallSet open = mouse_.knowledge().open(), unknown = mouse_.knowledge().unknown();
+    const long before = test::allocations();
+    const Action action = mouse_.decide(seen);
+    allocations_ += test::allocations() - before;
+    examine(open, unknown);
+    return action;
+  }
+  const Knowledge& knowledge() const override { return mouse_.knowledge(); }
+
+  long allocations() const { return allocations_; }
+  bool imagines_passages() const { return imagines_passages_; }
+  bool imagines_walls() const { return imagines_walls_; }
+  bool forgets() const { return forgets_; }
+
+ private:
+  static bool within(WallSet walls, const WallSet& others) { return (walls -= others).empty(); }
+
+  void examine(const WallSet& open, const WallSet& unknown) {
+    const Knowledge& now = mouse_.knowledge();
+    imagines_passages_ |= !within(now.open(), maze_.open_walls());
+    imagines_walls_ |= !within(maze_.open_walls(), now.possible());
+    forgets_ |= !within(open, now.open()) || !within(now.unknown(), unknown);
+  }
+
+  Strategy& mouse_;
+  const Maze& maze_;
+  long allocations_ = 0;
+  bool imagines_passages_ = false;
+  bool imagines_walls_ = false;
+  bool forgets_ = false;
+};
+
+class EveryMouse : public testing::TestWithParam<const RosterEntry*> {
+ protected:
+  const RosterEntry& mouse() const { return *GetParam(); }
+
+  /// Hands the record of the mouse in each maze to check(maze, record).
+  template <class Check>
+  void in_every_maze(Check check) const {
+    for (std::size_t i = 0; i < contract_mazes().size(); ++i) {
+      SCOPED_TRACE(contract_mazes()[i].name);
+      check(contract_mazes()[i].maze, records_of(mouse())[i]);
+    }
+  }
+  /// Runs the mouse in each maze before an examiner and hands that to check(examiner).
+  template <class Check>
+  void examined_in_every_maze(Check check) const {
+    for (const ContractMaze& maze : contract_mazes()) {
+      SCOPED_TRACE(maze.name);
+      const auto mind = make(mouse(), maze.maze);
+      Examiner examiner(*mind, maze.maze);
+      run(maze.maze, {}, examiner);
+      check(examiner);
+    }
+  }
+};
+
+TEST_P(EveryMouse, EndsItsRunOrItsBudget) {
+  in_every_maze([](const Maze& maze, const RunRecord& record) {
+    EXPECT_FALSE(record.steps.empty());
+    if (record.outcome == Outcome::solved) {
+      EXPECT_TRUE(maze.is_goal(record.end.cell));
+    } else if (record.outcome != Outcome::forfeit) {
+      EXPECT_EQ(record.steps.size(), 1000U);
+    }
+  });
+}
+
+TEST_P(EveryMouse, GivesUpOnlyWhereThereIsNoWay) {
+  in_every_maze([](const Maze& maze, const RunRecord& record) {
+    if (record.outcome != Outcome::forfeit) return;
+    EXPECT_FALSE(has_route(maze));
+    EXPECT_EQ(record.steps.back().action.reason, ForfeitReason::no_way);
+  });
+}
+
+TEST_P(EveryMouse, NeverRunsIntoAWall) {
+  in_every_maze([](const Maze&, const RunRecord& record) {
+    for (const StepRecord& step : record.steps) ASSERT_FALSE(step.blocked) << "step " << step.step;
+  });
+}
+
+TEST_P(EveryMouse, AsksForNothingThatTheWorldDoesNotPerform) {
+  in_every_maze([](const Maze&, const RunRecord& record) {
+    for (const StepRecord& step : record.steps) {
+      ASSERT_EQ(step.action.rotation % 90, 0);
+      ASSERT_LE(std::abs(step.action.rotation), 90);
+      ASSERT_LE(std::abs(step.action.movement), 3);
+    }
+  });
+}
+
+TEST_P(EveryMouse, ResetsOnceAndOnlyWhenItMay) {
+  in_every_maze([](const Maze&, const RunRecord& record) {
+    int resets = 0, performed = 0;
+    for (std::size_t i = 0; i < record.steps.size(); ++i) {
+      if (record.steps[i].action.kind == Action::Kind::reset) ++resets;
+      if (i > 0 && record.steps[i].run != record.steps[i - 1].run) ++performed;
+    }
+    EXPECT_LE(resets, 1);
+    EXPECT_TRUE(resets == performed || record.steps.back().action.kind == Action::Kind::reset);
+  });
+}
+
+TEST_P(EveryMouse, BelievesOnlyInPassagesThatAreThere) {
+  examined_in_every_maze([](const Examiner& examiner) { EXPECT_FALSE(examiner.imagines_passages()); });
+}
+
+TEST_P(EveryMouse, BelievesOnlyInWallsThatAreThere) {
+  examined_in_every_maze([](const Examiner& examiner) { EXPECT_FALSE(examiner.imagines_walls()); });
+}
+
+TEST_P(EveryMouse, ForgetsNothing) {
+  examined_in_every_maze([](const Examiner& examiner) { EXPECT_FALSE(examiner.forgets()); });
+}
+
+TEST_P(EveryMouse, TakesNoMemoryOnceItIsMade) {
+  examined_in_every_maze([](const Examiner& examiner) { EXPECT_EQ(examiner.allocations(), 0); });
+}
+
+TEST_P(EveryMouse, KnowsAllThatItHasSeen) {
+  for (const ContractMaze& maze : contract_mazes()) {
+    SCOPED_TRACE(maze.name);
+    const auto mind = make(mouse(), maze.maze);
+    Knowledge seen(maze.maze.size());
+    for (const StepRecord& step : run(maze.maze, {}, *mind).steps) ASSERT_TRUE(seen.learn(step.pose, step.sighting));
+    EXPECT_EQ(mind->knowledge().open(), seen.open());
+    EXPECT_EQ(mind->knowledge().possible(), seen.possible());
+  }
+}
+
+TEST_P(EveryMouse, DoesTheSameForTheSameSeedAlsoAfterAnother) {
+  const Maze elsewhere = kruskal_generator.make({{9, 9}, 2, 100});
+  for (const ContractMaze& maze : contract_mazes()) {
+    SCOPED_TRACE(maze.name);
+    const RunRecord before = run_of(mouse(), maze.maze);
+    run_of(mouse(), elsewhere, {}, 99);
+    EXPECT_EQ(run_of(mouse(), maze.maze), before);
+  }
+}
+
+TEST_P(EveryMouse, DoesTheSameWhileAnotherRuns) {
+  const Maze maze = prim_generator.make({{16, 16}, 3, 100});
+  const RunRecord alone = run_of(mouse(), maze);
+  // Two minds, asked in turns: what they share would show.
+  const auto one = make(mouse(), maze), other = make(mouse(), maze);
+  for (const StepRecord& step : alone.steps) {
+    ASSERT_EQ(one->decide(step.sighting), step.action);
+    ASSERT_EQ(other->decide(step.sighting), step.action);
+  }
+}
+
+TEST_P(EveryMouse, ThrowsDiceOnlyWhereTheRosterSaysSo) {
+  const Maze maze = prim_generator.make({{16, 16}, 3, 100});
+  EXPECT_NE(run_of(mouse(), maze, {}, 1) == run_of(mouse(), maze, {}, 2), mouse().uses_chance);
+}
+
+TEST_P(EveryMouse, GivesUpWhereAReadingContradictsAnother) {
+  const Maze maze(MazeDraft({5, 5}, MazeDraft::Inside::open));
+  const auto mind = make(mouse(), maze);
+  ASSERT_EQ(mind->decide({0, 4, 4}).kind, Action::Kind::step);
+  EXPECT_EQ(mind->decide({9, 9, 9}), Action::forfeit(ForfeitReason::contradiction));
+}
+
+/// Values of a parameter to try beside the default.
+std::vector<std::string> values_of(const Parameter& parameter) {
+  switch (parameter.type) {
+    case ParameterType::flag: return {"yes", "no"};
+    case ParameterType::choice: {
+      std::vector<std::string> values;
+      std::string_view rest = parameter.choices;
+      for (std::size_t end; (end = rest.find('/')) != std::string_view::npos; rest.remove_prefix(end + 1))
+        values.emplace_back(rest.substr(0, end));
+      values.emplace_back(rest);
+      return values;
+    }
+    case ParameterType::list:  // the default with one number, in turn, at each end of the range
+    case ParameterType::whole:
+    case ParameterType::real: break;
+  }
+  const auto number = [](double value) {
+    std::string text = std::to_string(value);
+    text.erase(text.find_last_not_of('0') + 1);
+    return text.back() == '.' ? text.substr(0, text.size() - 1) : text;
+  };
+  if (parameter.type != ParameterType::list) return {number(parameter.low), number(parameter.high)};
+  const std::string list(parameter.default_value);
+  const std::string tail = list.find('/') == std::string::npos ? "" : list.substr(list.find('/'));
+  return {number(parameter.low) + tail, number(parameter.high) + tail};
+}
+
+bool changes_something(const RosterEntry& mouse, const Parameter& parameter) {
+  for (const std::string& value : values_of(parameter)) {
+    EXPECT_EQ(check_value(parameter, value), "") << value;
+    Settings settings(mouse.parameters);
+    settings.set(parameter.name, value);
+    for (const std::uint64_t seed : {1U, 2U, 3U}) {
+      const Maze maze = prim_generator.make({{16, 16}, seed, 300});
+      if (run(maze, {}, *mouse.make(brief(maze, {}, 1), settings)) != run_of(mouse, maze)) return true;
+    }
+  }
+  return false;
+}
+
+TEST_P(EveryMouse, HasParametersWhoseDefaultsLieInTheirRange) {
+  for (const Parameter& parameter : mouse().parameters)
+    EXPECT_EQ(check_value(parameter, parameter.default_value), "") << parameter.name;
+}
+
+TEST_P(EveryMouse, HasParametersThatSayWhatTheyMean) {
+  for (const Parameter& parameter : mouse().parameters) {
+    EXPECT_FALSE(parameter.name.empty());
+    EXPECT_FALSE(parameter.meaning.empty());
+  }
+}
+
+TEST_P(EveryMouse, HasNoParameterWithoutEffect) {
+  for (const Parameter& parameter : mouse().parameters) EXPECT_TRUE(changes_something(mouse(), parameter)) << parameter.name;
+}
+
+std::string test_name(const testing::TestParamInfo<const RosterEntry*>& mouse) {
+  std::string name(mouse.param->name);
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Roster, EveryMouse, testing::ValuesIn(roster().begin(), roster().end()), test_name);
+
+/// The mice that always arrive.
+class SureMouse : public EveryMouse {};
+
+TEST_P(SureMouse, SolvesEveryMazeWithARouteWhereTheBudgetAllows) {
+  Rules patient;
+  patient.budget = 1'000'000;
+  for (const ContractMaze& maze : contract_mazes())
+    EXPECT_EQ(run_of(mouse(), maze.maze, patient).outcome == Outcome::solved, has_route(maze.maze)) << maze.name;
+}
+
+TEST_P(SureMouse, KnowsWhereThereIsNoRoute) {
+  Rules patient;
+  patient.budget = 1'000'000;
+  for (const ContractMaze& maze : contract_mazes())
+    if (!has_route(maze.maze)) {
+      EXPECT_EQ(run_of(mouse(), maze.maze, patient).outcome, Outcome::forfeit) << maze.name;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Roster, SureMouse, testing::Values(&flood_mouse, &flood_return_mouse, &certify_mouse), test_name);
+
+Maze generated(Dice& dice) {
+  for (;;) {
+    const Generator& generator = *all_generators()[static_cast<std::size_t>(dice.below(static_cast<int>(all_generators().size())))];
+    const GeneratorOrder order{{1 + dice.below(20), 1 + dice.below(20)}, dice.bits(), dice.below(400)};
+    if (generator.refuses(order).empty())
+      return generator.make(order).with_start(order.size.cell_at(dice.below(order.size.area())),
+                                              all_headings[static_cast<std::size_t>(dice.below(4))]);
+  }
+}
+
+TEST(Certify, RacesAShortestRunInEveryMaze) {
+  Dice dice(300);
+  Rules patient;
+  patient.budget = 1'000'000;
+  for (int i = 0; i < 300; ++i) {
+    const Maze maze = generated(dice);
+    patient.stride = 1 + i % 4;
+    const auto shortest = shortest_in_strides(maze, patient.stride);
+    if (!shortest) continue;
+    const Score result = score(run_of(certify_mouse, maze, patient), patient);
+    ASSERT_EQ(result.outcome, Outcome::solved) << i;
+    ASSERT_EQ(result.speed_steps, shortest->strides)
+        << *drawing_format.write(maze.with_start(maze.start(), Heading::north)).content;
+  }
+}
+
+TEST(Certify, SeesNoMoreThanItNeedsForTheProof) {
+  // The goal is two cells ahead in the open: no wall elsewhere can matter.
+  const Maze maze = test::drawn(R"(
+    o---o---o---o---o---o
+    |   | G |           |
+    o   o   o   o---o   o
+    |   |   |   |   |   |
+    o   o   o   o   o   o
+    |   | S |   |       |
+    o---o---o---o---o---o
+  )");
+  const Score result = score(run_of(certify_mouse, maze), Rules());
+  EXPECT_EQ(result.exploration_steps, 2);
+  EXPECT_EQ(result.speed_steps, 1);
+}
+
+TEST(Certify, ResetsWhileTheBudgetStillAllowsTheKnownRoute) {
+  const Maze maze = depth_first_generator.make({{16, 16}, 6, 100});
+  const std::size_t needed = run_of(certify_mouse, maze).steps.size();
+  Rules rules;
+  int least = 1;
+  for (rules.budget = least; run_of(certify_mouse, maze, rules).outcome != Outcome::solved; rules.budget = ++least) {
+  }
+  EXPECT_LT(least, static_cast<int>(needed) / 2);
+  for (rules.budget = least; rules.budget <= static_cast<int>(needed); ++rules.budget)
+    EXPECT_EQ(run_of(certify_mouse, maze, rules).outcome, Outcome::solved) << rules.budget;
+}
+
+TEST(FloodReturn, StandsAtTheStartBeforeItResets) {
+  for (const ContractMaze& maze : contract_mazes())
+    for (const StepRecord& step : run_of(flood_return_mouse, maze.maze).steps)
+      if (step.action.kind == Action::Kind::reset) {
+        EXPECT_EQ(step.pose.cell, maze.maze.start()) << maze.name;
+      }
+}
+
+TEST(Flood, ResetsWithTheStepAfterTheGoal) {
+  const Maze maze = depth_first_generator.make({{16, 16}, 4, 50});
+  for (const StepRecord& step : run_of(flood_mouse, maze).steps) {
+    EXPECT_EQ(step.run == Run::exploration && maze.is_goal(step.pose.cell), step.action.kind == Action::Kind::reset);
+  }
+}
+
+TEST(Roster, HasEachNameOnce) {
+  for (const RosterEntry* entry : roster()) {
+    EXPECT_EQ(find_mouse(entry->name), entry);
+    EXPECT_FALSE(entry->summary.empty());
+  }
+  EXPECT_EQ(find_mouse("cat"), nullptr);
+}
+
+TEST(Allocations, AreCounted) {
+  const long before = test::allocations();
+  ::operator delete(::operator new(10));
+  EXPECT_EQ(test::allocations(), before + 1);
+}
+
+}  // namespace
+}  // namespace labmouse
