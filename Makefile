@@ -17,7 +17,7 @@ CHECK_OPTIONS ?= -DLABMOUSE_WERROR=OFF
 
 check:
 	@scripts/install check
-	@scripts/quietly cmake --preset release -DLABMOUSE_TESTS=ON $(CHECK_OPTIONS)
+	@scripts/quietly cmake --preset release -DLABMOUSE_TESTS=ON -DLABMOUSE_BENCH=ON $(CHECK_OPTIONS)
 	@test -e build/release/tests/lab_test || echo "building labmouse and its tests: some minutes" >&2
 	@scripts/quietly cmake --build --preset release
-	@ctest --preset release --parallel $$(nproc) --progress
+	@scripts/run-tests release

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <charconv>
+#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 
@@ -89,12 +92,34 @@ NamedMaze find_maze(const std::string& path, const Places& places) {
 }
 
 void print(const std::string& text) {
-  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
-    throw UsageError("error: cannot write to standard output");
+  if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) return;
+  // A reader that has seen enough (`| head`) is no error, but there is nothing more to do.
+  if (errno == EPIPE) std::exit(exit_good);
+  throw UsageError("error: cannot write to standard output");
 }
 
 void save(const std::string& path, const std::string& content) {
   if (const auto error = write_file(path, content); !error.empty()) throw UsageError(fmt::format("{}: error: {}", path, error));
+}
+
+CLI::Validator seed_number() {
+  return CLI::Validator(
+      [](const std::string& text) {
+        std::uint64_t seed = 0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
+        const bool good = error == std::errc() && end == text.data() + text.size();
+        return good ? std::string() : fmt::format("'{}' is not a whole number from 0 to 2^64 - 1", text);
+      },
+      "");
+}
+
+CLI::Validator finite_number() {
+  return CLI::Validator(
+      [](const std::string& text) {
+        double number = 0.0;
+        return parse_number(text, number) ? std::string() : fmt::format("'{}' is not a number such as 0.25", text);
+      },
+      "");
 }
 
 bool colours() {

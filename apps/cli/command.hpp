@@ -36,6 +36,10 @@ void print(const std::string& text);
 /// Writes a file whole or throws UsageError.
 void save(const std::string& path, const std::string& content);
 
+/// Checks of options that CLI11's own would let through: a seed is 0 to 2^64 - 1, a number is finite and plain.
+CLI::Validator seed_number();
+CLI::Validator finite_number();
+
 /// Whether to colour what goes to standard output: it is a terminal and NO_COLOR is not set.
 bool colours();
 

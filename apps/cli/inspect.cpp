@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "command.hpp"
+#include "labmouse/lab/printable.hpp"
 #include "labmouse/maze/inspect.hpp"
 
 namespace labmouse::cli {
@@ -18,8 +19,8 @@ struct InspectOptions {
 
 std::string describe(const NamedMaze& maze, const Inspection& found) {
   const Size size = maze.maze.size();
-  std::string text = fmt::format("{}\n", maze.name);
-  const auto line = [&](std::string_view what, const std::string& value) { text += fmt::format("  {:<28}{}\n", what, value); };
+  std::string text = shown(maze.name) + "\n";
+  const auto line = [&](std::string_view what, const std::string& value) { text += fmt::format("  {:<36}{}\n", what, value); };
   line("size", fmt::format("{}x{}", size.width, size.height));
   line("reachable cells", fmt::format("{} of {}", found.reachable.count(), size.area()));
   line("dead ends", fmt::format("{}", found.dead_ends));
@@ -50,7 +51,7 @@ int inspect_all(const InspectOptions& options) {
 void add_inspect(CLI::App& app, int& exit) {
   auto options = std::make_shared<InspectOptions>();
   CLI::App* command = app.add_subcommand("inspect", "Describe mazes and check them against the contest rules");
-  command->add_option("mazes", options->mazes, "Maze files, folders, patterns or names of built-in mazes")->required()->type_name("MAZE");
+  command->add_option("mazes", options->mazes, "Maze files, folders, patterns or names of built-in mazes; default: all built-in mazes")->type_name("MAZE");
   add_places(*command, options->places);
   command->add_flag("--check", options->check, "Exit with 1 if a maze breaks a contest rule");
   command->footer("Example: labmouse inspect contest-01 --check");

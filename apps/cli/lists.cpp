@@ -1,10 +1,12 @@
 // labmouse mice: the roster. labmouse bound: how low anyone could score.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "command.hpp"
 #include "labmouse/lab/bounds.hpp"
+#include "labmouse/lab/printable.hpp"
 #include "labmouse/strategies/roster.hpp"
 
 namespace labmouse::cli {
@@ -19,14 +21,16 @@ std::string range_of(const Parameter& parameter) {
 }
 
 std::string describe_mice() {
+  std::size_t width = 0;
+  for (const RosterEntry* mouse : roster()) width = std::max(width, mouse->name.size());
   std::string text;
   for (const RosterEntry* mouse : roster()) {
-    text += fmt::format("{:<14}{}{}\n", mouse->name, mouse->summary, mouse->uses_chance ? " (throws dice)" : "");
+    text += fmt::format("{:<{}}  {}{}\n", mouse->name, width, mouse->summary, mouse->uses_chance ? " (throws dice)" : "");
     for (const Parameter& parameter : mouse->parameters)
       text += fmt::format("    {}={}  {}, {}: {}\n", parameter.name, parameter.default_value, name_of(parameter.type),
                           range_of(parameter), parameter.meaning);
   }
-  return text + fmt::format("{:<14}{}\n", "oracle", "knows the maze: the bound's witness, not a contestant");
+  return text + fmt::format("{:<{}}  {}\n", "oracle", width, "knows the maze: the bound's witness, not a contestant");
 }
 
 struct BoundOptions {
@@ -37,8 +41,8 @@ struct BoundOptions {
 void print_bounds(const BoundOptions& options) {
   for (const NamedMaze& maze : find_mazes(options.mazes, options.places).mazes) {
     const Bound bound = bound_of(maze.maze, Rules());
-    print(bound.score ? fmt::format("{:>8.3f}  shortest run {:>3} steps  {}\n", *bound.score, *bound.optimum, maze.name)
-                      : fmt::format("{:>8}  the goal cannot be reached  {}\n", "none", maze.name));
+    print(bound.score ? fmt::format("{:>8.3f}  shortest run {:>3} steps  {}\n", *bound.score, *bound.optimum, shown(maze.name))
+                      : fmt::format("{:>8}  the goal cannot be reached  {}\n", "none", shown(maze.name)));
   }
 }
 
@@ -56,7 +60,7 @@ void add_mice(CLI::App& app, int& exit) {
 void add_bound(CLI::App& app, int& exit) {
   auto options = std::make_shared<BoundOptions>();
   CLI::App* command = app.add_subcommand("bound", "The best possible score of mazes: that of a mouse which knows them");
-  command->add_option("mazes", options->mazes, "Maze files, folders, patterns or names of built-in mazes")->required()->type_name("MAZE");
+  command->add_option("mazes", options->mazes, "Maze files, folders, patterns or names of built-in mazes; default: all built-in mazes")->type_name("MAZE");
   add_places(*command, options->places);
   command->footer("Example: labmouse bound capstone-1");
   command->callback([options, &exit] {

@@ -7,17 +7,42 @@
 #include <exception>
 
 #include "command.hpp"
+#include "labmouse/lab/printable.hpp"
 #include "labmouse/lab/version.hpp"
 #include "labmouse/strategies/parameter.hpp"
 
 namespace {
+
+/// Tells what went wrong, with foreign names made harmless.
+void print_lines(std::string_view text) {
+  for (bool more = true; more;) {
+    const auto end = text.find('\n');
+    fmt::print(stderr, "{}\n", labmouse::shown(text.substr(0, end)));
+    more = end != std::string_view::npos;
+    if (more) text.remove_prefix(end + 1);
+  }
+}
+
+/// The first word that a command did not expect, with the option that it may have been meant to be.
+std::string describe_unexpected(const CLI::App& command, const std::vector<std::string>& words) {
+  auto word = std::find_if(words.begin(), words.end(), [](const std::string& w) { return w.starts_with("-"); });
+  if (word == words.end()) return fmt::format("'{}' was not expected", words.front());
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options())
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  const auto near = labmouse::nearest_name(*word, std::vector<std::string_view>(names.begin(), names.end()));
+  return fmt::format("option '{}' is unknown{}", *word, near.empty() ? "" : fmt::format("; did you mean '{}'?", near));
+}
 
 /// Ends as bad usage: one line that says what is wrong and where help is.
 int refuse(const CLI::App& app, const CLI::ParseError& error) {
   const CLI::App* command = &app;
   while (!command->get_subcommands().empty()) command = command->get_subcommands().front();
   const std::string name = command == &app ? "labmouse" : "labmouse " + command->get_name();
-  fmt::print(stderr, "error: {} (see `{} --help`)\n", error.what(), name);
+  const bool unexpected = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
+  const std::vector<std::string> words = app.remaining(true);
+  print_lines(fmt::format("error: {} (see `{} --help`)",
+                          unexpected && !words.empty() ? describe_unexpected(*command, words) : error.what(), name));
   return labmouse::cli::exit_usage;
 }
 
@@ -37,12 +62,12 @@ void refuse_unknown_command(const CLI::App& app, const std::string& word) {
 
 int main(int argc, char** argv) {
   using namespace labmouse::cli;
-  // A reader that leaves early (`| head`) shows as a failed write, which says so.
+  // A reader that leaves early (`| head`) shows as a failed write; see print.
   std::signal(SIGPIPE, SIG_IGN);
   CLI::App app{"labmouse: a laboratory for mice that explore mazes they have never seen", "labmouse"};
   app.set_version_flag("--version", "labmouse " + std::string(labmouse::version()));
   app.require_subcommand(1);
-  app.footer("Example: labmouse race --mice flood,certify --worst 3\nExit codes: 0 good, 1 a check found something, 2 bad usage or input.");
+  app.footer("Example: labmouse race --mice flood,certify --worst 3\nExit codes: 0 good, 1 a check found something, 2 bad usage or input, 130 interrupted.");
   int exit = exit_good;
   add_race(app, exit);
   add_run(app, exit);
@@ -66,10 +91,10 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return refuse(app, error);
   } catch (const UsageError& error) {
-    fmt::print(stderr, "{}\n", error.what());
+    print_lines(error.what());
     return exit_usage;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "error: {}\n", error.what());
+    print_lines(std::string("error: ") + error.what());
     return exit_usage;
   }
 }

@@ -17,11 +17,19 @@ std::string names_of(const Things& things) {
   return names;
 }
 
+template <class Things>
+std::string suggestion(std::string_view word, const Things& things) {
+  std::vector<std::string_view> names;
+  for (const auto* thing : things) names.push_back(thing->name);
+  const auto near = nearest_name(word, names);
+  return near.empty() ? "there are " + names_of(things) : fmt::format("did you mean '{}'?", near);
+}
+
 /// The format of that name; without a name the one that the path's ending suggests, or the drawing.
 const Format& choose_format(const std::string& name, const std::string& path) {
   if (name.empty()) return path.ends_with(".maz") ? maz_format : path.ends_with(".num") ? num_format : drawing_format;
   if (const Format* format = find_format(name)) return *format;
-  throw UsageError(fmt::format("error: format '{}' is unknown; there are {}", name, names_of(all_formats())));
+  throw UsageError(fmt::format("error: format '{}' is unknown; {}", name, suggestion(name, all_formats())));
 }
 
 void write(const Maze& maze, const std::string& path, const std::string& format_name) {
@@ -53,7 +61,8 @@ Size read_size(const std::string& text) {
 
 void make(const MakeOptions& options) {
   const Generator* generator = find_generator(options.kind);
-  if (generator == nullptr) throw UsageError(fmt::format("error: kind '{}' is unknown; there are {}", options.kind, names_of(all_generators())));
+  if (generator == nullptr)
+    throw UsageError(fmt::format("error: kind '{}' is unknown; {}", options.kind, suggestion(options.kind, all_generators())));
   const GeneratorOrder order{read_size(options.size), options.seed, static_cast<int>(options.loops * 1000.0 + 0.5)};
   if (const auto reason = generator->refuses(order); !reason.empty()) throw UsageError(fmt::format("error: {}", reason));
   write(generator->make(order), options.out, options.format);
@@ -70,9 +79,9 @@ void add_make(CLI::App& app, int& exit) {
   CLI::App* command = app.add_subcommand("make", "Make a maze");
   command->add_option("kind", options->kind, "Generator: " + names_of(all_generators()))->required()->type_name("KIND");
   command->add_option("--size", options->size, "Width and height in cells")->type_name("WxH")->capture_default_str();
-  command->add_option("--seed", options->seed, "Seed of all chance")->capture_default_str();
+  command->add_option("--seed", options->seed, "Seed of all chance")->check(seed_number())->capture_default_str();
   command->add_option("--loops", options->loops, "Share of the remaining inner walls to take away, which makes loops")
-      ->check(CLI::Range(0.0, 1.0))->capture_default_str();
+      ->check(finite_number())->check(CLI::Range(0.0, 1.0))->capture_default_str();
   command->add_option("-o,--out", options->out, "File to write; - is standard output")->type_name("FILE")->capture_default_str();
   command->add_option("--format", options->format, "Format: " + names_of(all_formats()) + "; default by the file's ending, or drawing");
   command->footer("Example: labmouse make contest --size 32x32 --seed 7 -o my-maze.txt");

@@ -5,10 +5,10 @@
 #include <atomic>
 #include <csignal>
 #include <memory>
+#include <optional>
 
 #include "command.hpp"
 #include "labmouse/lab/baseline.hpp"
-#include "labmouse/lab/drawing.hpp"
 #include "labmouse/lab/files.hpp"
 #include "labmouse/lab/race_files.hpp"
 #include "labmouse/lab/report.hpp"
@@ -16,7 +16,8 @@
 namespace labmouse::cli {
 namespace {
 
-std::atomic<bool> interrupted{false};
+/// Set by Ctrl-C and by a failed write: no further contest begins.
+std::atomic<bool> stopped{false};
 
 struct RaceOptions {
   std::vector<std::string> mice;
@@ -60,20 +61,22 @@ class Progress {
   std::size_t percent_ = 101;
 };
 
-Race hold(const RaceOptions& options, std::vector<NamedMaze> mazes) {
+/// Holds the race; `failed_write` takes what went wrong with --out, which ends it early.
+Race hold(const RaceOptions& options, std::vector<Contestant> mice, std::vector<NamedMaze> mazes, std::string& failed_write) {
   Progress progress;
-  std::string failed_write;
+  std::optional<RaceFolder> folder;
   RaceHooks hooks;
-  hooks.stop = &interrupted;
+  hooks.stop = &stopped;
   hooks.finished = [&](const Race& race, const ContestResult& contest, const RunRecord& record) {
     progress.advance(race.results.size());
     if (options.out.empty() || !failed_write.empty()) return;
-    failed_write = save_contest(options.out, race, contest, record);
+    if (!folder) folder.emplace(options.out, race);
+    failed_write = folder->save(race, contest, record);
+    if (!failed_write.empty()) stopped = true;
   };
-  std::signal(SIGINT, [](int) { interrupted = true; });
-  Race race = hold_race(find_contestants(options.mice), std::move(mazes), options.order, hooks);
+  std::signal(SIGINT, [](int) { stopped = true; });
+  Race race = hold_race(std::move(mice), std::move(mazes), options.order, hooks);
   std::signal(SIGINT, SIG_DFL);
-  if (!failed_write.empty()) throw UsageError(failed_write);
   return race;
 }
 
@@ -91,11 +94,13 @@ void add(const RaceOptions& options, const std::string& text) {
     fmt::print(stderr, "{}", text);
 }
 
-std::string read_baseline(const RaceOptions& options) {
-  if (options.baseline.empty()) return "";
+std::optional<Baseline> load_baseline(const RaceOptions& options) {
+  if (options.baseline.empty()) return std::nullopt;
   const FileContent file = read_file(options.baseline, std::size_t{1} << 30U);
   if (!file.error.empty()) throw UsageError(fmt::format("{}: error: {}", options.baseline, file.error));
-  return file.content;
+  auto baseline = read_baseline(file.content, options.order.rules);
+  if (baseline) return baseline;
+  throw UsageError(fmt::format("{}: error: is not the JSON of a race (make one with `labmouse race --format json`)", options.baseline));
 }
 
 /// The mice whose mean over all contests is above the limit.
@@ -109,15 +114,15 @@ std::string above_limit(const RaceOptions& options, const Race& race) {
 }
 
 int race(const RaceOptions& options) {
-  const std::string baseline = read_baseline(options);
+  std::vector<Contestant> mice = find_contestants(options.mice);
+  const auto baseline = load_baseline(options);
   MazeCollection mazes = find_mazes(options.mazes, options.places);
-  const Race result = hold(options, std::move(mazes.mazes));
-  BaselineResult change;
-  if (!options.baseline.empty()) change = compare_with_baseline(result, baseline);
-  if (!change.error.empty()) throw UsageError(fmt::format("{}: error: {}", options.baseline, change.error));
+  std::string failed_write;
+  const Race result = hold(options, std::move(mice), std::move(mazes.mazes), failed_write);
   print(report(options, result, mazes.skipped));
   if (options.worst > 0) add(options, worst_of(result, options.worst));
-  if (!change.text.empty()) add(options, change.text);
+  if (baseline) add(options, compare_with_baseline(result, *baseline));
+  if (!failed_write.empty()) throw UsageError(failed_write);
   if (result.stopped) return exit_interrupted;
   const std::string above = options.has_limit ? above_limit(options, result) : "";
   fmt::print(stderr, "{}", above);
@@ -136,13 +141,13 @@ void add_race(CLI::App& app, int& exit) {
   add_places(*command, options->places);
   command->add_option("--runs", options->order.runs, "Contests of each mouse that throws dice, in each maze")
       ->check(CLI::Range(1, 1'000'000))->capture_default_str();
-  command->add_option("--seed", options->order.seed, "Seed of all chance")->capture_default_str();
+  command->add_option("--seed", options->order.seed, "Seed of all chance")->check(seed_number())->capture_default_str();
   command->add_option("--jobs", options->order.jobs, "Threads; 0 takes all processors")->check(CLI::Range(0, 1024))->capture_default_str();
   command->add_option("--format", options->format, "Output")->check(CLI::IsMember({"table", "json", "csv"}))->capture_default_str();
   command->add_option("--out", options->out, "Folder for records and one SVG a maze and mouse")->type_name("DIR");
   command->add_option("--baseline", options->baseline, "JSON of an earlier race: prints the paired difference")->type_name("FILE");
   auto* limit = command->add_option("--fail-above", options->fail_above, "Exit with 1 if a mouse's mean score over all is above this")
-      ->type_name("SCORE");
+      ->type_name("SCORE")->check(finite_number());
   command->add_option("--worst", options->worst, "Print the N mazes that cost each mouse most")->type_name("N")->check(CLI::Range(1, 1'000'000));
   command->footer("Example: labmouse race --mice flood:stride=1,certify --mazes my-mazes/ --format json > today.json\n"
                   "         labmouse race --mazes my-mazes/ --baseline today.json");

@@ -4,9 +4,8 @@
 #include <memory>
 
 #include "command.hpp"
-#include "labmouse/contest/score.hpp"
 #include "labmouse/lab/files.hpp"
-#include "labmouse/lab/record_file.hpp"
+#include "labmouse/lab/race_files.hpp"
 #include "walk.hpp"
 
 namespace labmouse::cli {
@@ -45,16 +44,19 @@ int replay_file(const ReplayOptions& options) {
     file.maze_name = std::move(maze.name);
   }
   if (!re_enact(options.file, file)) return exit_finding;
-  if (options.watch) watch(file, options.delay);
-  print(options.watch ? result_line(file) : summary_of(file));
+  if (options.watch)
+    watch(file, options.delay);
+  else
+    print(summary_of(file));
   if (!options.svg.empty()) save(options.svg, picture_of(file));
   return exit_good;
 }
 
+/// A record's score counts only if it could have happened, so it is played first.
 int score_file(const std::string& path) {
   RecordFile file = load(path);
-  if (!file.ended && !re_enact(path, file)) return exit_finding;
-  print(result_line(file));
+  if (!re_enact(path, file)) return exit_finding;
+  print(result_line(file) + "\n");
   return exit_good;
 }
 
@@ -74,7 +76,7 @@ void add_replay(CLI::App& app, int& exit) {
 
 void add_score(CLI::App& app, int& exit) {
   auto path = std::make_shared<std::string>();
-  CLI::App* command = app.add_subcommand("score", "Score a record");
+  CLI::App* command = app.add_subcommand("score", "Score a record, after checking that it agrees with its maze");
   command->add_option("file", *path, "Record")->required()->type_name("FILE");
   command->footer("Example: labmouse score walk.jsonl");
   command->callback([path, &exit] { exit = score_file(*path); });

@@ -29,8 +29,10 @@ void run_contest(const RunOptions& options) {
   const Rules rules;
   const auto mind = mouse.make(maze.maze, rules, options.seed);
   const RecordFile file = record_file_of(mouse, maze, rules, options.seed, labmouse::run(maze.maze, rules, *mind));
-  if (options.watch) watch(file, options.delay);
-  print(options.watch ? result_line(file) : summary_of(file));
+  if (options.watch)
+    watch(file, options.delay);
+  else
+    print(summary_of(file));
   if (!options.record.empty()) save(options.record, write_record(file));
   if (!options.svg.empty()) save(options.svg, picture_of(file));
 }
@@ -43,7 +45,7 @@ void add_run(CLI::App& app, int& exit) {
   command->add_option("mouse", options->mouse, "Mouse, name[:key=value]...")->required()->type_name("MOUSE");
   command->add_option("maze", options->maze, "Maze file or name of a built-in maze")->required()->type_name("MAZE");
   add_places(*command, options->places);
-  command->add_option("--seed", options->seed, "Seed of a mouse that throws dice")->capture_default_str();
+  command->add_option("--seed", options->seed, "Seed of a mouse that throws dice")->check(seed_number())->capture_default_str();
   command->add_flag("--watch", options->watch, "Draw it step by step");
   command->add_option("--delay", options->delay, "Milliseconds a step stays on the screen")->check(CLI::Range(0, 60'000))->capture_default_str();
   command->add_option("--svg", options->svg, "Save a picture")->type_name("FILE");

@@ -1,15 +1,13 @@
 #include "walk.hpp"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <chrono>
 #include <thread>
 
 #include "command.hpp"
-#include "labmouse/contest/score.hpp"
-#include "labmouse/lab/bounds.hpp"
-#include "labmouse/lab/printable.hpp"
 #include "labmouse/lab/race_files.hpp"
 
 namespace labmouse::cli {
@@ -35,42 +33,45 @@ std::string frame_of(const RecordFile& file, const StepRecord& step, const Knowl
                      action_text(step.action));
 }
 
+/// The text from the top of the screen, with what stood there before erased to the right and below.
+std::string over_the_last(std::string_view text) {
+  std::string frame = "\x1b[H";
+  for (const char letter : text) frame += letter == '\n' ? std::string("\x1b[K\n") : std::string(1, letter);
+  return frame + "\x1b[J";
+}
+
+/// A frame that scrolls or wraps cannot be watched.
+void require_room(Size size) {
+  winsize window{};
+  if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &window) != 0 || window.ws_row == 0) return;
+  const int columns = 4 * size.width + 4, rows = 2 * size.height + 4;
+  if (window.ws_col >= columns && window.ws_row >= rows) return;
+  throw UsageError(fmt::format("error: to watch a maze of {}x{} takes a terminal of {}x{}, and this one has {}x{}; make it larger "
+                               "or its letters smaller, or pipe the frames into a pager", size.width, size.height, columns, rows,
+                               window.ws_col, window.ws_row));
+}
+
 }  // namespace
 
 void watch(const RecordFile& file, int delay) {
   const bool terminal = isatty(STDOUT_FILENO) != 0;
+  if (terminal) {
+    require_room(file.maze->size());
+    print("\x1b[2J");
+  }
   Knowledge knowledge(file.maze->size());
-  if (terminal) print("\x1b[2J");
   for (const StepRecord& step : file.run.steps) {
     // A record need not make sense: what contradicts is drawn as it was known before.
     [[maybe_unused]] const bool learned = knowledge.learn(step.pose, step.sighting);
-    print((terminal ? "\x1b[H" : "") + frame_of(file, step, knowledge));
+    const std::string frame = frame_of(file, step, knowledge);
+    print(terminal ? over_the_last(frame) : frame);
     if (terminal) std::this_thread::sleep_for(std::chrono::milliseconds(delay));
   }
-}
-
-std::string result_line(const RecordFile& file) {
-  const Score result = score(file.run, file.rules);
-  const Bound bound = bound_of(*file.maze, file.rules);
-  std::string line = fmt::format("{} in {}: {}", file.mouse, file.maze_name, name_of(result.outcome));
-  if (result.outcome == Outcome::forfeit) line += fmt::format(" ({})", name_of(file.run.steps.back().action.reason));
-  if (result.value)
-    line += fmt::format(", score {:.3f} = {} speed + {} exploration / {}", *result.value, result.speed_steps,
-                        result.exploration_steps, file.rules.exploration_factor);
-  else
-    line += fmt::format(" after {} exploration and {} speed steps", result.exploration_steps, result.speed_steps);
-  line += bound.score ? fmt::format("; bound {:.3f}", *bound.score) : "; the goal cannot be reached";
-  return utf8(printable(line)) + "\n";
+  print(terminal ? over_the_last(summary_of(file)) : result_line(file) + "\n");
 }
 
 std::string summary_of(const RecordFile& file) {
-  return draw_text(*file.maze, layers_of(*file.maze, file.run), colours()) + result_line(file);
-}
-
-std::string picture_of(const RecordFile& file) {
-  DrawingLayers layers = layers_of(*file.maze, file.run);
-  layers.title = title_of(file);
-  return draw_svg(*file.maze, layers);
+  return draw_text(*file.maze, layers_of(*file.maze, file.run), colours()) + result_line(file) + "\n";
 }
 
 }  // namespace labmouse::cli

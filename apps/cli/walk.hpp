@@ -7,16 +7,12 @@
 
 namespace labmouse::cli {
 
-/// Draws every step with what the mouse knows by then: as frames of an animation on a terminal, one below the other
-/// elsewhere. `delay` is the time a frame stays, in milliseconds.
+/// Draws every step with what the mouse knows by then, and how it ended: as frames of an animation on a terminal, one
+/// below the other elsewhere. `delay` is the time a frame stays, in milliseconds. Throws UsageError where the terminal is
+/// too small.
 void watch(const RecordFile& file, int delay);
 
 /// The maze with the speed run, and a line on how the contest went.
 std::string summary_of(const RecordFile& file);
-/// That line alone.
-std::string result_line(const RecordFile& file);
-
-/// The picture of the contest as SVG.
-std::string picture_of(const RecordFile& file);
 
 }  // namespace labmouse::cli

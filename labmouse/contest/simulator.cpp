@@ -7,7 +7,7 @@ namespace labmouse {
 namespace {
 
 /// How a contest ends whose steps are used up.
-Outcome outcome_of_lateness(Run run, bool goal_entered) {
+Outcome outcome_at_the_end_of_steps(Run run, bool goal_entered) {
   if (run == Run::speed) return Outcome::speed_run_unfinished;
   return goal_entered ? Outcome::never_reset : Outcome::out_of_steps;
 }
@@ -70,7 +70,7 @@ RunRecord run(const Maze& maze, const Rules& rules, Strategy& mouse) {
       }
     }
   }
-  return end(outcome_of_lateness(run, goal_entered));
+  return end(outcome_at_the_end_of_steps(run, goal_entered));
 }
 
 }  // namespace labmouse

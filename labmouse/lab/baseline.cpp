@@ -2,37 +2,40 @@
 
 #include <fmt/format.h>
 
-#include <map>
 #include <nlohmann/json.hpp>
 
+#include "labmouse/lab/printable.hpp"
 #include "labmouse/lab/standings.hpp"
 
 namespace labmouse {
 namespace {
 
 using Json = nlohmann::json;
+using Scores = std::map<std::string, std::vector<double>>;
 
-/// Maze to mean penalised score, of one mouse of an earlier race.
-using Scores = std::map<std::string, double>;
+constexpr double absurd = 1e6;  // no contest takes so many steps: whoever wrote this was no race
 
-/// The scores of every mouse of an earlier race by its name; nothing where the JSON is not of such a race.
-std::optional<std::map<std::string, Scores>> read_baseline(const Json& json, double failure_score) {
-  if (!json.is_object() || !json.contains("labmouse") || !json.contains("mice") || !json["mice"].is_array()) return {};
-  std::map<std::string, Scores> mice;
-  for (const Json& mouse : json["mice"]) {
-    if (!mouse.is_object() || !mouse.contains("name") || !mouse["name"].is_string()) return {};
-    if (!mouse.contains("results") || !mouse["results"].is_array()) return {};
-    std::map<std::string, std::vector<double>> runs;
-    for (const Json& result : mouse["results"]) {
-      if (!result.is_object() || !result.contains("maze") || !result["maze"].is_string() || !result.contains("score")) return {};
-      const Json& score = result["score"];
-      if (!score.is_number() && !score.is_null()) return {};
-      runs[result["maze"].get<std::string>()].push_back(score.is_null() ? failure_score : score.get<double>());
-    }
-    Scores& scores = mice[mouse["name"].get<std::string>()];
-    for (const auto& [maze, of_maze] : runs) scores[maze] = mean(of_maze);
+/// Reads one result of a mouse into its scores; false where it is none.
+bool read_result(const Json& result, double failure_score, Scores& scores) {
+  if (!result.is_object() || !result.contains("maze") || !result["maze"].is_string() || !result.contains("score")) return false;
+  const Json& score = result["score"];
+  if (!score.is_null() && !(score.is_number() && score.get<double>() >= 0.0 && score.get<double>() < absurd)) return false;
+  scores[result["maze"].get<std::string>()].push_back(score.is_null() ? failure_score : score.get<double>());
+  return true;
+}
+
+std::string file_name(const std::string& path) { return path.substr(path.rfind('/') + 1); }
+
+/// The scores in a maze of that name, or in the only one whose file is called so; null where there is none.
+const std::vector<double>* find_scores(const Scores& scores, const std::string& maze) {
+  if (const auto same = scores.find(maze); same != scores.end()) return &same->second;
+  const std::vector<double>* found = nullptr;
+  for (const auto& [name, values] : scores) {
+    if (file_name(name) != file_name(maze)) continue;
+    if (found != nullptr) return nullptr;
+    found = &values;
   }
-  return mice;
+  return found;
 }
 
 std::string compare(const Race& race, std::size_t mouse, const std::string& old_name, const Scores& old) {
@@ -40,35 +43,50 @@ std::string compare(const Race& race, std::size_t mouse, const std::string& old_
   std::vector<double> differences;
   int better = 0, worse = 0;
   for (std::size_t maze = 0; maze < scores.size(); ++maze) {
-    const auto before = old.find(race.mazes[maze].name);
-    if (!scores[maze] || before == old.end()) continue;
-    differences.push_back(*scores[maze] - before->second);
+    const auto* before = find_scores(old, race.mazes[maze].name);
+    if (!scores[maze] || before == nullptr) continue;
+    differences.push_back(*scores[maze] - mean(*before));
     better += differences.back() < 0.0 ? 1 : 0;
     worse += differences.back() > 0.0 ? 1 : 0;
   }
-  const std::string name = race.mice[mouse].name == old_name ? old_name : race.mice[mouse].name + " against " + old_name;
-  if (differences.empty()) return fmt::format("{}: no maze in common with the baseline\n", name);
+  const std::string& new_name = race.mice[mouse].name;
+  const std::string name = new_name == old_name ? new_name : new_name + " against " + shown(old_name);
+  if (differences.empty())
+    return fmt::format("{}: no maze in common with the baseline (here {}, there {})\n", name,
+                       shown(race.mazes.front().name), old.empty() ? "none" : shown(old.begin()->first));
   const Interval interval = bootstrap_interval(differences, race.order.seed);
   const char* verdict = interval.high < 0.0 ? "better" : interval.low > 0.0 ? "worse" : "no difference shown";
-  return fmt::format("{}: {:+.3f} [{:+.3f}, {:+.3f}] over {} mazes ({} better, {} equal, {} worse): {}\n", name,
-                     mean(differences), interval.low, interval.high, differences.size(), better,
+  return fmt::format("{}: {:+.3f} [{:+.3f}, {:+.3f}] over {} ({} better, {} equal, {} worse): {}\n", name,
+                     mean(differences), interval.low, interval.high,
+                     differences.size() == 1 ? "1 maze" : fmt::format("{} mazes", differences.size()), better,
                      static_cast<int>(differences.size()) - better - worse, worse, verdict);
 }
 
 }  // namespace
 
-BaselineResult compare_with_baseline(const Race& race, std::string_view earlier_json) {
-  const Json json = Json::parse(earlier_json, nullptr, false);
-  const auto earlier = read_baseline(json, race.order.rules.failure_score);
-  if (!earlier) return {"", "is not the JSON of a race (make one with `labmouse race --format json`)"};
+std::optional<Baseline> read_baseline(std::string_view json_text, const Rules& rules) {
+  const Json json = Json::parse(json_text, nullptr, false);
+  if (!json.is_object() || !json.contains("labmouse") || !json.contains("mice") || !json["mice"].is_array()) return {};
+  Baseline baseline;
+  for (const Json& mouse : json["mice"]) {
+    if (!mouse.is_object() || !mouse.contains("name") || !mouse["name"].is_string()) return {};
+    if (!mouse.contains("results") || !mouse["results"].is_array()) return {};
+    Scores& scores = baseline.mice[mouse["name"].get<std::string>()];
+    for (const Json& result : mouse["results"])
+      if (!read_result(result, rules.failure_score, scores)) return {};
+  }
+  return baseline;
+}
+
+std::string compare_with_baseline(const Race& race, const Baseline& baseline) {
   std::string text = "Change from the baseline (mean score over all, new - old, 95 % interval):\n";
   for (std::size_t mouse = 0; mouse < race.mice.size(); ++mouse) {
-    auto old = earlier->find(race.mice[mouse].name);
-    if (old == earlier->end() && race.mice.size() == 1 && earlier->size() == 1) old = earlier->begin();
-    text += old == earlier->end() ? fmt::format("{}: not in the baseline\n", race.mice[mouse].name)
-                                  : compare(race, mouse, old->first, old->second);
+    auto old = baseline.mice.find(race.mice[mouse].name);
+    if (old == baseline.mice.end() && baseline.mice.size() == 1) old = baseline.mice.begin();
+    text += old == baseline.mice.end() ? fmt::format("{}: not in the baseline\n", race.mice[mouse].name)
+                                       : compare(race, mouse, old->first, old->second);
   }
-  return {text, ""};
+  return text;
 }
 
 }  // namespace labmouse

@@ -1,6 +1,8 @@
 // Did my mouse improve? A race against an earlier one on the same mazes.
 #pragma once
 
+#include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -8,14 +10,17 @@
 
 namespace labmouse {
 
-/// The comparison as text, or what is wrong with the earlier result: exactly one of the two is there.
-struct BaselineResult {
-  std::string text;
-  std::string error;
+/// The scores of an earlier race: of each mouse, by the maze's name, the penalised scores of its runs.
+struct Baseline {
+  std::map<std::string, std::map<std::string, std::vector<double>>> mice;
 };
 
-/// Compares each mouse with the one of the same name in an earlier race's JSON (or the only mouse with the only mouse),
-/// maze by maze: mean difference of the penalised scores, new minus old, with its interval over the mazes.
-BaselineResult compare_with_baseline(const Race& race, std::string_view earlier_json);
+/// Reads the JSON of a race; nothing where it is none. A failed contest counts as the rules say.
+std::optional<Baseline> read_baseline(std::string_view json, const Rules& rules);
+
+/// Compares each mouse with the one of the same name in the baseline, or with the only one that is there: maze by maze
+/// (the same path, or else the same file name), the mean difference of the penalised scores, new minus old, with its
+/// interval over the mazes. One line a mouse.
+std::string compare_with_baseline(const Race& race, const Baseline& baseline);
 
 }  // namespace labmouse

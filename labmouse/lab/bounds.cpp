@@ -1,7 +1,7 @@
 #include "labmouse/lab/bounds.hpp"
 
 #include "labmouse/contest/score.hpp"
-#include "labmouse/lab/script.hpp"
+#include "labmouse/contest/script.hpp"
 #include "labmouse/mouse/route.hpp"
 
 namespace labmouse {

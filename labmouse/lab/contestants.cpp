@@ -80,10 +80,15 @@ std::string read_spec(std::string_view spec, std::vector<Contestant>& contestant
   const RosterEntry* entry = find_mouse(name);
   if (entry == nullptr) return unknown_mouse(name);
   Settings settings(entry->parameters);
+  std::vector<std::string_view> keys;
   auto rest = colon == std::string_view::npos ? std::string_view() : spec.substr(colon + 1);
   for (bool more = colon != std::string_view::npos; more;) {
     const auto next = rest.find(':');
-    if (auto error = apply(*entry, rest.substr(0, next), settings); !error.empty()) return error;
+    const auto assignment = rest.substr(0, next);
+    if (auto error = apply(*entry, assignment, settings); !error.empty()) return error;
+    keys.push_back(assignment.substr(0, assignment.find('=')));
+    if (std::count(keys.begin(), keys.end(), keys.back()) > 1)
+      return fmt::format("parameter '{}' of mouse '{}' is given twice", keys.back(), entry->name);
     more = next != std::string_view::npos;
     if (more) rest.remove_prefix(next + 1);
   }

@@ -35,20 +35,28 @@ void add_file(const std::string& path, MazeCollection& collection, std::vector<S
 
 bool hidden(const fs::path& path) { return path.filename().string().starts_with('.'); }
 
-/// Adds every file below a folder; links to folders are not followed, so there is no way round in circles.
-void add_folder(const std::string& folder, MazeCollection& collection) {
+std::vector<fs::directory_entry> entries_of(const std::string& folder, std::error_code& error) {
+  std::vector<fs::directory_entry> entries;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+    if (!hidden(entry->path())) entries.push_back(*entry);
+  std::sort(entries.begin(), entries.end());
+  return entries;
+}
+
+/// Adds every file below a folder; links to folders are not followed, so there is no way round in circles. What cannot
+/// be read is skipped, but the folder itself, where that cannot be read, is noted in `failures`.
+void add_folder(const std::string& folder, MazeCollection& collection, std::vector<SkippedFile>& failures) {
   std::error_code error;
-  std::vector<std::string> files;
-  for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
-    if (hidden(entry->path())) {
-      if (entry->is_directory(error)) entry.disable_recursion_pending();
-    } else if (entry->is_regular_file(error)) {
-      files.push_back(entry->path().string());
-    }
+  for (const fs::directory_entry& entry : entries_of(folder, error)) {
+    std::error_code unknown;
+    const bool link = entry.is_symlink(unknown);
+    if (link && entry.is_directory(unknown)) continue;
+    if (entry.is_directory(unknown))
+      add_folder(entry.path().string(), collection, collection.skipped);
+    else
+      add_file(entry.path().string(), collection, collection.skipped);
   }
-  if (error) collection.errors.push_back({folder, {{no_place, no_place, "cannot read the folder: " + error.message()}}});
-  std::sort(files.begin(), files.end());
-  for (const std::string& file : files) add_file(file, collection, collection.skipped);
+  if (error) failures.push_back({folder, {{no_place, no_place, "cannot read the folder: " + error.message()}}});
 }
 
 /// Adds what a pattern matches; false where it matches nothing.
@@ -57,8 +65,9 @@ bool add_matches(const std::string& pattern, MazeCollection& collection) {
   const bool found = glob(pattern.c_str(), 0, nullptr, &matches) == 0;
   for (std::size_t i = 0; found && i < matches.gl_pathc; ++i) {
     const std::string path = matches.gl_pathv[i];
-    if (fs::is_directory(path))
-      add_folder(path, collection);
+    std::error_code unknown;
+    if (fs::is_directory(path, unknown))
+      add_folder(path, collection, collection.skipped);
     else
       add_file(path, collection, collection.skipped);
   }
@@ -86,18 +95,18 @@ std::string no_such_maze(const std::string& path) {
 void add_path(const std::string& path, MazeCollection& collection) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
-  if (fs::is_directory(status)) return add_folder(path, collection);
-  if (fs::exists(status)) return add_file(path, collection, collection.errors);
+  if (fs::is_directory(status)) return add_folder(path, collection, collection.errors);
+  if (status.type() != fs::file_type::not_found) return add_file(path, collection, collection.errors);
   if (path.find_first_of("*?[") != std::string::npos && add_matches(path, collection)) return;
   if (!add_builtin(path, collection)) collection.errors.push_back({path, {{no_place, no_place, no_such_maze(path)}}});
 }
 
-void sort_by_name(MazeCollection& collection) {
-  auto& mazes = collection.mazes;
-  std::stable_sort(mazes.begin(), mazes.end(), [](const NamedMaze& a, const NamedMaze& b) { return a.name < b.name; });
-  mazes.erase(std::unique(mazes.begin(), mazes.end(),
-                          [](const NamedMaze& a, const NamedMaze& b) { return a.name == b.name; }),
-              mazes.end());
+/// Sorts by a name and keeps one of each, so that neither order nor repetition of arguments matters.
+template <class Named, class Name>
+void sort_by(std::vector<Named>& list, Name name) {
+  std::stable_sort(list.begin(), list.end(), [&](const Named& a, const Named& b) { return name(a) < name(b); });
+  list.erase(std::unique(list.begin(), list.end(), [&](const Named& a, const Named& b) { return name(a) == name(b); }),
+             list.end());
 }
 
 }  // namespace
@@ -105,13 +114,15 @@ void sort_by_name(MazeCollection& collection) {
 std::string describe(const std::string& path, const Problem& problem) {
   const std::string place = problem.line == no_place ? "" : fmt::format(":{}:{}", problem.line, problem.column);
   // Paths and contents are foreign: neither may break the line or steer a terminal.
-  return utf8(printable(fmt::format("{}{}: error: {}", path, place, problem.reason)));
+  return shown(fmt::format("{}{}: error: {}", path, place, problem.reason));
 }
 
 MazeCollection load_mazes(std::span<const std::string> paths) {
   MazeCollection collection;
   for (const std::string& path : paths) add_path(path, collection);
-  sort_by_name(collection);
+  sort_by(collection.mazes, [](const NamedMaze& maze) -> const std::string& { return maze.name; });
+  for (auto* files : {&collection.skipped, &collection.errors})
+    sort_by(*files, [](const SkippedFile& file) -> const std::string& { return file.path; });
   return collection;
 }
 

@@ -77,6 +77,8 @@ std::string utf8(std::u32string_view characters) {
   return text;
 }
 
+std::string shown(std::string_view text) { return utf8(printable(text)); }
+
 std::string xml_escaped(std::string_view text) {
   std::string escaped;
   for (const char32_t character : printable(text)) {

@@ -13,6 +13,9 @@ std::u32string printable(std::string_view text);
 /// The UTF-8 of characters as `printable` returns them.
 std::string utf8(std::u32string_view characters);
 
+/// The text, printable, as UTF-8: on a terminal it stays on its line and steers nothing.
+std::string shown(std::string_view text);
+
 /// The text, printable, for the content or an attribute of an XML element.
 std::string xml_escaped(std::string_view text);
 

@@ -2,31 +2,91 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <memory>
 
+#include "labmouse/contest/score.hpp"
+#include "labmouse/lab/bounds.hpp"
 #include "labmouse/lab/files.hpp"
+#include "labmouse/lab/printable.hpp"
 
 namespace labmouse {
 namespace {
 
 /// A name as one part of a path: what could lead elsewhere or trouble a shell becomes `_`.
-std::string file_name(const std::string& name) {
-  std::string safe;
-  for (const char letter : name) {
+std::string file_name(std::string name) {
+  constexpr std::size_t longest = 200;
+  for (char& letter : name) {
     const bool plain = (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') ||
                        (letter >= '0' && letter <= '9') || letter == '-' || letter == '_' || letter == '.' || letter == '=';
-    safe += plain ? letter : '_';
+    if (!plain) letter = '_';
   }
-  while (safe.starts_with('.')) safe.erase(0, 1);
-  return safe.empty() ? "_" : safe;
+  name.erase(0, name.find_first_not_of('.'));
+  if (name.size() > longest) name.resize(longest);
+  return name.empty() ? "_" : name;
 }
 
-std::string save(const std::string& path, const std::string& content) {
+/// The names as files, each different from the others.
+std::vector<std::string> file_names(const std::vector<std::string>& names) {
+  std::vector<std::string> files;
+  for (const std::string& name : names) {
+    const std::string wanted = file_name(name);
+    std::string file = wanted;
+    for (int number = 2; std::find(files.begin(), files.end(), file) != files.end(); ++number)
+      file = fmt::format("{}~{}", wanted, number);
+    files.push_back(file);
+  }
+  return files;
+}
+
+/// The last part of a path, without its ending.
+std::string stem_of(const std::string& path) { return std::filesystem::path(path).stem().string(); }
+
+/// How often the exploration came into each cell, those that it drove through among them; the start counts once more.
+std::vector<int> visits_of(Size size, const RunRecord& record) {
+  std::vector<int> visits(static_cast<std::size_t>(size.area()));
+  const auto visit = [&](Cell cell) { ++visits[static_cast<std::size_t>(size.index(cell))]; };
+  for (std::size_t i = 0; i < record.steps.size() && record.steps[i].run == Run::exploration; ++i) {
+    const StepRecord& step = record.steps[i];
+    if (i == 0) visit(step.pose.cell);
+    if (step.action.kind != Action::Kind::step) continue;
+    const Pose next = i + 1 < record.steps.size() ? record.steps[i + 1].pose : record.end;
+    const Heading direction = step.action.movement < 0 ? opposite(next.heading) : next.heading;
+    for (Cell cell = step.pose.cell; cell != next.cell && size.contains(cell);) visit(cell = neighbour(cell, direction));
+  }
+  return visits;
+}
+
+/// The reason of a forfeit in brackets, or nothing.
+std::string reason_of(const RunRecord& run) {
+  if (run.outcome != Outcome::forfeit || run.steps.empty()) return "";
+  return fmt::format(" ({})", name_of(run.steps.back().action.reason));
+}
+
+std::string save_file(const std::string& path, const std::string& content) {
   const auto error = write_file(path, content);
   return error.empty() ? "" : fmt::format("{}: error: {}", path, error);
 }
 
 }  // namespace
+
+RaceFolder::RaceFolder(std::string folder, const Race& race) : folder_(std::move(folder)) {
+  std::vector<std::string> mice, mazes;
+  for (const Contestant& mouse : race.mice) mice.push_back(mouse.name);
+  for (const NamedMaze& maze : race.mazes) mazes.push_back(stem_of(maze.name));
+  mouse_names_ = file_names(mice);
+  maze_names_ = file_names(mazes);
+}
+
+std::string RaceFolder::save(const Race& race, const ContestResult& contest, const RunRecord& record) const {
+  const std::string path = fmt::format("{}/{}/{}", folder_, mouse_names_[contest.mouse], maze_names_[contest.maze]);
+  const RecordFile file =
+      record_file_of(race.mice[contest.mouse], race.mazes[contest.maze], race.order.rules, contest.seed, record);
+  auto error = save_file(fmt::format("{}-{}.jsonl", path, contest.run + 1), write_record(file));
+  if (error.empty() && contest.run == 0) error = save_file(path + ".svg", picture_of(file));
+  return error;
+}
 
 RecordFile record_file_of(const Contestant& mouse, const NamedMaze& maze, const Rules& rules, std::uint64_t seed,
                           const RunRecord& record) {
@@ -41,38 +101,39 @@ RecordFile record_file_of(const Contestant& mouse, const NamedMaze& maze, const 
   return file;
 }
 
-std::string title_of(const RecordFile& file) {
-  const Score result = score(file.run, file.rules);
-  return fmt::format("{} in {}: {}", file.mouse, file.maze_name,
-                     result.value ? fmt::format("score {:.3f}", *result.value) : std::string(name_of(result.outcome)));
-}
-
 DrawingLayers layers_of(const Maze& maze, const RunRecord& record) {
   DrawingLayers layers;
   layers.coordinates = true;
-  const auto visits = std::make_shared<std::vector<int>>(static_cast<std::size_t>(maze.size().area()));
-  for (const StepRecord& step : record.steps) {
-    if (step.run == Run::speed)
-      layers.route.push_back(step.pose);
-    else
-      ++(*visits)[static_cast<std::size_t>(maze.size().index(step.pose.cell))];
-  }
-  if (!layers.route.empty()) layers.route.push_back(record.end);
+  const auto visits = std::make_shared<std::vector<int>>(visits_of(maze.size(), record));
   layers.visits = [visits, size = maze.size()](Cell cell) { return (*visits)[static_cast<std::size_t>(size.index(cell))]; };
+  for (const StepRecord& step : record.steps)
+    if (step.run == Run::speed) layers.route.push_back(step.pose);
+  if (!layers.route.empty()) layers.route.push_back(record.end);
   return layers;
 }
 
-std::string save_contest(const std::string& folder, const Race& race, const ContestResult& contest,
-                         const RunRecord& record) {
-  const Contestant& mouse = race.mice[contest.mouse];
-  const NamedMaze& maze = race.mazes[contest.maze];
-  const std::string path = fmt::format("{}/{}/{}", folder, file_name(mouse.name), file_name(maze.name));
-  const RecordFile file = record_file_of(mouse, maze, race.order.rules, contest.seed, record);
-  if (auto error = save(fmt::format("{}-{}.jsonl", path, contest.run + 1), write_record(file)); !error.empty()) return error;
-  if (contest.run > 0) return "";
-  DrawingLayers layers = layers_of(maze.maze, record);
-  layers.title = title_of(file);
-  return save(path + ".svg", draw_svg(maze.maze, layers));
+std::string picture_of(const RecordFile& file) {
+  const Score result = score(file.run, file.rules);
+  DrawingLayers layers = layers_of(*file.maze, file.run);
+  layers.title = fmt::format("{} in {}: {}", file.mouse, stem_of(file.maze_name),
+                             result.value ? fmt::format("score {:.3f}", *result.value) : std::string(name_of(result.outcome)));
+  return draw_svg(*file.maze, layers);
+}
+
+std::string result_line(const RecordFile& file) {
+  const Score result = score(file.run, file.rules);
+  const Bound bound = bound_of(*file.maze, file.rules);
+  std::string line = fmt::format("{} in {}: ", file.mouse, file.maze_name);
+  if (!file.ended && !result.value)
+    line += fmt::format("the record breaks off after step {}", file.run.steps.size());
+  else if (result.value)
+    line += fmt::format("solved, score {:.3f} = {} speed + {} exploration / {}", *result.value, result.speed_steps,
+                        result.exploration_steps, file.rules.exploration_factor);
+  else
+    line += fmt::format("{}{} after {} exploration and {} speed steps", name_of(result.outcome), reason_of(file.run),
+                        result.exploration_steps, result.speed_steps);
+  line += bound.score ? fmt::format("; bound {:.3f}", *bound.score) : "; the goal cannot be reached";
+  return shown(line);
 }
 
 }  // namespace labmouse

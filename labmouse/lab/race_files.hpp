@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "labmouse/lab/drawing.hpp"
 #include "labmouse/lab/record_file.hpp"
@@ -9,19 +10,33 @@
 
 namespace labmouse {
 
-/// Saves a contest below a folder: the record as FOLDER/MOUSE/MAZE-RUN.jsonl and, for the first run, a picture of the
-/// speed run over the visits of the exploration as FOLDER/MOUSE/MAZE.svg. Returns what went wrong, or nothing.
-std::string save_contest(const std::string& folder, const Race& race, const ContestResult& contest,
-                         const RunRecord& record);
+/// A folder that takes the contests of one race: the record of each as FOLDER/MOUSE/MAZE-RUN.jsonl, and for the first run
+/// a picture as FOLDER/MOUSE/MAZE.svg. MAZE is the file's name without folders and ending; where two mazes of a race
+/// share it, the later ones get a number.
+class RaceFolder {
+ public:
+  RaceFolder(std::string folder, const Race& race);
+
+  /// Saves a contest of the race. Returns what went wrong, or nothing.
+  std::string save(const Race& race, const ContestResult& contest, const RunRecord& record) const;
+
+ private:
+  std::string folder_;
+  std::vector<std::string> mouse_names_;
+  std::vector<std::string> maze_names_;
+};
 
 /// The record of a contest as a file.
 RecordFile record_file_of(const Contestant& mouse, const NamedMaze& maze, const Rules& rules, std::uint64_t seed,
                           const RunRecord& record);
 
-/// A title for its picture: the mouse, the maze, and the score or how else it ended.
-std::string title_of(const RecordFile& file);
+/// The picture of a contest: the speed run over the visits of the exploration.
+std::string picture_of(const RecordFile& file);
 
-/// The layers of that picture: the exploration's visits as heat, the speed run as the route.
+/// The layers of that picture: how often the exploration came into each cell as heat, the speed run as the route.
 DrawingLayers layers_of(const Maze& maze, const RunRecord& record);
+
+/// How a contest went, in one line without its end: the mouse, the maze, the outcome and the score.
+std::string result_line(const RecordFile& file);
 
 }  // namespace labmouse

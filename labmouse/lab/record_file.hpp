@@ -20,7 +20,7 @@ struct RecordFile {
   Settings settings;         ///< written, not read back
   std::uint64_t seed = 0;
   Rules rules;
-  std::string version;       ///< of the program that wrote it
+  std::string version;       ///< of the program that wrote it; a writer puts its own
   RunRecord run;
   bool ended = true;         ///< false where the last line, with the outcome, is missing
 };

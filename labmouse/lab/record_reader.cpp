@@ -1,11 +1,12 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "labmouse/contest/simulator.hpp"
 #include "labmouse/lab/record_file.hpp"
-#include "labmouse/lab/script.hpp"
+#include "labmouse/contest/script.hpp"
 
 namespace labmouse {
 namespace {
@@ -106,11 +107,12 @@ std::optional<Maze> read_record_maze(Fields& fields) {
 /// Reads the header into the file; returns what is wrong, or nothing.
 std::string read_header(const Json& json, RecordFile& file) {
   Fields fields(json, "");
-  if (fields.has("labmouse") && fields.text("labmouse") != "record") fields.fail("is not the header of a record");
+  if (fields.text("labmouse") != "record") fields.fail("is not the header of a record");
   if (fields.whole("format", 0, 1'000'000) != 1) fields.fail("has a format other than 1, which this version does not know");
   if (!fields.error().empty()) return fields.error();
   if (fields.has("version")) file.version = fields.text("version");
-  if (fields.has("seed") && json["seed"].is_number_unsigned()) file.seed = json["seed"].get<std::uint64_t>();
+  if (fields.has("seed") && !json["seed"].is_number_unsigned()) return "'seed' is not a number from 0 to 2^64 - 1";
+  if (fields.has("seed")) file.seed = json["seed"].get<std::uint64_t>();
   if (fields.has("rules")) {
     Fields rules(json["rules"], "rules");
     file.rules.budget = rules.whole("budget", 1, longest_record);
@@ -167,6 +169,8 @@ std::string read_end(const Json& json, RecordFile& file) {
   Fields fields(json, "");
   const std::string name = fields.text("outcome");
   file.run.end = {fields.cell("cell"), fields.heading("heading")};
+  const bool gave_up = !file.run.steps.empty() && file.run.steps.back().action.kind == Action::Kind::forfeit;
+  if (gave_up != (name == name_of(Outcome::forfeit))) fields.fail("and the last step disagree on a forfeit");
   for (const Outcome outcome : {Outcome::solved, Outcome::out_of_steps, Outcome::never_reset,
                                 Outcome::speed_run_unfinished, Outcome::forfeit})
     if (name_of(outcome) == name) {
@@ -230,7 +234,9 @@ ReplayResult replay(const RecordFile& file, const Maze& maze) {
         is.sighting.left, is.sighting.ahead, is.sighting.right, is.blocked ? ", blocked" : "");
     return result;
   }
-  if (file.ended && (result.run.outcome != file.run.outcome || result.run.end != file.run.end))
+  if (file.ended && played.size() != file.run.steps.size())
+    result.disagreement = fmt::format("the record ends after step {}, but the contest had not", file.run.steps.size());
+  else if (file.ended && (result.run.outcome != file.run.outcome || result.run.end != file.run.end))
     result.disagreement = fmt::format("the record ends '{}' at ({},{}); played, it ends '{}' at ({},{})",
                                       name_of(file.run.outcome), file.run.end.cell.x, file.run.end.cell.y,
                                       name_of(result.run.outcome), result.run.end.cell.x, result.run.end.cell.y);

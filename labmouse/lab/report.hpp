@@ -1,4 +1,4 @@
-// A race as a table, as JSON and as CSV. docs/results.md describes all three.
+// A race as a table, as JSON and as CSV. docs/races.md describes all three.
 #pragma once
 
 #include <string>

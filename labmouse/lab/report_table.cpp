@@ -17,31 +17,41 @@ std::string counted(std::size_t count, std::string_view one, std::string_view ma
   return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
+/// One maze says nothing of others, so it has no interval.
+std::string interval_text(const Standing& standing) {
+  if (standing.mazes < 2) return "-";
+  return fmt::format("[{:.2f}, {:.2f}]", standing.interval.low, standing.interval.high);
+}
+
 std::string row_of(const Race& race, const Standing& standing, std::size_t width) {
   const Contestant& mouse = race.mice[standing.mouse];
-  return fmt::format("{:<{}}  {:>9}  {:>8}  {:>8}  {:>17}  {:>6}  {:>7}  {:>6}  {:>6.1f} %  {:>7.2f}\n",
+  return fmt::format("{:<{}}  {:>9}  {:>8}  {:>8}  {:>17}  {:>6}  {:>7}  {:>6}  {:>8}  {:>7}\n",
                      mouse.name + (mouse.reference ? " *" : ""), width,
                      fmt::format("{}/{}", standing.solved, standing.runs), number(standing.penalised_mean, 3),
                      number(standing.mean_score, 3),
-                     fmt::format("[{:.2f}, {:.2f}]", standing.interval.low, standing.interval.high),
-                     number(standing.mean_ratio, 3), number(standing.mean_exploration, 1),
-                     number(standing.mean_speed_over_optimum, 2), 100.0 * standing.optimal_share,
-                     standing.microseconds_per_decision);
+                     interval_text(standing), number(standing.mean_ratio, 3), number(standing.mean_exploration, 1),
+                     number(standing.mean_speed_over_optimum, 2),
+                     standing.runs > 0 ? fmt::format("{:.1f} %", 100.0 * standing.optimal_share) : "-",
+                     standing.runs > 0 ? fmt::format("{:.2f}", standing.microseconds_per_decision) : "-");
 }
 
-/// Which contests of a mouse were solved, as maze and run, to see whether two means cover the same ones.
-std::vector<std::size_t> solved_mazes(const Race& race, std::size_t mouse) {
-  std::vector<std::size_t> mazes;
-  for (const ContestResult& contest : race.results)
-    if (contest.mouse == mouse && counts(race, contest) && contest.score.value &&
-        (mazes.empty() || mazes.back() != contest.maze))
-      mazes.push_back(contest.maze);
-  return mazes;
+/// Share of the runs that a mouse solved in each maze, to see whether two means cover the same mazes alike.
+std::vector<double> solved_shares(const Race& race, std::size_t mouse) {
+  std::vector<int> runs(race.mazes.size()), solved(race.mazes.size());
+  for (const ContestResult& contest : race.results) {
+    if (contest.mouse != mouse || !counts(race, contest)) continue;
+    ++runs[contest.maze];
+    solved[contest.maze] += contest.score.value ? 1 : 0;
+  }
+  std::vector<double> shares;
+  for (std::size_t maze = 0; maze < runs.size(); ++maze)
+    shares.push_back(runs[maze] > 0 ? solved[maze] / static_cast<double>(runs[maze]) : 0.0);
+  return shares;
 }
 
 bool solved_different_mazes(const Race& race) {
   for (std::size_t mouse = 1; mouse < race.mice.size(); ++mouse)
-    if (solved_mazes(race, mouse) != solved_mazes(race, 0)) return true;
+    if (solved_shares(race, mouse) != solved_shares(race, 0)) return true;
   return false;
 }
 
@@ -57,17 +67,30 @@ std::string failures_of(const Race& race) {
   return text;
 }
 
+std::string first_routeless(const Race& race) {
+  for (std::size_t maze = 0; maze < race.mazes.size(); ++maze)
+    if (!race.bounds[maze].score) return shown(race.mazes[maze].name);
+  return "";
+}
+
 std::string notes_of(const Race& race) {
   const Rules& rules = race.order.rules;
   std::string notes = fmt::format("Score: speed-run steps + exploration steps / {}. A failed contest counts {:g} in 'all' "
                                   "and is left out of 'solved'.\n", rules.exploration_factor, rules.failure_score);
   if (solved_different_mazes(race))
     notes += "Mean scores over 'solved' cover different mazes for different mice: compare 'all'.\n";
+  const auto dear = std::count_if(race.results.begin(), race.results.end(), [&](const ContestResult& contest) {
+    return counts(race, contest) && contest.score.value.value_or(0.0) > rules.failure_score;
+  });
+  if (dear > 0)
+    notes += fmt::format("{} solved with a score above {:g}, so that failing would have counted less.\n",
+                         counted(static_cast<std::size_t>(dear), "contest was", "contests were"), rules.failure_score);
   if (const auto failures = failures_of(race); !failures.empty()) notes += fmt::format("Failures: {}.\n", failures);
   const auto routeless = static_cast<std::size_t>(
       std::count_if(race.bounds.begin(), race.bounds.end(), [](const Bound& bound) { return !bound.score; }));
   if (routeless > 0)
-    notes += fmt::format("Left out of all means: {} whose goal cannot be reached.\n", counted(routeless, "maze", "mazes"));
+    notes += fmt::format("Left out of all means: {} whose goal cannot be reached ({}{}).\n",
+                         counted(routeless, "maze", "mazes"), first_routeless(race), routeless > 1 ? ", ..." : "");
   if (std::any_of(race.mice.begin(), race.mice.end(), [](const Contestant& m) { return m.reference; }))
     notes += "* knows the maze: the bound's witness, not a contestant.\n";
   if (race.stopped) {
@@ -106,7 +129,7 @@ std::string worst_of(const Race& race, int count) {
     text += fmt::format("{}: worst mazes\n", race.mice[standing.mouse].name);
     for (const auto& [loss, maze] : losses)
       text += fmt::format("  {:>8.3f} = bound {:.3f} + {:.3f}  {}\n", *scores[maze], *race.bounds[maze].score, loss,
-                          utf8(printable(race.mazes[maze].name)));
+                          shown(race.mazes[maze].name));
   }
   return text;
 }

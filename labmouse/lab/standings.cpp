@@ -47,6 +47,7 @@ Standing standing_of(const Race& race, std::size_t mouse) {
   std::vector<double> by_maze;
   for (const auto& score : scores_by_maze(race, mouse))
     if (score) by_maze.push_back(*score);
+  standing.mazes = static_cast<int>(by_maze.size());
   standing.interval = bootstrap_interval(by_maze, race.order.seed);
   if (!all.empty()) standing.optimal_share = solved.optimal / static_cast<double>(all.size());
   if (decisions > 0) standing.microseconds_per_decision = microseconds / static_cast<double>(decisions);

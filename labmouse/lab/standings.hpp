@@ -12,6 +12,7 @@ namespace labmouse {
 /// One mouse's line in the leaderboard. Only mazes with a route count, and only contests that were done.
 struct Standing {
   std::size_t mouse = 0;  ///< position in Race::mice
+  int mazes = 0;
   int runs = 0;
   int solved = 0;
   /// Over the solved contests; nothing where there is none.

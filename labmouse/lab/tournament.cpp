@@ -1,5 +1,6 @@
 #include "labmouse/lab/tournament.hpp"
 
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/partitioner.h>
 #include <tbb/task_arena.h>
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <chrono>
 #include <mutex>
+#include <optional>
 
 #include "labmouse/chance/dice.hpp"
 #include "labmouse/contest/simulator.hpp"
@@ -85,6 +87,9 @@ Race hold_race(std::vector<Contestant> mice, std::vector<NamedMaze> mazes, const
     const std::lock_guard lock(telling);
     hooks.finished(race, race.results[i], record);
   };
+  // Allows as many threads as were asked for, on however many processors.
+  std::optional<tbb::global_control> threads;
+  if (order.jobs > 0) threads.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(order.jobs));
   tbb::task_arena arena(order.jobs > 0 ? order.jobs : tbb::task_arena::automatic);
   arena.execute([&] { tbb::parallel_for(std::size_t{0}, race.results.size(), hold, tbb::simple_partitioner()); });
   race.stopped = std::any_of(race.results.begin(), race.results.end(), [](const ContestResult& r) { return !r.done; });

@@ -193,6 +193,25 @@ void fill_layers(const FieldOrder& order) {
   sets[0] = unreached;
 }
 
+/// Puts the cells that a straight run leads to into the buckets of their costs.
+template <class Word>
+[[gnu::always_inline]] inline void spread(const FieldOrder& order, const Entries<Word, 1>& enter, const Rows<Word>& settled,
+                                          unsigned distance, Rows<Word>* ring) {
+  const auto buckets = static_cast<unsigned>(order.cost[order.longest]) + 1;
+  Rows<Word> to_north = settled, to_south = settled, to_east = settled, to_west = settled;
+  for (int k = 1; k <= order.longest; ++k) {
+    Rows<Word>& later = ring[(distance + order.cost[k]) % buckets];
+    const Rows<Word> from_south = to_north, from_north = to_south;
+    for (int i = 0; i < Rows<Word>::chunks; ++i) {
+      to_north.chunk[i] = north<1>(from_south, i) & enter.north[0].chunk[i];
+      to_south.chunk[i] = south<1>(from_north, i) & enter.south[0].chunk[i];
+      to_east.chunk[i] = (to_east.chunk[i] << 1) & enter.east[0].chunk[i];
+      to_west.chunk[i] = (to_west.chunk[i] >> 1) & enter.west[0].chunk[i];
+      later.chunk[i] |= (to_north.chunk[i] | to_south.chunk[i]) | (to_east.chunk[i] | to_west.chunk[i]);
+    }
+  }
+}
+
 /// Any costs: a ring of buckets, one for each cost that may still come (Dial's algorithm, with sets for its lists).
 template <class Word>
 void fill_buckets(const FieldOrder& order) {
@@ -222,18 +241,7 @@ void fill_buckets(const FieldOrder& order) {
       continue;
     }
     idle = 0;
-    R to_north = settled, to_south = settled, to_east = settled, to_west = settled;
-    for (int k = 1; k <= order.longest; ++k) {
-      R& later = ring[(distance + order.cost[k]) % static_cast<unsigned>(dearest + 1)];
-      R from_north = to_north, from_south = to_south;
-      for (int i = 0; i < R::chunks; ++i) {
-        to_north.chunk[i] = north<1>(from_north, i) & enter.north[0].chunk[i];
-        to_south.chunk[i] = south<1>(from_south, i) & enter.south[0].chunk[i];
-        to_east.chunk[i] = (to_east.chunk[i] << 1) & enter.east[0].chunk[i];
-        to_west.chunk[i] = (to_west.chunk[i] >> 1) & enter.west[0].chunk[i];
-        later.chunk[i] |= (to_north.chunk[i] | to_south.chunk[i]) | (to_east.chunk[i] | to_west.chunk[i]);
-      }
-    }
+    spread(order, enter, settled, distance, ring);
   }
   sets[0] = unreached;
 }

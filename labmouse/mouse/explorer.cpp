@@ -27,8 +27,8 @@ Action Explorer::race() {
   return step_along(to_goal_, knowledge_.open(), pose_);
 }
 
-Action Explorer::step_in_hope(const DistanceField& hope) const {
-  const auto move = next_move(hope, knowledge_.possible(), pose_);
+Action Explorer::optimistic_step(const DistanceField& optimistic) const {
+  const auto move = next_move(optimistic, knowledge_.possible(), pose_);
   if (!move) return Action::forfeit(ForfeitReason::no_way);
   int known = 0;
   Cell cell = pose_.cell;

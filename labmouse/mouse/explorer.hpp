@@ -35,7 +35,7 @@ class Explorer : public Strategy {
 
   /// One step towards the cells at distance 0 of a field filled over knowledge().possible(): along a cheapest route as
   /// far as it is known to be open; where it begins behind a wall not yet seen, a quarter turn to look at that wall.
-  Action step_in_hope(const DistanceField& hope) const;
+  Action optimistic_step(const DistanceField& optimistic) const;
 
  private:
   void perform(const Action& action);

@@ -23,7 +23,7 @@ class Certify final : public Explorer {
   explicit Certify(const Briefing& briefing)
       : Explorer(briefing),
         from_start_(briefing.size, briefing.motion),
-        to_goal_(briefing.size, briefing.motion),
+        plan_(briefing.size, briefing.motion),
         travel_(briefing.size, briefing.motion),
         start_costs_(static_cast<std::size_t>(briefing.size.area())),
         goal_costs_(static_cast<std::size_t>(briefing.size.area())) {
@@ -33,30 +33,30 @@ class Certify final : public Explorer {
  private:
   Action explore() override {
     if (!goal_entered()) return enter_goal();
-    to_goal_.fill(knowledge().open(), briefing().goals);
-    const int known = to_goal_.at(briefing().start.cell);
+    plan_.fill(knowledge().open(), briefing().goals);
+    const int known = plan_.at(briefing().start.cell);
     // The last moment at which the reset and the known route still fit into the budget.
     const bool last_call = steps_left() <= known + 1;
     return last_call || proven(known) ? Action::reset() : go_and_look();
   }
 
   Action enter_goal() {
-    to_goal_.fill(knowledge().possible(), briefing().goals);
+    plan_.fill(knowledge().possible(), briefing().goals);
     // The start may be a goal; a step has to end there.
-    return to_goal_.at(pose().cell) == 0 ? Action::step(0, 0) : step_in_hope(to_goal_);
+    return plan_.at(pose().cell) == 0 ? Action::step(0, 0) : optimistic_step(plan_);
   }
 
-  /// Whether no route that could exist is shorter than the known one. Leaves the optimistic length in hoped_.
+  /// Whether no route that could exist is shorter than the known one. Leaves the optimistic length in optimistic_length_.
   bool proven(int known) {
     from_start_.fill(knowledge().possible(), start_);
-    hoped_ = unreachable;
-    briefing().goals.for_each([&](Cell goal) { hoped_ = std::min(hoped_, from_start_.at(goal)); });
-    return hoped_ == known && known < unreachable;
+    optimistic_length_ = unreachable;
+    briefing().goals.for_each([&](Cell goal) { optimistic_length_ = std::min(optimistic_length_, from_start_.at(goal)); });
+    return optimistic_length_ == known && known < unreachable;
   }
 
   Action go_and_look() {
-    if (hoped_ == unreachable) return Action::forfeit(ForfeitReason::no_way);
-    const CellSet viewpoints = viewpoints_of(hoped_walls());
+    if (optimistic_length_ == unreachable) return Action::forfeit(ForfeitReason::no_way);
+    const CellSet viewpoints = viewpoints_of(optimistic_walls());
     // Standing where the wall could be seen and not seeing it: it is behind.
     if (viewpoints.contains(pose().cell)) return Action::step(90, 0);
     travel_.fill(knowledge().open(), viewpoints);
@@ -64,22 +64,22 @@ class Certify final : public Explorer {
   }
 
   /// The unknown walls on the shortest optimistic routes.
-  WallSet hoped_walls() {
+  WallSet optimistic_walls() {
     from_start_.copy_to(start_costs_);
-    to_goal_.fill(knowledge().possible(), briefing().goals);
-    to_goal_.copy_to(goal_costs_);
+    plan_.fill(knowledge().possible(), briefing().goals);
+    plan_.copy_to(goal_costs_);
     WallSet walls;
     const Size size = briefing().size;
     for (int index = 0; index < size.area(); ++index) {
       const Cell cell = size.cell_at(index);
-      if (cost(start_costs_, cell) + cost(goal_costs_, cell) != hoped_) continue;
-      for (const Heading direction : all_headings) add_hoped_walls(cell, direction, walls);
+      if (cost(start_costs_, cell) + cost(goal_costs_, cell) != optimistic_length_) continue;
+      for (const Heading direction : all_headings) add_optimistic_walls(cell, direction, walls);
     }
     return walls;
   }
 
   /// Adds the unknown walls of those straight moves from a cell that lie on a shortest optimistic route.
-  void add_hoped_walls(Cell from, Heading direction, WallSet& walls) {
+  void add_optimistic_walls(Cell from, Heading direction, WallSet& walls) {
     const Motion& motion = briefing().motion;
     const int spent = cost(start_costs_, from);
     std::array<Wall, Motion::max_longest> passed;
@@ -90,7 +90,7 @@ class Certify final : public Explorer {
       if (!knowledge().possible().contains(wall)) return;
       if (!knowledge().open().contains(wall)) passed[count++] = wall;
       cell = neighbour(cell, direction);
-      if (spent + motion.cost[static_cast<unsigned>(cells)] + cost(goal_costs_, cell) == hoped_)
+      if (spent + motion.cost[static_cast<unsigned>(cells)] + cost(goal_costs_, cell) == optimistic_length_)
         for (unsigned i = 0; i < count; ++i) walls.insert(passed[i]);
     }
   }
@@ -116,17 +116,17 @@ class Certify final : public Explorer {
   }
 
   DistanceField from_start_;
-  DistanceField to_goal_;
+  DistanceField plan_;
   DistanceField travel_;
   std::vector<int> start_costs_;
   std::vector<int> goal_costs_;
   CellSet start_;
-  int hoped_ = 0;
+  int optimistic_length_ = 0;
 };
 
 }  // namespace
 
-const RosterEntry certify_mouse = {"certify", "explores until its route is proven shortest", {},
+const RosterEntry certify_mouse = {"certify", "explores until its route is proven shortest, or the budget only just allows it", {},
                                    [](const Briefing& briefing, const Settings&) -> std::unique_ptr<Strategy> {
                                      return std::make_unique<Certify>(briefing);
                                    }};

@@ -18,7 +18,7 @@ namespace {
 class Flood final : public Explorer {
  public:
   Flood(const Briefing& briefing, const Settings& settings, bool returns)
-      : Explorer(briefing), hope_(briefing.size, shortened(briefing.motion, settings.whole("stride"))), returns_(returns) {
+      : Explorer(briefing), optimistic_(briefing.size, shortened(briefing.motion, settings.whole("stride"))), returns_(returns) {
     start_.insert(briefing.start.cell);
   }
 
@@ -30,23 +30,23 @@ class Flood final : public Explorer {
 
   Action explore() override {
     if (!goal_entered()) {
-      hope_.fill(knowledge().possible(), briefing().goals);
+      optimistic_.fill(knowledge().possible(), briefing().goals);
       // Standing on a goal without having entered it: the start is one. A step has to end there.
-      if (hope_.at(pose().cell) == 0) return Action::step(0, 0);
-      return step_in_hope(hope_);
+      if (optimistic_.at(pose().cell) == 0) return Action::step(0, 0);
+      return optimistic_step(optimistic_);
     }
     if (!returns_ || pose().cell == briefing().start.cell) return Action::reset();
-    hope_.fill(knowledge().possible(), start_);
-    return step_in_hope(hope_);
+    optimistic_.fill(knowledge().possible(), start_);
+    return optimistic_step(optimistic_);
   }
 
-  DistanceField hope_;
+  DistanceField optimistic_;
   CellSet start_;
   bool returns_;
 };
 
 constexpr std::array parameters = {
-    Parameter{"stride", ParameterType::whole, "3", 1, Motion::max_longest, "", "longest move while exploring, in cells"},
+    Parameter{"stride", ParameterType::whole, "3", 1, Motion::max_longest, "", "longest move while exploring, in cells; the rules' own limit holds too"},
 };
 
 }  // namespace

@@ -1,10 +1,10 @@
 // Parameters of mice: declared once, in a table that the command line, the results and every other reader share.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 namespace labmouse {

@@ -44,7 +44,7 @@ class RandomMouse final : public Explorer {
 };
 
 constexpr std::array parameters = {
-    Parameter{"stride", ParameterType::whole, "3", 1, Motion::max_longest, "", "longest move, in cells"},
+    Parameter{"stride", ParameterType::whole, "3", 1, Motion::max_longest, "", "longest move, in cells; the rules' own limit holds too"},
 };
 
 }  // namespace

@@ -99,6 +99,13 @@ TEST_F(AUser, IsToldInOneLineWhatIsWrong) {
   is_refused({"run", "flood", "capstone-1", "--goal", "12,0"}, "outside of the maze");
   is_refused({"replay", "nothing.jsonl"}, "nothing.jsonl: error: no such file");
   is_refused({"make", "castle"}, "castle");
+  is_refused({"make", "Prim"}, "did you mean 'prim'?");
+  is_refused({"make", "empty", "--seed", "-1"}, "'-1' is not a whole number");
+  is_refused({"make", "empty", "--seed", "18446744073709551616"}, "is not a whole number from 0 to 2^64 - 1");
+  is_refused({"make", "empty", "--loops", "nan"}, "'nan' is not a number");
+  is_refused({"race", "--fail-above", "nan"}, "'nan' is not a number");
+  is_refused({"race", "--formt", "json"}, "option '--formt' is unknown; did you mean '--format'?");
+  is_refused({"score", "a", "b", "c"}, "'b' was not expected");
 }
 
 TEST_F(AUser, IsToldWhereAMazeFileIsBad) {
@@ -126,11 +133,18 @@ TEST_F(AUser, GetsNothingButJson) {
 }
 
 TEST_F(AUser, GetsTheSameForAnyNumberOfJobsAndAnyOrder) {
-  Json one = race({"--jobs", "1", "--runs", "3"});
-  Json two = race({"--jobs", "2", "--runs", "3", "--mice", "random,certify,flood,flood-return,wall-right", "--mice", "wall-left"});
-  leave_times_out(one);
-  leave_times_out(two);
-  EXPECT_EQ(one, two);
+  for (const char* folder : {"one", "two"}) std::filesystem::create_directories(folder_ / folder);
+  file("one/bad.txt", "rubbish");
+  file("two/bad.txt", "rubbish");
+  file("one/corridor.txt", corridor);
+  file("two/corridor.txt", corridor);
+  Json forwards = race({"--jobs", "1", "--runs", "3", "--mice", "flood,certify,random", "--mazes", "one", "two", "spiral-9"});
+  Json backwards = race({"--jobs", "3", "--runs", "3", "--mice", "random,certify", "--mice", "flood", "--mazes", "spiral-9", "two",
+                         "one", "two"});
+  leave_times_out(forwards);
+  leave_times_out(backwards);
+  EXPECT_EQ(forwards, backwards);
+  EXPECT_EQ(forwards.at("skipped").size(), 2U);
 }
 
 TEST_F(AUser, SeesEveryMouseInTheTable) {
@@ -143,7 +157,56 @@ TEST_F(AUser, SeesEveryMouseInTheTable) {
 
 TEST_F(AUser, SeesNoColoursInAFile) {
   EXPECT_THAT(labmouse({"race", "--mice", "flood"}).out, Not(HasSubstr("\x1b")));
-  EXPECT_THAT(labmouse({"show", "capstone-1"}, "NO_COLOR=1").out, Not(HasSubstr("\x1b")));
+  EXPECT_THAT(labmouse({"show", "capstone-1"}).out, Not(HasSubstr("\x1b")));
+}
+
+TEST_F(AUser, SeesColoursOnATerminalUnlessNotWanted) {
+  EXPECT_THAT(test::on_a_terminal({"show", "capstone-1"}, "NO_COLOR="), HasSubstr("\x1b["));
+  EXPECT_THAT(test::on_a_terminal({"show", "capstone-1"}, "NO_COLOR=1"), Not(HasSubstr("\x1b")));
+}
+
+TEST_F(AUser, CannotWatchInATerminalThatIsTooSmall) {
+  EXPECT_THAT(test::on_a_terminal({"run", "flood", "capstone-1", "--watch"}, "NO_COLOR=1"), HasSubstr("takes a terminal of 52x28"));
+}
+
+TEST_F(AUser, IsNotToldNamesThatSteerTheTerminal) {
+  file("\x1b[31mred.txt", corridor);
+  for (const char* command : {"bound", "inspect", "show"})
+    EXPECT_THAT(labmouse({command, "\x1b[31mred.txt"}).out, Not(HasSubstr("\x1b"))) << command;
+  EXPECT_THAT(labmouse({"show", "\x1b[31mred.txt", "--start", "60,60"}).err, Not(HasSubstr("\x1b")));
+}
+
+TEST_F(AUser, KeepsALinkWhenItsTargetIsWritten) {
+  file("target.txt", "old");
+  std::filesystem::create_symlink("target.txt", folder_ / "link.txt");
+  EXPECT_EQ(labmouse({"make", "empty", "--size", "2x2", "-o", "link.txt"}).code, 0);
+  EXPECT_TRUE(std::filesystem::is_symlink(folder_ / "link.txt"));
+  EXPECT_THAT(content("target.txt"), HasSubstr("o---o"));
+}
+
+TEST_F(AUser, WritesIntoADeviceWithoutReplacingIt) {
+  EXPECT_EQ(labmouse({"make", "empty", "-o", "/dev/null"}).code, 0);
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+}
+
+TEST_F(AUser, SeesWhatWasDoneWhenTheFolderCannotBeWritten) {
+  file("occupied", "a file where a folder should be");
+  const Ended ended = labmouse({"race", "--mice", "flood", "--out", "occupied/out"});
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_THAT(ended.out, HasSubstr("flood"));
+  EXPECT_THAT(ended.err, HasSubstr("occupied/out"));
+}
+
+TEST_F(AUser, RacesOnPastLinksThatLeadNowhere) {
+  std::filesystem::create_directories(folder_ / "mazes");
+  file("mazes/fine.txt", corridor);
+  std::filesystem::create_symlink("nowhere", folder_ / "mazes/dangling.txt");
+  std::filesystem::create_symlink("round.txt", folder_ / "mazes/round.txt");
+  for (const char* mazes : {"mazes", "mazes/*"}) {
+    const Json json = race({"--mice", "flood", "--mazes", mazes});
+    EXPECT_EQ(json.at("mazes").size(), 1U);
+    EXPECT_EQ(json.at("skipped").size(), 2U);
+  }
 }
 
 TEST_F(AUser, MayHaveFailingMice) {
@@ -167,6 +230,7 @@ TEST_F(AUser, ComparesWithAnEarlierRace) {
   EXPECT_EQ(same.code, 0);
   EXPECT_THAT(same.out, HasSubstr("flood: +0.000 [+0.000, +0.000]"));
   is_refused({"race", "--mice", "flood", "--baseline", file("bad.json", "{}")}, "bad.json: error: is not the JSON of a race");
+  is_refused({"race", "--mice", "flod", "--baseline", "bad.json"}, "did you mean 'flood'?");
 }
 
 TEST_F(AUser, KeepsRecordsAndPicturesOfARace) {
@@ -235,7 +299,6 @@ TEST_F(AUser, MakesConvertsAndShowsAMaze) {
 TEST_F(AUser, IsToldWhatCannotBeWritten) {
   file("corridor.txt", corridor);
   is_refused({"make", "prim", "-o", "corridor.txt/maze.txt"}, "corridor.txt/maze.txt: error: cannot");
-  is_refused({"race", "--mice", "flood", "--mazes", "corridor.txt", "--out", "corridor.txt"}, "error: cannot");
 }
 
 TEST_F(AUser, WhoInterruptsARaceSeesWhatIsDone) {

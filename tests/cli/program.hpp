@@ -1,6 +1,8 @@
 // Runs the program as a user does.
 #pragma once
 
+#include <pty.h>
+#include <sys/ioctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -60,5 +62,30 @@ class Program {
   std::filesystem::path out_, err_;
   pid_t child_ = 0;
 };
+
+/// All that the program prints on a terminal of 80 columns and 24 rows.
+inline std::string on_a_terminal(std::vector<std::string> arguments, const char* variable) {
+  arguments.insert(arguments.begin(), LABMOUSE_PROGRAM);
+  std::vector<char*> words;
+  for (std::string& argument : arguments) words.push_back(argument.data());
+  words.push_back(nullptr);
+  winsize window{};
+  window.ws_row = 24;
+  window.ws_col = 80;
+  int terminal = -1;
+  const pid_t child = forkpty(&terminal, nullptr, nullptr, &window);
+  if (child == 0) {
+    putenv(const_cast<char*>(variable));
+    execv(words[0], words.data());
+    _exit(127);
+  }
+  std::string printed;
+  char buffer[4096];
+  // The read fails once the program has ended and all was read.
+  for (ssize_t count; (count = read(terminal, buffer, sizeof buffer)) > 0;) printed.append(buffer, static_cast<std::size_t>(count));
+  close(terminal);
+  waitpid(child, nullptr, 0);
+  return printed;
+}
 
 }  // namespace labmouse::test

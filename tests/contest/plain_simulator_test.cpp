@@ -6,9 +6,9 @@
 #include <map>
 
 #include "labmouse/chance/dice.hpp"
+#include "labmouse/contest/script.hpp"
 #include "labmouse/contest/simulator.hpp"
 #include "labmouse/maze/generators/generator.hpp"
-#include "tests/contest/prepared_mouse.hpp"
 #include "tests/drawn_maze.hpp"
 
 namespace labmouse {
@@ -68,7 +68,7 @@ TEST(PlainSimulator, AgreesStepForStepOverAHundredThousandSteps) {
     rules.stride = dice.chance(1, 2) ? 3 : 1 + dice.below(Motion::max_longest);
     std::vector<Action> actions;
     for (int i = 0; i <= rules.budget; ++i) actions.push_back(random_action(dice));
-    test::PreparedMouse mouse(maze.size(), actions);
+    Script mouse(maze.size(), actions);
     const RunRecord record = run(maze, rules, mouse);
     ASSERT_TRUE(agree(record, test::PlainSimulator(maze, rules.budget, rules.stride).play(actions)))
         << *drawing_format.write(maze.with_start(maze.start(), Heading::north)).content;

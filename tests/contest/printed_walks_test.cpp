@@ -2,10 +2,10 @@
 #include <gtest/gtest.h>
 
 #include "labmouse/contest/score.hpp"
+#include "labmouse/contest/script.hpp"
 #include "labmouse/contest/simulator.hpp"
 #include "labmouse/maze/routes.hpp"
 #include "tests/capstone_mazes.hpp"
-#include "tests/contest/prepared_mouse.hpp"
 
 namespace labmouse {
 namespace {
@@ -25,7 +25,7 @@ Score contest_with(const Maze& maze, const std::vector<Action>& walk) {
   std::vector<Action> actions = walk;
   actions.push_back(Action::reset());
   actions.insert(actions.end(), walk.begin(), walk.end());
-  test::PreparedMouse mouse(maze.size(), actions);
+  Script mouse(maze.size(), actions);
   return score(run(maze, Rules(), mouse), Rules());
 }
 

@@ -1,3 +1,4 @@
+#include "labmouse/contest/script.hpp"
 #include "labmouse/contest/simulator.hpp"
 
 #include <gtest/gtest.h>
@@ -5,7 +6,6 @@
 #include <climits>
 
 #include "labmouse/contest/score.hpp"
-#include "tests/contest/prepared_mouse.hpp"
 #include "tests/drawn_maze.hpp"
 
 namespace labmouse {
@@ -34,7 +34,7 @@ class Contest : public testing::Test {
   explicit Contest(Maze maze) : maze_(std::move(maze)) {}
 
   void play(const std::vector<Action>& actions) {
-    test::PreparedMouse mouse(maze_.size(), actions);
+    Script mouse(maze_.size(), actions);
     record_ = run(maze_, rules_, mouse);
   }
   void play_for(int steps, const Action& action) { play(std::vector<Action>(static_cast<std::size_t>(steps), action)); }

@@ -11,17 +11,15 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// What a race of the new mice says of an earlier one.
-std::string compared(std::string_view now, std::string_view earlier) {
-  const BaselineResult result = compare_with_baseline(test::race_of(now), json_of(test::race_of(earlier), {}));
-  EXPECT_EQ(result.error, "");
-  return result.text;
+std::string compared(const Race& now, std::string_view earlier_json) {
+  const auto baseline = read_baseline(earlier_json, Rules());
+  EXPECT_TRUE(baseline.has_value());
+  return baseline ? compare_with_baseline(now, *baseline) : "";
 }
 
-std::string refused(std::string_view json) {
-  const BaselineResult result = compare_with_baseline(test::race_of("flood"), json);
-  EXPECT_EQ(result.text, "");
-  return result.error;
+/// What a race of the new mice says of an earlier one.
+std::string compared(std::string_view now, std::string_view earlier) {
+  return compared(test::race_of(now), json_of(test::race_of(earlier), {}));
 }
 
 TEST(Baseline, ItselfShowsNoDifference) {
@@ -39,6 +37,19 @@ TEST(Baseline, TheOnlyMouseIsComparedWithTheOnlyMouse) {
   EXPECT_THAT(text, HasSubstr("2 better, 0 equal, 0 worse): better"));
 }
 
+TEST(Baseline, VariantsAreComparedWithTheOnlyMouse) {
+  const std::string text = compared("flood:stride=1,flood:stride=2", "flood");
+  EXPECT_THAT(text, HasSubstr("flood:stride=1 against flood: "));
+  EXPECT_THAT(text, HasSubstr("flood:stride=2 against flood: "));
+}
+
+TEST(Baseline, MazesMayHaveMovedToAnotherFolder) {
+  NamedMaze moved = test::loop();
+  moved.name = "elsewhere/" + moved.name;
+  const Race earlier = hold_race(test::mice("flood"), {moved}, {});
+  EXPECT_THAT(compared(test::race_of("flood"), json_of(earlier, {})), HasSubstr("over 1 maze ("));
+}
+
 TEST(Baseline, AMouseThatWasNotThereIsSaidToBeNew) {
   EXPECT_THAT(compared("flood,certify", "flood,random"), HasSubstr("certify: not in the baseline"));
 }
@@ -46,21 +57,21 @@ TEST(Baseline, AMouseThatWasNotThereIsSaidToBeNew) {
 TEST(Baseline, AFailureCountsAsTheFailureScore) {
   const std::string earlier =
       R"({"labmouse":"x","mice":[{"name":"flood","results":[{"maze":"corridor","score":null},{"maze":"loop","score":null}]}]})";
-  const BaselineResult result = compare_with_baseline(test::race_of("flood"), earlier);
-  EXPECT_THAT(result.text, HasSubstr("flood: -9"));
-  EXPECT_THAT(result.text, HasSubstr("2 better"));
+  const std::string text = compared(test::race_of("flood"), earlier);
+  EXPECT_THAT(text, HasSubstr("flood: -9"));
+  EXPECT_THAT(text, HasSubstr("2 better"));
 }
 
 TEST(Baseline, MazesInCommonAreCompared) {
   const Race earlier = hold_race(test::mice("flood"), {test::loop()}, {});
-  EXPECT_THAT(compare_with_baseline(test::race_of("flood"), json_of(earlier, {})).text, HasSubstr("over 1 mazes"));
+  EXPECT_THAT(compared(test::race_of("flood"), json_of(earlier, {})), HasSubstr("over 1 maze ("));
 }
 
 TEST(Baseline, WithoutACommonMazeItSaysSo) {
   NamedMaze other = test::loop();
   other.name = "another";
   const Race earlier = hold_race(test::mice("flood"), {other}, {});
-  EXPECT_THAT(compare_with_baseline(test::race_of("flood"), json_of(earlier, {})).text, HasSubstr("no maze in common"));
+  EXPECT_THAT(compared(test::race_of("flood"), json_of(earlier, {})), HasSubstr("no maze in common"));
 }
 
 TEST(Baseline, WhatIsNoRaceIsRefused) {
@@ -70,8 +81,10 @@ TEST(Baseline, WhatIsNoRaceIsRefused) {
                           R"({"labmouse":"x","mice":[{"name":"flood","results":[3]}]})",
                           R"({"labmouse":"x","mice":[{"name":"flood","results":[{"maze":3,"score":1}]}]})",
                           R"({"labmouse":"x","mice":[{"name":"flood","results":[{"maze":"loop"}]}]})",
-                          R"({"labmouse":"x","mice":[{"name":"flood","results":[{"maze":"loop","score":"1"}]}]})"})
-    EXPECT_THAT(refused(bad), HasSubstr("is not the JSON of a race")) << bad;
+                          R"({"labmouse":"x","mice":[{"name":"flood","results":[{"maze":"loop","score":"1"}]}]})",
+                          R"({"labmouse":"x","mice":[{"name":"flood","results":[{"maze":"loop","score":1e308}]}]})",
+                          R"({"labmouse":"x","mice":[{"name":"flood","results":[{"maze":"loop","score":-1}]}]})"})
+    EXPECT_FALSE(read_baseline(bad, Rules()).has_value()) << bad;
 }
 
 }  // namespace

@@ -37,7 +37,9 @@ TEST(Spec, SetsAParameter) {
 
 TEST(Spec, TheNameLeavesDefaultsOut) { EXPECT_THAT(names("flood:stride=3"), ElementsAre("flood")); }
 
-TEST(Spec, TheLastOfTwoValuesCounts) { EXPECT_THAT(names("flood:stride=1:stride=2"), ElementsAre("flood:stride=2")); }
+TEST(SpecError, AParameterIsGivenTwice) {
+  EXPECT_EQ(error("flood:stride=1:stride=2"), "parameter 'stride' of mouse 'flood' is given twice");
+}
 
 TEST(Spec, AValueHasOneSpelling) {
   EXPECT_THAT(names("flood:stride=02,flood:stride=2,flood:stride=2.0"), ElementsAre("flood:stride=2"));

@@ -7,7 +7,7 @@
 
 #include "labmouse/contest/simulator.hpp"
 #include "labmouse/lab/race_files.hpp"
-#include "labmouse/lab/script.hpp"
+#include "labmouse/contest/script.hpp"
 #include "tests/lab/race_fixture.hpp"
 
 namespace labmouse {
@@ -215,6 +215,22 @@ TEST(Replay, RefusesARecordThatEndsTooEarly) {
   RecordFile file = recorded("flood");
   file.run.steps.pop_back();
   EXPECT_NE(disagreement(write_record(file)), "");
+}
+
+TEST(Replay, RefusesAnEndWithoutAContest) {
+  const std::string text = write_record(recorded("flood"));
+  const std::string end = text.substr(text.rfind('\n', text.size() - 2) + 1);
+  EXPECT_THAT(disagreement(head(text, 1) + end), HasSubstr("the record ends after step 0"));
+}
+
+TEST(Record, AForfeitAtTheEndNeedsAStepThatForfeits) {
+  const std::string text = write_record(recorded("flood"));
+  EXPECT_THAT(problem(changed(text, "\"outcome\":\"solved\"", "\"outcome\":\"forfeit\"")).reason, HasSubstr("forfeit"));
+}
+
+TEST(Record, AWrongSeedIsRefused) {
+  const std::string text = write_record(recorded("flood"));
+  EXPECT_THAT(problem(changed(text, "\"seed\":", "\"seed\":-")).reason, HasSubstr("'seed'"));
 }
 
 }  // namespace

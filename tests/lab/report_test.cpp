@@ -153,7 +153,7 @@ TEST(RaceAsCsv, QuotesNamesWithCommasAndQuotes) {
 TEST(RaceAsTable, ShowsEveryMouseBestFirst) {
   const std::string table = table_of(test::race_of("random,flood"), false);
   EXPECT_LT(table.find("\nflood "), table.find("\nrandom "));
-  EXPECT_THAT(table, HasSubstr("Left out of all means: 1 maze whose goal cannot be reached."));
+  EXPECT_THAT(table, HasSubstr("Left out of all means: 1 maze whose goal cannot be reached (without-route)."));
 }
 
 TEST(RaceAsTable, ColoursOnlyWhereAsked) {
