@@ -7,13 +7,14 @@
 #include "command.hpp"
 #include "labmouse/lab/signature.hpp"
 #include "labmouse/lab/speed.hpp"
+#include "labmouse/lab/version.hpp"
 
 namespace labmouse::cli {
 namespace {
 
 std::string bench_table(const std::string& signature, const Speed& speed) {
-  std::string text = fmt::format("signature {}\n\ndistance field, strides of three, median ns\n{:>5}{:>10}{:>16}{:>10}{:>10}{:>14}\n",
-                                 signature, "side", "rows", "rows, portable", "queue", "plain", "queue / rows");
+  std::string text = fmt::format("signature {}\n{}, {}\n\ndistance field, strides of three, median ns\n{:>5}{:>10}{:>16}{:>10}{:>10}{:>14}\n",
+                                 signature, compiler(), processor(), "side", "rows", "rows, portable", "queue", "plain", "queue / rows");
   for (const auto& [side, ns] : speed.distance_ns)
     text += fmt::format("{:>5}{:>10.0f}{:>16.0f}{:>10.0f}{:>10.0f}{:>14.1f}\n", side, ns.rows, ns.portable_rows, ns.queue,
                         ns.plain, ns.queue / ns.rows);
@@ -25,6 +26,9 @@ std::string bench_table(const std::string& signature, const Speed& speed) {
 std::string bench_json(const std::string& signature, const Speed& speed) {
   nlohmann::ordered_json json;
   json["signature"] = signature;
+  json["labmouse"] = version();
+  json["compiler"] = compiler();
+  json["processor"] = processor();
   for (const auto& [side, ns] : speed.distance_ns)
     json["distance_ns"][fmt::format("{}", side)] = {
         {"rows", ns.rows}, {"portable_rows", ns.portable_rows}, {"queue", ns.queue}, {"plain", ns.plain}};

@@ -69,6 +69,15 @@ std::string describe_all(const std::vector<SkippedFile>& files) {
   return text;
 }
 
+/// Names the first files that were no mazes and counts the others, which JSON lists all.
+void tell_skipped(const std::vector<SkippedFile>& skipped) {
+  constexpr std::size_t told = 10;
+  const auto end = skipped.begin() + static_cast<std::ptrdiff_t>(std::min(skipped.size(), told));
+  if (skipped.empty()) return;
+  fmt::print(stderr, "{}\n", describe_all({skipped.begin(), end}));
+  if (skipped.size() > told) fmt::print(stderr, "... and {} more files skipped\n", skipped.size() - told);
+}
+
 }  // namespace
 
 void add_places(CLI::App& command, Places& places) {
@@ -79,7 +88,7 @@ void add_places(CLI::App& command, Places& places) {
 MazeCollection find_mazes(const std::vector<std::string>& paths, const Places& places) {
   MazeCollection collection = paths.empty() ? load_builtin_mazes() : load_mazes(paths);
   if (!collection.errors.empty()) throw UsageError(describe_all(collection.errors));
-  if (!collection.skipped.empty()) std::fputs((describe_all(collection.skipped) + "\n").c_str(), stderr);
+  tell_skipped(collection.skipped);
   if (collection.mazes.empty()) throw UsageError("error: no maze to work on; name a maze file, or leave the paths out for the built-in ones");
   for (NamedMaze& maze : collection.mazes) apply(places, maze);
   return collection;

@@ -74,6 +74,8 @@ std::string quoted(const std::string& text) {
 std::string json_of(const Race& race, const std::vector<SkippedFile>& skipped) {
   Json json;
   json["labmouse"] = version();
+  json["compiler"] = compiler();
+  json["processor"] = processor();
   json["seed"] = race.order.seed;
   json["stopped"] = race.stopped;
   json["mazes"] = Json::array();

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "labmouse/lab/printable.hpp"
 #include "labmouse/lab/report.hpp"
@@ -20,19 +21,30 @@ std::string counted(std::size_t count, std::string_view one, std::string_view ma
 /// One maze says nothing of others, so it has no interval.
 std::string interval_text(const Standing& standing) {
   if (standing.mazes < 2) return "-";
-  return fmt::format("[{:.2f}, {:.2f}]", standing.interval.low, standing.interval.high);
+  return fmt::format("{:.1f}-{:.1f}", standing.interval.low, standing.interval.high);
 }
 
-std::string row_of(const Race& race, const Standing& standing, std::size_t width) {
+/// The cells of one line, mouse first. With the built-in mice a line fits into 80 columns.
+using Line = std::array<std::string, 10>;
+
+std::string laid_out(const Line& line, std::size_t width) {
+  return fmt::format("{:<{}} {:>8} {:>7} {:>11} {:>7} {:>6} {:>5} {:>6} {:>5} {:>5}", line[0], width, line[1], line[2],
+                     line[3], line[4], line[5], line[6], line[7], line[8], line[9]);
+}
+
+Line line_of(const Race& race, const Standing& standing) {
   const Contestant& mouse = race.mice[standing.mouse];
-  return fmt::format("{:<{}}  {:>9}  {:>8}  {:>8}  {:>17}  {:>6}  {:>7}  {:>6}  {:>8}  {:>7}\n",
-                     mouse.name + (mouse.reference ? " *" : ""), width,
-                     fmt::format("{}/{}", standing.solved, standing.runs), number(standing.penalised_mean, 3),
-                     number(standing.mean_score, 3),
-                     interval_text(standing), number(standing.mean_ratio, 3), number(standing.mean_exploration, 1),
-                     number(standing.mean_speed_over_optimum, 2),
-                     standing.runs > 0 ? fmt::format("{:.1f} %", 100.0 * standing.optimal_share) : "-",
-                     standing.runs > 0 ? fmt::format("{:.2f}", standing.microseconds_per_decision) : "-");
+  const bool ran = standing.runs > 0;
+  return {mouse.name + (mouse.reference ? " *" : ""),
+          fmt::format("{}/{}", standing.solved, standing.runs),
+          number(standing.penalised_mean, 3),
+          interval_text(standing),
+          number(standing.mean_score, 3),
+          number(standing.mean_ratio, 3),
+          number(standing.mean_exploration, 1),
+          number(standing.mean_speed_over_optimum, 2),
+          ran ? fmt::format("{:.1f}", 100.0 * standing.optimal_share) : "-",
+          ran ? fmt::format("{:.2f}", standing.microseconds_per_decision) : "-"};
 }
 
 /// Share of the runs that a mouse solved in each maze, to see whether two means cover the same mazes alike.
@@ -75,8 +87,8 @@ std::string first_routeless(const Race& race) {
 
 std::string notes_of(const Race& race) {
   const Rules& rules = race.order.rules;
-  std::string notes = fmt::format("Score: speed-run steps + exploration steps / {}. A failed contest counts {:g} in 'all' "
-                                  "and is left out of 'solved'.\n", rules.exploration_factor, rules.failure_score);
+  std::string notes = fmt::format("Score: speed-run steps + exploration steps / {}; lower is better.\n"
+                                  "A failed contest counts {:g} in 'all' and is left out of 'solved'.\n", rules.exploration_factor, rules.failure_score);
   if (solved_different_mazes(race))
     notes += "Mean scores over 'solved' cover different mazes for different mice: compare 'all'.\n";
   const auto dear = std::count_if(race.results.begin(), race.results.end(), [&](const ContestResult& contest) {
@@ -109,11 +121,10 @@ std::string table_of(const Race& race, bool colours) {
   const char* plain = colours ? "\x1b[0m" : "";
   std::string text = fmt::format("labmouse {}: {}, {}, seed {}\n\n", version(), counted(race.mice.size(), "mouse", "mice"),
                                  counted(race.mazes.size(), "maze", "mazes"), race.order.seed);
-  text += fmt::format("{}{:<{}}  {:>9}  {:>8}  {:>8}  {:>17}  {:>6}  {:>7}  {:>6}  {:>8}  {:>7}{}\n", bold, "", width, "",
-                      "score", "score", "95 % interval", "/bound", "explore", "speed", "optimal", "us per", plain);
-  text += fmt::format("{}{:<{}}  {:>9}  {:>8}  {:>8}  {:>17}  {:>6}  {:>7}  {:>6}  {:>8}  {:>7}{}\n", bold, "mouse", width,
-                      "solved", "all", "solved", "of 'all'", "", "steps", "+steps", "runs", "decide", plain);
-  for (const Standing& standing : standings_of(race)) text += row_of(race, standing, width);
+  const Line first = {"", "", "score", "95 %", "score", "score", "expl.", "speed", "best", "us a"};
+  const Line second = {"mouse", "solved", "all", "interval", "solved", "/bound", "steps", "+steps", "runs%", "step"};
+  for (const Line& line : {first, second}) text += fmt::format("{}{}{}\n", bold, laid_out(line, width), plain);
+  for (const Standing& standing : standings_of(race)) text += laid_out(line_of(race, standing), width) + "\n";
   return text + "\n" + notes_of(race);
 }
 

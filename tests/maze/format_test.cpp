@@ -60,7 +60,7 @@ TEST(AllFormats, DoNotTakeATextOf256BytesForMaz) {
 TEST(ReadMaze, SaysWhatItExpected) {
   const auto result = read_maze("once upon a time\n");
   EXPECT_FALSE(result.maze);
-  EXPECT_THAT(test::lines_of(result), ElementsAre(StartsWith("0:0: not a maze: expected a drawing that begins with")));
+  EXPECT_THAT(test::lines_of(result), ElementsAre(StartsWith("0:0: not a maze: neither a drawing")));
 }
 
 TEST(ReadMaze, SaysThatAFileIsEmpty) {

@@ -26,9 +26,7 @@ ReadResult read_maze(std::string_view content) {
   if (formats::is_blank(content)) return formats::failure(0, 0, "the file is empty");
   for (const Format* format : all_formats())
     if (format->recognises(content)) return format->read(content);
-  return formats::failure(0, 0,
-                          "not a maze: expected a drawing that begins with o--- or +---, a size and then lines of "
-                          "numbers (capstone), lines of six numbers (num), or 256 or 1024 bytes from 0 to 15 (maz)");
+  return formats::failure(0, 0, "not a maze: neither a drawing (o---o), nor capstone, num or maz");
 }
 
 }  // namespace labmouse

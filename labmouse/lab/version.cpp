@@ -1,0 +1,31 @@
+#include "labmouse/lab/version.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+
+#include "labmouse/lab/printable.hpp"
+
+namespace labmouse {
+
+// version() itself is written by the build: cmake/write_version.cmake.
+
+std::string compiler() {
+#if defined(__clang__)
+  return fmt::format("clang++ {}.{}.{}", __clang_major__, __clang_minor__, __clang_patchlevel__);
+#elif defined(__GNUC__)
+  return fmt::format("g++ {}.{}.{}", __GNUC__, __GNUC_MINOR__, __GNUC_PATCHLEVEL__);
+#else
+  return "unknown";
+#endif
+}
+
+std::string processor() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);)
+    if (const auto colon = line.find(": "); line.starts_with("model name") && colon != std::string::npos)
+      return shown(line.substr(colon + 2));
+  return "unknown";
+}
+
+}  // namespace labmouse
