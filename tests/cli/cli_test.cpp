@@ -161,12 +161,17 @@ TEST_F(AUser, SeesNoColoursInAFile) {
 }
 
 TEST_F(AUser, SeesColoursOnATerminalUnlessNotWanted) {
-  EXPECT_THAT(test::on_a_terminal({"show", "capstone-1"}, "NO_COLOR="), HasSubstr("\x1b["));
-  EXPECT_THAT(test::on_a_terminal({"show", "capstone-1"}, "NO_COLOR=1"), Not(HasSubstr("\x1b")));
+  const auto wanted = test::on_a_terminal({"show", "capstone-1"}, "NO_COLOR=");
+  const auto unwanted = test::on_a_terminal({"show", "capstone-1"}, "NO_COLOR=1");
+  if (!wanted || !unwanted) GTEST_SKIP() << "this system lends no terminals";
+  EXPECT_THAT(*wanted, HasSubstr("\x1b["));
+  EXPECT_THAT(*unwanted, Not(HasSubstr("\x1b")));
 }
 
 TEST_F(AUser, CannotWatchInATerminalThatIsTooSmall) {
-  EXPECT_THAT(test::on_a_terminal({"run", "flood", "capstone-1", "--watch"}, "NO_COLOR=1"), HasSubstr("takes a terminal of 52x28"));
+  const auto printed = test::on_a_terminal({"run", "flood", "capstone-1", "--watch"}, "NO_COLOR=1");
+  if (!printed) GTEST_SKIP() << "this system lends no terminals";
+  EXPECT_THAT(*printed, HasSubstr("takes a terminal of 52x28"));
 }
 
 TEST_F(AUser, IsNotToldNamesThatSteerTheTerminal) {

@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -63,8 +64,8 @@ class Program {
   pid_t child_ = 0;
 };
 
-/// All that the program prints on a terminal of 80 columns and 24 rows.
-inline std::string on_a_terminal(std::vector<std::string> arguments, const char* variable) {
+/// All that the program prints on a terminal of 80 columns and 24 rows; nothing where the system lends no terminals.
+inline std::optional<std::string> on_a_terminal(std::vector<std::string> arguments, const char* variable) {
   arguments.insert(arguments.begin(), LABMOUSE_PROGRAM);
   std::vector<char*> words;
   for (std::string& argument : arguments) words.push_back(argument.data());
@@ -74,6 +75,7 @@ inline std::string on_a_terminal(std::vector<std::string> arguments, const char*
   window.ws_col = 80;
   int terminal = -1;
   const pid_t child = forkpty(&terminal, nullptr, nullptr, &window);
+  if (child < 0) return std::nullopt;
   if (child == 0) {
     putenv(const_cast<char*>(variable));
     execv(words[0], words.data());
