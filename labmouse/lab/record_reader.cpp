@@ -193,7 +193,7 @@ ReadRecordResult read_record(std::string_view text) {
   RecordFile file;
   file.ended = false;
   const auto failed = [](int line, std::string reason) {
-    return ReadRecordResult{std::nullopt, {{line, 1, std::move(reason)}}};
+    return ReadRecordResult{std::nullopt, {{line, line > 0 ? 1 : 0, std::move(reason)}}};
   };
   int number = 0;
   while (!text.empty()) {

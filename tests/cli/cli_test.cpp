@@ -181,6 +181,18 @@ TEST_F(AUser, IsNotToldNamesThatSteerTheTerminal) {
   EXPECT_THAT(labmouse({"show", "\x1b[31mred.txt", "--start", "60,60"}).err, Not(HasSubstr("\x1b")));
 }
 
+TEST_F(AUser, MayStopReadingEarly) { EXPECT_EQ(test::without_a_reader({"inspect", "spiral-9"}), 0); }
+
+TEST_F(AUser, KeepsARecordOfEachMazeWhereTwoHaveOneName) {
+  for (const char* folder : {"one", "two"}) {
+    std::filesystem::create_directories(folder_ / folder);
+    file(std::string(folder) + "/corridor.txt", corridor);
+  }
+  EXPECT_EQ(labmouse({"race", "--mice", "flood", "--mazes", "one", "two", "--out", "out"}).code, 0);
+  for (const char* kept : {"corridor-1.jsonl", "corridor.svg", "corridor~2-1.jsonl", "corridor~2.svg"})
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "out" / "flood" / kept)) << kept;
+}
+
 TEST_F(AUser, KeepsALinkWhenItsTargetIsWritten) {
   file("target.txt", "old");
   std::filesystem::create_symlink("target.txt", folder_ / "link.txt");

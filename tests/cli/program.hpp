@@ -64,6 +64,27 @@ class Program {
   pid_t child_ = 0;
 };
 
+/// The exit code of the program whose reader has gone before it prints.
+inline int without_a_reader(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), LABMOUSE_PROGRAM);
+  std::vector<char*> words;
+  for (std::string& argument : arguments) words.push_back(argument.data());
+  words.push_back(nullptr);
+  int ends[2];
+  if (pipe(ends) != 0) return -1;
+  close(ends[0]);
+  const pid_t child = fork();
+  if (child == 0) {
+    dup2(ends[1], STDOUT_FILENO);
+    execv(words[0], words.data());
+    _exit(127);
+  }
+  close(ends[1]);
+  int status = 0;
+  waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+}
+
 /// All that the program prints on a terminal of 80 columns and 24 rows; nothing where the system lends no terminals.
 inline std::optional<std::string> on_a_terminal(std::vector<std::string> arguments, const char* variable) {
   arguments.insert(arguments.begin(), LABMOUSE_PROGRAM);

@@ -44,10 +44,11 @@ TEST(Baseline, VariantsAreComparedWithTheOnlyMouse) {
 }
 
 TEST(Baseline, MazesMayHaveMovedToAnotherFolder) {
-  NamedMaze moved = test::loop();
-  moved.name = "elsewhere/" + moved.name;
-  const Race earlier = hold_race(test::mice("flood"), {moved}, {});
-  EXPECT_THAT(compared(test::race_of("flood"), json_of(earlier, {})), HasSubstr("over 1 maze ("));
+  NamedMaze before = test::loop(), now = test::loop();
+  before.name = "there/loop.txt";
+  now.name = "here/loop.txt";
+  const Race earlier = hold_race(test::mice("flood"), {before}, {});
+  EXPECT_THAT(compared(hold_race(test::mice("flood"), {now}, {}), json_of(earlier, {})), HasSubstr("over 1 maze ("));
 }
 
 TEST(Baseline, AMouseThatWasNotThereIsSaidToBeNew) {

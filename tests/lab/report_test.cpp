@@ -156,6 +156,13 @@ TEST(RaceAsTable, ShowsEveryMouseBestFirst) {
   EXPECT_THAT(table, HasSubstr("Left out of all means: 1 maze whose goal cannot be reached (without-route)."));
 }
 
+TEST(RaceAsTable, OneMazeHasNoInterval) {
+  constexpr const char* interval = "[0-9]\\.[0-9]-[0-9]+\\.[0-9]";
+  EXPECT_THAT(table_of(test::race_of("flood"), false), ::testing::ContainsRegex(interval));
+  const Race race = hold_race(test::mice("flood"), {test::corridor()}, {});
+  EXPECT_THAT(table_of(race, false), ::testing::Not(::testing::ContainsRegex(interval)));
+}
+
 TEST(RaceAsTable, ColoursOnlyWhereAsked) {
   const Race race = test::race_of("flood");
   EXPECT_THAT(table_of(race, false), Not(HasSubstr("\x1b")));
