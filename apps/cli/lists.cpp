@@ -25,7 +25,7 @@ std::string describe_mice() {
   for (const RosterEntry* mouse : roster()) width = std::max(width, mouse->name.size());
   std::string text;
   for (const RosterEntry* mouse : roster()) {
-    text += fmt::format("{:<{}}  {}{}\n", mouse->name, width, mouse->summary, mouse->uses_chance ? " (throws dice)" : "");
+    text += fmt::format("{:<{}}  {}{}\n", mouse->name, width, mouse->summary, mouse->uses_chance(Settings(mouse->parameters)) ? " (throws dice)" : "");
     for (const Parameter& parameter : mouse->parameters)
       text += fmt::format("    {}={}  {}, {}: {}\n", parameter.name, parameter.default_value, name_of(parameter.type),
                           range_of(parameter), parameter.meaning);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -47,12 +48,22 @@ struct StepRecord {
   friend constexpr bool operator==(const StepRecord&, const StepRecord&) = default;
 };
 
+/// What a mouse counted, by name.
+struct Count {
+  std::string name;
+  std::int64_t value = 0;
+
+  friend bool operator==(const Count&, const Count&) = default;
+};
+
 /// One contest of one mouse in one maze.
 struct RunRecord {
   std::vector<StepRecord> steps;
   Outcome outcome = Outcome::out_of_steps;
   /// Where the mouse stood at the end.
   Pose end;
+  /// The mouse's own counters at the end.
+  std::vector<Count> counts;
 
   friend bool operator==(const RunRecord&, const RunRecord&) = default;
 };

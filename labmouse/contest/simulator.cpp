@@ -43,6 +43,7 @@ RunRecord run(const Maze& maze, const Rules& rules, Strategy& mouse) {
   const auto end = [&](Outcome outcome) {
     record.outcome = outcome;
     record.end = pose;
+    for (const Counter& counter : mouse.counters()) record.counts.push_back({std::string(counter.name), counter.value});
     return std::move(record);
   };
   for (int step = 1; step <= rules.budget; ++step) {

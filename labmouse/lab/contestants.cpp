@@ -27,7 +27,7 @@ Contestant contestant_of(const RosterEntry& entry, Settings settings) {
   for (std::size_t i = 0; i < entry.parameters.size(); ++i)
     if (const Setting& setting = settings.all()[i]; setting.value != entry.parameters[i].default_value)
       contestant.name += ":" + setting.name + "=" + setting.value;
-  contestant.uses_chance = entry.uses_chance;
+  contestant.uses_chance = entry.uses_chance(settings);
   contestant.make = [&entry, settings](const Maze& maze, const Rules& rules, std::uint64_t seed) {
     return entry.make(brief(maze, rules, seed), settings);
   };

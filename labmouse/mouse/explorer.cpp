@@ -11,6 +11,7 @@ Explorer::Explorer(const Briefing& briefing)
       pose_(briefing.start),
       to_goal_(briefing.size, briefing.motion) {
   assert(briefing.size.contains(briefing.start.cell) && !briefing.goals.empty());
+  visited_.insert(pose_.cell);
 }
 
 Action Explorer::decide(const Sighting& seen) {
@@ -45,7 +46,9 @@ void Explorer::perform(const Action& action) {
     case Action::Kind::step:
       pose_ = after(pose_, action);
       assert(briefing_.size.contains(pose_.cell));
-      if (!racing_ && briefing_.goals.contains(pose_.cell)) goal_entered_ = true;
+      if (racing_) break;
+      visited_.insert(pose_.cell);
+      if (briefing_.goals.contains(pose_.cell)) goal_entered_ = true;
       break;
     case Action::Kind::reset:
       assert(goal_entered_ && !racing_);

@@ -30,6 +30,8 @@ class Explorer : public Strategy {
   const Sighting& seen() const { return seen_; }
   /// Whether a step of the exploration has ended in a goal, so that a reset is allowed.
   bool goal_entered() const { return goal_entered_; }
+  /// Cells in which the mouse has stood in the exploration, its start and the present one among them.
+  const CellSet& visited() const { return visited_; }
   /// Steps that the budget still allows, the present one among them.
   int steps_left() const { return briefing_.budget - steps_; }
 
@@ -44,6 +46,7 @@ class Explorer : public Strategy {
   Knowledge knowledge_;
   Pose pose_;
   Sighting seen_;
+  CellSet visited_;
   DistanceField to_goal_;
   int steps_ = 0;
   bool goal_entered_ = false;

@@ -1,11 +1,21 @@
 // The interface of every mouse.
 #pragma once
 
+#include <cstdint>
+#include <span>
+#include <string_view>
+
 #include "labmouse/mouse/action.hpp"
 #include "labmouse/mouse/knowledge.hpp"
 #include "labmouse/mouse/sighting.hpp"
 
 namespace labmouse {
+
+/// A number that a mind keeps about its own work, for records: "nodes expanded".
+struct Counter {
+  std::string_view name;
+  std::int64_t value = 0;
+};
 
 /// A mind. It is called and never calls, so one object serves a loop, a browser frame and an interrupt.
 class Strategy {
@@ -17,6 +27,9 @@ class Strategy {
 
   /// What the mouse believes, for viewers and for the contract tests.
   virtual const Knowledge& knowledge() const = 0;
+
+  /// What it counted so far, under names that never change.
+  virtual std::span<const Counter> counters() const { return {}; }
 };
 
 }  // namespace labmouse

@@ -9,6 +9,7 @@
 
 #include "labmouse/chance/dice.hpp"
 #include "labmouse/mouse/explorer.hpp"
+#include "labmouse/mouse/known_moves.hpp"
 #include "labmouse/strategies/roster.hpp"
 
 namespace labmouse {
@@ -24,18 +25,10 @@ class RandomMouse final : public Explorer {
   Action race() override { return wander(); }
 
   Action wander() {
-    std::array<Move, 4 * Motion::max_longest> moves;
-    int count = 0;
-    for (const Heading direction : all_headings) {
-      Cell cell = pose().cell;
-      for (int cells = 1; cells <= stride_ && knowledge().open().contains(wall_at(cell, direction)); ++cells) {
-        moves[static_cast<unsigned>(count++)] = {direction, cells};
-        cell = neighbour(cell, direction);
-      }
-    }
+    const KnownMoves moves(knowledge().open(), pose().cell, stride_);
     // Nowhere to go: look at the wall behind.
-    if (count == 0) return Action::step(90, 0);
-    const Move& move = moves[static_cast<unsigned>(dice_.below(count))];
+    if (moves.empty()) return Action::step(90, 0);
+    const Move& move = moves[dice_.below(moves.count())];
     return move_in(pose().heading, move.direction, move.cells);
   }
 
@@ -54,6 +47,6 @@ const RosterEntry random_mouse = {
     [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
       return std::make_unique<RandomMouse>(briefing, settings);
     },
-    true};
+    RosterEntry::always};
 
 }  // namespace labmouse

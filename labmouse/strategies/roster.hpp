@@ -20,8 +20,11 @@ struct RosterEntry {
   std::string_view summary;
   std::span<const Parameter> parameters;
   MouseFactory make;
-  /// Whether it throws dice: then one run says little, and races give it several.
-  bool uses_chance = false;
+  /// Whether it throws dice under these settings: then one run says little, and races give it several.
+  bool (*uses_chance)(const Settings& settings) = never;
+
+  static bool never(const Settings&) { return false; }
+  static bool always(const Settings&) { return true; }
 };
 
 extern const RosterEntry random_mouse;

@@ -196,7 +196,7 @@ TEST_P(EveryMouse, DoesTheSameWhileAnotherRuns) {
 
 TEST_P(EveryMouse, ThrowsDiceOnlyWhereTheRosterSaysSo) {
   const Maze maze = prim_generator.make({{16, 16}, 3, 100});
-  EXPECT_NE(run_of(mouse(), maze, {}, 1) == run_of(mouse(), maze, {}, 2), mouse().uses_chance);
+  EXPECT_NE(run_of(mouse(), maze, {}, 1) == run_of(mouse(), maze, {}, 2), mouse().uses_chance(Settings(mouse().parameters)));
 }
 
 TEST_P(EveryMouse, GivesUpWhereAReadingContradictsAnother) {
