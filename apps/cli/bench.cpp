@@ -40,14 +40,20 @@ std::string bench_json(const std::string& signature, const Speed& speed) {
 
 void add_bench(CLI::App& app, int& exit) {
   auto format = std::make_shared<std::string>("table");
+  auto signature_only = std::make_shared<bool>(false);
   CLI::App* command = app.add_subcommand("bench", "Print the behaviour signature and the speeds");
   command->add_option("--format", *format, "Output")->check(CLI::IsMember({"table", "json"}))->capture_default_str();
+  command->add_flag("--signature", *signature_only, "Print the behaviour signature alone");
   command->footer("Example: labmouse bench --format json");
-  command->callback([format, &exit] {
+  command->callback([format, signature_only, &exit] {
     const std::string signature = fmt::format("{:016x}", behaviour_signature());
+    exit = exit_good;
+    if (*signature_only) {
+      print(signature + "\n");
+      return;
+    }
     const Speed speed = measure_speed();
     print(*format == "json" ? bench_json(signature, speed) : bench_table(signature, speed));
-    exit = exit_good;
   });
 }
 

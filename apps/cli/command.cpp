@@ -85,6 +85,11 @@ void add_places(CLI::App& command, Places& places) {
   command.add_option("--goal", places.goals, "Goal cell in place of the file's (may repeat)")->type_name("X,Y")->expected(1)->take_all();
 }
 
+void add_budget(CLI::App& command, Rules& rules) {
+  command.add_option("--budget", rules.budget, "Steps of a contest, over both runs")
+      ->check(CLI::Range(1, 1'000'000))->capture_default_str();
+}
+
 MazeCollection find_mazes(const std::vector<std::string>& paths, const Places& places) {
   MazeCollection collection = paths.empty() ? load_builtin_mazes() : load_mazes(paths);
   if (!collection.errors.empty()) throw UsageError(describe_all(collection.errors));

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "labmouse/contest/rules.hpp"
 #include "labmouse/lab/maze_files.hpp"
 
 namespace labmouse::cli {
@@ -35,6 +36,9 @@ NamedMaze find_maze(const std::string& path, const Places& places);
 void print(const std::string& text);
 /// Writes a file whole or throws UsageError.
 void save(const std::string& path, const std::string& content);
+
+/// --budget, the steps of a contest.
+void add_budget(CLI::App& command, Rules& rules);
 
 /// Checks of options that CLI11's own would let through: a seed is 0 to 2^64 - 1, a number is finite and plain.
 CLI::Validator seed_number();

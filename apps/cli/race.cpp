@@ -141,6 +141,7 @@ void add_race(CLI::App& app, int& exit) {
   add_places(*command, options->places);
   command->add_option("--runs", options->order.runs, "Contests of each mouse that throws dice, in each maze")
       ->check(CLI::Range(1, 1'000'000))->capture_default_str();
+  add_budget(*command, options->order.rules);
   command->add_option("--seed", options->order.seed, "Seed of all chance")->check(seed_number())->capture_default_str();
   command->add_option("--jobs", options->order.jobs, "Threads; 0 takes all processors")->check(CLI::Range(0, 1024))->capture_default_str();
   command->add_option("--format", options->format, "Output")->check(CLI::IsMember({"table", "json", "csv"}))->capture_default_str();

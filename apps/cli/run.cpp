@@ -15,6 +15,7 @@ namespace {
 struct RunOptions {
   std::string mouse, maze, svg, record;
   Places places;
+  Rules rules;
   std::uint64_t seed = 1;
   bool watch = false;
   int delay = 60;
@@ -26,7 +27,7 @@ void run_contest(const RunOptions& options) {
   if (spec.contestants.size() != 1) throw UsageError("error: `run` takes one mouse; `labmouse race` takes several");
   const Contestant& mouse = spec.contestants.front();
   const NamedMaze maze = find_maze(options.maze, options.places);
-  const Rules rules;
+  const Rules& rules = options.rules;
   const auto mind = mouse.make(maze.maze, rules, options.seed);
   const RecordFile file = record_file_of(mouse, maze, rules, options.seed, labmouse::run(maze.maze, rules, *mind));
   if (options.watch)
@@ -45,6 +46,7 @@ void add_run(CLI::App& app, int& exit) {
   command->add_option("mouse", options->mouse, "Mouse, name[:key=value]...")->required()->type_name("MOUSE");
   command->add_option("maze", options->maze, "Maze file or name of a built-in maze")->required()->type_name("MAZE");
   add_places(*command, options->places);
+  add_budget(*command, options->rules);
   command->add_option("--seed", options->seed, "Seed of a mouse that throws dice")->check(seed_number())->capture_default_str();
   command->add_flag("--watch", options->watch, "Draw it step by step");
   command->add_option("--delay", options->delay, "Milliseconds a step stays on the screen")->check(CLI::Range(0, 60'000))->capture_default_str();

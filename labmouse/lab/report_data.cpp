@@ -32,13 +32,15 @@ std::string outcome_text(const ContestResult& contest) {
 
 Json result_json(const Race& race, const ContestResult& contest) {
   const bool solved = contest.score.value.has_value();
-  return {{"maze", race.mazes[contest.maze].name},
-          {"seed", contest.seed},
-          {"outcome", outcome_text(contest)},
-          {"score", or_null(contest.score.value)},
-          {"exploration_steps", contest.score.exploration_steps},
-          {"speed_steps", solved ? Json(contest.score.speed_steps) : Json(nullptr)},
-          {"microseconds_per_decision", contest.microseconds / std::max(1, contest.decisions)}};
+  Json json = {{"maze", race.mazes[contest.maze].name},
+               {"seed", contest.seed},
+               {"outcome", outcome_text(contest)},
+               {"score", or_null(contest.score.value)},
+               {"exploration_steps", contest.score.exploration_steps},
+               {"speed_steps", solved ? Json(contest.score.speed_steps) : Json(nullptr)},
+               {"microseconds_per_decision", contest.microseconds / std::max(1, contest.decisions)}};
+  for (const Count& count : contest.counts) json["counts"][count.name] = count.value;
+  return json;
 }
 
 Json mouse_json(const Race& race, const Standing& standing) {
@@ -77,6 +79,7 @@ std::string json_of(const Race& race, const std::vector<SkippedFile>& skipped) {
   json["compiler"] = compiler();
   json["processor"] = processor();
   json["seed"] = race.order.seed;
+  json["budget"] = race.order.rules.budget;
   json["stopped"] = race.stopped;
   json["mazes"] = Json::array();
   for (std::size_t i = 0; i < race.mazes.size(); ++i) json["mazes"].push_back(maze_json(race.mazes[i], race.bounds[i]));

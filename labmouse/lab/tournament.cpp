@@ -28,6 +28,7 @@ class Timed final : public Strategy {
     return action;
   }
   const Knowledge& knowledge() const override { return mouse_.knowledge(); }
+  std::span<const Counter> counters() const override { return mouse_.counters(); }
   double microseconds() const { return std::chrono::duration<double, std::micro>(spent_).count(); }
 
  private:
@@ -58,6 +59,7 @@ RunRecord hold_contest(const Race& race, ContestResult& contest) {
   contest.score = score(record, race.order.rules);
   if (record.outcome == Outcome::forfeit) contest.reason = record.steps.back().action.reason;
   contest.decisions = static_cast<int>(record.steps.size());
+  contest.counts = record.counts;
   contest.microseconds = timed.microseconds();
   contest.done = true;
   return record;

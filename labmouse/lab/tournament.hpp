@@ -32,6 +32,8 @@ struct ContestResult {
   Score score;
   ForfeitReason reason = ForfeitReason::none;
   int decisions = 0;
+  /// What the mouse counted, by name; empty for most.
+  std::vector<Count> counts;
   /// Time spent in the mouse's decisions, in microseconds: the one figure that differs from race to race.
   double microseconds = 0.0;
 };

@@ -53,10 +53,12 @@ std::string check_number(const Parameter& parameter, std::string_view value) {
 }
 
 std::string check_choice(const Parameter& parameter, std::string_view value) {
-  const auto choices = split(parameter.choices, '/');
+  const auto choices = choices_of(parameter);
   if (std::find(choices.begin(), choices.end(), value) != choices.end()) return "";
   const auto near = nearest_name(value, choices);
-  return near.empty() ? "is none of " + std::string(parameter.choices) : "is unknown; did you mean '" + std::string(near) + "'?";
+  if (!near.empty()) return "is unknown; did you mean '" + std::string(near) + "'?";
+  if (choices.size() <= 12) return "is none of " + std::string(parameter.choices);
+  return "is none of its " + std::to_string(choices.size()) + " choices, such as " + std::string(choices.front());
 }
 
 /// Edits (insert, delete, replace a letter) that lead from one word to another (Levenshtein 1966).
@@ -87,6 +89,8 @@ std::string_view name_of(ParameterType type) {
   }
   return "unknown";
 }
+
+std::vector<std::string_view> choices_of(const Parameter& parameter) { return split(parameter.choices, '/'); }
 
 Settings::Settings(std::span<const Parameter> parameters) {
   for (const Parameter& parameter : parameters)

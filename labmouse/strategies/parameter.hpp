@@ -58,6 +58,9 @@ class Settings {
   std::vector<Setting> settings_;
 };
 
+/// What can be chosen of a choice, in the table's order.
+std::vector<std::string_view> choices_of(const Parameter& parameter);
+
 /// Why a value does not suit a parameter, as a line for the user; empty where it does.
 std::string check_value(const Parameter& parameter, std::string_view value);
 

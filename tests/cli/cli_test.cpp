@@ -155,6 +155,34 @@ TEST_F(AUser, SeesEveryMouseInTheTable) {
   EXPECT_EQ(ended.err, "");
 }
 
+TEST_F(AUser, SetsTheBudget) {
+  const auto steps = [](const char* budget) {
+    const Ended ended = labmouse({"race", "--mice", "wall-left", "--mazes", "island-8", "--budget", budget, "--format", "json"});
+    const auto json = nlohmann::json::parse(ended.out);
+    EXPECT_EQ(json["budget"], std::stoi(budget));
+    return json["mice"][0]["results"][0]["exploration_steps"].get<int>();
+  };
+  EXPECT_EQ(steps("7"), 7);
+  EXPECT_EQ(steps("1500"), 1500);
+  EXPECT_THAT(labmouse({"run", "wall-left", "island-8", "--budget", "12"}).out, HasSubstr("out of steps"));
+  EXPECT_EQ(labmouse({"race", "--budget", "0"}).code, 2);
+}
+
+TEST_F(AUser, ReadsTheRosterAsJson) {
+  const auto mice = nlohmann::json::parse(labmouse({"mice", "--format", "json"}).out);
+  std::string table = labmouse({"mice"}).out;
+  EXPECT_GT(mice.size(), 5U);
+  for (const auto& mouse : mice) {
+    EXPECT_THAT(table, HasSubstr(mouse["name"].get<std::string>() + " "));
+    for (const auto& parameter : mouse["parameters"])
+      EXPECT_THAT(table, HasSubstr("    " + parameter["name"].get<std::string>() + "=" + parameter["default"].get<std::string>()));
+  }
+}
+
+TEST_F(AUser, AsksForTheSignatureAlone) {
+  EXPECT_THAT(labmouse({"bench", "--signature"}).out, testing::MatchesRegex("[0-9a-f]+\n"));
+}
+
 TEST_F(AUser, SeesNoColoursInAFile) {
   EXPECT_THAT(labmouse({"race", "--mice", "flood"}).out, Not(HasSubstr("\x1b")));
   EXPECT_THAT(labmouse({"show", "capstone-1"}).out, Not(HasSubstr("\x1b")));
