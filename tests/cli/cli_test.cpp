@@ -156,7 +156,7 @@ TEST_F(AUser, SeesEveryMouseInTheTable) {
 }
 
 TEST_F(AUser, SetsTheBudget) {
-  const auto steps = [](const char* budget) {
+  const auto steps = [this](const char* budget) {
     const Ended ended = labmouse({"race", "--mice", "wall-left", "--mazes", "island-8", "--budget", budget, "--format", "json"});
     const auto json = nlohmann::json::parse(ended.out);
     EXPECT_EQ(json["budget"], std::stoi(budget));
