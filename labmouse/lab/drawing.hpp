@@ -7,9 +7,18 @@
 #include <vector>
 
 #include "labmouse/contest/record.hpp"
+#include "labmouse/lab/explored_cells.hpp"
 #include "labmouse/maze/maze.hpp"
 
 namespace labmouse {
+
+/// The walk of an exploration in its two legs, as poses from first to last, one a step.
+struct ExplorationLegs {
+  /// From the start to the first step that ends in a goal; all of the walk where none does.
+  std::vector<Pose> to_goal;
+  /// From there to the reset, or to the end of the record; empty where no goal was entered.
+  std::vector<Pose> onwards;
+};
 
 /// What to draw over the walls. Texts may come from anywhere: both drawings make them harmless.
 struct DrawingLayers {
@@ -25,6 +34,12 @@ struct DrawingLayers {
   std::function<int(Cell)> visits;
   /// Belief instead of truth: walls that the mouse does not know are drawn faintly, open or not.
   std::optional<WallSet> unknown;
+  /// Walls that the mouse takes for open and that are closed: drawn in a colour of their own.
+  std::optional<WallSet> wrong;
+  /// The exploration as two lines beside each other, in two colours.
+  std::optional<ExplorationLegs> exploration;
+  /// The cells that an exploration visited and those that it discovered, shaded in two tones (in text only the shares).
+  std::optional<ExploredCells> explored;
   /// Where the mouse stands now.
   std::optional<Pose> mouse;
   std::string title;
@@ -33,9 +48,10 @@ struct DrawingLayers {
 /// One self-contained SVG picture with a legend; colours that colour-blind eyes tell apart, for light and dark ground.
 std::string draw_svg(const Maze& maze, const DrawingLayers& layers);
 
-/// Lines of text: posts `o`, walls `---` and `|`, unknown walls `- -` and `:`, the route as dots with the number of
-/// each step where it ends, the mouse as one of `^ > v <`. A cell is three columns wide; longer labels end in `~`.
-/// ASCII but for what labels and title bring; with ANSI colours only where asked for.
+/// Lines of text: posts `o`, walls `---` and `|`, unknown walls `- -` and `:`, wrong guesses `###` and `#`, the route as
+/// dots with the number of each step where it ends, the exploration as `+` to the goal, `x` from there on and `*` where
+/// both went, the mouse as one of `^ > v <`. A cell is three columns wide; longer labels end in `~`. Below stand the
+/// meanings of the signs for wrong guesses and the exploration, and the shares of the explored cells. ASCII but for what labels and title bring; with ANSI colours only where asked for.
 std::string draw_text(const Maze& maze, const DrawingLayers& layers, bool colours);
 
 }  // namespace labmouse

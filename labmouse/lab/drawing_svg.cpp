@@ -6,9 +6,8 @@
 #include <string>
 
 #include "labmouse/lab/drawing.hpp"
-#include "labmouse/lab/drawing/legend.hpp"
-#include "labmouse/lab/drawing/palette.hpp"
 #include "labmouse/lab/drawing/scene.hpp"
+#include "labmouse/lab/drawing/words.hpp"
 #include "labmouse/lab/printable.hpp"
 
 namespace labmouse {
@@ -19,10 +18,6 @@ using namespace drawing;
 constexpr int margin = 20;
 constexpr int least_width = 300;  // pixels; small mazes have titles and legends, too
 
-std::string counted(int count, std::string_view one, std::string_view many) {
-  return fmt::format("{} {}", count, count == 1 ? one : many);
-}
-
 Scene scene_of(const Maze& maze, const DrawingLayers& layers) {
   const int left = margin + (layers.coordinates ? 12 : 0);
   const int top = margin + (layers.title.empty() ? 0 : 32);
@@ -31,21 +26,23 @@ Scene scene_of(const Maze& maze, const DrawingLayers& layers) {
 
 int width_of(const Scene& scene) { return std::max(scene.frame.right() + margin, least_width); }
 
-std::string route_words(const Scene& scene) {
-  return counted(static_cast<int>(scene.legs.size()), "step", "steps") + ", " +
-         counted(length_of(scene.legs), "cell", "cells");
-}
-
 /// What the picture shows, in words, for those who cannot see it.
 std::string description_of(const Scene& scene) {
   const Maze& maze = scene.maze;
   std::string text =
       fmt::format("A maze of {} by {} cells; start ({},{}), {}.", maze.size().width, maze.size().height, maze.start().x,
                   maze.start().y, counted(maze.goals().count(), "goal cell", "goal cells"));
-  if (!scene.legs.empty()) text += fmt::format(" Route: {}.", route_words(scene));
+  if (!scene.legs.empty()) text += fmt::format(" Route: {}.", route_words(scene.legs));
   if (scene.heat.peak() > 0) text += fmt::format(" Most visits to a cell: {}.", scene.heat.peak());
   if (const auto& unknown = scene.layers.unknown)
     text += fmt::format(" Not known: {}.", counted(unknown->count(), "wall", "walls"));
+  if (const auto& exploration = scene.layers.exploration) {
+    text += fmt::format(" Exploration: {}", to_goal_words(*exploration));
+    text += exploration->onwards.empty() ? "." : fmt::format(", {}.", onwards_words(*exploration));
+  }
+  if (scene.layers.wrong) text += fmt::format(" {}.", wrong_words(*scene.layers.wrong));
+  if (const auto& explored = scene.layers.explored)
+    text += fmt::format(" {}, {}.", visited_words(*explored), discovered_words(*explored));
   return text;
 }
 
@@ -59,43 +56,18 @@ std::string title_svg(const Scene& scene) {
                      scene.frame.origin.x, margin + 14, fill(ink), xml_escaped(utf8(title)));
 }
 
-std::string swatch(const Tone& tone, char letter) {
-  return fmt::format(
-      "<rect y=\"-9\" width=\"18\" height=\"18\" rx=\"2\" {}/><text x=\"9\" y=\"4\" font-size=\"11\" "
-      "font-weight=\"600\" text-anchor=\"middle\" {}>{}</text>",
-      fill(tone), fill(ink), letter);
-}
-
-std::string route_sample() {
-  return fmt::format(
-      "<path {} stroke-width=\"4\" stroke-linecap=\"round\" stroke-opacity=\"0.8\" d=\"M2 0h24\"/>"
-      "<circle cx=\"26\" cy=\"0\" r=\"6\" {}/>",
-      stroke(route), fill(route));
-}
-
-void add_heat(Legend& legend, const Heat& heat) {
-  constexpr int step = 12;
-  const int shown = heat.peak() == 1 ? 1 : Heat::levels;
-  std::string ramp;
-  for (int level = 0; level < shown; ++level)
-    ramp += fmt::format("<rect x=\"{}\" y=\"-7\" width=\"{}\" height=\"14\" {}/>", level * step, step,
-                        fill(heat_tones[static_cast<std::size_t>(level)]));
-  legend.add(shown * step, ramp,
-             heat.peak() == 1 ? "1 visit to a cell" : fmt::format("1 to {} visits to a cell", heat.peak()));
-}
-
-Legend legend_of(const Scene& scene) {
+Legend legend_below(const Scene& scene) {
   const int top = scene.frame.bottom() + (scene.layers.coordinates ? 24 : 4) + margin;
-  Legend legend({scene.frame.origin.x, top}, width_of(scene) - margin);
-  legend.add(18, swatch(start, 'S'), "start");
-  legend.add(18, swatch(goal, 'G'), "goal");
-  if (!scene.legs.empty()) legend.add(32, route_sample(), route_words(scene));
-  if (scene.heat.peak() > 0) add_heat(legend, scene.heat);
-  if (scene.layers.unknown) legend.add(28, unknown_svg("M0 0h28"), "unknown wall");
-  if (scene.layers.mouse) legend.add(22, mouse_svg(Point{11, 0}, Heading::north), "mouse");
-  if (scene.layers.label && !scene.layers.label_meaning.empty())
-    legend.add(22, fmt::format("<text y=\"5\" font-size=\"12\" {}>123</text>", fill(ink)), scene.layers.label_meaning);
-  return legend;
+  return legend_of(scene, {scene.frame.origin.x, top}, width_of(scene) - margin);
+}
+
+/// The tones that only these layers need.
+std::vector<Tone> tones_of(const DrawingLayers& layers) {
+  std::vector<Tone> tones;
+  if (layers.exploration) tones.insert(tones.end(), {to_goal, onwards});
+  if (layers.wrong) tones.push_back(wrong);
+  if (layers.explored) tones.insert(tones.end(), {discovered, visited});
+  return tones;
 }
 
 std::string head(const Scene& scene, int height) {
@@ -106,17 +78,17 @@ std::string head(const Scene& scene, int height) {
       "<rect width=\"{0}\" height=\"{1}\" {5}/>\n"
       "<g font-family=\"system-ui, -apple-system, 'Segoe UI', 'Liberation Sans', sans-serif\" font-size=\"13\">\n",
       width_of(scene), height, xml_escaped(title.empty() ? "Maze" : title), xml_escaped(description_of(scene)),
-      dark_style_sheet(), fill(paper));
+      dark_style_sheet(tones_of(scene.layers)), fill(paper));
 }
 
 }  // namespace
 
 std::string draw_svg(const Maze& maze, const DrawingLayers& layers) {
   const Scene scene = scene_of(maze, layers);
-  const Legend legend = legend_of(scene);
+  const Legend legend = legend_below(scene);
   return head(scene, legend.bottom() + margin / 2) + title_svg(scene) + floor_svg(scene) + walls_svg(scene) +
-         labels_svg(scene) + route_svg(scene) + mouse_svg(scene) + coordinates_svg(scene) + legend.svg() +
-         "</g>\n</svg>\n";
+         exploration_svg(scene) + labels_svg(scene) + route_svg(scene) + mouse_svg(scene) + coordinates_svg(scene) +
+         legend.svg() + "</g>\n</svg>\n";
 }
 
 }  // namespace labmouse

@@ -5,13 +5,16 @@
 //      o---o      o- -o      o . o
 #include <fmt/format.h>
 
+#include <set>
 #include <string>
+#include <utility>
 
 #include "labmouse/lab/drawing.hpp"
 #include "labmouse/lab/drawing/canvas.hpp"
 #include "labmouse/lab/drawing/heat.hpp"
 #include "labmouse/lab/drawing/legs.hpp"
 #include "labmouse/lab/drawing/walls.hpp"
+#include "labmouse/lab/drawing/words.hpp"
 #include "labmouse/lab/printable.hpp"
 
 namespace labmouse {
@@ -30,6 +33,17 @@ std::u32string centred(std::u32string text) {
   return text;
 }
 
+struct WallSigns {
+  std::u32string_view north, east;
+  Ink ink;
+};
+
+WallSigns signs_of(WallLook look) {
+  if (look == WallLook::unknown) return {U"- -", U":", Ink::dim};
+  if (look == WallLook::guessed_open) return {U"###", U"#", Ink::wrong};
+  return {U"---", U"|", Ink::plain};
+}
+
 class TextDrawing {
  public:
   TextDrawing(const Maze& maze, const DrawingLayers& layers)
@@ -41,6 +55,7 @@ class TextDrawing {
   std::string draw(bool colours) {
     draw_heat();
     for_each_wall(maze_.size(), [&](Wall wall) { draw_wall(wall); });
+    draw_exploration();
     const auto legs = legs_of(maze_, layers_.route);
     for (const Leg& leg : legs) draw_trail(leg);
     for (std::size_t step = 0; step < legs.size(); ++step) write(legs[step].to, std::to_string(step + 1), Ink::route);
@@ -50,7 +65,7 @@ class TextDrawing {
     maze_.goals().for_each([&](Cell cell) { draw_mark(cell, U"G", Ink::goal); });
     if (layers_.coordinates) draw_coordinates();
     const std::string title = utf8(printable(layers_.title));
-    return (title.empty() ? "" : title + '\n') + canvas_.text(colours);
+    return (title.empty() ? "" : title + '\n') + canvas_.text(colours) + key();
   }
 
  private:
@@ -70,17 +85,55 @@ class TextDrawing {
   }
 
   void draw_wall(Wall wall) {
-    const WallLook look = look_of(maze_, layers_.unknown, wall);
-    const bool known = look != WallLook::unknown;
+    const WallLook look = look_of(maze_, layers_, wall);
     const bool north = wall.side == Heading::north;
     const int post_row = row(wall.cell) - 1;
     canvas_.put(column(wall.cell) + 2, post_row, U"o");
     if (north) canvas_.put(column(wall.cell) - 2, post_row, U"o");
     if (!north) canvas_.put(column(wall.cell) + 2, post_row + 2, U"o");
     if (look == WallLook::open) return;
-    const Ink ink = known ? Ink::plain : Ink::dim;
-    if (north) canvas_.put(column(wall.cell) - 1, post_row, known ? U"---" : U"- -", ink);
-    if (!north) canvas_.put(column(wall.cell) + 2, post_row + 1, known ? U"|" : U":", ink);
+    const WallSigns signs = signs_of(look);
+    if (north) canvas_.put(column(wall.cell) - 1, post_row, signs.north, signs.ink);
+    if (!north) canvas_.put(column(wall.cell) + 2, post_row + 1, signs.east, signs.ink);
+  }
+
+  /// Signs in the cells that a leg of the exploration passes and in the gaps between them.
+  void draw_exploration() {
+    if (!layers_.exploration) return;
+    const auto first = places_of(layers_.exploration->to_goal);
+    const auto second = places_of(layers_.exploration->onwards);
+    for (const auto& [row, column] : first) canvas_.put(column, row, U"+", Ink::to_goal);
+    for (const auto& [row, column] : second) {
+      const bool both = first.count({row, column}) > 0;
+      canvas_.put(column, row, both ? U"*" : U"x", both ? Ink::to_goal : Ink::onwards);
+    }
+  }
+
+  /// The rows and columns of the middles of cells and gaps that a walk passes.
+  std::set<std::pair<int, int>> places_of(const std::vector<Pose>& walk) const {
+    std::set<std::pair<int, int>> places;
+    for (const Leg& leg : legs_of(maze_, walk)) {
+      for (int half = 0; half <= 2 * leg.length; ++half) {
+        const Cell cell = leg.length == 0 ? leg.from : neighbour(leg.from, *leg.direction, half / 2);
+        const Cell next = half % 2 == 0 ? cell : neighbour(cell, *leg.direction);
+        places.insert({(row(cell) + row(next)) / 2, (column(cell) + column(next)) / 2});
+      }
+    }
+    return places;
+  }
+
+  /// What the signs mean that only some drawings have, and the shares of the cells: a line each.
+  std::string key() const {
+    std::string lines;
+    if (const auto& exploration = layers_.exploration) {
+      lines += "+ " + to_goal_words(*exploration);
+      if (exploration->onwards.size() > 1) lines += ", x " + onwards_words(*exploration) + ", * both";
+      lines += '\n';
+    }
+    if (layers_.wrong) lines += "# " + wrong_words(*layers_.wrong) + '\n';
+    if (layers_.explored)
+      lines += visited_words(*layers_.explored) + ", " + discovered_words(*layers_.explored) + '\n';
+    return lines;
   }
 
   /// Dots in the cells of a leg and in the gaps between them.

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "labmouse/lab/drawing.hpp"
 #include "labmouse/maze/maze.hpp"
 #include "labmouse/mouse/pose.hpp"
 
@@ -31,6 +32,22 @@ inline Maze empty(Size size) { return Maze(MazeDraft(size, MazeDraft::Inside::op
 /// From the start through (0,2) and (1,2) down to the goal.
 inline std::vector<Pose> way_to_goal() {
   return {{{0, 0}, Heading::north}, {{0, 2}, Heading::north}, {{1, 2}, Heading::east}, {{1, 1}, Heading::south}};
+}
+
+/// The same way as an exploration that goes back to (1,2) and on into the south-east from there.
+inline ExplorationLegs exploration() {
+  return {way_to_goal(),
+          {{{1, 1}, Heading::south}, {{2, 1}, Heading::east}, {{2, 0}, Heading::south}, {{1, 0}, Heading::west}}};
+}
+
+/// Explored cells of the ring: six visited, eight discovered, nine reachable.
+inline ExploredCells explored() {
+  ExploredCells cells;
+  cells.reachable = CellSet::all({3, 3});
+  cells.discovered = CellSet::all({3, 3});
+  cells.discovered.erase({2, 2});
+  cells.visited = CellSet::all({3, 2});
+  return cells;
 }
 
 inline int count(std::string_view text, std::string_view part) {

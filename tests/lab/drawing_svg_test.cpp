@@ -23,6 +23,9 @@ DrawingLayers all_layers() {
   layers.route = way_to_goal();
   layers.visits = [](Cell cell) { return cell.y; };
   layers.unknown = WallSet::all({3, 3});
+  layers.wrong = WallSet::all({3, 3});
+  layers.exploration = exploration();
+  layers.explored = explored();
   layers.mouse = Pose{{2, 2}, Heading::west};
   return layers;
 }
@@ -43,6 +46,9 @@ TEST(SvgDrawing, IsWellFormedWithAllLayersAndWithNone) {
     layers.route.resize(1);
     layers.mouse = Pose{};
     layers.unknown = WallSet::all(size);
+    layers.wrong = WallSet::all(size);
+    layers.explored = ExploredCells{CellSet::all(size), {}, CellSet::all(size)};
+    layers.exploration = ExplorationLegs{{Pose{}}, {Pose{}}};
     EXPECT_EQ(XmlScanner(draw_svg(maze, layers)).complaint(), "");
   }
   EXPECT_EQ(XmlScanner(draw_svg(ring(), all_layers())).complaint(), "");
@@ -82,6 +88,62 @@ TEST(SvgDrawing, UnknownWallsAreAPathOfTheirOwn) {
   EXPECT_EQ(count(path_after(svg, "stroke-dasharray"), "M"), 12);
 }
 
+TEST(SvgDrawing, WrongGuessesAreAPathOfTheirOwn) {
+  DrawingLayers layers;
+  layers.unknown = WallSet::all({3, 3});
+  layers.wrong = WallSet::all({3, 3});
+  *layers.wrong -= ring().open_walls();
+  const std::string svg = draw_svg(ring(), layers);
+  EXPECT_EQ(count(path_after(svg, "class=\"stroke-wrong\""), "M"), 4);
+  EXPECT_EQ(count(path_after(svg, "stroke-dasharray"), "M"), 12 - 4);
+  EXPECT_THAT(svg, HasSubstr(">4 wrong guesses: closed, never seen<"));
+}
+
+TEST(SvgDrawing, ExplorationIsALineToTheGoalAndOneFromThere) {
+  DrawingLayers layers;
+  layers.exploration = exploration();
+  const std::string svg = draw_svg(ring(), layers);
+  EXPECT_EQ(path_after(svg, "class=\"stroke-to-goal\""), "M49 120L49 49L71 49L71 80");
+  EXPECT_EQ(path_after(svg, "class=\"stroke-onwards\""), "M80 93L107 93L107 107L80 107");
+  EXPECT_THAT(svg, HasSubstr(">3 steps to the goal<"));
+  EXPECT_THAT(svg, HasSubstr(">3 steps from there on<"));
+}
+
+TEST(SvgDrawing, ExplorationWithoutAGoalIsOneLine) {
+  DrawingLayers layers;
+  layers.exploration = ExplorationLegs{{{{0, 0}, Heading::north}, {{0, 1}, Heading::north}}, {}};
+  const std::string svg = draw_svg(ring(), layers);
+  EXPECT_THAT(svg, HasSubstr(">1 step, no goal entered<"));
+  EXPECT_THAT(svg, Not(HasSubstr("class=\"stroke-onwards\"")));
+}
+
+TEST(SvgDrawing, ExploredCellsHaveTwoTonesAndTheirShares) {
+  DrawingLayers layers;
+  layers.explored = explored();
+  const std::string svg = draw_svg(ring(), layers);
+  EXPECT_EQ(count(path_after(svg, "class=\"fill-visited\""), "M"), 6);
+  EXPECT_EQ(count(path_after(svg, "class=\"fill-discovered\""), "M"), 2);
+  EXPECT_THAT(svg, HasSubstr(">6 of 9 cells visited (66.7 %)<"));
+  EXPECT_THAT(svg, HasSubstr(">8 of 9 cells discovered (88.9 %)<"));
+}
+
+TEST(SvgDrawing, HeatLeavesARimOfTheExploredCells) {
+  DrawingLayers layers;
+  layers.visits = [](Cell cell) { return cell == Cell{1, 1} ? 1 : 0; };
+  EXPECT_EQ(path_after(draw_svg(ring(), layers), "class=\"fill-heat1\""), "M60 60h40v40h-40z");
+  layers.explored = explored();
+  EXPECT_EQ(path_after(draw_svg(ring(), layers), "class=\"fill-heat1\""), "M65 65h30v30h-30z");
+}
+
+TEST(SvgDrawing, DarkGroundHasRulesForEveryColourOfALayer) {
+  const std::string bare = draw_svg(ring(), {});
+  const std::string full = draw_svg(ring(), all_layers());
+  for (const auto* rule : {".stroke-to-goal{", ".stroke-onwards{", ".stroke-wrong{", ".fill-visited{", ".fill-discovered{"}) {
+    EXPECT_THAT(full, HasSubstr(rule));
+    EXPECT_THAT(bare, Not(HasSubstr(rule)));
+  }
+}
+
 TEST(SvgDrawing, RouteHasADotForEachStep) {
   DrawingLayers layers;
   layers.route = way_to_goal();
@@ -104,7 +166,8 @@ TEST(SvgDrawing, RouteLeavesTheMiddleOnlyWhereItComesAgain) {
 
 TEST(SvgDrawing, LegendNamesOnlyWhatIsShown) {
   const std::string bare = draw_svg(ring(), {});
-  for (const auto* words : {">unknown wall<", ">mouse<", "visits to a cell<", ">columns<"}) {
+  for (const auto* words : {">unknown wall<", ">mouse<", "visits to a cell<", ">columns<", "visited (", "discovered (", "steps to the goal<",
+                            "wrong guesses: "}) {
     EXPECT_THAT(bare, Not(HasSubstr(words)));
     EXPECT_THAT(draw_svg(ring(), all_layers()), HasSubstr(words));
   }

@@ -136,6 +136,55 @@ o---o---o---o
 )");
 }
 
+TEST(TextDrawing, WrongGuessesAreCrosshatched) {
+  DrawingLayers layers;
+  layers.wrong.emplace();
+  layers.wrong->insert(wall_at({1, 1}, Heading::south));
+  layers.wrong->insert(wall_at({1, 2}, Heading::east));
+  layers.unknown = layers.wrong;
+  layers.unknown->insert(wall_at({2, 1}, Heading::north));
+  EXPECT_EQ("\n" + draw_text(ring(), layers, false), R"(
+o---o---o---o
+|       #   |
+o   o   o- -o
+|   | G     |
+o   o###o   o
+| S |       |
+o---o---o---o
+# 2 wrong guesses: closed, never seen
+)");
+}
+
+TEST(TextDrawing, ExplorationHasASignForEachLegAndOneForBoth) {
+  DrawingLayers layers;
+  layers.exploration = exploration();
+  layers.exploration->onwards.insert(layers.exploration->onwards.begin() + 1, Pose{{1, 2}, Heading::north});
+  layers.exploration->onwards.insert(layers.exploration->onwards.begin() + 2, Pose{{1, 1}, Heading::north});
+  EXPECT_EQ("\n" + draw_text(ring(), layers, false), R"(
+o---o---o---o
+| + + * |   |
+o + o * o   o
+| + |G* x x |
+o + o---o x o
+|S+ | x x x |
+o---o---o---o
++ 3 steps to the goal, x 5 steps from there on, * both
+)");
+}
+
+TEST(TextDrawing, ExplorationWithoutAGoalHasOneSign) {
+  DrawingLayers layers;
+  layers.exploration = ExplorationLegs{{{{0, 0}, Heading::north}, {{0, 1}, Heading::north}}, {}};
+  EXPECT_THAT(draw_text(ring(), layers, false), HasSubstr("o---o---o---o\n+ 1 step, no goal entered\n"));
+}
+
+TEST(TextDrawing, TellsTheSharesOfTheExploredCells) {
+  DrawingLayers layers;
+  layers.explored = explored();
+  EXPECT_THAT(draw_text(ring(), layers, false),
+              HasSubstr("o\n6 of 9 cells visited (66.7 %), 8 of 9 cells discovered (88.9 %)\n"));
+}
+
 TEST(TextDrawing, MouseShowsItsHeading) {
   DrawingLayers layers;
   const std::vector<std::string> shapes = {"|S^ |", "|S> |", "|Sv |", "|S< |"};
@@ -164,6 +213,9 @@ TEST(TextDrawing, ColoursDoNotChangeTheCharacters) {
   layers.route = way_to_goal();
   layers.visits = [](Cell cell) { return 1 + cell.y; };
   layers.unknown = WallSet::all({3, 3});
+  layers.wrong = WallSet::all({3, 3});
+  layers.wrong->erase(wall_at({0, 0}, Heading::north));
+  layers.exploration = exploration();
   std::string coloured = draw_text(ring(), layers, true);
   for (auto at = coloured.find('\x1b'); at != std::string::npos; at = coloured.find('\x1b'))
     coloured.erase(at, coloured.find('m', at) - at + 1);

@@ -29,6 +29,12 @@ std::string_view code_of(Ink ink, bool on_heat) {
       return on_heat ? "1;93" : "33";
     case Ink::mouse:
       return on_heat ? "1;97" : "1";
+    case Ink::to_goal:
+      return on_heat ? "1;96" : "36";
+    case Ink::onwards:
+      return on_heat ? "1;92" : "32";
+    case Ink::wrong:
+      return "1;95";
   }
   return "";
 }

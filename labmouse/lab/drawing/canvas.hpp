@@ -7,7 +7,7 @@
 
 namespace labmouse::drawing {
 
-enum class Ink { plain, dim, start, goal, route, mouse };
+enum class Ink { plain, dim, start, goal, route, mouse, to_goal, onwards, wrong };
 
 /// A grid of characters, row 0 at the top, blank at first. All positions handed to it must lie on it.
 class Canvas {

@@ -19,6 +19,9 @@ struct Frame {
   /// Walls are a tenth of a cell thick.
   static constexpr int wall = cell / 10;
 
+  /// What a coloured square leaves to be seen of the one below it, on each side.
+  static constexpr int rim = cell / 8;
+
   Size size;
   /// The north-west corner of the maze.
   Point origin;

@@ -22,10 +22,11 @@ std::string fill_and_stroke(const Tone& area, const Tone& line) {
                      line.light);
 }
 
-std::string dark_style_sheet() {
+std::string dark_style_sheet(std::span<const Tone> more) {
   std::string rules = "@media (prefers-color-scheme:dark){\n";
   for (const Tone& tone : {paper, ink, muted, faint, post, start, goal, route}) rules += dark_rules(tone);
   for (const Tone& tone : heat_tones) rules += dark_rules(tone);
+  for (const Tone& tone : more) rules += dark_rules(tone);
   return rules + "}";
 }
 

@@ -3,10 +3,11 @@
 // Each element carries its colour on light ground as an attribute, which every renderer understands, and a class; a
 // style sheet that only counts where dark ground is preferred overrides the attributes by these classes.
 // Hues after Okabe and Ito, "Color Universal Design" (2008): blue, green, amber and vermilion, which colour-blind eyes
-// tell apart; the heat is one blue that grows away from the ground.
+// tell apart, and a dark purple; the heat is one blue that grows away from the ground, explored cells are warm greys.
 #pragma once
 
 #include <array>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -28,6 +29,11 @@ inline constexpr Tone post = {"post", "#d3dae0", "#353e47"};
 inline constexpr Tone start = {"start", "#fbe2a0", "#5c4611"};
 inline constexpr Tone goal = {"goal", "#b9e6d3", "#0d5240"};
 inline constexpr Tone route = {"route", "#d55e00", "#ff9147"};
+inline constexpr Tone to_goal = {"to-goal", "#0072b2", "#56b4e9"};
+inline constexpr Tone onwards = {"onwards", "#00805d", "#3fd0a3"};
+inline constexpr Tone wrong = {"wrong", "#b8418c", "#f08fc8"};
+inline constexpr Tone discovered = {"discovered", "#f1ede7", "#2e2a23"};
+inline constexpr Tone visited = {"visited", "#d8cfc2", "#50483c"};
 /// From one visit to the most.
 inline constexpr std::array<Tone, Heat::levels> heat_tones = {{
     {"heat1", "#e6f0f9", "#15293b"},
@@ -44,7 +50,8 @@ std::string stroke(const Tone& tone);
 /// Both at once.
 std::string fill_and_stroke(const Tone& area, const Tone& line);
 
-/// The style sheet for dark ground, for elements inside of one with the class `labmouse`.
-std::string dark_style_sheet();
+/// The style sheet for dark ground, for elements inside of one with the class `labmouse`: rules for the tones that every
+/// picture may have, and for those named.
+std::string dark_style_sheet(std::span<const Tone> more);
 
 }  // namespace labmouse::drawing

@@ -7,7 +7,9 @@
 #include "labmouse/lab/drawing.hpp"
 #include "labmouse/lab/drawing/frame.hpp"
 #include "labmouse/lab/drawing/heat.hpp"
+#include "labmouse/lab/drawing/legend.hpp"
 #include "labmouse/lab/drawing/legs.hpp"
+#include "labmouse/lab/drawing/palette.hpp"
 
 namespace labmouse::drawing {
 
@@ -18,16 +20,22 @@ struct Scene {
   Heat heat;
   std::vector<Leg> legs;
 
-  /// Whether the middles of the cells belong to a route or to labels, so that letters move to a corner.
-  bool crowded() const { return !legs.empty() || layers.label != nullptr; }
+  /// How many rims the plates of start and goal leave for the colours below them.
+  int rims() const { return (layers.explored ? 1 : 0) + (heat.peak() > 0 ? 1 : 0); }
+  /// Whether lines pass the middles of the cells, so that labels move to a corner.
+  bool lined() const { return !legs.empty() || layers.exploration; }
+  /// Whether the middles of the cells belong to lines or to labels, so that letters move to a corner.
+  bool crowded() const { return lined() || layers.label != nullptr; }
 };
 
 // From bottom to top. Each returns SVG elements, or nothing where the scene has nothing for it.
 
-/// Heat, start and goals.
+/// Explored cells, heat, start and goals.
 std::string floor_svg(const Scene& scene);
-/// Posts, unknown walls and walls, the latter as one path with one segment a wall.
+/// Posts, unknown walls, walls and wrong guesses, the latter two as one path each with one segment a wall.
 std::string walls_svg(const Scene& scene);
+/// The two legs of the exploration as lines; the second one broken, so that not only its colour tells it.
+std::string exploration_svg(const Scene& scene);
 /// The letters S and G, and the labels.
 std::string labels_svg(const Scene& scene);
 /// The numbers of columns and rows, outside of the maze.
@@ -37,11 +45,20 @@ std::string route_svg(const Scene& scene);
 /// The mouse where it stands.
 std::string mouse_svg(const Scene& scene);
 
+/// The rows of samples with words under the maze.
+Legend legend_of(const Scene& scene, Point begin, int right);
+
+/// The data of a path through points.
+std::string path_through(const std::vector<Point>& points);
 /// A dot with the number of a step; `about` is its tooltip.
 std::string stop_svg(Point at, int step, const std::string& about);
 /// A mouse that looks in a heading.
 std::string mouse_svg(Point at, Heading heading);
 /// A line along unknown walls; `path` is the path's data.
 std::string unknown_svg(const std::string& path);
+/// A line of the thickness of walls.
+std::string wall_svg(const Tone& tone, const std::string& path);
+/// A line of a leg of the exploration.
+std::string leg_svg(const Tone& tone, const std::string& path);
 
 }  // namespace labmouse::drawing

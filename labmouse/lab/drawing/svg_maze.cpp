@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 #include "labmouse/lab/drawing/palette.hpp"
 #include "labmouse/lab/drawing/scene.hpp"
@@ -11,13 +10,6 @@
 
 namespace labmouse::drawing {
 namespace {
-
-/// A line of the thickness of walls.
-std::string wall_line(const Tone& tone, const std::string& path) {
-  if (path.empty()) return "";
-  return fmt::format("<path {} stroke-width=\"{}\" stroke-linecap=\"round\" d=\"{}\"/>\n", stroke(tone), Frame::wall,
-                     path);
-}
 
 /// The path data of one wall.
 std::string segment(const Frame& frame, Wall wall) {
@@ -33,14 +25,10 @@ std::string posts(const Frame& frame) {
   return path;
 }
 
-/// On heat the plates of start and goal leave a rim, so that the visits of these cells can still be seen.
-int rim_of(const Scene& scene) { return scene.heat.peak() > 0 ? Frame::cell / 8 : 0; }
-
-std::string plate(const Scene& scene, Cell cell, const Tone& tone) {
-  const int rim = rim_of(scene);
-  const Point corner = scene.frame.corner(cell).moved(rim, rim);
-  return fmt::format("<rect x=\"{0}\" y=\"{1}\" width=\"{2}\" height=\"{2}\" {3}/>\n", corner.x, corner.y,
-                     Frame::cell - 2 * rim, fill(tone));
+/// The attributes of letters and labels: with a rim of paper where lines run below them.
+std::string writing(const Scene& scene) {
+  if (!scene.layers.exploration) return fill(ink);
+  return fill_and_stroke(ink, paper) + " stroke-width=\"3\" stroke-linejoin=\"round\" paint-order=\"stroke\"";
 }
 
 /// The first characters of a label, and a mark where more would follow: the cell must hold it.
@@ -52,14 +40,14 @@ std::string shortened(const std::string& label) {
 
 std::string letters(const Scene& scene) {
   const bool corner = scene.crowded() || scene.layers.mouse;
-  const int shift = rim_of(scene) / 2;
+  const int shift = scene.rims() > 0 ? Frame::rim / 2 : 0;
   const auto letter = [&](Cell cell, char name) {
     const Point at =
         corner ? scene.frame.corner(cell).moved(9 + shift, 13 + shift) : scene.frame.centre(cell).moved(0, 6);
     return fmt::format("<text x=\"{}\" y=\"{}\">{}</text>", at.x, at.y, name);
   };
   std::string all =
-      fmt::format("<g {} font-weight=\"600\" text-anchor=\"middle\" font-size=\"{}\">", fill(ink), corner ? 10 : 17);
+      fmt::format("<g {} font-weight=\"600\" text-anchor=\"middle\" font-size=\"{}\">", writing(scene), corner ? 10 : 17);
   all += letter(scene.maze.start(), 'S');
   scene.maze.goals().for_each([&](Cell cell) {
     if (cell != scene.maze.start()) all += letter(cell, 'G');
@@ -80,44 +68,37 @@ std::string numbers(int count, int every, Place place) {
 
 }  // namespace
 
-std::string floor_svg(const Scene& scene) {
-  std::array<std::string, Heat::levels + 1> areas;
-  CellSet::all(scene.frame.size).for_each([&](Cell cell) {
-    const Point at = scene.frame.corner(cell);
-    areas[static_cast<std::size_t>(scene.heat.level(cell))] +=
-        fmt::format("M{0} {1}h{2}v{2}h-{2}z", at.x, at.y, Frame::cell);
-  });
-  std::string floor;
-  for (std::size_t level = 1; level < areas.size(); ++level)
-    if (!areas[level].empty())
-      floor += fmt::format("<path {} shape-rendering=\"crispEdges\" d=\"{}\"/>\n", fill(heat_tones[level - 1]),
-                           areas[level]);
-  scene.maze.goals().for_each([&](Cell cell) { floor += plate(scene, cell, goal); });
-  return floor + plate(scene, scene.maze.start(), start);
-}
-
 std::string unknown_svg(const std::string& path) {
   if (path.empty()) return "";
   return fmt::format("<path {} stroke-width=\"2\" stroke-dasharray=\"4 4\" d=\"{}\"/>\n", stroke(faint), path);
 }
 
+std::string wall_svg(const Tone& tone, const std::string& path) {
+  if (path.empty()) return "";
+  return fmt::format("<path {} stroke-width=\"{}\" stroke-linecap=\"round\" d=\"{}\"/>\n", stroke(tone), Frame::wall,
+                     path);
+}
+
 std::string walls_svg(const Scene& scene) {
   std::string closed;
   std::string unknown;
+  std::string guessed;
   for_each_wall(scene.frame.size, [&](Wall wall) {
-    const WallLook look = look_of(scene.maze, scene.layers.unknown, wall);
+    const WallLook look = look_of(scene.maze, scene.layers, wall);
     if (look == WallLook::closed) closed += segment(scene.frame, wall);
     if (look == WallLook::unknown) unknown += segment(scene.frame, wall);
+    if (look == WallLook::guessed_open) guessed += segment(scene.frame, wall);
   });
-  return unknown_svg(unknown) + wall_line(post, posts(scene.frame)) + wall_line(ink, closed);
+  return unknown_svg(unknown) + wall_svg(post, posts(scene.frame)) + wall_svg(wrong, guessed) + wall_svg(ink, closed);
 }
 
 std::string labels_svg(const Scene& scene) {
   if (!scene.layers.label) return letters(scene);
-  // A route takes the middles; then labels stand in the corner that it leaves free.
-  const bool corner = !scene.legs.empty();
+  // Lines take the middles; then labels stand in the corner that they leave free.
+  const bool corner = scene.lined();
   std::string all =
-      fmt::format("<g {} text-anchor=\"{}\" font-size=\"{}\">", fill(ink), corner ? "end" : "middle", corner ? 10 : 12);
+      fmt::format("<g {} text-anchor=\"{}\" font-size=\"{}\">", writing(scene), corner ? "end" : "middle",
+                  corner ? 10 : 12);
   CellSet::all(scene.frame.size).for_each([&](Cell cell) {
     const std::string label = shortened(scene.layers.label(cell));
     const Point middle = scene.frame.centre(cell);

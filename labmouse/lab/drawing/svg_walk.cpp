@@ -12,12 +12,6 @@ namespace {
 
 constexpr int lane_width = 6;
 
-std::string path_through(const std::vector<Point>& points) {
-  std::string path;
-  for (const Point point : points) path += fmt::format("{}{} {}", path.empty() ? 'M' : 'L', point.x, point.y);
-  return path;
-}
-
 /// Dots that would cover each other (turns on the spot, further visits) fan out like cards, four to a fan.
 Point fanned(const std::vector<Point>& stops, std::size_t step) {
   const Point stop = stops[step];
@@ -28,6 +22,12 @@ Point fanned(const std::vector<Point>& stops, std::size_t step) {
 }
 
 }  // namespace
+
+std::string path_through(const std::vector<Point>& points) {
+  std::string path;
+  for (const Point point : points) path += fmt::format("{}{} {}", path.empty() ? 'M' : 'L', point.x, point.y);
+  return path;
+}
 
 std::string stop_svg(Point at, int step, const std::string& about) {
   constexpr int radius = 8;

@@ -1,18 +1,17 @@
 // Every wall of a picture once, and how it looks.
 #pragma once
 
-#include <optional>
-
-#include "labmouse/maze/maze.hpp"
+#include "labmouse/lab/drawing.hpp"
 
 namespace labmouse::drawing {
 
-enum class WallLook { open, closed, unknown };
+enum class WallLook { open, closed, unknown, guessed_open };
 
-/// How to draw a wall of the maze (or its border) for eyes that do not know the walls in `unknown`.
-inline WallLook look_of(const Maze& maze, const std::optional<WallSet>& unknown, Wall wall) {
+/// How to draw a wall of the maze (or its border) in these layers. A wrong guess is told even where the wall is unknown.
+inline WallLook look_of(const Maze& maze, const DrawingLayers& layers, Wall wall) {
   if (on_border(wall, maze.size())) return WallLook::closed;
-  if (unknown && unknown->contains(wall)) return WallLook::unknown;
+  if (layers.wrong && layers.wrong->contains(wall)) return WallLook::guessed_open;
+  if (layers.unknown && layers.unknown->contains(wall)) return WallLook::unknown;
   return maze.open_walls().contains(wall) ? WallLook::open : WallLook::closed;
 }
 

@@ -1,0 +1,47 @@
+#include "labmouse/lab/drawing/words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace labmouse::drawing {
+namespace {
+
+std::string steps(const std::vector<Pose>& poses) {
+  return counted(std::max(static_cast<int>(poses.size()) - 1, 0), "step", "steps");
+}
+
+std::string share_words(const CellSet& part, const CellSet& whole, std::string_view what) {
+  const double percent = whole.empty() ? 0.0 : 100.0 * part.count() / whole.count();
+  return fmt::format("{} of {} {} ({:.1f} %)", part.count(), counted(whole.count(), "cell", "cells"), what, percent);
+}
+
+}  // namespace
+
+std::string counted(int count, std::string_view one, std::string_view many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+std::string route_words(const std::vector<Leg>& legs) {
+  return counted(static_cast<int>(legs.size()), "step", "steps") + ", " + counted(length_of(legs), "cell", "cells");
+}
+
+std::string to_goal_words(const ExplorationLegs& exploration) {
+  return steps(exploration.to_goal) + (exploration.onwards.empty() ? ", no goal entered" : " to the goal");
+}
+
+std::string onwards_words(const ExplorationLegs& exploration) { return steps(exploration.onwards) + " from there on"; }
+
+std::string visited_words(const ExploredCells& explored) {
+  return share_words(explored.visited, explored.reachable, "visited");
+}
+
+std::string discovered_words(const ExploredCells& explored) {
+  return share_words(explored.discovered, explored.reachable, "discovered");
+}
+
+std::string wrong_words(const WallSet& walls) {
+  return counted(walls.count(), "wrong guess", "wrong guesses") + ": closed, never seen";
+}
+
+}  // namespace labmouse::drawing

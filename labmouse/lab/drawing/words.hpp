@@ -1,0 +1,26 @@
+// What pictures say of their layers, in words: for legends and for the lines under text drawings.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "labmouse/lab/drawing.hpp"
+#include "labmouse/lab/drawing/legs.hpp"
+
+namespace labmouse::drawing {
+
+/// A number with its noun: "1 step", "2 steps".
+std::string counted(int count, std::string_view one, std::string_view many);
+
+/// "17 steps, 45 cells".
+std::string route_words(const std::vector<Leg>& legs);
+/// "12 steps to the goal", and "9 steps from there on"; without the reset, which goes nowhere.
+std::string to_goal_words(const ExplorationLegs& exploration);
+std::string onwards_words(const ExplorationLegs& exploration);
+/// "66 of 144 cells visited (45.8 %)", and the same for those discovered.
+std::string visited_words(const ExploredCells& explored);
+std::string discovered_words(const ExploredCells& explored);
+/// "3 wrong guesses: closed, never seen".
+std::string wrong_words(const WallSet& walls);
+
+}  // namespace labmouse::drawing
