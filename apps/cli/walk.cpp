@@ -8,6 +8,8 @@
 #include <thread>
 
 #include "command.hpp"
+#include "labmouse/lab/drawing.hpp"
+#include "labmouse/lab/layers.hpp"
 #include "labmouse/lab/race_files.hpp"
 
 namespace labmouse::cli {
@@ -71,7 +73,7 @@ void watch(const RecordFile& file, int delay) {
 }
 
 std::string summary_of(const RecordFile& file) {
-  return draw_text(*file.maze, layers_of(*file.maze, file.run), colours()) + result_line(file) + "\n";
+  return draw_text(*file.maze, layers_of(file, contest_layers()), colours()) + result_line(file) + "\n";
 }
 
 }  // namespace labmouse::cli

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <memory>
 
 #include "labmouse/contest/score.hpp"
 #include "labmouse/lab/bounds.hpp"
 #include "labmouse/lab/files.hpp"
+#include "labmouse/lab/layers.hpp"
 #include "labmouse/lab/printable.hpp"
 
 namespace labmouse {
@@ -42,21 +42,6 @@ std::vector<std::string> file_names(const std::vector<std::string>& names) {
 
 /// The last part of a path, without its ending.
 std::string stem_of(const std::string& path) { return std::filesystem::path(path).stem().string(); }
-
-/// How often the exploration came into each cell, those that it drove through among them; the start counts once more.
-std::vector<int> visits_of(Size size, const RunRecord& record) {
-  std::vector<int> visits(static_cast<std::size_t>(size.area()));
-  const auto visit = [&](Cell cell) { ++visits[static_cast<std::size_t>(size.index(cell))]; };
-  for (std::size_t i = 0; i < record.steps.size() && record.steps[i].run == Run::exploration; ++i) {
-    const StepRecord& step = record.steps[i];
-    if (i == 0) visit(step.pose.cell);
-    if (step.action.kind != Action::Kind::step) continue;
-    const Pose next = i + 1 < record.steps.size() ? record.steps[i + 1].pose : record.end;
-    const Heading direction = step.action.movement < 0 ? opposite(next.heading) : next.heading;
-    for (Cell cell = step.pose.cell; cell != next.cell && size.contains(cell);) visit(cell = neighbour(cell, direction));
-  }
-  return visits;
-}
 
 /// The reason of a forfeit in brackets, or nothing.
 std::string reason_of(const RunRecord& run) {
@@ -101,22 +86,17 @@ RecordFile record_file_of(const Contestant& mouse, const NamedMaze& maze, const 
   return file;
 }
 
-DrawingLayers layers_of(const Maze& maze, const RunRecord& record) {
-  DrawingLayers layers;
-  layers.coordinates = true;
-  const auto visits = std::make_shared<std::vector<int>>(visits_of(maze.size(), record));
-  layers.visits = [visits, size = maze.size()](Cell cell) { return (*visits)[static_cast<std::size_t>(size.index(cell))]; };
-  for (const StepRecord& step : record.steps)
-    if (step.run == Run::speed) layers.route.push_back(step.pose);
-  if (!layers.route.empty()) layers.route.push_back(record.end);
-  return layers;
+std::string title_of(const RecordFile& file) {
+  const Score result = score(file.run, file.rules);
+  const std::string where = fmt::format("{} in {}: ", file.mouse, stem_of(file.maze_name));
+  if (result.value) return where + fmt::format("score {:.3f}", *result.value);
+  if (!file.ended) return where + fmt::format("breaks off after step {}", file.run.steps.size());
+  return where + std::string(name_of(result.outcome));
 }
 
 std::string picture_of(const RecordFile& file) {
-  const Score result = score(file.run, file.rules);
-  DrawingLayers layers = layers_of(*file.maze, file.run);
-  layers.title = fmt::format("{} in {}: {}", file.mouse, stem_of(file.maze_name),
-                             result.value ? fmt::format("score {:.3f}", *result.value) : std::string(name_of(result.outcome)));
+  DrawingLayers layers = layers_of(file, contest_layers());
+  layers.title = title_of(file);
   return draw_svg(*file.maze, layers);
 }
 

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "labmouse/lab/drawing.hpp"
 #include "labmouse/lab/record_file.hpp"
 #include "labmouse/lab/tournament.hpp"
 
@@ -33,8 +32,8 @@ RecordFile record_file_of(const Contestant& mouse, const NamedMaze& maze, const 
 /// The picture of a contest: the speed run over the visits of the exploration.
 std::string picture_of(const RecordFile& file);
 
-/// The layers of that picture: how often the exploration came into each cell as heat, the speed run as the route.
-DrawingLayers layers_of(const Maze& maze, const RunRecord& record);
+/// The title of a picture of a contest: the mouse, the maze, and how it went.
+std::string title_of(const RecordFile& file);
 
 /// How a contest went, in one line without its end: the mouse, the maze, the outcome and the score.
 std::string result_line(const RecordFile& file);
