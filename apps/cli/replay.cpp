@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "command.hpp"
-#include "labmouse/lab/files.hpp"
 #include "labmouse/lab/race_files.hpp"
+#include "records.hpp"
 #include "walk.hpp"
 
 namespace labmouse::cli {
@@ -17,27 +17,8 @@ struct ReplayOptions {
   int delay = 60;
 };
 
-RecordFile load(const std::string& path) {
-  const FileContent file = read_file(path, std::size_t{1} << 28U);
-  if (!file.error.empty()) throw UsageError(fmt::format("{}: error: {}", path, file.error));
-  ReadRecordResult result = read_record(file.content);
-  if (!result.file) throw UsageError(describe(path, result.problems.front()));
-  return std::move(*result.file);
-}
-
-/// Plays the record in its maze, or in another one, and takes over what comes out; false where it disagrees.
-bool re_enact(const std::string& path, RecordFile& file) {
-  ReplayResult result = replay(file, *file.maze);
-  if (!result.disagreement.empty()) {
-    fmt::print(stderr, "{}: error: does not agree with its maze: {}\n", path, result.disagreement);
-    return false;
-  }
-  file.run = std::move(result.run);
-  return true;
-}
-
 int replay_file(const ReplayOptions& options) {
-  RecordFile file = load(options.file);
+  RecordFile file = load_record(options.file);
   if (!options.maze.empty()) {
     NamedMaze maze = find_maze(options.maze, {});
     file.maze = std::move(maze.maze);
@@ -54,7 +35,7 @@ int replay_file(const ReplayOptions& options) {
 
 /// A record's score counts only if it could have happened, so it is played first.
 int score_file(const std::string& path) {
-  RecordFile file = load(path);
+  RecordFile file = load_record(path);
   if (!re_enact(path, file)) return exit_finding;
   print(result_line(file) + "\n");
   return exit_good;

@@ -1,4 +1,4 @@
-// labmouse show: a maze with its distances and its best route.
+// labmouse show: a maze, or what a record tells, as a picture of chosen layers.
 #include <fmt/format.h>
 
 #include <memory>
@@ -6,62 +6,117 @@
 #include "command.hpp"
 #include "labmouse/lab/bounds.hpp"
 #include "labmouse/lab/drawing.hpp"
-#include "labmouse/mouse/distance.hpp"
+#include "labmouse/lab/layers.hpp"
+#include "labmouse/lab/race_files.hpp"
+#include "records.hpp"
 
 namespace labmouse::cli {
 namespace {
 
 struct ShowOptions {
-  std::string maze, svg;
+  std::string maze, record, svg;
+  std::vector<std::string> layers;
   Places places;
   bool distances = false, no_route = false, no_coordinates = false;
 };
 
-void add_distances(const Maze& maze, const Rules& rules, DrawingLayers& layers) {
-  const auto field = std::make_shared<DistanceField>(maze.size(), strides(rules.stride));
-  field->fill(maze.open_walls(), maze.goals());
-  layers.label = [field](Cell cell) { return field->reaches(cell) ? fmt::format("{}", field->at(cell)) : std::string(); };
-  layers.label_meaning = "steps to the goal";
+/// The layers asked for, or the usual ones; the flags add and take away.
+LayerSet chosen_layers(const ShowOptions& options, const LayerSet& usual) {
+  LayersResult result = read_layers(fmt::format("{}", fmt::join(options.layers, ",")));
+  if (!options.layers.empty() && !result.error.empty()) throw UsageError("error: " + result.error);
+  LayerSet layers = options.layers.empty() ? usual : std::move(result.layers);
+  if (options.distances && layers.contains(Layer::cells))
+    throw UsageError("error: --distances and layer cells write into the same places; choose one");
+  if (options.distances) layers.insert(Layer::distances);
+  if (options.no_route) layers.erase(Layer::path);
+  if (options.no_coordinates) layers.erase(Layer::coordinates);
+  return layers;
 }
 
-void add_route(const Maze& maze, const Rules& rules, DrawingLayers& layers) {
-  Pose pose{maze.start(), maze.start_heading()};
-  layers.route.push_back(pose);
-  for (const Action& action : shortest_run(maze, rules)) layers.route.push_back(pose = after(pose, action));
+/// Names the layers asked for by name that the terminal has to leave out.
+void tell_left_out(const ShowOptions& options, const LayerSet& layers) {
+  std::vector<std::string_view> names;
+  for (const Layer layer : layers)
+    if (needs_svg(layer, colours())) names.push_back(name_of(layer));
+  if (options.layers.empty() || names.empty()) return;
+  const bool one = names.size() == 1;
+  fmt::print(stderr, "not drawn here: layer{} {} need{} --svg FILE{}\n", one ? "" : "s", fmt::join(names, ", "), one ? "s" : "",
+             layers.contains(Layer::shares) ? "" : " or a terminal with colours");
 }
 
-void show(const ShowOptions& options) {
+void draw(const ShowOptions& options, const Maze& maze, const LayerSet& chosen, const DrawingLayers& layers) {
+  if (!options.svg.empty()) return save(options.svg, draw_svg(maze, layers));
+  tell_left_out(options, chosen);
+  print(draw_text(maze, layers, colours()));
+}
+
+std::string title_of(const NamedMaze& maze, const Rules& rules) {
+  const Bound bound = bound_of(maze.maze, rules);
+  return bound.score ? fmt::format("{}: shortest run {} steps, bound {:.3f}", maze.name, *bound.optimum, *bound.score)
+                     : fmt::format("{}: the goal cannot be reached", maze.name);
+}
+
+void show_maze(const ShowOptions& options) {
+  const LayerSet chosen = chosen_layers(options, {Layer::path, Layer::coordinates});
+  for (const Layer layer : chosen)
+    if (needs_record(layer))
+      throw UsageError(fmt::format("error: layer {} needs a record; name one with --record FILE in place of the maze", name_of(layer)));
   const NamedMaze maze = find_maze(options.maze, options.places);
   const Rules rules;
-  const Bound bound = bound_of(maze.maze, rules);
-  DrawingLayers layers;
-  layers.coordinates = !options.no_coordinates;
-  layers.title = bound.score ? fmt::format("{}: shortest run {} steps, bound {:.3f}", maze.name, *bound.optimum, *bound.score)
-                             : fmt::format("{}: the goal cannot be reached", maze.name);
-  if (options.distances) add_distances(maze.maze, rules, layers);
-  if (!options.no_route) add_route(maze.maze, rules, layers);
-  if (options.svg.empty())
-    print(draw_text(maze.maze, layers, colours()));
-  else
-    save(options.svg, draw_svg(maze.maze, layers));
+  DrawingLayers layers = layers_of(maze.maze, rules, chosen);
+  layers.title = title_of(maze, rules);
+  draw(options, maze.maze, chosen, layers);
+}
+
+int show_record(const ShowOptions& options) {
+  const LayerSet chosen = chosen_layers(options, contest_layers());
+  RecordFile file = load_record(options.record);
+  if (!re_enact(options.record, file)) return exit_finding;
+  DrawingLayers layers = layers_of(file, chosen);
+  if (!options.layers.empty() && chosen.contains(Layer::path) && layers.route.empty())
+    fmt::print(stderr, "not drawn: layer path, since the record has no speed run\n");
+  // On the terminal the result stands below, as it does after `run` and `replay`.
+  if (!options.svg.empty()) layers.title = title_of(file);
+  draw(options, *file.maze, chosen, layers);
+  if (options.svg.empty()) print(result_line(file) + "\n");
+  return exit_good;
+}
+
+int show(const ShowOptions& options) {
+  const bool places = !options.places.start.empty() || !options.places.goals.empty();
+  if (options.maze.empty() == options.record.empty())
+    throw UsageError("error: `show` takes either a maze or --record FILE");
+  if (!options.record.empty() && places) throw UsageError("error: --start and --goal are for mazes; a record has its own");
+  if (!options.record.empty()) return show_record(options);
+  show_maze(options);
+  return exit_good;
+}
+
+/// The layers, one a line, for the help.
+std::string layer_lines() {
+  std::string lines = "Layers:\n";
+  for (const Layer layer : all_layers())
+    lines += fmt::format("  {:<12} {}{}\n", name_of(layer), meaning_of(layer), needs_record(layer) ? " (of a record)" : "");
+  return lines;
 }
 
 }  // namespace
 
 void add_show(CLI::App& app, int& exit) {
   auto options = std::make_shared<ShowOptions>();
-  CLI::App* command = app.add_subcommand("show", "Draw a maze with its best route");
-  command->add_option("maze", options->maze, "Maze file or name of a built-in maze")->required()->type_name("MAZE");
+  CLI::App* command = app.add_subcommand("show", "Draw a maze with its best route, or a record in layers");
+  command->add_option("maze", options->maze, "Maze file or name of a built-in maze")->type_name("MAZE");
   add_places(*command, options->places);
+  command->add_option("--record", options->record, "Draw this record in place of a maze")->type_name("FILE");
+  command->add_option("--layer", options->layers, "Draw these layers in place of the usual ones")
+      ->type_name("NAME,...")->expected(1)->take_all();
   command->add_option("--svg", options->svg, "Save a picture in place of drawing in the terminal")->type_name("FILE");
   command->add_flag("--distances", options->distances, "Steps from each cell to the goal");
-  command->add_flag("--no-route", options->no_route, "Leave the best route out");
+  command->add_flag("--no-route", options->no_route, "Leave the path out");
   command->add_flag("--no-coordinates", options->no_coordinates, "Leave the coordinates out");
-  command->footer("Example: labmouse show capstone-1 --distances --svg maze.svg");
-  command->callback([options, &exit] {
-    show(*options);
-    exit = exit_good;
-  });
+  command->footer(layer_lines() + "\nExample: labmouse show capstone-1 --distances --svg maze.svg\n"
+                                  "Example: labmouse show --record walk.jsonl --layer heat,path,known --svg walk.svg");
+  command->callback([options, &exit] { exit = show(*options); });
 }
 
 }  // namespace labmouse::cli

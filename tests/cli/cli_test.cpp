@@ -313,6 +313,67 @@ TEST_F(AUser, ReplaysAndScoresARecord) {
   EXPECT_THAT(replayed.out, HasSubstr(scored.out));
 }
 
+TEST_F(AUser, SeesARecordInLayers) {
+  const Ended ran = labmouse({"run", "flood", "capstone-1", "--record", "walk.jsonl", "--svg", "run.svg"});
+  ASSERT_EQ(ran.code, 0);
+  const Ended shown = labmouse({"show", "--record", "walk.jsonl"});
+  EXPECT_EQ(shown.out, ran.out);
+  EXPECT_EQ(shown.err, "");
+  EXPECT_EQ(labmouse({"show", "--record", "walk.jsonl", "--svg", "show.svg"}).code, 0);
+  EXPECT_EQ(content("show.svg"), content("run.svg"));
+  const Ended layers = labmouse({"show", "--record", "walk.jsonl", "--layer", "exploration,wrong", "--layer", "known"});
+  EXPECT_THAT(layers.out, HasSubstr("+ 30 steps to the goal\n# "));
+  EXPECT_THAT(layers.out, HasSubstr("- -"));
+  EXPECT_EQ(layers.err, "");
+}
+
+TEST_F(AUser, IsToldWhichLayersTheTerminalLeavesOut) {
+  ASSERT_EQ(labmouse({"run", "flood", "capstone-1", "--record", "walk.jsonl"}).code, 0);
+  EXPECT_EQ(labmouse({"show", "--record", "walk.jsonl", "--layer", "heat,path"}).err,
+            "not drawn here: layer heat needs --svg FILE or a terminal with colours\n");
+  const Ended shares = labmouse({"show", "--record", "walk.jsonl", "--layer", "shares"});
+  EXPECT_EQ(shares.err, "not drawn here: layer shares needs --svg FILE\n");
+  EXPECT_THAT(shares.out, HasSubstr(" of 144 cells visited ("));
+  const Ended picture = labmouse({"show", "--record", "walk.jsonl", "--layer", "heat,shares", "--svg", "walk.svg"});
+  EXPECT_EQ(picture.err + picture.out, "");
+  EXPECT_THAT(content("walk.svg"), HasSubstr(" of 144 cells discovered ("));
+}
+
+TEST_F(AUser, SeesAMazeInLayers) {
+  EXPECT_EQ(labmouse({"show", "capstone-1", "--layer", "path,coordinates,distances"}).out,
+            labmouse({"show", "capstone-1", "--distances"}).out);
+  EXPECT_EQ(labmouse({"show", "capstone-1", "--layer", "coordinates"}).out, labmouse({"show", "capstone-1", "--no-route"}).out);
+  EXPECT_EQ(labmouse({"show", "capstone-1", "--layer", "cells"}).err, "");
+}
+
+TEST_F(AUser, IsToldWhatCannotBeShown) {
+  ASSERT_EQ(labmouse({"run", "flood", "capstone-1", "--record", "walk.jsonl"}).code, 0);
+  is_refused({"show"}, "error: `show` takes either a maze or --record FILE");
+  is_refused({"show", "capstone-1", "--record", "walk.jsonl"}, "error: `show` takes either a maze or --record FILE");
+  is_refused({"show", "--record", "walk.jsonl", "--layer", "heat,pth"}, "error: layer 'pth' is unknown; did you mean 'path'?");
+  is_refused({"show", "--record", "walk.jsonl", "--layer", ""}, "error: layer '' is unknown; there are heat, ");
+  is_refused({"show", "--record", "walk.jsonl", "--layer", "cells", "--distances"}, "choose one");
+  is_refused({"show", "--record", "walk.jsonl", "--goal", "1,1"}, "a record has its own");
+  is_refused({"show", "capstone-1", "--layer", "heat"}, "error: layer heat needs a record");
+  is_refused({"show", "--record", "nothing.jsonl"}, "nothing.jsonl: error: no such file");
+  file("bare.jsonl", R"({"labmouse":"record","format":1,"mouse":{"name":"flood"}})");
+  is_refused({"show", "--record", "bare.jsonl"}, "bare.jsonl:1:1: error: 'maze' is missing");
+}
+
+TEST_F(AUser, SeesHowFarARecordWithoutAnEndGoes) {
+  ASSERT_EQ(labmouse({"run", "flood", "capstone-1", "--record", "walk.jsonl"}).code, 0);
+  const std::string whole = content("walk.jsonl");
+  std::size_t end = 0;
+  for (int line = 0; line < 20; ++line) end = whole.find('\n', end) + 1;
+  file("cut.jsonl", whole.substr(0, end));
+  const Ended cut = labmouse({"show", "--record", "cut.jsonl", "--layer", "exploration,path"});
+  EXPECT_EQ(cut.code, 0);
+  EXPECT_EQ(cut.err, "not drawn: layer path, since the record has no speed run\n");
+  EXPECT_THAT(cut.out, HasSubstr("+ 19 steps, no goal entered\nflood in capstone-1: the record breaks off after step 19"));
+  EXPECT_EQ(labmouse({"show", "--record", "cut.jsonl", "--svg", "cut.svg"}).code, 0);
+  EXPECT_THAT(content("cut.svg"), HasSubstr("<title>flood in capstone-1: breaks off after step 19</title>"));
+}
+
 TEST_F(AUser, CannotReplayATamperedRecord) {
   ASSERT_EQ(labmouse({"run", "flood", "capstone-1", "--record", "walk.jsonl"}).code, 0);
   std::string text = content("walk.jsonl");
@@ -323,6 +384,9 @@ TEST_F(AUser, CannotReplayATamperedRecord) {
   EXPECT_EQ(ended.code, 1);
   EXPECT_EQ(ended.out, "");
   EXPECT_THAT(ended.err, HasSubstr("tampered.jsonl: error: does not agree with its maze: step 1"));
+  const Ended shown = labmouse({"show", "--record", "tampered.jsonl"});
+  EXPECT_EQ(shown.code, 1);
+  EXPECT_EQ(shown.err, ended.err);
 }
 
 TEST_F(AUser, CannotReplayARecordInAnotherMaze) {
