@@ -1,31 +1,18 @@
 // Reads every maze of a folder: LABMOUSE_MAZES, or ../shared/mazes beside the checkout. Skipped where there is none.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <vector>
 
 #include "labmouse/maze/formats/format.hpp"
+#include "tests/capstone_mazes.hpp"
 #include "tests/maze/problem_lines.hpp"
 
 namespace labmouse {
 namespace {
 
-std::filesystem::path folder() {
-  if (const char* const named = std::getenv("LABMOUSE_MAZES")) return named;
-  return LABMOUSE_SOURCE_DIR "/../shared/mazes";
-}
-
-std::vector<std::filesystem::path> maze_files() {
-  std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder()))
-    if (entry.is_regular_file() && entry.path().filename() != "README.md") files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
-  return files;
-}
+using test::maze_files;
 
 std::string content_of(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
@@ -35,8 +22,7 @@ std::string content_of(const std::filesystem::path& file) {
 class MazeFiles : public testing::Test {
  protected:
   void SetUp() override {
-    if (!std::filesystem::is_directory(folder()))
-      GTEST_SKIP() << "no maze files: " << folder() << " is not a folder; set LABMOUSE_MAZES";
+    if (maze_files().empty()) GTEST_SKIP() << "no maze files in " << test::folder_of_mazes() << "; set LABMOUSE_MAZES";
   }
 };
 

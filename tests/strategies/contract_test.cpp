@@ -10,6 +10,7 @@
 #include "labmouse/strategies/roster.hpp"
 #include "tests/strategies/allocations.hpp"
 #include "tests/strategies/contract_mazes.hpp"
+#include "tests/strategies/mouse_name.hpp"
 
 namespace labmouse {
 namespace {
@@ -262,13 +263,7 @@ TEST_P(EveryMouse, HasNoParameterWithoutEffect) {
   for (const Parameter& parameter : mouse().parameters) EXPECT_TRUE(changes_something(mouse(), parameter)) << parameter.name;
 }
 
-std::string test_name(const testing::TestParamInfo<const RosterEntry*>& mouse) {
-  std::string name(mouse.param->name);
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
-}
-
-INSTANTIATE_TEST_SUITE_P(Roster, EveryMouse, testing::ValuesIn(roster().begin(), roster().end()), test_name);
+INSTANTIATE_TEST_SUITE_P(Roster, EveryMouse, testing::ValuesIn(roster().begin(), roster().end()), test::mouse_name);
 
 /// The mice that always arrive.
 class SureMouse : public EveryMouse {};
@@ -289,7 +284,7 @@ TEST_P(SureMouse, KnowsWhereThereIsNoRoute) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Roster, SureMouse, testing::Values(&flood_mouse, &flood_return_mouse, &certify_mouse), test_name);
+INSTANTIATE_TEST_SUITE_P(Roster, SureMouse, testing::Values(&flood_mouse, &flood_return_mouse, &certify_mouse), test::mouse_name);
 
 Maze generated(Dice& dice) {
   for (;;) {

@@ -1,0 +1,58 @@
+// Every mouse in every maze of a folder of real ones: odd goals, unreachable areas, open goal rooms, 32x32.
+#include <gtest/gtest.h>
+
+#include "labmouse/contest/simulator.hpp"
+#include "labmouse/maze/routes.hpp"
+#include "labmouse/strategies/roster.hpp"
+#include "tests/capstone_mazes.hpp"
+#include "tests/strategies/mouse_name.hpp"
+
+namespace labmouse {
+namespace {
+
+struct NamedMaze {
+  std::string file;
+  Maze maze;
+  bool has_route = false;
+};
+
+const std::vector<NamedMaze>& real_mazes() {
+  static const std::vector<NamedMaze> mazes = [] {
+    std::vector<NamedMaze> read;
+    for (const auto& file : test::maze_files())
+      if (auto maze = test::maze_in_file(file)) {
+        const bool has_route = shortest_in_cells(*maze).has_value();
+        read.push_back({file.filename(), std::move(*maze), has_route});
+      }
+    return read;
+  }();
+  return mazes;
+}
+
+void expect_good_end(const RunRecord& record, bool has_route) {
+  if (record.outcome == Outcome::solved) return;
+  if (record.outcome != Outcome::forfeit) {
+    EXPECT_EQ(record.steps.size(), 1000U);
+    return;
+  }
+  EXPECT_FALSE(has_route);
+  EXPECT_EQ(record.steps.back().action.reason, ForfeitReason::no_way);
+}
+
+class InRealMazes : public testing::TestWithParam<const RosterEntry*> {};
+
+TEST_P(InRealMazes, EndsInAGoalOrAtItsBudgetAndRunsIntoNoWall) {
+  if (real_mazes().empty()) GTEST_SKIP() << "no maze files in " << test::folder_of_mazes() << "; set LABMOUSE_MAZES";
+  for (const NamedMaze& maze : real_mazes()) {
+    SCOPED_TRACE(maze.file);
+    const auto mouse = GetParam()->make(brief(maze.maze, {}, 1), Settings(GetParam()->parameters));
+    const RunRecord record = run(maze.maze, {}, *mouse);
+    expect_good_end(record, maze.has_route);
+    for (const StepRecord& step : record.steps) ASSERT_FALSE(step.blocked) << "step " << step.step;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Roster, InRealMazes, testing::ValuesIn(roster().begin(), roster().end()), test::mouse_name);
+
+}  // namespace
+}  // namespace labmouse
