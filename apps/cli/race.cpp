@@ -30,6 +30,7 @@ struct RaceOptions {
   double fail_above = 0.0;
   bool has_limit = false;
   int worst = 0;
+  bool shares = false;
 };
 
 std::vector<Contestant> find_contestants(const std::vector<std::string>& specs) {
@@ -120,6 +121,7 @@ int race(const RaceOptions& options) {
   std::string failed_write;
   const Race result = hold(options, std::move(mice), std::move(mazes.mazes), failed_write);
   print(report(options, result, mazes.skipped));
+  if (options.shares) add(options, shares_of(result));
   if (options.worst > 0) add(options, worst_of(result, options.worst));
   if (baseline) add(options, compare_with_baseline(result, *baseline));
   if (!failed_write.empty()) throw UsageError(failed_write);
@@ -150,6 +152,7 @@ void add_race(CLI::App& app, int& exit) {
   auto* limit = command->add_option("--fail-above", options->fail_above, "Exit with 1 if a mouse's mean score over all is above this")
       ->type_name("SCORE")->check(finite_number());
   command->add_option("--worst", options->worst, "Print the N mazes that cost each mouse most")->type_name("N")->check(CLI::Range(1, 1'000'000));
+  command->add_flag("--shares", options->shares, "Print how much of the mazes each mouse discovered and visited");
   command->footer("Example: labmouse race --mice flood:stride=1,certify --mazes my-mazes/ --format json > today.json\n"
                   "         labmouse race --mazes my-mazes/ --baseline today.json");
   command->callback([options, limit, &exit] {

@@ -46,7 +46,7 @@ std::string over_the_last(std::string_view text) {
 void require_room(Size size) {
   winsize window{};
   if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &window) != 0 || window.ws_row == 0) return;
-  const int columns = 4 * size.width + 4, rows = 2 * size.height + 4;
+  const int columns = 4 * size.width + 4, rows = 2 * size.height + 5;
   if (window.ws_col >= columns && window.ws_row >= rows) return;
   throw UsageError(fmt::format("error: to watch a maze of {}x{} takes a terminal of {}x{}, and this one has {}x{}; make it larger "
                                "or its letters smaller, or pipe the frames into a pager", size.width, size.height, columns, rows,
@@ -73,7 +73,8 @@ void watch(const RecordFile& file, int delay) {
 }
 
 std::string summary_of(const RecordFile& file) {
-  return draw_text(*file.maze, layers_of(file, contest_layers()), colours()) + result_line(file) + "\n";
+  return fmt::format("{}{}\n{}\n", draw_text(*file.maze, layers_of(file, contest_layers()), colours()),
+                     exploration_line(file), result_line(file));
 }
 
 }  // namespace labmouse::cli

@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "labmouse/contest/coverage.hpp"
 #include "labmouse/contest/score.hpp"
 #include "labmouse/lab/bounds.hpp"
 #include "labmouse/lab/files.hpp"
 #include "labmouse/lab/layers.hpp"
 #include "labmouse/lab/printable.hpp"
+#include "labmouse/maze/routes.hpp"
 
 namespace labmouse {
 namespace {
@@ -98,6 +100,13 @@ std::string picture_of(const RecordFile& file) {
   DrawingLayers layers = layers_of(file, contest_layers());
   layers.title = title_of(file);
   return draw_svg(*file.maze, layers);
+}
+
+std::string exploration_line(const RecordFile& file) {
+  const Coverage coverage = coverage_of(file.run, *file.maze);
+  const int cells = reachable_cells(*file.maze).count();
+  return fmt::format("exploration: discovered {:.1f} %, visited {:.1f} % of {} reachable {}", 100.0 * coverage.discovered,
+                     100.0 * coverage.visited, cells, cells == 1 ? "cell" : "cells");
 }
 
 std::string result_line(const RecordFile& file) {

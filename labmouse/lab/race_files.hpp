@@ -35,6 +35,9 @@ std::string picture_of(const RecordFile& file);
 /// The title of a picture of a contest: the mouse, the maze, and how it went.
 std::string title_of(const RecordFile& file);
 
+/// How much of the maze its exploration discovered and visited, in one line without its end.
+std::string exploration_line(const RecordFile& file);
+
 /// How a contest went, in one line without its end: the mouse, the maze, the outcome and the score.
 std::string result_line(const RecordFile& file);
 

@@ -17,6 +17,9 @@ std::string json_of(const Race& race, const std::vector<SkippedFile>& skipped);
 /// One line a contest, with a header.
 std::string csv_of(const Race& race);
 
+/// How much of the mazes each mouse discovered and visited while exploring, as a table in the order of the leaderboard.
+std::string shares_of(const Race& race);
+
 /// For each mouse the mazes that cost it most above the bound, `count` of each.
 std::string worst_of(const Race& race, int count);
 

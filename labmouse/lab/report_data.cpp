@@ -38,6 +38,8 @@ Json result_json(const Race& race, const ContestResult& contest) {
                {"score", or_null(contest.score.value)},
                {"exploration_steps", contest.score.exploration_steps},
                {"speed_steps", solved ? Json(contest.score.speed_steps) : Json(nullptr)},
+               {"discovered_share", contest.coverage.discovered},
+               {"visited_share", contest.coverage.visited},
                {"microseconds_per_decision", contest.microseconds / std::max(1, contest.decisions)}};
   for (const Count& count : contest.counts) json["counts"][count.name] = count.value;
   return json;
@@ -60,6 +62,8 @@ Json mouse_json(const Race& race, const Standing& standing) {
           {"mean_exploration_steps", or_null(standing.mean_exploration)},
           {"mean_speed_over_optimum", or_null(standing.mean_speed_over_optimum)},
           {"optimal_share", standing.optimal_share},
+          {"mean_discovered_share", or_null(standing.mean_discovered)},
+          {"mean_visited_share", or_null(standing.mean_visited)},
           {"microseconds_per_decision", standing.microseconds_per_decision},
           {"results", std::move(results)}};
 }
@@ -96,16 +100,19 @@ std::string json_of(const Race& race, const std::vector<SkippedFile>& skipped) {
 }
 
 std::string csv_of(const Race& race) {
-  std::string text = "mouse,maze,seed,outcome,score,exploration_steps,speed_steps,optimum,bound,microseconds_per_decision\n";
+  std::string text =
+      "mouse,maze,seed,outcome,score,exploration_steps,speed_steps,optimum,bound,microseconds_per_decision,discovered_share,"
+      "visited_share\n";
   for (const ContestResult& contest : race.results) {
     if (!contest.done) continue;
     const Bound& bound = race.bounds[contest.maze];
     const auto field = [](const auto& value) { return value ? fmt::format("{}", *value) : std::string(); };
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{:.3f}\n", quoted(race.mice[contest.mouse].name),
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{:.3f},{},{}\n", quoted(race.mice[contest.mouse].name),
                         quoted(race.mazes[contest.maze].name), contest.seed, quoted(outcome_text(contest)),
                         field(contest.score.value), contest.score.exploration_steps,
                         contest.score.value ? fmt::format("{}", contest.score.speed_steps) : "", field(bound.optimum),
-                        field(bound.score), contest.microseconds / std::max(1, contest.decisions));
+                        field(bound.score), contest.microseconds / std::max(1, contest.decisions),
+                        contest.coverage.discovered, contest.coverage.visited);
   }
   return text;
 }

@@ -32,10 +32,18 @@ std::string laid_out(const Line& line, std::size_t width) {
                      line[3], line[4], line[5], line[6], line[7], line[8], line[9]);
 }
 
+/// A mouse as tables call it.
+std::string marked_name(const Contestant& mouse) { return mouse.name + (mouse.reference ? " *" : ""); }
+
+std::size_t width_of_names(const Race& race) {
+  std::size_t width = 5;
+  for (const Contestant& mouse : race.mice) width = std::max(width, marked_name(mouse).size());
+  return width;
+}
+
 Line line_of(const Race& race, const Standing& standing) {
-  const Contestant& mouse = race.mice[standing.mouse];
   const bool ran = standing.runs > 0;
-  return {mouse.name + (mouse.reference ? " *" : ""),
+  return {marked_name(race.mice[standing.mouse]),
           fmt::format("{}/{}", standing.solved, standing.runs),
           number(standing.penalised_mean, 3),
           interval_text(standing),
@@ -115,8 +123,7 @@ std::string notes_of(const Race& race) {
 }  // namespace
 
 std::string table_of(const Race& race, bool colours) {
-  std::size_t width = 5;
-  for (const Contestant& mouse : race.mice) width = std::max(width, mouse.name.size() + (mouse.reference ? 2 : 0));
+  const std::size_t width = width_of_names(race);
   const char* bold = colours ? "\x1b[1m" : "";
   const char* plain = colours ? "\x1b[0m" : "";
   std::string text = fmt::format("labmouse {}: {}, {}, seed {}\n\n", version(), counted(race.mice.size(), "mouse", "mice"),
@@ -126,6 +133,19 @@ std::string table_of(const Race& race, bool colours) {
   for (const Line& line : {first, second}) text += fmt::format("{}{}{}\n", bold, laid_out(line, width), plain);
   for (const Standing& standing : standings_of(race)) text += laid_out(line_of(race, standing), width) + "\n";
   return text + "\n" + notes_of(race);
+}
+
+std::string shares_of(const Race& race) {
+  const std::size_t width = width_of_names(race);
+  const auto percent = [](const std::optional<double>& share) {
+    return share ? fmt::format("{:.1f}", 100.0 * *share) : std::string("-");
+  };
+  std::string text = fmt::format("Exploration: percent of the reachable cells, mean over all contests\n{:<{}} {:>11} {:>8}\n",
+                                 "mouse", width, "discovered%", "visited%");
+  for (const Standing& standing : standings_of(race))
+    text += fmt::format("{:<{}} {:>11} {:>8}\n", marked_name(race.mice[standing.mouse]), width,
+                        percent(standing.mean_discovered), percent(standing.mean_visited));
+  return text;
 }
 
 std::string worst_of(const Race& race, int count) {

@@ -27,12 +27,14 @@ Standing standing_of(const Race& race, std::size_t mouse) {
   Standing standing;
   standing.mouse = mouse;
   Solved solved;
-  std::vector<double> all;
+  std::vector<double> all, discovered, visited;
   double microseconds = 0.0;
   long decisions = 0;
   for (const ContestResult& contest : race.results) {
     if (contest.mouse != mouse || !counts(race, contest)) continue;
     all.push_back(penalised(race, contest));
+    discovered.push_back(contest.coverage.discovered);
+    visited.push_back(contest.coverage.visited);
     microseconds += contest.microseconds;
     decisions += contest.decisions;
     if (contest.score.value) solved.add(contest.score, race.bounds[contest.maze]);
@@ -44,6 +46,8 @@ Standing standing_of(const Race& race, std::size_t mouse) {
   standing.mean_exploration = mean_if_any(solved.exploration);
   standing.mean_speed_over_optimum = mean_if_any(solved.over_optimum);
   standing.penalised_mean = mean_if_any(all);
+  standing.mean_discovered = mean_if_any(discovered);
+  standing.mean_visited = mean_if_any(visited);
   std::vector<double> by_maze;
   for (const auto& score : scores_by_maze(race, mouse))
     if (score) by_maze.push_back(*score);

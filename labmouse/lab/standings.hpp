@@ -26,6 +26,9 @@ struct Standing {
   /// Share of all contests whose speed run was a shortest one, 0 to 1.
   double optimal_share = 0.0;
   double microseconds_per_decision = 0.0;
+  /// Means over all contests, solved or not; nothing where there is none.
+  std::optional<double> mean_discovered;  ///< share, 0 to 1
+  std::optional<double> mean_visited;     ///< share, 0 to 1
 };
 
 /// The standings, best penalised mean first, equal ones by name.

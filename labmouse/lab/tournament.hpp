@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "labmouse/contest/coverage.hpp"
 #include "labmouse/contest/score.hpp"
 #include "labmouse/lab/bounds.hpp"
 #include "labmouse/lab/contestants.hpp"
@@ -30,6 +31,7 @@ struct ContestResult {
   std::uint64_t seed = 0;
   bool done = false;  ///< false where the race was stopped before
   Score score;
+  Coverage coverage;
   ForfeitReason reason = ForfeitReason::none;
   int decisions = 0;
   /// What the mouse counted, by name; empty for most.

@@ -199,7 +199,7 @@ TEST_F(AUser, SeesColoursOnATerminalUnlessNotWanted) {
 TEST_F(AUser, CannotWatchInATerminalThatIsTooSmall) {
   const auto printed = test::on_a_terminal({"run", "flood", "capstone-1", "--watch"}, "NO_COLOR=1");
   if (!printed) GTEST_SKIP() << "this system lends no terminals";
-  EXPECT_THAT(*printed, HasSubstr("takes a terminal of 52x28"));
+  EXPECT_THAT(*printed, HasSubstr("takes a terminal of 52x29"));
 }
 
 TEST_F(AUser, IsNotToldNamesThatSteerTheTerminal) {
@@ -289,6 +289,17 @@ TEST_F(AUser, KeepsRecordsAndPicturesOfARace) {
     if (name.ends_with(".svg")) continue;
     EXPECT_EQ(labmouse({"replay", name}).code, 0) << name;
   }
+}
+
+TEST_F(AUser, SeesHowMuchOfTheMazesWasSeen) {
+  file("corridor.txt", corridor);
+  const Ended raced = labmouse({"race", "--mice", "flood", "--mazes", "corridor.txt", "--shares"});
+  EXPECT_THAT(raced.out, HasSubstr("\nmouse discovered% visited%\nflood       100.0    100.0\n"));
+  const Ended as_data = labmouse({"race", "--mice", "flood", "--mazes", "corridor.txt", "--shares", "--format", "csv"});
+  EXPECT_THAT(as_data.out, Not(HasSubstr("discovered%")));
+  EXPECT_THAT(as_data.err, HasSubstr("discovered%"));
+  EXPECT_THAT(labmouse({"run", "flood", "corridor.txt"}).out,
+              HasSubstr("exploration: discovered 100.0 %, visited 100.0 % of 3 reachable cells\nflood in corridor.txt: solved"));
 }
 
 TEST_F(AUser, LearnsTheBound) {

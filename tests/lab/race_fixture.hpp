@@ -37,6 +37,17 @@ inline NamedMaze loop() {
   )")};
 }
 
+/// Four cells: the shortest run drives into the second and sees the third.
+inline NamedMaze hook() {
+  return {"hook", drawn(R"(
+    o---o---o
+    | G |   |
+    o   o   o
+    | S     |
+    o---o---o
+  )")};
+}
+
 /// Nobody arrives.
 inline NamedMaze without_route() {
   return {"without-route", drawn(R"(

@@ -56,7 +56,8 @@ TEST_F(RaceAsJson, HasAllFieldsOfAMouse) {
 
 TEST_F(RaceAsJson, HasAllFieldsOfAResult) {
   EXPECT_THAT(keys(result("random", "loop")), UnorderedElementsAre("maze", "seed", "outcome", "score", "exploration_steps",
-                                                                   "speed_steps", "microseconds_per_decision"));
+                                                                   "speed_steps", "discovered_share", "visited_share",
+                                                                   "microseconds_per_decision"));
 }
 
 TEST_F(RaceAsJson, ListsMazesInTheOrderOfTheirNames) {
@@ -90,6 +91,16 @@ TEST_F(RaceAsJson, ASolvedContestHasItsScore) {
   EXPECT_DOUBLE_EQ(solved.at("score"), solved.at("speed_steps").get<int>() + solved.at("exploration_steps").get<int>() / 30.0);
 }
 
+TEST_F(RaceAsJson, SharesAreOfTheReachableCells) {
+  EXPECT_DOUBLE_EQ(result("flood:stride=1", "corridor").at("visited_share"), 1.0);
+  EXPECT_DOUBLE_EQ(result("flood:stride=1", "without-route").at("discovered_share"), 1.0);
+  const Json& flood = mouse("flood:stride=1");
+  const double loop = result("flood:stride=1", "loop").at("visited_share");
+  EXPECT_LT(loop, 1.0);
+  EXPECT_DOUBLE_EQ(flood.at("mean_visited_share"), (1.0 + loop) / 2);
+  EXPECT_GE(flood.at("mean_discovered_share"), flood.at("mean_visited_share"));
+}
+
 TEST_F(RaceAsJson, ParametersAreNamesAndValues) {
   EXPECT_EQ(mouse("flood:stride=1").at("parameters"), Json({{"stride", 1}}));
 }
@@ -111,7 +122,7 @@ TEST_F(RaceAsJson, ListsSkippedFilesWithTheReasons) {
 
 TEST(RaceAsJsonToo, AMouseWithoutARouteAnywhereHasNullMeans) {
   const Json json = Json::parse(json_of(hold_race(test::mice("flood"), {test::without_route()}, {}), {}));
-  for (const char* field : {"mean_score", "penalised_mean", "interval", "mean_ratio"})
+  for (const char* field : {"mean_score", "penalised_mean", "interval", "mean_ratio", "mean_discovered_share", "mean_visited_share"})
     EXPECT_TRUE(json.at("mice")[0].at(field).is_null()) << field;
   EXPECT_TRUE(json.at("skipped").empty());
 }
@@ -133,9 +144,15 @@ TEST(RaceAsCsv, HasALineForEachContest) {
   const Race race = test::race_of("flood,certify");
   const auto list = lines(csv_of(race));
   ASSERT_EQ(list.size(), 1U + race.results.size());
-  EXPECT_EQ(list[0], "mouse,maze,seed,outcome,score,exploration_steps,speed_steps,optimum,bound,microseconds_per_decision");
-  for (const std::string& line : list) EXPECT_EQ(std::count(line.begin(), line.end(), ','), 9);
+  EXPECT_EQ(list[0], "mouse,maze,seed,outcome,score,exploration_steps,speed_steps,optimum,bound,microseconds_per_decision,"
+                     "discovered_share,visited_share");
+  for (const std::string& line : list) EXPECT_EQ(std::count(line.begin(), line.end(), ','), 11);
   EXPECT_EQ(list[1].find("certify,corridor,"), 0U);
+}
+
+TEST(RaceAsCsv, EndsWithTheShares) {
+  const auto list = lines(csv_of(hold_race(test::mice("oracle"), {test::hook()}, {})));
+  EXPECT_TRUE(list[1].ends_with(",0.75,0.5")) << list[1];
 }
 
 TEST(RaceAsCsv, LeavesEmptyWhatAFailedContestLacks) {
@@ -179,6 +196,17 @@ TEST(RaceAsTable, SaysWhereSolvedMeansCoverDifferentMazes) {
 
 TEST(RaceAsTable, MarksTheOracle) {
   EXPECT_THAT(table_of(test::race_of("oracle,flood"), false), HasSubstr("oracle *"));
+}
+
+TEST(Shares, ArePercentInTheOrderOfTheLeaderboard) {
+  const Race race = hold_race(test::mice("oracle,flood"), {test::loop(), test::without_route()}, {});
+  const auto list = lines(shares_of(race));
+  ASSERT_EQ(list.size(), 4U);
+  EXPECT_EQ(list[2].find("oracle *"), 0U);
+  EXPECT_EQ(list[3].find("flood "), 0U);
+  EXPECT_THAT(shares_of(hold_race(test::mice("oracle"), {test::hook(), test::without_route()}, {})),
+              HasSubstr("\noracle *        75.0     50.0\n"));
+  EXPECT_THAT(shares_of(hold_race(test::mice("flood"), {test::without_route()}, {})), HasSubstr("flood           -        -"));
 }
 
 TEST(Worst, ListsTheCostliestMazesFirst) {

@@ -1,0 +1,56 @@
+#include "labmouse/contest/coverage.hpp"
+
+#include "labmouse/maze/routes.hpp"
+
+namespace labmouse {
+namespace {
+
+bool explores(const StepRecord& step) { return step.run == Run::exploration; }
+
+/// The cells of the corridors that a reading shows.
+void insert_seen(const StepRecord& step, Size size, CellSet& cells) {
+  for (const int side : {-1, 0, 1}) {
+    const Heading heading = turned(step.pose.heading, side);
+    Cell cell = neighbour(step.pose.cell, heading);
+    for (int open = step.sighting.towards(side); open > 0 && size.contains(cell); --open) {
+      cells.insert(cell);
+      cell = neighbour(cell, heading);
+    }
+  }
+}
+
+double share(CellSet part, const CellSet& whole) {
+  part &= whole;
+  return part.count() / static_cast<double>(whole.count());
+}
+
+}  // namespace
+
+std::vector<Cell> explored_way(const RunRecord& record, Size size) {
+  std::vector<Cell> way;
+  const auto enter = [&](Cell cell) {
+    if (size.contains(cell)) way.push_back(cell);
+  };
+  for (std::size_t i = 0; i < record.steps.size() && explores(record.steps[i]); ++i) {
+    const StepRecord& step = record.steps[i];
+    if (i == 0) enter(step.pose.cell);
+    if (step.action.kind != Action::Kind::step) continue;
+    const Pose next = i + 1 < record.steps.size() ? record.steps[i + 1].pose : record.end;
+    const Heading direction = step.action.movement < 0 ? opposite(next.heading) : next.heading;
+    for (Cell cell = step.pose.cell; cell != next.cell && size.contains(cell);)
+      enter(cell = neighbour(cell, direction));
+  }
+  return way;
+}
+
+Coverage coverage_of(const RunRecord& record, const Maze& maze) {
+  CellSet visited;
+  for (const Cell cell : explored_way(record, maze.size())) visited.insert(cell);
+  CellSet discovered = visited;
+  for (const StepRecord& step : record.steps)
+    if (explores(step)) insert_seen(step, maze.size(), discovered);
+  const CellSet reachable = reachable_cells(maze);
+  return {share(discovered, reachable), share(visited, reachable)};
+}
+
+}  // namespace labmouse
