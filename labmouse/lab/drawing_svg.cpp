@@ -7,8 +7,8 @@
 
 #include "labmouse/lab/drawing.hpp"
 #include "labmouse/lab/drawing/scene.hpp"
+#include "labmouse/lab/drawing/sheet.hpp"
 #include "labmouse/lab/drawing/words.hpp"
-#include "labmouse/lab/printable.hpp"
 
 namespace labmouse {
 namespace {
@@ -46,16 +46,6 @@ std::string description_of(const Scene& scene) {
   return text;
 }
 
-std::string title_svg(const Scene& scene) {
-  constexpr int letter_width = 10;
-  std::u32string title = printable(scene.layers.title);
-  const auto room = static_cast<std::size_t>((width_of(scene) - scene.frame.origin.x - margin) / letter_width);
-  if (title.empty()) return "";
-  if (title.size() > room) title = title.substr(0, room - 1) + U'…';
-  return fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"16\" font-weight=\"600\" {}>{}</text>\n",
-                     scene.frame.origin.x, margin + 14, fill(ink), xml_escaped(utf8(title)));
-}
-
 Legend legend_below(const Scene& scene) {
   const int top = scene.frame.bottom() + (scene.layers.coordinates ? 24 : 4) + margin;
   return legend_of(scene, {scene.frame.origin.x, top}, width_of(scene) - margin);
@@ -70,25 +60,17 @@ std::vector<Tone> tones_of(const DrawingLayers& layers) {
   return tones;
 }
 
-std::string head(const Scene& scene, int height) {
-  const std::string& title = scene.layers.title;
-  return fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"labmouse\" role=\"img\" viewBox=\"0 0 {0} {1}\" "
-      "width=\"{0}\" height=\"{1}\">\n<title>{2}</title>\n<desc>{3}</desc>\n<style>{4}</style>\n"
-      "<rect width=\"{0}\" height=\"{1}\" {5}/>\n"
-      "<g font-family=\"system-ui, -apple-system, 'Segoe UI', 'Liberation Sans', sans-serif\" font-size=\"13\">\n",
-      width_of(scene), height, xml_escaped(title.empty() ? "Maze" : title), xml_escaped(description_of(scene)),
-      dark_style_sheet(tones_of(scene.layers)), fill(paper));
-}
-
 }  // namespace
 
 std::string draw_svg(const Maze& maze, const DrawingLayers& layers) {
   const Scene scene = scene_of(maze, layers);
   const Legend legend = legend_below(scene);
-  return head(scene, legend.bottom() + margin / 2) + title_svg(scene) + floor_svg(scene) + walls_svg(scene) +
-         exploration_svg(scene) + labels_svg(scene) + route_svg(scene) + mouse_svg(scene) + coordinates_svg(scene) +
-         legend.svg() + "</g>\n</svg>\n";
+  const int right = width_of(scene) - margin;
+  const Sheet sheet = {width_of(scene), legend.bottom() + margin / 2, layers.title.empty() ? "Maze" : layers.title,
+                       description_of(scene), tones_of(layers)};
+  return sheet.with(heading_svg({scene.frame.origin.x, margin + 14}, right, layers.title) + floor_svg(scene) +
+                    walls_svg(scene) + exploration_svg(scene) + labels_svg(scene) + route_svg(scene) + mouse_svg(scene) +
+                    coordinates_svg(scene) + legend.svg());
 }
 
 }  // namespace labmouse

@@ -1,0 +1,34 @@
+#include "labmouse/lab/drawing/sheet.hpp"
+
+#include <fmt/format.h>
+
+#include "labmouse/lab/printable.hpp"
+
+namespace labmouse::drawing {
+
+std::string Sheet::with(std::string_view svg) const {
+  return fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"labmouse\" role=\"img\" viewBox=\"0 0 {0} {1}\" "
+      "width=\"{0}\" height=\"{1}\">\n<title>{2}</title>\n<desc>{3}</desc>\n<style>{4}</style>\n"
+      "<rect width=\"{0}\" height=\"{1}\" {5}/>\n"
+      "<g font-family=\"system-ui, -apple-system, 'Segoe UI', 'Liberation Sans', sans-serif\" font-size=\"13\">\n"
+      "{6}</g>\n</svg>\n",
+      width, height, xml_escaped(title), xml_escaped(description), dark_style_sheet(tones), fill(paper), svg);
+}
+
+std::string fitted(std::string_view words, int letters) {
+  std::u32string text = printable(words);
+  const auto room = static_cast<std::size_t>(letters);
+  if (text.size() > room) text = text.substr(0, room - 1) + U'…';
+  return utf8(text);
+}
+
+std::string heading_svg(Point begin, int right, std::string_view words) {
+  constexpr int letter_width = 10;
+  const std::string title = fitted(words, (right - begin.x) / letter_width);
+  if (title.empty()) return "";
+  return fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"16\" font-weight=\"600\" {}>{}</text>\n", begin.x, begin.y,
+                     fill(ink), xml_escaped(title));
+}
+
+}  // namespace labmouse::drawing
