@@ -1,13 +1,11 @@
 // labmouse race: many mice on many mazes, and a leaderboard.
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <atomic>
-#include <csignal>
 #include <memory>
 #include <optional>
 
 #include "command.hpp"
+#include "contests.hpp"
 #include "labmouse/lab/baseline.hpp"
 #include "labmouse/lab/files.hpp"
 #include "labmouse/lab/race_files.hpp"
@@ -16,14 +14,9 @@
 namespace labmouse::cli {
 namespace {
 
-/// Set by Ctrl-C and by a failed write: no further contest begins.
-std::atomic<bool> stopped{false};
-
 struct RaceOptions {
   std::vector<std::string> mice;
-  std::vector<std::string> mazes;
-  Places places;
-  RaceOrder order;
+  Contests contests;
   std::string format = "table";
   std::string out;
   std::string baseline;
@@ -42,43 +35,21 @@ std::vector<Contestant> find_contestants(const std::vector<std::string>& specs) 
   return std::move(result.contestants);
 }
 
-/// A bar on standard error, where that is a terminal.
-class Progress {
- public:
-  void advance(std::size_t all) {
-    if (!shown_) return;
-    const auto percent = ++done_ * 100 / all;
-    if (percent == percent_) return;
-    percent_ = percent;
-    fmt::print(stderr, "\r[{:<40}] {:>3} %", std::string(percent * 40 / 100, '#'), percent);
-  }
-  ~Progress() {
-    if (shown_ && done_ > 0) fmt::print(stderr, "\r\x1b[K");
-  }
-
- private:
-  bool shown_ = isatty(STDERR_FILENO) != 0;
-  std::size_t done_ = 0;
-  std::size_t percent_ = 101;
-};
-
 /// Holds the race; `failed_write` takes what went wrong with --out, which ends it early.
 Race hold(const RaceOptions& options, std::vector<Contestant> mice, std::vector<NamedMaze> mazes, std::string& failed_write) {
   Progress progress;
+  Interruptible interruptible;
   std::optional<RaceFolder> folder;
   RaceHooks hooks;
-  hooks.stop = &stopped;
+  hooks.stop = &interruptible.stopped();
   hooks.finished = [&](const Race& race, const ContestResult& contest, const RunRecord& record) {
     progress.advance(race.results.size());
     if (options.out.empty() || !failed_write.empty()) return;
     if (!folder) folder.emplace(options.out, race);
     failed_write = folder->save(race, contest, record);
-    if (!failed_write.empty()) stopped = true;
+    if (!failed_write.empty()) interruptible.stop();
   };
-  std::signal(SIGINT, [](int) { stopped = true; });
-  Race race = hold_race(std::move(mice), std::move(mazes), options.order, hooks);
-  std::signal(SIGINT, SIG_DFL);
-  return race;
+  return hold_race(std::move(mice), std::move(mazes), options.contests.order, hooks);
 }
 
 std::string report(const RaceOptions& options, const Race& race, const std::vector<SkippedFile>& skipped) {
@@ -99,7 +70,7 @@ std::optional<Baseline> load_baseline(const RaceOptions& options) {
   if (options.baseline.empty()) return std::nullopt;
   const FileContent file = read_file(options.baseline, std::size_t{1} << 30U);
   if (!file.error.empty()) throw UsageError(fmt::format("{}: error: {}", options.baseline, file.error));
-  auto baseline = read_baseline(file.content, options.order.rules);
+  auto baseline = read_baseline(file.content, options.contests.order.rules);
   if (baseline) return baseline;
   throw UsageError(fmt::format("{}: error: is not the JSON of a race (make one with `labmouse race --format json`)", options.baseline));
 }
@@ -117,7 +88,7 @@ std::string above_limit(const RaceOptions& options, const Race& race) {
 int race(const RaceOptions& options) {
   std::vector<Contestant> mice = find_contestants(options.mice);
   const auto baseline = load_baseline(options);
-  MazeCollection mazes = find_mazes(options.mazes, options.places);
+  MazeCollection mazes = find_mazes(options.contests.mazes, options.contests.places);
   std::string failed_write;
   const Race result = hold(options, std::move(mice), std::move(mazes.mazes), failed_write);
   print(report(options, result, mazes.skipped));
@@ -138,14 +109,7 @@ void add_race(CLI::App& app, int& exit) {
   CLI::App* command = app.add_subcommand("race", "Race many mice on many mazes and print the leaderboard");
   command->add_option("--mice", options->mice, "Mice: name[:key=value]..., several separated by commas (may repeat); default: all")
       ->type_name("SPEC")->expected(1)->take_all();
-  command->add_option("--mazes", options->mazes, "Maze files, folders, patterns or names of built-in mazes; default: all built-in mazes")
-      ->type_name("PATH")->expected(1, 1 << 20)->take_all();
-  add_places(*command, options->places);
-  command->add_option("--runs", options->order.runs, "Contests of each mouse that throws dice, in each maze")
-      ->check(CLI::Range(1, 1'000'000))->capture_default_str();
-  add_budget(*command, options->order.rules);
-  command->add_option("--seed", options->order.seed, "Seed of all chance")->check(seed_number())->capture_default_str();
-  command->add_option("--jobs", options->order.jobs, "Threads; 0 takes all processors")->check(CLI::Range(0, 1024))->capture_default_str();
+  add_contests(*command, options->contests);
   command->add_option("--format", options->format, "Output")->check(CLI::IsMember({"table", "json", "csv"}))->capture_default_str();
   command->add_option("--out", options->out, "Folder for records and one SVG a maze and mouse")->type_name("DIR");
   command->add_option("--baseline", options->baseline, "JSON of an earlier race: prints the paired difference")->type_name("FILE");
