@@ -70,6 +70,7 @@ int main(int argc, char** argv) {
   app.footer("Example: labmouse race --mice flood,certify --worst 3\nExit codes: 0 good, 1 a check found something, 2 bad usage or input, 130 interrupted.");
   int exit = exit_good;
   add_race(app, exit);
+  add_sweep(app, exit);
   add_run(app, exit);
   add_show(app, exit);
   add_inspect(app, exit);

@@ -120,6 +120,22 @@ SpecResult read_specs(std::string_view text) {
   return result;
 }
 
+SpecResult read_variants(std::string_view spec, std::string_view parameter, std::span<const std::string> values) {
+  SpecResult base = read_specs(spec);
+  if (!base.error.empty()) return base;
+  if (base.contestants.size() != 1) return {{}, fmt::format("'{}' names {} mice; name one", spec, base.contestants.size())};
+  const RosterEntry* entry = find_mouse(spec.substr(0, spec.find_first_of(":,")));
+  if (entry == nullptr) return {{}, "the oracle has no parameters"};
+  SpecResult result;
+  for (const std::string& value : values) {
+    Settings settings = base.contestants.front().settings;
+    if (auto error = apply(*entry, fmt::format("{}={}", parameter, value), settings); !error.empty()) return {{}, error};
+    result.contestants.push_back(contestant_of(*entry, std::move(settings)));
+  }
+  drop_repetitions(result.contestants);
+  return result;
+}
+
 std::vector<Contestant> all_contestants() {
   std::vector<Contestant> contestants;
   for (const RosterEntry* entry : roster()) contestants.push_back(contestant_of(*entry, Settings(entry->parameters)));

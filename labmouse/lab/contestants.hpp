@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,6 +34,10 @@ struct SpecResult {
 
 /// Reads one or more mice; a name that stands twice with equal parameters counts once.
 SpecResult read_specs(std::string_view text);
+
+/// The mouse of a SPEC once for each value of one of its parameters, in the order of the values; what the SPEC says of that
+/// parameter is overridden. Values that are spelled differently and are equal count once.
+SpecResult read_variants(std::string_view spec, std::string_view parameter, std::span<const std::string> values);
 
 /// Every mouse of the roster with its defaults.
 std::vector<Contestant> all_contestants();

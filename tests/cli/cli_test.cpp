@@ -61,8 +61,8 @@ void leave_times_out(Json& json) {
   }
 }
 
-constexpr const char* commands[] = {"race", "run",  "show",  "inspect", "make",  "convert",
-                                    "mice", "bound", "replay", "score",   "bench"};
+constexpr const char* commands[] = {"race",    "sweep", "run",   "show",   "inspect", "make",
+                                    "convert", "mice",  "bound", "replay", "score",   "bench"};
 
 TEST_F(AUser, FindsHelpWithAnExampleForEverything) {
   const Ended all = labmouse({"--help"});
@@ -106,6 +106,19 @@ TEST_F(AUser, IsToldInOneLineWhatIsWrong) {
   is_refused({"race", "--fail-above", "nan"}, "'nan' is not a number");
   is_refused({"race", "--formt", "json"}, "option '--formt' is unknown; did you mean '--format'?");
   is_refused({"score", "a", "b", "c"}, "'b' was not expected");
+}
+
+TEST_F(AUser, IsToldWhatIsWrongWithASweep) {
+  is_refused({"sweep", "flood"}, "--vary is required");
+  is_refused({"sweep", "--vary", "stride=1,2"}, "mouse is required");
+  is_refused({"sweep", "flod", "--vary", "stride=1,2"}, "did you mean 'flood'?");
+  is_refused({"sweep", "flood,certify", "--vary", "stride=1,2"}, "names 2 mice; name one");
+  is_refused({"sweep", "flood", "--vary", "strid=1,2"}, "did you mean 'stride'?");
+  is_refused({"sweep", "flood", "--vary", "stride=7:9:1"}, "value '9' of parameter 'stride' of mouse 'flood' is outside of 1 to 8");
+  is_refused({"sweep", "flood", "--vary", "stride=1:3"}, "write LOW:HIGH:STEP");
+  is_refused({"sweep", "flood", "--vary", "stride"}, "is not of the form");
+  is_refused({"sweep", "flood", "--vary", "stride=0:1:0.0001"}, "at most 1000");
+  is_refused({"sweep", "flood", "--vary", "stride=1", "--mazes", "capston-1"}, "did you mean 'capstone-1'?");
 }
 
 TEST_F(AUser, IsToldWhereAMazeFileIsBad) {
@@ -289,6 +302,41 @@ TEST_F(AUser, KeepsRecordsAndPicturesOfARace) {
     if (name.ends_with(".svg")) continue;
     EXPECT_EQ(labmouse({"replay", name}).code, 0) << name;
   }
+}
+
+TEST_F(AUser, SweepsAParameter) {
+  file("corridor.txt", corridor);
+  const Ended ended = labmouse({"sweep", "random", "--vary", "stride=1:2:1", "--mazes", "corridor.txt", "--runs", "5",
+                                "--csv", "out/strides.csv", "--svg", "out/strides.svg"});
+  EXPECT_EQ(ended.code, 0);
+  EXPECT_EQ(ended.err, "");
+  EXPECT_THAT(ended.out, HasSubstr("over the 5 runs in the one maze"));
+  const std::string csv = content("out/strides.csv");
+  EXPECT_THAT(csv, HasSubstr("value,mean,low,high,failures,runs\n1,"));
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 3);
+  EXPECT_THAT(content("out/strides.svg"), HasSubstr("<svg"));
+}
+
+TEST_F(AUser, SeesTheSweepWhoseFilesCannotBeWritten) {
+  file("corridor.txt", corridor);
+  const Ended ended = labmouse({"sweep", "flood", "--vary", "stride=1,2", "--mazes", "corridor.txt", "--csv", "corridor.txt/a.csv"});
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_THAT(ended.out, HasSubstr("Lowest mean"));
+  EXPECT_THAT(ended.err, HasSubstr("corridor.txt/a.csv: error: cannot"));
+}
+
+TEST_F(AUser, WhoInterruptsASweepAtOnceLosesNoFile) {
+  file("corridor.txt", corridor);
+  file("strides.csv", "kept");
+  const test::Program program(folder_, {"sweep", "random", "--vary", "stride=1:8:1", "--mazes", "corridor.txt", "--runs",
+                                        "500000", "--jobs", "1", "--csv", "strides.csv"});
+  const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  while (!program.handles_interrupts() && std::chrono::steady_clock::now() < patience) std::this_thread::yield();
+  program.interrupt();
+  const Ended ended = program.wait();
+  EXPECT_EQ(ended.code, 130) << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr("Stopped early: 0 of 8 values done."));
+  EXPECT_EQ(content("strides.csv"), "kept");
 }
 
 TEST_F(AUser, SeesHowMuchOfTheMazesWasSeen) {

@@ -53,6 +53,13 @@ class Program {
 
   void interrupt() const { kill(child_, SIGINT); }
 
+  /// Whether the program has come so far that an interrupt does not simply end it.
+  bool handles_interrupts() const {
+    const std::string status = content_of("/proc/" + std::to_string(child_) + "/status");
+    const auto caught = status.find("SigCgt:");
+    return caught != std::string::npos && (std::stoull(status.substr(caught + 7), nullptr, 16) >> (SIGINT - 1) & 1U) != 0;
+  }
+
   Ended wait() const {
     int status = 0;
     waitpid(child_, &status, 0);

@@ -1,0 +1,57 @@
+// labmouse sweep: one mouse at many values of one parameter.
+#include "labmouse/lab/sweep.hpp"
+
+#include <memory>
+
+#include "command.hpp"
+#include "contests.hpp"
+
+namespace labmouse::cli {
+namespace {
+
+struct SweepOptions {
+  std::string mouse, vary, svg, csv;
+  Contests contests;
+};
+
+Sweep hold(const SweepOptions& options, const Variation& variation, const std::vector<NamedMaze>& mazes) {
+  Progress progress;
+  const Interruptible interruptible;
+  SweepHooks hooks;
+  hooks.stop = &interruptible.stopped();
+  hooks.finished = [&](std::size_t all) { progress.advance(all); };
+  return hold_sweep(options.mouse, variation, mazes, options.contests.order, hooks);
+}
+
+int sweep(const SweepOptions& options) {
+  const Variation variation = read_variation(options.vary);
+  if (!variation.error.empty()) throw UsageError("error: " + variation.error);
+  if (const auto error = read_variants(options.mouse, variation.parameter, variation.values).error; !error.empty())
+    throw UsageError("error: " + error);
+  const MazeCollection mazes = find_mazes(options.contests.mazes, options.contests.places);
+  const Sweep result = hold(options, variation, mazes.mazes);
+  print(table_of(result, colours()));
+  // A sweep that was stopped at once has nothing that is worth an earlier file.
+  const bool any = !result.points.empty();
+  if (any && !options.csv.empty()) save(options.csv, csv_of(result));
+  if (any && !options.svg.empty()) save(options.svg, picture_of(result));
+  return result.points.size() < result.values ? exit_interrupted : exit_good;
+}
+
+}  // namespace
+
+void add_sweep(CLI::App& app, int& exit) {
+  auto options = std::make_shared<SweepOptions>();
+  CLI::App* command = app.add_subcommand("sweep", "Race one mouse at many values of one parameter");
+  command->add_option("mouse", options->mouse, "Mouse, name[:key=value]...")->required()->type_name("MOUSE");
+  command->add_option("--vary", options->vary, "Parameter and its values: a range with its step, or a list")
+      ->required()
+      ->type_name("NAME=LOW:HIGH:STEP|NAME=VALUE,VALUE,...");
+  add_contests(*command, options->contests);
+  command->add_option("--csv", options->csv, "Save the numbers, one line a value")->type_name("FILE");
+  command->add_option("--svg", options->svg, "Save a plot of the mean score against the value")->type_name("FILE");
+  command->footer("Example: labmouse sweep flood --vary stride=1:3:1 --mazes my-mazes/ --svg strides.svg");
+  command->callback([options, &exit] { exit = sweep(*options); });
+}
+
+}  // namespace labmouse::cli
