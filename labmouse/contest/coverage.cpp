@@ -43,14 +43,17 @@ std::vector<Cell> explored_way(const RunRecord& record, Size size) {
   return way;
 }
 
-Coverage coverage_of(const RunRecord& record, const Maze& maze) {
+Coverage coverage_of(const RunRecord& record, Size size, const CellSet& reachable) {
   CellSet visited;
-  for (const Cell cell : explored_way(record, maze.size())) visited.insert(cell);
+  for (const Cell cell : explored_way(record, size)) visited.insert(cell);
   CellSet discovered = visited;
   for (const StepRecord& step : record.steps)
-    if (explores(step)) insert_seen(step, maze.size(), discovered);
-  const CellSet reachable = reachable_cells(maze);
+    if (explores(step)) insert_seen(step, size, discovered);
   return {share(discovered, reachable), share(visited, reachable)};
+}
+
+Coverage coverage_of(const RunRecord& record, const Maze& maze) {
+  return coverage_of(record, maze.size(), reachable_cells(maze));
 }
 
 }  // namespace labmouse

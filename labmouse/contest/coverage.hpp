@@ -24,5 +24,7 @@ std::vector<Cell> explored_way(const RunRecord& record, Size size);
 
 /// The shares of an exploration: of all of its steps, with the reading of the one that reset it.
 Coverage coverage_of(const RunRecord& record, const Maze& maze);
+/// The same, where the reachable cells (at least one) of the maze are known already.
+Coverage coverage_of(const RunRecord& record, Size size, const CellSet& reachable);
 
 }  // namespace labmouse

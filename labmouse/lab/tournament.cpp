@@ -12,6 +12,7 @@
 
 #include "labmouse/chance/dice.hpp"
 #include "labmouse/contest/simulator.hpp"
+#include "labmouse/maze/routes.hpp"
 
 namespace labmouse {
 namespace {
@@ -57,7 +58,7 @@ RunRecord hold_contest(const Race& race, ContestResult& contest) {
   Timed timed(*mouse);
   RunRecord record = run(maze, race.order.rules, timed);
   contest.score = score(record, race.order.rules);
-  contest.coverage = coverage_of(record, maze);
+  contest.coverage = coverage_of(record, maze.size(), race.reachable[contest.maze]);
   if (record.outcome == Outcome::forfeit) contest.reason = record.steps.back().action.reason;
   contest.decisions = static_cast<int>(record.steps.size());
   contest.counts = record.counts;
@@ -75,11 +76,17 @@ std::uint64_t contest_seed(std::uint64_t seed, std::string_view maze_name, int r
 
 Race hold_race(std::vector<Contestant> mice, std::vector<NamedMaze> mazes, const RaceOrder& order,
                const RaceHooks& hooks) {
-  Race race{order, std::move(mice), std::move(mazes), {}, {}, false};
+  Race race;
+  race.order = order;
+  race.mice = std::move(mice);
+  race.mazes = std::move(mazes);
   const auto by_name = [](const auto& a, const auto& b) { return a.name < b.name; };
   std::sort(race.mice.begin(), race.mice.end(), by_name);
   std::sort(race.mazes.begin(), race.mazes.end(), by_name);
-  for (const NamedMaze& maze : race.mazes) race.bounds.push_back(bound_of(maze.maze, order.rules));
+  for (const NamedMaze& maze : race.mazes) {
+    race.bounds.push_back(bound_of(maze.maze, order.rules));
+    race.reachable.push_back(reachable_cells(maze.maze));
+  }
   race.results = list_contests(race);
 
   std::mutex telling;

@@ -45,6 +45,7 @@ struct Race {
   std::vector<Contestant> mice;  ///< in the order of their names
   std::vector<NamedMaze> mazes;  ///< in the order of their names
   std::vector<Bound> bounds;     ///< of each maze
+  std::vector<CellSet> reachable;      ///< the cells that can be reached in each maze
   std::vector<ContestResult> results;  ///< by mouse, maze and run
   bool stopped = false;          ///< before all contests were done
 };
