@@ -19,6 +19,16 @@ void insert_seen(const StepRecord& step, Size size, CellSet& cells) {
   }
 }
 
+ExploredCells explored_cells(const RunRecord& record, Size size, const CellSet& reachable) {
+  ExploredCells cells;
+  for (const Cell cell : explored_way(record, size)) cells.visited.insert(cell);
+  cells.discovered = cells.visited;
+  for (const StepRecord& step : record.steps)
+    if (explores(step)) insert_seen(step, size, cells.discovered);
+  cells.reachable = reachable;
+  return cells;
+}
+
 double share(CellSet part, const CellSet& whole) {
   part &= whole;
   return part.count() / static_cast<double>(whole.count());
@@ -44,12 +54,12 @@ std::vector<Cell> explored_way(const RunRecord& record, Size size) {
 }
 
 Coverage coverage_of(const RunRecord& record, Size size, const CellSet& reachable) {
-  CellSet visited;
-  for (const Cell cell : explored_way(record, size)) visited.insert(cell);
-  CellSet discovered = visited;
-  for (const StepRecord& step : record.steps)
-    if (explores(step)) insert_seen(step, size, discovered);
-  return {share(discovered, reachable), share(visited, reachable)};
+  const ExploredCells cells = explored_cells(record, size, reachable);
+  return {share(cells.discovered, reachable), share(cells.visited, reachable)};
+}
+
+ExploredCells explored_cells(const RunRecord& record, const Maze& maze) {
+  return explored_cells(record, maze.size(), reachable_cells(maze));
 }
 
 Coverage coverage_of(const RunRecord& record, const Maze& maze) {

@@ -8,11 +8,21 @@
 
 namespace labmouse {
 
+/// Cells that an exploration came to know; visited lies in discovered.
+struct ExploredCells {
+  /// Visited cells, and those that a reading showed a way into: all cells of the corridors that were seen.
+  CellSet discovered;
+  /// Cells that the mouse stood in or drove through.
+  CellSet visited;
+  /// Those that can be reached from the start: the whole of which the others are shares.
+  CellSet reachable;
+
+  friend bool operator==(const ExploredCells&, const ExploredCells&) = default;
+};
+
 /// Shares, 0 to 1, of the cells that can be reached from the start, at the end of the exploration.
 struct Coverage {
-  /// Visited cells, and those that a reading showed a way into: all cells of the corridors that were seen.
   double discovered = 0.0;
-  /// Cells that the mouse stood in or drove through.
   double visited = 0.0;
 
   friend constexpr bool operator==(const Coverage&, const Coverage&) = default;
@@ -22,7 +32,10 @@ struct Coverage {
 /// drove through are among them. Cells of a record that lie outside of a maze of that size are left out.
 std::vector<Cell> explored_way(const RunRecord& record, Size size);
 
-/// The shares of an exploration: of all of its steps, with the reading of the one that reset it.
+/// The cells of an exploration: of all of its steps, with the reading of the one that reset it. The speed run adds none.
+ExploredCells explored_cells(const RunRecord& record, const Maze& maze);
+
+/// Their shares.
 Coverage coverage_of(const RunRecord& record, const Maze& maze);
 /// The same, where the reachable cells (at least one) of the maze are known already.
 Coverage coverage_of(const RunRecord& record, Size size, const CellSet& reachable);

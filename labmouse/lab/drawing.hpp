@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "labmouse/contest/record.hpp"
-#include "labmouse/lab/explored_cells.hpp"
+#include "labmouse/contest/coverage.hpp"
 #include "labmouse/maze/maze.hpp"
 
 namespace labmouse {

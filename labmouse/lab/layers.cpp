@@ -6,6 +6,7 @@
 #include <array>
 #include <memory>
 
+#include "labmouse/contest/coverage.hpp"
 #include "labmouse/lab/bounds.hpp"
 #include "labmouse/mouse/distance.hpp"
 #include "labmouse/mouse/knowledge.hpp"
@@ -59,7 +60,8 @@ DrawingLayers ground_of(const Maze& maze, const Rules& rules, const LayerSet& ch
 }
 
 std::function<int(Cell)> visits_of(Size size, const RunRecord& record) {
-  const auto visits = std::make_shared<std::vector<int>>(exploration_visits(size, record));
+  const auto visits = std::make_shared<std::vector<int>>(static_cast<std::size_t>(size.area()));
+  for (const Cell cell : explored_way(record, size)) ++(*visits)[static_cast<std::size_t>(size.index(cell))];
   return [visits, size](Cell cell) { return (*visits)[static_cast<std::size_t>(size.index(cell))]; };
 }
 
@@ -148,7 +150,7 @@ DrawingLayers layers_of(const RecordFile& file, const LayerSet& chosen) {
     layers.wrong = unknown_walls(maze, file.run);
     *layers.wrong -= maze.open_walls();
   }
-  if (chosen.contains(Layer::shares)) layers.explored = explored_cells(maze, file.run);
+  if (chosen.contains(Layer::shares)) layers.explored = explored_cells(file.run, maze);
   return layers;
 }
 
