@@ -5,7 +5,8 @@
 namespace labmouse {
 
 std::span<const RosterEntry* const> roster() {
-  static constexpr std::array entries = {&random_mouse, &wall_left_mouse,    &wall_right_mouse,
+  static constexpr std::array entries = {&random_mouse, &wall_left_mouse, &wall_right_mouse,
+                                         &random_move_mouse, &dead_end_mouse, &visit_counter_mouse,
                                          &flood_mouse,  &flood_return_mouse, &certify_mouse};
   return entries;
 }

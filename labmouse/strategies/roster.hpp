@@ -30,6 +30,9 @@ struct RosterEntry {
 extern const RosterEntry random_mouse;
 extern const RosterEntry wall_left_mouse;
 extern const RosterEntry wall_right_mouse;
+extern const RosterEntry random_move_mouse;
+extern const RosterEntry dead_end_mouse;
+extern const RosterEntry visit_counter_mouse;
 extern const RosterEntry flood_mouse;
 extern const RosterEntry flood_return_mouse;
 extern const RosterEntry certify_mouse;

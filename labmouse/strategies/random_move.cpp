@@ -1,0 +1,41 @@
+// random-move: chance alone.
+//
+// Method: a random turn by -90, 0 or 90 degrees and a random movement of no to the most cells, drawn again while a wall is
+// in the way; what else it sees does not matter. Once it has entered a goal and stood in a share of all cells it resets
+// and runs the way that a breadth-first search finds among the walls about the cells in which it stood.
+// Limits: leaves a dead end only by two turns that happen to point the same way; seldom reaches the goal of a large maze
+// within the budget. Where the share cannot be reached it wanders for ever.
+// Source: random move, in the fifth report, "Plot and Navigate a Virtual Maze", Algorithms and Techniques.
+// Choices: half of the cells have to be visited, as the text says of all its explorers; with the five sixths of its code
+// this mouse hardly ever ends. The rest as for visit-counter.
+#include <array>
+
+#include "labmouse/strategies/roster.hpp"
+#include "labmouse/strategies/wanderer.hpp"
+
+namespace labmouse {
+namespace {
+
+class RandomMove final : public Wanderer {
+ public:
+  RandomMove(const Briefing& briefing, const Settings& settings)
+      : Wanderer(briefing, settings.real("coverage"), SearchMethod::breadth_first, TieOrder("esnw")) {}
+
+ private:
+  Action wander() override { return random_step(); }
+};
+
+constexpr std::array parameters = {
+    Parameter{"coverage", ParameterType::real, "0.5", 0, 1, "", "share of all cells to stand in before the reset"},
+};
+
+}  // namespace
+
+const RosterEntry random_move_mouse = {
+    "random-move", "random turns and movements, whatever it sees", parameters,
+    [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
+      return std::make_unique<RandomMove>(briefing, settings);
+    },
+    RosterEntry::always};
+
+}  // namespace labmouse
