@@ -8,8 +8,8 @@
 
 namespace labmouse {
 
-/// The passages between the cells in which a mouse has stood: of each it learns, when it first stands there, the walls to
-/// the left, ahead and to the right. What it walked through is open as well, so the way that it came is always known.
+/// The passages between the cells in which a mouse has stood: of each it learns, when it first stands there, the walls
+/// to the left, ahead and to the right. What it walked through is open as well: the way that it came is always known.
 class NearWalls {
  public:
   explicit NearWalls(Cell start) : last_(start) {}

@@ -66,7 +66,8 @@ void TextbookSearch::find(Cell cell, const Node& as, int turns) {
 
 /// Writes the way from the start to the goal.
 void TextbookSearch::trace(Cell start) {
-  for (Cell cell = goal_; cell != start; cell = neighbour(cell, opposite(way_.back()))) way_.push_back(node(cell).heading);
+  for (Cell cell = goal_; cell != start; cell = neighbour(cell, opposite(way_.back())))
+    way_.push_back(node(cell).heading);
   std::reverse(way_.begin(), way_.end());
 }
 

@@ -1,12 +1,13 @@
 // dead-end: chance, but no time lost in dead ends.
 //
-// Method: as random-move, but where walls stand to the left, ahead and to the right it turns right on the spot; after that
-// only the way out is open.
-// Limits: a corridor or a loop holds it as long as chance will. Where the share cannot be reached it wanders for ever.
-// Source: random move with dead end detection, in the fifth report, "Plot and Navigate a Virtual Maze", Algorithms and
-// Techniques; its benchmark among explorers.
-// Choices: half of the cells have to be visited, as the text says of all its explorers; with the five sixths of its code
-// this mouse hardly ever ends. The rest as for visit-counter.
+// Method: as random-move, but where walls stand to the left, ahead and to the right it turns right on the spot;
+// after that only the way out is open.
+// Limits: a corridor or a loop holds it as long as chance will. Where the share cannot be reached it wanders for
+// ever.
+// Source: random move with dead end detection, in the fifth report, "Plot and Navigate a Virtual Maze", Algorithms
+// and Techniques; its benchmark among explorers.
+// Choices: half of the cells have to be visited, as the text says of all its explorers; with the five sixths of its
+// code this mouse hardly ever ends in time. The rest as for visit-counter.
 #include <array>
 
 #include "labmouse/strategies/roster.hpp"

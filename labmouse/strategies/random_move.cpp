@@ -1,13 +1,14 @@
 // random-move: chance alone.
 //
-// Method: a random turn by -90, 0 or 90 degrees and a random movement of no to the most cells, drawn again while a wall is
-// in the way; what else it sees does not matter. Once it has entered a goal and stood in a share of all cells it resets
-// and runs the way that a breadth-first search finds among the walls about the cells in which it stood.
-// Limits: leaves a dead end only by two turns that happen to point the same way; seldom reaches the goal of a large maze
-// within the budget. Where the share cannot be reached it wanders for ever.
+// Method: a random turn by -90, 0 or 90 degrees and a random movement of no to the most cells, drawn again while a
+// wall is in the way; what else it sees does not matter. Once it has entered a goal and stood in a share of all
+// cells it resets and runs the way that a breadth-first search finds among the walls about the cells in which it
+// stood.
+// Limits: leaves a dead end only by two turns that happen to point the same way; seldom reaches the goal of a large
+// maze within the budget. Where the share cannot be reached it wanders for ever.
 // Source: random move, in the fifth report, "Plot and Navigate a Virtual Maze", Algorithms and Techniques.
-// Choices: half of the cells have to be visited, as the text says of all its explorers; with the five sixths of its code
-// this mouse hardly ever ends. The rest as for visit-counter.
+// Choices: half of the cells have to be visited, as the text says of all its explorers; with the five sixths of its
+// code this mouse hardly ever ends in time. The rest as for visit-counter.
 #include <array>
 
 #include "labmouse/strategies/roster.hpp"

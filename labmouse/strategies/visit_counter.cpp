@@ -1,18 +1,20 @@
 // visit-counter: to where it was least often.
 //
 // Method: counts how often it stood in each cell. Most steps lead one cell on, to the left, ahead or to the right,
-// whichever was visited least; with a fixed probability the step is a random one instead, so that no loop holds it for
-// ever; from a dead end it turns right on the spot. Once it has entered a goal and stood in a share of all cells it resets,
-// plans its way by a textbook's search over the walls about those cells, and runs it in the longest strides.
-// Limits: no care for where the goal is; sees far and learns only near. The search counts cells, not steps, so the way may
-// take more steps than another does. Where the share cannot be reached it wanders for ever.
-// Source: the final explorer of the fifth report, "Plot and Navigate a Virtual Maze", Algorithms and Techniques, Refinement.
+// whichever was visited least; with a fixed probability the step is a random one instead, so that no loop holds it
+// for ever; from a dead end it turns right on the spot. Once it has entered a goal and stood in a share of all cells
+// it resets, plans its way by a textbook's search over the walls about those cells, and runs it in the longest
+// strides.
+// Limits: no care for where the goal is; sees far and learns only near. The search counts cells, not steps, so the
+// way may take more steps than another does. Where the share cannot be reached it wanders for ever.
+// Source: the final explorer of the fifth report, "Plot and Navigate a Virtual Maze", Algorithms and Techniques,
+// Refinement.
 // Choices: the text ends the exploration with half of the cells, the code in it with five sixths; the default is the
-// code's, which on the test mazes comes nearer to the reported numbers of steps. A cell counts where a step ends; passages
-// that a stride went through are known, as the way that it came. Of cells only one step away, the one behind is not
-// asked for, because no step turns round; each step counts as a visit, one on the spot too. `ties` orders both the
-// neighbours visited equally often and the search; of the orders with which A* finds as many cells as reported on test
-// mazes 1 and 3, the default is the first by the compass (east, south, north, west).
+// code's, which on the test mazes comes nearer to the reported numbers of steps. A cell counts where a step ends;
+// passages that a stride went through are known, as the way that it came. Of cells only one step away, the one
+// behind is not asked for, because no step turns round; each step counts as a visit, one on the spot too. `ties`
+// orders both the neighbours visited equally often and the search; of the orders with which A* finds as many cells
+// as reported on test mazes 1 and 3, the default is the first by the compass (east, south, north, west).
 #include <array>
 
 #include "labmouse/mouse/visits.hpp"
@@ -25,7 +27,8 @@ namespace {
 class VisitCounter final : public Wanderer {
  public:
   VisitCounter(const Briefing& briefing, const Settings& settings)
-      : Wanderer(briefing, settings.real("coverage"), search_method(settings.choice("search")), TieOrder(settings.choice("ties"))),
+      : Wanderer(briefing, settings.real("coverage"), search_method(settings.choice("search")),
+                 TieOrder(settings.choice("ties"))),
         visits_(briefing.size),
         ties_(settings.choice("ties")),
         random_share_(settings.real("random_share")) {}
@@ -62,7 +65,8 @@ class VisitCounter final : public Wanderer {
 constexpr std::array parameters = {
     Parameter{"random_share", ParameterType::real, "0.2", 0, 1, "", "probability of a random step"},
     Parameter{"coverage", ParameterType::real, "0.8333", 0, 1, "", "share of all cells to stand in before the reset"},
-    Parameter{"search", ParameterType::choice, "a-star", 0, 0, "breadth-first/a-star/dijkstra", "how the speed run is planned"},
+    Parameter{"search", ParameterType::choice, "a-star", 0, 0, "breadth-first/a-star/dijkstra",
+              "how the speed run is planned"},
     Parameter{"ties", ParameterType::choice, "esnw", 0, 0, TieOrder::all,
               "order of the directions, among cells visited equally often and in the search"},
 };

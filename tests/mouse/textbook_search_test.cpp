@@ -61,8 +61,8 @@ TEST_P(ReportedSearch, BreadthFirstFindsAsManyCellsAsReportedBesidesTheStart) {
   EXPECT_EQ(searched(*maze_, SearchMethod::breadth_first).found() - 1, GetParam().breadth_first);
 }
 
-// On test maze 2 the report has two cells less than any order of the directions finds here; perhaps its mouse had not seen
-// the whole maze.
+// On test maze 2 the report has two cells less than any order of the directions finds here; perhaps its mouse had not
+// seen the whole maze.
 TEST_P(ReportedSearch, AStarFindsAsManyCellsAsReportedOnTwoMazesOfThree) {
   EXPECT_EQ(searched(*maze_, SearchMethod::a_star).found(), GetParam().a_star_here);
   EXPECT_EQ(GetParam().a_star_here - GetParam().a_star, GetParam().maze == 2 ? 2 : 0);
@@ -132,7 +132,8 @@ TEST(TextbookSearch, AmongSeveralGoalsGoesToTheNearest) {
   for (const SearchMethod method : all_methods) {
     TextbookSearch search({6, 6}, method, TieOrder("esnw"));
     ASSERT_TRUE(search.search(WallSet::all({6, 6}), corner, goals));
-    EXPECT_EQ(std::vector<Heading>(search.way().begin(), search.way().end()), (std::vector{Heading::north, Heading::north}));
+    EXPECT_EQ(std::vector<Heading>(search.way().begin(), search.way().end()),
+              (std::vector{Heading::north, Heading::north}));
   }
 }
 
@@ -176,7 +177,8 @@ TEST(TextbookSearch, KnowsWhereThereIsNoWay) {
 TEST(MergeStrides, LeavesTheShortMoveOfARunAtItsBeginning) {
   const std::vector<Heading> way = {Heading::north, Heading::north, Heading::north, Heading::north, Heading::north,
                                     Heading::east,  Heading::north, Heading::north, Heading::north};
-  EXPECT_EQ(merged(way, 3), (std::vector<Move>{{Heading::north, 2}, {Heading::north, 3}, {Heading::east, 1}, {Heading::north, 3}}));
+  EXPECT_EQ(merged(way, 3),
+            (std::vector<Move>{{Heading::north, 2}, {Heading::north, 3}, {Heading::east, 1}, {Heading::north, 3}}));
   EXPECT_EQ(merged(way, 8), (std::vector<Move>{{Heading::north, 5}, {Heading::east, 1}, {Heading::north, 3}}));
   EXPECT_EQ(merged(way, 1).size(), 9U);
   EXPECT_TRUE(merged({}, 3).empty());

@@ -54,9 +54,10 @@ TEST(VisitCounter, MovesAtRandomAsOftenAsItIsTold) {
   const Maze maze = test::wandering_ground();
   const auto random_steps = [&](const char* share) {
     int count = 0;
-    for (const StepRecord& step : test::wander(visit_counter_mouse, maze, 1, {{"random_share", share}, {"coverage", "1"}}).steps)
-      count += step.run == Run::exploration && step.sighting != Sighting{0, 0, 0} && step.action.kind == Action::Kind::step &&
-               step.action.movement != 1;
+    const RunRecord record = test::wander(visit_counter_mouse, maze, 1, {{"random_share", share}, {"coverage", "1"}});
+    for (const StepRecord& step : record.steps)
+      count += step.run == Run::exploration && step.sighting != Sighting{0, 0, 0} &&
+               step.action.kind == Action::Kind::step && step.action.movement != 1;
     return count;
   };
   EXPECT_EQ(random_steps("0"), 0);
@@ -89,8 +90,8 @@ TEST(VisitCounter, ResetsAfterTheGoalAtItsCoverage) {
 TEST(VisitCounter, RacesOnlyWhereItWasAndWhatLiesBetween) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed)
     for (const char* search : {"breadth-first", "a-star", "dijkstra"})
-      test::expect_speed_run_over_near_walls(
-          test::wander(visit_counter_mouse, test::wandering_ground(seed), seed, {{"search", search}, {"coverage", "0.3"}}));
+      test::expect_speed_run_over_near_walls(test::wander(visit_counter_mouse, test::wandering_ground(seed), seed,
+                                                          {{"search", search}, {"coverage", "0.3"}}));
 }
 
 TEST(VisitCounter, PlansOnTheWallsNextToItAndCountsTheSearch) {
@@ -108,7 +109,8 @@ TEST(VisitCounter, PlansOnTheWallsNextToItAndCountsTheSearch) {
       std::vector<Move> moves;
       merge_strides(search.way(), 3, moves);
       EXPECT_EQ(raced.size(), moves.size());
-      EXPECT_EQ(record.counts, (std::vector<Count>{{"nodes expanded", search.expanded()}, {"nodes found", search.found()}}));
+      EXPECT_EQ(record.counts,
+                (std::vector<Count>{{"nodes expanded", search.expanded()}, {"nodes found", search.found()}}));
     }
 }
 

@@ -15,7 +15,8 @@ namespace labmouse::test {
 
 /// A run with some parameters set.
 inline RunRecord wander(const RosterEntry& mouse, const Maze& maze, std::uint64_t seed,
-                        std::initializer_list<std::pair<std::string_view, std::string_view>> set = {}, int budget = 20'000) {
+                        std::initializer_list<std::pair<std::string_view, std::string_view>> set = {},
+                        int budget = 20'000) {
   Settings settings(mouse.parameters);
   for (const auto& [name, value] : set) settings.set(name, value);
   Rules rules;
@@ -33,7 +34,8 @@ struct Trodden {
 
 inline void go(Pose pose, const Action& step, WallSet& walls) {
   const Heading direction = rotated(pose.heading, step.rotation);
-  for (int cell = 0; cell < step.movement; ++cell) walls.insert(wall_at(neighbour(pose.cell, direction, cell), direction));
+  for (int cell = 0; cell < step.movement; ++cell)
+    walls.insert(wall_at(neighbour(pose.cell, direction, cell), direction));
 }
 
 inline Trodden trodden(const RunRecord& record) {
