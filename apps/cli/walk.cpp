@@ -53,6 +53,12 @@ void require_room(Size size) {
                                window.ws_col, window.ws_row));
 }
 
+/// What the mouse counted, if it did, and how the contest went.
+std::string last_lines(const RecordFile& file) {
+  const std::string counts = counts_line(file);
+  return (counts.empty() ? "" : counts + "\n") + result_line(file) + "\n";
+}
+
 }  // namespace
 
 void watch(const RecordFile& file, int delay) {
@@ -69,12 +75,12 @@ void watch(const RecordFile& file, int delay) {
     print(terminal ? over_the_last(frame) : frame);
     if (terminal) std::this_thread::sleep_for(std::chrono::milliseconds(delay));
   }
-  print(terminal ? over_the_last(summary_of(file)) : result_line(file) + "\n");
+  print(terminal ? over_the_last(summary_of(file)) : last_lines(file));
 }
 
 std::string summary_of(const RecordFile& file) {
-  return fmt::format("{}{}\n{}\n", draw_text(*file.maze, layers_of(file, contest_layers()), colours()),
-                     exploration_line(file), result_line(file));
+  return draw_text(*file.maze, layers_of(file, contest_layers()), colours()) + exploration_line(file) + "\n" +
+         last_lines(file);
 }
 
 }  // namespace labmouse::cli

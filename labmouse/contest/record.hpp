@@ -62,7 +62,7 @@ struct RunRecord {
   Outcome outcome = Outcome::out_of_steps;
   /// Where the mouse stood at the end.
   Pose end;
-  /// The mouse's own counters at the end.
+  /// The mouse's own counters at the end, sorted by name.
   std::vector<Count> counts;
 
   friend bool operator==(const RunRecord&, const RunRecord&) = default;

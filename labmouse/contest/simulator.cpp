@@ -12,6 +12,13 @@ Outcome outcome_at_the_end_of_steps(Run run, bool goal_entered) {
   return goal_entered ? Outcome::never_reset : Outcome::out_of_steps;
 }
 
+std::vector<Count> counts_of(const Strategy& mouse) {
+  std::vector<Count> counts;
+  for (const Counter& counter : mouse.counters()) counts.push_back({std::string(counter.name), counter.value});
+  std::sort(counts.begin(), counts.end(), [](const Count& a, const Count& b) { return a.name < b.name; });
+  return counts;
+}
+
 }  // namespace
 
 Briefing brief(const Maze& maze, const Rules& rules, std::uint64_t seed) {
@@ -43,7 +50,7 @@ RunRecord run(const Maze& maze, const Rules& rules, Strategy& mouse) {
   const auto end = [&](Outcome outcome) {
     record.outcome = outcome;
     record.end = pose;
-    for (const Counter& counter : mouse.counters()) record.counts.push_back({std::string(counter.name), counter.value});
+    record.counts = counts_of(mouse);
     return std::move(record);
   };
   for (int step = 1; step <= rules.budget; ++step) {

@@ -125,4 +125,10 @@ std::string result_line(const RecordFile& file) {
   return shown(line);
 }
 
+std::string counts_line(const RecordFile& file) {
+  std::string line;
+  for (const Count& count : file.run.counts) line += fmt::format("{}{} {}", line.empty() ? "" : ", ", count.name, count.value);
+  return shown(line);
+}
+
 }  // namespace labmouse

@@ -34,7 +34,8 @@ struct ReadRecordResult {
 };
 ReadRecordResult read_record(std::string_view text);
 
-/// Plays a record's actions again in a maze. Returns the record that comes out, or where it first disagrees.
+/// Plays a record's actions again in a maze. Returns the record that comes out, or where it first disagrees; what the
+/// mouse counted is taken over unchecked.
 struct ReplayResult {
   RunRecord run;
   std::string disagreement;  ///< empty where every step agrees

@@ -1,19 +1,21 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "labmouse/contest/simulator.hpp"
 #include "labmouse/lab/record_file.hpp"
-#include "labmouse/contest/script.hpp"
+#include "labmouse/mouse/motion.hpp"
 
 namespace labmouse {
 namespace {
 
 using Json = nlohmann::json;
 
-constexpr int longest_record = 1'000'000;  // steps; a limit on what a hostile file can make us hold
+// Limits on what a hostile file can make us hold.
+constexpr int longest_record = 1'000'000;  // steps
+constexpr std::size_t most_counts = 64;
+constexpr std::size_t longest_count_name = 64;
+constexpr std::int64_t largest_count = std::int64_t{1} << 53U;  // what every JSON reader keeps exactly
 
 /// Reads values out of one line's object and remembers the first that is missing or wrong.
 class Fields {
@@ -165,8 +167,28 @@ std::string read_step(const Json& json, RecordFile& file) {
   return fields.error();
 }
 
+bool is_count(const Json& value) {
+  if (value.is_number_unsigned()) return value.get<std::uint64_t>() <= static_cast<std::uint64_t>(largest_count);
+  return value.is_number_integer() && value.get<std::int64_t>() >= -largest_count;
+}
+
+/// Reads what the mouse counted; returns what is wrong, or nothing.
+std::string read_counts(const Json& json, std::vector<Count>& counts) {
+  if (!json.is_object()) return "'counts' is not an object";
+  if (json.size() > most_counts) return fmt::format("'counts' has more than {} names", most_counts);
+  for (const auto& [name, value] : json.items()) {
+    if (name.empty() || name.size() > longest_count_name)
+      return fmt::format("'counts' has a name that is not 1 to {} bytes long", longest_count_name);
+    if (!is_count(value)) return "'counts' has a value that is not a whole number from -2^53 to 2^53";
+    counts.push_back({name, value.get<std::int64_t>()});
+  }
+  return "";
+}
+
 std::string read_end(const Json& json, RecordFile& file) {
   Fields fields(json, "");
+  if (fields.has("counts"))
+    if (auto error = read_counts(json["counts"], file.run.counts); !error.empty()) return error;
   const std::string name = fields.text("outcome");
   file.run.end = {fields.cell("cell"), fields.heading("heading")};
   const bool gave_up = !file.run.steps.empty() && file.run.steps.back().action.kind == Action::Kind::forfeit;
@@ -209,38 +231,6 @@ ReadRecordResult read_record(std::string_view text) {
   }
   if (!file.maze) return failed(0, "the record is empty");
   return {std::move(file), {}};
-}
-
-ReplayResult replay(const RecordFile& file, const Maze& maze) {
-  std::vector<Action> actions;
-  for (const StepRecord& step : file.run.steps) actions.push_back(step.action);
-  Script script(maze.size(), std::move(actions));
-  Rules rules = file.rules;
-  // A record without its last line may stop anywhere: play as far as it goes.
-  if (!file.ended) rules.budget = std::min(rules.budget, static_cast<int>(file.run.steps.size()));
-  ReplayResult result{run(maze, rules, script), ""};
-  const auto& played = result.run.steps;
-  for (std::size_t i = 0; i < file.run.steps.size(); ++i) {
-    if (i >= played.size()) {
-      result.disagreement = fmt::format("step {} is recorded, but the contest had ended", i + 1);
-      return result;
-    }
-    const StepRecord &was = file.run.steps[i], &is = played[i];
-    if (was == is) continue;
-    result.disagreement = fmt::format(
-        "step {}: recorded at ({},{}) heading {}, reading {} {} {}{}; played at ({},{}) heading {}, reading {} {} {}{}", i + 1,
-        was.pose.cell.x, was.pose.cell.y, name_of(was.pose.heading), was.sighting.left, was.sighting.ahead,
-        was.sighting.right, was.blocked ? ", blocked" : "", is.pose.cell.x, is.pose.cell.y, name_of(is.pose.heading),
-        is.sighting.left, is.sighting.ahead, is.sighting.right, is.blocked ? ", blocked" : "");
-    return result;
-  }
-  if (file.ended && played.size() != file.run.steps.size())
-    result.disagreement = fmt::format("the record ends after step {}, but the contest had not", file.run.steps.size());
-  else if (file.ended && (result.run.outcome != file.run.outcome || result.run.end != file.run.end))
-    result.disagreement = fmt::format("the record ends '{}' at ({},{}); played, it ends '{}' at ({},{})",
-                                      name_of(file.run.outcome), file.run.end.cell.x, file.run.end.cell.y,
-                                      name_of(result.run.outcome), result.run.end.cell.x, result.run.end.cell.y);
-  return result;
 }
 
 }  // namespace labmouse

@@ -68,12 +68,14 @@ Json step_json(const StepRecord& step) {
 
 Json end_json(const RecordFile& file) {
   const Score result = score(file.run, file.rules);
-  return {{"outcome", name_of(result.outcome)},
-          {"cell", cell_json(file.run.end.cell)},
-          {"heading", name_of(file.run.end.heading)},
-          {"exploration_steps", result.exploration_steps},
-          {"speed_steps", result.speed_steps},
-          {"score", result.value ? Json(*result.value) : Json(nullptr)}};
+  Json end = {{"outcome", name_of(result.outcome)},
+              {"cell", cell_json(file.run.end.cell)},
+              {"heading", name_of(file.run.end.heading)},
+              {"exploration_steps", result.exploration_steps},
+              {"speed_steps", result.speed_steps},
+              {"score", result.value ? Json(*result.value) : Json(nullptr)}};
+  for (const Count& count : file.run.counts) end["counts"][count.name] = count.value;
+  return end;
 }
 
 std::string line(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n"; }

@@ -376,7 +376,9 @@ TEST_F(AUser, SeesARecordInLayers) {
   const Ended ran = labmouse({"run", "flood", "capstone-1", "--record", "walk.jsonl", "--svg", "run.svg"});
   ASSERT_EQ(ran.code, 0);
   const Ended shown = labmouse({"show", "--record", "walk.jsonl"});
-  EXPECT_EQ(shown.out, ran.out);
+  // The same picture; `run` has a line more, on what the exploration saw.
+  const auto picture = [](const std::string& out) { return out.substr(0, out.rfind("o---o")); };
+  EXPECT_EQ(picture(shown.out), picture(ran.out));
   EXPECT_EQ(shown.err, "");
   EXPECT_EQ(labmouse({"show", "--record", "walk.jsonl", "--svg", "show.svg"}).code, 0);
   EXPECT_EQ(content("show.svg"), content("run.svg"));

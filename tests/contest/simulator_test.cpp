@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <climits>
 
 #include "labmouse/contest/score.hpp"
@@ -331,6 +332,31 @@ TEST_F(InACorridor, AFailedContestHasNoScoreButItsStepsAreCounted) {
   EXPECT_EQ(score().value, std::nullopt);
   EXPECT_EQ(score().exploration_steps, 3);
   EXPECT_EQ(score().speed_steps, 2);
+}
+
+/// Stays where it is and counts how often it was asked.
+class Counting final : public Strategy {
+ public:
+  explicit Counting(Size size) : knowledge_(size) {}
+
+  Action decide(const Sighting&) override {
+    ++counters_[0].value;
+    return go(0);
+  }
+  const Knowledge& knowledge() const override { return knowledge_; }
+  std::span<const Counter> counters() const override { return counters_; }
+
+ private:
+  Knowledge knowledge_;
+  std::array<Counter, 2> counters_ = {Counter{"questions", 0}, Counter{"answers", 42}};
+};
+
+TEST(Counts, AreThoseOfTheMouseAtTheEndSortedByName) {
+  const Maze maze(MazeDraft({3, 3}, MazeDraft::Inside::open));
+  Counting mouse(maze.size());
+  Rules rules;
+  rules.budget = 7;
+  EXPECT_EQ(run(maze, rules, mouse).counts, (std::vector<Count>{{"answers", 42}, {"questions", 7}}));
 }
 
 }  // namespace

@@ -69,7 +69,7 @@ TEST(Record, ReadsAsItWasWritten) {
 
 TEST(Record, ReplaysToItself) {
   for (const auto& maze : {test::loop(), test::corridor(), test::without_route()})
-    for (const char* mouse : {"flood", "random", "oracle"}) {
+    for (const char* mouse : {"flood", "random", "oracle", "visit-counter"}) {
       const RecordFile file = read(write_record(recorded(mouse, maze)));
       const ReplayResult again = replay(file, *file.maze);
       EXPECT_EQ(again.disagreement, "") << mouse << " in " << maze.name;
@@ -91,6 +91,61 @@ TEST(Record, KeepsActionsThatNoMouseShouldTake) {
   const std::string text = write_record(file);
   EXPECT_EQ(read(text).run, file.run);
   EXPECT_EQ(disagreement(text), "");
+}
+
+/// A record that ends with these counts, as JSON.
+std::string counted(const std::string& counts) {
+  const std::string text = write_record(recorded("flood"));
+  return text.substr(0, text.size() - 2) + ",\"counts\":" + counts + "}\n";
+}
+
+TEST(Record, KeepsWhatTheMouseCounted) {
+  const RecordFile written = recorded("visit-counter");
+  ASSERT_FALSE(written.run.counts.empty());
+  EXPECT_EQ(read(write_record(written)).run, written.run);
+  RecordFile file = recorded("flood");
+  file.run.counts = {{"a \"name\"", -3}, {"nodes", std::int64_t{1} << 53U}, {"\u00e4", -(std::int64_t{1} << 53U)}};
+  EXPECT_EQ(read(write_record(file)).run.counts, file.run.counts);
+}
+
+TEST(Record, SaysNothingOfCountsWhereThereAreNone) {
+  EXPECT_EQ(write_record(recorded("flood")).find("counts"), std::string::npos);
+  EXPECT_TRUE(read(counted("{}")).run.counts.empty());
+}
+
+TEST(Record, CountsOutOfBoundsAreRefused) {
+  const auto named = [](std::size_t bytes) { return counted("{\"" + std::string(bytes, 'n') + "\":1}"); };
+  EXPECT_EQ(read(named(64)).run.counts.size(), 1U);
+  for (const auto& text : {named(0), named(65)}) EXPECT_THAT(problem(text).reason, HasSubstr("1 to 64 bytes"));
+  for (const char* value : {"9007199254740993", "-9007199254740993", "18446744073709551615", "99999999999999999999999",
+                            "1.5", "1e3", "\"1\"", "null", "true", "[1]", "{}"})
+    EXPECT_THAT(problem(counted("{\"nodes\":" + std::string(value) + "}")).reason, HasSubstr("whole number")) << value;
+  for (const char* counts : {"[]", "[1]", "3", "null", "\"nodes\""})
+    EXPECT_THAT(problem(counted(counts)).reason, HasSubstr("not an object")) << counts;
+}
+
+TEST(Record, TooManyCountsAreRefused) {
+  const auto names = [](int count) {
+    std::string counts;
+    for (int i = 0; i < count; ++i) counts += (i > 0 ? ",\"n" : "\"n") + std::to_string(i) + "\":1";
+    return counted("{" + counts + "}");
+  };
+  EXPECT_EQ(read(names(64)).run.counts.size(), 64U);
+  EXPECT_THAT(problem(names(65)).reason, HasSubstr("more than 64"));
+}
+
+TEST(Record, CountsTakeNoPartInAReplay) {
+  const RecordFile file = read(counted("{\"nodes expanded\":7}"));
+  const ReplayResult again = replay(file, *file.maze);
+  EXPECT_EQ(again.disagreement, "");
+  EXPECT_EQ(again.run.counts, (std::vector<Count>{{"nodes expanded", 7}}));
+}
+
+TEST(CountsLine, NamesEachCountFitToBeShown) {
+  RecordFile file = recorded("flood");
+  EXPECT_EQ(counts_line(file), "");
+  file.run.counts = {{"nodes\nexpanded", 141}, {"found", 3}};
+  EXPECT_EQ(counts_line(file), "nodes expanded 141, found 3");
 }
 
 TEST(Record, HasALineForEachStepBesidesHeaderAndEnd) {
