@@ -5,9 +5,12 @@
 namespace labmouse {
 
 std::span<const RosterEntry* const> roster() {
-  static constexpr std::array entries = {&random_mouse, &wall_left_mouse, &wall_right_mouse,
-                                         &random_move_mouse, &dead_end_mouse, &visit_counter_mouse,
-                                         &flood_mouse,  &flood_return_mouse, &certify_mouse};
+  static constexpr std::array entries = {
+      // What moves by chance or by rote.
+      &random_move_mouse, &dead_end_mouse, &visit_counter_mouse, &random_mouse,
+      &wall_left_mouse, &wall_right_mouse,
+      // What plans on what it knows.
+      &flood_explore_mouse, &flood_block_mouse, &flood_mouse, &flood_return_mouse, &certify_mouse};
   return entries;
 }
 

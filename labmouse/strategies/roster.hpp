@@ -33,6 +33,8 @@ extern const RosterEntry wall_right_mouse;
 extern const RosterEntry random_move_mouse;
 extern const RosterEntry dead_end_mouse;
 extern const RosterEntry visit_counter_mouse;
+extern const RosterEntry flood_explore_mouse;
+extern const RosterEntry flood_block_mouse;
 extern const RosterEntry flood_mouse;
 extern const RosterEntry flood_return_mouse;
 extern const RosterEntry certify_mouse;
