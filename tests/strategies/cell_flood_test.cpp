@@ -305,5 +305,17 @@ TEST(FloodExplore, NeverResetsWhereTheBudgetDoesNotLastForEveryCell) {
   EXPECT_EQ(run_of(flood_explore_mouse, *capstone_maze(1), rules).outcome, Outcome::never_reset);
 }
 
+TEST(FloodExplore, IsNotReadyInTheLongMazeAfterAThousandSteps) {
+  const Maze maze = test::maze_in_file(LABMOUSE_SOURCE_DIR "/mazes/long-16.txt").value();
+  const auto outcome = [&](const RosterEntry& mouse, int budget) {
+    Rules rules;
+    rules.budget = budget;
+    return run(maze, rules, *mouse.make(brief(maze, rules, 1), Settings(mouse.parameters))).outcome;
+  };
+  EXPECT_EQ(outcome(flood_explore_mouse, 1000), Outcome::never_reset);
+  EXPECT_EQ(outcome(flood_explore_mouse, 2000), Outcome::solved);
+  EXPECT_EQ(outcome(flood_block_mouse, 1000), Outcome::solved);
+}
+
 }  // namespace
 }  // namespace labmouse
