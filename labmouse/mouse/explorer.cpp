@@ -28,19 +28,6 @@ Action Explorer::race() {
   return step_along(to_goal_, knowledge_.open(), pose_);
 }
 
-Action Explorer::optimistic_step(const DistanceField& optimistic) const {
-  const auto move = next_move(optimistic, knowledge_.possible(), pose_);
-  if (!move) return Action::forfeit(ForfeitReason::no_way);
-  int known = 0;
-  Cell cell = pose_.cell;
-  while (known < move->cells && knowledge_.open().contains(wall_at(cell, move->direction))) {
-    cell = neighbour(cell, move->direction);
-    ++known;
-  }
-  // Only the wall behind can be unknown: the other three were just read.
-  return known > 0 ? move_in(pose_.heading, move->direction, known) : Action::step(90, 0);
-}
-
 void Explorer::perform(const Action& action) {
   switch (action.kind) {
     case Action::Kind::step:

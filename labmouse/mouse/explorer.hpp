@@ -35,9 +35,10 @@ class Explorer : public Strategy {
   /// Steps that the budget still allows, the present one among them.
   int steps_left() const { return briefing_.budget - steps_; }
 
-  /// One step towards the cells at distance 0 of a field filled over knowledge().possible(): along a cheapest route as
-  /// far as it is known to be open; where it begins behind a wall not yet seen, a quarter turn to look at that wall.
-  Action optimistic_step(const DistanceField& optimistic) const;
+  /// labmouse::optimistic_step with what is known here.
+  Action optimistic_step(const DistanceField& optimistic) const {
+    return labmouse::optimistic_step(optimistic, knowledge_, pose_);
+  }
 
  private:
   void perform(const Action& action);

@@ -33,4 +33,17 @@ Action step_along(const DistanceField& field, const WallSet& passages, Pose pose
   return move ? move_in(pose.heading, move->direction, move->cells) : Action::forfeit(ForfeitReason::no_way);
 }
 
+Action optimistic_step(const DistanceField& optimistic, const Knowledge& knowledge, Pose pose) {
+  const auto move = next_move(optimistic, knowledge.possible(), pose);
+  if (!move) return Action::forfeit(ForfeitReason::no_way);
+  int known = 0;
+  Cell cell = pose.cell;
+  while (known < move->cells && knowledge.open().contains(wall_at(cell, move->direction))) {
+    cell = neighbour(cell, move->direction);
+    ++known;
+  }
+  // Only the wall behind can be unknown: the other three were just read.
+  return known > 0 ? move_in(pose.heading, move->direction, known) : Action::step(90, 0);
+}
+
 }  // namespace labmouse

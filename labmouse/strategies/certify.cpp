@@ -8,11 +8,8 @@
 // Limits: buys the proof at any price; a point of score is 30 steps of exploration, and the proof often costs more.
 // Source: contest mice explore so before they dare the fast run; as a walk that plans anew on optimistic costs it is
 // kin to D* Lite (Koenig and Likhachev 2002).
-#include <algorithm>
-#include <array>
-#include <vector>
-
 #include "labmouse/mouse/explorer.hpp"
+#include "labmouse/mouse/optimistic_routes.hpp"
 #include "labmouse/strategies/roster.hpp"
 
 namespace labmouse {
@@ -22,13 +19,9 @@ class Certify final : public Explorer {
  public:
   explicit Certify(const Briefing& briefing)
       : Explorer(briefing),
-        from_start_(briefing.size, briefing.motion),
+        optimistic_(briefing),
         plan_(briefing.size, briefing.motion),
-        travel_(briefing.size, briefing.motion),
-        start_costs_(static_cast<std::size_t>(briefing.size.area())),
-        goal_costs_(static_cast<std::size_t>(briefing.size.area())) {
-    start_.insert(briefing.start.cell);
-  }
+        travel_(briefing.size, briefing.motion) {}
 
  private:
   Action explore() override {
@@ -46,53 +39,19 @@ class Certify final : public Explorer {
     return plan_.at(pose().cell) == 0 ? Action::step(0, 0) : optimistic_step(plan_);
   }
 
-  /// Whether no route that could exist is shorter than the known one. Leaves the optimistic length in optimistic_length_.
+  /// Whether no route that could exist is shorter than the known one.
   bool proven(int known) {
-    from_start_.fill(knowledge().possible(), start_);
-    optimistic_length_ = unreachable;
-    briefing().goals.for_each([&](Cell goal) { optimistic_length_ = std::min(optimistic_length_, from_start_.at(goal)); });
-    return optimistic_length_ == known && known < unreachable;
+    optimistic_.plan(knowledge());
+    return optimistic_.length() == known && known < unreachable;
   }
 
   Action go_and_look() {
-    if (optimistic_length_ == unreachable) return Action::forfeit(ForfeitReason::no_way);
-    const CellSet viewpoints = viewpoints_of(optimistic_walls());
+    if (optimistic_.length() == unreachable) return Action::forfeit(ForfeitReason::no_way);
+    const CellSet viewpoints = viewpoints_of(optimistic_.unknown_walls());
     // Standing where the wall could be seen and not seeing it: it is behind.
     if (viewpoints.contains(pose().cell)) return Action::step(90, 0);
     travel_.fill(knowledge().open(), viewpoints);
     return step_along(travel_, knowledge().open(), pose());
-  }
-
-  /// The unknown walls on the shortest optimistic routes.
-  WallSet optimistic_walls() {
-    from_start_.copy_to(start_costs_);
-    plan_.fill(knowledge().possible(), briefing().goals);
-    plan_.copy_to(goal_costs_);
-    WallSet walls;
-    const Size size = briefing().size;
-    for (int index = 0; index < size.area(); ++index) {
-      const Cell cell = size.cell_at(index);
-      if (cost(start_costs_, cell) + cost(goal_costs_, cell) != optimistic_length_) continue;
-      for (const Heading direction : all_headings) add_optimistic_walls(cell, direction, walls);
-    }
-    return walls;
-  }
-
-  /// Adds the unknown walls of those straight moves from a cell that lie on a shortest optimistic route.
-  void add_optimistic_walls(Cell from, Heading direction, WallSet& walls) {
-    const Motion& motion = briefing().motion;
-    const int spent = cost(start_costs_, from);
-    std::array<Wall, Motion::max_longest> passed;
-    unsigned count = 0;
-    Cell cell = from;
-    for (int cells = 1; cells <= motion.longest; ++cells) {
-      const Wall wall = wall_at(cell, direction);
-      if (!knowledge().possible().contains(wall)) return;
-      if (!knowledge().open().contains(wall)) passed[count++] = wall;
-      cell = neighbour(cell, direction);
-      if (spent + motion.cost[static_cast<unsigned>(cells)] + cost(goal_costs_, cell) == optimistic_length_)
-        for (unsigned i = 0; i < count; ++i) walls.insert(passed[i]);
-    }
   }
 
   /// The cells that look along a corridor of open walls at one of the walls.
@@ -111,17 +70,9 @@ class Certify final : public Explorer {
     return cells;
   }
 
-  int cost(const std::vector<int>& costs, Cell cell) const {
-    return costs[static_cast<std::size_t>(briefing().size.index(cell))];
-  }
-
-  DistanceField from_start_;
+  OptimisticRoutes optimistic_;
   DistanceField plan_;
   DistanceField travel_;
-  std::vector<int> start_costs_;
-  std::vector<int> goal_costs_;
-  CellSet start_;
-  int optimistic_length_ = 0;
 };
 
 }  // namespace
