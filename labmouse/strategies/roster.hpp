@@ -35,6 +35,7 @@ extern const RosterEntry dead_end_mouse;
 extern const RosterEntry visit_counter_mouse;
 extern const RosterEntry flood_explore_mouse;
 extern const RosterEntry flood_block_mouse;
+extern const RosterEntry phases_mouse;
 extern const RosterEntry flood_mouse;
 extern const RosterEntry flood_return_mouse;
 extern const RosterEntry certify_mouse;

@@ -234,14 +234,31 @@ std::vector<std::string> values_of(const Parameter& parameter) {
   return {number(parameter.low) + tail, number(parameter.high) + tail};
 }
 
-bool changes_something(const RosterEntry& mouse, const Parameter& parameter) {
+/// Whether another value of the parameter makes another walk, where the others are set so.
+bool changes_something(const RosterEntry& mouse, const Parameter& parameter, const Settings& others) {
   for (const std::string& value : values_of(parameter)) {
     EXPECT_EQ(check_value(parameter, value), "") << value;
-    Settings settings(mouse.parameters);
+    Settings settings = others;
     settings.set(parameter.name, value);
     for (const std::uint64_t seed : {1U, 2U, 3U}) {
       const Maze maze = prim_generator.make({{16, 16}, seed, 300});
-      if (run(maze, {}, *mouse.make(brief(maze, {}, 1), settings)) != run_of(mouse, maze)) return true;
+      const Briefing briefing = brief(maze, {}, 1);
+      if (run(maze, {}, *mouse.make(briefing, settings)) != run(maze, {}, *mouse.make(briefing, others))) return true;
+    }
+  }
+  return false;
+}
+
+/// Whether the parameter does so beside the defaults, or beside a choice that it belongs to.
+bool changes_something(const RosterEntry& mouse, const Parameter& parameter) {
+  const Settings defaults(mouse.parameters);
+  if (changes_something(mouse, parameter, defaults)) return true;
+  for (const Parameter& other : mouse.parameters) {
+    if (other.type != ParameterType::choice || other.name == parameter.name) continue;
+    for (const std::string& value : values_of(other)) {
+      Settings settings = defaults;
+      settings.set(other.name, value);
+      if (changes_something(mouse, parameter, settings)) return true;
     }
   }
   return false;
@@ -284,7 +301,10 @@ TEST_P(SureMouse, KnowsWhereThereIsNoRoute) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Roster, SureMouse, testing::Values(&flood_mouse, &flood_return_mouse, &certify_mouse), test::mouse_name);
+INSTANTIATE_TEST_SUITE_P(Roster, SureMouse,
+                         testing::Values(&flood_mouse, &flood_return_mouse, &certify_mouse, &flood_block_mouse,
+                                         &flood_explore_mouse, &phases_mouse),
+                         test::mouse_name);
 
 Maze generated(Dice& dice) {
   for (;;) {

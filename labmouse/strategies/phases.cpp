@@ -1,0 +1,98 @@
+// phases: three exchangeable phases, each with methods to choose from.
+//
+// Method: searching until a goal is entered, continuing until enough is known, the speed run.
+//   Searching. random, weighted: one cell to the left, ahead or to the right, by chance; in a dead end a turn in place.
+//   unexplored-cell, unexplored-space: the same, weighted by what is unexplored next door, or by all that can be
+//   reached through that door. wall-follower: the left hand. goal-oriented: the unexplored cell with the least
+//   steps + heuristic among all that can be reached, chosen anew at every step.
+//   Continuing. none; all-goals: into every goal cell; coverage: the search goes on until a share of the cells is
+//   explored; worthwhile: the same choice among what can still shorten the speed run, until nothing can.
+//   Speed run. One cell a step or strides, planned at the reset; or strides planned anew at every step.
+// Limits: searches by chance and the left hand may not arrive. None watches the budget before a goal is entered.
+// Source: Frank Ding, "Machine Learning Engineer Nanodegree, Capstone Project", 2018 (the fourth report), sections II
+// and III; `coverage` is described there but was not written, `worthwhile` and `optimistic` are its wishes.
+// Choices: a cell is explored once all four sides are known, the border from birth, even if it was only seen.
+//   heuristic: the text adds the Manhattan distance to the goal, with or without the number of explored edges. Read so,
+//   the mouse is at the goal of the third maze after 75 or 85 steps and runs 31, where 228 and 25 are reported. Only
+//   steps alone come near: 64, 170 and 228 steps of exploration with 17, 22 and 25 of the speed run, where 61, 170 and
+//   228 are reported (19.133 for 19.033 in the first maze, the other two exact), so that is the default.
+//   ties: of equals the last that is found, in each direction the farthest first; the route from its end likewise.
+//   unexplored-cell counts the neighbour alone; where no way has a weight, all are equally likely.
+//   all-goals leaves out goals to which no optimistic route leads. It takes three steps more than none, where the
+//   report has two: there a step seems to be idle before the reset, for its text counts two steps less than its scores.
+//   coverage also ends when all that can be reached is explored.
+//   worthwhile looks at the unknown walls on the shortest optimistic routes, as long as these are shorter than the
+//   shortest known one in the moves of the speed run; so it ends with the proof that none is shorter.
+//   Continuing ends in time for the reset and the known route.
+#include <array>
+
+#include "labmouse/mouse/explorer.hpp"
+#include "labmouse/mouse/tie_order.hpp"
+#include "labmouse/strategies/phases/continuing.hpp"
+#include "labmouse/strategies/phases/searching.hpp"
+#include "labmouse/strategies/phases/speed_run.hpp"
+#include "labmouse/strategies/roster.hpp"
+
+namespace labmouse {
+namespace {
+
+class Phases final : public Explorer {
+ public:
+  Phases(const Briefing& briefing, const Settings& settings)
+      : Explorer(briefing),
+        searching_(make_searching(briefing, settings)),
+        continuing_(make_continuing(briefing, settings, *searching_)),
+        speed_run_(briefing, settings) {}
+
+ private:
+  Action explore() override {
+    if (!goal_entered()) return search();
+    if (!last_call())
+      if (const auto action = continuing_->next(knowledge(), pose(), visited())) return *action;
+    speed_run_.plan(knowledge());
+    return Action::reset();
+  }
+
+  Action race() override { return speed_run_.next(knowledge(), pose()); }
+
+  Action search() {
+    // The start may be a goal; a step has to end there.
+    if (briefing().goals.contains(pose().cell)) return Action::step(0, 0);
+    return searching_->next(knowledge(), pose()).value_or(Action::forfeit(ForfeitReason::no_way));
+  }
+
+  /// Whether this is the last moment at which the reset and the known route still fit into the budget.
+  bool last_call() { return steps_left() <= speed_run_.length(knowledge()) + 1; }
+
+  std::unique_ptr<Searching> searching_;
+  std::unique_ptr<Continuing> continuing_;
+  SpeedRun speed_run_;
+};
+
+constexpr std::array parameters = {
+    Parameter{"searching", ParameterType::choice, "goal-oriented", 0, 0,
+              "random/weighted/unexplored-cell/unexplored-space/wall-follower/goal-oriented", "the way to the goal"},
+    Parameter{"weights", ParameterType::list, "2/5/2", 0, 100, "",
+              "how likely `weighted` goes left, ahead and to the right (searching=weighted)"},
+    Parameter{"heuristic", ParameterType::choice, "none", 0, 0, "none/manhattan/edges/optimistic",
+              "added to the steps to a cell: nothing, its Manhattan distance to the goal, that and its explored edges, "
+              "or its shortest route through all that is not known to be closed"},
+    Parameter{"continuing", ParameterType::choice, "none", 0, 0, "none/all-goals/coverage/worthwhile",
+              "what is explored between the goal and the reset"},
+    Parameter{"coverage", ParameterType::real, "0.9", 0, 1, "",
+              "share of the cells to explore before the reset (continuing=coverage)"},
+    Parameter{"speed", ParameterType::choice, "strides", 0, 0, "one-cell/strides/strides-updating",
+              "the speed run: one cell a step, strides, or strides planned anew at every step"},
+    Parameter{"ties", ParameterType::choice, "arbl", 0, 0, TieOrder::all, "order of the headings among equal choices"},
+};
+
+}  // namespace
+
+const RosterEntry phases_mouse = {
+    "phases", "three exchangeable phases: search the goal, continue, run", parameters,
+    [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
+      return std::make_unique<Phases>(briefing, settings);
+    },
+    searches_by_chance};
+
+}  // namespace labmouse

@@ -1,0 +1,100 @@
+#include "labmouse/strategies/phases/continuing.hpp"
+
+#include <cassert>
+
+#include "labmouse/mouse/optimistic_routes.hpp"
+#include "labmouse/strategies/phases/goal_oriented.hpp"
+#include "labmouse/strategies/phases/speed_run.hpp"
+#include "labmouse/strategies/phases/unexplored.hpp"
+
+namespace labmouse {
+namespace {
+
+class None final : public Continuing {
+ public:
+  std::optional<Action> next(const Knowledge&, Pose, const CellSet&) override { return std::nullopt; }
+};
+
+/// Stands in every goal cell that can be entered.
+class AllGoals final : public Continuing {
+ public:
+  explicit AllGoals(const Briefing& briefing) : goals_(briefing.goals), field_(briefing.size, briefing.motion) {}
+
+  std::optional<Action> next(const Knowledge& knowledge, Pose pose, const CellSet& visited) override {
+    CellSet rest = goals_;
+    rest -= visited;
+    field_.fill(knowledge.possible(), rest);
+    if (!field_.reaches(pose.cell)) return std::nullopt;
+    return optimistic_step(field_, knowledge, pose);
+  }
+
+ private:
+  CellSet goals_;
+  DistanceField field_;
+};
+
+/// Goes on with the search until a share of all cells is explored, or all that can be reached.
+class Coverage final : public Continuing {
+ public:
+  Coverage(const Briefing& briefing, const Settings& settings, Searching& searching)
+      : searching_(searching),
+        area_(briefing.size.area()),
+        share_(settings.real("coverage")),
+        field_(briefing.size, briefing.motion) {}
+
+  std::optional<Action> next(const Knowledge& knowledge, Pose pose, const CellSet&) override {
+    const CellSet unexplored = unexplored_cells(knowledge);
+    if (area_ - unexplored.count() >= share_ * area_) return std::nullopt;
+    field_.fill(knowledge.open(), unexplored);
+    return field_.reaches(pose.cell) ? searching_.next(knowledge, pose) : std::nullopt;
+  }
+
+ private:
+  Searching& searching_;
+  int area_;
+  double share_;
+  DistanceField field_;
+};
+
+/// Explores only what can shorten the speed run: the cells beside those unknown walls that a shortest optimistic route
+/// leads through, while such a route is shorter than the known one. It never leads into a part of the maze that has to
+/// be left where it was entered.
+class Worthwhile final : public Continuing {
+ public:
+  Worthwhile(const Briefing& briefing, const Settings& settings)
+      : Worthwhile(briefing, settings, briefing_for_speed(briefing, settings)) {}
+
+  std::optional<Action> next(const Knowledge& knowledge, Pose pose, const CellSet&) override {
+    optimistic_.plan(knowledge);
+    known_.fill(knowledge.open(), goals_);
+    if (known_.at(start_) == optimistic_.length()) return std::nullopt;
+    return walk_.towards(cells_beside(optimistic_.unknown_walls()), knowledge, pose);
+  }
+
+ private:
+  Worthwhile(const Briefing& briefing, const Settings& settings, const Briefing& speed)
+      : start_(briefing.start.cell),
+        goals_(briefing.goals),
+        optimistic_(speed),
+        known_(briefing.size, speed.motion),
+        walk_(briefing, settings) {}
+
+  Cell start_;
+  CellSet goals_;
+  OptimisticRoutes optimistic_;
+  DistanceField known_;
+  GoalOriented walk_;
+};
+
+}  // namespace
+
+std::unique_ptr<Continuing> make_continuing(const Briefing& briefing, const Settings& settings, Searching& searching) {
+  const std::string_view name = settings.choice("continuing");
+  if (name == "all-goals") return std::make_unique<AllGoals>(briefing);
+  if (name == "coverage") return std::make_unique<Coverage>(briefing, settings, searching);
+  if (name == "worthwhile") return std::make_unique<Worthwhile>(briefing, settings);
+  assert(name == "none");
+  return std::make_unique<None>();
+}
+
+}  // namespace labmouse

@@ -1,0 +1,27 @@
+// The first phase of `phases`: the way to a goal.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "labmouse/mouse/briefing.hpp"
+#include "labmouse/mouse/knowledge.hpp"
+#include "labmouse/strategies/parameter.hpp"
+
+namespace labmouse {
+
+class Searching {
+ public:
+  virtual ~Searching() = default;
+  /// The next action, for a pose whose reading has been learned; nothing where all that can be reached is explored and
+  /// no goal among it.
+  virtual std::optional<Action> next(const Knowledge& knowledge, Pose pose) = 0;
+};
+
+/// The method that the parameter `searching` names.
+std::unique_ptr<Searching> make_searching(const Briefing& briefing, const Settings& settings);
+
+/// Whether that method throws dice.
+bool searches_by_chance(const Settings& settings);
+
+}  // namespace labmouse
