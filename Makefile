@@ -1,8 +1,10 @@
-# The two commands. Both install what is missing, build what has changed, and stay quiet about it unless it fails.
+# The two commands. They install what is missing, build what has changed, and stay quiet about it unless it fails.
 #   make race    races the mice on the built-in mazes and prints the leaderboard
 #   make check   builds and runs all tests
+# And, when a mouse has changed:
+#   make reports runs every system of the five reports and writes docs/reports.md
 # One build tree, build/release, serves both: a race builds the program alone, so that it never waits for tests.
-.PHONY: race check
+.PHONY: race check reports
 
 # Configured once: from then on the build does it by itself, where it has to.
 race:
@@ -21,3 +23,9 @@ check:
 	@test -e build/release/tests/lab_test || echo "building labmouse and its tests: some minutes" >&2
 	@scripts/quietly cmake --build --preset release
 	@scripts/run-tests release
+
+reports:
+	@scripts/install race
+	@test -e build/release/build.ninja || scripts/quietly cmake --preset release
+	@scripts/quietly cmake --build --preset release --target labmouse
+	@scripts/reports
