@@ -10,13 +10,16 @@ SearchTree::SearchTree(Size size, int longest, TieOrder order, Reach reach)
   found_.reserve(nodes_.size());
 }
 
-void SearchTree::grow(const WallSet& passages, Pose root) {
+void SearchTree::grow(const WallSet& passages, Pose root) { grow(passages, root, CellSet::all(size_)); }
+
+void SearchTree::grow(const WallSet& passages, Pose root, const CellSet& through) {
   nodes_.assign(nodes_.size(), Node{});
   found_.clear();
   node(root.cell) = {0, root.cell, root.heading};
   found_.push_back(root.cell);
   for (std::size_t next = 0; next < found_.size(); ++next) {
     const Cell cell = found_[next];
+    if (next > 0 && !through.contains(cell)) continue;
     for (const Heading direction : order_.from(node(cell).heading)) {
       int open = 0;
       while (open < longest_ && passages.contains(wall_at(neighbour(cell, direction, open), direction))) ++open;

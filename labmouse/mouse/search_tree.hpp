@@ -24,6 +24,8 @@ class SearchTree {
   /// Searches anew over the given passages (all inside the size). A direction is tried as seen by a mouse that came
   /// along the tree, with the heading of its last move.
   void grow(const WallSet& passages, Pose root);
+  /// The same for routes that only pass cells of `through`; the root may be passed, and any cell may be a route's end.
+  void grow(const WallSet& passages, Pose root, const CellSet& through);
 
   /// Moves from the root, or unreachable.
   int distance(Cell cell) const;

@@ -46,6 +46,17 @@ TEST(SearchTree, FindsCellsInTheOrderOfItsDirections) {
             (std::vector<Cell>{{1, 1}, {1, 0}, {2, 1}, {0, 1}, {1, 2}}));
 }
 
+TEST(SearchTree, PassesOnlyTheCellsThatItMay) {
+  // The root and (1,0) may be passed; (2,0) may only be a route's end.
+  const WallSet open = WallSet::all({4, 1});
+  CellSet through;
+  through.insert({1, 0});
+  SearchTree tree({4, 1}, 1, TieOrder("nesw"));
+  tree.grow(open, {{0, 0}, Heading::east}, through);
+  EXPECT_EQ(tree.distance({2, 0}), 2);
+  EXPECT_FALSE(tree.reaches({3, 0}));
+}
+
 TEST(SearchTree, PrefersTheReachThatItWasMadeWith) {
   const WallSet open = WallSet::all({4, 1});
   SearchTree nearest({4, 1}, 3, TieOrder("nesw")), farthest({4, 1}, 3, TieOrder("nesw"), SearchTree::Reach::farthest_first);
