@@ -10,7 +10,8 @@ std::span<const RosterEntry* const> roster() {
       &random_move_mouse, &dead_end_mouse, &visit_counter_mouse, &random_mouse,
       &wall_left_mouse, &wall_right_mouse,
       // What plans on what it knows.
-      &flood_explore_mouse, &flood_block_mouse, &phases_mouse, &flood_mouse, &flood_return_mouse, &certify_mouse};
+      &two_way_mouse, &flood_explore_mouse, &flood_block_mouse, &phases_mouse,
+      &flood_mouse, &flood_return_mouse, &certify_mouse};
   return entries;
 }
 

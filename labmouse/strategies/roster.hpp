@@ -36,6 +36,7 @@ extern const RosterEntry visit_counter_mouse;
 extern const RosterEntry flood_explore_mouse;
 extern const RosterEntry flood_block_mouse;
 extern const RosterEntry phases_mouse;
+extern const RosterEntry two_way_mouse;
 extern const RosterEntry flood_mouse;
 extern const RosterEntry flood_return_mouse;
 extern const RosterEntry certify_mouse;
