@@ -4,12 +4,11 @@
 // likely; at the first entry of the goal it resets and goes on in the same way.
 // Limits: the second run is left to chance too, so it seldom ends within the budget.
 // Source: BenchmarkBot in Edward Kish, "Plot and Navigate a Virtual Maze", section 4.1 (the third report).
-#include <algorithm>
+// Choices: a move may go backwards, and a cell within range is any that one move can reach through known passages.
 #include <array>
 
-#include "labmouse/chance/dice.hpp"
 #include "labmouse/mouse/explorer.hpp"
-#include "labmouse/mouse/known_moves.hpp"
+#include "labmouse/strategies/random_walk.hpp"
 #include "labmouse/strategies/roster.hpp"
 
 namespace labmouse {
@@ -18,35 +17,23 @@ namespace {
 class RandomMouse final : public Explorer {
  public:
   RandomMouse(const Briefing& briefing, const Settings& settings)
-      : Explorer(briefing), dice_(briefing.seed), stride_(std::min(settings.whole("stride"), briefing.motion.longest)) {}
+      : Explorer(briefing), walk_(briefing, settings.whole("stride")) {}
 
  private:
-  Action explore() override { return goal_entered() ? Action::reset() : wander(); }
-  Action race() override { return wander(); }
+  Action explore() override { return goal_entered() ? Action::reset() : race(); }
+  Action race() override { return walk_.step(knowledge().open(), pose()); }
 
-  Action wander() {
-    const KnownMoves moves(knowledge().open(), pose().cell, stride_);
-    // Nowhere to go: look at the wall behind.
-    if (moves.empty()) return Action::step(90, 0);
-    const Move& move = moves[dice_.below(moves.count())];
-    return move_in(pose().heading, move.direction, move.cells);
-  }
-
-  Dice dice_;
-  int stride_;
+  RandomWalk walk_;
 };
 
-constexpr std::array parameters = {
-    Parameter{"stride", ParameterType::whole, "3", 1, Motion::max_longest, "", "longest move, in cells; the rules' own limit holds too"},
-};
+constexpr std::array parameters = {random_walk_stride};
 
 }  // namespace
 
-const RosterEntry random_mouse = {
-    "random", "random moves through known passages, in both runs", parameters,
-    [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
-      return std::make_unique<RandomMouse>(briefing, settings);
-    },
-    RosterEntry::always};
+const RosterEntry random_mouse = {"random", "random moves through known passages, in both runs", parameters,
+                                  [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
+                                    return std::make_unique<RandomMouse>(briefing, settings);
+                                  },
+                                  RosterEntry::always};
 
 }  // namespace labmouse

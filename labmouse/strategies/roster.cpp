@@ -7,11 +7,23 @@ namespace labmouse {
 std::span<const RosterEntry* const> roster() {
   static constexpr std::array entries = {
       // What moves by chance or by rote.
-      &random_move_mouse, &dead_end_mouse, &visit_counter_mouse, &random_mouse,
-      &wall_left_mouse, &wall_right_mouse,
+      &random_move_mouse,
+      &dead_end_mouse,
+      &visit_counter_mouse,
+      &random_mouse,
+      &random_then_shortest_mouse,
+      &cautious_mouse,
+      &wall_left_mouse,
+      &wall_right_mouse,
       // What plans on what it knows.
-      &two_way_mouse, &flood_explore_mouse, &flood_block_mouse, &phases_mouse,
-      &flood_mouse, &flood_return_mouse, &certify_mouse};
+      &two_way_mouse,
+      &flood_explore_mouse,
+      &flood_block_mouse,
+      &phases_mouse,
+      &flood_mouse,
+      &flood_return_mouse,
+      &certify_mouse,
+  };
   return entries;
 }
 

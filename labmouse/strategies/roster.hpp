@@ -27,16 +27,18 @@ struct RosterEntry {
   static bool always(const Settings&) { return true; }
 };
 
-extern const RosterEntry random_mouse;
-extern const RosterEntry wall_left_mouse;
-extern const RosterEntry wall_right_mouse;
 extern const RosterEntry random_move_mouse;
 extern const RosterEntry dead_end_mouse;
 extern const RosterEntry visit_counter_mouse;
+extern const RosterEntry random_mouse;
+extern const RosterEntry random_then_shortest_mouse;
+extern const RosterEntry cautious_mouse;
+extern const RosterEntry wall_left_mouse;
+extern const RosterEntry wall_right_mouse;
+extern const RosterEntry two_way_mouse;
 extern const RosterEntry flood_explore_mouse;
 extern const RosterEntry flood_block_mouse;
 extern const RosterEntry phases_mouse;
-extern const RosterEntry two_way_mouse;
 extern const RosterEntry flood_mouse;
 extern const RosterEntry flood_return_mouse;
 extern const RosterEntry certify_mouse;

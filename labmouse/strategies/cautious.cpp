@@ -1,0 +1,72 @@
+// cautious: one cell at a time, where it has been least.
+//
+// Method: moves by one cell, so that it passes nothing unseen: to a neighbour that it has not visited, by chance among
+// several; where it has visited all of them, to one that it has visited least, again by chance. Once it has entered the
+// goal and visited a share of all cells it resets and takes the shortest route that it has seen.
+// Limits: does not care where the goal is. Most of a share near 1 is spent on the search for the last cells; where
+// cells are walled off such a share is never reached, and the budget ends.
+// Source: CautiousBot in Edward Kish, section 4.3 (the third report).
+// Choices: a visit is a step that ended in the cell, and the start is one; a neighbour behind is as good as any other
+// and is entered backwards; the share counts all cells of the maze, also those never seen.
+#include <array>
+
+#include "labmouse/chance/dice.hpp"
+#include "labmouse/mouse/explorer.hpp"
+#include "labmouse/mouse/known_moves.hpp"
+#include "labmouse/mouse/visits.hpp"
+#include "labmouse/strategies/roster.hpp"
+
+namespace labmouse {
+namespace {
+
+class Cautious final : public Explorer {
+ public:
+  Cautious(const Briefing& briefing, const Settings& settings)
+      : Explorer(briefing),
+        dice_(briefing.seed),
+        visits_(briefing.size),
+        cells_to_visit_(settings.real("explore_frac") * briefing.size.area()) {}
+
+ private:
+  Action explore() override {
+    visits_.add(pose().cell);
+    if (goal_entered() && visited().count() >= cells_to_visit_) return Action::reset();
+    const KnownMoves moves(knowledge().open(), pose().cell, 1);
+    // Nowhere to go: look at the wall behind.
+    if (moves.empty()) return Action::step(90, 0);
+    return move_in(pose().heading, least_visited(moves).direction, 1);
+  }
+
+  /// A move to a cell with the fewest visits, each equally likely.
+  Move least_visited(const KnownMoves& moves) {
+    std::array<Move, 4> best;
+    int count = 0, fewest = 0;
+    for (const Move& move : moves) {
+      const int visits = visits_.of(neighbour(pose().cell, move.direction));
+      if (count > 0 && visits > fewest) continue;
+      if (visits < fewest) count = 0;
+      fewest = visits;
+      best[static_cast<unsigned>(count++)] = move;
+    }
+    return best[static_cast<unsigned>(dice_.below(count))];
+  }
+
+  Dice dice_;
+  Visits visits_;
+  double cells_to_visit_;
+};
+
+constexpr std::array parameters = {
+    Parameter{"explore_frac", ParameterType::real, "0", 0, 1, "", "share of all cells to visit before the reset"},
+};
+
+}  // namespace
+
+const RosterEntry cautious_mouse = {
+    "cautious", "one cell a step, by chance among the neighbours that it has visited least", parameters,
+    [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
+      return std::make_unique<Cautious>(briefing, settings);
+    },
+    RosterEntry::always};
+
+}  // namespace labmouse
