@@ -16,6 +16,8 @@ std::span<const RosterEntry* const> roster() {
       &wall_left_mouse,
       &wall_right_mouse,
       // What plans on what it knows.
+      &manhattan_mouse,
+      &frontier_mouse,
       &two_way_mouse,
       &flood_explore_mouse,
       &flood_block_mouse,

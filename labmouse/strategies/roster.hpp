@@ -35,6 +35,8 @@ extern const RosterEntry random_then_shortest_mouse;
 extern const RosterEntry cautious_mouse;
 extern const RosterEntry wall_left_mouse;
 extern const RosterEntry wall_right_mouse;
+extern const RosterEntry manhattan_mouse;
+extern const RosterEntry frontier_mouse;
 extern const RosterEntry two_way_mouse;
 extern const RosterEntry flood_explore_mouse;
 extern const RosterEntry flood_block_mouse;

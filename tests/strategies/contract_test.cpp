@@ -240,7 +240,7 @@ bool changes_something(const RosterEntry& mouse, const Parameter& parameter, con
     EXPECT_EQ(check_value(parameter, value), "") << value;
     Settings settings = others;
     settings.set(parameter.name, value);
-    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
       const Maze maze = prim_generator.make({{16, 16}, seed, 300});
       const Briefing briefing = brief(maze, {}, 1);
       if (run(maze, {}, *mouse.make(briefing, settings)) != run(maze, {}, *mouse.make(briefing, others))) return true;

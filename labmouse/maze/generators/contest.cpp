@@ -29,12 +29,17 @@ constexpr int compared_entrances = 4;
 // Below it the goal room and its surroundings leave too little maze to choose a way in.
 constexpr int least_side = 12;
 
+// Its posts, one more than its cells, have to fit into a row of bits.
+constexpr int largest_side = max_side - 2;
+
 enum class GoalRoom { may_have_arms, bare };
 
 std::string_view refuses(const GeneratorOrder& order) {
   if (const auto reason = refuses_out_of_range(order); !reason.empty()) return reason;
-  if (order.size.width == order.size.height && order.size.width % 2 == 0 && order.size.width >= least_side) return {};
-  return "a contest maze is a square of 12x12, 14x14, 16x16 and so on: ask for one of these, or for another kind of maze";
+  if (order.size.width == order.size.height && order.size.width % 2 == 0 && order.size.width >= least_side &&
+      order.size.width <= largest_side)
+    return {};
+  return "a contest maze is a square of 12x12, 14x14, 16x16 up to 62x62: ask for one of these, or for another kind of maze";
 }
 
 // The walls around the goal room, each on its goal cell's side.
