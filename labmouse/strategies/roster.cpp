@@ -18,6 +18,7 @@ std::span<const RosterEntry* const> roster() {
       // What plans on what it knows.
       &manhattan_mouse,
       &frontier_mouse,
+      &potential_mouse,
       &two_way_mouse,
       &flood_explore_mouse,
       &flood_block_mouse,

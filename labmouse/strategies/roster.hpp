@@ -37,6 +37,7 @@ extern const RosterEntry wall_left_mouse;
 extern const RosterEntry wall_right_mouse;
 extern const RosterEntry manhattan_mouse;
 extern const RosterEntry frontier_mouse;
+extern const RosterEntry potential_mouse;
 extern const RosterEntry two_way_mouse;
 extern const RosterEntry flood_explore_mouse;
 extern const RosterEntry flood_block_mouse;
