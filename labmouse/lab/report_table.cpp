@@ -24,7 +24,7 @@ std::string interval_text(const Standing& standing) {
   return fmt::format("{:.1f}-{:.1f}", standing.interval.low, standing.interval.high);
 }
 
-/// The cells of one line, mouse first. With the built-in mice a line fits into 80 columns.
+/// The cells of one line, mouse first. With the built-in mice a line fits into 90 columns.
 using Line = std::array<std::string, 10>;
 
 std::string laid_out(const Line& line, std::size_t width) {
@@ -75,16 +75,27 @@ bool solved_different_mazes(const Race& race) {
   return false;
 }
 
-std::string failures_of(const Race& race) {
+/// How often a mouse failed in which way: "out of steps 3, never reset 1"; empty where it did not.
+std::string failures_of(const Race& race, std::size_t mouse) {
   std::string text;
-  for (std::size_t mouse = 0; mouse < race.mice.size(); ++mouse)
-    for (const Outcome outcome : {Outcome::out_of_steps, Outcome::never_reset, Outcome::speed_run_unfinished, Outcome::forfeit}) {
-      const auto times = std::count_if(race.results.begin(), race.results.end(), [&](const ContestResult& contest) {
-        return contest.mouse == mouse && counts(race, contest) && contest.score.outcome == outcome;
-      });
-      if (times > 0) text += fmt::format("{}{} {} {}", text.empty() ? "" : "; ", race.mice[mouse].name, name_of(outcome), times);
-    }
+  for (const Outcome outcome :
+       {Outcome::out_of_steps, Outcome::never_reset, Outcome::speed_run_unfinished, Outcome::forfeit}) {
+    const auto times = std::count_if(race.results.begin(), race.results.end(), [&](const ContestResult& contest) {
+      return contest.mouse == mouse && counts(race, contest) && contest.score.outcome == outcome;
+    });
+    if (times > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name_of(outcome), times);
+  }
   return text;
+}
+
+/// A line for each mouse that failed.
+std::string failures_of(const Race& race) {
+  const std::size_t width = width_of_names(race);
+  std::string lines;
+  for (std::size_t mouse = 0; mouse < race.mice.size(); ++mouse)
+    if (const auto failures = failures_of(race, mouse); !failures.empty())
+      lines += fmt::format("  {:<{}} {}\n", race.mice[mouse].name, width, failures);
+  return lines.empty() ? "" : "Failures:\n" + lines;
 }
 
 std::string first_routeless(const Race& race) {
@@ -105,7 +116,7 @@ std::string notes_of(const Race& race) {
   if (dear > 0)
     notes += fmt::format("{} solved with a score above {:g}, so that failing would have counted less.\n",
                          counted(static_cast<std::size_t>(dear), "contest was", "contests were"), rules.failure_score);
-  if (const auto failures = failures_of(race); !failures.empty()) notes += fmt::format("Failures: {}.\n", failures);
+  notes += failures_of(race);
   const auto routeless = static_cast<std::size_t>(
       std::count_if(race.bounds.begin(), race.bounds.end(), [](const Bound& bound) { return !bound.score; }));
   if (routeless > 0)
