@@ -74,8 +74,8 @@ void tell_skipped(const std::vector<SkippedFile>& skipped) {
   constexpr std::size_t told = 10;
   const auto end = skipped.begin() + static_cast<std::ptrdiff_t>(std::min(skipped.size(), told));
   if (skipped.empty()) return;
-  fmt::print(stderr, "{}\n", describe_all({skipped.begin(), end}));
-  if (skipped.size() > told) fmt::print(stderr, "... and {} more files skipped\n", skipped.size() - told);
+  tell(fmt::format("{}\n", describe_all({skipped.begin(), end})));
+  if (skipped.size() > told) tell(fmt::format("... and {} more files skipped\n", skipped.size() - told));
 }
 
 }  // namespace
@@ -83,6 +83,11 @@ void tell_skipped(const std::vector<SkippedFile>& skipped) {
 void add_places(CLI::App& command, Places& places) {
   command.add_option("--start", places.start, "Start cell, X,Y or X,Y,HEADING, in place of the file's")->type_name("X,Y[,HEADING]");
   command.add_option("--goal", places.goals, "Goal cell in place of the file's (may repeat)")->type_name("X,Y")->expected(1)->take_all();
+}
+
+void tell(const std::string& text) {
+  // Where nobody listens nothing can be said about it; fmt::print would throw.
+  std::fwrite(text.data(), 1, text.size(), stderr);
 }
 
 void add_budget(CLI::App& command, Rules& rules) {

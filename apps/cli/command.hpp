@@ -34,6 +34,8 @@ NamedMaze find_maze(const std::string& path, const Places& places);
 
 /// Writes to standard output, or throws UsageError when it cannot.
 void print(const std::string& text);
+/// Writes to standard error as far as that can be written.
+void tell(const std::string& text);
 /// Writes a file whole or throws UsageError.
 void save(const std::string& path, const std::string& content);
 

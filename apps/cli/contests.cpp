@@ -34,7 +34,7 @@ void add_contests(CLI::App& command, Contests& contests) {
 Progress::Progress() : shown_(isatty(STDERR_FILENO) != 0) {}
 
 Progress::~Progress() {
-  if (shown_ && done_ > 0) fmt::print(stderr, "\r\x1b[K");
+  if (shown_ && done_ > 0) tell("\r\x1b[K");
 }
 
 void Progress::advance(std::size_t all) {
@@ -42,7 +42,7 @@ void Progress::advance(std::size_t all) {
   const auto percent = ++done_ * 100 / all;
   if (percent == percent_) return;
   percent_ = percent;
-  fmt::print(stderr, "\r[{:<40}] {:>3} %", std::string(percent * 40 / 100, '#'), percent);
+  tell(fmt::format("\r[{:<40}] {:>3} %", std::string(percent * 40 / 100, '#'), percent));
 }
 
 Interruptible::Interruptible() {

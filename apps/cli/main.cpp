@@ -17,7 +17,7 @@ namespace {
 void print_lines(std::string_view text) {
   for (bool more = true; more;) {
     const auto end = text.find('\n');
-    fmt::print(stderr, "{}\n", labmouse::shown(text.substr(0, end)));
+    labmouse::cli::tell(fmt::format("{}\n", labmouse::shown(text.substr(0, end))));
     more = end != std::string_view::npos;
     if (more) text.remove_prefix(end + 1);
   }

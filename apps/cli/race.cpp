@@ -63,7 +63,7 @@ void add(const RaceOptions& options, const std::string& text) {
   if (options.format == "table")
     print("\n" + text);
   else
-    fmt::print(stderr, "{}", text);
+    tell(text);
 }
 
 std::optional<Baseline> load_baseline(const RaceOptions& options) {
@@ -98,7 +98,7 @@ int race(const RaceOptions& options) {
   if (!failed_write.empty()) throw UsageError(failed_write);
   if (result.stopped) return exit_interrupted;
   const std::string above = options.has_limit ? above_limit(options, result) : "";
-  fmt::print(stderr, "{}", above);
+  tell(above);
   return above.empty() ? exit_good : exit_finding;
 }
 

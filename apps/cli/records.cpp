@@ -19,7 +19,7 @@ RecordFile load_record(const std::string& path) {
 bool re_enact(const std::string& path, RecordFile& file) {
   ReplayResult result = replay(file, *file.maze);
   if (!result.disagreement.empty()) {
-    fmt::print(stderr, "{}: error: does not agree with its maze: {}\n", shown(path), result.disagreement);
+    tell(fmt::format("{}: error: does not agree with its maze: {}\n", shown(path), result.disagreement));
     return false;
   }
   file.run = std::move(result.run);

@@ -40,8 +40,8 @@ void tell_left_out(const ShowOptions& options, const LayerSet& layers) {
     if (needs_svg(layer, colours())) names.push_back(name_of(layer));
   if (options.layers.empty() || names.empty()) return;
   const bool one = names.size() == 1;
-  fmt::print(stderr, "not drawn here: layer{} {} need{} --svg FILE{}\n", one ? "" : "s", fmt::join(names, ", "), one ? "s" : "",
-             layers.contains(Layer::shares) ? "" : " or a terminal with colours");
+  tell(fmt::format("not drawn here: layer{} {} need{} --svg FILE{}\n", one ? "" : "s", fmt::join(names, ", "), one ? "s" : "",
+             layers.contains(Layer::shares) ? "" : " or a terminal with colours"));
 }
 
 void draw(const ShowOptions& options, const Maze& maze, const LayerSet& chosen, const DrawingLayers& layers) {
@@ -74,7 +74,7 @@ int show_record(const ShowOptions& options) {
   if (!re_enact(options.record, file)) return exit_finding;
   DrawingLayers layers = layers_of(file, chosen);
   if (!options.layers.empty() && chosen.contains(Layer::path) && layers.route.empty())
-    fmt::print(stderr, "not drawn: layer path, since the record has no speed run\n");
+    tell(fmt::format("not drawn: layer path, since the record has no speed run\n"));
   // On the terminal the result stands below, as it does after `run` and `replay`.
   if (!options.svg.empty()) layers.title = title_of(file);
   draw(options, *file.maze, chosen, layers);

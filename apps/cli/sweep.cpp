@@ -24,6 +24,8 @@ Sweep hold(const SweepOptions& options, const Variation& variation, const std::v
 }
 
 int sweep(const SweepOptions& options) {
+  if (!options.csv.empty() && options.csv == options.svg)
+    throw UsageError("error: --csv and --svg name one file; name two");
   const Variation variation = read_variation(options.vary);
   if (!variation.error.empty()) throw UsageError("error: " + variation.error);
   if (const auto error = read_variants(options.mouse, variation.parameter, variation.values).error; !error.empty())

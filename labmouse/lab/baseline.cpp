@@ -68,6 +68,7 @@ std::optional<Baseline> read_baseline(std::string_view json_text, const Rules& r
   const Json json = Json::parse(json_text, nullptr, false);
   if (!json.is_object() || !json.contains("labmouse") || !json.contains("mice") || !json["mice"].is_array()) return {};
   Baseline baseline;
+  if (json.contains("budget") && json["budget"].is_number_integer()) baseline.budget = json["budget"].get<int>();
   for (const Json& mouse : json["mice"]) {
     if (!mouse.is_object() || !mouse.contains("name") || !mouse["name"].is_string()) return {};
     if (!mouse.contains("results") || !mouse["results"].is_array()) return {};
@@ -80,6 +81,8 @@ std::optional<Baseline> read_baseline(std::string_view json_text, const Rules& r
 
 std::string compare_with_baseline(const Race& race, const Baseline& baseline) {
   std::string text = "Change from the baseline (mean score over all, new - old, 95 % interval):\n";
+  if (baseline.budget != race.order.rules.budget)
+    text += fmt::format("Careful: the budget was {} steps, and is {} now.\n", baseline.budget, race.order.rules.budget);
   for (std::size_t mouse = 0; mouse < race.mice.size(); ++mouse) {
     auto old = baseline.mice.find(race.mice[mouse].name);
     if (old == baseline.mice.end() && baseline.mice.size() == 1) old = baseline.mice.begin();

@@ -137,8 +137,10 @@ std::string table_of(const Race& race, bool colours) {
   const std::size_t width = width_of_names(race);
   const char* bold = colours ? "\x1b[1m" : "";
   const char* plain = colours ? "\x1b[0m" : "";
-  std::string text = fmt::format("labmouse {}: {}, {}, seed {}\n\n", version(), counted(race.mice.size(), "mouse", "mice"),
-                                 counted(race.mazes.size(), "maze", "mazes"), race.order.seed);
+  const int budget = race.order.rules.budget;
+  std::string text = fmt::format("labmouse {}: {}, {}, seed {}{}\n\n", version(),
+                                 counted(race.mice.size(), "mouse", "mice"), counted(race.mazes.size(), "maze", "mazes"),
+                                 race.order.seed, budget == Rules().budget ? "" : fmt::format(", budget {}", budget));
   const Line first = {"", "", "score", "95 %", "score", "score", "expl.", "speed", "best", "us a"};
   const Line second = {"mouse", "solved", "all", "interval", "solved", "/bound", "steps", "+steps", "runs%", "step"};
   for (const Line& line : {first, second}) text += fmt::format("{}{}{}\n", bold, laid_out(line, width), plain);

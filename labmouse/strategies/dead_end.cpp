@@ -6,8 +6,7 @@
 // ever.
 // Source: random move with dead end detection, in the fifth report, "Plot and Navigate a Virtual Maze", Algorithms
 // and Techniques; its benchmark among explorers.
-// Choices: half of the cells have to be visited, as the text says of all its explorers; with the five sixths of its
-// code this mouse hardly ever ends in time. The rest as for visit-counter.
+// Choices: as for random-move.
 #include <array>
 
 #include "labmouse/strategies/roster.hpp"
@@ -25,9 +24,7 @@ class DeadEnd final : public Wanderer {
   Action wander() override { return seen() == Sighting{0, 0, 0} ? Action::step(90, 0) : random_step(); }
 };
 
-constexpr std::array parameters = {
-    Parameter{"coverage", ParameterType::real, "0.5", 0, 1, "", "share of all cells to stand in before the reset"},
-};
+constexpr std::array parameters = {half_coverage};
 
 }  // namespace
 

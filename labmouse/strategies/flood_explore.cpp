@@ -2,8 +2,9 @@
 //
 // Method: flood fill cell by cell (cell_flood.hpp) until the goal is found; then in the same way to each unvisited
 // cell, the farthest first; reset when none is left. The speed run is a shortest way in cells, cut into strides.
-// Limits: buys the whole map at any price and does not watch the budget: in large mazes it never resets. Counts cells,
-// not steps, so even on the whole map its way is seldom the fastest.
+// Limits: buys the whole map at any price and does not watch the budget: in large mazes it never resets, and in mazes
+// with a cell that cannot be reached it looks for that one for ever. Counts cells, not steps, so even on the whole map
+// its way is seldom the fastest.
 // Source: Method 1, "exploration of maze after goal", in Jonathan Lee, "Plot and Navigate a Virtual Maze", 2016 (the
 // first report).
 // Choices: What is farthest? Distances to the mouse, the goal or the start, in cells, straight or as Manhattan's,
@@ -11,8 +12,8 @@
 // gives all three exactly (33.733 as 412 steps and 20, 43.367 as 551 and 25, 52.4 as 822 and 25). So the easternmost
 // column comes first, and in it the northernmost cell: far from the start's corner. The same scores settle that the
 // speed run prefers the end of the tie order, which flood-block alone settles; ahead before left before right, and a
-// few more, would do as well. A cell that no route that could exist leads to is passed over: the report's mazes have
-// none, and its method would look for it for ever.
+// few more, would do as well. Where an unvisited cell cannot be reached (the report's mazes have none), all distances to
+// it are equal, and the first direction in order wins at each step, for ever.
 #include <array>
 #include <optional>
 
@@ -32,11 +33,10 @@ class FloodExplore final : public CellFlood {
     return target ? step_towards(*target) : Action::reset();
   }
 
-  std::optional<Cell> farthest_unvisited() {
-    const DistanceField& from_here = reachable();
+  std::optional<Cell> farthest_unvisited() const {
     for (int x = briefing().size.width - 1; x >= 0; --x)
       for (int y = briefing().size.height - 1; y >= 0; --y)
-        if (!visited().contains({x, y}) && from_here.reaches({x, y})) return Cell{x, y};
+        if (!visited().contains({x, y})) return Cell{x, y};
     return std::nullopt;
   }
 

@@ -26,9 +26,7 @@ class RandomMove final : public Wanderer {
   Action wander() override { return random_step(); }
 };
 
-constexpr std::array parameters = {
-    Parameter{"coverage", ParameterType::real, "0.5", 0, 1, "", "share of all cells to stand in before the reset"},
-};
+constexpr std::array parameters = {half_coverage};
 
 }  // namespace
 

@@ -6,12 +6,12 @@
 // reach from the beginning of the way, so parents lead from the goal back to the start. Who sees no open wall is in a
 // dead end: the cell and its parents, up to one with three open walls, are not listed again. In the goal the list, the
 // visits, the costs and the parents are cleared, the walls and dead ends are not, and the same search leads to the
-// start. The speed run follows the shorter of the two paths or (join-legs) the shorter leg between each two of their
-// crossings, one cell a step or (merge-strides) in strides.
+// start. The speed run follows the shorter of the two paths or (join_legs) the shorter leg between each two of their
+// crossings, one cell a step or (merge_strides) in strides.
 // Limits: no path is shown to be shortest, and legs are compared in cells, not in strides. It does not watch the budget:
 // in a large maze the way back may not fit.
 // Source: report 2 (Kapustin 2016), Implementation and Refinement; its first stage is
-// bias=1:join-legs=no:merge-strides=no.
+// bias=1:join_legs=no:merge_strides=no.
 // Choices: the report does not say in which order equally good cells are listed. Its list is a map of its language's,
 // and in the order of that map (HashedCells) the scores of all its stages come out; in orders of directions they did
 // not. `ties` orders only the looks at the neighbours. The mouse leaves the goal by the way it came, and lists no other
@@ -37,8 +37,8 @@ class TwoWay final : public Explorer {
   TwoWay(const Briefing& briefing, const Settings& settings)
       : Explorer(briefing),
         bias_(settings.real("bias")),
-        join_legs_(settings.flag("join-legs")),
-        merge_strides_(settings.flag("merge-strides")),
+        join_legs_(settings.flag("join_legs")),
+        merge_strides_(settings.flag("merge_strides")),
         ties_(settings.choice("ties")),
         manhattan_(briefing.size, strides(1)),
         tree_(briefing.size, 1, ties_),
@@ -232,8 +232,8 @@ class TwoWay final : public Explorer {
 
 constexpr std::array parameters = {
     Parameter{"bias", ParameterType::real, "1.5", 0, 100, "", "weight of the Manhattan distance against steps"},
-    Parameter{"join-legs", ParameterType::flag, "yes", 0, 0, "", "take the shorter leg between crossings of both paths"},
-    Parameter{"merge-strides", ParameterType::flag, "yes", 0, 0, "", "run straight legs in strides, not cell by cell"},
+    Parameter{"join_legs", ParameterType::flag, "yes", 0, 0, "", "take the shorter leg between crossings of both paths"},
+    Parameter{"merge_strides", ParameterType::flag, "yes", 0, 0, "", "run straight legs in strides, not cell by cell"},
     Parameter{"ties", ParameterType::choice, "nesw", 0, 0, TieOrder::all, "order of the directions"},
 };
 

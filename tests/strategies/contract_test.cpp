@@ -303,7 +303,7 @@ TEST_P(SureMouse, KnowsWhereThereIsNoRoute) {
 
 INSTANTIATE_TEST_SUITE_P(Roster, SureMouse,
                          testing::Values(&flood_mouse, &flood_return_mouse, &certify_mouse, &flood_block_mouse,
-                                         &flood_explore_mouse, &phases_mouse, &two_way_mouse, &frontier_mouse),
+                                         &phases_mouse, &two_way_mouse, &frontier_mouse),
                          test::mouse_name);
 
 Maze generated(Dice& dice) {

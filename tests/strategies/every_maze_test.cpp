@@ -41,14 +41,31 @@ void expect_good_end(const RunRecord& record, bool has_route) {
 
 class InRealMazes : public testing::TestWithParam<const RosterEntry*> {};
 
+void expect_good_contest(const RosterEntry& entry, const Settings& settings, const NamedMaze& maze) {
+  SCOPED_TRACE(maze.file);
+  const auto mouse = entry.make(brief(maze.maze, {}, 1), settings);
+  const RunRecord record = run(maze.maze, {}, *mouse);
+  expect_good_end(record, maze.has_route);
+  for (const StepRecord& step : record.steps) ASSERT_FALSE(step.blocked) << "step " << step.step;
+}
+
 TEST_P(InRealMazes, EndsInAGoalOrAtItsBudgetAndRunsIntoNoWall) {
   if (real_mazes().empty()) GTEST_SKIP() << "no maze files in " << test::folder_of_mazes() << "; set LABMOUSE_MAZES";
-  for (const NamedMaze& maze : real_mazes()) {
-    SCOPED_TRACE(maze.file);
-    const auto mouse = GetParam()->make(brief(maze.maze, {}, 1), Settings(GetParam()->parameters));
-    const RunRecord record = run(maze.maze, {}, *mouse);
-    expect_good_end(record, maze.has_route);
-    for (const StepRecord& step : record.steps) ASSERT_FALSE(step.blocked) << "step " << step.step;
+  for (const NamedMaze& maze : real_mazes()) expect_good_contest(*GetParam(), Settings(GetParam()->parameters), maze);
+}
+
+TEST_P(InRealMazes, DoesSoByEveryMethodThatItCanBeGiven) {
+  if (real_mazes().empty()) GTEST_SKIP() << "no maze files in " << test::folder_of_mazes() << "; set LABMOUSE_MAZES";
+  for (const Parameter& parameter : GetParam()->parameters) {
+    const bool flag = parameter.type == ParameterType::flag;
+    if (parameter.name == "ties" || (!flag && parameter.type != ParameterType::choice)) continue;
+    for (const std::string_view value : flag ? std::vector<std::string_view>{"yes", "no"} : choices_of(parameter)) {
+      SCOPED_TRACE(std::string(parameter.name) + "=" + std::string(value));
+      Settings settings(GetParam()->parameters);
+      settings.set(parameter.name, value);
+      // Every fifth maze: the methods are many.
+      for (std::size_t i = 0; i < real_mazes().size(); i += 5) expect_good_contest(*GetParam(), settings, real_mazes()[i]);
+    }
   }
 }
 

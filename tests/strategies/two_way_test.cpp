@@ -53,9 +53,9 @@ TEST_P(Stages, ScoreAsPrinted) {
   EXPECT_EQ(std::lround(10 * *result.value), stage.printed);
 }
 
-const Values unbiased = {{"bias", "1"}, {"join-legs", "no"}, {"merge-strides", "no"}};
-const Values biased = {{"join-legs", "no"}, {"merge-strides", "no"}};
-const Values joined = {{"merge-strides", "no"}};
+const Values unbiased = {{"bias", "1"}, {"join_legs", "no"}, {"merge_strides", "no"}};
+const Values biased = {{"join_legs", "no"}, {"merge_strides", "no"}};
+const Values joined = {{"merge_strides", "no"}};
 
 INSTANTIATE_TEST_SUITE_P(
     Report, Stages,
