@@ -48,7 +48,8 @@ std::string check_number(const Parameter& parameter, std::string_view value) {
   if (!parse_number(value, number)) return "is not a number";
   if (parameter.type == ParameterType::whole && number != std::floor(number)) return "is not a whole number";
   if (number < parameter.low || number > parameter.high)
-    return "is outside of " + plain(parameter.low) + " to " + plain(parameter.high);
+    return "is outside of " + plain(parameter.low) + " to " + plain(parameter.high) + "; the nearest is " +
+           plain(number < parameter.low ? parameter.low : parameter.high);
   return "";
 }
 
@@ -163,6 +164,10 @@ std::string_view nearest_name(std::string_view word, std::span<const std::string
       fewest = edits;
       nearest = candidate;
     }
+  if (!nearest.empty() || word.size() < 3) return nearest;
+  // Half a name is meant for the whole.
+  for (const auto candidate : candidates)
+    if (candidate.find(word) != std::string_view::npos) return candidate;
   return nearest;
 }
 

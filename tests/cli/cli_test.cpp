@@ -114,7 +114,7 @@ TEST_F(AUser, IsToldWhatIsWrongWithASweep) {
   is_refused({"sweep", "flod", "--vary", "stride=1,2"}, "did you mean 'flood'?");
   is_refused({"sweep", "flood,certify", "--vary", "stride=1,2"}, "names 2 mice; name one");
   is_refused({"sweep", "flood", "--vary", "strid=1,2"}, "did you mean 'stride'?");
-  is_refused({"sweep", "flood", "--vary", "stride=7:9:1"}, "value '9' of parameter 'stride' of mouse 'flood' is outside of 1 to 8");
+  is_refused({"sweep", "flood", "--vary", "stride=7:9:1"}, "value '9' of parameter 'stride' of mouse 'flood' is outside of 1 to 8; the nearest is 8");
   is_refused({"sweep", "flood", "--vary", "stride=1:3"}, "write LOW:HIGH:STEP");
   is_refused({"sweep", "flood", "--vary", "stride"}, "is not of the form");
   is_refused({"sweep", "flood", "--vary", "stride=0:1:0.0001"}, "at most 1000");

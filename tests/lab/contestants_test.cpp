@@ -96,5 +96,11 @@ TEST(SpecError, OneBadMouseSpoilsTheLot) { error("flood,certify,flod"); }
 
 TEST(SpecError, TheOracleHasNoParameters) { EXPECT_EQ(error("oracle:stride=1"), "the oracle has no parameters"); }
 
+TEST(Specs, TakeHalfANameForTheWholeWhenTheySuggest) {
+  EXPECT_THAT(read_specs("phases:searching=wall").error, testing::HasSubstr("did you mean 'wall-follower'?"));
+  EXPECT_THAT(read_specs("counter").error, testing::HasSubstr("did you mean 'visit-counter'?"));
+  EXPECT_THAT(read_specs("xyz").error, testing::Not(testing::HasSubstr("did you mean")));
+}
+
 }  // namespace
 }  // namespace labmouse
