@@ -10,15 +10,18 @@ namespace {
 
 constexpr std::size_t smallest_table = 8;
 
-/// A table is rebuilt for four times its members, so that much is the most it ever needs.
-constexpr std::size_t table_for(std::size_t members) {
-  return std::max(smallest_table, std::bit_ceil(4 * members + 1));
-}
+/// The least table that is longer than so many slots.
+constexpr std::size_t table_for(std::size_t slots) { return std::max(smallest_table, std::bit_ceil(slots + 1)); }
 
 }  // namespace
 
-HashedCells::HashedCells(Size size)
-    : height_(size.height), slots_(table_for(static_cast<std::size_t>(size.area()))), old_slots_(slots_.size()) {
+/// No table ever grows beyond the least power of two above four times its members, in neither version.
+HashedCells::HashedCells(Size size, Python version, CellKey key)
+    : size_(size),
+      version_(version),
+      key_(key),
+      slots_(table_for(4 * static_cast<std::size_t>(size.area()))),
+      old_slots_(slots_.size()) {
   clear();
 }
 
@@ -30,9 +33,11 @@ void HashedCells::clear() {
 
 /// The hash of a pair of small numbers, each of which is its own hash.
 std::uint64_t HashedCells::hash(Cell cell) const {
+  const bool row_first = key_ == CellKey::row_column;
+  const int first = row_first ? size_.height - 1 - cell.y : cell.x, second = row_first ? cell.x : cell.y;
   std::uint64_t hash = 0x345678;
-  hash = (hash ^ static_cast<std::uint64_t>(height_ - 1 - cell.y)) * 1000003;
-  hash = (hash ^ static_cast<std::uint64_t>(cell.x)) * (1000003 + 82522);
+  hash = (hash ^ static_cast<std::uint64_t>(first)) * 1000003;
+  hash = (hash ^ static_cast<std::uint64_t>(second)) * (1000003 + 82522);
   return hash + 97531;
 }
 
@@ -50,12 +55,27 @@ HashedCells::Slot& HashedCells::slot_of(Cell cell) {
 }
 
 void HashedCells::insert(Cell cell) {
-  Slot& slot = slot_of(cell);
-  if (slot.state == State::taken) return;
-  if (slot.state == State::never_used) ++used_;
-  slot = {cell, State::taken};
+  Slot* slot = &slot_of(cell);
+  if (slot->state == State::taken) return;
+  const bool uses_a_slot = slot->state == State::never_used;
+  if (uses_a_slot && version_ == Python::v3_5 && make_room_before()) slot = &slot_of(cell);
+  *slot = {cell, State::taken};
   ++members_;
-  if (3 * used_ >= 2 * (mask_ + 1)) rebuild();
+  if (uses_a_slot) ++used_;
+  if (version_ == Python::v2_7) make_room_after();
+}
+
+/// 3.5 rebuilds its table when the next member would take it beyond two thirds; whether it did.
+bool HashedCells::make_room_before() {
+  const std::size_t length = mask_ + 1;
+  if (used_ < (2 * length + 1) / 3) return false;
+  rebuild(table_for(2 * members_ + length / 2));
+  return true;
+}
+
+/// 2.7 rebuilds its table when the last member has taken it to two thirds.
+void HashedCells::make_room_after() {
+  if (3 * used_ >= 2 * (mask_ + 1)) rebuild(table_for(4 * members_));
 }
 
 void HashedCells::erase(Cell cell) {
@@ -65,13 +85,13 @@ void HashedCells::erase(Cell cell) {
   --members_;
 }
 
-void HashedCells::rebuild() {
+void HashedCells::rebuild(std::size_t length) {
   const std::size_t old_length = mask_ + 1;
   std::swap(slots_, old_slots_);
-  mask_ = table_for(members_) - 1;
+  mask_ = length - 1;
   assert(mask_ < slots_.size());
   used_ = members_;
-  std::fill_n(slots_.begin(), mask_ + 1, Slot{});
+  std::fill_n(slots_.begin(), length, Slot{});
   for (std::size_t i = 0; i < old_length; ++i)
     if (old_slots_[i].state == State::taken) slot_of(old_slots_[i].cell) = old_slots_[i];
 }

@@ -42,7 +42,7 @@ class TwoWay final : public Explorer {
         ties_(settings.choice("ties")),
         manhattan_(briefing.size, strides(1)),
         tree_(briefing.size, 1, ties_),
-        unvisited_(briefing.size),
+        unvisited_(briefing.size, Python::v2_7, CellKey::row_column),
         nodes_(static_cast<std::size_t>(briefing.size.area())) {
     for (Path* path : {&plan_, &way_there_, &way_back_, &route_}) path->reserve(nodes_.size());
     begin_way(briefing.goals);
