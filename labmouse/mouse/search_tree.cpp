@@ -1,5 +1,6 @@
 #include "labmouse/mouse/search_tree.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cstdlib>
 
@@ -13,18 +14,30 @@ SearchTree::SearchTree(Size size, int longest, TieOrder order, Reach reach)
 void SearchTree::grow(const WallSet& passages, Pose root) { grow(passages, root, CellSet::all(size_)); }
 
 void SearchTree::grow(const WallSet& passages, Pose root, const CellSet& through) {
+  grow_over(root, [&](Cell cell, Heading direction) {
+    int open = 0;
+    if (cell != root.cell && !through.contains(cell)) return open;
+    while (open < longest_ && passages.contains(wall_at(neighbour(cell, direction, open), direction))) ++open;
+    return open;
+  });
+}
+
+void SearchTree::grow(const SightedMoves& moves, Pose root) {
+  grow_over(root, [&](Cell cell, Heading direction) { return std::min(longest_, moves.longest(cell, direction)); });
+}
+
+template <class Open>
+void SearchTree::grow_over(Pose root, Open open) {
   nodes_.assign(nodes_.size(), Node{});
   found_.clear();
   node(root.cell) = {0, root.cell, root.heading};
   found_.push_back(root.cell);
   for (std::size_t next = 0; next < found_.size(); ++next) {
     const Cell cell = found_[next];
-    if (next > 0 && !through.contains(cell)) continue;
     for (const Heading direction : order_.from(node(cell).heading)) {
-      int open = 0;
-      while (open < longest_ && passages.contains(wall_at(neighbour(cell, direction, open), direction))) ++open;
-      for (int cells = 1; cells <= open; ++cells)
-        find(neighbour(cell, direction, reach_ == Reach::nearest_first ? cells : open + 1 - cells), cell, direction);
+      const int reach = open(cell, direction);
+      for (int cells = 1; cells <= reach; ++cells)
+        find(neighbour(cell, direction, reach_ == Reach::nearest_first ? cells : reach + 1 - cells), cell, direction);
     }
   }
 }

@@ -57,6 +57,19 @@ TEST(SearchTree, PassesOnlyTheCellsThatItMay) {
   EXPECT_FALSE(tree.reaches({3, 0}));
 }
 
+TEST(SearchTree, TakesOnlyMovesThatWereSeenAsAWhole) {
+  // A corridor of five cells, seen from its middle to either end.
+  SightedMoves moves({5, 1}, 3);
+  moves.learn({{2, 0}, Heading::east}, {0, 2, 0});
+  moves.learn({{2, 0}, Heading::west}, {0, 2, 0});
+  SearchTree tree({5, 1}, 3, TieOrder("nesw"));
+  tree.grow(moves, {{1, 0}, Heading::east});
+  EXPECT_EQ(tree.distance({0, 0}), 1);
+  EXPECT_EQ(tree.distance({2, 0}), 1);
+  EXPECT_EQ(tree.distance({3, 0}), 2);
+  EXPECT_EQ(tree.before({4, 0}), (Cell{2, 0}));
+}
+
 TEST(SearchTree, PrefersTheReachThatItWasMadeWith) {
   const WallSet open = WallSet::all({4, 1});
   SearchTree nearest({4, 1}, 3, TieOrder("nesw")), farthest({4, 1}, 3, TieOrder("nesw"), SearchTree::Reach::farthest_first);
