@@ -1,38 +1,52 @@
-// What mice have in common that seek out cells: they have seen a cell, have not visited it, and go there.
+// What mice have in common that seek out cells: they have seen a cell, have not stood in it, and go there.
 #pragma once
 
-#include <optional>
+#include <vector>
 
 #include "labmouse/mouse/explorer.hpp"
+#include "labmouse/mouse/hashed_cells.hpp"
 #include "labmouse/mouse/search_tree.hpp"
+#include "labmouse/mouse/sighted_moves.hpp"
 
 namespace labmouse {
 
-/// A mouse that walks from one unvisited cell to the next until it has entered a goal, chooses its target anew at each
-/// step, and takes the shortest known route to it. A mind derives from it and writes choose().
+/// A mouse that goes to an unvisited cell, and from there to the next, until a step ends in a goal. A mind derives
+/// from it and says what a cell costs; the cheapest is next. The rest is the robot of the third report:
 ///
-/// Where no such cell is left and no goal is entered, what is left may be a wall that was never in sight, such as the
-/// one behind it at the start, or a goal that it has passed without ending a step there. Then it follows the shortest
-/// route that could exist, and gives up where there is none.
+/// - A cell is visited where a step ends in it; passing through is no visit.
+/// - A move is known when it was seen as a whole (SightedMoves), in both runs.
+/// - A route is planned once and followed to its end, whatever is seen on the way.
+/// - Equally cheap cells are taken as a map of Python 3.5 lists them (HashedCells).
+///
+/// A cell into which a mouse moves was seen before, in all four directions, but for the wall behind it at the start.
+/// Where no unvisited cell is left to see, that wall is what is left: the mouse goes and looks at it, if a route to the
+/// goal could lead through it.
 class Seeker : public Explorer {
  public:
-  /// The order decides which of several shortest routes is taken.
+  /// The order decides which of several shortest routes is taken; on each, the nearest cells are found first.
   Seeker(const Briefing& briefing, TieOrder ties);
 
  protected:
-  /// The cell to go to, another than the present one: routes() reaches it. Nothing where there is none. Called once a
-  /// step.
-  virtual std::optional<Cell> choose() = 0;
+  /// What the mind gives a seen, unvisited cell: the least is next.
+  virtual int cost(Cell cell) const = 0;
 
-  /// The shortest known routes from where the mouse stands.
+  /// The shortest known routes from where the mouse chooses.
   const SearchTree& routes() const { return routes_; }
-  const TieOrder& ties() const { return ties_; }
 
  private:
   Action explore() final;
+  Action race() final;
 
-  TieOrder ties_;
+  void look();
+  void plan_to_cheapest();
+  void plan_to_goal();
+  void plan_to(Cell target);
+  Action follow();
+
+  SightedMoves moves_;
+  HashedCells seen_cells_;
   SearchTree routes_;
+  std::vector<Cell> plan_;  ///< where the moves end, the last first
   DistanceField optimistic_;
 };
 

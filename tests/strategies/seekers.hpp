@@ -1,0 +1,82 @@
+// What the mice have to keep to that seek out cells which they have not visited.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <optional>
+
+#include "labmouse/mouse/hashed_cells.hpp"
+#include "labmouse/mouse/search_tree.hpp"
+#include "tests/strategies/one_contest.hpp"
+
+namespace labmouse::test {
+
+/// What the report's robot remembers, kept a second time.
+class SeekersMemory {
+ public:
+  explicit SeekersMemory(Size size)
+      : moves_(size, 3), seen_(size, Python::v3_5, CellKey::column_row), routes_(size, 3, TieOrder("nesw")) {}
+
+  void learn(const StepRecord& step) {
+    moves_.learn(step.pose, step.sighting);
+    visited_.insert(step.pose.cell);
+    seen_.insert(step.pose.cell);
+    for (const int side : {-1, 0, 1})
+      for (int away = 1; away <= step.sighting.towards(side); ++away)
+        seen_.insert(neighbour(step.pose.cell, turned(step.pose.heading, side), away));
+  }
+
+  /// The first of the cheapest cells that were seen and not visited; cost(routes, cell), the routes beginning here.
+  template <class Cost>
+  std::optional<Cell> cheapest(Pose here, Cost cost) {
+    routes_.grow(moves_, here);
+    std::optional<Cell> best;
+    seen_.for_each([&](Cell cell) {
+      if (!visited_.contains(cell) && (!best || cost(routes_, cell) < cost(routes_, *best))) best = cell;
+    });
+    return best;
+  }
+
+  bool knows(Pose from, const Action& step) const {
+    const Cell to = after(from, step).cell;
+    if (to == from.cell) return true;
+    const Move move = move_between(from.cell, to);
+    return move.cells <= moves_.longest(from.cell, move.direction);
+  }
+  int moves_to(Cell cell) const { return routes_.distance(cell); }
+
+ private:
+  SightedMoves moves_;
+  HashedCells seen_;
+  CellSet visited_;
+  SearchTree routes_;
+};
+
+/// That the mouse goes to the cheapest cell by a shortest route, and chooses again when it is there.
+template <class Cost>
+void expect_goes_to_the_cheapest(const RosterEntry& mouse, const Maze& maze, Cost cost) {
+  SeekersMemory memory(maze.size());
+  std::optional<Cell> target;
+  int moves_left = 0;
+  follow_exploration(maze, contest(mouse, maze), [&](const StepRecord& step, const Knowledge&) {
+    memory.learn(step);
+    if (moves_left == 0) {
+      EXPECT_EQ(step.pose.cell, target.value_or(step.pose.cell)) << step.step;
+      target = memory.cheapest(step.pose, cost);
+      moves_left = target ? memory.moves_to(*target) : 1;
+    }
+    --moves_left;
+  });
+}
+
+/// That each move of both runs was seen as a whole before the speed run, and before it was made.
+inline void expect_makes_only_moves_seen_as_a_whole(const RosterEntry& mouse, const Maze& maze) {
+  SeekersMemory memory(maze.size());
+  for (const StepRecord& step : contest(mouse, maze).steps) {
+    if (step.action.kind != Action::Kind::step) continue;
+    if (step.run != Run::speed) memory.learn(step);
+    EXPECT_TRUE(memory.knows(step.pose, step.action)) << step.step;
+  }
+}
+
+}  // namespace labmouse::test
