@@ -37,19 +37,21 @@ class Cautious final : public Explorer {
     return move_in(pose().heading, least_visited(moves).direction, 1);
   }
 
-  /// A move to a cell with the fewest visits, each equally likely.
+  /// A move, of at least one, to a cell with the fewest visits, each equally likely.
   Move least_visited(const KnownMoves& moves) {
-    std::array<Move, 4> best;
-    int count = 0, fewest = 0;
-    for (const Move& move : moves) {
-      const int visits = visits_.of(neighbour(pose().cell, move.direction));
-      if (count > 0 && visits > fewest) continue;
+    std::array<Move, 4> best = {moves[0]};
+    int count = 1, fewest = visits_after(moves[0]);
+    for (int i = 1; i < moves.count(); ++i) {
+      const int visits = visits_after(moves[i]);
+      if (visits > fewest) continue;
       if (visits < fewest) count = 0;
       fewest = visits;
-      best[static_cast<unsigned>(count++)] = move;
+      best[static_cast<unsigned>(count++)] = moves[i];
     }
     return best[static_cast<unsigned>(dice_.below(count))];
   }
+
+  int visits_after(const Move& move) const { return visits_.of(neighbour(pose().cell, move.direction)); }
 
   Dice dice_;
   Visits visits_;
