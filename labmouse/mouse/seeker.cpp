@@ -55,7 +55,7 @@ void Seeker::plan_to_cheapest() {
 void Seeker::plan_to_goal() {
   routes_.grow(moves_, pose());
   const auto found = routes_.found();
-  plan_to(*std::ranges::find_if(found, [&](Cell cell) { return briefing().goals.contains(cell); }));
+  plan_to(*std::find_if(found.begin(), found.end(), [&](Cell cell) { return briefing().goals.contains(cell); }));
 }
 
 void Seeker::plan_to(Cell target) {

@@ -80,7 +80,8 @@ class TwoWay final : public Explorer {
   bool sees_too_little() const {
     const WallSet unknown = knowledge().unknown();
     const Cell here = pose().cell;
-    return std::ranges::any_of(all_headings, [&](Heading side) { return unknown.contains(wall_at(here, side)); });
+    return std::any_of(all_headings.begin(), all_headings.end(),
+                       [&](Heading side) { return unknown.contains(wall_at(here, side)); });
   }
 
   Action go(Cell next) {
@@ -126,7 +127,8 @@ class TwoWay final : public Explorer {
   }
 
   int ways_from(Cell cell) const {
-    return static_cast<int>(std::ranges::count_if(all_headings, [&](Heading side) { return open(cell, side); }));
+    return static_cast<int>(std::count_if(all_headings.begin(), all_headings.end(),
+                                          [&](Heading side) { return open(cell, side); }));
   }
 
   /// Plans the way to the unvisited cell of least length + bias × Manhattan distance; false where none is left.
@@ -156,7 +158,7 @@ class TwoWay final : public Explorer {
   void turn_back() {
     returning_ = true;
     keep_way(way_there_);
-    std::ranges::reverse(way_there_);
+    std::reverse(way_there_.begin(), way_there_.end());
     CellSet start;
     start.insert(briefing().start.cell);
     begin_way(start);
