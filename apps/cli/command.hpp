@@ -52,6 +52,7 @@ bool colours();
 /// Adds each subcommand; its callback leaves the exit code in `exit`.
 void add_race(CLI::App& app, int& exit);
 void add_sweep(CLI::App& app, int& exit);
+void add_learn(CLI::App& app, int& exit);
 void add_run(CLI::App& app, int& exit);
 void add_show(CLI::App& app, int& exit);
 void add_inspect(CLI::App& app, int& exit);

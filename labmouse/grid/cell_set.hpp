@@ -15,6 +15,13 @@ class CellSet {
  public:
   constexpr CellSet() = default;
 
+  /// One cell.
+  static constexpr CellSet of(Cell cell) {
+    CellSet cells;
+    cells.insert(cell);
+    return cells;
+  }
+
   /// All cells of a maze of that size.
   static constexpr CellSet all(Size size) {
     CellSet cells;

@@ -71,6 +71,25 @@ void DistanceField::read_all(std::span<int> out) const {
   for (int index = 0; index < size_.area(); ++index) out[static_cast<std::size_t>(index)] = read<Word>(size_.cell_at(index));
 }
 
+template <class Word>
+CellSet DistanceField::read_reached() const {
+  CellSet cells;
+  const CellSet all = CellSet::all(size_);
+  const unsigned char* rows = reinterpret_cast<const unsigned char*>(sets());
+  for (int y = 0; y < size_.height; ++y) {
+    Word unreached;
+    std::memcpy(&unreached, rows + static_cast<unsigned>(y) * sizeof(Word), sizeof unreached);
+    cells.set_row(y, all.row(y) & ~static_cast<std::uint64_t>(unreached));
+  }
+  return cells;
+}
+
+CellSet DistanceField::reached() const {
+  if (row_bits_ == 16) return read_reached<std::uint16_t>();
+  if (row_bits_ == 32) return read_reached<std::uint32_t>();
+  return read_reached<std::uint64_t>();
+}
+
 void DistanceField::copy_to(std::span<int> out) const {
   assert(out.size() == static_cast<std::size_t>(size_.area()));
   if (row_bits_ == 16)

@@ -43,6 +43,8 @@ class DistanceField {
   /// Distance of a cell, in the motion's unit, or unreachable (also for cells outside).
   int at(Cell cell) const;
   bool reaches(Cell cell) const { return at(cell) < unreachable; }
+  /// All cells that can be reached.
+  CellSet reached() const;
   /// Writes the distance of every cell to out[size.index(cell)]; the span has size.area() elements.
   void copy_to(std::span<int> out) const;
 
@@ -58,6 +60,8 @@ class DistanceField {
   int read(Cell cell) const;
   template <class Word>
   void read_all(std::span<int> out) const;
+  template <class Word>
+  CellSet read_reached() const;
   std::uint64_t* sets() { return storage_.data()->words; }
   const std::uint64_t* sets() const { return storage_.data()->words; }
 

@@ -7,6 +7,7 @@
 
 #include "labmouse/mouse/action.hpp"
 #include "labmouse/mouse/knowledge.hpp"
+#include "labmouse/mouse/reasons.hpp"
 #include "labmouse/mouse/sighting.hpp"
 
 namespace labmouse {
@@ -30,6 +31,11 @@ class Strategy {
 
   /// What it counted so far, under names that never change.
   virtual std::span<const Counter> counters() const { return {}; }
+
+  /// Asks it to keep its reasons, before the first decision. Most minds have none to tell.
+  virtual void keep_reasons() {}
+  /// The reasons of the last decision, where it chose anew and was asked to keep them; else null.
+  virtual const Reasons* reasons() const { return nullptr; }
 };
 
 }  // namespace labmouse

@@ -26,6 +26,7 @@ std::span<const RosterEntry* const> roster() {
       &flood_mouse,
       &flood_return_mouse,
       &certify_mouse,
+      &ariadne_mouse,
   };
   return entries;
 }

@@ -45,6 +45,7 @@ extern const RosterEntry phases_mouse;
 extern const RosterEntry flood_mouse;
 extern const RosterEntry flood_return_mouse;
 extern const RosterEntry certify_mouse;
+extern const RosterEntry ariadne_mouse;
 
 /// All of them, from the simplest to the best.
 std::span<const RosterEntry* const> roster();

@@ -1,0 +1,35 @@
+// Why a mind goes where it goes, for those who watch: what it could have done, and what it took that to be worth.
+#pragma once
+
+#include <vector>
+
+#include "labmouse/grid/wall.hpp"
+
+namespace labmouse {
+
+/// Something that an exploring mind thought of doing next. Costs are in thirtieths of a step of the speed run.
+struct Candidate {
+  Wall wall;        ///< the unseen wall to look at; of a goal the cell alone counts
+  Cell seen_from;   ///< where to go for it
+  bool goal = false;  ///< to enter the goal
+  int through = 0;  ///< what a run from start to goal would cost that led through the wall
+  int travel = 0;   ///< what the way to that cell costs, in the motion's unit
+  bool worth = true;  ///< worth the way to it; after the goal, some are not
+  double score = 0;   ///< the lowest of those that are is chosen
+
+  friend bool operator==(const Candidate&, const Candidate&) = default;
+};
+
+/// One choice of a mind.
+struct Reasons {
+  std::vector<Candidate> candidates;
+  /// The position of the chosen one; -1 where none was worth its price, and the mind stops.
+  int chosen = -1;
+  int known = 0;     ///< cost of the shortest known run from start to goal; 0 where there is none yet
+  double hope = 0;   ///< after the goal: the cost of the run through the wall that comes nearest to being worth a look
+  double price = 0;  ///< and what the look at it would cost, as far as the mind counts it against the hope
+
+  friend bool operator==(const Reasons&, const Reasons&) = default;
+};
+
+}  // namespace labmouse

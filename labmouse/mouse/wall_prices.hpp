@@ -1,0 +1,49 @@
+// What it would cost to go through each wall: nothing where it is open, everything where it is closed, and a mind's
+// guess where it has not been seen.
+#pragma once
+
+#include <cassert>
+#include <cstdint>
+#include <vector>
+
+#include "labmouse/grid/wall.hpp"
+
+namespace labmouse {
+
+/// A price for each wall of a maze, 0 to highest, or closed; the border is closed. Takes all its memory when made.
+class WallPrices {
+ public:
+  static constexpr int highest = 250;
+  static constexpr int closed = 255;
+
+  /// All walls closed.
+  explicit WallPrices(Size size)
+      : size_(size),
+        north_(static_cast<std::size_t>(size.width + size.area()), closed),
+        east_(static_cast<std::size_t>(1 + size.area()), closed) {}
+
+  Size size() const { return size_; }
+  int of(Wall wall) const { return sides(wall)[size_.index(wall.cell)]; }
+  bool passable(Wall wall) const { return of(wall) != closed; }
+  /// The wall must be an inner one.
+  void set(Wall wall, int price) {
+    assert(!on_border(wall, size_) && (price == closed || (price >= 0 && price <= highest)));
+    const auto index = static_cast<std::size_t>(size_.index(wall.cell));
+    (wall.side == Heading::north ? north_[index + static_cast<unsigned>(size_.width)] : east_[index + 1]) =
+        static_cast<std::uint8_t>(price);
+  }
+
+  /// Prices of the north (east) sides by the cell's index. What lies before the first is closed as far as a search
+  /// looks: north()[index - width] is the south side of any cell, east()[index - 1] its west side.
+  const std::uint8_t* north() const { return north_.data() + size_.width; }
+  const std::uint8_t* east() const { return east_.data() + 1; }
+
+ private:
+  const std::uint8_t* sides(Wall wall) const { return wall.side == Heading::north ? north() : east(); }
+
+  Size size_;
+  std::vector<std::uint8_t> north_;
+  std::vector<std::uint8_t> east_;
+};
+
+}  // namespace labmouse

@@ -1,0 +1,265 @@
+// ariadne: looks at the walls through which a good run could lead, and stops when none is worth the way to it.
+//
+// Method: every unseen wall has a price, by how likely it is closed; how likely, was counted in other mazes for each
+// state of its eight neighbours (`labmouse learn`). Over these prices T(e) is the cheapest run from start to goal
+// through the unseen wall e (EdgeCosts). Before the goal has been entered, only what lies ahead counts: the mouse goes
+// to see the wall for which T(e) and the price of the way there are least, until the goal itself is the best of them.
+// Afterwards a wall is worth a look while T(e), and something for the way, is less than the shortest known run costs. When
+// none is, the mouse resets at once, wherever it stands. It decides anew when it has seen something new.
+// Where the walls seen so far look like those of a maze without loops, it stops at the goal: there is no second route.
+// Limits: one wall at a time; what a look at the next could be worth for the one after is not asked. Its prior is that of
+// contest mazes.
+// Source: our own.
+#include <bit>
+#include <optional>
+
+#include "labmouse/mouse/explorer.hpp"
+#include "labmouse/strategies/ariadne/edge_costs.hpp"
+#include "labmouse/strategies/ariadne/priors.hpp"
+#include "labmouse/strategies/roster.hpp"
+
+namespace labmouse {
+namespace {
+
+using ariadne::EdgeCosts;
+using ariadne::one;
+using ariadne::Outlook;
+using ariadne::Phase;
+using ariadne::Policy;
+
+class Ariadne final : public Explorer {
+ public:
+  Ariadne(const Briefing& briefing, const Settings& settings, const WallPrior* prior)
+      : Explorer(briefing),
+        policy_(settings),
+        outlook_(briefing, prior),
+        costs_(briefing),
+        travel_(briefing.size, briefing.motion),
+        way_(briefing.size, briefing.motion) {
+    outlook_.price(policy_.before.prices);
+  }
+
+  void keep_reasons() override {
+    keeps_reasons_ = true;
+    reasons_.candidates.reserve(static_cast<std::size_t>(2 * briefing().size.area()));
+  }
+  const Reasons* reasons() const override { return keeps_reasons_ && chose_ ? &reasons_ : nullptr; }
+
+ private:
+  Action explore() override {
+    chose_ = false;
+    const bool news = outlook_.learn(pose(), seen());
+    // Standing on a goal without having entered it: the start is one. A step has to end there.
+    if (!goal_entered() && briefing().goals.contains(pose().cell)) return Action::step(0, 0);
+    const bool just_entered = goal_entered() && phase_ == &policy_.before;
+    if (just_entered) {
+      if (stops_at_the_goal()) return Action::reset();
+      phase_ = &policy_.after;
+      outlook_.price(phase_->prices);
+    }
+    if (news || just_entered || !target_ || pose().cell == target_->seen_from) choose();
+    if (goal_entered() && (!target_ || last_call())) return Action::reset();
+    return target_ ? go() : Action::forfeit(ForfeitReason::no_way);
+  }
+
+  /// Whether the walls say that there is one way only, clearly: e^2 to one.
+  bool stops_at_the_goal() const {
+    constexpr int clearly = 2 * 32;
+    return policy_.loop_free || (policy_.may_be_loop_free && outlook_.evidence_against_loops() > clearly);
+  }
+
+  /// The last moment at which the reset and the known run still fit into the budget.
+  bool last_call() const { return steps_left() <= known_ + 1; }
+
+  void choose() {
+    chose_ = true;
+    target_.reset();
+    reasons_.candidates.clear();
+    travel_.fill(knowledge().open(), CellSet::of(pose().cell));
+    way_.fill(knowledge().open(), briefing().goals);
+    known_ = way_.at(briefing().start.cell);
+    find_nearest_goal();
+    costs_.plan(outlook_, phase_->way_here);
+    consider_walls();
+    if (!goal_entered()) {
+      consider_goal();
+      if (!target_) choose_as_last_resort();
+    }
+    if (target_) way_.fill(knowledge().open(), CellSet::of(target_->seen_from));
+    if (keeps_reasons_) conclude();
+  }
+
+  /// Every way that is left leads through a wall that was taken for closed.
+  void choose_as_last_resort() {
+    outlook_.price(policy_.last_resort);
+    costs_.plan(outlook_, phase_->way_here);
+    consider_walls();
+    outlook_.price(phase_->prices);
+  }
+
+  void find_nearest_goal() {
+    nearest_goal_.reset();
+    briefing().goals.for_each([&](Cell cell) {
+      if (travel_.reaches(cell) && (!nearest_goal_ || travel_.at(cell) < travel_.at(*nearest_goal_))) nearest_goal_ = cell;
+    });
+  }
+
+  void consider_walls() {
+    const CellSet reached = travel_.reached();
+    const Size size = briefing().size;
+    const WallSet& possible = knowledge().possible();
+    const WallSet& open = knowledge().open();
+    for (int y = 0; y < size.height; ++y) {
+      const std::uint64_t here = reached.row(y), above = y + 1 < size.height ? reached.row(y + 1) : 0;
+      const std::uint64_t north = possible.north().row(y) & ~open.north().row(y) & (here | above);
+      const std::uint64_t east = possible.east().row(y) & ~open.east().row(y) & (here | here >> 1);
+      for (std::uint64_t bits = north; bits != 0; bits &= bits - 1) consider({{std::countr_zero(bits), y}, Heading::north});
+      for (std::uint64_t bits = east; bits != 0; bits &= bits - 1) consider({{std::countr_zero(bits), y}, Heading::east});
+    }
+  }
+
+  void consider(Wall wall) {
+    if (!outlook_.prices().passable(wall)) return;
+    Candidate candidate;
+    candidate.wall = wall;
+    candidate.through = costs_.through(wall);
+    if (candidate.through >= unreachable) return;
+    candidate.seen_from = viewpoint(wall);
+    candidate.travel = travel_.at(candidate.seen_from);
+    candidate.worth = goal_entered() ? pays(candidate) : leaves_time_for_the_goal(candidate);
+    const std::int64_t score = judged(candidate.through, one) + judged(candidate.travel, phase_->travel);
+    add(candidate, score);
+  }
+
+  void consider_goal() {
+    if (!nearest_goal_) return;
+    Candidate candidate;
+    candidate.goal = true;
+    candidate.seen_from = *nearest_goal_;
+    candidate.through = known_ * ariadne::step_price;
+    candidate.travel = travel_.at(candidate.seen_from);
+    const std::int64_t score = judged(candidate.through, phase_->way_here) + judged(candidate.travel, phase_->travel);
+    // Of equals it is the goal.
+    add(candidate, score - policy_.goal_bonus - 1);
+  }
+
+  /// A cost with its weight.
+  static std::int64_t judged(int cost, int weight) { return static_cast<std::int64_t>(cost) * weight; }
+
+  bool pays(const Candidate& wall) const {
+    return judged(wall.through, one) + judged(wall.travel, policy_.stop_travel) <
+           judged(known_ * ariadne::step_price, one) + policy_.stop_margin;
+  }
+
+  /// Whether the budget allows to go there, come back, enter the goal, and run.
+  bool leaves_time_for_the_goal(const Candidate& wall) const {
+    return !nearest_goal_ || 2 * wall.travel + travel_.at(*nearest_goal_) + 1 + known_ <= steps_left();
+  }
+
+  void add(Candidate candidate, std::int64_t score) {
+    // The bonus is small: most often there is no need to count.
+    const bool near = !target_ || score - 4 * phase_->insight < score_;
+    if (!candidate.goal && (near || keeps_reasons_)) score -= judged(unseen_from(candidate.seen_from), phase_->insight);
+    candidate.score = static_cast<double>(score) / one;
+    if (candidate.worth && (!target_ || score < score_)) {
+      target_ = candidate;
+      score_ = score;
+      reasons_.chosen = static_cast<int>(reasons_.candidates.size());
+    }
+    if (keeps_reasons_) reasons_.candidates.push_back(candidate);
+  }
+
+  /// The rest of the reasons: what it knew, and what it hoped for at which price.
+  void conclude() {
+    if (!target_) reasons_.chosen = -1;
+    reasons_.known = known_ < unreachable ? known_ * ariadne::step_price : 0;
+    reasons_.hope = reasons_.price = 0;
+    if (!goal_entered()) return;
+    double least = 0;
+    for (const Candidate& candidate : reasons_.candidates) {
+      const double price = static_cast<double>(judged(candidate.travel, policy_.stop_travel)) / one;
+      if (reasons_.hope != 0 && candidate.through + price >= least) continue;
+      least = candidate.through + price;
+      reasons_.hope = candidate.through;
+      reasons_.price = price;
+    }
+  }
+
+  /// The cell nearest to the mouse that looks at the wall along known passages; one is reached.
+  Cell viewpoint(Wall wall) const {
+    Cell nearest = wall.cell;
+    for (const Heading side : {wall.side, opposite(wall.side)}) {
+      Cell cell = side == wall.side ? wall.cell : neighbour(wall.cell, wall.side);
+      for (bool more = true; more; cell = neighbour(cell, opposite(side))) {
+        if (travel_.at(cell) < travel_.at(nearest)) nearest = cell;
+        more = knowledge().open().contains(wall_at(cell, opposite(side)));
+      }
+    }
+    return nearest;
+  }
+
+  /// How many unseen walls, not taken for closed, end the known corridors about a cell.
+  int unseen_from(Cell from) const {
+    int unseen = 0;
+    for (const Heading direction : all_headings) {
+      Cell cell = from;
+      while (knowledge().open().contains(wall_at(cell, direction))) cell = neighbour(cell, direction);
+      const Wall wall = wall_at(cell, direction);
+      if (unknown(wall) && outlook_.prices().passable(wall)) ++unseen;
+    }
+    return unseen;
+  }
+
+  bool unknown(Wall wall) const {
+    return knowledge().possible().contains(wall) && !knowledge().open().contains(wall);
+  }
+
+  /// The next step of a shortest known way to the target: of several the one that ends beside most unseen walls, and of
+  /// these one that does not go backwards. In sight of the target but with the back to it, a turn.
+  Action go() const {
+    if (pose().cell == target_->seen_from) return Action::step(90, 0);
+    const Motion& motion = briefing().motion;
+    Action best = Action::forfeit(ForfeitReason::lost);
+    int most = -1;
+    for (const int quarters : {0, -1, 1, 2}) {
+      const Heading direction = turned(pose().heading, quarters);
+      Cell cell = pose().cell;
+      for (int cells = 1; cells <= motion.longest && knowledge().open().contains(wall_at(cell, direction)); ++cells) {
+        cell = neighbour(cell, direction);
+        if (way_.at(cell) + motion.cost[static_cast<unsigned>(cells)] != way_.at(pose().cell)) continue;
+        int value = quarters == 2 ? 0 : 1;
+        for (const Heading side : all_headings) value += unknown(wall_at(cell, side)) ? 2 : 0;
+        if (value <= most) continue;
+        most = value;
+        best = move_in(pose().heading, direction, cells);
+      }
+    }
+    return best;
+  }
+
+  Policy policy_;
+  const Phase* phase_ = &policy_.before;
+  Outlook outlook_;
+  EdgeCosts costs_;
+  DistanceField travel_;  ///< from where the mouse stands, over known passages
+  DistanceField way_;     ///< from the target
+  std::optional<Cell> nearest_goal_;  ///< of those that can be reached over known passages
+  int known_ = unreachable;           ///< length of the shortest known run from start to goal
+  std::optional<Candidate> target_;
+  std::int64_t score_ = 0;
+  Reasons reasons_;
+  bool keeps_reasons_ = false;
+  bool chose_ = false;
+};
+
+}  // namespace
+
+const RosterEntry ariadne_mouse = {"ariadne", "looks at the walls through which a good run could lead",
+                                   ariadne::policy_parameters(),
+                                   [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
+                                     const bool contest = settings.choice("prior") == "contest";
+                                     return std::make_unique<Ariadne>(
+                                         briefing, settings, contest ? ariadne::contest_prior_for(briefing.size) : nullptr);
+                                   }};
+
+}  // namespace labmouse

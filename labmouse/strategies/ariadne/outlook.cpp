@@ -1,0 +1,105 @@
+#include "labmouse/strategies/ariadne/outlook.hpp"
+
+#include <algorithm>
+
+#include "labmouse/strategies/ariadne/priors.hpp"
+
+namespace labmouse::ariadne {
+namespace {
+
+constexpr int even = 22;  // -ln(1/2) in 1/32
+constexpr PriceTable all_open{};
+
+/// Whether the cells are a room of 2×2.
+bool is_room(const CellSet& cells) {
+  bool first = true, room = cells.count() == 4;
+  cells.for_each([&](Cell cell) {
+    if (first)
+      for (const Cell other : {Cell{cell.x + 1, cell.y}, Cell{cell.x, cell.y + 1}, Cell{cell.x + 1, cell.y + 1}})
+        room = room && cells.contains(other);
+    first = false;
+  });
+  return room;
+}
+
+}  // namespace
+
+Outlook::Outlook(const Briefing& briefing, const WallPrior* prior)
+    : size_(briefing.size),
+      prior_(prior),
+      table_(&all_open),
+      contexts_(briefing.size),
+      prices_(briefing.size),
+      unknown_(WallSet::all(briefing.size)) {
+  const bool room = is_room(briefing.goals);
+  unknown_.for_each([&](Wall wall) {
+    const int goals = briefing.goals.contains(wall.cell) + briefing.goals.contains(neighbour(wall.cell, wall.side));
+    if (goals == 2) inside_.insert(wall);
+    if (goals == 1 && room) rim_.insert(wall);
+  });
+  price(all_open);
+}
+
+bool Outlook::learn(Pose pose, const Sighting& seen) {
+  bool news = false;
+  for (const int side : {-1, 0, 1}) {
+    const Heading direction = turned(pose.heading, side);
+    Cell cell = pose.cell;
+    for (int passed = 0; passed <= seen.towards(side); ++passed, cell = neighbour(cell, direction)) {
+      const Wall wall = wall_at(cell, direction);
+      if (!unknown_.contains(wall)) continue;
+      learn(wall, passed < seen.towards(side));
+      news = true;
+    }
+  }
+  return news;
+}
+
+void Outlook::learn(Wall wall, bool open) {
+  weigh(wall, open);
+  unknown_.erase(wall);
+  prices_.set(wall, open ? 0 : WallPrices::closed);
+  changed_.insert(wall);
+  contexts_.learn(wall, open, [&](Wall other) { price(other); });
+  if (!rim_.contains(wall)) return;
+  ++(open ? rim_open_ : rim_closed_);
+  rim_.for_each([&](Wall other) { price(other); });
+}
+
+/// Compares what the two kinds of mazes had said of a wall, neither as surer of it than one in thirty.
+void Outlook::weigh(Wall wall, bool open) {
+  if (prior_ == nullptr || rim_.contains(wall) || inside_.contains(wall)) return;
+  const auto surprise = [&](const WallPrior& prior) {
+    const int reluctance = std::clamp<int>(prior.walls[static_cast<unsigned>(contexts_.of(wall))], 1, 112);
+    return open ? reluctance : complement(reluctance);
+  };
+  evidence_ += surprise(*prior_) - surprise(loop_free_prior);
+}
+
+void Outlook::price(const PriceTable& table) {
+  table_ = &table;
+  unknown_.for_each([&](Wall wall) { price(wall); });
+}
+
+void Outlook::price(Wall wall) {
+  if (!unknown_.contains(wall)) return;
+  const int price = (*table_)[static_cast<unsigned>(reluctance(wall))];
+  if (price == prices_.of(wall)) return;
+  prices_.set(wall, price);
+  changed_.insert(wall);
+}
+
+WallSet Outlook::take_changes() {
+  const WallSet changes = changed_;
+  changed_ = WallSet();
+  return changes;
+}
+
+int Outlook::reluctance(Wall wall) const {
+  if (inside_.contains(wall)) return 0;
+  if (prior_ == nullptr) return even;
+  if (rim_.contains(wall)) return prior_->rim[static_cast<unsigned>(rim_context(rim_open_, rim_closed_))];
+  return prior_->walls[static_cast<unsigned>(contexts_.of(wall))];
+}
+
+}  // namespace labmouse::ariadne

@@ -1,0 +1,42 @@
+// What ariadne weighs against what: its parameters, in integers.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "labmouse/strategies/ariadne/outlook.hpp"
+#include "labmouse/strategies/parameter.hpp"
+
+namespace labmouse::ariadne {
+
+/// Costs are in thirtieths of a step of the speed run, so that a step of exploration costs 1 in a score.
+inline constexpr int step_price = 30;
+/// Weights of costs, and scores, are in 1/256.
+inline constexpr int one = 256;
+
+/// The weights of one phase of the exploration.
+struct Phase {
+  PriceTable prices{};  ///< of unseen walls
+  int way_here = 0;     ///< weight of the cost from the start to a wall, when a run through it is judged
+  int travel = 0;       ///< of a step to where the wall is seen, when walls are compared
+  int insight = 0;      ///< bonus for each unseen wall that is seen from there
+};
+
+struct Policy {
+  Phase before;  ///< before the goal has been entered
+  Phase after;
+  /// Prices for `before` where nothing is left to look at: no wall is taken for closed.
+  PriceTable last_resort{};
+  int goal_bonus = 0;   ///< of going into the goal, once a way is known
+  int stop_travel = 0;  ///< of a step to where a wall is seen, when the mind asks whether to stop
+  int stop_margin = 0;  ///< what a look may cost more than it could save
+  bool loop_free = false;  ///< stop at the goal, always
+  bool may_be_loop_free = false;  ///< stop at the goal where the walls seen say that there are no loops
+
+  explicit Policy(const Settings& settings);
+};
+
+/// The parameters of the mouse that Policy reads.
+std::span<const Parameter> policy_parameters();
+
+}  // namespace labmouse::ariadne

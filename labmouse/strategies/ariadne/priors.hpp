@@ -1,0 +1,22 @@
+// The priors that come with labmouse: what `labmouse learn` counted.
+#pragma once
+
+#include <array>
+
+#include "labmouse/mouse/wall_prior.hpp"
+
+namespace labmouse::ariadne {
+
+/// Of real contest mazes of 16×16 cells; contest.prior says which, and how.
+extern const WallPrior contest_prior;
+/// Of mazes without loops, as `labmouse make depth-first` makes them; loop_free.prior says which, and how.
+extern const WallPrior loop_free_prior;
+
+/// The default prior for a maze of that size, or null: in mazes smaller than half of those that it was counted in, the
+/// border and the goal are everywhere, and it misleads.
+const WallPrior* contest_prior_for(Size size);
+
+/// -ln P(closed) in 1/32 for a reluctance, which is -ln P(open) in 1/32, from 1 to 112.
+int complement(int reluctance);
+
+}  // namespace labmouse::ariadne
