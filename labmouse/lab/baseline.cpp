@@ -41,25 +41,22 @@ const std::vector<double>* find_scores(const Scores& scores, const std::string& 
 std::string compare(const Race& race, std::size_t mouse, const std::string& old_name, const Scores& old) {
   const auto scores = scores_by_maze(race, mouse);
   std::vector<double> differences;
-  int better = 0, worse = 0;
   for (std::size_t maze = 0; maze < scores.size(); ++maze) {
     const auto* before = find_scores(old, race.mazes[maze].name);
     if (!scores[maze] || before == nullptr) continue;
     differences.push_back(*scores[maze] - mean(*before));
-    better += differences.back() < 0.0 ? 1 : 0;
-    worse += differences.back() > 0.0 ? 1 : 0;
   }
   const std::string& new_name = race.mice[mouse].name;
   const std::string name = new_name == old_name ? new_name : new_name + " against " + shown(old_name);
   if (differences.empty())
     return fmt::format("{}: no maze in common with the baseline (here {}, there {})\n", name,
                        shown(race.mazes.front().name), old.empty() ? "none" : shown(old.begin()->first));
-  const Interval interval = bootstrap_interval(differences, race.order.seed);
+  const PairedDifference found = paired_difference(differences, race.order.seed);
+  const Interval& interval = found.interval;
   const char* verdict = interval.high < 0.0 ? "better" : interval.low > 0.0 ? "worse" : "no difference shown";
-  return fmt::format("{}: {:+.3f} [{:+.3f}, {:+.3f}] over {} ({} better, {} equal, {} worse): {}\n", name,
-                     mean(differences), interval.low, interval.high,
-                     differences.size() == 1 ? "1 maze" : fmt::format("{} mazes", differences.size()), better,
-                     static_cast<int>(differences.size()) - better - worse, worse, verdict);
+  return fmt::format("{}: {:+.3f} [{:+.3f}, {:+.3f}] over {} ({} better, {} equal, {} worse): {}\n", name, found.mean,
+                     interval.low, interval.high, found.count == 1 ? "1 maze" : fmt::format("{} mazes", found.count),
+                     found.below, found.equal, found.above, verdict);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Means with their intervals.
+// Means with their intervals, and what paired differences show.
 #pragma once
 
 #include <cstdint>
@@ -21,5 +21,25 @@ double mean(std::span<const double> values);
 /// 95 % percentile interval of the mean by 2,000 bootstrap samples (Efron 1979), seeded: equal values in equal order give
 /// equal intervals. One value gives that value twice; none gives zeros.
 Interval bootstrap_interval(std::span<const double> values, std::uint64_t seed);
+
+/// Two-sided exact sign test (Arbuthnott 1710): the chance that so many fair throws fall at least as unevenly as these.
+/// 1 for no throws. Counts must not be negative.
+double sign_test(int below, int above);
+
+/// What the differences of two scores in the same mazes show.
+struct PairedDifference {
+  int count = 0;
+  double mean = 0.0;
+  Interval interval;  ///< of the mean, by bootstrap
+  int below = 0;
+  int equal = 0;
+  int above = 0;
+  /// Of those below 0 against those above; equal ones say nothing.
+  double sign_test = 1.0;
+};
+
+/// Differences closer to 0 than a billionth count as equal: sums of whole steps and thirtieths of steps are further apart
+/// or the same, and differ by less only where they were rounded on different ways.
+PairedDifference paired_difference(std::span<const double> differences, std::uint64_t seed);
 
 }  // namespace labmouse

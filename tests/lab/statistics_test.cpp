@@ -51,5 +51,51 @@ TEST(Bootstrap, CoversTheTruthAboutNineteenTimesOfTwenty) {
   EXPECT_LE(covered, 298);
 }
 
+TEST(SignTest, OfFewThrowsIsWhatOneCounts) {
+  EXPECT_DOUBLE_EQ(sign_test(0, 5), 2.0 / 32.0);
+  EXPECT_DOUBLE_EQ(sign_test(1, 9), 22.0 / 1024.0);
+  EXPECT_DOUBLE_EQ(sign_test(8, 2), 112.0 / 1024.0);
+}
+
+TEST(SignTest, OfManyThrowsIsTheExactSum) {  // sums of binomial coefficients in whole numbers
+  EXPECT_NEAR(sign_test(25, 5) / 0.00032491423189640045, 1.0, 1e-12);
+  EXPECT_NEAR(sign_test(132, 120) / 0.48842601828669646, 1.0, 1e-12);
+  EXPECT_NEAR(sign_test(400, 600) / 2.7284641560660184e-10, 1.0, 1e-12);
+  EXPECT_NEAR(sign_test(2450, 2550) / 0.1614852223973769, 1.0, 1e-12);
+  EXPECT_NEAR(sign_test(0, 60) / 1.734723475976807e-18, 1.0, 1e-12);
+}
+
+TEST(SignTest, IsOneWhereNothingIsUneven) {
+  EXPECT_EQ(sign_test(0, 0), 1.0);
+  EXPECT_EQ(sign_test(3, 3), 1.0);
+  EXPECT_EQ(sign_test(100, 101), 1.0);
+  EXPECT_EQ(sign_test(0, 1), 1.0);
+}
+
+TEST(SignTest, KnowsNoOrderAndNoLimit) {
+  EXPECT_EQ(sign_test(3, 11), sign_test(11, 3));
+  EXPECT_EQ(sign_test(0, 1'000'000), 0.0);
+  EXPECT_EQ(sign_test(1'000'000, 1'000'000), 1.0);
+}
+
+TEST(PairedDifference, CountsSigns) {
+  const Values differences = {-1.0, 0.5, 0.0, -3.0, 2.0, -0.5};
+  const PairedDifference found = paired_difference(differences, 7);
+  EXPECT_EQ(found.count, 6);
+  EXPECT_DOUBLE_EQ(found.mean, -2.0 / 6.0);
+  EXPECT_EQ(found.interval, bootstrap_interval(differences, 7));
+  EXPECT_EQ(found.below, 3);
+  EXPECT_EQ(found.equal, 1);
+  EXPECT_EQ(found.above, 2);
+  EXPECT_EQ(found.sign_test, sign_test(3, 2));
+}
+
+TEST(PairedDifference, TakesScoresForEqualThatWereRoundedDifferently) {
+  const double one = 10 + 7 / 30.0, same = 9 + 37 / 30.0;
+  ASSERT_NE(one, same);
+  EXPECT_EQ(paired_difference(Values{one - same, same - one}, 1).equal, 2);
+  EXPECT_EQ(paired_difference(Values{1 / 600.0, -1 / 600.0}, 1).equal, 0);
+}
+
 }  // namespace
 }  // namespace labmouse
