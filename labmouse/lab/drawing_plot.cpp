@@ -7,6 +7,7 @@
 #include "labmouse/lab/drawing/axis.hpp"
 #include "labmouse/lab/drawing/legend.hpp"
 #include "labmouse/lab/drawing/palette.hpp"
+#include "labmouse/lab/drawing/plot_area.hpp"
 #include "labmouse/lab/drawing/sheet.hpp"
 #include "labmouse/lab/plot.hpp"
 #include "labmouse/lab/printable.hpp"
@@ -20,7 +21,6 @@ using namespace drawing;
 // Pixels: the area of the points and what stands around it.
 constexpr int left = 76, top = 56, least_width = 560, height = 320, margin = 24;
 constexpr int bottom = top + height;
-constexpr int letter_width = 7;
 
 /// The points in the order of their numbers, or as they stand where one has none.
 struct Row {
@@ -80,30 +80,6 @@ Axis y_axis(const Row& row) {
   return {*low >= 0.0 ? std::max(0.0, *low - room) : *low - room, *high + room, bottom, top, 10};
 }
 
-std::string line(double x1, double y1, double x2, double y2, const Tone& tone, int width) {
-  return fmt::format("<path {} stroke-width=\"{}\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"/>\n", stroke(tone), width, x1, y1,
-                     x2, y2);
-}
-
-std::string text(double x, double y, std::string_view anchor, const Tone& tone, std::string_view words) {
-  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" {}>{}</text>\n", x, y, anchor, fill(tone),
-                     xml_escaped(words));
-}
-
-std::string axes_svg(const Plot& plot, const Axis& x, const Axis& y, int right) {
-  std::string svg;
-  for (const Axis::Tick& tick : y.ticks())
-    svg += line(left, tick.at, right, tick.at, post, 1) + text(left - 8, tick.at + 4, "end", muted, tick.label);
-  for (const Axis::Tick& tick : x.ticks())
-    svg += line(tick.at, bottom, tick.at, bottom + 5, ink, 1) + text(tick.at, bottom + 20, "middle", muted, tick.label);
-  svg += line(left, bottom, right, bottom, ink, 1) + line(left, top, left, bottom, ink, 1);
-  const int middle = (top + bottom) / 2;
-  return svg +
-         text((left + right) / 2.0, bottom + 42, "middle", ink, fitted(plot.x_label, (right - left) / letter_width)) +
-         fmt::format("<g transform=\"rotate(-90 20 {})\">\n{}</g>\n", middle,
-                     text(20, middle, "middle", ink, fitted(plot.y_label, height / letter_width)));
-}
-
 /// A line from mean to mean; between names there is nothing, so it says nothing.
 std::string means_svg(const Row& row, const Axis& x, const Axis& y) {
   if (!row.numbers || row.points.size() < 2) return "";
@@ -155,7 +131,7 @@ std::string draw_plot(const Plot& plot) {
   const Axis x = x_axis(row, right), y = y_axis(row);
   const Legend legend = legend_of(plot, right);
   const Sheet sheet = {right + margin, legend.bottom() + margin / 2, plot.title, plot.description};
-  return sheet.with(heading_svg({left, 32}, right, plot.title) + axes_svg(plot, x, y, right) + points_svg(row, x, y) +
+  return sheet.with(heading_svg({left, 32}, right, plot.title) + axes_svg({left, top, right, bottom}, x, y, plot.x_label, plot.y_label) + points_svg(row, x, y) +
                     legend.svg());
 }
 
