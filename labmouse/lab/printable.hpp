@@ -19,4 +19,7 @@ std::string shown(std::string_view text);
 /// The text, printable, for the content or an attribute of an XML element.
 std::string xml_escaped(std::string_view text);
 
+/// The text as one field of CSV, as it is or in quotation marks (RFC 4180).
+std::string csv_field(std::string_view text);
+
 }  // namespace labmouse

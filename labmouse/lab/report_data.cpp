@@ -1,8 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
+#include "labmouse/lab/printable.hpp"
+#include "labmouse/lab/race_json.hpp"
 #include "labmouse/lab/report.hpp"
 #include "labmouse/lab/settings_json.hpp"
 #include "labmouse/lab/version.hpp"
@@ -68,16 +69,9 @@ Json mouse_json(const Race& race, const Standing& standing) {
           {"results", std::move(results)}};
 }
 
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char letter : text) quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
-  return quoted + "\"";
-}
-
 }  // namespace
 
-std::string json_of(const Race& race, const std::vector<SkippedFile>& skipped) {
+Json race_json(const Race& race, const std::vector<SkippedFile>& skipped) {
   Json json;
   json["labmouse"] = version();
   json["compiler"] = compiler();
@@ -95,9 +89,12 @@ std::string json_of(const Race& race, const std::vector<SkippedFile>& skipped) {
     for (const Problem& problem : file.problems) reasons.push_back(describe(file.path, problem));
     json["skipped"].push_back({{"path", file.path}, {"reasons", std::move(reasons)}});
   }
-  // Names come from the file system and may be no UTF-8: what is none is replaced.
-  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json;
 }
+
+std::string text_of(const Json& json) { return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n"; }
+
+std::string json_of(const Race& race, const std::vector<SkippedFile>& skipped) { return text_of(race_json(race, skipped)); }
 
 std::string csv_of(const Race& race) {
   std::string text =
@@ -107,8 +104,8 @@ std::string csv_of(const Race& race) {
     if (!contest.done) continue;
     const Bound& bound = race.bounds[contest.maze];
     const auto field = [](const auto& value) { return value ? fmt::format("{}", *value) : std::string(); };
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{:.3f},{},{}\n", quoted(race.mice[contest.mouse].name),
-                        quoted(race.mazes[contest.maze].name), contest.seed, quoted(outcome_text(contest)),
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{:.3f},{},{}\n", csv_field(race.mice[contest.mouse].name),
+                        csv_field(race.mazes[contest.maze].name), contest.seed, csv_field(outcome_text(contest)),
                         field(contest.score.value), contest.score.exploration_steps,
                         contest.score.value ? fmt::format("{}", contest.score.speed_steps) : "", field(bound.optimum),
                         field(bound.score), contest.microseconds / std::max(1, contest.decisions),

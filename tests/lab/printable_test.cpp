@@ -36,5 +36,11 @@ TEST(Printable, ReplacesEachInvalidByte) {
 
 TEST(Printable, EscapesXml) { EXPECT_EQ(xml_escaped("<a b='\"'>&\x01"), "&lt;a b=&#39;&quot;&#39;&gt;&amp;"); }
 
+TEST(CsvField, IsQuotedWhereItMustBe) {
+  EXPECT_EQ(csv_field("contest 1.txt"), "contest 1.txt");
+  EXPECT_EQ(csv_field("a,b"), "\"a,b\"");
+  EXPECT_EQ(csv_field("\"a\"\n"), "\"\"\"a\"\"\n\"");
+}
+
 }  // namespace
 }  // namespace labmouse
