@@ -38,30 +38,56 @@ std::string write_through(const std::string& path, std::string_view content) {
   return stream ? "" : "cannot be written";
 }
 
+std::string beside(const fs::path& path) { return fmt::format("{}.{}.part", path.string(), getpid()); }
+
 /// Writes a new file beside the place and puts it there in one move, with the permissions of the old one.
 std::string replace(const fs::path& path, std::string_view content, const fs::file_status& old) {
-  const std::string beside = fmt::format("{}.{}.part", path.string(), getpid());
+  const std::string part = beside(path);
   std::error_code error;
-  std::string problem = write_through(beside, content);
-  if (problem.empty() && fs::exists(old)) fs::permissions(beside, old.permissions(), error);
-  if (problem.empty() && !error) fs::rename(beside, path, error);
+  std::string problem = write_through(part, content);
+  if (problem.empty() && fs::exists(old)) fs::permissions(part, old.permissions(), error);
+  if (problem.empty() && !error) fs::rename(part, path, error);
   if (error) problem = "cannot be written: " + error.message();
-  if (!problem.empty()) fs::remove(beside, error);
+  if (!problem.empty()) fs::remove(part, error);
   return problem;
+}
+
+/// Where a path leads, or why nothing can be written there.
+struct Target {
+  fs::path path;
+  fs::file_status status;
+  std::string error;
+
+  /// A device or a pipe, which must not be replaced.
+  bool lasting() const { return fs::exists(status) && !fs::is_regular_file(status); }
+};
+
+Target target_of(const std::string& path) {
+  std::error_code error;
+  if (const fs::path folder = fs::path(path).parent_path(); !folder.empty()) fs::create_directories(folder, error);
+  if (error) return {{}, {}, "cannot make its folder: " + error.message()};
+  // Through a link, so that the link stays and its target is what changes.
+  const fs::path target = fs::weakly_canonical(path, error);
+  if (error) return {{}, {}, "cannot be written: " + error.message()};
+  const fs::file_status status = fs::status(target, error);
+  return {target, status, fs::is_directory(status) ? "is a folder" : ""};
 }
 
 }  // namespace
 
 std::string write_file(const std::string& path, std::string_view content) {
+  const Target target = target_of(path);
+  if (!target.error.empty()) return target.error;
+  return target.lasting() ? write_through(path, content) : replace(target.path, content, target.status);
+}
+
+std::string check_writable(const std::string& path) {
+  const Target target = target_of(path);
+  if (!target.error.empty() || target.lasting()) return target.error;
+  const std::string part = beside(target.path), problem = write_through(part, "");
   std::error_code error;
-  if (const fs::path folder = fs::path(path).parent_path(); !folder.empty()) fs::create_directories(folder, error);
-  if (error) return "cannot make its folder: " + error.message();
-  // Through a link, so that the link stays and its target is what changes.
-  const fs::path target = fs::weakly_canonical(path, error);
-  if (error) return "cannot be written: " + error.message();
-  const fs::file_status status = fs::status(target, error);
-  if (fs::is_directory(status)) return "is a folder";
-  return fs::exists(status) && !fs::is_regular_file(status) ? write_through(path, content) : replace(target, content, status);
+  fs::remove(part, error);
+  return problem;
 }
 
 }  // namespace labmouse
