@@ -24,6 +24,10 @@ struct Contestant {
   /// Takes part as a measure and not as a contestant (the oracle).
   bool reference = false;
   std::function<std::unique_ptr<Strategy>(const Maze&, const Rules&, std::uint64_t seed)> make;
+  /// Only of a mouse that learns from whole mazes before it races: the same mouse with what these mazes teach in place of
+  /// what it brings along. Studies call it with the mazes of all folds but one, in the order of their names; it may
+  /// remember nothing from one call to the next, must give equal mice for equal mazes, and keeps uses_chance.
+  std::function<Contestant(const std::vector<const Maze*>& training, const Rules&)> taught;
 };
 
 /// Contestants, or the reason why the text is no SPEC: exactly one of the two is there.
