@@ -1,0 +1,353 @@
+#include "labmouse/lab/study.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "labmouse/lab/standings.hpp"
+#include "labmouse/maze/symmetry.hpp"
+#include "tests/lab/drawing_samples.hpp"
+#include "tests/lab/race_fixture.hpp"
+#include "tests/lab/xml_scanner.hpp"
+
+namespace labmouse {
+namespace {
+
+using ::testing::Each;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using ::testing::SizeIs;
+
+/// A hall of so many cells, from one end to the other.
+NamedMaze hall(int cells) {
+  MazeDraft draft({cells, 1}, MazeDraft::Inside::open);
+  draft.add_goal({cells - 1, 0});
+  return {"hall-" + std::to_string(cells), Maze(draft)};
+}
+
+/// Halls of 2 to 2 + count - 1 cells.
+std::vector<NamedMaze> halls(int count) {
+  std::vector<NamedMaze> mazes;
+  for (int i = 0; i < count; ++i) mazes.push_back(hall(2 + i));
+  return mazes;
+}
+
+std::vector<NamedMaze> five_mazes() { return {test::loop(), test::corridor(), test::hook(), hall(4), hall(9)}; }
+
+StudyOrder folded(int folds) {
+  StudyOrder order;
+  order.folds = folds;
+  return order;
+}
+
+Study study_of(std::string_view specs, std::vector<NamedMaze> mazes, int folds = 2) {
+  return hold_study(test::mice(specs), std::move(mazes), folded(folds));
+}
+
+/// A flood that is told of every lesson and, once taught, drives one cell a step.
+class Pupil {
+ public:
+  Contestant contestant() const {
+    Contestant mouse = test::mice("flood").front();
+    mouse.name = "pupil";
+    mouse.taught = [lessons = lessons_](const std::vector<const Maze*>& training, const Rules&) {
+      lessons->push_back(training.size());
+      Contestant taught = test::mice("flood:stride=1").front();
+      std::vector<Maze> seen;
+      for (const Maze* maze : training) seen.push_back(*maze);
+      taught.make = [seen, make = taught.make](const Maze& maze, const Rules& rules, std::uint64_t seed) {
+        EXPECT_EQ(std::count(seen.begin(), seen.end(), maze), 0) << "raced where it had learned";
+        return make(maze, rules, seed);
+      };
+      return taught;
+    };
+    return mouse;
+  }
+  const std::vector<std::size_t>& lessons() const { return *lessons_; }
+
+ private:
+  /// The number of mazes in each lesson.
+  std::shared_ptr<std::vector<std::size_t>> lessons_ = std::make_shared<std::vector<std::size_t>>();
+};
+
+std::vector<std::string> names_of(const std::vector<NamedMaze>& mazes) {
+  std::vector<std::string> names;
+  for (const NamedMaze& maze : mazes) names.push_back(maze.name);
+  return names;
+}
+
+TEST(Selection, FoldsMazesTogetherThatAreTurnedOrMirrored) {
+  const Maze maze = test::loop().maze;
+  const MazeSelection selection = select_mazes({{"b", transformed(maze, {true, 1})},
+                                                test::corridor(),
+                                                {"a", maze},
+                                                {"c", transformed(maze, {true, 0}).with_start({0, 0}, Heading::north)}},
+                                               Rules());
+  EXPECT_THAT(names_of(selection.mazes), ElementsAre("a", "corridor"));
+  ASSERT_THAT(selection.duplicates, SizeIs(2));
+  EXPECT_EQ(selection.duplicates[0].name, "b");
+  EXPECT_EQ(selection.duplicates[1].name, "c");
+  EXPECT_EQ(selection.duplicates[1].same_as, "a");
+}
+
+TEST(Selection, LeavesOutMazesWithoutARoute) {
+  const MazeSelection selection = select_mazes({test::without_route(), test::corridor()}, Rules());
+  EXPECT_THAT(names_of(selection.mazes), ElementsAre("corridor"));
+  EXPECT_THAT(selection.routeless, ElementsAre("without-route"));
+  EXPECT_THAT(selection.duplicates, IsEmpty());
+}
+
+TEST(Folds, DifferByAtMostOneMaze) {
+  std::vector<std::string> names;
+  for (int i = 0; i < 23; ++i) names.push_back("maze-" + std::to_string(i));
+  const std::vector<int> folds = deal_folds(names, 5, 1);
+  std::vector<std::ptrdiff_t> sizes;
+  for (int fold = 0; fold < 5; ++fold) sizes.push_back(std::count(folds.begin(), folds.end(), fold));
+  EXPECT_THAT(sizes, ElementsAre(5, 5, 5, 4, 4));
+}
+
+TEST(Folds, DependOnTheSeedAndOnNamesAlone) {
+  const std::vector<std::string> names = {"x/a", "x/b", "x/c", "x/d", "x/e", "x/f"};
+  const std::vector<std::string> elsewhere = {"y/z/f", "y/z/e", "y/z/d", "y/z/c", "y/z/b", "y/z/a"};
+  std::vector<int> backwards = deal_folds(elsewhere, 3, 1);
+  std::reverse(backwards.begin(), backwards.end());
+  EXPECT_EQ(deal_folds(names, 3, 1), backwards);
+  std::set<std::vector<int>> deals;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) deals.insert(deal_folds(names, 3, seed));
+  EXPECT_GT(deals.size(), 10U);
+}
+
+TEST(Folds, TellMazesOfOneFileNameApartByTheirFolders) {
+  const std::vector<int> folds = deal_folds({"one/maze", "two/maze"}, 2, 1), turned = deal_folds({"two/maze", "one/maze"}, 2, 1);
+  EXPECT_NE(folds[0], folds[1]);
+  EXPECT_EQ(folds[0], turned[1]);
+}
+
+TEST(Study, OfMiceThatDoNotLearnFindsWhatARaceFinds) {
+  const Study study = study_of("flood,random", five_mazes(), 3);
+  const Race race = hold_race(test::mice("flood,random"), five_mazes(), {});
+  ASSERT_EQ(study.race.results.size(), race.results.size());
+  EXPECT_EQ(names_of(study.race.mazes), names_of(race.mazes));
+  for (std::size_t i = 0; i < race.results.size(); ++i) {
+    const ContestResult &found = study.race.results[i], &expected = race.results[i];
+    EXPECT_EQ(found.mouse, expected.mouse);
+    EXPECT_EQ(found.maze, expected.maze);
+    EXPECT_EQ(found.seed, expected.seed);
+    EXPECT_EQ(found.score.value, expected.score.value);
+  }
+  for (std::size_t maze = 0; maze < race.mazes.size(); ++maze)
+    EXPECT_EQ(study.race.bounds[maze].score, race.bounds[maze].score);
+  EXPECT_EQ(study.folds_done, 3);
+  EXPECT_FALSE(study.race.stopped);
+}
+
+TEST(Study, TeachesFromTheOtherFoldsOnly) {
+  const Pupil pupil;
+  const Study study = hold_study({pupil.contestant(), test::mice("flood").front()}, halls(7), folded(3));
+  EXPECT_THAT(pupil.lessons(), ElementsAre(4, 5, 5));
+  EXPECT_THAT(study.fold_sizes, ElementsAre(3, 2, 2));
+  EXPECT_THAT(study.learners, ElementsAre("pupil"));
+  EXPECT_THAT(table_of(study, false), HasSubstr("Taught anew for each fold, from the 4 or 5 mazes of the others: pupil.\n"));
+}
+
+TEST(Study, RacesTheTaughtMouseUnderItsOwnName) {
+  const Study study = hold_study({Pupil().contestant(), test::mice("flood:stride=1").front()}, halls(6), folded(2));
+  ASSERT_EQ(study.race.mice.size(), 2U);
+  const auto comparisons = comparisons_of(study);
+  ASSERT_THAT(comparisons, SizeIs(1));
+  EXPECT_EQ(study.race.mice[comparisons[0].against].name, "pupil");
+  EXPECT_THAT(comparisons[0].differences, Each(0.0));
+}
+
+TEST(Study, WithoutLearningRacesWhatTheMiceBringAlong) {
+  const Pupil pupil;
+  StudyOrder order = folded(2);
+  order.learning = false;
+  const Study study = hold_study({pupil.contestant(), test::mice("flood").front()}, halls(6), order);
+  EXPECT_THAT(pupil.lessons(), IsEmpty());
+  EXPECT_THAT(comparisons_of(study)[0].differences, Each(0.0));
+  EXPECT_THAT(table_of(study, false), HasSubstr("Not taught here: pupil, "));
+}
+
+TEST(Study, DependsNeitherOnThreadsNorOnTheOrderOfMazes) {
+  std::vector<NamedMaze> backwards = five_mazes();
+  std::reverse(backwards.begin(), backwards.end());
+  StudyOrder order = folded(2);
+  order.race.jobs = 1;
+  const Study one = hold_study(test::mice("random,flood"), five_mazes(), order);
+  order.race.jobs = 3;
+  const Study other = hold_study(test::mice("random,flood"), backwards, order);
+  EXPECT_EQ(csv_of(one), csv_of(other));
+  EXPECT_EQ(table_of(one, false), table_of(other, false));
+  EXPECT_EQ(picture_of(one), picture_of(other));
+}
+
+TEST(Study, NeedsTwoFoldsAndAsManyMazes) {
+  EXPECT_EQ(study_of("flood", halls(3), 1).error, "1 folds hold nothing out; take at least 2");
+  EXPECT_EQ(study_of("flood", {hall(2), hall(3), {"same", hall(3).maze}, test::without_route()}, 3).error,
+            "2 different mazes with a route (of 4 given) for 3 folds; take 2 folds at most, or more mazes");
+  EXPECT_EQ(study_of("flood", {hall(2)}, 2).error, "1 different maze with a route (of 1 given); a study takes at least 2");
+  EXPECT_EQ(study_of("flood", {}, 2).error, "0 different mazes with a route (of 0 given); a study takes at least 2");
+  EXPECT_EQ(study_of("flood", halls(3), 3).error, "");
+}
+
+/// A study of seven halls in three folds by a flood and a pupil, stopped after so many contests.
+Study stopped_after(int contests, const Pupil& pupil) {
+  std::atomic<bool> stop = contests == 0;
+  int told = 0;
+  StudyHooks hooks;
+  hooks.stop = &stop;
+  hooks.finished = [&](std::size_t all) {
+    EXPECT_EQ(all, 2U * 7U);
+    stop = ++told == contests;
+  };
+  StudyOrder order = folded(3);
+  order.race.jobs = 1;
+  return hold_study({pupil.contestant(), test::mice("flood").front()}, halls(7), order, hooks);
+}
+
+TEST(Study, ThatIsStoppedKeepsWholeFolds) {
+  const Pupil pupil;
+  const Study study = stopped_after(2 * 3 + 1, pupil);
+  EXPECT_EQ(study.folds_done, 1);
+  EXPECT_TRUE(study.race.stopped);
+  EXPECT_THAT(study.race.mazes, SizeIs(3));
+  EXPECT_THAT(study.fold_of, ElementsAre(0, 0, 0));
+  EXPECT_THAT(study.race.results, SizeIs(2 * 3));
+  EXPECT_THAT(pupil.lessons(), SizeIs(2));
+  EXPECT_THAT(table_of(study, false), HasSubstr("Stopped early: 1 of 3 folds done, 3 of 7 mazes.\n"));
+  EXPECT_THAT(picture_of(study), HasSubstr(", stopped early: 3 mazes in 1 fold<"));
+}
+
+TEST(Study, ThatIsStoppedAtOnceSaysSo) {
+  const Pupil pupil;
+  const Study study = stopped_after(0, pupil);
+  EXPECT_THAT(pupil.lessons(), IsEmpty());
+  EXPECT_THAT(table_of(study, false), HasSubstr("Stopped early: 0 of 3 folds done, 0 of 7 mazes.\n"));
+  EXPECT_EQ(csv_of(study), "maze,fold,bound,pupil,flood\n");
+  EXPECT_EQ(XmlScanner(picture_of(study)).complaint(), "");
+  const auto json = nlohmann::json::parse(json_of(study, {}));
+  EXPECT_EQ(json["stopped"], true);
+  EXPECT_TRUE(json["comparisons"][0]["mean_difference"].is_null());
+}
+
+std::vector<std::string> pairs_of(const Study& study) {
+  std::vector<std::string> pairs;
+  for (const Comparison& comparison : comparisons_of(study))
+    pairs.push_back(study.race.mice[comparison.mouse].name + "-" + study.race.mice[comparison.against].name);
+  return pairs;
+}
+
+TEST(Comparisons, AreOfEachPairOrWithTheFirst) {
+  EXPECT_THAT(pairs_of(study_of("flood", halls(2))), IsEmpty());
+  EXPECT_THAT(pairs_of(study_of("flood,certify,random", halls(2))),
+              ElementsAre("certify-flood", "random-flood", "random-certify"));
+  EXPECT_THAT(pairs_of(study_of("flood,certify,random,frontier", halls(2))), SizeIs(6));
+  const Study many = study_of("flood,certify,random,frontier,cautious", halls(2));
+  EXPECT_THAT(pairs_of(many), ElementsAre("certify-flood", "random-flood", "frontier-flood", "cautious-flood"));
+  EXPECT_THAT(table_of(many, false), HasSubstr("Compared with the first mouse named only."));
+}
+
+TEST(Comparisons, AreOfScoresMazeByMaze) {
+  const Study study = study_of("flood,flood:stride=1", five_mazes());
+  const Comparison comparison = comparisons_of(study).front();
+  const auto first = scores_by_maze(study.race, comparison.mouse), second = scores_by_maze(study.race, comparison.against);
+  ASSERT_THAT(comparison.differences, SizeIs(5));
+  for (std::size_t maze = 0; maze < 5; ++maze)
+    EXPECT_EQ(comparison.differences[maze], *first[maze] - *second[maze]);
+  EXPECT_EQ(comparison.found.below + comparison.found.equal + comparison.found.above, 5);
+  EXPECT_GT(comparison.found.above, 2);
+  EXPECT_EQ(comparison.found.interval, bootstrap_interval(comparison.differences, 1));
+}
+
+/// Made up: two mice of which one failed once, and names that trouble readers.
+Study made_up() {
+  Study study = study_of("flood,flood:stride=1", {{"a<b>,&\"c\"\x1b", hall(4).maze}, hall(7)});
+  for (ContestResult& contest : study.race.results)
+    if (contest.mouse == 1 && contest.maze == 1) {
+      contest.score.value.reset();
+      contest.score.outcome = Outcome::out_of_steps;
+    }
+  study.selection.duplicates.assign(12, {"twin", "hall-4"});
+  return study;
+}
+
+TEST(StudyAsTable, HasStandingsDifferencesAndNotes) {
+  const std::string table = table_of(made_up(), false);
+  EXPECT_THAT(table, HasSubstr("2 mice, 2 mazes in 2 folds, seed 1\n"));
+  EXPECT_THAT(table, HasSubstr("\nmouse             score      interval  /bound  steps +steps  runs%    runs\n"
+                               "flood             1.583     1.07-2.10   1.000    2.5   0.00  100.0       0\n"
+                               "flood:stride=1   50.567   1.13-100.00   1.062    4.0   0.00   50.0       1\n"));
+  EXPECT_THAT(table, HasSubstr("\nflood:stride=1 - flood  +48.983  +0.067 to +97.900     0     0      2  0.500\n"));
+  EXPECT_THAT(table, HasSubstr("12 duplicates left out (the same walls, maybe turned or mirrored):\n  twin = hall-4\n"));
+  EXPECT_THAT(table, HasSubstr("  ... and 2 more, all of them in --format json\n"));
+  EXPECT_THAT(table, HasSubstr("None of these mice learns"));
+  EXPECT_THAT(table, Not(HasSubstr("Stopped")));
+  EXPECT_THAT(table, Not(HasSubstr("\x1b")));
+  EXPECT_THAT(table_of(made_up(), true), HasSubstr("\x1b[1m"));
+}
+
+TEST(StudyAsTable, OfOneMouseHasStandingsOnly) {
+  const std::string table = table_of(study_of("flood", halls(2)), false);
+  EXPECT_THAT(table, HasSubstr("\nflood "));
+  EXPECT_THAT(table, Not(HasSubstr("difference")));
+}
+
+TEST(StudyAsCsv, HasALineForEachMaze) {
+  const std::string csv = csv_of(made_up());
+  EXPECT_THAT(csv, HasSubstr("maze,fold,bound,flood,flood:stride=1\n\"a<b>,&\"\"c\"\"\x1b\","));
+  EXPECT_THAT(csv, HasSubstr(",100\n"));
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 3);
+}
+
+TEST(StudyAsJson, HasAllThatTheRaceHasAndMore) {
+  const auto json = nlohmann::json::parse(json_of(made_up(), {{"bad.txt", {}}}));
+  EXPECT_EQ(json["mazes"].size(), 2U);
+  EXPECT_EQ(json["mazes"][0]["fold"].get<int>() + json["mazes"][1]["fold"].get<int>(), 1 + 2);
+  EXPECT_EQ(json["folds"].size(), 2U);
+  EXPECT_EQ(json["folds"][0]["training"], 1);
+  EXPECT_EQ(json["mice"][0]["results"].size(), 2U);
+  EXPECT_EQ(json["comparisons"][0]["mouse"], "flood:stride=1");
+  EXPECT_EQ(json["comparisons"][0]["against"], "flood");
+  EXPECT_EQ(json["comparisons"][0]["losses"], 2);
+  EXPECT_EQ(json["comparisons"][0]["sign_test"], 0.5);
+  EXPECT_EQ(json["duplicates"].size(), 12U);
+  EXPECT_EQ(json["skipped"][0]["path"], "bad.txt");
+}
+
+TEST(StudyAsPicture, ShowsEachMazeOnceADifferenceAndOnceAScore) {
+  const std::string svg = picture_of(made_up());
+  EXPECT_EQ(XmlScanner(svg).complaint(), "");
+  EXPECT_EQ(count(svg, "<circle"), 2 * 2 + 2);  // and two in the legend
+  EXPECT_EQ(count(svg, "<rect"), 2 + 2 + 2 + 1);  // bars; their samples; the interval and its sample; the ground
+  EXPECT_THAT(svg, HasSubstr("hall-7 (fold "));
+  EXPECT_THAT(svg, HasSubstr(": 100.000 - 2.100 = +97.900</title>"));
+  EXPECT_THAT(svg, HasSubstr(">flood better in 2 mazes<"));
+  EXPECT_THAT(svg, HasSubstr(">flood:stride=1 - flood (steps)<"));
+  EXPECT_THAT(svg, HasSubstr(">bound of the maze (steps)<"));
+  EXPECT_THAT(svg, HasSubstr(">95 % interval of the mean, +0.067 to +97.900<"));
+  EXPECT_THAT(svg, HasSubstr("<title>Study of flood, flood:stride=1: 2 mazes in 2 folds</title>"));
+  EXPECT_THAT(svg, HasSubstr("@media (prefers-color-scheme:dark)"));
+}
+
+TEST(StudyAsPicture, OfOneMouseShowsItsScores) {
+  const std::string svg = picture_of(study_of("flood", halls(4)));
+  EXPECT_EQ(XmlScanner(svg).complaint(), "");
+  EXPECT_EQ(count(svg, "<circle"), 4 + 1);
+  EXPECT_EQ(count(svg, "<rect"), 1);
+}
+
+TEST(StudyAsPicture, HasARowForEachComparison) {
+  const std::string svg = picture_of(study_of("flood,flood:stride=1,flood:stride=2", halls(4)));
+  EXPECT_EQ(count(svg, "against flood"), 3);
+  EXPECT_EQ(count(svg, ">bound of the maze (steps)<"), 3);
+}
+
+}  // namespace
+}  // namespace labmouse
