@@ -121,6 +121,11 @@ void save(const std::string& path, const std::string& content) {
   if (const auto error = write_file(path, content); !error.empty()) throw UsageError(fmt::format("{}: error: {}", path, error));
 }
 
+void require_writable(const std::string& path) {
+  if (path.empty()) return;
+  if (const auto error = check_writable(path); !error.empty()) throw UsageError(fmt::format("{}: error: {}", path, error));
+}
+
 CLI::Validator seed_number() {
   return CLI::Validator(
       [](const std::string& text) {

@@ -39,6 +39,9 @@ void tell(const std::string& text);
 /// Writes a file whole or throws UsageError.
 void save(const std::string& path, const std::string& content);
 
+/// Throws UsageError where save would fail now: to be asked before long work. No path is fine.
+void require_writable(const std::string& path);
+
 /// --budget, the steps of a contest.
 void add_budget(CLI::App& command, Rules& rules);
 
@@ -53,6 +56,7 @@ bool colours();
 void add_race(CLI::App& app, int& exit);
 void add_sweep(CLI::App& app, int& exit);
 void add_learn(CLI::App& app, int& exit);
+void add_study(CLI::App& app, int& exit);
 void add_run(CLI::App& app, int& exit);
 void add_show(CLI::App& app, int& exit);
 void add_inspect(CLI::App& app, int& exit);

@@ -31,6 +31,15 @@ void add_contests(CLI::App& command, Contests& contests) {
       ->capture_default_str();
 }
 
+std::vector<Contestant> find_contestants(const std::vector<std::string>& specs) {
+  if (specs.empty()) return all_contestants();
+  std::string joined;
+  for (const std::string& spec : specs) joined += (joined.empty() ? "" : ",") + spec;
+  SpecResult result = read_specs(joined);
+  if (!result.error.empty()) throw UsageError("error: " + result.error);
+  return std::move(result.contestants);
+}
+
 Progress::Progress() : shown_(isatty(STDERR_FILENO) != 0) {}
 
 Progress::~Progress() {

@@ -17,6 +17,9 @@ struct Contests {
 };
 void add_contests(CLI::App& command, Contests& contests);
 
+/// The mice of the SPECs, all of the roster where there is none; throws UsageError.
+std::vector<Contestant> find_contestants(const std::vector<std::string>& specs);
+
 /// A bar on standard error, where that is a terminal.
 class Progress {
  public:

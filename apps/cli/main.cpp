@@ -71,6 +71,7 @@ int main(int argc, char** argv) {
   int exit = exit_good;
   add_race(app, exit);
   add_sweep(app, exit);
+  add_study(app, exit);
   add_run(app, exit);
   add_learn(app, exit);
   add_show(app, exit);

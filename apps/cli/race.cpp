@@ -26,15 +26,6 @@ struct RaceOptions {
   bool shares = false;
 };
 
-std::vector<Contestant> find_contestants(const std::vector<std::string>& specs) {
-  if (specs.empty()) return all_contestants();
-  std::string joined;
-  for (const std::string& spec : specs) joined += (joined.empty() ? "" : ",") + spec;
-  SpecResult result = read_specs(joined);
-  if (!result.error.empty()) throw UsageError("error: " + result.error);
-  return std::move(result.contestants);
-}
-
 /// Holds the race; `failed_write` takes what went wrong with --out, which ends it early.
 Race hold(const RaceOptions& options, std::vector<Contestant> mice, std::vector<NamedMaze> mazes, std::string& failed_write) {
   Progress progress;

@@ -61,8 +61,8 @@ void leave_times_out(Json& json) {
   }
 }
 
-constexpr const char* commands[] = {"race",    "sweep", "run",   "show",   "inspect", "make",
-                                    "convert", "mice",  "bound", "replay", "score",   "bench"};
+constexpr const char* commands[] = {"race", "sweep",   "study", "run",   "show",   "inspect", "make",
+                                    "convert", "mice", "bound", "replay", "score",  "bench"};
 
 TEST_F(AUser, FindsHelpWithAnExampleForEverything) {
   const Ended all = labmouse({"--help"});

@@ -1,0 +1,68 @@
+// labmouse study: an honest comparison of mice, each maze held out once.
+#include "labmouse/lab/study.hpp"
+
+#include <memory>
+
+#include "command.hpp"
+#include "contests.hpp"
+
+namespace labmouse::cli {
+namespace {
+
+struct StudyOptions {
+  std::vector<std::string> mice;
+  Contests contests;
+  int folds = StudyOrder().folds;
+  bool no_learning = false;
+  std::string svg, csv;
+  std::string format = "table";
+};
+
+Study hold(const StudyOptions& options, const std::vector<Contestant>& mice, std::vector<NamedMaze> mazes) {
+  Progress progress;
+  const Interruptible interruptible;
+  StudyHooks hooks;
+  hooks.stop = &interruptible.stopped();
+  hooks.finished = [&](std::size_t all) { progress.advance(all); };
+  return hold_study(mice, std::move(mazes), {options.contests.order, options.folds, !options.no_learning}, hooks);
+}
+
+int study(const StudyOptions& options) {
+  if (!options.csv.empty() && options.csv == options.svg)
+    throw UsageError("error: --csv and --svg name one file; name two");
+  const std::vector<Contestant> mice = find_contestants(options.mice);
+  MazeCollection mazes = find_mazes(options.contests.mazes, options.contests.places);
+  for (const std::string& path : {options.csv, options.svg}) require_writable(path);
+  const Study result = hold(options, mice, std::move(mazes.mazes));
+  if (!result.error.empty()) throw UsageError("error: " + result.error);
+  print(options.format == "json" ? json_of(result, mazes.skipped) : table_of(result, colours()));
+  // A study that was stopped at once has nothing that is worth an earlier file.
+  const bool any = result.folds_done > 0;
+  if (any && !options.csv.empty()) save(options.csv, csv_of(result));
+  if (any && !options.svg.empty()) save(options.svg, picture_of(result));
+  return result.race.stopped ? exit_interrupted : exit_good;
+}
+
+}  // namespace
+
+void add_study(CLI::App& app, int& exit) {
+  auto options = std::make_shared<StudyOptions>();
+  CLI::App* command = app.add_subcommand("study", "Compare mice, pair by pair, on mazes that they have not learned from");
+  command
+      ->add_option("--mice", options->mice,
+                   "Mice: name[:key=value]..., several separated by commas (may repeat); name first what the others are "
+                   "compared with")
+      ->required()->type_name("SPEC")->expected(1)->take_all();
+  add_contests(*command, options->contests);
+  command->add_option("--folds", options->folds, "Parts of the mazes, of which each is held out once")
+      ->check(CLI::Range(2, 1'000'000))->capture_default_str();
+  command->add_flag("--no-learning", options->no_learning,
+                    "Race mice that learn with what they bring along, whatever mazes it is from");
+  command->add_option("--csv", options->csv, "Save the scores, one line a maze")->type_name("FILE");
+  command->add_option("--svg", options->svg, "Save a picture of the differences and scores")->type_name("FILE");
+  command->add_option("--format", options->format, "Output")->check(CLI::IsMember({"table", "json"}))->capture_default_str();
+  command->footer("Example: labmouse study --mice flood,certify --mazes my-mazes/ --folds 5 --svg study.svg");
+  command->callback([options, &exit] { exit = study(*options); });
+}
+
+}  // namespace labmouse::cli
