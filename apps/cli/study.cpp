@@ -47,20 +47,28 @@ int study(const StudyOptions& options) {
 
 void add_study(CLI::App& app, int& exit) {
   auto options = std::make_shared<StudyOptions>();
-  CLI::App* command = app.add_subcommand("study", "Compare mice, pair by pair, on mazes that they have not learned from");
+  CLI::App* command =
+      app.add_subcommand("study", "Compare mice, pair by pair, on mazes that they have not learned from");
   command
-      ->add_option("--mice", options->mice,
-                   "Mice: name[:key=value]..., several separated by commas (may repeat); name first what the others are "
-                   "compared with")
-      ->required()->type_name("SPEC")->expected(1)->take_all();
+      ->add_option(
+          "--mice", options->mice,
+          "Mice: name[:key=value]..., several separated by commas (may repeat); name first what the others are "
+          "compared with")
+      ->required()
+      ->type_name("SPEC")
+      ->expected(1)
+      ->take_all();
   add_contests(*command, options->contests);
   command->add_option("--folds", options->folds, "Parts of the mazes, of which each is held out once")
-      ->check(CLI::Range(2, 1'000'000))->capture_default_str();
+      ->check(CLI::Range(2, 1'000'000))
+      ->capture_default_str();
   command->add_flag("--no-learning", options->no_learning,
                     "Race mice that learn with what they bring along, whatever mazes it is from");
   command->add_option("--csv", options->csv, "Save the scores, one line a maze")->type_name("FILE");
   command->add_option("--svg", options->svg, "Save a picture of the differences and scores")->type_name("FILE");
-  command->add_option("--format", options->format, "Output")->check(CLI::IsMember({"table", "json"}))->capture_default_str();
+  command->add_option("--format", options->format, "Output")
+      ->check(CLI::IsMember({"table", "json"}))
+      ->capture_default_str();
   command->footer("Example: labmouse study --mice flood,certify --mazes my-mazes/ --folds 5 --svg study.svg");
   command->callback([options, &exit] { exit = study(*options); });
 }

@@ -174,7 +174,8 @@ Row comparison_row(const Study& study, const Comparison& comparison, int top) {
   const int plot_top = top + heading, plot_bottom = plot_top + height, second = 2 * label_room + width;
   const PlotArea left = {label_room, plot_top, label_room + width, plot_bottom};
   const PlotArea right = {second, plot_top, second + width, plot_bottom};
-  Legend differences({left.left, plot_bottom + below + 8}, left.right), scores({right.left, plot_bottom + below + 8}, right.right);
+  Legend differences({left.left, plot_bottom + below + 8}, left.right),
+      scores({right.left, plot_bottom + below + 8}, right.right);
   explain_differences(comparison, mice[0], mice[1], differences);
   explain_scores(study, mice, scores);
   return {row_heading(top, fmt::format("{} against {}", mice[0].name, mice[1].name)) +
@@ -195,12 +196,12 @@ Row single_row(const Study& study, int top) {
 }  // namespace
 
 std::string picture_of(const Study& study) {
-  const std::vector<Comparison> comparisons = study.race.mazes.empty() ? std::vector<Comparison>() : comparisons_of(study);
+  const std::vector<Comparison> comparisons =
+      study.race.mazes.empty() ? std::vector<Comparison>() : comparisons_of(study);
   const int right = comparisons.empty() ? one_plot : two_plots;
-  const std::string title =
-      fmt::format("Study of {}{}: {} in {}", fmt::join(study.mice, ", "), study.race.stopped ? ", stopped early" : "",
-                  counted(static_cast<int>(study.race.mazes.size()), "maze", "mazes"),
-                  counted(study.folds_done, "fold", "folds"));
+  const std::string title = fmt::format(
+      "Study of {}{}: {} in {}", fmt::join(study.mice, ", "), study.race.stopped ? ", stopped early" : "",
+      counted(static_cast<int>(study.race.mazes.size()), "maze", "mazes"), counted(study.folds_done, "fold", "folds"));
   std::string svg = heading_svg({label_room, 32}, right, title), words = "Scores against the bound, maze by maze.";
   int bottom = first_row;
   const auto add = [&](const Row& row) {

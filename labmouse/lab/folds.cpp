@@ -13,8 +13,7 @@
 namespace labmouse {
 
 MazeSelection select_mazes(std::vector<NamedMaze> mazes, const Rules& rules) {
-  std::stable_sort(mazes.begin(), mazes.end(),
-                   [](const NamedMaze& a, const NamedMaze& b) { return a.name < b.name; });
+  std::stable_sort(mazes.begin(), mazes.end(), [](const NamedMaze& a, const NamedMaze& b) { return a.name < b.name; });
   MazeSelection selection;
   std::map<CanonicalWalls, std::string> first_of;
   for (NamedMaze& maze : mazes) {

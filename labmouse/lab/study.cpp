@@ -54,8 +54,8 @@ std::vector<NamedMaze> held_out(const Study& study, const std::vector<int>& deal
   return mazes;
 }
 
-/// Makes one race of those in the first folds. Selected mazes and those of a race are both in the order of names, so the
-/// next maze of a fold is the next one of its race.
+/// Makes one race of those in the first folds. Selected mazes and those of a race are both in the order of names, so
+/// the next maze of a fold is the next one of its race.
 void join(std::vector<Race> races, const std::vector<int>& deal, Study& study) {
   Race& joined = study.race;
   std::vector<std::vector<std::size_t>> places(races.size());
@@ -154,8 +154,7 @@ std::vector<Comparison> comparisons_of(const Study& study) {
   std::vector<Comparison> comparisons;
   const bool all = study.mice.size() <= most_in_all_pairs;
   for (std::size_t i = 1; i < study.mice.size(); ++i)
-    for (std::size_t j = 0; j < (all ? i : 1); ++j)
-      comparisons.push_back(compare(study, study.mice[i], study.mice[j]));
+    for (std::size_t j = 0; j < (all ? i : 1); ++j) comparisons.push_back(compare(study, study.mice[i], study.mice[j]));
   return comparisons;
 }
 

@@ -38,13 +38,13 @@ struct Study {
 struct StudyHooks {
   /// Called after each contest with the number of all, from any thread but never from two at once.
   std::function<void(std::size_t all)> finished;
-  /// Asked before each lesson and each contest; once it is true no other begins, and the fold that was under way is left
-  /// out.
+  /// Asked before each lesson and each contest; once it is true no other begins, and the fold that was under way is
+  /// left out.
   const std::atomic<bool>* stop = nullptr;
 };
 
-/// Races the mice (at least one, names differ) on each fold of the mazes. Takes at least two folds and as many mazes, see
-/// select_mazes. A mouse that does not learn gets the scores of a race, with the same seeds.
+/// Races the mice (at least one, names differ) on each fold of the mazes. Takes at least two folds and as many mazes,
+/// see select_mazes. A mouse that does not learn gets the scores of a race, with the same seeds.
 Study hold_study(const std::vector<Contestant>& mice, std::vector<NamedMaze> mazes, const StudyOrder& order,
                  const StudyHooks& hooks = {});
 
@@ -75,7 +75,8 @@ std::string csv_of(const Study& study);
 /// Everything as one JSON object: that of a race, and more; `skipped` are the files that were no mazes.
 std::string json_of(const Study& study, const std::vector<SkippedFile>& skipped);
 
-/// For each comparison (of one mouse alone: for it) the sorted differences and the scores against the bound, as an SVG picture.
+/// For each comparison (of one mouse alone: for it) the sorted differences and the scores against the bound, as an SVG
+/// picture.
 std::string picture_of(const Study& study);
 
 }  // namespace labmouse

@@ -50,8 +50,7 @@ std::string standings_text(const Study& study, bool colours) {
   std::size_t width = 5;
   for (const Contestant& mouse : study.race.mice) width = std::max(width, marked_name(mouse).size());
   std::string text = line(colours, laid_out({"", "", "95 %", "score", "expl.", "speed", "best", "failed"}, width));
-  text += line(colours,
-               laid_out({"mouse", "score", "interval", "/bound", "steps", "+steps", "runs%", "runs"}, width));
+  text += line(colours, laid_out({"mouse", "score", "interval", "/bound", "steps", "+steps", "runs%", "runs"}, width));
   for (const Standing& standing : standings_of(study.race)) text += laid_out(line_of(study, standing), width) + "\n";
   return text;
 }
@@ -98,7 +97,8 @@ std::string listed(const std::vector<std::string>& names) {
   constexpr std::size_t most = 10;
   std::string text;
   for (std::size_t i = 0; i < std::min(most, names.size()); ++i) text += "  " + shown(names[i]) + "\n";
-  if (names.size() > most) text += fmt::format("  ... and {} more, all of them in --format json\n", names.size() - most);
+  if (names.size() > most)
+    text += fmt::format("  ... and {} more, all of them in --format json\n", names.size() - most);
   return text;
 }
 
@@ -119,12 +119,11 @@ std::string left_out_notes(const Study& study) {
 
 std::string notes_of(const Study& study, std::size_t comparisons) {
   const Rules& rules = study.order.race.rules;
-  std::string notes =
-      fmt::format("Score: speed-run steps + exploration steps / {}; lower is better. A failed contest\n"
-                  "counts {:g}, and is left out of the means of '/bound', 'steps' and '+steps'.\n",
-                  rules.exploration_factor, rules.failure_score);
-  if (comparisons > 0)
-    notes += "Differences of scores maze by maze: below 0, and a win, where the first is better.\n";
+  std::string notes = fmt::format(
+      "Score: speed-run steps + exploration steps / {}; lower is better.\n"
+      "A failed contest counts {:g}, and is left out of '/bound', 'steps' and '+steps'.\n",
+      rules.exploration_factor, rules.failure_score);
+  if (comparisons > 0) notes += "Differences maze by maze: below 0, and a win, where the first mouse is better.\n";
   if (comparisons > 1)
     notes += fmt::format("Each of the {} intervals holds by itself: of twenty, one misses by chance.\n", comparisons);
   if (study.mice.size() > most_in_all_pairs) notes += "Compared with the first mouse named only.\n";
@@ -141,10 +140,10 @@ std::string notes_of(const Study& study, std::size_t comparisons) {
 
 std::string table_of(const Study& study, bool colours) {
   const int budget = study.order.race.rules.budget;
-  std::string text = fmt::format("labmouse {}: {}, {} in {} folds, seed {}{}\n\n", version(),
-                                 counted(study.mice.size(), "mouse", "mice"),
-                                 counted(study.selection.mazes.size(), "maze", "mazes"), study.order.folds,
-                                 study.order.race.seed, budget == Rules().budget ? "" : fmt::format(", budget {}", budget));
+  std::string text = fmt::format(
+      "labmouse {}: {}, {} in {} folds, seed {}{}\n\n", version(), counted(study.mice.size(), "mouse", "mice"),
+      counted(study.selection.mazes.size(), "maze", "mazes"), study.order.folds, study.order.race.seed,
+      budget == Rules().budget ? "" : fmt::format(", budget {}", budget));
   text += standings_text(study, colours) + "\n";
   const std::vector<Comparison> comparisons = comparisons_of(study);
   if (!comparisons.empty()) text += comparisons_text(study, comparisons, colours) + "\n";

@@ -54,8 +54,8 @@ struct CanonicalWalls {
   friend bool operator<(const CanonicalWalls& a, const CanonicalWalls& b);
 };
 
-/// Equal for two mazes exactly if a symmetry takes the walls of one to those of the other. Start and goals do not count:
-/// collections hold mazes that were mirrored and have kept their start in the south-west corner.
+/// Equal for two mazes exactly if a symmetry takes the walls of one to those of the other. Start and goals do not
+/// count: collections hold mazes that were mirrored and have kept their start in the south-west corner.
 CanonicalWalls canonical_walls(const Maze& maze);
 
 }  // namespace labmouse

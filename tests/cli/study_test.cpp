@@ -23,7 +23,8 @@ class AStudent : public testing::Test {
  protected:
   AStudent() {
     std::filesystem::create_directories(folder_ / "mazes");
-    for (int cells = 2; cells <= 6; ++cells) file("mazes/hall-" + std::to_string(cells) + ".txt", hall('S', cells, 'G'));
+    for (int cells = 2; cells <= 6; ++cells)
+      file("mazes/hall-" + std::to_string(cells) + ".txt", hall('S', cells, 'G'));
     file("mazes/mirrored.txt", hall('G', 4, 'S'));
     file("mazes/shut.txt", "o---o---o\n| S | G |\no---o---o\n");
   }
@@ -56,13 +57,13 @@ class AStudent : public testing::Test {
   }
 
   std::filesystem::path folder_ =
-      std::filesystem::temp_directory_path() /
-      ("labmouse-study-" + std::to_string(getpid()) + "-" + testing::UnitTest::GetInstance()->current_test_info()->name());
+      std::filesystem::temp_directory_path() / ("labmouse-study-" + std::to_string(getpid()) + "-" +
+                                                testing::UnitTest::GetInstance()->current_test_info()->name());
 };
 
 TEST_F(AStudent, ComparesTwoMice) {
-  const Ended ended = study({"--mice", "flood,certify", "--mazes", "mazes", "--folds", "2", "--csv", "out/study.csv", "--svg",
-                             "out/study.svg"});
+  const Ended ended = study({"--mice", "flood,certify", "--mazes", "mazes", "--folds", "2", "--csv", "out/study.csv",
+                             "--svg", "out/study.svg"});
   EXPECT_EQ(ended.code, 0);
   EXPECT_EQ(ended.err, "");
   EXPECT_THAT(ended.out, HasSubstr("2 mice, 5 mazes in 2 folds, seed 1"));
@@ -90,7 +91,8 @@ TEST_F(AStudent, GetsNothingButJson) {
 
 TEST_F(AStudent, DealsOtherFoldsWithAnotherSeed) {
   const auto csv = [this](const char* seed) {
-    EXPECT_EQ(study({"--mice", "flood", "--mazes", "mazes", "--folds", "2", "--seed", seed, "--csv", "folds.csv"}).code, 0);
+    EXPECT_EQ(study({"--mice", "flood", "--mazes", "mazes", "--folds", "2", "--seed", seed, "--csv", "folds.csv"}).code,
+              0);
     return content("folds.csv");
   };
   const std::string one = csv("1");
@@ -112,15 +114,16 @@ TEST_F(AStudent, IsToldInOneLineWhatIsWrong) {
 TEST_F(AStudent, IsToldOfUnwritableFilesBeforeTheWork) {
   file("occupied", "a file where a folder should be");
   for (const char* option : {"--csv", "--svg"}) {
-    is_refused({"--mice", "flood", "--mazes", "mazes", "--folds", "2", option, "occupied/file"}, "occupied/file: error: cannot");
+    is_refused({"--mice", "flood", "--mazes", "mazes", "--folds", "2", option, "occupied/file"},
+               "occupied/file: error: cannot");
     is_refused({"--mice", "flood", "--mazes", "mazes", "--folds", "2", option, "mazes"}, "mazes: error: is a folder");
   }
 }
 
 TEST_F(AStudent, WhoInterruptsAtOnceLosesNoFile) {
   file("study.csv", "kept");
-  const test::Program program(folder_, {"study", "--mice", "random,flood", "--folds", "2", "--runs", "5000", "--jobs", "1",
-                                        "--csv", "study.csv"});
+  const test::Program program(folder_, {"study", "--mice", "random,flood", "--folds", "2", "--runs", "5000", "--jobs",
+                                        "1", "--csv", "study.csv"});
   const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(60);
   while (!program.handles_interrupts() && std::chrono::steady_clock::now() < patience) std::this_thread::yield();
   program.interrupt();

@@ -124,7 +124,8 @@ TEST(Folds, DependOnTheSeedAndOnNamesAlone) {
 }
 
 TEST(Folds, TellMazesOfOneFileNameApartByTheirFolders) {
-  const std::vector<int> folds = deal_folds({"one/maze", "two/maze"}, 2, 1), turned = deal_folds({"two/maze", "one/maze"}, 2, 1);
+  const std::vector<int> folds = deal_folds({"one/maze", "two/maze"}, 2, 1),
+                         turned = deal_folds({"two/maze", "one/maze"}, 2, 1);
   EXPECT_NE(folds[0], folds[1]);
   EXPECT_EQ(folds[0], turned[1]);
 }
@@ -153,7 +154,8 @@ TEST(Study, TeachesFromTheOtherFoldsOnly) {
   EXPECT_THAT(pupil.lessons(), ElementsAre(4, 5, 5));
   EXPECT_THAT(study.fold_sizes, ElementsAre(3, 2, 2));
   EXPECT_THAT(study.learners, ElementsAre("pupil"));
-  EXPECT_THAT(table_of(study, false), HasSubstr("Taught anew for each fold, from the 4 or 5 mazes of the others: pupil.\n"));
+  EXPECT_THAT(table_of(study, false),
+              HasSubstr("Taught anew for each fold, from the 4 or 5 mazes of the others: pupil.\n"));
 }
 
 TEST(Study, RacesTheTaughtMouseUnderItsOwnName) {
@@ -192,7 +194,8 @@ TEST(Study, NeedsTwoFoldsAndAsManyMazes) {
   EXPECT_EQ(study_of("flood", halls(3), 1).error, "1 folds hold nothing out; take at least 2");
   EXPECT_EQ(study_of("flood", {hall(2), hall(3), {"same", hall(3).maze}, test::without_route()}, 3).error,
             "2 different mazes with a route (of 4 given) for 3 folds; take 2 folds at most, or more mazes");
-  EXPECT_EQ(study_of("flood", {hall(2)}, 2).error, "1 different maze with a route (of 1 given); a study takes at least 2");
+  EXPECT_EQ(study_of("flood", {hall(2)}, 2).error,
+            "1 different maze with a route (of 1 given); a study takes at least 2");
   EXPECT_EQ(study_of("flood", {}, 2).error, "0 different mazes with a route (of 0 given); a study takes at least 2");
   EXPECT_EQ(study_of("flood", halls(3), 3).error, "");
 }
@@ -257,10 +260,10 @@ TEST(Comparisons, AreOfEachPairOrWithTheFirst) {
 TEST(Comparisons, AreOfScoresMazeByMaze) {
   const Study study = study_of("flood,flood:stride=1", five_mazes());
   const Comparison comparison = comparisons_of(study).front();
-  const auto first = scores_by_maze(study.race, comparison.mouse), second = scores_by_maze(study.race, comparison.against);
+  const auto first = scores_by_maze(study.race, comparison.mouse),
+             second = scores_by_maze(study.race, comparison.against);
   ASSERT_THAT(comparison.differences, SizeIs(5));
-  for (std::size_t maze = 0; maze < 5; ++maze)
-    EXPECT_EQ(comparison.differences[maze], *first[maze] - *second[maze]);
+  for (std::size_t maze = 0; maze < 5; ++maze) EXPECT_EQ(comparison.differences[maze], *first[maze] - *second[maze]);
   EXPECT_EQ(comparison.found.below + comparison.found.equal + comparison.found.above, 5);
   EXPECT_GT(comparison.found.above, 2);
   EXPECT_EQ(comparison.found.interval, bootstrap_interval(comparison.differences, 1));
@@ -285,7 +288,8 @@ TEST(StudyAsTable, HasStandingsDifferencesAndNotes) {
                                "flood             1.583     1.07-2.10   1.000    2.5   0.00  100.0       0\n"
                                "flood:stride=1   50.567   1.13-100.00   1.062    4.0   0.00   50.0       1\n"));
   EXPECT_THAT(table, HasSubstr("\nflood:stride=1 - flood  +48.983  +0.067 to +97.900     0     0      2  0.500\n"));
-  EXPECT_THAT(table, HasSubstr("12 duplicates left out (the same walls, maybe turned or mirrored):\n  twin = hall-4\n"));
+  EXPECT_THAT(table,
+              HasSubstr("12 duplicates left out (the same walls, maybe turned or mirrored):\n  twin = hall-4\n"));
   EXPECT_THAT(table, HasSubstr("  ... and 2 more, all of them in --format json\n"));
   EXPECT_THAT(table, HasSubstr("None of these mice learns"));
   EXPECT_THAT(table, Not(HasSubstr("Stopped")));
@@ -324,7 +328,7 @@ TEST(StudyAsJson, HasAllThatTheRaceHasAndMore) {
 TEST(StudyAsPicture, ShowsEachMazeOnceADifferenceAndOnceAScore) {
   const std::string svg = picture_of(made_up());
   EXPECT_EQ(XmlScanner(svg).complaint(), "");
-  EXPECT_EQ(count(svg, "<circle"), 2 * 2 + 2);  // and two in the legend
+  EXPECT_EQ(count(svg, "<circle"), 2 * 2 + 2);    // and two in the legend
   EXPECT_EQ(count(svg, "<rect"), 2 + 2 + 2 + 1);  // bars; their samples; the interval and its sample; the ground
   EXPECT_THAT(svg, HasSubstr("hall-7 (fold "));
   EXPECT_THAT(svg, HasSubstr(": 100.000 - 2.100 = +97.900</title>"));
