@@ -159,12 +159,13 @@ TEST(Study, TeachesFromTheOtherFoldsOnly) {
 }
 
 TEST(Study, RacesTheTaughtMouseUnderItsOwnName) {
-  const Study study = hold_study({Pupil().contestant(), test::mice("flood:stride=1").front()}, halls(6), folded(2));
-  ASSERT_EQ(study.race.mice.size(), 2U);
-  const auto comparisons = comparisons_of(study);
-  ASSERT_THAT(comparisons, SizeIs(1));
-  EXPECT_EQ(study.race.mice[comparisons[0].against].name, "pupil");
-  EXPECT_THAT(comparisons[0].differences, Each(0.0));
+  // By the name that it has once it was taught, the pupil would stand before the other one.
+  const Study study = hold_study({Pupil().contestant(), test::mice("flood:stride=2").front()}, halls(6), folded(2));
+  const Race expected = hold_race(test::mice("flood:stride=1,flood:stride=2"), halls(6), {});
+  ASSERT_NE(scores_by_maze(expected, 0), scores_by_maze(expected, 1));
+  EXPECT_EQ(study.race.mice[1].name, "pupil");
+  EXPECT_EQ(scores_by_maze(study.race, 1), scores_by_maze(expected, 0));
+  EXPECT_EQ(scores_by_maze(study.race, 0), scores_by_maze(expected, 1));
 }
 
 TEST(Study, WithoutLearningRacesWhatTheMiceBringAlong) {
@@ -310,6 +311,11 @@ TEST(StudyAsCsv, HasALineForEachMaze) {
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 3);
 }
 
+TEST(StudyAsCsv, NamesTheMiceInTheirOrder) {
+  EXPECT_THAT(csv_of(study_of("flood:stride=1,flood", {hall(2), hall(4)})),
+              HasSubstr("\nhall-4,1,1.0666666666666667,1.1333333333333333,1.0666666666666667\n"));
+}
+
 TEST(StudyAsJson, HasAllThatTheRaceHasAndMore) {
   const auto json = nlohmann::json::parse(json_of(made_up(), {{"bad.txt", {}}}));
   EXPECT_EQ(json["mazes"].size(), 2U);
@@ -338,6 +344,26 @@ TEST(StudyAsPicture, ShowsEachMazeOnceADifferenceAndOnceAScore) {
   EXPECT_THAT(svg, HasSubstr(">95 % interval of the mean, +0.067 to +97.900<"));
   EXPECT_THAT(svg, HasSubstr("<title>Study of flood, flood:stride=1: 2 mazes in 2 folds</title>"));
   EXPECT_THAT(svg, HasSubstr("@media (prefers-color-scheme:dark)"));
+}
+
+/// The differences that bars of that colour say, in their order.
+std::vector<double> bars(const std::string& svg, const std::string& tone) {
+  const auto begin = svg.find("<g class=\"fill-" + tone + "\""), end = svg.find("</g>", begin);
+  std::vector<double> differences;
+  for (auto at = svg.find(" = ", begin); at < end; at = svg.find(" = ", at + 1))
+    differences.push_back(std::stod(svg.substr(at + 3)));
+  return differences;
+}
+
+TEST(StudyAsPicture, HasTheFirstMousesWinsInOrderOnTheLeft) {
+  const Study study = study_of("flood,flood:stride=1", load_builtin_mazes().mazes);
+  const std::string svg = picture_of(study);
+  const std::vector<double> wins = bars(svg, "to-goal"), losses = bars(svg, "route");
+  EXPECT_THAT(wins, SizeIs(static_cast<std::size_t>(comparisons_of(study)[0].found.below)));
+  EXPECT_THAT(wins, Each(::testing::Lt(0.0)));
+  EXPECT_THAT(losses, Each(::testing::Ge(0.0)));
+  EXPECT_TRUE(std::is_sorted(wins.begin(), wins.end()) && std::is_sorted(losses.begin(), losses.end()));
+  EXPECT_EQ(wins.size() + losses.size(), study.race.mazes.size());
 }
 
 TEST(StudyAsPicture, OfOneMouseShowsItsScores) {
