@@ -84,7 +84,8 @@ std::string write_file(const std::string& path, std::string_view content) {
 std::string check_writable(const std::string& path) {
   const Target target = target_of(path);
   if (!target.error.empty() || target.lasting()) return target.error;
-  const std::string part = beside(target.path), problem = write_through(part, "");
+  const std::string part = beside(target.path);
+  std::string problem = write_through(part, "");
   std::error_code error;
   fs::remove(part, error);
   return problem;
