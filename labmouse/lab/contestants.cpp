@@ -121,19 +121,27 @@ SpecResult read_specs(std::string_view text) {
 }
 
 SpecResult read_variants(std::string_view spec, std::string_view parameter, std::span<const std::string> values) {
-  SpecResult base = read_specs(spec);
-  if (!base.error.empty()) return base;
-  if (base.contestants.size() != 1) return {{}, fmt::format("'{}' names {} mice; name one", spec, base.contestants.size())};
-  const RosterEntry* entry = find_mouse(spec.substr(0, spec.find_first_of(":,")));
-  if (entry == nullptr) return {{}, "the oracle has no parameters"};
   SpecResult result;
   for (const std::string& value : values) {
-    Settings settings = base.contestants.front().settings;
-    if (auto error = apply(*entry, fmt::format("{}={}", parameter, value), settings); !error.empty()) return {{}, error};
-    result.contestants.push_back(contestant_of(*entry, std::move(settings)));
+    const Setting setting = {std::string(parameter), value};
+    SpecResult variant = read_variant(spec, {&setting, 1});
+    if (!variant.error.empty()) return variant;
+    result.contestants.push_back(std::move(variant.contestants.front()));
   }
   drop_repetitions(result.contestants);
   return result;
+}
+
+SpecResult read_variant(std::string_view spec, std::span<const Setting> values) {
+  SpecResult result = read_specs(spec);
+  if (!result.error.empty()) return result;
+  if (result.contestants.size() != 1) return {{}, fmt::format("'{}' names {} mice; name one", spec, result.contestants.size())};
+  const RosterEntry* entry = find_mouse(spec.substr(0, spec.find_first_of(":,")));
+  if (entry == nullptr) return {{}, "the oracle has no parameters"};
+  Settings settings = std::move(result.contestants.front().settings);
+  for (const Setting& value : values)
+    if (auto error = apply(*entry, fmt::format("{}={}", value.name, value.value), settings); !error.empty()) return {{}, error};
+  return {{contestant_of(*entry, std::move(settings))}, ""};
 }
 
 std::vector<Contestant> all_contestants() {

@@ -43,6 +43,9 @@ SpecResult read_specs(std::string_view text);
 /// parameter is overridden. Values that are spelled differently and are equal count once.
 SpecResult read_variants(std::string_view spec, std::string_view parameter, std::span<const std::string> values);
 
+/// The one mouse of a SPEC with values for some of its parameters; what the SPEC says of those is overridden.
+SpecResult read_variant(std::string_view spec, std::span<const Setting> values);
+
 /// Every mouse of the roster with its defaults.
 std::vector<Contestant> all_contestants();
 

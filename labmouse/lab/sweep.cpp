@@ -37,12 +37,6 @@ void describe_mazes(const std::vector<NamedMaze>& mazes, Sweep& sweep) {
       ++sweep.routeless;
 }
 
-std::size_t contests_of(const std::vector<Contestant>& variants, std::size_t mazes, int runs) {
-  std::size_t all = 0;
-  for (const Contestant& variant : variants) all += mazes * (variant.uses_chance ? static_cast<std::size_t>(runs) : 1);
-  return all;
-}
-
 }  // namespace
 
 Sweep hold_sweep(std::string_view spec, const Variation& variation, const std::vector<NamedMaze>& mazes,
@@ -59,7 +53,7 @@ Sweep hold_sweep(std::string_view spec, const Variation& variation, const std::v
   sweep.values = variants.contestants.size();
   describe_mazes(mazes, sweep);
 
-  const std::size_t all = contests_of(variants.contestants, mazes.size(), order.runs);
+  const std::size_t all = contests_of(variants.contestants, mazes.size(), order);
   RaceHooks race_hooks;
   race_hooks.stop = hooks.stop;
   if (hooks.finished)

@@ -37,11 +37,13 @@ class Timed final : public Strategy {
   std::chrono::steady_clock::duration spent_{};
 };
 
+int runs_of(const Contestant& mouse, const RaceOrder& order) { return mouse.uses_chance ? order.runs : 1; }
+
 std::vector<ContestResult> list_contests(const Race& race) {
   std::vector<ContestResult> contests;
   for (std::size_t mouse = 0; mouse < race.mice.size(); ++mouse)
     for (std::size_t maze = 0; maze < race.mazes.size(); ++maze)
-      for (int run = 0; run < (race.mice[mouse].uses_chance ? race.order.runs : 1); ++run) {
+      for (int run = 0; run < runs_of(race.mice[mouse], race.order); ++run) {
         ContestResult contest;
         contest.mouse = mouse;
         contest.maze = maze;
@@ -68,6 +70,12 @@ RunRecord hold_contest(const Race& race, ContestResult& contest) {
 }
 
 }  // namespace
+
+std::size_t contests_of(const std::vector<Contestant>& mice, std::size_t mazes, const RaceOrder& order) {
+  std::size_t all = 0;
+  for (const Contestant& mouse : mice) all += mazes * static_cast<std::size_t>(runs_of(mouse, order));
+  return all;
+}
 
 std::uint64_t contest_seed(std::uint64_t seed, std::string_view maze_name, int run) {
   // 53 bits: a JSON reader that keeps numbers as doubles gets them whole.

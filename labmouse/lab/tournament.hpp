@@ -62,6 +62,9 @@ struct RaceHooks {
 Race hold_race(std::vector<Contestant> mice, std::vector<NamedMaze> mazes, const RaceOrder& order,
                const RaceHooks& hooks = {});
 
+/// How many contests such a race has.
+std::size_t contests_of(const std::vector<Contestant>& mice, std::size_t mazes, const RaceOrder& order);
+
 /// The seed of a contest: from the race's seed, the maze's name without its folders, and the number of the run.
 std::uint64_t contest_seed(std::uint64_t seed, std::string_view maze_name, int run);
 
