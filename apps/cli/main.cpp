@@ -72,6 +72,7 @@ int main(int argc, char** argv) {
   add_race(app, exit);
   add_sweep(app, exit);
   add_study(app, exit);
+  add_tune(app, exit);
   add_run(app, exit);
   add_learn(app, exit);
   add_show(app, exit);

@@ -1,0 +1,91 @@
+// labmouse tune: better values for several parameters of a mouse at once.
+#include "labmouse/lab/tune.hpp"
+
+#include <memory>
+
+#include "command.hpp"
+#include "contests.hpp"
+#include "labmouse/lab/files.hpp"
+
+namespace labmouse::cli {
+namespace {
+
+struct TuneOptions {
+  std::string mouse, parameters, log, svg;
+  std::string objective = "score";
+  Contests contests;
+  TuneOrder order;
+};
+
+std::vector<ParameterRange> find_ranges(const TuneOptions& options) {
+  RangesResult result = read_ranges(options.mouse, options.parameters);
+  if (!result.error.empty()) throw UsageError("error: " + result.error);
+  return std::move(result.ranges);
+}
+
+/// Holds the search and writes its log; `failed_write` takes what went wrong with that, which ends it early.
+Tune hold(const TuneOptions& options, const std::vector<ParameterRange>& ranges, const std::vector<NamedMaze>& mazes,
+          std::string& failed_write) {
+  Progress progress;
+  Interruptible interruptible;
+  TuneHooks hooks;
+  hooks.stop = &interruptible.stopped();
+  hooks.finished = [&](std::size_t all) { progress.advance(all); };
+  hooks.generation = [&](const Tune& tune) {
+    if (options.log.empty() || tune.evaluations.empty() || !failed_write.empty()) return;
+    if (const auto error = write_file(options.log, csv_of(tune)); !error.empty()) {
+      failed_write = options.log + ": error: " + error;
+      interruptible.stop();
+    }
+  };
+  TuneOrder order = options.order;
+  order.race = options.contests.order;
+  order.objective = options.objective == "ratio" ? Objective::ratio : Objective::score;
+  return hold_tune(options.mouse, ranges, mazes, order, hooks);
+}
+
+int tune(const TuneOptions& options) {
+  if (!options.log.empty() && options.log == options.svg)
+    throw UsageError("error: --log and --svg name one file; name two");
+  const std::vector<ParameterRange> ranges = find_ranges(options);
+  const MazeCollection mazes = find_mazes(options.contests.mazes, options.contests.places);
+  std::string failed_write;
+  const Tune result = hold(options, ranges, mazes.mazes, failed_write);
+  if (!result.error.empty()) throw UsageError("error: " + result.error);
+  print(table_of(result, colours()));
+  if (!failed_write.empty()) throw UsageError(failed_write);
+  // A search that was stopped at once has nothing that is worth an earlier file.
+  if (!options.svg.empty() && !result.evaluations.empty()) save(options.svg, picture_of(result));
+  return result.stopped ? exit_interrupted : exit_good;
+}
+
+}  // namespace
+
+void add_tune(CLI::App& app, int& exit) {
+  auto options = std::make_shared<TuneOptions>();
+  CLI::App* command = app.add_subcommand("tune", "Search for better values of several parameters of a mouse");
+  command->add_option("mouse", options->mouse, "Mouse, name[:key=value]..., where the search begins")->required()->type_name("MOUSE");
+  command->add_option("--params", options->parameters, "Parameters to change, in all of their ranges or in a part")
+      ->required()
+      ->type_name("NAME[=LOW:HIGH],...");
+  command->add_option("--evaluations", options->order.evaluations, "Candidates in all, the mouse as given among them")
+      ->required()
+      ->check(CLI::Range(1, 1'000'000));
+  command->add_option("--population", options->order.population, "Candidates a generation; default: 4 + 3 ln(parameters)")
+      ->check(CLI::Range(4, 10'000));
+  command->add_option("--sigma", options->order.step, "First step of each parameter, as a share of its range")
+      ->check(finite_number())
+      ->check(CLI::Range(0.0001, 1.0))
+      ->capture_default_str();
+  command->add_option("--objective", options->objective, "Make the mean score low, or the mean of score / bound")
+      ->check(CLI::IsMember({"score", "ratio"}))
+      ->capture_default_str();
+  add_contests(*command, options->contests);
+  command->add_option("--log", options->log, "Save every evaluation as CSV, after each generation")->type_name("FILE");
+  command->add_option("--svg", options->svg, "Save a plot of the generations")->type_name("FILE");
+  command->footer("Example: labmouse tune visit-counter --params random_share,coverage=0.2:0.9 --mazes my-mazes/ "
+                  "--evaluations 200 --log tune.csv");
+  command->callback([options, &exit] { exit = tune(*options); });
+}
+
+}  // namespace labmouse::cli
