@@ -1,4 +1,4 @@
-// labmouse mice: the roster. labmouse bound: how low anyone could score.
+// labmouse mice: the roster.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,8 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include "command.hpp"
-#include "labmouse/lab/bounds.hpp"
-#include "labmouse/lab/printable.hpp"
 #include "labmouse/mouse/tie_order.hpp"
 #include "labmouse/strategies/roster.hpp"
 
@@ -63,19 +61,6 @@ std::string mice_json() {
   return mice.dump(1) + "\n";
 }
 
-struct BoundOptions {
-  std::vector<std::string> mazes;
-  Places places;
-};
-
-void print_bounds(const BoundOptions& options) {
-  for (const NamedMaze& maze : find_mazes(options.mazes, options.places).mazes) {
-    const Bound bound = bound_of(maze.maze, Rules());
-    print(bound.score ? fmt::format("{:>8.3f}  shortest run {:>3} steps  {}\n", *bound.score, *bound.optimum, shown(maze.name))
-                      : fmt::format("{:>8}  the goal cannot be reached  {}\n", "none", shown(maze.name)));
-  }
-}
-
 }  // namespace
 
 void add_mice(CLI::App& app, int& exit) {
@@ -85,18 +70,6 @@ void add_mice(CLI::App& app, int& exit) {
   command->footer("Example: labmouse mice --format json");
   command->callback([format, &exit] {
     print(*format == "json" ? mice_json() : describe_mice());
-    exit = exit_good;
-  });
-}
-
-void add_bound(CLI::App& app, int& exit) {
-  auto options = std::make_shared<BoundOptions>();
-  CLI::App* command = app.add_subcommand("bound", "The best possible score of mazes: that of a mouse which knows them");
-  command->add_option("mazes", options->mazes, "Maze files, folders, patterns or names of built-in mazes; default: all built-in mazes")->type_name("MAZE");
-  add_places(*command, options->places);
-  command->footer("Example: labmouse bound capstone-1");
-  command->callback([options, &exit] {
-    print_bounds(*options);
     exit = exit_good;
   });
 }

@@ -1,0 +1,98 @@
+// labmouse bound: how low anyone could score, and what a mouse could have had in hindsight.
+#include "labmouse/lab/bounds.hpp"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "command.hpp"
+#include "contests.hpp"
+#include "labmouse/lab/hindsight.hpp"
+#include "labmouse/lab/printable.hpp"
+
+namespace labmouse::cli {
+namespace {
+
+struct BoundOptions {
+  std::vector<std::string> mazes;
+  Places places;
+  std::string format = "table";
+  std::string mouse;  ///< for hindsight
+  HindsightOrder order;
+};
+
+std::string bounds_table(const std::vector<NamedMaze>& mazes) {
+  std::string text;
+  for (const NamedMaze& maze : mazes) {
+    const Bound bound = bound_of(maze.maze, Rules());
+    text += bound.score ? fmt::format("{:>8.3f}  shortest run {:>3} steps  {}\n", *bound.score, *bound.optimum, shown(maze.name))
+                        : fmt::format("{:>8}  the goal cannot be reached  {}\n", "none", shown(maze.name));
+  }
+  return text;
+}
+
+std::string bounds_json(const std::vector<NamedMaze>& mazes) {
+  using Json = nlohmann::ordered_json;
+  Json json = Json::array();
+  for (const NamedMaze& maze : mazes) {
+    const Bound bound = bound_of(maze.maze, Rules());
+    json.push_back({{"name", maze.name},
+                    {"optimum", bound.optimum ? Json(*bound.optimum) : Json(nullptr)},
+                    {"bound", bound.score ? Json(*bound.score) : Json(nullptr)}});
+  }
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Hindsight look_back(const BoundOptions& options, const std::vector<NamedMaze>& mazes) {
+  Progress progress;
+  const Interruptible interruptible;
+  HindsightHooks hooks;
+  hooks.stop = &interruptible.stopped();
+  hooks.finished = [&](std::size_t all) { progress.advance(all); };
+  return labmouse::look_back(options.mouse, mazes, options.order, hooks);
+}
+
+int bound(const BoundOptions& options) {
+  const bool json = options.format == "json";
+  const std::vector<NamedMaze> mazes = find_mazes(options.mazes, options.places).mazes;
+  if (options.mouse.empty()) {
+    print(json ? bounds_json(mazes) : bounds_table(mazes));
+    return exit_good;
+  }
+  const Hindsight hindsight = look_back(options, mazes);
+  if (!hindsight.error.empty()) throw UsageError("error: " + hindsight.error);
+  print(json ? json_of(hindsight) : table_of(hindsight, colours()));
+  return hindsight.stopped ? exit_interrupted : exit_good;
+}
+
+void add_hindsight(CLI::App& command, BoundOptions& options) {
+  CLI::Option* hindsight =
+      command.add_option("--hindsight", options.mouse, "Beside the bounds: this mouse's score, and references that it could have had")
+          ->type_name("MOUSE");
+  RaceOrder& race = options.order.race;
+  command.add_option("--perturbed", options.order.others, "Variants of the mouse (for one that throws dice: seeds) to take the best of; 0 for none")
+      ->check(CLI::Range(0, 100'000))->capture_default_str()->needs(hindsight);
+  command.add_option("--runs", race.runs, "Contests of a mouse that throws dice, in each maze")
+      ->check(CLI::Range(1, 1'000'000))->capture_default_str()->needs(hindsight);
+  command.add_option("--budget", race.rules.budget, "Steps of a contest, over both runs")
+      ->check(CLI::Range(1, 1'000'000))->capture_default_str()->needs(hindsight);
+  command.add_option("--seed", race.seed, "Seed of all chance")->check(seed_number())->capture_default_str()->needs(hindsight);
+  command.add_option("--jobs", race.jobs, "Threads; 0 takes all processors")
+      ->check(CLI::Range(0, 1024))->capture_default_str()->needs(hindsight);
+}
+
+}  // namespace
+
+void add_bound(CLI::App& app, int& exit) {
+  auto options = std::make_shared<BoundOptions>();
+  CLI::App* command = app.add_subcommand("bound", "The best possible score of mazes: that of a mouse which knows them");
+  command->add_option("mazes", options->mazes, "Maze files, folders, patterns or names of built-in mazes; default: all built-in mazes")->type_name("MAZE");
+  add_places(*command, options->places);
+  command->add_option("--format", options->format, "Output")->check(CLI::IsMember({"table", "json"}))->capture_default_str();
+  add_hindsight(*command, *options);
+  command->footer("Example: labmouse bound capstone-1\n         labmouse bound --hindsight certify my-mazes/");
+  command->callback([options, &exit] { exit = bound(*options); });
+}
+
+}  // namespace labmouse::cli
