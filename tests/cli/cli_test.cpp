@@ -6,52 +6,18 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "tests/cli/program.hpp"
+#include "tests/cli/user.hpp"
 
 namespace labmouse {
 namespace {
 
 using Json = nlohmann::json;
+using test::AUser;
 using test::content_of;
+using test::corridor;
 using test::Ended;
 using ::testing::HasSubstr;
 using ::testing::Not;
-
-/// A user in an empty folder.
-class AUser : public testing::Test {
- protected:
-  AUser() { std::filesystem::create_directories(folder_); }
-  ~AUser() override { std::filesystem::remove_all(folder_); }
-
-  Ended labmouse(std::vector<std::string> arguments, const char* variable = nullptr) const {
-    return test::Program(folder_, std::move(arguments), variable).wait();
-  }
-  /// Bad usage or input: exit code 2, one line on standard error, nothing on standard output.
-  void is_refused(std::vector<std::string> arguments, std::string_view reason) const {
-    const Ended ended = labmouse(std::move(arguments));
-    EXPECT_EQ(ended.code, 2);
-    EXPECT_EQ(ended.out, "");
-    EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
-    EXPECT_THAT(ended.err, HasSubstr(reason));
-  }
-  Json race(std::vector<std::string> arguments) const {
-    arguments.insert(arguments.begin(), {"race", "--format", "json"});
-    const Ended ended = labmouse(std::move(arguments));
-    EXPECT_EQ(ended.code, 0) << ended.err;
-    return Json::parse(ended.out, nullptr, false);
-  }
-  std::string file(const std::string& name, const std::string& content) const {
-    std::ofstream(folder_ / name, std::ios::binary) << content;
-    return name;
-  }
-  std::string content(const std::string& name) const { return content_of(folder_ / name); }
-
-  std::filesystem::path folder_ =
-      std::filesystem::temp_directory_path() /
-      ("labmouse-cli-" + std::to_string(getpid()) + "-" + testing::UnitTest::GetInstance()->current_test_info()->name());
-};
-
-constexpr const char* corridor = "o---o---o---o\n| S       G |\no---o---o---o\n";
 
 /// A race's JSON without what differs from race to race.
 void leave_times_out(Json& json) {
@@ -61,8 +27,8 @@ void leave_times_out(Json& json) {
   }
 }
 
-constexpr const char* commands[] = {"race", "sweep",   "study", "run",   "show",   "inspect", "make",
-                                    "convert", "mice", "bound", "replay", "score",  "bench"};
+constexpr const char* commands[] = {"race", "sweep", "tune",    "study",   "learn", "run",   "show",  "inspect",
+                                    "make", "convert", "mice", "bound", "replay", "score", "bench"};
 
 TEST_F(AUser, FindsHelpWithAnExampleForEverything) {
   const Ended all = labmouse({"--help"});
