@@ -1,6 +1,4 @@
 // labmouse bound: how low anyone could score, and what a mouse could have had in hindsight.
-#include "labmouse/lab/bounds.hpp"
-
 #include <fmt/format.h>
 
 #include <memory>
@@ -8,6 +6,7 @@
 
 #include "command.hpp"
 #include "contests.hpp"
+#include "labmouse/lab/bounds.hpp"
 #include "labmouse/lab/hindsight.hpp"
 #include "labmouse/lab/printable.hpp"
 
@@ -26,7 +25,8 @@ std::string bounds_table(const std::vector<NamedMaze>& mazes) {
   std::string text;
   for (const NamedMaze& maze : mazes) {
     const Bound bound = bound_of(maze.maze, Rules());
-    text += bound.score ? fmt::format("{:>8.3f}  shortest run {:>3} steps  {}\n", *bound.score, *bound.optimum, shown(maze.name))
+    text += bound.score ? fmt::format("{:>8.3f}  shortest run {:>3} steps  {}\n", *bound.score, *bound.optimum,
+                                      shown(maze.name))
                         : fmt::format("{:>8}  the goal cannot be reached  {}\n", "none", shown(maze.name));
   }
   return text;
@@ -68,18 +68,33 @@ int bound(const BoundOptions& options) {
 
 void add_hindsight(CLI::App& command, BoundOptions& options) {
   CLI::Option* hindsight =
-      command.add_option("--hindsight", options.mouse, "Beside the bounds: this mouse's score, and references that it could have had")
+      command
+          .add_option("--hindsight", options.mouse,
+                      "Beside the bounds: this mouse's score, and references that it could have had")
           ->type_name("MOUSE");
   RaceOrder& race = options.order.race;
-  command.add_option("--perturbed", options.order.others, "Variants of the mouse (for one that throws dice: seeds) to take the best of; 0 for none")
-      ->check(CLI::Range(0, 100'000))->capture_default_str()->needs(hindsight);
+  command
+      .add_option("--perturbed", options.order.others,
+                  "Variants of the mouse (for one that throws dice: seeds) to take the best of; 0 for none")
+      ->check(CLI::Range(0, 100'000))
+      ->capture_default_str()
+      ->needs(hindsight);
   command.add_option("--runs", race.runs, "Contests of a mouse that throws dice, in each maze")
-      ->check(CLI::Range(1, 1'000'000))->capture_default_str()->needs(hindsight);
+      ->check(CLI::Range(1, 1'000'000))
+      ->capture_default_str()
+      ->needs(hindsight);
   command.add_option("--budget", race.rules.budget, "Steps of a contest, over both runs")
-      ->check(CLI::Range(1, 1'000'000))->capture_default_str()->needs(hindsight);
-  command.add_option("--seed", race.seed, "Seed of all chance")->check(seed_number())->capture_default_str()->needs(hindsight);
+      ->check(CLI::Range(1, 1'000'000))
+      ->capture_default_str()
+      ->needs(hindsight);
+  command.add_option("--seed", race.seed, "Seed of all chance")
+      ->check(seed_number())
+      ->capture_default_str()
+      ->needs(hindsight);
   command.add_option("--jobs", race.jobs, "Threads; 0 takes all processors")
-      ->check(CLI::Range(0, 1024))->capture_default_str()->needs(hindsight);
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str()
+      ->needs(hindsight);
 }
 
 }  // namespace
@@ -87,9 +102,14 @@ void add_hindsight(CLI::App& command, BoundOptions& options) {
 void add_bound(CLI::App& app, int& exit) {
   auto options = std::make_shared<BoundOptions>();
   CLI::App* command = app.add_subcommand("bound", "The best possible score of mazes: that of a mouse which knows them");
-  command->add_option("mazes", options->mazes, "Maze files, folders, patterns or names of built-in mazes; default: all built-in mazes")->type_name("MAZE");
+  command
+      ->add_option("mazes", options->mazes,
+                   "Maze files, folders, patterns or names of built-in mazes; default: all built-in mazes")
+      ->type_name("MAZE");
   add_places(*command, options->places);
-  command->add_option("--format", options->format, "Output")->check(CLI::IsMember({"table", "json"}))->capture_default_str();
+  command->add_option("--format", options->format, "Output")
+      ->check(CLI::IsMember({"table", "json"}))
+      ->capture_default_str();
   add_hindsight(*command, *options);
   command->footer("Example: labmouse bound capstone-1\n         labmouse bound --hindsight certify my-mazes/");
   command->callback([options, &exit] { exit = bound(*options); });

@@ -64,14 +64,17 @@ int tune(const TuneOptions& options) {
 void add_tune(CLI::App& app, int& exit) {
   auto options = std::make_shared<TuneOptions>();
   CLI::App* command = app.add_subcommand("tune", "Search for better values of several parameters of a mouse");
-  command->add_option("mouse", options->mouse, "Mouse, name[:key=value]..., where the search begins")->required()->type_name("MOUSE");
+  command->add_option("mouse", options->mouse, "Mouse, name[:key=value]..., where the search begins")
+      ->required()
+      ->type_name("MOUSE");
   command->add_option("--params", options->parameters, "Parameters to change, in all of their ranges or in a part")
       ->required()
       ->type_name("NAME[=LOW:HIGH],...");
   command->add_option("--evaluations", options->order.evaluations, "Candidates in all, the mouse as given among them")
       ->required()
       ->check(CLI::Range(1, 1'000'000));
-  command->add_option("--population", options->order.population, "Candidates a generation; default: 4 + 3 ln(parameters)")
+  command
+      ->add_option("--population", options->order.population, "Candidates a generation; default: 4 + 3 ln(parameters)")
       ->check(CLI::Range(4, 10'000));
   command->add_option("--sigma", options->order.step, "First step of each parameter, as a share of its range")
       ->check(finite_number())
@@ -83,8 +86,9 @@ void add_tune(CLI::App& app, int& exit) {
   add_contests(*command, options->contests);
   command->add_option("--log", options->log, "Save every evaluation as CSV, after each generation")->type_name("FILE");
   command->add_option("--svg", options->svg, "Save a plot of the generations")->type_name("FILE");
-  command->footer("Example: labmouse tune visit-counter --params random_share,coverage=0.2:0.9 --mazes my-mazes/ "
-                  "--evaluations 200 --log tune.csv");
+  command->footer(
+      "Example: labmouse tune visit-counter --params random_share,coverage=0.2:0.9 --mazes my-mazes/ "
+      "--evaluations 200 --log tune.csv");
   command->callback([options, &exit] { exit = tune(*options); });
 }
 

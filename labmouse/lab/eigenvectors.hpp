@@ -32,8 +32,8 @@ struct Eigenvectors {
   SquareMatrix vectors;
 };
 
-/// Of a symmetric matrix, by cyclic rotations (Jacobi 1846): plain, and as exact as any method for a side of 20 or less.
-/// Uses + - * / and sqrt alone, so it gives the same bits on every platform.
+/// Of a symmetric matrix, by cyclic rotations (Jacobi 1846): plain, and as exact as any method for a side of 20 or
+/// less. Uses + - * / and sqrt alone, so it gives the same bits on every platform.
 Eigenvectors eigenvectors_of(SquareMatrix matrix);
 
 }  // namespace labmouse

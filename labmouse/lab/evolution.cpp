@@ -54,8 +54,7 @@ Evolution::Constants Evolution::constants_of(std::size_t dimension, int populati
   constants.damping = 1.0 + 2.0 * std::max(0.0, std::sqrt((mu - 1.0) / (n + 1.0)) - 1.0) + constants.path_rate;
   constants.shape_path_rate = (4.0 + mu / n) / (n + 4.0 + 2.0 * mu / n);
   constants.rank_one = 2.0 / ((n + 1.3) * (n + 1.3) + mu);
-  constants.rank_mu =
-      std::min(1.0 - constants.rank_one, 2.0 * (mu - 2.0 + 1.0 / mu) / ((n + 2.0) * (n + 2.0) + mu));
+  constants.rank_mu = std::min(1.0 - constants.rank_one, 2.0 * (mu - 2.0 + 1.0 / mu) / ((n + 2.0) * (n + 2.0) + mu));
   constants.usual_length = std::sqrt(n) * (1.0 - 1.0 / (4.0 * n) + 1.0 / (21.0 * n * n));
   return constants;
 }
@@ -140,8 +139,7 @@ bool Evolution::advance_paths(const Point& move) {
   const double n = static_cast<double>(dimension_);
   const bool runs = length_of(path_) / std::sqrt(1.0 - path_age_) < (1.4 + 2.0 / (n + 1.0)) * constants_.usual_length;
   const double gain = runs ? std::sqrt(shape_rate * (2.0 - shape_rate) * constants_.effective) : 0.0;
-  for (std::size_t d = 0; d < dimension_; ++d)
-    shape_path_[d] = (1.0 - shape_rate) * shape_path_[d] + gain * move[d];
+  for (std::size_t d = 0; d < dimension_; ++d) shape_path_[d] = (1.0 - shape_rate) * shape_path_[d] + gain * move[d];
   return runs;
 }
 

@@ -91,7 +91,8 @@ bool has_numbers(const Contestant& mouse) {
 }
 
 /// Looks back maze by maze, so that one that is stopped under way leaves whole ones.
-void race_all(const Contestant& mouse, const std::vector<NamedMaze>& mazes, const HindsightHooks& hooks, Hindsight& hindsight) {
+void race_all(const Contestant& mouse, const std::vector<NamedMaze>& mazes, const HindsightHooks& hooks,
+              Hindsight& hindsight) {
   const std::vector<Contestant> mice = all_mice(mouse, hindsight.order);
   RaceOrder order = hindsight.order.race;
   order.runs = mouse.uses_chance ? order.runs + hindsight.order.others : 1;
@@ -148,7 +149,8 @@ std::vector<Contestant> perturbed(const Contestant& mouse, int count, std::uint6
       if (is_number(parameter)) values.push_back(shifted(parameter, mouse.settings.real(parameter.name), dice));
     Contestant variant = std::move(read_variant(mouse.name, values).contestants.front());
     const auto is_same = [&](const Contestant& other) { return other.name == variant.name; };
-    if (!is_same(mouse) && std::none_of(variants.begin(), variants.end(), is_same)) variants.push_back(std::move(variant));
+    if (!is_same(mouse) && std::none_of(variants.begin(), variants.end(), is_same))
+      variants.push_back(std::move(variant));
   }
   return variants;
 }

@@ -1,5 +1,5 @@
-// References for a mouse's score between it and the bound: what it could have had, had it known afterwards what it knew.
-// They are no bounds: another mouse may score less. docs/bounds.md describes them.
+// References for a mouse's score between it and the bound: what it could have had, had it known afterwards what it
+// knew. They are no bounds: another mouse may score less. docs/bounds.md describes them.
 #pragma once
 
 #include <atomic>
@@ -15,15 +15,15 @@
 
 namespace labmouse {
 
-/// The lowest score that a walk was good for: the minimum, over its steps after a goal was entered, of the score had the
-/// mouse reset there and run the shortest route over the walls known open at that moment. What it would have seen in that
-/// run counts for nothing; its own end counts with what it did score, so the result is not above its score. Stops that the
-/// budget does not allow are left out, and a contest without any counts the rules' failure score.
+/// The lowest score that a walk was good for: the minimum, over its steps after a goal was entered, of the score had
+/// the mouse reset there and run the shortest route over the walls known open at that moment. What it would have seen
+/// in that run counts for nothing; its own end counts with what it did score, so the result is not above its score.
+/// Stops that the budget does not allow are left out, and a contest without any counts the rules' failure score.
 double best_stop(const RunRecord& record, const Maze& maze, const Rules& rules);
 
 /// `count` times the mouse with each of its whole and real parameters shifted by up to a quarter of its value, at least
-/// by up to a hundredth of its declared range, evenly and within that range; flags, choices and lists stay. Variants that
-/// come out equal, also to the mouse itself, stand once or not at all. Empty for a mouse without such parameters.
+/// by up to a hundredth of its declared range, evenly and within that range; flags, choices and lists stay. Variants
+/// that come out equal, also to the mouse itself, stand once or not at all. Empty for a mouse without such parameters.
 std::vector<Contestant> perturbed(const Contestant& mouse, int count, std::uint64_t seed);
 
 struct HindsightOrder {

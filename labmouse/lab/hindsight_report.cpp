@@ -16,8 +16,8 @@ std::string mazes_text(std::size_t count) { return fmt::format("{} maze{}", coun
 
 std::string best_of(const Hindsight& hindsight) { return fmt::format("best of {}", hindsight.order.others); }
 
-std::string line_of(double bound, double score, double best_stop, const std::optional<double>& best_other, std::size_t width,
-                    const std::string& name) {
+std::string line_of(double bound, double score, double best_stop, const std::optional<double>& best_other,
+                    std::size_t width, const std::string& name) {
   const std::string other = best_other ? fmt::format(" {:>{}.3f}", *best_other, width) : "";
   return fmt::format("{:>8.3f} {:>8.3f} {:>9.3f}{}  {}\n", bound, score, best_stop, other, name);
 }
@@ -25,13 +25,15 @@ std::string line_of(double bound, double score, double best_stop, const std::opt
 std::string others_text(const Hindsight& hindsight) {
   if (hindsight.order.others == 0) return "";
   if (!hindsight.has_others)
-    return fmt::format("{} has no numbers to perturb and throws no dice, so it has no best of several.\n", hindsight.mouse);
+    return fmt::format("{} has no numbers to perturb and throws no dice, so it has no best of several.\n",
+                       hindsight.mouse);
   if (hindsight.throws_dice)
-    return fmt::format("{}: in each maze the lowest of its contests and of {} more with other seeds.\n", best_of(hindsight),
+    return fmt::format("{}: in each maze the lowest of its contests and of {} more seeds.\n", best_of(hindsight),
                        hindsight.order.others);
-  return fmt::format("{}: in each maze the lowest of it and of {} variants, each number shifted by\n"
-                     "up to a quarter of its value.\n",
-                     best_of(hindsight), hindsight.order.others);
+  return fmt::format(
+      "{}: in each maze the lowest of it and of {} variants, each number\n"
+      "shifted by up to a quarter.\n",
+      best_of(hindsight), hindsight.order.others);
 }
 
 /// Whether a failure is cheaper than the best that is possible in some maze.
@@ -44,22 +46,27 @@ bool has_high_bound(const Hindsight& hindsight) {
 std::string notes_of(const Hindsight& hindsight) {
   const Rules& rules = hindsight.order.race.rules;
   std::string notes =
-      "No mouse scores less than the bound. The columns right of the score are references\n"
-      "and no bounds: they choose in hindsight, and another mouse may score less.\n"
-      "best stop: its own walk, reset after the best step once the goal was entered, and\n"
-      "the shortest route known by then; what that run would see on its way is ignored.\n";
+      "No mouse scores less than the bound. The columns right of the score are\n"
+      "references and no bounds: they choose in hindsight, and another mouse may score\n"
+      "less.\n"
+      "best stop: its own walk, reset after the best step once the goal was entered,\n"
+      "and the shortest route known by then; what that run would see is ignored.\n";
   notes += others_text(hindsight);
   if (hindsight.throws_dice)
     notes += fmt::format("score, best stop: means of {} runs in each maze.\n", hindsight.order.race.runs);
   notes += fmt::format("A failed contest counts {:g}{}.\n", rules.failure_score,
                        has_high_bound(hindsight) ? ", which in some of these mazes is less than the bound" : "");
-  for (const std::string& maze : hindsight.routeless) notes += fmt::format("Left out: {}, whose goal cannot be reached.\n", shown(maze));
+  for (const std::string& maze : hindsight.routeless)
+    notes += fmt::format("Left out: {}, whose goal cannot be reached.\n", shown(maze));
   if (hindsight.stopped) notes += fmt::format("Stopped early: {} done.\n", mazes_text(hindsight.mazes.size()));
   return notes;
 }
 
 Json numbers_json(double bound, double score, double best_stop, const std::optional<double>& best_other) {
-  return {{"bound", bound}, {"score", score}, {"best_stop", best_stop}, {"best_other", best_other ? Json(*best_other) : Json(nullptr)}};
+  return {{"bound", bound},
+          {"score", score},
+          {"best_stop", best_stop},
+          {"best_other", best_other ? Json(*best_other) : Json(nullptr)}};
 }
 
 Json maze_json(const MazeHindsight& maze) {
@@ -113,7 +120,8 @@ std::string json_of(const Hindsight& hindsight) {
   json["bounds"] = {"bound"};
   json["references"] = hindsight.has_others ? Json{"best_stop", "best_other"} : Json{"best_stop"};
   const HindsightMeans means = means_of(hindsight);
-  json["means"] = hindsight.mazes.empty() ? Json(nullptr) : numbers_json(means.bound, means.score, means.best_stop, means.best_other);
+  json["means"] = hindsight.mazes.empty() ? Json(nullptr)
+                                          : numbers_json(means.bound, means.score, means.best_stop, means.best_other);
   json["mazes"] = Json::array();
   for (const MazeHindsight& maze : hindsight.mazes) json["mazes"].push_back(maze_json(maze));
   json["routeless"] = hindsight.routeless;

@@ -58,7 +58,8 @@ std::string read_ends(std::string_view spec, std::string_view text, ParameterRan
   const auto low = text.substr(0, colon), high = colon == std::string_view::npos ? "" : text.substr(colon + 1);
   double number = 0.0;
   if (!parse_number(low, number) || !parse_number(high, number) || !has_few_decimals(low) || !has_few_decimals(high))
-    return fmt::format("'{}' is no range; write LOW:HIGH, numbers with at most {} decimals, as in 0.2:0.8", text, most_decimals);
+    return fmt::format("'{}' is no range; write LOW:HIGH, numbers with at most {} decimals, as in 0.2:0.8", text,
+                       most_decimals);
   if (auto error = read_end(spec, range.parameter, low, range.low); !error.empty()) return error;
   if (auto error = read_end(spec, range.parameter, high, range.high); !error.empty()) return error;
   if (range.low >= range.high) return fmt::format("the range '{}' does not end above its begin", text);
@@ -66,10 +67,12 @@ std::string read_ends(std::string_view spec, std::string_view text, ParameterRan
 }
 
 /// Reads one NAME[=LOW:HIGH]; returns what is wrong, or nothing.
-std::string read_one(std::string_view spec, const RosterEntry& mouse, std::string_view text, std::vector<ParameterRange>& ranges) {
+std::string read_one(std::string_view spec, const RosterEntry& mouse, std::string_view text,
+                     std::vector<ParameterRange>& ranges) {
   const auto equals = text.find('=');
   const auto name = text.substr(0, equals);
-  if (name.empty()) return fmt::format("'{}' is not of the form NAME or NAME=LOW:HIGH, several separated by commas", text);
+  if (name.empty())
+    return fmt::format("'{}' is not of the form NAME or NAME=LOW:HIGH, several separated by commas", text);
   const Parameter* parameter = find_number(mouse, name);
   if (parameter == nullptr) {
     const Setting unknown = {std::string(name), ""};
@@ -123,7 +126,8 @@ RangesResult read_ranges(std::string_view spec, std::string_view text) {
     if (more) text.remove_prefix(comma + 1);
   }
   if (result.ranges.size() > most_ranges)
-    return {{}, fmt::format("{} parameters are named; at most {} are tuned at once", result.ranges.size(), most_ranges)};
+    return {{},
+            fmt::format("{} parameters are named; at most {} are tuned at once", result.ranges.size(), most_ranges)};
   return result;
 }
 

@@ -19,8 +19,8 @@ struct ParameterRange {
   double high = 0.0;
 };
 
-/// The nearest value in the range as in a SPEC: whole where the parameter is, else with four significant digits, or with
-/// as many more as it takes to stay in the range.
+/// The nearest value in the range as in a SPEC: whole where the parameter is, else with four significant digits, or
+/// with as many more as it takes to stay in the range.
 std::string written_value(const ParameterRange& range, double value);
 
 /// The value at a share of the range, 0 to 1, as in a SPEC. Each value of a whole parameter has an equal share.

@@ -25,7 +25,8 @@ Measured measured(const Race& race, std::size_t mouse, Objective objective) {
   const auto scores = scores_by_maze(race, mouse);
   for (std::size_t maze = 0; maze < scores.size(); ++maze)
     if (scores[maze])
-      result.by_maze.push_back(objective == Objective::ratio ? *scores[maze] / *race.bounds[maze].score : *scores[maze]);
+      result.by_maze.push_back(objective == Objective::ratio ? *scores[maze] / *race.bounds[maze].score
+                                                             : *scores[maze]);
   for (const ContestResult& contest : race.results)
     if (contest.mouse == mouse && counts(race, contest) && !contest.score.value) ++result.failures;
   return result;
@@ -57,9 +58,7 @@ class Tuner {
   }
 
  private:
-  std::size_t left() const {
-    return static_cast<std::size_t>(tune_.order.evaluations) - tune_.evaluations.size();
-  }
+  std::size_t left() const { return static_cast<std::size_t>(tune_.order.evaluations) - tune_.evaluations.size(); }
 
   EvolutionOrder first_order(const Contestant& given) const {
     EvolutionOrder order;
@@ -115,7 +114,8 @@ class Tuner {
   }
 
   void note(const Contestant& candidate, const Measured& measured, double step) {
-    Evaluation evaluation{generation_, step, candidate.name, {}, mean(measured.by_maze), measured.failures, measured.by_maze};
+    Evaluation evaluation{generation_,     step, candidate.name, {}, mean(measured.by_maze), measured.failures,
+                          measured.by_maze};
     for (const ParameterRange& range : tune_.ranges)
       evaluation.values.emplace_back(candidate.settings.choice(range.parameter.name));
     tune_.evaluations.push_back(std::move(evaluation));

@@ -1,5 +1,5 @@
-// A search for better values of several parameters of a mouse at once: each candidate races on the same mazes with the same
-// seeds. docs/tuning.md describes the results.
+// A search for better values of several parameters of a mouse at once: each candidate races on the same mazes with the
+// same seeds. docs/tuning.md describes the results.
 #pragma once
 
 #include <atomic>
@@ -54,16 +54,18 @@ struct Tune {
 
 /// What a search tells while it goes on.
 struct TuneHooks {
-  /// Called after each contest with the number of all that are to be expected, from any thread but never from two at once.
+  /// Called after each contest with the number of all that are to be expected, from any thread but never from two at
+  /// once.
   std::function<void(std::size_t all)> finished;
   /// Called after each generation.
   std::function<void(const Tune&)> generation;
-  /// Asked before each contest; once it is true no other begins. Candidates whose contests are not all done are left out.
+  /// Asked before each contest; once it is true no other begins. Candidates whose contests are not all done are left
+  /// out.
   const std::atomic<bool>* stop = nullptr;
 };
 
-/// Searches from the values that the SPEC says, each at the nearest in its range. A candidate that was raced before counts
-/// as an evaluation and is not raced again. The last generation may be smaller than the others.
+/// Searches from the values that the SPEC says, each at the nearest in its range. A candidate that was raced before
+/// counts as an evaluation and is not raced again. The last generation may be smaller than the others.
 Tune hold_tune(std::string_view spec, const std::vector<ParameterRange>& ranges, const std::vector<NamedMaze>& mazes,
                const TuneOrder& order, const TuneHooks& hooks = {});
 

@@ -17,9 +17,9 @@ using ::testing::StartsWith;
 long lines(const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }
 
 TEST_F(AUser, TunesAMouse) {
-  const Ended ended = labmouse({"tune", "visit-counter:ties=nesw", "--params", "random_share,coverage=0.2:0.9", "--mazes",
-                                "island-8", "spiral-9", "capstone-1", "--runs", "2", "--evaluations", "15", "--population", "6",
-                                "--log", "out/log.csv", "--svg", "out/plot.svg"});
+  const Ended ended = labmouse({"tune", "visit-counter:ties=nesw", "--params", "random_share,coverage=0.2:0.9",
+                                "--mazes", "island-8", "spiral-9", "capstone-1", "--runs", "2", "--evaluations", "15",
+                                "--population", "6", "--log", "out/log.csv", "--svg", "out/plot.svg"});
   EXPECT_EQ(ended.code, 0) << ended.err;
   EXPECT_EQ(ended.err, "");
   EXPECT_THAT(ended.out, HasSubstr("as given   "));
@@ -36,8 +36,8 @@ TEST_F(AUser, TunesAMouse) {
 TEST_F(AUser, TunesToTheSameForAnyNumberOfJobs) {
   file("corridor.txt", corridor);
   const auto log = [&](const char* jobs, const char* seed) {
-    EXPECT_EQ(labmouse({"tune", "cautious", "--params", "explore_frac", "--mazes", "corridor.txt", "island-8", "--runs", "3",
-                        "--evaluations", "12", "--jobs", jobs, "--seed", seed, "--log", "log.csv"})
+    EXPECT_EQ(labmouse({"tune", "cautious", "--params", "explore_frac", "--mazes", "corridor.txt", "island-8", "--runs",
+                        "3", "--evaluations", "12", "--jobs", jobs, "--seed", seed, "--log", "log.csv"})
                   .code,
               0);
     return content("log.csv");
@@ -66,13 +66,14 @@ TEST_F(AUser, IsToldWhatIsWrongWithTuning) {
   is_refused({"tune", "flood", "--params", "stride", "--evaluations", "5", "--sigma", "nan"}, "--sigma");
   is_refused({"tune", "flood", "--params", "stride", "--evaluations", "5", "--objective", "time"}, "--objective");
   is_refused({"tune", "flood", "--params", "stride", "--evaluations", "5", "--log", "a", "--svg", "a"}, "name two");
-  is_refused({"tune", "flood", "--params", "stride", "--evaluations", "5", "--mazes", "closed.txt"}, "nothing to tune on");
+  is_refused({"tune", "flood", "--params", "stride", "--evaluations", "5", "--mazes", "closed.txt"},
+             "nothing to tune on");
 }
 
 TEST_F(AUser, IsToldAtOnceThatALogCannotBeWritten) {
   file("corridor.txt", corridor);
-  const Ended ended = labmouse({"tune", "flood", "--params", "stride", "--evaluations", "1000000", "--mazes", "corridor.txt", "--log",
-                                "corridor.txt/log.csv"});
+  const Ended ended = labmouse({"tune", "flood", "--params", "stride", "--evaluations", "1000000", "--mazes",
+                                "corridor.txt", "--log", "corridor.txt/log.csv"});
   EXPECT_EQ(ended.code, 2);
   EXPECT_THAT(ended.err, HasSubstr("corridor.txt/log.csv: error: cannot"));
   EXPECT_THAT(ended.out, HasSubstr("Stopped early: 1 of 1000000 evaluations done."));

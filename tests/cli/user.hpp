@@ -41,8 +41,8 @@ class AUser : public testing::Test {
   std::string content(const std::string& name) const { return content_of(folder_ / name); }
 
   std::filesystem::path folder_ =
-      std::filesystem::temp_directory_path() /
-      ("labmouse-cli-" + std::to_string(getpid()) + "-" + testing::UnitTest::GetInstance()->current_test_info()->name());
+      std::filesystem::temp_directory_path() / ("labmouse-cli-" + std::to_string(getpid()) + "-" +
+                                                testing::UnitTest::GetInstance()->current_test_info()->name());
 };
 
 inline constexpr const char* corridor = "o---o---o---o\n| S       G |\no---o---o---o\n";

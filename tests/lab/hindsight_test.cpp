@@ -26,8 +26,8 @@ using Walk = std::vector<Action>;
 const Walk short_way = {Action::step(0, 1), Action::step(90, 1), Action::step(-90, 1), Action::step(90, 1)};
 
 /// The long way round the outside, twelve steps. It drives past the short way without a look into it.
-const Walk long_way = {Action::step(0, 3),  Action::step(0, 1), Action::step(90, 3),  Action::step(0, 1),
-                       Action::step(90, 3), Action::step(0, 1), Action::step(90, 2),  Action::step(90, 1),
+const Walk long_way = {Action::step(0, 3),  Action::step(0, 1),   Action::step(90, 3),  Action::step(0, 1),
+                       Action::step(90, 3), Action::step(0, 1),   Action::step(90, 2),  Action::step(90, 1),
                        Action::step(90, 1), Action::step(-90, 2), Action::step(-90, 1), Action::step(-90, 1)};
 
 Walk operator+(Walk walk, const Walk& more) {
@@ -100,7 +100,8 @@ TEST(BestStop, WhereTheStartIsAGoalTakesOneStepToRun) {
 TEST(BestStop, LiesBetweenBoundAndScore) {
   Dice dice(4);
   for (int i = 0; i < 60; ++i) {
-    const NamedMaze maze = {"maze", wilson_generator.make({{6 + dice.below(8), 6 + dice.below(8)}, dice.bits(), dice.below(300)})};
+    const NamedMaze maze = {
+        "maze", wilson_generator.make({{6 + dice.below(8), 6 + dice.below(8)}, dice.bits(), dice.below(300)})};
     for (const char* mouse : {"flood", "flood-return", "certify", "cautious", "two-way"}) {
       HindsightOrder order;
       order.race.runs = 2;
@@ -197,7 +198,8 @@ TEST(Hindsight, OfAMouseThatThrowsDiceTakesFurtherSeeds) {
   const Hindsight found = look_back("random", {test::loop()}, order);
   EXPECT_TRUE(found.throws_dice);
   RaceOrder race_order = order.race;
-  EXPECT_DOUBLE_EQ(found.mazes[0].score, *standings_of(hold_race(test::mice("random"), {test::loop()}, race_order)).front().penalised_mean);
+  EXPECT_DOUBLE_EQ(found.mazes[0].score,
+                   *standings_of(hold_race(test::mice("random"), {test::loop()}, race_order)).front().penalised_mean);
   race_order.runs = 3 + 10;
   const Race race = hold_race(test::mice("random"), {test::loop()}, race_order);
   const auto best = std::min_element(race.results.begin(), race.results.end(), [&](const auto& a, const auto& b) {
@@ -254,7 +256,8 @@ Hindsight made_up() {
   Hindsight hindsight;
   hindsight.mouse = "two-way";
   hindsight.has_others = true;
-  hindsight.mazes = {{"one", {10, 10.5}, 20.0, 18.0, 16.0, "two-way:bias=2", 5}, {"two", {12, 12.5}, 30.0, 30.0, 22.5, "two-way", 6}};
+  hindsight.mazes = {{"one", {10, 10.5}, 20.0, 18.0, 16.0, "two-way:bias=2", 5},
+                     {"two", {12, 12.5}, 30.0, 30.0, 22.5, "two-way", 6}};
   hindsight.routeless = {"three"};
   return hindsight;
 }
@@ -265,7 +268,7 @@ TEST(HindsightAsTable, CallsReferencesWhatTheyAre) {
                                "  10.500   20.000    18.000     16.000  one\n"
                                "  12.500   30.000    30.000     22.500  two\n"
                                "\n  11.500   25.000    24.000     19.250  mean of 2 mazes\n"));
-  EXPECT_THAT(table, HasSubstr("references\nand no bounds"));
+  EXPECT_THAT(table, HasSubstr("\nreferences and no bounds"));
   EXPECT_THAT(table, HasSubstr("the lowest of it and of 64 variants"));
   EXPECT_THAT(table, HasSubstr("Left out: three, whose goal cannot be reached."));
   EXPECT_THAT(table, HasSubstr("A failed contest counts 100.\n"));
@@ -277,13 +280,14 @@ TEST(HindsightAsTable, SaysWhyThereIsNoBestOfSeveral) {
   EXPECT_THAT(table, HasSubstr("certify has no numbers to perturb and throws no dice"));
   EXPECT_THAT(table, Not(HasSubstr("best of 9")));
   EXPECT_THAT(table_of(look_back("two-way", mazes(), order_of(0)), false), Not(HasSubstr("best of")));
-  EXPECT_THAT(table_of(look_back("random", mazes(), order_of(9)), false), HasSubstr("of 9 more with other seeds"));
+  EXPECT_THAT(table_of(look_back("random", mazes(), order_of(9)), false), HasSubstr("of 9 more seeds"));
 }
 
 TEST(HindsightAsTable, WarnsWhereAFailureIsCheaperThanTheBound) {
   Hindsight hindsight = made_up();
   hindsight.mazes[0].bound.score = 100.5;
-  EXPECT_THAT(table_of(hindsight, false), HasSubstr("counts 100, which in some of these mazes is less than the bound."));
+  EXPECT_THAT(table_of(hindsight, false),
+              HasSubstr("counts 100, which in some of these mazes is less than the bound."));
 }
 
 TEST(HindsightAsJson, HasAllNumbers) {

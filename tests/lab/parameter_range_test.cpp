@@ -80,9 +80,11 @@ TEST(Ranges, AreTheDeclaredOnesOrNarrower) {
 }
 
 TEST(Ranges, AreOfNumbersAlone) {
-  EXPECT_EQ(refusal("two-way", "join_legs"), "parameter 'join_legs' of mouse 'two-way' is a yes/no, and only numbers are tuned: bias");
-  EXPECT_EQ(refusal("visit-counter", "ties"),
-            "parameter 'ties' of mouse 'visit-counter' is a choice, and only numbers are tuned: random_share, coverage");
+  EXPECT_EQ(refusal("two-way", "join_legs"),
+            "parameter 'join_legs' of mouse 'two-way' is a yes/no, and only numbers are tuned: bias");
+  EXPECT_EQ(
+      refusal("visit-counter", "ties"),
+      "parameter 'ties' of mouse 'visit-counter' is a choice, and only numbers are tuned: random_share, coverage");
   EXPECT_THAT(refusal("phases", "weights=1:2"), HasSubstr("is a list"));
   EXPECT_THAT(refusal("potential", "ties"), HasSubstr(", of which it has none"));
 }
@@ -93,13 +95,15 @@ TEST(Ranges, AreRefusedWhereTheyAreNone) {
   EXPECT_THAT(refusal("oracle", "stride"), HasSubstr("has no parameters"));
   EXPECT_THAT(refusal("flood", "strid=1:2"), HasSubstr("did you mean 'stride'?"));
   EXPECT_THAT(refusal("certify", "stride"), HasSubstr("has no parameters"));
-  EXPECT_THAT(refusal("flood", "stride=1:9"), HasSubstr("value '9' of parameter 'stride' of mouse 'flood' is outside of 1 to 8"));
+  EXPECT_THAT(refusal("flood", "stride=1:9"),
+              HasSubstr("value '9' of parameter 'stride' of mouse 'flood' is outside of 1 to 8"));
   EXPECT_THAT(refusal("flood", "stride=1.5:3"), HasSubstr("is not a whole number"));
   EXPECT_EQ(refusal("flood", "stride=3:3"), "the range '3:3' does not end above its begin");
   EXPECT_EQ(refusal("flood", "stride,stride=1:2"), "parameter 'stride' is named twice");
   for (const char* bad : {"stride=", "stride=1", "stride=1:", "stride=1:2:3", "stride=a:2", "stride=0.0000001:2"})
     EXPECT_THAT(refusal("flood", bad), HasSubstr("is no range; write LOW:HIGH")) << bad;
-  for (const char* bad : {"", "=1:2", "stride,"}) EXPECT_THAT(refusal("flood", bad), HasSubstr("is not of the form NAME")) << bad;
+  for (const char* bad : {"", "=1:2", "stride,"})
+    EXPECT_THAT(refusal("flood", bad), HasSubstr("is not of the form NAME")) << bad;
 }
 
 }  // namespace

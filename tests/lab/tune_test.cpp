@@ -139,7 +139,8 @@ TEST(Tune, MayTuneTheRatioToTheBound) {
   order.objective = Objective::ratio;
   const Tune ratios = tune("flood", "stride", order);
   // Mazes in the order of their names: corridor, loop.
-  const std::vector<double> bounds = {*bound_of(test::corridor().maze, Rules()).score, *bound_of(test::loop().maze, Rules()).score};
+  const std::vector<double> bounds = {*bound_of(test::corridor().maze, Rules()).score,
+                                      *bound_of(test::loop().maze, Rules()).score};
   const std::vector<double>&by_score = scores.evaluations[0].by_maze, &by_ratio = ratios.evaluations[0].by_maze;
   for (std::size_t maze : {0U, 1U}) EXPECT_DOUBLE_EQ(by_ratio[maze], by_score[maze] / bounds[maze]);
   EXPECT_DOUBLE_EQ(ratios.evaluations[0].value, (by_ratio[0] + by_ratio[1]) / 2.0);
@@ -170,7 +171,8 @@ TEST(Tune, KeepsWhatWasDoneBeforeItWasStopped) {
   int contests = 0, generations = 0;
   TuneHooks hooks;
   hooks.stop = &stop;
-  // The mouse as given has nine contests, and so has each candidate: it is stopped in the third of the first generation.
+  // The mouse as given has nine contests, and so has each candidate: it is stopped in the third of the first
+  // generation.
   hooks.finished = [&](std::size_t) { stop = ++contests == 9 + 9 + 9 + 1; };
   hooks.generation = [&](const Tune&) { ++generations; };
   TuneOrder order = order_of(30);
@@ -181,9 +183,10 @@ TEST(Tune, KeepsWhatWasDoneBeforeItWasStopped) {
   EXPECT_EQ(found.evaluations.size(), 3U);
   const Tune whole = tune("visit-counter", both, order);
   for (std::size_t i = 1; i < 3; ++i)
-    EXPECT_TRUE(std::any_of(whole.evaluations.begin() + 1, whole.evaluations.begin() + 6, [&](const Evaluation& evaluation) {
-      return evaluation.mouse == found.evaluations[i].mouse && evaluation.value == found.evaluations[i].value;
-    }));
+    EXPECT_TRUE(
+        std::any_of(whole.evaluations.begin() + 1, whole.evaluations.begin() + 6, [&](const Evaluation& evaluation) {
+          return evaluation.mouse == found.evaluations[i].mouse && evaluation.value == found.evaluations[i].value;
+        }));
   EXPECT_THAT(table_of(found, false), HasSubstr("Stopped early: 3 of 30 evaluations done."));
 }
 
@@ -200,7 +203,8 @@ TEST(Tune, StoppedAtOnceHasNothing) {
 
 TEST(Tune, RacesNothingWhereNothingCanBeTuned) {
   const auto ranges = read_ranges("flood", "stride").ranges;
-  EXPECT_THAT(hold_tune("flood", ranges, {test::without_route()}, order_of(5)).error, HasSubstr("cannot be reached in any"));
+  EXPECT_THAT(hold_tune("flood", ranges, {test::without_route()}, order_of(5)).error,
+              HasSubstr("cannot be reached in any"));
   EXPECT_THAT(hold_tune("flod", ranges, mazes(), order_of(5)).error, HasSubstr("did you mean 'flood'?"));
   EXPECT_THAT(hold_tune("flood", {}, mazes(), order_of(5)).error, HasSubstr("no parameter"));
 }
@@ -239,7 +243,9 @@ TEST(TuneAsTable, ShowsGivenAndBestAndTheSpec) {
   EXPECT_THAT(table, HasSubstr("\nparameter          low      high       given        best\n"
                                "random_share         0         1         0.2         0.1\n"
                                "coverage           0.2       0.9      0.8333      0.8333\n"));
-  EXPECT_THAT(table, HasSubstr("as given   30.000, 1 contest failed\nbest       28.000, evaluation 3 of 4\ndifference -2.000 ["));
+  EXPECT_THAT(
+      table,
+      HasSubstr("as given   30.000, 1 contest failed\nbest       28.000, evaluation 3 of 4\ndifference -2.000 ["));
   EXPECT_THAT(table, HasSubstr("] over 3 mazes (2 better, 0 equal, 1 worse)\n"));
   EXPECT_THAT(table, HasSubstr("`labmouse study`"));
   EXPECT_THAT(table, EndsWith("\n\nvisit-counter:random_share=0.1\n"));
