@@ -116,8 +116,6 @@ WallPrior learn_prior(std::span<const Maze> mazes, const Rules& rules) {
   Settings settings(mouse.parameters);
   settings.set("prior", "uniform");
   settings.set("model", "flat");
-  settings.set("base", "10");
-  settings.set("base_after", "10");
   PriorCounts counts;
   for (const Maze& maze : mazes) {
     const auto mind = mouse.make(brief(maze, rules, 1), settings);

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "labmouse/grid/wall_set.hpp"
+#include "labmouse/grid/cell_set.hpp"
 #include "labmouse/mouse/distance.hpp"
 #include "labmouse/mouse/motion.hpp"
 #include "labmouse/mouse/wall_prices.hpp"
@@ -23,9 +23,10 @@ class PricedField {
   PricedField(Size size, const Motion& motion, int step_price);
 
   void fill(const WallPrices& prices, const CellSet& from);
-  /// The same after some prices have changed since the last time, from the same cells; costs less where the changes are
-  /// far from them, because what lies nearer than any change is as it was.
-  void refill(const WallPrices& prices, const CellSet& from, const WallSet& changed);
+  /// The same for those cells alone whose cost is below a limit; others may be unreachable. It ends the sooner.
+  void fill_below(int limit, const WallPrices& prices, const CellSet& from);
+  /// The same for those cells alone whose cost and their rest, a field over the same prices, add up to less than a limit.
+  void fill_below(int limit, const PricedField& rest, const WallPrices& prices, const CellSet& from);
 
   /// The cost of a cell inside, or unreachable.
   int at(Cell cell) const { return at_index(size_.index(cell)); }
@@ -37,13 +38,18 @@ class PricedField {
 
  private:
   using Index = std::uint16_t;
+  /// The neighbours in a bucket's list.
+  struct Link {
+    Index before, next;
+  };
 
-  int nearest(const WallSet& changed) const;
-  void settle(const WallPrices& prices);
-  void spread(const WallPrices& prices, int cell);
+  template <class Within>
+  void search(const WallPrices& prices, const CellSet& from, Within within);
+  template <class Within>
+  void spread(const std::uint8_t* wall, int cell, int to_next, Within within);
   void reach(int cell, int cost);
-  void leave(int cell);
-  void spread(const std::uint8_t* wall, int to_wall, int cell, int to_next);
+  void leave_bucket(int cell);
+  int take_first();
   bool next_bucket();
 
   Size size_;
@@ -52,9 +58,9 @@ class PricedField {
   int mask_;     ///< buckets in the ring, less one
   int now_ = 0;  ///< cost of the cells that are settled now
   std::vector<std::int32_t> costs_;
-  std::vector<Index> next_, before_;  ///< neighbours in a bucket's list
-  std::vector<Index> first_;          ///< of each bucket
-  std::vector<std::uint64_t> used_;   ///< which buckets hold cells
+  std::vector<Link> links_;         ///< of each cell that waits in a bucket
+  std::vector<Index> first_;        ///< cell of each bucket
+  std::vector<std::uint64_t> used_; ///< which buckets hold cells
 };
 
 }  // namespace labmouse

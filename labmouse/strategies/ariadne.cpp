@@ -46,6 +46,9 @@ class Ariadne final : public Explorer {
   const Reasons* reasons() const override { return keeps_reasons_ && chose_ ? &reasons_ : nullptr; }
 
  private:
+  /// Unseen walls that one cell can show.
+  static constexpr int most_insights = 4;
+
   Action explore() override {
     chose_ = false;
     const bool news = outlook_.learn(pose(), seen());
@@ -79,22 +82,54 @@ class Ariadne final : public Explorer {
     way_.fill(knowledge().open(), briefing().goals);
     known_ = way_.at(briefing().start.cell);
     find_nearest_goal();
-    costs_.plan(outlook_, phase_->way_here);
-    consider_walls();
-    if (!goal_entered()) {
-      consider_goal();
-      if (!target_) choose_as_last_resort();
-    }
+    if (goal_entered())
+      choose_after();
+    else
+      choose_before();
     if (target_) way_.fill(knowledge().open(), CellSet::of(target_->seen_from));
     if (keeps_reasons_) conclude();
+  }
+
+  /// Before the goal has been entered: the best wall, or the goal.
+  void choose_before() {
+    // What is much dearer than the last choice is not asked for, unless all that was found is dearer, too.
+    const bool near = !keeps_reasons_ && score_ > 0 && choose_near(static_cast<int>(score_ / one) + ariadne::step_price);
+    if (near) return;
+    costs_.plan(outlook_.prices(), phase_->way_here);
+    consider_all();
+    if (!target_) choose_as_last_resort();
+  }
+
+  /// Chooses among the runs through cells within a limit of the goal. True where all others would score worse.
+  bool choose_near(int limit) {
+    costs_.plan_near(limit, outlook_.prices(), phase_->way_here);
+    consider_all();
+    if (target_ && score_ + judged(most_insights, phase_->insight) < judged(limit + ariadne::step_price, one)) return true;
+    target_.reset();
+    return false;
   }
 
   /// Every way that is left leads through a wall that was taken for closed.
   void choose_as_last_resort() {
     outlook_.price(policy_.last_resort);
-    costs_.plan(outlook_, phase_->way_here);
+    costs_.plan(outlook_.prices(), phase_->way_here);
     consider_walls();
     outlook_.price(phase_->prices);
+  }
+
+  /// After the goal: the best of the walls that are worth a look, if there is one.
+  void choose_after() {
+    // Only runs are asked for that beat the known one; who watches sees the others, too.
+    if (keeps_reasons_)
+      costs_.plan(outlook_.prices(), phase_->way_here);
+    else
+      costs_.plan_below(known_ * ariadne::step_price + policy_.stop_margin / one + 1, outlook_.prices());
+    consider_walls();
+  }
+
+  void consider_all() {
+    consider_walls();
+    consider_goal();
   }
 
   void find_nearest_goal() {
@@ -124,8 +159,7 @@ class Ariadne final : public Explorer {
     candidate.wall = wall;
     candidate.through = costs_.through(wall);
     if (candidate.through >= unreachable) return;
-    candidate.seen_from = viewpoint(wall);
-    candidate.travel = travel_.at(candidate.seen_from);
+    find_viewpoint(candidate);
     candidate.worth = goal_entered() ? pays(candidate) : leaves_time_for_the_goal(candidate);
     const std::int64_t score = judged(candidate.through, one) + judged(candidate.travel, phase_->travel);
     add(candidate, score);
@@ -158,7 +192,7 @@ class Ariadne final : public Explorer {
 
   void add(Candidate candidate, std::int64_t score) {
     // The bonus is small: most often there is no need to count.
-    const bool near = !target_ || score - 4 * phase_->insight < score_;
+    const bool near = !target_ || score - judged(most_insights, phase_->insight) < score_;
     if (!candidate.goal && (near || keeps_reasons_)) score -= judged(unseen_from(candidate.seen_from), phase_->insight);
     candidate.score = static_cast<double>(score) / one;
     if (candidate.worth && (!target_ || score < score_)) {
@@ -185,17 +219,20 @@ class Ariadne final : public Explorer {
     }
   }
 
-  /// The cell nearest to the mouse that looks at the wall along known passages; one is reached.
-  Cell viewpoint(Wall wall) const {
-    Cell nearest = wall.cell;
+  /// Puts the candidate where it is seen from: the cell nearest to the mouse that looks at the wall along known passages.
+  void find_viewpoint(Candidate& candidate) const {
+    const Wall wall = candidate.wall;
+    candidate.travel = unreachable;
     for (const Heading side : {wall.side, opposite(wall.side)}) {
       Cell cell = side == wall.side ? wall.cell : neighbour(wall.cell, wall.side);
       for (bool more = true; more; cell = neighbour(cell, opposite(side))) {
-        if (travel_.at(cell) < travel_.at(nearest)) nearest = cell;
+        if (const int travel = travel_.at(cell); travel < candidate.travel) {
+          candidate.travel = travel;
+          candidate.seen_from = cell;
+        }
         more = knowledge().open().contains(wall_at(cell, opposite(side)));
       }
     }
-    return nearest;
   }
 
   /// How many unseen walls, not taken for closed, end the known corridors about a cell.
@@ -252,14 +289,17 @@ class Ariadne final : public Explorer {
   bool chose_ = false;
 };
 
+std::unique_ptr<Strategy> make(const Briefing& briefing, const Settings& settings) {
+  const bool contest = settings.choice("prior") == "contest";
+  return std::make_unique<Ariadne>(briefing, settings, contest ? ariadne::contest_prior_for(briefing.size) : nullptr);
+}
+
 }  // namespace
 
-const RosterEntry ariadne_mouse = {"ariadne", "looks at the walls through which a good run could lead",
-                                   ariadne::policy_parameters(),
-                                   [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
-                                     const bool contest = settings.choice("prior") == "contest";
-                                     return std::make_unique<Ariadne>(
-                                         briefing, settings, contest ? ariadne::contest_prior_for(briefing.size) : nullptr);
-                                   }};
+const RosterEntry ariadne_mouse = {"ariadne", "looks at the walls through which a good run could lead, by what contest mazes are like",
+                                   ariadne::fast_parameters(), make};
+
+const RosterEntry ariadne_deep_mouse = {"ariadne-deep", "the same, and on the way to the goal it thinks of the way back, too",
+                                        ariadne::deep_parameters(), make};
 
 }  // namespace labmouse

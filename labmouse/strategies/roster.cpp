@@ -27,6 +27,7 @@ std::span<const RosterEntry* const> roster() {
       &flood_return_mouse,
       &certify_mouse,
       &ariadne_mouse,
+      &ariadne_deep_mouse,
   };
   return entries;
 }

@@ -46,6 +46,7 @@ extern const RosterEntry flood_mouse;
 extern const RosterEntry flood_return_mouse;
 extern const RosterEntry certify_mouse;
 extern const RosterEntry ariadne_mouse;
+extern const RosterEntry ariadne_deep_mouse;
 
 /// All of them, from the simplest to the best.
 std::span<const RosterEntry* const> roster();

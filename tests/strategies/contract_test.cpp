@@ -240,21 +240,21 @@ bool changes_something(const RosterEntry& mouse, const Parameter& parameter, con
     EXPECT_EQ(check_value(parameter, value), "") << value;
     Settings settings = others;
     settings.set(parameter.name, value);
-    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-      const Maze maze = prim_generator.make({{16, 16}, seed, 300});
-      const Briefing briefing = brief(maze, {}, 1);
-      if (run(maze, {}, *mouse.make(briefing, settings)) != run(maze, {}, *mouse.make(briefing, others))) return true;
-    }
+    for (std::uint64_t seed = 1; seed <= 10; ++seed)
+      for (const Maze& maze : {prim_generator.make({{16, 16}, seed, 300}), contest_generator.make({{16, 16}, seed, 0})}) {
+        const Briefing briefing = brief(maze, {}, 1);
+        if (run(maze, {}, *mouse.make(briefing, settings)) != run(maze, {}, *mouse.make(briefing, others))) return true;
+      }
   }
   return false;
 }
 
-/// Whether the parameter does so beside the defaults, or beside a choice that it belongs to.
+/// Whether the parameter does so beside the defaults, or beside an extreme of another one that it belongs to.
 bool changes_something(const RosterEntry& mouse, const Parameter& parameter) {
   const Settings defaults(mouse.parameters);
   if (changes_something(mouse, parameter, defaults)) return true;
   for (const Parameter& other : mouse.parameters) {
-    if (other.type != ParameterType::choice || other.name == parameter.name) continue;
+    if (other.name == parameter.name) continue;
     for (const std::string& value : values_of(other)) {
       Settings settings = defaults;
       settings.set(other.name, value);

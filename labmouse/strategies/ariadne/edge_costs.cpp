@@ -6,28 +6,31 @@ namespace labmouse::ariadne {
 
 EdgeCosts::EdgeCosts(const Briefing& briefing)
     : size_(briefing.size),
-      start_cell_(briefing.start.cell),
       goals_(briefing.goals),
       from_start_(briefing.size, briefing.motion, step_price),
       to_goal_(briefing.size, briefing.motion, step_price) {
   start_.insert(briefing.start.cell);
 }
 
-void EdgeCosts::plan(Outlook& outlook, int way_here) {
-  const bool first = prices_ == nullptr;
-  const bool first_from_start = first || way_here_ == 0;
-  const WallSet changes = outlook.take_changes();
-  prices_ = &outlook.prices();
+void EdgeCosts::plan(const WallPrices& prices, int way_here) {
+  prices_ = &prices;
   way_here_ = way_here;
-  update(to_goal_, goals_, changes, first);
-  if (way_here != 0) update(from_start_, start_, changes, first_from_start);
+  to_goal_.fill(prices, goals_);
+  if (way_here != 0) from_start_.fill(prices, start_);
 }
 
-void EdgeCosts::update(PricedField& field, const CellSet& from, const WallSet& changes, bool first) {
-  if (first)
-    field.fill(*prices_, from);
-  else
-    field.refill(*prices_, from, changes);
+void EdgeCosts::plan_near(int limit, const WallPrices& prices, int way_here) {
+  prices_ = &prices;
+  way_here_ = way_here;
+  to_goal_.fill_below(limit, prices, goals_);
+  if (way_here != 0) from_start_.fill(prices, start_);
+}
+
+void EdgeCosts::plan_below(int limit, const WallPrices& prices) {
+  prices_ = &prices;
+  way_here_ = one;
+  to_goal_.fill_below(limit, prices, goals_);
+  from_start_.fill_below(limit, to_goal_, prices, start_);
 }
 
 int EdgeCosts::through(Wall wall) const {

@@ -8,7 +8,6 @@
 
 #include "labmouse/mouse/briefing.hpp"
 #include "labmouse/mouse/priced_field.hpp"
-#include "labmouse/strategies/ariadne/outlook.hpp"
 #include "labmouse/strategies/ariadne/policy.hpp"
 
 namespace labmouse::ariadne {
@@ -18,20 +17,21 @@ class EdgeCosts {
   /// Takes all memory that it will need.
   explicit EdgeCosts(const Briefing& briefing);
 
-  /// Finds A and G anew. The weight is of A, in 1/256; at 0 there is no need for it.
-  void plan(Outlook& outlook, int way_here);
+  /// Finds A and G over prices that stay as they are until the next plan. The weight of A is in 1/256; at 0 there is no
+  /// need for it.
+  void plan(const WallPrices& prices, int way_here);
+  /// The same for those cells t alone whose G is below a limit; the T of a wall may be too large where it leads to others.
+  void plan_near(int limit, const WallPrices& prices, int way_here);
+  /// The same at weight 1, for those walls alone whose T is below a limit; the T of others may be too large.
+  void plan_below(int limit, const WallPrices& prices);
 
   /// T of a wall that is not taken for closed, in thirtieths of a step; unreachable or more where no run leads through.
   int through(Wall wall) const;
-  /// The cheapest run that goes through walls at their prices.
-  int best() const { return to_goal_.at(start_cell_); }
 
  private:
-  void update(PricedField& field, const CellSet& from, const WallSet& changes, bool first);
   int way_to(int cell) const { return static_cast<int>(static_cast<std::int64_t>(way_here_) * from_start_.at_index(cell) / one); }
 
   Size size_;
-  Cell start_cell_;
   CellSet start_;
   CellSet goals_;
   const WallPrices* prices_ = nullptr;

@@ -59,7 +59,6 @@ void Outlook::learn(Wall wall, bool open) {
   weigh(wall, open);
   unknown_.erase(wall);
   prices_.set(wall, open ? 0 : WallPrices::closed);
-  changed_.insert(wall);
   contexts_.learn(wall, open, [&](Wall other) { price(other); });
   if (!rim_.contains(wall)) return;
   ++(open ? rim_open_ : rim_closed_);
@@ -82,17 +81,7 @@ void Outlook::price(const PriceTable& table) {
 }
 
 void Outlook::price(Wall wall) {
-  if (!unknown_.contains(wall)) return;
-  const int price = (*table_)[static_cast<unsigned>(reluctance(wall))];
-  if (price == prices_.of(wall)) return;
-  prices_.set(wall, price);
-  changed_.insert(wall);
-}
-
-WallSet Outlook::take_changes() {
-  const WallSet changes = changed_;
-  changed_ = WallSet();
-  return changes;
+  if (unknown_.contains(wall)) prices_.set(wall, (*table_)[static_cast<unsigned>(reluctance(wall))]);
 }
 
 int Outlook::reluctance(Wall wall) const {

@@ -28,8 +28,6 @@ class Outlook {
   void price(const PriceTable& table);
 
   const WallPrices& prices() const { return prices_; }
-  /// The walls whose prices have changed since the last call of this.
-  WallSet take_changes();
   /// -ln P(open) of an unseen wall, in 1/32.
   int reluctance(Wall wall) const;
 
@@ -48,7 +46,6 @@ class Outlook {
   WallContexts contexts_;
   WallPrices prices_;
   WallSet unknown_;
-  WallSet changed_;
   WallSet inside_;  ///< between two goal cells
   WallSet rim_;     ///< about a goal room of 2×2 cells
   int rim_open_ = 0, rim_closed_ = 0;

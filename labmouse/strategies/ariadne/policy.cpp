@@ -9,7 +9,8 @@ namespace {
 constexpr std::array parameters = {
     Parameter{"prior", ParameterType::choice, "contest", 0, 0, "contest/uniform", "what it expects of unseen walls"},
     Parameter{"model", ParameterType::choice, "smooth", 0, 0, "smooth/classes/flat/free",
-              "price of an unseen wall: by how likely it is closed, in three classes of that, all alike, or none"},
+              "price of an unseen wall: by how likely it is closed, in classes of that, all alike, or none; all but smooth "
+              "are simpler mice to compare with, whose numbers are fixed"},
     Parameter{"style", ParameterType::choice, "auto", 0, 0, "auto/contest/loop-free",
               "loop-free stops at the goal; auto does so where the walls look like those of a maze without loops"},
     Parameter{"base", ParameterType::real, "5.11", 0, 100, "", "before the goal: price of an unseen wall, in 1/30 step"},
@@ -30,37 +31,53 @@ constexpr std::array parameters = {
 
 int weight(double value) { return static_cast<int>(value * one + (value < 0 ? -0.5 : 0.5)); }
 
-/// How an unseen wall is priced.
-struct Pricing {
-  std::string_view model;
-  double base, slope, closed;
+/// A price for each reluctance; `price` takes it as -ln P(open).
+template <class Price>
+PriceTable table_of(Price price) {
+  PriceTable table;
+  for (unsigned reluctance = 0; reluctance < table.size(); ++reluctance)
+    table[reluctance] = static_cast<std::uint8_t>(price(reluctance / 32.0));
+  return table;
+}
 
-  int price(int reluctance) const {
-    const double nats = reluctance / 32.0;
-    if (model == "free") return 0;
-    if (model == "flat") return static_cast<int>(base + 0.5);
+PriceTable smooth(double base, double slope, double closed) {
+  return table_of([=](double nats) {
     if (nats >= closed) return WallPrices::closed;
-    const double price = model == "classes" ? (nats < slope ? base : 2 * base) : reluctance > 0 ? base + slope * nats : 0;
-    return std::min(static_cast<int>(price + 0.5), WallPrices::highest);
-  }
-  PriceTable table() const {
-    PriceTable prices;
-    for (unsigned reluctance = 0; reluctance < prices.size(); ++reluctance)
-      prices[reluctance] = static_cast<std::uint8_t>(price(static_cast<int>(reluctance)));
-    return prices;
-  }
-};
+    return nats == 0 ? 0 : std::min(static_cast<int>(base + slope * nats + 0.5), WallPrices::highest);
+  });
+}
+
+PriceTable classes(double closed) {
+  constexpr int price = 10;
+  constexpr double dear = 0.92;  // P(open) = 0.4
+  return table_of([=](double nats) { return nats >= closed ? WallPrices::closed : nats >= dear ? 2 * price : price; });
+}
+
+PriceTable flat(int price) {
+  return table_of([=](double) { return price; });
+}
+
+constexpr double never = 1000;
 
 }  // namespace
 
 Policy::Policy(const Settings& settings) {
-  const auto model = settings.choice("model"), style = settings.choice("style");
-  const Pricing pricing{model, settings.real("base"), settings.real("slope"), settings.real("closed")};
-  before.prices = pricing.table();
-  after.prices = Pricing{model, settings.real("base_after"), settings.real("slope_after"), settings.real("closed_after")}.table();
-  last_resort = Pricing{model, pricing.base, pricing.slope, 1000}.table();
-  before.way_here = weight(settings.real("way_here"));
+  const auto style = settings.choice("style");
+  loop_free = style == "loop-free";
+  may_be_loop_free = style == "auto";
   after.way_here = one;
+  if (settings.choice("model") == "smooth")
+    take_numbers(settings);
+  else
+    take_model(settings.choice("model"));
+}
+
+void Policy::take_numbers(const Settings& settings) {
+  const double base = settings.real("base"), slope = settings.real("slope");
+  before.prices = smooth(base, slope, settings.real("closed"));
+  last_resort = smooth(base, slope, never);
+  after.prices = smooth(settings.real("base_after"), settings.real("slope_after"), settings.real("closed_after"));
+  before.way_here = weight(settings.real("way_here"));
   before.travel = weight(settings.real("travel"));
   after.travel = weight(settings.real("travel_after"));
   before.insight = weight(settings.real("insight"));
@@ -68,10 +85,26 @@ Policy::Policy(const Settings& settings) {
   goal_bonus = weight(settings.real("goal_bonus"));
   stop_travel = weight(settings.real("stop_travel"));
   stop_margin = weight(settings.real("stop_margin"));
-  loop_free = style == "loop-free";
-  may_be_loop_free = style == "auto";
 }
 
-std::span<const Parameter> policy_parameters() { return parameters; }
+/// A step towards a wall costs what a step of a run costs; no bonus, no margin.
+void Policy::take_model(std::string_view model) {
+  before.prices = model == "classes" ? classes(2.7) : flat(model == "flat" ? 10 : 0);
+  last_resort = model == "classes" ? classes(never) : before.prices;
+  after.prices = before.prices;
+  before.travel = after.travel = step_price * one;
+}
+
+std::span<const Parameter> fast_parameters() { return parameters; }
+
+std::span<const Parameter> deep_parameters() {
+  static constexpr std::array deep = [] {
+    auto table = parameters;
+    for (Parameter& parameter : table)
+      if (parameter.name == "way_here") parameter.default_value = "0.131";
+    return table;
+  }();
+  return deep;
+}
 
 }  // namespace labmouse::ariadne

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string_view>
 
 #include "labmouse/strategies/ariadne/outlook.hpp"
 #include "labmouse/strategies/parameter.hpp"
@@ -34,9 +35,14 @@ struct Policy {
   bool may_be_loop_free = false;  ///< stop at the goal where the walls seen say that there are no loops
 
   explicit Policy(const Settings& settings);
+
+ private:
+  void take_numbers(const Settings& settings);
+  void take_model(std::string_view model);
 };
 
-/// The parameters of the mouse that Policy reads.
-std::span<const Parameter> policy_parameters();
+/// The parameters that Policy reads, with the defaults of `ariadne` and of `ariadne-deep`.
+std::span<const Parameter> fast_parameters();
+std::span<const Parameter> deep_parameters();
 
 }  // namespace labmouse::ariadne
