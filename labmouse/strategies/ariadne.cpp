@@ -60,6 +60,7 @@ class Ariadne final : public Explorer {
       phase_ = &policy_.after;
       outlook_.price(phase_->prices);
     }
+    if (!goal_entered() && in_a_hurry()) return flood_step();
     if (news || just_entered || !target_ || pose().cell == target_->seen_from) choose();
     if (goal_entered() && (!target_ || last_call())) return Action::reset();
     return target_ ? go() : Action::forfeit(ForfeitReason::no_way);
@@ -71,7 +72,17 @@ class Ariadne final : public Explorer {
     return policy_.loop_free || (policy_.may_be_loop_free && outlook_.evidence_against_loops() > clearly);
   }
 
-  /// The last moment at which the reset and the known run still fit into the budget.
+  /// Whether the budget is small for this maze, or half of it is gone without the goal: then it floods, as the mice do
+  /// that find most goals in time.
+  bool in_a_hurry() const { return 8 * briefing().budget < 7 * briefing().size.area() || 2 * steps_left() < briefing().budget; }
+
+  Action flood_step() {
+    way_.fill(knowledge().possible(), briefing().goals);
+    return optimistic_step(way_);
+  }
+
+  /// The last moment at which the reset and the known run still fit into the budget. When that is past, only a shorter
+  /// run can help.
   bool last_call() const { return steps_left() <= known_ + 1; }
 
   void choose() {
