@@ -10,6 +10,7 @@
 // Limits: one wall at a time; what a look at the next could be worth for the one after is not asked. Its prior is that of
 // contest mazes.
 // Source: our own.
+#include <algorithm>
 #include <bit>
 #include <optional>
 
@@ -83,7 +84,10 @@ class Ariadne final : public Explorer {
 
   /// The last moment at which the reset and the known run still fit into the budget. When that is past, only a shorter
   /// run can help.
-  bool last_call() const { return steps_left() <= known_ + 1; }
+  bool last_call() const { return steps_left() <= 1 + known_run(); }
+
+  /// Steps of the shortest known speed run, which has one even where the start is a goal.
+  int known_run() const { return std::max(known_, 1); }
 
   void choose() {
     chose_ = true;
@@ -196,9 +200,9 @@ class Ariadne final : public Explorer {
            judged(known_ * ariadne::step_price, one) + policy_.stop_margin;
   }
 
-  /// Whether the budget allows to go there, come back, enter the goal, and run.
+  /// Whether the budget allows to go there, turn, come back, enter the goal, and run.
   bool leaves_time_for_the_goal(const Candidate& wall) const {
-    return !nearest_goal_ || 2 * wall.travel + travel_.at(*nearest_goal_) + 1 + known_ <= steps_left();
+    return !nearest_goal_ || 2 * wall.travel + 1 + travel_.at(*nearest_goal_) + 1 + known_run() <= steps_left();
   }
 
   void add(Candidate candidate, std::int64_t score) {

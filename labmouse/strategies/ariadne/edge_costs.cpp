@@ -33,6 +33,13 @@ void EdgeCosts::plan_below(int limit, const WallPrices& prices) {
   from_start_.fill_below(limit, to_goal_, prices, start_);
 }
 
+/// A with its weight, for the cell of an index.
+inline int EdgeCosts::way_to(int cell) const {
+  if (way_here_ == 0) return 0;
+  const int cost = from_start_.at_index(cell);
+  return cost >= unreachable ? unreachable : static_cast<int>(static_cast<std::int64_t>(way_here_) * cost / one);
+}
+
 int EdgeCosts::through(Wall wall) const {
   const bool north = wall.side == Heading::north;
   const std::uint8_t* prices = north ? prices_->north() : prices_->east();

@@ -29,7 +29,7 @@ class EdgeCosts {
   int through(Wall wall) const;
 
  private:
-  int way_to(int cell) const { return static_cast<int>(static_cast<std::int64_t>(way_here_) * from_start_.at_index(cell) / one); }
+  int way_to(int cell) const;
 
   Size size_;
   CellSet start_;
