@@ -11,12 +11,12 @@
 // contest mazes.
 // Source: our own.
 #include <algorithm>
-#include <bit>
 #include <optional>
 
 #include "labmouse/mouse/explorer.hpp"
 #include "labmouse/strategies/ariadne/edge_costs.hpp"
 #include "labmouse/strategies/ariadne/priors.hpp"
+#include "labmouse/strategies/ariadne/views.hpp"
 #include "labmouse/strategies/roster.hpp"
 
 namespace labmouse {
@@ -27,6 +27,7 @@ using ariadne::one;
 using ariadne::Outlook;
 using ariadne::Phase;
 using ariadne::Policy;
+using ariadne::Views;
 
 class Ariadne final : public Explorer {
  public:
@@ -35,7 +36,7 @@ class Ariadne final : public Explorer {
         policy_(settings),
         outlook_(briefing, prior),
         costs_(briefing),
-        travel_(briefing.size, briefing.motion),
+        views_(briefing, knowledge()),
         way_(briefing.size, briefing.motion) {
     outlook_.price(policy_.before.prices);
   }
@@ -93,10 +94,10 @@ class Ariadne final : public Explorer {
     chose_ = true;
     target_.reset();
     reasons_.candidates.clear();
-    travel_.fill(knowledge().open(), CellSet::of(pose().cell));
+    views_.plan(pose().cell);
+    nearest_goal_ = views_.nearest_goal();
     way_.fill(knowledge().open(), briefing().goals);
     known_ = way_.at(briefing().start.cell);
-    find_nearest_goal();
     if (goal_entered())
       choose_after();
     else
@@ -142,30 +143,13 @@ class Ariadne final : public Explorer {
     consider_walls();
   }
 
+  void consider_walls() {
+    views_.for_each_unseen([&](Wall wall) { consider(wall); });
+  }
+
   void consider_all() {
     consider_walls();
     consider_goal();
-  }
-
-  void find_nearest_goal() {
-    nearest_goal_.reset();
-    briefing().goals.for_each([&](Cell cell) {
-      if (travel_.reaches(cell) && (!nearest_goal_ || travel_.at(cell) < travel_.at(*nearest_goal_))) nearest_goal_ = cell;
-    });
-  }
-
-  void consider_walls() {
-    const CellSet reached = travel_.reached();
-    const Size size = briefing().size;
-    const WallSet& possible = knowledge().possible();
-    const WallSet& open = knowledge().open();
-    for (int y = 0; y < size.height; ++y) {
-      const std::uint64_t here = reached.row(y), above = y + 1 < size.height ? reached.row(y + 1) : 0;
-      const std::uint64_t north = possible.north().row(y) & ~open.north().row(y) & (here | above);
-      const std::uint64_t east = possible.east().row(y) & ~open.east().row(y) & (here | here >> 1);
-      for (std::uint64_t bits = north; bits != 0; bits &= bits - 1) consider({{std::countr_zero(bits), y}, Heading::north});
-      for (std::uint64_t bits = east; bits != 0; bits &= bits - 1) consider({{std::countr_zero(bits), y}, Heading::east});
-    }
   }
 
   void consider(Wall wall) {
@@ -174,7 +158,7 @@ class Ariadne final : public Explorer {
     candidate.wall = wall;
     candidate.through = costs_.through(wall);
     if (candidate.through >= unreachable) return;
-    find_viewpoint(candidate);
+    take(candidate, views_.viewpoint(wall));
     candidate.worth = goal_entered() ? pays(candidate) : leaves_time_for_the_goal(candidate);
     const std::int64_t score = judged(candidate.through, one) + judged(candidate.travel, phase_->travel);
     add(candidate, score);
@@ -184,12 +168,16 @@ class Ariadne final : public Explorer {
     if (!nearest_goal_) return;
     Candidate candidate;
     candidate.goal = true;
-    candidate.seen_from = *nearest_goal_;
+    take(candidate, *nearest_goal_);
     candidate.through = known_ * ariadne::step_price;
-    candidate.travel = travel_.at(candidate.seen_from);
     const std::int64_t score = judged(candidate.through, phase_->way_here) + judged(candidate.travel, phase_->travel);
     // Of equals it is the goal.
     add(candidate, score - policy_.goal_bonus - 1);
+  }
+
+  static void take(Candidate& candidate, const ariadne::Viewpoint& viewpoint) {
+    candidate.seen_from = viewpoint.cell;
+    candidate.travel = viewpoint.travel;
   }
 
   /// A cost with its weight.
@@ -202,13 +190,13 @@ class Ariadne final : public Explorer {
 
   /// Whether the budget allows to go there, turn, come back, enter the goal, and run.
   bool leaves_time_for_the_goal(const Candidate& wall) const {
-    return !nearest_goal_ || 2 * wall.travel + 1 + travel_.at(*nearest_goal_) + 1 + known_run() <= steps_left();
+    return !nearest_goal_ || 2 * wall.travel + 1 + nearest_goal_->travel + 1 + known_run() <= steps_left();
   }
 
   void add(Candidate candidate, std::int64_t score) {
     // The bonus is small: most often there is no need to count.
     const bool near = !target_ || score - judged(most_insights, phase_->insight) < score_;
-    if (!candidate.goal && (near || keeps_reasons_)) score -= judged(unseen_from(candidate.seen_from), phase_->insight);
+    if (!candidate.goal && (near || keeps_reasons_)) score -= judged(views_.unseen_from(candidate.seen_from, outlook_.prices()), phase_->insight);
     candidate.score = static_cast<double>(score) / one;
     if (candidate.worth && (!target_ || score < score_)) {
       target_ = candidate;
@@ -234,38 +222,6 @@ class Ariadne final : public Explorer {
     }
   }
 
-  /// Puts the candidate where it is seen from: the cell nearest to the mouse that looks at the wall along known passages.
-  void find_viewpoint(Candidate& candidate) const {
-    const Wall wall = candidate.wall;
-    candidate.travel = unreachable;
-    for (const Heading side : {wall.side, opposite(wall.side)}) {
-      Cell cell = side == wall.side ? wall.cell : neighbour(wall.cell, wall.side);
-      for (bool more = true; more; cell = neighbour(cell, opposite(side))) {
-        if (const int travel = travel_.at(cell); travel < candidate.travel) {
-          candidate.travel = travel;
-          candidate.seen_from = cell;
-        }
-        more = knowledge().open().contains(wall_at(cell, opposite(side)));
-      }
-    }
-  }
-
-  /// How many unseen walls, not taken for closed, end the known corridors about a cell.
-  int unseen_from(Cell from) const {
-    int unseen = 0;
-    for (const Heading direction : all_headings) {
-      Cell cell = from;
-      while (knowledge().open().contains(wall_at(cell, direction))) cell = neighbour(cell, direction);
-      const Wall wall = wall_at(cell, direction);
-      if (unknown(wall) && outlook_.prices().passable(wall)) ++unseen;
-    }
-    return unseen;
-  }
-
-  bool unknown(Wall wall) const {
-    return knowledge().possible().contains(wall) && !knowledge().open().contains(wall);
-  }
-
   /// The next step of a shortest known way to the target: of several the one that ends beside most unseen walls, and of
   /// these one that does not go backwards. In sight of the target but with the back to it, a turn.
   Action go() const {
@@ -280,7 +236,7 @@ class Ariadne final : public Explorer {
         cell = neighbour(cell, direction);
         if (way_.at(cell) + motion.cost[static_cast<unsigned>(cells)] != way_.at(pose().cell)) continue;
         int value = quarters == 2 ? 0 : 1;
-        for (const Heading side : all_headings) value += unknown(wall_at(cell, side)) ? 2 : 0;
+        for (const Heading side : all_headings) value += knowledge().state(wall_at(cell, side)) == WallState::unknown ? 2 : 0;
         if (value <= most) continue;
         most = value;
         best = move_in(pose().heading, direction, cells);
@@ -293,10 +249,10 @@ class Ariadne final : public Explorer {
   const Phase* phase_ = &policy_.before;
   Outlook outlook_;
   EdgeCosts costs_;
-  DistanceField travel_;  ///< from where the mouse stands, over known passages
-  DistanceField way_;     ///< from the target
-  std::optional<Cell> nearest_goal_;  ///< of those that can be reached over known passages
-  int known_ = unreachable;           ///< length of the shortest known run from start to goal
+  Views views_;
+  DistanceField way_;  ///< over known passages from the target
+  std::optional<ariadne::Viewpoint> nearest_goal_;
+  int known_ = unreachable;  ///< length of the shortest known run from start to goal
   std::optional<Candidate> target_;
   std::int64_t score_ = 0;
   Reasons reasons_;

@@ -1,0 +1,37 @@
+#include "labmouse/strategies/ariadne/views.hpp"
+
+namespace labmouse::ariadne {
+
+Viewpoint Views::viewpoint(Wall wall) const {
+  Viewpoint nearest;
+  for (const Heading side : {wall.side, opposite(wall.side)}) {
+    Cell cell = side == wall.side ? wall.cell : neighbour(wall.cell, wall.side);
+    for (bool more = true; more; cell = neighbour(cell, opposite(side))) {
+      if (const int travel = travel_.at(cell); travel < nearest.travel) nearest = {cell, travel};
+      more = knowledge_.open().contains(wall_at(cell, opposite(side)));
+    }
+  }
+  return nearest;
+}
+
+int Views::unseen_from(Cell from, const WallPrices& prices) const {
+  int unseen = 0;
+  for (const Heading direction : all_headings) {
+    Cell cell = from;
+    while (knowledge_.open().contains(wall_at(cell, direction))) cell = neighbour(cell, direction);
+    const Wall wall = wall_at(cell, direction);
+    if (knowledge_.state(wall) == WallState::unknown && prices.passable(wall)) ++unseen;
+  }
+  return unseen;
+}
+
+std::optional<Viewpoint> Views::nearest_goal() const {
+  std::optional<Viewpoint> nearest;
+  goals_.for_each([&](Cell cell) {
+    const int travel = travel_.at(cell);
+    if (travel < unreachable && (!nearest || travel < nearest->travel)) nearest = Viewpoint{cell, travel};
+  });
+  return nearest;
+}
+
+}  // namespace labmouse::ariadne
