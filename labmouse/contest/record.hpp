@@ -8,6 +8,7 @@
 
 #include "labmouse/mouse/action.hpp"
 #include "labmouse/mouse/pose.hpp"
+#include "labmouse/mouse/reasons.hpp"
 #include "labmouse/mouse/sighting.hpp"
 
 namespace labmouse {
@@ -56,6 +57,14 @@ struct Count {
   friend bool operator==(const Count&, const Count&) = default;
 };
 
+/// Why a mouse did what it did in a step.
+struct StepReasons {
+  int step = 0;  ///< count of the clock
+  Reasons reasons;
+
+  friend bool operator==(const StepReasons&, const StepReasons&) = default;
+};
+
 /// One contest of one mouse in one maze.
 struct RunRecord {
   std::vector<StepRecord> steps;
@@ -64,6 +73,8 @@ struct RunRecord {
   Pose end;
   /// The mouse's own counters at the end, sorted by name.
   std::vector<Count> counts;
+  /// The reasons of the steps in which the mouse chose anew, by step; empty unless it was asked to keep them.
+  std::vector<StepReasons> reasons;
 
   friend bool operator==(const RunRecord&, const RunRecord&) = default;
 };

@@ -57,6 +57,7 @@ RunRecord run(const Maze& maze, const Rules& rules, Strategy& mouse) {
     const Sighting sighting = look(maze, pose);
     const Action action = mouse.decide(sighting);
     record.steps.push_back({run, step, pose, sighting, action, false});
+    if (const Reasons* reasons = mouse.reasons()) record.reasons.push_back({step, *reasons});
     switch (action.kind) {
       case Action::Kind::forfeit:
         return end(Outcome::forfeit);

@@ -68,6 +68,11 @@ class Ariadne final : public Explorer {
     return target_ ? go() : Action::forfeit(ForfeitReason::no_way);
   }
 
+  Action race() override {
+    chose_ = false;
+    return Explorer::race();
+  }
+
   /// Whether the walls say that there is one way only, clearly: e^2 to one.
   bool stops_at_the_goal() const {
     constexpr int clearly = 2 * 32;
@@ -210,6 +215,7 @@ class Ariadne final : public Explorer {
   void conclude() {
     if (!target_) reasons_.chosen = -1;
     reasons_.known = known_ < unreachable ? known_ * ariadne::step_price : 0;
+    reasons_.way_here = static_cast<double>(phase_->way_here) / one;
     reasons_.hope = reasons_.price = 0;
     if (!goal_entered()) return;
     double least = 0;

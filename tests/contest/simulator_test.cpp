@@ -359,5 +359,38 @@ TEST(Counts, AreThoseOfTheMouseAtTheEndSortedByName) {
   EXPECT_EQ(run(maze, rules, mouse).counts, (std::vector<Count>{{"answers", 42}, {"questions", 7}}));
 }
 
+/// Goes on and has a reason in every second step, whether it was asked to keep them or not; forfeits in the end.
+class Reasoning final : public Strategy {
+ public:
+  explicit Reasoning(Size size) : knowledge_(size) {}
+
+  Action decide(const Sighting&) override {
+    reasons_.known = ++step_;
+    return step_ < 5 ? go(1) : Action::forfeit(ForfeitReason::lost);
+  }
+  const Knowledge& knowledge() const override { return knowledge_; }
+  const Reasons* reasons() const override { return step_ % 2 == 1 ? &reasons_ : nullptr; }
+
+ private:
+  Knowledge knowledge_;
+  Reasons reasons_;
+  int step_ = 0;
+};
+
+TEST_F(InACorridor, ReasonsAreThoseOfTheStepsThatHaveSome) {
+  Reasoning mouse(maze_.size());
+  record_ = run(maze_, rules_, mouse);
+  ASSERT_EQ(record_.reasons.size(), 3U);
+  for (unsigned i = 0; i < 3; ++i) {
+    EXPECT_EQ(record_.reasons[i].step, 1 + 2 * static_cast<int>(i));
+    EXPECT_EQ(record_.reasons[i].reasons.known, record_.reasons[i].step);
+  }
+}
+
+TEST_F(InACorridor, AMouseWithoutReasonsLeavesNone) {
+  play({go(3), go(1), reset, go(3), go(1)});
+  EXPECT_TRUE(record_.reasons.empty());
+}
+
 }  // namespace
 }  // namespace labmouse
