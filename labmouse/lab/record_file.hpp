@@ -35,7 +35,7 @@ struct ReadRecordResult {
 ReadRecordResult read_record(std::string_view text);
 
 /// Plays a record's actions again in a maze. Returns the record that comes out, or where it first disagrees; what the
-/// mouse counted is taken over unchecked.
+/// mouse counted and its reasons are taken over unchecked.
 struct ReplayResult {
   RunRecord run;
   std::string disagreement;  ///< empty where every step agrees

@@ -1,86 +1,21 @@
 #include <fmt/format.h>
 
-#include <limits>
-#include <nlohmann/json.hpp>
-
+#include "labmouse/lab/record_fields.hpp"
 #include "labmouse/lab/record_file.hpp"
+#include "labmouse/lab/record_reasons.hpp"
 #include "labmouse/mouse/motion.hpp"
 
 namespace labmouse {
 namespace {
 
 using Json = nlohmann::json;
+using Fields = RecordFields;
 
 // Limits on what a hostile file can make us hold.
 constexpr int longest_record = 1'000'000;  // steps
 constexpr std::size_t most_counts = 64;
 constexpr std::size_t longest_count_name = 64;
 constexpr std::int64_t largest_count = std::int64_t{1} << 53U;  // what every JSON reader keeps exactly
-
-/// Reads values out of one line's object and remembers the first that is missing or wrong.
-class Fields {
- public:
-  Fields(const Json& json, std::string path) : json_(json), path_(std::move(path)) {
-    if (!json.is_object()) fail("is not an object");
-  }
-
-  const std::string& error() const { return error_; }
-  bool has(const char* key) const { return json_.is_object() && json_.contains(key); }
-  void fail(const std::string& reason) {
-    if (error_.empty()) error_ = path_.empty() ? "the line " + reason : fmt::format("'{}' {}", path_, reason);
-  }
-
-  std::string text(const char* key) {
-    const Json& value = get(key);
-    if (value.is_string()) return value.get<std::string>();
-    return wrong(key, "is not a text"), "";
-  }
-  int whole(const char* key, int low, int high) { return whole(get(key), key, low, high); }
-  bool flag(const char* key) {
-    const Json& value = get(key);
-    if (value.is_boolean()) return value.get<bool>();
-    return wrong(key, "is neither true nor false"), false;
-  }
-  Cell cell(const char* key) { return cell(get(key), key); }
-  Heading heading(const char* key) {
-    const std::string name = text(key);
-    for (const Heading heading : all_headings)
-      if (name_of(heading) == name) return heading;
-    return wrong(key, "is none of north, east, south, west"), Heading::north;
-  }
-  const Json& list(const char* key) {
-    static const Json none = Json::array();
-    const Json& value = get(key);
-    if (value.is_array()) return value;
-    return wrong(key, "is not a list"), none;
-  }
-  int whole(const Json& value, const char* key, int low, int high) {
-    if (!value.is_number_integer()) return wrong(key, "is not a whole number"), low;
-    const bool fits = value.is_number_unsigned()
-                          ? value.get<std::uint64_t>() <= static_cast<std::uint64_t>(std::numeric_limits<int>::max())
-                          : value.get<std::int64_t>() >= std::numeric_limits<int>::min();
-    if (fits && value.get<std::int64_t>() >= low && value.get<std::int64_t>() <= high) return value.get<int>();
-    return wrong(key, fmt::format("is outside of {} to {}", low, high)), low;
-  }
-  Cell cell(const Json& value, const char* key) {
-    if (!value.is_array() || value.size() != 2) return wrong(key, "is not a cell [x, y]"), Cell();
-    return {whole(value[0], key, 0, max_side - 1), whole(value[1], key, 0, max_side - 1)};
-  }
-
- private:
-  const Json& get(const char* key) {
-    static const Json nothing;
-    if (has(key)) return json_[key];
-    return wrong(key, "is missing"), nothing;
-  }
-  void wrong(const char* key, std::string_view reason) {
-    if (error_.empty()) error_ = fmt::format("'{}{}{}' {}", path_, path_.empty() ? "" : ".", key, reason);
-  }
-
-  const Json& json_;
-  std::string path_;
-  std::string error_;
-};
 
 /// Reads the maze of a header; on failure the fields hold the error.
 std::optional<Maze> read_record_maze(Fields& fields) {
@@ -164,7 +99,8 @@ std::string read_step(const Json& json, RecordFile& file) {
   if (step.step != static_cast<int>(file.run.steps.size()) + 1)
     fields.fail(fmt::format("has step {} where step {} is due", step.step, file.run.steps.size() + 1));
   file.run.steps.push_back(step);
-  return fields.error();
+  if (!fields.has("reasons") || !fields.error().empty()) return fields.error();
+  return read_reasons(json["reasons"], file.maze->size(), file.run.reasons.emplace_back(StepReasons{step.step, {}}).reasons);
 }
 
 bool is_count(const Json& value) {

@@ -16,8 +16,9 @@ ReplayResult replay(const RecordFile& file, const Maze& maze) {
   // A record without its last line may stop anywhere: play as far as it goes.
   if (!file.ended) rules.budget = std::min(rules.budget, static_cast<int>(file.run.steps.size()));
   ReplayResult result{run(maze, rules, script), ""};
-  // What the mouse counted cannot be played again, so it is taken as it stands.
+  // What the mouse counted and thought cannot be played again, so it is taken as it stands.
   result.run.counts = file.run.counts;
+  result.run.reasons = file.run.reasons;
   const auto& played = result.run.steps;
   for (std::size_t i = 0; i < file.run.steps.size(); ++i) {
     if (i >= played.size()) {

@@ -2,6 +2,7 @@
 
 #include "labmouse/contest/score.hpp"
 #include "labmouse/lab/record_file.hpp"
+#include "labmouse/lab/record_reasons.hpp"
 #include "labmouse/lab/settings_json.hpp"
 #include "labmouse/lab/version.hpp"
 
@@ -84,7 +85,12 @@ std::string line(const Json& json) { return json.dump(-1, ' ', false, Json::erro
 
 std::string write_record(const RecordFile& file) {
   std::string text = line(header_json(file));
-  for (const StepRecord& step : file.run.steps) text += line(step_json(step));
+  auto reasons = file.run.reasons.begin();
+  for (const StepRecord& step : file.run.steps) {
+    Json json = step_json(step);
+    if (reasons != file.run.reasons.end() && reasons->step == step.step) json["reasons"] = reasons_json(reasons++->reasons);
+    text += line(json);
+  }
   return text + line(end_json(file));
 }
 

@@ -5,45 +5,21 @@
 
 #include <sstream>
 
-#include "labmouse/contest/simulator.hpp"
-#include "labmouse/lab/race_files.hpp"
 #include "labmouse/contest/script.hpp"
-#include "tests/lab/race_fixture.hpp"
+#include "tests/lab/record_fixture.hpp"
 
 namespace labmouse {
 namespace {
 
+using test::changed;
+using test::problem;
+using test::read;
+using test::recorded;
 using ::testing::HasSubstr;
-
-/// The record of a mouse in a maze, as a file.
-RecordFile recorded(std::string_view spec, const NamedMaze& maze = test::loop(), std::uint64_t seed = 1) {
-  const Contestant mouse = test::mice(spec).front();
-  return record_file_of(mouse, maze, Rules(), seed, run(maze.maze, Rules(), *mouse.make(maze.maze, Rules(), seed)));
-}
-
-RecordFile read(const std::string& text) {
-  ReadRecordResult result = read_record(text);
-  if (!result.file) ADD_FAILURE() << result.problems.front().line << ": " << result.problems.front().reason;
-  return result.file ? *result.file : RecordFile();
-}
-
-Problem problem(const std::string& text) {
-  const ReadRecordResult result = read_record(text);
-  EXPECT_FALSE(result.file.has_value());
-  EXPECT_FALSE(result.problems.empty());
-  return result.problems.empty() ? Problem() : result.problems.front();
-}
 
 std::string disagreement(const std::string& text) {
   const RecordFile file = read(text);
   return file.maze ? replay(file, *file.maze).disagreement : "not read";
-}
-
-/// The text with the first `from` replaced, which must be there.
-std::string changed(std::string text, std::string_view from, std::string_view to) {
-  const auto at = text.find(from);
-  if (at == std::string::npos) ADD_FAILURE() << "the record has no " << from << ":\n" << text;
-  return at == std::string::npos ? text : text.replace(at, from.size(), to);
 }
 
 /// The first lines of a text.
