@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "command.hpp"
+#include "explain.hpp"
 #include "labmouse/lab/race_files.hpp"
 #include "records.hpp"
 #include "walk.hpp"
@@ -13,6 +14,7 @@ namespace {
 
 struct ReplayOptions {
   std::string file, maze, svg;
+  ExplainOptions explain;
   bool watch = false;
   int delay = 60;
 };
@@ -29,6 +31,7 @@ int replay_file(const ReplayOptions& options) {
     watch(file, options.delay);
   else
     print(summary_of(file));
+  explain(file, options.explain, "The record has no reasons; `labmouse run` with --explain and --record keeps them.");
   if (!options.svg.empty()) save(options.svg, picture_of(file));
   return exit_good;
 }
@@ -48,6 +51,7 @@ void add_replay(CLI::App& app, int& exit) {
   CLI::App* command = app.add_subcommand("replay", "Play a record again and check that it agrees with its maze");
   command->add_option("file", options->file, "Record")->required()->type_name("FILE");
   command->add_option("--maze", options->maze, "Play it in this maze in place of the record's own")->type_name("MAZE");
+  add_explain(*command, options->explain);
   command->add_flag("--watch", options->watch, "Draw it step by step");
   command->add_option("--delay", options->delay, "Milliseconds a step stays on the screen")->check(CLI::Range(0, 60'000))->capture_default_str();
   command->add_option("--svg", options->svg, "Save a picture")->type_name("FILE");

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "command.hpp"
+#include "explain.hpp"
 #include "labmouse/contest/simulator.hpp"
 #include "labmouse/lab/contestants.hpp"
 #include "labmouse/lab/race_files.hpp"
@@ -16,6 +17,7 @@ struct RunOptions {
   std::string mouse, maze, svg, record;
   Places places;
   Rules rules;
+  ExplainOptions explain;
   std::uint64_t seed = 1;
   bool watch = false;
   int delay = 60;
@@ -29,11 +31,13 @@ void run_contest(const RunOptions& options) {
   const NamedMaze maze = find_maze(options.maze, options.places);
   const Rules& rules = options.rules;
   const auto mind = mouse.make(maze.maze, rules, options.seed);
+  if (options.explain.wanted) mind->keep_reasons();
   const RecordFile file = record_file_of(mouse, maze, rules, options.seed, labmouse::run(maze.maze, rules, *mind));
   if (options.watch)
     watch(file, options.delay);
   else
     print(summary_of(file));
+  explain(file, options.explain, mouse.name + " kept no reasons.");
   if (!options.record.empty()) save(options.record, write_record(file));
   if (!options.svg.empty()) save(options.svg, picture_of(file));
 }
@@ -48,10 +52,11 @@ void add_run(CLI::App& app, int& exit) {
   add_places(*command, options->places);
   add_budget(*command, options->rules);
   command->add_option("--seed", options->seed, "Seed of a mouse that throws dice")->check(seed_number())->capture_default_str();
+  add_explain(*command, options->explain);
   command->add_flag("--watch", options->watch, "Draw it step by step");
   command->add_option("--delay", options->delay, "Milliseconds a step stays on the screen")->check(CLI::Range(0, 60'000))->capture_default_str();
   command->add_option("--svg", options->svg, "Save a picture")->type_name("FILE");
-  command->add_option("--record", options->record, "Save the record")->type_name("FILE");
+  command->add_option("--record", options->record, "Save the record, with --explain also the reasons")->type_name("FILE");
   command->footer("Example: labmouse run certify capstone-1 --watch --svg walk.svg");
   command->callback([options, &exit] {
     run_contest(*options);
