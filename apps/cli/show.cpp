@@ -1,12 +1,14 @@
 // labmouse show: a maze, or what a record tells, as a picture of chosen layers.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "command.hpp"
 #include "labmouse/lab/bounds.hpp"
 #include "labmouse/lab/drawing.hpp"
 #include "labmouse/lab/layers.hpp"
+#include "labmouse/lab/printable.hpp"
 #include "labmouse/lab/race_files.hpp"
 #include "records.hpp"
 
@@ -17,6 +19,7 @@ struct ShowOptions {
   std::string maze, record, svg;
   std::vector<std::string> layers;
   Places places;
+  int step = 0;  ///< 0 for all of the record
   bool distances = false, no_route = false, no_coordinates = false;
 };
 
@@ -40,8 +43,9 @@ void tell_left_out(const ShowOptions& options, const LayerSet& layers) {
     if (needs_svg(layer, colours())) names.push_back(name_of(layer));
   if (options.layers.empty() || names.empty()) return;
   const bool one = names.size() == 1;
+  const bool colours_help = std::none_of(layers.begin(), layers.end(), [](Layer layer) { return needs_svg(layer, true); });
   tell(fmt::format("not drawn here: layer{} {} need{} --svg FILE{}\n", one ? "" : "s", fmt::join(names, ", "), one ? "s" : "",
-             layers.contains(Layer::shares) ? "" : " or a terminal with colours"));
+             colours_help ? " or a terminal with colours" : ""));
 }
 
 void draw(const ShowOptions& options, const Maze& maze, const LayerSet& chosen, const DrawingLayers& layers) {
@@ -68,17 +72,36 @@ void show_maze(const ShowOptions& options) {
   draw(options, maze.maze, chosen, layers);
 }
 
+/// Cuts the record after the step asked for. Returns how far that is, as a title.
+std::string cut_at(RecordFile& file, int step) {
+  const auto steps = file.run.steps.size();
+  if (step > static_cast<int>(steps)) throw UsageError(fmt::format("error: the record has {} steps, so no step {}", steps, step));
+  file = as_of(std::move(file), step);
+  return fmt::format("{} in {}: step {} of {}", file.mouse, file.maze_name, step, steps);
+}
+
+/// Takes the layers away for which the record has nothing, and tells of those asked for by name.
+void drop_missing(const ShowOptions& options, const DrawingLayers& layers, LayerSet& chosen) {
+  const auto drop = [&](Layer layer, bool there, const char* why) {
+    if (there || chosen.erase(layer) == 0 || options.layers.empty()) return;
+    tell(fmt::format("not drawn: layer {}, since the record has {}\n", name_of(layer), why));
+  };
+  drop(Layer::path, !layers.route.empty(), "no speed run");
+  drop(Layer::candidates, layers.candidates.has_value(),
+       options.step > 0 ? "no reasons up to there" : "no reasons; `labmouse run` with --explain and --record keeps them");
+}
+
 int show_record(const ShowOptions& options) {
-  const LayerSet chosen = chosen_layers(options, contest_layers());
+  LayerSet chosen = chosen_layers(options, contest_layers());
   RecordFile file = load_record(options.record);
   if (!re_enact(options.record, file)) return exit_finding;
+  const std::string cut = options.step > 0 ? cut_at(file, options.step) : "";
   DrawingLayers layers = layers_of(file, chosen);
-  if (!options.layers.empty() && chosen.contains(Layer::path) && layers.route.empty())
-    tell(fmt::format("not drawn: layer path, since the record has no speed run\n"));
+  drop_missing(options, layers, chosen);
   // On the terminal the result stands below, as it does after `run` and `replay`.
-  if (!options.svg.empty()) layers.title = title_of(file);
+  if (!options.svg.empty()) layers.title = cut.empty() ? title_of(file) : cut;
   draw(options, *file.maze, chosen, layers);
-  if (options.svg.empty()) print(result_line(file) + "\n");
+  if (options.svg.empty()) print((cut.empty() ? result_line(file) : shown(cut)) + "\n");
   return exit_good;
 }
 
@@ -87,6 +110,7 @@ int show(const ShowOptions& options) {
   if (options.maze.empty() == options.record.empty())
     throw UsageError("error: `show` takes either a maze or --record FILE");
   if (!options.record.empty() && places) throw UsageError("error: --start and --goal are for mazes; a record has its own");
+  if (options.record.empty() && options.step > 0) throw UsageError("error: --step is for records; name one with --record FILE");
   if (!options.record.empty()) return show_record(options);
   show_maze(options);
   return exit_good;
@@ -110,6 +134,7 @@ void add_show(CLI::App& app, int& exit) {
   command->add_option("--record", options->record, "Draw this record in place of a maze")->type_name("FILE");
   command->add_option("--layer", options->layers, "Draw these layers in place of the usual ones")
       ->type_name("NAME,...")->expected(1)->take_all();
+  command->add_option("--step", options->step, "Draw the record as far as this step")->check(CLI::Range(1, 1'000'000));
   command->add_option("--svg", options->svg, "Save a picture in place of drawing in the terminal")->type_name("FILE");
   command->add_flag("--distances", options->distances, "Steps from each cell to the goal");
   command->add_flag("--no-route", options->no_route, "Leave the path out");

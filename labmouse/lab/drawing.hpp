@@ -40,6 +40,9 @@ struct DrawingLayers {
   std::optional<ExplorationLegs> exploration;
   /// The cells that an exploration visited and those that it discovered, shaded in two tones (in text only the shares).
   std::optional<ExploredCells> explored;
+  /// The candidates of a choice: dashes along the walls with the costs of their runs in steps, the chosen one stronger,
+  /// those that were not worth the way weaker (not in text).
+  std::optional<StepReasons> candidates;
   /// Where the mouse stands now.
   std::optional<Pose> mouse;
   std::string title;

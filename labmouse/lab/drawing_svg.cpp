@@ -43,6 +43,8 @@ std::string description_of(const Scene& scene) {
   if (scene.layers.wrong) text += fmt::format(" {}.", wrong_words(*scene.layers.wrong));
   if (const auto& explored = scene.layers.explored)
     text += fmt::format(" {}, {}.", visited_words(*explored), discovered_words(*explored));
+  if (const auto& choice = scene.layers.candidates)
+    text += fmt::format(" {}; {}.", candidates_words(*choice), chosen_words(choice->reasons));
   return text;
 }
 
@@ -56,6 +58,7 @@ std::vector<Tone> tones_of(const DrawingLayers& layers) {
   std::vector<Tone> tones;
   if (layers.exploration) tones.insert(tones.end(), {to_goal, onwards});
   if (layers.wrong) tones.push_back(wrong);
+  if (layers.candidates) tones.push_back(candidate);
   if (layers.explored) tones.insert(tones.end(), {discovered, visited});
   return tones;
 }
@@ -69,8 +72,8 @@ std::string draw_svg(const Maze& maze, const DrawingLayers& layers) {
   const Sheet sheet = {width_of(scene), legend.bottom() + margin / 2, layers.title.empty() ? "Maze" : layers.title,
                        description_of(scene), tones_of(layers)};
   return sheet.with(heading_svg({scene.frame.origin.x, margin + 14}, right, layers.title) + floor_svg(scene) +
-                    walls_svg(scene) + exploration_svg(scene) + labels_svg(scene) + route_svg(scene) + mouse_svg(scene) +
-                    coordinates_svg(scene) + legend.svg());
+                    walls_svg(scene) + exploration_svg(scene) + labels_svg(scene) + route_svg(scene) + candidates_svg(scene) +
+                    mouse_svg(scene) + coordinates_svg(scene) + legend.svg());
 }
 
 }  // namespace labmouse

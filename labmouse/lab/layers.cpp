@@ -20,7 +20,7 @@ struct LayerLine {
   bool of_a_record;
 };
 
-constexpr std::array<LayerLine, 9> lines = {{
+constexpr std::array<LayerLine, 10> lines = {{
     {"heat", "how often the exploration came into each cell", true},
     {"path", "the speed run with its steps numbered; of a maze alone a shortest run", false},
     {"exploration", "the way of the exploration: to the goal, and from there to the reset", true},
@@ -30,6 +30,7 @@ constexpr std::array<LayerLine, 9> lines = {{
     {"distances", "steps from each cell to the goal", false},
     {"cells", "cells walked from each cell to the goal", false},
     {"coordinates", "the numbers of columns and rows", false},
+    {"candidates", "unseen walls among which it chose last, if it kept its reasons", true},
 }};
 
 const LayerLine& line_of(Layer layer) { return lines[static_cast<std::size_t>(layer)]; }
@@ -111,12 +112,15 @@ std::string_view meaning_of(Layer layer) { return line_of(layer).meaning; }
 
 const LayerSet& all_layers() {
   static const LayerSet all = {Layer::heat,   Layer::path,      Layer::exploration, Layer::known,      Layer::wrong,
-                               Layer::shares, Layer::distances, Layer::cells,       Layer::coordinates};
+                               Layer::shares, Layer::distances, Layer::cells,       Layer::coordinates,
+                               Layer::candidates};
   return all;
 }
 
 bool needs_record(Layer layer) { return line_of(layer).of_a_record; }
-bool needs_svg(Layer layer, bool colours) { return layer == Layer::shares || (layer == Layer::heat && !colours); }
+bool needs_svg(Layer layer, bool colours) {
+  return layer == Layer::shares || layer == Layer::candidates || (layer == Layer::heat && !colours);
+}
 
 LayersResult read_layers(std::string_view names) {
   LayersResult result;
@@ -151,7 +155,24 @@ DrawingLayers layers_of(const RecordFile& file, const LayerSet& chosen) {
     *layers.wrong -= maze.open_walls();
   }
   if (chosen.contains(Layer::shares)) layers.explored = explored_cells(file.run, maze);
+  if (chosen.contains(Layer::candidates) && !file.run.reasons.empty()) {
+    layers.candidates = file.run.reasons.back();
+    layers.mouse = file.run.steps[static_cast<std::size_t>(layers.candidates->step) - 1].pose;
+  }
   return layers;
+}
+
+RecordFile as_of(RecordFile file, int step) {
+  RunRecord& run = file.run;
+  const auto count = static_cast<std::size_t>(step);
+  if (count >= run.steps.size()) return file;
+  run.end = run.steps[count].pose;
+  run.steps.resize(count);
+  run.outcome = Outcome::out_of_steps;
+  run.counts.clear();
+  std::erase_if(run.reasons, [&](const StepReasons& reasons) { return reasons.step > step; });
+  file.ended = false;
+  return file;
 }
 
 const LayerSet& contest_layers() {

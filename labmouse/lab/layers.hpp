@@ -20,6 +20,7 @@ enum class Layer : std::uint8_t {
   distances,    ///< steps to the goal in each cell
   cells,        ///< the same in cells walked
   coordinates,  ///< the numbers of columns and rows
+  candidates,   ///< the unseen walls among which the mouse chose last, for a record with reasons
 };
 
 using LayerSet = std::set<Layer>;
@@ -47,6 +48,9 @@ DrawingLayers layers_of(const Maze& maze, const Rules& rules, const LayerSet& ch
 /// The layers of a record that has a maze and agrees with it. A record that was cut, or whose mouse never went back to
 /// the start, is drawn as far as it goes: up to there it counts as the exploration.
 DrawingLayers layers_of(const RecordFile& file, const LayerSet& chosen);
+
+/// The record as it was after that step (1 or more): cut there, so that the layers show what was known and chosen by then.
+RecordFile as_of(RecordFile file, int step);
 
 /// The layers of the picture that every contest leaves: the speed run over the visits of the exploration.
 const LayerSet& contest_layers();

@@ -14,6 +14,17 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
+/// Three candidates of step 12: a chosen wall, one that is not worth it, and the goal.
+StepReasons choice() {
+  Reasons reasons;
+  reasons.candidates = {{{{1, 1}, Heading::east}, {1, 1}, false, 523, 2, true, 604},
+                        {{{0, 0}, Heading::north}, {0, 0}, false, 1000, 2, false, 1060},
+                        {{}, {1, 1}, true, 300, 1, true, 700}};
+  reasons.chosen = 0;
+  reasons.way_here = 0.5;
+  return {12, reasons};
+}
+
 DrawingLayers all_layers() {
   DrawingLayers layers;
   layers.coordinates = true;
@@ -26,6 +37,7 @@ DrawingLayers all_layers() {
   layers.wrong = WallSet::all({3, 3});
   layers.exploration = exploration();
   layers.explored = explored();
+  layers.candidates = choice();
   layers.mouse = Pose{{2, 2}, Heading::west};
   return layers;
 }
@@ -135,10 +147,36 @@ TEST(SvgDrawing, HeatLeavesARimOfTheExploredCells) {
   EXPECT_EQ(path_after(draw_svg(ring(), layers), "class=\"fill-heat1\""), "M65 65h30v30h-30z");
 }
 
+TEST(SvgDrawing, CandidatesAreDashesWithTheirRunsAndTheChosenOneALine) {
+  DrawingLayers layers;
+  layers.candidates = choice();
+  const std::string svg = draw_svg(ring(), layers);
+  EXPECT_THAT(svg, HasSubstr("stroke-width=\"7\" d=\"M100 60v40\"/>"));
+  EXPECT_THAT(svg, HasSubstr("stroke-width=\"4\" stroke-dasharray=\"6 4\" stroke-opacity=\"0.5\" d=\"M20 100h40\"/>"));
+  EXPECT_THAT(svg, HasSubstr("stroke-width=\"4\" stroke-dasharray=\"6 4\" d=\"M65 65h30v30h-30z\"/>"));
+  EXPECT_THAT(svg, HasSubstr("<text x=\"100\" y=\"83\" font-weight=\"700\">17.4</text><text x=\"40\" y=\"103\">33.3</text>"
+                             "<text x=\"80\" y=\"98\">5.0</text>"));
+  EXPECT_THAT(svg, HasSubstr(">3 candidates of step 12, with ways ahead in steps<"));
+  EXPECT_THAT(svg, HasSubstr(">chosen: 17.4<"));
+}
+
+TEST(SvgDrawing, CandidatesOfWhichNoneWasChosenSaySo) {
+  DrawingLayers layers;
+  layers.candidates = choice();
+  layers.candidates->reasons.chosen = -1;
+  layers.candidates->reasons.way_here = 1;
+  const std::string svg = draw_svg(ring(), layers);
+  EXPECT_THAT(svg, HasSubstr(">3 candidates of step 12, with runs in steps<"));
+  EXPECT_THAT(svg, HasSubstr(">none chosen<"));
+  EXPECT_THAT(svg, HasSubstr(" 3 candidates of step 12, with runs in steps; none chosen.</desc>"));
+  EXPECT_THAT(svg, Not(HasSubstr("font-weight=\"700\"")));
+}
+
 TEST(SvgDrawing, DarkGroundHasRulesForEveryColourOfALayer) {
   const std::string bare = draw_svg(ring(), {});
   const std::string full = draw_svg(ring(), all_layers());
-  for (const auto* rule : {".stroke-to-goal{", ".stroke-onwards{", ".stroke-wrong{", ".fill-visited{", ".fill-discovered{"}) {
+  for (const auto* rule : {".stroke-to-goal{", ".stroke-onwards{", ".stroke-wrong{", ".fill-visited{", ".fill-discovered{",
+                            ".stroke-candidate{"}) {
     EXPECT_THAT(full, HasSubstr(rule));
     EXPECT_THAT(bare, Not(HasSubstr(rule)));
   }
@@ -167,7 +205,7 @@ TEST(SvgDrawing, RouteLeavesTheMiddleOnlyWhereItComesAgain) {
 TEST(SvgDrawing, LegendNamesOnlyWhatIsShown) {
   const std::string bare = draw_svg(ring(), {});
   for (const auto* words : {">unknown wall<", ">mouse<", "visits to a cell<", ">columns<", "visited (", "discovered (", "steps to the goal<",
-                            "wrong guesses: "}) {
+                            "wrong guesses: ", "candidates of step"}) {
     EXPECT_THAT(bare, Not(HasSubstr(words)));
     EXPECT_THAT(draw_svg(ring(), all_layers()), HasSubstr(words));
   }

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "labmouse/contest/score.hpp"
 #include "labmouse/contest/script.hpp"
 #include "labmouse/contest/simulator.hpp"
 #include "tests/lab/drawing_samples.hpp"
@@ -18,7 +19,7 @@ TEST(Layers, AreReadFromTheirNames) {
     EXPECT_EQ(read_layers(name_of(layer)).layers, LayerSet{layer});
     EXPECT_NE(meaning_of(layer), "");
   }
-  EXPECT_EQ(all_layers().size(), 9U);
+  EXPECT_EQ(all_layers().size(), 10U);
 }
 
 TEST(Layers, AreRefusedWithTheNearestName) {
@@ -93,6 +94,38 @@ TEST(Layers, KnowledgeOfTheSpeedRunDoesNotCount) {
   const RecordFile shorter = recorded(exploration, empty({3, 3})), longer = recorded(both, empty({3, 3}));
   EXPECT_EQ(layers_of(longer, {Layer::known}).unknown, layers_of(shorter, {Layer::known}).unknown);
   EXPECT_EQ(longer.run.steps.back().run, Run::speed);
+}
+
+/// With a choice in the first step and one in the fourth.
+RecordFile reasoned() {
+  RecordFile file = there_and_back();
+  file.run.reasons = {{1, {}}, {4, {}}};
+  return file;
+}
+
+TEST(Layers, CandidatesAreThoseOfTheLastChoiceWithTheMouseThere) {
+  const DrawingLayers layers = layers_of(reasoned(), {Layer::candidates});
+  EXPECT_EQ(layers.candidates->step, 4);
+  EXPECT_EQ(layers.mouse, goal);
+  EXPECT_FALSE(layers_of(reasoned(), {Layer::heat}).candidates);
+  EXPECT_FALSE(layers_of(reasoned(), {Layer::heat}).mouse);
+  EXPECT_FALSE(layers_of(there_and_back(), {Layer::candidates}).candidates);
+}
+
+TEST(Layers, OfAnEarlierStepShowWhatWasSoThen) {
+  const RecordFile third = as_of(reasoned(), 3);
+  EXPECT_EQ(layers_of(third, {Layer::candidates}).candidates->step, 1);
+  EXPECT_EQ(layers_of(third, {Layer::exploration}).exploration->to_goal, way_to_goal());
+  EXPECT_TRUE(layers_of(third, {Layer::path}).route.empty());
+  EXPECT_FALSE(third.ended);
+  EXPECT_EQ(score(third.run, third.rules).value, std::nullopt);
+  EXPECT_EQ(layers_of(as_of(reasoned(), 4), {Layer::candidates}).candidates->step, 4);
+}
+
+TEST(Layers, OfTheLastStepAreThoseOfTheRecord) {
+  const RecordFile all = as_of(reasoned(), 9);
+  EXPECT_EQ(all.run, reasoned().run);
+  EXPECT_TRUE(all.ended);
 }
 
 TEST(Layers, DistancesAreStepsAndCellsAreCells) {

@@ -32,6 +32,7 @@ inline constexpr Tone route = {"route", "#d55e00", "#ff9147"};
 inline constexpr Tone to_goal = {"to-goal", "#0072b2", "#56b4e9"};
 inline constexpr Tone onwards = {"onwards", "#00805d", "#3fd0a3"};
 inline constexpr Tone wrong = {"wrong", "#b8418c", "#f08fc8"};
+inline constexpr Tone candidate = {"candidate", "#a86a00", "#f0b648"};
 inline constexpr Tone discovered = {"discovered", "#f1ede7", "#2e2a23"};
 inline constexpr Tone visited = {"visited", "#d8cfc2", "#50483c"};
 /// From one visit to the most.

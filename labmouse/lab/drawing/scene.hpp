@@ -40,6 +40,8 @@ std::string exploration_svg(const Scene& scene);
 std::string labels_svg(const Scene& scene);
 /// The numbers of columns and rows, outside of the maze.
 std::string coordinates_svg(const Scene& scene);
+/// The walls among which the mouse chose, with the costs of their runs.
+std::string candidates_svg(const Scene& scene);
 /// The walk, and a numbered dot at the end of each step.
 std::string route_svg(const Scene& scene);
 /// The mouse where it stands.
@@ -48,6 +50,10 @@ std::string mouse_svg(const Scene& scene);
 /// The rows of samples with words under the maze.
 Legend legend_of(const Scene& scene, Point begin, int right);
 
+/// The data of a path along a wall.
+std::string segment(const Frame& frame, Wall wall);
+/// A line along the wall of a candidate, which was chosen, or worth its way, or neither.
+std::string candidate_svg(const std::string& path, bool chosen, bool worth);
 /// The data of a path through points.
 std::string path_through(const std::vector<Point>& points);
 /// A dot with the number of a step; `about` is its tooltip.

@@ -49,6 +49,11 @@ void add_explored(Legend& legend, const ExploredCells& explored) {
   legend.add(36, discovered_swatch(), discovered_words(explored));
 }
 
+void add_candidates(Legend& legend, const StepReasons& choice) {
+  legend.add(28, candidate_svg("M0 0h28", false, true), candidates_words(choice));
+  legend.add(28, candidate_svg("M0 0h28", true, true), chosen_words(choice.reasons));
+}
+
 }  // namespace
 
 Legend legend_of(const Scene& scene, Point begin, int right) {
@@ -61,6 +66,7 @@ Legend legend_of(const Scene& scene, Point begin, int right) {
   if (scene.layers.explored) add_explored(legend, *scene.layers.explored);
   if (scene.layers.wrong) legend.add(28, wall_svg(wrong, "M0 0h28"), wrong_words(*scene.layers.wrong));
   if (scene.layers.unknown) legend.add(28, unknown_svg("M0 0h28"), "unknown wall");
+  if (scene.layers.candidates) add_candidates(legend, *scene.layers.candidates);
   if (scene.layers.mouse) legend.add(22, mouse_svg(Point{11, 0}, Heading::north), "mouse");
   if (scene.layers.label && !scene.layers.label_meaning.empty())
     legend.add(22, fmt::format("<text y=\"5\" font-size=\"12\" {}>123</text>", fill(ink)), scene.layers.label_meaning);

@@ -11,13 +11,6 @@
 namespace labmouse::drawing {
 namespace {
 
-/// The path data of one wall.
-std::string segment(const Frame& frame, Wall wall) {
-  const Point corner = frame.corner(wall.cell);
-  if (wall.side == Heading::north) return fmt::format("M{} {}h{}", corner.x, corner.y, Frame::cell);
-  return fmt::format("M{} {}v{}", corner.x + Frame::cell, corner.y, Frame::cell);
-}
-
 std::string posts(const Frame& frame) {
   std::string path;
   for (int y = frame.origin.y; y <= frame.bottom(); y += Frame::cell)
@@ -67,6 +60,12 @@ std::string numbers(int count, int every, Place place) {
 }
 
 }  // namespace
+
+std::string segment(const Frame& frame, Wall wall) {
+  const Point corner = frame.corner(wall.cell);
+  if (wall.side == Heading::north) return fmt::format("M{} {}h{}", corner.x, corner.y, Frame::cell);
+  return fmt::format("M{} {}v{}", corner.x + Frame::cell, corner.y, Frame::cell);
+}
 
 std::string unknown_svg(const std::string& path) {
   if (path.empty()) return "";

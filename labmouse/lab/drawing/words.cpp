@@ -44,4 +44,20 @@ std::string wrong_words(const WallSet& walls) {
   return counted(walls.count(), "wrong guess", "wrong guesses") + ": closed, never seen";
 }
 
+std::string through_words(const Candidate& candidate, const Reasons& reasons) {
+  const double cost = candidate.goal ? reasons.way_here * candidate.through : candidate.through;
+  return fmt::format("{:.1f}", cost / costs_a_step);
+}
+
+std::string candidates_words(const StepReasons& choice) {
+  return counted(static_cast<int>(choice.reasons.candidates.size()), "candidate", "candidates") +
+         fmt::format(" of step {}, with {} in steps", choice.step, choice.reasons.way_here < 1 ? "ways ahead" : "runs");
+}
+
+std::string chosen_words(const Reasons& reasons) {
+  if (reasons.chosen < 0) return "none chosen";
+  const Candidate& chosen = reasons.candidates[static_cast<std::size_t>(reasons.chosen)];
+  return "chosen: " + through_words(chosen, reasons);
+}
+
 }  // namespace labmouse::drawing

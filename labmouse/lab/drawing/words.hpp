@@ -22,5 +22,11 @@ std::string visited_words(const ExploredCells& explored);
 std::string discovered_words(const ExploredCells& explored);
 /// "3 wrong guesses: closed, never seen".
 std::string wrong_words(const WallSet& walls);
+/// "14 candidates of step 12, with their runs in steps".
+std::string candidates_words(const StepReasons& choice);
+/// "chosen: a run of 17.4 steps" (or what is left of it from the wall on), or that none was.
+std::string chosen_words(const Reasons& reasons);
+/// A candidate's run as a number of steps, "17.4".
+std::string through_words(const Candidate& candidate, const Reasons& reasons);
 
 }  // namespace labmouse::drawing
