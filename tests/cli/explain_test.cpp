@@ -79,6 +79,7 @@ TEST_F(AUser, SeesARecordAsFarAsAStep) {
   const Ended shown = labmouse({"show", "--record", "walk.jsonl", "--layer", "exploration", "--step", "19"});
   EXPECT_EQ(shown.err, "");
   EXPECT_THAT(shown.out, EndsWith("+ 19 steps, no goal entered\nflood in capstone-1: step 19 of 52\n"));
+  EXPECT_THAT(labmouse({"show", "--record", "walk.jsonl", "--step", "52"}).out, EndsWith(": step 52 of 52\n"));
   is_refused({"show", "--record", "walk.jsonl", "--step", "53"}, "error: the record has 52 steps, so no step 53");
   is_refused({"show", "--record", "walk.jsonl", "--step", "0"}, "--step");
   is_refused({"show", "capstone-1", "--step", "3"}, "error: --step is for records; name one with --record FILE");

@@ -132,6 +132,16 @@ TEST(Explanation, TellsWhereNoWallIsLeft) {
                                                 "No unseen wall is left through which another could lead.\n"));
 }
 
+TEST(Explanation, OfEqualHopesNamesTheNearest) {
+  RecordFile file = explained();
+  Candidate far = candidate({{0, 1}, Heading::north}, 92, 100);
+  far.travel = 2;
+  far.worth = false;
+  auto& candidates = file.run.reasons.back().reasons.candidates;
+  candidates.insert(candidates.begin(), far);
+  EXPECT_THAT(explanation_of(file, 5), HasSubstr("The best hope: 3.07 through (2,0) north; "));
+}
+
 TEST(Explanation, TellsOfAForfeit) {
   RecordFile file = explained();
   file.run.steps.resize(4);
