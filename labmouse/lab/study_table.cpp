@@ -4,7 +4,7 @@
 #include <array>
 
 #include "labmouse/lab/drawing/words.hpp"
-#include "labmouse/lab/printable.hpp"
+#include "labmouse/lab/left_out.hpp"
 #include "labmouse/lab/standings.hpp"
 #include "labmouse/lab/study.hpp"
 #include "labmouse/lab/version.hpp"
@@ -92,31 +92,6 @@ std::string learning_note(const Study& study) {
   return fmt::format("Taught anew for each fold, from the {} mazes of the others: {}.\n", sizes, names);
 }
 
-/// Names up to ten of what was left out; JSON has them all.
-std::string listed(const std::vector<std::string>& names) {
-  constexpr std::size_t most = 10;
-  std::string text;
-  for (std::size_t i = 0; i < std::min(most, names.size()); ++i) text += "  " + shown(names[i]) + "\n";
-  if (names.size() > most)
-    text += fmt::format("  ... and {} more, all of them in --format json\n", names.size() - most);
-  return text;
-}
-
-std::string left_out_notes(const Study& study) {
-  std::string notes;
-  std::vector<std::string> duplicates;
-  for (const Duplicate& duplicate : study.selection.duplicates)
-    duplicates.push_back(duplicate.name + " = " + duplicate.same_as);
-  if (!duplicates.empty())
-    notes += fmt::format("{} left out (the same walls, maybe turned or mirrored):\n{}",
-                         counted(duplicates.size(), "duplicate", "duplicates"), listed(duplicates));
-  const std::vector<std::string>& routeless = study.selection.routeless;
-  if (!routeless.empty())
-    notes += fmt::format("{} left out whose goal cannot be reached:\n{}", counted(routeless.size(), "maze", "mazes"),
-                         listed(routeless));
-  return notes;
-}
-
 std::string notes_of(const Study& study, std::size_t comparisons) {
   const Rules& rules = study.order.race.rules;
   std::string notes = fmt::format(
@@ -127,7 +102,7 @@ std::string notes_of(const Study& study, std::size_t comparisons) {
   if (comparisons > 1)
     notes += fmt::format("Each of the {} intervals holds by itself: of twenty, one misses by chance.\n", comparisons);
   if (study.mice.size() > most_in_all_pairs) notes += "Compared with the first mouse named only.\n";
-  notes += learning_note(study) + left_out_notes(study);
+  notes += learning_note(study) + left_out_notes(study.selection, ", all of them in --format json");
   if (std::any_of(study.race.mice.begin(), study.race.mice.end(), [](const Contestant& m) { return m.reference; }))
     notes += "* knows the maze: the bound's witness, not a contestant.\n";
   if (study.race.stopped)
