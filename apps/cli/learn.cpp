@@ -1,38 +1,54 @@
-// labmouse learn: what to expect of unseen walls, from a folder of mazes.
-#include <fmt/format.h>
-
+// labmouse learn: what to expect of unseen walls, counted in mazes.
 #include <memory>
 
 #include "command.hpp"
-#include "labmouse/lab/prior_learning.hpp"
+#include "contests.hpp"
+#include "labmouse/lab/lesson.hpp"
 
 namespace labmouse::cli {
 namespace {
+
 struct LearnOptions {
   std::vector<std::string> mazes;
   Places places;
   std::string out;
 };
+
+Lesson hold(std::vector<NamedMaze> mazes) {
+  Progress progress;
+  const Interruptible interruptible;
+  LessonHooks hooks;
+  hooks.stop = &interruptible.stopped();
+  hooks.finished = [&](std::size_t all) { progress.advance(all); };
+  return hold_lesson(std::move(mazes), Rules(), hooks);
+}
+
+int learn(const LearnOptions& options) {
+  MazeCollection mazes = find_mazes(options.mazes, options.places);
+  require_writable(options.out);
+  const Lesson lesson = hold(std::move(mazes.mazes));
+  if (!lesson.error.empty()) throw UsageError("error: " + lesson.error);
+  // A prior of the first few mazes is not worth an earlier file.
+  const bool stopped = lesson.done < lesson.selection.mazes.size();
+  if (!stopped) save(options.out, file_of(lesson));
+  print(summary_of(lesson));
+  return stopped ? exit_interrupted : exit_good;
+}
+
 }  // namespace
 
 void add_learn(CLI::App& app, int& exit) {
   auto options = std::make_shared<LearnOptions>();
-  CLI::App* command = app.add_subcommand("learn", "Learn what to expect of unseen walls");
-  command->add_option("mazes", options->mazes, "Maze files or folders")->required()->type_name("PATH");
-  command->add_option("-o,--out", options->out, "Where to save")->required()->type_name("FILE");
-  command->callback([options, &exit] {
-    const MazeCollection found = find_mazes(options->mazes, options->places);
-    std::vector<Maze> mazes;
-    for (const auto& m : found.mazes) mazes.push_back(m.maze);
-    const WallPrior prior = learn_prior(mazes, Rules());
-    std::string text = fmt::format("// labmouse prior 1\n// counted in {} mazes\n", mazes.size());
-    int column = 0;
-    const auto add = [&](std::uint8_t number) { text += fmt::format("{},{}", number, ++column % 27 == 0 ? "\n" : ""); };
-    for (const auto n : prior.walls) add(n);
-    for (const auto n : prior.rim) add(n);
-    save(options->out, text + "\n");
-    exit = exit_good;
-  });
+  CLI::App* command =
+      app.add_subcommand("learn", "Learn from mazes which walls to expect, for mice with a parameter 'prior'");
+  command
+      ->add_option("mazes", options->mazes,
+                   "Maze files, folders, patterns or names of built-in mazes; default: all built-in mazes")
+      ->type_name("MAZE");
+  add_places(*command, options->places);
+  command->add_option("-o,--out", options->out, "File to write, for ariadne:prior=FILE")->required()->type_name("FILE");
+  command->footer("Example: labmouse learn my-mazes/ -o my.prior && labmouse race --mice ariadne:prior=my.prior");
+  command->callback([options, &exit] { exit = learn(*options); });
 }
 
 }  // namespace labmouse::cli

@@ -12,26 +12,43 @@
 
 namespace labmouse {
 
-/// How often a wall turned out to be open and closed.
+/// How often an unseen wall turned out to be open and closed.
 struct WallCount {
   std::int64_t open = 0;
   std::int64_t closed = 0;
+
+  friend bool operator==(const WallCount&, const WallCount&) = default;
 };
 
-/// Counts of unseen walls by their context, along explorations: each wall once for each context that it had.
+/// Counts of unseen walls along explorations: each wall once for each state of its surroundings in which it was unseen.
+/// Walls between two goal cells do not count.
 struct PriorCounts {
-  std::array<WallCount, wall_contexts> walls{};  ///< by folded context
-  std::array<WallCount, 24> rim{};
+  std::array<WallCount, wall_contexts> walls{};  ///< by folded_context
+  std::array<WallCount, rim_contexts> rim{};     ///< of the rim of a goal room of 2×2 cells, by rim_context
 
-  /// Counts along one exploration of a maze.
+  /// Counts along the exploration of a maze; the speed run that may follow it does not count.
   void add(const Maze& maze, const RunRecord& record);
+  /// Explores a maze as the mouse does to which every unseen wall is equally dear, and counts. Where the goal cannot be
+  /// reached, that counts too, as far as the mouse comes.
+  void explore(const Maze& maze, const Rules& rules);
+
+  friend bool operator==(const PriorCounts&, const PriorCounts&) = default;
 };
 
-/// The reluctances of counts. A context that was seen rarely leans on the same without the two parallel walls, and that on
-/// the share of all walls: as if each had been seen a few times more with the share of the wider one.
+/// The reluctances of counts. A context that was seen rarely leans on the same without the two parallel walls, and that
+/// on the share of all walls: as if each had been seen a few times more with the share of the wider one. Where nothing
+/// was counted, a wall is as likely open as closed.
 WallPrior prior_of(const PriorCounts& counts);
 
-/// Explores every maze as the mouse does that finds every unseen wall equally dear, and counts.
-WallPrior learn_prior(std::span<const Maze> mazes, const Rules& rules);
+/// How well a prior foretells the walls that it was counted from, in nats a wall; 0 where none was counted.
+struct PriorFit {
+  std::int64_t walls = 0;  ///< as counted
+  double log_loss = 0.0;   ///< mean of -ln P(what the wall was), before P was rounded to a reluctance
+  double entropy = 0.0;    ///< the same by one P for all walls, their common share
+};
+PriorFit fit_of(const PriorCounts& counts);
+
+/// The prior that mazes teach. Their order makes no difference.
+WallPrior learn_prior(std::span<const Maze* const> mazes, const Rules& rules);
 
 }  // namespace labmouse

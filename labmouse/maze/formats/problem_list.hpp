@@ -20,6 +20,8 @@ class ProblemList {
   /// A reader may stop here: nothing more will be listed.
   bool full() const { return problems_.size() >= most_problems; }
 
+  const std::vector<Problem>& all() const { return problems_; }
+
   /// The result of a reading that failed; the list must not be empty.
   ReadResult failure() const { return {std::nullopt, problems_}; }
 

@@ -1,0 +1,75 @@
+#include "labmouse/lab/lesson.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "labmouse/lab/prior_file.hpp"
+#include "labmouse/maze/symmetry.hpp"
+#include "tests/lab/race_fixture.hpp"
+
+namespace labmouse {
+namespace {
+
+using ::testing::HasSubstr;
+
+Lesson lesson_of(std::vector<NamedMaze> mazes) { return hold_lesson(std::move(mazes), Rules()); }
+
+NamedMaze mirrored_loop() { return {"mirrored", transformed(test::loop().maze, {true, 1})}; }
+
+TEST(ALesson, GivesEqualBytesForEqualMazesInAnyOrder) {
+  const std::string file = file_of(lesson_of({test::loop(), test::hook(), test::corridor()}));
+  EXPECT_EQ(file_of(lesson_of({test::corridor(), test::loop(), test::hook()})), file);
+  EXPECT_NE(file_of(lesson_of({test::corridor(), test::hook()})), file);
+}
+
+TEST(ALesson, IsThePriorOfItsMazes) {
+  const Maze loop = test::loop().maze, hook = test::hook().maze;
+  const std::vector<const Maze*> mazes = {&hook, &loop};
+  EXPECT_EQ(read_prior(file_of(lesson_of({test::loop(), test::hook()}))).prior, learn_prior(mazes, Rules()));
+}
+
+TEST(ALesson, CountsTheSameWallsOnceAndLeavesOutWhatHasNoRoute) {
+  const Lesson lesson = lesson_of({mirrored_loop(), test::loop(), test::without_route()});
+  EXPECT_EQ(file_of(lesson), file_of(lesson_of({test::loop()})));
+  EXPECT_EQ(lesson.error, "");
+  EXPECT_THAT(summary_of(lesson), HasSubstr("1 duplicate left out (the same walls, maybe turned or mirrored):\n"
+                                            "  mirrored = loop\n"
+                                            "1 maze left out whose goal cannot be reached:\n"
+                                            "  without-route\n"));
+}
+
+TEST(ALesson, SaysWhatItCounted) {
+  const Lesson lesson = lesson_of({test::loop(), test::hook()});
+  const PriorFit fit = fit_of(lesson.counts);
+  EXPECT_GT(fit.walls, 50);
+  EXPECT_LT(fit.log_loss, fit.entropy);
+  EXPECT_THAT(summary_of(lesson),
+              testing::MatchesRegex("2 mazes, " + std::to_string(fit.walls) +
+                                    " walls counted: log loss 0[.][0-9]+, entropy 0[.][0-9]+ nats a wall\n"));
+}
+
+TEST(ALesson, NamesNoMaze) {
+  EXPECT_THAT(file_of(lesson_of({{"/secret/folder/loop.txt", test::loop().maze}})), Not(HasSubstr("loop")));
+}
+
+TEST(ALesson, TakesAMazeWithARoute) {
+  EXPECT_EQ(lesson_of({}).error, "no maze with a route (of 0 given), so nothing to learn from");
+  EXPECT_EQ(lesson_of({test::without_route()}).error, "no maze with a route (of 1 given), so nothing to learn from");
+}
+
+TEST(ALesson, MayBeStopped) {
+  std::atomic<bool> stop{false};
+  std::vector<std::size_t> told;
+  const LessonHooks hooks = {[&](std::size_t all) {
+                               told.push_back(all);
+                               stop = told.size() == 2;
+                             },
+                             &stop};
+  const Lesson lesson = hold_lesson({test::loop(), test::hook(), test::corridor()}, Rules(), hooks);
+  EXPECT_THAT(told, testing::ElementsAre(3U, 3U));
+  EXPECT_EQ(lesson.done, 2U);
+  EXPECT_EQ(summary_of(lesson), "Stopped early: 2 of 3 mazes explored, no prior made.\n");
+}
+
+}  // namespace
+}  // namespace labmouse

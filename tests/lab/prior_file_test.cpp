@@ -1,0 +1,156 @@
+#include "labmouse/lab/prior_file.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+#include "labmouse/chance/dice.hpp"
+#include "labmouse/strategies/ariadne/priors.hpp"
+
+namespace labmouse {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+WallPrior any_prior() {
+  Dice dice(1);
+  WallPrior prior{};
+  for (auto& number : prior.walls) number = static_cast<std::uint8_t>(dice.below(256));
+  for (auto& number : prior.rim) number = static_cast<std::uint8_t>(dice.below(256));
+  return prior;
+}
+
+std::string any_file() { return write_prior(any_prior(), {"0.1.0", {{16, 16}}, {100, 0.5, 0.6}}); }
+
+/// A file with that many zeros, one a line.
+std::string zeros(int count) {
+  std::string text = "// labmouse prior 1\n";
+  for (int i = 0; i < count; ++i) text += "0,\n";
+  return text;
+}
+
+constexpr int all_numbers = 6561 + 24;
+
+TEST(PriorFile, SurvivesBeingWrittenAndRead) {
+  const ReadPriorResult read = read_prior(any_file());
+  EXPECT_THAT(read.problems, testing::IsEmpty());
+  EXPECT_EQ(read.prior, any_prior());
+}
+
+TEST(PriorFile, SaysWhereItComesFrom) {
+  const std::string text =
+      write_prior(any_prior(), {"1.2.3", {{16, 16}, {9, 5}, {16, 16}, {5, 9}}, {12345, 0.51249, 0.69}});
+  EXPECT_THAT(
+      text, StartsWith("// labmouse prior 1\n"
+                       "// Learned by labmouse 1.2.3 from 4 mazes.\n"
+                       "// Sizes: 1 of 5x9, 1 of 9x5, 2 of 16x16.\n"
+                       "// 12345 walls counted, each once for each state of its surroundings in which it was unseen.\n"
+                       "// Log loss on these walls: 0.512 nats each, 0.690 with their common share for all"));
+  EXPECT_THAT(any_file(), HasSubstr(" from 1 maze.\n"));
+}
+
+TEST(PriorFile, KeepsWhatIsSaidOfItInComments) {
+  const std::string text = write_prior(any_prior(), {"1\n2,\r3", {}, {}});
+  EXPECT_EQ(read_prior(text).prior, any_prior());
+}
+
+TEST(PriorFile, HasLinesThatFitAScreen) {
+  const std::string text = any_file();
+  std::string_view rest = text;
+  for (std::size_t end; (end = rest.find('\n')) != std::string_view::npos; rest.remove_prefix(end + 1))
+    EXPECT_LE(end, 120U);
+  EXPECT_TRUE(rest.empty());
+}
+
+TEST(PriorFile, MayHaveOtherLinesCommentsBlanksAndLineEnds) {
+  std::string text = any_file();
+  text.insert(text.find('\n') + 1, "// another comment\n//\n");
+  text.insert(text.find(",\n") + 2, "// in the middle\n");
+  for (auto at = text.find(','); at < 3000; at = text.find(',', at + 3)) text.insert(at + 1, " ");
+  EXPECT_EQ(read_prior(text).prior, any_prior());
+  std::string carriage;
+  for (const char letter : text) carriage += letter == '\n' ? std::string("\r\n") : std::string(1, letter);
+  EXPECT_EQ(read_prior(carriage).prior, any_prior());
+  EXPECT_TRUE(read_prior(zeros(all_numbers) + "\n \n").prior.has_value());
+}
+
+std::string reason(std::string_view text) {
+  const ReadPriorResult read = read_prior(text);
+  EXPECT_FALSE(read.prior.has_value());
+  if (read.problems.empty()) return "";
+  const Problem& problem = read.problems.front();
+  return std::to_string(problem.line) + ":" + std::to_string(problem.column) + ": " + problem.reason;
+}
+
+TEST(BadPriorFile, HasAnotherFirstLine) {
+  const char* expected = "1:1: is no prior: its first line is not '// labmouse prior 1'";
+  EXPECT_EQ(reason(""), expected);
+  EXPECT_EQ(reason("\n" + any_file()), expected);
+  EXPECT_EQ(reason("// labmouse prior 2\n0,\n"), expected);
+  EXPECT_EQ(reason("// labmouse prior 1 or so\n0,\n"), expected);
+  EXPECT_EQ(reason("0,0,\n"), expected);
+}
+
+TEST(BadPriorFile, HasSomethingElseWhereANumberShouldBe) {
+  const auto with = [](const std::string& line) { return zeros(10) + line + "\n" + zeros(all_numbers).substr(20); };
+  EXPECT_EQ(reason(with("1,256,")), "12:3: expected a number from 0 to 255, found '256'");
+  EXPECT_EQ(reason(with("1, -1,")), "12:4: expected a number from 0 to 255, found '-1'");
+  EXPECT_EQ(reason(with("07,")), "12:1: expected a number from 0 to 255, found '07'");
+  EXPECT_EQ(reason(with("1.5,")), "12:1: expected a number from 0 to 255, found '1.5'");
+  EXPECT_EQ(reason(with("1 2,")), "12:1: expected a number from 0 to 255, found '1 2'");
+  EXPECT_EQ(reason(with("1,,2,")), "12:3: expected a number from 0 to 255, found ''");
+  EXPECT_EQ(reason(with("")), "12:1: expected a number from 0 to 255, found ''");
+  EXPECT_EQ(reason(with(",")), "12:1: expected a number from 0 to 255, found ''");
+  EXPECT_EQ(reason(with("1, // one")), "12:4: expected a number from 0 to 255, found '// one'");
+  EXPECT_EQ(reason(with("\x1b[31m,")), "12:1: expected a number from 0 to 255, found '\\x1b[31m'");
+}
+
+TEST(BadPriorFile, HasNoCommaAtTheEndOfALine) {
+  EXPECT_EQ(reason("// labmouse prior 1\n1,2,3\n4,"), "2:6: expected a comma behind the number");
+  std::string text = any_file();
+  text.resize(text.size() - 2);
+  EXPECT_THAT(reason(text), HasSubstr(": expected a comma behind the number"));
+}
+
+TEST(BadPriorFile, HasTooFewOrTooManyNumbers) {
+  EXPECT_TRUE(read_prior(zeros(all_numbers)).prior.has_value());
+  EXPECT_EQ(reason(zeros(all_numbers - 1)), "6585:3: expected 6585 numbers, found 6584");
+  EXPECT_EQ(reason(zeros(all_numbers + 1)), "6587:1: expected 6585 numbers, found more");
+  EXPECT_EQ(reason("// labmouse prior 1\n"), "1:20: expected 6585 numbers, found 0");
+  EXPECT_EQ(read_prior(zeros(2 * all_numbers)).problems.size(), 1U);
+  std::string in_one_line = zeros(3 * all_numbers);
+  std::erase(in_one_line, '\n');
+  in_one_line.insert(19, "\n");
+  EXPECT_THAT(reason(in_one_line), HasSubstr("expected 6585 numbers, found more"));
+}
+
+TEST(BadPriorFile, IsTooLarge) {
+  const std::string text = zeros(all_numbers);
+  EXPECT_TRUE(read_prior(text + std::string((1U << 20U) - text.size(), ' ')).prior.has_value());
+  EXPECT_EQ(reason(text + std::string((1U << 20U) - text.size() + 1, ' ')),
+            "0:0: has 1048577 bytes; more than 1048576 is too large");
+}
+
+TEST(BadPriorFile, HasAFewOfItsProblemsListed) {
+  std::string text = "// labmouse prior 1\n";
+  for (int i = 0; i < 100; ++i) text += "x,\n";
+  EXPECT_EQ(read_prior(text).problems.size(), most_problems);
+}
+
+std::string source(const std::string& name) {
+  std::ifstream file(LABMOUSE_SOURCE_DIR "/labmouse/strategies/ariadne/" + name, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+TEST(PriorFile, IsWhatThePriorsOfAriadneAreMadeFrom) {
+  EXPECT_EQ(read_prior(source("contest.prior")).prior, ariadne::contest_prior);
+  EXPECT_EQ(read_prior(source("loop_free.prior")).prior, ariadne::loop_free_prior);
+  EXPECT_FALSE(ariadne::contest_prior == ariadne::loop_free_prior);
+}
+
+}  // namespace
+}  // namespace labmouse
