@@ -18,6 +18,7 @@ std::string range_of(const Parameter& parameter) {
     case ParameterType::choice:
       // Orders to break ties by are too many to read.
       return parameter.choices == TieOrder::all ? "an order such as nesw or alrb" : std::string(parameter.choices);
+    case ParameterType::prior: return fmt::format("{} or a file of `labmouse learn`", parameter.choices);
     default: return fmt::format("{:g} to {:g}", parameter.low, parameter.high);
   }
 }
@@ -42,7 +43,8 @@ nlohmann::ordered_json describe(const Parameter& parameter) {
                                  {"meaning", parameter.meaning}};
   switch (parameter.type) {
     case ParameterType::flag: break;
-    case ParameterType::choice: json["choices"] = choices_of(parameter); break;
+    case ParameterType::choice:
+    case ParameterType::prior: json["choices"] = choices_of(parameter); break;
     default: json["low"] = parameter.low, json["high"] = parameter.high;
   }
   return json;

@@ -6,6 +6,10 @@
 
 #include "labmouse/contest/simulator.hpp"
 #include "labmouse/lab/bounds.hpp"
+#include "labmouse/lab/files.hpp"
+#include "labmouse/lab/printable.hpp"
+#include "labmouse/lab/prior_file.hpp"
+#include "labmouse/lab/prior_learning.hpp"
 #include "labmouse/strategies/roster.hpp"
 
 namespace labmouse {
@@ -21,6 +25,13 @@ Contestant oracle() {
   return contestant;
 }
 
+/// Whether the mouse brings a prior along that mazes could take the place of.
+bool can_learn(const RosterEntry& entry, const Settings& settings) {
+  return std::any_of(entry.parameters.begin(), entry.parameters.end(), [&](const Parameter& parameter) {
+    return parameter.type == ParameterType::prior && settings.choice(parameter.name) == parameter.default_value;
+  });
+}
+
 Contestant contestant_of(const RosterEntry& entry, Settings settings) {
   Contestant contestant;
   contestant.name = entry.name;
@@ -31,6 +42,12 @@ Contestant contestant_of(const RosterEntry& entry, Settings settings) {
   contestant.make = [&entry, settings](const Maze& maze, const Rules& rules, std::uint64_t seed) {
     return entry.make(brief(maze, rules, seed), settings);
   };
+  if (can_learn(entry, settings))
+    contestant.taught = [&entry, settings](const std::vector<const Maze*>& training, const Rules& rules) {
+      Settings learned = settings;
+      learned.attach(std::make_shared<const WallPrior>(learn_prior(training, rules)));
+      return contestant_of(entry, std::move(learned));
+    };
   contestant.settings = std::move(settings);
   return contestant;
 }
@@ -52,6 +69,31 @@ std::string unknown_parameter(const RosterEntry& entry, std::string_view key) {
                      near.empty() ? fmt::format("it has {}", fmt::join(names, ", ")) : fmt::format("did you mean '{}'?", near));
 }
 
+/// What a value that is no file may have been meant for.
+std::string hint_for(const Parameter& parameter, std::string_view value) {
+  const auto near = value.find_first_of("./") == std::string::npos ? nearest_name(value, choices_of(parameter)) : "";
+  return near.empty() ? "a SPEC ends a path at ':' and ','" : fmt::format("did you mean '{}'?", near);
+}
+
+/// Attaches the prior of a file, or none where the value is a choice; returns what is wrong with it, or nothing.
+std::string attach_prior(const Parameter& parameter, const std::string& value, Settings& settings) {
+  const auto choices = choices_of(parameter);
+  settings.attach(nullptr);
+  if (std::find(choices.begin(), choices.end(), value) != choices.end()) return "";
+  // What is accepted here is printed as part of the mouse's name.
+  if (shown(value) != value) return fmt::format("prior file '{}' has a name that cannot be printed", shown(value));
+  const FileContent file = read_file(value);
+  if (!file.error.empty())
+    return fmt::format("prior file {}: {}; {}", value, file.error, hint_for(parameter, value));
+  const ReadPriorResult read = read_prior(file.content);
+  if (!read.prior) {
+    const Problem& first = read.problems.front();
+    return fmt::format("prior file {}:{}:{}: {}", value, first.line, first.column, first.reason);
+  }
+  settings.attach(std::make_shared<const WallPrior>(*read.prior));
+  return "";
+}
+
 /// Applies one `key=value`; returns what is wrong with it, or nothing.
 std::string apply(const RosterEntry& entry, std::string_view assignment, Settings& settings) {
   const auto equals = assignment.find('=');
@@ -64,7 +106,7 @@ std::string apply(const RosterEntry& entry, std::string_view assignment, Setting
   if (const auto reason = check_value(*parameter, value); !reason.empty())
     return fmt::format("value '{}' of parameter '{}' of mouse '{}' {}", value, key, entry.name, reason);
   settings.set(key, canonical_value(*parameter, value));
-  return "";
+  return parameter->type == ParameterType::prior ? attach_prior(*parameter, std::string(value), settings) : "";
 }
 
 /// Reads one mouse into the list; returns what is wrong with it, or nothing.
@@ -136,9 +178,13 @@ SpecResult read_variant(std::string_view spec, std::span<const Setting> values) 
   SpecResult result = read_specs(spec);
   if (!result.error.empty()) return result;
   if (result.contestants.size() != 1) return {{}, fmt::format("'{}' names {} mice; name one", spec, result.contestants.size())};
-  const RosterEntry* entry = find_mouse(spec.substr(0, spec.find_first_of(":,")));
+  return read_variant(result.contestants.front(), values);
+}
+
+SpecResult read_variant(const Contestant& mouse, std::span<const Setting> values) {
+  const RosterEntry* entry = find_mouse(std::string_view(mouse.name).substr(0, mouse.name.find(':')));
   if (entry == nullptr) return {{}, "the oracle has no parameters"};
-  Settings settings = std::move(result.contestants.front().settings);
+  Settings settings = mouse.settings;
   for (const Setting& value : values)
     if (auto error = apply(*entry, fmt::format("{}={}", value.name, value.value), settings); !error.empty()) return {{}, error};
   return {{contestant_of(*entry, std::move(settings))}, ""};

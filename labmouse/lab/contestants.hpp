@@ -36,7 +36,7 @@ struct SpecResult {
   std::string error;
 };
 
-/// Reads one or more mice; a name that stands twice with equal parameters counts once.
+/// Reads one or more mice; a name that stands twice with equal parameters counts once. Reads the files of their priors.
 SpecResult read_specs(std::string_view text);
 
 /// The mouse of a SPEC once for each value of one of its parameters, in the order of the values; what the SPEC says of that
@@ -45,6 +45,9 @@ SpecResult read_variants(std::string_view spec, std::string_view parameter, std:
 
 /// The one mouse of a SPEC with values for some of its parameters; what the SPEC says of those is overridden.
 SpecResult read_variant(std::string_view spec, std::span<const Setting> values);
+
+/// The same of a mouse that was read before; of its files none is read again.
+SpecResult read_variant(const Contestant& mouse, std::span<const Setting> values);
 
 /// Every mouse of the roster with its defaults.
 std::vector<Contestant> all_contestants();

@@ -147,7 +147,7 @@ std::vector<Contestant> perturbed(const Contestant& mouse, int count, std::uint6
     std::vector<Setting> values;
     for (const Parameter& parameter : parameters_of(mouse))
       if (is_number(parameter)) values.push_back(shifted(parameter, mouse.settings.real(parameter.name), dice));
-    Contestant variant = std::move(read_variant(mouse.name, values).contestants.front());
+    Contestant variant = std::move(read_variant(mouse, values).contestants.front());
     const auto is_same = [&](const Contestant& other) { return other.name == variant.name; };
     if (!is_same(mouse) && std::none_of(variants.begin(), variants.end(), is_same))
       variants.push_back(std::move(variant));

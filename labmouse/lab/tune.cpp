@@ -34,17 +34,16 @@ Measured measured(const Race& race, std::size_t mouse, Objective objective) {
 
 class Tuner {
  public:
-  Tuner(std::string_view spec, const std::vector<NamedMaze>& mazes, const TuneHooks& hooks, Tune& tune)
-      : spec_(spec), mazes_(mazes), hooks_(hooks), tune_(tune) {
+  Tuner(Contestant given, const std::vector<NamedMaze>& mazes, const TuneHooks& hooks, Tune& tune)
+      : given_(std::move(given)), mazes_(mazes), hooks_(hooks), tune_(tune) {
     race_hooks_.stop = hooks.stop;
     if (hooks.finished)
       race_hooks_.finished = [this](const Race&, const ContestResult&, const RunRecord&) { hooks_.finished(all_); };
   }
 
   void search() {
-    const Contestant given = read_variant(spec_, {}).contestants.front();
-    evaluate({given}, 0.0);
-    Evolution evolution(first_order(given));
+    evaluate({given_}, 0.0);
+    Evolution evolution(first_order());
     while (!tune_.stopped && left() > 0) {
       std::vector<Point> points = evolution.ask();
       points.resize(std::min(points.size(), left()));
@@ -60,10 +59,10 @@ class Tuner {
  private:
   std::size_t left() const { return static_cast<std::size_t>(tune_.order.evaluations) - tune_.evaluations.size(); }
 
-  EvolutionOrder first_order(const Contestant& given) const {
+  EvolutionOrder first_order() const {
     EvolutionOrder order;
     for (const ParameterRange& range : tune_.ranges)
-      order.start.push_back(share_of(range, given.settings.real(range.parameter.name)));
+      order.start.push_back(share_of(range, given_.settings.real(range.parameter.name)));
     order.step = tune_.order.step;
     order.population = tune_.order.population;
     order.seed = seed_for(tune_.order.race.seed, "tune");
@@ -76,7 +75,7 @@ class Tuner {
       std::vector<Setting> values;
       for (std::size_t i = 0; i < point.size(); ++i)
         values.push_back({std::string(tune_.ranges[i].parameter.name), value_at(tune_.ranges[i], point[i])});
-      candidates.push_back(read_variant(spec_, values).contestants.front());
+      candidates.push_back(read_variant(given_, values).contestants.front());
     }
     return candidates;
   }
@@ -121,7 +120,7 @@ class Tuner {
     tune_.evaluations.push_back(std::move(evaluation));
   }
 
-  std::string_view spec_;
+  Contestant given_;
   const std::vector<NamedMaze>& mazes_;
   const TuneHooks& hooks_;
   Tune& tune_;
@@ -143,10 +142,11 @@ Tune hold_tune(std::string_view spec, const std::vector<ParameterRange>& ranges,
       ++tune.mazes;
     else
       ++tune.routeless;
-  if (tune.error = read_variant(spec, {}).error; !tune.error.empty()) return tune;
+  SpecResult mouse = read_variant(spec, {});
+  if (tune.error = mouse.error; !tune.error.empty()) return tune;
   if (ranges.empty()) tune.error = "no parameter to tune is named";
   if (tune.mazes == 0) tune.error = "the goal cannot be reached in any of the mazes, so there is nothing to tune on";
-  if (tune.error.empty()) Tuner(spec, mazes, hooks, tune).search();
+  if (tune.error.empty()) Tuner(std::move(mouse.contestants.front()), mazes, hooks, tune).search();
   return tune;
 }
 

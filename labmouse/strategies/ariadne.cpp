@@ -267,8 +267,10 @@ class Ariadne final : public Explorer {
 };
 
 std::unique_ptr<Strategy> make(const Briefing& briefing, const Settings& settings) {
-  const bool contest = settings.choice("prior") == "contest";
-  return std::make_unique<Ariadne>(briefing, settings, contest ? ariadne::contest_prior_for(briefing.size) : nullptr);
+  // One that was learned serves at every size.
+  const WallPrior* prior = settings.attached();
+  if (prior == nullptr && settings.choice("prior") == "contest") prior = ariadne::contest_prior_for(briefing.size);
+  return std::make_unique<Ariadne>(briefing, settings, prior);
 }
 
 }  // namespace

@@ -87,6 +87,7 @@ std::string_view name_of(ParameterType type) {
     case ParameterType::flag: return "yes/no";
     case ParameterType::choice: return "choice";
     case ParameterType::list: return "list";
+    case ParameterType::prior: return "prior";
   }
   return "unknown";
 }
@@ -144,12 +145,14 @@ std::string check_value(const Parameter& parameter, std::string_view value) {
         if (const auto reason = check_number(parameter, part); !reason.empty()) return "has an element that " + reason;
       return "";
     }
+    case ParameterType::prior:
+      return value.empty() ? "is neither " + std::string(parameter.choices) + " nor a file" : "";
   }
   return "";
 }
 
 std::string canonical_value(const Parameter& parameter, std::string_view value) {
-  if (parameter.type == ParameterType::choice) return std::string(value);
+  if (parameter.type == ParameterType::choice || parameter.type == ParameterType::prior) return std::string(value);
   if (parameter.type == ParameterType::flag) return is_one_of(value, yes) ? "yes" : "no";
   std::string numbers;
   for (const auto part : split(value, '/')) numbers += (numbers.empty() ? "" : "/") + plain(part);

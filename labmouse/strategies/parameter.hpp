@@ -2,14 +2,19 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace labmouse {
 
-enum class ParameterType : std::uint8_t { whole, real, flag, choice, list };
+struct WallPrior;
+
+/// A `prior` is one of its choices or else the path of a file that `labmouse learn` wrote.
+enum class ParameterType : std::uint8_t { whole, real, flag, choice, list, prior };
 
 std::string_view name_of(ParameterType type);
 
@@ -22,7 +27,7 @@ struct Parameter {
   /// Smallest and largest value (of each element, for a list); without meaning for flags and choices.
   double low = 0.0;
   double high = 0.0;
-  /// For a choice: what can be chosen, separated by `/`.
+  /// For a choice or a prior: what can be chosen, separated by `/`.
   std::string_view choices;
   std::string_view meaning;
 };
@@ -54,14 +59,21 @@ class Settings {
 
   std::span<const Setting> all() const { return settings_; }
 
+  /// Gives a prior that was learned (null takes it away): a mouse with a parameter of that type expects this in place
+  /// of what the parameter's choice names. Minds made under these settings use it: the settings must outlive them.
+  void attach(std::shared_ptr<const WallPrior> prior) { prior_ = std::move(prior); }
+  const WallPrior* attached() const { return prior_.get(); }
+
  private:
   std::vector<Setting> settings_;
+  std::shared_ptr<const WallPrior> prior_;
 };
 
-/// What can be chosen of a choice, in the table's order.
+/// What can be chosen of a choice or a prior, in the table's order.
 std::vector<std::string_view> choices_of(const Parameter& parameter);
 
-/// Why a value does not suit a parameter, as a line for the user; empty where it does.
+/// Why a value does not suit a parameter, as a line for the user; empty where it does. For a prior any path does: this
+/// room opens no file.
 std::string check_value(const Parameter& parameter, std::string_view value);
 
 /// A value that has passed check_value in its one spelling: `3` for `03`, `0.5` for `.50`, `yes` for `true`.

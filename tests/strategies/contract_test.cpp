@@ -211,7 +211,8 @@ TEST_P(EveryMouse, GivesUpWhereAReadingContradictsAnother) {
 std::vector<std::string> values_of(const Parameter& parameter) {
   switch (parameter.type) {
     case ParameterType::flag: return {"yes", "no"};
-    case ParameterType::choice: {
+    case ParameterType::choice:
+    case ParameterType::prior: {
       std::vector<std::string> values;
       std::string_view rest = parameter.choices;
       for (std::size_t end; (end = rest.find('/')) != std::string_view::npos; rest.remove_prefix(end + 1))

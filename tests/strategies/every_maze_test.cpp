@@ -58,7 +58,7 @@ TEST_P(InRealMazes, DoesSoByEveryMethodThatItCanBeGiven) {
   if (real_mazes().empty()) GTEST_SKIP() << "no maze files in " << test::folder_of_mazes() << "; set LABMOUSE_MAZES";
   for (const Parameter& parameter : GetParam()->parameters) {
     const bool flag = parameter.type == ParameterType::flag;
-    if (parameter.name == "ties" || (!flag && parameter.type != ParameterType::choice)) continue;
+    if (parameter.name == "ties" || (!flag && parameter.choices.empty())) continue;
     for (const std::string_view value : flag ? std::vector<std::string_view>{"yes", "no"} : choices_of(parameter)) {
       SCOPED_TRACE(std::string(parameter.name) + "=" + std::string(value));
       Settings settings(GetParam()->parameters);

@@ -7,7 +7,7 @@ namespace labmouse::ariadne {
 namespace {
 
 constexpr std::array parameters = {
-    Parameter{"prior", ParameterType::choice, "contest", 0, 0, "contest/uniform", "what it expects of unseen walls"},
+    Parameter{"prior", ParameterType::prior, "contest", 0, 0, "contest/uniform", "what it expects of unseen walls"},
     Parameter{"model", ParameterType::choice, "smooth", 0, 0, "smooth/classes/flat/free",
               "price of an unseen wall: by how likely it is closed, in classes of that, all alike, or none; all but smooth "
               "are simpler mice to compare with, whose numbers are fixed"},
