@@ -1,16 +1,34 @@
 #include "labmouse/strategies/ariadne/priors.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 
 namespace labmouse::ariadne {
+namespace {
+
+using Numbers = std::array<std::uint8_t, wall_contexts + rim_contexts>;
+
+constexpr WallPrior prior_of(const Numbers& numbers) {
+  WallPrior prior{};
+  const auto rim = numbers.begin() + wall_contexts;
+  std::copy(numbers.begin(), rim, prior.walls.begin());
+  std::copy(rim, numbers.end(), prior.rim.begin());
+  return prior;
+}
 
 // As `labmouse learn` wrote them: numbers with commas between them.
-const WallPrior contest_prior = {
+constexpr Numbers contest_numbers = {
 #include "labmouse/strategies/ariadne/contest.prior"
 };
-const WallPrior loop_free_prior = {
+constexpr Numbers loop_free_numbers = {
 #include "labmouse/strategies/ariadne/loop_free.prior"
 };
+
+}  // namespace
+
+constinit const WallPrior contest_prior = prior_of(contest_numbers);
+constinit const WallPrior loop_free_prior = prior_of(loop_free_numbers);
 
 const WallPrior* contest_prior_for(Size size) {
   constexpr int smallest = 8;
