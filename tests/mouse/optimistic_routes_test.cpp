@@ -1,6 +1,11 @@
+#include "labmouse/mouse/optimistic_routes.hpp"
+
 #include <gtest/gtest.h>
 
-#include "labmouse/mouse/optimistic_routes.hpp"
+#include "labmouse/chance/dice.hpp"
+#include "labmouse/contest/simulator.hpp"
+#include "labmouse/maze/generators/generator.hpp"
+#include "tests/mouse/plain_priced_field.hpp"
 
 namespace labmouse {
 namespace {
@@ -41,6 +46,65 @@ TEST(OptimisticRoutes, AreNoneWhereTheStartIsClosedIn) {
   routes.plan(knowledge);
   EXPECT_EQ(routes.length(), unreachable);
   EXPECT_TRUE(routes.unknown_walls().empty());
+}
+
+/// Routes by their definition: a move is on a shortest one where the ways before and after it and the move itself add up.
+struct PlainRoutes {
+  int length = unreachable;
+  WallSet unknown_walls;
+
+  PlainRoutes(const Briefing& briefing, const Knowledge& knowledge) {
+    const test::PricedWorld world = {briefing.size, briefing.motion, 1, [&](Wall wall) {
+                                       return knowledge.state(wall) == WallState::closed ? int{WallPrices::closed} : 0;
+                                     }};
+    const std::vector<int> from_start = test::plain_costs(world, CellSet::of(briefing.start.cell));
+    const std::vector<int> to_goal = test::plain_costs(world, briefing.goals);
+    length = to_goal[static_cast<std::size_t>(briefing.size.index(briefing.start.cell))];
+    if (length == unreachable) return;
+    for (int s = 0; s < briefing.size.area(); ++s)
+      test::for_each_move(world, briefing.size.cell_at(s), [&](Cell to, int cost, const std::vector<Wall>& walls) {
+        const int rest = to_goal[static_cast<std::size_t>(briefing.size.index(to))];
+        if (from_start[static_cast<std::size_t>(s)] + cost + rest != length) return;
+        for (const Wall wall : walls)
+          if (knowledge.state(wall) == WallState::unknown) unknown_walls.insert(wall);
+      });
+  }
+};
+
+Motion any_motion(Dice& dice) {
+  if (dice.chance(2, 3)) return strides(1 + dice.below(4));
+  Motion motion = strides(1 + dice.below(5));
+  int cost = 0;
+  for (std::size_t cells = 1; cells <= static_cast<std::size_t>(motion.longest); ++cells)
+    motion.cost[cells] = static_cast<std::uint8_t>(cost += cells == 1 ? 1 + dice.below(5) : dice.below(4));
+  return motion;
+}
+
+/// Shows a mouse that can be anywhere some readings of a maze, and compares after each.
+void agree_with_the_definition(Dice& dice) {
+  const Size size = {1 + dice.below(20), 1 + dice.below(20)};
+  const Generator& generator = dice.chance(1, 2) ? depth_first_generator : prim_generator;
+  const Maze maze = generator.make({size, dice.bits(), dice.below(500)});
+  const auto any_cell = [&] { return size.cell_at(dice.below(size.area())); };
+  Briefing briefing = brief(maze, {}, 1);
+  briefing.motion = any_motion(dice);
+  briefing.start.cell = any_cell();
+  if (dice.chance(1, 2)) briefing.goals = CellSet::of(any_cell());
+  Knowledge knowledge(size);
+  OptimisticRoutes routes(briefing);
+  for (int reading = 0; reading < 20; ++reading) {
+    const Pose pose = {any_cell(), all_headings[static_cast<std::size_t>(dice.below(4))]};
+    ASSERT_TRUE(knowledge.learn(pose, look(maze, pose)));
+    routes.plan(knowledge);
+    const PlainRoutes plain(briefing, knowledge);
+    ASSERT_EQ(routes.length(), plain.length);
+    ASSERT_EQ(routes.unknown_walls(), plain.unknown_walls);
+  }
+}
+
+TEST(OptimisticRoutes, AgreeWithTheirDefinition) {
+  Dice dice(31);
+  for (int i = 0; i < 200; ++i) ASSERT_NO_FATAL_FAILURE(agree_with_the_definition(dice)) << i;
 }
 
 }  // namespace
