@@ -1,0 +1,177 @@
+#include "labmouse/strategies/ariadne/edge_costs.hpp"
+
+#include <gtest/gtest.h>
+
+#include "labmouse/strategies/ariadne/priors.hpp"
+#include "tests/mouse/plain_priced_field.hpp"
+#include "tests/strategies/one_contest.hpp"
+#include "tests/strategies/random_mazes.hpp"
+
+namespace labmouse {
+namespace {
+
+using ariadne::EdgeCosts;
+using ariadne::Outlook;
+using ariadne::PriceTable;
+using ariadne::step_price;
+
+/// The price of an unseen wall, alike for all.
+PriceTable all_at(int price) {
+  PriceTable table;
+  table.fill(static_cast<std::uint8_t>(price));
+  return table;
+}
+
+Briefing corridor_of(int cells, int goal, const Motion& motion) {
+  Briefing briefing;
+  briefing.size = {cells, 1};
+  briefing.start = {{0, 0}, Heading::east};
+  briefing.goals.insert({goal, 0});
+  briefing.motion = motion;
+  return briefing;
+}
+
+TEST(EdgeCosts, AreThoseOfTheCheapestRunThroughAWall) {
+  const Briefing briefing = corridor_of(5, 4, strides(1));
+  const PriceTable ten = all_at(10);
+  Outlook outlook(briefing, nullptr);
+  outlook.price(ten);
+  EdgeCosts costs(briefing);
+  costs.plan(outlook, 256);
+  EXPECT_EQ(costs.best(), 160);
+  for (int x = 0; x < 4; ++x) EXPECT_EQ(costs.through(wall_at({x, 0}, Heading::east)), 160);
+}
+
+TEST(EdgeCosts, LeadThroughAWallBehindTheStartAndBack) {
+  const Briefing briefing = [] {
+    Briefing from_the_middle = corridor_of(5, 4, strides(1));
+    from_the_middle.start.cell = {2, 0};
+    return from_the_middle;
+  }();
+  const PriceTable free = all_at(0);
+  Outlook outlook(briefing, nullptr);
+  outlook.price(free);
+  EdgeCosts costs(briefing);
+  costs.plan(outlook, 256);
+  // One cell west, and then three east.
+  EXPECT_EQ(costs.through(wall_at({1, 0}, Heading::east)), 120);
+  EXPECT_EQ(costs.through(wall_at({0, 0}, Heading::east)), 180);
+}
+
+TEST(EdgeCosts, RoundTheWeightedWayDown) {
+  const Briefing briefing = corridor_of(5, 4, strides(1));
+  const PriceTable free = all_at(0);
+  Outlook outlook(briefing, nullptr);
+  outlook.price(free);
+  EdgeCosts costs(briefing);
+  costs.plan(outlook, 33);
+  // The ways of 0, 30, 60 and 90 weigh 0, 3.9, 7.7 and 11.6; or backwards through the wall, from the far side.
+  EXPECT_EQ(costs.through(wall_at({0, 0}, Heading::east)), 120);
+  EXPECT_EQ(costs.through(wall_at({1, 0}, Heading::east)), 90 + 3);
+  EXPECT_EQ(costs.through(wall_at({2, 0}, Heading::east)), 60 + 7);
+  EXPECT_EQ(costs.through(wall_at({3, 0}, Heading::east)), 30 + 11);
+}
+
+/// A mouse that learns a maze step by step, and what runs through unseen walls cost by the plain definition.
+class Learner {
+ public:
+  Learner(const Maze& maze, const Motion& motion, Dice& dice)
+      : briefing_(briefing(maze, motion)), prior_(any_prior(dice)), outlook_(briefing_, prior_), costs_(briefing_), knowledge_(maze.size()) {}
+
+  void learn(const StepRecord& step) {
+    ASSERT_TRUE(knowledge_.learn(step.pose, step.sighting));
+    outlook_.learn(step.pose, step.sighting);
+  }
+  void price(const PriceTable& table) { outlook_.price(table); }
+
+  void expect_plain_costs(int weight) {
+    costs_.plan(outlook_, weight);
+    const WallPrices& prices = outlook_.prices();
+    const test::PricedWorld world = {briefing_.size, briefing_.motion, step_price, [&](Wall wall) { return prices.of(wall); }};
+    const test::WallNumbers plain = test::plain_costs_through(world, briefing_.start.cell, briefing_.goals, weight);
+    const std::vector<int> to_goal = test::plain_costs(world, briefing_.goals);
+    ASSERT_EQ(costs_.best(), to_goal[static_cast<std::size_t>(briefing_.size.index(briefing_.start.cell))]);
+    knowledge_.unknown().for_each([&](Wall wall) {
+      if (!prices.passable(wall)) return;
+      // A weight below one makes less than that of unreachable; no mouse comes to such a wall.
+      if (weight == 33 && plain[wall] == unreachable) return;
+      ASSERT_EQ(std::min(costs_.through(wall), unreachable), plain[wall])
+          << (wall.side == Heading::north ? "north of " : "east of ") << int{wall.cell.x} << ',' << int{wall.cell.y};
+    });
+  }
+
+ private:
+  static Briefing briefing(const Maze& maze, const Motion& motion) {
+    Briefing briefing = brief(maze, {}, 1);
+    briefing.motion = motion;
+    return briefing;
+  }
+  static const WallPrior* any_prior(Dice& dice) {
+    return dice.chance(1, 4) ? nullptr : dice.chance(1, 2) ? &ariadne::contest_prior : &ariadne::loop_free_prior;
+  }
+
+  Briefing briefing_;
+  const WallPrior* prior_;
+  Outlook outlook_;
+  EdgeCosts costs_;
+  Knowledge knowledge_;
+};
+
+/// Prices that rise with the reluctance, up to one from which a wall is taken for closed; sometimes none is.
+PriceTable any_table(Dice& dice) {
+  PriceTable table;
+  const int base = dice.below(20), slope = dice.below(8), closed = dice.chance(1, 4) ? 256 : 1 + dice.below(200);
+  for (int reluctance = 0; reluctance < 256; ++reluctance)
+    table[static_cast<unsigned>(reluctance)] =
+        static_cast<std::uint8_t>(reluctance >= closed ? WallPrices::closed : std::min(base + slope * reluctance / 4, WallPrices::highest));
+  return table;
+}
+
+Motion any_motion(Dice& dice) {
+  if (dice.chance(2, 3)) return strides(1 + dice.below(4));
+  Motion motion = strides(2 + dice.below(4));
+  int cost = 0;
+  for (std::size_t cells = 1; cells <= static_cast<std::size_t>(motion.longest); ++cells)
+    motion.cost[cells] = static_cast<std::uint8_t>(cost += cells == 1 ? 1 + dice.below(5) : dice.below(4));
+  return motion;
+}
+
+void expect_plain_costs_while_learning(const Maze& maze, Dice& dice) {
+  constexpr std::array mice = {&flood_return_mouse, &frontier_mouse, &random_move_mouse};
+  constexpr std::array weights = {0, 33, 256};
+  const RunRecord record = test::contest(*mice[static_cast<unsigned>(dice.below(3))], maze, {}, dice.bits());
+  const PriceTable tables[] = {any_table(dice), any_table(dice)};
+  Learner learner(maze, any_motion(dice), dice);
+  learner.price(tables[0]);
+  int weight = weights[static_cast<unsigned>(dice.below(3))];
+  for (const StepRecord& step : record.steps) {
+    if (step.step > 200) break;
+    learner.learn(step);
+    if (dice.chance(1, 10)) weight = weights[static_cast<unsigned>(dice.below(3))];
+    if (dice.chance(1, 20)) learner.price(tables[dice.below(2)]);
+    if (!dice.chance(1, 3)) continue;
+    ASSERT_NO_FATAL_FAILURE(learner.expect_plain_costs(weight)) << "step " << step.step << test::drawing_of(maze);
+  }
+}
+
+TEST(EdgeCosts, AgreeWithThePlainDefinitionAsWallsBecomeKnown) {
+  Dice dice(8);
+  for (int i = 0; i < 150; ++i) ASSERT_NO_FATAL_FAILURE(expect_plain_costs_while_learning(test::any_maze(dice, 14), dice)) << i;
+}
+
+TEST(EdgeCosts, AgreeInTheLargestMaze) {
+  Dice dice(9);
+  const Maze maze = kruskal_generator.make({{64, 64}, 1, 100});
+  const RunRecord record = test::contest(flood_return_mouse, maze);
+  Learner learner(maze, strides(3), dice);
+  const PriceTable table = any_table(dice);
+  learner.price(table);
+  for (const StepRecord& step : record.steps) {
+    learner.learn(step);
+    if (step.step % 100 != 1) continue;
+    ASSERT_NO_FATAL_FAILURE(learner.expect_plain_costs(step.step < 300 ? 0 : 256)) << step.step;
+  }
+}
+
+}  // namespace
+}  // namespace labmouse
