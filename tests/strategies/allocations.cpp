@@ -6,10 +6,11 @@
 
 namespace {
 
-long count = 0;
+long count = 0, taken = 0;
 
 void* allocate(std::size_t bytes, std::size_t alignment = alignof(std::max_align_t)) {
   ++count;
+  taken += static_cast<long>(bytes);
   // aligned_alloc asks for a multiple of the alignment.
   void* memory = std::aligned_alloc(alignment, (bytes + alignment) / alignment * alignment);
   if (memory == nullptr) std::abort();
@@ -36,3 +37,4 @@ void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std
 void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
 
 long labmouse::test::allocations() { return count; }
+long labmouse::test::allocated_bytes() { return taken; }

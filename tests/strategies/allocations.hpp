@@ -5,5 +5,7 @@ namespace labmouse::test {
 
 /// Allocations since the program began.
 long allocations();
+/// Bytes that they asked for, also those that have been given back.
+long allocated_bytes();
 
 }  // namespace labmouse::test
