@@ -73,24 +73,10 @@ TEST(PricedField, HoldsTheDearestSnakeThatFits) {
   EXPECT_EQ(field.at({0, 63}), 4095 * (Motion::max_cost * step_price + WallPrices::highest));
 }
 
-TEST(PricedField, RefillsFromSeveralCellsWhereAWallBetweenThemOpens) {
-  PricedField field({6, 1}, strides(3), step_price);
-  CellSet ends = CellSet::of({0, 0});
-  ends.insert({5, 0});
-  WallPrices prices = all_at({6, 1}, 0);
-  const Wall second = wall_at({1, 0}, Heading::east), fourth = wall_at({3, 0}, Heading::east);
-  prices.set(second, WallPrices::closed);
-  prices.set(fourth, WallPrices::closed);
-  field.fill(prices, ends);
-  EXPECT_EQ(costs_of(field, {6, 1}), (std::vector{0, 30, unreachable, unreachable, 30, 0}));
-  prices.set(fourth, 8);
-  WallSet changed;
-  changed.insert(fourth);
-  field.refill(prices, ends, changed);
-  EXPECT_EQ(costs_of(field, {6, 1}), (std::vector{0, 30, 38, 38, 30, 0}));
-  prices.set(fourth, WallPrices::closed);
-  field.refill(prices, ends, changed);
-  EXPECT_EQ(costs_of(field, {6, 1}), (std::vector{0, 30, unreachable, unreachable, 30, 0}));
+TEST(PricedField, ReachesNothingAtTheLimit) {
+  PricedField field({7, 1}, strides(3), step_price);
+  field.fill_below(60, all_at({7, 1}, 0), CellSet::of({0, 0}));
+  EXPECT_EQ(costs_of(field, {7, 1}), (std::vector{0, 30, 30, 30, unreachable, unreachable, unreachable}));
 }
 
 /// A world that dice have thrown, and how it changes.
@@ -111,19 +97,7 @@ class RandomWorld {
     return plain_costs({size_, motion_, step_price, [&](Wall wall) { return prices_.of(wall); }}, from_);
   }
 
-  /// Changes one wall, some, or many; what it returns may hold more walls than have changed.
-  WallSet change() {
-    WallSet changed;
-    const int share = pick({0, 0, 0, 1, 16});
-    const int direction = dice_.below(4);
-    if (share > 0)
-      WallSet::all(size_).for_each([&](Wall wall) {
-        if (dice_.chance(share, 64)) change(wall, direction, changed);
-      });
-    else if (const WallSet all = WallSet::all(size_); !all.empty())
-      for (int count = pick({0, 1, 1, 2, 4}); count > 0; --count) change(any_wall(), direction, changed);
-    return changed;
-  }
+  int below(int count) { return dice_.below(count); }
 
  private:
   int pick(std::initializer_list<int> of) { return of.begin()[dice_.below(static_cast<int>(of.size()))]; }
@@ -141,26 +115,6 @@ class RandomWorld {
   }
 
   int any_price() { return dice_.chance(closed_, 8) ? WallPrices::closed : dice_.below(dearest_ + 1); }
-
-  /// Any inner wall, often one that meets the border.
-  Wall any_wall() {
-    for (;;) {
-      Cell cell = size_.cell_at(dice_.below(size_.area()));
-      if (dice_.chance(1, 2)) (dice_.chance(1, 2) ? cell.x : cell.y) = 0;
-      const Wall wall = wall_at(cell, all_headings[static_cast<std::size_t>(dice_.below(4))]);
-      if (!on_border(wall, size_)) return wall;
-    }
-  }
-
-  /// By any amount, upwards, downwards, or not at all.
-  void change(Wall wall, int direction, WallSet& changed) {
-    const int old = prices_.of(wall);
-    if (direction == 0) prices_.set(wall, any_price());
-    if (direction == 1) prices_.set(wall, old >= WallPrices::highest - 9 ? int{WallPrices::closed} : old + dice_.below(9));
-    if (direction == 2) prices_.set(wall, old == WallPrices::closed ? dice_.below(dearest_ + 1) : old - dice_.below(old + 1));
-    if (direction == 3 && dice_.chance(1, 2)) prices_.set(wall, old == 0 ? int{WallPrices::closed} : 0);
-    changed.insert(wall);
-  }
 
   Size size_;
   Dice dice_;
@@ -184,17 +138,28 @@ RC_GTEST_PROP(PricedField, AgreesWithAPlainQueue, ()) {
   RC_ASSERT(costs_of(field, world.size()) == world.plain());
 }
 
-RC_GTEST_PROP(PricedField, IsTheSameRefilledAsFilled, ()) {
+RC_GTEST_PROP(PricedField, AgreesBelowALimit, ()) {
   RandomWorld world = any_world();
-  PricedField field(world.size(), world.motion(), step_price), fresh = field;
-  field.fill(world.prices(), world.from());
-  for (int round = 0; round < 60; ++round) {
-    const WallSet changed = world.change();
-    field.refill(world.prices(), world.from(), changed);
-    fresh.fill(world.prices(), world.from());
-    RC_ASSERT(costs_of(field, world.size()) == costs_of(fresh, world.size()));
+  const int limit = 1 + world.below(4000);
+  PricedField field(world.size(), world.motion(), step_price);
+  field.fill_below(limit, world.prices(), world.from());
+  const std::vector<int> costs = costs_of(field, world.size()), plain = world.plain();
+  for (std::size_t i = 0; i < plain.size(); ++i) RC_ASSERT(costs[i] == (plain[i] < limit ? plain[i] : unreachable));
+}
+
+RC_GTEST_PROP(PricedField, AgreesWhereTheRestStaysBelowALimit, ()) {
+  RandomWorld world = any_world();
+  const int limit = 1 + world.below(4000);
+  const CellSet start = CellSet::of(world.size().cell_at(world.below(world.size().area())));
+  PricedField rest(world.size(), world.motion(), step_price), field = rest, whole = rest;
+  rest.fill(world.prices(), world.from());
+  whole.fill(world.prices(), start);
+  field.fill_below(limit, rest, world.prices(), start);
+  for (int i = 0; i < world.size().area(); ++i) {
+    const bool within = whole.at_index(i) + rest.at_index(i) < limit;
+    if (within) RC_ASSERT(field.at_index(i) == whole.at_index(i));
+    if (!within) RC_ASSERT(field.at_index(i) >= whole.at_index(i));
   }
-  RC_ASSERT(costs_of(field, world.size()) == world.plain());
 }
 
 }  // namespace

@@ -90,12 +90,16 @@ class AriadneReferee final : public Strategy {
       return;
     }
     after_the_goal_ = goal_entered_;
+    if (!goal_entered_ && in_a_hurry()) {
+      judge_flood(action);
+      return;
+    }
     const bool chooses = news || just_entered || !target_ || pose_.cell == target_->seen_from;
     ASSERT_EQ(mouse_.reasons() != nullptr, chooses) << "chooses where there is something new, and only there";
     if (chooses) {
       ASSERT_NO_FATAL_FAILURE(judge_choice(*mouse_.reasons()));
     }
-    const bool last_call = steps_left() <= known_ + 1;
+    const bool last_call = steps_left() <= std::max(known_, 1) + 1;
     if (goal_entered_ && (!target_ || last_call)) {
       ASSERT_EQ(action, Action::reset());
       stopped_content_ = !target_ && !last_call;
@@ -104,6 +108,28 @@ class AriadneReferee final : public Strategy {
       ASSERT_FALSE(could_reach_a_goal());
     } else {
       ASSERT_NO_FATAL_FAILURE(judge_step(action));
+    }
+  }
+
+  bool in_a_hurry() const {
+    return 8 * briefing_.budget < 7 * briefing_.size.area() || 2 * steps_left() < briefing_.budget;
+  }
+
+  /// A step of a flood fill: nearer to the goal by all that could be open, or a turn to look behind.
+  void judge_flood(const Action& action) const {
+    ASSERT_EQ(mouse_.reasons(), nullptr);
+    if (!could_reach_a_goal()) {
+      ASSERT_EQ(action, Action::forfeit(ForfeitReason::no_way));
+      return;
+    }
+    ASSERT_EQ(action.kind, Action::Kind::step);
+    ASSERT_TRUE(is_seen_to_be_open(action));
+    const auto price = [&](Wall wall) { return knowledge_.possible().contains(wall) ? 0 : int{WallPrices::closed}; };
+    const std::vector<int> steps = plain_costs({briefing_.size, briefing_.motion, 1, price}, briefing_.goals);
+    if (action.movement == 0) {
+      ASSERT_EQ(action, Action::step(90, 0));
+    } else {
+      ASSERT_LE(of(steps, after(pose_, action).cell), of(steps, pose_.cell));
     }
   }
 
@@ -184,12 +210,10 @@ class AriadneReferee final : public Strategy {
     ASSERT_EQ(wall.score * ariadne::one, static_cast<double>(score));
   }
 
-  /// There, perhaps a turn, back, into the goal, the reset and the run. Whether the turn is counted is left open.
+  /// There, a turn, back, into the goal, the reset and the run.
   void judge_time(const Candidate& wall) const {
-    const int spare = nearest_goal_ == unreachable ? 2 : steps_left() - (2 * wall.travel + nearest_goal_ + 1 + known_);
-    if (spare < 0 || spare > 1) {
-      ASSERT_EQ(wall.worth, spare > 1);
-    }
+    const int needed = 2 * wall.travel + 1 + nearest_goal_ + 1 + std::max(known_, 1);
+    ASSERT_EQ(wall.worth, nearest_goal_ == unreachable || needed <= steps_left());
   }
 
   /// Whether someone in the cell who turns to the wall sees it: all between them is known to be open.

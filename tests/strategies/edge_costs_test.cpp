@@ -37,8 +37,7 @@ TEST(EdgeCosts, AreThoseOfTheCheapestRunThroughAWall) {
   Outlook outlook(briefing, nullptr);
   outlook.price(ten);
   EdgeCosts costs(briefing);
-  costs.plan(outlook, 256);
-  EXPECT_EQ(costs.best(), 160);
+  costs.plan(outlook.prices(), 256);
   for (int x = 0; x < 4; ++x) EXPECT_EQ(costs.through(wall_at({x, 0}, Heading::east)), 160);
 }
 
@@ -52,7 +51,7 @@ TEST(EdgeCosts, LeadThroughAWallBehindTheStartAndBack) {
   Outlook outlook(briefing, nullptr);
   outlook.price(free);
   EdgeCosts costs(briefing);
-  costs.plan(outlook, 256);
+  costs.plan(outlook.prices(), 256);
   // One cell west, and then three east.
   EXPECT_EQ(costs.through(wall_at({1, 0}, Heading::east)), 120);
   EXPECT_EQ(costs.through(wall_at({0, 0}, Heading::east)), 180);
@@ -64,7 +63,7 @@ TEST(EdgeCosts, RoundTheWeightedWayDown) {
   Outlook outlook(briefing, nullptr);
   outlook.price(free);
   EdgeCosts costs(briefing);
-  costs.plan(outlook, 33);
+  costs.plan(outlook.prices(), 33);
   // The ways of 0, 30, 60 and 90 weigh 0, 3.9, 7.7 and 11.6; or backwards through the wall, from the far side.
   EXPECT_EQ(costs.through(wall_at({0, 0}, Heading::east)), 120);
   EXPECT_EQ(costs.through(wall_at({1, 0}, Heading::east)), 90 + 3);
@@ -85,19 +84,39 @@ class Learner {
   void price(const PriceTable& table) { outlook_.price(table); }
 
   void expect_plain_costs(int weight) {
-    costs_.plan(outlook_, weight);
+    costs_.plan(outlook_.prices(), weight);
     const WallPrices& prices = outlook_.prices();
     const test::PricedWorld world = {briefing_.size, briefing_.motion, step_price, [&](Wall wall) { return prices.of(wall); }};
     const test::WallNumbers plain = test::plain_costs_through(world, briefing_.start.cell, briefing_.goals, weight);
-    const std::vector<int> to_goal = test::plain_costs(world, briefing_.goals);
-    ASSERT_EQ(costs_.best(), to_goal[static_cast<std::size_t>(briefing_.size.index(briefing_.start.cell))]);
     knowledge_.unknown().for_each([&](Wall wall) {
       if (!prices.passable(wall)) return;
-      // A weight below one makes less than that of unreachable; no mouse comes to such a wall.
-      if (weight == 33 && plain[wall] == unreachable) return;
       ASSERT_EQ(std::min(costs_.through(wall), unreachable), plain[wall])
           << (wall.side == Heading::north ? "north of " : "east of ") << int{wall.cell.x} << ',' << int{wall.cell.y};
     });
+  }
+
+  /// With a limit, what costs less than it is exact, and nothing else seems to cost less.
+  void expect_plain_costs_below(int limit, int weight) {
+    const WallPrices& prices = outlook_.prices();
+    const test::PricedWorld world = {briefing_.size, briefing_.motion, step_price, [&](Wall wall) { return prices.of(wall); }};
+    const auto expect = [&](const test::WallNumbers& plain, int exact_below) {
+      knowledge_.unknown().for_each([&](Wall wall) {
+        if (!prices.passable(wall)) return;
+        const int cost = costs_.through(wall);
+        if (plain[wall] < exact_below) {
+          ASSERT_EQ(cost, plain[wall]);
+        } else {
+          ASSERT_GE(cost, std::min(exact_below, plain[wall]));
+        }
+      });
+    };
+    costs_.plan_below(limit, prices);
+    ASSERT_NO_FATAL_FAILURE(expect(test::plain_costs_through(world, briefing_.start.cell, briefing_.goals, 256), limit));
+    // Runs through cells that are left out cost at least the limit and a move.
+    costs_.plan_near(limit, prices, weight);
+    const int cheapest_move = step_price * briefing_.motion.cost[1];
+    ASSERT_NO_FATAL_FAILURE(
+        expect(test::plain_costs_through(world, briefing_.start.cell, briefing_.goals, weight), limit + cheapest_move));
   }
 
  private:
@@ -151,6 +170,8 @@ void expect_plain_costs_while_learning(const Maze& maze, Dice& dice) {
     if (dice.chance(1, 20)) learner.price(tables[dice.below(2)]);
     if (!dice.chance(1, 3)) continue;
     ASSERT_NO_FATAL_FAILURE(learner.expect_plain_costs(weight)) << "step " << step.step << test::drawing_of(maze);
+    const int limit = 1 + dice.below(dice.chance(1, 2) ? 400 : 3000);
+    ASSERT_NO_FATAL_FAILURE(learner.expect_plain_costs_below(limit, weight)) << "step " << step.step << test::drawing_of(maze);
   }
 }
 
