@@ -25,7 +25,9 @@ TEST(ALesson, GivesEqualBytesForEqualMazesInAnyOrder) {
 TEST(ALesson, IsThePriorOfItsMazes) {
   const Maze loop = test::loop().maze, hook = test::hook().maze;
   const std::vector<const Maze*> mazes = {&hook, &loop};
-  EXPECT_EQ(read_prior(file_of(lesson_of({test::loop(), test::hook()}))).prior, learn_prior(mazes, Rules()));
+  const std::string file = file_of(lesson_of({test::loop(), test::hook()}));
+  EXPECT_EQ(read_prior(file).prior, learn_prior(mazes, Rules()));
+  EXPECT_THAT(file, HasSubstr(" from 2 mazes.\n// Sizes: 1 of 2x2, 1 of 5x5.\n"));
 }
 
 TEST(ALesson, CountsTheSameWallsOnceAndLeavesOutWhatHasNoRoute) {
