@@ -1,14 +1,15 @@
 // Cheapest costs over walls that have prices.
 //
-// Method: Dijkstra with a ring of buckets (Dial 1969): one bucket for each cost that may still come, each a list of
-// cells that are linked by their indices; a row of bits says which buckets hold anything.
+// Method: Dijkstra with a ring of buckets for its queue (CellBuckets).
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "labmouse/grid/cell_set.hpp"
+#include "labmouse/mouse/cell_buckets.hpp"
 #include "labmouse/mouse/distance.hpp"
 #include "labmouse/mouse/motion.hpp"
 #include "labmouse/mouse/wall_prices.hpp"
@@ -19,8 +20,11 @@ namespace labmouse {
 /// the prices of the walls that it leads through. Moves cost the same both ways, so these are the costs to the set, too.
 class PricedField {
  public:
-  /// Takes all memory that it will need: 4 KiB and 8 bytes a cell for strides at a step's price of 30.
+  /// Takes all memory that it will need: 4 bytes a cell, and for its queue as many and 2 KiB, for strides at a step's price
+  /// of 30.
   PricedField(Size size, const Motion& motion, int step_price);
+  /// A second field of the same kind, which saves the memory of a queue: the two must not be filled at the same time.
+  PricedField sibling() const { return *this; }
 
   void fill(const WallPrices& prices, const CellSet& from);
   /// The same for those cells alone whose cost is below a limit; others may be unreachable. It ends the sooner.
@@ -37,30 +41,19 @@ class PricedField {
   int longest() const { return longest_; }
 
  private:
-  using Index = std::uint16_t;
-  /// The neighbours in a bucket's list.
-  struct Link {
-    Index before, next;
-  };
+  PricedField(const PricedField&) = default;
 
   template <class Within>
   void search(const WallPrices& prices, const CellSet& from, Within within);
   template <class Within>
-  void spread(const std::uint8_t* wall, int cell, int to_next, Within within);
+  void spread(int price, const std::uint8_t* wall, int cell, int to_next, Within within);
   void reach(int cell, int cost);
-  void leave_bucket(int cell);
-  int take_first();
-  bool next_bucket();
 
   Size size_;
   int longest_;
   std::array<int, Motion::max_longest + 1> step_cost_{};
-  int mask_;     ///< buckets in the ring, less one
-  int now_ = 0;  ///< cost of the cells that are settled now
   std::vector<std::int32_t> costs_;
-  std::vector<Link> links_;         ///< of each cell that waits in a bucket
-  std::vector<Index> first_;        ///< cell of each bucket
-  std::vector<std::uint64_t> used_; ///< which buckets hold cells
+  std::shared_ptr<CellBuckets> queue_;
 };
 
 }  // namespace labmouse

@@ -35,8 +35,8 @@ class Ariadne final : public Explorer {
       : Explorer(briefing),
         policy_(settings),
         outlook_(briefing, prior),
-        costs_(briefing),
-        views_(briefing, knowledge()),
+        costs_(this->briefing()),
+        views_(this->briefing(), knowledge()),
         way_(briefing.size, briefing.motion) {
     outlook_.price(policy_.before.prices);
   }

@@ -151,7 +151,7 @@ RC_GTEST_PROP(PricedField, AgreesWhereTheRestStaysBelowALimit, ()) {
   RandomWorld world = any_world();
   const int limit = 1 + world.below(4000);
   const CellSet start = CellSet::of(world.size().cell_at(world.below(world.size().area())));
-  PricedField rest(world.size(), world.motion(), step_price), field = rest, whole = rest;
+  PricedField rest(world.size(), world.motion(), step_price), field = rest.sibling(), whole = rest.sibling();
   rest.fill(world.prices(), world.from());
   whole.fill(world.prices(), start);
   field.fill_below(limit, rest, world.prices(), start);

@@ -256,7 +256,7 @@ TEST(Ariadne, FitsIntoASmallComputer) {
     const auto mouse = ariadne_mouse.make(briefing, settings);
     return test::allocated_bytes() - before;
   };
-  EXPECT_LE(bytes(16), 64 * 1024);
+  EXPECT_LE(bytes(16), 16 * 1024);
   for (const int side : {16, 32, 64}) RecordProperty("bytes_" + std::to_string(side), static_cast<int>(bytes(side)));
 }
 

@@ -5,32 +5,27 @@
 namespace labmouse::ariadne {
 
 EdgeCosts::EdgeCosts(const Briefing& briefing)
-    : size_(briefing.size),
-      goals_(briefing.goals),
-      from_start_(briefing.size, briefing.motion, step_price),
-      to_goal_(briefing.size, briefing.motion, step_price) {
-  start_.insert(briefing.start.cell);
-}
+    : briefing_(briefing), from_start_(briefing.size, briefing.motion, step_price), to_goal_(from_start_.sibling()) {}
 
 void EdgeCosts::plan(const WallPrices& prices, int way_here) {
   prices_ = &prices;
   way_here_ = way_here;
-  to_goal_.fill(prices, goals_);
-  if (way_here != 0) from_start_.fill(prices, start_);
+  to_goal_.fill(prices, briefing_.goals);
+  if (way_here != 0) from_start_.fill(prices, start());
 }
 
 void EdgeCosts::plan_near(int limit, const WallPrices& prices, int way_here) {
   prices_ = &prices;
   way_here_ = way_here;
-  to_goal_.fill_below(limit, prices, goals_);
-  if (way_here != 0) from_start_.fill(prices, start_);
+  to_goal_.fill_below(limit, prices, briefing_.goals);
+  if (way_here != 0) from_start_.fill(prices, start());
 }
 
 void EdgeCosts::plan_below(int limit, const WallPrices& prices) {
   prices_ = &prices;
   way_here_ = one;
-  to_goal_.fill_below(limit, prices, goals_);
-  from_start_.fill_below(limit, to_goal_, prices, start_);
+  to_goal_.fill_below(limit, prices, briefing_.goals);
+  from_start_.fill_below(limit, to_goal_, prices, start());
 }
 
 /// A with its weight, for the cell of an index.
@@ -43,13 +38,13 @@ inline int EdgeCosts::way_to(int cell) const {
 int EdgeCosts::through(Wall wall) const {
   const bool north = wall.side == Heading::north;
   const std::uint8_t* prices = north ? prices_->north() : prices_->east();
-  const int next = north ? size_.width : 1;  // from a cell to the one behind the wall
+  const int next = north ? briefing_.size.width : 1;  // from a cell to the one behind the wall
   int cheapest = unreachable;
-  int first = size_.index(wall.cell);
+  int first = briefing_.size.index(wall.cell);
   int price = prices[first];
   // All moves that begin `before` cells ahead of the wall; the border and walls taken for closed end them.
   for (int before = 0; before < to_goal_.longest(); ++before) {
-    int last = size_.index(wall.cell) + next;
+    int last = briefing_.size.index(wall.cell) + next;
     int to_last = price;
     for (int cells = before + 1;; ++cells) {
       const int move = to_goal_.step_cost(cells) + to_last;

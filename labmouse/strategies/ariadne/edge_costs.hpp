@@ -14,7 +14,7 @@ namespace labmouse::ariadne {
 
 class EdgeCosts {
  public:
-  /// Takes all memory that it will need.
+  /// Takes all memory that it will need. The briefing must live as long.
   explicit EdgeCosts(const Briefing& briefing);
 
   /// Finds A and G over prices that stay as they are until the next plan. The weight of A is in 1/256; at 0 there is no
@@ -30,10 +30,9 @@ class EdgeCosts {
 
  private:
   int way_to(int cell) const;
+  CellSet start() const { return CellSet::of(briefing_.start.cell); }
 
-  Size size_;
-  CellSet start_;
-  CellSet goals_;
+  const Briefing& briefing_;
   const WallPrices* prices_ = nullptr;
   int way_here_ = 0;
   PricedField from_start_;

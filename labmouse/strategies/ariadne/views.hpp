@@ -21,7 +21,7 @@ struct Viewpoint {
 /// The cells that the mouse comes to over passages that it knows.
 class Views {
  public:
-  /// Takes all memory that it will need. The knowledge must live as long.
+  /// Takes all memory that it will need. Briefing and knowledge must live as long.
   Views(const Briefing& briefing, const Knowledge& knowledge)
       : goals_(briefing.goals), knowledge_(knowledge), travel_(briefing.size, briefing.motion) {}
 
@@ -51,7 +51,7 @@ class Views {
   }
 
  private:
-  CellSet goals_;
+  const CellSet& goals_;
   const Knowledge& knowledge_;
   DistanceField travel_;
 };
