@@ -82,6 +82,13 @@ std::string heading_of(const StepRecord& step, std::size_t candidates, bool goal
                      name_of(step.pose.heading), goal_entered ? "after" : "before", candidates, candidates == 1 ? "" : "s");
 }
 
+/// The first step of a flood; those that follow it are not told of.
+std::string flood_of(const StepRecord& step) {
+  return fmt::format("\nstep {} at ({},{}): floods from here on. The budget is small for this maze, or half of it is\n"
+                     "gone without the goal, so it takes the shortest way that could be open.\n",
+                     step.step, int{step.pose.cell.x}, int{step.pose.cell.y});
+}
+
 /// Why nothing was chosen after the goal.
 std::string hope_of(const Reasons& reasons) {
   const std::string known = fmt::format("The known run takes {} steps.\n", steps_text(reasons.known));
@@ -96,6 +103,10 @@ std::string reset_of(const RecordFile& file, const StepRecord& step) {
   const auto& all = file.run.reasons;
   const auto why = std::find_if(all.begin(), all.end(), [&](const StepReasons& each) { return each.step == step.step; });
   if (why == all.end()) return fmt::format("step {}: reset without weighing the walls anew, {}.\n", step.step, left);
+  if (why->reasons.ground == Ground::no_loops)
+    return fmt::format("step {}: reset at the goal. The walls seen look like those of a maze without loops,\n"
+                       "where no other run is to be found. The known run takes {} steps.\n",
+                       step.step, steps_text(why->reasons.known));
   if (why->reasons.chosen < 0) return fmt::format("step {}: reset. ", step.step) + hope_of(why->reasons);
   return fmt::format("step {}: reset all the same, {}; the known run takes {}.\n", step.step, left,
                      steps_text(why->reasons.known));
@@ -131,8 +142,13 @@ std::string explanation_of(const RecordFile& file, int candidates) {
   if (file.run.reasons.empty()) return "";
   const int to_goal = step_to_goal(file);
   std::string text = key_of(file.run);
+  int flood_until = -1;  // the last step of a flood that has been told of
   for (const auto& [number, reasons] : file.run.reasons) {
     const StepRecord& step = file.run.steps[static_cast<std::size_t>(number) - 1];
+    const bool goes_on = flood_until == number - 1;
+    if (reasons.ground == Ground::flood) flood_until = number;
+    if (reasons.ground == Ground::flood && !goes_on) text += flood_of(step);
+    if (reasons.ground != Ground::candidates) continue;
     text += "\n" + heading_of(step, reasons.candidates.size(), number > to_goal) + table_of(reasons, candidates);
   }
   const std::string ending = ending_of(file);

@@ -53,6 +53,14 @@ Candidate read_candidate(RecordFields& fields, Size size) {
   return candidate;
 }
 
+Ground read_ground(RecordFields& fields) {
+  const std::string name = fields.text("ground");
+  for (const Ground ground : {Ground::candidates, Ground::flood, Ground::no_loops})
+    if (name == name_of(ground)) return ground;
+  fields.fail("has a ground that is none");
+  return Ground::candidates;
+}
+
 /// Reads the candidates; returns what is wrong, or nothing.
 std::string read_candidates(const json& list, Size size, std::vector<Candidate>& candidates) {
   const int most = 2 * size.area();
@@ -72,8 +80,15 @@ std::string read_candidates(const json& list, Size size, std::vector<Candidate>&
 ordered_json reasons_json(const Reasons& reasons) {
   auto candidates = ordered_json::array();
   for (const Candidate& candidate : reasons.candidates) candidates.push_back(candidate_json(candidate));
-  return {{"candidates", std::move(candidates)}, {"chosen", reasons.chosen},     {"known", reasons.known},
-          {"way_here", reasons.way_here},        {"hope", reasons.hope},         {"price", reasons.price}};
+  ordered_json line;
+  if (reasons.ground != Ground::candidates) line["ground"] = name_of(reasons.ground);
+  line["candidates"] = std::move(candidates);
+  line["chosen"] = reasons.chosen;
+  line["known"] = reasons.known;
+  line["way_here"] = reasons.way_here;
+  line["hope"] = reasons.hope;
+  line["price"] = reasons.price;
+  return line;
 }
 
 std::string read_reasons(const json& object, Size size, Reasons& reasons) {
@@ -81,6 +96,7 @@ std::string read_reasons(const json& object, Size size, Reasons& reasons) {
   const json& candidates = fields.list("candidates");
   if (!fields.error().empty()) return fields.error();
   if (auto error = read_candidates(candidates, size, reasons.candidates); !error.empty()) return error;
+  if (fields.has("ground")) reasons.ground = read_ground(fields);
   reasons.chosen = fields.whole("chosen", -1, static_cast<int>(candidates.size()) - 1);
   reasons.known = fields.whole("known", 0, largest_cost);
   reasons.way_here = fields.number("way_here", 0, 1);

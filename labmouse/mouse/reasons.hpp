@@ -1,6 +1,9 @@
 // Why a mind goes where it goes, for those who watch: what it could have done, and what it took that to be worth.
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "labmouse/grid/wall.hpp"
@@ -23,8 +26,20 @@ struct Candidate {
   friend bool operator==(const Candidate&, const Candidate&) = default;
 };
 
+/// What a mind went by.
+enum class Ground : std::uint8_t {
+  candidates,  ///< the lowest score of its candidates, or that none of them was worth its price
+  flood,       ///< a flood fill: for want of time it weighs nothing
+  no_loops,    ///< it takes the maze for one without loops, and stops at the goal
+};
+
+inline constexpr std::array ground_names = {"candidates", "flood", "no loops"};
+
+constexpr std::string_view name_of(Ground ground) { return ground_names[static_cast<unsigned>(ground)]; }
+
 /// One choice of a mind.
 struct Reasons {
+  Ground ground = Ground::candidates;
   std::vector<Candidate> candidates;
   /// The position of the chosen one; -1 where none was worth its price, and the mind stops.
   int chosen = -1;

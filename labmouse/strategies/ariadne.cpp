@@ -58,7 +58,11 @@ class Ariadne final : public Explorer {
     if (!goal_entered() && briefing().goals.contains(pose().cell)) return Action::step(0, 0);
     const bool just_entered = goal_entered() && phase_ == &policy_.before;
     if (just_entered) {
-      if (stops_at_the_goal()) return Action::reset();
+      if (stops_at_the_goal()) {
+        find_known_run();
+        give_ground(Ground::no_loops);
+        return Action::reset();
+      }
       phase_ = &policy_.after;
       outlook_.price(phase_->prices);
     }
@@ -84,25 +88,39 @@ class Ariadne final : public Explorer {
   bool in_a_hurry() const { return 8 * briefing().budget < 7 * briefing().size.area() || 2 * steps_left() < briefing().budget; }
 
   Action flood_step() {
+    give_ground(Ground::flood);
     way_.fill(knowledge().possible(), briefing().goals);
     return optimistic_step(way_);
   }
 
-  /// The last moment at which the reset and the known run still fit into the budget. When that is past, only a shorter
-  /// run can help.
+  /// The last moment at which the reset and the known run still fit into the budget, or a moment past that. Costs stand
+  /// for steps here and below; where moves cost more than one that is on the safe side.
   bool last_call() const { return steps_left() <= 1 + known_run(); }
 
   /// Steps of the shortest known speed run, which has one even where the start is a goal.
   int known_run() const { return std::max(known_, 1); }
 
-  void choose() {
+  /// Says what it goes by, before the candidates if there are any.
+  void give_ground(Ground ground) {
     chose_ = true;
-    target_.reset();
+    reasons_.ground = ground;
     reasons_.candidates.clear();
-    views_.plan(pose().cell);
-    nearest_goal_ = views_.nearest_goal();
+    reasons_.chosen = -1;
+    reasons_.known = known_ < unreachable ? known_ * ariadne::step_price : 0;
+    reasons_.hope = reasons_.price = 0;
+  }
+
+  void find_known_run() {
     way_.fill(knowledge().open(), briefing().goals);
     known_ = way_.at(briefing().start.cell);
+  }
+
+  void choose() {
+    target_.reset();
+    views_.plan(pose().cell);
+    nearest_goal_ = views_.nearest_goal();
+    find_known_run();
+    give_ground(Ground::candidates);
     if (goal_entered())
       choose_after();
     else
@@ -132,6 +150,7 @@ class Ariadne final : public Explorer {
 
   /// Every way that is left leads through a wall that was taken for closed.
   void choose_as_last_resort() {
+    if (policy_.last_resort == policy_.before.prices) return;
     outlook_.price(policy_.last_resort);
     costs_.plan(outlook_.prices(), phase_->way_here);
     consider_walls();
@@ -211,12 +230,10 @@ class Ariadne final : public Explorer {
     if (keeps_reasons_) reasons_.candidates.push_back(candidate);
   }
 
-  /// The rest of the reasons: what it knew, and what it hoped for at which price.
+  /// The rest of the reasons: what it hoped for, and at which price.
   void conclude() {
     if (!target_) reasons_.chosen = -1;
-    reasons_.known = known_ < unreachable ? known_ * ariadne::step_price : 0;
     reasons_.way_here = static_cast<double>(phase_->way_here) / one;
-    reasons_.hope = reasons_.price = 0;
     if (!goal_entered()) return;
     double least = 0;
     for (const Candidate& candidate : reasons_.candidates) {

@@ -86,6 +86,9 @@ class AriadneReferee final : public Strategy {
     const bool just_entered = goal_entered_ && !after_the_goal_;
     if (just_entered && (policy_.loop_free || (policy_.may_be_loop_free && outlook_.evidence_against_loops() > 64))) {
       ASSERT_EQ(action, Action::reset());
+      ASSERT_NE(mouse_.reasons(), nullptr);
+      ASSERT_EQ(mouse_.reasons()->ground, Ground::no_loops);
+      ASSERT_EQ(mouse_.reasons()->known, 30 * known_);
       stopped_at_the_goal_ = true;
       return;
     }
@@ -117,7 +120,9 @@ class AriadneReferee final : public Strategy {
 
   /// A step of a flood fill: nearer to the goal by all that could be open, or a turn to look behind.
   void judge_flood(const Action& action) const {
-    ASSERT_EQ(mouse_.reasons(), nullptr);
+    ASSERT_NE(mouse_.reasons(), nullptr);
+    ASSERT_EQ(mouse_.reasons()->ground, Ground::flood);
+    ASSERT_TRUE(mouse_.reasons()->candidates.empty());
     if (!could_reach_a_goal()) {
       ASSERT_EQ(action, Action::forfeit(ForfeitReason::no_way));
       return;
@@ -140,6 +145,7 @@ class AriadneReferee final : public Strategy {
   }
 
   void judge_choice(const Reasons& reasons) {
+    ASSERT_EQ(reasons.ground, Ground::candidates);
     const ariadne::Phase& phase = goal_entered_ ? policy_.after : policy_.before;
     prices_ = outlook_.prices(phase.prices);
     WallNumbers through = costs_through(phase);

@@ -28,8 +28,6 @@ class Outlook {
   void price(const PriceTable& table);
 
   const WallPrices& prices() const { return prices_; }
-  /// -ln P(open) of an unseen wall, in 1/32.
-  int reluctance(Wall wall) const;
 
   /// How much better a maze without loops explains the walls seen so far than one of a contest: the logarithm of the
   /// ratio of the likelihoods, in 1/32. 0 without a prior.
@@ -39,6 +37,8 @@ class Outlook {
   void learn(Wall wall, bool open);
   void weigh(Wall wall, bool open);
   void price(Wall wall);
+  /// -ln P(open) of an unseen wall, in 1/32.
+  int reluctance(Wall wall) const;
 
   Size size_;
   const WallPrior* prior_;

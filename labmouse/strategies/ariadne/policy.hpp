@@ -5,13 +5,14 @@
 #include <span>
 #include <string_view>
 
+#include "labmouse/mouse/reasons.hpp"
 #include "labmouse/strategies/ariadne/outlook.hpp"
 #include "labmouse/strategies/parameter.hpp"
 
 namespace labmouse::ariadne {
 
 /// Costs are in thirtieths of a step of the speed run, so that a step of exploration costs 1 in a score.
-inline constexpr int step_price = 30;
+inline constexpr int step_price = costs_a_step;
 /// Weights of costs, and scores, are in 1/256.
 inline constexpr int one = 256;
 

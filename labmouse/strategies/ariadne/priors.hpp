@@ -7,9 +7,9 @@
 
 namespace labmouse::ariadne {
 
-/// Of real contest mazes of 16×16 cells; contest.prior says which, and how.
+/// Of real contest mazes of 16×16 cells; contest.prior says how many, docs/priors.md which.
 extern const WallPrior contest_prior;
-/// Of mazes without loops, as `labmouse make depth-first` makes them; loop_free.prior says which, and how.
+/// Of mazes without loops, as `labmouse make depth-first` makes them; docs/priors.md says which.
 extern const WallPrior loop_free_prior;
 
 /// The default prior for a maze of that size, or null: in mazes smaller than half of those that it was counted in, the
