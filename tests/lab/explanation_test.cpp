@@ -142,6 +142,29 @@ TEST(Explanation, OfEqualHopesNamesTheNearest) {
   EXPECT_THAT(explanation_of(file, 5), HasSubstr("The best hope: 3.07 through (2,0) north; "));
 }
 
+TEST(Explanation, TellsOfAStopForWantOfLoops) {
+  RecordFile file = explained();
+  Reasons& last = file.run.reasons.back().reasons;
+  last = Reasons();
+  last.ground = Ground::no_loops;
+  last.known = 90;
+  EXPECT_THAT(explanation_of(file, 5),
+              EndsWith("\nstep 4: reset at the goal. The walls seen look like those of a maze without loops,\n"
+                       "where no other run is to be found. The known run takes 3 steps.\n"));
+}
+
+TEST(Explanation, TellsOnceWhereItBeginsToFlood) {
+  RecordFile file = explained();
+  for (std::size_t i : {0U, 1U}) {
+    file.run.reasons[i].reasons = Reasons();
+    file.run.reasons[i].reasons.ground = Ground::flood;
+    file.run.reasons[i].step = static_cast<int>(i) + 1;
+  }
+  const std::string text = explanation_of(file, 5);
+  EXPECT_THAT(text, HasSubstr("\nstep 1 at (0,0): floods from here on."));
+  EXPECT_THAT(text, ::testing::Not(HasSubstr("step 2")));
+}
+
 TEST(Explanation, TellsOfAForfeit) {
   RecordFile file = explained();
   file.run.steps.resize(4);

@@ -39,6 +39,18 @@ TEST(RecordedReasons, AreReadAsTheyWereWritten) {
                               R"("chosen":2,"known":510,"way_here":0.5,"hope":523.0,"price":3.1328125}})"));
 }
 
+TEST(RecordedReasons, SayTheirGroundWhereItIsNotTheCandidates) {
+  RecordFile file = recorded("flood");
+  Reasons flood, no_loops;
+  flood.ground = Ground::flood;
+  no_loops.ground = Ground::no_loops;
+  file.run.reasons = {{1, flood}, {2, some_reasons()}, {3, no_loops}};
+  const std::string text = write_record(file);
+  EXPECT_EQ(read(text).run, file.run);
+  EXPECT_THAT(text, HasSubstr(R"("ground":"no loops")"));
+  EXPECT_THAT(text, ::testing::Not(HasSubstr(R"("ground":"candidates")")));
+}
+
 TEST(RecordedReasons, OfAMouseAreReadAsTheyWereWritten) {
   const RecordFile file = recorded("ariadne", test::loop(), 1, true);
   ASSERT_FALSE(file.run.reasons.empty());
@@ -97,6 +109,10 @@ TEST(RecordedReasons, WithoutAFieldAreRefused) {
   for (const char* field : {"wall", "seen_from", "through", "travel", "score"})
     EXPECT_EQ(problem(changed(with_candidates(candidate()), fmt::format("\"{}\"", field), "\"other\"")).reason,
               fmt::format("'reasons.candidates[0].{}' is missing", field));
+}
+
+TEST(RecordedReasons, WithAGroundThatIsNoneAreRefused) {
+  EXPECT_THAT(problem(with_candidates(candidate(), R"(,"ground":"a whim")")).reason, HasSubstr("ground that is none"));
 }
 
 TEST(RecordedReasons, WithAWrongWallAreRefused) {
