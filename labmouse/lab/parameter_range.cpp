@@ -96,7 +96,7 @@ std::string written_value(const ParameterRange& range, double value) {
   const bool whole = range.parameter.type == ParameterType::whole;
   // A value near an end may be rounded beyond it; its ends have few decimals, so some more keep it inside.
   for (int decimals = whole ? 0 : decimals_of(value);; ++decimals) {
-    const std::string text = canonical_value(range.parameter, fmt::format("{:.{}f}", value, decimals));
+    std::string text = canonical_value(range.parameter, fmt::format("{:.{}f}", value, decimals));
     double number = 0.0;
     parse_number(text, number);
     if ((number >= range.low && number <= range.high) || decimals > 9) return text;

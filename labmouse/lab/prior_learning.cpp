@@ -113,7 +113,11 @@ std::uint8_t reluctance_of(double closed) {
   constexpr double step = 0.96923323447634408;       // exp(-1 / 32)
   const double open = std::max(0.001, 1.0 - closed);
   std::uint8_t reluctance = 0;
-  for (double limit = half_step; open <= limit; limit *= step) ++reluctance;
+  double limit = half_step;
+  while (open <= limit) {
+    limit *= step;
+    ++reluctance;
+  }
   return reluctance;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace labmouse::ariadne {
 namespace {
@@ -43,7 +44,7 @@ PriceTable table_of(Price price) {
 PriceTable smooth(double base, double slope, double closed) {
   return table_of([=](double nats) {
     if (nats >= closed) return WallPrices::closed;
-    return nats == 0 ? 0 : std::min(static_cast<int>(base + slope * nats + 0.5), WallPrices::highest);
+    return nats == 0 ? 0 : std::min(static_cast<int>(std::lround(base + slope * nats)), WallPrices::highest);
   });
 }
 
