@@ -1,0 +1,158 @@
+#include "labmouse/guests/keeper.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+
+namespace labmouse {
+namespace {
+
+// Everything here runs between fork and exec, or in a process that never leaves this file: only functions that are safe
+// in a signal handler.
+
+void report(int descriptor, int value) {
+  while (write(descriptor, &value, sizeof value) < 0 && errno == EINTR) {
+  }
+}
+
+[[noreturn]] void fail(const KeptEnds& ends) {
+  report(ends.failure, errno);
+  _exit(127);
+}
+
+void limit(int resource, rlim_t most) {
+  rlimit now{};
+  if (getrlimit(static_cast<__rlimit_resource>(resource), &now) == 0 && most > now.rlim_max) most = now.rlim_max;
+  const rlimit wanted = {most, most};
+  // A limit that cannot be set leaves the others and the wall clock.
+  setrlimit(static_cast<__rlimit_resource>(resource), &wanted);
+}
+
+void limit_all(const GuestLimits& limits) {
+  limit(RLIMIT_CPU, static_cast<rlim_t>(limits.processor_seconds));
+  // Memory that is written to. Address space would be the wrong measure: some interpreters reserve gigabytes unused.
+  limit(RLIMIT_DATA, limits.memory);
+  limit(RLIMIT_CORE, 0);
+}
+
+/// Signals as a program expects them at its start.
+void reset_signals() {
+  struct sigaction plain {};
+  plain.sa_handler = SIG_DFL;
+  for (int number = 1; number < NSIG; ++number) sigaction(number, &plain, nullptr);
+  sigset_t none;
+  sigemptyset(&none);
+  sigprocmask(SIG_SETMASK, &none, nullptr);
+}
+
+[[noreturn]] void become_guest(const char* path, char* const* words, const char* directory, const GuestLimits& limits,
+                               const KeptEnds& ends) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  setpgid(0, 0);
+  if (dup2(ends.input, STDIN_FILENO) < 0 || dup2(ends.output, STDOUT_FILENO) < 0 || dup2(ends.errors, STDERR_FILENO) < 0)
+    fail(ends);
+  if (*directory != '\0' && chdir(directory) != 0) fail(ends);
+  reset_signals();
+  limit_all(limits);
+  execv(path, words);
+  fail(ends);
+}
+
+/// Moves a descriptor to 3 or above, where no standard stream will be put over it, and to be closed by exec.
+int moved_up(int descriptor) { return descriptor > STDERR_FILENO ? descriptor : fcntl(descriptor, F_DUPFD_CLOEXEC, 3); }
+
+void close_all_but(const std::array<int, 6>& kept) {
+  // Sorted by insertion, for the gaps between them.
+  std::array<int, 6> sorted = kept;
+  for (std::size_t i = 1; i < sorted.size(); ++i)
+    for (std::size_t j = i; j > 0 && sorted[j] < sorted[j - 1]; --j) {
+      const int swapped = sorted[j];
+      sorted[j] = sorted[j - 1];
+      sorted[j - 1] = swapped;
+    }
+  unsigned first = STDERR_FILENO + 1;
+  for (const int descriptor : sorted) {
+    const auto number = static_cast<unsigned>(descriptor);
+    if (number > first) syscall(SYS_close_range, first, number - 1, 0U);
+    first = number + 1;
+  }
+  syscall(SYS_close_range, first, ~0U, 0U);
+}
+
+/// Ends each child of this process; those of a child that ends come to be ours, since nobody else takes them. False where
+/// the system does not tell who they are.
+bool kill_children() {
+  std::array<char, 4096> text{};
+  const int list = open("/proc/thread-self/children", O_RDONLY | O_CLOEXEC);
+  if (list < 0) return false;
+  const ssize_t size = read(list, text.data(), text.size());
+  close(list);
+  pid_t number = 0;
+  for (ssize_t i = 0; i < size; ++i) {
+    const char letter = text[static_cast<std::size_t>(i)];
+    if (letter >= '0' && letter <= '9') {
+      number = number * 10 + (letter - '0');
+      continue;
+    }
+    if (number > 0) kill(number, SIGKILL);
+    number = 0;
+  }
+  return true;
+}
+
+/// Ends all descendants and buries them.
+void end_all(pid_t group) {
+  for (;;) {
+    kill(-group, SIGKILL);
+    // To wait for one that was not killed could take for ever.
+    if (waitpid(-1, nullptr, kill_children() ? 0 : WNOHANG) <= 0) return;
+  }
+}
+
+void note_child_ended(int) {}
+
+}  // namespace
+
+void keep_guest(const char* path, char* const* words, const char* directory, const GuestLimits& limits, const KeptEnds& ends) {
+  const KeptEnds kept = {moved_up(ends.input),   moved_up(ends.output), moved_up(ends.errors),
+                         moved_up(ends.failure), moved_up(ends.status), moved_up(ends.leash)};
+  // A session of its own: Ctrl-C and a closed terminal are not for guests. Of other guests it must hold nothing.
+  setsid();
+  close_all_but({kept.input, kept.output, kept.errors, kept.failure, kept.status, kept.leash});
+  prctl(PR_SET_CHILD_SUBREAPER, 1);
+
+  struct sigaction noted {};
+  noted.sa_handler = note_child_ended;
+  sigaction(SIGCHLD, &noted, nullptr);
+  sigset_t child_ended, before;
+  sigemptyset(&child_ended);
+  sigaddset(&child_ended, SIGCHLD);
+  sigprocmask(SIG_BLOCK, &child_ended, &before);
+  sigdelset(&before, SIGCHLD);
+
+  const pid_t guest = fork();
+  if (guest < 0) fail(kept);
+  if (guest == 0) become_guest(path, words, directory, limits, kept);
+  setpgid(guest, guest);  // here too: whichever of the two comes first
+  for (const int descriptor : {kept.input, kept.output, kept.errors, kept.failure}) close(descriptor);
+
+  for (;;) {
+    pollfd leash = {kept.leash, POLLIN, 0};
+    if (ppoll(&leash, 1, nullptr, &before) > 0) break;
+    int status = 0;
+    for (pid_t ended; (ended = waitpid(-1, &status, WNOHANG)) > 0;)
+      if (ended == guest) report(kept.status, status);
+  }
+  end_all(guest);
+  _exit(0);
+}
+
+}  // namespace labmouse

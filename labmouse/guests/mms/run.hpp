@@ -1,0 +1,50 @@
+// One program that was written for mms, hosted without mms.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "labmouse/guests/mms/host.hpp"
+#include "labmouse/guests/process.hpp"
+
+namespace labmouse {
+
+/// How the program ended. Its score counts either way, as in mms.
+enum class MmsOutcome : std::uint8_t {
+  complete,     ///< it ended with exit code 0
+  failed,       ///< it ended otherwise; the program's end says how
+  waiting,      ///< it waits for Reset, and nobody presses
+  invalid,      ///< a strict run had a line that mms would not answer
+  hung,         ///< it said nothing for longer than a decision may take
+  out_of_time,  ///< the contest took too long
+  flooded,      ///< it wrote a line that is too long, or left too many replies unread
+  closed,       ///< it closed its standard output and ran on
+  left,         ///< it ended, and what it started holds its output open
+  not_started,  ///< it could not be started
+  interrupted,  ///< the race was stopped
+};
+
+std::string_view name_of(MmsOutcome outcome);
+
+/// One run of one program in one maze.
+struct MmsRun {
+  MmsOutcome outcome = MmsOutcome::complete;
+  std::string end;        ///< how it ended, in words: "exit code 1", "signal 11 (Segmentation fault)", ...
+  MmsStatistics statistics;
+  HalfPose pose;          ///< at the end
+  MmsCanvas canvas;       ///< at the end
+  double clock = 0;       ///< simulated seconds
+  std::int64_t lines = 0;
+  std::int64_t invalid_lines = 0;
+  std::vector<std::string> log;  ///< what was wrong with the first of them
+  std::string errors;     ///< the last bytes of its standard error
+  double seconds = 0;     ///< of real time
+};
+
+/// Starts the program and hosts it until it ends or has to be ended. `listener` may be empty; the time that it takes is
+/// not the program's.
+MmsRun run_mms(const Launch& launch, const Maze& maze, const MmsOptions& options,
+               const std::function<void(const MmsEvent&, const MmsHost&)>& listener = {});
+
+}  // namespace labmouse

@@ -1,0 +1,234 @@
+#include "labmouse/guests/process.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <mutex>
+#include <utility>
+
+#include "labmouse/guests/command_line.hpp"
+#include "labmouse/guests/keeper.hpp"
+
+namespace labmouse {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// How often a wait looks whether it shall stop: a signal wakes only one thread of a program.
+constexpr auto glance = 50ms;
+/// After a program ended its output ends, or the other way round; more than this lies between them where one of the two
+/// goes on alone.
+constexpr auto both_ends = 200ms;
+
+/// Writing to a guest that has gone is an error to be seen, not one to die of.
+void ignore_broken_pipes() {
+  static std::once_flag once;
+  std::call_once(once, [] {
+    struct sigaction now {};
+    if (sigaction(SIGPIPE, nullptr, &now) == 0 && now.sa_handler == SIG_DFL) std::signal(SIGPIPE, SIG_IGN);
+  });
+}
+
+void close_end(int& end) {
+  if (end >= 0) ::close(std::exchange(end, -1));
+}
+
+/// Whether nobody reads what is written into this pipe.
+bool hung_up(int end) {
+  pollfd input = {end, 0, 0};
+  return poll(&input, 1, 0) > 0 && (input.revents & POLLERR) != 0;
+}
+
+ExitStatus exit_status(int wait_status) {
+  if (WIFSIGNALED(wait_status)) return {0, WTERMSIG(wait_status)};
+  return {WEXITSTATUS(wait_status), 0};
+}
+
+}  // namespace
+
+/// Pairs of ends, ours closed in every child by exec; what is left over closes itself.
+struct GuestProcess::Pipes {
+  struct Pair {
+    int read = -1, write = -1;
+  };
+  Pair input, output, errors, failure, status, leash;
+
+  bool open() {
+    for (Pair* pair : all()) {
+      std::array<int, 2> ends{};
+      if (pipe2(ends.data(), O_CLOEXEC) != 0) return false;
+      *pair = {ends[0], ends[1]};
+    }
+    return true;
+  }
+  std::array<Pair*, 6> all() { return {&input, &output, &errors, &failure, &status, &leash}; }
+  ~Pipes() {
+    for (Pair* pair : all())
+      for (const int end : {pair->read, pair->write})
+        if (end >= 0) ::close(end);
+  }
+};
+
+GuestProcess::GuestProcess(const Launch& launch)
+    : limits_(launch.limits), stop_(launch.stop), lines_(launch.limits.longest_line), portion_(std::size_t{1} << 16U, '\0') {
+  ignore_broken_pipes();
+  Pipes pipes;
+  if (launch.words.empty())
+    error_ = "no program is named";
+  else if (!pipes.open())
+    error_ = fmt::format("no pipe could be made: {}", std::strerror(errno));
+  else
+    start(launch, pipes);
+  if (!error_.empty()) end(0ms);
+}
+
+void GuestProcess::start(const Launch& launch, Pipes& pipes) {
+  const std::string path = program_path(launch.words.front(), launch.directory);
+  if (path.empty()) {
+    error_ = fmt::format("there is no program '{}'", launch.words.front());
+    return;
+  }
+  std::vector<char*> words;
+  for (const std::string& word : launch.words) words.push_back(const_cast<char*>(word.c_str()));
+  words.push_back(nullptr);
+  const KeptEnds ends = {pipes.input.read,   pipes.output.write, pipes.errors.write,
+                         pipes.failure.write, pipes.status.write, pipes.leash.read};
+  keeper_ = fork();
+  if (keeper_ == 0) keep_guest(path.c_str(), words.data(), launch.directory.c_str(), launch.limits, ends);
+  if (keeper_ < 0) {
+    error_ = fmt::format("no process could be made: {}", std::strerror(errno));
+    return;
+  }
+  input_ = std::exchange(pipes.input.write, -1);
+  output_ = std::exchange(pipes.output.read, -1);
+  errors_end_ = std::exchange(pipes.errors.read, -1);
+  status_end_ = std::exchange(pipes.status.read, -1);
+  leash_ = std::exchange(pipes.leash.write, -1);
+  for (const int end : {input_, output_, errors_end_}) fcntl(end, F_SETFL, O_NONBLOCK);
+  ::close(std::exchange(pipes.failure.write, -1));
+  int reason = 0;
+  while (read(pipes.failure.read, &reason, sizeof reason) < 0 && errno == EINTR) {
+  }
+  if (reason != 0) error_ = fmt::format("'{}' could not be started: {}", launch.words.front(), std::strerror(reason));
+}
+
+void GuestProcess::send(std::string_view bytes) {
+  if (deaf()) return;
+  unsent_ += bytes;
+  write_some();
+}
+
+GuestEvent GuestProcess::wait(Clock::time_point deadline) {
+  for (;;) {
+    if (stop_ != nullptr && stop_->load()) return GuestEvent::interrupted;
+    const auto now = Clock::now();
+    if (const auto event = verdict(now)) return *event;
+    if (now >= deadline) return GuestEvent::timeout;
+    if (look(std::min({deadline, now + glance, verdict_due()}))) return GuestEvent::output;
+  }
+}
+
+bool GuestProcess::look(Clock::time_point until) {
+  // The input is watched even if there is nothing to write: an error says that nobody reads it any more.
+  const short writable = unsent() > 0 ? POLLOUT : 0;
+  std::array<pollfd, 4> ends = {{{output_, POLLIN, 0}, {errors_end_, POLLIN, 0}, {status_end_, POLLIN, 0}, {input_, writable, 0}}};
+  const auto left = std::max(until - Clock::now(), Clock::duration::zero());
+  const timespec time = {std::chrono::duration_cast<std::chrono::seconds>(left).count(),
+                         std::chrono::duration_cast<std::chrono::nanoseconds>(left % 1s).count()};
+  if (ppoll(ends.data(), ends.size(), &time, nullptr) <= 0) return false;
+  const std::size_t before = unsent();
+  if ((ends[3].revents & POLLERR) != 0)
+    drop_input();
+  else if (ends[3].revents != 0)
+    write_some();
+  if (ends[1].revents != 0) read_errors();
+  if (ends[2].revents != 0) read_status();
+  return (ends[0].revents != 0 && read_output()) || unsent() < before;
+}
+
+void GuestProcess::write_some() {
+  while (unsent() > 0) {
+    const ssize_t count = write(input_, unsent_.data() + sent_, unsent());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0 && errno == EAGAIN) return;
+    if (count < 0) return drop_input();
+    sent_ += static_cast<std::size_t>(count);
+  }
+  unsent_.clear();
+  sent_ = 0;
+}
+
+void GuestProcess::drop_input() {
+  close_end(input_);
+  unsent_.clear();
+  sent_ = 0;
+}
+
+bool GuestProcess::read_output() {
+  const ssize_t count = read(output_, portion_.data(), portion_.size());
+  if (count > 0) lines_.append(std::string_view(portion_).substr(0, static_cast<std::size_t>(count)));
+  if (count == 0) {
+    close_end(output_);
+    half_ended_ = std::min(half_ended_, Clock::now());
+  }
+  return count > 0;
+}
+
+bool GuestProcess::read_errors() {
+  const ssize_t count = read(errors_end_, portion_.data(), portion_.size());
+  if (count == 0) close_end(errors_end_);
+  if (count <= 0) return false;
+  errors_.append(portion_, 0, static_cast<std::size_t>(count));
+  if (errors_.size() > limits_.kept_errors) errors_.erase(0, errors_.size() - limits_.kept_errors);
+  return true;
+}
+
+void GuestProcess::read_status() {
+  int wait_status = 0;
+  const ssize_t count = read(status_end_, &wait_status, sizeof wait_status);
+  if (count < 0) return;
+  // A keeper that ends without a word was killed, and its guest with it.
+  status_ = count == sizeof wait_status ? exit_status(wait_status) : ExitStatus{0, SIGKILL};
+  close_end(status_end_);
+  half_ended_ = std::min(half_ended_, Clock::now());
+}
+
+std::optional<GuestEvent> GuestProcess::verdict(Clock::time_point now) const {
+  if (keeper_ < 0 || (status_ && output_ < 0)) return GuestEvent::ended;
+  if (now < verdict_due()) return std::nullopt;
+  return status_ ? GuestEvent::left : GuestEvent::closed;
+}
+
+GuestProcess::Clock::time_point GuestProcess::verdict_due() const {
+  return half_ended_ == Clock::time_point::max() ? half_ended_ : half_ended_ + both_ends;
+}
+
+void GuestProcess::end(std::chrono::milliseconds grace) {
+  if (keeper_ < 0) return;
+  close_end(input_);
+  for (const auto until = Clock::now() + grace; !status_ && Clock::now() < until;) {
+    look(std::min(until, Clock::now() + glance));
+    if (stop_ != nullptr && stop_->load()) break;
+    while (lines_.next()) {
+    }
+  }
+  close_end(leash_);
+  // Should the guest have stopped its keeper, it goes on now.
+  kill(keeper_, SIGCONT);
+  while (waitpid(keeper_, nullptr, 0) < 0 && errno == EINTR) {
+  }
+  keeper_ = -1;
+  while (errors_end_ >= 0 && read_errors()) {
+  }
+  if (status_end_ >= 0) read_status();
+  for (int* end : {&output_, &errors_end_, &status_end_}) close_end(*end);
+}
+
+}  // namespace labmouse

@@ -1,0 +1,113 @@
+// A child process with limits: started without a shell, and gone with all that it started when its object goes.
+#pragma once
+
+#include <sys/types.h>
+
+#include <atomic>
+#include <chrono>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "labmouse/guests/limits.hpp"
+#include "labmouse/guests/line_buffer.hpp"
+
+namespace labmouse {
+
+/// How to start a guest.
+struct Launch {
+  /// The program and its arguments; a name without a slash is looked for in PATH.
+  std::vector<std::string> words;
+  /// Where it runs; empty: here.
+  std::string directory;
+  GuestLimits limits;
+  /// Once true, waiting for a guest ends; may be null.
+  const std::atomic<bool>* stop = nullptr;
+};
+
+/// What ended a wait.
+enum class GuestEvent {
+  output,       ///< there are more bytes in lines(), or fewer unsent()
+  ended,        ///< the program ended and its output was read: status() says how
+  left,         ///< the program ended, and others that it started hold its output open
+  closed,       ///< the program runs on without standard output
+  timeout,      ///< nothing until the deadline
+  interrupted,  ///< Launch::stop was raised
+};
+
+/// How a program ended: by itself with a code, or by a signal.
+struct ExitStatus {
+  int code = 0;
+  int signal = 0;  ///< 0: by itself
+
+  friend constexpr bool operator==(const ExitStatus&, const ExitStatus&) = default;
+};
+
+/// One guest. A keeper process between it and us gathers all that the guest leaves behind, even what left its process
+/// group, and ends it when this object goes or when our own process dies. Linux only.
+class GuestProcess {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  /// Starts it; where that fails, error() says why, and every wait returns `ended`. From the first start on, the program
+  /// ignores SIGPIPE where it had no handler for it.
+  explicit GuestProcess(const Launch& launch);
+  GuestProcess(const GuestProcess&) = delete;
+  GuestProcess& operator=(const GuestProcess&) = delete;
+  ~GuestProcess() { end(std::chrono::milliseconds(0)); }
+
+  /// Why it could not be started; empty where it was.
+  const std::string& error() const { return error_; }
+
+  /// Hands bytes to its standard input: as many as it takes now, the rest in later waits.
+  void send(std::string_view bytes);
+  /// Bytes that were sent and that it did not take yet.
+  std::size_t unsent() const { return unsent_.size() - sent_; }
+  /// Whether it closed its standard input; what is sent then is dropped.
+  bool deaf() const { return input_ < 0; }
+
+  /// Waits for output and reads one portion of it into lines(), or for room for what is unsent.
+  GuestEvent wait(Clock::time_point deadline);
+  LineBuffer& lines() { return lines_; }
+
+  /// How it ended; nothing while it runs.
+  const std::optional<ExitStatus>& status() const { return status_; }
+
+  /// Closes its standard input, gives it that long to end by itself, and ends it with all that it started. What it still
+  /// writes to its standard error is kept; its output is dropped.
+  void end(std::chrono::milliseconds grace);
+
+  /// The last bytes of its standard error, as they came.
+  std::string_view errors() const { return errors_; }
+
+ private:
+  struct Pipes;
+  void start(const Launch& launch, Pipes& pipes);
+  /// Polls once, until then at most; true where output came or went.
+  bool look(Clock::time_point until);
+  void write_some();
+  void drop_input();
+  bool read_output();
+  bool read_errors();
+  void read_status();
+  /// How it ended, where that is sure by now.
+  std::optional<GuestEvent> verdict(Clock::time_point now) const;
+  /// The time at which it will be sure.
+  Clock::time_point verdict_due() const;
+
+  GuestLimits limits_;
+  const std::atomic<bool>* stop_;
+  std::string error_;
+  pid_t keeper_ = -1;
+  int input_ = -1, output_ = -1, errors_end_ = -1, status_end_ = -1, leash_ = -1;
+  LineBuffer lines_;
+  std::string portion_;  ///< room for one read
+  std::string unsent_;
+  std::size_t sent_ = 0;  ///< bytes of unsent_ that are on their way
+  std::string errors_;
+  std::optional<ExitStatus> status_;
+  Clock::time_point half_ended_ = Clock::time_point::max();  ///< when the first of program and output ended
+};
+
+}  // namespace labmouse
