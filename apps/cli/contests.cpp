@@ -31,12 +31,13 @@ void add_contests(CLI::App& command, Contests& contests) {
       ->capture_default_str();
 }
 
-std::vector<Contestant> find_contestants(const std::vector<std::string>& specs) {
+std::vector<Contestant> find_contestants(const std::vector<std::string>& specs, const GuestOptions& options) {
   if (specs.empty()) return all_contestants();
-  std::string joined;
-  for (const std::string& spec : specs) joined += (joined.empty() ? "" : ",") + spec;
-  SpecResult result = read_specs(joined);
+  SpecResult result = read_specs(specs, options);
   if (!result.error.empty()) throw UsageError("error: " + result.error);
+  if (!result.mms.empty())
+    throw UsageError(fmt::format("error: '{}' lives in the world of mms; `labmouse race` races it, `labmouse mms` hosts it in one maze",
+                                 result.mms.front().name));
   return std::move(result.contestants);
 }
 

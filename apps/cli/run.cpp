@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "command.hpp"
+#include "contests.hpp"
 #include "explain.hpp"
 #include "labmouse/contest/simulator.hpp"
 #include "labmouse/lab/contestants.hpp"
@@ -24,10 +25,9 @@ struct RunOptions {
 };
 
 void run_contest(const RunOptions& options) {
-  const SpecResult spec = read_specs(options.mouse);
-  if (!spec.error.empty()) throw UsageError("error: " + spec.error);
-  if (spec.contestants.size() != 1) throw UsageError("error: `run` takes one mouse; `labmouse race` takes several");
-  const Contestant& mouse = spec.contestants.front();
+  const std::vector<Contestant> mice = find_contestants({options.mouse});
+  if (mice.size() != 1) throw UsageError("error: `run` takes one mouse; `labmouse race` takes several");
+  const Contestant& mouse = mice.front();
   const NamedMaze maze = find_maze(options.maze, options.places);
   const Rules& rules = options.rules;
   const auto mind = mouse.make(maze.maze, rules, options.seed);

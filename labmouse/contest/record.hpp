@@ -71,6 +71,8 @@ struct RunRecord {
   Outcome outcome = Outcome::out_of_steps;
   /// Where the mouse stood at the end.
   Pose end;
+  /// What a mouse that gave up had to say, for people; of several lines, in whatever encoding it wrote.
+  std::string last_words;
   /// The mouse's own counters at the end, sorted by name.
   std::vector<Count> counts;
   /// The reasons of the steps in which the mouse chose anew, by step; empty unless it was asked to keep them.

@@ -51,6 +51,7 @@ RunRecord run(const Maze& maze, const Rules& rules, Strategy& mouse) {
     record.outcome = outcome;
     record.end = pose;
     record.counts = counts_of(mouse);
+    record.last_words = mouse.last_words();
     return std::move(record);
   };
   for (int step = 1; step <= rules.budget; ++step) {

@@ -40,18 +40,18 @@ void close_end(int& end) {
   if (end >= 0) ::close(std::exchange(end, -1));
 }
 
-/// Whether nobody reads what is written into this pipe.
-bool hung_up(int end) {
-  pollfd input = {end, 0, 0};
-  return poll(&input, 1, 0) > 0 && (input.revents & POLLERR) != 0;
-}
-
 ExitStatus exit_status(int wait_status) {
   if (WIFSIGNALED(wait_status)) return {0, WTERMSIG(wait_status)};
   return {WEXITSTATUS(wait_status), 0};
 }
 
 }  // namespace
+
+std::string describe(const ExitStatus& status) {
+  if (status.signal == 0) return fmt::format("exit code {}", status.code);
+  const char* name = sigdescr_np(status.signal);
+  return fmt::format("signal {} ({})", status.signal, name == nullptr ? "unknown" : name);
+}
 
 /// Pairs of ends, ours closed in every child by exec; what is left over closes itself.
 struct GuestProcess::Pipes {

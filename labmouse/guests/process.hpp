@@ -44,6 +44,9 @@ struct ExitStatus {
   friend constexpr bool operator==(const ExitStatus&, const ExitStatus&) = default;
 };
 
+/// "exit code 1", "signal 11 (Segmentation fault)".
+std::string describe(const ExitStatus& status);
+
 /// One guest. A keeper process between it and us gathers all that the guest leaves behind, even what left its process
 /// group, and ends it when this object goes or when our own process dies. Linux only.
 class GuestProcess {

@@ -7,6 +7,7 @@
 #include "labmouse/contest/simulator.hpp"
 #include "labmouse/lab/bounds.hpp"
 #include "labmouse/lab/files.hpp"
+#include "labmouse/lab/guest_specs.hpp"
 #include "labmouse/lab/printable.hpp"
 #include "labmouse/lab/prior_file.hpp"
 #include "labmouse/lab/prior_learning.hpp"
@@ -138,28 +139,42 @@ std::string read_spec(std::string_view spec, std::vector<Contestant>& contestant
   return "";
 }
 
-void drop_repetitions(std::vector<Contestant>& contestants) {
-  for (std::size_t i = 0; i < contestants.size(); ++i)
-    contestants.erase(std::remove_if(contestants.begin() + static_cast<std::ptrdiff_t>(i) + 1, contestants.end(),
-                                     [&](const Contestant& c) { return c.name == contestants[i].name; }),
-                      contestants.end());
+template <class Mouse>
+void drop_repetitions(std::vector<Mouse>& mice) {
+  for (std::size_t i = 0; i < mice.size(); ++i)
+    mice.erase(std::remove_if(mice.begin() + static_cast<std::ptrdiff_t>(i) + 1, mice.end(),
+                              [&](const Mouse& m) { return m.name == mice[i].name; }),
+               mice.end());
+}
+
+SpecResult refused(std::string error) { return {{}, {}, std::move(error)}; }
+
+/// Reads the mice of one text into the result; on failure sets its error.
+void read_into(std::string_view text, const GuestOptions& options, SpecResult& result) {
+  for (bool more = true; more && result.error.empty();) {
+    if (is_guest_spec(text)) return read_guest_spec(text, options, result);
+    const auto comma = text.find(',');
+    result.error = read_spec(text.substr(0, comma), result.contestants);
+    more = comma != std::string_view::npos;
+    if (more) text.remove_prefix(comma + 1);
+  }
 }
 
 }  // namespace
 
-SpecResult read_specs(std::string_view text) {
+SpecResult read_specs(std::span<const std::string> texts, const GuestOptions& options) {
   SpecResult result;
-  for (bool more = true; more;) {
-    const auto comma = text.find(',');
-    if (result.error = read_spec(text.substr(0, comma), result.contestants); !result.error.empty()) {
-      result.contestants.clear();
-      return result;
-    }
-    more = comma != std::string_view::npos;
-    if (more) text.remove_prefix(comma + 1);
-  }
+  for (const std::string& text : texts)
+    if (result.error.empty()) read_into(text, options, result);
+  if (!result.error.empty()) return refused(result.error);
   drop_repetitions(result.contestants);
+  drop_repetitions(result.mms);
   return result;
+}
+
+SpecResult read_specs(std::string_view text, const GuestOptions& options) {
+  const std::string whole(text);
+  return read_specs({&whole, 1}, options);
 }
 
 SpecResult read_variants(std::string_view spec, std::string_view parameter, std::span<const std::string> values) {
@@ -177,17 +192,20 @@ SpecResult read_variants(std::string_view spec, std::string_view parameter, std:
 SpecResult read_variant(std::string_view spec, std::span<const Setting> values) {
   SpecResult result = read_specs(spec);
   if (!result.error.empty()) return result;
-  if (result.contestants.size() != 1) return {{}, fmt::format("'{}' names {} mice; name one", spec, result.contestants.size())};
+  if (is_guest_spec(spec)) return refused(fmt::format("guest '{}' has no parameters", spec));
+  if (result.contestants.size() != 1)
+    return refused(fmt::format("'{}' names {} mice; name one", spec, result.contestants.size()));
   return read_variant(result.contestants.front(), values);
 }
 
 SpecResult read_variant(const Contestant& mouse, std::span<const Setting> values) {
   const RosterEntry* entry = find_mouse(std::string_view(mouse.name).substr(0, mouse.name.find(':')));
-  if (entry == nullptr) return {{}, "the oracle has no parameters"};
+  if (entry == nullptr)
+    return refused(is_guest_spec(mouse.name) ? fmt::format("guest '{}' has no parameters", mouse.name) : "the oracle has no parameters");
   Settings settings = mouse.settings;
   for (const Setting& value : values)
-    if (auto error = apply(*entry, fmt::format("{}={}", value.name, value.value), settings); !error.empty()) return {{}, error};
-  return {{contestant_of(*entry, std::move(settings))}, ""};
+    if (auto error = apply(*entry, fmt::format("{}={}", value.name, value.value), settings); !error.empty()) return refused(error);
+  return {{contestant_of(*entry, std::move(settings))}, {}, ""};
 }
 
 std::vector<Contestant> all_contestants() {

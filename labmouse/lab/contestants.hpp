@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "labmouse/contest/rules.hpp"
+#include "labmouse/guests/process.hpp"
 #include "labmouse/maze/maze.hpp"
 #include "labmouse/mouse/strategy.hpp"
 #include "labmouse/strategies/parameter.hpp"
@@ -21,6 +22,8 @@ struct Contestant {
   std::string name;
   Settings settings;
   bool uses_chance = false;
+  /// Contests in each maze; 0: as many as the race holds of a mouse that throws dice, or one.
+  int runs = 0;
   /// Takes part as a measure and not as a contestant (the oracle).
   bool reference = false;
   std::function<std::unique_ptr<Strategy>(const Maze&, const Rules&, std::uint64_t seed)> make;
@@ -30,14 +33,34 @@ struct Contestant {
   std::function<Contestant(const std::vector<const Maze*>& training, const Rules&)> taught;
 };
 
-/// Contestants, or the reason why the text is no SPEC: exactly one of the two is there.
+/// A program that was written for mms, which is a world of its own.
+struct MmsMouse {
+  std::string name;  ///< the SPEC, `mms:COMMAND`
+  Launch launch;
+};
+
+/// Mice, or the reason why the text is no SPEC: exactly one of the two is there.
 struct SpecResult {
   std::vector<Contestant> contestants;
+  std::vector<MmsMouse> mms;
   std::string error;
 };
 
-/// Reads one or more mice; a name that stands twice with equal parameters counts once. Reads the files of their priors.
-SpecResult read_specs(std::string_view text);
+/// How guests are started.
+struct GuestOptions {
+  std::string python;     ///< for capstone robots; empty: the newest python3 of PATH
+  std::string directory;  ///< where commands run; empty: here
+  GuestLimits limits;
+  int runs = 1;           ///< contests of each guest in each maze
+  const std::atomic<bool>* stop = nullptr;  ///< once true, guests are ended; may be null
+};
+
+/// Reads one or more mice; a name that stands twice with equal parameters counts once. Reads the files of their priors. The
+/// SPEC of a guest reaches to the end of the text.
+SpecResult read_specs(std::string_view text, const GuestOptions& options = {});
+
+/// The same of several texts.
+SpecResult read_specs(std::span<const std::string> texts, const GuestOptions& options = {});
 
 /// The mouse of a SPEC once for each value of one of its parameters, in the order of the values; what the SPEC says of that
 /// parameter is overridden. Values that are spelled differently and are equal count once.

@@ -71,8 +71,7 @@ Action read_action(const Json& json, Fields& fields) {
   if (json.is_array() && json.size() == 2)
     return Action::step(fields.whole(json[0], "action", -far, far), fields.whole(json[1], "action", -far, far));
   if (json == "reset") return Action::reset();
-  for (const auto reason : {ForfeitReason::none, ForfeitReason::contradiction, ForfeitReason::no_way, ForfeitReason::lost,
-                            ForfeitReason::finished})
+  for (const ForfeitReason reason : all_forfeit_reasons)
     if (json == "forfeit: " + std::string(name_of(reason))) return Action::forfeit(reason);
   return fields.fail("has an action that is neither [rotation, movement] nor reset nor forfeit"), Action();
 }

@@ -30,6 +30,7 @@ class Timed final : public Strategy {
   }
   const Knowledge& knowledge() const override { return mouse_.knowledge(); }
   std::span<const Counter> counters() const override { return mouse_.counters(); }
+  std::string_view last_words() const override { return mouse_.last_words(); }
   double microseconds() const { return std::chrono::duration<double, std::micro>(spent_).count(); }
 
  private:
@@ -37,7 +38,10 @@ class Timed final : public Strategy {
   std::chrono::steady_clock::duration spent_{};
 };
 
-int runs_of(const Contestant& mouse, const RaceOrder& order) { return mouse.uses_chance ? order.runs : 1; }
+int runs_of(const Contestant& mouse, const RaceOrder& order) {
+  if (mouse.runs > 0) return mouse.runs;
+  return mouse.uses_chance ? order.runs : 1;
+}
 
 std::vector<ContestResult> list_contests(const Race& race) {
   std::vector<ContestResult> contests;
@@ -64,8 +68,9 @@ RunRecord hold_contest(const Race& race, ContestResult& contest) {
   if (record.outcome == Outcome::forfeit) contest.reason = record.steps.back().action.reason;
   contest.decisions = static_cast<int>(record.steps.size());
   contest.counts = record.counts;
+  contest.last_words = record.last_words;
   contest.microseconds = timed.microseconds();
-  contest.done = true;
+  contest.done = contest.reason != ForfeitReason::interrupted;
   return record;
 }
 
@@ -101,7 +106,7 @@ Race hold_race(std::vector<Contestant> mice, std::vector<NamedMaze> mazes, const
   const auto hold = [&](std::size_t i) {
     if (hooks.stop != nullptr && hooks.stop->load()) return;
     const RunRecord record = hold_contest(race, race.results[i]);
-    if (!hooks.finished) return;
+    if (!hooks.finished || !race.results[i].done) return;
     const std::lock_guard lock(telling);
     hooks.finished(race, race.results[i], record);
   };

@@ -34,6 +34,8 @@ struct ContestResult {
   Coverage coverage;
   ForfeitReason reason = ForfeitReason::none;
   int decisions = 0;
+  /// What a mouse that gave up had to say; empty for most.
+  std::string last_words;
   /// What the mouse counted, by name; empty for most.
   std::vector<Count> counts;
   /// Time spent in the mouse's decisions, in microseconds: the one figure that differs from race to race.

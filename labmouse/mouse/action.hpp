@@ -1,19 +1,38 @@
 // What a mouse can do.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string_view>
 
 namespace labmouse {
 
-/// Why a mouse gives up: its last word in place of an exception.
+/// Why a mouse gives up, or why a guest, a mouse that is another program, was given up: the last word in place of an
+/// exception.
 enum class ForfeitReason : std::uint8_t {
   none,
   contradiction,  ///< a reading contradicts what was read before
   no_way,         ///< no route that could exist leads to a goal
   lost,           ///< the mouse no longer knows where it stands
   finished,       ///< a prepared list of actions has no more
+  gave_up,        ///< the guest said so
+  not_started,    ///< the guest could not be started
+  died,           ///< the guest ended before the contest did
+  left,           ///< the guest ended, and what it started held its output open
+  closed,         ///< the guest ran on, but closed its input or its output
+  hung,           ///< the guest did not answer
+  late,           ///< the guest answered, after its time for a decision
+  out_of_time,    ///< the guest's time for the contest was over
+  flooded,        ///< the guest said more than it was asked
+  rubbish,        ///< the guest said something that is no answer
+  interrupted,    ///< whoever watched the guest stopped it
 };
+
+inline constexpr std::array all_forfeit_reasons = {
+    ForfeitReason::none,    ForfeitReason::contradiction, ForfeitReason::no_way, ForfeitReason::lost,
+    ForfeitReason::finished, ForfeitReason::gave_up,       ForfeitReason::not_started, ForfeitReason::died,
+    ForfeitReason::left,    ForfeitReason::closed,        ForfeitReason::hung,   ForfeitReason::late,
+    ForfeitReason::out_of_time, ForfeitReason::flooded,   ForfeitReason::rubbish, ForfeitReason::interrupted};
 
 constexpr std::string_view name_of(ForfeitReason reason) {
   switch (reason) {
@@ -22,6 +41,17 @@ constexpr std::string_view name_of(ForfeitReason reason) {
     case ForfeitReason::no_way: return "no way";
     case ForfeitReason::lost: return "lost";
     case ForfeitReason::finished: return "finished";
+    case ForfeitReason::gave_up: return "gave up";
+    case ForfeitReason::not_started: return "not started";
+    case ForfeitReason::died: return "died";
+    case ForfeitReason::left: return "left";
+    case ForfeitReason::closed: return "closed its pipes";
+    case ForfeitReason::hung: return "hung";
+    case ForfeitReason::late: return "late";
+    case ForfeitReason::out_of_time: return "out of time";
+    case ForfeitReason::flooded: return "flooded";
+    case ForfeitReason::rubbish: return "rubbish";
+    case ForfeitReason::interrupted: return "interrupted";
   }
   return "unknown";
 }

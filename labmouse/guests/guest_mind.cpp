@@ -1,0 +1,118 @@
+#include "labmouse/guests/guest_mind.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "labmouse/guests/protocol.hpp"
+
+namespace labmouse {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// At its end a guest may still put something down.
+constexpr auto grace = 250ms;
+
+/// How much of a wrong line is quoted.
+constexpr std::size_t quoted = 60;
+
+std::string quote(std::string_view line) {
+  return fmt::format("'{}{}'", line.substr(0, quoted), line.size() > quoted ? "..." : "");
+}
+
+std::string in_seconds(std::chrono::steady_clock::duration time) {
+  return fmt::format("{:.3g} s", std::chrono::duration<double>(time).count());
+}
+
+}  // namespace
+
+GuestMind::GuestMind(const Launch& launch, const Briefing& briefing)
+    : limits_(launch.limits),
+      knowledge_(briefing.size),
+      contest_end_(Clock::now() + launch.limits.contest),
+      process_(launch) {
+  if (!process_.error().empty()) give_up(ForfeitReason::not_started, process_.error());
+  process_.send(briefing_text(briefing));
+}
+
+GuestMind::~GuestMind() { process_.end(grace); }
+
+Action GuestMind::decide(const Sighting& seen) {
+  if (!greeted_) greet();
+  if (reason_ != ForfeitReason::none) return Action::forfeit(reason_);
+  process_.send(question(seen));
+  const auto line = hear(limits_.decision);
+  if (!line) return Action::forfeit(reason_);
+  const auto action = read_answer(*line);
+  if (!action) {
+    give_up(ForfeitReason::rubbish, fmt::format("it said {} where `move ROTATION MOVEMENT`, `reset` or `forfeit` is due", quote(*line)));
+    return Action::forfeit(reason_);
+  }
+  if (const auto more = process_.lines().rest(); !more.empty()) {
+    give_up(ForfeitReason::flooded, fmt::format("behind its answer {} it went on: {}", quote(*line), quote(more.substr(0, more.find('\n')))));
+    return Action::forfeit(reason_);
+  }
+  if (action->kind == Action::Kind::forfeit) give_up(action->reason, "it said `forfeit`");
+  return *action;
+}
+
+void GuestMind::greet() {
+  greeted_ = true;
+  if (reason_ != ForfeitReason::none) return;
+  const auto line = hear(limits_.start);
+  if (!line || *line == guest_greeting) return;
+  const char* hint = *line == "mazeWidth" || *line == "mazeHeight" || line->starts_with("wall")
+                         ? "; it seems to be written for mms: race it as mms:COMMAND" : "";
+  give_up(ForfeitReason::rubbish, fmt::format("its first line is {} and not '{}'{}", quote(*line), guest_greeting, hint));
+}
+
+std::optional<std::string_view> GuestMind::hear(std::chrono::milliseconds limit) {
+  const auto asked = Clock::now();
+  // Twice the time, to tell who is late from who hangs.
+  const auto patience = std::min(asked + 2 * limit, contest_end_);
+  for (;;) {
+    if (const auto line = process_.lines().next()) {
+      if (const auto taken = Clock::now() - asked; taken > limit) {
+        give_up(ForfeitReason::late, fmt::format("its answer {} took {}, and {} are allowed", quote(*line), in_seconds(taken), in_seconds(limit)));
+        return std::nullopt;
+      }
+      return line;
+    }
+    if (process_.lines().too_long()) {
+      give_up(ForfeitReason::flooded, fmt::format("it said a line of more than {} bytes: {}", limits_.longest_line,
+                                                  quote(process_.lines().rest())));
+      return std::nullopt;
+    }
+    if (const GuestEvent event = process_.wait(patience); event != GuestEvent::output) {
+      give_up(event, limit);
+      return std::nullopt;
+    }
+  }
+}
+
+void GuestMind::give_up(GuestEvent event, std::chrono::milliseconds limit) {
+  switch (event) {
+    case GuestEvent::ended: return give_up(ForfeitReason::died, "it ended with " + describe(process_.status().value_or(ExitStatus())));
+    case GuestEvent::left: return give_up(ForfeitReason::left, "it ended, and what it had started held its output open");
+    case GuestEvent::closed: return give_up(ForfeitReason::closed, "it closed its standard output");
+    case GuestEvent::interrupted: return give_up(ForfeitReason::interrupted, "it was stopped");
+    case GuestEvent::output:
+    case GuestEvent::timeout: break;
+  }
+  if (Clock::now() >= contest_end_)
+    return give_up(ForfeitReason::out_of_time, fmt::format("its contest took more than {}", in_seconds(limits_.contest)));
+  if (process_.deaf()) return give_up(ForfeitReason::closed, "it closed its standard input");
+  give_up(ForfeitReason::hung, fmt::format("it gave no answer in {}; {} are allowed", in_seconds(2 * limit), in_seconds(limit)));
+}
+
+void GuestMind::give_up(ForfeitReason reason, std::string sentence) {
+  reason_ = reason;
+  process_.end(0ms);
+  last_words_ = std::move(sentence);
+  std::string_view errors = process_.errors();
+  while (!errors.empty() && (errors.back() == '\n' || errors.back() == '\r')) errors.remove_suffix(1);
+  if (!errors.empty()) last_words_ += fmt::format("\n{}", errors);
+}
+
+}  // namespace labmouse

@@ -1,0 +1,43 @@
+// A mouse that is another program: it is asked by lines, and answers by lines.
+#pragma once
+
+#include <string>
+
+#include "labmouse/guests/process.hpp"
+#include "labmouse/mouse/briefing.hpp"
+#include "labmouse/mouse/strategy.hpp"
+
+namespace labmouse {
+
+/// Starts the program, greets it, and asks it at each step. A program that does not play by the protocol or its limits is
+/// ended, and what it did is a forfeit with that reason.
+class GuestMind final : public Strategy {
+ public:
+  GuestMind(const Launch& launch, const Briefing& briefing);
+  ~GuestMind() override;
+
+  Action decide(const Sighting& seen) override;
+  /// Nothing: what a guest believes nobody sees.
+  const Knowledge& knowledge() const override { return knowledge_; }
+  std::string_view last_words() const override { return last_words_; }
+
+ private:
+  using Clock = GuestProcess::Clock;
+
+  /// Its next line, to which it has as long as that; nothing where it is to be given up.
+  std::optional<std::string_view> hear(std::chrono::milliseconds limit);
+  void greet();
+  /// Ends the guest and keeps why.
+  void give_up(ForfeitReason reason, std::string sentence);
+  void give_up(GuestEvent event, std::chrono::milliseconds limit);
+
+  GuestLimits limits_;
+  Knowledge knowledge_;
+  Clock::time_point contest_end_;
+  GuestProcess process_;
+  bool greeted_ = false;
+  ForfeitReason reason_ = ForfeitReason::none;
+  std::string last_words_;
+};
+
+}  // namespace labmouse

@@ -1,0 +1,91 @@
+#include "labmouse/lab/guest_specs.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <filesystem>
+
+#include "labmouse/contest/simulator.hpp"
+#include "labmouse/guests/capstone.hpp"
+#include "labmouse/guests/command_line.hpp"
+#include "labmouse/guests/guest_mind.hpp"
+#include "labmouse/lab/printable.hpp"
+
+namespace labmouse {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<std::string_view, 3> kinds = {"capstone:", "guest:", "mms:"};
+
+/// The same from every folder; a name without a slash, which is looked for in PATH, stays.
+std::string anchored(const std::string& path) {
+  std::error_code error;
+  const fs::path absolute = path.find('/') == std::string::npos ? fs::path(path) : fs::absolute(path, error);
+  return error ? path : absolute.string();
+}
+
+Contestant contestant_of(std::string name, Launch launch, int runs) {
+  Contestant contestant;
+  contestant.name = std::move(name);
+  contestant.runs = runs;
+  contestant.make = [launch = std::move(launch)](const Maze& maze, const Rules& rules, std::uint64_t seed) {
+    return std::make_unique<GuestMind>(launch, brief(maze, rules, seed));
+  };
+  return contestant;
+}
+
+/// How to start what stands behind the colon of `capstone:`; on failure sets the error.
+Launch robot_launch(const std::string& file, const GuestOptions& options, std::string& error) {
+  std::error_code failure;
+  if (!fs::is_regular_file(file, failure)) {
+    error = fmt::format("there is no file '{}'; write capstone:FILE, the Python file with the class Robot", file);
+    return {};
+  }
+  const std::string python = options.python.empty() ? newest_python3() : anchored(options.python);
+  if (python.empty())
+    error = "no python3 was found in PATH; name one with --python";
+  else if (program_path(python, "").empty())
+    error = fmt::format("there is no Python '{}' that can be executed", python);
+  return capstone_launch(fs::absolute(file, failure).string(), python);
+}
+
+Launch command_launch(const std::string& command, const GuestOptions& options, std::string& error) {
+  Launch launch;
+  launch.words = split_command(command);
+  launch.directory = options.directory;
+  if (launch.words.empty())
+    error = "it names no program";
+  else if (program_path(launch.words.front(), launch.directory).empty())
+    error = fmt::format("there is no program '{}' that can be executed{}", launch.words.front(),
+                        launch.words.front().find('/') == std::string::npos ? " in PATH; a path of your own has a slash, as in ./mouse" : "");
+  return launch;
+}
+
+}  // namespace
+
+bool is_guest_spec(std::string_view spec) {
+  return std::any_of(kinds.begin(), kinds.end(), [&](std::string_view kind) { return spec.starts_with(kind); });
+}
+
+void read_guest_spec(std::string_view spec, const GuestOptions& options, SpecResult& result) {
+  const std::string_view kind = spec.substr(0, spec.find(':') + 1);
+  const std::string rest(spec.substr(kind.size()));
+  std::string error;
+  // What is accepted here is printed as the mouse's name, and handed on as words that end with a zero.
+  if (shown(spec) != spec) {
+    result.error = fmt::format("guest '{}': its SPEC has characters that cannot be printed", shown(spec));
+    return;
+  }
+  Launch launch = kind == "capstone:" ? robot_launch(rest, options, error) : command_launch(rest, options, error);
+  launch.limits = options.limits;
+  launch.stop = options.stop;
+  if (!error.empty())
+    result.error = fmt::format("guest '{}': {}", spec, error);
+  else if (kind == "mms:")
+    result.mms.push_back({std::string(spec), std::move(launch)});
+  else
+    result.contestants.push_back(contestant_of(std::string(spec), std::move(launch), options.runs));
+}
+
+}  // namespace labmouse
