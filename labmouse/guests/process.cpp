@@ -25,7 +25,7 @@ using namespace std::chrono_literals;
 constexpr auto glance = 50ms;
 /// After a program ended its output ends, or the other way round; more than this lies between them where one of the two
 /// goes on alone.
-constexpr auto both_ends = 200ms;
+constexpr auto both_ends = 500ms;
 
 /// Writing to a guest that has gone is an error to be seen, not one to die of.
 void ignore_broken_pipes() {

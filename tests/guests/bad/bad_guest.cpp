@@ -1,0 +1,111 @@
+// A guest that misbehaves: bad_guest HOW [TAG]. The tag makes it findable among all processes.
+#include <poll.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace {
+
+void say(const std::string& line) { std::cout << line << std::endl; }
+
+/// Reads lines until one begins with that word; false at the end.
+bool hear(const std::string& word) {
+  for (std::string line; std::getline(std::cin, line);)
+    if (line.rfind(word, 0) == 0) return true;
+  return false;
+}
+
+void greet() {
+  hear("begin");
+  say("labmouse 1");
+}
+
+void wait_for(int milliseconds) { poll(nullptr, 0, milliseconds); }
+
+[[noreturn]] void hang() {
+  for (;;) wait_for(1'000'000);
+}
+
+/// Turns on the spot for as long as it is asked.
+void turn() {
+  greet();
+  while (hear("sense")) say("move 90 0");
+}
+
+/// A child that left the session and all its signals, and never ends.
+void leave_a_daemon() {
+  if (fork() != 0) return;
+  setsid();
+  if (fork() != 0) _exit(0);
+  for (int number = 1; number < NSIG; ++number) std::signal(number, SIG_IGN);
+  hang();
+}
+
+void eat_memory() {
+  std::vector<char*> all;
+  for (;;) {
+    constexpr std::size_t portion = std::size_t{1} << 24U;
+    all.push_back(new char[portion]);
+    for (std::size_t i = 0; i < portion; i += 4096) all.back()[i] = 1;
+  }
+}
+
+void misbehave(const std::string& how) {
+  if (how == "turn") return turn();
+  if (how == "hang at the start") hang();
+  if (how == "wrong greeting") return say("hello");
+  if (how == "mms") return say("mazeWidth");
+  if (how == "other version") return say("labmouse 2"), hang();
+  if (how == "daemon at the start") return leave_a_daemon(), say("rubbish"), hang();
+  greet();
+  hear("sense");
+  if (how == "give up") say("forfeit"), hang();
+  if (how == "hang") hang();
+  if (how == "late") wait_for(500), say("move 0 0"), hang();
+  if (how == "die") std::cerr << "one\ntwo\nthree: no way out\n", std::exit(3);
+  if (how == "end") std::exit(0);
+  if (how == "crash") std::cerr << "about to crash\n", std::signal(SIGSEGV, SIG_DFL), raise(SIGSEGV);
+  if (how == "rubbish") say("what?"), hang();
+  if (how == "bytes") std::cout << std::string("\x00\xff\x1b[2J\n", 7) << std::flush, hang();
+  if (how == "many answers") say("move 0 0\nmove 0 0"), hang();
+  if (how == "flood")
+    for (;;) std::cout << "move 0 0\n";
+  if (how == "long line")
+    for (;;) std::cout << "aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa";
+  if (how == "flood errors")
+    for (;;) std::cerr << "the same error again and again\n";
+  if (how == "errors beside") {
+    for (int i = 0; i < 100'000; ++i) std::cerr << "a line that nobody asked for\n";
+    say("move 90 0");
+    turn();
+  }
+  if (how == "fork and leave") leave_a_daemon(), std::exit(0);
+  if (how == "leave answering") {
+    if (fork() != 0) _exit(0);
+    do say("move 90 0");
+    while (hear("sense"));
+    hang();
+  }
+  if (how == "close output") close(STDOUT_FILENO), hang();
+  if (how == "close input") close(STDIN_FILENO), hang();
+  if (how == "close all") close(STDIN_FILENO), close(STDOUT_FILENO), close(STDERR_FILENO), hang();
+  if (how == "eat memory") eat_memory();
+  if (how == "burn")
+    for (volatile unsigned i = 0;; i = i + 1) {
+    }
+  if (how == "stop the keeper") kill(getppid(), SIGSTOP), say("what?"), hang();
+  if (how == "kill the keeper") kill(getppid(), SIGKILL), hang();
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  std::string line;
+  if (count > 1) misbehave(words[1]);
+}

@@ -1,0 +1,56 @@
+// Guests for tests: programs of ours that misbehave, and how many of them run.
+#pragma once
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "labmouse/guests/process.hpp"
+
+namespace labmouse::test {
+
+/// A word that no process of anybody else has.
+inline std::string tag() { return "guest-of-" + std::to_string(getpid()); }
+
+inline Launch bad_guest(const std::string& how) {
+  using namespace std::chrono_literals;
+  Launch launch;
+  launch.words = {LABMOUSE_BAD_GUEST, how, tag()};
+  // Longer than a busy machine needs, shorter than a test may take.
+  launch.limits.start = launch.limits.decision = 400ms;
+  launch.limits.contest = 20s;
+  return launch;
+}
+
+/// Processes with the tag among their words.
+inline int tagged_processes() {
+  int count = 0;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+    std::ifstream file(entry.path() / "cmdline", std::ios::binary);
+    const std::string words{std::istreambuf_iterator<char>(file), {}};
+    if (words.find(tag()) != std::string::npos) ++count;
+  }
+  return count;
+}
+
+/// Children of this process, zombies among them.
+inline int children() {
+  int count = 0;
+  for (const auto& task : std::filesystem::directory_iterator("/proc/self/task")) {
+    std::ifstream file(task.path() / "children");
+    count += static_cast<int>(std::distance(std::istream_iterator<int>(file), std::istream_iterator<int>()));
+  }
+  return count;
+}
+
+inline int open_descriptors() {
+  const std::filesystem::directory_iterator all("/proc/self/fd");
+  return static_cast<int>(std::distance(begin(all), end(all)));
+}
+
+}  // namespace labmouse::test

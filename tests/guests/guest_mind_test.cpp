@@ -1,0 +1,177 @@
+#include "labmouse/guests/guest_mind.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "labmouse/contest/simulator.hpp"
+#include "tests/drawn_maze.hpp"
+#include "tests/guests/bad_guests.hpp"
+
+namespace labmouse {
+namespace {
+
+using testing::HasSubstr;
+using namespace std::chrono_literals;
+
+const Maze& corridor() {
+  static const Maze maze = test::drawn(R"(
+      o---o---o---o
+      | S       G |
+      o---o---o---o
+  )");
+  return maze;
+}
+
+RunRecord contest(const Launch& launch, int budget = 1000) {
+  Rules rules;
+  rules.budget = budget;
+  GuestMind mind(launch, brief(corridor(), rules, 7));
+  return run(corridor(), rules, mind);
+}
+
+RunRecord contest(const std::string& how) { return contest(test::bad_guest(how)); }
+
+TEST(GuestMind, PlaysToTheEndOfItsSteps) {
+  const RunRecord record = contest(test::bad_guest("turn"), 10);
+  EXPECT_EQ(record.outcome, Outcome::out_of_steps);
+  EXPECT_EQ(record.steps.size(), 10U);
+  EXPECT_EQ(record.steps.back().action, Action::step(90, 0));
+  EXPECT_EQ(record.last_words, "");
+}
+
+struct Misbehaviour {
+  const char* how;
+  ForfeitReason reason;
+  const char* words;
+};
+
+void PrintTo(const Misbehaviour& m, std::ostream* out) { *out << m.how; }
+
+class BadGuest : public testing::TestWithParam<Misbehaviour> {};
+
+TEST_P(BadGuest, EndsUnderItsName) {
+  const int before = test::open_descriptors(), children = test::children();
+  const RunRecord record = contest(GetParam().how);
+  EXPECT_EQ(record.outcome, Outcome::forfeit);
+  EXPECT_EQ(name_of(record.steps.back().action.reason), name_of(GetParam().reason));
+  EXPECT_THAT(record.last_words, HasSubstr(GetParam().words));
+  EXPECT_EQ(test::tagged_processes(), 0);
+  EXPECT_EQ(test::open_descriptors(), before);
+  EXPECT_EQ(test::children(), children);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, BadGuest,
+    testing::Values(
+        Misbehaviour{"hang at the start", ForfeitReason::hung, "no answer in 0.8 s"},
+        Misbehaviour{"wrong greeting", ForfeitReason::rubbish, "its first line is 'hello'"},
+        Misbehaviour{"mms", ForfeitReason::rubbish, "race it as mms:COMMAND"},
+        Misbehaviour{"other version", ForfeitReason::rubbish, "'labmouse 2' and not 'labmouse 1'"},
+        Misbehaviour{"daemon at the start", ForfeitReason::rubbish, "'rubbish'"},
+        Misbehaviour{"give up", ForfeitReason::gave_up, "forfeit"},
+        Misbehaviour{"hang", ForfeitReason::hung, "no answer in 0.8 s; 0.4 s are allowed"},
+        Misbehaviour{"late", ForfeitReason::late, "'move 0 0' took 0.5"},
+        Misbehaviour{"die", ForfeitReason::died, "exit code 3\none\ntwo\nthree: no way out"},
+        Misbehaviour{"end", ForfeitReason::died, "exit code 0"},
+        Misbehaviour{"crash", ForfeitReason::died, "signal 11 (Segmentation fault)\nabout to crash"},
+        Misbehaviour{"rubbish", ForfeitReason::rubbish, "'what?'"},
+        Misbehaviour{"bytes", ForfeitReason::rubbish, "it said '"},
+        Misbehaviour{"many answers", ForfeitReason::flooded, "behind its answer 'move 0 0' it went on: 'move 0 0'"},
+        Misbehaviour{"flood", ForfeitReason::flooded, "went on"},
+        Misbehaviour{"long line", ForfeitReason::flooded, "a line of more than 4096 bytes: 'aaa"},
+        Misbehaviour{"flood errors", ForfeitReason::hung, "again and again"},
+        Misbehaviour{"fork and leave", ForfeitReason::left, "what it had started"},
+        Misbehaviour{"leave answering", ForfeitReason::left, "what it had started"},
+        Misbehaviour{"close output", ForfeitReason::closed, "standard output"},
+        Misbehaviour{"close input", ForfeitReason::closed, "standard input"},
+        Misbehaviour{"close all", ForfeitReason::closed, "closed"},
+        Misbehaviour{"stop the keeper", ForfeitReason::rubbish, "'what?'"},
+        Misbehaviour{"kill the keeper", ForfeitReason::died, "signal 9"}),
+    [](const auto& test) {
+      std::string name = test.param.how;
+      std::replace(name.begin(), name.end(), ' ', '_');
+      return name;
+    });
+
+TEST(GuestMind, MayWriteErrorsWithoutEnd) {
+  // More than a pipe holds: nobody would answer if nobody read them.
+  const RunRecord record = contest(test::bad_guest("errors beside"), 1);
+  EXPECT_EQ(record.steps.back().action, Action::step(90, 0));
+}
+
+TEST(GuestMind, KeepsOnlyTheLastErrors) {
+  const RunRecord record = contest("flood errors");
+  EXPECT_LT(record.last_words.size(), GuestLimits().kept_errors + 100);
+}
+
+TEST(GuestMind, IsDeniedMoreMemoryThanAllowed) {
+  Launch launch = test::bad_guest("eat memory");
+  launch.limits.memory = std::uint64_t{1} << 28U;
+  launch.limits.decision = 10s;
+  const RunRecord record = contest(launch);
+  EXPECT_EQ(record.steps.back().action.reason, ForfeitReason::died);
+  EXPECT_THAT(record.last_words, HasSubstr("bad_alloc"));
+}
+
+TEST(GuestMind, IsDeniedMoreProcessorTimeThanAllowed) {
+  Launch launch = test::bad_guest("burn");
+  launch.limits.processor_seconds = 1;
+  launch.limits.decision = 20s;
+  const RunRecord record = contest(launch);
+  EXPECT_EQ(record.steps.back().action.reason, ForfeitReason::died);
+  EXPECT_THAT(record.last_words, testing::AnyOf(HasSubstr("CPU time limit exceeded"), HasSubstr("Killed")));
+}
+
+TEST(GuestMind, EndsWithItsContest) {
+  Launch launch = test::bad_guest("turn");
+  launch.limits.contest = 100ms;
+  const RunRecord record = contest(launch, 1'000'000'000);
+  EXPECT_EQ(record.steps.back().action.reason, ForfeitReason::out_of_time);
+  EXPECT_THAT(record.last_words, HasSubstr("its contest took more than 0.1 s"));
+}
+
+TEST(GuestMind, EndsWhenItIsStopped) {
+  std::atomic<bool> stop = false;
+  Launch launch = test::bad_guest("hang");
+  launch.limits.start = launch.limits.decision = 20s;
+  launch.stop = &stop;
+  RunRecord record;
+  std::thread other([&] { record = contest(launch); });
+  stop = true;
+  other.join();
+  EXPECT_EQ(record.steps.back().action.reason, ForfeitReason::interrupted);
+  EXPECT_EQ(test::tagged_processes(), 0);
+}
+
+TEST(GuestMind, SaysWhyItCouldNotBeStarted) {
+  Launch launch = test::bad_guest("turn");
+  launch.words.front() = "/no/such/program";
+  EXPECT_THAT(contest(launch).last_words, HasSubstr("there is no program '/no/such/program'"));
+  launch = test::bad_guest("turn");
+  launch.directory = "/no/such/folder";
+  const RunRecord record = contest(launch);
+  EXPECT_EQ(record.steps.back().action.reason, ForfeitReason::not_started);
+  EXPECT_THAT(record.last_words, HasSubstr("No such file or directory"));
+}
+
+TEST(GuestMind, LeavesNothingBehindAThousandGuests) {
+  const int descriptors = test::open_descriptors(), children = test::children();
+  const std::vector<std::string> ways = {"die", "rubbish", "daemon at the start", "many answers", "wrong greeting", "crash", "long line", "flood"};
+  const auto of_every_kind = [&](int first) {
+    for (int i = first; i < 1000; i += 4) {
+      const RunRecord record = contest(ways[static_cast<std::size_t>(i) / 4 % ways.size()]);
+      EXPECT_EQ(record.outcome, Outcome::forfeit);
+    }
+  };
+  std::vector<std::thread> threads;
+  for (int first = 0; first < 4; ++first) threads.emplace_back(of_every_kind, first);
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(test::open_descriptors(), descriptors);
+  EXPECT_EQ(test::children(), children);
+  EXPECT_EQ(test::tagged_processes(), 0);
+}
+
+}  // namespace
+}  // namespace labmouse
