@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "labmouse/guests/mms/canvas.hpp"
+#include "labmouse/guests/mms/command.hpp"
 #include "labmouse/guests/mms/half_pose.hpp"
 #include "labmouse/guests/mms/statistics.hpp"
 #include "labmouse/maze/maze.hpp"
@@ -29,12 +30,13 @@ struct MmsEvent {
   double clock = 0;         ///< simulated time after it, in seconds, at mms's default speed
 };
 
-/// The simulator with one mouse in one maze, from its start to its end.
+/// The simulator with one mouse in one maze, from its start to its end. No time passes in it.
 class MmsHost {
  public:
   MmsHost(const Maze& maze, const MmsOptions& options);
 
-  /// Obeys one line, without its end; appends the reply with its end, if the line has one.
+  /// Obeys one line, without its end; appends the reply with its end, if the line has one. Does nothing once the mouse
+  /// does not go on.
   void obey(std::string_view line, std::string& replies);
 
   /// Called after each line that moved or turned the mouse, put it back, or drew something. Called for no others.
@@ -42,22 +44,47 @@ class MmsHost {
 
   /// False once a strict run had a bad line, or the mouse waits for a Reset that nobody presses.
   bool goes_on() const;
-  /// Whether the mouse waits for Reset: it asked 100 times with nothing between.
+  /// Whether the mouse waits for Reset: it asked 100 times with nothing between, and no presses are left.
   bool waits() const;
   /// Presses the Reset button.
   void press_reset();
 
-  const HalfPose& pose() const;
-  const MmsStatistics& statistics() const;
-  const MmsCanvas& canvas() const;
-  /// Simulated seconds since the start.
+  const HalfPose& pose() const { return pose_; }
+  const MmsStatistics& statistics() const { return books_.statistics(); }
+  const MmsBooks& books() const { return books_; }
+  const MmsCanvas& canvas() const { return canvas_; }
+  /// Simulated seconds since the start: what mms needs for the moves and turns at its default speed.
   double clock() const;
   /// Lines so far, answered or not.
-  std::int64_t lines() const;
+  std::int64_t lines() const { return lines_; }
   /// Lines that mms would log as invalid, and what was wrong with the first 100 of them, one sentence each:
   /// "line 12: 'turnRight 2' has no reply: turnRight takes no argument".
-  std::int64_t invalid_lines() const;
-  const std::deque<std::string>& log() const;
+  std::int64_t invalid_lines() const { return invalid_lines_; }
+  const std::deque<std::string>& log() const { return log_; }
+
+ private:
+  bool obey(const MmsCommand& command, std::string& replies);
+  bool sees_wall(Compass direction, std::int64_t half_steps) const;
+  std::int64_t move(std::int64_t half_steps);
+  void turn(int eighths);
+  void arrive();
+  bool draw(const MmsCommand& command);
+  void draw(Cell cell, const MmsCommand& command);
+  void note_question();
+  void log_invalid(std::string_view line, const std::string& problem);
+
+  Maze maze_;
+  CellSet goals_;
+  MmsOptions options_;
+  HalfPose pose_;
+  MmsBooks books_;
+  MmsCanvas canvas_;
+  bool was_reset_ = false;
+  int questions_ = 0;  ///< for Reset, denied, with nothing between
+  double work_ = 0;
+  std::int64_t lines_ = 0, invalid_lines_ = 0;
+  std::deque<std::string> log_;
+  std::function<void(const MmsEvent&)> listener_;
 };
 
 }  // namespace labmouse

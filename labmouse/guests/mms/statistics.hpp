@@ -1,7 +1,9 @@
 // The statistics of mms, the simulator: what it counts of a mouse, and the score that it makes of it.
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -20,7 +22,48 @@ struct MmsStatistics {
   friend constexpr bool operator==(const MmsStatistics&, const MmsStatistics&) = default;
 };
 
-/// A value of `getStat NAME` as mms replies it (C's %g); nothing where mms has no such name.
+/// The names that getStat knows.
+std::span<const std::string_view> statistic_names();
+
+/// A value of `getStat NAME` as mms replies it (C's %g); nothing where mms has no such name. Distances and turns are
+/// whole numbers, and -1 from a million on: what mms prints of them then is none.
 std::optional<std::string> statistic_reply(const MmsStatistics& statistics, std::string_view name);
+
+/// What a move counts by the half steps that were asked for: long ones count half, and 1 more.
+constexpr float effective_distance(std::int64_t half_steps) {
+  const auto distance = static_cast<float>(half_steps);
+  return half_steps <= 2 ? distance : distance / 2 + 1;
+}
+
+/// Keeps the statistics. A run begins with a move from the start cell, and ends in a goal or where the mouse is back.
+class MmsBooks {
+ public:
+  /// What every ackReset adds to the effective distance of the next run, and to the total. Twice in a row it is the same.
+  static constexpr float reset_penalty = 15;
+
+  /// A move that was begun: by the half steps that were asked for, whether the mouse gets that far or not.
+  void book_move(std::int64_t half_steps, bool from_start_cell);
+  /// A turn by 45 or by 90 degrees.
+  void book_turn();
+  /// The end of a move or a turn, in such a cell.
+  void book_arrival(bool in_goal, bool in_start_cell);
+  /// An ackReset.
+  void book_reset();
+
+  const MmsStatistics& statistics() const { return statistics_; }
+  /// Whether a run was begun and is not over.
+  bool in_run() const { return in_run_; }
+  /// What the next run begins with.
+  float pending_penalty() const { return pending_penalty_; }
+
+ private:
+  void begin_run();
+  void finish_run();
+  void update_score();
+
+  MmsStatistics statistics_;
+  bool in_run_ = false;
+  float pending_penalty_ = 0;
+};
 
 }  // namespace labmouse

@@ -1,0 +1,75 @@
+// The half grid of mms: where a mouse stands that goes half cells and turns by 45 degrees.
+//
+//      y
+//      2 o---|---o       The places of cell (0,0) and of the walls round it. Both coordinates odd: the centre of a cell;
+//      1 |   +   |       one of them even: the middle of a wall; both even: a post, where no mouse goes.
+//      0 o---|---o
+//        0   1   2  x
+#pragma once
+
+#include <array>
+#include <cassert>
+#include <cstdint>
+#include <string_view>
+
+#include "labmouse/maze/maze.hpp"
+
+namespace labmouse {
+
+/// A direction on the half grid. The values count eighths of a turn clockwise from north.
+enum class Compass : std::uint8_t { north, north_east, east, south_east, south, south_west, west, north_west };
+
+constexpr std::string_view name_of(Compass heading) {
+  constexpr std::array<std::string_view, 8> names = {"north", "north-east", "east", "south-east",
+                                                     "south", "south-west", "west", "north-west"};
+  return names[static_cast<unsigned>(heading)];
+}
+
+/// The direction after `eighths` clockwise turns of 45 degrees (negative: counter-clockwise).
+constexpr Compass turned(Compass heading, int eighths) {
+  return static_cast<Compass>((static_cast<unsigned>(heading) + static_cast<unsigned>(eighths)) & 7U);
+}
+constexpr bool is_diagonal(Compass heading) { return (static_cast<unsigned>(heading) & 1U) != 0; }
+
+/// A place on the half grid, in half cells from the south-west corner: 0 to twice the width, 0 to twice the height.
+struct HalfPlace {
+  int x = 1;
+  int y = 1;
+
+  friend constexpr bool operator==(HalfPlace, HalfPlace) = default;
+};
+
+/// Where a mouse of mms stands and looks. At first that is the centre of (0,0), northwards, whatever the maze's file
+/// says and even where a wall is in front of it.
+struct HalfPose {
+  HalfPlace place;
+  Compass heading = Compass::north;
+
+  friend constexpr bool operator==(const HalfPose&, const HalfPose&) = default;
+};
+
+/// The place one half step away: half a cell, or from one wall to the next where the direction is diagonal.
+constexpr HalfPlace half_step(HalfPlace place, Compass direction) {
+  constexpr std::array<int, 8> dx = {0, 1, 1, 1, 0, -1, -1, -1};
+  constexpr std::array<int, 8> dy = {1, 1, 0, -1, -1, -1, 0, 1};
+  const auto side = static_cast<unsigned>(direction);
+  return {place.x + dx[side], place.y + dy[side]};
+}
+
+/// The cell that a place belongs to: on a wall, the cell to its east or north.
+constexpr Cell cell_of(HalfPlace place) { return {place.x / 2, place.y / 2}; }
+
+/// Whether half a step from a place, which must lie inside of the border, leads into a wall or a post.
+inline bool blocked(const Maze& maze, HalfPlace place, Compass direction) {
+  const HalfPlace next = half_step(place, direction);
+  assert(next.x >= 0 && next.y >= 0 && next.x <= 2 * maze.size().width && next.y <= 2 * maze.size().height);
+  const bool on_column = next.x % 2 == 0, on_row = next.y % 2 == 0;
+  if (on_column && on_row) return true;
+  if (!on_column && !on_row) return false;
+  return !maze.is_open(cell_of(next), on_column ? Heading::west : Heading::south);
+}
+
+/// The goals of mms: the cells in the centre, whatever the maze's file marks.
+inline CellSet mms_goals(Size size) { return centre_of(size); }
+
+}  // namespace labmouse

@@ -1,0 +1,114 @@
+#include "labmouse/guests/mms/statistics.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace labmouse {
+namespace {
+
+struct Statistic {
+  std::string_view name;
+  float MmsStatistics::*value;
+  bool whole;
+};
+
+constexpr std::array statistics_of_mms = {
+    Statistic{"total-distance", &MmsStatistics::total_distance, true},
+    Statistic{"total-turns", &MmsStatistics::total_turns, true},
+    Statistic{"best-run-distance", &MmsStatistics::best_run_distance, true},
+    Statistic{"best-run-turns", &MmsStatistics::best_run_turns, true},
+    Statistic{"current-run-distance", &MmsStatistics::current_run_distance, true},
+    Statistic{"current-run-turns", &MmsStatistics::current_run_turns, true},
+    Statistic{"total-effective-distance", &MmsStatistics::total_effective_distance, false},
+    Statistic{"best-run-effective-distance", &MmsStatistics::best_run_effective_distance, false},
+    Statistic{"current-run-effective-distance", &MmsStatistics::current_run_effective_distance, false},
+    Statistic{"score", &MmsStatistics::score, false},
+};
+
+constexpr auto names = [] {
+  std::array<std::string_view, statistics_of_mms.size()> all;
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = statistics_of_mms[i].name;
+  return all;
+}();
+
+/// From here on, %g writes a whole number with an exponent.
+constexpr float first_with_exponent = 1e6F;
+
+}  // namespace
+
+std::span<const std::string_view> statistic_names() { return names; }
+
+std::optional<std::string> statistic_reply(const MmsStatistics& statistics, std::string_view name) {
+  const auto* found = std::find_if(statistics_of_mms.begin(), statistics_of_mms.end(),
+                                   [&](const Statistic& statistic) { return statistic.name == name; });
+  if (found == statistics_of_mms.end()) return std::nullopt;
+  const float value = statistics.*found->value;
+  return found->whole && value >= first_with_exponent ? "-1" : fmt::format("{:g}", value);
+}
+
+void MmsBooks::book_move(std::int64_t half_steps, bool from_start_cell) {
+  if (from_start_cell) begin_run();
+  const auto distance = static_cast<float>(half_steps);
+  const float effective = effective_distance(half_steps);
+  statistics_.total_distance += distance;
+  statistics_.total_effective_distance += effective;
+  if (in_run_) {
+    statistics_.current_run_distance += distance;
+    statistics_.current_run_effective_distance += effective;
+  }
+  update_score();
+}
+
+void MmsBooks::begin_run() {
+  in_run_ = true;
+  statistics_.current_run_distance = 0;
+  statistics_.current_run_turns = 0;
+  statistics_.current_run_effective_distance = pending_penalty_;
+  statistics_.total_effective_distance += pending_penalty_;
+  pending_penalty_ = 0;
+}
+
+void MmsBooks::book_turn() {
+  ++statistics_.total_turns;
+  if (in_run_) ++statistics_.current_run_turns;
+  update_score();
+}
+
+void MmsBooks::book_arrival(bool in_goal, bool in_start_cell) {
+  if (in_goal) {
+    finish_run();
+  } else if (in_start_cell) {
+    in_run_ = false;
+  }
+}
+
+void MmsBooks::finish_run() {
+  // Later moves in the goal come here again: they change nothing, because the run is over and nothing was added to it.
+  in_run_ = false;
+  MmsStatistics& all = statistics_;
+  const float run = all.current_run_turns + all.current_run_effective_distance;
+  if (!all.solved || run < all.best_run_turns + all.best_run_effective_distance) {
+    all.best_run_distance = all.current_run_distance;
+    all.best_run_effective_distance = all.current_run_effective_distance;
+    all.best_run_turns = all.current_run_turns;
+  }
+  all.solved = true;
+  update_score();
+}
+
+void MmsBooks::book_reset() {
+  in_run_ = false;
+  pending_penalty_ = reset_penalty;
+}
+
+void MmsBooks::update_score() {
+  if (!statistics_.solved) return;
+  const float best = statistics_.best_run_effective_distance + statistics_.best_run_turns;
+  const float total = statistics_.total_effective_distance + statistics_.total_turns;
+  statistics_.score = static_cast<float>(best + 0.1 * total);
+}
+
+}  // namespace labmouse
