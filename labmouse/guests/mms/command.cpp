@@ -168,7 +168,7 @@ std::string read_drawing(const Entry& entry, const Words& words, MmsCommand& com
 
 /// The text is the rest of the line after three single blanks; where there are only two, mms takes the whole line.
 std::string read_text(std::string_view line, MmsCommand& command) {
-  const std::string form = "setText takes X Y TEXT, with one blank before each";
+  constexpr const char* form = "setText takes X Y TEXT, with one blank before each";
   const std::size_t first = line.find(' '), second = line.find(' ', first + 1);
   if (line.substr(0, first) != "setText" || first == std::string_view::npos || second == std::string_view::npos)
     return form;
