@@ -23,9 +23,8 @@ using namespace std::chrono_literals;
 
 /// How often a wait looks whether it shall stop: a signal wakes only one thread of a program.
 constexpr auto glance = 50ms;
-/// After a program ended its output ends, or the other way round; more than this lies between them where one of the two
-/// goes on alone.
-constexpr auto both_ends = 500ms;
+/// A program that ends closes its output first; one that has not ended after so long has only closed it.
+constexpr auto between_both = 500ms;
 
 /// Writing to a guest that has gone is an error to be seen, not one to die of.
 void ignore_broken_pipes() {
@@ -111,8 +110,10 @@ void GuestProcess::start(const Launch& launch, Pipes& pipes) {
   errors_end_ = std::exchange(pipes.errors.read, -1);
   status_end_ = std::exchange(pipes.status.read, -1);
   leash_ = std::exchange(pipes.leash.write, -1);
-  for (const int end : {input_, output_, errors_end_}) fcntl(end, F_SETFL, O_NONBLOCK);
-  ::close(std::exchange(pipes.failure.write, -1));
+  for (const int end : {input_, output_, errors_end_, status_end_}) fcntl(end, F_SETFL, O_NONBLOCK);
+  // Now the keeper alone has its ends: each is at its end when the keeper and the guest let go of it.
+  for (int* end : {&pipes.input.read, &pipes.output.write, &pipes.errors.write, &pipes.failure.write, &pipes.status.write, &pipes.leash.read})
+    close_end(*end);
   int reason = 0;
   while (read(pipes.failure.read, &reason, sizeof reason) < 0 && errno == EINTR) {
   }
@@ -128,10 +129,13 @@ void GuestProcess::send(std::string_view bytes) {
 GuestEvent GuestProcess::wait(Clock::time_point deadline) {
   for (;;) {
     if (stop_ != nullptr && stop_->load()) return GuestEvent::interrupted;
+    if (status_ && output_ >= 0 && read_output()) return GuestEvent::output;
+    // The program's own ends of its pipes were closed before it had ended: whoever holds one open now is another.
+    if (status_ || keeper_ < 0) return output_ < 0 ? GuestEvent::ended : GuestEvent::left;
     const auto now = Clock::now();
-    if (const auto event = verdict(now)) return *event;
+    if (now >= closed_due_) return GuestEvent::closed;
     if (now >= deadline) return GuestEvent::timeout;
-    if (look(std::min({deadline, now + glance, verdict_due()}))) return GuestEvent::output;
+    if (look(std::min({deadline, now + glance, closed_due_}))) return GuestEvent::output;
   }
 }
 
@@ -176,7 +180,7 @@ bool GuestProcess::read_output() {
   if (count > 0) lines_.append(std::string_view(portion_).substr(0, static_cast<std::size_t>(count)));
   if (count == 0) {
     close_end(output_);
-    half_ended_ = std::min(half_ended_, Clock::now());
+    closed_due_ = Clock::now() + between_both;
   }
   return count > 0;
 }
@@ -197,17 +201,6 @@ void GuestProcess::read_status() {
   // A keeper that ends without a word was killed, and its guest with it.
   status_ = count == sizeof wait_status ? exit_status(wait_status) : ExitStatus{0, SIGKILL};
   close_end(status_end_);
-  half_ended_ = std::min(half_ended_, Clock::now());
-}
-
-std::optional<GuestEvent> GuestProcess::verdict(Clock::time_point now) const {
-  if (keeper_ < 0 || (status_ && output_ < 0)) return GuestEvent::ended;
-  if (now < verdict_due()) return std::nullopt;
-  return status_ ? GuestEvent::left : GuestEvent::closed;
-}
-
-GuestProcess::Clock::time_point GuestProcess::verdict_due() const {
-  return half_ended_ == Clock::time_point::max() ? half_ended_ : half_ended_ + both_ends;
 }
 
 void GuestProcess::end(std::chrono::milliseconds grace) {

@@ -94,10 +94,6 @@ class GuestProcess {
   bool read_output();
   bool read_errors();
   void read_status();
-  /// How it ended, where that is sure by now.
-  std::optional<GuestEvent> verdict(Clock::time_point now) const;
-  /// The time at which it will be sure.
-  Clock::time_point verdict_due() const;
 
   GuestLimits limits_;
   const std::atomic<bool>* stop_;
@@ -110,7 +106,7 @@ class GuestProcess {
   std::size_t sent_ = 0;  ///< bytes of unsent_ that are on their way
   std::string errors_;
   std::optional<ExitStatus> status_;
-  Clock::time_point half_ended_ = Clock::time_point::max();  ///< when the first of program and output ended
+  Clock::time_point closed_due_ = Clock::time_point::max();  ///< when it is sure that it closed its output and runs on
 };
 
 }  // namespace labmouse
