@@ -8,12 +8,24 @@
 
 namespace labmouse::cli {
 
-RecordFile load_record(const std::string& path) {
+CLI::Option* add_record_maze(CLI::App& command, std::string& maze) {
+  return command.add_option("--maze", maze, "Play it in this maze in place of the record's own")->type_name("MAZE");
+}
+
+RecordFile load_record(const std::string& path, const std::string& maze) {
   const FileContent file = read_file(path, std::size_t{1} << 28U);
   if (!file.error.empty()) throw UsageError(fmt::format("{}: error: {}", path, file.error));
   ReadRecordResult result = read_record(file.content);
   if (!result.file) throw UsageError(describe(path, result.problems.front()));
-  return std::move(*result.file);
+  RecordFile& record = *result.file;
+  if (!maze.empty()) {
+    NamedMaze named = find_maze(maze, {});
+    record.maze = std::move(named.maze);
+    record.maze_name = std::move(named.name);
+  }
+  if (!record.maze)
+    throw UsageError(fmt::format("{}: error: the record has no maze; name its maze with --maze MAZE", path));
+  return std::move(record);
 }
 
 bool re_enact(const std::string& path, RecordFile& file) {

@@ -12,6 +12,10 @@
 namespace labmouse::cli {
 namespace {
 
+struct ScoreOptions {
+  std::string file, maze;
+};
+
 struct ReplayOptions {
   std::string file, maze, svg;
   ExplainOptions explain;
@@ -20,26 +24,22 @@ struct ReplayOptions {
 };
 
 int replay_file(const ReplayOptions& options) {
-  RecordFile file = load_record(options.file);
-  if (!options.maze.empty()) {
-    NamedMaze maze = find_maze(options.maze, {});
-    file.maze = std::move(maze.maze);
-    file.maze_name = std::move(maze.name);
-  }
+  RecordFile file = load_record(options.file, options.maze);
   if (!re_enact(options.file, file)) return exit_finding;
   if (options.watch)
     watch(file, options.delay);
   else
     print(summary_of(file));
+  if (const std::string checked = checked_line(file); !checked.empty()) print(checked + "\n");
   explain(file, options.explain, "The record has no reasons; `labmouse run` with --explain and --record keeps them.");
   if (!options.svg.empty()) save(options.svg, picture_of(file));
   return exit_good;
 }
 
 /// A record's score counts only if it could have happened, so it is played first.
-int score_file(const std::string& path) {
-  RecordFile file = load_record(path);
-  if (!re_enact(path, file)) return exit_finding;
+int score_file(const ScoreOptions& options) {
+  RecordFile file = load_record(options.file, options.maze);
+  if (!re_enact(options.file, file)) return exit_finding;
   print(result_line(file) + "\n");
   return exit_good;
 }
@@ -50,7 +50,7 @@ void add_replay(CLI::App& app, int& exit) {
   auto options = std::make_shared<ReplayOptions>();
   CLI::App* command = app.add_subcommand("replay", "Play a record again and check that it agrees with its maze");
   command->add_option("file", options->file, "Record")->required()->type_name("FILE");
-  command->add_option("--maze", options->maze, "Play it in this maze in place of the record's own")->type_name("MAZE");
+  add_record_maze(*command, options->maze);
   add_explain(*command, options->explain);
   command->add_flag("--watch", options->watch, "Draw it step by step");
   command->add_option("--delay", options->delay, "Milliseconds a step stays on the screen")->check(CLI::Range(0, 60'000))->capture_default_str();
@@ -60,11 +60,12 @@ void add_replay(CLI::App& app, int& exit) {
 }
 
 void add_score(CLI::App& app, int& exit) {
-  auto path = std::make_shared<std::string>();
+  auto options = std::make_shared<ScoreOptions>();
   CLI::App* command = app.add_subcommand("score", "Score a record, after checking that it agrees with its maze");
-  command->add_option("file", *path, "Record")->required()->type_name("FILE");
+  command->add_option("file", options->file, "Record")->required()->type_name("FILE");
+  add_record_maze(*command, options->maze);
   command->footer("Example: labmouse score walk.jsonl");
-  command->callback([path, &exit] { exit = score_file(*path); });
+  command->callback([options, &exit] { exit = score_file(*options); });
 }
 
 }  // namespace labmouse::cli

@@ -16,7 +16,7 @@ namespace labmouse::cli {
 namespace {
 
 struct ShowOptions {
-  std::string maze, record, svg;
+  std::string maze, record, record_maze, svg;
   std::vector<std::string> layers;
   Places places;
   int step = 0;  ///< 0 for all of the record
@@ -93,7 +93,7 @@ void drop_missing(const ShowOptions& options, const DrawingLayers& layers, Layer
 
 int show_record(const ShowOptions& options) {
   LayerSet chosen = chosen_layers(options, contest_layers());
-  RecordFile file = load_record(options.record);
+  RecordFile file = load_record(options.record, options.record_maze);
   if (!re_enact(options.record, file)) return exit_finding;
   const std::string cut = options.step > 0 ? cut_at(file, options.step) : "";
   DrawingLayers layers = layers_of(file, chosen);
@@ -131,7 +131,9 @@ void add_show(CLI::App& app, int& exit) {
   CLI::App* command = app.add_subcommand("show", "Draw a maze with its best route, or a record in layers");
   command->add_option("maze", options->maze, "Maze file or name of a built-in maze")->type_name("MAZE");
   add_places(*command, options->places);
-  command->add_option("--record", options->record, "Draw this record in place of a maze")->type_name("FILE");
+  auto* record = command->add_option("--record", options->record, "Draw this record in place of a maze");
+  record->type_name("FILE");
+  add_record_maze(*command, options->record_maze)->needs(record);
   command->add_option("--layer", options->layers, "Draw these layers in place of the usual ones")
       ->type_name("NAME,...")->expected(1)->take_all();
   command->add_option("--step", options->step, "Draw the record as far as this step")->check(CLI::Range(1, 1'000'000));

@@ -8,6 +8,7 @@
 #include "labmouse/contest/coverage.hpp"
 #include "labmouse/contest/score.hpp"
 #include "labmouse/lab/bounds.hpp"
+#include "labmouse/lab/drawing/words.hpp"
 #include "labmouse/lab/files.hpp"
 #include "labmouse/lab/layers.hpp"
 #include "labmouse/lab/printable.hpp"
@@ -123,6 +124,23 @@ std::string result_line(const RecordFile& file) {
                         result.exploration_steps, result.speed_steps);
   line += bound.score ? fmt::format("; bound {:.3f}", *bound.score) : "; the goal cannot be reached";
   return shown(line);
+}
+
+std::string checked_line(const RecordFile& file) {
+  const auto whole = [](const GivenFields& given) { return given == GivenFields(); };
+  const bool whole_end = !file.ended || (file.given_end.cell && file.given_end.heading);
+  if (whole_end && std::all_of(file.given.begin(), file.given.end(), whole)) return "";
+  const auto checked = [&](bool GivenFields::*field, std::string_view one, std::string_view many) {
+    const auto has = [&](const GivenFields& given) { return given.*field; };
+    const auto count = static_cast<int>(std::count_if(file.given.begin(), file.given.end(), has));
+    return count > 0 ? ", " + drawing::counted(count, one, many) : "";
+  };
+  const std::string readings = checked(&GivenFields::reading, "reading", "readings");
+  std::string line = fmt::format("checked in {}: ", drawing::counted(static_cast<int>(file.given.size()), "step", "steps"));
+  line += readings.empty() ? "no readings" : readings.substr(2);
+  line += checked(&GivenFields::cell, "cell", "cells") + checked(&GivenFields::heading, "heading", "headings");
+  line += checked(&GivenFields::run, "run", "runs") + checked(&GivenFields::blocked, "blocked flag", "blocked flags");
+  return line + (file.ended ? ", the outcome" : "");
 }
 
 std::string counts_line(const RecordFile& file) {

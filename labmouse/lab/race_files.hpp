@@ -41,6 +41,10 @@ std::string exploration_line(const RecordFile& file);
 /// How a contest went, in one line without its end: the mouse, the maze, the outcome and the score.
 std::string result_line(const RecordFile& file);
 
+/// How much of a record that lacks fields a replay compares with the maze, in one line without its end; empty where the
+/// record gives all.
+std::string checked_line(const RecordFile& file);
+
 /// What the mouse counted, in one line without its end; empty where it counted nothing.
 std::string counts_line(const RecordFile& file);
 

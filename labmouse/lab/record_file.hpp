@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "labmouse/contest/record.hpp"
 #include "labmouse/contest/rules.hpp"
@@ -12,7 +13,14 @@
 
 namespace labmouse {
 
-/// A record with all that is needed to understand it years later.
+/// Which fields of a step stand in its record. Those that do not are known only after the record was played.
+struct GivenFields {
+  bool run = true, cell = true, heading = true, reading = true, blocked = true;
+
+  friend constexpr bool operator==(const GivenFields&, const GivenFields&) = default;
+};
+
+/// A record with all that is needed to understand it years later. One that a robot wrote may lack much of it.
 struct RecordFile {
   std::string maze_name;
   std::optional<Maze> maze;  ///< always there when written
@@ -23,6 +31,8 @@ struct RecordFile {
   std::string version;       ///< of the program that wrote it; a writer puts its own
   RunRecord run;
   bool ended = true;         ///< false where the last line, with the outcome, is missing
+  std::vector<GivenFields> given;  ///< of each step as it was read; a step beyond them has all
+  GivenFields given_end;           ///< of the last line, which has only a cell and a heading of them
 };
 
 std::string write_record(const RecordFile& file);
@@ -34,11 +44,12 @@ struct ReadRecordResult {
 };
 ReadRecordResult read_record(std::string_view text);
 
-/// Plays a record's actions again in a maze. Returns the record that comes out, or where it first disagrees; what the
-/// mouse counted and its reasons are taken over unchecked.
+/// Plays a record's actions again in a maze and compares what the record gives. Returns the whole record that comes
+/// out, or where it first disagrees. What the mouse counted is taken over unchecked, and so are its reasons, but for
+/// walls that the maze does not have.
 struct ReplayResult {
   RunRecord run;
-  std::string disagreement;  ///< empty where every step agrees
+  std::string disagreement;  ///< empty where all that is given agrees
 };
 ReplayResult replay(const RecordFile& file, const Maze& maze);
 

@@ -17,7 +17,14 @@ constexpr std::size_t most_counts = 64;
 constexpr std::size_t longest_count_name = 64;
 constexpr std::int64_t largest_count = std::int64_t{1} << 53U;  // what every JSON reader keeps exactly
 
-/// Reads the maze of a header; on failure the fields hold the error.
+CellSet read_goals(Fields& fields) {
+  CellSet goals;
+  for (const Json& goal : fields.list("goals")) goals.insert(fields.cell(goal, "goals"));
+  return goals;
+}
+
+/// Reads the maze of a header; where it does not say start, heading or goals, the drawing does. On failure the fields
+/// hold the error.
 std::optional<Maze> read_record_maze(Fields& fields) {
   std::string drawing;
   for (const Json& row : fields.list("drawing")) {
@@ -29,16 +36,41 @@ std::optional<Maze> read_record_maze(Fields& fields) {
     const Problem& first = read.problems.front();
     return fields.fail(fmt::format("has a bad drawing, row {}, column {}: {}", first.line, first.column, first.reason)), std::nullopt;
   }
-  const Cell start = fields.cell("start");
-  const Heading heading = fields.heading("heading");
-  CellSet goals;
-  for (const Json& goal : fields.list("goals")) goals.insert(fields.cell(goal, "goals"));
+  const Cell start = fields.has("start") ? fields.cell("start") : read.maze->start();
+  const Heading heading = fields.has("heading") ? fields.heading("heading") : read.maze->start_heading();
+  const CellSet goals = fields.has("goals") ? read_goals(fields) : read.maze->goals();
   CellSet outside = goals;
   outside -= CellSet::all(read.maze->size());
   if (goals.empty() || !outside.empty() || !read.maze->size().contains(start))
     fields.fail("has a start or goals outside of the maze, or no goal");
   if (!fields.error().empty()) return std::nullopt;
   return read.maze->with_goals(goals).with_start(start, heading);
+}
+
+/// Reads what the header says of the maze, which need not be its drawing; returns what is wrong, or nothing.
+std::string read_maze_field(const Json& json, RecordFile& file) {
+  Fields fields(json, "maze");
+  if (fields.has("name")) file.maze_name = fields.text("name");
+  if (fields.has("drawing"))
+    file.maze = read_record_maze(fields);
+  else if (fields.has("start") || fields.has("heading") || fields.has("goals"))
+    fields.fail("has a start, a heading or goals, but no drawing");
+  return fields.error();
+}
+
+std::string read_mouse_field(const Json& json, RecordFile& file) {
+  Fields fields(json, "mouse");
+  if (fields.has("name")) file.mouse = fields.text("name");
+  return fields.error();
+}
+
+std::string read_rules_field(const Json& json, Rules& rules) {
+  Fields fields(json, "rules");
+  if (fields.has("budget")) rules.budget = fields.whole("budget", 1, longest_record);
+  if (fields.has("exploration_factor"))
+    rules.exploration_factor = fields.whole("exploration_factor", 1, longest_record);
+  if (fields.has("stride")) rules.stride = fields.whole("stride", 1, Motion::max_longest);
+  return fields.error();
 }
 
 /// Reads the header into the file; returns what is wrong, or nothing.
@@ -50,20 +82,11 @@ std::string read_header(const Json& json, RecordFile& file) {
   if (fields.has("version")) file.version = fields.text("version");
   if (fields.has("seed") && !json["seed"].is_number_unsigned()) return "'seed' is not a number from 0 to 2^64 - 1";
   if (fields.has("seed")) file.seed = json["seed"].get<std::uint64_t>();
-  if (fields.has("rules")) {
-    Fields rules(json["rules"], "rules");
-    file.rules.budget = rules.whole("budget", 1, longest_record);
-    file.rules.exploration_factor = rules.whole("exploration_factor", 1, longest_record);
-    file.rules.stride = rules.whole("stride", 1, Motion::max_longest);
-    if (!rules.error().empty()) return rules.error();
-  }
-  if (!fields.has("maze")) return "'maze' is missing";
-  if (!fields.has("mouse")) return "'mouse' is missing";
-  Fields mouse(json["mouse"], "mouse"), maze(json["maze"], "maze");
-  file.mouse = mouse.text("name");
-  file.maze_name = maze.text("name");
-  file.maze = read_record_maze(maze);
-  return !mouse.error().empty() ? mouse.error() : maze.error();
+  std::string error;
+  if (fields.has("rules")) error = read_rules_field(json["rules"], file.rules);
+  if (error.empty() && fields.has("mouse")) error = read_mouse_field(json["mouse"], file);
+  if (error.empty() && fields.has("maze")) error = read_maze_field(json["maze"], file);
+  return error;
 }
 
 Action read_action(const Json& json, Fields& fields) {
@@ -82,24 +105,42 @@ Run read_run(Fields& fields) {
   return run == "speed" ? Run::speed : Run::exploration;
 }
 
-std::string read_step(const Json& json, RecordFile& file) {
-  Fields fields(json, "");
-  StepRecord step;
-  step.run = read_run(fields);
-  step.step = fields.whole("step", 1, longest_record);
-  step.pose = {fields.cell("cell"), fields.heading("heading")};
+Sighting read_reading(Fields& fields) {
   const Json& reading = fields.list("reading");
-  if (reading.size() != 3) fields.fail("has a reading that is not [left, ahead, right]");
-  if (!fields.error().empty()) return fields.error();
-  step.sighting = {fields.whole(reading[0], "reading", 0, max_side), fields.whole(reading[1], "reading", 0, max_side),
-                   fields.whole(reading[2], "reading", 0, max_side)};
+  if (reading.size() != 3) return fields.fail("has a reading that is not [left, ahead, right]"), Sighting();
+  const auto cells = [&](std::size_t direction) { return fields.whole(reading[direction], "reading", 0, max_side); };
+  return {cells(0), cells(1), cells(2)};
+}
+
+/// Reads what a step gives besides its action and its number.
+StepRecord read_given(Fields& fields, const GivenFields& given) {
+  StepRecord step;
+  if (given.run) step.run = read_run(fields);
+  if (given.cell) step.pose.cell = fields.cell("cell");
+  if (given.heading) step.pose.heading = fields.heading("heading");
+  if (given.reading) step.sighting = read_reading(fields);
+  if (given.blocked) step.blocked = fields.flag("blocked");
+  return step;
+}
+
+GivenFields given_in(const Fields& fields) {
+  return {fields.has("run"), fields.has("cell"), fields.has("heading"), fields.has("reading"), fields.has("blocked")};
+}
+
+std::string read_step(const Json& json, RecordFile& file) {
+  const auto due = static_cast<int>(file.run.steps.size()) + 1;
+  if (due > longest_record) return fmt::format("the record has more than {} steps", longest_record);
+  Fields fields(json, "");
+  const GivenFields given = given_in(fields);
+  StepRecord step = read_given(fields, given);
+  step.step = fields.has("step") ? fields.whole("step", 1, longest_record) : due;
   step.action = fields.has("action") ? read_action(json["action"], fields) : (fields.fail("has no action"), Action());
-  step.blocked = fields.flag("blocked");
-  if (step.step != static_cast<int>(file.run.steps.size()) + 1)
-    fields.fail(fmt::format("has step {} where step {} is due", step.step, file.run.steps.size() + 1));
+  if (step.step != due) fields.fail(fmt::format("has step {} where step {} is due", step.step, due));
   file.run.steps.push_back(step);
+  file.given.push_back(given);
   if (!fields.has("reasons") || !fields.error().empty()) return fields.error();
-  return read_reasons(json["reasons"], file.maze->size(), file.run.reasons.emplace_back(StepReasons{step.step, {}}).reasons);
+  const Size size = file.maze ? file.maze->size() : Size{max_side, max_side};
+  return read_reasons(json["reasons"], size, file.run.reasons.emplace_back(StepReasons{step.step, {}}).reasons);
 }
 
 bool is_count(const Json& value) {
@@ -125,7 +166,9 @@ std::string read_end(const Json& json, RecordFile& file) {
   if (fields.has("counts"))
     if (auto error = read_counts(json["counts"], file.run.counts); !error.empty()) return error;
   const std::string name = fields.text("outcome");
-  file.run.end = {fields.cell("cell"), fields.heading("heading")};
+  file.given_end = given_in(fields);
+  if (file.given_end.cell) file.run.end.cell = fields.cell("cell");
+  if (file.given_end.heading) file.run.end.heading = fields.heading("heading");
   const bool gave_up = !file.run.steps.empty() && file.run.steps.back().action.kind == Action::Kind::forfeit;
   if (gave_up != (name == name_of(Outcome::forfeit))) fields.fail("and the last step disagree on a forfeit");
   for (const Outcome outcome : {Outcome::solved, Outcome::out_of_steps, Outcome::never_reset,
@@ -141,30 +184,44 @@ std::string read_end(const Json& json, RecordFile& file) {
 /// Reads one line after the header; returns what is wrong, or nothing.
 std::string read_line(const Json& json, RecordFile& file) {
   if (file.ended) return "the line stands behind the end of the record";
+  if (json.is_object() && json.contains("labmouse")) return "the line is a second header; a file holds one record";
   return json.is_object() && json.contains("outcome") ? read_end(json, file) : read_step(json, file);
+}
+
+/// Takes the first line off the text.
+std::string_view next_line(std::string_view& text) {
+  const auto length = text.find('\n');
+  const auto line = text.substr(0, length);
+  text.remove_prefix(length == std::string_view::npos ? text.size() : length + 1);
+  return line;
 }
 
 }  // namespace
 
 ReadRecordResult read_record(std::string_view text) {
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
   RecordFile file;
+  file.maze_name = "maze";
+  file.mouse = "robot";
   file.ended = false;
   const auto failed = [](int line, std::string reason) {
     return ReadRecordResult{std::nullopt, {{line, line > 0 ? 1 : 0, std::move(reason)}}};
   };
-  int number = 0;
-  while (!text.empty()) {
-    const auto end = text.find('\n');
-    const auto line = text.substr(0, end);
-    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
-    ++number;
+  bool has_header = false;
+  const bool last_is_whole = text.ends_with('\n');
+  for (int number = 1; !text.empty(); ++number) {
+    const auto line = next_line(text);
     if (line.find_first_not_of(" \t\r") == std::string_view::npos) continue;
     const Json json = Json::parse(line, nullptr, false);
+    // A last line without its end was cut, say when the power went off: the record is what stands before it.
+    if (json.is_discarded() && has_header && !file.ended && text.empty() && !last_is_whole) break;
     if (json.is_discarded()) return failed(number, "the line is not JSON");
-    if (auto error = file.maze ? read_line(json, file) : read_header(json, file); !error.empty())
+    if (auto error = has_header ? read_line(json, file) : read_header(json, file); !error.empty())
       return failed(number, std::move(error));
+    has_header = true;
   }
-  if (!file.maze) return failed(0, "the record is empty");
+  if (!has_header) return failed(0, "the record is empty");
   return {std::move(file), {}};
 }
 

@@ -1,5 +1,6 @@
 #include "labmouse/lab/record_reasons.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "labmouse/lab/record_fields.hpp"
@@ -103,6 +104,12 @@ std::string read_reasons(const json& object, Size size, Reasons& reasons) {
   reasons.hope = fields.number("hope", 0, largest_cost);
   reasons.price = fields.number("price", 0, largest_cost);
   return fields.error();
+}
+
+bool fit(const Reasons& reasons, Size size) {
+  return std::all_of(reasons.candidates.begin(), reasons.candidates.end(), [&](const Candidate& each) {
+    return size.contains(each.seen_from) && (each.goal || !on_border(each.wall, size));
+  });
 }
 
 }  // namespace labmouse

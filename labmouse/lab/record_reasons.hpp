@@ -15,4 +15,7 @@ nlohmann::ordered_json reasons_json(const Reasons& reasons);
 /// Reads them for a maze of that size; returns what is wrong, or nothing.
 std::string read_reasons(const nlohmann::json& json, Size size, Reasons& reasons);
 
+/// Whether a maze of that size has all their walls and cells.
+bool fit(const Reasons& reasons, Size size);
+
 }  // namespace labmouse

@@ -385,7 +385,7 @@ TEST_F(AUser, IsToldWhatCannotBeShown) {
   is_refused({"show", "capstone-1", "--layer", "heat"}, "error: layer heat needs a record");
   is_refused({"show", "--record", "nothing.jsonl"}, "nothing.jsonl: error: no such file");
   file("bare.jsonl", R"({"labmouse":"record","format":1,"mouse":{"name":"flood"}})");
-  is_refused({"show", "--record", "bare.jsonl"}, "bare.jsonl:1:1: error: 'maze' is missing");
+  is_refused({"show", "--record", "bare.jsonl"}, "bare.jsonl: error: the record has no maze; name its maze with --maze MAZE");
 }
 
 TEST_F(AUser, SeesHowFarARecordWithoutAnEndGoes) {

@@ -140,9 +140,17 @@ TEST(Record, CutAfterAnyStepStillReadsAndReplays) {
   }
 }
 
-TEST(Record, CutWithinALineIsRefusedWithItsNumber) {
+TEST(Record, CutWithinALineBreaksOffBeforeIt) {
   const std::string text = write_record(recorded("flood"));
-  const Problem found = problem(head(text, 3).substr(0, head(text, 3).size() - 5));
+  const RecordFile file = read(head(text, 3).substr(0, head(text, 3).size() - 5));
+  EXPECT_FALSE(file.ended);
+  EXPECT_EQ(file.run.steps.size(), 1U);
+}
+
+TEST(Record, WithADamagedLineIsRefusedWithItsNumber) {
+  const std::string text = write_record(recorded("flood"));
+  const std::string lines = head(text, 3);
+  const Problem found = problem(lines.substr(0, lines.size() - 5) + "\n" + text.substr(lines.size()));
   EXPECT_EQ(found.line, 3);
   EXPECT_THAT(found.reason, HasSubstr("not JSON"));
 }
