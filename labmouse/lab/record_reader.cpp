@@ -184,8 +184,10 @@ std::string read_end(const Json& json, RecordFile& file) {
 /// Reads one line after the header; returns what is wrong, or nothing.
 std::string read_line(const Json& json, RecordFile& file) {
   if (file.ended) return "the line stands behind the end of the record";
-  if (json.is_object() && json.contains("labmouse")) return "the line is a second header; a file holds one record";
-  return json.is_object() && json.contains("outcome") ? read_end(json, file) : read_step(json, file);
+  const auto has = [&](const char* key) { return json.is_object() && json.contains(key); };
+  if (has("outcome")) return read_end(json, file);
+  if (has("labmouse") && !has("action")) return "the line is a second header; a file holds one record";
+  return read_step(json, file);
 }
 
 /// Takes the first line off the text.

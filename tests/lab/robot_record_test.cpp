@@ -88,7 +88,7 @@ TEST(RobotRecord, IsRefusedWithoutAnAction) {
 
 TEST(RobotRecord, ReadsWhatItGivesAsStrictlyAsEver) {
   for (const char* bad : {"\"cell\":null", "\"cell\":[0]", "\"heading\":\"up\"", "\"run\":\"walk\"", "\"blocked\":0",
-                          "\"reading\":[1,2]", "\"reading\":[1,2,null]", "\"reading\":[1,2,65]", "\"step\":2"})
+                          "\"reading\":[1,2]", "\"reading\":[1,2,3,4]", "\"reading\":[1,2,null]", "\"reading\":[1,2,65]", "\"step\":2"})
     EXPECT_EQ(problem(header + "{\"action\":[0,1]," + bad + "}\n").line, 2) << bad;
   for (const char* bad : {"\"maze\":3", "\"maze\":{\"name\":3}", "\"maze\":{\"drawing\":[]}", "\"mouse\":\"robot\"",
                           "\"mouse\":{\"name\":null}", "\"rules\":{\"stride\":0}", "\"rules\":[]", "\"seed\":-1"})
@@ -108,6 +108,7 @@ TEST(RobotRecord, MayLeaveStartAndGoalsToTheDrawing) {
   EXPECT_EQ(with("").start(), (Cell{1, 0}));
   EXPECT_EQ(with("").start_heading(), Heading::north);
   EXPECT_TRUE(with("").is_goal({0, 0}));
+  EXPECT_FALSE(with("").is_goal({1, 0}));
   EXPECT_EQ(with(",\"heading\":\"west\""), with("").with_start({1, 0}, Heading::west));
   EXPECT_EQ(with(",\"start\":[0,0]").start(), (Cell{0, 0}));
   EXPECT_TRUE(with(",\"goals\":[[1,0]]").is_goal({1, 0}));
@@ -140,6 +141,11 @@ TEST(RobotRecord, NamesTheWallThatAReadingContradicts) {
   EXPECT_THAT(told("[2,0,1]"), HasSubstr("; the maze has a wall north of (3,1), a wall south of (3,0)"));
   const std::string first = disagreement(changed(header + walk, "[0,0,3]", "[0,0,4]"));
   EXPECT_THAT(first, HasSubstr("; the maze has a wall east of (3,0)"));
+}
+
+TEST(RobotRecord, SpeaksOfRunAndBlocksOnlyWhereTheyDiffer) {
+  EXPECT_EQ(disagreement(with_step("\"run\":\"exploration\",\"blocked\":false,\"reading\":[1,1,0]")),
+            "step 2: recorded reading 1 1 0; played at (3,0) heading east, reading 1 0 0; the maze has a wall east of (3,0)");
 }
 
 TEST(RobotRecord, NamesNoWallWhereItStoodElsewhere) {
@@ -196,6 +202,8 @@ TEST(RobotRecord, OnlyALastLineWithoutItsEndCountsAsCut) {
 }
 
 TEST(RobotRecord, HoldsOneContest) {
+  const std::string named = "{\"labmouse\":1,\"action\":[0,0]}\n{\"labmouse\":1,\"outcome\":\"solved\"}\n";
+  EXPECT_EQ(read(header + named).run.steps.size(), 1U);
   EXPECT_THAT(problem(header + walk + header + walk).reason, HasSubstr("second header"));
 }
 
@@ -211,7 +219,9 @@ TEST(RobotRecord, WithReasonsNeedsAMazeThatHasTheirWalls) {
            ",\"through\":3,\"travel\":1,\"score\":1}],\"chosen\":0,\"known\":0,\"way_here\":0,\"hope\":0,\"price\":0}}\n";
   };
   EXPECT_EQ(disagreement(reasoned(R"("wall":[0,0,"north"],"seen_from":[0,0])")), "");
-  EXPECT_EQ(disagreement(reasoned(R"("goal":true,"seen_from":[3,1])")), "");
+  const std::string of_a_goal = reasoned(R"("goal":true,"seen_from":[1,0])");
+  EXPECT_EQ(disagreement(of_a_goal), "");
+  EXPECT_EQ(played(of_a_goal, Maze(MazeDraft({4, 1}, MazeDraft::Inside::open))).disagreement, "");
   for (const char* bad : {R"("wall":[3,0,"east"],"seen_from":[0,0])", R"("wall":[0,0,"north"],"seen_from":[4,0])",
                           R"("goal":true,"seen_from":[0,2])"})
     EXPECT_EQ(disagreement(reasoned(bad)), "step 1: its reasons are of walls that the maze does not have");
