@@ -198,9 +198,14 @@ void GuestProcess::read_status() {
   int wait_status = 0;
   const ssize_t count = read(status_end_, &wait_status, sizeof wait_status);
   if (count < 0) return;
-  // A keeper that ends without a word was killed, and its guest with it.
-  status_ = count == sizeof wait_status ? exit_status(wait_status) : ExitStatus{0, SIGKILL};
   close_end(status_end_);
+  if (count == sizeof wait_status) {
+    status_ = exit_status(wait_status);
+    return;
+  }
+  // A keeper that ends without a word was killed, and its guest is killed with it: what it may still say counts no more.
+  status_ = ExitStatus{0, SIGKILL};
+  close_end(output_);
 }
 
 void GuestProcess::end(std::chrono::milliseconds grace) {

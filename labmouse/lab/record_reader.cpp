@@ -15,6 +15,7 @@ using Fields = RecordFields;
 constexpr int longest_record = 1'000'000;  // steps
 constexpr std::size_t most_counts = 64;
 constexpr std::size_t longest_count_name = 64;
+constexpr std::size_t longest_last_words = 1U << 16U;  // bytes
 constexpr std::int64_t largest_count = std::int64_t{1} << 53U;  // what every JSON reader keeps exactly
 
 CellSet read_goals(Fields& fields) {
@@ -163,6 +164,7 @@ std::string read_counts(const Json& json, std::vector<Count>& counts) {
 
 std::string read_end(const Json& json, RecordFile& file) {
   Fields fields(json, "");
+  if (fields.has("last_words")) file.run.last_words = fields.text("last_words").substr(0, longest_last_words);
   if (fields.has("counts"))
     if (auto error = read_counts(json["counts"], file.run.counts); !error.empty()) return error;
   const std::string name = fields.text("outcome");

@@ -116,6 +116,7 @@ ReplayResult replay(const RecordFile& file, const Maze& maze) {
   ReplayResult result{play(file, maze), ""};
   // What the mouse counted and thought cannot be played again, so it is taken as it stands.
   result.run.counts = file.run.counts;
+  result.run.last_words = file.run.last_words;
   result.run.reasons = file.run.reasons;
   result.disagreement = compare_steps(file, result.run);
   if (result.disagreement.empty()) result.disagreement = compare_ends(file, result.run);

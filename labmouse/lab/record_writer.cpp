@@ -75,6 +75,7 @@ Json end_json(const RecordFile& file) {
               {"exploration_steps", result.exploration_steps},
               {"speed_steps", result.speed_steps},
               {"score", result.value ? Json(*result.value) : Json(nullptr)}};
+  if (!file.run.last_words.empty()) end["last_words"] = file.run.last_words;
   for (const Count& count : file.run.counts) end["counts"][count.name] = count.value;
   return end;
 }
