@@ -1,17 +1,12 @@
 #include "labmouse/lab/tournament.hpp"
 
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
-#include <tbb/partitioner.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <chrono>
 #include <mutex>
-#include <optional>
 
 #include "labmouse/chance/dice.hpp"
 #include "labmouse/contest/simulator.hpp"
+#include "labmouse/lab/parallel.hpp"
 #include "labmouse/maze/routes.hpp"
 
 namespace labmouse {
@@ -110,11 +105,7 @@ Race hold_race(std::vector<Contestant> mice, std::vector<NamedMaze> mazes, const
     const std::lock_guard lock(telling);
     hooks.finished(race, race.results[i], record);
   };
-  // Allows as many threads as were asked for, on however many processors.
-  std::optional<tbb::global_control> threads;
-  if (order.jobs > 0) threads.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(order.jobs));
-  tbb::task_arena arena(order.jobs > 0 ? order.jobs : tbb::task_arena::automatic);
-  arena.execute([&] { tbb::parallel_for(std::size_t{0}, race.results.size(), hold, tbb::simple_partitioner()); });
+  for_each_parallel(race.results.size(), order.jobs, hold);
   race.stopped = std::any_of(race.results.begin(), race.results.end(), [](const ContestResult& r) { return !r.done; });
   return race;
 }

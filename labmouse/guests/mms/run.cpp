@@ -1,0 +1,161 @@
+#include "labmouse/guests/mms/run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+namespace labmouse {
+namespace {
+
+using Clock = GuestProcess::Clock;
+using namespace std::chrono_literals;
+
+std::string in_seconds(std::chrono::milliseconds time) {
+  return fmt::format("{:g} s", std::chrono::duration<double>(time).count());
+}
+
+/// "exit code 1", "signal 11 (Segmentation fault)".
+std::string words_of(const ExitStatus& status) {
+  if (status.signal == 0) return fmt::format("exit code {}", status.code);
+  const char* meaning = sigdescr_np(status.signal);
+  return fmt::format("signal {}{}", status.signal, meaning == nullptr ? "" : fmt::format(" ({})", meaning));
+}
+
+/// One program with its simulator, and the clocks that run against it.
+class Hosting {
+ public:
+  using Listener = std::function<void(const MmsEvent&, const MmsHost&)>;
+
+  Hosting(const Launch& launch, const Maze& maze, const MmsOptions& options, const Listener& listener)
+      : launch_(launch), host_(maze, options), begin_(Clock::now()), sign_(begin_), guest_(launch) {
+    if (!listener) return;
+    host_.on_event([this, listener](const MmsEvent& event) {
+      const auto called = Clock::now();
+      listener(event, host_);
+      told_ += Clock::now() - called;
+    });
+  }
+
+  MmsRun hold() {
+    if (!guest_.error().empty())
+      finish(MmsOutcome::not_started, guest_.error());
+    else
+      while (!ended_) take(guest_.wait(deadline()));
+    run_.seconds = std::chrono::duration<double>(Clock::now() - begin_ - told_).count();
+    guest_.end(0ms);
+    return taken_down();
+  }
+
+ private:
+  Clock::time_point contest_end() const { return begin_ + launch_.limits.contest + told_; }
+  Clock::time_point deadline() const {
+    const auto silence = host_.lines() == 0 ? launch_.limits.start : launch_.limits.decision;
+    return std::min(sign_ + silence, contest_end());
+  }
+
+  void take(GuestEvent event) {
+    obey_lines();
+    if (ended_) return;
+    switch (event) {
+      case GuestEvent::output: return;
+      case GuestEvent::ended: return finish_ended();
+      case GuestEvent::left:
+        return finish(MmsOutcome::left, words_of(*guest_.status()) + ", but what it started goes on");
+      case GuestEvent::closed: return finish(MmsOutcome::closed, "closed its standard output and ran on");
+      case GuestEvent::timeout: return finish_late();
+      case GuestEvent::interrupted: return finish(MmsOutcome::interrupted, "interrupted");
+    }
+  }
+
+  /// Obeys what has come, and sends all replies at once.
+  void obey_lines() {
+    const std::size_t unsent = guest_.unsent();
+    const std::int64_t lines = host_.lines();
+    replies_.clear();
+    while (host_.goes_on()) {
+      const auto line = guest_.lines().next();
+      if (!line) break;
+      host_.obey(*line, replies_);
+    }
+    if (!replies_.empty()) guest_.send(replies_);
+    // A line is a sign of life, and so is a reply that was read; bytes of a line that never ends are none.
+    if (host_.lines() > lines || unsent < unsent_) sign_ = Clock::now();
+    unsent_ = guest_.unsent();
+    judge_lines();
+  }
+
+  void judge_lines() {
+    const GuestLimits& limits = launch_.limits;
+    if (!host_.goes_on() && host_.waits())
+      finish(MmsOutcome::waiting, "waits for Reset, which nobody presses");
+    else if (!host_.goes_on())
+      finish(MmsOutcome::invalid, host_.log().empty() ? "an invalid line" : host_.log().back());
+    else if (guest_.lines().too_long())
+      finish(MmsOutcome::flooded, fmt::format("wrote a line of more than {} bytes", limits.longest_line));
+    else if (unsent_ > limits.most_unread)
+      finish(MmsOutcome::flooded, fmt::format("left more than {} bytes of replies unread", limits.most_unread));
+    else if (Clock::now() > contest_end())
+      finish_late();
+  }
+
+  void finish_ended() {
+    const ExitStatus status = *guest_.status();
+    finish(status == ExitStatus{} ? MmsOutcome::complete : MmsOutcome::failed, words_of(status));
+  }
+
+  void finish_late() {
+    const GuestLimits& limits = launch_.limits;
+    if (Clock::now() >= contest_end())
+      finish(MmsOutcome::out_of_time, fmt::format("ran for more than {}", in_seconds(limits.contest)));
+    else if (host_.lines() == 0)
+      finish(MmsOutcome::hung, fmt::format("wrote no line in its first {}", in_seconds(limits.start)));
+    else
+      finish(MmsOutcome::hung, fmt::format("wrote no line for {}", in_seconds(limits.decision)));
+  }
+
+  void finish(MmsOutcome outcome, std::string end) {
+    run_.outcome = outcome;
+    run_.end = std::move(end);
+    ended_ = true;
+  }
+
+  MmsRun taken_down() {
+    run_.statistics = host_.statistics();
+    run_.pose = host_.pose();
+    run_.canvas = host_.canvas();
+    run_.clock = host_.clock();
+    run_.lines = host_.lines();
+    run_.invalid_lines = host_.invalid_lines();
+    run_.log.assign(host_.log().begin(), host_.log().end());
+    run_.errors = guest_.errors();
+    return std::move(run_);
+  }
+
+  const Launch& launch_;
+  MmsHost host_;
+  Clock::time_point begin_;
+  Clock::time_point sign_;  ///< of life: the last
+  Clock::duration told_{};  ///< time that the listener took
+  GuestProcess guest_;
+  std::string replies_;
+  std::size_t unsent_ = 0;  ///< bytes of replies at the end of the last turn
+  MmsRun run_;
+  bool ended_ = false;
+};
+
+}  // namespace
+
+std::string_view name_of(MmsOutcome outcome) {
+  constexpr std::array<std::string_view, 11> names = {"complete", "failed", "waiting", "invalid",     "hung",       "out of time",
+                                                      "flooded",  "closed", "left",    "not started", "interrupted"};
+  return names[static_cast<std::size_t>(outcome)];
+}
+
+MmsRun run_mms(const Launch& launch, const Maze& maze, const MmsOptions& options,
+               const std::function<void(const MmsEvent&, const MmsHost&)>& listener) {
+  return Hosting(launch, maze, options, listener).hold();
+}
+
+}  // namespace labmouse
