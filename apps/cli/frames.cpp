@@ -1,0 +1,40 @@
+#include "frames.hpp"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include "command.hpp"
+
+namespace labmouse::cli {
+namespace {
+
+/// The text from the top of the screen, with what stood there before erased to the right and below.
+std::string over_the_last(std::string_view text) {
+  std::string frame = "\x1b[H";
+  for (const char letter : text) frame += letter == '\n' ? std::string("\x1b[K\n") : std::string(1, letter);
+  return frame + "\x1b[J";
+}
+
+/// A frame that scrolls or wraps cannot be watched.
+void require_room(Size size, int lines) {
+  winsize window{};
+  if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &window) != 0 || window.ws_row == 0) return;
+  const int columns = 4 * size.width + 4, rows = 2 * size.height + 3 + lines;
+  if (window.ws_col >= columns && window.ws_row >= rows) return;
+  throw UsageError(fmt::format("error: to watch a maze of {}x{} takes a terminal of {}x{}, and this one has {}x{}; make it larger "
+                               "or its letters smaller, or pipe the frames into a pager", size.width, size.height, columns, rows,
+                               window.ws_col, window.ws_row));
+}
+
+}  // namespace
+
+Frames::Frames(Size size, int lines) : moving_(isatty(STDOUT_FILENO) != 0) {
+  if (!moving_) return;
+  require_room(size, lines);
+  print("\x1b[2J");
+}
+
+void Frames::show(const std::string& frame) const { print(moving_ ? over_the_last(frame) : frame); }
+
+}  // namespace labmouse::cli
