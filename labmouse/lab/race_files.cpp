@@ -2,13 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <filesystem>
-
 #include "labmouse/contest/coverage.hpp"
 #include "labmouse/contest/score.hpp"
 #include "labmouse/lab/bounds.hpp"
 #include "labmouse/lab/drawing/words.hpp"
+#include "labmouse/lab/file_names.hpp"
 #include "labmouse/lab/files.hpp"
 #include "labmouse/lab/layers.hpp"
 #include "labmouse/lab/printable.hpp"
@@ -16,35 +14,6 @@
 
 namespace labmouse {
 namespace {
-
-/// A name as one part of a path: what could lead elsewhere or trouble a shell becomes `_`.
-std::string file_name(std::string name) {
-  constexpr std::size_t longest = 200;
-  for (char& letter : name) {
-    const bool plain = (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') ||
-                       (letter >= '0' && letter <= '9') || letter == '-' || letter == '_' || letter == '.' || letter == '=';
-    if (!plain) letter = '_';
-  }
-  name.erase(0, name.find_first_not_of('.'));
-  if (name.size() > longest) name.resize(longest);
-  return name.empty() ? "_" : name;
-}
-
-/// The names as files, each different from the others.
-std::vector<std::string> file_names(const std::vector<std::string>& names) {
-  std::vector<std::string> files;
-  for (const std::string& name : names) {
-    const std::string wanted = file_name(name);
-    std::string file = wanted;
-    for (int number = 2; std::find(files.begin(), files.end(), file) != files.end(); ++number)
-      file = fmt::format("{}~{}", wanted, number);
-    files.push_back(file);
-  }
-  return files;
-}
-
-/// The last part of a path, without its ending.
-std::string stem_of(const std::string& path) { return std::filesystem::path(path).stem().string(); }
 
 /// The reason of a forfeit in brackets, or nothing.
 std::string reason_of(const RunRecord& run) {

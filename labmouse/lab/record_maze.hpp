@@ -1,0 +1,17 @@
+// The maze in the header of a record.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "labmouse/maze/formats/format.hpp"
+
+namespace labmouse {
+
+/// Name, start, heading, goals and drawing, as docs/run-record.md lists them.
+nlohmann::ordered_json record_maze_json(const std::string& name, const Maze& maze);
+
+/// A line of a record: the object and a line feed. Text from outside may be no UTF-8: what is none is replaced.
+std::string record_line(const nlohmann::ordered_json& json);
+
+}  // namespace labmouse
