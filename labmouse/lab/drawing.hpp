@@ -32,6 +32,8 @@ struct DrawingLayers {
   std::vector<Pose> route;
   /// How often each cell was visited: drawn as heat (in text only with colours).
   std::function<int(Cell)> visits;
+  /// A colour behind each cell, by its number among the 256 of terminals; 0 for none (in text only, and with colours).
+  std::function<int(Cell)> paint;
   /// Belief instead of truth: walls that the mouse does not know are drawn faintly, open or not.
   std::optional<WallSet> unknown;
   /// Walls that the mouse takes for open and that are closed: drawn in a colour of their own.

@@ -54,6 +54,7 @@ class TextDrawing {
 
   std::string draw(bool colours) {
     draw_heat();
+    draw_paint();
     for_each_wall(maze_.size(), [&](Wall wall) { draw_wall(wall); });
     draw_exploration();
     const auto legs = legs_of(maze_, layers_.route);
@@ -81,6 +82,13 @@ class TextDrawing {
     const Heat heat(maze_.size(), layers_.visits);
     CellSet::all(maze_.size()).for_each([&](Cell cell) {
       canvas_.warm(column(cell) - 1, row(cell), static_cast<int>(cell_columns), heat.level(cell));
+    });
+  }
+
+  void draw_paint() {
+    if (!layers_.paint) return;
+    CellSet::all(maze_.size()).for_each([&](Cell cell) {
+      canvas_.paint(column(cell) - 1, row(cell), static_cast<int>(cell_columns), layers_.paint(cell));
     });
   }
 

@@ -39,6 +39,14 @@ std::string_view code_of(Ink ink, bool on_heat) {
   return "";
 }
 
+/// Whether black text reads better than white on one of the 256 colours: a cube of 6x6x6, and greys after it.
+bool is_light(int colour) {
+  constexpr int cube = 16, greys = 232, middle_grey = 244;
+  if (colour >= greys) return colour >= middle_grey;
+  const int place = colour - cube, red = place / 36, green = place / 6 % 6, blue = place % 6;
+  return 3 * red + 6 * green + blue > 25;
+}
+
 }  // namespace
 
 Canvas::Canvas(int columns, int rows)
@@ -56,6 +64,10 @@ void Canvas::warm(int column, int row, int columns, int level) {
   for (int offset = 0; offset < columns; ++offset) at(column + offset, row).heat = level;
 }
 
+void Canvas::paint(int column, int row, int columns, int colour) {
+  for (int offset = 0; offset < columns; ++offset) at(column + offset, row).paint = colour;
+}
+
 std::string Canvas::text(bool colours) const {
   std::string text;
   for (int row = 0; row < rows_; ++row) text += line(row, colours) + '\n';
@@ -63,6 +75,7 @@ std::string Canvas::text(bool colours) const {
 }
 
 std::string Canvas::style_of(const Glyph& glyph) {
+  if (glyph.paint > 0) return fmt::format("{};48;5;{}", is_light(glyph.paint) ? "30" : "97", glyph.paint);
   const bool on_heat = glyph.heat > 0;
   // Blanks have no ink, so that runs of them do not switch colours.
   std::string style{code_of(glyph.character == U' ' ? Ink::plain : glyph.ink, on_heat)};
@@ -73,7 +86,7 @@ std::string Canvas::style_of(const Glyph& glyph) {
 std::string Canvas::line(int row, bool colours) const {
   const auto first = glyphs_.begin() + static_cast<std::ptrdiff_t>(index(0, row));
   auto last = first + columns_;
-  while (last != first && (last - 1)->character == U' ' && (last - 1)->heat == 0) --last;
+  while (last != first && (last - 1)->character == U' ' && (last - 1)->heat == 0 && (last - 1)->paint == 0) --last;
   std::string line;
   std::string current;
   for (auto glyph = first; glyph != last; ++glyph) {

@@ -19,6 +19,9 @@ class Canvas {
   /// The level of heat (0 for none) behind a stretch of a row.
   void warm(int column, int row, int columns, int level);
 
+  /// One of the 256 colours of terminals (0 for none) behind a stretch of a row; it hides heat.
+  void paint(int column, int row, int columns, int colour);
+
   /// The rows without trailing blanks, each ended by a line feed; inks and heat as ANSI codes only with `colours`.
   std::string text(bool colours) const;
 
@@ -27,6 +30,7 @@ class Canvas {
     char32_t character = U' ';
     Ink ink = Ink::plain;
     int heat = 0;
+    int paint = 0;
   };
 
   std::size_t index(int column, int row) const { return static_cast<std::size_t>(row * columns_ + column); }
