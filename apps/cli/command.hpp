@@ -59,6 +59,7 @@ void add_learn(CLI::App& app, int& exit);
 void add_study(CLI::App& app, int& exit);
 void add_tune(CLI::App& app, int& exit);
 void add_run(CLI::App& app, int& exit);
+void add_mms(CLI::App& app, int& exit);
 void add_show(CLI::App& app, int& exit);
 void add_inspect(CLI::App& app, int& exit);
 void add_make(CLI::App& app, int& exit);

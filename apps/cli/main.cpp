@@ -74,6 +74,7 @@ int main(int argc, char** argv) {
   add_study(app, exit);
   add_tune(app, exit);
   add_run(app, exit);
+  add_mms(app, exit);
   add_learn(app, exit);
   add_show(app, exit);
   add_inspect(app, exit);

@@ -6,8 +6,13 @@
 
 #include "command.hpp"
 #include "contests.hpp"
+#include "guests.hpp"
 #include "labmouse/lab/baseline.hpp"
 #include "labmouse/lab/files.hpp"
+#include "labmouse/lab/mms_folder.hpp"
+#include "labmouse/lab/mms_report.hpp"
+#include "labmouse/lab/mms_standings.hpp"
+#include "labmouse/lab/printable.hpp"
 #include "labmouse/lab/race_files.hpp"
 #include "labmouse/lab/report.hpp"
 
@@ -17,6 +22,8 @@ namespace {
 struct RaceOptions {
   std::vector<std::string> mice;
   Contests contests;
+  MmsOptions mms;
+  GuestLimits limits;
   std::string format = "table";
   std::string out;
   std::string baseline;
@@ -26,27 +33,93 @@ struct RaceOptions {
   bool shares = false;
 };
 
-/// Holds the race; `failed_write` takes what went wrong with --out, which ends it early.
-Race hold(const RaceOptions& options, std::vector<Contestant> mice, std::vector<NamedMaze> mazes, std::string& failed_write) {
-  Progress progress;
-  Interruptible interruptible;
-  std::optional<RaceFolder> folder;
-  RaceHooks hooks;
-  hooks.stop = &interruptible.stopped();
-  hooks.finished = [&](const Race& race, const ContestResult& contest, const RunRecord& record) {
-    progress.advance(race.results.size());
-    if (options.out.empty() || !failed_write.empty()) return;
-    if (!folder) folder.emplace(options.out, race);
-    failed_write = folder->save(race, contest, record);
-    if (!failed_write.empty()) interruptible.stop();
-  };
-  return hold_race(std::move(mice), std::move(mazes), options.contests.order, hooks);
+/// The races of both worlds; that of mms is there where it has mice.
+struct Races {
+  Race race;
+  std::optional<MmsRace> mms;
+
+  bool stopped() const { return race.stopped || (mms && mms->stopped); }
+};
+
+/// Holds the races and saves what --out asks for.
+class Holding {
+ public:
+  explicit Holding(const RaceOptions& options) : options_(options) {}
+
+  Races hold(Mice mice, const std::vector<NamedMaze>& mazes) {
+    all_ = contests_of(mice.contestants, mazes.size(), options_.contests.order) + mice.mms.size() * mazes.size();
+    Races races;
+    const bool mms = !mice.mms.empty();
+    races.race = hold_race(std::move(mice.contestants), mazes, options_.contests.order, race_hooks());
+    if (mms) races.mms = hold_mms_race(std::move(mice.mms), mazes, mms_order(), mms_hooks());
+    return races;
+  }
+
+  /// What went wrong with --out, which ends the races early; or nothing.
+  const std::string& failed_write() const { return failed_write_; }
+
+ private:
+  RaceHooks race_hooks() {
+    RaceHooks hooks;
+    hooks.stop = &interruptible_.stopped();
+    hooks.finished = [this](const Race& race, const ContestResult& contest, const RunRecord& record) {
+      progress_.advance(all_);
+      if (options_.out.empty() || !failed_write_.empty()) return;
+      if (!folder_) folder_.emplace(options_.out, race);
+      note(folder_->save(race, contest, record));
+    };
+    return hooks;
+  }
+
+  MmsRaceHooks mms_hooks() {
+    MmsRaceHooks hooks;
+    hooks.stop = &interruptible_.stopped();
+    hooks.finished = [this](const MmsRace& race, const MmsResult& result, const std::string& record) {
+      progress_.advance(all_);
+      if (options_.out.empty() || !failed_write_.empty()) return;
+      if (!mms_folder_) mms_folder_.emplace(options_.out, race);
+      note(mms_folder_->save(result, record));
+    };
+    return hooks;
+  }
+
+  MmsRaceOrder mms_order() const {
+    return {options_.mms, options_.contests.order.seed, options_.contests.order.jobs, !options_.out.empty()};
+  }
+
+  void note(const std::string& failed_write) {
+    failed_write_ = failed_write;
+    if (!failed_write.empty()) interruptible_.stop();
+  }
+
+  const RaceOptions& options_;
+  Progress progress_;
+  Interruptible interruptible_;
+  std::size_t all_ = 0;
+  std::optional<RaceFolder> folder_;
+  std::optional<MmsRaceFolder> mms_folder_;
+  std::string failed_write_;
+};
+
+std::string report(const RaceOptions& options, const Races& races, const std::vector<SkippedFile>& skipped) {
+  const MmsRace* mms = races.mms ? &*races.mms : nullptr;
+  const bool only_mms = mms != nullptr && races.race.mice.empty();
+  if (options.format == "json") return json_of(races.race, skipped, mms);
+  if (options.format == "csv") return only_mms ? csv_of(*mms) : csv_of(races.race);
+  if (only_mms) return table_of(*mms, colours());
+  return table_of(races.race, colours()) + (mms != nullptr ? "\n" + table_of(*mms, colours()) : "");
 }
 
-std::string report(const RaceOptions& options, const Race& race, const std::vector<SkippedFile>& skipped) {
-  if (options.format == "json") return json_of(race, skipped);
-  if (options.format == "csv") return csv_of(race);
-  return table_of(race, colours());
+/// Throws UsageError for what the mice of mms cannot have.
+void require_sense(const RaceOptions& options, const Mice& mice) {
+  if (mice.mms.empty()) return;
+  const Places& places = options.contests.places;
+  if (!places.start.empty() || !places.goals.empty())
+    throw UsageError("error: --start and --goal are not for mms, which starts at (0,0) and has its goal in the centre");
+  if (options.format == "csv" && !mice.contestants.empty())
+    throw UsageError("error: --format csv holds one world; race the mice of mms alone, or take --format json");
+  if (mice.contestants.empty() && (options.shares || options.worst > 0 || !options.baseline.empty()))
+    throw UsageError("error: --baseline, --shares and --worst are not for mms, and all of the mice are mice of mms");
 }
 
 /// What is more than the results goes beside them: below a table, to standard error where a program reads the output.
@@ -66,29 +139,39 @@ std::optional<Baseline> load_baseline(const RaceOptions& options) {
   throw UsageError(fmt::format("{}: error: is not the JSON of a race (make one with `labmouse race --format json`)", options.baseline));
 }
 
+std::string above_limit(const RaceOptions& options, const std::string& mouse, const std::optional<double>& mean) {
+  if (!mean || *mean <= options.fail_above) return "";
+  return fmt::format("{} scores {:.3f}, above the limit of {:g}\n", mouse, *mean, options.fail_above);
+}
+
 /// The mice whose mean over all contests is above the limit.
-std::string above_limit(const RaceOptions& options, const Race& race) {
+std::string above_limit(const RaceOptions& options, const Races& races) {
   std::string text;
-  for (const Standing& standing : standings_of(race))
-    if (standing.penalised_mean && *standing.penalised_mean > options.fail_above && !race.mice[standing.mouse].reference)
-      text += fmt::format("{} scores {:.3f}, above the limit of {:g}\n", race.mice[standing.mouse].name,
-                          *standing.penalised_mean, options.fail_above);
+  for (const Standing& standing : standings_of(races.race))
+    if (const Contestant& mouse = races.race.mice[standing.mouse]; !mouse.reference)
+      text += above_limit(options, mouse.name, standing.penalised_mean);
+  if (!races.mms) return text;
+  for (const MmsStanding& standing : mms_standings_of(*races.mms))
+    text += above_limit(options, shown(races.mms->mice[standing.mouse].name), standing.mean_score);
   return text;
 }
 
 int race(const RaceOptions& options) {
-  std::vector<Contestant> mice = find_contestants(options.mice);
+  Mice mice = find_mice(options.mice, options.limits);
+  require_sense(options, mice);
   const auto baseline = load_baseline(options);
-  MazeCollection mazes = find_mazes(options.contests.mazes, options.contests.places);
-  std::string failed_write;
-  const Race result = hold(options, std::move(mice), std::move(mazes.mazes), failed_write);
-  print(report(options, result, mazes.skipped));
-  if (options.shares) add(options, shares_of(result));
-  if (options.worst > 0) add(options, worst_of(result, options.worst));
-  if (baseline) add(options, compare_with_baseline(result, *baseline));
+  const MazeCollection mazes = find_mazes(options.contests.mazes, options.contests.places);
+  std::optional<Holding> holding(options);
+  const Races races = holding->hold(std::move(mice), mazes.mazes);
+  const std::string failed_write = holding->failed_write();
+  holding.reset();  // the bar, and what Ctrl-C does
+  print(report(options, races, mazes.skipped));
+  if (options.shares) add(options, shares_of(races.race));
+  if (options.worst > 0) add(options, worst_of(races.race, options.worst));
+  if (baseline) add(options, compare_with_baseline(races.race, *baseline));
   if (!failed_write.empty()) throw UsageError(failed_write);
-  if (result.stopped) return exit_interrupted;
-  const std::string above = options.has_limit ? above_limit(options, result) : "";
+  if (races.stopped()) return exit_interrupted;
+  const std::string above = options.has_limit ? above_limit(options, races) : "";
   tell(above);
   return above.empty() ? exit_good : exit_finding;
 }
@@ -98,7 +181,7 @@ int race(const RaceOptions& options) {
 void add_race(CLI::App& app, int& exit) {
   auto options = std::make_shared<RaceOptions>();
   CLI::App* command = app.add_subcommand("race", "Race many mice on many mazes and print the leaderboard");
-  command->add_option("--mice", options->mice, "Mice: name[:key=value]..., several separated by commas (may repeat); default: all")
+  command->add_option("--mice", options->mice, "Mice: name[:key=value]..., several separated by commas, or mms:COMMAND (may repeat); default: all")
       ->type_name("SPEC")->expected(1)->take_all();
   add_contests(*command, options->contests);
   command->add_option("--format", options->format, "Output")->check(CLI::IsMember({"table", "json", "csv"}))->capture_default_str();
@@ -108,6 +191,8 @@ void add_race(CLI::App& app, int& exit) {
       ->type_name("SCORE")->check(finite_number());
   command->add_option("--worst", options->worst, "Print the N mazes that cost each mouse most")->type_name("N")->check(CLI::Range(1, 1'000'000));
   command->add_flag("--shares", options->shares, "Print how much of the mazes each mouse discovered and visited");
+  add_mms_options(*command, options->mms);
+  add_guest_limits(*command, options->limits);
   command->footer("Example: labmouse race --mice flood:stride=1,certify --mazes my-mazes/ --format json > today.json\n"
                   "         labmouse race --mazes my-mazes/ --baseline today.json");
   command->callback([options, limit, &exit] {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "labmouse/lab/mms_race.hpp"
 #include "labmouse/lab/standings.hpp"
 
 namespace labmouse {
@@ -11,8 +12,9 @@ namespace labmouse {
 /// The leaderboard for a terminal, with notes below.
 std::string table_of(const Race& race, bool colours);
 
-/// The race as one JSON object; `skipped` are the files that were no mazes.
-std::string json_of(const Race& race, const std::vector<SkippedFile>& skipped);
+/// The race as one JSON object, with that of programs for mms where there is one; `skipped` are the files that were no
+/// mazes.
+std::string json_of(const Race& race, const std::vector<SkippedFile>& skipped, const MmsRace* mms = nullptr);
 
 /// One line a contest, with a header.
 std::string csv_of(const Race& race);

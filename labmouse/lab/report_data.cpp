@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "labmouse/lab/mms_report.hpp"
 #include "labmouse/lab/printable.hpp"
 #include "labmouse/lab/race_json.hpp"
 #include "labmouse/lab/report.hpp"
@@ -71,18 +72,19 @@ Json mouse_json(const Race& race, const Standing& standing) {
 
 }  // namespace
 
-Json race_json(const Race& race, const std::vector<SkippedFile>& skipped) {
+Json race_json(const Race& race, const std::vector<SkippedFile>& skipped, const MmsRace* mms) {
   Json json;
   json["labmouse"] = version();
   json["compiler"] = compiler();
   json["processor"] = processor();
   json["seed"] = race.order.seed;
   json["budget"] = race.order.rules.budget;
-  json["stopped"] = race.stopped;
+  json["stopped"] = race.stopped || (mms != nullptr && mms->stopped);
   json["mazes"] = Json::array();
   for (std::size_t i = 0; i < race.mazes.size(); ++i) json["mazes"].push_back(maze_json(race.mazes[i], race.bounds[i]));
   json["mice"] = Json::array();
   for (const Standing& standing : standings_of(race)) json["mice"].push_back(mouse_json(race, standing));
+  if (mms != nullptr) json["groups"] = {group_json(*mms)};
   json["skipped"] = Json::array();
   for (const SkippedFile& file : skipped) {
     Json reasons = Json::array();
@@ -94,7 +96,9 @@ Json race_json(const Race& race, const std::vector<SkippedFile>& skipped) {
 
 std::string text_of(const Json& json) { return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
-std::string json_of(const Race& race, const std::vector<SkippedFile>& skipped) { return text_of(race_json(race, skipped)); }
+std::string json_of(const Race& race, const std::vector<SkippedFile>& skipped, const MmsRace* mms) {
+  return text_of(race_json(race, skipped, mms));
+}
 
 std::string csv_of(const Race& race) {
   std::string text =

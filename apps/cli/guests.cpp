@@ -1,0 +1,77 @@
+#include "guests.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "command.hpp"
+#include "contests.hpp"
+#include "labmouse/guests/command_line.hpp"
+
+namespace labmouse::cli {
+namespace {
+
+constexpr std::string_view mms_world = "mms:";
+
+void add_seconds(CLI::App& command, const std::string& name, std::chrono::milliseconds& limit, const std::string& meaning) {
+  command
+      .add_option_function<double>(
+          name, [&limit](double seconds) { limit = std::chrono::milliseconds(std::llround(1000.0 * seconds)); }, meaning)
+      ->type_name("SECONDS")
+      ->check(finite_number())
+      ->check(CLI::Range(0.001, 1e6))
+      ->default_str(fmt::format("{:g}", std::chrono::duration<double>(limit).count()));
+}
+
+}  // namespace
+
+void add_guest_limits(CLI::App& command, GuestLimits& limits) {
+  constexpr int mib_bits = 20;
+  add_seconds(command, "--start-limit", limits.start, "How long a program may take to its first word");
+  add_seconds(command, "--decision-limit", limits.decision, "How long a program may say nothing");
+  add_seconds(command, "--contest-limit", limits.contest, "How long a program may run in one maze");
+  command
+      .add_option_function<std::uint64_t>(
+          "--memory", [&limits](std::uint64_t mib) { limits.memory = mib << mib_bits; }, "Memory of each process of a program")
+      ->type_name("MIB")
+      ->check(CLI::Range(std::uint64_t{16}, std::uint64_t{1} << mib_bits))
+      ->default_str(fmt::format("{}", limits.memory >> mib_bits));
+  command.add_option("--cpu", limits.processor_seconds, "Processor time of each process of a program")
+      ->type_name("SECONDS")
+      ->check(CLI::Range(1, 1'000'000))
+      ->capture_default_str();
+}
+
+void add_mms_options(CLI::App& command, MmsOptions& options) {
+  command.add_flag("--strict", options.strict, "In mms: end a run at the first line that mms would not answer");
+  command.add_option("--presses", options.presses, "In mms: press Reset N times for a mouse that waits for it")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1'000'000))
+      ->capture_default_str();
+}
+
+Launch find_program(const std::string& command, const std::string& directory, const GuestLimits& limits) {
+  Launch launch{split_command(command), directory, limits, nullptr};
+  if (launch.words.empty()) throw UsageError("error: no program is named; write the command that starts the mouse");
+  if (program_path(launch.words.front(), directory).empty())
+    throw UsageError(fmt::format("error: there is no program '{}'{}", launch.words.front(),
+                                 launch.words.front().find('/') == std::string::npos ? " in PATH" : " that can be run"));
+  return launch;
+}
+
+Mice find_mice(const std::vector<std::string>& specs, const GuestLimits& limits) {
+  Mice mice;
+  std::vector<std::string> others;
+  for (const std::string& spec : specs) {
+    const bool again = std::any_of(mice.mms.begin(), mice.mms.end(), [&](const MmsMouse& m) { return m.name == spec; });
+    if (!spec.starts_with(mms_world))
+      others.push_back(spec);
+    else if (!again)
+      mice.mms.push_back({spec, find_program(spec.substr(mms_world.size()), "", limits)});
+  }
+  if (!others.empty() || specs.empty()) mice.contestants = find_contestants(others);
+  return mice;
+}
+
+}  // namespace labmouse::cli

@@ -1,0 +1,129 @@
+// labmouse mms: one program that was written for mms, hosted without mms.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <thread>
+
+#include "command.hpp"
+#include "contests.hpp"
+#include "frames.hpp"
+#include "guests.hpp"
+#include "labmouse/guests/mms/run.hpp"
+#include "labmouse/lab/mms_drawing.hpp"
+#include "labmouse/lab/mms_record.hpp"
+#include "labmouse/lab/mms_report.hpp"
+#include "labmouse/lab/printable.hpp"
+
+namespace labmouse::cli {
+namespace {
+
+struct MmsCommandOptions {
+  std::string command, maze, directory, record;
+  MmsOptions mms;
+  GuestLimits limits;
+  bool watch = false;
+  double speed = 5.0;
+};
+
+std::string drawing_of(const Maze& maze, const MmsCanvas& canvas, const HalfPose& pose) {
+  return draw_text(as_in_mms(maze), mms_layers(canvas, pose), colours());
+}
+
+/// Draws the mouse after each move, each as long on the screen as it takes at that speed.
+class Watching {
+ public:
+  Watching(const Maze& maze, double speed, const std::atomic<bool>& stop)
+      : maze_(maze), speed_(speed), stop_(stop), frames_(maze.size(), 1) {}
+
+  void tell(const MmsEvent& event, const MmsHost& host) {
+    // What is only drawn takes no time; it shows with the next move.
+    if (event.pose == pose_) return;
+    pose_ = event.pose;
+    const std::string reply = event.reply.empty() ? "" : fmt::format(" -> {}", event.reply);
+    frames_.show(fmt::format("{}{:>7.2f} s  {}  {}{}\n", drawing_of(maze_, host.canvas(), event.pose), event.clock,
+                             place_text(event.pose), shown(event.line), reply));
+    if (frames_.moving()) pause(event.clock - clock_);
+    clock_ = event.clock;
+  }
+
+  void show_end(const std::string& drawing) const { frames_.show(drawing); }
+
+ private:
+  void pause(double simulated) const {
+    using namespace std::chrono_literals;
+    const auto until = std::chrono::steady_clock::now() + std::chrono::duration<double>(simulated / speed_);
+    // Ctrl-C does not wait for a slow mouse.
+    while (!stop_.load() && std::chrono::steady_clock::now() < until)
+      std::this_thread::sleep_for(std::min<std::chrono::duration<double>>(until - std::chrono::steady_clock::now(), 50ms));
+  }
+
+  const Maze& maze_;
+  double speed_;
+  const std::atomic<bool>& stop_;
+  Frames frames_;
+  HalfPose pose_;
+  double clock_ = 0;
+};
+
+MmsRun host(const MmsCommandOptions& options, const NamedMaze& maze) {
+  Launch launch = find_program(options.command, options.directory, options.limits);
+  const Interruptible interruptible;
+  launch.stop = &interruptible.stopped();
+  std::optional<MmsRecorder> recorder;
+  std::optional<Watching> watching;
+  if (!options.record.empty()) recorder.emplace("mms:" + options.command, maze);
+  if (options.watch) watching.emplace(maze.maze, options.speed, interruptible.stopped());
+  std::function<void(const MmsEvent&, const MmsHost&)> listener;
+  if (recorder || watching)
+    listener = [&](const MmsEvent& event, const MmsHost& now) {
+      if (recorder) recorder->add(event);
+      if (watching) watching->tell(event, now);
+    };
+  MmsRun run = run_mms(launch, maze.maze, options.mms, listener);
+  if (recorder) save(options.record, recorder->finish(run));
+  const std::string drawing = drawing_of(maze.maze, run.canvas, run.pose);
+  watching ? watching->show_end(drawing) : print(drawing);
+  return run;
+}
+
+int mms(const MmsCommandOptions& options) {
+  const NamedMaze maze = find_maze(options.maze, {});
+  require_writable(options.record);
+  const MmsRun run = host(options, maze);
+  print(report_of(options.command, maze, run));
+  if (run.outcome == MmsOutcome::interrupted) return exit_interrupted;
+  return run.outcome == MmsOutcome::complete ? exit_good : exit_finding;
+}
+
+}  // namespace
+
+void add_mms(CLI::App& app, int& exit) {
+  auto options = std::make_shared<MmsCommandOptions>();
+  CLI::App* command = app.add_subcommand("mms", "Host a program that was written for mms in one maze");
+  command->add_option("command", options->command, "Command that starts the program; words as in mms, no shell")
+      ->required()
+      ->type_name("COMMAND");
+  command->add_option("--maze", options->maze, "Maze file or name of a built-in maze")->required()->type_name("MAZE");
+  command->add_option("--directory", options->directory, "Where the program runs; default: here")
+      ->type_name("DIR")
+      ->check(CLI::ExistingDirectory);
+  add_mms_options(*command, options->mms);
+  command->add_flag("--watch", options->watch, "Draw it move by move");
+  CLI::Option* speed =
+      command->add_option("--speed", options->speed, "Watch it at so many times the default speed of mms")
+          ->type_name("TIMES")
+          ->check(finite_number())
+          ->check(CLI::Range(0.01, 1e6))
+          ->capture_default_str();
+  command->add_option("--record", options->record, "Save what it did, line by line")->type_name("FILE");
+  add_guest_limits(*command, options->limits);
+  command->footer("Example: labmouse mms 'python3 mouse.py' --maze contest-05 --speed 10");
+  command->callback([options, speed, &exit] {
+    options->watch = options->watch || speed->count() > 0;
+    exit = mms(*options);
+  });
+}
+
+}  // namespace labmouse::cli

@@ -1,0 +1,59 @@
+// The statistics of mms under their names.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string_view>
+
+#include "labmouse/guests/mms/statistics.hpp"
+#include "labmouse/lab/mms_bound.hpp"
+
+namespace labmouse {
+
+struct MmsStatisticName {
+  std::string_view name;  ///< as `getStat` takes it
+  float MmsStatistics::*value;
+};
+
+/// All names that mms knows.
+inline constexpr std::array<MmsStatisticName, 10> mms_statistic_names = {{
+    {"total-distance", &MmsStatistics::total_distance},
+    {"total-effective-distance", &MmsStatistics::total_effective_distance},
+    {"total-turns", &MmsStatistics::total_turns},
+    {"current-run-distance", &MmsStatistics::current_run_distance},
+    {"current-run-effective-distance", &MmsStatistics::current_run_effective_distance},
+    {"current-run-turns", &MmsStatistics::current_run_turns},
+    {"best-run-distance", &MmsStatistics::best_run_distance},
+    {"best-run-effective-distance", &MmsStatistics::best_run_effective_distance},
+    {"best-run-turns", &MmsStatistics::best_run_turns},
+    {"score", &MmsStatistics::score},
+}};
+
+/// What the best run adds to the score: effective distance + turns; nothing where none was finished.
+inline std::optional<double> best_run(const MmsStatistics& statistics) {
+  if (!statistics.solved) return std::nullopt;
+  return static_cast<double>(statistics.best_run_effective_distance) + static_cast<double>(statistics.best_run_turns);
+}
+
+/// Effective distance + turns of all that the mouse did; a tenth of it is in the score.
+inline double total(const MmsStatistics& statistics) {
+  return static_cast<double>(statistics.total_effective_distance) + static_cast<double>(statistics.total_turns);
+}
+
+/// The 32-bit number with as few decimals as it takes, whole ones without: 265.2, 12.
+inline nlohmann::ordered_json short_json(float value) {
+  if (value == static_cast<float>(static_cast<std::int64_t>(value))) return static_cast<std::int64_t>(value);
+  return std::strtod(fmt::format("{}", value).c_str(), nullptr);
+}
+
+inline nlohmann::ordered_json statistics_json(const MmsStatistics& statistics) {
+  auto json = nlohmann::ordered_json::object();
+  for (const auto& [name, value] : mms_statistic_names) json[std::string(name)] = short_json(statistics.*value);
+  return json;
+}
+
+}  // namespace labmouse
