@@ -2,17 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "command.hpp"
-#include "contests.hpp"
-#include "labmouse/guests/command_line.hpp"
 
 namespace labmouse::cli {
 namespace {
-
-constexpr std::string_view mms_world = "mms:";
 
 void add_seconds(CLI::App& command, const std::string& name, std::chrono::milliseconds& limit, const std::string& meaning) {
   command
@@ -51,26 +46,10 @@ void add_mms_options(CLI::App& command, MmsOptions& options) {
       ->capture_default_str();
 }
 
-Launch find_program(const std::string& command, const std::string& directory, const GuestLimits& limits) {
-  Launch launch{split_command(command), directory, limits, nullptr};
-  if (launch.words.empty()) throw UsageError("error: no program is named; write the command that starts the mouse");
-  if (program_path(launch.words.front(), directory).empty())
-    throw UsageError(fmt::format("error: there is no program '{}'{}", launch.words.front(),
-                                 launch.words.front().find('/') == std::string::npos ? " in PATH" : " that can be run"));
-  return launch;
-}
-
-Mice find_mice(const std::vector<std::string>& specs, const GuestLimits& limits) {
-  Mice mice;
-  std::vector<std::string> others;
-  for (const std::string& spec : specs) {
-    const bool again = std::any_of(mice.mms.begin(), mice.mms.end(), [&](const MmsMouse& m) { return m.name == spec; });
-    if (!spec.starts_with(mms_world))
-      others.push_back(spec);
-    else if (!again)
-      mice.mms.push_back({spec, find_program(spec.substr(mms_world.size()), "", limits)});
-  }
-  if (!others.empty() || specs.empty()) mice.contestants = find_contestants(others);
+SpecResult find_mice(const std::vector<std::string>& specs, const GuestOptions& options) {
+  if (specs.empty()) return {all_contestants(), {}, ""};
+  SpecResult mice = read_specs(specs, options);
+  if (!mice.error.empty()) throw UsageError("error: " + mice.error);
   return mice;
 }
 

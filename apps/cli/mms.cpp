@@ -20,9 +20,9 @@ namespace labmouse::cli {
 namespace {
 
 struct MmsCommandOptions {
-  std::string command, maze, directory, record;
+  std::string command, maze, record;
   MmsOptions mms;
-  GuestLimits limits;
+  GuestOptions guests;
   bool watch = false;
   double speed = 5.0;
 };
@@ -68,12 +68,13 @@ class Watching {
 };
 
 MmsRun host(const MmsCommandOptions& options, const NamedMaze& maze) {
-  Launch launch = find_program(options.command, options.directory, options.limits);
   const Interruptible interruptible;
-  launch.stop = &interruptible.stopped();
+  GuestOptions guests = options.guests;
+  guests.stop = &interruptible.stopped();
+  const MmsMouse mouse = find_mice({"mms:" + options.command}, guests).mms.front();
   std::optional<MmsRecorder> recorder;
   std::optional<Watching> watching;
-  if (!options.record.empty()) recorder.emplace("mms:" + options.command, maze);
+  if (!options.record.empty()) recorder.emplace(mouse.name, maze);
   if (options.watch) watching.emplace(maze.maze, options.speed, interruptible.stopped());
   std::function<void(const MmsEvent&, const MmsHost&)> listener;
   if (recorder || watching)
@@ -81,7 +82,7 @@ MmsRun host(const MmsCommandOptions& options, const NamedMaze& maze) {
       if (recorder) recorder->add(event);
       if (watching) watching->tell(event, now);
     };
-  MmsRun run = run_mms(launch, maze.maze, options.mms, listener);
+  MmsRun run = run_mms(mouse.launch, maze.maze, options.mms, listener);
   if (recorder) save(options.record, recorder->finish(run));
   const std::string drawing = drawing_of(maze.maze, run.canvas, run.pose);
   watching ? watching->show_end(drawing) : print(drawing);
@@ -106,7 +107,7 @@ void add_mms(CLI::App& app, int& exit) {
       ->required()
       ->type_name("COMMAND");
   command->add_option("--maze", options->maze, "Maze file or name of a built-in maze")->required()->type_name("MAZE");
-  command->add_option("--directory", options->directory, "Where the program runs; default: here")
+  command->add_option("--directory", options->guests.directory, "Where the program runs; default: here")
       ->type_name("DIR")
       ->check(CLI::ExistingDirectory);
   add_mms_options(*command, options->mms);
@@ -118,7 +119,7 @@ void add_mms(CLI::App& app, int& exit) {
           ->check(CLI::Range(0.01, 1e6))
           ->capture_default_str();
   command->add_option("--record", options->record, "Save what it did, line by line")->type_name("FILE");
-  add_guest_limits(*command, options->limits);
+  add_guest_limits(*command, options->guests.limits);
   command->footer("Example: labmouse mms 'python3 mouse.py' --maze contest-05 --speed 10");
   command->callback([options, speed, &exit] {
     options->watch = options->watch || speed->count() > 0;

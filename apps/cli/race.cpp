@@ -23,7 +23,7 @@ struct RaceOptions {
   std::vector<std::string> mice;
   Contests contests;
   MmsOptions mms;
-  GuestLimits limits;
+  GuestOptions guests;
   std::string format = "table";
   std::string out;
   std::string baseline;
@@ -46,7 +46,14 @@ class Holding {
  public:
   explicit Holding(const RaceOptions& options) : options_(options) {}
 
-  Races hold(Mice mice, const std::vector<NamedMaze>& mazes) {
+  /// How guests are started, so that Ctrl-C ends them.
+  GuestOptions guests() const {
+    GuestOptions guests = options_.guests;
+    guests.stop = &interruptible_.stopped();
+    return guests;
+  }
+
+  Races hold(SpecResult mice, const std::vector<NamedMaze>& mazes) {
     all_ = contests_of(mice.contestants, mazes.size(), options_.contests.order) + mice.mms.size() * mazes.size();
     Races races;
     const bool mms = !mice.mms.empty();
@@ -111,7 +118,7 @@ std::string report(const RaceOptions& options, const Races& races, const std::ve
 }
 
 /// Throws UsageError for what the mice of mms cannot have.
-void require_sense(const RaceOptions& options, const Mice& mice) {
+void require_sense(const RaceOptions& options, const SpecResult& mice) {
   if (mice.mms.empty()) return;
   const Places& places = options.contests.places;
   if (!places.start.empty() || !places.goals.empty())
@@ -157,11 +164,11 @@ std::string above_limit(const RaceOptions& options, const Races& races) {
 }
 
 int race(const RaceOptions& options) {
-  Mice mice = find_mice(options.mice, options.limits);
+  std::optional<Holding> holding(options);
+  SpecResult mice = find_mice(options.mice, holding->guests());
   require_sense(options, mice);
   const auto baseline = load_baseline(options);
   const MazeCollection mazes = find_mazes(options.contests.mazes, options.contests.places);
-  std::optional<Holding> holding(options);
   const Races races = holding->hold(std::move(mice), mazes.mazes);
   const std::string failed_write = holding->failed_write();
   holding.reset();  // the bar, and what Ctrl-C does
@@ -192,7 +199,7 @@ void add_race(CLI::App& app, int& exit) {
   command->add_option("--worst", options->worst, "Print the N mazes that cost each mouse most")->type_name("N")->check(CLI::Range(1, 1'000'000));
   command->add_flag("--shares", options->shares, "Print how much of the mazes each mouse discovered and visited");
   add_mms_options(*command, options->mms);
-  add_guest_limits(*command, options->limits);
+  add_guest_limits(*command, options->guests.limits);
   command->footer("Example: labmouse race --mice flood:stride=1,certify --mazes my-mazes/ --format json > today.json\n"
                   "         labmouse race --mazes my-mazes/ --baseline today.json");
   command->callback([options, limit, &exit] {

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "labmouse/guests/mms/run.hpp"
+#include "labmouse/lab/contestants.hpp"
 #include "labmouse/lab/maze_files.hpp"
 #include "labmouse/lab/mms_bound.hpp"
-#include "labmouse/lab/mms_mouse.hpp"
 
 namespace labmouse {
 

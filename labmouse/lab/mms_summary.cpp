@@ -27,7 +27,7 @@ std::string score_line(const std::string& mouse, const NamedMaze& maze, const Mm
     line += fmt::format("score {:g} = {:g} best run + {:g} total / 10", statistics.score, *best_run(statistics), total(statistics));
   else
     line += fmt::format("unsolved, score {:g}", statistics.score);
-  line += bound.score ? fmt::format("; bound {:g} = {:g} + {:g} / 10", *bound.score, *bound.run, *bound.run)
+  line += bound.score ? fmt::format("; bound {:g}, its run {:g}", *bound.score, *bound.run)
                       : "; the centre cannot be reached";
   return shown(line) + "\n";
 }

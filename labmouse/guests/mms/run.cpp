@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 
 namespace labmouse {
 namespace {
@@ -14,13 +13,6 @@ using namespace std::chrono_literals;
 
 std::string in_seconds(std::chrono::milliseconds time) {
   return fmt::format("{:g} s", std::chrono::duration<double>(time).count());
-}
-
-/// "exit code 1", "signal 11 (Segmentation fault)".
-std::string words_of(const ExitStatus& status) {
-  if (status.signal == 0) return fmt::format("exit code {}", status.code);
-  const char* meaning = sigdescr_np(status.signal);
-  return fmt::format("signal {}{}", status.signal, meaning == nullptr ? "" : fmt::format(" ({})", meaning));
 }
 
 /// One program with its simulator, and the clocks that run against it.
@@ -62,7 +54,7 @@ class Hosting {
       case GuestEvent::output: return;
       case GuestEvent::ended: return finish_ended();
       case GuestEvent::left:
-        return finish(MmsOutcome::left, words_of(*guest_.status()) + ", but what it started goes on");
+        return finish(MmsOutcome::left, describe(*guest_.status()) + ", but what it started goes on");
       case GuestEvent::closed: return finish(MmsOutcome::closed, "closed its standard output and ran on");
       case GuestEvent::timeout: return finish_late();
       case GuestEvent::interrupted: return finish(MmsOutcome::interrupted, "interrupted");
@@ -102,7 +94,7 @@ class Hosting {
 
   void finish_ended() {
     const ExitStatus status = *guest_.status();
-    finish(status == ExitStatus{} ? MmsOutcome::complete : MmsOutcome::failed, words_of(status));
+    finish(status == ExitStatus{} ? MmsOutcome::complete : MmsOutcome::failed, describe(status));
   }
 
   void finish_late() {
