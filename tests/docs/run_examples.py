@@ -3,9 +3,9 @@
 
 usage: run_examples.py PAGE.md PROGRAM
 
-In a block marked `console`, each line after `$ ` is a command, and the lines below it are what it prints. A line `...`
-stands for any lines; `...` at the end of a line for any rest of it. All blocks of a page run in one new folder, in
-order, by `sh`; `labmouse` is PROGRAM. Blocks marked otherwise are not run.
+In a block marked `console`, each line after `$ ` is a command, which lines after `> ` right below it continue, and the
+lines below it are what it prints. A line `...` stands for any lines; `...` at the end of a line for any rest of it. All
+blocks of a page run in one new folder, in order, by `sh`; `labmouse` is PROGRAM. Blocks marked otherwise are not run.
 """
 
 import os
@@ -16,14 +16,16 @@ import tempfile
 
 
 def examples(page):
-    """The examples of a page, each as (line number, command, expected lines)."""
+    """The examples of a page, each as [line number, command, expected lines]."""
     found = []
     inside = False
     for number, line in enumerate(page.splitlines(), 1):
         if line.startswith("```"):
             inside = line == "```console"
         elif inside and line.startswith("$ "):
-            found.append((number, line[2:], []))
+            found.append([number, line[2:], []])
+        elif inside and found and (line == ">" or line.startswith("> ")) and not found[-1][2]:
+            found[-1][1] += "\n" + line[2:]
         elif inside and found:
             found[-1][2].append(line)
     return found

@@ -1,0 +1,212 @@
+#include "labmouse/guests/mms/run.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <csignal>
+
+#include "tests/guests/mms_fixture.hpp"
+
+namespace labmouse {
+namespace {
+
+using namespace std::chrono_literals;
+using ::testing::HasSubstr;
+
+Launch guest(std::vector<std::string> words) {
+  words.insert(words.begin(), LABMOUSE_MMS_GUEST);
+  Launch launch;
+  launch.words = std::move(words);
+  launch.limits.decision = launch.limits.start = 20s;  // of those that answer, on a busy machine
+  return launch;
+}
+
+MmsRun hosted(std::vector<std::string> words, const MmsOptions& options = {}) {
+  return run_mms(guest(std::move(words)), test::field(), options);
+}
+
+MmsRun hosted(const Launch& launch) { return run_mms(launch, test::field(), {}); }
+
+TEST(MmsRun, AnswersAndCountsUntilTheProgramEnds) {
+  const MmsRun run = hosted({"ask:mazeWidth", "need:16", "ask:wallLeft", "need:true", "ask:moveForward 3", "need:ack",
+                             "ask:turnRight45", "say:setColor 2 1 G", "say:setText 0 0 hi"});
+  EXPECT_EQ(run.outcome, MmsOutcome::complete);
+  EXPECT_EQ(run.end, "exit code 0");
+  EXPECT_EQ(run.lines, 6);
+  EXPECT_EQ(run.statistics.total_distance, 6);
+  EXPECT_EQ(run.statistics.total_turns, 1);
+  EXPECT_EQ(run.pose, (HalfPose{{1, 7}, Compass::north_east}));
+  EXPECT_EQ(run.canvas.colour({2, 1}), 'G');
+  EXPECT_EQ(run.canvas.text({0, 0}), "hi");
+  EXPECT_GT(run.clock, 1.2);
+  EXPECT_GT(run.seconds, 0.0);
+}
+
+TEST(MmsRun, OtherExitCodesAreFailuresWhoseStatisticsCount) {
+  const MmsRun run = hosted({"ask:moveForward", "errors:first", "errors:no way out", "exit:3"});
+  EXPECT_EQ(run.outcome, MmsOutcome::failed);
+  EXPECT_EQ(run.end, "exit code 3");
+  EXPECT_EQ(run.statistics.total_distance, 2);
+  EXPECT_EQ(run.errors, "first\nno way out\n");
+}
+
+TEST(MmsRun, SignalsAreFailuresWithTheirNames) {
+  const MmsRun run = hosted({"signal:" + std::to_string(SIGTERM)});
+  EXPECT_EQ(run.outcome, MmsOutcome::failed);
+  EXPECT_EQ(run.end, "signal 15 (Terminated)");
+}
+
+TEST(MmsRun, SilenceAtTheStartEndsIt) {
+  Launch silent = guest({"hang"});
+  silent.limits.start = 60ms;
+  const MmsRun run = hosted(silent);
+  EXPECT_EQ(run.outcome, MmsOutcome::hung);
+  EXPECT_EQ(run.end, "wrote no line in its first 0.06 s");
+}
+
+TEST(MmsRun, SilenceLaterEndsItByALimitOfItsOwn) {
+  Launch silent = guest({"ask:moveForward", "hang"});
+  silent.limits.decision = 60ms;
+  const MmsRun run = hosted(silent);
+  EXPECT_EQ(run.outcome, MmsOutcome::hung);
+  EXPECT_EQ(run.end, "wrote no line for 0.06 s");
+  EXPECT_EQ(run.statistics.total_distance, 2);
+}
+
+TEST(MmsRun, BytesOfALineThatNeverEndsAreSilence) {
+  Launch dripping = guest({"ask:mazeWidth", "drip"});
+  dripping.limits.decision = 100ms;
+  EXPECT_EQ(hosted(dripping).outcome, MmsOutcome::hung);
+}
+
+TEST(MmsRun, AWholeContestHasItsLimit) {
+  Launch endless = guest({"ask-on:mazeWidth"});
+  endless.limits.contest = 150ms;
+  const MmsRun run = hosted(endless);
+  EXPECT_EQ(run.outcome, MmsOutcome::out_of_time);
+  EXPECT_EQ(run.end, "ran for more than 0.15 s");
+}
+
+TEST(MmsRun, ALineThatIsTooLongIsAFlood) {
+  Launch rambling = guest({"part:" + std::string(200, 'a'), "hang"});
+  rambling.limits.longest_line = 100;
+  const MmsRun run = hosted(rambling);
+  EXPECT_EQ(run.outcome, MmsOutcome::flooded);
+  EXPECT_EQ(run.end, "wrote a line of more than 100 bytes");
+}
+
+TEST(MmsRun, RepliesThatNobodyReadsAreAFlood) {
+  Launch deaf = guest({"pour:mazeWidth"});
+  deaf.limits.most_unread = 100'000;
+  const MmsRun run = hosted(deaf);
+  EXPECT_EQ(run.outcome, MmsOutcome::flooded);
+  EXPECT_EQ(run.end, "left more than 100000 bytes of replies unread");
+}
+
+TEST(MmsRun, LinesInOneWriteGetTheirRepliesInOrder) {
+  EXPECT_EQ(hosted({"burst:4000:mazeWidth", "say:wallFront", "hear:4000", "need:16", "hear:1", "need:false"}).outcome,
+            MmsOutcome::complete);
+}
+
+TEST(MmsRun, AMillionLinesAtOnceAreObeyed) {
+  const MmsRun run = hosted({"burst:1000000:turnRight", "hear:1000000", "need:ack"});
+  EXPECT_EQ(run.outcome, MmsOutcome::complete);
+  EXPECT_EQ(run.statistics.total_turns, 1'000'000);
+}
+
+TEST(MmsRun, LinesThatTheProgramLeftBehindAreObeyedToo) {
+  const MmsRun run = hosted({"burst:50000:turnRight"});
+  EXPECT_EQ(run.outcome, MmsOutcome::complete);
+  EXPECT_EQ(run.lines, 50'000);
+}
+
+TEST(MmsRun, AnIncompleteLastLineIsDropped) {
+  const MmsRun run = hosted({"ask:turnRight", "part:turnRight"});
+  EXPECT_EQ(run.outcome, MmsOutcome::complete);
+  EXPECT_EQ(run.lines, 1);
+}
+
+TEST(MmsRun, ALineWithoutAReplyHangsWhoWaitsForIt) {
+  Launch waiting = guest({"ask:turnright"});
+  waiting.limits.start = waiting.limits.decision = 60ms;
+  const MmsRun run = hosted(waiting);
+  EXPECT_EQ(run.outcome, MmsOutcome::hung);
+  EXPECT_EQ(run.invalid_lines, 1);
+  ASSERT_EQ(run.log.size(), 1U);
+  EXPECT_THAT(run.log[0], HasSubstr("turnright"));
+}
+
+TEST(MmsRun, AStrictRunEndsAtALineWithoutAReply) {
+  const MmsRun run = hosted({"ask:moveForward", "ask:turnright"}, {.strict = true});
+  EXPECT_EQ(run.outcome, MmsOutcome::invalid);
+  EXPECT_EQ(run.end, run.log.front());
+  EXPECT_EQ(run.statistics.total_distance, 2);
+}
+
+TEST(MmsRun, WhoWaitsForResetIsNotWaitedFor) {
+  const MmsRun run = hosted({"ask:moveForward", "ask-on:wasReset"});
+  EXPECT_EQ(run.outcome, MmsOutcome::waiting);
+  EXPECT_EQ(run.statistics.total_distance, 2);
+}
+
+TEST(MmsRun, ResetCanBePressed) {
+  const MmsRun run = hosted({"burst:100:wasReset", "hear:100", "ask:wasReset", "need:true", "ask:ackReset"}, {.presses = 1});
+  EXPECT_EQ(run.outcome, MmsOutcome::complete);
+}
+
+TEST(MmsRun, AClosedOutputEndsIt) {
+  EXPECT_EQ(hosted({"ask:moveForward", "close", "hang"}).outcome, MmsOutcome::closed);
+}
+
+TEST(MmsRun, WhoLeavesOthersBehindIsNotWaitedFor) {
+  const MmsRun run = hosted({"ask:moveForward", "leave"});
+  EXPECT_EQ(run.outcome, MmsOutcome::left);
+  EXPECT_EQ(run.end, "exit code 0, but what it started goes on");
+}
+
+TEST(MmsRun, WhatCannotBeStartedSaysWhy) {
+  Launch nothing;
+  nothing.words = {"/no/such/mouse"};
+  const MmsRun run = hosted(nothing);
+  EXPECT_EQ(run.outcome, MmsOutcome::not_started);
+  EXPECT_THAT(run.end, HasSubstr("/no/such/mouse"));
+}
+
+TEST(MmsRun, CanBeStopped) {
+  std::atomic<bool> stop = false;
+  Launch launch = guest({"ask:moveForward", "hang"});
+  launch.stop = &stop;
+  const MmsRun run = run_mms(launch, test::field(), {}, [&](const MmsEvent&, const MmsHost&) { stop = true; });
+  EXPECT_EQ(run.outcome, MmsOutcome::interrupted);
+}
+
+TEST(MmsRun, TheListenerHearsOfWhatChanges) {
+  std::vector<std::string> heard;
+  run_mms(guest({"ask:mazeWidth", "ask:moveForward 2", "say:setColor 1 1 G", "ask:wallFront"}), test::field(), {},
+          [&](const MmsEvent& event, const MmsHost& host) {
+            EXPECT_EQ(event.pose, host.pose());
+            heard.push_back(std::string(event.line) + "=" + std::string(event.reply));
+          });
+  EXPECT_THAT(heard, ::testing::ElementsAre("moveForward 2=ack", "setColor 1 1 G="));
+}
+
+TEST(MmsRun, TheTimeOfTheListenerIsNotTheProgramsOwn) {
+  Launch launch = guest({"ask:moveForward", "ask:moveForward"});
+  launch.limits.contest = 1s;
+  const MmsRun run = run_mms(launch, test::field(), {}, [](const MmsEvent&, const MmsHost&) {
+    for (const auto end = std::chrono::steady_clock::now() + 700ms; std::chrono::steady_clock::now() < end;) {
+    }
+  });
+  EXPECT_EQ(run.outcome, MmsOutcome::complete);
+  EXPECT_LT(run.seconds, 1.0);
+}
+
+TEST(MmsRun, EveryOutcomeHasItsName) {
+  EXPECT_EQ(name_of(MmsOutcome::complete), "complete");
+  EXPECT_EQ(name_of(MmsOutcome::out_of_time), "out of time");
+  EXPECT_EQ(name_of(MmsOutcome::not_started), "not started");
+  EXPECT_EQ(name_of(MmsOutcome::interrupted), "interrupted");
+}
+
+}  // namespace
+}  // namespace labmouse
