@@ -85,7 +85,10 @@ MmsRun host(const MmsCommandOptions& options, const NamedMaze& maze) {
   MmsRun run = run_mms(mouse.launch, maze.maze, options.mms, listener);
   if (recorder) save(options.record, recorder->finish(run));
   const std::string drawing = drawing_of(maze.maze, run.canvas, run.pose);
-  watching ? watching->show_end(drawing) : print(drawing);
+  if (watching)
+    watching->show_end(drawing);
+  else
+    print(drawing);
   return run;
 }
 

@@ -10,11 +10,11 @@ namespace {
 
 /// Distance, effective distance and turns of one count, as mms prints them.
 std::string count_line(std::string_view name, float distance, float effective, float turns) {
-  return fmt::format("{:<12}{:>9}{:>11}{:>7}\n", name, distance, effective, turns);
+  return fmt::format("{:<11}{:>11}{:>11}{:>7}\n", name, distance, effective, turns);
 }
 
 std::string statistics_text(const MmsStatistics& s) {
-  std::string text = fmt::format("{:<12}{:>9}{:>11}{:>7}\n", "half steps", "distance", "effective", "turns");
+  std::string text = fmt::format("{:<11}{:>11}{:>11}{:>7}\n", "", "half steps", "effective", "turns");
   text += count_line("best run", s.best_run_distance, s.best_run_effective_distance, s.best_run_turns);
   text += count_line("current run", s.current_run_distance, s.current_run_effective_distance, s.current_run_turns);
   return text + count_line("total", s.total_distance, s.total_effective_distance, s.total_turns);

@@ -50,11 +50,12 @@ std::string laid_out(const Line& line, std::size_t width) {
 }
 
 Line line_of(const MmsStanding& standing, const std::string& name) {
-  const bool spread = standing.runs > 1;  // one maze says nothing of others
+  const bool spread = standing.runs > 1;                      // one maze says nothing of others
+  const int digits = standing.interval.high >= 1000 ? 0 : 1;  // what its column has room for
   return {name,
           fmt::format("{}/{}", standing.solved, standing.runs),
           number(standing.mean_score, 1),
-          spread ? fmt::format("{:.1f}-{:.1f}", standing.interval.low, standing.interval.high) : "-",
+          spread ? fmt::format("{:.{}f}-{:.{}f}", standing.interval.low, digits, standing.interval.high, digits) : "-",
           number(standing.mean_solved_score, 1),
           number(standing.mean_ratio, 2),
           number(standing.mean_best_run, 1),

@@ -64,6 +64,14 @@ TEST(MmsRun, SilenceAtTheStartEndsIt) {
   EXPECT_EQ(run.end, "wrote no line in its first 0.06 s");
 }
 
+TEST(MmsRun, WhatAProgramSaysOfItsEndHidesNothing) {
+  Launch silent = guest({"errors:thinking", "ask:turnright"});
+  silent.limits.start = silent.limits.decision = 60ms;
+  const MmsRun run = hosted(silent);
+  EXPECT_EQ(run.outcome, MmsOutcome::hung);
+  EXPECT_EQ(run.errors, "thinking\n");
+}
+
 TEST(MmsRun, SilenceLaterEndsItByALimitOfItsOwn) {
   Launch silent = guest({"ask:moveForward", "hang"});
   silent.limits.decision = 60ms;

@@ -36,7 +36,10 @@ class Hosting {
     else
       while (!ended_) take(guest_.wait(deadline()));
     run_.seconds = std::chrono::duration<double>(Clock::now() - begin_ - told_).count();
+    // What a program says when it is ended is about that, and would hide what it said before.
+    run_.errors = guest_.errors();
     guest_.end(0ms);
+    if (ended_itself()) run_.errors = guest_.errors();
     return taken_down();
   }
 
@@ -92,6 +95,8 @@ class Hosting {
       finish_late();
   }
 
+  bool ended_itself() const { return run_.outcome == MmsOutcome::complete || run_.outcome == MmsOutcome::failed; }
+
   void finish_ended() {
     const ExitStatus status = *guest_.status();
     finish(status == ExitStatus{} ? MmsOutcome::complete : MmsOutcome::failed, describe(status));
@@ -121,7 +126,6 @@ class Hosting {
     run_.lines = host_.lines();
     run_.invalid_lines = host_.invalid_lines();
     run_.log.assign(host_.log().begin(), host_.log().end());
-    run_.errors = guest_.errors();
     return std::move(run_);
   }
 

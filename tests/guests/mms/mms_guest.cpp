@@ -2,7 +2,7 @@
 //
 //   ask:LINE     writes the line and reads one reply          errors:TEXT   writes a line to standard error
 //   say:LINE     writes the line                              part:TEXT     writes text without a line's end
-//   hear:N       reads N replies, or ends with code 9         exit:CODE, signal:NUMBER
+//   hear:N       reads N replies, or complains and ends       exit:CODE, signal:NUMBER
 //   burst:N:LINE writes the line N times, in large portions   hang, close, leave
 //   ask-on:LINE  asks for ever                                pour:LINE     writes the line for ever, and reads nothing
 //   drip         writes a byte of no line now and then        need:REPLY    ends with code 8 unless the last reply was it
@@ -20,7 +20,7 @@ std::string last_reply;
 
 void hear(long count) {
   for (; count > 0; --count)
-    if (!std::getline(std::cin, last_reply)) std::exit(9);
+    if (!std::getline(std::cin, last_reply)) std::cerr << "no reply\n", std::exit(9);
 }
 
 void say(const std::string& line) { std::cout << line << std::endl; }
