@@ -194,6 +194,15 @@ bool GuestProcess::read_errors() {
   return true;
 }
 
+void GuestProcess::read_last_errors() {
+  // The end comes when the last process has gone that could still write, which is now or in a moment.
+  constexpr int moment = 200;  // milliseconds
+  while (errors_end_ >= 0) {
+    pollfd errors = {errors_end_, POLLIN, 0};
+    if (poll(&errors, 1, moment) <= 0 || (!read_errors() && errors_end_ >= 0)) return;
+  }
+}
+
 void GuestProcess::read_status() {
   int wait_status = 0;
   const ssize_t count = read(status_end_, &wait_status, sizeof wait_status);
@@ -223,8 +232,7 @@ void GuestProcess::end(std::chrono::milliseconds grace) {
   while (waitpid(keeper_, nullptr, 0) < 0 && errno == EINTR) {
   }
   keeper_ = -1;
-  while (errors_end_ >= 0 && read_errors()) {
-  }
+  read_last_errors();
   if (status_end_ >= 0) read_status();
   for (int* end : {&output_, &errors_end_, &status_end_}) close_end(*end);
 }

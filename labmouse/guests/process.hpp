@@ -93,6 +93,7 @@ class GuestProcess {
   void drop_input();
   bool read_output();
   bool read_errors();
+  void read_last_errors();
   void read_status();
 
   GuestLimits limits_;

@@ -43,6 +43,7 @@ Json result_json(const Race& race, const ContestResult& contest) {
                {"discovered_share", contest.coverage.discovered},
                {"visited_share", contest.coverage.visited},
                {"microseconds_per_decision", contest.microseconds / std::max(1, contest.decisions)}};
+  if (!contest.last_words.empty()) json["last_words"] = contest.last_words;
   for (const Count& count : contest.counts) json["counts"][count.name] = count.value;
   return json;
 }

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 
+#include "labmouse/lab/mms_race.hpp"
+#include "labmouse/lab/mouse_names.hpp"
 #include "labmouse/lab/printable.hpp"
 #include "labmouse/lab/report.hpp"
 #include "labmouse/lab/version.hpp"
@@ -32,18 +35,25 @@ std::string laid_out(const Line& line, std::size_t width) {
                      line[3], line[4], line[5], line[6], line[7], line[8], line[9]);
 }
 
-/// A mouse as tables call it.
-std::string marked_name(const Contestant& mouse) { return mouse.name + (mouse.reference ? " *" : ""); }
-
-std::size_t width_of_names(const Race& race) {
+/// The mice as tables call them, in a column.
+struct Names {
+  std::vector<std::string> of;  ///< by their positions in the race
   std::size_t width = 5;
-  for (const Contestant& mouse : race.mice) width = std::max(width, marked_name(mouse).size());
-  return width;
-}
 
-Line line_of(const Race& race, const Standing& standing) {
+  explicit Names(const Race& race) {
+    std::vector<std::string> specs;
+    for (const Contestant& mouse : race.mice) specs.push_back(mouse.name);
+    of = mouse_names(specs);
+    for (std::size_t mouse = 0; mouse < of.size(); ++mouse) {
+      if (race.mice[mouse].reference) of[mouse] += " *";
+      width = std::max(width, of[mouse].size());
+    }
+  }
+};
+
+Line line_of(const std::string& name, const Standing& standing) {
   const bool ran = standing.runs > 0;
-  return {marked_name(race.mice[standing.mouse]),
+  return {name,
           fmt::format("{}/{}", standing.solved, standing.runs),
           number(standing.penalised_mean, 3),
           interval_text(standing),
@@ -52,7 +62,7 @@ Line line_of(const Race& race, const Standing& standing) {
           number(standing.mean_exploration, 1),
           number(standing.mean_speed_over_optimum, 2),
           ran ? fmt::format("{:.1f}", 100.0 * standing.optimal_share) : "-",
-          ran ? fmt::format("{:.2f}", standing.microseconds_per_decision) : "-"};
+          ran ? fmt::format("{:.{}f}", standing.microseconds_per_decision, standing.microseconds_per_decision < 100.0 ? 2 : 0) : "-"};
 }
 
 /// Share of the runs that a mouse solved in each maze, to see whether two means cover the same mazes alike.
@@ -75,26 +85,39 @@ bool solved_different_mazes(const Race& race) {
   return false;
 }
 
-/// How often a mouse failed in which way: "out of steps 3, never reset 1"; empty where it did not.
+/// How a mouse failed, and how often: "out of steps 3, forfeit (died) 1"; empty where it did not.
 std::string failures_of(const Race& race, std::size_t mouse) {
+  std::map<std::pair<Outcome, ForfeitReason>, int> times;
+  for (const ContestResult& contest : race.results)
+    if (contest.mouse == mouse && counts(race, contest) && !contest.score.value) ++times[{contest.score.outcome, contest.reason}];
   std::string text;
-  for (const Outcome outcome :
-       {Outcome::out_of_steps, Outcome::never_reset, Outcome::speed_run_unfinished, Outcome::forfeit}) {
-    const auto times = std::count_if(race.results.begin(), race.results.end(), [&](const ContestResult& contest) {
-      return contest.mouse == mouse && counts(race, contest) && contest.score.outcome == outcome;
-    });
-    if (times > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name_of(outcome), times);
+  for (const auto& [way, count] : times) {
+    const std::string reason = way.first == Outcome::forfeit ? fmt::format(" ({})", name_of(way.second)) : "";
+    text += fmt::format("{}{}{} {}", text.empty() ? "" : ", ", name_of(way.first), reason, count);
   }
   return text;
 }
 
-/// A line for each mouse that failed.
+/// The last words of the first contest that a mouse gave up with words: what went wrong, and how its standard error ended.
+std::string last_words_of(const Race& race, std::size_t mouse) {
+  const auto found = std::find_if(race.results.begin(), race.results.end(), [&](const ContestResult& contest) {
+    return contest.mouse == mouse && contest.done && !contest.last_words.empty();
+  });
+  if (found == race.results.end()) return "";
+  const std::string_view words = found->last_words;
+  const auto end = std::min(words.find('\n'), words.size());
+  std::string text = fmt::format("    first in {}: {}\n", shown(race.mazes[found->maze].name), shown(words.substr(0, end)));
+  for (const std::string& line : last_lines(words.substr(end))) text += fmt::format("    | {}\n", shown(line));
+  return text;
+}
+
+/// A line for each mouse that failed, with the last words of those that are other programs.
 std::string failures_of(const Race& race) {
-  const std::size_t width = width_of_names(race);
+  const Names names(race);
   std::string lines;
   for (std::size_t mouse = 0; mouse < race.mice.size(); ++mouse)
     if (const auto failures = failures_of(race, mouse); !failures.empty())
-      lines += fmt::format("  {:<{}} {}\n", race.mice[mouse].name, width, failures);
+      lines += fmt::format("  {:<{}} {}\n", names.of[mouse], names.width, failures) + last_words_of(race, mouse);
   return lines.empty() ? "" : "Failures:\n" + lines;
 }
 
@@ -134,7 +157,7 @@ std::string notes_of(const Race& race) {
 }  // namespace
 
 std::string table_of(const Race& race, bool colours) {
-  const std::size_t width = width_of_names(race);
+  const Names names(race);
   const char* bold = colours ? "\x1b[1m" : "";
   const char* plain = colours ? "\x1b[0m" : "";
   const int budget = race.order.rules.budget;
@@ -143,20 +166,20 @@ std::string table_of(const Race& race, bool colours) {
                                  race.order.seed, budget == Rules().budget ? "" : fmt::format(", budget {}", budget));
   const Line first = {"", "", "score", "95 %", "score", "score", "expl.", "speed", "best", "us a"};
   const Line second = {"mouse", "solved", "all", "interval", "solved", "/bound", "steps", "+steps", "runs%", "step"};
-  for (const Line& line : {first, second}) text += fmt::format("{}{}{}\n", bold, laid_out(line, width), plain);
-  for (const Standing& standing : standings_of(race)) text += laid_out(line_of(race, standing), width) + "\n";
+  for (const Line& line : {first, second}) text += fmt::format("{}{}{}\n", bold, laid_out(line, names.width), plain);
+  for (const Standing& standing : standings_of(race)) text += laid_out(line_of(names.of[standing.mouse], standing), names.width) + "\n";
   return text + "\n" + notes_of(race);
 }
 
 std::string shares_of(const Race& race) {
-  const std::size_t width = width_of_names(race);
+  const Names names(race);
   const auto percent = [](const std::optional<double>& share) {
     return share ? fmt::format("{:.1f}", 100.0 * *share) : std::string("-");
   };
   std::string text = fmt::format("Exploration: percent of the reachable cells, mean over all contests\n{:<{}} {:>11} {:>8}\n",
-                                 "mouse", width, "discovered%", "visited%");
+                                 "mouse", names.width, "discovered%", "visited%");
   for (const Standing& standing : standings_of(race))
-    text += fmt::format("{:<{}} {:>11} {:>8}\n", marked_name(race.mice[standing.mouse]), width,
+    text += fmt::format("{:<{}} {:>11} {:>8}\n", names.of[standing.mouse], names.width,
                         percent(standing.mean_discovered), percent(standing.mean_visited));
   return text;
 }

@@ -4,11 +4,18 @@
 #include "labmouse/lab/contestants.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
-  const auto result = labmouse::read_specs({reinterpret_cast<const char*>(bytes), size});
-  if (result.contestants.empty() == result.error.empty()) std::abort();
+  // A named Python, so that none is started to ask for its version.
+  labmouse::GuestOptions options;
+  options.python = "/bin/sh";
+  const auto result = labmouse::read_specs({reinterpret_cast<const char*>(bytes), size}, options);
+  if ((result.contestants.empty() && result.mms.empty()) == result.error.empty()) std::abort();
   for (const auto& mouse : result.contestants) {
-    const auto again = labmouse::read_specs(mouse.name);
+    const auto again = labmouse::read_specs(mouse.name, options);
     if (again.contestants.size() != 1 || again.contestants.front().name != mouse.name) std::abort();
+  }
+  for (const auto& mouse : result.mms) {
+    const auto again = labmouse::read_specs(mouse.name, options);
+    if (again.mms.size() != 1 || again.mms.front().launch.words != mouse.launch.words) std::abort();
   }
   return 0;
 }

@@ -1,0 +1,29 @@
+#include "labmouse/lab/mouse_names.hpp"
+
+#include <set>
+
+#include "labmouse/lab/guest_specs.hpp"
+#include "labmouse/lab/printable.hpp"
+
+namespace labmouse {
+namespace {
+
+std::string short_name(const std::string& spec, std::size_t most) {
+  const std::u32string letters = printable(spec);
+  if (!is_guest_spec(spec) || letters.size() <= most) return utf8(letters);
+  return "..." + utf8(letters.substr(letters.size() - most + 3));
+}
+
+}  // namespace
+
+std::vector<std::string> mouse_names(const std::vector<std::string>& specs) {
+  std::vector<std::string> names;
+  for (const std::size_t most : {std::size_t{24}, std::size_t{48}, std::string::npos}) {
+    names.clear();
+    for (const std::string& spec : specs) names.push_back(short_name(spec, most));
+    if (std::set<std::string>(names.begin(), names.end()).size() == names.size()) break;
+  }
+  return names;
+}
+
+}  // namespace labmouse
