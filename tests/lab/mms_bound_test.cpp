@@ -128,9 +128,7 @@ class Everything {
   Everything(const Maze& maze, float most) : most_(most) {
     note(MmsHost(maze, {}));
     while (!open_.empty()) {
-      const auto state = open_.begin()->second;
-      open_.erase(open_.begin());
-      const MmsHost host = state;
+      const MmsHost host = open_.extract(open_.begin()).mapped();
       if (total_of(host) > reached_.at(key_of(host))) continue;
       for (const char* command : commands) note(after(host, command));
     }
