@@ -21,8 +21,17 @@ void add_seconds(CLI::App& command, const std::string& name, std::chrono::millis
 
 }  // namespace
 
-void add_guest_limits(CLI::App& command, GuestLimits& limits) {
+void add_python(CLI::App& command, GuestOptions& guests) {
+  command.add_option("--python", guests.python, "Python that plays capstone robots; default: the newest python3 of PATH")
+      ->type_name("INTERPRETER");
+}
+
+void add_guest_options(CLI::App& command, GuestOptions& guests) {
   constexpr int mib_bits = 20;
+  GuestLimits& limits = guests.limits;
+  command.add_option("--directory", guests.directory, "Where programs run; default: here")
+      ->type_name("DIR")
+      ->check(CLI::ExistingDirectory);
   add_seconds(command, "--start-limit", limits.start, "How long a program may take to its first word");
   add_seconds(command, "--decision-limit", limits.decision, "How long a program may say nothing");
   add_seconds(command, "--contest-limit", limits.contest, "How long a program may run in one maze");

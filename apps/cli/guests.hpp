@@ -1,18 +1,20 @@
-// Mice that are other programs: their limits, and who races.
+// Mice that are other programs: how they are started, their limits, and who races.
 #pragma once
 
 #include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
-#include "labmouse/guests/limits.hpp"
 #include "labmouse/guests/mms/host.hpp"
 #include "labmouse/lab/contestants.hpp"
 
 namespace labmouse::cli {
 
-/// Adds --start-limit, --decision-limit, --contest-limit, --memory and --cpu.
-void add_guest_limits(CLI::App& command, GuestLimits& limits);
+/// Adds --directory, --start-limit, --decision-limit, --contest-limit, --memory and --cpu.
+void add_guest_options(CLI::App& command, GuestOptions& guests);
+
+/// Adds --python.
+void add_python(CLI::App& command, GuestOptions& guests);
 
 /// Adds --strict and --presses.
 void add_mms_options(CLI::App& command, MmsOptions& options);

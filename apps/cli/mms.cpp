@@ -110,9 +110,6 @@ void add_mms(CLI::App& app, int& exit) {
       ->required()
       ->type_name("COMMAND");
   command->add_option("--maze", options->maze, "Maze file or name of a built-in maze")->required()->type_name("MAZE");
-  command->add_option("--directory", options->guests.directory, "Where the program runs; default: here")
-      ->type_name("DIR")
-      ->check(CLI::ExistingDirectory);
   add_mms_options(*command, options->mms);
   command->add_flag("--watch", options->watch, "Draw it move by move");
   CLI::Option* speed =
@@ -122,7 +119,7 @@ void add_mms(CLI::App& app, int& exit) {
           ->check(CLI::Range(0.01, 1e6))
           ->capture_default_str();
   command->add_option("--record", options->record, "Save what it did, line by line")->type_name("FILE");
-  add_guest_limits(*command, options->guests.limits);
+  add_guest_options(*command, options->guests);
   command->footer("Example: labmouse mms 'python3 mouse.py' --maze contest-05 --speed 10");
   command->callback([options, speed, &exit] {
     options->watch = options->watch || speed->count() > 0;

@@ -188,7 +188,7 @@ int race(const RaceOptions& options) {
 void add_race(CLI::App& app, int& exit) {
   auto options = std::make_shared<RaceOptions>();
   CLI::App* command = app.add_subcommand("race", "Race many mice on many mazes and print the leaderboard");
-  command->add_option("--mice", options->mice, "Mice: name[:key=value]..., several separated by commas, or mms:COMMAND (may repeat); default: all")
+  command->add_option("--mice", options->mice, "Mice: name[:key=value]..., several separated by commas, or capstone:FILE, guest:COMMAND, mms:COMMAND (may repeat); default: all")
       ->type_name("SPEC")->expected(1)->take_all();
   add_contests(*command, options->contests);
   command->add_option("--format", options->format, "Output")->check(CLI::IsMember({"table", "json", "csv"}))->capture_default_str();
@@ -199,7 +199,10 @@ void add_race(CLI::App& app, int& exit) {
   command->add_option("--worst", options->worst, "Print the N mazes that cost each mouse most")->type_name("N")->check(CLI::Range(1, 1'000'000));
   command->add_flag("--shares", options->shares, "Print how much of the mazes each mouse discovered and visited");
   add_mms_options(*command, options->mms);
-  add_guest_limits(*command, options->guests.limits);
+  add_python(*command, options->guests);
+  add_guest_options(*command, options->guests);
+  command->add_option("--guest-runs", options->guests.runs, "Contests of each guest in each maze, for those that throw dice")
+      ->type_name("N")->check(CLI::Range(1, 1'000'000))->capture_default_str();
   command->footer("Example: labmouse race --mice flood:stride=1,certify --mazes my-mazes/ --format json > today.json\n"
                   "         labmouse race --mazes my-mazes/ --baseline today.json");
   command->callback([options, limit, &exit] {

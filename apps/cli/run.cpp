@@ -6,6 +6,7 @@
 #include "command.hpp"
 #include "contests.hpp"
 #include "explain.hpp"
+#include "guests.hpp"
 #include "labmouse/contest/simulator.hpp"
 #include "labmouse/lab/contestants.hpp"
 #include "labmouse/lab/race_files.hpp"
@@ -19,13 +20,14 @@ struct RunOptions {
   Places places;
   Rules rules;
   ExplainOptions explain;
+  GuestOptions guests;
   std::uint64_t seed = 1;
   bool watch = false;
   int delay = 60;
 };
 
 void run_contest(const RunOptions& options) {
-  const std::vector<Contestant> mice = find_contestants({options.mouse});
+  const std::vector<Contestant> mice = find_contestants({options.mouse}, options.guests);
   if (mice.size() != 1) throw UsageError("error: `run` takes one mouse; `labmouse race` takes several");
   const Contestant& mouse = mice.front();
   const NamedMaze maze = find_maze(options.maze, options.places);
@@ -47,7 +49,7 @@ void run_contest(const RunOptions& options) {
 void add_run(CLI::App& app, int& exit) {
   auto options = std::make_shared<RunOptions>();
   CLI::App* command = app.add_subcommand("run", "Run one mouse in one maze");
-  command->add_option("mouse", options->mouse, "Mouse, name[:key=value]...")->required()->type_name("MOUSE");
+  command->add_option("mouse", options->mouse, "Mouse: name[:key=value]..., capstone:FILE or guest:COMMAND")->required()->type_name("MOUSE");
   command->add_option("maze", options->maze, "Maze file or name of a built-in maze")->required()->type_name("MAZE");
   add_places(*command, options->places);
   add_budget(*command, options->rules);
@@ -57,6 +59,8 @@ void add_run(CLI::App& app, int& exit) {
   command->add_option("--delay", options->delay, "Milliseconds a step stays on the screen")->check(CLI::Range(0, 60'000))->capture_default_str();
   command->add_option("--svg", options->svg, "Save a picture")->type_name("FILE");
   command->add_option("--record", options->record, "Save the record, with --explain also the reasons")->type_name("FILE");
+  add_python(*command, options->guests);
+  add_guest_options(*command, options->guests);
   command->footer("Example: labmouse run certify capstone-1 --watch --svg walk.svg");
   command->callback([options, &exit] {
     run_contest(*options);

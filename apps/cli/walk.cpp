@@ -37,7 +37,7 @@ std::string frame_of(const RecordFile& file, const StepRecord& step, const Knowl
 /// What the mouse counted, if it did, and how the contest went.
 std::string last_lines(const RecordFile& file) {
   const std::string counts = counts_line(file);
-  return (counts.empty() ? "" : counts + "\n") + result_line(file) + "\n";
+  return last_words_lines(file) + (counts.empty() ? "" : counts + "\n") + result_line(file) + "\n";
 }
 
 }  // namespace

@@ -112,6 +112,17 @@ std::string checked_line(const RecordFile& file) {
   return line + (file.ended ? ", the outcome" : "");
 }
 
+std::string last_words_lines(const RecordFile& file) {
+  std::string lines;
+  std::string_view words = file.run.last_words;
+  while (!words.empty()) {
+    const auto end = std::min(words.find('\n'), words.size());
+    lines += fmt::format("{}{}\n", lines.empty() ? "" : "| ", shown(words.substr(0, end)));
+    words.remove_prefix(std::min(end + 1, words.size()));
+  }
+  return lines;
+}
+
 std::string counts_line(const RecordFile& file) {
   std::string line;
   for (const Count& count : file.run.counts) line += fmt::format("{}{} {}", line.empty() ? "" : ", ", count.name, count.value);

@@ -45,6 +45,9 @@ std::string result_line(const RecordFile& file);
 /// record gives all.
 std::string checked_line(const RecordFile& file);
 
+/// What a mouse that gave up had to say, in lines; empty for most.
+std::string last_words_lines(const RecordFile& file);
+
 /// What the mouse counted, in one line without its end; empty where it counted nothing.
 std::string counts_line(const RecordFile& file);
 
