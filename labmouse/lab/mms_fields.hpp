@@ -4,13 +4,13 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cstdint>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string_view>
 
 #include "labmouse/guests/mms/statistics.hpp"
-#include "labmouse/lab/mms_bound.hpp"
 
 namespace labmouse {
 
@@ -33,21 +33,25 @@ inline constexpr std::array<MmsStatisticName, 10> mms_statistic_names = {{
     {"score", &MmsStatistics::score},
 }};
 
+/// The shortest decimal number that gives this 32-bit one: 265.2, where a mere conversion would give 265.2000122.
+inline double decimal(float value) { return std::strtod(fmt::format("{}", value).c_str(), nullptr); }
+
 /// What the best run adds to the score: effective distance + turns; nothing where none was finished.
 inline std::optional<double> best_run(const MmsStatistics& statistics) {
   if (!statistics.solved) return std::nullopt;
-  return static_cast<double>(statistics.best_run_effective_distance) + static_cast<double>(statistics.best_run_turns);
+  return decimal(statistics.best_run_effective_distance) + decimal(statistics.best_run_turns);
 }
 
 /// Effective distance + turns of all that the mouse did; a tenth of it is in the score.
 inline double total(const MmsStatistics& statistics) {
-  return static_cast<double>(statistics.total_effective_distance) + static_cast<double>(statistics.total_turns);
+  return decimal(statistics.total_effective_distance) + decimal(statistics.total_turns);
 }
 
-/// The 32-bit number with as few decimals as it takes, whole ones without: 265.2, 12.
+/// The number with as few decimals as it takes, whole ones without: 265.2, 12.
 inline nlohmann::ordered_json short_json(float value) {
-  if (value == static_cast<float>(static_cast<std::int64_t>(value))) return static_cast<std::int64_t>(value);
-  return std::strtod(fmt::format("{}", value).c_str(), nullptr);
+  const auto whole = static_cast<std::int64_t>(value);
+  if (value == static_cast<float>(whole)) return whole;
+  return decimal(value);
 }
 
 inline nlohmann::ordered_json statistics_json(const MmsStatistics& statistics) {

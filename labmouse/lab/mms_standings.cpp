@@ -24,11 +24,11 @@ struct Sums {
 
   void add(const MmsRace& race, const MmsResult& result) {
     const MmsStatistics& statistics = result.run.statistics;
-    scores.push_back(static_cast<double>(statistics.score));
+    scores.push_back(decimal(statistics.score));
     totals.push_back(total(statistics));
     seconds.push_back(result.run.seconds);
     if (!statistics.solved) return;
-    solved_scores.push_back(static_cast<double>(statistics.score));
+    solved_scores.push_back(decimal(statistics.score));
     best_runs.push_back(*best_run(statistics));
     if (const auto share = score_ratio(race, result)) ratios.push_back(*share);
     if (const auto share = run_ratio(race, result)) run_ratios.push_back(*share);
@@ -68,7 +68,7 @@ bool counts(const MmsRace& race, const MmsResult& result) {
 std::optional<double> score_ratio(const MmsRace& race, const MmsResult& result) {
   const MmsStatistics& statistics = result.run.statistics;
   if (!statistics.solved) return std::nullopt;
-  return ratio(static_cast<double>(statistics.score), race.bounds[result.maze].score);
+  return ratio(decimal(statistics.score), race.bounds[result.maze].score);
 }
 
 std::optional<double> run_ratio(const MmsRace& race, const MmsResult& result) {

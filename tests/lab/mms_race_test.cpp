@@ -2,12 +2,13 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
-#include <set>
+#include <filesystem>
 
+#include "labmouse/lab/files.hpp"
 #include "labmouse/lab/mms_folder.hpp"
 #include "labmouse/lab/mms_standings.hpp"
-#include "tests/cli/program.hpp"
 #include "tests/lab/mms_fixture.hpp"
 
 namespace labmouse {
@@ -91,7 +92,7 @@ TEST(MmsRace, TellsOfEachRunWithItsRecordWhereOneIsWanted) {
   EXPECT_THAT(records[1], HasSubstr("\"line\":\"turnLeft\""));
 }
 
-TEST(MmsRace, StopsWhereAskedAndLeavesOutWhatWasUnderWay) {
+TEST(MmsRace, BeginsNoOtherRunOnceItIsStopped) {
   std::atomic<bool> stop = false;
   MmsRaceHooks hooks;
   hooks.stop = &stop;
@@ -101,12 +102,21 @@ TEST(MmsRace, StopsWhereAskedAndLeavesOutWhatWasUnderWay) {
   const MmsRace race = hold_mms_race({mms_mouse("a", {}), mms_mouse("b", {"ask:turnLeft", "hang"})}, {plank(), hook()}, order, hooks);
   EXPECT_TRUE(race.stopped);
   EXPECT_EQ(std::count_if(race.results.begin(), race.results.end(), [](const MmsResult& r) { return r.done; }), 1);
-  stop = false;
-  std::atomic<int> told = 0;
-  hooks.finished = [&](const MmsRace&, const MmsResult&, const std::string&) { ++told; };
-  stop = true;
-  EXPECT_TRUE(hold_mms_race({mms_mouse("b", {"hang"})}, {plank()}, order, hooks).stopped);
-  EXPECT_EQ(told, 0);
+}
+
+TEST(MmsRace, ARunThatWasUnderWayIsEndedAndLeftOut) {
+  std::atomic<bool> stop = false;
+  MmsRaceHooks hooks;
+  hooks.stop = &stop;
+  hooks.finished = [&](const MmsRace&, const MmsResult& result, const std::string&) {
+    EXPECT_EQ(result.mouse, 0U);
+    stop = true;
+  };
+  MmsRaceOrder order;
+  order.jobs = 2;
+  const MmsRace race = hold_mms_race({mms_mouse("a", {}), mms_mouse("b", {"ask:turnLeft", "hang"})}, {plank()}, order, hooks);
+  EXPECT_TRUE(race.stopped);
+  EXPECT_FALSE(race.results[1].done);
 }
 
 TEST(MmsRace, HandsItsOptionsOn) {
@@ -123,8 +133,8 @@ TEST(MmsRaceFolder, SavesUnderTheNamesOfMouseAndMaze) {
   const MmsRaceFolder races(folder.string(), race);
   EXPECT_EQ(races.save({0, 0, true, {}}, "one"), "");
   EXPECT_EQ(races.save({1, 1, true, {}}, "two"), "");
-  EXPECT_EQ(test::content_of(folder / "mms_._a_b/plank.jsonl"), "one");
-  EXPECT_EQ(test::content_of(folder / "mms_._a_b~2/plank~2.jsonl"), "two");
+  EXPECT_EQ(read_file((folder / "mms_._a_b/plank.jsonl").string()).content, "one");
+  EXPECT_EQ(read_file((folder / "mms_._a_b~2/plank~2.jsonl").string()).content, "two");
   std::filesystem::remove_all(folder);
   EXPECT_THAT(MmsRaceFolder("/dev/null", race).save({0, 0, true, {}}, "x"), HasSubstr("error"));
 }

@@ -43,7 +43,7 @@ MmsRace two_mice() {
   hung.log = {"line 3: 'turnright' is no command", "line 4: '' is no command"};
   hung.errors = "Traceback\n  File \x1b[31m\nKeyError: 'north'\n";
   race.results = {{0, 0, true, imagined_run(31, 8, 31.5F, 8)}, {0, 1, true, imagined_run(2, 0, 2, 1)},
-                  {1, 0, true, hung},                          {1, 1, true, imagined_run(2, 0, 24, 9)}};
+                  {1, 0, true, hung},                          {1, 1, true, imagined_run(2, 0, 24, 10)}};
   return race;
 }
 
@@ -51,7 +51,7 @@ TEST(MmsTable, ShowsEveryMouseBestFirst) {
   const std::string table = table_of(two_mice(), false);
   EXPECT_THAT(table, HasSubstr("world of mms, 2 mice, 2 mazes"));
   EXPECT_THAT(table, ContainsRegex("\n./good +2/2 +22\\.6 +2\\.3-43\\.0 "));
-  EXPECT_THAT(table, ContainsRegex("\npython3 bad.py +1/2 +1002\\.7 +5-2000 +5\\.3 "));
+  EXPECT_THAT(table, ContainsRegex("\npython3 bad.py +1/2 +1002\\.7 +5-2000 +5\\.4 "));
   EXPECT_LT(table.find("\n./good"), table.find("\npython3 bad.py"));
 }
 
@@ -95,7 +95,7 @@ TEST(MmsTable, SaysWhichMazesAreOtherInMms) {
 
 TEST(MmsTable, ShortensLongCommandsAndKeepsThemDifferent) {
   const std::string path = "/home/somebody/mice/mms/mine/", one = "python3 " + path + "one.py", two = "python3 " + path + "two.py";
-  EXPECT_THAT(table_of(imagined_race({one, two}, {plank()}), false), HasSubstr("\n...dy/mice/mms/mine/one.py "));
+  EXPECT_THAT(table_of(imagined_race({one, two}, {plank()}), false), HasSubstr("\n.../mice/mms/mine/one.py "));
   const std::string tail = "/a/long/path/to/the/same/mouse.py";
   const std::string both = table_of(imagined_race({"python2 " + tail, "python3 " + tail}, {plank()}), false);
   EXPECT_THAT(both, HasSubstr("\npython2 " + tail));
@@ -165,7 +165,7 @@ TEST(MmsJson, HasTheMeansOfTheTable) {
   const Json mouse = group_json(two_mice()).at("mice")[1];
   EXPECT_EQ(mouse.at("name"), "mms:python3 bad.py");
   EXPECT_EQ(mouse.at("solved"), 1);
-  EXPECT_NEAR(mouse.at("mean_score").get<double>(), (2000.0 + 5.3) / 2, 1e-5);
+  EXPECT_DOUBLE_EQ(mouse.at("mean_score").get<double>(), (2000.0 + 5.4) / 2);
   EXPECT_EQ(mouse.at("outcomes"), Json({{"complete", 1}, {"hung", 1}}));
   EXPECT_EQ(mouse.at("invalid_lines"), 2);
 }
@@ -262,7 +262,7 @@ TEST(MmsDrawing, ShowsTextsColoursAndTheMouse) {
   canvas.set_colour({2, 0}, 'B');
   const DrawingLayers layers = mms_layers(canvas, {{5, 1}, Compass::south_east});
   const std::string text = draw_text(as_in_mms(plank().maze), layers, false);
-  EXPECT_THAT(text, HasSubstr("|S7    G  > |"));
+  EXPECT_THAT(text, HasSubstr("|S7   G   > |"));
   EXPECT_THAT(draw_text(as_in_mms(plank().maze), layers, true), HasSubstr("30;48;5;226m"));
   EXPECT_THAT(draw_text(as_in_mms(plank().maze), layers, true), HasSubstr("97;48;5;18m"));
 }
