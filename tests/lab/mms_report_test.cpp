@@ -170,6 +170,14 @@ TEST(MmsJson, HasTheMeansOfTheTable) {
   EXPECT_EQ(mouse.at("invalid_lines"), 2);
 }
 
+TEST(MmsJson, AMouseHasItsOwnResultsThatAreDone) {
+  MmsRace race = two_mice();
+  EXPECT_EQ(group_json(race).at("mice")[0].at("results").size(), 2U);
+  race.results[0].done = false;
+  EXPECT_EQ(group_json(race).at("mice")[0].at("results").size(), 1U);
+  EXPECT_EQ(lines(csv_of(race)).size(), 4U);
+}
+
 TEST(MmsJson, TextsThatAreNoUtf8DoNoHarm) {
   MmsRace race = two_mice();
   race.results[2].run.errors = "caf\xe9\n";
