@@ -1,0 +1,89 @@
+// The templates of guests: each solves every built-in maze, and stays short.
+#include <sstream>
+
+#include "tests/cli/user.hpp"
+#include "tests/interpreters.hpp"
+
+namespace labmouse::test {
+namespace {
+
+std::string path_of(const std::string& name) { return LABMOUSE_SOURCE_DIR "/templates/" + name; }
+
+/// The command that runs a template; empty where what runs it is not here.
+std::string command_of(const std::string& name) {
+  if (name == "guest.cpp") return LABMOUSE_GUEST_TEMPLATE;
+  const std::string& interpreter = name == "guest.py" ? python3() : node();
+  return interpreter.empty() ? "" : interpreter + " " + path_of(name);
+}
+
+class ATemplate : public AUser, public testing::WithParamInterface<const char*> {
+ protected:
+  void SetUp() override {
+    if (command_.empty()) GTEST_SKIP() << "nothing that runs " << GetParam() << " is in PATH";
+  }
+  /// The steps of a contest as its record has them, and its end.
+  std::string walk_of(const std::string& command, std::vector<std::string> where) const {
+    where.insert(where.begin(), {"run", "guest:" + command});
+    where.insert(where.end(), {"--record", "walk.jsonl"});
+    EXPECT_EQ(labmouse(where).code, 0);
+    const std::string record = content("walk.jsonl");
+    return record.substr(record.find('\n') + 1);
+  }
+
+  std::string command_ = command_of(GetParam());
+};
+
+TEST_P(ATemplate, SolvesAllBuiltinMazes) {
+  const auto race = AUser::race({"--mice", "guest:" + command_});
+  EXPECT_EQ(race.at("mazes").size(), 43U);
+  EXPECT_EQ(race.at("mice").at(0).at("runs"), 43);
+  EXPECT_EQ(race.at("mice").at(0).at("solved"), 43) << race.at("mice").at(0).at("results");
+}
+
+TEST_P(ATemplate, DoesWhatTheOthersDo) {
+  for (const char* maze : {"capstone-1", "contest-05", "island-8"})
+    EXPECT_EQ(walk_of(command_, {maze}), walk_of(command_of("guest.cpp"), {maze})) << maze;
+}
+
+TEST_P(ATemplate, LooksBehindItselfAndBacks) {
+  file("corridor.txt", corridor);
+  const std::string walk = walk_of(command_, {"corridor.txt", "--start", "1,0,west", "--goal", "2,0"});
+  EXPECT_THAT(walk, testing::HasSubstr(R"("action":[90,0])"));
+  EXPECT_THAT(walk, testing::HasSubstr(R"("action":[0,-1])"));
+  EXPECT_THAT(walk, testing::HasSubstr(R"("outcome":"solved")"));
+}
+
+TEST_P(ATemplate, EntersAGoalOnWhichItStands) {
+  file("corridor.txt", corridor);
+  const std::string walk = walk_of(command_, {"corridor.txt", "--goal", "0,0"});
+  EXPECT_THAT(walk, testing::HasSubstr(R"("outcome":"solved")"));
+  EXPECT_THAT(walk, testing::HasSubstr(R"("exploration_steps":2,"speed_steps":1)"));
+}
+
+TEST_P(ATemplate, SkipsWhatItDoesNotKnowInTheBriefing) {
+  file("host.txt", "labmouse 1\nsize 6 1\nnews start 3 0 sense goal 1 1\nstart 0 0 east\ngoal 5 0\nstride 3\nbegin\nsense 0 5 0\n"
+                   "sense 0 4 0\nsense 0 3 0\nsense 0 2 0\nsense 0 1 0\nsense 0 0 0\nsense 0 5 0\nsense 0 2 0\n");
+  const std::string run = "cd '" + folder_.string() + "' && " + command_ + " <host.txt >said.txt";
+  EXPECT_EQ(std::system(run.c_str()), 0);
+  EXPECT_EQ(content("said.txt"), "labmouse 1\nmove 0 1\nmove 0 1\nmove 0 1\nmove 0 1\nmove 0 1\nreset\nmove 0 3\nmove 0 2\n");
+}
+
+TEST(Templates, AreShort) {
+  int templates = 0;
+  for (const auto& file : std::filesystem::directory_iterator(path_of(""))) {
+    SCOPED_TRACE(file.path());
+    ++templates;
+    std::istringstream text(content_of(file.path()));
+    int lines = 0;
+    for (std::string line; std::getline(text, line); ++lines) EXPECT_LE(line.size(), 110U) << line;
+    EXPECT_LT(lines, 30);
+  }
+  EXPECT_EQ(templates, 3);
+}
+
+INSTANTIATE_TEST_SUITE_P(In, ATemplate, testing::Values("guest.cpp", "guest.py", "guest.js"), [](const auto& name) {
+  return std::string(name.param).substr(std::string_view("guest.").size());
+});
+
+}  // namespace
+}  // namespace labmouse::test
