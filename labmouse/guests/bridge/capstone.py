@@ -1,45 +1,57 @@
 # Plays a capstone robot by labmouse's guest protocol: python -u -c THIS robot.py, in the robot's folder.
 # In syntax that Python 2.7 and Python 3 both take.
+import fcntl
 import os
 import sys
 
 
 def load(path):
-    """The module in that file, under the file's own name."""
-    sys.path.insert(0, os.path.dirname(os.path.abspath(path)))
+    """The module in that file, under the file's own name, however that ends."""
+    sys.path.insert(0, os.path.dirname(path))
     name = os.path.splitext(os.path.basename(path))[0]
     if sys.version_info[0] == 2:
         import imp
         return imp.load_source(name, path)
+    import importlib.machinery
     import importlib.util
-    spec = importlib.util.spec_from_file_location(name, path)
+    spec = importlib.util.spec_from_loader(name, importlib.machinery.SourceFileLoader(name, path))
     module = importlib.util.module_from_spec(spec)
     sys.modules[name] = module
     spec.loader.exec_module(module)
     return module
 
 
-def whole(number):
-    """A number as the tester of the capstone project reads a movement."""
+def within(number):
+    """What a record can hold of a whole number."""
     return max(-1000000, min(1000000, int(number)))
 
 
 def answer(action):
-    """The line for what next_move returned."""
+    """The line for what next_move returned, judged as the tester of the capstone project judges it."""
     try:
         rotation, movement = action
-        if str(rotation) == "Reset" and str(movement) == "Reset":
+        if (rotation, movement) == ("Reset", "Reset"):
             return "reset"
-        # A rotation by a part of a degree is none that is performed; 1 stands for all of those.
-        turn = whole(rotation) if rotation == int(rotation) else 1
-        return "move %d %d" % (turn, whole(movement))
+        abs(movement)  # the tester's own first look: of text, which int() would take, there is no size
+        return "move %d %d" % (degrees(rotation), within(movement))
     except (TypeError, ValueError, OverflowError):
-        sys.exit("next_move returned %r; it has to return (rotation, movement) or ('Reset', 'Reset')" % (action,))
+        sys.exit("next_move returned %.200r; it has to return (rotation, movement) or ('Reset', 'Reset')" % (action,))
+
+
+def degrees(rotation):
+    """A rotation as a whole number. The tester compares it with -90, 0 and 90, so that no value is wrong: any other one,
+    even text, is no rotation. Of those that are no whole numbers, 1 takes the place."""
+    try:
+        return within(rotation) if rotation == int(rotation) else 1
+    except (TypeError, ValueError, OverflowError):
+        return 1
 
 
 def main():
-    questions = os.fdopen(os.dup(0), "r")
-    answers = os.dup(1)
+    asked, answers = os.dup(0), os.dup(1)
+    for end in (asked, answers):  # in Python 2, programs that the robot starts would hold them, too
+        fcntl.fcntl(end, fcntl.F_SETFD, fcntl.FD_CLOEXEC)
+    questions = os.fdopen(asked, "r")
     # What the robot prints goes to the log, and what it wants to read is empty: neither touches the protocol.
     os.dup2(2, 1)
     os.dup2(os.open(os.devnull, os.O_RDONLY), 0)
@@ -50,7 +62,7 @@ def main():
         if words[0] == "size":
             size = int(words[1])
         line = questions.readline()
-    module = load(sys.argv[1])
+    module = load(os.path.abspath(sys.argv[1]))
     if not hasattr(module, "Robot"):
         sys.exit("%s has no class Robot" % sys.argv[1])
     robot = module.Robot(size)

@@ -1,0 +1,80 @@
+// Contests of capstone robots that a test writes down.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "labmouse/contest/simulator.hpp"
+#include "labmouse/lab/contestants.hpp"
+#include "tests/drawn_maze.hpp"
+#include "tests/interpreters.hpp"
+
+namespace labmouse::test {
+
+/// Time enough on a machine that does much else; and no test waits for it.
+inline GuestLimits patient() {
+  GuestLimits limits;
+  limits.start = limits.decision = std::chrono::minutes(2);
+  limits.contest = std::chrono::minutes(5);
+  return limits;
+}
+
+/// Robots under one of the two Pythons, in a folder of their own.
+class ARobot : public testing::TestWithParam<const char*> {
+ protected:
+  void SetUp() override {
+    options_.python = std::string(GetParam()) == "python3" ? python3() : python2();
+    if (options_.python.empty()) GTEST_SKIP() << "no " << GetParam() << " that runs is in PATH";
+    options_.limits = patient();
+    std::filesystem::create_directories(folder_);
+  }
+  ~ARobot() override { std::filesystem::remove_all(folder_); }
+
+  std::string file(const std::string& name, const std::string& content) const {
+    std::ofstream(folder_ / name, std::ios::binary) << content;
+    return folder_ / name;
+  }
+
+  /// A contest of the robot in that file.
+  RunRecord contest_of(const std::string& path, int budget) const {
+    static const Maze corridor = drawn(R"(
+        o---o---o---o
+        | S       G |
+        o---o---o---o
+    )");
+    const SpecResult read = read_specs("capstone:" + path, options_);
+    EXPECT_EQ(read.error, "");
+    if (!read.error.empty()) return {};
+    Rules rules;
+    rules.budget = budget;
+    const auto mind = read.contestants.front().make(corridor, rules, 1);
+    return run(corridor, rules, *mind);
+  }
+
+  /// A contest of a robot whose code this is.
+  RunRecord contest(const std::string& code, int budget = 10) const { return contest_of(file("robot.py", unindented(code)), budget); }
+
+  /// A contest of a robot whose next_move is these lines; `n` counts the calls from 1.
+  RunRecord contest_by(const std::string& lines, int budget = 10) const {
+    std::string code = "class Robot(object):\n    n = 0\n    def __init__(self, maze_dim):\n        self.dim = maze_dim\n"
+                       "    def next_move(self, sensors):\n        self.n += 1\n";
+    std::istringstream text(unindented(lines));
+    for (std::string line; std::getline(text, line);) code += "        " + line + "\n";
+    return contest_of(file("robot.py", code), budget);
+  }
+
+  static std::vector<Action> actions(const RunRecord& record) {
+    std::vector<Action> list;
+    for (const StepRecord& step : record.steps) list.push_back(step.action);
+    return list;
+  }
+
+  GuestOptions options_;
+  std::filesystem::path folder_ =
+      std::filesystem::temp_directory_path() / ("labmouse-robot-" + std::to_string(getpid()) + "-" + std::string(GetParam()));
+};
+
+}  // namespace labmouse::test

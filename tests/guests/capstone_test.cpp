@@ -1,0 +1,228 @@
+// The bridge to capstone robots, under Python 3 and, where there is one, Python 2.7.
+#include "labmouse/guests/capstone.hpp"
+
+#include <gmock/gmock.h>
+
+#include "tests/guests/capstone_fixture.hpp"
+
+namespace labmouse {
+namespace {
+
+using test::ARobot;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+constexpr Action reset = Action::reset();
+constexpr Action step(int rotation, int movement) { return Action::step(rotation, movement); }
+
+/// Ended in that step as a guest that died, with these last words.
+void expect_died(const RunRecord& record, std::size_t in_step, const testing::Matcher<const std::string&>& words) {
+  EXPECT_EQ(record.outcome, Outcome::forfeit);
+  EXPECT_EQ(record.steps.size(), in_step);
+  EXPECT_EQ(record.steps.back().action, Action::forfeit(ForfeitReason::died));
+  EXPECT_THAT(record.last_words, AllOf(StartsWith("it ended with exit code "), words));
+}
+
+// What it is told and answers.
+
+TEST_P(ARobot, SolvesAMaze) {
+  const RunRecord record = contest(R"(
+    class Robot(object):
+        def __init__(self, maze_dim):
+            self.moves = [(90, 2), (0, 0), ('Reset', 'Reset'), (90, 3)]
+        def next_move(self, sensors):
+            return self.moves.pop(0)
+  )");
+  EXPECT_EQ(record.outcome, Outcome::solved);
+  EXPECT_THAT(actions(record), ElementsAre(step(90, 2), step(0, 0), reset, step(90, 3)));
+  EXPECT_EQ(record.last_words, "");
+}
+
+TEST_P(ARobot, IsToldTheWidthAndItsReadingsAsWholeNumbers) {
+  const RunRecord record = contest_by(R"(
+    sensors = [type(self.dim) is int and self.dim] + [type(s) is int and s for s in sensors]
+    return sensors[self.n - 1], 0
+  )", 4);
+  EXPECT_THAT(actions(record), ElementsAre(step(3, 0), step(0, 0), step(0, 0), step(2, 0)));
+}
+
+TEST_P(ARobot, IsReadAsTheTesterOfTheProjectReadsIt) {
+  const RunRecord record = contest(R"(
+    class Number(object):  # as those of numpy
+        def __init__(self, number):
+            self.number = number
+        def __eq__(self, other):
+            return self.number == other
+        def __int__(self):
+            return int(self.number)
+        def __abs__(self):
+            return abs(self.number)
+
+    class Robot(object):
+        def __init__(self, maze_dim):
+            nan, infinite, huge = float('nan'), float('inf'), 10 ** 30
+            self.moves = [
+                (90.0, 1.0), (-90, 2.9), (0, -2.9), (Number(90), Number(1.5)), [0, 1],
+                (False, True), (True, False), (45, 1), (-45.0, 1), (180, 1), (90.5, 1), (huge, -huge), (1e30, 1e30),
+                (nan, 1), (infinite, 1), (None, 1), ('90', 1), ('right', 1), ((), 1), ('Reset', 0), (u'Reset', u'Reset'),
+                ['Reset', 'Reset']]
+        def next_move(self, sensors):
+            return self.moves.pop(0)
+  )", 22);
+  EXPECT_THAT(actions(record),
+              ElementsAre(step(90, 1), step(-90, 2), step(0, -2), step(90, 1), step(0, 1), step(0, 1), step(1, 0), step(45, 1),
+                          step(-45, 1), step(180, 1), step(1, 1), step(1'000'000, -1'000'000), step(1'000'000, 1'000'000), step(1, 1),
+                          step(1, 1), step(1, 1), step(1, 1), step(1, 1), step(1, 1), step(1, 0), reset, reset));
+}
+
+TEST_P(ARobot, DiesOfAnAnswerOfWhichTheTesterWouldDie) {
+  for (const char* answer : {"None", "5", "'Reset'", "(0,)", "(0, 1, 2)", "(0, '1')", "(0, None)", "(0, 'Reset')", "('reset', 'reset')",
+                             "(0, float('nan'))", "(0, float('inf'))", "(0, [1])", "(0, 1j)"}) {
+    SCOPED_TRACE(answer);
+    expect_died(contest_by(std::string("return ") + answer), 1, HasSubstr("it has to return (rotation, movement) or ('Reset', 'Reset')"));
+  }
+}
+
+TEST_P(ARobot, HearsWhatItReturned) {
+  expect_died(contest_by("return (0, 'one')"), 1, HasSubstr("next_move returned (0, 'one'); it has"));
+  expect_died(contest_by("return ('x' * 9999,)"), 1, AllOf(HasSubstr("next_move returned ('xxx"), HasSubstr("it has to return")));
+}
+
+// What else it writes and reads.
+
+TEST_P(ARobot, PrintsIntoTheLogAndNotIntoTheProtocol) {
+  const RunRecord record = contest(R"(
+    import os, subprocess, sys
+    print('move 0 3')
+
+    class Robot(object):
+        n = 0
+        def __init__(self, maze_dim):
+            print('forfeit')
+        def next_move(self, sensors):
+            self.n += 1
+            print('move 0 1')
+            sys.stdout.write('no end of line')
+            sys.stdout.flush()
+            sys.__stdout__.write('reset\n')
+            os.write(1, b'reset\n')
+            subprocess.check_call(['echo', 'reset'])
+            return (90, 0) if self.n < 4 else 1 / 0
+  )");
+  expect_died(record, 4, AllOf(HasSubstr("forfeit\n"), HasSubstr("no end of line"), HasSubstr("ZeroDivisionError")));
+  EXPECT_EQ(record.steps[2].action, step(90, 0));
+}
+
+TEST_P(ARobot, MayPrintMoreThanAPipeHolds) {
+  const RunRecord record = contest_by("print('x' * 300000)\nreturn 90, 0", 3);
+  EXPECT_THAT(actions(record), ElementsAre(step(90, 0), step(90, 0), step(90, 0)));
+}
+
+TEST_P(ARobot, ReadsAnEmptyInput) {
+  const RunRecord record = contest_by(R"(
+    import os, sys
+    ask = input if sys.version_info[0] > 2 else raw_input
+    try:
+        ask()
+    except EOFError:
+        return 90, len(sys.stdin.read()) + len(os.read(0, 9))
+  )", 2);
+  EXPECT_THAT(actions(record), ElementsAre(step(90, 0), step(90, 0)));
+}
+
+// Where it lies.
+
+TEST_P(ARobot, RunsInItsFolderWithWhatLiesBesideIt) {
+  file("helper.py", "MOVES = [(90, 1)]\n");
+  file("moves.txt", "90 2\n");
+  const RunRecord record = contest(R"(
+    import os
+    from helper import MOVES
+    import helper, robot
+
+    class Robot(object):
+        def __init__(self, maze_dim):
+            self.moves = MOVES + [tuple(int(word) for word in line.split()) for line in open('moves.txt')]
+            self.moves.append((90, 3 if os.getcwd() == os.path.dirname(__file__) == os.path.dirname(os.path.abspath(helper.__file__)) else 0))
+        def next_move(self, sensors):
+            import helper  # found later, too
+            return self.moves.pop(0)
+  )", 3);
+  EXPECT_THAT(actions(record), ElementsAre(step(90, 1), step(90, 2), step(90, 3))) << record.last_words;
+}
+
+TEST_P(ARobot, MayHaveAnyFileName) {
+  const char* code = "class Robot:\n    def __init__(self, dim): pass\n    def next_move(self, sensors): return 90, 0\n";
+  for (const char* name : {"my-robot v2.final.py", "robot.txt", "robot", "-c.py", "m\u00e4use.py"}) {
+    SCOPED_TRACE(name);
+    const RunRecord record = contest_of(file(name, code), 2);
+    EXPECT_THAT(actions(record), ElementsAre(step(90, 0), step(90, 0))) << record.last_words;
+  }
+}
+
+TEST_P(ARobot, IsNotTheProgram) {
+  EXPECT_EQ(contest("class Robot:\n    def __init__(self, dim): pass\n    def next_move(self, sensors): return 90, 0\n"
+                    "if __name__ == '__main__': raise SystemExit('run')\n", 2).outcome, Outcome::out_of_steps);
+}
+
+// How it dies.
+
+TEST_P(ARobot, WithoutTheClassIsSaidToHaveNone) {
+  expect_died(contest("class Rowboat(object): pass\n"), 1, HasSubstr("exit code 1\nrobot.py has no class Robot"));
+}
+
+TEST_P(ARobot, WithASyntaxErrorIsShownItsLine) {
+  expect_died(contest("class Robot(object):\n    def next_move(self sensors):\n"), 1,
+              AllOf(HasSubstr("robot.py\", line 2"), HasSubstr("SyntaxError")));
+}
+
+TEST_P(ARobot, WhoseModuleFailsIsShownWhere) {
+  expect_died(contest("import no_such_module\n"), 1, AllOf(HasSubstr("robot.py\", line 1"), HasSubstr("no_such_module")));
+}
+
+TEST_P(ARobot, WhoseConstructorThrowsIsShownWhere) {
+  expect_died(contest("class Robot(object):\n    def __init__(self, dim):\n        raise ValueError('dim %d' % dim)\n"), 1,
+              AllOf(HasSubstr("robot.py\", line 3, in __init__"), HasSubstr("ValueError: dim 3")));
+}
+
+TEST_P(ARobot, WithoutNextMoveDies) {
+  expect_died(contest("class Robot(object):\n    def __init__(self, dim): pass\n"), 1, HasSubstr("next_move"));
+}
+
+TEST_P(ARobot, ThatRaisesInAStepEndsInThatStep) {
+  expect_died(contest_by("if self.n == 5: raise KeyError('five')\nreturn 90, 0"), 5,
+              AllOf(HasSubstr("robot.py\", line 7, in next_move"), HasSubstr("KeyError: 'five'")));
+}
+
+TEST_P(ARobot, ThatExitsEndsInThatStepWithItsCode) {
+  for (const auto& [call, code] : {std::pair("sys.exit()", "exit code 0"), std::pair("sys.exit(3)", "exit code 3"),
+                                   std::pair("os._exit(4)", "exit code 4"), std::pair("sys.exit('enough')", "exit code 1\nenough")}) {
+    SCOPED_TRACE(call);
+    expect_died(contest_by(std::string("import os, sys\nif self.n == 5: ") + call + "\nreturn 90, 0"), 5, HasSubstr(code));
+  }
+}
+
+TEST_P(ARobot, ThatIsKilledIsSaidToBe) {
+  const RunRecord record = contest_by("import os\nif self.n == 2: os.kill(os.getpid(), 11)\nreturn 90, 0");
+  EXPECT_EQ(record.steps.back().action, Action::forfeit(ForfeitReason::died));
+  EXPECT_THAT(record.last_words, HasSubstr("signal 11"));
+}
+
+TEST_P(ARobot, ThatLeavesAProgramBehindHasDiedAllTheSame) {
+  expect_died(contest_by("import subprocess\nsubprocess.Popen(['sleep', '600'])\nreturn 1 / 0"), 1, HasSubstr("ZeroDivisionError"));
+}
+
+TEST_P(ARobot, KeepsTheLastOfMuchThatItSaid) {
+  const RunRecord record = contest_by("print('first')\nprint('x' * 99999)\nprint('last')\nraise SystemExit(1)");
+  expect_died(record, 1, AllOf(HasSubstr("xxx\nlast"), Not(HasSubstr("first"))));
+  EXPECT_LT(record.last_words.size(), 5000U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Python, ARobot, testing::Values("python3", "python2"),
+                         [](const auto& python) { return std::string(python.param); });
+
+}  // namespace
+}  // namespace labmouse
