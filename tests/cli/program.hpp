@@ -51,7 +51,8 @@ class Program {
     _exit(127);
   }
 
-  void interrupt() const { kill(child_, SIGINT); }
+  void interrupt() const { ::kill(child_, SIGINT); }
+  void kill() const { ::kill(child_, SIGKILL); }
 
   /// Whether the program has come so far that an interrupt does not simply end it.
   bool handles_interrupts() const {

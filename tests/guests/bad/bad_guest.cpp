@@ -1,4 +1,4 @@
-// A guest that misbehaves: bad_guest HOW [TAG]. The tag makes it findable among all processes.
+// A guest that misbehaves: bad_guest HOW [TAG [MINE OTHERS]]. The tag makes it findable among all processes.
 #include <poll.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -103,9 +103,16 @@ void misbehave(const std::string& how) {
   if (how == "kill the keeper") kill(getppid(), SIGKILL), hang();
 }
 
+/// Makes a file of its own, and plays on once another guest has made another.
+void meet(const char* mine, const char* others) {
+  std::fclose(std::fopen(mine, "w"));
+  while (access(others, F_OK) != 0) wait_for(1);
+  turn();
+}
+
 }  // namespace
 
 int main(int count, char** words) {
-  std::string line;
+  if (count == 5) return meet(words[3], words[4]), 0;
   if (count > 1) misbehave(words[1]);
 }

@@ -1,0 +1,114 @@
+// Guests of the capstone world, raced as a user does.
+#include <thread>
+
+#include "tests/cli/user.hpp"
+#include "tests/guests/bad_guests.hpp"
+
+namespace labmouse::test {
+namespace {
+
+using ::testing::ContainsRegex;
+using ::testing::HasSubstr;
+
+/// The SPEC of a guest that misbehaves in that way; see tests/guests/bad/bad_guest.cpp.
+std::string bad(const std::string& how) { return std::string("guest:") + LABMOUSE_BAD_GUEST + " \"" + how + "\" " + tag(); }
+
+class AHostOfGuests : public AUser {
+ protected:
+  AHostOfGuests() { file("corridor.txt", corridor); }
+
+  Ended race_in_the_corridor(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), {"race", "--mazes", "corridor.txt"});
+    return labmouse(std::move(arguments));
+  }
+};
+
+TEST_F(AHostOfGuests, RacesThemBesideTheOthers) {
+  const auto json = race({"--mice", "flood," + bad("die"), "--mice", bad("turn"), "--mazes", "corridor.txt"});
+  ASSERT_EQ(json.at("mice").size(), 3U);
+  EXPECT_EQ(json["mice"][0]["name"], "flood");
+  EXPECT_EQ(json["mice"][1]["results"][0]["outcome"], "forfeit: died");
+  EXPECT_EQ(json["mice"][1]["results"][0]["last_words"], "it ended with exit code 3\none\ntwo\nthree: no way out");
+  EXPECT_EQ(json["mice"][2]["results"][0]["outcome"], "out of steps");
+  EXPECT_FALSE(json["mice"][2]["results"][0].contains("last_words"));
+}
+
+TEST_F(AHostOfGuests, TellsHowTheyFailedInTheTable) {
+  const Ended ended = race_in_the_corridor({"--mice", bad("die")});
+  EXPECT_EQ(ended.code, 0);
+  EXPECT_THAT(ended.out, HasSubstr("forfeit (died) 1\n    first in corridor.txt: it ended with exit code 3\n"
+                                   "    | one\n    | two\n    | three: no way out\n"));
+}
+
+TEST_F(AHostOfGuests, ShowsTheirLastWordsAfterARun) {
+  const Ended ended = labmouse({"run", bad("die"), "corridor.txt", "--record", "died.jsonl"});
+  EXPECT_THAT(ended.out, HasSubstr("it ended with exit code 3\n| one\n| two\n| three: no way out\n"));
+  EXPECT_THAT(labmouse({"replay", "died.jsonl"}).out, HasSubstr("| three: no way out\n"));
+}
+
+TEST_F(AHostOfGuests, LetsNothingThroughThatSteersATerminal) {
+  const Ended ended = race_in_the_corridor({"--mice", bad("bytes")});
+  EXPECT_EQ(ended.out.find('\x1b'), std::string::npos);
+  EXPECT_THAT(ended.out, HasSubstr("forfeit (rubbish) 1"));
+}
+
+TEST_F(AHostOfGuests, HoldsThemToTheLimitsThatAreAskedFor) {
+  EXPECT_THAT(race_in_the_corridor({"--mice", bad("hang"), "--decision-limit", "0.05"}).out, HasSubstr("forfeit (hung) 1"));
+  EXPECT_THAT(race_in_the_corridor({"--mice", bad("hang at the start"), "--start-limit", "0.05"}).out, HasSubstr("forfeit (hung) 1"));
+  EXPECT_THAT(race_in_the_corridor({"--mice", bad("turn"), "--contest-limit", "0.1", "--budget", "1000000"}).out,
+              HasSubstr("forfeit (out of time) 1"));
+  EXPECT_THAT(race_in_the_corridor({"--mice", bad("eat memory"), "--memory", "256", "--decision-limit", "20"}).out,
+              HasSubstr("bad_alloc"));
+}
+
+TEST_F(AHostOfGuests, RunsEachAsOftenAsAsked) {
+  const auto json = race({"--mice", bad("end"), "--guest-runs", "3", "--mazes", "corridor.txt"});
+  EXPECT_EQ(json["mice"][0]["runs"], 3);
+}
+
+TEST_F(AHostOfGuests, StartsThemInTheirFolder) {
+  std::filesystem::create_directories(folder_ / "place");
+  std::filesystem::create_symlink(LABMOUSE_BAD_GUEST, folder_ / "place" / "mouse");
+  EXPECT_THAT(race_in_the_corridor({"--mice", "guest:./mouse end", "--directory", "place"}).out, HasSubstr("forfeit (died) 1"));
+  is_refused({"race", "--mice", "guest:./mouse end"}, "there is no program './mouse' that can be executed");
+}
+
+TEST_F(AHostOfGuests, RefusesWhatIsNoGuest) {
+  is_refused({"race", "--mice", "guest:"}, "it names no program");
+  is_refused({"race", "--mice", "guest:no-such-program-anywhere"}, "a path of your own has a slash, as in ./mouse");
+  is_refused({"race", "--mice", "flood,capstone:nowhere.py"}, "there is no file 'nowhere.py'");
+  is_refused({"race", "--mice", "capstone:" + file("robot.py", ""), "--python", "no-such-python"}, "no Python 'no-such-python'");
+  is_refused({"race", "--mice", "guest:a\tb"}, "cannot be printed");
+  is_refused({"run", "mms:ls", "corridor.txt"}, "`labmouse race` races it");
+  is_refused({"sweep", bad("end"), "--vary", "stride=1:2:1"}, "has no parameters");
+}
+
+TEST_F(AHostOfGuests, RunsThemSideBySide) {
+  // Each waits for the other one, so that neither would end if they ran in turn.
+  const auto json = race({"--jobs", "2", "--mice", bad("meet") + " here there", "--mice", bad("meet") + " there here", "--budget", "5",
+                          "--start-limit", "20", "--mazes", "corridor.txt"});
+  for (const auto& mouse : json.at("mice")) EXPECT_EQ(mouse["results"][0]["outcome"], "out of steps");
+}
+
+TEST_F(AHostOfGuests, AnInterruptEndsThemAndPrintsWhatIsDone) {
+  const Program program(folder_, {"race", "--jobs", "1", "--mice", bad("hang"), "--mice", "flood", "--mazes", "corridor.txt",
+                                  "--decision-limit", "60"});
+  while (tagged_processes() < 2) std::this_thread::yield();  // the race itself has the tag among its words, too
+  program.interrupt();
+  const Ended ended = program.wait();
+  EXPECT_EQ(ended.code, 130);
+  EXPECT_THAT(ended.out, HasSubstr("Stopped early: 1 of 2 contests done."));
+  EXPECT_THAT(ended.out, ContainsRegex("flood +1/1"));
+  EXPECT_EQ(tagged_processes(), 0);
+}
+
+TEST_F(AHostOfGuests, NothingOutlivesARaceThatIsKilled) {
+  const Program program(folder_, {"race", "--mice", bad("hang"), "--mazes", "corridor.txt", "--decision-limit", "60"});
+  while (tagged_processes() < 2) std::this_thread::yield();
+  program.kill();
+  EXPECT_EQ(program.wait().code, -SIGKILL);
+  while (tagged_processes() > 0) std::this_thread::yield();
+}
+
+}  // namespace
+}  // namespace labmouse::test
