@@ -158,7 +158,7 @@ TEST(MmsJson, AnUnsolvedRunLacksItsBestRunAndRatios) {
   EXPECT_TRUE(result.at("ratio").is_null());
   EXPECT_TRUE(result.at("run_ratio").is_null());
   EXPECT_EQ(result.at("log").size(), 2U);
-  EXPECT_EQ(result.at("errors")[0], "Traceback");
+  EXPECT_EQ(result.at("errors").at(0), "Traceback");
 }
 
 TEST(MmsJson, HasTheMeansOfTheTable) {
