@@ -219,13 +219,7 @@ void GuestProcess::read_status() {
 
 void GuestProcess::end(std::chrono::milliseconds grace) {
   if (keeper_ < 0) return;
-  close_end(input_);
-  for (const auto until = Clock::now() + grace; !status_ && Clock::now() < until;) {
-    look(std::min(until, Clock::now() + glance));
-    if (stop_ != nullptr && stop_->load()) break;
-    while (lines_.next()) {
-    }
-  }
+  if (grace > 0ms) wait_for_its_end(Clock::now() + grace);
   close_end(leash_);
   // Should the guest have stopped its keeper, it goes on now.
   kill(keeper_, SIGCONT);
@@ -234,7 +228,16 @@ void GuestProcess::end(std::chrono::milliseconds grace) {
   keeper_ = -1;
   read_last_errors();
   if (status_end_ >= 0) read_status();
-  for (int* end : {&output_, &errors_end_, &status_end_}) close_end(*end);
+  for (int* end : {&input_, &output_, &errors_end_, &status_end_}) close_end(*end);
+}
+
+void GuestProcess::wait_for_its_end(Clock::time_point until) {
+  close_end(input_);
+  while (!status_ && Clock::now() < until && (stop_ == nullptr || !stop_->load())) {
+    look(std::min(until, Clock::now() + glance));
+    // Nobody reads what it still says.
+    lines_ = LineBuffer(limits_.longest_line);
+  }
 }
 
 }  // namespace labmouse

@@ -77,8 +77,8 @@ class GuestProcess {
   /// How it ended; nothing while it runs.
   const std::optional<ExitStatus>& status() const { return status_; }
 
-  /// Closes its standard input, gives it that long to end by itself, and ends it with all that it started. What it still
-  /// writes to its standard error is kept; its output is dropped.
+  /// Closes its standard input and gives it that long to end by itself (none: it is not even told), then ends it with all
+  /// that it started. What it still writes to its standard error is kept; its output is dropped.
   void end(std::chrono::milliseconds grace);
 
   /// The last bytes of its standard error, as they came.
@@ -95,6 +95,7 @@ class GuestProcess {
   bool read_errors();
   void read_last_errors();
   void read_status();
+  void wait_for_its_end(Clock::time_point until);
 
   GuestLimits limits_;
   const std::atomic<bool>* stop_;

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <set>
 
 #include "labmouse/lab/drawing/words.hpp"
 #include "labmouse/lab/mms_report.hpp"
 #include "labmouse/lab/mms_standings.hpp"
+#include "labmouse/lab/mouse_names.hpp"
 #include "labmouse/lab/printable.hpp"
 #include "labmouse/lab/version.hpp"
 
@@ -19,25 +19,10 @@ std::string number(const std::optional<double>& value, int digits) {
   return value ? fmt::format("{:.{}f}", *value, digits) : "-";
 }
 
-/// The command, printable; the end of one that is longer than `most`, since that names the file.
-std::string short_name(const MmsMouse& mouse, std::size_t most) {
-  constexpr std::string_view world = "mms:";
-  std::string_view name = mouse.name;
-  if (name.starts_with(world)) name.remove_prefix(world.size());
-  const std::u32string letters = printable(name);
-  return letters.size() <= most ? utf8(letters) : "..." + utf8(letters.substr(letters.size() - most + 3));
-}
-
-/// The mice as the table calls them: short, as long as they stay different.
 std::vector<std::string> names_of(const MmsRace& race) {
-  for (const std::size_t most : {std::size_t{24}, std::size_t{48}, std::string::npos}) {
-    std::vector<std::string> names;
-    for (const MmsMouse& mouse : race.mice) names.push_back(short_name(mouse, most));
-    if (std::set<std::string>(names.begin(), names.end()).size() == names.size()) return names;
-  }
-  std::vector<std::string> names;
-  for (const MmsMouse& mouse : race.mice) names.push_back(shown(mouse.name));
-  return names;
+  std::vector<std::string> specs;
+  for (const MmsMouse& mouse : race.mice) specs.push_back(mouse.name);
+  return mouse_names(specs);
 }
 
 /// The cells of one line, mouse first.

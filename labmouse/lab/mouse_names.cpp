@@ -8,8 +8,14 @@
 namespace labmouse {
 namespace {
 
+/// The mice of mms stand in a table of their own, so none of them needs to be told by its world.
+std::string_view without_world(std::string_view spec) {
+  constexpr std::string_view mms = "mms:";
+  return spec.starts_with(mms) ? spec.substr(mms.size()) : spec;
+}
+
 std::string short_name(const std::string& spec, std::size_t most) {
-  const std::u32string letters = printable(spec);
+  const std::u32string letters = printable(without_world(spec));
   if (!is_guest_spec(spec) || letters.size() <= most) return utf8(letters);
   return "..." + utf8(letters.substr(letters.size() - most + 3));
 }

@@ -97,7 +97,7 @@ void misbehave(const std::string& how) {
   if (how == "close all") close(STDIN_FILENO), close(STDOUT_FILENO), close(STDERR_FILENO), hang();
   if (how == "eat memory") eat_memory();
   if (how == "burn")
-    for (volatile unsigned i = 0;; i = i + 1) {
+    for (volatile unsigned i = 0; i <= i;) {
     }
   if (how == "stop the keeper") kill(getppid(), SIGSTOP), say("what?"), hang();
   if (how == "kill the keeper") kill(getppid(), SIGKILL), hang();
