@@ -81,6 +81,11 @@ TEST(Templates, AreShort) {
   EXPECT_EQ(templates, 3);
 }
 
+TEST(Templates, OfPythonIsPrintedInThePage) {
+  const std::string page = content_of(LABMOUSE_SOURCE_DIR "/docs/guests.md");
+  EXPECT_THAT(page, testing::HasSubstr("```python guest.py\n" + content_of(path_of("guest.py")) + "```\n"));
+}
+
 INSTANTIATE_TEST_SUITE_P(In, ATemplate, testing::Values("guest.cpp", "guest.py", "guest.js"), [](const auto& name) {
   return std::string(name.param).substr(std::string_view("guest.").size());
 });

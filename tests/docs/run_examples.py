@@ -5,7 +5,8 @@ usage: run_examples.py PAGE.md PROGRAM
 
 In a block marked `console`, each line after `$ ` is a command, which lines after `> ` right below it continue, and the
 lines below it are what it prints. A line `...` stands for any lines; `...` at the end of a line for any rest of it. All
-blocks of a page run in one new folder, in order, by `sh`; `labmouse` is PROGRAM. Blocks marked otherwise are not run.
+blocks of a page run in one new folder, in order, by `sh`; `labmouse` is PROGRAM. A block marked with a language and a name,
+as in `python robot.py`, is saved as a file of that name. Blocks marked otherwise are not run.
 """
 
 import os
@@ -18,10 +19,16 @@ import tempfile
 def examples(page):
     """The examples of a page, each as [line number, command, expected lines]."""
     found = []
-    inside = False
+    inside = saving = False
     for number, line in enumerate(page.splitlines(), 1):
-        if line.startswith("```"):
+        if saving:
+            found[-1][1] += "\nend of file" if line == "```" else "\n" + line
+            saving = line != "```"
+        elif line.startswith("```"):
             inside = line == "```console"
+            saving = " " in line
+            if saving:
+                found.append([number, f"cat > {line.split()[1]} <<'end of file'", []])
         elif inside and line.startswith("$ "):
             found.append([number, line[2:], []])
         elif inside and found and (line == ">" or line.startswith("> ")) and not found[-1][2]:
