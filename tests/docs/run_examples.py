@@ -5,7 +5,7 @@ usage: run_examples.py PAGE.md PROGRAM
 
 In a block marked `console`, each line after `$ ` is a command, which lines after `> ` right below it continue, and the
 lines below it are what it prints. A line `...` stands for any lines; `...` at the end of a line for any rest of it. All
-blocks of a page run in one new folder, in order, by `sh`; `labmouse` is PROGRAM. A block marked with a language and a name,
+blocks of a page run in one new folder that has the project's `templates`, in order, by `sh`; `labmouse` is PROGRAM. A block marked with a language and a name,
 as in `python robot.py`, is saved as a file of that name. Blocks marked otherwise are not run.
 """
 
@@ -61,6 +61,8 @@ def main():
         environment = dict(os.environ, PATH=folder + ":" + os.environ["PATH"], NO_COLOR="1")
         work = os.path.join(folder, "work")
         os.mkdir(work)
+        # The pages name these as one sees them from the project's own folder.
+        os.symlink(os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../templates"), os.path.join(work, "templates"))
         for number, command, expected in found:
             run = subprocess.run(["sh", "-c", command], cwd=work, env=environment, stdin=subprocess.DEVNULL,
                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=120)
