@@ -14,10 +14,10 @@
 
 namespace labmouse::test {
 
-/// Time enough on a machine that does much else; and no test waits for it.
+/// Time enough on a machine that does much else; only a test that fails waits for it.
 inline GuestLimits patient() {
   GuestLimits limits;
-  limits.start = limits.decision = std::chrono::minutes(2);
+  limits.start = limits.decision = std::chrono::seconds(30);
   limits.contest = std::chrono::minutes(5);
   return limits;
 }

@@ -17,12 +17,9 @@ class Robot(object):
             self.cell, self.heading, self.racing = 0j, 1j, True
             return ("Reset", "Reset")
         rotation, way, cells = self.plan()
-        known = 0
+        known = 1  # at least: only behind the start is a wall that it did not see, and that is the border
         while known < cells and 2 * self.cell + (2 * known + 1) * way in self.is_open:
             known += 1
-        if known == 0:  # behind, at the start
-            self.heading *= -1j
-            return (90, 0)
         self.cell += known * way
         if way == -self.heading:
             return (0, -known)
