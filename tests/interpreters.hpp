@@ -7,8 +7,8 @@
 
 namespace labmouse::test {
 
-/// The first of the commands that runs with that argument and ends with exit code 0; empty where none does. A name in PATH
-/// is not enough: version managers leave names there that only say what is missing.
+/// The first of the commands that runs with that argument and ends with exit code 0; empty where none does. A name in
+/// PATH is not enough: version managers leave names there that only say what is missing.
 inline std::string first_that_runs(std::initializer_list<const char*> names, const std::string& argument) {
   for (const std::string name : names)
     if (std::system((name + " " + argument + " >/dev/null 2>&1 </dev/null").c_str()) == 0) return name;

@@ -12,12 +12,13 @@ class ARobotsOwner : public AUser {
   void SetUp() override {
     if (python3().empty()) GTEST_SKIP() << "no python3 that runs is in PATH";
     file("corridor.txt", corridor);
-    file("robot.py", "class Robot(object):\n"
-                     "    def __init__(self, maze_dim):\n"
-                     "        self.moves = [(90, 3), ('Reset', 'Reset'), (90, 3)]\n"
-                     "    def next_move(self, sensors):\n"
-                     "        print('sensors %s' % sensors)\n"
-                     "        return self.moves.pop(0)\n");
+    file("robot.py",
+         "class Robot(object):\n"
+         "    def __init__(self, maze_dim):\n"
+         "        self.moves = [(90, 3), ('Reset', 'Reset'), (90, 3)]\n"
+         "    def next_move(self, sensors):\n"
+         "        print('sensors %s' % sensors)\n"
+         "        return self.moves.pop(0)\n");
     file("broken.py", "class Robot(object):\n    def __init__(self, maze_dim):\n        self.dim = maze_dim / 0\n");
   }
 };
@@ -26,7 +27,8 @@ TEST_F(ARobotsOwner, RacesItBesideABuiltinMouse) {
   const auto race = AUser::race({"--mice", "flood,capstone:robot.py", "--mazes", "corridor.txt"});
   ASSERT_EQ(race.at("mice").size(), 2U);
   for (const auto& mouse : race.at("mice")) EXPECT_EQ(mouse.at("solved"), 1) << mouse;
-  EXPECT_EQ(race.at("mice").at(0).at("results").at(0).at("score"), race.at("mice").at(1).at("results").at(0).at("score"));
+  EXPECT_EQ(race.at("mice").at(0).at("results").at(0).at("score"),
+            race.at("mice").at(1).at("results").at(0).at("score"));
 }
 
 TEST_F(ARobotsOwner, GoesOnWhereOneDies) {

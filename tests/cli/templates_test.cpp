@@ -61,11 +61,13 @@ TEST_P(ATemplate, EntersAGoalOnWhichItStands) {
 }
 
 TEST_P(ATemplate, SkipsWhatItDoesNotKnowInTheBriefing) {
-  file("host.txt", "labmouse 1\nsize 6 1\nnews start 3 0 sense goal 1 1\nstart 0 0 east\ngoal 5 0\nstride 3\nbegin\nsense 0 5 0\n"
-                   "sense 0 4 0\nsense 0 3 0\nsense 0 2 0\nsense 0 1 0\nsense 0 0 0\nsense 0 5 0\nsense 0 2 0\n");
+  file("host.txt",
+       "labmouse 1\nsize 6 1\nnews start 3 0 sense goal 1 1\nstart 0 0 east\ngoal 5 0\nstride 3\nbegin\nsense 0 5 0\n"
+       "sense 0 4 0\nsense 0 3 0\nsense 0 2 0\nsense 0 1 0\nsense 0 0 0\nsense 0 5 0\nsense 0 2 0\n");
   const std::string run = "cd '" + folder_.string() + "' && " + command_ + " <host.txt >said.txt";
   EXPECT_EQ(std::system(run.c_str()), 0);
-  EXPECT_EQ(content("said.txt"), "labmouse 1\nmove 0 1\nmove 0 1\nmove 0 1\nmove 0 1\nmove 0 1\nreset\nmove 0 3\nmove 0 2\n");
+  EXPECT_EQ(content("said.txt"),
+            "labmouse 1\nmove 0 1\nmove 0 1\nmove 0 1\nmove 0 1\nmove 0 1\nreset\nmove 0 3\nmove 0 2\n");
 }
 
 TEST(Templates, AreShort) {

@@ -55,12 +55,15 @@ class ARobot : public testing::TestWithParam<const char*> {
   }
 
   /// A contest of a robot whose code this is.
-  RunRecord contest(const std::string& code, int budget = 10) const { return contest_of(file("robot.py", unindented(code)), budget); }
+  RunRecord contest(const std::string& code, int budget = 10) const {
+    return contest_of(file("robot.py", unindented(code)), budget);
+  }
 
   /// A contest of a robot whose next_move is these lines; `n` counts the calls from 1.
   RunRecord contest_by(const std::string& lines, int budget = 10) const {
-    std::string code = "class Robot(object):\n    n = 0\n    def __init__(self, maze_dim):\n        self.dim = maze_dim\n"
-                       "    def next_move(self, sensors):\n        self.n += 1\n";
+    std::string code =
+        "class Robot(object):\n    n = 0\n    def __init__(self, maze_dim):\n        self.dim = maze_dim\n"
+        "    def next_move(self, sensors):\n        self.n += 1\n";
     std::istringstream text(unindented(lines));
     for (std::string line; std::getline(text, line);) code += "        " + line + "\n";
     return contest_of(file("robot.py", code), budget);
@@ -73,8 +76,8 @@ class ARobot : public testing::TestWithParam<const char*> {
   }
 
   GuestOptions options_;
-  std::filesystem::path folder_ =
-      std::filesystem::temp_directory_path() / ("labmouse-robot-" + std::to_string(getpid()) + "-" + std::string(GetParam()));
+  std::filesystem::path folder_ = std::filesystem::temp_directory_path() /
+                                  ("labmouse-robot-" + std::to_string(getpid()) + "-" + std::string(GetParam()));
 };
 
 }  // namespace labmouse::test

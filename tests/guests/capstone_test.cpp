@@ -45,7 +45,8 @@ TEST_P(ARobot, IsToldTheWidthAndItsReadingsAsWholeNumbers) {
   const RunRecord record = contest_by(R"(
     sensors = [type(self.dim) is int and self.dim] + [type(s) is int and s for s in sensors]
     return sensors[self.n - 1], 0
-  )", 4);
+  )",
+                                      4);
   EXPECT_THAT(actions(record), ElementsAre(step(3, 0), step(0, 0), step(0, 0), step(2, 0)));
 }
 
@@ -67,28 +68,32 @@ TEST_P(ARobot, IsReadAsTheTesterOfTheProjectReadsIt) {
             self.moves = [
                 (90.0, 1.0), (-90, 2.9), (0, -2.9), (Number(90), Number(1.5)), [0, 1],
                 (False, True), (True, False), (45, 1), (-45.0, 1), (180, 1), (90.5, 1), (huge, -huge), (1e30, 1e30),
-                (nan, 1), (infinite, 1), (None, 1), ('90', 1), ('right', 1), ((), 1), ('Reset', 0), (u'Reset', u'Reset'),
-                ['Reset', 'Reset']]
+                (nan, 1), (infinite, 1), (None, 1), ('90', 1), ('right', 1), ((), 1), ('Reset', 0),
+                (u'Reset', u'Reset'), ['Reset', 'Reset']]
         def next_move(self, sensors):
             return self.moves.pop(0)
-  )", 22);
-  EXPECT_THAT(actions(record),
-              ElementsAre(step(90, 1), step(-90, 2), step(0, -2), step(90, 1), step(0, 1), step(0, 1), step(1, 0), step(45, 1),
-                          step(-45, 1), step(180, 1), step(1, 1), step(1'000'000, -1'000'000), step(1'000'000, 1'000'000), step(1, 1),
-                          step(1, 1), step(1, 1), step(1, 1), step(1, 1), step(1, 1), step(1, 0), reset, reset));
+  )",
+                                   22);
+  EXPECT_THAT(
+      actions(record),
+      ElementsAre(step(90, 1), step(-90, 2), step(0, -2), step(90, 1), step(0, 1), step(0, 1), step(1, 0), step(45, 1),
+                  step(-45, 1), step(180, 1), step(1, 1), step(1'000'000, -1'000'000), step(1'000'000, 1'000'000),
+                  step(1, 1), step(1, 1), step(1, 1), step(1, 1), step(1, 1), step(1, 1), step(1, 0), reset, reset));
 }
 
 TEST_P(ARobot, DiesOfAnAnswerOfWhichTheTesterWouldDie) {
-  for (const char* answer : {"None", "5", "'Reset'", "(0,)", "(0, 1, 2)", "(0, '1')", "(0, None)", "(0, 'Reset')", "('reset', 'reset')",
-                             "(0, float('nan'))", "(0, float('inf'))", "(0, [1])", "(0, 1j)"}) {
+  for (const char* answer : {"None", "5", "'Reset'", "(0,)", "(0, 1, 2)", "(0, '1')", "(0, None)", "(0, 'Reset')",
+                             "('reset', 'reset')", "(0, float('nan'))", "(0, float('inf'))", "(0, [1])", "(0, 1j)"}) {
     SCOPED_TRACE(answer);
-    expect_died(contest_by(std::string("return ") + answer), 1, HasSubstr("it has to return (rotation, movement) or ('Reset', 'Reset')"));
+    expect_died(contest_by(std::string("return ") + answer), 1,
+                HasSubstr("it has to return (rotation, movement) or ('Reset', 'Reset')"));
   }
 }
 
 TEST_P(ARobot, HearsWhatItReturned) {
   expect_died(contest_by("return (0, 'one')"), 1, HasSubstr("next_move returned (0, 'one'); it has"));
-  expect_died(contest_by("return ('x' * 9999,)"), 1, AllOf(HasSubstr("next_move returned ('xxx"), HasSubstr("it has to return")));
+  expect_died(contest_by("return ('x' * 9999,)"), 1,
+              AllOf(HasSubstr("next_move returned ('xxx"), HasSubstr("it has to return")));
 }
 
 // What else it writes and reads.
@@ -129,7 +134,8 @@ TEST_P(ARobot, ReadsAnEmptyInput) {
         ask()
     except EOFError:
         return 90, len(sys.stdin.read()) + len(os.read(0, 9))
-  )", 2);
+  )",
+                                      2);
   EXPECT_THAT(actions(record), ElementsAre(step(90, 0), step(90, 0)));
 }
 
@@ -154,12 +160,14 @@ TEST_P(ARobot, RunsInItsFolderWithWhatLiesBesideIt) {
             os.chdir('/')
             import late
             return self.moves.pop(0)
-  )", 3);
+  )",
+                                   3);
   EXPECT_THAT(actions(record), ElementsAre(step(90, 1), step(90, 2), step(90, 3))) << record.last_words;
 }
 
 TEST_P(ARobot, MayHaveAnyFileName) {
-  const char* code = "class Robot:\n    def __init__(self, dim): pass\n    def next_move(self, sensors): return 90, 0\n";
+  const char* code =
+      "class Robot:\n    def __init__(self, dim): pass\n    def next_move(self, sensors): return 90, 0\n";
   for (const char* name : {"my-robot v2.final.py", "robot.txt", "robot", "-c.py", "m\u00e4use.py"}) {
     SCOPED_TRACE(name);
     const RunRecord record = contest_of(file(name, code), 2);
@@ -169,7 +177,10 @@ TEST_P(ARobot, MayHaveAnyFileName) {
 
 TEST_P(ARobot, IsNotTheProgram) {
   EXPECT_EQ(contest("class Robot:\n    def __init__(self, dim): pass\n    def next_move(self, sensors): return 90, 0\n"
-                    "if __name__ == '__main__': raise SystemExit('run')\n", 2).outcome, Outcome::out_of_steps);
+                    "if __name__ == '__main__': raise SystemExit('run')\n",
+                    2)
+                .outcome,
+            Outcome::out_of_steps);
 }
 
 // How it dies.
@@ -184,12 +195,13 @@ TEST_P(ARobot, WithASyntaxErrorIsShownItsLine) {
 }
 
 TEST_P(ARobot, WhoseModuleFailsIsShownWhere) {
-  expect_died(contest("import no_such_module\n"), 1, AllOf(HasSubstr("robot.py\", line 1"), HasSubstr("no_such_module")));
+  expect_died(contest("import no_such_module\n"), 1,
+              AllOf(HasSubstr("robot.py\", line 1"), HasSubstr("no_such_module")));
 }
 
 TEST_P(ARobot, WhoseConstructorThrowsIsShownWhere) {
-  expect_died(contest("class Robot(object):\n    def __init__(self, dim):\n        raise ValueError('dim %d' % dim)\n"), 1,
-              AllOf(HasSubstr("robot.py\", line 3, in __init__"), HasSubstr("ValueError: dim 3")));
+  expect_died(contest("class Robot(object):\n    def __init__(self, dim):\n        raise ValueError('dim %d' % dim)\n"),
+              1, AllOf(HasSubstr("robot.py\", line 3, in __init__"), HasSubstr("ValueError: dim 3")));
 }
 
 TEST_P(ARobot, WithoutNextMoveDies) {
@@ -202,10 +214,12 @@ TEST_P(ARobot, ThatRaisesInAStepEndsInThatStep) {
 }
 
 TEST_P(ARobot, ThatExitsEndsInThatStepWithItsCode) {
-  for (const auto& [call, code] : {std::pair("sys.exit()", "exit code 0"), std::pair("sys.exit(3)", "exit code 3"),
-                                   std::pair("os._exit(4)", "exit code 4"), std::pair("sys.exit('enough')", "exit code 1\nenough")}) {
+  for (const auto& [call, code] :
+       {std::pair("sys.exit()", "exit code 0"), std::pair("sys.exit(3)", "exit code 3"),
+        std::pair("os._exit(4)", "exit code 4"), std::pair("sys.exit('enough')", "exit code 1\nenough")}) {
     SCOPED_TRACE(call);
-    expect_died(contest_by(std::string("import os, sys\nif self.n == 5: ") + call + "\nreturn 90, 0"), 5, HasSubstr(code));
+    expect_died(contest_by(std::string("import os, sys\nif self.n == 5: ") + call + "\nreturn 90, 0"), 5,
+                HasSubstr(code));
   }
 }
 
@@ -216,7 +230,8 @@ TEST_P(ARobot, ThatIsKilledIsSaidToBe) {
 }
 
 TEST_P(ARobot, ThatLeavesAProgramBehindHasDiedAllTheSame) {
-  expect_died(contest_by("import subprocess\nsubprocess.Popen(['sleep', '600'])\nreturn 1 / 0"), 1, HasSubstr("ZeroDivisionError"));
+  expect_died(contest_by("import subprocess\nsubprocess.Popen(['sleep', '600'])\nreturn 1 / 0"), 1,
+              HasSubstr("ZeroDivisionError"));
 }
 
 TEST_P(ARobot, KeepsTheLastOfMuchThatItSaid) {

@@ -1,5 +1,5 @@
-// The bridge and the simulator against each other: `flood`, written once more as a capstone robot, does step by step what
-// the mouse of the roster does.
+// The bridge and the simulator against each other: `flood`, written once more as a capstone robot, does step by step
+// what the mouse of the roster does.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -13,11 +13,12 @@ namespace {
 
 const std::string robot = "capstone:" LABMOUSE_SOURCE_DIR "/tests/guests/robots/flood.py";
 
-/// Whether a maze is as a robot takes it to be that is told no more than a size: square, from the corner northwards to the
-/// four cells in the centre; and the goal can be reached, without which the robot cannot end as the mouse does.
+/// Whether a maze is as a robot takes it to be that is told no more than a size: square, from the corner northwards to
+/// the four cells in the centre; and the goal can be reached, without which the robot cannot end as the mouse does.
 bool as_in_the_project(const Maze& maze) {
   const auto [width, height] = maze.size();
-  if (width != height || width % 2 != 0 || maze.start() != Cell{0, 0} || maze.start_heading() != Heading::north) return false;
+  if (width != height || width % 2 != 0 || maze.start() != Cell{0, 0} || maze.start_heading() != Heading::north)
+    return false;
   CellSet centre;
   for (const int x : {width / 2 - 1, width / 2})
     for (const int y : {width / 2 - 1, width / 2}) centre.insert({x, y});
@@ -33,7 +34,9 @@ void expect_equal_records(const std::vector<NamedMaze>& mazes, const std::string
   ASSERT_EQ(mice.error, "");
   std::map<std::size_t, std::map<std::size_t, RunRecord>> records;  // by maze and mouse
   RaceHooks hooks;
-  hooks.finished = [&](const Race&, const ContestResult& contest, const RunRecord& record) { records[contest.maze][contest.mouse] = record; };
+  hooks.finished = [&](const Race&, const ContestResult& contest, const RunRecord& record) {
+    records[contest.maze][contest.mouse] = record;
+  };
   const Race race = hold_race(std::move(mice.contestants), mazes, {}, hooks);
   ASSERT_EQ(records.size(), mazes.size());
   for (const auto& [maze, of] : records) {
@@ -65,13 +68,15 @@ TEST(TheRobotFlood, DoesSoUnderPython2) {
 }
 
 TEST(TheRobotFlood, DoesWhatTheMouseDoesInRealMazes) {
-  if (test::maze_files().empty()) GTEST_SKIP() << "no maze files in " << test::folder_of_mazes() << "; set LABMOUSE_MAZES";
+  if (test::maze_files().empty())
+    GTEST_SKIP() << "no maze files in " << test::folder_of_mazes() << "; set LABMOUSE_MAZES";
   if (test::python3().empty()) GTEST_SKIP() << "no python3 that runs is in PATH";
   std::vector<NamedMaze> mazes;
   // Every third: most of the time goes into the robot.
   const auto files = test::maze_files();
   for (std::size_t i = 0; i < files.size(); i += 3)
-    if (auto maze = test::maze_in_file(files[i]); maze && as_in_the_project(*maze)) mazes.push_back({files[i].string(), std::move(*maze)});
+    if (auto maze = test::maze_in_file(files[i]); maze && as_in_the_project(*maze))
+      mazes.push_back({files[i].string(), std::move(*maze)});
   expect_equal_records(mazes, test::python3());
 }
 

@@ -39,8 +39,8 @@ def answer(action):
 
 
 def degrees(rotation):
-    """A rotation as a whole number. The tester compares it with -90, 0 and 90, so that no value is wrong: any other one,
-    even text, is no rotation. Of those that are no whole numbers, 1 takes the place."""
+    """A rotation as a whole number. The tester compares it with -90, 0 and 90, so that no value is wrong: any other, even
+    text, is no rotation. Of those that are no whole numbers, 1 takes the place."""
     try:
         return within(rotation) if rotation == int(rotation) else 1
     except (TypeError, ValueError, OverflowError):

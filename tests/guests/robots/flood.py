@@ -1,6 +1,6 @@
 """The mouse `flood` (labmouse/strategies/flood.cpp) as a capstone robot. Python 2.7 and 3.
 
-A cell is a complex number and so is a direction: north is 1j, and times 1j turns left. A wall is the sum of its cells."""
+A cell is a complex number, and so is a direction: north is 1j, times 1j turns left. A wall is the sum of its cells."""
 
 
 class Robot(object):
@@ -33,7 +33,8 @@ class Robot(object):
     def plan(self):
         """The first move of a shortest way: ahead, left, right or back, and the longest."""
         away = self.flood()
-        for rotation, way in ((0, self.heading), (-90, self.heading * 1j), (90, self.heading * -1j), (0, -self.heading)):
+        for rotation, turn in ((0, 1), (-90, 1j), (90, -1j), (0, -1)):
+            way = self.heading * turn
             moves = [n for n, end in self.moves(self.cell, way) if away[end] + 1 == away[self.cell]]
             if moves:
                 return rotation, way, moves[-1]
