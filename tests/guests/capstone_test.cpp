@@ -165,6 +165,16 @@ TEST_P(ARobot, RunsInItsFolderWithWhatLiesBesideIt) {
   EXPECT_THAT(actions(record), ElementsAre(step(90, 1), step(90, 2), step(90, 3))) << record.last_words;
 }
 
+TEST_P(ARobot, LeavesNothingInItsFolder) {
+  unsetenv("PYTHONDONTWRITEBYTECODE");
+  file("helper.py", "");
+  const RunRecord record = contest(
+      "import helper\nclass Robot:\n    def __init__(self, dim): pass\n    next_move = lambda self, s: (0, 0)\n", 1);
+  EXPECT_EQ(record.outcome, Outcome::out_of_steps) << record.last_words;
+  for (const auto& left : std::filesystem::directory_iterator(folder_))
+    EXPECT_THAT(left.path().filename(), testing::AnyOf("robot.py", "helper.py"));
+}
+
 TEST_P(ARobot, MayHaveAnyFileName) {
   const char* code =
       "class Robot:\n    def __init__(self, dim): pass\n    def next_move(self, sensors): return 90, 0\n";

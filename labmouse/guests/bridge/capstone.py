@@ -62,6 +62,7 @@ def main():
         if words[0] == "size":
             size = int(words[1])
         line = questions.readline()
+    sys.dont_write_bytecode = True  # many robots side by side, and nothing of ours in their folder
     module = load(os.path.abspath(sys.argv[1]))
     if not hasattr(module, "Robot"):
         sys.exit("%s has no class Robot" % sys.argv[1])
