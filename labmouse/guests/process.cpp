@@ -112,7 +112,8 @@ void GuestProcess::start(const Launch& launch, Pipes& pipes) {
   leash_ = std::exchange(pipes.leash.write, -1);
   for (const int end : {input_, output_, errors_end_, status_end_}) fcntl(end, F_SETFL, O_NONBLOCK);
   // Now the keeper alone has its ends: each is at its end when the keeper and the guest let go of it.
-  for (int* end : {&pipes.input.read, &pipes.output.write, &pipes.errors.write, &pipes.failure.write, &pipes.status.write, &pipes.leash.read})
+  for (int* end : {&pipes.input.read, &pipes.output.write, &pipes.errors.write, &pipes.failure.write, &pipes.status.write,
+                   &pipes.leash.read})
     close_end(*end);
   int reason = 0;
   while (read(pipes.failure.read, &reason, sizeof reason) < 0 && errno == EINTR) {
@@ -164,6 +165,8 @@ void GuestProcess::write_some() {
     if (count < 0 && errno == EAGAIN) return;
     if (count < 0) return drop_input();
     sent_ += static_cast<std::size_t>(count);
+    // A guest that always leaves something unread must not make us keep all that it did read.
+    if (sent_ > unsent_.size() / 2) unsent_.erase(0, std::exchange(sent_, 0));
   }
   unsent_.clear();
   sent_ = 0;

@@ -1,0 +1,99 @@
+#include "labmouse/guests/process.hpp"
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+
+#include "tests/guests/bad_guests.hpp"
+
+namespace labmouse {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// Waits until there is no more output; returns what ended it.
+GuestEvent exhaust(GuestProcess& process, int& lines) {
+  const auto deadline = GuestProcess::Clock::now() + 20s;
+  for (;;) {
+    const GuestEvent event = process.wait(deadline);
+    while (process.lines().next()) ++lines;
+    if (event != GuestEvent::output) return event;
+  }
+}
+
+Launch launch_of(std::vector<std::string> words) {
+  Launch launch;
+  launch.words = std::move(words);
+  return launch;
+}
+
+TEST(GuestProcess, HandsOutAllThatAProgramSaidBeforeItEnded) {
+  // More than pipes and single reads hold.
+  GuestProcess process(launch_of({"/bin/sh", "-c", "seq 1 100000; exit 7"}));
+  int lines = 0;
+  EXPECT_EQ(exhaust(process, lines), GuestEvent::ended);
+  EXPECT_EQ(lines, 100'000);
+  EXPECT_EQ(process.status(), (ExitStatus{7, 0}));
+}
+
+TEST(GuestProcess, TakesMoreThanAPipeHolds) {
+  GuestProcess process(launch_of({"/bin/sh", "-c", "read first; wc -l >&2; echo done"}));
+  std::string lines;
+  for (int i = 0; i < 100'001; ++i) lines += "a line\n";
+  process.send(lines);
+  EXPECT_GT(process.unsent(), 0U);
+  const auto deadline = GuestProcess::Clock::now() + 20s;
+  while (process.unsent() > 0) ASSERT_EQ(process.wait(deadline), GuestEvent::output);
+  process.end(20s);
+  EXPECT_EQ(process.status(), ExitStatus());
+  EXPECT_EQ(process.errors(), "100000\n");
+}
+
+TEST(GuestProcess, LetsAProgramEndByItselfWhereThatIsAskedFor) {
+  GuestProcess patient(launch_of({"/bin/sh", "-c", "read line; echo noted >&2"}));
+  patient.end(20s);
+  EXPECT_EQ(patient.errors(), "noted\n");
+  EXPECT_EQ(patient.status(), ExitStatus());
+}
+
+TEST(GuestProcess, TellsAProgramNothingThatItEndsAtOnce) {
+  GuestProcess process(launch_of({"/bin/sh", "-c", "echo ready; read line; echo noted >&2"}));
+  EXPECT_EQ(process.wait(GuestProcess::Clock::now() + 20s), GuestEvent::output);
+  process.end(0ms);
+  EXPECT_EQ(process.errors(), "");
+  EXPECT_EQ(process.status(), (ExitStatus{0, SIGKILL}));
+}
+
+TEST(GuestProcess, GivesAProgramTheSignalsOfAFreshStart) {
+  // A shell shows which signals it was started without; the tests' own program ignores broken pipes.
+  GuestProcess process(launch_of({"/bin/sh", "-c", "grep -E 'Sig(Ign|Blk)' /proc/self/status"}));
+  EXPECT_EQ(process.wait(GuestProcess::Clock::now() + 20s), GuestEvent::output);
+  EXPECT_EQ(process.lines().rest(), "SigBlk:\t0000000000000000\nSigIgn:\t0000000000000000\n");
+}
+
+TEST(GuestProcess, StandsInAGroupAndASessionOfItsOwn) {
+  GuestProcess process(launch_of({"/bin/sh", "-c", "cut -d' ' -f5,6 /proc/$$/stat; echo $$"}));
+  EXPECT_EQ(process.wait(GuestProcess::Clock::now() + 20s), GuestEvent::output);
+  int lines = 0;
+  std::string text(process.lines().rest());
+  EXPECT_EQ(exhaust(process, lines), GuestEvent::ended);
+  const auto group = std::stoi(text), session = std::stoi(text.substr(text.find(' ')));
+  EXPECT_NE(group, getpgrp());
+  EXPECT_NE(session, getsid(0));
+}
+
+TEST(GuestProcess, InheritsNothingButItsThreeStreams) {
+  const GuestProcess other(launch_of({"/bin/cat"}));
+  GuestProcess process(launch_of({"/bin/ls", "/proc/self/fd"}));
+  int lines = 0;
+  EXPECT_EQ(exhaust(process, lines), GuestEvent::ended);
+  EXPECT_EQ(lines, 4) << "the fourth is the folder that it lists";
+}
+
+TEST(GuestProcess, SaysHowItEnded) {
+  EXPECT_EQ(describe(ExitStatus{3, 0}), "exit code 3");
+  EXPECT_EQ(describe(ExitStatus{0, SIGSEGV}), "signal 11 (Segmentation fault)");
+}
+
+}  // namespace
+}  // namespace labmouse
