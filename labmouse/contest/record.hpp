@@ -71,7 +71,7 @@ struct RunRecord {
   Outcome outcome = Outcome::out_of_steps;
   /// Where the mouse stood at the end.
   Pose end;
-  /// What a mouse that gave up had to say, for people; of several lines, in whatever encoding it wrote.
+  /// What the mouse had to say, for people, in lines of whatever encoding; see Strategy::last_words.
   std::string last_words;
   /// The mouse's own counters at the end, sorted by name.
   std::vector<Count> counts;

@@ -9,17 +9,22 @@
 namespace labmouse {
 namespace {
 
-/// The second number of a Python 3's version; nothing where it does not run or is another Python.
-std::optional<int> minor_version(const std::string& python) {
+/// The first line that a Python prints for a script; empty where it does not run.
+std::string first_line(const std::string& python, const std::string& script) {
   Launch launch;
-  launch.words = {python, "-c", "import sys; print(sys.version_info[1] if sys.version_info[0] == 3 else 'old')"};
+  launch.words = {python, "-c", script};
   GuestProcess process(launch);
   const auto deadline = GuestProcess::Clock::now() + launch.limits.start;
   while (process.wait(deadline) == GuestEvent::output) {
   }
-  const auto line = process.lines().next();
+  return std::string(process.lines().next().value_or(""));
+}
+
+/// The second number of a Python 3's version; nothing where it does not run or is another Python.
+std::optional<int> minor_version(const std::string& python) {
+  const std::string line = first_line(python, "import sys; print(sys.version_info[1] if sys.version_info[0] == 3 else 'old')");
   int minor = 0;
-  if (!line || std::from_chars(line->data(), line->data() + line->size(), minor).ec != std::errc()) return std::nullopt;
+  if (std::from_chars(line.data(), line.data() + line.size(), minor).ec != std::errc()) return std::nullopt;
   return minor;
 }
 
@@ -42,6 +47,8 @@ Launch capstone_launch(const std::string& robot, const std::string& python) {
   launch.directory = path.parent_path().string();
   return launch;
 }
+
+bool python_runs(const std::string& python) { return first_line(python, "print('runs')") == "runs"; }
 
 const std::string& newest_python3() {
   static const std::string newest = find_newest_python3();

@@ -25,6 +25,12 @@ std::string in_seconds(std::chrono::steady_clock::duration time) {
   return fmt::format("{:.3g} s", std::chrono::duration<double>(time).count());
 }
 
+/// A text without the ends of its last lines.
+std::string_view without_end(std::string_view text) {
+  while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.remove_suffix(1);
+  return text;
+}
+
 }  // namespace
 
 GuestMind::GuestMind(const Launch& launch, const Briefing& briefing)
@@ -32,14 +38,17 @@ GuestMind::GuestMind(const Launch& launch, const Briefing& briefing)
       knowledge_(briefing.size),
       contest_end_(Clock::now() + launch.limits.contest),
       process_(launch) {
-  if (!process_.error().empty()) give_up(ForfeitReason::not_started, process_.error());
+  if (!process_.error().empty()) {
+    give_up(ForfeitReason::not_started, process_.error());
+    return;
+  }
   process_.send(briefing_text(briefing));
+  greet();
 }
 
 GuestMind::~GuestMind() { process_.end(grace); }
 
 Action GuestMind::decide(const Sighting& seen) {
-  if (!greeted_) greet();
   if (reason_ != ForfeitReason::none) return Action::forfeit(reason_);
   process_.send(question(seen));
   const auto line = hear(limits_.decision);
@@ -58,10 +67,9 @@ Action GuestMind::decide(const Sighting& seen) {
 }
 
 void GuestMind::greet() {
-  greeted_ = true;
-  if (reason_ != ForfeitReason::none) return;
   const auto line = hear(limits_.start);
-  if (!line || *line == guest_greeting) return;
+  greeted_ = line == guest_greeting;
+  if (!line || greeted_) return;
   const char* hint = *line == "mazeWidth" || *line == "mazeHeight" || line->starts_with("wall")
                          ? "; it seems to be written for mms: race it as mms:COMMAND" : "";
   give_up(ForfeitReason::rubbish, fmt::format("its first line is {} and not '{}'{}", quote(*line), guest_greeting, hint));
@@ -93,7 +101,9 @@ std::optional<std::string_view> GuestMind::hear(std::chrono::milliseconds limit)
 
 void GuestMind::give_up(GuestEvent event, std::chrono::milliseconds limit) {
   switch (event) {
-    case GuestEvent::ended: return give_up(ForfeitReason::died, "it ended with " + describe(process_.status().value_or(ExitStatus())));
+    case GuestEvent::ended:
+      return give_up(ForfeitReason::died, fmt::format("it ended with {}{}", describe(process_.status().value_or(ExitStatus())),
+                                                      greeted_ ? "" : fmt::format(" before it said '{}'", guest_greeting)));
     case GuestEvent::left: return give_up(ForfeitReason::left, "it ended, and what it had started held its output open");
     case GuestEvent::closed: return give_up(ForfeitReason::closed, "it closed its standard output");
     case GuestEvent::interrupted: return give_up(ForfeitReason::interrupted, "it was stopped");
@@ -103,16 +113,18 @@ void GuestMind::give_up(GuestEvent event, std::chrono::milliseconds limit) {
   if (Clock::now() >= contest_end_)
     return give_up(ForfeitReason::out_of_time, fmt::format("its contest took more than {}", in_seconds(limits_.contest)));
   if (process_.deaf()) return give_up(ForfeitReason::closed, "it closed its standard input");
-  give_up(ForfeitReason::hung, fmt::format("it gave no answer in {}; {} are allowed", in_seconds(2 * limit), in_seconds(limit)));
+  const std::string_view begun = process_.lines().rest();
+  const std::string hint = !begun.empty() ? fmt::format("; it wrote {} without the line's end", quote(begun))
+                           : greeted_     ? std::string()
+                                          : std::string("; does it flush after each line?");
+  give_up(ForfeitReason::hung, fmt::format("it gave no answer in {}; {} are allowed{}", in_seconds(2 * limit), in_seconds(limit), hint));
 }
 
 void GuestMind::give_up(ForfeitReason reason, std::string sentence) {
   reason_ = reason;
   process_.end(0ms);
-  last_words_ = std::move(sentence);
-  std::string_view errors = process_.errors();
-  while (!errors.empty() && (errors.back() == '\n' || errors.back() == '\r')) errors.remove_suffix(1);
-  if (!errors.empty()) last_words_ += fmt::format("\n{}", errors);
+  const std::string_view errors = without_end(process_.errors());
+  last_words_ = errors.empty() ? std::move(sentence) : fmt::format("{}\n{}", sentence, errors);
 }
 
 }  // namespace labmouse

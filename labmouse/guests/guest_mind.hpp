@@ -9,7 +9,7 @@
 
 namespace labmouse {
 
-/// Starts the program, greets it, and asks it at each step. A program that does not play by the protocol or its limits is
+/// Starts the program and greets it, then asks it at each step. A program that does not play by the protocol or its limits is
 /// ended, and what it did is a forfeit with that reason.
 class GuestMind final : public Strategy {
  public:
@@ -19,7 +19,7 @@ class GuestMind final : public Strategy {
   Action decide(const Sighting& seen) override;
   /// Nothing: what a guest believes nobody sees.
   const Knowledge& knowledge() const override { return knowledge_; }
-  std::string_view last_words() const override { return last_words_; }
+  std::string_view last_words() override { return reason_ == ForfeitReason::none ? process_.errors() : last_words_; }
 
  private:
   using Clock = GuestProcess::Clock;

@@ -8,6 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -28,16 +29,18 @@ void report(int descriptor, int value) {
   _exit(127);
 }
 
-void limit(int resource, rlim_t most) {
+void limit(int resource, rlim_t most, rlim_t beyond = 0) {
   rlimit now{};
-  if (getrlimit(static_cast<__rlimit_resource>(resource), &now) == 0 && most > now.rlim_max) most = now.rlim_max;
-  const rlimit wanted = {most, most};
+  if (getrlimit(static_cast<__rlimit_resource>(resource), &now) != 0) return;
+  const rlimit wanted = {std::min(most, now.rlim_max), std::min(most + beyond, now.rlim_max)};
   // A limit that cannot be set leaves the others and the wall clock.
   setrlimit(static_cast<__rlimit_resource>(resource), &wanted);
 }
 
 void limit_all(const GuestLimits& limits) {
-  limit(RLIMIT_CPU, static_cast<rlim_t>(limits.processor_seconds));
+  // A second between the two: at the first limit comes a signal that says which limit it was, at the second no other than
+  // for everything else.
+  limit(RLIMIT_CPU, static_cast<rlim_t>(limits.processor_seconds), 1);
   // Memory that is written to. Address space would be the wrong measure: some interpreters reserve gigabytes unused.
   limit(RLIMIT_DATA, limits.memory);
   limit(RLIMIT_CORE, 0);
@@ -70,14 +73,8 @@ void reset_signals() {
 int moved_up(int descriptor) { return descriptor > STDERR_FILENO ? descriptor : fcntl(descriptor, F_DUPFD_CLOEXEC, 3); }
 
 void close_all_but(const std::array<int, 6>& kept) {
-  // Sorted by insertion, for the gaps between them.
   std::array<int, 6> sorted = kept;
-  for (std::size_t i = 1; i < sorted.size(); ++i)
-    for (std::size_t j = i; j > 0 && sorted[j] < sorted[j - 1]; --j) {
-      const int swapped = sorted[j];
-      sorted[j] = sorted[j - 1];
-      sorted[j - 1] = swapped;
-    }
+  std::sort(sorted.begin(), sorted.end());
   unsigned first = STDERR_FILENO + 1;
   for (const int descriptor : sorted) {
     const auto number = static_cast<unsigned>(descriptor);
@@ -88,7 +85,7 @@ void close_all_but(const std::array<int, 6>& kept) {
 }
 
 /// Ends each child of this process; those of a child that ends come to be ours, since nobody else takes them. False where
-/// the system does not tell who they are.
+/// the system does not tell who they are, or where one of them is of another user and may not be ended.
 bool kill_children() {
   std::array<char, 4096> text{};
   const int list = open("/proc/thread-self/children", O_RDONLY | O_CLOEXEC);
@@ -96,22 +93,22 @@ bool kill_children() {
   const ssize_t size = read(list, text.data(), text.size());
   close(list);
   pid_t number = 0;
+  bool all = true;
   for (ssize_t i = 0; i < size; ++i) {
     const char letter = text[static_cast<std::size_t>(i)];
     if (letter >= '0' && letter <= '9') {
       number = number * 10 + (letter - '0');
       continue;
     }
-    if (number > 0) kill(number, SIGKILL);
+    if (number > 0 && kill(number, SIGKILL) != 0 && errno != ESRCH) all = false;
     number = 0;
   }
-  return true;
+  return all;
 }
 
 /// Ends all descendants and buries them.
-void end_all(pid_t group) {
+void end_all() {
   for (;;) {
-    kill(-group, SIGKILL);
     // To wait for one that was not killed could take for ever.
     if (waitpid(-1, nullptr, kill_children() ? 0 : WNOHANG) <= 0) return;
   }
@@ -124,6 +121,8 @@ void note_child_ended(int) {}
 void keep_guest(const char* path, char* const* words, const char* directory, const GuestLimits& limits, const KeptEnds& ends) {
   const KeptEnds kept = {moved_up(ends.input),   moved_up(ends.output), moved_up(ends.errors),
                          moved_up(ends.failure), moved_up(ends.status), moved_up(ends.leash)};
+  for (const int end : {kept.input, kept.output, kept.errors, kept.failure, kept.status, kept.leash})
+    if (end < 0) fail(ends);
   // A session of its own: Ctrl-C and a closed terminal are not for guests. Of other guests it must hold nothing.
   setsid();
   close_all_but({kept.input, kept.output, kept.errors, kept.failure, kept.status, kept.leash});
@@ -144,14 +143,20 @@ void keep_guest(const char* path, char* const* words, const char* directory, con
   setpgid(guest, guest);  // here too: whichever of the two comes first
   for (const int descriptor : {kept.input, kept.output, kept.errors, kept.failure}) close(descriptor);
 
+  bool runs = true;
   for (;;) {
     pollfd leash = {kept.leash, POLLIN, 0};
     if (ppoll(&leash, 1, nullptr, &before) > 0) break;
     int status = 0;
-    for (pid_t ended; (ended = waitpid(-1, &status, WNOHANG)) > 0;)
-      if (ended == guest) report(kept.status, status);
+    for (pid_t ended; (ended = waitpid(-1, &status, WNOHANG)) > 0;) {
+      if (ended != guest) continue;
+      report(kept.status, status);
+      runs = false;
+    }
   }
-  end_all(guest);
+  // The whole group in one stroke, lest it forks faster than we look. Once the guest was buried its number may be another's.
+  if (runs) kill(-guest, SIGKILL);
+  end_all();
   _exit(0);
 }
 

@@ -197,6 +197,14 @@ bool GuestProcess::read_errors() {
   return true;
 }
 
+std::string_view GuestProcess::errors() {
+  // As much as a pipe can hold, and no more of one who never stops.
+  constexpr int portions = 16;
+  for (int i = 0; i < portions && errors_end_ >= 0 && read_errors(); ++i) {
+  }
+  return errors_;
+}
+
 void GuestProcess::read_last_errors() {
   // The end comes when the last process has gone that could still write, which is now or in a moment.
   constexpr int moment = 200;  // milliseconds

@@ -48,7 +48,8 @@ struct ExitStatus {
 std::string describe(const ExitStatus& status);
 
 /// One guest. A keeper process between it and us gathers all that the guest leaves behind, even what left its process
-/// group, and ends it when this object goes or when our own process dies. Linux only.
+/// group, and ends it when this object goes or when our own process dies. Only a guest that kills its keeper, or that runs
+/// programs with the rights of another user, can leave something behind. Linux only.
 class GuestProcess {
  public:
   using Clock = std::chrono::steady_clock;
@@ -81,8 +82,8 @@ class GuestProcess {
   /// that it started. What it still writes to its standard error is kept; its output is dropped.
   void end(std::chrono::milliseconds grace);
 
-  /// The last bytes of its standard error, as they came.
-  std::string_view errors() const { return errors_; }
+  /// The last bytes of its standard error, as they came; of a program that runs, up to now.
+  std::string_view errors();
 
  private:
   struct Pipes;

@@ -53,8 +53,15 @@ Contestant contestant_of(const RosterEntry& entry, Settings settings) {
   return contestant;
 }
 
+/// What a mouse's name cannot be, but a program's path or a piece of a command.
+bool looks_like_a_program(std::string_view name) {
+  return name.find_first_of("/ ~") != std::string_view::npos || name.ends_with(".py") || name.ends_with(".js");
+}
+
 std::string unknown_mouse(std::string_view name) {
-  std::vector<std::string_view> names = {oracle_name};
+  if (looks_like_a_program(name))
+    return fmt::format("mouse '{}' is unknown; a program of yours is 'capstone:FILE', 'guest:COMMAND' or 'mms:COMMAND', in quotes", name);
+  std::vector<std::string_view> names = {oracle_name, "capstone", "guest", "mms"};
   for (const RosterEntry* entry : roster()) names.push_back(entry->name);
   const auto near = nearest_name(name, names);
   const auto hint = near.empty() ? std::string() : fmt::format("did you mean '{}'? ", near);

@@ -1,8 +1,11 @@
 #include "labmouse/lab/guest_specs.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <filesystem>
 
 #include "labmouse/contest/simulator.hpp"
@@ -35,18 +38,55 @@ Contestant contestant_of(std::string name, Launch launch, int runs) {
   return contestant;
 }
 
-/// How to start what stands behind the colon of `capstone:`; on failure sets the error.
-Launch robot_launch(const std::string& file, const GuestOptions& options, std::string& error) {
+/// A file as users name it: a shell does not see a `~` behind a colon, so it is still there.
+std::string from_home(const std::string& file) {
+  const char* home = std::getenv("HOME");
+  return file.starts_with("~/") && home != nullptr ? home + file.substr(1) : file;
+}
+
+/// Why a robot's file is none.
+std::string no_robot(const std::string& file) {
   std::error_code failure;
+  if (fs::is_directory(file, failure)) return fmt::format("'{}' is a folder; name the Python file with the class Robot", file);
+  const auto comma = file.find(',');
+  if (comma != std::string::npos && fs::exists(file.substr(0, comma), failure))
+    return fmt::format("there is no file '{}'; a guest takes all behind its colon, so name other mice before it or with another --mice", file);
+  return fmt::format("there is no file '{}'; write capstone:FILE, the Python file with the class Robot", file);
+}
+
+/// Why a command's first word is no program.
+std::string no_program(const std::string& name, const std::string& directory) {
+  std::error_code failure;
+  const fs::path path = fs::path(directory) / name;
+  const std::string ending = fs::path(name).extension().string();
+  if (!fs::exists(path, failure)) {
+    const char* hint = name.find('/') == std::string::npos ? " in PATH; a path of your own has a slash, as in ./mouse"
+                       : name.starts_with('~')             ? "; no shell sees the command, so write the whole path for ~"
+                                                           : "";
+    return fmt::format("there is no program '{}' that can be executed{}", name, hint);
+  }
+  if (ending == ".py") return fmt::format("'{}' cannot be executed; write 'python3 {}'", name, name);
+  if (ending == ".js") return fmt::format("'{}' cannot be executed; write 'node {}'", name, name);
+  if (name.find('/') == std::string::npos && access(path.c_str(), X_OK) == 0)
+    return fmt::format("'{}' is not in PATH; a path of your own has a slash: ./{}", name, name);
+  return fmt::format("'{}' cannot be executed; is it a program, and compiled?", name);
+}
+
+/// How to start what stands behind the colon of `capstone:`; on failure sets the error.
+Launch robot_launch(const std::string& named, const GuestOptions& options, std::string& error) {
+  std::error_code failure;
+  const std::string file = from_home(named);
   if (!fs::is_regular_file(file, failure)) {
-    error = fmt::format("there is no file '{}'; write capstone:FILE, the Python file with the class Robot", file);
+    error = no_robot(file);
     return {};
   }
-  const std::string python = options.python.empty() ? newest_python3() : anchored(options.python);
+  const std::string python = options.python.empty() ? newest_python3() : anchored(from_home(options.python));
   if (python.empty())
     error = "no python3 was found in PATH; name one with --python";
   else if (program_path(python, "").empty())
     error = fmt::format("there is no Python '{}' that can be executed", python);
+  else if (!options.python.empty() && !python_runs(python))
+    error = fmt::format("'{}' is no Python that runs", python);
   return capstone_launch(fs::absolute(file, failure).string(), python);
 }
 
@@ -57,8 +97,7 @@ Launch command_launch(const std::string& command, const GuestOptions& options, s
   if (launch.words.empty())
     error = "it names no program";
   else if (program_path(launch.words.front(), launch.directory).empty())
-    error = fmt::format("there is no program '{}' that can be executed{}", launch.words.front(),
-                        launch.words.front().find('/') == std::string::npos ? " in PATH; a path of your own has a slash, as in ./mouse" : "");
+    error = no_program(launch.words.front(), launch.directory);
   return launch;
 }
 

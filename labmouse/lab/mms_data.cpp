@@ -75,7 +75,7 @@ std::string csv_line(const MmsRace& race, const MmsResult& result) {
                                  csv_field(race.mazes[result.maze].name), name_of(run.outcome), csv_field(run.end),
                                  run.statistics.solved, csv_number(best_run(run.statistics)), csv_number(bound.run),
                                  csv_number(bound.score));
-  for (const auto& [name, value] : mms_statistic_names) line += fmt::format(",{}", run.statistics.*value);
+  for (const MmsStatistic& statistic : mms_statistics) line += fmt::format(",{}", run.statistics.*statistic.value);
   return line + fmt::format(",{},{},{:.3f},{:.3f}\n", run.lines, run.invalid_lines, run.clock, run.seconds);
 }
 
@@ -93,7 +93,7 @@ Json group_json(const MmsRace& race) {
 
 std::string csv_of(const MmsRace& race) {
   std::string text = "mouse,maze,outcome,end,solved,best_run,possible_run,possible_score";
-  for (const auto& [name, value] : mms_statistic_names) text += fmt::format(",{}", name);
+  for (const MmsStatistic& statistic : mms_statistics) text += fmt::format(",{}", statistic.name);
   text += ",lines,invalid_lines,simulated_seconds,seconds\n";
   for (const MmsResult& result : race.results)
     if (result.done) text += csv_line(race, result);

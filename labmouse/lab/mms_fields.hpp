@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cstdint>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
@@ -13,25 +12,6 @@
 #include "labmouse/guests/mms/statistics.hpp"
 
 namespace labmouse {
-
-struct MmsStatisticName {
-  std::string_view name;  ///< as `getStat` takes it
-  float MmsStatistics::*value;
-};
-
-/// All names that mms knows.
-inline constexpr std::array<MmsStatisticName, 10> mms_statistic_names = {{
-    {"total-distance", &MmsStatistics::total_distance},
-    {"total-effective-distance", &MmsStatistics::total_effective_distance},
-    {"total-turns", &MmsStatistics::total_turns},
-    {"current-run-distance", &MmsStatistics::current_run_distance},
-    {"current-run-effective-distance", &MmsStatistics::current_run_effective_distance},
-    {"current-run-turns", &MmsStatistics::current_run_turns},
-    {"best-run-distance", &MmsStatistics::best_run_distance},
-    {"best-run-effective-distance", &MmsStatistics::best_run_effective_distance},
-    {"best-run-turns", &MmsStatistics::best_run_turns},
-    {"score", &MmsStatistics::score},
-}};
 
 /// The shortest decimal number that gives this 32-bit one: 265.2, where a mere conversion would give 265.2000122.
 inline double decimal(float value) { return std::strtod(fmt::format("{}", value).c_str(), nullptr); }
@@ -56,7 +36,7 @@ inline nlohmann::ordered_json short_json(float value) {
 
 inline nlohmann::ordered_json statistics_json(const MmsStatistics& statistics) {
   auto json = nlohmann::ordered_json::object();
-  for (const auto& [name, value] : mms_statistic_names) json[std::string(name)] = short_json(statistics.*value);
+  for (const MmsStatistic& statistic : mms_statistics) json[std::string(statistic.name)] = short_json(statistics.*statistic.value);
   return json;
 }
 

@@ -75,9 +75,9 @@ MmsRace hold_mms_race(std::vector<MmsMouse> mice, std::vector<NamedMaze> mazes, 
   return race;
 }
 
-std::vector<std::string> last_lines(std::string_view errors) {
+std::vector<std::string> last_lines(std::string_view errors, std::size_t most) {
   std::vector<std::string> lines;
-  while (!errors.empty() && lines.size() < kept_error_lines) {
+  while (!errors.empty() && lines.size() < most) {
     const auto end = errors.rfind('\n');
     const std::string_view line = end == std::string_view::npos ? errors : errors.substr(end + 1);
     if (line.find_first_not_of(" \t\r") != std::string_view::npos) lines.emplace_back(line.substr(0, kept_text));

@@ -58,7 +58,7 @@ struct MmsRaceHooks {
 MmsRace hold_mms_race(std::vector<MmsMouse> mice, std::vector<NamedMaze> mazes, const MmsRaceOrder& order,
                       const MmsRaceHooks& hooks = {});
 
-/// The last lines of what a program wrote to its standard error, blank ones left out, at most kept_error_lines of them.
-std::vector<std::string> last_lines(std::string_view errors);
+/// The last lines of what a program wrote to its standard error, blank ones left out.
+std::vector<std::string> last_lines(std::string_view errors, std::size_t most = kept_error_lines);
 
 }  // namespace labmouse

@@ -42,11 +42,15 @@ MmsRecorder::MmsRecorder(const std::string& mouse, const NamedMaze& maze, std::i
 }
 
 void MmsRecorder::add(const MmsEvent& event) {
-  if (events_++ < most_) text_ += record_line(event_json(event));
+  ++events_;
+  // Once one was left out all are, so that what is there has no gap.
+  if (written_ + 1 < events_ || written_ >= most_ || text_.size() >= most_recorded_bytes) return;
+  text_ += record_line(event_json(event));
+  ++written_;
 }
 
 std::string MmsRecorder::finish(const MmsRun& run) {
-  if (events_ > most_) text_ += record_line({{"left_out", events_ - most_}});
+  if (events_ > written_) text_ += record_line({{"left_out", events_ - written_}});
   text_ += record_line(end_json(run));
   return std::move(text_);
 }

@@ -9,8 +9,9 @@
 
 namespace labmouse {
 
-/// A record has at most so many events.
+/// A record has at most so many events, and no more once it has so many bytes.
 inline constexpr std::int64_t most_recorded_events = 1'000'000;
+inline constexpr std::size_t most_recorded_bytes = std::size_t{64} << 20U;
 
 /// Writes down one run while it goes on.
 class MmsRecorder {
@@ -26,6 +27,7 @@ class MmsRecorder {
  private:
   std::int64_t most_;
   std::int64_t events_ = 0;
+  std::int64_t written_ = 0;
   std::string text_;
 };
 

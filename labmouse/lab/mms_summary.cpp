@@ -10,7 +10,8 @@ namespace {
 
 /// Distance, effective distance and turns of one count, as mms prints them.
 std::string count_line(std::string_view name, float distance, float effective, float turns) {
-  return fmt::format("{:<11}{:>11}{:>11}{:>7}\n", name, distance, effective, turns);
+  const auto text = [](float value) { return value < 0 ? std::string("-") : fmt::format("{}", value); };
+  return fmt::format("{:<11}{:>11}{:>11}{:>7}\n", name, text(distance), text(effective), text(turns));
 }
 
 std::string statistics_text(const MmsStatistics& s) {
@@ -43,7 +44,7 @@ std::string log_text(const MmsRun& run) {
 
 std::string errors_text(const MmsRun& run) {
   const std::vector<std::string> lines = last_lines(run.errors);
-  if (lines.empty() || run.outcome == MmsOutcome::complete) return "";
+  if (lines.empty()) return "";
   std::string text = "Last on its standard error:\n";
   for (const std::string& line : lines) text += "  | " + shown(line) + "\n";
   return text;
@@ -53,7 +54,8 @@ std::string errors_text(const MmsRun& run) {
 
 std::string report_of(const std::string& mouse, const NamedMaze& maze, const MmsRun& run) {
   return statistics_text(run.statistics) + log_text(run) + errors_text(run) +
-         shown(fmt::format("{}: {}; {}, {:.1f} s in mms", name_of(run.outcome), run.end,
+         shown(fmt::format("{}: {}{}; {}, {:.1f} s in mms", name_of(run.outcome), run.end,
+                           run.outcome == MmsOutcome::waiting ? " (--presses N presses it N times)" : "",
                            drawing::counted(static_cast<int>(run.lines), "line", "lines"), run.clock)) +
          "\n" + score_line(mouse, maze, run.statistics);
 }

@@ -24,7 +24,7 @@ std::string short_name(const std::string& spec, std::size_t most) {
 
 std::vector<std::string> mouse_names(const std::vector<std::string>& specs) {
   std::vector<std::string> names;
-  for (const std::size_t most : {std::size_t{24}, std::size_t{48}, std::string::npos}) {
+  for (const std::size_t most : {std::size_t{32}, std::size_t{60}, std::string::npos}) {
     names.clear();
     for (const std::string& spec : specs) names.push_back(short_name(spec, most));
     if (std::set<std::string>(names.begin(), names.end()).size() == names.size()) break;

@@ -9,6 +9,7 @@
 #include "labmouse/lab/file_names.hpp"
 #include "labmouse/lab/files.hpp"
 #include "labmouse/lab/layers.hpp"
+#include "labmouse/lab/mms_race.hpp"
 #include "labmouse/lab/printable.hpp"
 #include "labmouse/maze/routes.hpp"
 
@@ -113,14 +114,16 @@ std::string checked_line(const RecordFile& file) {
 }
 
 std::string last_words_lines(const RecordFile& file) {
-  std::string lines;
+  constexpr std::size_t most = 10;
   std::string_view words = file.run.last_words;
-  while (!words.empty()) {
+  std::string text;
+  if (file.run.outcome == Outcome::forfeit && !words.empty()) {
     const auto end = std::min(words.find('\n'), words.size());
-    lines += fmt::format("{}{}\n", lines.empty() ? "" : "| ", shown(words.substr(0, end)));
-    words.remove_prefix(std::min(end + 1, words.size()));
+    text = shown(words.substr(0, end)) + "\n";
+    words.remove_prefix(end);
   }
-  return lines;
+  for (const std::string& line : last_lines(words, most)) text += fmt::format("| {}\n", shown(line));
+  return text;
 }
 
 std::string counts_line(const RecordFile& file) {

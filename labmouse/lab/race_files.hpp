@@ -45,7 +45,7 @@ std::string result_line(const RecordFile& file);
 /// record gives all.
 std::string checked_line(const RecordFile& file);
 
-/// What a mouse that gave up had to say, in lines; empty for most.
+/// What the mouse had to say: where it gave up, what went wrong; then the last lines of what it wrote. Empty for most.
 std::string last_words_lines(const RecordFile& file);
 
 /// What the mouse counted, in one line without its end; empty where it counted nothing.

@@ -77,6 +77,7 @@ std::string read_rules_field(const Json& json, Rules& rules) {
 /// Reads the header into the file; returns what is wrong, or nothing.
 std::string read_header(const Json& json, RecordFile& file) {
   Fields fields(json, "");
+  if (fields.text("labmouse") == "mms record") fields.fail("is the header of a record of mms, which is drawn but not played again");
   if (fields.text("labmouse") != "record") fields.fail("is not the header of a record");
   if (fields.whole("format", 0, 1'000'000) != 1) fields.fail("has a format other than 1, which this version does not know");
   if (!fields.error().empty()) return fields.error();

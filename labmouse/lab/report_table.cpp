@@ -98,17 +98,43 @@ std::string failures_of(const Race& race, std::size_t mouse) {
   return text;
 }
 
-/// The last words of the first contest that a mouse gave up with words: what went wrong, and how its standard error ended.
+/// Whether a maze is as the capstone project's: square, with even sides, from the south-west corner to the centre.
+bool as_robots_expect(const Maze& maze) {
+  const Size size = maze.size();
+  return size.width == size.height && size.width % 2 == 0 && maze.start() == Cell{} && maze.start_heading() == Heading::north &&
+         maze.goals() == centre_of(size);
+}
+
+/// How the first failed contest of a mouse that had something to say ended, and its last words.
 std::string last_words_of(const Race& race, std::size_t mouse) {
   const auto found = std::find_if(race.results.begin(), race.results.end(), [&](const ContestResult& contest) {
-    return contest.mouse == mouse && contest.done && !contest.last_words.empty();
+    return contest.mouse == mouse && contest.done && !contest.score.value && !contest.last_words.empty();
   });
   if (found == race.results.end()) return "";
-  const std::string_view words = found->last_words;
-  const auto end = std::min(words.find('\n'), words.size());
-  std::string text = fmt::format("    first in {}: {}\n", shown(race.mazes[found->maze].name), shown(words.substr(0, end)));
-  for (const std::string& line : last_lines(words.substr(end))) text += fmt::format("    | {}\n", shown(line));
+  std::string_view words = found->last_words;
+  std::string how(name_of(found->score.outcome));
+  if (found->score.outcome == Outcome::forfeit) {
+    const auto end = std::min(words.find('\n'), words.size());
+    how = words.substr(0, end);
+    words.remove_prefix(end);
+  }
+  std::string text = fmt::format("    first in {}: {}\n", shown(race.mazes[found->maze].name), shown(how));
+  for (const std::string& line : last_lines(words)) text += fmt::format("    | {}\n", shown(line));
   return text;
+}
+
+/// Capstone robots are told the size of a maze and nothing else.
+std::string note_on_robots(const Race& race) {
+  const bool robots = std::any_of(race.mice.begin(), race.mice.end(), [](const Contestant& m) { return m.name.starts_with("capstone:"); });
+  std::vector<std::string> others;
+  for (const NamedMaze& maze : race.mazes)
+    if (!as_robots_expect(maze.maze)) others.push_back(shown(maze.name));
+  if (!robots || others.empty()) return "";
+  const bool one = others.size() == 1;
+  return fmt::format("Capstone robots are told the size alone, and {} not as they expect (a square with even sides,\n"
+                     "from (0,0) north to the centre): {}{}.\n",
+                     one ? "1 maze is" : fmt::format("{} mazes are", others.size()), others.front(),
+                     one ? "" : fmt::format(", {}{}", others[1], others.size() > 2 ? ", ..." : ""));
 }
 
 /// A line for each mouse that failed, with the last words of those that are other programs.
@@ -139,7 +165,7 @@ std::string notes_of(const Race& race) {
   if (dear > 0)
     notes += fmt::format("{} solved with a score above {:g}, so that failing would have counted less.\n",
                          counted(static_cast<std::size_t>(dear), "contest was", "contests were"), rules.failure_score);
-  notes += failures_of(race);
+  notes += failures_of(race) + note_on_robots(race);
   const auto routeless = static_cast<std::size_t>(
       std::count_if(race.bounds.begin(), race.bounds.end(), [](const Bound& bound) { return !bound.score; }));
   if (routeless > 0)

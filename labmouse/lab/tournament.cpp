@@ -25,7 +25,7 @@ class Timed final : public Strategy {
   }
   const Knowledge& knowledge() const override { return mouse_.knowledge(); }
   std::span<const Counter> counters() const override { return mouse_.counters(); }
-  std::string_view last_words() const override { return mouse_.last_words(); }
+  std::string_view last_words() override { return mouse_.last_words(); }
   double microseconds() const { return std::chrono::duration<double, std::micro>(spent_).count(); }
 
  private:

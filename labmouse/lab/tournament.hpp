@@ -34,7 +34,7 @@ struct ContestResult {
   Coverage coverage;
   ForfeitReason reason = ForfeitReason::none;
   int decisions = 0;
-  /// What a mouse that gave up had to say; empty for most.
+  /// What the mouse had to say; empty for most.
   std::string last_words;
   /// What the mouse counted, by name; empty for most.
   std::vector<Count> counts;

@@ -32,8 +32,9 @@ class Strategy {
   /// What it counted so far, under names that never change.
   virtual std::span<const Counter> counters() const { return {}; }
 
-  /// What it has to say where it gave up, for people: of a guest what went wrong and the last lines of its standard error.
-  virtual std::string_view last_words() const { return {}; }
+  /// What it has to say at the end, for people: where it gave up, what went wrong, in the first line; then of a guest the
+  /// last lines that it wrote to its standard error.
+  virtual std::string_view last_words() { return {}; }
 
   /// Asks it to keep its reasons, before the first decision. Most minds have none to tell.
   virtual void keep_reasons() {}

@@ -77,10 +77,35 @@ TEST_F(AHostOfGuests, RefusesWhatIsNoGuest) {
   is_refused({"race", "--mice", "guest:"}, "it names no program");
   is_refused({"race", "--mice", "guest:no-such-program-anywhere"}, "a path of your own has a slash, as in ./mouse");
   is_refused({"race", "--mice", "flood,capstone:nowhere.py"}, "there is no file 'nowhere.py'");
-  is_refused({"race", "--mice", "capstone:" + file("robot.py", ""), "--python", "no-such-python"}, "no Python 'no-such-python'");
+  file("robot.py", "");
+  is_refused({"race", "--mice", "capstone:robot.py", "--python", "no-such-python"}, "no Python 'no-such-python'");
+  is_refused({"race", "--mice", "capstone:robot.py", "--python", LABMOUSE_BAD_GUEST}, "is no Python that runs");
+  is_refused({"race", "--mice", "capstone:robot.py,flood"}, "a guest takes all behind its colon");
+  is_refused({"race", "--mice", "capstone:."}, "'.' is a folder; name the Python file");
+  is_refused({"race", "--mice", "guest:./robot.py"}, "'./robot.py' cannot be executed; write 'python3 ./robot.py'");
+  is_refused({"race", "--mice", "guest:robot.py"}, "write 'python3 robot.py'");
+  is_refused({"race", "--mice", "guest:./corridor.txt"}, "cannot be executed; is it a program");
+  is_refused({"race", "--mice", "guest:~/mouse"}, "write the whole path for ~");
+  is_refused({"race", "--mice", "robot.py"}, "a program of yours is 'capstone:FILE'");
+  is_refused({"race", "--mice", "python3 robot.py"}, "a program of yours is 'capstone:FILE'");
+  is_refused({"race", "--mice", "Capstone"}, "did you mean 'capstone'?");
   is_refused({"race", "--mice", "guest:a\tb"}, "cannot be printed");
   is_refused({"run", "mms:ls", "corridor.txt"}, "`labmouse race` races it");
   is_refused({"sweep", bad("end"), "--vary", "stride=1:2:1"}, "has no parameters");
+}
+
+TEST_F(AHostOfGuests, FindsRobotsInTheFolderOfTheUser) {
+  file("robot.py", "class Robot(object):\n  def __init__(self, size): pass\n  def next_move(self, seen): return 90, 0\n");
+  const std::string home = "HOME=" + folder_.string();
+  EXPECT_EQ(labmouse({"run", "capstone:~/robot.py", "corridor.txt", "--budget", "3"}, home.c_str()).code, 0);
+}
+
+TEST_F(AHostOfGuests, SaysWhichMazesRobotsDoNotExpect) {
+  file("robot.py", "class Robot(object):\n  def __init__(self, size): pass\n  def next_move(self, seen): return 90, 0\n");
+  const std::vector<std::string> robot = {"--mice", "capstone:robot.py", "--budget", "3"};
+  EXPECT_THAT(race_in_the_corridor(robot).out, HasSubstr("the size alone, and 1 maze is not as they expect"));
+  EXPECT_THAT(labmouse({"race", "--mice", "capstone:robot.py", "--budget", "3", "--mazes", "capstone-1"}).out,
+              testing::Not(HasSubstr("not as they expect")));
 }
 
 TEST_F(AHostOfGuests, RunsThemSideBySide) {

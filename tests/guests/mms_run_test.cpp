@@ -61,7 +61,7 @@ TEST(MmsRun, SilenceAtTheStartEndsIt) {
   silent.limits.start = 60ms;
   const MmsRun run = hosted(silent);
   EXPECT_EQ(run.outcome, MmsOutcome::hung);
-  EXPECT_EQ(run.end, "wrote no line in its first 0.06 s");
+  EXPECT_EQ(run.end, "wrote no line in its first 0.06 s; does it flush after each line?");
 }
 
 TEST(MmsRun, WhatAProgramSaysOfItsEndHidesNothing) {

@@ -3,6 +3,7 @@
 import fcntl
 import os
 import sys
+import traceback
 
 
 def load(path):
@@ -47,6 +48,13 @@ def degrees(rotation):
         return 1
 
 
+def show(kind, error, trace):
+    """Shows an error of the robot without the frames of this script and of Python's own loader."""
+    while trace and trace.tb_next and trace.tb_frame.f_code.co_filename.startswith("<"):
+        trace = trace.tb_next
+    traceback.print_exception(kind, error, trace)
+
+
 def main():
     asked, answers = os.dup(0), os.dup(1)
     for end in (asked, answers):  # in Python 2, programs that the robot starts would hold them, too
@@ -75,4 +83,5 @@ def main():
         line = questions.readline()
 
 
+sys.excepthook = show
 main()

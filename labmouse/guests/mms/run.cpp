@@ -21,7 +21,7 @@ class Hosting {
   using Listener = std::function<void(const MmsEvent&, const MmsHost&)>;
 
   Hosting(const Launch& launch, const Maze& maze, const MmsOptions& options, const Listener& listener)
-      : launch_(launch), host_(maze, options), begin_(Clock::now()), sign_(begin_), guest_(launch) {
+      : launch_(launch), presses_(options.presses), host_(maze, options), begin_(Clock::now()), sign_(begin_), guest_(launch) {
     if (!listener) return;
     host_.on_event([this, listener](const MmsEvent& event) {
       const auto called = Clock::now();
@@ -60,7 +60,7 @@ class Hosting {
         return finish(MmsOutcome::left, describe(*guest_.status()) + ", but what it started goes on");
       case GuestEvent::closed: return finish(MmsOutcome::closed, "closed its standard output and ran on");
       case GuestEvent::timeout: return finish_late();
-      case GuestEvent::interrupted: return finish(MmsOutcome::interrupted, "interrupted");
+      case GuestEvent::interrupted: return finish(MmsOutcome::interrupted, "by its user");
     }
   }
 
@@ -84,7 +84,7 @@ class Hosting {
   void judge_lines() {
     const GuestLimits& limits = launch_.limits;
     if (!host_.goes_on() && host_.waits())
-      finish(MmsOutcome::waiting, "waits for Reset, which nobody presses");
+      finish(MmsOutcome::waiting, fmt::format("waits for Reset, which was pressed {} times", presses_));
     else if (!host_.goes_on())
       finish(MmsOutcome::invalid, host_.log().empty() ? "an invalid line" : host_.log().back());
     else if (guest_.lines().too_long())
@@ -106,10 +106,20 @@ class Hosting {
     const GuestLimits& limits = launch_.limits;
     if (Clock::now() >= contest_end())
       finish(MmsOutcome::out_of_time, fmt::format("ran for more than {}", in_seconds(limits.contest)));
+    else if (guest_.deaf())
+      finish(MmsOutcome::closed, "closed its standard input");
     else if (host_.lines() == 0)
-      finish(MmsOutcome::hung, fmt::format("wrote no line in its first {}", in_seconds(limits.start)));
+      finish(MmsOutcome::hung, fmt::format("wrote no line in its first {}{}", in_seconds(limits.start), hint()));
     else
-      finish(MmsOutcome::hung, fmt::format("wrote no line for {}", in_seconds(limits.decision)));
+      finish(MmsOutcome::hung, fmt::format("wrote no line for {}{}", in_seconds(limits.decision), hint()));
+  }
+
+  /// What may be behind a silence.
+  std::string hint() {
+    constexpr std::size_t quoted = 60;
+    const std::string_view begun = guest_.lines().rest();
+    if (!begun.empty()) return fmt::format("; it wrote '{}' without the line's end", begun.substr(0, quoted));
+    return host_.lines() == 0 ? "; does it flush after each line?" : "";
   }
 
   void finish(MmsOutcome outcome, std::string end) {
@@ -130,6 +140,7 @@ class Hosting {
   }
 
   const Launch& launch_;
+  int presses_;
   MmsHost host_;
   Clock::time_point begin_;
   Clock::time_point sign_;  ///< of life: the last

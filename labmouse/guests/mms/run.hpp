@@ -19,7 +19,7 @@ enum class MmsOutcome : std::uint8_t {
   hung,         ///< it said nothing for longer than a decision may take
   out_of_time,  ///< the contest took too long
   flooded,      ///< it wrote a line that is too long, or left too many replies unread
-  closed,       ///< it closed its standard output and ran on
+  closed,       ///< it closed its standard output and ran on, or closed its input and fell silent
   left,         ///< it ended, and what it started holds its output open
   not_started,  ///< it could not be started
   interrupted,  ///< the race was stopped

@@ -9,28 +9,9 @@
 namespace labmouse {
 namespace {
 
-struct Statistic {
-  std::string_view name;
-  float MmsStatistics::*value;
-  bool whole;
-};
-
-constexpr std::array statistics_of_mms = {
-    Statistic{"total-distance", &MmsStatistics::total_distance, true},
-    Statistic{"total-turns", &MmsStatistics::total_turns, true},
-    Statistic{"best-run-distance", &MmsStatistics::best_run_distance, true},
-    Statistic{"best-run-turns", &MmsStatistics::best_run_turns, true},
-    Statistic{"current-run-distance", &MmsStatistics::current_run_distance, true},
-    Statistic{"current-run-turns", &MmsStatistics::current_run_turns, true},
-    Statistic{"total-effective-distance", &MmsStatistics::total_effective_distance, false},
-    Statistic{"best-run-effective-distance", &MmsStatistics::best_run_effective_distance, false},
-    Statistic{"current-run-effective-distance", &MmsStatistics::current_run_effective_distance, false},
-    Statistic{"score", &MmsStatistics::score, false},
-};
-
 constexpr auto names = [] {
-  std::array<std::string_view, statistics_of_mms.size()> all;
-  for (std::size_t i = 0; i < all.size(); ++i) all[i] = statistics_of_mms[i].name;
+  std::array<std::string_view, mms_statistics.size()> all;
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = mms_statistics[i].name;
   return all;
 }();
 
@@ -42,9 +23,9 @@ constexpr float first_with_exponent = 1e6F;
 std::span<const std::string_view> statistic_names() { return names; }
 
 std::optional<std::string> statistic_reply(const MmsStatistics& statistics, std::string_view name) {
-  const auto* found = std::find_if(statistics_of_mms.begin(), statistics_of_mms.end(),
-                                   [&](const Statistic& statistic) { return statistic.name == name; });
-  if (found == statistics_of_mms.end()) return std::nullopt;
+  const auto* found = std::find_if(mms_statistics.begin(), mms_statistics.end(),
+                                   [&](const MmsStatistic& statistic) { return statistic.name == name; });
+  if (found == mms_statistics.end()) return std::nullopt;
   const float value = statistics.*found->value;
   return found->whole && value >= first_with_exponent ? "-1" : fmt::format("{:g}", value);
 }

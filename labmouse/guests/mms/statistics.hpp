@@ -1,6 +1,7 @@
 // The statistics of mms, the simulator: what it counts of a mouse, and the score that it makes of it.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -21,6 +22,27 @@ struct MmsStatistics {
 
   friend constexpr bool operator==(const MmsStatistics&, const MmsStatistics&) = default;
 };
+
+/// One value of `getStat`.
+struct MmsStatistic {
+  std::string_view name;  ///< as `getStat` takes it
+  float MmsStatistics::*value;
+  bool whole;  ///< mms replies it as a whole number
+};
+
+/// All of them.
+inline constexpr std::array<MmsStatistic, 10> mms_statistics = {{
+    {"total-distance", &MmsStatistics::total_distance, true},
+    {"total-effective-distance", &MmsStatistics::total_effective_distance, false},
+    {"total-turns", &MmsStatistics::total_turns, true},
+    {"current-run-distance", &MmsStatistics::current_run_distance, true},
+    {"current-run-effective-distance", &MmsStatistics::current_run_effective_distance, false},
+    {"current-run-turns", &MmsStatistics::current_run_turns, true},
+    {"best-run-distance", &MmsStatistics::best_run_distance, true},
+    {"best-run-effective-distance", &MmsStatistics::best_run_effective_distance, false},
+    {"best-run-turns", &MmsStatistics::best_run_turns, true},
+    {"score", &MmsStatistics::score, false},
+}};
 
 /// The names that getStat knows.
 std::span<const std::string_view> statistic_names();

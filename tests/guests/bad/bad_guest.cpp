@@ -59,6 +59,7 @@ void eat_memory() {
 void misbehave(const std::string& how) {
   if (how == "turn") return turn();
   if (how == "hang at the start") hang();
+  if (how == "end at the start") return;
   if (how == "wrong greeting") return say("hello");
   if (how == "mms") return say("mazeWidth");
   if (how == "other version") return say("labmouse 2"), hang();
@@ -67,6 +68,9 @@ void misbehave(const std::string& how) {
   hear("sense");
   if (how == "give up") say("forfeit"), hang();
   if (how == "hang") hang();
+  if (how == "hang within a line") std::cout << "move 0" << std::flush, hang();
+  if (how == "write notes") do std::cerr << "a note\n", say("move 90 0");
+    while (hear("sense"));
   if (how == "late") wait_for(500), say("move 0 0"), hang();
   if (how == "die") std::cerr << "one\ntwo\nthree: no way out\n", std::exit(3);
   if (how == "end") std::exit(0);
