@@ -218,6 +218,23 @@ TEST(SvgDrawing, SpeaksToThoseWhoDoNotSeeIt) {
   EXPECT_THAT(svg, HasSubstr("<desc>A maze of 3 by 3 cells; start (0,0), 1 goal cell. Route: 3 steps, 4 cells."));
 }
 
+/// The heading of a picture of the ring, which has room for 26 letters, with this title.
+std::string heading(const std::string& title) {
+  DrawingLayers layers;
+  layers.title = title;
+  const std::string svg = draw_svg(ring(), layers);
+  const auto begin = svg.find('>', svg.find("<text")) + 1;
+  return svg.substr(begin, svg.find('<', begin) - begin);
+}
+
+TEST(SvgDrawing, ATitleLosesItsFrontBeforeItsOutcome) {
+  EXPECT_EQ(heading("mouse: out of steps"), "mouse: out of steps");
+  EXPECT_EQ(heading("mouse-of-mine in a maze: at noon: out of steps"), "mouse-of-mi…: out of steps");
+  EXPECT_EQ(heading("mouse: quite a very long outcome"), "quite a very long outcome");
+  EXPECT_EQ(heading("mouse: an outcome that has no room at all"), "an outcome that has no ro…");
+  EXPECT_EQ(heading("a title that has no colon in it"), "a title that has no colon…");
+}
+
 TEST(SvgDrawing, HasColoursForDarkGround) {
   EXPECT_THAT(draw_svg(ring(), {}), HasSubstr("@media (prefers-color-scheme:dark)"));
 }

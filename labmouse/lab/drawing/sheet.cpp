@@ -23,9 +23,25 @@ std::string fitted(std::string_view words, int letters) {
   return utf8(text);
 }
 
+namespace {
+
+/// A title that is too long is cut before its last colon: what stands behind it, as an outcome, is what the picture is for.
+std::string fitted_title(std::string_view words, int letters) {
+  constexpr std::u32string_view before_outcome = U": ";
+  const std::u32string text = printable(words);
+  const auto room = static_cast<std::size_t>(letters);
+  const auto colon = text.rfind(before_outcome);
+  if (text.size() <= room || colon == std::u32string::npos) return fitted(words, letters);
+  const std::u32string outcome = text.substr(colon);
+  if (outcome.size() >= room) return fitted(utf8(outcome.substr(before_outcome.size())), letters);
+  return utf8(text.substr(0, room - outcome.size() - 1) + U'…' + outcome);
+}
+
+}  // namespace
+
 std::string heading_svg(Point begin, int right, std::string_view words) {
   constexpr int letter_width = 10;
-  const std::string title = fitted(words, (right - begin.x) / letter_width);
+  const std::string title = fitted_title(words, (right - begin.x) / letter_width);
   if (title.empty()) return "";
   return fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"16\" font-weight=\"600\" {}>{}</text>\n", begin.x, begin.y,
                      fill(ink), xml_escaped(title));

@@ -26,7 +26,8 @@ struct Sheet {
 /// The words, printable; where they have more than so many letters (at least 1), cut and ended by an ellipsis.
 std::string fitted(std::string_view words, int letters);
 
-/// A heading from there on to the right, cut where it would pass `right`; nothing for an empty one.
+/// A heading from there on to the right, cut where it would pass `right`, before its last colon if possible, so that an
+/// outcome behind it stays; nothing for an empty one.
 std::string heading_svg(Point begin, int right, std::string_view words);
 
 }  // namespace labmouse::drawing
