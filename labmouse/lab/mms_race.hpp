@@ -34,7 +34,7 @@ struct MmsResult {
 
 /// How much of the texts of a run a race keeps.
 inline constexpr std::size_t kept_log = 3;         ///< sentences, the first ones
-inline constexpr std::size_t kept_error_lines = 3;  ///< of standard error, the last ones
+inline constexpr std::size_t kept_error_lines = 5;  ///< of standard error, the last ones
 inline constexpr std::size_t kept_text = 300;      ///< bytes of each
 
 struct MmsRace {
@@ -58,7 +58,8 @@ struct MmsRaceHooks {
 MmsRace hold_mms_race(std::vector<MmsMouse> mice, std::vector<NamedMaze> mazes, const MmsRaceOrder& order,
                       const MmsRaceHooks& hooks = {});
 
-/// The last lines of what a program wrote to its standard error, blank ones left out.
+/// The last lines of what a program wrote to its standard error. Blank ones are left out, and those of nothing but ^ and ~,
+/// the marks in a traceback of Python.
 std::vector<std::string> last_lines(std::string_view errors, std::size_t most = kept_error_lines);
 
 }  // namespace labmouse

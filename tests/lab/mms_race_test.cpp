@@ -67,12 +67,12 @@ TEST(MmsRace, ResultsDoNotDependOnTheNumberOfThreads) {
 
 TEST(MmsRace, KeepsLittleOfLongTexts) {
   const MmsRace race = hold_mms_race({mms_mouse("chatter", {"burst:50:what?", "errors:one", "errors:two", "errors:three",
-                                                            "errors:" + std::string(1000, 'x'), "say:setColor 0 0 G"})},
+                                                            "errors:four", "errors:five", "errors:" + std::string(1000, 'x'), "say:setColor 0 0 G"})},
                                      {plank()}, {});
   const MmsRun& run = race.results[0].run;
   EXPECT_EQ(run.invalid_lines, 50);
   EXPECT_EQ(run.log.size(), kept_log);
-  EXPECT_EQ(run.errors, "two\nthree\n" + std::string(kept_text, 'x') + "\n");
+  EXPECT_EQ(run.errors, "two\nthree\nfour\nfive\n" + std::string(kept_text, 'x') + "\n");
   EXPECT_EQ(run.canvas, MmsCanvas());
 }
 
@@ -139,11 +139,15 @@ TEST(MmsRaceFolder, SavesUnderTheNamesOfMouseAndMaze) {
   EXPECT_THAT(MmsRaceFolder("/dev/null", race).save({0, 0, true, {}}, "x"), HasSubstr("error"));
 }
 
-TEST(LastLines, AreTheLastThreeThatSaySomething) {
-  EXPECT_THAT(last_lines("a\nb\n\n  \nc\nd\n"), ElementsAre("b", "c", "d"));
+TEST(LastLines, AreTheLastFiveThatSaySomething) {
+  EXPECT_THAT(last_lines("a\nb\n\n  \nc\nd\ne\r\n\r\nf\n"), ElementsAre("b", "c", "d", "e\r", "f"));
   EXPECT_THAT(last_lines("only"), ElementsAre("only"));
   EXPECT_THAT(last_lines(""), ElementsAre());
   EXPECT_THAT(last_lines("\n\n"), ElementsAre());
+}
+
+TEST(LastLines, LeaveOutTheMarksOfATraceback) {
+  EXPECT_THAT(last_lines("  a = b / c\n      ~~^~~\n    ^\n ~\t~\nd ^ e\n"), ElementsAre("  a = b / c", "d ^ e"));
 }
 
 /// Two mice in two mazes with a way to the centre and one without.
