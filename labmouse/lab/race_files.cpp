@@ -10,6 +10,7 @@
 #include "labmouse/lab/files.hpp"
 #include "labmouse/lab/layers.hpp"
 #include "labmouse/lab/mms_race.hpp"
+#include "labmouse/lab/mouse_names.hpp"
 #include "labmouse/lab/printable.hpp"
 #include "labmouse/maze/routes.hpp"
 
@@ -61,7 +62,7 @@ RecordFile record_file_of(const Contestant& mouse, const NamedMaze& maze, const 
 
 std::string title_of(const RecordFile& file) {
   const Score result = score(file.run, file.rules);
-  const std::string where = fmt::format("{} in {}: ", file.mouse, stem_of(file.maze_name));
+  const std::string where = fmt::format("{} in {}: ", mouse_names({file.mouse}).front(), stem_of(file.maze_name));
   if (result.value) return where + fmt::format("score {:.3f}", *result.value);
   if (!file.ended) return where + fmt::format("breaks off after step {}", file.run.steps.size());
   return where + std::string(name_of(result.outcome));
@@ -90,7 +91,8 @@ std::string result_line(const RecordFile& file) {
     line += fmt::format("solved, score {:.3f} = {} speed + {} exploration / {}", *result.value, result.speed_steps,
                         result.exploration_steps, file.rules.exploration_factor);
   else
-    line += fmt::format("{}{} after {} exploration and {} speed steps", name_of(result.outcome), reason_of(file.run),
+    line += fmt::format("{}{} at ({},{}) heading {} after {} exploration and {} speed steps", name_of(result.outcome),
+                        reason_of(file.run), file.run.end.cell.x, file.run.end.cell.y, name_of(file.run.end.heading),
                         result.exploration_steps, result.speed_steps);
   line += bound.score ? fmt::format("; bound {:.3f}", *bound.score) : "; the goal cannot be reached";
   return shown(line);

@@ -32,13 +32,14 @@ RecordFile record_file_of(const Contestant& mouse, const NamedMaze& maze, const 
 /// The picture of a contest: the speed run over the visits of the exploration.
 std::string picture_of(const RecordFile& file);
 
-/// The title of a picture of a contest: the mouse, the maze, and how it went.
+/// The title of a picture of a contest: the mouse (of a long command its end), the maze, and how it went.
 std::string title_of(const RecordFile& file);
 
 /// How much of the maze its exploration discovered and visited, in one line without its end.
 std::string exploration_line(const RecordFile& file);
 
-/// How a contest went, in one line without its end: the mouse, the maze, the outcome and the score.
+/// How a contest went, in one line without its end: the mouse, the maze, the outcome, and the score or
+/// where the mouse stood.
 std::string result_line(const RecordFile& file);
 
 /// How much of a record that lacks fields a replay compares with the maze, in one line without its end; empty where the
