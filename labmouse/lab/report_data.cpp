@@ -32,6 +32,14 @@ std::string outcome_text(const ContestResult& contest) {
   return fmt::format("{}: {}", name_of(contest.score.outcome), name_of(contest.reason));
 }
 
+void add_missteps(const Missteps& missteps, Json& json) {
+  if (missteps == Missteps()) return;
+  json["blocked_steps"] = missteps.blocked.steps;
+  json["void_rotations"] = missteps.void_rotations.steps;
+  json["cut_movements"] = missteps.cut_movements.steps;
+  json["idle_resets"] = missteps.idle_resets.steps;
+}
+
 Json result_json(const Race& race, const ContestResult& contest) {
   const bool solved = contest.score.value.has_value();
   Json json = {{"maze", race.mazes[contest.maze].name},
@@ -43,6 +51,7 @@ Json result_json(const Race& race, const ContestResult& contest) {
                {"discovered_share", contest.coverage.discovered},
                {"visited_share", contest.coverage.visited},
                {"microseconds_per_decision", contest.microseconds / std::max(1, contest.decisions)}};
+  add_missteps(contest.missteps, json);
   if (!contest.last_words.empty()) json["last_words"] = contest.last_words;
   for (const Count& count : contest.counts) json["counts"][count.name] = count.value;
   return json;

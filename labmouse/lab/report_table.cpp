@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 
+#include "labmouse/lab/misstep_lines.hpp"
 #include "labmouse/lab/mms_race.hpp"
 #include "labmouse/lab/mouse_names.hpp"
 #include "labmouse/lab/printable.hpp"
@@ -165,7 +166,7 @@ std::string notes_of(const Race& race) {
   if (dear > 0)
     notes += fmt::format("{} solved with a score above {:g}, so that failing would have counted less.\n",
                          counted(static_cast<std::size_t>(dear), "contest was", "contests were"), rules.failure_score);
-  notes += failures_of(race) + note_on_robots(race);
+  notes += failures_of(race) + misstep_lines(race) + note_on_robots(race);
   const auto routeless = static_cast<std::size_t>(
       std::count_if(race.bounds.begin(), race.bounds.end(), [](const Bound& bound) { return !bound.score; }));
   if (routeless > 0)

@@ -60,6 +60,7 @@ RunRecord hold_contest(const Race& race, ContestResult& contest) {
   RunRecord record = run(maze, race.order.rules, timed);
   contest.score = score(record, race.order.rules);
   contest.coverage = coverage_of(record, maze.size(), race.reachable[contest.maze]);
+  contest.missteps = missteps_of(record, race.order.rules);
   if (record.outcome == Outcome::forfeit) contest.reason = record.steps.back().action.reason;
   contest.decisions = static_cast<int>(record.steps.size());
   contest.counts = record.counts;

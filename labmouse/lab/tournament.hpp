@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "labmouse/contest/coverage.hpp"
+#include "labmouse/contest/missteps.hpp"
 #include "labmouse/contest/score.hpp"
 #include "labmouse/lab/bounds.hpp"
 #include "labmouse/lab/contestants.hpp"
@@ -32,6 +33,8 @@ struct ContestResult {
   bool done = false;  ///< false where the race was stopped before
   Score score;
   Coverage coverage;
+  /// Steps that were not performed as the mouse asked for them.
+  Missteps missteps;
   ForfeitReason reason = ForfeitReason::none;
   int decisions = 0;
   /// What the mouse had to say; empty for most.
