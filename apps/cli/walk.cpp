@@ -7,37 +7,31 @@
 
 #include "command.hpp"
 #include "frames.hpp"
+#include "labmouse/contest/missteps.hpp"
 #include "labmouse/lab/drawing.hpp"
 #include "labmouse/lab/layers.hpp"
+#include "labmouse/lab/misstep_lines.hpp"
 #include "labmouse/lab/race_files.hpp"
 
 namespace labmouse::cli {
 namespace {
-
-std::string action_text(const Action& action) {
-  switch (action.kind) {
-    case Action::Kind::step: return fmt::format("turn {:+d}, move {:+d}", action.rotation, action.movement);
-    case Action::Kind::reset: return "reset";
-    case Action::Kind::forfeit: return fmt::format("forfeit: {}", name_of(action.reason));
-  }
-  return "";
-}
 
 std::string frame_of(const RecordFile& file, const StepRecord& step, const Knowledge& knowledge) {
   DrawingLayers layers;
   layers.coordinates = true;
   layers.mouse = step.pose;
   layers.unknown = knowledge.unknown();
-  return fmt::format("{}step {:>4}  {} run  at ({},{}) heading {}  sees {} {} {}  {}\n", draw_text(*file.maze, layers, colours()),
+  return fmt::format("{}step {:>4}  {} run  at ({},{}) heading {}  sees {} {} {}  {}{}{}\n", draw_text(*file.maze, layers, colours()),
                      step.step, step.run == Run::speed ? "speed" : "exploration", step.pose.cell.x, step.pose.cell.y,
                      name_of(step.pose.heading), step.sighting.left, step.sighting.ahead, step.sighting.right,
-                     action_text(step.action));
+                     action_words(step.action), has_void_rotation(step.action) ? " (no such turn)" : "",
+                     step.blocked ? "  blocked" : "");
 }
 
-/// What the mouse counted, if it did, and how the contest went.
+/// What the mouse said and counted, which steps were not performed as asked, where there are any, and how the contest went.
 std::string last_lines(const RecordFile& file) {
   const std::string counts = counts_line(file);
-  return last_words_lines(file) + (counts.empty() ? "" : counts + "\n") + result_line(file) + "\n";
+  return last_words_lines(file) + (counts.empty() ? "" : counts + "\n") + misstep_lines(file) + result_line(file) + "\n";
 }
 
 }  // namespace

@@ -12,7 +12,8 @@ namespace labmouse::cli {
 /// too small.
 void watch(const RecordFile& file, int delay);
 
-/// The maze with the speed run, a line on what the exploration saw, what the mouse counted, and how the contest went.
+/// The maze with the speed run, a line on what the exploration saw, what the mouse counted, steps that were not
+/// performed as it asked, and how the contest went.
 std::string summary_of(const RecordFile& file);
 
 }  // namespace labmouse::cli

@@ -46,6 +46,33 @@ TEST_F(AHostOfGuests, ShowsTheirLastWordsAfterARun) {
   EXPECT_THAT(labmouse({"replay", "died.jsonl"}).out, HasSubstr("| three: no way out\n"));
 }
 
+TEST_F(AHostOfGuests, TellsWhichOfTheirStepsWereNotPerformed) {
+  file("clumsy.sh", "echo labmouse 1\nwhile read -r word rest; do [ $word != sense ] || echo move 45 4; done\n");
+  const std::string clumsy = "guest:sh clumsy.sh";
+  const std::string lines =
+      "\n5 of 5 steps were blocked by a wall, first step 1 at (0,0) heading north: turn +45, move +4\n"
+      "5 of 5 steps had a void turn (not -90, 0 or 90), first step 1 at (0,0) heading north: turn +45, move +4\n"
+      "5 of 5 steps were cut to 3 cells, first step 1 at (0,0) heading north: turn +45, move +4\n"
+      "guest:sh clumsy.sh in corridor.txt: out of steps at (0,0) heading north after 5 exploration and 0 speed steps; bound 1.067\n";
+  const Ended run = labmouse({"run", clumsy, "corridor.txt", "--budget", "5", "--record", "clumsy.jsonl"});
+  EXPECT_THAT(run.out, HasSubstr(lines));
+  EXPECT_EQ(labmouse({"replay", "clumsy.jsonl"}).out, run.out);
+  const Ended watched = labmouse({"replay", "clumsy.jsonl", "--watch"});
+  EXPECT_THAT(watched.out, HasSubstr("turn +45, move +4 (no such turn)  blocked\n"));
+  EXPECT_THAT(watched.out, HasSubstr(lines));
+  EXPECT_THAT(race_in_the_corridor({"--mice", clumsy, "--budget", "5"}).out,
+              HasSubstr("  guest:sh clumsy.sh: 5 blocked by walls, 5 void rotations, 5 cut movements; first in corridor.txt, step 1\n"));
+  const auto json = race({"--mice", clumsy, "--budget", "5", "--mazes", "corridor.txt"});
+  EXPECT_EQ(json["mice"][0]["results"][0]["cut_movements"], 5);
+}
+
+TEST_F(AHostOfGuests, SaysNothingOfStepsThatWerePerformed) {
+  const Ended watched = labmouse({"run", "flood", "corridor.txt", "--watch"});
+  EXPECT_THAT(watched.out, HasSubstr("sees 0 0 2  turn +90, move +2\n"));
+  EXPECT_EQ(watched.out.find("blocked"), std::string::npos);
+  EXPECT_EQ(watched.out.find("void"), std::string::npos);
+}
+
 TEST_F(AHostOfGuests, LetsNothingThroughThatSteersATerminal) {
   const Ended ended = race_in_the_corridor({"--mice", bad("bytes")});
   EXPECT_EQ(ended.out.find('\x1b'), std::string::npos);
