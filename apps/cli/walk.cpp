@@ -28,7 +28,7 @@ std::string frame_of(const RecordFile& file, const StepRecord& step, const Knowl
                      step.blocked ? "  blocked" : "");
 }
 
-/// What the mouse said and counted, which steps were not performed as asked, where there are any, and how the contest went.
+/// What the mouse said and counted and which steps were not performed as asked, if any, and how the contest went.
 std::string last_lines(const RecordFile& file) {
   const std::string counts = counts_line(file);
   return last_words_lines(file) + (counts.empty() ? "" : counts + "\n") + misstep_lines(file) + result_line(file) + "\n";

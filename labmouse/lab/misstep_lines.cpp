@@ -30,7 +30,8 @@ constexpr std::array<std::array<std::string_view, 2>, all_kinds.size()> short_wo
 
 /// "step 7 at (0,6) heading north: turn -90, move +1".
 std::string step_words(const RunRecord& run, int number) {
-  const auto found = std::find_if(run.steps.begin(), run.steps.end(), [&](const StepRecord& s) { return s.step == number; });
+  const auto is_it = [&](const StepRecord& step) { return step.step == number; };
+  const auto found = std::find_if(run.steps.begin(), run.steps.end(), is_it);
   const Pose& pose = found->pose;
   return fmt::format("step {} at ({},{}) heading {}: {}", number, pose.cell.x, pose.cell.y, name_of(pose.heading),
                      action_words(found->action));
@@ -40,7 +41,7 @@ std::string step_words(const RunRecord& run, int number) {
 int first_step(const Missteps& missteps) {
   int first = 0;
   for (const auto kind : all_kinds)
-    if (const MisstepCount& count = missteps.*kind; count.steps > 0 && (first == 0 || count.first < first)) first = count.first;
+    if (const int step = (missteps.*kind).first; step > 0 && (first == 0 || step < first)) first = step;
   return first;
 }
 
@@ -78,8 +79,9 @@ std::string misstep_lines(const RecordFile& file) {
   for (std::size_t kind = 0; kind < all_kinds.size(); ++kind) {
     const auto& [steps, first] = missteps.*all_kinds[kind];
     if (steps == 0) continue;
-    lines += fmt::format("{} of {} steps {}, {}{}\n", steps, file.run.steps.size(), words_for(steps == 1, file.rules)[kind],
-                         steps == 1 ? "" : "first ", step_words(file.run, first));
+    const bool one = steps == 1;
+    lines += fmt::format("{} of {} steps {}, {}{}\n", steps, file.run.steps.size(), words_for(one, file.rules)[kind],
+                         one ? "" : "first ", step_words(file.run, first));
   }
   return lines;
 }
@@ -90,7 +92,8 @@ std::string misstep_lines(const Race& race) {
   const std::vector<std::string> names = mouse_names(specs);
   std::string lines;
   for (std::size_t mouse = 0; mouse < names.size(); ++mouse)
-    if (const auto words = counts_of(race, mouse); !words.empty()) lines += fmt::format("  {}: {}\n", names[mouse], words);
+    if (const auto words = counts_of(race, mouse); !words.empty())
+      lines += fmt::format("  {}: {}\n", names[mouse], words);
   return lines.empty() ? "" : "Steps that were not performed as asked:\n" + lines;
 }
 
