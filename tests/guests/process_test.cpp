@@ -41,7 +41,6 @@ TEST(GuestProcess, TakesMoreThanAPipeHolds) {
   std::string lines;
   for (int i = 0; i < 100'001; ++i) lines += "a line\n";
   process.send(lines);
-  EXPECT_GT(process.unsent(), 0U);
   const auto deadline = GuestProcess::Clock::now() + 20s;
   while (process.unsent() > 0) ASSERT_EQ(process.wait(deadline), GuestEvent::output);
   process.end(20s);

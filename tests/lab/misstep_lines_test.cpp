@@ -95,7 +95,7 @@ TEST(MisstepLines, OfContestsThatWereNotDoneThereAreNone) {
 
 TEST(MisstepLines, ShortenALongCommand) {
   const Race race = hold_race({player("guest:python3 /home/somebody/mice/robot.py", clumsy)}, {test::corridor()}, {});
-  EXPECT_THAT(misstep_lines(race), HasSubstr("\n  ...omebody/mice/robot.py: 2 blocked"));
+  EXPECT_THAT(misstep_lines(race), HasSubstr("\n  ... /home/somebody/mice/robot.py: 2 blocked"));
 }
 
 TEST(MisstepFields, StandWhereAnyIsNotZero) {

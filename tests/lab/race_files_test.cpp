@@ -40,7 +40,7 @@ TEST(Title, ShortensALongCommand) {
   RecordFile file = short_of_steps(2);
   EXPECT_EQ(title_of(file), "flood in loop: out of steps");
   file.mouse = "guest:python3 /home/somebody/mice/robot.py";
-  EXPECT_EQ(title_of(file), "...omebody/mice/robot.py in loop: out of steps");
+  EXPECT_EQ(title_of(file), "... /home/somebody/mice/robot.py in loop: out of steps");
   EXPECT_THAT(picture_of(file), HasSubstr(": out of steps</text>"));
 }
 
