@@ -31,8 +31,9 @@ void add_contests(CLI::App& command, Contests& contests) {
       ->capture_default_str();
 }
 
-std::vector<Contestant> find_contestants(const std::vector<std::string>& specs, const GuestOptions& options) {
+std::vector<Contestant> find_contestants(const std::vector<std::string>& specs, GuestOptions options) {
   if (specs.empty()) return all_contestants();
+  options.stop = &stop_flag;
   SpecResult result = read_specs(specs, options);
   if (!result.error.empty()) throw UsageError("error: " + result.error);
   if (!result.mms.empty())
