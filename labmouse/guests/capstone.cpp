@@ -32,7 +32,7 @@ std::string find_newest_python3() {
   constexpr int latest = 40;  // versions that may be written yet
   const std::optional<int> plain = minor_version("python3");
   for (int minor = latest; minor > plain.value_or(0); --minor) {
-    const std::string name = "python3." + std::to_string(minor);
+    std::string name = "python3." + std::to_string(minor);
     if (!program_path(name, "").empty() && minor_version(name) == minor) return name;
   }
   return plain ? "python3" : "";

@@ -125,8 +125,8 @@ MmsBound mms_bound_of(const Maze& maze) {
   const auto cost = Search(maze).cost();
   if (!cost) return {};
   // Costs of runs are multiples of half a run_point, and the turns before them less than that.
-  constexpr int half_point = run_point / 2;
-  return {static_cast<double>(*cost / half_point) / 2, static_cast<double>(*cost) / points};
+  const int half_points = *cost / (run_point / 2);
+  return {half_points / 2.0, static_cast<double>(*cost) / points};
 }
 
 std::vector<std::string> mms_best_commands(const Maze& maze) {
