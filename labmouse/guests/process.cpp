@@ -136,15 +136,14 @@ GuestEvent GuestProcess::wait(Clock::time_point deadline) {
     const auto now = Clock::now();
     if (now >= closed_due_) return GuestEvent::closed;
     if (now >= deadline) return GuestEvent::timeout;
-    if (look(std::min({deadline, now + glance, closed_due_}))) return GuestEvent::output;
+    if (look(std::min({deadline, now + glance, closed_due_}) - now)) return GuestEvent::output;
   }
 }
 
-bool GuestProcess::look(Clock::time_point until) {
+bool GuestProcess::look(Clock::duration left) {
   // The input is watched even if there is nothing to write: an error says that nobody reads it any more.
   const short writable = unsent() > 0 ? POLLOUT : 0;
   std::array<pollfd, 4> ends = {{{output_, POLLIN, 0}, {errors_end_, POLLIN, 0}, {status_end_, POLLIN, 0}, {input_, writable, 0}}};
-  const auto left = std::max(until - Clock::now(), Clock::duration::zero());
   const timespec time = {std::chrono::duration_cast<std::chrono::seconds>(left).count(),
                          std::chrono::duration_cast<std::chrono::nanoseconds>(left % 1s).count()};
   if (ppoll(ends.data(), ends.size(), &time, nullptr) <= 0) return false;
@@ -244,8 +243,8 @@ void GuestProcess::end(std::chrono::milliseconds grace) {
 
 void GuestProcess::wait_for_its_end(Clock::time_point until) {
   close_end(input_);
-  while (!status_ && Clock::now() < until && (stop_ == nullptr || !stop_->load())) {
-    look(std::min(until, Clock::now() + glance));
+  for (auto now = Clock::now(); !status_ && now < until && (stop_ == nullptr || !stop_->load()); now = Clock::now()) {
+    look(std::min<Clock::duration>(until - now, glance));
     // Nobody reads what it still says.
     lines_ = LineBuffer(limits_.longest_line);
   }

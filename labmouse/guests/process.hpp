@@ -88,8 +88,8 @@ class GuestProcess {
  private:
   struct Pipes;
   void start(const Launch& launch, Pipes& pipes);
-  /// Polls once, until then at most; true where output came or went.
-  bool look(Clock::time_point until);
+  /// Polls once, for so long at most; true where output came or went.
+  bool look(Clock::duration left);
   void write_some();
   void drop_input();
   bool read_output();
