@@ -10,7 +10,7 @@
 race:
 	@scripts/install race
 	@test -e build/release/build.ninja || scripts/quietly cmake --preset release
-	@test -e build/release/labmouse || echo "building labmouse: a minute or two" >&2
+	@test -e build/release/labmouse || echo "building labmouse: some minutes" >&2
 	@scripts/quietly cmake --build --preset release --target labmouse
 	@build/release/labmouse race
 
