@@ -1,0 +1,36 @@
+// The core of the page: labmouse as a WebAssembly module without a loader. The page writes a request (JSON, and bytes
+// beside it) into room that the module gives it, calls one of the functions below, and reads the answer. What they mean is
+// in labmouse/lab/page, where it is tested natively.
+#include <cstddef>
+#include <string>
+
+#include "labmouse/lab/page/calls.hpp"
+
+#define LABMOUSE_EXPORT(name) extern "C" __attribute__((export_name(#name), used))
+
+namespace {
+
+std::string request, request_bytes;
+labmouse::PageAnswer answer;
+
+void call(std::string_view name) { answer = labmouse::answer_page(name, request, request_bytes); }
+
+char* room(std::string& text, std::size_t size) {
+  text.resize(size);
+  return text.data();
+}
+
+}  // namespace
+
+/// Room for a request of that many bytes, and for what goes beside it.
+LABMOUSE_EXPORT(labmouse_request) char* labmouse_request(std::size_t size) { return room(request, size); }
+LABMOUSE_EXPORT(labmouse_request_bytes) char* labmouse_request_bytes(std::size_t size) { return room(request_bytes, size); }
+
+/// The answer to the last call: JSON, and what goes beside it.
+LABMOUSE_EXPORT(labmouse_answer) const char* labmouse_answer() { return answer.json.data(); }
+LABMOUSE_EXPORT(labmouse_answer_size) std::size_t labmouse_answer_size() { return answer.json.size(); }
+LABMOUSE_EXPORT(labmouse_answer_bytes) const char* labmouse_answer_bytes() { return answer.bytes.data(); }
+LABMOUSE_EXPORT(labmouse_answer_bytes_size) std::size_t labmouse_answer_bytes_size() { return answer.bytes.size(); }
+
+LABMOUSE_EXPORT(labmouse_about) void labmouse_about() { call("about"); }
+LABMOUSE_EXPORT(labmouse_signature) void labmouse_signature() { call("signature"); }

@@ -1,0 +1,49 @@
+// One HTML file with everything in it, under a policy that lets nothing else run or load.
+import { createHash } from 'node:crypto';
+import type { Plugin } from 'vite';
+
+const hash = (text: string) => `'sha256-${createHash('sha256').update(text).digest('base64')}'`;
+
+function policy(script: string, style: string): string {
+  const rules = [
+    `default-src 'none'`,
+    `script-src ${hash(script)} 'wasm-unsafe-eval'`,
+    `style-src ${hash(style)}`,
+    `worker-src blob:`,
+    `img-src blob: data:`,
+    `base-uri 'none'`,
+    `form-action 'none'`,
+  ];
+  return `<meta http-equiv="Content-Security-Policy" content="${rules.join('; ')}" />`;
+}
+
+/** Puts the page's one script and one style sheet into its HTML. */
+export function oneFile(fileName: string): Plugin {
+  return {
+    name: 'labmouse-one-file',
+    apply: 'build',
+    enforce: 'post',
+    generateBundle(_, bundle) {
+      const files = Object.values(bundle);
+      const scripts = files.filter((file) => file.type === 'chunk');
+      const assets = files.filter((file) => file.type === 'asset');
+      const html = assets.find((file) => file.fileName === 'index.html');
+      const styles = assets.filter((file) => file.fileName.endsWith('.css'));
+      const [script] = scripts;
+      const [sheet] = styles;
+      if (!html || !script || !sheet || files.length !== 3)
+        this.error(`the page has to be one script and one style sheet, and is ${files.map((file) => file.fileName)}`);
+      // Neither may end the element that it stands in.
+      const code = script.code.replaceAll('</script', '<\\/script').replaceAll('<!--', '<\\!--');
+      const style = String(sheet.source).trim();
+      const text = String(html.source)
+        .replace(/\s*<script[^>]*src=[^>]*><\/script>/, '')
+        .replace(/\s*<link[^>]*stylesheet[^>]*>/, '')
+        .replace('<!-- labmouse:policy -->', () => policy(code, style))
+        .replace('</head>', () => `<style>${style}</style>\n  </head>`)
+        .replace('</body>', () => `<script type="module">${code}</script>\n  </body>`);
+      for (const file of files) delete bundle[file.fileName];
+      this.emitFile({ type: 'asset', fileName, source: text });
+    },
+  };
+}

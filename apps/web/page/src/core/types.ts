@@ -1,0 +1,378 @@
+// What the core (labmouse compiled to WebAssembly) is asked and answers. The functions themselves are in
+// apps/web/exports.cpp; every shape here is written there by one function of the same name. Cells are [x, y], (0,0) in
+// the south-west; lists over cells run by y * width + x.
+
+export type Cell = [number, number];
+export type HeadingName = 'north' | 'east' | 'south' | 'west';
+
+/** A maze as the core gives and takes it. */
+export interface MazeData {
+  name: string;
+  width: number;
+  height: number;
+  /** The closed sides of each cell: 1 north, 2 east, 4 south, 8 west. Two neighbours agree; the border is closed. */
+  walls: number[];
+  start: Cell;
+  heading: HeadingName;
+  goals: Cell[];
+}
+
+/** What is wrong with an input. Line and column count from 1; 0 is the input as a whole, or a byte of a binary file. */
+export interface Problem {
+  line: number;
+  column: number;
+  reason: string;
+}
+
+export interface Rules {
+  budget: number;
+  exploration_factor: number;
+  stride: number;
+}
+
+export type ParameterType = 'whole' | 'real' | 'flag' | 'choice' | 'prior';
+
+export interface Parameter {
+  name: string;
+  type: ParameterType;
+  default: string;
+  meaning: string;
+  low?: number;
+  high?: number;
+  choices?: string[];
+}
+
+export interface Mouse {
+  name: string;
+  summary: string;
+  throws_dice: boolean;
+  parameters: Parameter[];
+}
+
+export interface Named {
+  name: string;
+  summary: string;
+}
+
+/** `about`: what the core brings. */
+export interface About {
+  version: string;
+  compiler: string;
+  mice: Mouse[];
+  mazes: { name: string; width: number; height: number }[];
+  formats: Named[];
+  generators: Named[];
+  rules: Rules & { failure_score: number };
+  /** Largest side of a maze. */
+  most_side: number;
+}
+
+/** `inspect`: what a maze is like. */
+export interface Inspection {
+  /** Steps of the shortest speed run, and the score of a mouse that knows the maze; null where no goal can be reached. */
+  optimum: number | null;
+  bound: number | null;
+  /** The same under mms's rules. */
+  mms_run: number | null;
+  mms_score: number | null;
+  shortest_cells: number | null;
+  shortest_runs: number | null;
+  reachable: number;
+  dead_ends: number;
+  junctions: number;
+  loops: number;
+  left_follower_arrives: boolean;
+  right_follower_arrives: boolean;
+  /** Each rule of the official contests, always all of them. */
+  contest_rules: { name: string; passed: boolean; reason: string }[];
+  /** The poses of a shortest run, from the start to the goal. */
+  route: Cell[];
+  /** Steps to the goal from each cell; -1 where there is no way. */
+  distances: number[];
+}
+
+export interface Candidate {
+  /** The unseen wall as [x, y, side], or null for `goal`: entering the goal. */
+  wall: [number, number, 'north' | 'east'] | null;
+  goal: boolean;
+  seen_from: Cell;
+  /** Steps of the speed run through it, and steps of the way to it. */
+  through: number;
+  travel: number;
+  worth: boolean;
+  score: number;
+}
+
+export interface Reasons {
+  /** The frame before the step in which the mouse chose. */
+  frame: number;
+  /** In words: what it went by. */
+  ground: string;
+  candidates: Candidate[];
+  /** Position of the chosen one; -1 for none. */
+  chosen: number;
+  /** Steps of the best known run; 0 for none yet. */
+  known: number;
+  hope: number;
+  price: number;
+}
+
+/** Something that a program for mms drew; it holds from that frame on. */
+export type MmsEvent =
+  | { frame: number; kind: 'wall'; cell: Cell; side: HeadingName; there: boolean }
+  | { frame: number; kind: 'colour'; cell: Cell; colour: string }
+  | { frame: number; kind: 'text'; cell: Cell; text: string }
+  | { frame: number; kind: 'clear colours' }
+  | { frame: number; kind: 'clear texts' };
+
+/**
+ * One contest, frame by frame: frame 0 is before the first step, frame i after step i; the last is the end. Lists `clock`,
+ * `x`, `y`, `heading`, `run` have one entry a frame, those of steps one entry a step: step i leads from frame i to i + 1.
+ */
+export interface Play {
+  world: 'steps' | 'mms';
+  mouse: string;
+  maze: MazeData;
+  /** As in the record; null in mms. */
+  rules: Rules | null;
+  seed: number | null;
+  /** In words, with the reason of a forfeit. */
+  outcome: string;
+  solved: boolean;
+  score: number | null;
+  /** The best possible score and speed run here; null where there is no way. */
+  bound: number | null;
+  optimum: number | null;
+  exploration_steps: number;
+  speed_steps: number;
+  /** Shares, 0 to 1, of the cells that can be reached; null in mms. */
+  discovered: number | null;
+  visited: number | null;
+  /** From the program, for people: show it as text. */
+  last_words: string;
+  counts: { name: string; value: number }[];
+  /** How far a record that lacks fields was checked; empty where it gives all. */
+  checked: string;
+  /** False where the record breaks off. */
+  ended: boolean;
+
+  /** Steps in `steps`, seconds in `mms`. */
+  clock: number[];
+  /** In half cells: the centre of cell (0,0) is (1,1). */
+  x: number[];
+  y: number[];
+  /** Eighths of a turn clockwise from north. */
+  heading: number[];
+  /** 0 exploration, 1 speed run. In mms always 0. */
+  run: number[];
+
+  /** What was asked for, in words: "right, 3", "reset", "moveForward 2". */
+  action: string[];
+  /** A wall ended the movement early (in mms: a crash). */
+  blocked: boolean[];
+  /** Open cells to the left, ahead and to the right before each step; empty in mms. */
+  left: number[];
+  ahead: number[];
+  right: number[];
+  /**
+   * By wall, 2 * cells: the north side of cell i at i, its east side at cells + i. The frame from which the mouse knows
+   * that wall: 0 from the beginning (the border), -1 never. In mms empty.
+   */
+  known: number[];
+  /** The first frame in the goal, and the one in which the mouse is back at the start; null where that never came. */
+  goal_frame: number | null;
+  reset_frame: number | null;
+  /** Cells entered in each step (passing through counts), as positions in lists over cells; [] where it stayed. */
+  entered: number[][];
+  /** The cells of a best possible speed run, one a step, from the start. */
+  route: Cell[];
+  /** Steps to the goal from each cell in the whole maze; -1 where there is no way. */
+  distances: number[];
+  reasons: Reasons[];
+  events: MmsEvent[];
+  /** The score of mms at each frame; empty in `steps`, where it is exploration / factor + speed. */
+  scores: number[];
+}
+
+/** One contest in the results of a race; docs/races.md has the fields. */
+export interface ContestResult {
+  maze: string;
+  seed: number;
+  outcome: string;
+  score: number | null;
+  exploration_steps: number;
+  speed_steps: number | null;
+  discovered_share: number;
+  visited_share: number;
+  microseconds_per_decision: number;
+  blocked_steps?: number;
+  void_rotations?: number;
+  cut_movements?: number;
+  idle_resets?: number;
+  last_words?: string;
+  counts?: Record<string, number>;
+}
+
+export interface RacedMouse {
+  name: string;
+  parameters: Record<string, string | number | boolean>;
+  contestant: boolean;
+  solved: number;
+  runs: number;
+  mean_score: number | null;
+  penalised_mean: number | null;
+  interval: [number, number] | null;
+  mean_ratio: number | null;
+  mean_exploration_steps: number | null;
+  mean_speed_over_optimum: number | null;
+  optimal_share: number;
+  mean_discovered_share: number | null;
+  mean_visited_share: number | null;
+  microseconds_per_decision: number;
+  results: ContestResult[];
+}
+
+export interface RacedMaze {
+  name: string;
+  width: number;
+  height: number;
+  optimum: number | null;
+  bound: number | null;
+}
+
+/** The results of a race as `labmouse race --format json` writes them; mice come best first. */
+export interface RaceResults {
+  labmouse: string;
+  compiler: string;
+  processor: string;
+  seed: number;
+  budget: number;
+  stopped: boolean;
+  mazes: RacedMaze[];
+  mice: RacedMouse[];
+  /** The world of mms, where programs for it raced. */
+  groups?: MmsGroup[];
+  skipped: { path: string; reasons: string[] }[];
+}
+
+export interface MmsGroup {
+  world: 'mms';
+  formula: string;
+  mazes: { name: string; width: number; height: number; best_run: number | null; best_score: number | null }[];
+  mice: {
+    name: string;
+    solved: number;
+    runs: number;
+    mean_score: number | null;
+    interval: [number, number] | null;
+    mean_ratio: number | null;
+    mean_best_run: number | null;
+    results: {
+      maze: string;
+      outcome: string;
+      end: string;
+      solved: boolean;
+      score: number;
+      possible_score: number | null;
+      ratio: number | null;
+      errors: string[];
+    }[];
+  }[];
+}
+
+/** `compare`: what the differences of two mice in the same mazes show. */
+export interface PairedDifference {
+  count: number;
+  mean: number;
+  interval: [number, number];
+  below: number;
+  equal: number;
+  above: number;
+  sign_test: number;
+}
+
+/** `open`: what a dropped file turned out to be. */
+export type Opened =
+  | { kind: 'maze'; maze: MazeData }
+  | { kind: 'record'; play: Play }
+  | { kind: 'results'; results: RaceResults };
+
+/**
+ * What a report page carries in its first block. The records are in the second, so that the table need not wait for them.
+ * `mazes`: by name, as the link of `link`.
+ */
+export interface Report {
+  labmouse: 'report';
+  format: 1;
+  version: string;
+  results: RaceResults;
+  mazes: Record<string, string>;
+}
+
+/** The second block: records in their packed form, which only the core reads. */
+export interface ReportRecords {
+  records: PackedRecord[];
+  /** How many more there were that did not fit. */
+  left_out: number;
+}
+
+export interface PackedRecord {
+  mouse: string;
+  maze: string;
+  seed?: number;
+  [field: string]: unknown;
+}
+
+/** Every function of the core: what it is asked and what it answers. `bytes` goes beside the request. */
+export interface Calls {
+  about: { request: Record<string, never>; answer: About };
+  /** The behaviour signature of `labmouse bench`. */
+  signature: { request: Record<string, never>; answer: { signature: string } };
+  /** Nanoseconds of a distance field, as `labmouse bench` has them. */
+  speed: { request: Record<string, never>; answer: { distance_ns: Record<string, Record<string, number>> } };
+  builtin_maze: { request: { name: string }; answer: { maze: MazeData } };
+  make_maze: {
+    request: { generator: string; width: number; height: number; seed: number; loops: number };
+    answer: { maze: MazeData };
+  };
+  /** A file of any kind, its content as bytes. A record without a maze takes `maze`. */
+  open: { request: { name: string; maze?: MazeData }; bytes: Uint8Array; answer: Opened };
+  inspect: { request: { maze: MazeData }; answer: Inspection };
+  /** The maze as a file: text, or bytes for the binary format. */
+  write_maze: { request: { maze: MazeData; format: string }; answer: { file_name: string; text?: string; bytes?: number[] } };
+  /** A maze as a text for links: letters, digits, - _ and . only; and back. */
+  link: { request: { maze: MazeData }; answer: { link: string } };
+  read_link: { request: { link: string }; answer: { maze: MazeData } };
+  /** A contest of a mouse of the roster, as `labmouse run MOUSE MAZE --seed N --explain`. */
+  run: {
+    request: { mouse: string; maze: MazeData; seed: number; budget?: number };
+    answer: { play: Play; record: string };
+  };
+  /** A packed record of a report. */
+  unpack: { request: { record: PackedRecord; maze: MazeData }; answer: { play: Play; record: string } };
+  /** A race in the one thread that the page has: keep it small. Without mice: all of the roster. */
+  race: {
+    request: { mice: string[]; mazes: MazeData[]; seed: number; runs: number; budget?: number };
+    answer: { results: RaceResults };
+  };
+  /** Means of a mouse in the same mazes as another. */
+  compare: { request: { differences: number[] }; answer: PairedDifference };
+  /**
+   * What a mouse with that knowledge believed: steps to the goal from each cell, all unknown walls open, frame by frame:
+   * frames * cells numbers of 16 bits in `bytes`, 65535 where there is no way.
+   */
+  beliefs: {
+    request: { maze: MazeData; known: number[]; frames: number; stride: number };
+    answer: { bytes: Uint8Array };
+  };
+  /** A picture (SVG) of a maze, or of a record's text in `bytes`. */
+  picture: { request: { maze: MazeData } | Record<string, never>; bytes?: Uint8Array; answer: { svg: string } };
+}
+
+export type CallName = keyof Calls;
+
+/** How every call ends that did not succeed. */
+export interface Failure {
+  error: string;
+  problems: Problem[];
+}

@@ -1,0 +1,36 @@
+import { fileURLToPath } from 'node:url';
+import { defineConfig } from 'vitest/config';
+import { core } from './build/core';
+import { oneFile } from './build/one-file';
+
+const root = fileURLToPath(new URL('../../../', import.meta.url));
+const wasm = process.env.LABMOUSE_CORE ?? `${root}build/web/labmouse_core.wasm`;
+
+export default defineConfig({
+  plugins: [core(wasm), oneFile('labmouse.html')],
+  worker: { format: 'iife', plugins: () => [core(wasm)] },
+  build: {
+    target: 'es2022',
+    outDir: process.env.LABMOUSE_PAGE ?? `${root}build/page`,
+    emptyOutDir: false,
+    assetsInlineLimit: Number.MAX_SAFE_INTEGER,
+    cssCodeSplit: false,
+    modulePreload: { polyfill: false },
+    reportCompressedSize: false,
+  },
+  test: {
+    fileParallelism: false,
+    projects: [
+      { extends: true, test: { name: 'unit', include: ['tests/unit/**/*.test.ts'] } },
+      {
+        extends: true,
+        test: {
+          name: 'end-to-end',
+          include: ['tests/end-to-end/**/*.test.ts'],
+          testTimeout: 60_000,
+          hookTimeout: 60_000,
+        },
+      },
+    ],
+  },
+});

@@ -1,0 +1,28 @@
+// Records in a small form, for reports that carry thousands of them: what the mouse did, and nothing that playing it in
+// its maze tells as well.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "labmouse/lab/record_file.hpp"
+
+namespace labmouse {
+
+/// `mouse`, `maze` (its name), `seed`, `actions` (a text, about one character a step), `outcome`, the rules where they are
+/// not those of the capstone, and `last_words` and `counts` where there are any. Reasons are left out: a mouse of the
+/// roster has them again when it is run again.
+nlohmann::ordered_json pack_record(const RecordFile& file);
+
+/// A record, or why the JSON is none: exactly one of the two is there.
+struct UnpackResult {
+  std::optional<RecordFile> file;
+  std::string error;
+};
+
+/// The record as it was packed, for its maze. Only the actions, the outcome, the last words and the counts are given:
+/// `replay` fills in the rest, and tells where the record does not fit the maze.
+UnpackResult unpack_record(const nlohmann::json& json, const Maze& maze);
+
+}  // namespace labmouse

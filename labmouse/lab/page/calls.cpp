@@ -1,0 +1,55 @@
+#include "labmouse/lab/page/calls.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "labmouse/lab/page/answers.hpp"
+
+namespace labmouse {
+namespace {
+
+using Answering = PageReply (*)(const nlohmann::json& request, std::string_view bytes);
+
+struct Call {
+  std::string_view name;
+  Answering answer;
+};
+
+constexpr std::array calls = {
+    Call{"about", answer_about},
+    Call{"signature", answer_signature},
+};
+
+constexpr auto names = [] {
+  std::array<std::string_view, calls.size()> list;
+  for (std::size_t i = 0; i < calls.size(); ++i) list[i] = calls[i].name;
+  return list;
+}();
+
+PageAnswer failure(const PageFailure& failure) {
+  nlohmann::ordered_json problems = nlohmann::ordered_json::array();
+  for (const Problem& problem : failure.problems)
+    problems.push_back({{"line", problem.line}, {"column", problem.column}, {"reason", problem.reason}});
+  const nlohmann::ordered_json json = {{"failure", {{"error", failure.error}, {"problems", std::move(problems)}}}};
+  return {json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace), ""};
+}
+
+}  // namespace
+
+PageAnswer answer_page(std::string_view call, std::string_view request, std::string_view bytes) {
+  const auto found = std::find_if(calls.begin(), calls.end(), [&](const Call& c) { return c.name == call; });
+  if (found == calls.end()) return failure({fmt::format("the page has no call '{}'", call), {}});
+  const nlohmann::json json = nlohmann::json::parse(request, nullptr, false);
+  if (!json.is_object()) return failure({"the request is no JSON object", {}});
+  const PageReply reply = found->answer(json, bytes);
+  if (!reply.failure.error.empty()) return failure(reply.failure);
+  const nlohmann::ordered_json whole = {{"answer", reply.answer}};
+  return {whole.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace), reply.bytes};
+}
+
+std::span<const std::string_view> page_calls() { return names; }
+
+}  // namespace labmouse
