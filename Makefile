@@ -1,10 +1,12 @@
 # The two commands. They install what is missing, build what has changed, and stay quiet about it unless it fails.
 #   make race    races the mice on the built-in mazes and prints the leaderboard
 #   make check   builds and runs all tests
+# The page, in a browser:
+#   make page    builds build/page/labmouse.html, and the program with it inside
 # And, when a mouse has changed:
 #   make reports runs every system of the five reports and writes docs/reports.md
 # One build tree, build/release, serves both: a race builds the program alone, so that it never waits for tests.
-.PHONY: race check reports
+.PHONY: race check page reports
 
 # Configured once: from then on the build does it by itself, where it has to.
 race:
@@ -19,10 +21,19 @@ CHECK_OPTIONS ?= -DLABMOUSE_WERROR=OFF
 
 check:
 	@scripts/install check
+	@scripts/page --if-installed
 	@scripts/quietly cmake --preset release -DLABMOUSE_TESTS=ON -DLABMOUSE_BENCH=ON $(CHECK_OPTIONS)
 	@test -e build/release/tests/lab_test || echo "building labmouse and its tests: some minutes" >&2
 	@scripts/quietly cmake --build --preset release
 	@scripts/run-tests release
+
+page:
+	@scripts/install page
+	@scripts/page
+	@test -e build/release/build.ninja || scripts/quietly cmake --preset release
+	@test -e build/release/labmouse || echo "building labmouse: some minutes" >&2
+	@scripts/quietly cmake --build --preset release --target labmouse
+	@echo "build/page/labmouse.html"
 
 reports:
 	@scripts/install race
