@@ -2,21 +2,14 @@
 
 #include "labmouse/lab/record_fields.hpp"
 #include "labmouse/lab/record_file.hpp"
+#include "labmouse/lab/record_parts.hpp"
 #include "labmouse/lab/record_reasons.hpp"
-#include "labmouse/mouse/motion.hpp"
 
 namespace labmouse {
 namespace {
 
 using Json = nlohmann::json;
 using Fields = RecordFields;
-
-// Limits on what a hostile file can make us hold.
-constexpr int longest_record = 1'000'000;  // steps
-constexpr std::size_t most_counts = 64;
-constexpr std::size_t longest_count_name = 64;
-constexpr std::size_t longest_last_words = 1U << 16U;  // bytes
-constexpr std::int64_t largest_count = std::int64_t{1} << 53U;  // what every JSON reader keeps exactly
 
 CellSet read_goals(Fields& fields) {
   CellSet goals;
@@ -65,15 +58,6 @@ std::string read_mouse_field(const Json& json, RecordFile& file) {
   return fields.error();
 }
 
-std::string read_rules_field(const Json& json, Rules& rules) {
-  Fields fields(json, "rules");
-  if (fields.has("budget")) rules.budget = fields.whole("budget", 1, longest_record);
-  if (fields.has("exploration_factor"))
-    rules.exploration_factor = fields.whole("exploration_factor", 1, longest_record);
-  if (fields.has("stride")) rules.stride = fields.whole("stride", 1, Motion::max_longest);
-  return fields.error();
-}
-
 /// Reads the header into the file; returns what is wrong, or nothing.
 std::string read_header(const Json& json, RecordFile& file) {
   Fields fields(json, "");
@@ -85,7 +69,7 @@ std::string read_header(const Json& json, RecordFile& file) {
   if (fields.has("seed") && !json["seed"].is_number_unsigned()) return "'seed' is not a number from 0 to 2^64 - 1";
   if (fields.has("seed")) file.seed = json["seed"].get<std::uint64_t>();
   std::string error;
-  if (fields.has("rules")) error = read_rules_field(json["rules"], file.rules);
+  if (fields.has("rules")) error = read_record_rules(json["rules"], file.rules);
   if (error.empty() && fields.has("mouse")) error = read_mouse_field(json["mouse"], file);
   if (error.empty() && fields.has("maze")) error = read_maze_field(json["maze"], file);
   return error;
@@ -145,42 +129,22 @@ std::string read_step(const Json& json, RecordFile& file) {
   return read_reasons(json["reasons"], size, file.run.reasons.emplace_back(StepReasons{step.step, {}}).reasons);
 }
 
-bool is_count(const Json& value) {
-  if (value.is_number_unsigned()) return value.get<std::uint64_t>() <= static_cast<std::uint64_t>(largest_count);
-  return value.is_number_integer() && value.get<std::int64_t>() >= -largest_count;
-}
-
-/// Reads what the mouse counted; returns what is wrong, or nothing.
-std::string read_counts(const Json& json, std::vector<Count>& counts) {
-  if (!json.is_object()) return "'counts' is not an object";
-  if (json.size() > most_counts) return fmt::format("'counts' has more than {} names", most_counts);
-  for (const auto& [name, value] : json.items()) {
-    if (name.empty() || name.size() > longest_count_name)
-      return fmt::format("'counts' has a name that is not 1 to {} bytes long", longest_count_name);
-    if (!is_count(value)) return "'counts' has a value that is not a whole number from -2^53 to 2^53";
-    counts.push_back({name, value.get<std::int64_t>()});
-  }
-  return "";
-}
-
 std::string read_end(const Json& json, RecordFile& file) {
   Fields fields(json, "");
   if (fields.has("last_words")) file.run.last_words = fields.text("last_words").substr(0, longest_last_words);
   if (fields.has("counts"))
-    if (auto error = read_counts(json["counts"], file.run.counts); !error.empty()) return error;
+    if (auto error = read_record_counts(json["counts"], file.run.counts); !error.empty()) return error;
   const std::string name = fields.text("outcome");
   file.given_end = given_in(fields);
   if (file.given_end.cell) file.run.end.cell = fields.cell("cell");
   if (file.given_end.heading) file.run.end.heading = fields.heading("heading");
   const bool gave_up = !file.run.steps.empty() && file.run.steps.back().action.kind == Action::Kind::forfeit;
   if (gave_up != (name == name_of(Outcome::forfeit))) fields.fail("and the last step disagree on a forfeit");
-  for (const Outcome outcome : {Outcome::solved, Outcome::out_of_steps, Outcome::never_reset,
-                                Outcome::speed_run_unfinished, Outcome::forfeit})
-    if (name_of(outcome) == name) {
-      file.run.outcome = outcome;
-      file.ended = true;
-      return fields.error();
-    }
+  if (const auto outcome = outcome_of(name)) {
+    file.run.outcome = *outcome;
+    file.ended = true;
+    return fields.error();
+  }
   return fmt::format("'outcome' is '{}', which this version does not know", name);
 }
 
