@@ -1,65 +1,127 @@
-// The page: four views around one core.
+// The page: four views around one core. It paints before the core has started, and a report's table needs no core.
 import CoreWorker from './core/worker?worker&inline';
-import { CoreError, startCore } from './core/client';
-import type { MazeData, Play } from './core/types';
+import { startCore, type Core } from './core/client';
+import type { About, MazeData, PackedRecord, RaceResults } from './core/types';
+import { blockText, readRecords, readReport } from './report/blocks';
+import { loadedRace } from './report/loaded';
+import { listenForFiles } from './shell/drop';
+import { fileTaker } from './shell/files';
+import { createFrame } from './shell/frame';
+import { lacking } from './shell/needs';
+import { createNotices } from './shell/notices';
+import { routeOf, titleOf } from './shell/routes';
+import { createStage } from './shell/stage';
 import { h } from './ui/dom';
 import { createDraw } from './views/draw';
 import { createLive } from './views/live';
 import { createRace } from './views/race';
 import { createReplay } from './views/replay';
-import type { Page, View } from './views/view';
+import type { EarlyPage, LoadedRace, Page } from './views/view';
 import './styles/page.css';
+import './styles/shell.css';
+
+const noCore = (reason: string): Core => ({ call: () => Promise.reject(new Error(reason)) });
+
+const notices = createNotices();
+const intake = listenForFiles((files) => void takeFiles(files));
+const stage = createStage(createFrame(notices, intake), notices.complain);
+const missing = lacking();
+const core = missing ? noCore(missing) : startCore(new CoreWorker());
+const ready: Promise<About> = core.call('about', {});
+
+/** Mazes that were opened in this page, by name, so that results find theirs. */
+const opened = new Map<string, MazeData>();
+let race: LoadedRace | null = null;
+let lastLink = '';
+
+function setRace(results: RaceResults, links: Map<string, string>, records: () => Promise<PackedRecord[]>) {
+  race = loadedRace(results, { core, ready, links, opened, records });
+}
+
+const page: EarlyPage = {
+  core,
+  ready,
+  race: () => race,
+  replay: (plays) => stage.show('replay', plays),
+  live: (maze) => stage.show('live', maze),
+  draw: (maze) => stage.show('draw', maze),
+  drawn: () => stage.view('draw')?.maze?.() ?? null,
+  open: (files) => void takeFiles(files),
+  choose: intake.choose,
+  hold(results) {
+    setRace(results, new Map(), async () => []);
+    stage.show('race', results);
+  },
+  tell: notices.tell,
+  complain: notices.complain,
+  save(fileName, content, type = 'text/plain') {
+    const url = URL.createObjectURL(new Blob([content], { type }));
+    h('a', { href: url, download: fileName }).click();
+    setTimeout(() => URL.revokeObjectURL(url), 10_000);
+  },
+};
+
+const takeFiles = fileTaker(core, notices, {
+  maze(maze) {
+    opened.set(maze.name, maze);
+    page.live(maze);
+  },
+  plays: page.replay,
+  results: page.hold,
+  atHand: () =>
+    (['draw', 'live'] as const).flatMap((name) => {
+      const maze = stage.view(name)?.maze?.();
+      return maze ? [{ place: titleOf(name), maze }] : [];
+    }),
+});
+
+/** Goes where the address says; a maze in it opens in Draw, once. */
+function follow() {
+  const route = routeOf(location.hash);
+  if (route && 'view' in route) {
+    if (route.view !== stage.current()) stage.show(route.view);
+  } else if (!route) {
+    if (stage.current() === null || location.hash === '') stage.show('race');
+  } else if (route.link === lastLink) stage.show('draw');
+  else void openLink((lastLink = route.link));
+}
+
+async function openLink(link: string) {
+  stage.show('draw');
+  try {
+    const { maze } = await core.call('read_link', { link });
+    // The link stays in the address, so that the page can be loaded again.
+    stage.show('draw', maze, true);
+  } catch (error) {
+    notices.complain(error);
+  }
+}
+
+async function loadReport() {
+  const text = blockText('labmouse-report');
+  if (text === null) return;
+  const { results, mazes } = await readReport(text);
+  setRace(results, new Map(Object.entries(mazes)), async () => {
+    const records = blockText('labmouse-records');
+    return records === null ? [] : (await readRecords(records)).records;
+  });
+}
+
+async function startViews() {
+  const about = await ready;
+  const whole: Page = { ...page, about };
+  stage.add('replay', createReplay(whole));
+  stage.add('live', createLive(whole));
+  stage.add('draw', createDraw(whole));
+}
 
 async function start() {
-  const core = startCore(new CoreWorker());
-  const about = await core.call('about', {});
-  const status = h('p', { role: 'status', class: 'status' });
-  const views: Record<string, View> = {};
-
-  function show(name: string, thing?: unknown) {
-    for (const [other, view] of Object.entries(views)) {
-      if (other !== name && !view.element.hidden) view.hidden?.();
-      view.element.hidden = other !== name;
-      tabs[other].setAttribute('aria-current', other === name ? 'page' : 'false');
-    }
-    if (thing !== undefined) views[name].accept?.(thing);
-    views[name].shown();
-  }
-
-  const page: Page = {
-    core,
-    about,
-    race: () => null,
-    replay: (plays: { play: Play; record: string }[]) => show('replay', plays),
-    live: (maze: MazeData) => show('live', maze),
-    draw: (maze: MazeData) => show('draw', maze),
-    drawn: () => null,
-    tell: (message) => status.replaceChildren(message),
-    complain(error) {
-      const lines = error instanceof CoreError ? error.problems.map((p) => `${p.line}:${p.column}: ${p.reason}`) : [];
-      status.replaceChildren([error instanceof Error ? error.message : String(error), ...lines].join('\n'));
-    },
-    save(fileName, content, type = 'text/plain') {
-      const url = URL.createObjectURL(new Blob([content], { type }));
-      h('a', { href: url, download: fileName }).click();
-      setTimeout(() => URL.revokeObjectURL(url), 10_000);
-    },
-  };
-  views.race = createRace(page);
-  views.replay = createReplay(page);
-  views.live = createLive(page);
-  views.draw = createDraw(page);
-  const tabs: Record<string, HTMLElement> = {};
-  for (const name of Object.keys(views)) tabs[name] = h('a', { href: `#${name}` }, name[0].toUpperCase() + name.slice(1));
-  addEventListener('hashchange', () => views[location.hash.slice(1)] && show(location.hash.slice(1)));
-  document
-    .getElementById('page')!
-    .append(
-      h('header', {}, h('h1', {}, 'labmouse'), h('nav', { 'aria-label': 'Views' }, ...Object.values(tabs))),
-      status,
-      h('main', {}, ...Object.values(views).map((view) => view.element)),
-    );
-  show(location.hash.slice(1) in views ? location.hash.slice(1) : 'race');
+  addEventListener('hashchange', follow);
+  follow();
+  if (missing) notices.complain(missing);
+  await loadReport().catch(notices.complain);
+  stage.add('race', createRace(page));
+  await startViews().catch((error) => missing || notices.complain(error));
 }
 
 void start();

@@ -1,7 +1,7 @@
 import { h } from '../ui/dom';
-import type { Page, View } from './view';
+import type { EarlyPage, View } from './view';
 
-export function createRace(_page: Page): View {
+export function createRace(_page: EarlyPage): View {
   const element = h('section', { 'aria-label': 'Race' });
   return { element, shown() {} };
 }

@@ -11,10 +11,11 @@ export interface LoadedRace {
   records(mouse: string, maze: string): Promise<PackedRecord[]>;
 }
 
-/** The page around the views. */
-export interface Page {
+/** The page around the views, as it is from the first moment on, while the core starts. */
+export interface EarlyPage {
   core: Core;
-  about: About;
+  /** What the core brings; rejected where it cannot start (the page has said so then). */
+  ready: Promise<About>;
   /** What the page was opened with, or what was dropped on it; null where it has no race yet. */
   race(): LoadedRace | null;
   /** Opens the replay with one play, or two beside each other on one clock. */
@@ -24,11 +25,21 @@ export interface Page {
   draw(maze: MazeData): void;
   /** The maze of the drawing, for Live; null while there is none. */
   drawn(): MazeData | null;
+  /** Takes files as if they had been dropped, or lets the user choose some. */
+  open(files: File[]): void;
+  choose(): void;
+  /** Shows these results in Race. */
+  hold(results: RaceResults): void;
   /** Says something to all readers: a status, or what went wrong (with its lines). */
   tell(message: string): void;
   complain(error: unknown): void;
   /** Gives the user a file. */
   save(fileName: string, content: string | Uint8Array<ArrayBuffer>, type?: string): void;
+}
+
+/** The page once the core has started. */
+export interface Page extends EarlyPage {
+  about: About;
 }
 
 /** One of the four views; built once, shown and hidden. */
@@ -40,4 +51,6 @@ export interface View {
   hidden?(): void;
   /** A dropped or linked thing that is for this view. */
   accept?(thing: unknown): void;
+  /** The maze that this view holds; null where there is none. A record without a maze is offered it. */
+  maze?(): MazeData | null;
 }

@@ -1,0 +1,54 @@
+// Files come from everywhere: dropped anywhere on the page, chosen, or pasted.
+import { h } from '../ui/dom';
+
+export interface Intake {
+  /** Shown while something is held over the page. */
+  overlay: HTMLElement;
+  /** Lets the user choose files. */
+  choose(): void;
+}
+
+const holdsFiles = (event: DragEvent) => event.dataTransfer?.types.includes('Files') ?? false;
+
+const isWriting = (target: EventTarget | null) =>
+  target instanceof HTMLElement && (target.isContentEditable || /^(input|textarea|select)$/i.test(target.tagName));
+
+function pasted(event: ClipboardEvent): File[] {
+  const files = [...(event.clipboardData?.files ?? [])];
+  const text = event.clipboardData?.getData('text/plain') ?? '';
+  return files.length > 0 || text.trim() === '' ? files : [new File([text], 'pasted text')];
+}
+
+/** Gives all files that reach the page to `take`. */
+export function listenForFiles(take: (files: File[]) => void): Intake {
+  const overlay = h('div', { class: 'drop', hidden: true }, h('p', {}, 'Drop mazes, records or results of a race'));
+  // Entering a child leaves its parent, so the two are counted.
+  let depth = 0;
+  const showing = (change: number) => {
+    depth = Math.max(0, depth + change);
+    overlay.hidden = depth === 0;
+  };
+  document.addEventListener('dragenter', (event) => holdsFiles(event) && (event.preventDefault(), showing(1)));
+  document.addEventListener('dragleave', (event) => holdsFiles(event) && showing(-1));
+  document.addEventListener('dragover', (event) => holdsFiles(event) && event.preventDefault());
+  document.addEventListener('drop', (event) => {
+    showing(-depth);
+    if (!holdsFiles(event)) return;
+    event.preventDefault();
+    take([...(event.dataTransfer?.files ?? [])]);
+  });
+  document.addEventListener('paste', (event) => {
+    const files = isWriting(event.target) ? [] : pasted(event);
+    if (files.length === 0) return;
+    event.preventDefault();
+    take(files);
+  });
+  return {
+    overlay,
+    choose() {
+      const input = h('input', { type: 'file', multiple: true });
+      input.onchange = () => take([...(input.files ?? [])]);
+      input.click();
+    },
+  };
+}

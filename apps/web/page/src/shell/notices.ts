@@ -1,0 +1,71 @@
+// What the page says: a quiet line of status, and what went wrong until it is dismissed.
+import { CoreError } from '../core/client';
+import type { Problem } from '../core/types';
+import { h } from '../ui/dom';
+
+const mostProblems = 12;
+const mostAlerts = 4;
+
+/** Something that the user can do about it. */
+export interface Remedy {
+  label: string;
+  act: () => void;
+}
+
+/** A problem as the command line has it: "line 3, column 7: expected a wall". */
+export function problemLine({ line, column, reason }: Problem): string {
+  if (line > 0) return `line ${line}${column > 0 ? `, column ${column}` : ''}: ${reason}`;
+  return column > 0 ? `byte ${column}: ${reason}` : reason;
+}
+
+/** What an error says: its message, and the places that it names. */
+export function linesOf(error: unknown): { message: string; places: string[] } {
+  const message = error instanceof Error ? error.message : String(error);
+  const problems = error instanceof CoreError ? error.problems : [];
+  const places = problems.slice(0, mostProblems).map(problemLine).filter((place) => place !== message);
+  if (problems.length > mostProblems) places.push(`and ${problems.length - mostProblems} more`);
+  return { message, places };
+}
+
+export interface Notices {
+  status: HTMLElement;
+  alerts: HTMLElement;
+  tell(message: string): void;
+  complain(error: unknown, ...remedies: Remedy[]): void;
+  clear(): void;
+}
+
+export function createNotices(): Notices {
+  const status = h('p', { role: 'status', class: 'status' });
+  const alerts = h('div', { role: 'alert', class: 'alerts' });
+
+  function dismiss(alert: HTMLElement) {
+    alert.remove();
+    document.querySelector<HTMLElement>('main')?.focus({ preventScroll: true });
+  }
+  return {
+    status,
+    alerts,
+    tell: (message) => status.replaceChildren(message),
+    complain(error, ...remedies) {
+      const { message, places } = linesOf(error);
+      const alert: HTMLElement = h(
+        'div',
+        { class: 'alert' },
+        h('p', {}, message),
+        places.length > 0 && h('ul', {}, ...places.map((place) => h('li', {}, place))),
+        h(
+          'div',
+          { class: 'row' },
+          ...remedies.map(({ label, act }) =>
+            h('button', { type: 'button', onclick: () => (alert.remove(), act()) }, label),
+          ),
+          h('button', { type: 'button', onclick: () => dismiss(alert) }, 'Dismiss'),
+        ),
+      );
+      while (alerts.childElementCount >= mostAlerts) alerts.firstElementChild?.remove();
+      alerts.append(alert);
+    },
+    clear: () => alerts.replaceChildren(),
+  };
+}

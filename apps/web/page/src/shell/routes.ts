@@ -1,0 +1,16 @@
+// What stands behind the # of the page's address: a view, after an & whatever that view adds, or a maze in a link.
+
+export const viewNames = ['race', 'replay', 'live', 'draw'] as const;
+export type ViewName = (typeof viewNames)[number];
+
+export type Route = { view: ViewName } | { link: string };
+
+/** Where that hash leads; null where it means nothing. */
+export function routeOf(hash: string): Route | null {
+  const text = hash.replace(/^#/, '');
+  if (text.startsWith('maze=')) return { link: text.slice('maze='.length) };
+  const view = viewNames.find((name) => name === text.split('&', 1)[0]);
+  return view ? { view } : null;
+}
+
+export const titleOf = (view: ViewName) => view[0].toUpperCase() + view.slice(1);

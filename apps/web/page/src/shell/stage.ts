@@ -1,0 +1,61 @@
+// One view is shown at a time. Views come when the core has started; what was meant for them waits until then.
+import { h } from '../ui/dom';
+import type { View } from '../views/view';
+import type { Frame } from './frame';
+import { routeOf, type ViewName } from './routes';
+
+export interface Stage {
+  add(name: ViewName, view: View): void;
+  /** Shows that view and hands it `thing`, if any; then the address names the view, unless it is to be kept. */
+  show(name: ViewName, thing?: unknown, keepAddress?: boolean): void;
+  /** The view on stage. */
+  current(): ViewName | null;
+  view(name: ViewName): View | undefined;
+}
+
+export function createStage(frame: Frame, complain: (error: unknown) => void): Stage {
+  const views = new Map<ViewName, View>();
+  const things = new Map<ViewName, unknown>();
+  const starting = h('p', { class: 'starting', hidden: true }, 'Starting …');
+  frame.main.append(starting);
+  let current: ViewName | null = null;
+
+  // A view that fails over a strange file must not take the page with it.
+  function safely(act: () => void) {
+    try {
+      act();
+    } catch (error) {
+      complain(`this could not be shown: ${error instanceof Error ? error.message : String(error)}`);
+    }
+  }
+  function give(name: ViewName) {
+    const view = views.get(name);
+    if (!view) return;
+    const thing = things.get(name);
+    things.delete(name);
+    if (thing !== undefined) safely(() => view.accept?.(thing));
+    if (current === name) safely(() => view.shown());
+  }
+  return {
+    add(name, view) {
+      views.set(name, view);
+      view.element.hidden = current !== name;
+      frame.main.append(view.element);
+      starting.hidden = current === null || views.has(current);
+      give(name);
+    },
+    show(name, thing, keepAddress = false) {
+      if (thing !== undefined) things.set(name, thing);
+      if (current !== null && current !== name) safely(() => views.get(current!)?.hidden?.());
+      current = name;
+      for (const [other, view] of views) view.element.hidden = other !== name;
+      starting.hidden = views.has(name);
+      frame.mark(name);
+      const route = routeOf(location.hash);
+      if (thing !== undefined && !keepAddress && !(route && 'view' in route && route.view === name)) location.hash = name;
+      give(name);
+    },
+    current: () => current,
+    view: (name) => views.get(name),
+  };
+}
