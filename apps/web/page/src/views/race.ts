@@ -1,7 +1,150 @@
+// The view of a race: who is best, where, by how much, and each contest a click away from its replay.
+import type { MmsGroup, RaceResults } from '../core/types';
+import { contestPlay } from '../race/contest-play';
+import { boardsOf, type Board } from '../race/contests';
+import { curves } from '../race/curves';
+import { duel } from '../race/duel';
+import { counted } from '../race/format';
+import { holdPanel } from '../race/hold-panel';
+import { leaderboard, mmsLeaderboard } from '../race/leaderboard';
+import { matrix } from '../race/matrix';
 import { h } from '../ui/dom';
-import type { EarlyPage, View } from './view';
+import { onTones } from '../ui/tones';
+import type { EarlyPage, LoadedRace, View } from './view';
+import '../styles/race.css';
 
-export function createRace(_page: EarlyPage): View {
-  const element = h('section', { 'aria-label': 'Race' });
-  return { element, shown() {} };
+/** What can be drawn again for the room and the tones that there are now. */
+interface Part {
+  arrange(): void;
+}
+
+function facts({ mice, mazes, groups, seed, budget, labmouse, stopped, skipped }: RaceResults): string {
+  const guests = (groups ?? []).reduce((sum: number, group: MmsGroup) => sum + group.mice.length, 0);
+  const contests = mice.reduce((sum, mouse) => sum + mouse.results.length, 0);
+  return [
+    counted(mice.length + guests, 'mouse', 'mice'),
+    counted(Math.max(mazes.length, ...(groups ?? []).map((group) => group.mazes.length)), 'maze'),
+    counted(contests, 'contest'),
+    `seed ${seed}`,
+    `budget ${budget} steps`,
+    `labmouse ${labmouse}`,
+    stopped && 'stopped early',
+    skipped?.length > 0 && `${counted(skipped.length, 'file')} skipped`,
+  ]
+    .filter(Boolean)
+    .join(' · ');
+}
+
+const part = (title: string, about: string, ...content: HTMLElement[]) =>
+  h('section', { class: 'part', 'aria-label': title }, h('h2', {}, title), about ? h('p', { class: 'note' }, about) : null, ...content);
+
+/** Once the next frame has been painted; at once where nothing is painted. */
+function afterFrame(act: () => void) {
+  if (document.hidden) setTimeout(act);
+  else requestAnimationFrame(() => setTimeout(act));
+}
+
+export function createRace(page: EarlyPage): View {
+  const element = h('section', { 'aria-label': 'Race', class: 'race' });
+  let shownRace: LoadedRace | null | undefined;
+  let parts: Part[] = [];
+
+  function replayContests(race: LoadedRace, board: Board, at: { mouse: number; maze: number; position: number }[]) {
+    page.tell('Opening the replay …');
+    Promise.all(at.map((one) => contestPlay(page, race, board, one)))
+      .then((plays) => {
+        page.tell([...new Set(plays.map(({ remark }) => remark).filter(Boolean))].join(' '));
+        page.replay(plays.map(({ play, record }) => ({ play, record })));
+      })
+      .catch((error) => {
+        page.tell('');
+        page.complain(error);
+      });
+  }
+
+  /** The pictures of one world, and what orders and filters their mice. */
+  function boardParts(race: LoadedRace, board: Board) {
+    const cells = matrix(board, (mouse, maze, position) => replayContests(race, board, [{ mouse, maze, position }]));
+    const lines = curves(board);
+    const pair = board.mice.length > 1 ? duel(page, board, (a, b, maze) => replayContests(race, board, [a, b].map((mouse) => ({ mouse, maze, position: 0 })))) : null;
+    parts.push(cells, lines, ...(pair ? [pair] : []));
+    const world = board.world === 'mms' ? ', mms' : '';
+    const best = board.world === 'mms' ? 'best possible score' : 'bound, the score of a mouse that knows the maze';
+    return {
+      board,
+      cells,
+      elements: [
+        part(`Mice × mazes${world}`, 'A choice of a cell opens its replay.', cells.element),
+        part(`Distributions${world}`, `How many contests of a mouse score within a ratio to the ${best}. Further up and to the left is better.`, lines.element),
+        ...(pair ? [part(`Two mice${world}`, '', pair.element)] : []),
+      ],
+    };
+  }
+
+  /** The tables at once, the pictures after the next frame: they take longer, and need the contests sorted. */
+  function shownRaceParts(race: LoadedRace): HTMLElement[] {
+    const { results } = race;
+    let boards: ReturnType<typeof boardParts>[] = [];
+    let order: number[] = [];
+    const tables = [
+      ...(results.mice.length > 0 ? [leaderboard(results, (now) => arrangeRows((order = now)))] : []),
+      ...(results.groups ?? []).map(mmsLeaderboard),
+    ];
+    function arrangeRows(rows: number[]) {
+      for (const { board, cells } of boards) if (board.world === 'steps') cells.order(rows);
+    }
+    const search = h('input', { type: 'search', placeholder: 'Search mice', 'aria-label': 'Search mice by name' });
+    search.addEventListener('input', () => [...tables, ...boards.map(({ cells }) => cells)].forEach((one) => one.filter(search.value)));
+    const save = h('button', { type: 'button', onclick: () => page.save('results.json', `${JSON.stringify(results)}\n`, 'application/json') }, 'Save results');
+    const pictures = h('div', { class: 'race pictures' });
+    afterFrame(() => {
+      if (race !== shownRace) return;
+      boards = boardsOf(results).map((board) => boardParts(race, board));
+      pictures.append(...boards.flatMap(({ elements }) => elements));
+      arrangeRows(order);
+      arrange();
+    });
+    return [
+      h('p', { class: 'note facts' }, facts(results)),
+      part('Leaderboard', '', h('div', { class: 'row controls' }, search, save), ...tables.map((table) => table.element)),
+      pictures,
+    ];
+  }
+
+  function holdPart(first: boolean) {
+    const room = h('div', {}, h('p', { class: 'note' }, 'Starting …'));
+    page.ready.then(
+      (about) => room.replaceChildren(holdPanel(page, about)),
+      () => room.replaceChildren(h('p', { class: 'note' }, 'Races cannot be held here, because the core did not start.')),
+    );
+    const about = 'Or drop the results of a race on this page: labmouse race --format json > results.json. They are shown here with all contests, as in a report of labmouse report.';
+    return first
+      ? part('Hold a race', `These mice race on these mazes, in this page. ${about}`, room)
+      : h('details', { class: 'part controls' }, h('summary', {}, 'Hold another race'), h('p', { class: 'note' }, about), room);
+  }
+
+  function render(race: LoadedRace | null) {
+    parts = [];
+    element.replaceChildren(h('h2', { class: 'unseen' }, 'Race'), ...(race ? shownRaceParts(race) : []), holdPart(!race));
+  }
+  const arrange = () => !element.hidden && parts.forEach((one) => one.arrange());
+  onTones(arrange);
+  new ResizeObserver(arrange).observe(element);
+
+  return {
+    element,
+    shown() {
+      const race = page.race();
+      if (race !== shownRace) {
+        shownRace = race;
+        try {
+          render(race);
+        } catch (error) {
+          render(null);
+          page.complain(`these results cannot be shown: ${error instanceof Error ? error.message : String(error)}`);
+        }
+      }
+      arrange();
+    },
+  };
 }

@@ -1,0 +1,72 @@
+// The replay of one contest of a race: from its record, or run again with the same seed.
+import type { MazeData, PackedRecord, Play } from '../core/types';
+import type { EarlyPage, LoadedRace } from '../views/view';
+import type { Board, Contest } from './contests';
+import { isNumber, scoreText } from './format';
+
+export interface ContestPlay {
+  play: Play;
+  record: string;
+  /** What should be known of this replay; empty where nothing. */
+  remark: string;
+}
+
+type Found = Omit<ContestPlay, 'remark'>;
+
+/** The record of that contest: the one of its seed, or the one in its place where there are no seeds. */
+export function recordOf(records: PackedRecord[], contest: Contest, position: number): PackedRecord | null {
+  const same = records.find(({ seed }) => seed !== undefined && seed === contest.seed);
+  if (same) return same;
+  const other = records[position];
+  return other && (other.seed === undefined || contest.seed === null) ? other : null;
+}
+
+const sameActions = (a: Play, b: Play) => a.action.length === b.action.length && a.action.every((action, i) => action === b.action[i]);
+
+/** Whether the page can run it: `flood:stride=1` and `oracle` are of the roster, `guest:...` is not. */
+async function isOurs(page: EarlyPage, mouse: string) {
+  const { mice } = await page.ready;
+  const name = mouse.split(':', 1)[0];
+  return name === 'oracle' || mice.some((one) => one.name === name);
+}
+
+async function runAgain(page: EarlyPage, race: LoadedRace, mouse: string, maze: MazeData, contest: Contest): Promise<Found | null> {
+  if (contest.seed === null || !(await isOurs(page, mouse))) return null;
+  const { budget } = race.results;
+  return page.core.call('run', { mouse, maze, seed: contest.seed, ...(isNumber(budget) && { budget }) });
+}
+
+const differs = (mouse: string) => `This version of labmouse behaves differently from the one that raced: here is ${mouse} as it was recorded.`;
+
+/** A record that lacks reasons, and the same mouse run again, which has them: the better of the two. */
+function better(recorded: Found, again: Found | null, mouse: string): ContestPlay {
+  if (again && sameActions(recorded.play, again.play)) return { ...again, remark: '' };
+  return { ...recorded, remark: again ? differs(mouse) : '' };
+}
+
+function scoreRemark(play: Play, contest: Contest): string {
+  const same = play.score === contest.score || (isNumber(play.score) && isNumber(contest.score) && Math.abs(play.score - contest.score) < 1e-6);
+  if (same) return '';
+  const before = contest.score === null ? contest.outcome : scoreText(contest.score);
+  const now = play.score === null ? play.outcome : scoreText(play.score);
+  return `This version of labmouse behaves differently from the one that raced: the results say ${before}, this run ${now}.`;
+}
+
+/** Throws in words why there is nothing to replay. */
+export async function contestPlay(page: EarlyPage, race: LoadedRace, board: Board, at: { mouse: number; maze: number; position: number }): Promise<ContestPlay> {
+  const mouse = board.mice[at.mouse].name;
+  const { name, short } = board.mazes[at.maze];
+  const contest = board.cells[at.mouse][at.maze].contests[at.position];
+  const records = await race.records(mouse, name).catch((error) => (page.complain(error), []));
+  const packed = recordOf(records, contest, at.position);
+  if (!packed && board.world === 'mms') throw new Error(`There is no record of ${mouse} in ${short}: runs of mms are replayed from their records. Drop the record here.`);
+  if (!packed && !(await isOurs(page, mouse)))
+    throw new Error(`There is no record of ${mouse} in ${short}, and a page cannot run this program. Drop its record here ('labmouse race --out DIR' keeps them).`);
+  const maze = await race.maze(name);
+  if (!maze) throw new Error(`The maze ${short} is not in this page. Drop its file here, then choose the contest again.`);
+
+  const again = board.world === 'mms' ? null : await runAgain(page, race, mouse, maze, contest).catch((error) => (packed ? null : Promise.reject(error)));
+  if (packed) return better(await page.core.call('unpack', { record: packed, maze }), again, mouse);
+  if (!again) throw new Error(`The results lack the seed of ${mouse} in ${short}.`);
+  return { ...again, remark: scoreRemark(again.play, contest) };
+}

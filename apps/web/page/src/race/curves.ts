@@ -1,0 +1,143 @@
+// The distributions: for each mouse, how many of its contests stay within a ratio to the bound.
+import uPlot from 'uplot';
+import 'uplot/dist/uPlot.min.css';
+import { h } from '../ui/dom';
+import { tone } from '../ui/tones';
+import type { Board } from './contests';
+import { grid, ratiosOf, shares } from './curves-data';
+import { number } from './format';
+
+const hues = ['to-goal', 'route', 'onwards', 'wrong', 'candidate', 'ink'];
+const dashes = [[], [7, 4], [2, 3], [12, 4, 2, 4]];
+const shownAtFirst = 6;
+const marks = [1, 1.1, 1.25, 1.5, 2, 3, 5, 10, 20, 50, 100];
+const limits = [1.001, 1.05, 1.1, 1.25, 1.5, 2, 3];
+
+export interface Curves {
+  element: HTMLElement;
+  arrange(): void;
+}
+
+const styleOf = (mouse: number) => ({ hue: hues[mouse % hues.length], dash: dashes[Math.floor(mouse / hues.length) % dashes.length] });
+
+/** A piece of a mouse's curve, for the legend. */
+function sample(mouse: number): HTMLCanvasElement {
+  const canvas = h('canvas', { class: 'sample', width: 56, height: 6, 'aria-hidden': 'true' });
+  const context = canvas.getContext('2d');
+  const { hue, dash } = styleOf(mouse);
+  if (!context) return canvas;
+  context.strokeStyle = tone(hue);
+  context.lineWidth = 4;
+  context.setLineDash(dash.map((length) => length * 2));
+  context.moveTo(0, 3);
+  context.lineTo(56, 3);
+  context.stroke();
+  return canvas;
+}
+
+/** The same as a table, for eyes that do not see curves, and for paper. */
+function asTable(board: Board, data: ReturnType<typeof ratiosOf>[], best: string) {
+  const head = limits.map((limit, i) => h('th', { scope: 'col' }, i === 0 ? '1' : `≤ ${limit}`));
+  const rows = board.mice.map(({ name, index }) =>
+    h('tr', {}, h('th', { scope: 'row' }, name), ...shares(data[index], limits).map((share) => h('td', {}, number(share, 1)))),
+  );
+  return h(
+    'details',
+    { class: 'controls' },
+    h('summary', {}, 'As a table'),
+    h(
+      'div',
+      { class: 'box', tabindex: 0, role: 'region', 'aria-label': 'Distributions as a table' },
+      h('table', {}, h('caption', {}, `Percent of all contests with at most that score / ${best}.`), h('thead', {}, h('tr', {}, h('th', { scope: 'col' }, 'mouse'), ...head)), h('tbody', {}, ...rows)),
+    ),
+  );
+}
+
+export function curves(board: Board): Curves {
+  const best = board.world === 'mms' ? 'best' : 'bound';
+  const data = board.mice.map(({ index }) => ratiosOf(board, index));
+  const chosen = new Set(board.mice.slice(0, shownAtFirst).map(({ index }) => index));
+  let log = true;
+  let plot: uPlot | null = null;
+
+  const picture = h('div', { class: 'curves', role: 'img', 'aria-label': `Percent of contests within a score / ${best}, for each mouse. The table below has the same numbers.` });
+  const at = h('span', {});
+  const values = board.mice.map(() => h('output', {}));
+  const samples = board.mice.map(() => h('span', {}));
+  const labels = board.mice.map(({ name, index }) => {
+    const box = h('input', { type: 'checkbox', checked: chosen.has(index), onchange: () => choose(index, box.checked) });
+    return h('label', { class: chosen.has(index) ? '' : 'off', title: name }, box, samples[index], h('span', { class: 'name' }, name), values[index]);
+  });
+  const logBox = h('input', { type: 'checkbox', checked: true, onchange: () => ((log = logBox.checked), arrange()) });
+
+  function choose(mouse: number, on: boolean) {
+    if (on) chosen.add(mouse);
+    else chosen.delete(mouse);
+    labels[mouse].className = on ? '' : 'off';
+    arrange();
+  }
+  function read(self: uPlot) {
+    const place = self.cursor.idx;
+    at.textContent = place === null || place === undefined ? '' : `within ${number(self.data[0][place], 3)}:`;
+    [...chosen].sort((a, b) => a - b).forEach((mouse, series) => {
+      const value = place === null || place === undefined ? null : self.data[series + 1][place];
+      values[mouse].textContent = value === null || value === undefined ? '' : `${number(value, 1)} %`;
+    });
+  }
+  function options(mice: number[], end: number): uPlot.Options {
+    const axis = { stroke: tone('muted'), grid: { stroke: tone('line'), width: 1 }, ticks: { stroke: tone('line'), width: 1 } };
+    const font = `12px ${getComputedStyle(document.documentElement).fontFamily}`;
+    const splits = marks.filter((mark) => mark <= end);
+    return {
+      width: Math.max(240, picture.clientWidth),
+      height: picture.clientWidth < 500 ? 260 : 320,
+      legend: { show: false },
+      cursor: { y: false, drag: { x: false, y: false }, points: { size: 7 } },
+      scales: { x: { time: false, distr: log ? 3 : 1, range: () => [1, end] }, y: { range: () => [0, 100] } },
+      axes: [
+        {
+          ...axis,
+          font,
+          labelFont: font,
+          labelSize: 20,
+          size: 32,
+          label: `score / ${best}${log ? ' (logarithmic)' : ''}`,
+          ...(log && { splits: () => splits, filter: (_: uPlot, all: number[]) => all }),
+          values: (_, all) => all.map((value) => (value === null ? '' : String(Math.round(value * 100) / 100))),
+        },
+        { ...axis, font, labelFont: font, label: 'contests within it, %', labelSize: 20, size: 44 },
+      ],
+      series: [
+        {},
+        ...mice.map((mouse) => ({
+          label: board.mice[mouse].name,
+          stroke: tone(styleOf(mouse).hue),
+          dash: styleOf(mouse).dash,
+          width: 2,
+          points: { show: false },
+        })),
+      ],
+      hooks: { setCursor: [read] },
+    };
+  }
+  function arrange() {
+    plot?.destroy();
+    plot = null;
+    board.mice.forEach(({ index }) => samples[index].replaceChildren(sample(index)));
+    values.forEach((value) => (value.textContent = ''));
+    at.textContent = '';
+    if (picture.clientWidth === 0) return;
+    const mice = [...chosen].sort((a, b) => a - b);
+    const xs = grid(Math.max(1, ...mice.map((mouse) => data[mouse].ratios.at(-1) ?? 1)), log);
+    plot = new uPlot(options(mice, xs[xs.length - 1]), [xs, ...mice.map((mouse) => shares(data[mouse], xs))], picture);
+  }
+  const element = h(
+    'div',
+    {},
+    picture,
+    h('fieldset', { class: 'pick' }, h('legend', {}, 'Mice ', at), ...labels),
+    h('label', { class: 'row controls' }, logBox, 'logarithmic'),
+    asTable(board, data, best),
+  );
+  return { element, arrange };
+}

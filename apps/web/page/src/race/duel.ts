@@ -1,0 +1,112 @@
+// Two mice against each other, maze by maze.
+import type { PairedDifference } from '../core/types';
+import { h } from '../ui/dom';
+import type { EarlyPage } from '../views/view';
+import type { Board } from './contests';
+import { paintBars, type Bars } from './duel-bars';
+import { pairsOf, type Pair } from './duel-data';
+import { duelWords } from './duel-words';
+import { scoreText, signed } from './format';
+import { sortedTable } from './sorted-table';
+
+export interface Duel {
+  element: HTMLElement;
+  arrange(): void;
+}
+
+/** `open` shows both contests beside each other. */
+export function duel(page: EarlyPage, board: Board, open: (a: number, b: number, maze: number) => void): Duel {
+  let [a, b] = [0, Math.min(1, board.mice.length - 1)];
+  let pairs: Pair[] = [];
+  let found: PairedDifference | null = null;
+  let bars: Bars | null = null;
+  // What comes late, for a pair that is no longer chosen, is dropped.
+  let asked = 0;
+
+  const canvas = h('canvas', { role: 'img' });
+  const words = h('p', { class: 'words', 'aria-live': 'polite' });
+  const caption = h('p', { class: 'caption' });
+  const tableBox = h('div', { class: 'box tall', tabindex: 0, role: 'region', 'aria-label': 'Differences, maze by maze' });
+  const picture = h('div', { class: 'bars' }, canvas);
+
+  const name = (mouse: number) => board.mice[mouse].name;
+  const mazeName = (maze: number) => board.mazes[maze].short;
+  const pairText = (pair: Pair) =>
+    `${mazeName(pair.maze)}: ${name(a)} ${scoreText(pair.a)}, ${name(b)} ${scoreText(pair.b)}, difference ${signed(pair.difference, 3)}`;
+
+  function table() {
+    const columns = [
+      {
+        title: 'maze',
+        meaning: 'Opens both contests beside each other.',
+        value: ({ maze }: Pair) => mazeName(maze),
+        show: ({ maze }: Pair) =>
+          h('button', { type: 'button', class: 'link', title: board.mazes[maze].name, onclick: () => open(a, b, maze) }, mazeName(maze)),
+        best: 'ascending' as const,
+        class: 'first',
+      },
+      { title: name(a), meaning: 'Its mean score in this maze, in steps.', value: (pair: Pair) => pair.a, show: (pair: Pair) => scoreText(pair.a), best: 'ascending' as const },
+      { title: name(b), meaning: 'Its mean score in this maze, in steps.', value: (pair: Pair) => pair.b, show: (pair: Pair) => scoreText(pair.b), best: 'ascending' as const },
+      {
+        title: 'difference',
+        meaning: 'The first less the second, in steps: below zero the first is better.',
+        value: (pair: Pair) => pair.difference,
+        show: (pair: Pair) => signed(pair.difference, 3),
+        best: 'ascending' as const,
+      },
+    ];
+    return sortedTable({ caption: 'Mean scores in steps; a choice of a maze opens both contests.', columns, rows: pairs, by: 3 }).element;
+  }
+  function arrange() {
+    if (picture.clientWidth > 0) bars = paintBars(canvas, pairs, found, picture.clientWidth);
+  }
+  async function choose() {
+    const now = ++asked;
+    const { rules } = await page.ready;
+    const fresh = pairsOf(board, a, b, rules.failure_score).sort((one, other) => one.difference - other.difference);
+    const answer = fresh.length > 0 ? await page.core.call('compare', { differences: fresh.map(({ difference }) => difference) }) : null;
+    if (now !== asked) return;
+    [pairs, found] = [fresh, answer];
+    words.textContent = found ? duelWords(name(a), name(b), found) : 'These two did not race in the same mazes.';
+    for (const piece of [picture, tableBox]) piece.hidden = !found;
+    canvas.setAttribute('aria-label', `Differences in score, ${name(a)} less ${name(b)}, one bar for each maze, sorted. The table below has the same numbers.`);
+    caption.textContent = `One bar for each maze: score of ${name(a)} less score of ${name(b)}, in steps. Below zero ${name(a)} is better. Line and band: the mean and its 95 % interval.`;
+    tableBox.replaceChildren(table());
+    arrange();
+  }
+  const tryToChoose = () => void choose().catch((error) => (words.textContent = error instanceof Error ? error.message : String(error)));
+
+  canvas.addEventListener('pointermove', (event) => {
+    const pair = bars?.at(event.offsetX);
+    if (pair) caption.textContent = pairText(pair);
+  });
+  canvas.addEventListener('click', (event) => {
+    const pair = bars?.at(event.offsetX);
+    if (pair) open(a, b, pair.maze);
+  });
+  const chooser = (chosen: number, set: (mouse: number) => void) => {
+    const select = h(
+      'select',
+      { onchange: () => (set(Number(select.value)), tryToChoose()) },
+      ...board.mice.map(({ name: label, index }) => h('option', { value: index, selected: index === chosen }, label)),
+    );
+    return select;
+  };
+  for (const piece of [picture, tableBox]) piece.hidden = true;
+  const element = h(
+    'div',
+    {},
+    h(
+      'div',
+      { class: 'row controls' },
+      h('label', { class: 'row' }, 'First', chooser(a, (mouse) => (a = mouse))),
+      h('label', { class: 'row' }, 'second', chooser(b, (mouse) => (b = mouse))),
+    ),
+    words,
+    picture,
+    caption,
+    tableBox,
+  );
+  tryToChoose();
+  return { element, arrange };
+}

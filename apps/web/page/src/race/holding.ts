@@ -1,0 +1,38 @@
+// A race in the page, mouse by mouse, so that the page stays lively between the pieces.
+import type { Core } from '../core/client';
+import type { MazeData, RaceResults } from '../core/types';
+import { joined } from './joining';
+
+export interface Order {
+  mice: string[];
+  mazes: string[];
+  /** Contests of each mouse that throws dice, in each maze. */
+  runs: number;
+  seed: number;
+}
+
+export interface Progress {
+  done: number;
+  all: number;
+  doing: string;
+}
+
+/** Mazes that the core brings, by their names. */
+async function builtins(core: Core, names: string[]): Promise<MazeData[]> {
+  return Promise.all(names.map(async (name) => (await core.call('builtin_maze', { name })).maze));
+}
+
+/** Holds the race; `wanted` is asked between mice whether to go on. Null where it was stopped before its first end. */
+export async function holdRace(core: Core, order: Order, report: (progress: Progress) => void, wanted: () => boolean): Promise<RaceResults | null> {
+  const all = order.mice.length;
+  report({ done: 0, all, doing: order.mice[0] });
+  const mazes = await builtins(core, order.mazes);
+  const pieces: RaceResults[] = [];
+  for (const [done, mouse] of order.mice.entries()) {
+    if (!wanted()) break;
+    report({ done, all, doing: mouse });
+    const { results } = await core.call('race', { mice: [mouse], mazes, seed: order.seed, runs: order.runs });
+    pieces.push(results);
+  }
+  return joined(pieces, pieces.length < all);
+}

@@ -1,0 +1,63 @@
+// Where the cells of the matrix lie, in CSS pixels, and how a cursor moves over them.
+
+export interface Layout {
+  columns: number;
+  rows: number;
+  cellWidth: number;
+  cellHeight: number;
+  /** Room above the cells, for the names of the mazes where they fit. */
+  top: number;
+  width: number;
+  height: number;
+}
+
+export type Width = 'fit' | 'wide';
+
+const rowHeight = 22;
+const wideCell = 16;
+const leastCell = 3;
+const mostCell = 32;
+/** From this width on, a name stands above its column. */
+const leastNamed = 11;
+const nameRoom = 92;
+
+/** For a box of that width. What does not fit is scrolled in it. */
+export function matrixLayout(columns: number, rows: number, room: number, width: Width): Layout {
+  const fitting = room / Math.max(1, columns);
+  const cellWidth = Math.min(mostCell, Math.max(leastCell, width === 'wide' ? Math.max(wideCell, Math.floor(fitting)) : fitting));
+  const top = cellWidth >= leastNamed ? nameRoom : 4;
+  return { columns, rows, cellWidth, cellHeight: rowHeight, top, width: cellWidth * columns, height: top + rowHeight * rows };
+}
+
+export interface Place {
+  row: number;
+  column: number;
+}
+
+/** The cell at that point; null beside all cells. */
+export function cellAt(layout: Layout, x: number, y: number): Place | null {
+  const column = Math.floor(x / layout.cellWidth);
+  const row = Math.floor((y - layout.top) / layout.cellHeight);
+  return column >= 0 && column < layout.columns && row >= 0 && row < layout.rows ? { row, column } : null;
+}
+
+const moves: Record<string, (place: Place, layout: Layout) => Place> = {
+  ArrowLeft: ({ row, column }) => ({ row, column: column - 1 }),
+  ArrowRight: ({ row, column }) => ({ row, column: column + 1 }),
+  ArrowUp: ({ row, column }) => ({ row: row - 1, column }),
+  ArrowDown: ({ row, column }) => ({ row: row + 1, column }),
+  PageUp: ({ row, column }) => ({ row, column: column - 10 }),
+  PageDown: ({ row, column }) => ({ row, column: column + 10 }),
+  Home: ({ row }) => ({ row, column: 0 }),
+  End: ({ row }, { columns }) => ({ row, column: columns - 1 }),
+};
+
+/** Where that key leads; null for a key that moves nothing. */
+export function moved(place: Place, key: string, layout: Layout): Place | null {
+  if (!Object.hasOwn(moves, key)) return null;
+  const { row, column } = moves[key](place, layout);
+  return {
+    row: Math.max(0, Math.min(layout.rows - 1, row)),
+    column: Math.max(0, Math.min(layout.columns - 1, column)),
+  };
+}

@@ -1,0 +1,181 @@
+// The matrix: a row for each mouse, a column for each maze.
+import { h, svg } from '../ui/dom';
+import { cellText, contestText } from './cell-text';
+import type { Board } from './contests';
+import { cellAt, matrixLayout, moved, type Layout, type Place, type Width } from './matrix-layout';
+import { paintMatrix } from './matrix-paint';
+import { mazeOrders, orderedMazes, type MazeOrder } from './maze-order';
+import { toneLabels, toneName } from './scale';
+
+export interface Matrix {
+  element: HTMLElement;
+  /** The rows, as positions of mice. */
+  order(mice: number[]): void;
+  filter(text: string): void;
+  /** Paints anew, for the room that is there now. */
+  arrange(): void;
+}
+
+const sign = (path: string, name?: string) =>
+  svg('svg', { width: 14, height: 14, viewBox: '0 0 14 14', 'aria-hidden': 'true', class: name }, svg('path', { d: path }));
+
+function legend(best: string) {
+  const swatches = toneLabels.map((label, step) => h('li', {}, h('span', { class: `swatch ${toneName(step)}` }), label));
+  return h(
+    'div',
+    { class: 'scale' },
+    h('span', {}, `score / ${best}, mean over the solved contests:`),
+    h(
+      'ul',
+      {},
+      ...swatches,
+      h('li', {}, sign('M3 3 L11 11 M11 3 L3 11'), 'all contests failed'),
+      h('li', {}, sign('M2 2 L10 2 L2 10 Z', 'filled'), 'some failed'),
+      h('li', {}, sign('M3 7 L11 7'), 'no way, or no contest'),
+    ),
+  );
+}
+
+/** `open` shows the contest of that mouse in that maze; the last is its position among several. */
+export function matrix(board: Board, open: (mouse: number, maze: number, contest: number) => void): Matrix {
+  let mice = board.mice.map(({ index }) => index);
+  let order = mice;
+  let mazeOrder: MazeOrder = 'name';
+  let mazes = orderedMazes(board, mazeOrder);
+  let width: Width = 'fit';
+  let filterText = '';
+  let layout: Layout = matrixLayout(mazes.length, mice.length, 600, width);
+  let cursor: Place = { row: 0, column: 0 };
+  const best = board.world === 'mms' ? 'best' : 'bound';
+
+  const canvas = h('canvas', { 'aria-hidden': 'true' });
+  const mark = h('div', { class: 'mark', hidden: true });
+  const names = h('div', { class: 'names', 'aria-hidden': 'true' });
+  const grid = h(
+    'div',
+    {
+      class: 'cells',
+      tabindex: 0,
+      role: 'application',
+      'aria-roledescription': 'matrix',
+      'aria-label': `${board.mice.length} mice by ${board.mazes.length} mazes. Arrow keys move from cell to cell, Enter opens the replay.`,
+    },
+    canvas,
+    mark,
+  );
+  const box = h('div', { class: 'matrix' }, names, grid);
+  const caption = h('p', { class: 'caption', 'aria-live': 'polite' }, 'Point at a cell, or move with the arrow keys.');
+  const opener = h('button', { type: 'button', disabled: true, onclick: () => openAt(cursor) }, 'Open the replay');
+  const runs = h('ol', { class: 'runs', hidden: true });
+
+  const mouseAt = ({ row }: Place) => mice[row];
+  const mazeAt = ({ column }: Place) => mazes[column];
+
+  function select(place: Place) {
+    cursor = place;
+    caption.textContent = cellText(board, mouseAt(place), mazeAt(place));
+    opener.disabled = board.cells[mouseAt(place)][mazeAt(place)].contests.length === 0;
+    runs.hidden = true;
+    showMark();
+  }
+  function showMark() {
+    mark.hidden = false;
+    mark.style.left = `${cursor.column * layout.cellWidth}px`;
+    mark.style.top = `${layout.top + cursor.row * layout.cellHeight}px`;
+    mark.style.width = `${layout.cellWidth}px`;
+    mark.style.height = `${layout.cellHeight}px`;
+  }
+  function bringIntoSight() {
+    const left = cursor.column * layout.cellWidth;
+    const room = box.clientWidth - names.offsetWidth;
+    if (left < box.scrollLeft) box.scrollLeft = left;
+    else if (left + layout.cellWidth > box.scrollLeft + room) box.scrollLeft = left + layout.cellWidth - room;
+  }
+  /** One contest opens at once; of several, one is chosen from a list. */
+  function openAt(place: Place) {
+    const [mouse, maze] = [mouseAt(place), mazeAt(place)];
+    const { contests } = board.cells[mouse][maze];
+    if (contests.length <= 1) return contests.length === 1 && open(mouse, maze, 0);
+    runs.replaceChildren(
+      ...contests.map((contest, position) =>
+        h(
+          'li',
+          {},
+          h('button', { type: 'button', onclick: () => open(mouse, maze, position) }, contestText(contest, board.mazes[maze].optimum)),
+        ),
+      ),
+    );
+    runs.hidden = false;
+    runs.querySelector('button')?.focus();
+  }
+
+  const placeOf = (event: MouseEvent) => {
+    const area = grid.getBoundingClientRect();
+    return cellAt(layout, event.clientX - area.left, event.clientY - area.top);
+  };
+  let byTouch = false;
+  grid.addEventListener('pointermove', (event) => {
+    const place = event.pointerType === 'mouse' && runs.hidden ? placeOf(event) : null;
+    if (place && (place.row !== cursor.row || place.column !== cursor.column || mark.hidden)) select(place);
+  });
+  grid.addEventListener('pointerdown', (event) => (byTouch = event.pointerType === 'touch'));
+  grid.addEventListener('click', (event) => {
+    const place = placeOf(event);
+    if (!place) return;
+    select(place);
+    // A finger cannot hover: it chooses the cell, the button below opens it.
+    if (!byTouch) openAt(place);
+  });
+  grid.addEventListener('focus', () => mice.length > 0 && mazes.length > 0 && mark.hidden && !byTouch && select(cursor));
+  grid.addEventListener('keydown', (event) => {
+    if (mice.length === 0 || mazes.length === 0) return;
+    if (event.key === 'Enter') return (event.preventDefault(), void openAt(cursor));
+    const next = moved(cursor, event.key, layout);
+    if (!next || event.ctrlKey || event.metaKey || event.altKey) return;
+    event.preventDefault();
+    select(next);
+    bringIntoSight();
+  });
+
+  function arrange() {
+    const text = filterText.toLowerCase();
+    mice = order.filter((mouse) => board.mice[mouse].name.toLowerCase().includes(text));
+    mazes = orderedMazes(board, mazeOrder);
+    names.replaceChildren(...mice.map((mouse) => h('div', { title: board.mice[mouse].name }, board.mice[mouse].name)));
+    // What is hidden has no width; it is arranged again when it is shown.
+    const room = (matchMedia('print').matches ? 640 : box.clientWidth || 600) - (names.offsetWidth || 150);
+    layout = matrixLayout(mazes.length, mice.length, room, width);
+    names.style.paddingTop = `${layout.top}px`;
+    mark.hidden = true;
+    runs.hidden = true;
+    cursor = { row: 0, column: 0 };
+    paintMatrix(canvas, { board, mice, mazes, layout });
+  }
+
+  const orderChoice = h(
+    'select',
+    { onchange: () => ((mazeOrder = orderChoice.value as MazeOrder), arrange()) },
+    ...mazeOrders.map((name) => h('option', { value: name }, name)),
+  );
+  const wideChoice = h('input', { type: 'checkbox', onchange: () => ((width = wideChoice.checked ? 'wide' : 'fit'), arrange()) });
+  const element = h(
+    'div',
+    {},
+    h(
+      'div',
+      { class: 'row controls' },
+      h('label', { class: 'row' }, 'Mazes by', orderChoice),
+      h('label', { class: 'row' }, wideChoice, 'wide cells'),
+    ),
+    box,
+    h('div', { class: 'row reading controls' }, caption, opener),
+    runs,
+    legend(best),
+  );
+  return {
+    element,
+    order: (to) => ((order = to), arrange()),
+    filter: (text) => ((filterText = text), arrange()),
+    arrange,
+  };
+}

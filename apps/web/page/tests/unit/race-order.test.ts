@@ -1,0 +1,41 @@
+import { describe, expect, it } from 'vitest';
+import type { RacedMouse, RaceResults } from '../../src/core/types';
+import { joined } from '../../src/race/joining';
+import { sorted } from '../../src/race/sorting';
+
+describe('sorted', () => {
+  const rows = [{ v: 3 }, { v: null }, { v: 1 }, { v: 3, second: true }];
+  const value = (row: { v: number | null }) => row.v;
+
+  it('puts numbers in order and leaves equals as they were', () => {
+    expect(sorted(rows, value, 'ascending')).toEqual([{ v: 1 }, { v: 3 }, { v: 3, second: true }, { v: null }]);
+  });
+  it('puts what has no value last in both directions', () => {
+    expect(sorted(rows, value, 'descending')).toEqual([{ v: 3 }, { v: 3, second: true }, { v: 1 }, { v: null }]);
+  });
+  it('reads numbers in names', () => {
+    expect(sorted(['maze-10', 'maze-9'], (name) => name, 'ascending')).toEqual(['maze-9', 'maze-10']);
+  });
+  it('leaves its list alone', () => {
+    const list = [2, 1];
+    sorted(list, (entry) => entry, 'ascending');
+    expect(list).toEqual([2, 1]);
+  });
+});
+
+const race = (name: string, mean: number | null, stopped = false) =>
+  ({ labmouse: '1', seed: 1, stopped, mazes: [{ name: 'one' }], mice: [{ name, penalised_mean: mean } as RacedMouse] }) as unknown as RaceResults;
+
+describe('joined', () => {
+  it('brings the best mouse first, and those without a mean last', () => {
+    const all = joined([race('poor', 50), race('none', null), race('good', 20)], false)!;
+    expect(all.mice.map(({ name }) => name)).toEqual(['good', 'poor', 'none']);
+    expect(all.mazes).toEqual([{ name: 'one' }]);
+    expect(all.stopped).toBe(false);
+  });
+  it('was stopped when a piece was, or when pieces are missing', () => {
+    expect(joined([race('a', 1)], true)!.stopped).toBe(true);
+    expect(joined([race('a', 1), race('b', 2, true)], false)!.stopped).toBe(true);
+  });
+  it('is no race without pieces', () => expect(joined([], true)).toBeNull());
+});
