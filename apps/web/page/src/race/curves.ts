@@ -2,7 +2,7 @@
 import uPlot from 'uplot';
 import 'uplot/dist/uPlot.min.css';
 import { h } from '../ui/dom';
-import { tone } from '../ui/tones';
+import { paperWidth, tone } from '../ui/tones';
 import type { Board } from './contests';
 import { grid, ratiosOf, shares } from './curves-data';
 import { number } from './format';
@@ -11,6 +11,7 @@ const hues = ['to-goal', 'route', 'onwards', 'wrong', 'candidate', 'ink'];
 const dashes = [[], [7, 4], [2, 3], [12, 4, 2, 4]];
 const shownAtFirst = 6;
 const marks = [1, 1.1, 1.25, 1.5, 2, 3, 5, 10, 20, 50, 100];
+const stepped = uPlot.paths.stepped!({ align: 1 });
 const limits = [1.001, 1.05, 1.1, 1.25, 1.5, 2, 3];
 
 export interface Curves {
@@ -84,13 +85,14 @@ export function curves(board: Board): Curves {
       values[mouse].textContent = value === null || value === undefined ? '' : `${number(value, 1)} %`;
     });
   }
+  const room = () => (picture.clientWidth > 0 ? (paperWidth() ?? picture.clientWidth) : 0);
   function options(mice: number[], end: number): uPlot.Options {
     const axis = { stroke: tone('muted'), grid: { stroke: tone('line'), width: 1 }, ticks: { stroke: tone('line'), width: 1 } };
     const font = `12px ${getComputedStyle(document.documentElement).fontFamily}`;
     const splits = marks.filter((mark) => mark <= end);
     return {
-      width: Math.max(240, picture.clientWidth),
-      height: picture.clientWidth < 500 ? 260 : 320,
+      width: Math.max(240, room()),
+      height: room() < 500 ? 260 : 320,
       legend: { show: false },
       cursor: { y: false, drag: { x: false, y: false }, points: { size: 7 } },
       scales: { x: { time: false, distr: log ? 3 : 1, range: () => [1, end] }, y: { range: () => [0, 100] } },
@@ -114,6 +116,7 @@ export function curves(board: Board): Curves {
           stroke: tone(styleOf(mouse).hue),
           dash: styleOf(mouse).dash,
           width: 2,
+          paths: stepped,
           points: { show: false },
         })),
       ],
@@ -126,7 +129,7 @@ export function curves(board: Board): Curves {
     board.mice.forEach(({ index }) => samples[index].replaceChildren(sample(index)));
     values.forEach((value) => (value.textContent = ''));
     at.textContent = '';
-    if (picture.clientWidth === 0) return;
+    if (room() === 0) return;
     const mice = [...chosen].sort((a, b) => a - b);
     const xs = grid(Math.max(1, ...mice.map((mouse) => data[mouse].ratios.at(-1) ?? 1)), log);
     plot = new uPlot(options(mice, xs[xs.length - 1]), [xs, ...mice.map((mouse) => shares(data[mouse], xs))], picture);

@@ -1,6 +1,7 @@
 // Two mice against each other, maze by maze.
 import type { PairedDifference } from '../core/types';
 import { h } from '../ui/dom';
+import { paperWidth } from '../ui/tones';
 import type { EarlyPage } from '../views/view';
 import type { Board } from './contests';
 import { paintBars, type Bars } from './duel-bars';
@@ -55,10 +56,10 @@ export function duel(page: EarlyPage, board: Board, open: (a: number, b: number,
         best: 'ascending' as const,
       },
     ];
-    return sortedTable({ caption: 'Mean scores in steps; a choice of a maze opens both contests.', columns, rows: pairs, by: 3 }).element;
+    return sortedTable({ caption: 'Mean scores in steps; choose a maze to open both contests.', columns, rows: pairs, by: 3 }).element;
   }
   function arrange() {
-    if (picture.clientWidth > 0) bars = paintBars(canvas, pairs, found, picture.clientWidth);
+    if (picture.clientWidth > 0) bars = paintBars(canvas, pairs, found, paperWidth() ?? picture.clientWidth);
   }
   async function choose() {
     const now = ++asked;

@@ -27,7 +27,7 @@ function picks(title: string, names: { name: string; about: string; on: boolean 
         h('button', { type: 'button', onclick: () => setAll(true) }, 'All'),
         h('button', { type: 'button', onclick: () => setAll(false) }, 'None'),
       ),
-      h('div', { class: 'list', tabindex: 0, role: 'group', 'aria-label': title }, ...boxes.map((box, i) => h('label', { title: names[i].about }, box, names[i].name))),
+      h('div', { class: 'list' }, ...boxes.map((box, i) => h('label', { title: names[i].about }, box, names[i].name))),
     ),
     chosen: () => boxes.filter((box) => box.checked).map((box) => box.value),
   };

@@ -90,7 +90,7 @@ function boxed<Row extends { name: string }>(table: SortedTable<Row>, columns: C
     element: h(
       'div',
       {},
-      h('div', { class: 'box', tabindex: 0, role: 'region', 'aria-label': label }, table.element),
+      h('div', { class: 'box', tabindex: 0, role: 'region', 'aria-label': `${label}, table` }, table.element),
       h('p', { class: 'note' }, note),
       legendOf(columns),
     ),

@@ -11,20 +11,26 @@ export interface Layout {
   height: number;
 }
 
-export type Width = 'fit' | 'wide';
-
 const rowHeight = 22;
 const wideCell = 16;
+/** Narrower than that, a cell is hard to see and harder to meet: then cells are wide from the beginning. */
 const leastCell = 3;
 const mostCell = 32;
 /** From this width on, a name stands above its column. */
 const leastNamed = 11;
-const nameRoom = 92;
+const nameRoom = 110;
+
+/** `paper` fits at any rate: a sheet cannot be scrolled. */
+export type Width = 'fit' | 'wide' | 'paper';
+
+/** How wide the cells had better be at first. */
+export const widthFor = (columns: number, room: number): Width => (room / Math.max(1, columns) < leastCell ? 'wide' : 'fit');
 
 /** For a box of that width. What does not fit is scrolled in it. */
 export function matrixLayout(columns: number, rows: number, room: number, width: Width): Layout {
   const fitting = room / Math.max(1, columns);
-  const cellWidth = Math.min(mostCell, Math.max(leastCell, width === 'wide' ? Math.max(wideCell, Math.floor(fitting)) : fitting));
+  const least = { fit: leastCell, wide: wideCell, paper: 1 }[width];
+  const cellWidth = Math.min(mostCell, Math.max(least, fitting));
   const top = cellWidth >= leastNamed ? nameRoom : 4;
   return { columns, rows, cellWidth, cellHeight: rowHeight, top, width: cellWidth * columns, height: top + rowHeight * rows };
 }

@@ -1,8 +1,9 @@
 // The matrix: a row for each mouse, a column for each maze.
 import { h, svg } from '../ui/dom';
+import { paperWidth } from '../ui/tones';
 import { cellText, contestText } from './cell-text';
 import type { Board } from './contests';
-import { cellAt, matrixLayout, moved, type Layout, type Place, type Width } from './matrix-layout';
+import { cellAt, matrixLayout, moved, widthFor, type Layout, type Place, type Width } from './matrix-layout';
 import { paintMatrix } from './matrix-paint';
 import { mazeOrders, orderedMazes, type MazeOrder } from './maze-order';
 import { toneLabels, toneName } from './scale';
@@ -42,9 +43,9 @@ export function matrix(board: Board, open: (mouse: number, maze: number, contest
   let order = mice;
   let mazeOrder: MazeOrder = 'name';
   let mazes = orderedMazes(board, mazeOrder);
-  let width: Width = 'fit';
+  let width: Width | null = null;
   let filterText = '';
-  let layout: Layout = matrixLayout(mazes.length, mice.length, 600, width);
+  let layout: Layout = matrixLayout(mazes.length, mice.length, 600, 'fit');
   let cursor: Place = { row: 0, column: 0 };
   const best = board.world === 'mms' ? 'best' : 'bound';
 
@@ -143,8 +144,10 @@ export function matrix(board: Board, open: (mouse: number, maze: number, contest
     mazes = orderedMazes(board, mazeOrder);
     names.replaceChildren(...mice.map((mouse) => h('div', { title: board.mice[mouse].name }, board.mice[mouse].name)));
     // What is hidden has no width; it is arranged again when it is shown.
-    const room = (matchMedia('print').matches ? 640 : box.clientWidth || 600) - (names.offsetWidth || 150);
-    layout = matrixLayout(mazes.length, mice.length, room, width);
+    const paper = paperWidth();
+    const room = (paper ?? (box.clientWidth || 600)) - (names.offsetWidth || 150);
+    if (width === null && !paper && box.clientWidth > 0) wideChoice.checked = (width = widthFor(mazes.length, room)) === 'wide';
+    layout = matrixLayout(mazes.length, mice.length, room, paper ? 'paper' : (width ?? 'fit'));
     names.style.paddingTop = `${layout.top}px`;
     mark.hidden = true;
     runs.hidden = true;

@@ -29,7 +29,7 @@ export function whiskers(rows: { mean: unknown; interval: unknown }[]): Whiskers
     head: () =>
       svg(
         'svg',
-        { class: 'whisker', width, height: headHeight, 'aria-hidden': 'true' },
+        { class: 'whisker', width, height: headHeight, viewBox: `0 0 ${width} ${headHeight}`, 'aria-hidden': 'true' },
         ...grid(headHeight - 4, headHeight),
         ...marks.map((mark) => svg('text', { x: at(mark), y: headHeight - 6, 'text-anchor': 'middle' }, number(mark, digits))),
       ),
@@ -43,7 +43,7 @@ export function whiskers(rows: { mean: unknown; interval: unknown }[]): Whiskers
       }
       if (isNumber(mean)) parts.push(svg('circle', { class: 'mean', cx: at(mean), cy: middle, r: 3.5 }));
       const label = isInterval(interval) ? `${number(interval[0], 1)} to ${number(interval[1], 1)}` : 'no interval';
-      return svg('svg', { class: 'whisker', width, height: rowHeight, role: 'img', 'aria-label': label }, svg('title', {}, label), ...grid(0, rowHeight), ...parts);
+      return svg('svg', { class: 'whisker', width, height: rowHeight, viewBox: `0 0 ${width} ${rowHeight}`, role: 'img', 'aria-label': label }, svg('title', {}, label), ...grid(0, rowHeight), ...parts);
     },
   };
 }

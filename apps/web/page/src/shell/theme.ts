@@ -1,6 +1,6 @@
 // Light, dark, or as the system has it; paper is always light.
 import { h } from '../ui/dom';
-import { tonesChanged } from '../ui/tones';
+import { setPaper, tonesChanged } from '../ui/tones';
 
 const themes = ['auto', 'light', 'dark'] as const;
 type Theme = (typeof themes)[number];
@@ -46,7 +46,7 @@ export function themeSwitch(): HTMLElement {
     ...themes.map((name) => h('option', { value: name, selected: name === theme }, name[0].toUpperCase() + name.slice(1))),
   );
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', tonesChanged);
-  addEventListener('beforeprint', () => apply('light'));
-  addEventListener('afterprint', () => apply(theme));
+  addEventListener('beforeprint', () => (setPaper(true), apply('light')));
+  addEventListener('afterprint', () => (setPaper(false), apply(theme)));
   return choice;
 }

@@ -15,3 +15,12 @@ export function onTones(listener: () => void): () => void {
 export function tonesChanged() {
   for (const listener of listeners) listener();
 }
+
+/** While the page is printed: the width of a sheet in CSS pixels, for what is painted to its width; else null. */
+export const paperWidth = (): number | null => ('paper' in document.documentElement.dataset ? 700 : null);
+
+/** Begins or ends the printing. */
+export function setPaper(on: boolean) {
+  if (on) document.documentElement.dataset.paper = '';
+  else delete document.documentElement.dataset.paper;
+}

@@ -74,7 +74,7 @@ export function createRace(page: EarlyPage): View {
       board,
       cells,
       elements: [
-        part(`Mice × mazes${world}`, 'A choice of a cell opens its replay.', cells.element),
+        part(`Mice × mazes${world}`, 'How near each mouse came to the best possible score. Choose a cell to open its replay.', cells.element),
         part(`Distributions${world}`, `How many contests of a mouse score within a ratio to the ${best}. Further up and to the left is better.`, lines.element),
         ...(pair ? [part(`Two mice${world}`, '', pair.element)] : []),
       ],
@@ -117,10 +117,18 @@ export function createRace(page: EarlyPage): View {
       (about) => room.replaceChildren(holdPanel(page, about)),
       () => room.replaceChildren(h('p', { class: 'note' }, 'Races cannot be held here, because the core did not start.')),
     );
-    const about = 'Or drop the results of a race on this page: labmouse race --format json > results.json. They are shown here with all contests, as in a report of labmouse report.';
+    const about = h(
+      'p',
+      { class: 'note' },
+      'Choose mice and mazes; they race in this page. Or drop the results of a race: ',
+      h('code', {}, 'labmouse race --format json > results.json'),
+      ' on your own mazes and mice is shown here in the same way, and ',
+      h('code', {}, 'labmouse report'),
+      ' makes a page of its own from it, with the replays.',
+    );
     return first
-      ? part('Hold a race', `These mice race on these mazes, in this page. ${about}`, room)
-      : h('details', { class: 'part controls' }, h('summary', {}, 'Hold another race'), h('p', { class: 'note' }, about), room);
+      ? part('Hold a race', '', about, room)
+      : h('details', { class: 'part controls' }, h('summary', {}, 'Hold another race'), about, room);
   }
 
   function render(race: LoadedRace | null) {

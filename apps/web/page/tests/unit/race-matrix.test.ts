@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import type { RaceResults } from '../../src/core/types';
 import { cellText } from '../../src/race/cell-text';
 import { boardsOf, stepsBoard } from '../../src/race/contests';
-import { cellAt, matrixLayout, moved } from '../../src/race/matrix-layout';
+import { cellAt, matrixLayout, moved, widthFor } from '../../src/race/matrix-layout';
 import { hardness, orderedMazes } from '../../src/race/maze-order';
 import { toneLabels, toneOf } from '../../src/race/scale';
 
@@ -14,7 +14,11 @@ describe('the layout of the matrix', () => {
   });
   it('scrolls on a phone rather than making cells too small to point at', () => {
     expect(matrixLayout(261, 20, 260, 'fit').width).toBeGreaterThan(700);
+    expect(widthFor(261, 260)).toBe('wide');
+    expect(widthFor(261, 1100)).toBe('fit');
+    expect(widthFor(0, 260)).toBe('fit');
   });
+  it('fits on paper at any rate', () => expect(matrixLayout(261, 20, 550, 'paper').width).toBeCloseTo(550));
   it('names the mazes where there is room', () => {
     expect(matrixLayout(40, 5, 1000, 'fit').top).toBeGreaterThan(50);
     expect(matrixLayout(261, 5, 1000, 'wide').top).toBeGreaterThan(50);
