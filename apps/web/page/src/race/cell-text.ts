@@ -25,7 +25,7 @@ function several(cell: Cell): string {
 export function cellText(board: Board, mouse: number, maze: number): string {
   const { short, width, height, bound, optimum } = board.mazes[maze];
   const cell = board.cells[mouse][maze];
-  const where = `${board.mice[mouse].name} in ${short} (${width}×${height})`;
+  const where = `${board.mice[mouse].shown} in ${short} (${width}×${height})`;
   if (bound === null) return `${where}: no goal can be reached`;
   if (cell.contests.length === 0) return `${where}: no contest`;
   const what = cell.contests.length === 1 ? contestText(cell.contests[0], board.world === 'steps' ? optimum : null) : several(cell);

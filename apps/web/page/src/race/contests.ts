@@ -25,6 +25,8 @@ export interface Cell {
 
 export interface BoardMouse {
   name: string;
+  /** The same, cut in its middle where it is a whole command. */
+  shown: string;
   reference: boolean;
   /** Position in its results. */
   index: number;
@@ -47,6 +49,13 @@ export interface Board {
   mazes: BoardMaze[];
   /** By the positions of mouse and maze. */
   cells: Cell[][];
+}
+
+const mostShown = 40;
+
+function mouseOf(name: string, index: number, reference = false): BoardMouse {
+  const shown = name.length > mostShown ? `${name.slice(0, mostShown - 16)}…${name.slice(-15)}` : name;
+  return { name, shown, index, reference };
 }
 
 const orNull = (value: unknown) => (isNumber(value) ? value : null);
@@ -97,7 +106,7 @@ export function stepsBoard(results: RaceResults): Board {
   }));
   return {
     world: 'steps',
-    mice: results.mice.map((mouse: RacedMouse, index) => ({ name: mouse.name, reference: mouse.contestant === false, index })),
+    mice: results.mice.map((mouse: RacedMouse, index) => mouseOf(mouse.name, index, mouse.contestant === false)),
     mazes,
     cells: results.mice.map((mouse) => row(mouse.results, mazes, ourContest)),
   };
@@ -124,7 +133,7 @@ export function mmsBoard(group: MmsGroup): Board {
   }));
   return {
     world: 'mms',
-    mice: group.mice.map(({ name }, index) => ({ name, reference: false, index })),
+    mice: group.mice.map(({ name }, index) => mouseOf(name, index)),
     mazes,
     cells: group.mice.map((mouse) => row(mouse.results, mazes, mmsContest)),
   };

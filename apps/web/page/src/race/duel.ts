@@ -30,7 +30,8 @@ export function duel(page: EarlyPage, board: Board, open: (a: number, b: number,
   const tableBox = h('div', { class: 'box tall', tabindex: 0, role: 'region', 'aria-label': 'Differences, maze by maze' });
   const picture = h('div', { class: 'bars' }, canvas);
 
-  const name = (mouse: number) => board.mice[mouse].name;
+  const name = (mouse: number) => board.mice[mouse].shown;
+  const unit = board.world === 'mms' ? 'points' : 'steps';
   const mazeName = (maze: number) => board.mazes[maze].short;
   const pairText = (pair: Pair) =>
     `${mazeName(pair.maze)}: ${name(a)} ${scoreText(pair.a)}, ${name(b)} ${scoreText(pair.b)}, difference ${signed(pair.difference, 3)}`;
@@ -46,17 +47,17 @@ export function duel(page: EarlyPage, board: Board, open: (a: number, b: number,
         best: 'ascending' as const,
         class: 'first',
       },
-      { title: name(a), meaning: 'Its mean score in this maze, in steps.', value: (pair: Pair) => pair.a, show: (pair: Pair) => scoreText(pair.a), best: 'ascending' as const },
-      { title: name(b), meaning: 'Its mean score in this maze, in steps.', value: (pair: Pair) => pair.b, show: (pair: Pair) => scoreText(pair.b), best: 'ascending' as const },
+      { title: name(a), meaning: `Its mean score in this maze, in ${unit}.`, value: (pair: Pair) => pair.a, show: (pair: Pair) => scoreText(pair.a), best: 'ascending' as const },
+      { title: name(b), meaning: `Its mean score in this maze, in ${unit}.`, value: (pair: Pair) => pair.b, show: (pair: Pair) => scoreText(pair.b), best: 'ascending' as const },
       {
         title: 'difference',
-        meaning: 'The first less the second, in steps: below zero the first is better.',
+        meaning: `The first less the second, in ${unit}: below zero the first is better.`,
         value: (pair: Pair) => pair.difference,
         show: (pair: Pair) => signed(pair.difference, 3),
         best: 'ascending' as const,
       },
     ];
-    return sortedTable({ caption: 'Mean scores in steps; choose a maze to open both contests.', columns, rows: pairs, by: 3 }).element;
+    return sortedTable({ caption: `Mean scores in ${unit}; choose a maze to open both contests.`, columns, rows: pairs, by: 3 }).element;
   }
   function arrange() {
     if (picture.clientWidth > 0) bars = paintBars(canvas, pairs, found, paperWidth() ?? picture.clientWidth);
@@ -68,10 +69,10 @@ export function duel(page: EarlyPage, board: Board, open: (a: number, b: number,
     const answer = fresh.length > 0 ? await page.core.call('compare', { differences: fresh.map(({ difference }) => difference) }) : null;
     if (now !== asked) return;
     [pairs, found] = [fresh, answer];
-    words.textContent = found ? duelWords(name(a), name(b), found) : 'These two did not race in the same mazes.';
+    words.textContent = found ? duelWords(name(a), name(b), found, unit) : 'These two did not race in the same mazes.';
     for (const piece of [picture, tableBox]) piece.hidden = !found;
     canvas.setAttribute('aria-label', `Differences in score, ${name(a)} less ${name(b)}, one bar for each maze, sorted. The table below has the same numbers.`);
-    caption.textContent = `One bar for each maze: score of ${name(a)} less score of ${name(b)}, in steps. Below zero ${name(a)} is better. Line and band: the mean and its 95 % interval.`;
+    caption.textContent = `One bar for each maze: score of ${name(a)} less score of ${name(b)}, in ${unit}. Below zero ${name(a)} is better. Line and band: the mean and its 95 % interval.`;
     tableBox.replaceChildren(table());
     arrange();
   }
@@ -89,7 +90,7 @@ export function duel(page: EarlyPage, board: Board, open: (a: number, b: number,
     const select = h(
       'select',
       { onchange: () => (set(Number(select.value)), tryToChoose()) },
-      ...board.mice.map(({ name: label, index }) => h('option', { value: index, selected: index === chosen }, label)),
+      ...board.mice.map(({ shown: label, index }) => h('option', { value: index, selected: index === chosen }, label)),
     );
     return select;
   };

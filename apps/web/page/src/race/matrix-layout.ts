@@ -18,7 +18,8 @@ const leastCell = 3;
 const mostCell = 32;
 /** From this width on, a name stands above its column. */
 const leastNamed = 11;
-const nameRoom = 110;
+const mostNameRoom = 110;
+const letter = 6.5;
 
 /** `paper` fits at any rate: a sheet cannot be scrolled. */
 export type Width = 'fit' | 'wide' | 'paper';
@@ -26,12 +27,12 @@ export type Width = 'fit' | 'wide' | 'paper';
 /** How wide the cells had better be at first. */
 export const widthFor = (columns: number, room: number): Width => (room / Math.max(1, columns) < leastCell ? 'wide' : 'fit');
 
-/** For a box of that width. What does not fit is scrolled in it. */
-export function matrixLayout(columns: number, rows: number, room: number, width: Width): Layout {
+/** For a box of that width and names of at most `letters`. What does not fit is scrolled in it. */
+export function matrixLayout(columns: number, rows: number, room: number, width: Width, letters = 20): Layout {
   const fitting = room / Math.max(1, columns);
   const least = { fit: leastCell, wide: wideCell, paper: 1 }[width];
   const cellWidth = Math.min(mostCell, Math.max(least, fitting));
-  const top = cellWidth >= leastNamed ? nameRoom : 4;
+  const top = cellWidth >= leastNamed ? Math.min(mostNameRoom, 14 + letters * letter) : 4;
   return { columns, rows, cellWidth, cellHeight: rowHeight, top, width: cellWidth * columns, height: top + rowHeight * rows };
 }
 

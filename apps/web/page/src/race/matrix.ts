@@ -47,6 +47,7 @@ export function matrix(board: Board, open: (mouse: number, maze: number, contest
   let filterText = '';
   let layout: Layout = matrixLayout(mazes.length, mice.length, 600, 'fit');
   let cursor: Place = { row: 0, column: 0 };
+  const letters = Math.max(0, ...board.mazes.map(({ short }) => short.length));
   const best = board.world === 'mms' ? 'best' : 'bound';
 
   const canvas = h('canvas', { 'aria-hidden': 'true' });
@@ -147,7 +148,7 @@ export function matrix(board: Board, open: (mouse: number, maze: number, contest
     const paper = paperWidth();
     const room = (paper ?? (box.clientWidth || 600)) - (names.offsetWidth || 150);
     if (width === null && !paper && box.clientWidth > 0) wideChoice.checked = (width = widthFor(mazes.length, room)) === 'wide';
-    layout = matrixLayout(mazes.length, mice.length, room, paper ? 'paper' : (width ?? 'fit'));
+    layout = matrixLayout(mazes.length, mice.length, room, paper ? 'paper' : (width ?? 'fit'), letters);
     names.style.paddingTop = `${layout.top}px`;
     mark.hidden = true;
     runs.hidden = true;

@@ -11,7 +11,7 @@ async function readJson(text: string, what: string): Promise<unknown> {
   try {
     return JSON.parse(new TextDecoder().decode(await unpack(text.replace(/\s+/g, ''))));
   } catch {
-    throw new Error(`${what} in this page cannot be read: the file is cut or damaged. Make it again with 'labmouse report'.`);
+    throw new Error(`The ${what} in this page cannot be read: the file is cut or damaged. Make it again with 'labmouse report'.`);
   }
 }
 
@@ -35,16 +35,16 @@ export function isResults(value: unknown): value is RaceResults {
 
 /** The report of that block's text; throws what is wrong with it, in words. */
 export async function readReport(text: string): Promise<Report> {
-  const json = await readJson(text, 'the report');
-  if (!isObject(json) || json.labmouse !== 'report') throw new Error('this page carries something that is no report of labmouse');
+  const json = await readJson(text, 'report');
+  if (!isObject(json) || json.labmouse !== 'report') throw new Error('This page carries something that is no report of labmouse');
   if (json.format !== format) {
     const version = typeof json.version === 'string' ? `, made by labmouse ${json.version}` : '';
     throw new Error(
-      `the report in this page has format ${String(json.format).slice(0, 20)}${version}; this page reads format ${format}. ` +
+      `The report in this page has format ${String(json.format).slice(0, 20)}${version}; this page reads format ${format}. ` +
         `Make it again with 'labmouse report'.`,
     );
   }
-  if (!isResults(json.results)) throw new Error('the report in this page lacks its results');
+  if (!isResults(json.results)) throw new Error('The report in this page lacks its results');
   const mazes = isObject(json.mazes) ? json.mazes : {};
   const links = Object.entries(mazes).filter(([, link]) => typeof link === 'string');
   return { ...(json as unknown as Report), mazes: Object.fromEntries(links) as Record<string, string> };
@@ -52,8 +52,8 @@ export async function readReport(text: string): Promise<Report> {
 
 /** The records of that block's text; throws what is wrong with them, in words. */
 export async function readRecords(text: string): Promise<ReportRecords> {
-  const json = await readJson(text, 'the records');
-  if (!isObject(json) || !Array.isArray(json.records)) throw new Error('the records in this page have a form that it does not know');
+  const json = await readJson(text, 'records');
+  if (!isObject(json) || !Array.isArray(json.records)) throw new Error('The records in this page have a form that it does not know');
   const records = json.records.filter((one) => isObject(one) && typeof one.mouse === 'string' && typeof one.maze === 'string');
   return { records, left_out: typeof json.left_out === 'number' ? json.left_out : 0 };
 }

@@ -25,7 +25,7 @@ export function createStage(frame: Frame, complain: (error: unknown) => void): S
     try {
       act();
     } catch (error) {
-      complain(`this could not be shown: ${error instanceof Error ? error.message : String(error)}`);
+      complain(`This could not be shown: ${error instanceof Error ? error.message : String(error)}`);
     }
   }
   function give(name: ViewName) {

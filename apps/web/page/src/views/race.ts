@@ -149,7 +149,7 @@ export function createRace(page: EarlyPage): View {
           render(race);
         } catch (error) {
           render(null);
-          page.complain(`these results cannot be shown: ${error instanceof Error ? error.message : String(error)}`);
+          page.complain(`These results cannot be shown: ${error instanceof Error ? error.message : String(error)}`);
         }
       }
       arrange();

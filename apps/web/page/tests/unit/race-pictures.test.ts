@@ -66,11 +66,11 @@ describe('two mice', () => {
   });
   it('are told apart in words', () => {
     const found = { count: 260, mean: -2.5, interval: [-3, -2] as [number, number], below: 180, equal: 40, above: 40, sign_test: 1e-9 };
-    expect(duelWords('a', 'b', found)).toBe(
+    expect(duelWords('a', 'b', found, 'steps')).toBe(
       'a against b: −2.500 steps on average (95 % interval −3.000 to −2.000) over 260 mazes: better. Lower in 180, equal in 40, higher in 40; sign test p < 0.0001.',
     );
     expect(verdictOf({ ...found, interval: [-1, 1] })).toBe('no difference shown');
     expect(verdictOf({ ...found, interval: [1, 2] })).toBe('worse');
-    expect(duelWords('a', 'b', { ...found, count: 1, sign_test: 1 })).toContain('over 1 maze. Lower');
+    expect(duelWords('a', 'b', { ...found, count: 1, sign_test: 1 }, 'steps')).toContain('over 1 maze. Lower');
   });
 });
