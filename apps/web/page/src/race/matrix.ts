@@ -150,15 +150,21 @@ export function matrix(board: Board, open: (mouse: number, maze: number, contest
     if (width === null && !paper && box.clientWidth > 0) wideChoice.checked = (width = widthFor(mazes.length, room)) === 'wide';
     layout = matrixLayout(mazes.length, mice.length, room, paper ? 'paper' : (width ?? 'fit'), letters);
     names.style.paddingTop = `${layout.top}px`;
+    paintMatrix(canvas, { board, mice, mazes, layout });
+    if (!mark.hidden) showMark();
+  }
+  /** Arranges for other rows or columns, so that the cursor stands nowhere any more. */
+  function rearrange() {
     mark.hidden = true;
     runs.hidden = true;
+    opener.disabled = true;
     cursor = { row: 0, column: 0 };
-    paintMatrix(canvas, { board, mice, mazes, layout });
+    arrange();
   }
 
   const orderChoice = h(
     'select',
-    { onchange: () => ((mazeOrder = orderChoice.value as MazeOrder), arrange()) },
+    { onchange: () => ((mazeOrder = orderChoice.value as MazeOrder), rearrange()) },
     ...mazeOrders.map((name) => h('option', { value: name }, name)),
   );
   const wideChoice = h('input', { type: 'checkbox', onchange: () => ((width = wideChoice.checked ? 'wide' : 'fit'), arrange()) });
@@ -178,8 +184,8 @@ export function matrix(board: Board, open: (mouse: number, maze: number, contest
   );
   return {
     element,
-    order: (to) => ((order = to), arrange()),
-    filter: (text) => ((filterText = text), arrange()),
+    order: (to) => ((order = to), rearrange()),
+    filter: (text) => ((filterText = text), rearrange()),
     arrange,
   };
 }

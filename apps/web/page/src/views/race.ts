@@ -137,7 +137,12 @@ export function createRace(page: EarlyPage): View {
   }
   const arrange = () => !element.hidden && parts.forEach((one) => one.arrange());
   onTones(arrange);
-  new ResizeObserver(arrange).observe(element);
+  let width = 0;
+  new ResizeObserver(() => {
+    if (element.clientWidth === width) return;
+    width = element.clientWidth;
+    arrange();
+  }).observe(element);
 
   return {
     element,

@@ -1,0 +1,125 @@
+import { readFileSync, writeFileSync } from 'node:fs';
+import { gzipSync } from 'node:zlib';
+import type { Page } from 'playwright-core';
+import { expect, test } from 'vitest';
+import type { RaceResults } from '../../src/core/types';
+import { barriers, builtPage, native, open, picture, temporary } from './harness';
+
+const pack = (json: unknown) => gzipSync(JSON.stringify(json)).toString('base64');
+
+/** A report page that carries that text as its block. */
+function withBlock(name: string, text: string): string {
+  const block = `<script type="text/plain" id="labmouse-report">${text}</script>`;
+  writeFileSync(temporary(name), readFileSync(builtPage, 'utf8').replace('<!-- labmouse:report -->', () => block));
+  return temporary(name);
+}
+
+const results = JSON.parse(native('race', '--mice', 'flood,certify,cautious,oracle', '--runs', '3', '--format', 'json')) as RaceResults;
+const report = { labmouse: 'report', format: 1, version: results.labmouse, results, mazes: {} };
+
+const leaderboard = (page: Page) => page.getByRole('region', { name: 'Leaderboard, table' });
+const mice = (page: Page) => leaderboard(page).locator('tbody tr:visible th .name').allTextContents();
+
+test('the views are left and found again by links, by the address and by the way back', async () => {
+  const page = await open();
+  const current = () => page.locator('nav [aria-current=page]').textContent();
+  expect([await current(), await page.title()]).toEqual(['Race', 'Race · labmouse']);
+  await page.getByRole('link', { name: 'Draw' }).click();
+  await page.waitForFunction(() => document.title === 'Draw · labmouse');
+  await page.goBack();
+  await page.waitForFunction(() => document.title === 'Race · labmouse');
+  expect(await current()).toBe('Race');
+  const other = await open('#live');
+  expect(await other.title()).toBe('Live · labmouse');
+});
+
+test('the theme is chosen, and kept', async () => {
+  const page = await open();
+  const ground = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+  expect(await ground()).toBe('rgb(255, 255, 255)');
+  await page.getByLabel('Theme').selectOption('dark');
+  expect(await ground()).toBe('rgb(20, 24, 29)');
+  await page.reload();
+  expect(await page.getByLabel('Theme').inputValue()).toBe('dark');
+});
+
+test('a race is held in the page', async () => {
+  const page = await open();
+  await page.getByRole('button', { name: 'Hold the race' }).click();
+  await leaderboard(page).waitFor();
+  expect(await mice(page)).toHaveLength(5);
+  expect(await page.getByRole('status').first().textContent()).toContain('The race is over: 5 mice, 43 mazes.');
+});
+
+test('the table of a report is sorted, searched, and marks references', async () => {
+  const page = await open('', { file: withBlock('report.html', pack(report)) });
+  await leaderboard(page).waitFor();
+  expect(await mice(page)).toEqual(['oraclereference', 'certify', 'flood', 'cautious'].sort(byMean));
+  await leaderboard(page).getByRole('button', { name: 'mouse' }).click();
+  expect(await mice(page)).toEqual(['cautious', 'certify', 'flood', 'oraclereference']);
+  expect(await leaderboard(page).locator('[aria-sort]').getAttribute('aria-sort')).toBe('ascending');
+  await page.getByLabel('Search mice by name').fill('FLO');
+  expect(await mice(page)).toEqual(['flood']);
+});
+
+/** The order in which the results have their mice. */
+function byMean(a: string, b: string) {
+  const place = (name: string) => results.mice.findIndex((mouse) => name.startsWith(mouse.name));
+  return place(a) - place(b);
+}
+
+test('the matrix is walked by keys, and tells what it shows', async () => {
+  const page = await open('', { file: withBlock('report.html', pack(report)) });
+  const cells = page.getByRole('application');
+  await cells.focus();
+  await page.keyboard.press('End');
+  await page.keyboard.press('ArrowDown');
+  const [, second] = results.mice;
+  const last = [...results.mazes].map(({ name }) => name).sort((a, b) => a.localeCompare(b, 'en', { numeric: true })).at(-1);
+  expect(await page.locator('.reading .caption').textContent()).toContain(`${second.name} in ${last} (`);
+});
+
+test('several runs of one cell are chosen from a list', async () => {
+  const page = await open('', { file: withBlock('report.html', pack(report)) });
+  await page.getByLabel('Search mice by name').fill('cautious');
+  await page.getByRole('application').focus();
+  await page.keyboard.press('Enter');
+  expect(await page.locator('.runs button').count()).toBe(3);
+  await page.keyboard.press('Enter');
+  await page.waitForFunction(() => document.title === 'Replay · labmouse');
+});
+
+test.each(['light', 'dark'] as const)('a report is without barriers in %s, at every width, and no wider than the page', async (colorScheme) => {
+  const file = withBlock('report.html', pack(report));
+  for (const width of [1280, 390]) {
+    const page = await open('', { file, colorScheme, viewport: { width, height: 900 } });
+    await page.getByRole('application').waitFor();
+    expect(await barriers(page)).toEqual([]);
+    expect(await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)).toBeLessThanOrEqual(0);
+    await picture(page, `race-${colorScheme}-${width}`);
+  }
+});
+
+test.each([
+  ['cut', pack(report).slice(0, 3000), 'cut or damaged'],
+  ['of a later format', pack({ ...report, format: 2, version: '9.9' }), 'format 2, made by labmouse 9.9'],
+  ['without results', pack({ ...report, results: null }), 'lacks its results'],
+])('a report that is %s is told, and the page goes on', async (_, text, message) => {
+  const page = await open('', { file: withBlock('bad.html', text) });
+  await page.getByText('Dismiss').waitFor();
+  expect(await page.getByRole('alert').textContent()).toContain(message);
+  await page.getByRole('button', { name: 'Dismiss' }).click();
+  expect(await page.getByRole('alert').textContent()).toBe('');
+  await page.getByRole('button', { name: 'Hold the race' }).waitFor();
+});
+
+test('names are text, whatever they look like', async () => {
+  const name = '<img src=x onerror=alert(1)>';
+  const odd = structuredClone(report);
+  odd.results.mice[1].name = name;
+  odd.results.mice[2].results[0].outcome = '<b>bold</b>';
+  const page = await open('', { file: withBlock('odd.html', pack(odd)) });
+  await page.getByRole('application').waitFor();
+  expect(await mice(page)).toContain(name);
+  expect(await page.locator('main img, main b').count()).toBe(0);
+});
