@@ -87,6 +87,7 @@ function follow() {
 }
 
 async function openLink(link: string) {
+  notices.clear();
   stage.show('draw');
   try {
     const { maze } = await core.call('read_link', { link });

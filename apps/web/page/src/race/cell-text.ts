@@ -10,7 +10,9 @@ export function contestText(contest: Contest, optimum: number | null): string {
   if (contest.exploration !== null) parts.push(`exploration ${contest.exploration} steps`);
   if (contest.speed !== null) {
     const beyond = isNumber(optimum) ? contest.speed - optimum : null;
-    parts.push(`speed run ${contest.speed} steps${beyond === null ? '' : beyond === 0 ? ' (a shortest one)' : ` (${beyond} beyond the shortest)`}`);
+    parts.push(
+      `speed run ${contest.speed} steps${beyond === null ? '' : beyond === 0 ? ' (a shortest one)' : ` (${beyond} beyond the shortest)`}`,
+    );
   }
   return parts.join(', ');
 }
@@ -28,7 +30,10 @@ export function cellText(board: Board, mouse: number, maze: number): string {
   const where = `${board.mice[mouse].shown} in ${short} (${width}×${height})`;
   if (bound === null) return `${where}: no goal can be reached`;
   if (cell.contests.length === 0) return `${where}: no contest`;
-  const what = cell.contests.length === 1 ? contestText(cell.contests[0], board.world === 'steps' ? optimum : null) : several(cell);
+  const what =
+    cell.contests.length === 1
+      ? contestText(cell.contests[0], board.world === 'steps' ? optimum : null)
+      : several(cell);
   const best = board.world === 'mms' ? 'best' : 'bound';
   const ratio = cell.ratio === null ? '' : `, score / ${best} ${number(cell.ratio, 3)}`;
   return `${where}: ${what}; ${best} ${scoreText(bound)}${ratio}`;

@@ -21,7 +21,8 @@ export function recordOf(records: PackedRecord[], contest: Contest, position: nu
   return other && (other.seed === undefined || contest.seed === null) ? other : null;
 }
 
-const sameActions = (a: Play, b: Play) => a.action.length === b.action.length && a.action.every((action, i) => action === b.action[i]);
+const sameActions = (a: Play, b: Play) =>
+  a.action.length === b.action.length && a.action.every((action, i) => action === b.action[i]);
 
 /** Whether the page can run it: `flood:stride=1` and `oracle` are of the roster, `guest:...` is not. */
 async function isOurs(page: EarlyPage, mouse: string) {
@@ -30,13 +31,20 @@ async function isOurs(page: EarlyPage, mouse: string) {
   return name === 'oracle' || mice.some((one) => one.name === name);
 }
 
-async function runAgain(page: EarlyPage, race: LoadedRace, mouse: string, maze: MazeData, contest: Contest): Promise<Found | null> {
+async function runAgain(
+  page: EarlyPage,
+  race: LoadedRace,
+  mouse: string,
+  maze: MazeData,
+  contest: Contest,
+): Promise<Found | null> {
   if (contest.seed === null || !(await isOurs(page, mouse))) return null;
   const { budget } = race.results;
   return page.core.call('run', { mouse, maze, seed: contest.seed, ...(isNumber(budget) && { budget }) });
 }
 
-const differs = (mouse: string) => `This version of labmouse behaves differently from the one that raced: here is ${mouse} as it was recorded.`;
+const differs = (mouse: string) =>
+  `This version of labmouse behaves differently from the one that raced: here is ${mouse} as it was recorded.`;
 
 /** A record that lacks reasons, and the same mouse run again, which has them: the better of the two. */
 function better(recorded: Found, again: Found | null, mouse: string): ContestPlay {
@@ -45,7 +53,9 @@ function better(recorded: Found, again: Found | null, mouse: string): ContestPla
 }
 
 function scoreRemark(play: Play, contest: Contest): string {
-  const same = play.score === contest.score || (isNumber(play.score) && isNumber(contest.score) && Math.abs(play.score - contest.score) < 1e-6);
+  const same =
+    play.score === contest.score ||
+    (isNumber(play.score) && isNumber(contest.score) && Math.abs(play.score - contest.score) < 1e-6);
   if (same) return '';
   const before = contest.score === null ? contest.outcome : scoreText(contest.score);
   const now = play.score === null ? play.outcome : scoreText(play.score);
@@ -53,19 +63,33 @@ function scoreRemark(play: Play, contest: Contest): string {
 }
 
 /** Throws in words why there is nothing to replay. */
-export async function contestPlay(page: EarlyPage, race: LoadedRace, board: Board, at: { mouse: number; maze: number; position: number }): Promise<ContestPlay> {
+export async function contestPlay(
+  page: EarlyPage,
+  race: LoadedRace,
+  board: Board,
+  at: { mouse: number; maze: number; position: number },
+): Promise<ContestPlay> {
   const mouse = board.mice[at.mouse].name;
   const { name, short } = board.mazes[at.maze];
   const contest = board.cells[at.mouse][at.maze].contests[at.position];
   const records = await race.records(mouse, name).catch((error) => (page.complain(error), []));
   const packed = recordOf(records, contest, at.position);
-  if (!packed && board.world === 'mms') throw new Error(`There is no record of ${mouse} in ${short}: runs of mms are replayed from their records. Drop the record here.`);
+  if (!packed && board.world === 'mms')
+    throw new Error(
+      `There is no record of ${mouse} in ${short}: runs of mms are replayed from their records. Drop the record here.`,
+    );
   if (!packed && !(await isOurs(page, mouse)))
-    throw new Error(`There is no record of ${mouse} in ${short}, and a page cannot run this program. Drop its record here ('labmouse race --out DIR' keeps them).`);
+    throw new Error(
+      `There is no record of ${mouse} in ${short}, and a page cannot run this program. Drop its record here ('labmouse race --out DIR' keeps them).`,
+    );
   const maze = await race.maze(name);
-  if (!maze) throw new Error(`The maze ${short} is not in this page. Drop its file here, then choose the contest again.`);
+  if (!maze)
+    throw new Error(`The maze ${short} is not in this page. Drop its file here, then choose the contest again.`);
 
-  const again = board.world === 'mms' ? null : await runAgain(page, race, mouse, maze, contest).catch((error) => (packed ? null : Promise.reject(error)));
+  const again =
+    board.world === 'mms'
+      ? null
+      : await runAgain(page, race, mouse, maze, contest).catch((error) => (packed ? null : Promise.reject(error)));
   if (packed) return better(await page.core.call('unpack', { record: packed, maze }), again, mouse);
   if (!again) throw new Error(`The results lack the seed of ${mouse} in ${short}.`);
   return { ...again, remark: scoreRemark(again.play, contest) };

@@ -69,7 +69,11 @@ function cellOf(contests: Contest[]): Cell {
 }
 
 /** The contests of one mouse, sorted into the mazes. */
-function row<Result extends { maze: string }>(results: Result[], mazes: BoardMaze[], read: (result: Result, maze: BoardMaze) => Contest) {
+function row<Result extends { maze: string }>(
+  results: Result[],
+  mazes: BoardMaze[],
+  read: (result: Result, maze: BoardMaze) => Contest,
+) {
   const index = new Map(mazes.map((maze) => [maze.name, maze]));
   const contests: Contest[][] = mazes.map(() => []);
   for (const result of results) {
@@ -79,9 +83,19 @@ function row<Result extends { maze: string }>(results: Result[], mazes: BoardMaz
   return contests.map(cellOf);
 }
 
-function mazesOf(mazes: { name: string; width: number; height: number }[], best: (index: number) => Pick<BoardMaze, 'bound' | 'optimum'>) {
+function mazesOf(
+  mazes: { name: string; width: number; height: number }[],
+  best: (index: number) => Pick<BoardMaze, 'bound' | 'optimum'>,
+) {
   const short = shortNames(mazes.map(({ name }) => name));
-  return mazes.map(({ name, width, height }, index) => ({ name, short: short[index], width, height, index, ...best(index) }));
+  return mazes.map(({ name, width, height }, index) => ({
+    name,
+    short: short[index],
+    width,
+    height,
+    index,
+    ...best(index),
+  }));
 }
 
 function ourContest(result: ContestResult, maze: BoardMaze): Contest {

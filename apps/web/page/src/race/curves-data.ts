@@ -19,7 +19,10 @@ export function grid(highest: number, log: boolean): number[] {
 }
 
 /** Percent of all contests with at most that ratio, for each one of the ascending `limits`. */
-export function shares({ ratios, contests }: { ratios: number[]; contests: number }, limits: number[]): (number | null)[] {
+export function shares(
+  { ratios, contests }: { ratios: number[]; contests: number },
+  limits: number[],
+): (number | null)[] {
   if (contests === 0) return limits.map(() => null);
   let within = 0;
   return limits.map((limit) => {

@@ -19,7 +19,10 @@ export interface Curves {
   arrange(): void;
 }
 
-const styleOf = (mouse: number) => ({ hue: hues[mouse % hues.length], dash: dashes[Math.floor(mouse / hues.length) % dashes.length] });
+const styleOf = (mouse: number) => ({
+  hue: hues[mouse % hues.length],
+  dash: dashes[Math.floor(mouse / hues.length) % dashes.length],
+});
 
 /** A piece of a mouse's curve, for the legend. */
 function sample(mouse: number): HTMLCanvasElement {
@@ -40,7 +43,12 @@ function sample(mouse: number): HTMLCanvasElement {
 function asTable(board: Board, data: ReturnType<typeof ratiosOf>[], best: string) {
   const head = limits.map((limit, i) => h('th', { scope: 'col' }, i === 0 ? '1' : `≤ ${limit}`));
   const rows = board.mice.map(({ name, index }) =>
-    h('tr', {}, h('th', { scope: 'row' }, name), ...shares(data[index], limits).map((share) => h('td', {}, number(share, 1)))),
+    h(
+      'tr',
+      {},
+      h('th', { scope: 'row' }, name),
+      ...shares(data[index], limits).map((share) => h('td', {}, number(share, 1))),
+    ),
   );
   return h(
     'details',
@@ -49,7 +57,13 @@ function asTable(board: Board, data: ReturnType<typeof ratiosOf>[], best: string
     h(
       'div',
       { class: 'box', tabindex: 0, role: 'region', 'aria-label': 'Distributions as a table' },
-      h('table', {}, h('caption', {}, `Percent of all contests with at most that score / ${best}.`), h('thead', {}, h('tr', {}, h('th', { scope: 'col' }, 'mouse'), ...head)), h('tbody', {}, ...rows)),
+      h(
+        'table',
+        {},
+        h('caption', {}, `Percent of all contests with at most that score / ${best}.`),
+        h('thead', {}, h('tr', {}, h('th', { scope: 'col' }, 'mouse'), ...head)),
+        h('tbody', {}, ...rows),
+      ),
     ),
   );
 }
@@ -61,13 +75,28 @@ export function curves(board: Board): Curves {
   let log = true;
   let plot: uPlot | null = null;
 
-  const picture = h('div', { class: 'curves', role: 'img', 'aria-label': `Percent of contests within a score / ${best}, for each mouse. The table below has the same numbers.` });
+  const picture = h('div', {
+    class: 'curves',
+    role: 'img',
+    'aria-label': `Percent of contests within a score / ${best}, for each mouse. The table below has the same numbers.`,
+  });
   const at = h('span', {});
   const values = board.mice.map(() => h('output', {}));
   const samples = board.mice.map(() => h('span', {}));
   const labels = board.mice.map(({ name, index }) => {
-    const box = h('input', { type: 'checkbox', checked: chosen.has(index), onchange: () => choose(index, box.checked) });
-    return h('label', { class: chosen.has(index) ? '' : 'off', title: name }, box, samples[index], h('span', { class: 'name' }, name), values[index]);
+    const box = h('input', {
+      type: 'checkbox',
+      checked: chosen.has(index),
+      onchange: () => choose(index, box.checked),
+    });
+    return h(
+      'label',
+      { class: chosen.has(index) ? '' : 'off', title: name },
+      box,
+      samples[index],
+      h('span', { class: 'name' }, name),
+      values[index],
+    );
   });
   const logBox = h('input', { type: 'checkbox', checked: true, onchange: () => ((log = logBox.checked), arrange()) });
 
@@ -80,14 +109,20 @@ export function curves(board: Board): Curves {
   function read(self: uPlot) {
     const place = self.cursor.idx;
     at.textContent = place === null || place === undefined ? '' : `within ${number(self.data[0][place], 3)}:`;
-    [...chosen].sort((a, b) => a - b).forEach((mouse, series) => {
-      const value = place === null || place === undefined ? null : self.data[series + 1][place];
-      values[mouse].textContent = value === null || value === undefined ? '' : `${number(value, 1)} %`;
-    });
+    [...chosen]
+      .sort((a, b) => a - b)
+      .forEach((mouse, series) => {
+        const value = place === null || place === undefined ? null : self.data[series + 1][place];
+        values[mouse].textContent = value === null || value === undefined ? '' : `${number(value, 1)} %`;
+      });
   }
   const room = () => (picture.clientWidth > 0 ? (paperWidth() ?? picture.clientWidth) : 0);
   function options(mice: number[], end: number): uPlot.Options {
-    const axis = { stroke: tone('muted'), grid: { stroke: tone('line'), width: 1 }, ticks: { stroke: tone('line'), width: 1 } };
+    const axis = {
+      stroke: tone('muted'),
+      grid: { stroke: tone('line'), width: 1 },
+      ticks: { stroke: tone('line'), width: 1 },
+    };
     const font = `12px ${getComputedStyle(document.documentElement).fontFamily}`;
     const splits = marks.filter((mark) => mark <= end);
     return {

@@ -15,7 +15,12 @@ export interface Bars {
 }
 
 /** Paints on a canvas of that width; pairs are sorted by their difference. */
-export function paintBars(canvas: HTMLCanvasElement, pairs: Pair[], found: PairedDifference | null, width: number): Bars {
+export function paintBars(
+  canvas: HTMLCanvasElement,
+  pairs: Pair[],
+  found: PairedDifference | null,
+  width: number,
+): Bars {
   const ratio = devicePixelRatio || 1;
   canvas.width = Math.round(width * ratio);
   canvas.height = Math.round(height * ratio);
@@ -30,7 +35,13 @@ export function paintBars(canvas: HTMLCanvasElement, pairs: Pair[], found: Paire
   return { at: (x) => pairs[Math.floor((x - left) / step)] ?? null };
 }
 
-function paint(context: CanvasRenderingContext2D, pairs: Pair[], found: PairedDifference | null, width: number, step: number) {
+function paint(
+  context: CanvasRenderingContext2D,
+  pairs: Pair[],
+  found: PairedDifference | null,
+  width: number,
+  step: number,
+) {
   const values = pairs.map(({ difference }) => difference);
   const marks = ticks(Math.min(0, ...values), Math.max(0, ...values), 6);
   const [low, high] = [marks[0], marks[marks.length - 1]];
@@ -57,7 +68,12 @@ function paint(context: CanvasRenderingContext2D, pairs: Pair[], found: PairedDi
 }
 
 /** The mean as a line over a band, its interval. */
-function paintMean(context: CanvasRenderingContext2D, { mean, interval: [low, high], count }: PairedDifference, width: number, y: (value: number) => number) {
+function paintMean(
+  context: CanvasRenderingContext2D,
+  { mean, interval: [low, high], count }: PairedDifference,
+  width: number,
+  y: (value: number) => number,
+) {
   context.fillStyle = tone('ink');
   if (count > 1) {
     context.globalAlpha = 0.15;

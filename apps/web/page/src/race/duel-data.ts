@@ -17,6 +17,8 @@ const scoreOf = ({ contests }: Cell, failure: number) => meanOf(contests.map(({ 
 export function pairsOf({ mazes, cells }: Board, a: number, b: number, failure: number): Pair[] {
   return mazes.flatMap(({ index, bound }) => {
     const [first, second] = [scoreOf(cells[a][index], failure), scoreOf(cells[b][index], failure)];
-    return bound === null || first === null || second === null ? [] : [{ maze: index, a: first, b: second, difference: first - second }];
+    return bound === null || first === null || second === null
+      ? []
+      : [{ maze: index, a: first, b: second, difference: first - second }];
   });
 }

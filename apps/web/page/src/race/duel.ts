@@ -27,7 +27,12 @@ export function duel(page: EarlyPage, board: Board, open: (a: number, b: number,
   const canvas = h('canvas', { role: 'img' });
   const words = h('p', { class: 'words', 'aria-live': 'polite' });
   const caption = h('p', { class: 'caption' });
-  const tableBox = h('div', { class: 'box tall', tabindex: 0, role: 'region', 'aria-label': 'Differences, maze by maze' });
+  const tableBox = h('div', {
+    class: 'box tall',
+    tabindex: 0,
+    role: 'region',
+    'aria-label': 'Differences, maze by maze',
+  });
   const picture = h('div', { class: 'bars' }, canvas);
 
   const name = (mouse: number) => board.mice[mouse].shown;
@@ -43,12 +48,28 @@ export function duel(page: EarlyPage, board: Board, open: (a: number, b: number,
         meaning: 'Opens both contests beside each other.',
         value: ({ maze }: Pair) => mazeName(maze),
         show: ({ maze }: Pair) =>
-          h('button', { type: 'button', class: 'link', title: board.mazes[maze].name, onclick: () => open(a, b, maze) }, mazeName(maze)),
+          h(
+            'button',
+            { type: 'button', class: 'link', title: board.mazes[maze].name, onclick: () => open(a, b, maze) },
+            mazeName(maze),
+          ),
         best: 'ascending' as const,
         class: 'first',
       },
-      { title: name(a), meaning: `Its mean score in this maze, in ${unit}.`, value: (pair: Pair) => pair.a, show: (pair: Pair) => scoreText(pair.a), best: 'ascending' as const },
-      { title: name(b), meaning: `Its mean score in this maze, in ${unit}.`, value: (pair: Pair) => pair.b, show: (pair: Pair) => scoreText(pair.b), best: 'ascending' as const },
+      {
+        title: name(a),
+        meaning: `Its mean score in this maze, in ${unit}.`,
+        value: (pair: Pair) => pair.a,
+        show: (pair: Pair) => scoreText(pair.a),
+        best: 'ascending' as const,
+      },
+      {
+        title: name(b),
+        meaning: `Its mean score in this maze, in ${unit}.`,
+        value: (pair: Pair) => pair.b,
+        show: (pair: Pair) => scoreText(pair.b),
+        best: 'ascending' as const,
+      },
       {
         title: 'difference',
         meaning: `The first less the second, in ${unit}: below zero the first is better.`,
@@ -57,7 +78,12 @@ export function duel(page: EarlyPage, board: Board, open: (a: number, b: number,
         best: 'ascending' as const,
       },
     ];
-    return sortedTable({ caption: `Mean scores in ${unit}; choose a maze to open both contests.`, columns, rows: pairs, by: 3 }).element;
+    return sortedTable({
+      caption: `Mean scores in ${unit}; choose a maze to open both contests.`,
+      columns,
+      rows: pairs,
+      by: 3,
+    }).element;
   }
   function arrange() {
     if (picture.clientWidth > 0) bars = paintBars(canvas, pairs, found, paperWidth() ?? picture.clientWidth);
@@ -66,17 +92,24 @@ export function duel(page: EarlyPage, board: Board, open: (a: number, b: number,
     const now = ++asked;
     const { rules } = await page.ready;
     const fresh = pairsOf(board, a, b, rules.failure_score).sort((one, other) => one.difference - other.difference);
-    const answer = fresh.length > 0 ? await page.core.call('compare', { differences: fresh.map(({ difference }) => difference) }) : null;
+    const answer =
+      fresh.length > 0
+        ? await page.core.call('compare', { differences: fresh.map(({ difference }) => difference) })
+        : null;
     if (now !== asked) return;
     [pairs, found] = [fresh, answer];
     words.textContent = found ? duelWords(name(a), name(b), found, unit) : 'These two did not race in the same mazes.';
     for (const piece of [picture, tableBox]) piece.hidden = !found;
-    canvas.setAttribute('aria-label', `Differences in score, ${name(a)} less ${name(b)}, one bar for each maze, sorted. The table below has the same numbers.`);
+    canvas.setAttribute(
+      'aria-label',
+      `Differences in score, ${name(a)} less ${name(b)}, one bar for each maze, sorted. The table below has the same numbers.`,
+    );
     caption.textContent = `One bar for each maze: score of ${name(a)} less score of ${name(b)}, in ${unit}. Below zero ${name(a)} is better. Line and band: the mean and its 95 % interval.`;
     tableBox.replaceChildren(table());
     arrange();
   }
-  const tryToChoose = () => void choose().catch((error) => (words.textContent = error instanceof Error ? error.message : String(error)));
+  const tryToChoose = () =>
+    void choose().catch((error) => (words.textContent = error instanceof Error ? error.message : String(error)));
 
   canvas.addEventListener('pointermove', (event) => {
     const pair = bars?.at(event.offsetX);
@@ -101,8 +134,18 @@ export function duel(page: EarlyPage, board: Board, open: (a: number, b: number,
     h(
       'div',
       { class: 'row controls' },
-      h('label', { class: 'row' }, 'First', chooser(a, (mouse) => (a = mouse))),
-      h('label', { class: 'row' }, 'second', chooser(b, (mouse) => (b = mouse))),
+      h(
+        'label',
+        { class: 'row' },
+        'First',
+        chooser(a, (mouse) => (a = mouse)),
+      ),
+      h(
+        'label',
+        { class: 'row' },
+        'second',
+        chooser(b, (mouse) => (b = mouse)),
+      ),
     ),
     words,
     picture,

@@ -14,4 +14,5 @@ export const signed = (value: number, digits: number) => `${value > 0 ? '+' : ''
 /** A score: whole ones without digits, all others with three. */
 export const scoreText = (value: unknown) => number(value, isNumber(value) && Number.isInteger(value) ? 0 : 3);
 
-export const counted = (count: number, one: string, many = `${one}s`) => `${count.toLocaleString('en')} ${count === 1 ? one : many}`;
+export const counted = (count: number, one: string, many = `${one}s`) =>
+  `${count.toLocaleString('en')} ${count === 1 ? one : many}`;

@@ -41,13 +41,25 @@ const whole = (label: string, value: number, most: number) => {
 
 /** The form, once it is known what the core brings. */
 export function holdPanel(page: EarlyPage, about: About): HTMLElement {
-  const mice = picks('Mice', about.mice.map(({ name, summary }) => ({ name, about: summary, on: usual.includes(name) })));
-  const mazes = picks('Mazes', about.mazes.map(({ name, width, height }) => ({ name, about: `${width}×${height}`, on: true })));
+  const mice = picks(
+    'Mice',
+    about.mice.map(({ name, summary }) => ({ name, about: summary, on: usual.includes(name) })),
+  );
+  const mazes = picks(
+    'Mazes',
+    about.mazes.map(({ name, width, height }) => ({ name, about: `${width}×${height}`, on: true })),
+  );
   const runs = whole('runs of mice that throw dice', usualRuns, 100);
   const seed = whole('seed', 1, 2 ** 53 - 1);
   const bar = h('progress', { max: 1, value: 0, 'aria-label': 'Progress of the race' });
   const doing = h('span', { class: 'note' });
-  const running = h('div', { class: 'row', hidden: true }, bar, doing, h('button', { type: 'button', onclick: () => stop() }, 'Stop'));
+  const running = h(
+    'div',
+    { class: 'row', hidden: true },
+    bar,
+    doing,
+    h('button', { type: 'button', onclick: () => stop() }, 'Stop'),
+  );
   const start = h('button', { type: 'submit', class: 'main' }, 'Hold the race');
   let wanted = true;
 
@@ -71,7 +83,11 @@ export function holdPanel(page: EarlyPage, about: About): HTMLElement {
         () => wanted,
       );
       if (results) page.hold(results);
-      page.tell(results ? `The race is over: ${counted(results.mice.length, 'mouse', 'mice')}, ${counted(results.mazes.length, 'maze')}.` : 'The race was stopped.');
+      page.tell(
+        results
+          ? `The race is over: ${counted(results.mice.length, 'mouse', 'mice')}, ${counted(results.mazes.length, 'maze')}.`
+          : 'The race was stopped.',
+      );
     } catch (error) {
       page.complain(error);
     } finally {
@@ -82,7 +98,8 @@ export function holdPanel(page: EarlyPage, about: About): HTMLElement {
   function submit(event: Event) {
     event.preventDefault();
     const order: Order = { mice: mice.chosen(), mazes: mazes.chosen(), runs: runs.read(), seed: seed.read() };
-    if (order.mice.length === 0 || order.mazes.length === 0) return page.complain('Choose at least one mouse and one maze.');
+    if (order.mice.length === 0 || order.mazes.length === 0)
+      return page.complain('Choose at least one mouse and one maze.');
     void hold(order);
   }
   return h(

@@ -23,7 +23,12 @@ async function builtins(core: Core, names: string[]): Promise<MazeData[]> {
 }
 
 /** Holds the race; `wanted` is asked between mice whether to go on. Null where it was stopped before its first end. */
-export async function holdRace(core: Core, order: Order, report: (progress: Progress) => void, wanted: () => boolean): Promise<RaceResults | null> {
+export async function holdRace(
+  core: Core,
+  order: Order,
+  report: (progress: Progress) => void,
+  wanted: () => boolean,
+): Promise<RaceResults | null> {
   const all = order.mice.length;
   report({ done: 0, all, doing: order.mice[0] });
   const mazes = await builtins(core, order.mazes);

@@ -5,6 +5,10 @@ import { sorted } from './sorting';
 /** All mice of those races in the same mazes, best first; null where there is no race. */
 export function joined(pieces: RaceResults[], stopped: boolean): RaceResults | null {
   if (pieces.length === 0) return null;
-  const mice = sorted(pieces.flatMap((piece) => piece.mice), (mouse: RacedMouse) => mouse.penalised_mean, 'ascending');
+  const mice = sorted(
+    pieces.flatMap((piece) => piece.mice),
+    (mouse: RacedMouse) => mouse.penalised_mean,
+    'ascending',
+  );
   return { ...pieces[0], stopped: stopped || pieces.some((piece) => piece.stopped), mice };
 }

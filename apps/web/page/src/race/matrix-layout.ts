@@ -25,7 +25,8 @@ const letter = 6.5;
 export type Width = 'fit' | 'wide' | 'paper';
 
 /** How wide the cells had better be at first. */
-export const widthFor = (columns: number, room: number): Width => (room / Math.max(1, columns) < leastCell ? 'wide' : 'fit');
+export const widthFor = (columns: number, room: number): Width =>
+  room / Math.max(1, columns) < leastCell ? 'wide' : 'fit';
 
 /** For a box of that width and names of at most `letters`. What does not fit is scrolled in it. */
 export function matrixLayout(columns: number, rows: number, room: number, width: Width, letters = 20): Layout {
@@ -33,7 +34,15 @@ export function matrixLayout(columns: number, rows: number, room: number, width:
   const least = { fit: leastCell, wide: wideCell, paper: 1 }[width];
   const cellWidth = Math.min(mostCell, Math.max(least, fitting));
   const top = cellWidth >= leastNamed ? Math.min(mostNameRoom, 14 + letters * letter) : 4;
-  return { columns, rows, cellWidth, cellHeight: rowHeight, top, width: cellWidth * columns, height: top + rowHeight * rows };
+  return {
+    columns,
+    rows,
+    cellWidth,
+    cellHeight: rowHeight,
+    top,
+    width: cellWidth * columns,
+    height: top + rowHeight * rows,
+  };
 }
 
 export interface Place {

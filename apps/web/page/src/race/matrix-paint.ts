@@ -101,7 +101,12 @@ export function paintMatrix(canvas: HTMLCanvasElement, picture: MatrixPicture) {
     mazes.forEach((maze, column) => {
       const [x, y] = [edge(column, layout.cellWidth), top + edge(row, layout.cellHeight)];
       const width = edge(column + 1, layout.cellWidth) - x - gap;
-      paintCell(board.cells[mouse][maze], maze, [x, y, width, top + edge(row + 1, layout.cellHeight) - y - Math.max(1, Math.round(ratio))]);
+      paintCell(board.cells[mouse][maze], maze, [
+        x,
+        y,
+        width,
+        top + edge(row + 1, layout.cellHeight) - y - Math.max(1, Math.round(ratio)),
+      ]);
     }),
   );
   names(context, picture, ratio);

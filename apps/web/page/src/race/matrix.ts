@@ -1,12 +1,12 @@
 // The matrix: a row for each mouse, a column for each maze.
-import { h, svg } from '../ui/dom';
+import { h } from '../ui/dom';
 import { paperWidth } from '../ui/tones';
 import { cellText, contestText } from './cell-text';
 import type { Board } from './contests';
 import { cellAt, matrixLayout, moved, widthFor, type Layout, type Place, type Width } from './matrix-layout';
+import { matrixLegend } from './matrix-legend';
 import { paintMatrix } from './matrix-paint';
 import { mazeOrders, orderedMazes, type MazeOrder } from './maze-order';
-import { toneLabels, toneName } from './scale';
 
 export interface Matrix {
   element: HTMLElement;
@@ -15,26 +15,6 @@ export interface Matrix {
   filter(text: string): void;
   /** Paints anew, for the room that is there now. */
   arrange(): void;
-}
-
-const sign = (path: string, name?: string) =>
-  svg('svg', { width: 14, height: 14, viewBox: '0 0 14 14', 'aria-hidden': 'true', class: name }, svg('path', { d: path }));
-
-function legend(best: string) {
-  const swatches = toneLabels.map((label, step) => h('li', {}, h('span', { class: `swatch ${toneName(step)}` }), label));
-  return h(
-    'div',
-    { class: 'scale' },
-    h('span', {}, `score / ${best}, mean over the solved contests:`),
-    h(
-      'ul',
-      {},
-      ...swatches,
-      h('li', {}, sign('M3 3 L11 11 M11 3 L3 11'), 'all contests failed'),
-      h('li', {}, sign('M2 2 L10 2 L2 10 Z', 'filled'), 'some failed'),
-      h('li', {}, sign('M3 7 L11 7'), 'no way, or no contest'),
-    ),
-  );
 }
 
 /** `open` shows the contest of that mouse in that maze; the last is its position among several. */
@@ -103,7 +83,11 @@ export function matrix(board: Board, open: (mouse: number, maze: number, contest
         h(
           'li',
           {},
-          h('button', { type: 'button', onclick: () => open(mouse, maze, position) }, contestText(contest, board.mazes[maze].optimum)),
+          h(
+            'button',
+            { type: 'button', onclick: () => open(mouse, maze, position) },
+            contestText(contest, board.mazes[maze].optimum),
+          ),
         ),
       ),
     );
@@ -128,7 +112,10 @@ export function matrix(board: Board, open: (mouse: number, maze: number, contest
     // A finger cannot hover: it chooses the cell, the button below opens it.
     if (!byTouch) openAt(place);
   });
-  grid.addEventListener('focus', () => mice.length > 0 && mazes.length > 0 && mark.hidden && !byTouch && select(cursor));
+  grid.addEventListener(
+    'focus',
+    () => mice.length > 0 && mazes.length > 0 && mark.hidden && !byTouch && select(cursor),
+  );
   grid.addEventListener('keydown', (event) => {
     if (mice.length === 0 || mazes.length === 0) return;
     if (event.key === 'Enter') return (event.preventDefault(), void openAt(cursor));
@@ -147,7 +134,8 @@ export function matrix(board: Board, open: (mouse: number, maze: number, contest
     // What is hidden has no width; it is arranged again when it is shown.
     const paper = paperWidth();
     const room = (paper ?? (box.clientWidth || 600)) - (names.offsetWidth || 150);
-    if (width === null && !paper && box.clientWidth > 0) wideChoice.checked = (width = widthFor(mazes.length, room)) === 'wide';
+    if (width === null && !paper && box.clientWidth > 0)
+      wideChoice.checked = (width = widthFor(mazes.length, room)) === 'wide';
     layout = matrixLayout(mazes.length, mice.length, room, paper ? 'paper' : (width ?? 'fit'), letters);
     names.style.paddingTop = `${layout.top}px`;
     paintMatrix(canvas, { board, mice, mazes, layout });
@@ -167,7 +155,10 @@ export function matrix(board: Board, open: (mouse: number, maze: number, contest
     { onchange: () => ((mazeOrder = orderChoice.value as MazeOrder), rearrange()) },
     ...mazeOrders.map((name) => h('option', { value: name }, name)),
   );
-  const wideChoice = h('input', { type: 'checkbox', onchange: () => ((width = wideChoice.checked ? 'wide' : 'fit'), arrange()) });
+  const wideChoice = h('input', {
+    type: 'checkbox',
+    onchange: () => ((width = wideChoice.checked ? 'wide' : 'fit'), arrange()),
+  });
   const element = h(
     'div',
     {},
@@ -180,7 +171,7 @@ export function matrix(board: Board, open: (mouse: number, maze: number, contest
     box,
     h('div', { class: 'row reading controls' }, caption, opener),
     runs,
-    legend(best),
+    matrixLegend(best),
   );
   return {
     element,

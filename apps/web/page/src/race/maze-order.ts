@@ -9,7 +9,9 @@ export type MazeOrder = (typeof mazeOrders)[number];
 /** How hard mazes were: first by the share of contests that failed, then by the mean of score / bound; null without a contest. */
 export function hardness({ cells, mice }: Board, maze: number): number | null {
   const column = mice.filter(({ reference }) => !reference).map(({ index }) => cells[index][maze]);
-  const shares = column.filter(({ contests }) => contests.length > 0).map(({ contests, solved }) => 1 - solved / contests.length);
+  const shares = column
+    .filter(({ contests }) => contests.length > 0)
+    .map(({ contests, solved }) => 1 - solved / contests.length);
   const ratio = meanOf(column.flatMap((cell) => (cell.ratio === null ? [] : [cell.ratio])));
   const failed = meanOf(shares);
   // A ratio counts less than any difference in the shares that a race can have.

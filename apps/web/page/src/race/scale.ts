@@ -10,6 +10,10 @@ export const toneOf = (ratio: number) => {
 };
 
 /** What each tone stands for. */
-export const toneLabels = ['1, the best possible', ...steps.slice(1).map((step) => `to ${step}`), `above ${steps[steps.length - 1]}`];
+export const toneLabels = [
+  '1, the best possible',
+  ...steps.slice(1).map((step) => `to ${step}`),
+  `above ${steps[steps.length - 1]}`,
+];
 
 export const toneName = (step: number) => `ratio${step}`;

@@ -33,7 +33,14 @@ export interface TableOptions<Row> {
 }
 
 /** The first column names the row. */
-export function sortedTable<Row>({ caption, columns, rows, by, rowClass, onOrder }: TableOptions<Row>): SortedTable<Row> {
+export function sortedTable<Row>({
+  caption,
+  columns,
+  rows,
+  by,
+  rowClass,
+  onOrder,
+}: TableOptions<Row>): SortedTable<Row> {
   let direction = columns[by].best;
   const lines = new Map(
     rows.map((row) => [
@@ -66,12 +73,20 @@ export function sortedTable<Row>({ caption, columns, rows, by, rowClass, onOrder
   function arrange() {
     const order = sorted(rows, columns[by].value, direction);
     body.replaceChildren(...order.map((row) => lines.get(row)!));
-    heads.forEach((head, place) => (place === by ? head.setAttribute('aria-sort', direction) : head.removeAttribute('aria-sort')));
+    heads.forEach((head, place) =>
+      place === by ? head.setAttribute('aria-sort', direction) : head.removeAttribute('aria-sort'),
+    );
     onOrder?.(order);
   }
   arrange();
   return {
-    element: h('table', { class: 'sorted' }, h('caption', { class: 'unseen' }, caption), h('thead', {}, h('tr', {}, ...heads)), body),
+    element: h(
+      'table',
+      { class: 'sorted' },
+      h('caption', { class: 'unseen' }, caption),
+      h('thead', {}, h('tr', {}, ...heads)),
+      body,
+    ),
     filter(pass) {
       for (const [row, line] of lines) line.hidden = !pass(row);
     },

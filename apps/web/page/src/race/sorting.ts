@@ -12,7 +12,8 @@ export function sorted<Row>(rows: readonly Row[], value: (row: Row) => SortValue
   return rows
     .map((row, place) => ({ row, place, value: value(row) }))
     .sort((a, b) => {
-      if (a.value === null || b.value === null) return Number(a.value === null) - Number(b.value === null) || a.place - b.place;
+      if (a.value === null || b.value === null)
+        return Number(a.value === null) - Number(b.value === null) || a.place - b.place;
       return sign * compareValues(a.value, b.value) || a.place - b.place;
     })
     .map(({ row }) => row);

@@ -13,11 +13,15 @@ export interface Whiskers {
   row(mean: unknown, interval: unknown): SVGElement;
 }
 
-const isInterval = (value: unknown): value is [number, number] => Array.isArray(value) && value.length === 2 && value.every(isNumber);
+const isInterval = (value: unknown): value is [number, number] =>
+  Array.isArray(value) && value.length === 2 && value.every(isNumber);
 
 /** For rows with those means and intervals. */
 export function whiskers(rows: { mean: unknown; interval: unknown }[]): Whiskers {
-  const values = rows.flatMap(({ mean, interval }) => [...(isNumber(mean) ? [mean] : []), ...(isInterval(interval) ? interval : [])]);
+  const values = rows.flatMap(({ mean, interval }) => [
+    ...(isNumber(mean) ? [mean] : []),
+    ...(isInterval(interval) ? interval : []),
+  ]);
   const marks = values.length > 0 ? ticks(Math.min(...values), Math.max(...values), 4) : [0, 1];
   const [low, high] = [marks[0], marks[marks.length - 1]];
   const digits = tickDigits(marks);
@@ -31,7 +35,9 @@ export function whiskers(rows: { mean: unknown; interval: unknown }[]): Whiskers
         'svg',
         { class: 'whisker', width, height: headHeight, viewBox: `0 0 ${width} ${headHeight}`, 'aria-hidden': 'true' },
         ...grid(headHeight - 4, headHeight),
-        ...marks.map((mark) => svg('text', { x: at(mark), y: headHeight - 6, 'text-anchor': 'middle' }, number(mark, digits))),
+        ...marks.map((mark) =>
+          svg('text', { x: at(mark), y: headHeight - 6, 'text-anchor': 'middle' }, number(mark, digits)),
+        ),
       ),
     row(mean, interval) {
       const middle = rowHeight / 2;
@@ -39,11 +45,25 @@ export function whiskers(rows: { mean: unknown; interval: unknown }[]): Whiskers
       if (isInterval(interval)) {
         const [from, to] = interval.map(at);
         parts.push(svg('line', { class: 'bar', x1: from, x2: to, y1: middle, y2: middle }));
-        for (const x of [from, to]) parts.push(svg('line', { class: 'bar', x1: x, x2: x, y1: middle - 4, y2: middle + 4 }));
+        for (const x of [from, to])
+          parts.push(svg('line', { class: 'bar', x1: x, x2: x, y1: middle - 4, y2: middle + 4 }));
       }
       if (isNumber(mean)) parts.push(svg('circle', { class: 'mean', cx: at(mean), cy: middle, r: 3.5 }));
       const label = isInterval(interval) ? `${number(interval[0], 1)} to ${number(interval[1], 1)}` : 'no interval';
-      return svg('svg', { class: 'whisker', width, height: rowHeight, viewBox: `0 0 ${width} ${rowHeight}`, role: 'img', 'aria-label': label }, svg('title', {}, label), ...grid(0, rowHeight), ...parts);
+      return svg(
+        'svg',
+        {
+          class: 'whisker',
+          width,
+          height: rowHeight,
+          viewBox: `0 0 ${width} ${rowHeight}`,
+          role: 'img',
+          'aria-label': label,
+        },
+        svg('title', {}, label),
+        ...grid(0, rowHeight),
+        ...parts,
+      );
     },
   };
 }

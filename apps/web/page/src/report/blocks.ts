@@ -11,7 +11,9 @@ async function readJson(text: string, what: string): Promise<unknown> {
   try {
     return JSON.parse(new TextDecoder().decode(await unpack(text.replace(/\s+/g, ''))));
   } catch {
-    throw new Error(`The ${what} in this page cannot be read: the file is cut or damaged. Make it again with 'labmouse report'.`);
+    throw new Error(
+      `The ${what} in this page cannot be read: the file is cut or damaged. Make it again with 'labmouse report'.`,
+    );
   }
 }
 
@@ -22,7 +24,8 @@ const named = (value: unknown) => isObject(value) && typeof value.name === 'stri
 
 const listOf = (value: unknown, each: (entry: unknown) => boolean) => Array.isArray(value) && value.every(each);
 
-const isResult = (value: unknown) => isObject(value) && typeof value.maze === 'string' && typeof value.outcome === 'string';
+const isResult = (value: unknown) =>
+  isObject(value) && typeof value.maze === 'string' && typeof value.outcome === 'string';
 
 const isMouse = (value: unknown) => named(value) && listOf((value as Record<string, unknown>).results, isResult);
 
@@ -36,7 +39,8 @@ export function isResults(value: unknown): value is RaceResults {
 /** The report of that block's text; throws what is wrong with it, in words. */
 export async function readReport(text: string): Promise<Report> {
   const json = await readJson(text, 'report');
-  if (!isObject(json) || json.labmouse !== 'report') throw new Error('This page carries something that is no report of labmouse');
+  if (!isObject(json) || json.labmouse !== 'report')
+    throw new Error('This page carries something that is no report of labmouse');
   if (json.format !== format) {
     const version = typeof json.version === 'string' ? `, made by labmouse ${json.version}` : '';
     throw new Error(
@@ -53,7 +57,10 @@ export async function readReport(text: string): Promise<Report> {
 /** The records of that block's text; throws what is wrong with them, in words. */
 export async function readRecords(text: string): Promise<ReportRecords> {
   const json = await readJson(text, 'records');
-  if (!isObject(json) || !Array.isArray(json.records)) throw new Error('The records in this page have a form that it does not know');
-  const records = json.records.filter((one) => isObject(one) && typeof one.mouse === 'string' && typeof one.maze === 'string');
+  if (!isObject(json) || !Array.isArray(json.records))
+    throw new Error('The records in this page have a form that it does not know');
+  const records = json.records.filter(
+    (one) => isObject(one) && typeof one.mouse === 'string' && typeof one.maze === 'string',
+  );
   return { records, left_out: typeof json.left_out === 'number' ? json.left_out : 0 };
 }

@@ -36,7 +36,11 @@ export function fileTaker(core: Page['core'], notices: Notices, takers: Takers):
   /** Says what is wrong with a file; where it is a record for a maze at hand, offers that. */
   async function refuse({ file, error }: SortedOut['failures'][number]) {
     const places = takers.atHand();
-    const found = await openIn(file, places.map(({ maze }) => maze), open);
+    const found = await openIn(
+      file,
+      places.map(({ maze }) => maze),
+      open,
+    );
     if (!found || found.opened.kind !== 'record') return notices.complain(error);
     const { play } = found.opened;
     const { place } = places.find(({ maze }) => maze === found.maze)!;

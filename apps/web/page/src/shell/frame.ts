@@ -24,7 +24,11 @@ export function createFrame(notices: Notices, intake: Intake): Frame {
     h(
       'div',
       { class: 'tools' },
-      h('button', { type: 'button', onclick: intake.choose, title: 'A maze, a record or the results of a race' }, 'Open file'),
+      h(
+        'button',
+        { type: 'button', onclick: intake.choose, title: 'A maze, a record or the results of a race' },
+        'Open file',
+      ),
       themeSwitch(),
     ),
   );

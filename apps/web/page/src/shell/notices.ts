@@ -22,7 +22,10 @@ export function problemLine({ line, column, reason }: Problem): string {
 export function linesOf(error: unknown): { message: string; places: string[] } {
   const message = error instanceof Error ? error.message : String(error);
   const problems = error instanceof CoreError ? error.problems : [];
-  const places = problems.slice(0, mostProblems).map(problemLine).filter((place) => place !== message);
+  const places = problems
+    .slice(0, mostProblems)
+    .map(problemLine)
+    .filter((place) => place !== message);
   if (problems.length > mostProblems) places.push(`and ${problems.length - mostProblems} more`);
   return { message, places };
 }

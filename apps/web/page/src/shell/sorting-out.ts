@@ -22,7 +22,11 @@ function add(sorted: SortedOut, file: OneFile, opened: Opened) {
 }
 
 /** Opens `file` as a record in the first of those mazes that it fits; null where it fits none. */
-export async function openIn(file: OneFile, mazes: MazeData[], open: Open): Promise<{ maze: MazeData; opened: Opened } | null> {
+export async function openIn(
+  file: OneFile,
+  mazes: MazeData[],
+  open: Open,
+): Promise<{ maze: MazeData; opened: Opened } | null> {
   for (const maze of mazes) {
     const opened = await open(file, maze).catch(() => null);
     if (opened?.kind === 'record') return { maze, opened };

@@ -52,7 +52,8 @@ export function createStage(frame: Frame, complain: (error: unknown) => void): S
       starting.hidden = views.has(name);
       frame.mark(name);
       const route = routeOf(location.hash);
-      if (thing !== undefined && !keepAddress && !(route && 'view' in route && route.view === name)) location.hash = name;
+      if (thing !== undefined && !keepAddress && !(route && 'view' in route && route.view === name))
+        location.hash = name;
       give(name);
     },
     current: () => current,

@@ -43,7 +43,9 @@ export function themeSwitch(): HTMLElement {
         apply(theme);
       },
     },
-    ...themes.map((name) => h('option', { value: name, selected: name === theme }, name[0].toUpperCase() + name.slice(1))),
+    ...themes.map((name) =>
+      h('option', { value: name, selected: name === theme }, name[0].toUpperCase() + name.slice(1)),
+    ),
   );
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', tonesChanged);
   addEventListener('beforeprint', () => (setPaper(true), apply('light')));

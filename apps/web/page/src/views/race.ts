@@ -1,13 +1,12 @@
 // The view of a race: who is best, where, by how much, and each contest a click away from its replay.
-import type { MmsGroup, RaceResults } from '../core/types';
 import { contestPlay } from '../race/contest-play';
 import { boardsOf, type Board } from '../race/contests';
 import { curves } from '../race/curves';
 import { duel } from '../race/duel';
-import { counted } from '../race/format';
 import { holdPanel } from '../race/hold-panel';
 import { leaderboard, mmsLeaderboard } from '../race/leaderboard';
 import { matrix } from '../race/matrix';
+import { facts, part } from '../race/parts';
 import { h } from '../ui/dom';
 import { onTones } from '../ui/tones';
 import type { EarlyPage, LoadedRace, View } from './view';
@@ -17,26 +16,6 @@ import '../styles/race.css';
 interface Part {
   arrange(): void;
 }
-
-function facts({ mice, mazes, groups, seed, budget, labmouse, stopped, skipped }: RaceResults): string {
-  const guests = (groups ?? []).reduce((sum: number, group: MmsGroup) => sum + group.mice.length, 0);
-  const contests = mice.reduce((sum, mouse) => sum + mouse.results.length, 0);
-  return [
-    counted(mice.length + guests, 'mouse', 'mice'),
-    counted(Math.max(mazes.length, ...(groups ?? []).map((group) => group.mazes.length)), 'maze'),
-    counted(contests, 'contest'),
-    `seed ${seed}`,
-    `budget ${budget} steps`,
-    `labmouse ${labmouse}`,
-    stopped && 'stopped early',
-    skipped?.length > 0 && `${counted(skipped.length, 'file')} skipped`,
-  ]
-    .filter(Boolean)
-    .join(' · ');
-}
-
-const part = (title: string, about: string, ...content: HTMLElement[]) =>
-  h('section', { class: 'part', 'aria-label': title }, h('h2', {}, title), about ? h('p', { class: 'note' }, about) : null, ...content);
 
 /** Once the next frame has been painted; at once where nothing is painted. */
 function afterFrame(act: () => void) {
@@ -66,7 +45,16 @@ export function createRace(page: EarlyPage): View {
   function boardParts(race: LoadedRace, board: Board) {
     const cells = matrix(board, (mouse, maze, position) => replayContests(race, board, [{ mouse, maze, position }]));
     const lines = curves(board);
-    const pair = board.mice.length > 1 ? duel(page, board, (a, b, maze) => replayContests(race, board, [a, b].map((mouse) => ({ mouse, maze, position: 0 })))) : null;
+    const pair =
+      board.mice.length > 1
+        ? duel(page, board, (a, b, maze) =>
+            replayContests(
+              race,
+              board,
+              [a, b].map((mouse) => ({ mouse, maze, position: 0 })),
+            ),
+          )
+        : null;
     parts.push(cells, lines, ...(pair ? [pair] : []));
     const world = board.world === 'mms' ? ', mms' : '';
     const best = board.world === 'mms' ? 'best possible score' : 'bound, the score of a mouse that knows the maze';
@@ -74,8 +62,16 @@ export function createRace(page: EarlyPage): View {
       board,
       cells,
       elements: [
-        part(`Mice × mazes${world}`, 'How near each mouse came to the best possible score. Choose a cell to open its replay.', cells.element),
-        part(`Distributions${world}`, `How many contests of a mouse score within a ratio to the ${best}. Further up and to the left is better.`, lines.element),
+        part(
+          `Mice × mazes${world}`,
+          'How near each mouse came to the best possible score. Choose a cell to open its replay.',
+          cells.element,
+        ),
+        part(
+          `Distributions${world}`,
+          `How many contests of a mouse score within a ratio to the ${best}. Further up and to the left is better.`,
+          lines.element,
+        ),
         ...(pair ? [part(`Two mice${world}`, '', pair.element)] : []),
       ],
     };
@@ -94,8 +90,14 @@ export function createRace(page: EarlyPage): View {
       for (const { board, cells } of boards) if (board.world === 'steps') cells.order(rows);
     }
     const search = h('input', { type: 'search', placeholder: 'Search mice', 'aria-label': 'Search mice by name' });
-    search.addEventListener('input', () => [...tables, ...boards.map(({ cells }) => cells)].forEach((one) => one.filter(search.value)));
-    const save = h('button', { type: 'button', onclick: () => page.save('results.json', `${JSON.stringify(results)}\n`, 'application/json') }, 'Save results');
+    search.addEventListener('input', () =>
+      [...tables, ...boards.map(({ cells }) => cells)].forEach((one) => one.filter(search.value)),
+    );
+    const save = h(
+      'button',
+      { type: 'button', onclick: () => page.save('results.json', `${JSON.stringify(results)}\n`, 'application/json') },
+      'Save results',
+    );
     const pictures = h('div', { class: 'race pictures' });
     afterFrame(() => {
       if (race !== shownRace) return;
@@ -106,7 +108,12 @@ export function createRace(page: EarlyPage): View {
     });
     return [
       h('p', { class: 'note facts' }, facts(results)),
-      part('Leaderboard', '', h('div', { class: 'row controls' }, search, save), ...tables.map((table) => table.element)),
+      part(
+        'Leaderboard',
+        '',
+        h('div', { class: 'row controls' }, search, save),
+        ...tables.map((table) => table.element),
+      ),
       pictures,
     ];
   }
@@ -115,7 +122,8 @@ export function createRace(page: EarlyPage): View {
     const room = h('div', {}, h('p', { class: 'note' }, 'Starting …'));
     page.ready.then(
       (about) => room.replaceChildren(holdPanel(page, about)),
-      () => room.replaceChildren(h('p', { class: 'note' }, 'Races cannot be held here, because the core did not start.')),
+      () =>
+        room.replaceChildren(h('p', { class: 'note' }, 'Races cannot be held here, because the core did not start.')),
     );
     const about = h(
       'p',
@@ -133,7 +141,11 @@ export function createRace(page: EarlyPage): View {
 
   function render(race: LoadedRace | null) {
     parts = [];
-    element.replaceChildren(h('h2', { class: 'unseen' }, 'Race'), ...(race ? shownRaceParts(race) : []), holdPart(!race));
+    element.replaceChildren(
+      h('h2', { class: 'unseen' }, 'Race'),
+      ...(race ? shownRaceParts(race) : []),
+      holdPart(!race),
+    );
   }
   const arrange = () => !element.hidden && parts.forEach((one) => one.arrange());
   onTones(arrange);

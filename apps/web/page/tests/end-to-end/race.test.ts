@@ -10,11 +10,16 @@ const pack = (json: unknown) => gzipSync(JSON.stringify(json)).toString('base64'
 /** A report page that carries that text as its block. */
 function withBlock(name: string, text: string): string {
   const block = `<script type="text/plain" id="labmouse-report">${text}</script>`;
-  writeFileSync(temporary(name), readFileSync(builtPage, 'utf8').replace('<!-- labmouse:report -->', () => block));
+  writeFileSync(
+    temporary(name),
+    readFileSync(builtPage, 'utf8').replace('<!-- labmouse:report -->', () => block),
+  );
   return temporary(name);
 }
 
-const results = JSON.parse(native('race', '--mice', 'flood,certify,cautious,oracle', '--runs', '3', '--format', 'json')) as RaceResults;
+const results = JSON.parse(
+  native('race', '--mice', 'flood,certify,cautious,oracle', '--runs', '3', '--format', 'json'),
+) as RaceResults;
 const report = { labmouse: 'report', format: 1, version: results.labmouse, results, mazes: {} };
 
 const leaderboard = (page: Page) => page.getByRole('region', { name: 'Leaderboard, table' });
@@ -75,7 +80,10 @@ test('the matrix is walked by keys, and tells what it shows', async () => {
   await page.keyboard.press('End');
   await page.keyboard.press('ArrowDown');
   const [, second] = results.mice;
-  const last = [...results.mazes].map(({ name }) => name).sort((a, b) => a.localeCompare(b, 'en', { numeric: true })).at(-1);
+  const last = [...results.mazes]
+    .map(({ name }) => name)
+    .sort((a, b) => a.localeCompare(b, 'en', { numeric: true }))
+    .at(-1);
   expect(await page.locator('.reading .caption').textContent()).toContain(`${second.name} in ${last} (`);
 });
 
@@ -89,16 +97,19 @@ test('several runs of one cell are chosen from a list', async () => {
   await page.waitForFunction(() => document.title === 'Replay · labmouse');
 });
 
-test.each(['light', 'dark'] as const)('a report is without barriers in %s, at every width, and no wider than the page', async (colorScheme) => {
-  const file = withBlock('report.html', pack(report));
-  for (const width of [1280, 390]) {
-    const page = await open('', { file, colorScheme, viewport: { width, height: 900 } });
-    await page.getByRole('application').waitFor();
-    expect(await barriers(page)).toEqual([]);
-    expect(await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)).toBeLessThanOrEqual(0);
-    await picture(page, `race-${colorScheme}-${width}`);
-  }
-});
+test.each(['light', 'dark'] as const)(
+  'a report is without barriers in %s, at every width, and no wider than the page',
+  async (colorScheme) => {
+    const file = withBlock('report.html', pack(report));
+    for (const width of [1280, 390]) {
+      const page = await open('', { file, colorScheme, viewport: { width, height: 900 } });
+      await page.getByRole('application').waitFor();
+      expect(await barriers(page)).toEqual([]);
+      expect(await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)).toBeLessThanOrEqual(0);
+      await picture(page, `race-${colorScheme}-${width}`);
+    }
+  },
+);
 
 test.each([
   ['cut', pack(report).slice(0, 3000), 'cut or damaged'],

@@ -8,11 +8,24 @@ import type { EarlyPage, LoadedRace } from '../../src/views/view';
 const results = {
   budget: 500,
   mazes: [{ name: 'a', width: 8, height: 8, bound: 10, optimum: 9 }],
-  mice: ['ariadne', 'guest:x', 'oracle'].map((name) => ({ name, results: [{ maze: 'a', seed: 7, outcome: 'solved', score: 12 }] })),
+  mice: ['ariadne', 'guest:x', 'oracle'].map((name) => ({
+    name,
+    results: [{ maze: 'a', seed: 7, outcome: 'solved', score: 12 }],
+  })),
 } as unknown as RaceResults;
 
 /** A page whose core answers `run` and `unpack` with plays of those actions. */
-function setup({ run, record, score = 12, maze = true }: { run?: string[]; record?: string[]; score?: number; maze?: boolean }) {
+function setup({
+  run,
+  record,
+  score = 12,
+  maze = true,
+}: {
+  run?: string[];
+  record?: string[];
+  score?: number;
+  maze?: boolean;
+}) {
   const asked: [string, Record<string, unknown>][] = [];
   const play = (action: string[]) => ({ play: { action, score, outcome: 'solved' } as Play, record: 'text' });
   const core = {
@@ -23,9 +36,17 @@ function setup({ run, record, score = 12, maze = true }: { run?: string[]; recor
       return play(run);
     },
   } as unknown as Core;
-  const page = { core, ready: Promise.resolve({ mice: [{ name: 'ariadne' }] } as About), complain() {} } as unknown as EarlyPage;
+  const page = {
+    core,
+    ready: Promise.resolve({ mice: [{ name: 'ariadne' }] } as About),
+    complain() {},
+  } as unknown as EarlyPage;
   const packed: PackedRecord = { mouse: 'm', maze: 'a', seed: 7 };
-  const race: LoadedRace = { results, maze: async () => (maze ? ({ name: 'a' } as MazeData) : null), records: async () => (record ? [packed] : []) };
+  const race: LoadedRace = {
+    results,
+    maze: async () => (maze ? ({ name: 'a' } as MazeData) : null),
+    records: async () => (record ? [packed] : []),
+  };
   const open = (mouse: number) => contestPlay(page, race, boardsOf(results)[0], { mouse, maze: 0, position: 0 });
   return { asked, open };
 }
@@ -67,7 +88,10 @@ describe('the record of a contest', () => {
     const seeded = [1, 2].map((seed) => ({ mouse: 'm', maze: 'a', seed }));
     expect(recordOf(seeded, contest(2), 0)?.seed).toBe(2);
     expect(recordOf(seeded, contest(3), 0)).toBeNull();
-    const plain: PackedRecord[] = [{ mouse: 'm', maze: 'a', n: 0 }, { mouse: 'm', maze: 'a', n: 1 }];
+    const plain: PackedRecord[] = [
+      { mouse: 'm', maze: 'a', n: 0 },
+      { mouse: 'm', maze: 'a', n: 1 },
+    ];
     expect(recordOf(plain, contest(2), 1)?.n).toBe(1);
     expect(recordOf(plain, contest(2), 5)).toBeNull();
   });

@@ -27,7 +27,13 @@ describe('the layout of the matrix', () => {
     const layout = matrixLayout(40, 5, 1000, 'fit');
     expect(cellAt(layout, 26, layout.top + 1)).toEqual({ row: 0, column: 1 });
     expect(cellAt(layout, 999, layout.height - 1)).toEqual({ row: 4, column: 39 });
-    for (const [x, y] of [[-1, 100], [1001, 100], [5, layout.top - 1], [5, layout.height]]) expect(cellAt(layout, x, y)).toBeNull();
+    for (const [x, y] of [
+      [-1, 100],
+      [1001, 100],
+      [5, layout.top - 1],
+      [5, layout.height],
+    ])
+      expect(cellAt(layout, x, y)).toBeNull();
   });
   it('moves a cursor by keys and keeps it inside', () => {
     const layout = matrixLayout(40, 5, 1000, 'fit');
@@ -64,7 +70,16 @@ const results = {
   ],
   mice: [
     { name: 'one', contestant: true, results: [result('mazes/easy.txt', 22), result('mazes/hard.txt', null)] },
-    { name: 'dice', contestant: true, results: [result('mazes/easy.txt', 30), result('mazes/easy.txt', 20, 2), result('mazes/hard.txt', 20), result('mazes/hard.txt', null, 2)] },
+    {
+      name: 'dice',
+      contestant: true,
+      results: [
+        result('mazes/easy.txt', 30),
+        result('mazes/easy.txt', 20, 2),
+        result('mazes/hard.txt', 20),
+        result('mazes/hard.txt', null, 2),
+      ],
+    },
     { name: 'oracle', contestant: false, results: [result('mazes/easy.txt', 20)] },
   ],
 } as unknown as RaceResults;
@@ -83,7 +98,9 @@ describe('the contests of a race', () => {
       'one in easy (16×16): solved, score 22, exploration 30 steps, speed run 20 steps (1 beyond the shortest); bound 20, score / bound 1.100',
     );
     expect(cellText(board, 0, 2)).toBe('one in hard (16×16): out of budget; bound 10');
-    expect(cellText(board, 1, 2)).toBe('dice in hard (16×16): solved 1 of 2, mean score of these 20.000; bound 10, score / bound 2.000');
+    expect(cellText(board, 1, 2)).toBe(
+      'dice in hard (16×16): solved 1 of 2, mean score of these 20.000; bound 10, score / bound 2.000',
+    );
     expect(cellText(board, 0, 1)).toBe('one in closed (8×8): no goal can be reached');
     expect(cellText(board, 2, 2)).toBe('oracle in hard (16×16): no contest');
   });
@@ -107,7 +124,23 @@ describe('the contests of a race', () => {
       world: 'mms' as const,
       formula: 'f',
       mazes: [{ name: 'a', width: 16, height: 16, best_run: 10, best_score: 20 }],
-      mice: [{ name: 'mms:x', results: [{ maze: 'a', outcome: 'gave-up', end: 'gave up', solved: false, score: 2000, possible_score: 20, ratio: null, errors: [] }] }],
+      mice: [
+        {
+          name: 'mms:x',
+          results: [
+            {
+              maze: 'a',
+              outcome: 'gave-up',
+              end: 'gave up',
+              solved: false,
+              score: 2000,
+              possible_score: 20,
+              ratio: null,
+              errors: [],
+            },
+          ],
+        },
+      ],
     };
     const boards = boardsOf({ ...results, mice: [], groups: [group] } as unknown as RaceResults);
     expect(boards.map(({ world }) => world)).toEqual(['mms']);

@@ -24,7 +24,13 @@ describe('sorted', () => {
 });
 
 const race = (name: string, mean: number | null, stopped = false) =>
-  ({ labmouse: '1', seed: 1, stopped, mazes: [{ name: 'one' }], mice: [{ name, penalised_mean: mean } as RacedMouse] }) as unknown as RaceResults;
+  ({
+    labmouse: '1',
+    seed: 1,
+    stopped,
+    mazes: [{ name: 'one' }],
+    mice: [{ name, penalised_mean: mean } as RacedMouse],
+  }) as unknown as RaceResults;
 
 describe('joined', () => {
   it('brings the best mouse first, and those without a mean last', () => {

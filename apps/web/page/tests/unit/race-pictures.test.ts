@@ -65,7 +65,15 @@ describe('two mice', () => {
     ]);
   });
   it('are told apart in words', () => {
-    const found = { count: 260, mean: -2.5, interval: [-3, -2] as [number, number], below: 180, equal: 40, above: 40, sign_test: 1e-9 };
+    const found = {
+      count: 260,
+      mean: -2.5,
+      interval: [-3, -2] as [number, number],
+      below: 180,
+      equal: 40,
+      above: 40,
+      sign_test: 1e-9,
+    };
     expect(duelWords('a', 'b', found, 'steps')).toBe(
       'a against b: −2.500 steps on average (95 % interval −3.000 to −2.000) over 260 mazes: better. Lower in 180, equal in 40, higher in 40; sign test p < 0.0001.',
     );

@@ -24,7 +24,9 @@ describe('the report of a page', () => {
     await expect(readReport(text)).rejects.toThrow(/cut or damaged/);
   });
   it('is refused where it is of another format, with the version that made it', async () => {
-    await expect(readReport(pack({ ...report, format: 2, version: '9.0' }))).rejects.toThrow(/format 2, made by labmouse 9\.0.*reads format 1/);
+    await expect(readReport(pack({ ...report, format: 2, version: '9.0' }))).rejects.toThrow(
+      /format 2, made by labmouse 9\.0.*reads format 1/,
+    );
     await expect(readReport(pack({ ...report, format: undefined }))).rejects.toThrow(/format undefined/);
   });
   it.each([
@@ -48,7 +50,10 @@ describe('the report of a page', () => {
 describe('the records of a page', () => {
   it('are read; what is none is left out', async () => {
     const record = { mouse: 'flood', maze: 'a', actions: 'x' };
-    expect(await readRecords(pack({ records: [record, null, { mouse: 5 }], left_out: 3 }))).toEqual({ records: [record], left_out: 3 });
+    expect(await readRecords(pack({ records: [record, null, { mouse: 5 }], left_out: 3 }))).toEqual({
+      records: [record],
+      left_out: 3,
+    });
   });
   it('are refused in words', async () => {
     await expect(readRecords(pack({ records: 1 }))).rejects.toThrow(/form/);
@@ -64,8 +69,17 @@ describe('names of mazes', () => {
     expect(shortNames(['a/one.txt', 'b/one.txt', 'b/two.txt'])).toEqual(['a/one.txt', 'b/one.txt', 'two']);
   });
   it('find what was filed under them, or under the only one alike', () => {
-    const values = new Map([['a/one.txt', 1], ['b/two.txt', 2], ['c/two.txt', 3]]);
-    expect([find(values, 'a/one.txt'), find(values, 'one'), find(values, 'two'), find(values, 'three')]).toEqual([1, 1, undefined, undefined]);
+    const values = new Map([
+      ['a/one.txt', 1],
+      ['b/two.txt', 2],
+      ['c/two.txt', 3],
+    ]);
+    expect([find(values, 'a/one.txt'), find(values, 'one'), find(values, 'two'), find(values, 'three')]).toEqual([
+      1,
+      1,
+      undefined,
+      undefined,
+    ]);
   });
 });
 
@@ -83,11 +97,21 @@ describe('a loaded race', () => {
     core,
     ready: Promise.resolve({ mazes: [{ name: 'contest-01', width: 8, height: 8 }] } as About),
     links: new Map([['a.txt', 'LINK']]),
-    opened: new Map([['dropped', maze('dropped')], ['wide', maze('wide', 9)]]),
+    opened: new Map([
+      ['dropped', maze('dropped')],
+      ['wide', maze('wide', 9)],
+    ]),
     records: async () => [record('flood', 'a', 1), record('flood', 'a', 2), record('guest', 'b')],
     ...more,
   });
-  const raced = { mazes: ['a.txt', 'x/contest-01.txt', 'dropped.txt', 'wide.txt', 'gone.txt'].map((name) => ({ name, width: 8, height: 8 })), mice: [] } as unknown as RaceResults;
+  const raced = {
+    mazes: ['a.txt', 'x/contest-01.txt', 'dropped.txt', 'wide.txt', 'gone.txt'].map((name) => ({
+      name,
+      width: 8,
+      height: 8,
+    })),
+    mice: [],
+  } as unknown as RaceResults;
 
   it('has its mazes from the report, from the page and from the core, where they fit', async () => {
     const race = loadedRace(raced, sources());

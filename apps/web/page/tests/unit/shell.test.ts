@@ -39,7 +39,8 @@ describe('dropped files', () => {
     if (file.name === 'home') return { kind: 'maze', maze: maze('home') };
     if (file.name === 'other') return { kind: 'maze', maze: maze('other') };
     if (file.name === 'results') return { kind: 'results', results: {} as RaceResults };
-    if (file.name === 'record' || (file.name === 'lost' && given?.name === 'home')) return { kind: 'record', play: { mouse: file.name } as Play };
+    if (file.name === 'record' || (file.name === 'lost' && given?.name === 'home'))
+      return { kind: 'record', play: { mouse: file.name } as Play };
     throw new Error(`${file.name} is nothing`);
   };
   const file = (name: string) => ({ name, bytes: new TextEncoder().encode(`text of ${name}`) });
@@ -49,7 +50,9 @@ describe('dropped files', () => {
     expect(sorted.mazes).toEqual([maze('home')]);
     expect(sorted.plays).toEqual([{ play: { mouse: 'record' }, record: 'text of record' }]);
     expect(sorted.results).toHaveLength(1);
-    expect(sorted.failures.map(({ file: { name }, error }) => [name, String(error)])).toEqual([['bad', 'Error: bad is nothing']]);
+    expect(sorted.failures.map(({ file: { name }, error }) => [name, String(error)])).toEqual([
+      ['bad', 'Error: bad is nothing'],
+    ]);
   });
   it('help each other: a record takes a maze that came with it', async () => {
     const sorted = await sortOut(['lost', 'other', 'home'].map(file), open);

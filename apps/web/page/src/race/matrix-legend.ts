@@ -1,0 +1,30 @@
+// The legend of the matrix.
+import { h, svg } from '../ui/dom';
+import { toneLabels, toneName } from './scale';
+
+const sign = (path: string, name?: string) =>
+  svg(
+    'svg',
+    { width: 14, height: 14, viewBox: '0 0 14 14', 'aria-hidden': 'true', class: name },
+    svg('path', { d: path }),
+  );
+
+/** What the tones and signs of the matrix mean; `best` names what a score is compared with. */
+export function matrixLegend(best: string): HTMLElement {
+  const swatches = toneLabels.map((label, step) =>
+    h('li', {}, h('span', { class: `swatch ${toneName(step)}` }), label),
+  );
+  return h(
+    'div',
+    { class: 'scale' },
+    h('span', {}, `score / ${best}, mean over the solved contests:`),
+    h(
+      'ul',
+      {},
+      ...swatches,
+      h('li', {}, sign('M3 3 L11 11 M11 3 L3 11'), 'all contests failed'),
+      h('li', {}, sign('M2 2 L10 2 L2 10 Z', 'filled'), 'some failed'),
+      h('li', {}, sign('M3 7 L11 7'), 'no way, or no contest'),
+    ),
+  );
+}

@@ -1,0 +1,32 @@
+// What the parts of the view of a race have in common.
+import type { MmsGroup, RaceResults } from '../core/types';
+import { h } from '../ui/dom';
+import { counted } from './format';
+
+/** What the race was, in one line. */
+export function facts({ mice, mazes, groups, seed, budget, labmouse, stopped, skipped }: RaceResults): string {
+  const guests = (groups ?? []).reduce((sum: number, group: MmsGroup) => sum + group.mice.length, 0);
+  const contests = mice.reduce((sum, mouse) => sum + mouse.results.length, 0);
+  return [
+    counted(mice.length + guests, 'mouse', 'mice'),
+    counted(Math.max(mazes.length, ...(groups ?? []).map((group) => group.mazes.length)), 'maze'),
+    counted(contests, 'contest'),
+    `seed ${seed}`,
+    `budget ${budget} steps`,
+    `labmouse ${labmouse}`,
+    stopped && 'stopped early',
+    skipped?.length > 0 && `${counted(skipped.length, 'file')} skipped`,
+  ]
+    .filter(Boolean)
+    .join(' · ');
+}
+
+/** A part of the view under its title. */
+export const part = (title: string, about: string, ...content: HTMLElement[]) =>
+  h(
+    'section',
+    { class: 'part', 'aria-label': title },
+    h('h2', {}, title),
+    about ? h('p', { class: 'note' }, about) : null,
+    ...content,
+  );
