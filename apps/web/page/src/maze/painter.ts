@@ -1,0 +1,107 @@
+// The parts of a maze on a canvas. Each paints one of them; from bottom to top in this order.
+import type { Cell, MazeData } from '../core/types';
+import { closedWalls, columnAt, rowAt, type Geometry } from './geometry';
+import type { Palette } from './palette';
+
+export type Context = CanvasRenderingContext2D;
+
+export interface Places {
+  start: Cell;
+  goals: Cell[];
+}
+
+export function paintGround(context: Context, g: Geometry, palette: Palette) {
+  context.fillStyle = palette.paper;
+  context.fillRect(0, 0, g.canvasWidth, g.canvasHeight);
+}
+
+/** A cell's square, without `rim` device pixels on each side. The tone is that of `context.fillStyle`. */
+export function fillCell(context: Context, g: Geometry, x: number, y: number, rim = 0) {
+  context.fillRect(columnAt(g, x) + rim, rowAt(g, y + 1) + rim, g.pitch - 2 * rim, g.pitch - 2 * rim);
+}
+
+/** The plates of start and goals; `rim` leaves the colours below them to be seen. */
+export function paintPlates(context: Context, g: Geometry, palette: Palette, { start, goals }: Places, rim = 0) {
+  context.fillStyle = palette.goal;
+  for (const [x, y] of goals) fillCell(context, g, x, y, rim);
+  context.fillStyle = palette.start;
+  fillCell(context, g, start[0], start[1], rim);
+}
+
+/** The letters S and G: in the middle of their cells, or in the upper left corner where the middle belongs to others. */
+export function paintLetters(context: Context, g: Geometry, palette: Palette, { start, goals }: Places, corner = false) {
+  const size = Math.round(g.pitch * (corner ? 0.28 : 0.48));
+  if (size < 5 * g.ratio) return;
+  context.font = `600 ${size}px ${palette.family}`;
+  context.fillStyle = palette.ink;
+  context.textAlign = 'center';
+  context.textBaseline = 'middle';
+  const inset = Math.round(g.pitch * (corner ? 0.25 : 0.5));
+  const letter = (text: string, [x, y]: Cell) =>
+    context.fillText(text, columnAt(g, x) + inset, rowAt(g, y + 1) + inset + Math.round(size * 0.06));
+  letter('S', start);
+  for (const goal of goals) if (goal[0] !== start[0] || goal[1] !== start[1]) letter('G', goal);
+}
+
+export function paintPosts(context: Context, g: Geometry, palette: Palette) {
+  if (g.pitch < 4 * g.wall) return;
+  const back = Math.floor(g.wall / 2);
+  context.fillStyle = palette.post;
+  for (let y = 0; y <= g.height; ++y)
+    for (let x = 0; x <= g.width; ++x)
+      context.fillRect(columnAt(g, x) - back, rowAt(g, y) - back, g.wall, g.wall);
+}
+
+/** A wall by its position in lists over walls (see wallIndex), in the tone of `context.fillStyle`. */
+export function fillWall(context: Context, g: Geometry, index: number, thickness = g.wall) {
+  const cells = g.width * g.height;
+  const north = index < cells;
+  const cell = north ? index : index - cells;
+  const x = cell % g.width;
+  const y = (cell - x) / g.width;
+  const back = Math.floor(thickness / 2);
+  if (north) context.fillRect(columnAt(g, x) - back, rowAt(g, y + 1) - back, g.pitch + thickness, thickness);
+  else context.fillRect(columnAt(g, x + 1) - back, rowAt(g, y + 1) - back, thickness, g.pitch + thickness);
+}
+
+/** The southern and the western border, which have no place in lists over walls. */
+export function fillBorder(context: Context, g: Geometry) {
+  const back = Math.floor(g.wall / 2);
+  context.fillRect(columnAt(g, 0) - back, rowAt(g, 0) - back, g.width * g.pitch + g.wall, g.wall);
+  context.fillRect(columnAt(g, 0) - back, rowAt(g, g.height) - back, g.wall, g.height * g.pitch + g.wall);
+}
+
+/** All closed walls and the border in ink; `closed` as closedWalls gives them. */
+export function paintWalls(context: Context, g: Geometry, palette: Palette, closed: ArrayLike<number>) {
+  context.fillStyle = palette.ink;
+  for (let wall = 0; wall < closed.length; ++wall) if (closed[wall]) fillWall(context, g, wall);
+  fillBorder(context, g);
+}
+
+/** The numbers of columns and rows, outside of the maze: every second or fourth where they would stand too close. */
+export function paintNumbers(context: Context, g: Geometry, palette: Palette) {
+  const size = Math.round(11 * g.ratio);
+  const room = g.pitch / size;
+  const every = room >= 1.6 ? 1 : room >= 0.8 ? 2 : room >= 0.4 ? 4 : 8;
+  context.font = `${size}px ${palette.family}`;
+  context.fillStyle = palette.muted;
+  context.textAlign = 'center';
+  context.textBaseline = 'alphabetic';
+  const half = g.pitch / 2;
+  for (let x = 0; x < g.width; x += every)
+    context.fillText(String(x), columnAt(g, x) + half, rowAt(g, 0) + Math.round(16 * g.ratio));
+  context.textAlign = 'right';
+  context.textBaseline = 'middle';
+  for (let y = 0; y < g.height; y += every)
+    context.fillText(String(y), g.left - Math.round(7 * g.ratio), rowAt(g, y) - half);
+}
+
+/** A whole maze, without anything in it. */
+export function paintMaze(context: Context, g: Geometry, palette: Palette, maze: MazeData) {
+  paintGround(context, g, palette);
+  paintPlates(context, g, palette, maze);
+  paintLetters(context, g, palette, maze);
+  paintPosts(context, g, palette);
+  paintWalls(context, g, palette, closedWalls(maze));
+  if (g.left > g.wall) paintNumbers(context, g, palette);
+}
