@@ -1,6 +1,7 @@
 // The parts of a maze on a canvas. Each paints one of them; from bottom to top in this order.
 import type { Cell, MazeData } from '../core/types';
 import { closedWalls, columnAt, rowAt, type Geometry } from './geometry';
+import { fontOf, textOf } from './fonts';
 import type { Palette } from './palette';
 
 export type Context = CanvasRenderingContext2D;
@@ -23,7 +24,7 @@ export function fillCell(context: Context, g: Geometry, x: number, y: number, ri
 /** The plates of start and goals; `rim` leaves the colours below them to be seen. */
 export function paintPlates(context: Context, g: Geometry, palette: Palette, { start, goals }: Places, rim = 0) {
   context.fillStyle = palette.goal;
-  for (const [x, y] of goals) fillCell(context, g, x, y, rim);
+  for (let i = 0; i < goals.length; ++i) fillCell(context, g, goals[i][0], goals[i][1], rim);
   context.fillStyle = palette.start;
   fillCell(context, g, start[0], start[1], rim);
 }
@@ -32,15 +33,16 @@ export function paintPlates(context: Context, g: Geometry, palette: Palette, { s
 export function paintLetters(context: Context, g: Geometry, palette: Palette, { start, goals }: Places, corner = false) {
   const size = Math.round(g.pitch * (corner ? 0.28 : 0.48));
   if (size < 5 * g.ratio) return;
-  context.font = `600 ${size}px ${palette.family}`;
+  context.font = fontOf(palette, size, 600);
   context.fillStyle = palette.ink;
   context.textAlign = 'center';
   context.textBaseline = 'middle';
   const inset = Math.round(g.pitch * (corner ? 0.25 : 0.5));
-  const letter = (text: string, [x, y]: Cell) =>
-    context.fillText(text, columnAt(g, x) + inset, rowAt(g, y + 1) + inset + Math.round(size * 0.06));
-  letter('S', start);
-  for (const goal of goals) if (goal[0] !== start[0] || goal[1] !== start[1]) letter('G', goal);
+  const down = inset + Math.round(size * 0.06);
+  context.fillText('S', columnAt(g, start[0]) + inset, rowAt(g, start[1] + 1) + down);
+  for (let i = 0; i < goals.length; ++i)
+    if (goals[i][0] !== start[0] || goals[i][1] !== start[1])
+      context.fillText('G', columnAt(g, goals[i][0]) + inset, rowAt(g, goals[i][1] + 1) + down);
 }
 
 export function paintPosts(context: Context, g: Geometry, palette: Palette) {
@@ -83,17 +85,17 @@ export function paintNumbers(context: Context, g: Geometry, palette: Palette) {
   const size = Math.round(11 * g.ratio);
   const room = g.pitch / size;
   const every = room >= 1.6 ? 1 : room >= 0.8 ? 2 : room >= 0.4 ? 4 : 8;
-  context.font = `${size}px ${palette.family}`;
+  context.font = fontOf(palette, size);
   context.fillStyle = palette.muted;
   context.textAlign = 'center';
   context.textBaseline = 'alphabetic';
-  const half = g.pitch / 2;
+  const half = g.pitch >> 1;
   for (let x = 0; x < g.width; x += every)
-    context.fillText(String(x), columnAt(g, x) + half, rowAt(g, 0) + Math.round(16 * g.ratio));
+    context.fillText(textOf(x), columnAt(g, x) + half, rowAt(g, 0) + Math.round(16 * g.ratio));
   context.textAlign = 'right';
   context.textBaseline = 'middle';
   for (let y = 0; y < g.height; y += every)
-    context.fillText(String(y), g.left - Math.round(7 * g.ratio), rowAt(g, y) - half);
+    context.fillText(textOf(y), g.left - Math.round(7 * g.ratio), rowAt(g, y) - half);
 }
 
 /** A whole maze, without anything in it. */

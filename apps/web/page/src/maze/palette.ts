@@ -1,15 +1,13 @@
 // The tones of the page's style sheet, for canvases.
 import '../styles/maze.css';
 
+// prettier-ignore
 const tones = [
-  ...['paper', 'ink', 'muted', 'faint', 'post', 'start', 'goal', 'route', 'to-goal', 'onwards', 'wrong', 'candidate'],
-  ...['panel', 'line', 'discovered', 'visited', 'heat1', 'heat2', 'heat3', 'heat4', 'heat5', 'heat6'],
+  'paper', 'ink', 'muted', 'faint', 'post', 'start', 'goal', 'route', 'to-goal', 'onwards', 'wrong', 'candidate',
+  'panel', 'line', 'discovered', 'visited', 'heat1', 'heat2', 'heat3', 'heat4', 'heat5', 'heat6',
 ] as const;
 
-export type Tone =
-  | 'paper' | 'ink' | 'muted' | 'faint' | 'post' | 'start' | 'goal' | 'route' | 'to-goal' | 'onwards' | 'wrong'
-  | 'candidate' | 'panel' | 'line' | 'discovered' | 'visited' | 'heat1' | 'heat2' | 'heat3' | 'heat4' | 'heat5'
-  | 'heat6';
+export type Tone = (typeof tones)[number];
 
 export interface Palette extends Record<Tone, string> {
   /** From one visit to the most. */

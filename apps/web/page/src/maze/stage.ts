@@ -1,4 +1,5 @@
 // A canvas for a maze that is as large as its place allows, and crisp at every zoom.
+import './print';
 import { h } from '../ui/dom';
 import { bare, fit, numbered, type Geometry, type MazeSize } from './geometry';
 import { readPalette, watchTheme, type Palette } from './palette';

@@ -2,6 +2,22 @@
 import type { Play } from '../core/types';
 import { h } from '../ui/dom';
 import type { Page } from '../views/view';
+import '../styles/player.css';
+import { fetchBeliefs } from './beliefs';
+import { createClock, seek, start, tick, usual } from './clock';
+import { createFacts } from './facts';
+import { createFiles } from './files';
+import { keyHelp, listen } from './keys';
+import { usualLayers, type Layers } from './layers';
+import { createLegend } from './legend';
+import { count, createMeter } from './meter';
+import { createReasons } from './reasons';
+import { createSide } from './side';
+import { nextTime, timeOf, type Actions, type Panel, type State } from './state';
+import { createSteps } from './steps';
+import { createTransport } from './transport';
+import { createWords } from './last-words';
+import { mazeText, momentText } from './words';
 
 /** A contest, and its record as text, to be saved. */
 export interface Shown {
@@ -17,7 +33,144 @@ export interface Player {
   stop(): void;
 }
 
-export function createPlayer(_page: Page): Player {
-  const element = h('div', { class: 'player' });
-  return { element, show() {}, stop() {} };
+/** The same for all players, and kept from play to play. */
+const layers: Layers = { ...usualLayers };
+
+/** Milliseconds between two looks of the numbers and lists at a replay that runs. */
+const panelPause = 100;
+
+/** Room for the controls, in pixels of the page. */
+const tallest = () => Math.max(260, innerHeight - 290);
+
+export function createPlayer(page: Page): Player {
+  const clock = createClock();
+  const state: State = { clock, layers, sides: [], chosen: 0 };
+  const still = matchMedia('(prefers-reduced-motion: reduce)');
+  const meter = createMeter();
+  let asked = 0;
+  let told = 0;
+  let dirty = true;
+
+  const actions: Actions = {
+    toggle() {
+      if (clock.playing) clock.playing = false;
+      else start(clock);
+      wake();
+    },
+    step(by) {
+      clock.playing = false;
+      for (let i = 0; i < Math.abs(by); ++i) seek(clock, nextTime(state.sides, clock.time, by > 0));
+      wake();
+    },
+    seek(time) {
+      seek(clock, time);
+      wake();
+    },
+    jump(mark) {
+      const time = timeOf(state.sides[state.chosen], mark);
+      if (time !== null) seek(clock, mark === 'end' ? clock.end : time);
+      wake();
+    },
+    setSpeed(speed) {
+      clock.speed = speed;
+      wake();
+    },
+    setLoop(loop) {
+      clock.loop = loop;
+      wake();
+    },
+    setLayers(changes) {
+      Object.assign(layers, changes);
+      for (const { scene } of state.sides) scene.repaint();
+      if (layers.distances === 'believed') void believe();
+      wake();
+    },
+    choose(side) {
+      state.chosen = side;
+      wake();
+    },
+  };
+
+  const sides = h('div', { class: 'sides' });
+  const moment = h('p', { class: 'moment' });
+  const transport = createTransport(state, actions);
+  const legend = createLegend(state, actions);
+  const numbers: Panel[] = [createFacts(state), createReasons(state)];
+  const below: Panel[] = [createSteps(state, actions), createWords(state), createFiles(page, state)];
+  const panels = [transport, legend, ...numbers, ...below];
+  const element = h(
+    'div',
+    { class: 'player', hidden: true },
+    h('div', { class: 'picture' }, sides, transport.element, moment),
+    h('div', { class: 'numbers' }, ...numbers.map((panel) => panel.element)),
+    legend.element,
+    h('div', { class: 'below' }, ...below.map((panel) => panel.element), keyHelp()),
+  );
+  Object.assign(element, { meter });
+
+  /** Numbers, lists and words. */
+  function refresh() {
+    dirty = false;
+    for (const side of state.sides) side.update();
+    for (const panel of panels) panel.update();
+    moment.setAttribute('aria-live', clock.playing ? 'off' : 'polite');
+    const text = state.sides.map(momentText).join('\n');
+    if (moment.textContent !== text) moment.textContent = text;
+    if (!clock.playing) for (const side of state.sides) side.scene.stage.describe(`Maze ${mazeText(side.track.maze)}. ${momentText(side)}`);
+  }
+
+  /** One frame of the browser; makes nothing while the frame of the replay stays the same. */
+  function frame(now: number) {
+    const begin = performance.now();
+    asked = 0;
+    tick(clock, now);
+    const smooth = !still.matches;
+    for (let i = 0; i < state.sides.length; ++i) if (state.sides[i].scene.show(clock.time, smooth)) dirty = true;
+    if (!clock.playing || (dirty && now - told >= panelPause)) {
+      told = now;
+      refresh();
+    }
+    if (clock.playing) asked = requestAnimationFrame(frame);
+    count(meter, performance.now() - begin);
+  }
+  function wake() {
+    if (!asked && state.sides.length > 0) asked = requestAnimationFrame(frame);
+  }
+
+  async function believe() {
+    for (const { track, scene } of state.sides) {
+      if (scene.believes() || track.play.known.length === 0) continue;
+      try {
+        scene.setBeliefs(await fetchBeliefs(page.core, track));
+      } catch (error) {
+        page.complain(error);
+        actions.setLayers({ distances: 'none' });
+        return;
+      }
+    }
+  }
+
+  listen(element, state, actions);
+  return {
+    element,
+    show(plays) {
+      for (const side of state.sides) side.scene.stage.close();
+      state.sides = plays.slice(0, 2).map((shown) => createSide(shown, layers, tallest));
+      state.chosen = 0;
+      element.hidden = state.sides.length === 0;
+      element.classList.toggle('double', state.sides.length === 2);
+      sides.replaceChildren(...state.sides.map((side) => side.element));
+      clock.playing = false;
+      clock.time = 0;
+      clock.end = Math.max(0, ...state.sides.map(({ track }) => track.time[track.last]));
+      clock.unit = state.sides.every(({ track }) => track.play.world === 'mms') ? usual.mms : usual.steps;
+      if (layers.distances === 'believed') void believe();
+      if (state.sides.length > 0) refresh();
+      wake();
+    },
+    stop() {
+      clock.playing = false;
+      wake();
+    },
+  };
 }

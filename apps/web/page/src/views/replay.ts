@@ -1,7 +1,90 @@
+// The view Replay: the player, and while there is nothing to show, how to get something.
 import { h } from '../ui/dom';
+import { createPlayer, type Shown } from '../player/player';
+import '../styles/replay.css';
 import type { Page, View } from './view';
 
-export function createReplay(_page: Page): View {
-  const element = h('section', { 'aria-label': 'Replay' });
-  return { element, shown() {} };
+/** Runs mice in a maze that the core brings, as an example. */
+function createExample(page: Page, mice: string[]) {
+  const { mazes } = page.about;
+  const select = h('select', {}, ...mazes.map(({ name, width, height }) => h('option', { value: name }, `${name} (${width} × ${height})`)));
+  const usual = mazes.find(({ width }) => width === 16) ?? mazes[0];
+  if (usual) select.value = usual.name;
+  async function run() {
+    page.tell(`${mice.join(' and ')} in ${select.value} …`);
+    try {
+      const { maze } = await page.core.call('builtin_maze', { name: select.value });
+      const plays: Shown[] = [];
+      for (const mouse of mice) plays.push(await page.core.call('run', { mouse, maze, seed: 1 }));
+      page.tell('');
+      page.replay(plays);
+    } catch (error) {
+      page.complain(error);
+    }
+  }
+  return h('p', {}, h('label', {}, `${mice.join(' and ')} in `, select), ' ', h('button', { type: 'button', onclick: () => void run() }, 'Run'));
+}
+
+/** Opens a record of the reader's own disk. */
+function createOpener(page: Page) {
+  async function open() {
+    const [file] = input.files ?? [];
+    input.value = '';
+    if (!file) return;
+    try {
+      const bytes = new Uint8Array(await file.arrayBuffer());
+      const record = new TextDecoder().decode(bytes);
+      const opened = await page.core.call('open', { name: file.name }, bytes);
+      if (opened.kind === 'record') page.replay([{ play: opened.play, record }]);
+      else if (opened.kind === 'maze') page.live(opened.maze);
+      else page.complain(new Error(`${file.name} holds the results of a race: drop it on the page`));
+    } catch (error) {
+      page.complain(error);
+    }
+  }
+  const input = h('input', { type: 'file', accept: '.jsonl,.json,.txt', onchange: () => void open() });
+  return h('p', {}, h('label', {}, 'Open a record ', input));
+}
+
+function createWelcome(page: Page) {
+  return h(
+    'div',
+    { class: 'welcome' },
+    h('p', {}, 'A record holds a contest step by step: what the mouse read, what it did, and where that led. Here it is played again.'),
+    h('h3', {}, 'See an example'),
+    createExample(page, ['ariadne']),
+    createExample(page, ['ariadne', 'flood']),
+    h('h3', {}, 'See one of your own'),
+    createOpener(page),
+    h(
+      'p',
+      { class: 'note' },
+      'Or drop a file anywhere on this page. Records are written by ',
+      h('code', {}, 'labmouse run MOUSE MAZE --record FILE'),
+      ', by races with ',
+      h('code', {}, '--out DIR'),
+      ', by programs for mms, and by real robots; with ',
+      h('code', {}, '--explain'),
+      ' they also say why ariadne went where it went. In the view Race a click on a contest opens its record here.',
+    ),
+  );
+}
+
+export function createReplay(page: Page): View {
+  const player = createPlayer(page);
+  const welcome = createWelcome(page);
+  const another = h('button', { type: 'button', hidden: true, onclick: () => show([]) }, 'Another record');
+  const heading = h('header', {}, h('h2', {}, 'Replay'), another);
+  const element = h('section', { class: 'replay', 'aria-label': 'Replay' }, heading, welcome, player.element);
+  function show(plays: Shown[]) {
+    welcome.hidden = plays.length > 0;
+    another.hidden = plays.length === 0;
+    player.show(plays);
+  }
+  return {
+    element,
+    shown() {},
+    hidden: () => player.stop(),
+    accept: (thing) => show(thing as Shown[]),
+  };
 }

@@ -1,0 +1,134 @@
+// The numbers of the moment and of the whole contest; of two contests beside each other, with their differences.
+import { h } from '../ui/dom';
+import type { Panel, Side, State } from './state';
+import { counted, decimal, percent, poseText, readingText, runText, short } from './words';
+
+interface Row {
+  label: string;
+  /** A number, to be subtracted; `text` says it. Null where it does not apply. */
+  value?: (side: Side) => number | null;
+  text: (side: Side, value: number | null) => string;
+  /** Where it changes with the frame. */
+  live?: boolean;
+}
+
+const absent = '–';
+const orAbsent = (write: (value: number) => string) => (_: Side, value: number | null) =>
+  value === null ? absent : write(value);
+const isMms = (side: Side) => side.track.play.world === 'mms';
+const digits = (side: Side) => (isMms(side) ? 1 : 3);
+
+/** `3 + 17/30`: what the score of that moment is made of. */
+function madeOf(side: Side): string {
+  const { track, scene } = side;
+  const { frame } = scene.past;
+  const factor = track.play.rules?.exploration_factor;
+  return factor ? `${track.speed[frame]} + ${track.exploration[frame]} / ${factor}` : '';
+}
+
+const now: Row[] = [
+  { label: 'run', text: runText, live: true },
+  {
+    label: 'steps',
+    value: (side) => side.scene.past.frame,
+    text: (side, frame) => `${frame} of ${side.track.last}`,
+    live: true,
+  },
+  { label: 'mouse at', text: poseText, live: true },
+  { label: 'left, ahead, right', text: readingText, live: true },
+  { label: 'speed + exploration', text: madeOf, live: true },
+  {
+    label: 'score so far',
+    value: (side) => side.track.score[side.scene.past.frame],
+    text: (side, score) => (score === null ? absent : decimal(score, digits(side))),
+    live: true,
+  },
+];
+
+const seconds: Row = {
+  label: 'time in mms',
+  value: (side) => side.track.time[side.scene.past.frame],
+  text: (side, time) => `${decimal(time!, 1)} of ${decimal(side.track.time[side.track.last], 1)} s`,
+  live: true,
+};
+
+const whole: Row[] = [
+  { label: 'outcome', text: ({ track }) => track.play.outcome },
+  { label: 'score', value: ({ track }) => track.play.score, text: (side, v) => (v === null ? absent : decimal(v, digits(side))) },
+  {
+    label: 'best possible',
+    value: ({ track }) => track.play.bound,
+    text: (side, v) => (v === null ? absent : decimal(v, digits(side))),
+  },
+  { label: 'exploration', value: ({ track }) => track.play.exploration_steps, text: orAbsent((v) => counted(v, 'step')) },
+  { label: 'speed run', value: ({ track }) => track.play.speed_steps, text: orAbsent((v) => counted(v, 'step')) },
+  { label: 'shortest run', value: ({ track }) => track.play.optimum, text: orAbsent(short) },
+  { label: 'cells discovered', value: ({ track }) => track.play.discovered, text: orAbsent(percent) },
+  { label: 'cells visited', value: ({ track }) => track.play.visited, text: orAbsent(percent) },
+];
+
+const ofSteps = new Set(['left, ahead, right', 'speed + exploration', 'exploration', 'speed run', 'cells discovered', 'cells visited']);
+
+function countRows(sides: Side[]): Row[] {
+  const names = new Set(sides.flatMap(({ track }) => track.play.counts.map(({ name }) => name)));
+  const value = (name: string) => (side: Side) =>
+    side.track.play.counts.find((count) => count.name === name)?.value ?? null;
+  return [...names].map((name) => ({ label: name, value: value(name), text: orAbsent(String) }));
+}
+
+function rowsOf(sides: Side[]): Row[] {
+  const rows = [...now, ...(sides.some(isMms) ? [seconds] : []), ...whole, ...countRows(sides)];
+  return sides.every(isMms) ? rows.filter(({ label }) => !ofSteps.has(label)) : rows;
+}
+
+/** The second less the first, with a sign. */
+function difference(row: Row, [first, second]: Side[]): string {
+  const a = row.value?.(first) ?? null;
+  const b = row.value?.(second) ?? null;
+  if (a === null || b === null) return '';
+  const share = row.label.startsWith('cells ');
+  const by = share ? 100 * (b - a) : b - a;
+  const text = share ? `${Math.abs(by).toFixed(1)} %` : short(Math.abs(by));
+  return by === 0 ? '0' : (by > 0 ? '+' : '−') + text;
+}
+
+export function createFacts(state: State): Panel {
+  const element = h('section', { class: 'facts' });
+  let sides: Side[] = [];
+  let live: { row: Row; cells: Text[] }[] = [];
+
+  const texts = (row: Row) => {
+    const values = sides.map((side) => row.text(side, row.value?.(side) ?? null));
+    return sides.length === 2 ? [...values, difference(row, sides)] : values;
+  };
+  function tableRow(row: Row): HTMLElement {
+    const cells = texts(row).map((text) => document.createTextNode(text));
+    if (row.live) live.push({ row, cells });
+    return h('tr', {}, h('th', { scope: 'row' }, row.label), ...cells.map((cell) => h('td', {}, cell)));
+  }
+  function rebuild() {
+    sides = state.sides;
+    live = [];
+    const names = sides.map(({ track }) => h('th', { scope: 'col' }, track.play.mouse));
+    const head = sides.length === 2 ? [...names, h('th', { scope: 'col' }, 'difference')] : names;
+    element.replaceChildren(
+      h('h3', {}, 'Numbers'),
+      h('div', { class: 'wide', tabindex: 0, role: 'region', 'aria-label': 'Numbers' },
+        h('table', {}, h('thead', {}, h('tr', {}, h('td', {}), ...head)), h('tbody', {}, ...rowsOf(sides).map(tableRow))),
+      ),
+      ...sides.map(({ track }) => track.play.checked && h('p', { class: 'note' }, track.play.checked)).filter((p) => p !== ''),
+    );
+  }
+  return {
+    element,
+    update() {
+      if (sides !== state.sides) return rebuild();
+      for (const { row, cells } of live) {
+        const fresh = texts(row);
+        cells.forEach((cell, i) => {
+          if (cell.data !== fresh[i]) cell.data = fresh[i];
+        });
+      }
+    },
+  };
+}

@@ -1,0 +1,61 @@
+// The keyboard, and the help that lists it.
+import { h } from '../ui/dom';
+import { speeds } from './clock';
+import { layerNames, toggled } from './layers';
+import type { Actions, State } from './state';
+
+const list: [string, string][] = [
+  ['Space', 'play or pause'],
+  ['← →', 'one step back or forward; with Shift ten'],
+  ['Home End', 'to the start or the end'],
+  ['G R', 'to the first step in the goal, to the speed run'],
+  ['+ −', 'faster or slower'],
+  ['F', 'fit all of it into 20 seconds'],
+  ['L', 'play again from the start, over and over'],
+  ['1 … 9, 0', 'the layers, in the order of the legend'],
+];
+
+export function keyHelp(): HTMLElement {
+  const rows = list.map(([keys, words]) => h('tr', {}, h('th', { scope: 'row' }, h('kbd', {}, keys)), h('td', {}, words)));
+  return h('details', { class: 'help' }, h('summary', {}, 'Keys'), h('table', { 'aria-label': 'Keys' }, h('tbody', {}, ...rows)));
+}
+
+/** Whether an element needs that key itself. */
+function needs(target: EventTarget | null, key: string): boolean {
+  if (!(target instanceof HTMLElement)) return false;
+  if (target instanceof HTMLInputElement && (target.type === 'range' || target.type === 'checkbox'))
+    return target.type === 'checkbox' ? key === ' ' : false;
+  if (target.matches('input, select, textarea, [contenteditable]')) return true;
+  return key === ' ' && target.closest('button, a, summary') !== null;
+}
+
+/** Does what that key is for; says whether it is for anything. */
+export function press(key: string, shift: boolean, state: State, actions: Actions): boolean {
+  const { clock, layers, sides } = state;
+  const layer = /^[0-9]$/.test(key) ? layerNames[(Number(key) + 9) % 10] : undefined;
+  const believes = sides.some(({ track }) => track.play.known.length > 0);
+  const faster = (by: number) => actions.setSpeed(Math.min(Math.max(clock.speed < 0 ? 2 : clock.speed + by, 0), speeds.length - 1));
+  if (layer) actions.setLayers(toggled(layers, layer, believes));
+  else if (key === ' ') actions.toggle();
+  else if (key === 'ArrowLeft') actions.step(shift ? -10 : -1);
+  else if (key === 'ArrowRight') actions.step(shift ? 10 : 1);
+  else if (key === 'Home') actions.jump('start');
+  else if (key === 'End') actions.jump('end');
+  else if (key === 'g' || key === 'G') actions.jump('goal');
+  else if (key === 'r' || key === 'R') actions.jump('speed');
+  else if (key === '+' || key === '=') faster(1);
+  else if (key === '-' || key === '−') faster(-1);
+  else if (key === 'f' || key === 'F') actions.setSpeed(-1);
+  else if (key === 'l' || key === 'L') actions.setLoop(!clock.loop);
+  else return false;
+  return true;
+}
+
+/** Listens while the player is to be seen and nothing else wants the keys. */
+export function listen(element: HTMLElement, state: State, actions: Actions) {
+  document.addEventListener('keydown', (event) => {
+    if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (state.sides.length === 0 || element.offsetParent === null || needs(event.target, event.key)) return;
+    if (press(event.key, event.shiftKey, state, actions)) event.preventDefault();
+  });
+}

@@ -1,0 +1,124 @@
+// The layers as toggles, each with what its signs mean: the legend of the pictures.
+import { h, type Child } from '../ui/dom';
+import { has, layerNames, type DistanceMode, type LayerName, type Layers, type WallMode } from './layers';
+import { sample, type Sample } from './samples';
+import type { Actions, Panel, State } from './state';
+
+type Sign = [Sample, string];
+
+/** What each layer's signs say; those of the walls and in mms depend on more. */
+function signsOf(layer: LayerName, layers: Layers, mms: boolean, most: number): Sign[] {
+  switch (layer) {
+    case 'walls':
+      if (mms) return [['walls', 'wall of the maze'], ['drawn', 'wall that the program drew, where there is one']];
+      return layers.walls === 'known'
+        ? [['walls', 'wall that the mouse knows by now'], ['unknown', 'unknown by now: open or closed']]
+        : [['walls', 'wall'], ['unseen', 'wall that the mouse does not know yet']];
+    case 'wrong':
+      return [['wrong', 'closed, and not known yet: who takes unknown walls for open errs here']];
+    case 'visits':
+      return [['visits', most > 1 ? `1 to ${most} visits to a cell so far` : '1 visit to a cell']];
+    case 'distances':
+      if (layers.distances === 'believed') return [['distances', 'steps to the goal, were all unknown walls open']];
+      return [['distances', 'steps to the goal, in the whole maze']];
+    case 'rays':
+      return [['rays', 'open cells to the left, ahead and to the right, read before the next step']];
+    case 'exploration':
+      return mms
+        ? [['exploration', 'way until the goal'], ['onwards', 'way from there on']]
+        : [['exploration', 'way of the exploration to the goal'], ['onwards', 'its way from there on']];
+    case 'speed':
+      return [['speed', 'speed run; dot: the end of each step, with its number']];
+    case 'best':
+      return [['best', 'a shortest speed run; ring: the end of a step']];
+    case 'candidates':
+      return [
+        ['candidates', 'unseen wall that it weighed in its last choice, with the steps of the run through it; pale: not worth the way'],
+        ['chosen', 'the chosen one'],
+      ];
+    case 'mms':
+      return [
+        ['mms', 'colours, texts and walls that the program drew'],
+        ['wrong', 'wall that it drew where there is none'],
+      ];
+  }
+}
+
+const titles: Record<LayerName, string> = {
+  walls: 'Walls',
+  wrong: 'Wrong guesses',
+  visits: 'Visits',
+  distances: 'Distances',
+  rays: 'Sensor rays',
+  exploration: 'Exploration',
+  speed: 'Speed run',
+  best: 'Best possible run',
+  candidates: 'Candidates',
+  mms: 'Drawn by the program',
+};
+
+const always: Sign[] = [['start', 'start'], ['goal', 'goal'], ['mouse', 'mouse']];
+const signList = (signs: Sign[]) =>
+  h('ul', { class: 'signs' }, ...signs.map(([name, words]) => h('li', {}, sample(name), h('span', {}, words))));
+
+export function createLegend(state: State, actions: Actions): Panel {
+  const lines = h('div', { class: 'layers' });
+  const element = h('section', { class: 'legend' }, h('h3', {}, 'Layers'), lines);
+
+  function choice<Mode extends string>(layer: LayerName, label: string, modes: [Mode, string][], value: Mode) {
+    const set = () => actions.setLayers({ [layer]: select.value });
+    const select = h('select', { 'aria-label': label, onchange: set }, ...modes.map(([name, words]) => h('option', { value: name }, words)));
+    select.value = value;
+    return select;
+  }
+  function control(layer: LayerName): Child[] {
+    const { layers, sides } = state;
+    if (layer === 'walls') {
+      const modes: [WallMode, string][] = [['known', 'what the mouse knows'], ['whole', 'the whole maze']];
+      return [h('span', {}, titles.walls), choice('walls', 'Walls', modes, layers.walls)];
+    }
+    if (layer === 'distances') {
+      const modes: [DistanceMode, string][] = [['none', 'none'], ['true', 'true']];
+      if (sides.some(({ track }) => track.play.known.length > 0)) modes.push(['believed', 'believed by the mouse']);
+      return [h('span', {}, titles.distances), choice('distances', 'Distances', modes, layers.distances)];
+    }
+    const box: HTMLInputElement = h('input', {
+      type: 'checkbox',
+      checked: layers[layer] as boolean,
+      onchange: () => actions.setLayers({ [layer]: box.checked }),
+    });
+    return [h('label', {}, box, ' ', titles[layer])];
+  }
+  function line(layer: LayerName): HTMLElement {
+    const { layers, sides } = state;
+    const on = layer === 'walls' || (layer === 'distances' ? layers.distances !== 'none' : layers[layer] === true);
+    const most = Math.max(...sides.map(({ track }) => track.mostVisits));
+    const mms = sides[0].track.play.world === 'mms';
+    const key = (layerNames.indexOf(layer) + 1) % 10;
+    return h(
+      'div',
+      { class: on ? 'layer on' : 'layer' },
+      h('div', { class: 'control' }, ...control(layer), h('kbd', {}, key)),
+      on && signList(signsOf(layer, layers, mms, most)),
+    );
+  }
+  function draw() {
+    const focused = document.activeElement;
+    const place = [...lines.querySelectorAll('select, input')].indexOf(focused!);
+    const shown = layerNames.filter((layer) => state.sides.some(({ track }) => has(track.play, layer)));
+    lines.replaceChildren(signList(always), ...shown.map(line));
+    if (place >= 0) lines.querySelectorAll<HTMLElement>('select, input')[place]?.focus();
+  }
+  let sides: unknown = null;
+  let drawn = '';
+  return {
+    element,
+    update() {
+      const layers = JSON.stringify(state.layers);
+      if (sides === state.sides && drawn === layers) return;
+      sides = state.sides;
+      drawn = layers;
+      draw();
+    },
+  };
+}

@@ -1,0 +1,38 @@
+// Layers that colour the floor. Plates leave a rim of what lies below them.
+import { fillCell, paintPlates } from '../../maze/painter';
+import { colourSlot } from '../mms-changes';
+import { thick, type Brush } from './brush';
+import { mmsColours } from './mms-colours';
+
+/** Of a cell visited so often: 0 never, else 1 to `levels`, linear from one visit to the most. */
+export function heatLevel(visits: number, most: number, levels: number): number {
+  if (visits <= 1 || most <= 1) return visits > 0 ? 1 : 0;
+  return 1 + Math.floor(((visits - 1) * (levels - 1)) / (most - 1));
+}
+
+function paintHeat({ context, g, palette, past, track }: Brush) {
+  const { heat } = palette;
+  for (let level = 1; level <= heat.length; ++level) {
+    context.fillStyle = heat[level - 1];
+    for (let cell = 0; cell < track.cells; ++cell)
+      if (heatLevel(past.visits[cell], track.mostVisits, heat.length) === level)
+        fillCell(context, g, cell % g.width, Math.floor(cell / g.width));
+  }
+}
+
+function paintColours({ context, g, past, track }: Brush) {
+  const rim = thick(g, 0.1);
+  for (let cell = 0; cell < track.cells; ++cell) {
+    const colour = past.drawn[colourSlot(track.cells, cell)];
+    if (colour === 0) continue;
+    context.fillStyle = mmsColours[colour - 1].fill;
+    fillCell(context, g, cell % g.width, Math.floor(cell / g.width), rim);
+  }
+}
+
+export function paintFloor(brush: Brush) {
+  const { context, g, palette, track, layers } = brush;
+  if (layers.visits) paintHeat(brush);
+  paintPlates(context, g, palette, track.maze, layers.visits ? thick(g, 0.1) : 0);
+  if (layers.mms && track.play.world === 'mms') paintColours(brush);
+}

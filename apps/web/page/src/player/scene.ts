@@ -1,0 +1,110 @@
+// One play on its canvas: what changes with the frame is painted on a canvas below, and only when it has changed; the
+// mouse is painted on a copy of that in every frame of the browser.
+import { h } from '../ui/dom';
+import { paintGround, paintLetters, paintNumbers } from '../maze/painter';
+import { createStage, type Stage } from '../maze/stage';
+import type { Layers } from './layers';
+import { createPose, poseAt } from './motion';
+import type { Brush } from './paint/brush';
+import { paintCandidates } from './paint/candidates';
+import { paintFloor } from './paint/floor';
+import { paintMouse, paintRays } from './paint/mouse';
+import { paintDistances, paintMmsTexts } from './paint/texts';
+import { paintBest, paintExploration, paintSpeedRun } from './paint/ways';
+import { paintWalls } from './paint/walls';
+import { createPast, moveTo, type Past } from './past';
+import { frameAt, type Track } from './track';
+
+export interface Scene {
+  stage: Stage;
+  track: Track;
+  past: Past;
+  /** Believed distances: see beliefs.ts. */
+  setBeliefs(beliefs: Uint16Array): void;
+  believes(): boolean;
+  /** Goes to that time and paints, where something changed; `smooth` between the frames. Says whether the frame changed. */
+  show(time: number, smooth: boolean): boolean;
+  /** After the layers have changed. */
+  repaint(): void;
+}
+
+/** Everything but the mouse and its rays. */
+function paintBelow(brush: Brush) {
+  const { context, g, palette, track, layers } = brush;
+  const mms = track.play.world === 'mms';
+  const crowded = layers.exploration || layers.speed || layers.distances !== 'none' || mms;
+  paintGround(context, g, palette);
+  paintFloor(brush);
+  paintLetters(context, g, palette, track.maze, crowded);
+  paintWalls(brush);
+  if (layers.best) paintBest(brush);
+  if (layers.exploration) paintExploration(brush);
+  if (layers.speed) paintSpeedRun(brush);
+  if (layers.mms && mms) paintMmsTexts(brush);
+  if (layers.distances !== 'none') paintDistances(brush);
+  if (layers.candidates) paintCandidates(brush);
+  paintNumbers(context, g, palette);
+}
+
+export function createScene(track: Track, layers: Layers, tallest: () => number): Scene {
+  const past = createPast(track);
+  const pose = createPose();
+  const belowCanvas = h('canvas');
+  const context = belowCanvas.getContext('2d', { alpha: false })!;
+  let below: Brush | null = null;
+  let front: Brush | null = null;
+  let beliefs: Uint16Array | null = null;
+  let stale = true;
+  let shown = -1;
+
+  function paint() {
+    if (!below || !front) return;
+    if (stale) paintBelow(below);
+    stale = false;
+    front.context.drawImage(belowCanvas, 0, 0);
+    if (layers.rays) paintRays(front);
+    paintMouse(front, pose);
+  }
+  const stage = createStage(track.maze, paint, {
+    numbers: true,
+    tallest,
+    changed(g, palette) {
+      if (belowCanvas.width !== g.canvasWidth) belowCanvas.width = g.canvasWidth;
+      if (belowCanvas.height !== g.canvasHeight) belowCanvas.height = g.canvasHeight;
+      below = { context, g, palette, track, past, layers, beliefs };
+      front = { ...below, context: stage.canvas.getContext('2d', { alpha: false })! };
+      stale = true;
+    },
+  });
+  poseAt(track, 0, 0, pose);
+
+  return {
+    stage,
+    track,
+    past,
+    setBeliefs(other) {
+      beliefs = other;
+      if (below) below.beliefs = other;
+      stale = true;
+      stage.redraw();
+    },
+    believes: () => beliefs !== null,
+    show(time, smooth) {
+      const frame = frameAt(track, time);
+      const changed = frame !== past.frame;
+      if (changed) moveTo(past, frame);
+      const between = smooth && frame < track.last ? track.time[frame + 1] - track.time[frame] : 0;
+      const share = between > 0 ? (time - track.time[frame]) / between : 0;
+      if (!changed && frame + share === shown) return false;
+      shown = frame + share;
+      poseAt(track, frame, share, pose);
+      if (changed) stale = true;
+      paint();
+      return changed;
+    },
+    repaint() {
+      stale = true;
+      stage.redraw();
+    },
+  };
+}

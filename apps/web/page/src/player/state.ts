@@ -1,0 +1,75 @@
+// What a player shows at the moment, and what its parts may do to it.
+import type { Clock } from './clock';
+import type { Layers } from './layers';
+import type { Scene } from './scene';
+import type { Track } from './track';
+
+/** One of the contests that are shown. */
+export interface Side {
+  record: string;
+  track: Track;
+  scene: Scene;
+  element: HTMLElement;
+  /** Its score and its step, after the frame has changed. */
+  update(): void;
+}
+
+export interface State {
+  clock: Clock;
+  layers: Layers;
+  sides: Side[];
+  /** The one whose steps and reasons are listed. */
+  chosen: number;
+}
+
+export type Mark = 'start' | 'goal' | 'speed' | 'end';
+
+export interface Actions {
+  toggle(): void;
+  /** By so many frames of any of the sides. */
+  step(by: number): void;
+  seek(time: number): void;
+  jump(mark: Mark): void;
+  /** A position in `speeds`, -1 to fit. */
+  setSpeed(speed: number): void;
+  setLoop(loop: boolean): void;
+  setLayers(layers: Partial<Layers>): void;
+  choose(side: number): void;
+}
+
+/** A part of the player beside its pictures. */
+export interface Panel {
+  element: HTMLElement;
+  /** After the frame has changed, some times a second while it plays; with anything else that has changed. */
+  update(): void;
+}
+
+/** When that mark is in a contest; null where it never comes. */
+export function timeOf({ track }: Side, mark: Mark): number | null {
+  if (mark === 'start') return 0;
+  if (mark === 'end') return track.time[track.last];
+  const frame = mark === 'goal' ? track.goalFrame : track.resetFrame;
+  return frame < 0 ? null : track.time[frame];
+}
+
+/** The time of the frame that is next after that time (or before it) in any of them. */
+export function nextTime(sides: Side[], time: number, forwards: boolean): number {
+  let next = forwards ? Infinity : -Infinity;
+  for (const { track } of sides) {
+    const at = frameAfter(track, time, forwards);
+    if (at >= 0 && at <= track.last) next = forwards ? Math.min(next, track.time[at]) : Math.max(next, track.time[at]);
+  }
+  return Number.isFinite(next) ? next : time;
+}
+
+/** The first frame after that time, or the last before it; one past the ends where there is none. */
+function frameAfter({ time, last }: Track, now: number, forwards: boolean): number {
+  let low = -1;
+  let high = last + 1;
+  while (high - low > 1) {
+    const middle = (low + high) >> 1;
+    if (forwards ? time[middle] <= now : time[middle] < now) low = middle;
+    else high = middle;
+  }
+  return forwards ? high : low;
+}

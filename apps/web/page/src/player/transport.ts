@@ -1,0 +1,99 @@
+// The controls of time: buttons, the scrubber with the runs marked on it, the speed.
+import { h } from '../ui/dom';
+import { rateOf, speeds } from './clock';
+import { icon, type Icon } from './icons';
+import { timeOf, type Actions, type Mark, type Panel, type Side, type State } from './state';
+import { momentText, short } from './words';
+
+function button(name: Icon, label: string, keys: string, onclick: () => void): HTMLButtonElement {
+  return h('button', { type: 'button', 'aria-label': label, title: `${label} (${keys})`, onclick }, icon(name));
+}
+
+/** One strip a play: how long it explored until the goal and from there on, and how long it ran. */
+function strip(side: Side, end: number): HTMLElement {
+  const { track } = side;
+  const stop = timeOf(side, 'end')!;
+  const reset = timeOf(side, 'speed') ?? stop;
+  const goal = Math.min(timeOf(side, 'goal') ?? reset, reset);
+  const part = (className: string, from: number, to: number) => {
+    const element = h('span', { class: className });
+    element.style.left = `${end > 0 ? (100 * from) / end : 0}%`;
+    element.style.width = `${end > 0 ? (100 * (to - from)) / end : 0}%`;
+    return element;
+  };
+  if (track.play.world === 'mms') return h('div', { class: 'strip' }, part('to-goal', 0, stop));
+  return h('div', { class: 'strip' }, part('to-goal', 0, goal), part('onwards', goal, reset), part('route', reset, stop));
+}
+
+function speedChoice(state: State, actions: Actions) {
+  const names = [...speeds.map((speed, i): [string, number] => [`${speed}×`, i]), ['fit', -1] as [string, number]];
+  const select = h(
+    'select',
+    { title: 'Speed (+ and −)', onchange: () => actions.setSpeed(Number(select.value)) },
+    ...names.map(([name, value]) => h('option', { value }, name)),
+  );
+  const rate = h('span', { class: 'rate' });
+  const update = () => {
+    select.value = String(state.clock.speed);
+    const unit = state.sides.some(({ track }) => track.play.world === 'steps') ? 'steps/s' : 's/s';
+    rate.textContent = `${short(Math.round(rateOf(state.clock) * 100) / 100)} ${unit}`;
+  };
+  return { element: h('label', { class: 'speed' }, 'Speed ', select, rate), update };
+}
+
+export function createTransport(state: State, actions: Actions): Panel {
+  const play = button('play', 'Play', 'space', actions.toggle);
+  const pauseIcon = icon('pause');
+  const playIcon = play.firstElementChild!;
+  const loop = button('loop', 'Play again from the start', 'L', () => actions.setLoop(!state.clock.loop));
+  const range = h('input', {
+    type: 'range',
+    min: 0,
+    step: 'any',
+    'aria-label': 'Moment of the replay',
+    oninput: () => actions.seek(Number(range.value)),
+  });
+  const strips = h('div', { class: 'strips', 'aria-hidden': 'true' });
+  const speed = speedChoice(state, actions);
+  const mark = (label: string, name: Mark) =>
+    h('button', { type: 'button', class: 'mark', onclick: () => actions.jump(name) }, label);
+  const marks = { goal: mark('Goal', 'goal'), speed: mark('Speed run', 'speed') };
+  const buttons = h(
+    'div',
+    { class: 'buttons', role: 'group', 'aria-label': 'Replay' },
+    button('start', 'To the start', 'home', () => actions.jump('start')),
+    button('back', 'One step back', 'left arrow', () => actions.step(-1)),
+    play,
+    button('forward', 'One step forward', 'right arrow', () => actions.step(1)),
+    button('end', 'To the end', 'end', () => actions.jump('end')),
+    h('span', { class: 'marks' }, mark('Exploration', 'start'), marks.goal, marks.speed),
+    h('span', { class: 'pace' }, speed.element, loop),
+  );
+  let sides: Side[] = [];
+  let playing: boolean | null = null;
+
+  function updateSides() {
+    sides = state.sides;
+    range.max = String(state.clock.end);
+    strips.replaceChildren(...sides.map((side) => strip(side, state.clock.end)));
+    const { track } = sides[state.chosen];
+    marks.goal.disabled = track.goalFrame < 0;
+    marks.speed.disabled = track.resetFrame < 0;
+  }
+  return {
+    element: h('div', { class: 'transport' }, h('div', { class: 'scrubber' }, range, strips), buttons),
+    update() {
+      if (sides !== state.sides) updateSides();
+      range.value = String(state.clock.time);
+      if (playing !== state.clock.playing) {
+        playing = state.clock.playing;
+        play.setAttribute('aria-label', playing ? 'Pause' : 'Play');
+        play.title = playing ? 'Pause (space)' : 'Play (space)';
+        play.replaceChildren(playing ? pauseIcon : playIcon);
+      }
+      if (!playing) range.setAttribute('aria-valuetext', state.sides.map(momentText).join(' '));
+      loop.setAttribute('aria-pressed', String(state.clock.loop));
+      speed.update();
+    },
+  };
+}

@@ -1,0 +1,59 @@
+// Words and numbers about a moment of a play.
+import type { MazeData } from '../core/types';
+import type { Scene } from './scene';
+import type { Track } from './track';
+
+type Side = { track: Track; scene: Scene };
+
+export const headings = ['north', 'north-east', 'east', 'south-east', 'south', 'south-west', 'west', 'north-west'];
+
+export const counted = (count: number, one: string, many = `${one}s`) => `${count} ${count === 1 ? one : many}`;
+
+/** A place in half cells, as a cell: (3,4), or (3.5,4) between two. */
+export const placeText = (x: number, y: number) => `(${(x - 1) / 2},${(y - 1) / 2})`;
+
+/** Fixed decimals, so that numbers that tick stay where they are. */
+export const decimal = (value: number, digits = 3) => value.toFixed(digits);
+
+/** As many decimals as there are, three at most. */
+export const short = (value: number) => String(Math.round(value * 1000) / 1000);
+
+export const percent = (share: number) => `${(100 * share).toFixed(1)} %`;
+
+export function runText({ track, scene }: Side): string {
+  const { frame } = scene.past;
+  if (frame === track.last) return track.play.ended ? 'ended' : 'the record breaks off';
+  if (track.play.world === 'mms') return 'running';
+  return track.run[frame] === 1 ? 'speed run' : 'exploration';
+}
+
+export function poseText({ track, scene }: Side): string {
+  const { frame } = scene.past;
+  return `${placeText(track.x[frame], track.y[frame])} ${headings[track.heading[frame] & 7]}`;
+}
+
+export function readingText({ track, scene }: Side): string {
+  const { left, ahead, right } = track.play;
+  const { frame } = scene.past;
+  return frame < left.length ? `${left[frame]}, ${ahead[frame]}, ${right[frame]}` : '–';
+}
+
+/** What the mouse does next, and what became of it. */
+export function actionText({ track, scene }: Side): string {
+  const { frame } = scene.past;
+  if (frame === track.last) return '–';
+  return track.play.action[frame] + (track.play.blocked[frame] ? ', ended by a wall' : '');
+}
+
+/** One sentence on where a play is, for those who hear it. */
+export function momentText(side: Side): string {
+  const { track, scene } = side;
+  const { frame } = scene.past;
+  const where = `${track.play.mouse} after ${frame} of ${counted(track.last, 'step')}, ${runText(side)}: at ${poseText(side)}`;
+  if (frame === track.last) return `${where}. ${track.play.outcome}.`;
+  const reads = track.play.left.length > 0 ? ` It reads left, ahead, right ${readingText(side)}.` : '';
+  return `${where}.${reads} Next: ${actionText(side)}.`;
+}
+
+/** `capstone-1, 12 × 12 cells` */
+export const mazeText = (maze: MazeData) => `${maze.name}, ${maze.width} × ${maze.height} cells`;
