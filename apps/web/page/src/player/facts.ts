@@ -88,7 +88,7 @@ function difference(row: Row, [first, second]: Side[]): string {
   if (a === null || b === null) return '';
   const share = row.label.startsWith('cells ');
   const by = share ? 100 * (b - a) : b - a;
-  const text = share ? `${Math.abs(by).toFixed(1)} %` : short(Math.abs(by));
+  const text = share ? `${Math.abs(by).toFixed(1)} points` : short(Math.abs(by));
   return by === 0 ? '0' : (by > 0 ? '+' : '−') + text;
 }
 

@@ -4,13 +4,18 @@ import { has, layerNames, type DistanceMode, type LayerName, type Layers, type W
 import { sample, type Sample } from './samples';
 import type { Actions, Panel, State } from './state';
 
+const tints = '; a tone where the cells are too small for numbers, the stronger the nearer';
+
 type Sign = [Sample, string];
 
 /** What each layer's signs say; those of the walls and in mms depend on more. */
 function signsOf(layer: LayerName, layers: Layers, mms: boolean, most: number): Sign[] {
   switch (layer) {
     case 'walls':
-      if (mms) return [['walls', 'wall of the maze'], ['drawn', 'wall that the program drew, where there is one']];
+      if (mms)
+        return layers.walls === 'known'
+          ? [['drawn', 'wall that the program drew, where there is one'], ['unseen', 'wall that it has not drawn yet']]
+          : [['walls', 'wall of the maze']];
       return layers.walls === 'known'
         ? [['walls', 'wall that the mouse knows by now'], ['unknown', 'unknown by now: open or closed']]
         : [['walls', 'wall'], ['unseen', 'wall that the mouse does not know yet']];
@@ -19,8 +24,8 @@ function signsOf(layer: LayerName, layers: Layers, mms: boolean, most: number): 
     case 'visits':
       return [['visits', most > 1 ? `1 to ${most} visits to a cell so far` : '1 visit to a cell']];
     case 'distances':
-      if (layers.distances === 'believed') return [['distances', 'steps to the goal, were all unknown walls open']];
-      return [['distances', 'steps to the goal, in the whole maze']];
+      if (layers.distances === 'believed') return [['distances', `steps to the goal, were all unknown walls open${tints}`]];
+      return [['distances', `steps to the goal, in the whole maze${tints}`]];
     case 'rays':
       return [['rays', 'open cells to the left, ahead and to the right, read before the next step']];
     case 'exploration':
@@ -38,7 +43,8 @@ function signsOf(layer: LayerName, layers: Layers, mms: boolean, most: number): 
       ];
     case 'mms':
       return [
-        ['mms', 'colours, texts and walls that the program drew'],
+        ['mms', 'colours and texts that the program drew'],
+        ['drawn', 'wall that it drew, where there is one'],
         ['wrong', 'wall that it drew where there is none'],
       ];
   }
@@ -74,7 +80,8 @@ export function createLegend(state: State, actions: Actions): Panel {
   function control(layer: LayerName): Child[] {
     const { layers, sides } = state;
     if (layer === 'walls') {
-      const modes: [WallMode, string][] = [['known', 'what the mouse knows'], ['whole', 'the whole maze']];
+      const known = sides.every(({ track }) => track.play.world === 'mms') ? 'what the program drew' : 'what the mouse knows';
+      const modes: [WallMode, string][] = [['known', known], ['whole', 'the whole maze']];
       return [h('span', {}, titles.walls), choice('walls', 'Walls', modes, layers.walls)];
     }
     if (layer === 'distances') {

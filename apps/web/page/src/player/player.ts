@@ -27,8 +27,8 @@ export interface Shown {
 
 export interface Player {
   element: HTMLElement;
-  /** Shows one or two of them from the beginning; what was shown before is gone. */
-  show(plays: Shown[]): void;
+  /** Shows one or two of them, from the beginning or at the end; what was shown before is gone. */
+  show(plays: Shown[], at?: 'start' | 'end'): void;
   /** Pauses: call it when the player is hidden. */
   stop(): void;
 }
@@ -153,7 +153,7 @@ export function createPlayer(page: Page): Player {
   listen(element, state, actions);
   return {
     element,
-    show(plays) {
+    show(plays, at = 'start') {
       for (const side of state.sides) side.scene.stage.close();
       state.sides = plays.slice(0, 2).map((shown) => createSide(shown, layers, tallest));
       state.chosen = 0;
@@ -161,8 +161,8 @@ export function createPlayer(page: Page): Player {
       element.classList.toggle('double', state.sides.length === 2);
       sides.replaceChildren(...state.sides.map((side) => side.element));
       clock.playing = false;
-      clock.time = 0;
       clock.end = Math.max(0, ...state.sides.map(({ track }) => track.time[track.last]));
+      clock.time = at === 'end' ? clock.end : 0;
       clock.unit = state.sides.every(({ track }) => track.play.world === 'mms') ? usual.mms : usual.steps;
       if (layers.distances === 'believed') void believe();
       if (state.sides.length > 0) refresh();

@@ -23,11 +23,14 @@ function ranked({ candidates, chosen }: Reasons): number[] {
 /** In words, where no wall was chosen. */
 function verdict({ chosen, known, hope, price, candidates }: Reasons): string {
   const run = known > 0 ? `The best known run takes ${short(known)} steps.` : 'No run is known yet.';
-  if (chosen >= 0) return run;
+  if (chosen >= 0) return known > 0 ? run : '';
   if (candidates.length === 0) return `${run} No unseen wall is left through which another could lead.`;
   if (hope <= 0) return run;
   return `${run} The best hope is one of ${short(hope)}; a look at it counts ${short(price)}. Not worth it.`;
 }
+
+const titleOf = ({ frame, ground, candidates }: Reasons) =>
+  `Before step ${frame + 1}: ${ground || counted(candidates.length, 'candidate')}`;
 
 interface Row {
   element: HTMLTableRowElement;
@@ -53,11 +56,12 @@ function fill({ element, name, numbers }: Row, candidate: Candidate, chosen: boo
 export function createReasons(state: State): Panel {
   const columns = ['wall', 'seen from', 'through', 'travel', 'score'];
   const title = h('p', { class: 'choice' });
-  const ground = h('p', { class: 'note' });
   const words = h('p', { class: 'note' });
   const more = h('button', { type: 'button', class: 'quiet', onclick: () => ((everything = !everything), draw()) });
   const body = h('tbody');
-  const caption = 'In steps: of the run through the wall, of the way to where it is seen, and what was compared, where the lowest wins. – not worth the way';
+  const caption =
+    'In steps. Through: of the speed run through that wall, as far as the mouse weighs it; travel: of the way to the cell ' +
+    'from which it is seen; score: what it compared, the lowest wins. – not worth the way';
   const table = h(
     'div',
     { class: 'wide', role: 'region', tabindex: 0, 'aria-label': 'Candidates' },
@@ -69,7 +73,7 @@ export function createReasons(state: State): Panel {
       body,
     ),
   );
-  const element = h('section', { class: 'reasons' }, h('h3', {}, 'Reasons'), title, ground, words, table, more);
+  const element = h('section', { class: 'reasons' }, h('h3', {}, 'Reasons'), title, words, table, more);
   const rows: Row[] = [];
   let shown: Reasons | null | undefined;
   let everything = false;
@@ -90,10 +94,7 @@ export function createReasons(state: State): Panel {
   }
   function draw() {
     const reasons = shown ?? null;
-    title.textContent = reasons
-      ? `Before step ${reasons.frame + 1}: ${counted(reasons.candidates.length, 'candidate')}`
-      : 'No choice yet.';
-    ground.textContent = reasons?.ground ?? '';
+    title.textContent = reasons ? titleOf(reasons) : 'No choice yet.';
     words.textContent = reasons ? verdict(reasons) : '';
     table.hidden = !reasons || reasons.candidates.length === 0;
     more.hidden = true;

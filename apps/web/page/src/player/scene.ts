@@ -7,9 +7,10 @@ import type { Layers } from './layers';
 import { createPose, poseAt } from './motion';
 import type { Brush } from './paint/brush';
 import { paintCandidates } from './paint/candidates';
+import { distanceOf, paintDistances } from './paint/distances';
 import { paintFloor } from './paint/floor';
 import { paintMouse, paintRays } from './paint/mouse';
-import { paintDistances, paintMmsTexts } from './paint/texts';
+import { paintMmsTexts } from './paint/mms-texts';
 import { paintBest, paintExploration, paintSpeedRun } from './paint/ways';
 import { paintWalls } from './paint/walls';
 import { createPast, moveTo, type Past } from './past';
@@ -24,6 +25,8 @@ export interface Scene {
   believes(): boolean;
   /** Goes to that time and paints, where something changed; `smooth` between the frames. Says whether the frame changed. */
   show(time: number, smooth: boolean): boolean;
+  /** Steps to the goal from that cell, as the layer of distances has them (true where it is off); -1 for no way. */
+  distanceOf(cell: number): number;
   /** After the layers have changed. */
   repaint(): void;
 }
@@ -89,6 +92,7 @@ export function createScene(track: Track, layers: Layers, tallest: () => number)
       stage.redraw();
     },
     believes: () => beliefs !== null,
+    distanceOf: (cell) => (below ? distanceOf(below, cell) : -1),
     show(time, smooth) {
       const frame = frameAt(track, time);
       const changed = frame !== past.frame;

@@ -1,11 +1,28 @@
 // One contest in the player: its names, its score as it ticks, its picture.
 import { h } from '../ui/dom';
+import { cellAt } from '../maze/geometry';
 import type { Layers } from './layers';
-import { createScene } from './scene';
+import { createScene, type Scene } from './scene';
 import type { Side } from './state';
-import { prepare } from './track';
-import { decimal, mazeText, runText } from './words';
+import { prepare, type Track } from './track';
+import { counted, decimal, mazeText, runText } from './words';
 import type { Shown } from './player';
+
+/** What is to be said of the cell under the pointer. */
+function readout(track: Track, { stage, past, distanceOf }: Scene): HTMLElement {
+  const element = h('p', { class: 'readout', 'aria-hidden': 'true' });
+  stage.canvas.addEventListener('pointermove', ({ offsetX, offsetY }) => {
+    const cell = cellAt(stage.geometry(), offsetX, offsetY);
+    if (!cell) return element.replaceChildren();
+    const [x, y] = cell;
+    const index = y * track.maze.width + x;
+    const distance = distanceOf(index);
+    const way = distance < 0 ? '' : `, ${counted(distance, 'step')} to the goal`;
+    element.textContent = `(${x},${y}): ${counted(past.visits[index], 'visit')}${way}`;
+  });
+  stage.canvas.addEventListener('pointerleave', () => element.replaceChildren());
+  return element;
+}
 
 export function createSide({ play, record }: Shown, layers: Layers, tallest: () => number): Side {
   const track = prepare(play);
@@ -21,7 +38,7 @@ export function createSide({ play, record }: Shown, layers: Layers, tallest: () 
     h(
       'figcaption',
       {},
-      h('h3', {}, play.mouse, h('small', {}, ` in ${mazeText(play.maze)}: `), play.ended ? play.outcome : 'the record breaks off'),
+      h('h3', {}, play.mouse, h('small', {}, ` in ${mazeText(play.maze)}: `), play.outcome),
       h(
         'p',
         { class: 'ticker' },
@@ -32,6 +49,7 @@ export function createSide({ play, record }: Shown, layers: Layers, tallest: () 
       ),
     ),
     scene.stage.element,
+    readout(track, scene),
   );
   const set = (node: Text, text: string) => node.data !== text && (node.data = text);
   return {

@@ -57,7 +57,7 @@ export function createTransport(state: State, actions: Actions): Panel {
   const speed = speedChoice(state, actions);
   const mark = (label: string, name: Mark) =>
     h('button', { type: 'button', class: 'mark', onclick: () => actions.jump(name) }, label);
-  const marks = { goal: mark('Goal', 'goal'), speed: mark('Speed run', 'speed') };
+  const marks = { start: mark('Exploration', 'start'), goal: mark('Goal', 'goal'), speed: mark('Speed run', 'speed') };
   const buttons = h(
     'div',
     { class: 'buttons', role: 'group', 'aria-label': 'Replay' },
@@ -66,7 +66,7 @@ export function createTransport(state: State, actions: Actions): Panel {
     play,
     button('forward', 'One step forward', 'right arrow', () => actions.step(1)),
     button('end', 'To the end', 'end', () => actions.jump('end')),
-    h('span', { class: 'marks' }, mark('Exploration', 'start'), marks.goal, marks.speed),
+    h('span', { class: 'marks' }, marks.start, marks.goal, marks.speed),
     h('span', { class: 'pace' }, speed.element, loop),
   );
   let sides: Side[] = [];
@@ -77,6 +77,9 @@ export function createTransport(state: State, actions: Actions): Panel {
     range.max = String(state.clock.end);
     strips.replaceChildren(...sides.map((side) => strip(side, state.clock.end)));
     const { track } = sides[state.chosen];
+    const mms = track.play.world === 'mms';
+    marks.start.hidden = mms;
+    marks.speed.hidden = mms;
     marks.goal.disabled = track.goalFrame < 0;
     marks.speed.disabled = track.resetFrame < 0;
   }

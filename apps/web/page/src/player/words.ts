@@ -22,7 +22,7 @@ export const percent = (share: number) => `${(100 * share).toFixed(1)} %`;
 
 export function runText({ track, scene }: Side): string {
   const { frame } = scene.past;
-  if (frame === track.last) return track.play.ended ? 'ended' : 'the record breaks off';
+  if (frame === track.last) return track.play.ended ? 'ended' : 'broken off';
   if (track.play.world === 'mms') return 'running';
   return track.run[frame] === 1 ? 'speed run' : 'exploration';
 }
@@ -51,7 +51,7 @@ export function momentText(side: Side): string {
   const { frame } = scene.past;
   const where = `${track.play.mouse} after ${frame} of ${counted(track.last, 'step')}, ${runText(side)}: at ${poseText(side)}`;
   if (frame === track.last) return `${where}. ${track.play.outcome}.`;
-  const reads = track.play.left.length > 0 ? ` It reads left, ahead, right ${readingText(side)}.` : '';
+  const reads = track.play.left.length > 0 ? ` Open cells to the left, ahead, to the right: ${readingText(side)}.` : '';
   return `${where}.${reads} Next: ${actionText(side)}.`;
 }
 

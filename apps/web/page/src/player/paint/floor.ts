@@ -2,6 +2,7 @@
 import { fillCell, paintPlates } from '../../maze/painter';
 import { colourSlot } from '../mms-changes';
 import { thick, type Brush } from './brush';
+import { paintDistanceTones } from './distances';
 import { mmsColours } from './mms-colours';
 
 /** Of a cell visited so often: 0 never, else 1 to `levels`, linear from one visit to the most. */
@@ -33,6 +34,7 @@ function paintColours({ context, g, past, track }: Brush) {
 export function paintFloor(brush: Brush) {
   const { context, g, palette, track, layers } = brush;
   if (layers.visits) paintHeat(brush);
+  if (layers.distances !== 'none') paintDistanceTones(brush);
   paintPlates(context, g, palette, track.maze, layers.visits ? thick(g, 0.1) : 0);
   if (layers.mms && track.play.world === 'mms') paintColours(brush);
 }

@@ -61,18 +61,12 @@ export function paintWalls(brush: Brush) {
   const whole = layers.walls === 'whole';
   if (!whole && !mms) paintUnknown(brush);
   paintPosts(context, g, palette);
-  if (whole) {
-    context.fillStyle = mms ? palette.ink : palette.faint;
+  if (whole || mms || layers.wrong) {
+    context.fillStyle = mms && whole ? palette.ink : layers.wrong && !mms ? palette.wrong : palette.faint;
     paintClosed(brush, false);
   }
-  if (layers.wrong && !mms) {
-    context.fillStyle = palette.wrong;
-    paintClosed(brush, false);
-  }
-  if (whole || !mms) {
-    context.fillStyle = palette.ink;
-    paintClosed(brush, true);
-  }
+  context.fillStyle = palette.ink;
+  paintClosed(brush, true);
   paintBorder(brush);
   if (mms && (layers.mms || !whole)) paintDrawn(brush);
 }
