@@ -29,9 +29,7 @@ std::string bench_json(const std::string& signature, const Speed& speed) {
   json["labmouse"] = version();
   json["compiler"] = compiler();
   json["processor"] = processor();
-  for (const auto& [side, ns] : speed.distance_ns)
-    json["distance_ns"][fmt::format("{}", side)] = {
-        {"rows", ns.rows}, {"portable_rows", ns.portable_rows}, {"queue", ns.queue}, {"plain", ns.plain}};
+  json["distance_ns"] = distance_json(speed.distance_ns);
   for (const auto& [mouse, contests] : speed.contests_per_second) json["contests_per_second"][mouse] = contests;
   return json.dump(1) + "\n";
 }

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "command.hpp"
+#include "labmouse/lab/mice_json.hpp"
 #include "labmouse/mouse/tie_order.hpp"
 #include "labmouse/strategies/roster.hpp"
 
@@ -36,33 +36,6 @@ std::string describe_mice() {
   return text + fmt::format("{:<{}}  {}\n", "oracle", width, "knows the maze: the bound's witness, not a contestant");
 }
 
-nlohmann::ordered_json describe(const Parameter& parameter) {
-  nlohmann::ordered_json json = {{"name", parameter.name},
-                                 {"type", name_of(parameter.type)},
-                                 {"default", parameter.default_value},
-                                 {"meaning", parameter.meaning}};
-  switch (parameter.type) {
-    case ParameterType::flag: break;
-    case ParameterType::choice:
-    case ParameterType::prior: json["choices"] = choices_of(parameter); break;
-    default: json["low"] = parameter.low, json["high"] = parameter.high;
-  }
-  return json;
-}
-
-std::string mice_json() {
-  auto mice = nlohmann::ordered_json::array();
-  for (const RosterEntry* mouse : roster()) {
-    auto parameters = nlohmann::ordered_json::array();
-    for (const Parameter& parameter : mouse->parameters) parameters.push_back(describe(parameter));
-    mice.push_back({{"name", mouse->name},
-                    {"summary", mouse->summary},
-                    {"throws_dice", mouse->uses_chance(Settings(mouse->parameters))},
-                    {"parameters", std::move(parameters)}});
-  }
-  return mice.dump(1) + "\n";
-}
-
 }  // namespace
 
 void add_mice(CLI::App& app, int& exit) {
@@ -71,7 +44,7 @@ void add_mice(CLI::App& app, int& exit) {
   command->add_option("--format", *format, "Output")->check(CLI::IsMember({"table", "json"}))->capture_default_str();
   command->footer("Example: labmouse mice --format json");
   command->callback([format, &exit] {
-    print(*format == "json" ? mice_json() : describe_mice());
+    print(*format == "json" ? mice_json().dump(1) + "\n" : describe_mice());
     exit = exit_good;
   });
 }

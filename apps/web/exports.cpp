@@ -34,3 +34,9 @@ LABMOUSE_EXPORT(labmouse_answer_bytes_size) std::size_t labmouse_answer_bytes_si
 
 LABMOUSE_EXPORT(labmouse_about) void labmouse_about() { call("about"); }
 LABMOUSE_EXPORT(labmouse_signature) void labmouse_signature() { call("signature"); }
+LABMOUSE_EXPORT(labmouse_speed) void labmouse_speed() { call("speed"); }
+LABMOUSE_EXPORT(labmouse_builtin_maze) void labmouse_builtin_maze() { call("builtin_maze"); }
+LABMOUSE_EXPORT(labmouse_make_maze) void labmouse_make_maze() { call("make_maze"); }
+LABMOUSE_EXPORT(labmouse_inspect) void labmouse_inspect() { call("inspect"); }
+LABMOUSE_EXPORT(labmouse_run) void labmouse_run() { call("run"); }
+LABMOUSE_EXPORT(labmouse_race) void labmouse_race() { call("race"); }

@@ -36,19 +36,22 @@ double share(CellSet part, const CellSet& whole) {
 
 }  // namespace
 
+std::vector<Cell> entered_cells(const StepRecord& step, const Pose& next, Size size) {
+  std::vector<Cell> cells;
+  if (step.action.kind != Action::Kind::step) return cells;
+  const Heading direction = step.action.movement < 0 ? opposite(next.heading) : next.heading;
+  for (Cell cell = step.pose.cell; cell != next.cell && size.contains(cell);)
+    if (size.contains(cell = neighbour(cell, direction))) cells.push_back(cell);
+  return cells;
+}
+
 std::vector<Cell> explored_way(const RunRecord& record, Size size) {
   std::vector<Cell> way;
-  const auto enter = [&](Cell cell) {
-    if (size.contains(cell)) way.push_back(cell);
-  };
   for (std::size_t i = 0; i < record.steps.size() && explores(record.steps[i]); ++i) {
     const StepRecord& step = record.steps[i];
-    if (i == 0) enter(step.pose.cell);
-    if (step.action.kind != Action::Kind::step) continue;
+    if (i == 0 && size.contains(step.pose.cell)) way.push_back(step.pose.cell);
     const Pose next = i + 1 < record.steps.size() ? record.steps[i + 1].pose : record.end;
-    const Heading direction = step.action.movement < 0 ? opposite(next.heading) : next.heading;
-    for (Cell cell = step.pose.cell; cell != next.cell && size.contains(cell);)
-      enter(cell = neighbour(cell, direction));
+    for (const Cell cell : entered_cells(step, next, size)) way.push_back(cell);
   }
   return way;
 }

@@ -28,6 +28,10 @@ struct Coverage {
   friend constexpr bool operator==(const Coverage&, const Coverage&) = default;
 };
 
+/// The cells that a step came into on its way to the next pose, those that it drove through among them; none where it
+/// stayed, or was a reset. Cells that lie outside of a maze of that size are left out.
+std::vector<Cell> entered_cells(const StepRecord& step, const Pose& next, Size size);
+
 /// The cells that the exploration came into, in their order and as often as it did, the start first. Those that it
 /// drove through are among them. Cells of a record that lie outside of a maze of that size are left out.
 std::vector<Cell> explored_way(const RunRecord& record, Size size);

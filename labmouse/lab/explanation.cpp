@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "labmouse/lab/drawing/words.hpp"
+
 namespace labmouse {
 namespace {
 
@@ -153,6 +155,14 @@ std::string explanation_of(const RecordFile& file, int candidates) {
   }
   const std::string ending = ending_of(file);
   return ending.empty() ? text : text + "\n" + ending;
+}
+
+std::string ground_words(const Reasons& reasons) {
+  if (reasons.ground == Ground::flood) return "a flood, for want of time to weigh candidates";
+  if (reasons.ground == Ground::no_loops) return "the walls seen look like those of a maze without loops";
+  if (reasons.candidates.empty()) return "no unseen wall is left through which a better run could lead";
+  const std::string all = drawing::counted(static_cast<int>(reasons.candidates.size()), "candidate", "candidates");
+  return (reasons.chosen < 0 ? "none is worth its price, of " : "the lowest score, of ") + all;
 }
 
 }  // namespace labmouse

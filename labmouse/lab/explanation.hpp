@@ -11,4 +11,7 @@ namespace labmouse {
 /// the end why the exploration stopped. Lines of 80 columns at most. Empty where the record has no reasons.
 std::string explanation_of(const RecordFile& file, int candidates);
 
+/// What a mouse went by in one choice, in a few words without their end: "the lowest score, of 7 candidates".
+std::string ground_words(const Reasons& reasons);
+
 }  // namespace labmouse

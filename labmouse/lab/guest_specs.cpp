@@ -1,10 +1,32 @@
 #include "labmouse/lab/guest_specs.hpp"
 
+#include <algorithm>
+#include <array>
+
+namespace labmouse {
+
+bool is_guest_spec(std::string_view spec) {
+  constexpr std::array<std::string_view, 3> kinds = {"capstone:", "guest:", "mms:"};
+  return std::any_of(kinds.begin(), kinds.end(), [&](std::string_view kind) { return spec.starts_with(kind); });
+}
+
+}  // namespace labmouse
+
+#ifdef __EMSCRIPTEN__
+
+namespace labmouse {
+
+void read_guest_spec(std::string_view, const GuestOptions&, SpecResult& result) {
+  result.error = "a page starts no programs";
+}
+
+}  // namespace labmouse
+
+#else
+
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <filesystem>
 
@@ -18,8 +40,6 @@ namespace labmouse {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::array<std::string_view, 3> kinds = {"capstone:", "guest:", "mms:"};
 
 /// The same from every folder; a name without a slash, which is looked for in PATH, stays.
 std::string anchored(const std::string& path) {
@@ -103,10 +123,6 @@ Launch command_launch(const std::string& command, const GuestOptions& options, s
 
 }  // namespace
 
-bool is_guest_spec(std::string_view spec) {
-  return std::any_of(kinds.begin(), kinds.end(), [&](std::string_view kind) { return spec.starts_with(kind); });
-}
-
 void read_guest_spec(std::string_view spec, const GuestOptions& options, SpecResult& result) {
   const std::string_view kind = spec.substr(0, spec.find(':') + 1);
   const std::string rest(spec.substr(kind.size()));
@@ -128,3 +144,5 @@ void read_guest_spec(std::string_view spec, const GuestOptions& options, SpecRes
 }
 
 }  // namespace labmouse
+
+#endif

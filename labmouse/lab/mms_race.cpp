@@ -16,9 +16,6 @@ std::vector<MmsResult> list_runs(const MmsRace& race) {
   return results;
 }
 
-/// Whether a line says something: blanks do not, nor do the marks that Python puts below the words of a traceback.
-bool says_something(std::string_view line) { return line.find_first_not_of(" \t\r^~") != std::string_view::npos; }
-
 /// Takes away what a race does not keep of a run.
 void trim(MmsRun& run) {
   run.canvas = {};
@@ -76,18 +73,6 @@ MmsRace hold_mms_race(std::vector<MmsMouse> mice, std::vector<NamedMaze> mazes, 
   });
   race.stopped = std::any_of(race.results.begin(), race.results.end(), [](const MmsResult& r) { return !r.done; });
   return race;
-}
-
-std::vector<std::string> last_lines(std::string_view errors, std::size_t most) {
-  std::vector<std::string> lines;
-  while (!errors.empty() && lines.size() < most) {
-    const auto end = errors.rfind('\n');
-    const std::string_view line = end == std::string_view::npos ? errors : errors.substr(end + 1);
-    if (says_something(line)) lines.emplace_back(line.substr(0, kept_text));
-    errors = end == std::string_view::npos ? std::string_view() : errors.substr(0, end);
-  }
-  std::reverse(lines.begin(), lines.end());
-  return lines;
 }
 
 }  // namespace labmouse

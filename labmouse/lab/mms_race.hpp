@@ -8,6 +8,7 @@
 
 #include "labmouse/guests/mms/run.hpp"
 #include "labmouse/lab/contestants.hpp"
+#include "labmouse/lab/last_lines.hpp"
 #include "labmouse/lab/maze_files.hpp"
 #include "labmouse/lab/mms_bound.hpp"
 
@@ -32,10 +33,8 @@ struct MmsResult {
   MmsRun run;
 };
 
-/// How much of the texts of a run a race keeps.
-inline constexpr std::size_t kept_log = 3;         ///< sentences, the first ones
-inline constexpr std::size_t kept_error_lines = 5;  ///< of standard error, the last ones
-inline constexpr std::size_t kept_text = 300;      ///< bytes of each
+/// How many sentences of a run's log a race keeps: the first ones.
+inline constexpr std::size_t kept_log = 3;
 
 struct MmsRace {
   MmsRaceOrder order;
@@ -57,9 +56,5 @@ struct MmsRaceHooks {
 /// Hosts every mouse once in every maze.
 MmsRace hold_mms_race(std::vector<MmsMouse> mice, std::vector<NamedMaze> mazes, const MmsRaceOrder& order,
                       const MmsRaceHooks& hooks = {});
-
-/// The last lines of what a program wrote to its standard error. Blank ones are left out, and those of nothing but ^ and ~,
-/// the marks in a traceback of Python.
-std::vector<std::string> last_lines(std::string_view errors, std::size_t most = kept_error_lines);
 
 }  // namespace labmouse

@@ -9,7 +9,7 @@
 #include "labmouse/lab/file_names.hpp"
 #include "labmouse/lab/files.hpp"
 #include "labmouse/lab/layers.hpp"
-#include "labmouse/lab/mms_race.hpp"
+#include "labmouse/lab/last_lines.hpp"
 #include "labmouse/lab/mouse_names.hpp"
 #include "labmouse/lab/printable.hpp"
 #include "labmouse/maze/routes.hpp"

@@ -28,7 +28,11 @@ class RecordFields {
   const std::string& error() const { return error_; }
   bool has(const char* key) const { return json_.is_object() && json_.contains(key); }
   void fail(const std::string& reason) {
-    if (error_.empty()) error_ = path_.empty() ? "the line " + reason : fmt::format("'{}' {}", path_, reason);
+    reject(path_.empty() ? "the line " + reason : fmt::format("'{}' {}", path_, reason));
+  }
+  /// The same with a whole sentence, of what was read elsewhere; an empty one says nothing.
+  void reject(const std::string& error) {
+    if (error_.empty()) error_ = error;
   }
 
   std::string text(const char* key) {

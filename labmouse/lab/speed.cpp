@@ -57,9 +57,23 @@ DistanceSpeed measure_distance(int side) {
 
 }  // namespace
 
+DistanceSpeeds measure_distances() {
+  DistanceSpeeds speeds;
+  for (const int side : {16, 32, 64}) speeds[side] = measure_distance(side);
+  return speeds;
+}
+
+nlohmann::ordered_json distance_json(const DistanceSpeeds& speeds) {
+  nlohmann::ordered_json json;
+  for (const auto& [side, ns] : speeds)
+    json[std::to_string(side)] = {
+        {"rows", ns.rows}, {"portable_rows", ns.portable_rows}, {"queue", ns.queue}, {"plain", ns.plain}};
+  return json;
+}
+
 Speed measure_speed() {
   Speed speed;
-  for (const int side : {16, 32, 64}) speed.distance_ns[side] = measure_distance(side);
+  speed.distance_ns = measure_distances();
   const std::vector<Maze> mazes = mazes_of(16);
   const Rules rules;
   for (const RosterEntry* mouse : roster()) {

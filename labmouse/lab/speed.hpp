@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <nlohmann/json.hpp>
 #include <string>
 
 namespace labmouse {
@@ -14,13 +15,21 @@ struct DistanceSpeed {
   double plain = 0.0;          ///< one cell at a time, written for clarity
 };
 
+/// By the side of the maze: 16, 32, 64. Strides of three, mazes of our generators with loops.
+using DistanceSpeeds = std::map<int, DistanceSpeed>;
+
 struct Speed {
-  /// By the side of the maze: 16, 32, 64. Strides of three, mazes of our generators with loops.
-  std::map<int, DistanceSpeed> distance_ns;
+  DistanceSpeeds distance_ns;
   /// By mouse: whole contests a second on one thread, over the contest generator's 16×16 mazes.
   std::map<std::string, double> contests_per_second;
 };
 
 Speed measure_speed();
+
+/// The distance fields alone.
+DistanceSpeeds measure_distances();
+
+/// `rows`, `portable_rows`, `queue` and `plain` for each side.
+nlohmann::ordered_json distance_json(const DistanceSpeeds& speeds);
 
 }  // namespace labmouse

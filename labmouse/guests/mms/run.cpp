@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 namespace labmouse {
 namespace {
@@ -153,12 +152,6 @@ class Hosting {
 };
 
 }  // namespace
-
-std::string_view name_of(MmsOutcome outcome) {
-  constexpr std::array<std::string_view, 11> names = {"complete", "failed", "waiting", "invalid",     "hung",       "out of time",
-                                                      "flooded",  "closed", "left",    "not started", "interrupted"};
-  return names[static_cast<std::size_t>(outcome)];
-}
 
 MmsRun run_mms(const Launch& launch, const Maze& maze, const MmsOptions& options,
                const std::function<void(const MmsEvent&, const MmsHost&)>& listener) {

@@ -1,8 +1,10 @@
 // One program that was written for mms, hosted without mms.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "labmouse/guests/mms/host.hpp"
@@ -25,7 +27,11 @@ enum class MmsOutcome : std::uint8_t {
   interrupted,  ///< the race was stopped
 };
 
-std::string_view name_of(MmsOutcome outcome);
+constexpr std::string_view name_of(MmsOutcome outcome) {
+  constexpr std::array<std::string_view, 11> names = {"complete", "failed", "waiting", "invalid",     "hung",       "out of time",
+                                                      "flooded",  "closed", "left",    "not started", "interrupted"};
+  return names[static_cast<std::size_t>(outcome)];
+}
 
 /// One run of one program in one maze.
 struct MmsRun {

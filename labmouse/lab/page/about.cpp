@@ -1,22 +1,63 @@
+// What the core brings, and how fast it is.
 #include <fmt/format.h>
 
+#include "labmouse/contest/rules.hpp"
 #include "labmouse/lab/builtin_mazes.hpp"
+#include "labmouse/lab/mice_json.hpp"
 #include "labmouse/lab/page/answers.hpp"
 #include "labmouse/lab/signature.hpp"
+#include "labmouse/lab/speed.hpp"
 #include "labmouse/lab/version.hpp"
+#include "labmouse/maze/generators/generator.hpp"
 
 namespace labmouse {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class Things>
+Json named(const Things& things) {
+  Json list = Json::array();
+  for (const auto* thing : things) list.push_back({{"name", thing->name}, {"summary", thing->summary}});
+  return list;
+}
+
+Json mazes() {
+  Json list = Json::array();
+  for (const BuiltinMaze& builtin : builtin_mazes()) {
+    const Size size = read_maze(builtin.text).maze->size();
+    list.push_back({{"name", builtin.name}, {"width", size.width}, {"height", size.height}});
+  }
+  return list;
+}
+
+Json rules_of_capstone() {
+  const Rules rules;
+  return {{"budget", rules.budget},
+          {"exploration_factor", rules.exploration_factor},
+          {"stride", rules.stride},
+          {"failure_score", rules.failure_score}};
+}
+
+}  // namespace
 
 PageReply answer_about(const nlohmann::json&, std::string_view) {
-  PageReply reply;
-  reply.answer = {{"version", version()}, {"compiler", compiler()}};
-  return reply;
+  return answered({{"version", version()},
+                   {"compiler", compiler()},
+                   {"mice", mice_json()},
+                   {"mazes", mazes()},
+                   {"formats", named(all_formats())},
+                   {"generators", named(all_generators())},
+                   {"rules", rules_of_capstone()},
+                   {"most_side", max_side}});
 }
 
 PageReply answer_signature(const nlohmann::json&, std::string_view) {
-  PageReply reply;
-  reply.answer = {{"signature", fmt::format("{:016x}", behaviour_signature())}};
-  return reply;
+  return answered({{"signature", fmt::format("{:016x}", behaviour_signature())}});
+}
+
+PageReply answer_speed(const nlohmann::json&, std::string_view) {
+  return answered({{"distance_ns", distance_json(measure_distances())}});
 }
 
 }  // namespace labmouse

@@ -24,7 +24,18 @@ struct PageReply {
   PageFailure failure;
 };
 
+inline PageReply answered(nlohmann::ordered_json answer) { return {std::move(answer), "", {}}; }
+inline PageReply failed(std::string error, std::vector<Problem> problems = {}) {
+  return {nullptr, "", {std::move(error), std::move(problems)}};
+}
+
 PageReply answer_about(const nlohmann::json& request, std::string_view bytes);
 PageReply answer_signature(const nlohmann::json& request, std::string_view bytes);
+PageReply answer_speed(const nlohmann::json& request, std::string_view bytes);
+PageReply answer_builtin_maze(const nlohmann::json& request, std::string_view bytes);
+PageReply answer_make_maze(const nlohmann::json& request, std::string_view bytes);
+PageReply answer_inspect(const nlohmann::json& request, std::string_view bytes);
+PageReply answer_run(const nlohmann::json& request, std::string_view bytes);
+PageReply answer_race(const nlohmann::json& request, std::string_view bytes);
 
 }  // namespace labmouse

@@ -21,6 +21,12 @@ struct Call {
 constexpr std::array calls = {
     Call{"about", answer_about},
     Call{"signature", answer_signature},
+    Call{"speed", answer_speed},
+    Call{"builtin_maze", answer_builtin_maze},
+    Call{"make_maze", answer_make_maze},
+    Call{"inspect", answer_inspect},
+    Call{"run", answer_run},
+    Call{"race", answer_race},
 };
 
 constexpr auto names = [] {
@@ -44,10 +50,10 @@ PageAnswer answer_page(std::string_view call, std::string_view request, std::str
   if (found == calls.end()) return failure({fmt::format("the page has no call '{}'", call), {}});
   const nlohmann::json json = nlohmann::json::parse(request, nullptr, false);
   if (!json.is_object()) return failure({"the request is no JSON object", {}});
-  const PageReply reply = found->answer(json, bytes);
+  PageReply reply = found->answer(json, bytes);
   if (!reply.failure.error.empty()) return failure(reply.failure);
-  const nlohmann::ordered_json whole = {{"answer", reply.answer}};
-  return {whole.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace), reply.bytes};
+  const std::string answer = reply.answer.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  return {"{\"answer\":" + answer + "}", std::move(reply.bytes)};
 }
 
 std::span<const std::string_view> page_calls() { return names; }

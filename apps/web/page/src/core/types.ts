@@ -30,7 +30,7 @@ export interface Rules {
   stride: number;
 }
 
-export type ParameterType = 'whole' | 'real' | 'flag' | 'choice' | 'prior';
+export type ParameterType = 'whole' | 'real' | 'flag' | 'choice' | 'list' | 'prior';
 
 export interface Parameter {
   name: string;

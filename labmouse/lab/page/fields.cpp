@@ -1,0 +1,31 @@
+#include "labmouse/lab/page/fields.hpp"
+
+#include "labmouse/lab/bounds.hpp"
+#include "labmouse/lab/page/maze_data.hpp"
+#include "labmouse/mouse/distance.hpp"
+
+namespace labmouse {
+
+using Json = nlohmann::ordered_json;
+
+Json route_json(const Maze& maze, const Rules& rules) {
+  Pose pose = {maze.start(), maze.start_heading()};
+  const std::vector<Action> actions = shortest_run(maze, rules);
+  Json cells = Json::array();
+  if (!actions.empty()) cells.push_back(cell_json(pose.cell));
+  for (const Action& action : actions) cells.push_back(cell_json((pose = after(pose, action)).cell));
+  return cells;
+}
+
+Json distances_json(const Maze& maze, int stride) {
+  DistanceField field(maze.size(), strides(stride));
+  field.fill(maze.open_walls(), maze.goals());
+  Json distances = Json::array();
+  for (int i = 0; i < maze.size().area(); ++i) {
+    const Cell cell = maze.size().cell_at(i);
+    distances.push_back(field.reaches(cell) ? field.at(cell) : -1);
+  }
+  return distances;
+}
+
+}  // namespace labmouse

@@ -1,0 +1,90 @@
+// Mazes that the core brings or makes, and what a maze is like.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "labmouse/lab/bounds.hpp"
+#include "labmouse/lab/builtin_mazes.hpp"
+#include "labmouse/lab/mms_bound.hpp"
+#include "labmouse/lab/page/answers.hpp"
+#include "labmouse/lab/page/fields.hpp"
+#include "labmouse/lab/page/maze_data.hpp"
+#include "labmouse/lab/page/request.hpp"
+#include "labmouse/maze/generators/generator.hpp"
+#include "labmouse/maze/inspect.hpp"
+#include "labmouse/strategies/parameter.hpp"
+
+namespace labmouse {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// "contest-16x16-seed-7", and the share of loops in percent where there are any.
+std::string name_of_made(const Generator& generator, const GeneratorOrder& order) {
+  std::string name = fmt::format("{}-{}x{}-seed-{}", generator.name, order.size.width, order.size.height, order.seed);
+  if (order.loops > 0) name += fmt::format("-loops-{}", order.loops / 1000.0);
+  return name;
+}
+
+Json rules_json(const std::vector<RuleFinding>& findings) {
+  Json rules = Json::array();
+  for (const RuleFinding& rule : findings)
+    rules.push_back({{"name", rule.name}, {"passed", rule.passed}, {"reason", rule.reason}});
+  return rules;
+}
+
+Json inspection_json(const Maze& maze) {
+  const Rules rules;
+  const Inspection found = inspect(maze, rules.stride);
+  const Bound bound = bound_of(maze, rules);
+  const MmsBound mms = mms_bound_of(maze);
+  const auto& strides = found.shortest_strides;
+  return {{"optimum", or_null(bound.optimum)},
+          {"bound", or_null(bound.score)},
+          {"mms_run", or_null(mms.run)},
+          {"mms_score", or_null(mms.score)},
+          {"shortest_cells", or_null(found.shortest_cells)},
+          {"shortest_runs", strides ? Json(strides->count) : Json(nullptr)},
+          {"reachable", found.reachable.count()},
+          {"dead_ends", found.dead_ends},
+          {"junctions", found.junctions},
+          {"loops", found.loops},
+          {"left_follower_arrives", found.left_follower_arrives},
+          {"right_follower_arrives", found.right_follower_arrives},
+          {"contest_rules", rules_json(found.contest_rules)},
+          {"route", route_json(maze, rules)},
+          {"distances", distances_json(maze, rules.stride)}};
+}
+
+}  // namespace
+
+PageReply answer_builtin_maze(const nlohmann::json& json, std::string_view) {
+  PageRequest request(json);
+  const std::string name = request.text("name");
+  if (!request.error().empty()) return failed(request.error());
+  for (const BuiltinMaze& builtin : builtin_mazes())
+    if (builtin.name == name) return answered({{"maze", maze_data(name, *read_maze(builtin.text).maze)}});
+  return failed(fmt::format("there is no built-in maze '{}'", name));
+}
+
+PageReply answer_make_maze(const nlohmann::json& json, std::string_view) {
+  PageRequest request(json);
+  const std::string name = request.text("generator");
+  const Size size{request.whole("width", 1, max_side), request.whole("height", 1, max_side)};
+  const double loops = request.number("loops", 0.0, 1.0);
+  const GeneratorOrder order{size, request.seed(), static_cast<int>(loops * 1000.0 + 0.5)};
+  if (!request.error().empty()) return failed(request.error());
+  const Generator* generator = find_generator(name);
+  if (generator == nullptr) return failed(fmt::format("there is no generator '{}'", name));
+  if (const auto reason = generator->refuses(order); !reason.empty()) return failed(std::string(reason));
+  return answered({{"maze", maze_data(name_of_made(*generator, order), generator->make(order))}});
+}
+
+PageReply answer_inspect(const nlohmann::json& json, std::string_view) {
+  PageRequest request(json);
+  const NamedMaze maze = request.maze();
+  if (!request.error().empty()) return failed(request.error());
+  return answered(inspection_json(maze.maze));
+}
+
+}  // namespace labmouse

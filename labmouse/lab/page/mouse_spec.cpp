@@ -1,0 +1,56 @@
+#include "labmouse/lab/page/mouse_spec.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "labmouse/lab/guest_specs.hpp"
+#include "labmouse/strategies/roster.hpp"
+
+namespace labmouse {
+namespace {
+
+/// Takes the text up to a separator off, and the separator.
+std::string_view next_piece(std::string_view& text, char separator) {
+  const auto length = std::min(text.find(separator), text.size());
+  const auto piece = text.substr(0, length);
+  text.remove_prefix(std::min(length + 1, text.size()));
+  return piece;
+}
+
+/// Why `key=value` of a mouse needs a file; empty where it does not.
+std::string needs_file(const RosterEntry& mouse, std::string_view assignment) {
+  const auto equals = assignment.find('=');
+  if (equals == std::string_view::npos) return "";
+  const auto key = assignment.substr(0, equals), value = assignment.substr(equals + 1);
+  for (const Parameter& parameter : mouse.parameters) {
+    if (parameter.name != key || parameter.type != ParameterType::prior) continue;
+    const auto choices = choices_of(parameter);
+    if (std::find(choices.begin(), choices.end(), value) == choices.end())
+      return fmt::format("prior '{}' of mouse '{}' is a file, and a page reads none; it has {}", value, mouse.name,
+                         fmt::join(choices, ", "));
+  }
+  return "";
+}
+
+std::string refused(std::string_view spec) {
+  while (!spec.empty()) {
+    if (is_guest_spec(spec))
+      return fmt::format("guest '{}' is a program, and a page starts none; `labmouse race` does", spec);
+    std::string_view mouse = next_piece(spec, ',');
+    const RosterEntry* entry = find_mouse(next_piece(mouse, ':'));
+    while (entry != nullptr && !mouse.empty())
+      if (auto reason = needs_file(*entry, next_piece(mouse, ':')); !reason.empty()) return reason;
+  }
+  return "";
+}
+
+}  // namespace
+
+SpecResult read_page_mice(std::span<const std::string> specs) {
+  for (const std::string& spec : specs)
+    if (auto reason = refused(spec); !reason.empty()) return {{}, {}, std::move(reason)};
+  return read_specs(specs);
+}
+
+}  // namespace labmouse

@@ -1,0 +1,15 @@
+// Mice that a page can race: those of the roster and the oracle, without files.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "labmouse/lab/contestants.hpp"
+
+namespace labmouse {
+
+/// Reads SPECs as read_specs does. Refused are guests, since a page starts no programs, and priors of files, since it
+/// reads none.
+SpecResult read_page_mice(std::span<const std::string> specs);
+
+}  // namespace labmouse

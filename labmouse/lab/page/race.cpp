@@ -1,0 +1,82 @@
+// Contests: one with its whole play, or many with their results.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "labmouse/contest/simulator.hpp"
+#include "labmouse/lab/page/answers.hpp"
+#include "labmouse/lab/page/mouse_spec.hpp"
+#include "labmouse/lab/page/play.hpp"
+#include "labmouse/lab/page/request.hpp"
+#include "labmouse/lab/race_files.hpp"
+#include "labmouse/lab/race_json.hpp"
+
+namespace labmouse {
+namespace {
+
+/// The page has one thread, in which nothing else is answered meanwhile.
+constexpr std::size_t most_contests = 20'000;
+constexpr int most_runs = 1'000;
+
+std::vector<Contestant> read_mice(PageRequest& request) {
+  const nlohmann::json& list = request.list("mice");
+  if (list.empty()) return all_contestants();
+  std::vector<std::string> specs;
+  for (const nlohmann::json& spec : list)
+    if (spec.is_string())
+      specs.push_back(spec.get<std::string>());
+    else
+      request.reject("'mice' has one that is no text");
+  SpecResult result = read_page_mice(specs);
+  request.reject(result.error);
+  return std::move(result.contestants);
+}
+
+std::vector<NamedMaze> read_mazes(PageRequest& request) {
+  std::vector<NamedMaze> mazes;
+  for (const nlohmann::json& each : request.list("mazes")) {
+    mazes.push_back(request.maze_at(each, fmt::format("mazes[{}]", mazes.size())));
+    const auto same = [&](const NamedMaze& maze) { return maze.name == mazes.back().name; };
+    if (std::count_if(mazes.begin(), mazes.end(), same) > 1)
+      request.reject(fmt::format("two mazes are called '{}'", mazes.back().name));
+    if (!request.error().empty()) break;
+  }
+  if (mazes.empty()) request.reject("a race needs a maze");
+  return mazes;
+}
+
+}  // namespace
+
+PageReply answer_run(const nlohmann::json& json, std::string_view) {
+  PageRequest request(json);
+  const std::string spec = request.text("mouse");
+  const NamedMaze maze = request.maze();
+  const std::uint64_t seed = request.seed();
+  const Rules rules = request.rules();
+  if (!request.error().empty()) return failed(request.error());
+  const SpecResult mice = read_page_mice({&spec, 1});
+  if (!mice.error.empty()) return failed(mice.error);
+  if (mice.contestants.size() != 1) return failed(fmt::format("'{}' names several mice; one runs here", spec));
+  const Contestant& mouse = mice.contestants.front();
+  const auto mind = mouse.make(maze.maze, rules, seed);
+  mind->keep_reasons();
+  const RecordFile file = record_file_of(mouse, maze, rules, seed, run(maze.maze, rules, *mind));
+  return answered({{"play", play_json(file)}, {"record", write_record(file)}});
+}
+
+PageReply answer_race(const nlohmann::json& json, std::string_view) {
+  PageRequest request(json);
+  std::vector<Contestant> mice = read_mice(request);
+  std::vector<NamedMaze> mazes = read_mazes(request);
+  RaceOrder order;
+  order.rules = request.rules();
+  order.runs = request.whole("runs", 1, most_runs);
+  order.seed = request.seed();
+  if (!request.error().empty()) return failed(request.error());
+  if (const auto contests = contests_of(mice, mazes.size(), order); contests > most_contests)
+    return failed(fmt::format("a race of {} contests is too long for a page, which holds {} at most; `labmouse race` holds it",
+                              contests, most_contests));
+  return answered({{"results", race_json(hold_race(std::move(mice), std::move(mazes), order), {})}});
+}
+
+}  // namespace labmouse

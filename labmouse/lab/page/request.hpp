@@ -1,0 +1,36 @@
+// What a call is asked, read strictly: what is missing or wrong is remembered, and a value in range stands in its place.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "labmouse/contest/rules.hpp"
+#include "labmouse/lab/maze_files.hpp"
+#include "labmouse/lab/record_fields.hpp"
+
+namespace labmouse {
+
+/// The page has one thread, and all of an answer in memory: a contest there has no more steps than this.
+inline constexpr int most_page_steps = 100'000;
+
+/// The fields of a request. Where its error is not empty, nothing that it gave may be used.
+class PageRequest : public RecordFields {
+ public:
+  explicit PageRequest(const nlohmann::json& json) : RecordFields(json, ""), request_(json) {}
+
+  /// The request as it came.
+  const nlohmann::json& json() const { return request_; }
+  /// The maze in the field `maze`, or in another one.
+  NamedMaze maze(const char* key = "maze");
+  /// The same for a value that stands at that path.
+  NamedMaze maze_at(const nlohmann::json& json, const std::string& path);
+  /// `seed`: 0 to 2^64 - 1.
+  std::uint64_t seed();
+  /// The rules of the capstone, with `budget` where there is one.
+  Rules rules();
+
+ private:
+  const nlohmann::json& request_;
+};
+
+}  // namespace labmouse
