@@ -28,6 +28,8 @@ const stage = createStage(createFrame(notices, intake), notices.complain);
 const missing = lacking();
 const core = missing ? noCore(missing) : startCore(new CoreWorker());
 const ready: Promise<About> = core.call('about', {});
+// For those who open the browser's console: `await labmouse.call('about', {})`.
+Object.assign(window, { labmouse: { call: core.call } });
 
 /** Mazes that were opened in this page, by name, so that results find theirs. */
 const opened = new Map<string, MazeData>();

@@ -1,0 +1,31 @@
+import { readFileSync } from 'node:fs';
+import { expect, test } from 'vitest';
+import type { Core } from '../../src/core/client';
+import { native, open, temporary } from './harness';
+
+declare global {
+  interface Window {
+    labmouse: Core;
+  }
+}
+
+test('the core behaves in the browser as the native program does', async () => {
+  const page = await open();
+  const { signature } = await page.evaluate(() => window.labmouse.call('signature', {}));
+  expect(signature).toBe(JSON.parse(native('bench', '--format', 'json')).signature);
+});
+
+test('a contest in the browser has the record of the native program', async () => {
+  const page = await open();
+  // The header names the version, and the two may have been built at different commits.
+  const steps = (record: string) => record.replace(/"version":"[^"]*"/, '"version":""');
+  for (const mouse of ['ariadne', 'certify', 'cautious']) {
+    const record = await page.evaluate(async (name) => {
+      const { maze } = await window.labmouse.call('builtin_maze', { name: 'contest-05' });
+      return (await window.labmouse.call('run', { mouse: name, maze, seed: 7 })).record;
+    }, mouse);
+    const file = temporary(`${mouse}.jsonl`);
+    native('run', mouse, 'contest-05', '--seed', '7', '--explain', '--record', file);
+    expect(steps(record)).toBe(steps(readFileSync(file, 'utf8')));
+  }
+});
