@@ -64,9 +64,9 @@ const page: EarlyPage = {
 };
 
 const takeFiles = fileTaker(core, notices, {
-  maze(maze) {
-    opened.set(maze.name, maze);
-    page.live(maze);
+  mazes(mazes) {
+    for (const maze of mazes) opened.set(maze.name, maze);
+    page.live(mazes[mazes.length - 1]);
   },
   plays: page.replay,
   results: page.hold,

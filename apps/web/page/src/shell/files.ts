@@ -7,7 +7,8 @@ import { openIn, sortOut, type OneFile, type Open, type SortedOut } from './sort
 const mostBytes = 200e6;
 
 export interface Takers {
-  maze(maze: MazeData): void;
+  /** All mazes that came, at least one; the last is to be shown. */
+  mazes(mazes: MazeData[]): void;
   plays(plays: { play: Play; record: string }[]): void;
   results(results: RaceResults): void;
   /** Mazes at hand, for records that lack theirs, and where they are. */
@@ -61,8 +62,8 @@ export function fileTaker(core: Page['core'], notices: Notices, takers: Takers):
     );
     for (const one of contents) if (one.status === 'rejected') notices.complain(one.reason);
     for (const failure of sorted.failures) await refuse(failure);
-    for (const maze of sorted.mazes) takers.maze(maze);
-    for (const results of sorted.results) takers.results(results);
+    if (sorted.mazes.length > 0) takers.mazes(sorted.mazes);
+    if (sorted.results.length > 0) takers.results(sorted.results[sorted.results.length - 1]);
     if (sorted.plays.length > 0) takers.plays(sorted.plays.slice(0, 2));
     notices.tell(summary(sorted));
   };
