@@ -117,6 +117,14 @@ std::string report(const RaceOptions& options, const Races& races, const std::ve
   return table_of(races.race, colours()) + (mms != nullptr ? "\n" + table_of(*mms, colours()) : "");
 }
 
+/// Saves the results beside the records. Returns what went wrong, or nothing.
+std::string save_results(const RaceOptions& options, const Races& races, const std::vector<SkippedFile>& skipped) {
+  if (options.out.empty()) return "";
+  const std::string path = fmt::format("{}/{}", options.out, results_file_name);
+  const std::string error = write_file(path, json_of(races.race, skipped, races.mms ? &*races.mms : nullptr));
+  return error.empty() ? "" : fmt::format("{}: error: {}", path, error);
+}
+
 /// Throws UsageError for what the mice of mms cannot have.
 void require_sense(const RaceOptions& options, const SpecResult& mice) {
   if (mice.mms.empty()) return;
@@ -170,8 +178,10 @@ int race(const RaceOptions& options) {
   const auto baseline = load_baseline(options);
   const MazeCollection mazes = find_mazes(options.contests.mazes, options.contests.places);
   const Races races = holding->hold(std::move(mice), mazes.mazes);
-  const std::string failed_write = holding->failed_write();
+  std::string failed_write = holding->failed_write();
   holding.reset();  // the bar, and what Ctrl-C does
+  // Before anything is printed: a reader of the table may leave early.
+  if (failed_write.empty()) failed_write = save_results(options, races, mazes.skipped);
   print(report(options, races, mazes.skipped));
   if (options.shares) add(options, shares_of(races.race));
   if (options.worst > 0) add(options, worst_of(races.race, options.worst));
@@ -192,7 +202,7 @@ void add_race(CLI::App& app, int& exit) {
       ->type_name("SPEC")->expected(1)->take_all();
   add_contests(*command, options->contests);
   command->add_option("--format", options->format, "Output")->check(CLI::IsMember({"table", "json", "csv"}))->capture_default_str();
-  command->add_option("--out", options->out, "Folder for records and one SVG a maze and mouse")->type_name("DIR");
+  command->add_option("--out", options->out, "Folder for records, one SVG a maze and mouse, and the results as JSON")->type_name("DIR");
   command->add_option("--baseline", options->baseline, "JSON of an earlier race: prints the paired difference")->type_name("FILE");
   auto* limit = command->add_option("--fail-above", options->fail_above, "Exit with 1 if a mouse's mean score over all is above this")
       ->type_name("SCORE")->check(finite_number());

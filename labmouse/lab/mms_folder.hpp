@@ -2,14 +2,13 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "labmouse/lab/mms_race.hpp"
+#include "labmouse/lab/race_paths.hpp"
 
 namespace labmouse {
 
-/// A folder that takes the runs of one race: the record of each as FOLDER/MOUSE/MAZE.jsonl, with the names that
-/// RaceFolder gives.
+/// A folder that takes the record of each run of one race; RacePaths has where.
 class MmsRaceFolder {
  public:
   MmsRaceFolder(std::string folder, const MmsRace& race);
@@ -18,9 +17,7 @@ class MmsRaceFolder {
   std::string save(const MmsResult& result, const std::string& record) const;
 
  private:
-  std::string folder_;
-  std::vector<std::string> mouse_names_;
-  std::vector<std::string> maze_names_;
+  RacePaths paths_;
 };
 
 }  // namespace labmouse

@@ -30,20 +30,14 @@ std::string save_file(const std::string& path, const std::string& content) {
 
 }  // namespace
 
-RaceFolder::RaceFolder(std::string folder, const Race& race) : folder_(std::move(folder)) {
-  std::vector<std::string> mice, mazes;
-  for (const Contestant& mouse : race.mice) mice.push_back(mouse.name);
-  for (const NamedMaze& maze : race.mazes) mazes.push_back(stem_of(maze.name));
-  mouse_names_ = file_names(mice);
-  maze_names_ = file_names(mazes);
-}
+RaceFolder::RaceFolder(std::string folder, const Race& race)
+    : paths_(std::move(folder), names_of(race.mice), names_of(race.mazes)) {}
 
 std::string RaceFolder::save(const Race& race, const ContestResult& contest, const RunRecord& record) const {
-  const std::string path = fmt::format("{}/{}/{}", folder_, mouse_names_[contest.mouse], maze_names_[contest.maze]);
   const RecordFile file =
       record_file_of(race.mice[contest.mouse], race.mazes[contest.maze], race.order.rules, contest.seed, record);
-  auto error = save_file(fmt::format("{}-{}.jsonl", path, contest.run + 1), write_record(file));
-  if (error.empty() && contest.run == 0) error = save_file(path + ".svg", picture_of(file));
+  auto error = save_file(paths_.record(contest.mouse, contest.maze, contest.run), write_record(file));
+  if (error.empty() && contest.run == 0) error = save_file(paths_.picture(contest.mouse, contest.maze), picture_of(file));
   return error;
 }
 

@@ -4,14 +4,13 @@
 #include <string>
 #include <vector>
 
+#include "labmouse/lab/race_paths.hpp"
 #include "labmouse/lab/record_file.hpp"
 #include "labmouse/lab/tournament.hpp"
 
 namespace labmouse {
 
-/// A folder that takes the contests of one race: the record of each as FOLDER/MOUSE/MAZE-RUN.jsonl, and for the first run
-/// a picture as FOLDER/MOUSE/MAZE.svg. MAZE is the file's name without folders and ending; where two mazes of a race
-/// share it, the later ones get a number.
+/// A folder that takes the contests of one race: the record of each, and for the first run a picture; RacePaths has where.
 class RaceFolder {
  public:
   RaceFolder(std::string folder, const Race& race);
@@ -20,9 +19,7 @@ class RaceFolder {
   std::string save(const Race& race, const ContestResult& contest, const RunRecord& record) const;
 
  private:
-  std::string folder_;
-  std::vector<std::string> mouse_names_;
-  std::vector<std::string> maze_names_;
+  RacePaths paths_;
 };
 
 /// The record of a contest as a file.

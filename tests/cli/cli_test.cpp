@@ -264,11 +264,29 @@ TEST_F(AUser, KeepsRecordsAndPicturesOfARace) {
   std::vector<std::string> files;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_ / "out"))
     if (entry.is_regular_file()) files.push_back(entry.path().lexically_relative(folder_).string());
-  EXPECT_EQ(files.size(), 3U + 2U);  // a record each, and a picture a maze and mouse
+  EXPECT_EQ(files.size(), 3U + 2U + 1U);  // a record each, a picture a maze and mouse, and the results
   for (const std::string& name : files) {
-    if (name.ends_with(".svg")) continue;
+    if (!name.ends_with(".jsonl")) continue;
     EXPECT_EQ(labmouse({"replay", name}).code, 0) << name;
   }
+}
+
+TEST_F(AUser, KeepsTheResultsOfARaceWhateverIsPrinted) {
+  file("corridor.txt", corridor);
+  const Ended table = labmouse({"race", "--mice", "flood", "--mazes", "corridor.txt", "--out", "out"});
+  Json saved = Json::parse(content("out/results.json"));
+  EXPECT_THAT(table.out, HasSubstr("95 %"));
+  const Ended json = labmouse({"race", "--mice", "flood", "--mazes", "corridor.txt", "--out", "again", "--format", "json"});
+  EXPECT_EQ(json.out, content("again/results.json"));
+  Json printed = Json::parse(json.out);
+  leave_times_out(saved);
+  leave_times_out(printed);
+  EXPECT_EQ(saved, printed);
+  std::filesystem::create_directories(folder_ / "blocked/results.json");
+  const Ended blocked = labmouse({"race", "--mice", "flood", "--mazes", "corridor.txt", "--out", "blocked"});
+  EXPECT_EQ(blocked.code, 2);
+  EXPECT_EQ(blocked.err, "blocked/results.json: error: is a folder\n");
+  EXPECT_THAT(blocked.out, HasSubstr("flood"));
 }
 
 TEST_F(AUser, SweepsAParameter) {
