@@ -1,0 +1,12 @@
+# cmake -DINPUT=file -DOUTPUT=file -P copy_page.cmake
+if(EXISTS ${INPUT})
+  execute_process(COMMAND ${CMAKE_COMMAND} -E copy_if_different ${INPUT} ${OUTPUT} COMMAND_ERROR_IS_FATAL ANY)
+  return()
+endif()
+set(bytes 1)
+if(EXISTS ${OUTPUT})
+  file(SIZE ${OUTPUT} bytes)
+endif()
+if(bytes GREATER 0)
+  file(WRITE ${OUTPUT} "")
+endif()
