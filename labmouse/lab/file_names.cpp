@@ -2,8 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
+#include <map>
+#include <set>
 
 namespace labmouse {
 namespace {
@@ -25,10 +26,12 @@ std::string file_name(std::string name) {
 
 std::vector<std::string> file_names(const std::vector<std::string>& names) {
   std::vector<std::string> files;
+  std::set<std::string> taken;
+  std::map<std::string, int> numbers;
   for (const std::string& name : names) {
     const std::string wanted = file_name(name);
     std::string file = wanted;
-    for (int number = 2; std::find(files.begin(), files.end(), file) != files.end(); ++number)
+    for (int& number = numbers.try_emplace(wanted, 2).first->second; !taken.insert(file).second; ++number)
       file = fmt::format("{}~{}", wanted, number);
     files.push_back(file);
   }

@@ -126,6 +126,17 @@ MazeCollection load_mazes(std::span<const std::string> paths) {
   return collection;
 }
 
+std::optional<Maze> maze_named(const std::string& name) {
+  MazeCollection collection;
+  std::error_code error;
+  if (fs::exists(name, error))
+    add_file(name, collection, collection.errors);
+  else
+    add_builtin(name, collection);
+  if (collection.mazes.empty()) return std::nullopt;
+  return std::move(collection.mazes.front().maze);
+}
+
 MazeCollection load_builtin_mazes() {
   MazeCollection collection;
   for (const BuiltinMaze& builtin : builtin_mazes()) add_builtin(std::string(builtin.name), collection);

@@ -1,6 +1,7 @@
 // Mazes from files, folders, patterns, and those that the program brings.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -36,6 +37,10 @@ std::string describe(const std::string& path, const Problem& problem);
 /// Reads each path: a file, a folder (with all that is in it, but nothing hidden), a pattern with `*` and `?`, or the
 /// name of a built-in maze where no such file is.
 MazeCollection load_mazes(std::span<const std::string> paths);
+
+/// The maze of that name as results give it: a file's, or a built-in one where there is no such file. Nothing where the
+/// name leads to none, or to a folder.
+std::optional<Maze> maze_named(const std::string& name);
 
 /// All built-in mazes.
 MazeCollection load_builtin_mazes();

@@ -1,0 +1,107 @@
+#include "labmouse/lab/report_results.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "labmouse/lab/race_json.hpp"
+#include "labmouse/lab/report.hpp"
+#include "tests/lab/mms_fixture.hpp"
+#include "tests/lab/record_fixture.hpp"
+
+namespace labmouse {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+Problem problem_of(const std::string& text) {
+  const ReadResultsResult read = read_report_results(text);
+  EXPECT_EQ(read.results.has_value(), !read.problem.has_value());
+  return read.problem.value_or(Problem());
+}
+
+TEST(ReportResults, KnowWhoRanWhereWithWhichSeeds) {
+  RaceOrder order;
+  order.runs = 3;
+  const Race race = test::race_of("flood,random", order);
+  const ReadResultsResult read = read_report_results(json_of(race, {}));
+  ASSERT_TRUE(read.results);
+  const ReportWorld& world = read.results->steps;
+  ASSERT_EQ(world.mice.size(), 2U);
+  EXPECT_EQ(world.mice[0].name, "flood");
+  EXPECT_EQ(world.mice[0].seeds.at("loop").size(), 1U);
+  EXPECT_EQ(world.mice[1].seeds.at("loop"),
+            (std::set{contest_seed(1, "loop", 0), contest_seed(1, "loop", 1), contest_seed(1, "loop", 2)}));
+  ASSERT_EQ(world.mazes.size(), 3U);
+  EXPECT_EQ(world.mazes[1].name, "loop");
+  EXPECT_EQ(world.mazes[1].size, test::loop().maze.size());
+  EXPECT_EQ(world.mazes[1].optimum, bound_of(test::loop().maze, Rules()).optimum);
+  EXPECT_EQ(world.mazes[2].optimum, std::nullopt);
+  EXPECT_TRUE(read.results->mms.mice.empty());
+}
+
+TEST(ReportResults, StayAsTheyAre) {
+  const std::string text = json_of(test::race_of("flood,certify"), {{"no-maze.txt", {{1, 2, "is none"}}}});
+  EXPECT_EQ(text_of(read_report_results(text).results->json), text);
+  EXPECT_TRUE(read_report_results("\xEF\xBB\xBF" + text).results);
+}
+
+TEST(ReportResults, KnowTheWorldOfMms) {
+  MmsRace mms = test::imagined_race({"left", "right"}, {test::plank()});
+  mms.results.push_back({1, 0, true, test::imagined_run(3, 1, 3, 1)});
+  const ReadResultsResult read = read_report_results(json_of(test::race_of("flood"), {}, &mms));
+  ASSERT_TRUE(read.results);
+  ASSERT_EQ(read.results->mms.mice.size(), 2U);
+  const ReportMouse& right = read.results->mms.mice[read.results->mms.mice[0].name == "mms:right" ? 0 : 1];
+  EXPECT_TRUE(right.seeds.contains("plank"));
+  EXPECT_EQ(read.results->mms.mazes.front().size, (Size{3, 1}));
+}
+
+TEST(ReportResults, ThatAreNoJsonSayFromWhere) {
+  EXPECT_EQ(problem_of(""), (Problem{1, 1, "is not JSON from here on"}));
+  EXPECT_EQ(problem_of("{\n \"labmouse\": \"0.1\",\n \"mice\": oops\n}"), (Problem{3, 10, "is not JSON from here on"}));
+  const std::string text = json_of(test::race_of("flood"), {});
+  const Problem cut = problem_of(text.substr(0, text.size() / 2));
+  EXPECT_GT(cut.line, 10);
+  EXPECT_EQ(cut.reason, "is not JSON from here on");
+  EXPECT_EQ(problem_of("{\"labmouse\": \"\xFF\"}").line, 1);
+}
+
+TEST(ReportResults, ThatAreSomethingElseSayWhat) {
+  EXPECT_THAT(problem_of(write_record(test::recorded("flood"))).reason, StartsWith("is the record of one contest"));
+  EXPECT_THAT(problem_of("{\"labmouse\":\"mms record\",\"format\":1}\n{}\n").reason, StartsWith("is the record of one run of a program for mms"));
+  EXPECT_THAT(problem_of(csv_of(test::race_of("flood"))).reason, StartsWith("is the CSV of a race"));
+  EXPECT_THAT(problem_of(*drawing_format.write(test::corridor().maze).content).reason, StartsWith("is a maze"));
+  EXPECT_THAT(problem_of("<!doctype html>\n<html></html>").reason, "is a page already");
+}
+
+TEST(ReportResults, ThatLackAFieldSayWhich) {
+  const auto wrong = [](const std::string& text) { return problem_of(text).reason; };
+  EXPECT_EQ(wrong("[]"), "is not the JSON of a race: 'labmouse' is missing; make one with `labmouse race --format json` or `--out`");
+  EXPECT_THAT(wrong("7"), HasSubstr("'labmouse' is missing"));
+  EXPECT_THAT(wrong(R"({"labmouse":7})"), HasSubstr("'labmouse' is not a text"));
+  EXPECT_THAT(wrong(R"({"labmouse":"1"})"), HasSubstr("'mazes' is missing"));
+  EXPECT_THAT(wrong(R"({"labmouse":"1","mazes":[{"name":"a","width":"3"}],"mice":[]})"), HasSubstr("'mazes[0].width' is not a whole number"));
+  EXPECT_THAT(wrong(R"({"labmouse":"1","mazes":[],"mice":{}})"), HasSubstr("'mice' is not a list"));
+  EXPECT_THAT(wrong(R"({"labmouse":"1","mazes":[],"mice":[7]})"), HasSubstr("'mice[0].name' is missing"));
+  EXPECT_THAT(wrong(R"({"labmouse":"1","mazes":[],"mice":[{"name":"a","results":[{"maze":"b","seed":-1}]}]})"),
+              HasSubstr("'mice[0].results[0].seed' is not a whole number"));
+  EXPECT_THAT(wrong(R"({"labmouse":"1","mazes":[],"mice":[],"groups":[{}]})"), HasSubstr("'groups[0].mazes' is missing"));
+  EXPECT_EQ(wrong(R"({"labmouse":"1","mazes":[],"mice":[],"groups":[]})"), "");
+}
+
+TEST(ReportResults, OfDeepJsonAreRefused) {
+  const auto deep = [](const std::string& open, int depth) {
+    std::string text = R"({"labmouse":"1","mazes":[],"mice":[],"more":)";
+    for (int i = 0; i < depth; ++i) text += open;
+    text += "7";
+    for (int i = 0; i < depth; ++i) text += open == "[" ? "]" : "}";
+    return problem_of(text + "}").reason;
+  };
+  EXPECT_EQ(deep("[", 20), "");
+  EXPECT_THAT(deep("[", 1'000'000), HasSubstr("in each other"));
+  EXPECT_THAT(deep("{\"a\":", 1'000'000), HasSubstr("in each other"));
+}
+
+}  // namespace
+}  // namespace labmouse
