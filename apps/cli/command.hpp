@@ -68,6 +68,8 @@ void add_mice(CLI::App& app, int& exit);
 void add_bound(CLI::App& app, int& exit);
 void add_replay(CLI::App& app, int& exit);
 void add_score(CLI::App& app, int& exit);
+void add_page(CLI::App& app, int& exit);
+void add_report(CLI::App& app, int& exit);
 void add_bench(CLI::App& app, int& exit);
 
 }  // namespace labmouse::cli

@@ -84,6 +84,8 @@ int main(int argc, char** argv) {
   add_bound(app, exit);
   add_replay(app, exit);
   add_score(app, exit);
+  add_page(app, exit);
+  add_report(app, exit);
   add_bench(app, exit);
   try {
     if (argc > 1) refuse_unknown_command(app, argv[1]);

@@ -28,7 +28,7 @@ void leave_times_out(Json& json) {
 }
 
 constexpr const char* commands[] = {"race", "sweep", "tune",    "study",   "learn", "run",   "show",  "inspect",
-                                    "make", "convert", "mice", "bound", "replay", "score", "bench"};
+                                    "make", "convert", "mice", "bound", "replay", "score", "page",  "report", "bench"};
 
 TEST_F(AUser, FindsHelpWithAnExampleForEverything) {
   const Ended all = labmouse({"--help"});

@@ -1,0 +1,84 @@
+// labmouse page: the page that watches, compares and edits in a browser. labmouse report: the same page with a race in it.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "command.hpp"
+#include "embedded_page.hpp"
+#include "labmouse/lab/files.hpp"
+#include "labmouse/lab/report_page.hpp"
+
+namespace labmouse::cli {
+namespace {
+
+struct PageOptions {
+  std::string results, page, out;
+};
+
+/// The page of --page, or else the one that the program has. Throws UsageError where there is none.
+std::string find_page(const PageOptions& options) {
+  if (options.page.empty() && embedded_page().empty())
+    throw UsageError("error: this program was built without its page; `make page` builds it and the program with it, or name one with --page FILE");
+  if (options.page.empty()) return std::string(embedded_page());
+  FileContent file = read_file(options.page, std::size_t{1} << 26U);
+  if (file.error.empty()) file.error = wrong_page(file.content);
+  if (!file.error.empty()) throw UsageError(fmt::format("{}: error: {}", options.page, file.error));
+  return std::move(file.content);
+}
+
+void write(const PageOptions& options, const std::string& page) {
+  if (options.out == "-")
+    print(page);
+  else
+    save(options.out, page);
+}
+
+/// Names the first that was left out and counts the others.
+void tell_notes(const std::vector<std::string>& notes) {
+  constexpr std::size_t told = 10;
+  for (std::size_t i = 0; i < notes.size() && i < told; ++i) tell(notes[i] + "\n");
+  if (notes.size() > told) tell(fmt::format("... and {} more\n", notes.size() - told));
+}
+
+void report(const PageOptions& options) {
+  const std::string page = find_page(options);
+  if (options.out != "-") require_writable(options.out);
+  const ReportPage report = make_report(options.results, page);
+  if (!report.error.empty()) throw UsageError(report.error);
+  tell_notes(report.notes);
+  write(options, report.page);
+}
+
+void add_page_options(CLI::App& command, PageOptions& options) {
+  command.add_option("-o,--out", options.out, "File to write; - is standard output")->required()->type_name("FILE");
+  command.add_option("--page", options.page, "Take this page in place of the one that the program has")->type_name("FILE");
+}
+
+}  // namespace
+
+void add_page(CLI::App& app, int& exit) {
+  auto options = std::make_shared<PageOptions>();
+  CLI::App* command = app.add_subcommand("page", "Write the page that watches, compares and edits in a browser");
+  add_page_options(*command, *options);
+  command->footer("Example: labmouse page -o labmouse.html");
+  command->callback([options, &exit] {
+    write(*options, find_page(*options));
+    exit = exit_good;
+  });
+}
+
+void add_report(CLI::App& app, int& exit) {
+  auto options = std::make_shared<PageOptions>();
+  CLI::App* command = app.add_subcommand("report", "Write the page with a race in it: results, mazes and records");
+  command->add_option("results", options->results, "Folder of `labmouse race --out`, or a JSON file of `labmouse race --format json`")
+      ->required()
+      ->type_name("RESULTS");
+  add_page_options(*command, *options);
+  command->footer("Example: labmouse race --mice flood,certify --out race && labmouse report race -o report.html");
+  command->callback([options, &exit] {
+    report(*options);
+    exit = exit_good;
+  });
+}
+
+}  // namespace labmouse::cli

@@ -1,0 +1,123 @@
+// labmouse page and labmouse report, with a page of one line, so that nothing depends on whether the real one was built.
+#include "tests/cli/user.hpp"
+
+namespace labmouse {
+namespace {
+
+using test::AUser;
+using test::corridor;
+using test::Ended;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+constexpr const char* small_page = "<html><!-- labmouse:report --></html>\n";
+
+/// A user with a page and the folder of a race.
+class AReader : public AUser {
+ protected:
+  AReader() {
+    file("page.html", small_page);
+    file("corridor.txt", corridor);
+    const Ended race = labmouse({"race", "--mice", "flood,random", "--runs", "2", "--mazes", "corridor.txt", "capstone-1", "--out", "out",
+                                 "--format", "json"});
+    EXPECT_EQ(race.code, 0) << race.err;
+    file("today.json", race.out);
+  }
+  Ended report(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), {"report", "--page", "page.html"});
+    return labmouse(std::move(arguments));
+  }
+};
+
+TEST_F(AUser, GetsThePageOrIsToldHowToBuildIt) {
+  const Ended page = labmouse({"page", "-o", "-"});
+  if (page.code == 0) {
+    EXPECT_THAT(page.out, HasSubstr("<!-- labmouse:report -->"));
+    EXPECT_EQ(labmouse({"page", "-o", "new/labmouse.html"}).code, 0);
+    EXPECT_EQ(content("new/labmouse.html"), page.out);
+    return;
+  }
+  is_refused({"page", "-o", "-"}, "error: this program was built without its page; `make page` builds it");
+  is_refused({"report", ".", "-o", "-"}, "`make page`");
+}
+
+TEST_F(AReader, GetsThePageThatWasNamed) {
+  EXPECT_EQ(labmouse({"page", "--page", "page.html", "-o", "-"}).out, small_page);
+  const Ended saved = labmouse({"page", "--page", "page.html", "-o", "folder/copy.html"});
+  EXPECT_EQ(saved.code, 0);
+  EXPECT_EQ(saved.out + saved.err, "");
+  EXPECT_EQ(content("folder/copy.html"), small_page);
+}
+
+TEST_F(AReader, GetsAReportOfAFolder) {
+  const Ended ended = report({"out", "-o", "report.html"});
+  EXPECT_EQ(ended.code, 0);
+  EXPECT_EQ(ended.out + ended.err, "");
+  const std::string text = content("report.html");
+  EXPECT_THAT(text, HasSubstr("<html><script type=\"text/plain\" id=\"labmouse-report\">"));
+  EXPECT_THAT(text, HasSubstr("id=\"labmouse-records\">"));
+  EXPECT_EQ(report({"out", "-o", "-"}).out, text);
+  EXPECT_EQ(report({"out/results.json", "-o", "-"}).out, text);
+}
+
+TEST_F(AReader, GetsAReportOfJsonAlone) {
+  const Ended ended = report({"today.json", "-o", "-"});
+  EXPECT_EQ(ended.code, 0);
+  EXPECT_EQ(ended.err, "");
+  EXPECT_LT(ended.out.size(), report({"out", "-o", "-"}).out.size());
+  std::filesystem::remove(folder_ / "corridor.txt");
+  const Ended lost = report({"today.json", "-o", "-"});
+  EXPECT_EQ(lost.code, 0);
+  EXPECT_EQ(lost.err, "left out: 1 maze not found by name as in the race, such as corridor.txt\n");
+}
+
+TEST_F(AReader, IsToldOfRecordsThatAreLeftOut) {
+  file("out/flood/capstone-1-1.jsonl", "oops\n");
+  const Ended one = report({"out", "-o", "report.html"});
+  EXPECT_EQ(one.code, 0);
+  EXPECT_EQ(one.err, "out/flood/capstone-1-1.jsonl:1:1: error: the line is not JSON\n");
+  std::vector<std::string> mice = {"race", "--mazes", "corridor.txt", "--runs", "1", "--out", "many"};
+  EXPECT_EQ(labmouse(mice).code, 0);
+  for (const auto& mouse : std::filesystem::directory_iterator(folder_ / "many"))
+    if (mouse.is_directory()) std::ofstream(mouse.path() / "corridor-1.jsonl") << "oops\n";
+  const Ended all = report({"many", "-o", "report.html"});
+  EXPECT_EQ(std::count(all.err.begin(), all.err.end(), '\n'), 11);
+  EXPECT_THAT(all.err, testing::ContainsRegex("\\.\\.\\. and [0-9]+ more\n$"));
+}
+
+TEST_F(AReader, IsRefusedWhatIsNoRace) {
+  file("bad.json", "{\"labmouse\": \"1\",\n oops}");
+  const auto refused = [&](const std::string& results, std::string_view reason) {
+    is_refused({"report", results, "--page", "page.html", "-o", "report.html"}, reason);
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "report.html"));
+  };
+  refused("bad.json", "bad.json:2:2: error: is not JSON from here on");
+  refused("corridor.txt", "corridor.txt:0:0: error: is a maze, not a race");
+  refused("out/flood/corridor-1.jsonl", "corridor-1.jsonl:0:0: error: is the record of one contest");
+  refused("out/flood", "out/flood: error: has no results.json");
+  refused("nowhere", "nowhere: error: no such file");
+  refused("no\x1b[31mwhere", "no[31mwhere: error: no such file");
+}
+
+TEST_F(AReader, IsRefusedWhatIsNoPage) {
+  is_refused({"page", "--page", "corridor.txt", "-o", "-"}, "corridor.txt: error: is not the page of labmouse: it has no <!-- labmouse:report -->");
+  is_refused({"page", "--page", "nowhere.html", "-o", "-"}, "nowhere.html: error: no such file");
+  is_refused({"page"}, "--out is required");
+  is_refused({"report", "out", "--page", "page.html"}, "--out is required");
+  is_refused({"report", "--page", "page.html", "-o", "-"}, "results is required");
+  is_refused({"report", "out", "--page", "page.html", "-o", "page.html/report.html"}, "page.html/report.html: error: cannot make its folder");
+  EXPECT_EQ(report({"out", "-o", "report.html"}).code, 0);
+  is_refused({"report", "out", "--page", "report.html", "-o", "-"}, "report.html: error: is not the page of labmouse");
+}
+
+TEST_F(AReader, MaySendItsNamesWithoutHarm) {
+  const std::string name = "<script>alert(1)<\xff.txt";
+  file(name, corridor);
+  EXPECT_EQ(labmouse({"race", "--mice", "flood", "--mazes", name, "--out", "hostile"}).code, 0);
+  const Ended ended = report({"hostile", "-o", "-"});
+  EXPECT_EQ(ended.code, 0);
+  EXPECT_THAT(ended.out, Not(HasSubstr("alert")));
+}
+
+}  // namespace
+}  // namespace labmouse
