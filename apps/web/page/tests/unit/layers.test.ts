@@ -31,6 +31,6 @@ describe('layers', () => {
 describe('heat', () => {
   it('has levels from one visit to the most', () => {
     expect([0, 1, 2, 5, 10, 11].map((visits) => heatLevel(visits, 11, 6))).toEqual([0, 1, 1, 3, 5, 6]);
-    expect([heatLevel(1, 1, 6), heatLevel(2, 2, 6)]).toEqual([1, 6]);
+    expect([heatLevel(0, 2, 6), heatLevel(1, 1, 6), heatLevel(2, 2, 6)]).toEqual([0, 1, 6]);
   });
 });
