@@ -40,7 +40,7 @@ const layers: Layers = { ...usualLayers };
 const panelPause = 100;
 
 /** Room for the controls, in pixels of the page. */
-const tallest = () => Math.max(260, innerHeight - 290);
+const tallest = () => Math.max(260, innerHeight - 300);
 
 export function createPlayer(page: Page): Player {
   const clock = createClock();

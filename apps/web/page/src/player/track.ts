@@ -85,11 +85,15 @@ function lastReasons(play: Play, last: number): Int32Array {
   return at;
 }
 
+/** The frame with which the speed run begins; mms has none. */
+const resetOf = (play: Play) => (play.world === 'mms' ? -1 : (play.reset_frame ?? -1));
+
 function fans(play: Play, last: number): Uint8Array {
   const fan = new Uint8Array(last + 1);
   const stops = new Map<number, number>();
-  if (play.reset_frame === null) return fan;
-  for (let frame = play.reset_frame + 1; frame <= last; ++frame) {
+  const reset = resetOf(play);
+  if (reset < 0) return fan;
+  for (let frame = reset + 1; frame <= last; ++frame) {
     const place = play.y[frame] * (2 * play.maze.width + 1) + play.x[frame];
     const earlier = stops.get(place) ?? 0;
     fan[frame] = earlier % 4;
@@ -130,7 +134,7 @@ export function prepare(play: Play): Track {
     fan: fans(play, last),
     changes: mmsChanges(play.events, play.maze, last),
     goalFrame: play.goal_frame ?? -1,
-    resetFrame: play.reset_frame ?? -1,
+    resetFrame: resetOf(play),
   };
 }
 

@@ -25,27 +25,6 @@ function createExample(page: Page, mice: string[]) {
   return h('p', {}, h('label', {}, `${mice.join(' and ')} in `, select), ' ', h('button', { type: 'button', onclick: () => void run() }, 'Run'));
 }
 
-/** Opens a record of the reader's own disk. */
-function createOpener(page: Page) {
-  async function open() {
-    const [file] = input.files ?? [];
-    input.value = '';
-    if (!file) return;
-    try {
-      const bytes = new Uint8Array(await file.arrayBuffer());
-      const record = new TextDecoder().decode(bytes);
-      const opened = await page.core.call('open', { name: file.name }, bytes);
-      if (opened.kind === 'record') page.replay([{ play: opened.play, record }]);
-      else if (opened.kind === 'maze') page.live(opened.maze);
-      else page.complain(new Error(`${file.name} holds the results of a race: drop it on the page`));
-    } catch (error) {
-      page.complain(error);
-    }
-  }
-  const input = h('input', { type: 'file', accept: '.jsonl,.json,.txt', onchange: () => void open() });
-  return h('p', {}, h('label', {}, 'Open a record ', input));
-}
-
 function createWelcome(page: Page) {
   return h(
     'div',
@@ -55,11 +34,11 @@ function createWelcome(page: Page) {
     createExample(page, ['ariadne']),
     createExample(page, ['ariadne', 'flood']),
     h('h3', {}, 'See one of your own'),
-    createOpener(page),
+    h('p', {}, h('button', { type: 'button', onclick: () => page.choose() }, 'Open a record'), ' or drop one anywhere on this page.'),
     h(
       'p',
       { class: 'note' },
-      'Or drop a file anywhere on this page. Records are written by ',
+      'Records are written by ',
       h('code', {}, 'labmouse run MOUSE MAZE --record FILE'),
       ', by races with ',
       h('code', {}, '--out DIR'),

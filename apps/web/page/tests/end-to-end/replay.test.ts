@@ -1,0 +1,175 @@
+import { readFileSync } from 'node:fs';
+import type { Page } from 'playwright-core';
+import { expect, test } from 'vitest';
+import { barriers, open, picture } from './harness';
+
+/** Runs the example with those mice in that maze. */
+async function example(page: Page, mice = 'ariadne', maze = 'capstone-1') {
+  const line = page.locator('.welcome p', { hasText: `${mice} in` }).first();
+  await line.getByRole('combobox').selectOption(maze);
+  await line.getByRole('button', { name: 'Run' }).click();
+  await page.locator('.player canvas').first().waitFor();
+}
+async function opened(mice?: string, options = {}) {
+  const page = await open('#replay', options);
+  await example(page, mice);
+  return page;
+}
+
+const scrubber = (page: Page) => page.getByRole('slider', { name: 'Moment of the replay' });
+const moment = async (page: Page) => (await page.locator('.moment').textContent())!;
+const steps = async (page: Page) => Number(/after (\d+) of/.exec(await moment(page))![1]);
+const fact = async (page: Page, name: string, column = 0) =>
+  page.locator('.facts tr', { has: page.getByRole('rowheader', { name, exact: true }) }).locator('td').nth(column).textContent();
+/** Presses a key and waits until the words say so many steps. */
+async function press(page: Page, key: string, after: number) {
+  await page.keyboard.press(key);
+  await expect.poll(() => steps(page)).toBe(after);
+}
+/** The picture as data, to be compared. */
+const pixels = (page: Page, at = 0) => page.locator('.player canvas').nth(at).evaluate((canvas: HTMLCanvasElement) => canvas.toDataURL());
+
+test('an example is played, and the keys lead through it', async () => {
+  const page = await opened();
+  expect(await moment(page)).toContain('ariadne after 0 of 112 steps, exploration: at (0,0) north.');
+  await press(page, 'ArrowRight', 1);
+  await press(page, 'Shift+ArrowRight', 11);
+  await press(page, 'ArrowLeft', 10);
+  await press(page, 'End', 112);
+  expect(await moment(page)).toContain('solved');
+  expect([await fact(page, 'score so far'), await fact(page, 'score')]).toEqual(['20.167', '20.167']);
+  await press(page, 'r', 95);
+  expect(await fact(page, 'run')).toBe('speed run');
+  await press(page, 'Home', 0);
+  expect(await fact(page, 'score so far')).toBe('0.000');
+});
+
+test('it plays, and stops at the end', async () => {
+  const page = await opened();
+  await page.getByRole('combobox', { name: /^Speed/ }).selectOption('64×');
+  await page.keyboard.press('Space');
+  await page.getByRole('button', { name: 'Pause' }).waitFor();
+  await page.getByRole('button', { name: 'Play', exact: true }).waitFor();
+  await expect.poll(() => steps(page)).toBe(112);
+  const frames = await page.locator('.player').evaluate((player) => (player as unknown as { meter: { frames: number } }).meter.frames);
+  expect(frames).toBeGreaterThan(2);
+});
+
+test('what was scrubbed is drawn the same forwards and backwards', async () => {
+  const page = await opened();
+  for (const key of ['2', '4', '6', '8', '9']) await page.keyboard.press(key);
+  const at = async (frame: number) => {
+    await scrubber(page).fill(String(frame));
+    await expect.poll(() => steps(page)).toBe(frame);
+    return pixels(page);
+  };
+  const [first, later] = [await at(40), await at(100)];
+  expect(first).not.toBe(later);
+  await at(0);
+  expect(await at(40)).toBe(first);
+  await at(112);
+  expect(await at(100)).toBe(later);
+  expect(await scrubber(page).getAttribute('aria-valuetext')).toContain('after 100 of 112 steps');
+});
+
+test('each layer changes the picture, and is kept', async () => {
+  const page = await opened();
+  await page.keyboard.press('End');
+  await expect.poll(() => steps(page)).toBe(112);
+  let before = await pixels(page);
+  for (const key of ['1', '2', '3', '4', '6', '7', '8', '9']) {
+    await page.keyboard.press(key);
+    await expect.poll(() => pixels(page), { message: key }).not.toBe(before);
+    before = await pixels(page);
+  }
+  expect(await page.getByLabel('Visits').isChecked()).toBe(false);
+  expect(await page.locator('.legend').textContent()).toContain('steps to the goal, in the whole maze');
+  await page.getByRole('button', { name: 'Another record' }).click();
+  await example(page);
+  expect(await page.getByLabel('Wrong guesses').isChecked()).toBe(true);
+  expect(await page.getByLabel('Walls').inputValue()).toBe('whole');
+});
+
+test('the list of steps follows, and leads', async () => {
+  const page = await opened();
+  const current = page.locator('.steps tr[aria-current]');
+  await press(page, 'r', 95);
+  expect(await current.getByRole('button').textContent()).toBe('96');
+  expect(await current.isVisible()).toBe(true);
+  await page.locator('.steps tbody').getByRole('button', { name: 'step 99' }).click();
+  await expect.poll(() => steps(page)).toBe(98);
+  expect(await current.getByRole('button').textContent()).toBe('99');
+});
+
+test('reasons are told, and why it stopped', async () => {
+  const page = await opened();
+  const reasons = page.locator('.reasons');
+  await press(page, 'ArrowRight', 1);
+  expect(await reasons.locator('.chosen th').textContent()).toContain('(3,2) north');
+  await reasons.getByRole('button', { name: 'and 10 more' }).click();
+  expect(await reasons.locator('tbody tr:visible').count()).toBe(16);
+  await press(page, 'End', 112);
+  expect(await reasons.textContent()).toContain('The best known run takes 17 steps. The best hope is one of 18.4');
+});
+
+test('two mice run on one clock and are compared', async () => {
+  const page = await opened('ariadne and flood');
+  await press(page, 'ArrowRight', 1);
+  expect(await moment(page)).toContain('flood after 1 of 52 steps');
+  await press(page, 'End', 112);
+  expect(await moment(page)).toContain('flood after 52 of 52 steps');
+  expect(await fact(page, 'score', 2)).toBe('+1.867');
+  await page.getByRole('button', { name: 'flood' }).click();
+  await page.locator('.reasons').waitFor({ state: 'hidden' });
+  await page.getByRole('button', { name: 'Speed run', exact: true }).click();
+  await expect.poll(() => moment(page)).toContain('flood after 31 of 52 steps, speed run');
+  await picture(page, 'replay-two');
+});
+
+test('the record is saved as it was made', async () => {
+  const page = await opened();
+  const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Save record' }).click()]);
+  expect(download.suggestedFilename()).toBe('ariadne-capstone-1.jsonl');
+  const lines = readFileSync((await download.path())!, 'utf8').trim().split('\n');
+  expect(lines).toHaveLength(114);
+  expect(JSON.parse(lines[113])).toMatchObject({ outcome: 'solved', exploration_steps: 95 });
+});
+
+test('keys are left to fields that need them, and to other views', async () => {
+  const page = await opened();
+  await page.getByLabel('Distances').focus();
+  await page.keyboard.press('ArrowDown');
+  expect(await page.getByLabel('Distances').inputValue()).toBe('true');
+  expect(await steps(page)).toBe(0);
+  await page.getByRole('link', { name: 'Race' }).click();
+  await page.locator('.player').waitFor({ state: 'hidden' });
+  await page.keyboard.press('End');
+  await page.getByRole('link', { name: 'Replay' }).click();
+  expect(await steps(page)).toBe(0);
+});
+
+test('who wants less motion sees whole steps', async () => {
+  const page = await opened(undefined, { reducedMotion: 'reduce' });
+  await scrubber(page).fill('3');
+  await expect.poll(() => steps(page)).toBe(3);
+  const whole = await pixels(page);
+  await scrubber(page).fill('3.6');
+  expect(await pixels(page)).toBe(whole);
+});
+
+test.each([
+  ['light', 1280],
+  ['dark', 1280],
+  ['light', 390],
+  ['dark', 390],
+] as const)('nothing is in the way of anybody: %s, %i pixels', async (colorScheme, width) => {
+  const page = await open('#replay', { colorScheme, viewport: { width, height: 844 } });
+  expect(await barriers(page)).toEqual([]);
+  await example(page);
+  await scrubber(page).fill('100');
+  for (const key of ['6', '9']) await page.keyboard.press(key);
+  await expect.poll(() => steps(page)).toBe(100);
+  expect(await barriers(page)).toEqual([]);
+  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(width);
+  await picture(page, `replay-${colorScheme}-${width}`);
+});
