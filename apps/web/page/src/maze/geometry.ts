@@ -76,7 +76,12 @@ export function sideAt(g: Geometry, x: number, y: number): { cell: Cell; side: H
   if (!cell) return null;
   const east = (x * g.ratio - columnAt(g, cell[0])) / g.pitch;
   const north = (rowAt(g, cell[1]) - y * g.ratio) / g.pitch;
-  const sides: [HeadingName, number][] = [['north', 1 - north], ['east', 1 - east], ['south', north], ['west', east]];
+  const sides: [HeadingName, number][] = [
+    ['north', 1 - north],
+    ['east', 1 - east],
+    ['south', north],
+    ['west', east],
+  ];
   const [side, distance] = sides.reduce((least, one) => (one[1] < least[1] ? one : least));
   return { cell, side, distance };
 }

@@ -29,8 +29,14 @@ export function paintPlates(context: Context, g: Geometry, palette: Palette, { s
   fillCell(context, g, start[0], start[1], rim);
 }
 
-/** The letters S and G: in the middle of their cells, or in the upper left corner where the middle belongs to others. */
-export function paintLetters(context: Context, g: Geometry, palette: Palette, { start, goals }: Places, corner = false) {
+/** The letters S and G: in the middle of their cells, or in the upper left corner where others are there. */
+export function paintLetters(
+  context: Context,
+  g: Geometry,
+  palette: Palette,
+  { start, goals }: Places,
+  corner = false,
+) {
   const size = Math.round(g.pitch * (corner ? 0.28 : 0.48));
   if (size < 5 * g.ratio) return;
   context.font = fontOf(palette, size, 600);
@@ -50,8 +56,7 @@ export function paintPosts(context: Context, g: Geometry, palette: Palette) {
   const back = Math.floor(g.wall / 2);
   context.fillStyle = palette.post;
   for (let y = 0; y <= g.height; ++y)
-    for (let x = 0; x <= g.width; ++x)
-      context.fillRect(columnAt(g, x) - back, rowAt(g, y) - back, g.wall, g.wall);
+    for (let x = 0; x <= g.width; ++x) context.fillRect(columnAt(g, x) - back, rowAt(g, y) - back, g.wall, g.wall);
 }
 
 /** A wall by its position in lists over walls (see wallIndex), in the tone of `context.fillStyle`. */

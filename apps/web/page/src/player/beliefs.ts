@@ -10,7 +10,9 @@ export async function fetchBeliefs(core: Core, track: Track): Promise<Uint16Arra
   const { play, last, cells } = track;
   const frames = last + 1;
   if (2 * frames * cells > mostBytes)
-    throw new Error(`the believed distances of ${counted(frames, 'frame')} are too many: they are drawn up to ${mostBytes >> 20} MiB`);
+    throw new Error(
+      `the believed distances of ${counted(frames, 'frame')} are too many: they are drawn up to ${mostBytes >> 20} MiB`,
+    );
   const stride = play.rules?.stride ?? 1;
   const { bytes } = await core.call('beliefs', { maze: track.maze, known: play.known, frames, stride });
   const whole = new Uint8Array(2 * frames * cells);

@@ -54,20 +54,35 @@ const seconds: Row = {
 
 const whole: Row[] = [
   { label: 'outcome', text: ({ track }) => track.play.outcome },
-  { label: 'score', value: ({ track }) => track.play.score, text: (side, v) => (v === null ? absent : decimal(v, digits(side))) },
+  {
+    label: 'score',
+    value: ({ track }) => track.play.score,
+    text: (side, v) => (v === null ? absent : decimal(v, digits(side))),
+  },
   {
     label: 'best possible',
     value: ({ track }) => track.play.bound,
     text: (side, v) => (v === null ? absent : decimal(v, digits(side))),
   },
-  { label: 'exploration', value: ({ track }) => track.play.exploration_steps, text: orAbsent((v) => counted(v, 'step')) },
+  {
+    label: 'exploration',
+    value: ({ track }) => track.play.exploration_steps,
+    text: orAbsent((v) => counted(v, 'step')),
+  },
   { label: 'speed run', value: ({ track }) => track.play.speed_steps, text: orAbsent((v) => counted(v, 'step')) },
   { label: 'shortest run', value: ({ track }) => track.play.optimum, text: orAbsent(short) },
   { label: 'cells discovered', value: ({ track }) => track.play.discovered, text: orAbsent(percent) },
   { label: 'cells visited', value: ({ track }) => track.play.visited, text: orAbsent(percent) },
 ];
 
-const ofSteps = new Set(['left, ahead, right', 'speed + exploration', 'exploration', 'speed run', 'cells discovered', 'cells visited']);
+const ofSteps = new Set([
+  'left, ahead, right',
+  'speed + exploration',
+  'exploration',
+  'speed run',
+  'cells discovered',
+  'cells visited',
+]);
 
 function countRows(sides: Side[]): Row[] {
   const names = new Set(sides.flatMap(({ track }) => track.play.counts.map(({ name }) => name)));
@@ -113,10 +128,19 @@ export function createFacts(state: State): Panel {
     const head = sides.length === 2 ? [...names, h('th', { scope: 'col' }, 'difference')] : names;
     element.replaceChildren(
       h('h3', {}, 'Numbers'),
-      h('div', { class: 'wide', tabindex: 0, role: 'region', 'aria-label': 'Numbers' },
-        h('table', {}, h('thead', {}, h('tr', {}, h('td', {}), ...head)), h('tbody', {}, ...rowsOf(sides).map(tableRow))),
+      h(
+        'div',
+        { class: 'wide', tabindex: 0, role: 'region', 'aria-label': 'Numbers' },
+        h(
+          'table',
+          {},
+          h('thead', {}, h('tr', {}, h('td', {}), ...head)),
+          h('tbody', {}, ...rowsOf(sides).map(tableRow)),
+        ),
       ),
-      ...sides.map(({ track }) => track.play.checked && h('p', { class: 'note' }, track.play.checked)).filter((p) => p !== ''),
+      ...sides
+        .map(({ track }) => track.play.checked && h('p', { class: 'note' }, track.play.checked))
+        .filter((p) => p !== ''),
     );
   }
   return {

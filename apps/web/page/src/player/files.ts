@@ -5,7 +5,11 @@ import type { Panel, Side, State } from './state';
 
 /** Letters, digits, - and _ of mouse and maze, for a file's name. */
 function fileName({ track }: Side, ending: string): string {
-  const plain = (text: string) => text.replace(/[^\w-]+/g, '-').replace(/^-+|-+$/g, '').slice(0, 60);
+  const plain = (text: string) =>
+    text
+      .replace(/[^\w-]+/g, '-')
+      .replace(/^-+|-+$/g, '')
+      .slice(0, 60);
   return `${plain(track.play.mouse)}-${plain(track.maze.name)}.${ending}`;
 }
 

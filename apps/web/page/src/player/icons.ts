@@ -8,7 +8,7 @@ const shapes = {
   forward: 'M7 4l10 8-10 8zM17 4h3v16h-3z',
   start: 'M20 4l-8 8 8 8zM12 4l-8 8 8 8zM2 4h2v16H2z',
   end: 'M4 4l8 8-8 8zM12 4l8 8-8 8zM20 4h2v16h-2z',
-  loop: 'M5 11a7 7 0 0 1 12-4l-2 2h6V3l-2.500 2.500A10 10 0 0 0 2 11zM19 13a7 7 0 0 1-12 4l2-2H3v6l2.500-2.500A10 10 0 0 0 22 13z',
+  loop: 'M5 11a7 7 0 0 1 12-4l-2 2h6V3l-2.5 2.5A10 10 0 0 0 2 11zM19 13a7 7 0 0 1-12 4l2-2H3v6l2.5-2.5A10 10 0 0 0 22 13z',
 };
 
 export type Icon = keyof typeof shapes;

@@ -16,8 +16,15 @@ const list: [string, string][] = [
 ];
 
 export function keyHelp(): HTMLElement {
-  const rows = list.map(([keys, words]) => h('tr', {}, h('th', { scope: 'row' }, h('kbd', {}, keys)), h('td', {}, words)));
-  return h('details', { class: 'help' }, h('summary', {}, 'Keys'), h('table', { 'aria-label': 'Keys' }, h('tbody', {}, ...rows)));
+  const rows = list.map(([keys, words]) =>
+    h('tr', {}, h('th', { scope: 'row' }, h('kbd', {}, keys)), h('td', {}, words)),
+  );
+  return h(
+    'details',
+    { class: 'help' },
+    h('summary', {}, 'Keys'),
+    h('table', { 'aria-label': 'Keys' }, h('tbody', {}, ...rows)),
+  );
 }
 
 /** Whether an element needs that key itself. */
@@ -34,7 +41,8 @@ export function press(key: string, shift: boolean, state: State, actions: Action
   const { clock, layers, sides } = state;
   const layer = /^[0-9]$/.test(key) ? layerNames[(Number(key) + 9) % 10] : undefined;
   const believes = sides.some(({ track }) => track.play.known.length > 0);
-  const faster = (by: number) => actions.setSpeed(Math.min(Math.max(clock.speed < 0 ? 2 : clock.speed + by, 0), speeds.length - 1));
+  const faster = (by: number) =>
+    actions.setSpeed(Math.min(Math.max(clock.speed < 0 ? 2 : clock.speed + by, 0), speeds.length - 1));
   if (layer) actions.setLayers(toggled(layers, layer, believes));
   else if (key === ' ') actions.toggle();
   else if (key === 'ArrowLeft') actions.step(shift ? -10 : -1);

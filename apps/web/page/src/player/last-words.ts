@@ -15,8 +15,13 @@ export function createWords(state: State): Panel {
       element.replaceChildren(
         h('h3', {}, 'Last words'),
         ...speaking.map(({ track: { play } }) =>
-          h('div', {}, h('p', { class: 'note' }, play.mouse),
-            h('pre', { tabindex: 0, role: 'region', 'aria-label': `Last words of ${play.mouse}` }, play.last_words))),
+          h(
+            'div',
+            {},
+            h('p', { class: 'note' }, play.mouse),
+            h('pre', { tabindex: 0, role: 'region', 'aria-label': `Last words of ${play.mouse}` }, play.last_words),
+          ),
+        ),
       );
     },
   };

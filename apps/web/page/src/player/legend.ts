@@ -14,31 +14,50 @@ function signsOf(layer: LayerName, layers: Layers, mms: boolean, most: number): 
     case 'walls':
       if (mms)
         return layers.walls === 'known'
-          ? [['drawn', 'wall that the program drew, where there is one'], ['unseen', 'wall that it has not drawn yet']]
+          ? [
+              ['drawn', 'wall that the program drew, where there is one'],
+              ['unseen', 'wall that it has not drawn yet'],
+            ]
           : [['walls', 'wall of the maze']];
       return layers.walls === 'known'
-        ? [['walls', 'wall that the mouse knows by now'], ['unknown', 'unknown by now: open or closed']]
-        : [['walls', 'wall'], ['unseen', 'wall that the mouse does not know yet']];
+        ? [
+            ['walls', 'wall that the mouse knows by now'],
+            ['unknown', 'unknown by now: open or closed'],
+          ]
+        : [
+            ['walls', 'wall'],
+            ['unseen', 'wall that the mouse does not know yet'],
+          ];
     case 'wrong':
       return [['wrong', 'closed, and not known yet: who takes unknown walls for open errs here']];
     case 'visits':
       return [['visits', most > 1 ? `1 to ${most} visits to a cell so far` : '1 visit to a cell']];
     case 'distances':
-      if (layers.distances === 'believed') return [['distances', `steps to the goal, were all unknown walls open${tints}`]];
+      if (layers.distances === 'believed')
+        return [['distances', `steps to the goal, were all unknown walls open${tints}`]];
       return [['distances', `steps to the goal, in the whole maze${tints}`]];
     case 'rays':
       return [['rays', 'open cells to the left, ahead and to the right, read before the next step']];
     case 'exploration':
       return mms
-        ? [['exploration', 'way until the goal'], ['onwards', 'way from there on']]
-        : [['exploration', 'way of the exploration to the goal'], ['onwards', 'its way from there on']];
+        ? [
+            ['exploration', 'way until the goal'],
+            ['onwards', 'way from there on'],
+          ]
+        : [
+            ['exploration', 'way of the exploration to the goal'],
+            ['onwards', 'its way from there on'],
+          ];
     case 'speed':
       return [['speed', 'speed run; dot: the end of each step, with its number']];
     case 'best':
       return [['best', 'a shortest speed run; ring: the end of a step']];
     case 'candidates':
       return [
-        ['candidates', 'unseen wall that it weighed in its last choice, with the steps of the run through it; pale: not worth the way'],
+        [
+          'candidates',
+          'unseen wall that it weighed in its last choice, with the steps of the run through it; pale: not worth it',
+        ],
         ['chosen', 'the chosen one'],
       ];
     case 'mms':
@@ -63,7 +82,11 @@ const titles: Record<LayerName, string> = {
   mms: 'Drawn by the program',
 };
 
-const always: Sign[] = [['start', 'start'], ['goal', 'goal'], ['mouse', 'mouse']];
+const always: Sign[] = [
+  ['start', 'start'],
+  ['goal', 'goal'],
+  ['mouse', 'mouse'],
+];
 const signList = (signs: Sign[]) =>
   h('ul', { class: 'signs' }, ...signs.map(([name, words]) => h('li', {}, sample(name), h('span', {}, words))));
 
@@ -73,19 +96,31 @@ export function createLegend(state: State, actions: Actions): Panel {
 
   function choice<Mode extends string>(layer: LayerName, label: string, modes: [Mode, string][], value: Mode) {
     const set = () => actions.setLayers({ [layer]: select.value });
-    const select = h('select', { 'aria-label': label, onchange: set }, ...modes.map(([name, words]) => h('option', { value: name }, words)));
+    const select = h(
+      'select',
+      { 'aria-label': label, onchange: set },
+      ...modes.map(([name, words]) => h('option', { value: name }, words)),
+    );
     select.value = value;
     return select;
   }
   function control(layer: LayerName): Child[] {
     const { layers, sides } = state;
     if (layer === 'walls') {
-      const known = sides.every(({ track }) => track.play.world === 'mms') ? 'what the program drew' : 'what the mouse knows';
-      const modes: [WallMode, string][] = [['known', known], ['whole', 'the whole maze']];
+      const known = sides.every(({ track }) => track.play.world === 'mms')
+        ? 'what the program drew'
+        : 'what the mouse knows';
+      const modes: [WallMode, string][] = [
+        ['known', known],
+        ['whole', 'the whole maze'],
+      ];
       return [h('span', {}, titles.walls), choice('walls', 'Walls', modes, layers.walls)];
     }
     if (layer === 'distances') {
-      const modes: [DistanceMode, string][] = [['none', 'none'], ['true', 'true']];
+      const modes: [DistanceMode, string][] = [
+        ['none', 'none'],
+        ['true', 'true'],
+      ];
       if (sides.some(({ track }) => track.play.known.length > 0)) modes.push(['believed', 'believed by the mouse']);
       return [h('span', {}, titles.distances), choice('distances', 'Distances', modes, layers.distances)];
     }

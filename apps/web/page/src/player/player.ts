@@ -116,7 +116,9 @@ export function createPlayer(page: Page): Player {
     moment.setAttribute('aria-live', clock.playing ? 'off' : 'polite');
     const text = state.sides.map(momentText).join('\n');
     if (moment.textContent !== text) moment.textContent = text;
-    if (!clock.playing) for (const side of state.sides) side.scene.stage.describe(`Maze ${mazeText(side.track.maze)}. ${momentText(side)}`);
+    if (!clock.playing)
+      for (const side of state.sides)
+        side.scene.stage.describe(`Maze ${mazeText(side.track.maze)}. ${momentText(side)}`);
   }
 
   /** One frame of the browser; makes nothing while the frame of the replay stays the same. */

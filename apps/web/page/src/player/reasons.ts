@@ -9,15 +9,22 @@ const rowsAtFirst = 6;
 const nameOf = ({ wall, seen_from: [x, y] }: Candidate) =>
   wall ? `(${wall[0]},${wall[1]}) ${wall[2]}` : `goal (${x},${y})`;
 
-/** Positions of candidates: the chosen one first, then those worth the way, the lowest score first. */
-function ranked({ candidates, chosen }: Reasons): number[] {
+const ranks = new WeakMap<Reasons, number[]>();
+
+/** Positions of candidates: the chosen one first, then those worth the way, the lowest score first. Made once. */
+function ranked(reasons: Reasons): number[] {
+  const known = ranks.get(reasons);
+  if (known) return known;
+  const { candidates, chosen } = reasons;
   const first = (a: boolean, b: boolean) => Number(b) - Number(a);
-  return [...candidates.keys()].sort(
+  const order = [...candidates.keys()].sort(
     (a, b) =>
       first(a === chosen, b === chosen) ||
       first(candidates[a].worth, candidates[b].worth) ||
       candidates[a].score - candidates[b].score,
   );
+  ranks.set(reasons, order);
+  return order;
 }
 
 /** In words, where no wall was chosen. */
@@ -60,8 +67,8 @@ export function createReasons(state: State): Panel {
   const more = h('button', { type: 'button', class: 'quiet', onclick: () => ((everything = !everything), draw()) });
   const body = h('tbody');
   const caption =
-    'In steps. Through: of the speed run through that wall, as far as the mouse weighs it; travel: of the way to the cell ' +
-    'from which it is seen; score: what it compared, the lowest wins. – not worth the way';
+    'In steps. Through: of the speed run through that wall, as far as the mouse weighs it; travel: of the way to the ' +
+    'cell from which it is seen; score: what it compared, the lowest wins. – not worth the way';
   const table = h(
     'div',
     { class: 'wide', role: 'region', tabindex: 0, 'aria-label': 'Candidates' },

@@ -23,7 +23,7 @@ export interface Scene {
   /** Believed distances: see beliefs.ts. */
   setBeliefs(beliefs: Uint16Array): void;
   believes(): boolean;
-  /** Goes to that time and paints, where something changed; `smooth` between the frames. Says whether the frame changed. */
+  /** Goes to that time and paints what changed; `smooth` between the frames. Says whether the frame changed. */
   show(time: number, smooth: boolean): boolean;
   /** Steps to the goal from that cell, as the layer of distances has them (true where it is off); -1 for no way. */
   distanceOf(cell: number): number;

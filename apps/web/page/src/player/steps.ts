@@ -16,7 +16,10 @@ const runs = ['exploration', 'speed run'];
 const place: Column = { name: 'at', text: ({ x, y }, i) => placeText(x[i], y[i]) };
 const heading: Column = { name: 'heading', text: (track, i) => headings[track.heading[i] & 7] };
 const action: Column = { name: 'does', text: ({ play, last }, i) => (i < last ? play.action[i] : play.outcome) };
-const blocked: Column = { name: 'blocked', text: ({ play, last }, i) => (i < last && play.blocked[i] ? 'by a wall' : '') };
+const blocked: Column = {
+  name: 'blocked',
+  text: ({ play, last }, i) => (i < last && play.blocked[i] ? 'by a wall' : ''),
+};
 const run: Column = { name: 'run', text: (track, i) => (i === track.last ? 'end' : runs[track.run[i]]) };
 const seconds: Column = { name: 'seconds', text: (track, i) => track.time[i].toFixed(2) };
 const reading: Column = {
@@ -42,7 +45,11 @@ export function createSteps(state: State, actions: Actions): Panel {
   const head = h('tr');
   const body = h('tbody');
   const table = h('table', { 'aria-label': 'Steps' }, h('thead', {}, head), body);
-  const scroller = h('div', { class: 'scroller', tabindex: 0, role: 'region', 'aria-label': 'Steps', onscroll: () => render() }, table);
+  const scroller = h(
+    'div',
+    { class: 'scroller', tabindex: 0, role: 'region', 'aria-label': 'Steps', onscroll: () => render() },
+    table,
+  );
   const chooser = h('div', { class: 'chooser', role: 'group', 'aria-label': 'Whose steps' });
   const element = h('section', { class: 'steps' }, h('h3', {}, 'Steps'), chooser, scroller);
   let lines: Line[] = [];
@@ -89,11 +96,14 @@ export function createSteps(state: State, actions: Actions): Panel {
     const from = scroller.scrollTop;
     const room = scroller.clientHeight - 2 * lineHeight;
     const at = current * lineHeight;
-    if (at < from || at > from + room) scroller.scrollTop = Math.max(0, current - Math.floor(room / lineHeight / 3)) * lineHeight;
+    if (at < from || at > from + room)
+      scroller.scrollTop = Math.max(0, current - Math.floor(room / lineHeight / 3)) * lineHeight;
   }
   function rebuild() {
     track = state.sides[state.chosen].track;
-    head.replaceChildren(...['step', ...columns[track.play.world].map(({ name }) => name)].map((name) => h('th', { scope: 'col' }, name)));
+    head.replaceChildren(
+      ...['step', ...columns[track.play.world].map(({ name }) => name)].map((name) => h('th', { scope: 'col' }, name)),
+    );
     const count = Math.ceil((scroller.clientHeight || 320) / lineHeight) + 2 * spare;
     lines = Array.from({ length: count }, makeLine);
     body.replaceChildren(top, ...lines.map((line) => line.element), bottom);
@@ -105,7 +115,12 @@ export function createSteps(state: State, actions: Actions): Panel {
     chooser.hidden = state.sides.length < 2;
     chooser.replaceChildren(
       ...state.sides.map(({ track: one }, i) =>
-        h('button', { type: 'button', 'aria-pressed': String(i === state.chosen), onclick: () => actions.choose(i) }, one.play.mouse)),
+        h(
+          'button',
+          { type: 'button', 'aria-pressed': String(i === state.chosen), onclick: () => actions.choose(i) },
+          one.play.mouse,
+        ),
+      ),
     );
   }
   return {

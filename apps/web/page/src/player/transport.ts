@@ -22,7 +22,13 @@ function strip(side: Side, end: number): HTMLElement {
     return element;
   };
   if (track.play.world === 'mms') return h('div', { class: 'strip' }, part('to-goal', 0, stop));
-  return h('div', { class: 'strip' }, part('to-goal', 0, goal), part('onwards', goal, reset), part('route', reset, stop));
+  return h(
+    'div',
+    { class: 'strip' },
+    part('to-goal', 0, goal),
+    part('onwards', goal, reset),
+    part('route', reset, stop),
+  );
 }
 
 function speedChoice(state: State, actions: Actions) {

@@ -2,7 +2,12 @@
 // it is gone: 4 * point + direction, from its western (or southern) end.
 import type { MazeSize } from '../maze/geometry';
 
-const directions = [[0, 1], [1, 1], [1, 0], [1, -1]] as const;
+const directions = [
+  [0, 1],
+  [1, 1],
+  [1, 0],
+  [1, -1],
+] as const;
 
 /** How far a piece of that direction goes, in half cells. */
 export const pieceX = Int8Array.from(directions, ([dx]) => dx);

@@ -49,7 +49,8 @@ export function actionText({ track, scene }: Side): string {
 export function momentText(side: Side): string {
   const { track, scene } = side;
   const { frame } = scene.past;
-  const where = `${track.play.mouse} after ${frame} of ${counted(track.last, 'step')}, ${runText(side)}: at ${poseText(side)}`;
+  const when = `${track.play.mouse} after ${frame} of ${counted(track.last, 'step')}, ${runText(side)}`;
+  const where = `${when}: at ${poseText(side)}`;
   if (frame === track.last) return `${where}. ${track.play.outcome}.`;
   const reads = track.play.left.length > 0 ? ` Open cells to the left, ahead, to the right: ${readingText(side)}.` : '';
   return `${where}.${reads} Next: ${actionText(side)}.`;

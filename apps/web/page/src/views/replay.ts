@@ -7,7 +7,11 @@ import type { Page, View } from './view';
 /** Runs mice in a maze that the core brings, as an example. */
 function createExample(page: Page, mice: string[]) {
   const { mazes } = page.about;
-  const select = h('select', {}, ...mazes.map(({ name, width, height }) => h('option', { value: name }, `${name} (${width} × ${height})`)));
+  const select = h(
+    'select',
+    {},
+    ...mazes.map(({ name, width, height }) => h('option', { value: name }, `${name} (${width} × ${height})`)),
+  );
   const usual = mazes.find(({ width }) => width === 16) ?? mazes[0];
   if (usual) select.value = usual.name;
   async function run() {
@@ -22,19 +26,35 @@ function createExample(page: Page, mice: string[]) {
       page.complain(error);
     }
   }
-  return h('p', {}, h('label', {}, `${mice.join(' and ')} in `, select), ' ', h('button', { type: 'button', onclick: () => void run() }, 'Run'));
+  return h(
+    'p',
+    {},
+    h('label', {}, `${mice.join(' and ')} in `, select),
+    ' ',
+    h('button', { type: 'button', onclick: () => void run() }, 'Run'),
+  );
 }
 
 function createWelcome(page: Page) {
   return h(
     'div',
     { class: 'welcome' },
-    h('p', {}, 'A record holds a contest step by step: what the mouse read, what it did, and where that led. Here it is played again.'),
+    h(
+      'p',
+      {},
+      'A record holds a contest step by step: what the mouse read, what it did, and where that led. ',
+      'Here it is played again.',
+    ),
     h('h3', {}, 'See an example'),
     createExample(page, ['ariadne']),
     createExample(page, ['ariadne', 'flood']),
     h('h3', {}, 'See one of your own'),
-    h('p', {}, h('button', { type: 'button', onclick: () => page.choose() }, 'Open a record'), ' or drop one anywhere on this page.'),
+    h(
+      'p',
+      {},
+      h('button', { type: 'button', onclick: () => page.choose() }, 'Open a record'),
+      ' or drop one anywhere on this page.',
+    ),
     h(
       'p',
       { class: 'note' },

@@ -20,14 +20,22 @@ const scrubber = (page: Page) => page.getByRole('slider', { name: 'Moment of the
 const moment = async (page: Page) => (await page.locator('.moment').textContent())!;
 const steps = async (page: Page) => Number(/after (\d+) of/.exec(await moment(page))![1]);
 const fact = async (page: Page, name: string, column = 0) =>
-  page.locator('.facts tr', { has: page.getByRole('rowheader', { name, exact: true }) }).locator('td').nth(column).textContent();
+  page
+    .locator('.facts tr', { has: page.getByRole('rowheader', { name, exact: true }) })
+    .locator('td')
+    .nth(column)
+    .textContent();
 /** Presses a key and waits until the words say so many steps. */
 async function press(page: Page, key: string, after: number) {
   await page.keyboard.press(key);
   await expect.poll(() => steps(page)).toBe(after);
 }
 /** The picture as data, to be compared. */
-const pixels = (page: Page, at = 0) => page.locator('.player canvas').nth(at).evaluate((canvas: HTMLCanvasElement) => canvas.toDataURL());
+const pixels = (page: Page, at = 0) =>
+  page
+    .locator('.player canvas')
+    .nth(at)
+    .evaluate((canvas: HTMLCanvasElement) => canvas.toDataURL());
 
 test('an example is played, and the keys lead through it', async () => {
   const page = await opened();
@@ -51,7 +59,9 @@ test('it plays, and stops at the end', async () => {
   await page.getByRole('button', { name: 'Pause' }).waitFor();
   await page.getByRole('button', { name: 'Play', exact: true }).waitFor();
   await expect.poll(() => steps(page)).toBe(112);
-  const frames = await page.locator('.player').evaluate((player) => (player as unknown as { meter: { frames: number } }).meter.frames);
+  const frames = await page
+    .locator('.player')
+    .evaluate((player) => (player as unknown as { meter: { frames: number } }).meter.frames);
   expect(frames).toBeGreaterThan(2);
 });
 
@@ -128,9 +138,14 @@ test('two mice run on one clock and are compared', async () => {
 
 test('the record is saved as it was made', async () => {
   const page = await opened();
-  const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Save record' }).click()]);
+  const [download] = await Promise.all([
+    page.waitForEvent('download'),
+    page.getByRole('button', { name: 'Save record' }).click(),
+  ]);
   expect(download.suggestedFilename()).toBe('ariadne-capstone-1.jsonl');
-  const lines = readFileSync((await download.path())!, 'utf8').trim().split('\n');
+  const lines = readFileSync((await download.path())!, 'utf8')
+    .trim()
+    .split('\n');
   expect(lines).toHaveLength(114);
   expect(JSON.parse(lines[113])).toMatchObject({ outcome: 'solved', exploration_steps: 95 });
 });

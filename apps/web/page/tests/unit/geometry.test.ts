@@ -1,12 +1,26 @@
 import { describe, expect, it } from 'vitest';
-import { bare, cellAt, closedWalls, columnAt, fit, halfX, halfY, numbered, rowAt, sideAt, wallIndex } from '../../src/maze/geometry';
+import {
+  bare,
+  cellAt,
+  closedWalls,
+  columnAt,
+  fit,
+  halfX,
+  halfY,
+  numbered,
+  rowAt,
+  sideAt,
+  wallIndex,
+} from '../../src/maze/geometry';
 import { maze } from './plays';
 
 describe('a maze on a canvas', () => {
   it.each([1, 1.25, 1.5, 2, 3])('has a whole number of device pixels to a cell, and fits (ratio %s)', (ratio) => {
     for (const width of [200, 333, 1001]) {
       const g = fit({ width: 16, height: 16 }, width, 700, ratio, numbered);
-      expect(Number.isInteger(g.pitch) && Number.isInteger(g.wall) && Number.isInteger(g.left) && Number.isInteger(g.top)).toBe(true);
+      expect(
+        Number.isInteger(g.pitch) && Number.isInteger(g.wall) && Number.isInteger(g.left) && Number.isInteger(g.top),
+      ).toBe(true);
       expect(g.canvasWidth).toBeLessThanOrEqual(width * ratio);
       expect(g.canvasHeight).toBeLessThanOrEqual(700 * ratio);
       expect(g.canvasWidth + 16 * 1).toBeGreaterThan(Math.min(width, 700) * ratio - 16 - 4 * ratio);
@@ -21,7 +35,10 @@ describe('a maze on a canvas', () => {
 
   it('finds cells and their nearest walls under a pointer', () => {
     const g = fit(maze, 300, 300, 2, bare);
-    const at = (x: number, y: number): [number, number] => [(g.left + x * g.pitch) / 2, (g.top + (2 - y) * g.pitch) / 2];
+    const at = (x: number, y: number): [number, number] => [
+      (g.left + x * g.pitch) / 2,
+      (g.top + (2 - y) * g.pitch) / 2,
+    ];
     expect(cellAt(g, ...at(0.5, 0.5))).toEqual([0, 0]);
     expect(cellAt(g, ...at(2.5, 1.5))).toEqual([2, 1]);
     expect(cellAt(g, ...at(3.2, 0.5))).toBeNull();

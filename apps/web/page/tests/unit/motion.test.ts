@@ -48,6 +48,8 @@ describe('a pose between two frames', () => {
 
 describe('a turn', () => {
   it('takes the smaller way round', () => {
-    expect([turnBetween(0, 6), turnBetween(6, 0), turnBetween(7, 1), turnBetween(1, 7), turnBetween(3, 3)]).toEqual([-2, 2, 2, -2, 0]);
+    expect([turnBetween(0, 6), turnBetween(6, 0), turnBetween(7, 1), turnBetween(1, 7), turnBetween(3, 3)]).toEqual([
+      -2, 2, 2, -2, 0,
+    ]);
   });
 });

@@ -32,7 +32,14 @@ describe('visits', () => {
 describe('ways', () => {
   it('are parted by the goal and the reset', () => {
     const track = prepare(steps());
-    expect([0, 2, 3, 4, 5, 7].map((step) => categoryOf(track, step))).toEqual([toGoal, toGoal, onwards, onwards, speedRun, speedRun]);
+    expect([0, 2, 3, 4, 5, 7].map((step) => categoryOf(track, step))).toEqual([
+      toGoal,
+      toGoal,
+      onwards,
+      onwards,
+      speedRun,
+      speedRun,
+    ]);
   });
 
   it('have a piece for each half cell, whichever way it is gone, and none for a reset', () => {
@@ -66,7 +73,13 @@ describe('knowledge', () => {
 
   it('is what was drawn in mms', () => {
     const past = createPast(prepare(mms()));
-    expect([1, 2, 3, 4, 0].map((frame) => (moveTo(past, frame), knows(past, 6)))).toEqual([false, true, true, false, false]);
+    expect([1, 2, 3, 4, 0].map((frame) => (moveTo(past, frame), knows(past, 6)))).toEqual([
+      false,
+      true,
+      true,
+      false,
+      false,
+    ]);
   });
 });
 
@@ -80,7 +93,13 @@ describe('drawings of mms', () => {
   };
 
   it('hold until they are cleared', () => {
-    expect([0, 1, 2, 3, 4].map((frame) => at(frame).colours)).toEqual(['G,,,,,', 'G,,,,,', 'G,,,,,', ',,,,,k', ',,,,,k']);
+    expect([0, 1, 2, 3, 4].map((frame) => at(frame).colours)).toEqual([
+      'G,,,,,',
+      'G,,,,,',
+      'G,,,,,',
+      ',,,,,k',
+      ',,,,,k',
+    ]);
   });
 
   it('have two rows of five characters', () => {

@@ -56,7 +56,12 @@ export function steps(changes: Partial<Play> = {}): Play {
     goal_frame: 3,
     reset_frame: 5,
     entered: [[3], [4, 5], [2], [5], [0], [3], [4, 5], [2]],
-    route: [[0, 0], [0, 1], [2, 1], [2, 0]],
+    route: [
+      [0, 0],
+      [0, 1],
+      [2, 1],
+      [2, 0],
+    ],
     distances: [3, 1, 0, 2, 2, 1],
     reasons: [],
     events: [],
