@@ -88,6 +88,7 @@ function countRows(sides: Side[]): Row[] {
   const names = new Set(sides.flatMap(({ track }) => track.play.counts.map(({ name }) => name)));
   const value = (name: string) => (side: Side) =>
     side.track.play.counts.find((count) => count.name === name)?.value ?? null;
+  for (const { label } of whole) names.delete(label);
   return [...names].map((name) => ({ label: name, value: value(name), text: orAbsent(String) }));
 }
 

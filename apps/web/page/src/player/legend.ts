@@ -34,7 +34,7 @@ function signsOf(layer: LayerName, layers: Layers, mms: boolean, most: number): 
       return [['visits', most > 1 ? `1 to ${most} visits to a cell so far` : '1 visit to a cell']];
     case 'distances':
       if (layers.distances === 'believed')
-        return [['distances', `steps to the goal, were all unknown walls open${tints}`]];
+        return [['distances', `steps to the goal as the mouse believed, were all unknown walls open${tints}`]];
       return [['distances', `steps to the goal, in the whole maze${tints}`]];
     case 'rays':
       return [['rays', 'open cells to the left, ahead and to the right, read before the next step']];
@@ -51,7 +51,7 @@ function signsOf(layer: LayerName, layers: Layers, mms: boolean, most: number): 
     case 'speed':
       return [['speed', 'speed run; dot: the end of each step, with its number']];
     case 'best':
-      return [['best', 'a shortest speed run; ring: the end of a step']];
+      return [['best', mms ? 'a best possible run, cell by cell' : 'a shortest speed run; ring: the end of a step']];
     case 'candidates':
       return [
         [
@@ -121,7 +121,7 @@ export function createLegend(state: State, actions: Actions): Panel {
         ['none', 'none'],
         ['true', 'true'],
       ];
-      if (sides.some(({ track }) => track.play.known.length > 0)) modes.push(['believed', 'believed by the mouse']);
+      if (sides.some(({ track }) => track.play.known.length > 0)) modes.push(['believed', 'believed']);
       return [h('span', {}, titles.distances), choice('distances', 'Distances', modes, layers.distances)];
     }
     const box: HTMLInputElement = h('input', {

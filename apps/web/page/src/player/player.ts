@@ -13,7 +13,7 @@ import { createLegend } from './legend';
 import { count, createMeter } from './meter';
 import { createReasons } from './reasons';
 import { createSide } from './side';
-import { nextTime, timeOf, type Actions, type Panel, type State } from './state';
+import { nextTime, timeOf, type Actions, type Panel, type Side, type State } from './state';
 import { createSteps } from './steps';
 import { createTransport } from './transport';
 import { createWords } from './last-words';
@@ -35,6 +35,9 @@ export interface Player {
 
 /** The same for all players, and kept from play to play. */
 const layers: Layers = { ...usualLayers };
+
+/** Whether anything is known of what the mouse knew. */
+const believes = ({ track }: Pick<Side, 'track'>) => track.play.known.length > 0;
 
 /** Milliseconds between two looks of the numbers and lists at a replay that runs. */
 const panelPause = 100;
@@ -141,7 +144,7 @@ export function createPlayer(page: Page): Player {
 
   async function believe() {
     for (const { track, scene } of state.sides) {
-      if (scene.believes() || track.play.known.length === 0) continue;
+      if (scene.believes() || !believes({ track })) continue;
       try {
         scene.setBeliefs(await fetchBeliefs(page.core, track));
       } catch (error) {
@@ -166,6 +169,7 @@ export function createPlayer(page: Page): Player {
       clock.end = Math.max(0, ...state.sides.map(({ track }) => track.time[track.last]));
       clock.time = at === 'end' ? clock.end : 0;
       clock.unit = state.sides.every(({ track }) => track.play.world === 'mms') ? usual.mms : usual.steps;
+      if (layers.distances === 'believed' && !state.sides.some(believes)) layers.distances = 'true';
       if (layers.distances === 'believed') void believe();
       if (state.sides.length > 0) refresh();
       wake();

@@ -1,7 +1,7 @@
-import { readFileSync } from 'node:fs';
+import { readFileSync, writeFileSync } from 'node:fs';
 import type { Page } from 'playwright-core';
 import { expect, test } from 'vitest';
-import { barriers, open, picture } from './harness';
+import { barriers, drop, native, open, picture, temporary } from './harness';
 
 /** Runs the example with those mice in that maze. */
 async function example(page: Page, mice = 'ariadne', maze = 'capstone-1') {
@@ -187,4 +187,65 @@ test.each([
   expect(await barriers(page)).toEqual([]);
   expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(width);
   await picture(page, `replay-${colorScheme}-${width}`);
+});
+
+const program = `
+import sys
+def ask(line):
+    print(line, flush=True)
+    return input()
+print("setColor 0 0 G", flush=True)
+print("setText 0 0 hello you", flush=True)
+print("setWall 0 0 e", flush=True)
+ask("moveForwardHalf")
+ask("turnRight45")
+ask("turnLeft45")
+print("clearAllColor", flush=True)
+ask("moveForwardHalf")
+print("<b>bye</b>", file=sys.stderr)
+`;
+
+test('a program for mms is replayed with what it drew', async () => {
+  const [file, record] = [temporary('draws.py'), temporary('draws.jsonl')];
+  writeFileSync(file, program);
+  native('mms', `python3 ${file}`, '--maze', 'capstone-1', '--record', record);
+  const page = await open('#replay');
+  await drop(page, { name: 'draws.jsonl', content: readFileSync(record) });
+  await page.locator('.player canvas').waitFor();
+  const drawn = page.getByLabel('Drawn by the program');
+  const painted = await pixels(page);
+  await drawn.uncheck();
+  await expect.poll(() => pixels(page)).not.toBe(painted);
+  await drawn.check();
+  await expect.poll(() => pixels(page)).toBe(painted);
+  await press(page, 'ArrowRight', 1);
+  expect(await fact(page, 'mouse at')).toBe('(0,0.5) north');
+  await press(page, 'ArrowRight', 2);
+  expect(await fact(page, 'mouse at')).toBe('(0,0.5) north-east');
+  await press(page, 'End', 4);
+  expect(await page.locator('.words pre').textContent()).toContain('<b>bye</b>');
+  expect(await page.getByRole('button', { name: 'Speed run' }).isVisible()).toBe(false);
+});
+
+test('what the mouse believed is asked of the core', async () => {
+  const page = await opened();
+  await press(page, 'ArrowRight', 1);
+  const before = await pixels(page);
+  await page.getByLabel('Distances').selectOption('true');
+  await expect.poll(() => pixels(page)).not.toBe(before);
+  const whole = await pixels(page);
+  await page.getByLabel('Distances').selectOption('believed');
+  await expect.poll(() => pixels(page)).not.toBe(whole);
+  await page.locator('.player canvas').hover({ position: { x: 30, y: 200 } });
+  expect(await page.locator('.readout').textContent()).toMatch(/^\(0,\d+\): \d visits?, \d+ steps to the goal$/);
+});
+
+test('a picture of the record is saved', async () => {
+  const page = await opened();
+  const [download] = await Promise.all([
+    page.waitForEvent('download'),
+    page.getByRole('button', { name: 'Save picture' }).click(),
+  ]);
+  expect(download.suggestedFilename()).toBe('ariadne-capstone-1.svg');
+  expect(readFileSync((await download.path())!, 'utf8')).toContain('<svg');
 });
