@@ -1,0 +1,36 @@
+// A mouse with its parameters as a text: `certify:home=yes`, as the command line takes it.
+import type { Mouse } from '../core/types';
+
+/** Parameters that were given a value, as text. */
+export type Values = Record<string, string>;
+
+export interface Spec {
+  mouse: string;
+  values: Values;
+}
+
+/** The SPEC: values that are not the default, as the mouse's table has them, then those that the table does not have. */
+export function specOf(mouse: string, values: Values, mice: Mouse[]): string {
+  const table = mice.find((one) => one.name === mouse)?.parameters ?? [];
+  const parts = table
+    .filter(({ name, default: usual }) => name in values && values[name] !== usual)
+    .map(({ name }) => `${name}=${values[name]}`);
+  const others = Object.keys(values).filter((name) => !table.some((parameter) => parameter.name === name));
+  return [mouse, ...parts, ...others.map((name) => `${name}=${values[name]}`)].join(':');
+}
+
+/** What a SPEC says, without a look at whether it is right: that is the core's to say. */
+export function readSpec(spec: string): Spec {
+  const [mouse, ...settings] = spec.trim().split(':');
+  const values: Values = Object.create(null);
+  for (const setting of settings) {
+    const equals = setting.indexOf('=');
+    if (equals > 0) values[setting.slice(0, equals).trim()] = setting.slice(equals + 1).trim();
+    else values[setting] = '';
+  }
+  return { mouse, values };
+}
+
+/** The value of a parameter: what was given, or its default. */
+export const valueOf = (parameter: { name: string; default: string }, values: Values) =>
+  parameter.name in values ? values[parameter.name] : parameter.default;
