@@ -7,9 +7,7 @@ export interface Latest<Question> {
   cancel(): void;
 }
 
-/**
- * `asking` answers one question at a time; `answered` and `failed` hear of the latest one only. `delay` in milliseconds.
- */
+/** `asking` answers one question at a time; `answered` and `failed` hear of the last. `delay` in milliseconds. */
 export function createLatest<Question, Answer>(
   asking: (question: Question) => Promise<Answer>,
   answered: (answer: Answer, question: Question) => void,

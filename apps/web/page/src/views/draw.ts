@@ -1,7 +1,47 @@
+import type { MazeData } from '../core/types';
+import { createDesk, type Desk } from '../draw/desk';
+import { restoreDrawing } from '../draw/storage';
 import { h } from '../ui/dom';
 import type { Page, View } from './view';
+import '../styles/forms.css';
+import '../styles/draw.css';
 
-export function createDraw(_page: Page): View {
-  const element = h('section', { 'aria-label': 'Draw' });
-  return { element, shown() {} };
+/** Draw, and what is drawn in it: null before there is a drawing. */
+export interface DrawView extends View {
+  maze(): MazeData | null;
+}
+
+const isMaze = (thing: unknown): thing is MazeData =>
+  typeof thing === 'object' && thing !== null && Array.isArray((thing as MazeData).walls);
+
+const isText = (target: EventTarget | null) =>
+  target instanceof HTMLElement && target.matches('input:not([type=radio]):not([type=checkbox]), textarea');
+
+async function firstDrawing(page: Page): Promise<MazeData> {
+  const kept = await restoreDrawing(page);
+  if (kept) return kept;
+  const order = { generator: 'empty', width: 16, height: 16, seed: 1, loops: 0 };
+  return { ...(await page.core.call('make_maze', order)).maze, name: 'drawing' };
+}
+
+/** The view Draw. It accepts mazes; each is a step that can be undone. */
+export function createDraw(page: Page): DrawView {
+  const element = h('section', { 'aria-label': 'Draw', class: 'draw' });
+  let desk: Desk | null = null;
+  const ready = firstDrawing(page).then((maze) => {
+    desk = createDesk(page, maze);
+    element.append(desk.element);
+  });
+  ready.catch(page.complain);
+  document.addEventListener('keydown', (event) => {
+    if (!element.hidden && !isText(event.target) && desk?.key(event)) event.preventDefault();
+  });
+  return {
+    element,
+    maze: () => desk?.drawing() ?? null,
+    shown() {},
+    accept(thing) {
+      if (isMaze(thing)) void ready.then(() => desk?.load(thing));
+    },
+  };
 }

@@ -1,0 +1,139 @@
+// The canvas that one draws on, by pointer and by keys.
+import type { Cell } from '../core/types';
+import { createStage } from '../maze/stage';
+import { h } from '../ui/dom';
+import type { Editor } from './editor';
+import { cellInWords, press } from './keys';
+import { isInside } from './model';
+import { nearestWall } from './nearest';
+import { paintDrawing, type Overlay } from './painter';
+import { beginStroke, drawn, type Stroke, type Tool } from './strokes';
+
+export interface Board {
+  element: HTMLElement;
+  /** Shows the drawing as it is now. */
+  show(): void;
+  setTool(tool: Tool): void;
+  setRoute(route: Cell[] | null): void;
+}
+
+/** A finger hides what it touches: it may be farther away. */
+const reachOf = (event: PointerEvent) => (event.pointerType === 'touch' ? 0.4 : 0.3);
+
+const help =
+  'Arrow keys go from cell to cell. W, A, S, D, or Shift with an arrow, close or open the wall on that side. ' +
+  'G: goal. H: the start is here. R: turn the start. Ctrl+Z and Ctrl+Shift+Z: undo and redo.';
+
+/** `say` reaches screen readers. */
+export function createBoard(editor: Editor, say: (words: string) => void): Board {
+  const overlay: Overlay = { hover: null, cursor: null, route: null };
+  let tool: Tool = 'walls';
+  let cursor: Cell = editor.maze().start;
+  let size = '';
+  let stroke: { stroke: Stroke; at: [number, number]; pointer: number } | null = null;
+
+  const stage = createStage(
+    editor.maze(),
+    (context, geometry, palette) => paintDrawing(context, geometry, palette, editor.maze(), overlay),
+    { numbers: true, tallest: () => Math.max(280, innerHeight * 0.78) },
+  );
+  const { canvas } = stage;
+  const keys = h('p', { id: 'draw-keys', class: 'draw-keys' }, help);
+  canvas.setAttribute('role', 'application');
+  canvas.setAttribute('aria-describedby', 'draw-keys');
+  canvas.tabIndex = 0;
+
+  function place(event: PointerEvent): [number, number] {
+    const g = stage.geometry();
+    const box = canvas.getBoundingClientRect();
+    const x = (event.clientX - box.left) * g.ratio;
+    const y = (event.clientY - box.top) * g.ratio;
+    return [(x - g.left) / g.pitch, g.height - (y - g.top) / g.pitch];
+  }
+
+  function hover(event: PointerEvent | null) {
+    const wall =
+      event && tool === 'walls' && event.pointerType !== 'touch' ? nearestWall(editor.maze(), ...place(event)) : null;
+    canvas.style.cursor = wall || tool !== 'walls' ? 'crosshair' : 'default';
+    overlay.hover = wall;
+    stage.redraw();
+  }
+
+  function down(event: PointerEvent) {
+    if (event.button !== 0 || stroke) return;
+    const at = place(event);
+    const begun = beginStroke(tool, editor.maze(), ...at, reachOf(event));
+    if (!begun) return;
+    stroke = { stroke: begun, at, pointer: event.pointerId };
+    canvas.setPointerCapture(event.pointerId);
+    overlay.hover = null;
+    const next = begun(editor.maze(), ...at);
+    if (next === editor.maze() && tool === 'goals') say('a maze has one goal at least');
+    editor.sketch(next);
+  }
+
+  function move(event: PointerEvent) {
+    if (!stroke) return hover(event);
+    if (event.pointerId !== stroke.pointer) return;
+    const to = place(event);
+    const next = drawn(stroke.stroke, editor.maze(), stroke.at, to);
+    stroke.at = to;
+    if (next !== editor.maze()) editor.sketch(next);
+  }
+
+  function up(event: PointerEvent) {
+    if (event.pointerId !== stroke?.pointer) return;
+    stroke = null;
+    if (event.type === 'pointercancel') editor.undo();
+    else editor.settle();
+    hover(event.type === 'pointerup' ? event : null);
+  }
+
+  canvas.addEventListener('pointerdown', down);
+  canvas.addEventListener('pointermove', move);
+  canvas.addEventListener('pointerup', up);
+  canvas.addEventListener('pointercancel', up);
+  canvas.addEventListener('pointerleave', () => hover(null));
+  canvas.addEventListener('keydown', (event) => {
+    const pressed = stroke ? null : press(event, editor.maze(), cursor);
+    if (!pressed) return;
+    event.preventDefault();
+    cursor = overlay.cursor = pressed.cursor;
+    editor.change(pressed.maze);
+    say(pressed.said);
+    stage.redraw();
+  });
+  canvas.addEventListener('focus', () => {
+    if (!canvas.matches(':focus-visible')) return;
+    overlay.cursor = cursor;
+    say(cellInWords(editor.maze(), cursor));
+    stage.redraw();
+  });
+  canvas.addEventListener('blur', () => {
+    overlay.cursor = null;
+    stage.redraw();
+  });
+
+  function show() {
+    const maze = editor.maze();
+    if (!isInside(maze, cursor)) cursor = maze.start;
+    if (overlay.cursor) overlay.cursor = cursor;
+    stage.describe(`Drawing of ${maze.width} by ${maze.height} cells`);
+    if (size === `${maze.width}x${maze.height}`) return stage.redraw();
+    size = `${maze.width}x${maze.height}`;
+    overlay.hover = null;
+    stage.resize(maze);
+  }
+  return {
+    element: h('div', { class: 'draw-board' }, stage.element, keys),
+    show,
+    setTool(next) {
+      tool = next;
+      hover(null);
+    },
+    setRoute(route) {
+      overlay.route = route;
+      stage.redraw();
+    },
+  };
+}

@@ -1,0 +1,104 @@
+// All around one drawing: the board, its tools, what the core says of it, and where it goes.
+import type { MazeData } from '../core/types';
+import { h } from '../ui/dom';
+import { field } from '../ui/field';
+import { filePicker } from '../ui/pick';
+import type { Page } from '../views/view';
+import { createBoard } from './board';
+import { createEditor } from './editor';
+import { createJudgement } from './judgement';
+import { createMaking } from './making';
+import { createSaving } from './saving';
+import { createKeeper } from './storage';
+import { createTools } from './tools';
+
+export interface Desk {
+  element: HTMLElement;
+  drawing(): MazeData;
+  /** Another maze in place of the drawing, as a step that can be undone. */
+  load(maze: MazeData): void;
+  /** A key that was pressed anywhere in the view; true where it was for the desk. */
+  key(event: KeyboardEvent): boolean;
+}
+
+const isEqual = (one: MazeData, other: MazeData) => JSON.stringify(one) === JSON.stringify(other);
+
+export function createDesk(page: Page, first: MazeData): Desk {
+  const editor = createEditor(first, () => changed());
+  const spoken = h('p', { class: 'unseen', 'aria-live': 'polite' });
+  const board = createBoard(editor, (words) => spoken.replaceChildren(words));
+  const tools = createTools(editor, board.setTool);
+  const withRoute = h('input', { type: 'checkbox', checked: true, onchange: () => showRoute() });
+  let found: [number, number][] | null = null;
+  const showRoute = () => board.setRoute(withRoute.checked ? found : null);
+  const judgement = createJudgement(page, (answer) => {
+    found = answer?.route ?? null;
+    showRoute();
+  });
+  const saving = createSaving(page, editor.maze);
+  const keep = createKeeper(page);
+  const name = h('input', { type: 'text', maxlength: 80, autocomplete: 'off' });
+  name.addEventListener('change', () => editor.change({ ...editor.maze(), name: name.value.trim() || 'drawing' }));
+
+  function load(maze: MazeData) {
+    if (!isEqual(maze, editor.maze())) editor.change(maze);
+  }
+  async function open(fileName: string, content: Uint8Array) {
+    try {
+      const opened = await page.core.call('open', { name: fileName }, content);
+      if (opened.kind === 'results') return page.tell(`${fileName} holds the results of a race: drop it on the page.`);
+      load(opened.kind === 'maze' ? opened.maze : opened.play.maze);
+      page.tell(`${fileName} is opened; undo brings back what was drawn before.`);
+    } catch (error) {
+      page.complain(error);
+    }
+  }
+  function changed() {
+    const maze = editor.maze();
+    board.show();
+    tools.show();
+    saving.changed();
+    judgement.judge(maze);
+    keep(maze);
+    if (document.activeElement !== name) name.value = maze.name;
+  }
+  changed();
+
+  const cards = [
+    h(
+      'section',
+      { class: 'card', 'aria-label': 'Drawing' },
+      h('h2', {}, 'Drawing'),
+      field('Name', name),
+      h('label', { class: 'check' }, withRoute, 'Shortest run'),
+      h('button', { type: 'button', class: 'main', onclick: () => page.live(editor.maze()) }, 'Run a mouse here'),
+    ),
+    judgement.element,
+    saving.element,
+    h(
+      'section',
+      { class: 'card', 'aria-label': 'New drawing' },
+      h('h2', {}, 'New'),
+      createMaking(page, load),
+      filePicker('Open a file…', open),
+    ),
+  ];
+  return {
+    element: h(
+      'div',
+      { class: 'desk' },
+      h('div', { class: 'desk-main' }, tools.element, board.element, spoken),
+      h('div', { class: 'desk-side' }, ...cards),
+    ),
+    drawing: editor.maze,
+    load,
+    key(event) {
+      if (!(event.ctrlKey || event.metaKey) || event.altKey) return false;
+      const letter = event.key.toLowerCase();
+      if (letter !== 'z' && letter !== 'y') return false;
+      if (letter === 'y' || event.shiftKey) editor.redo();
+      else editor.undo();
+      return true;
+    },
+  };
+}

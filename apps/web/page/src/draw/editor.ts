@@ -1,0 +1,51 @@
+// The drawing with its history: whole steps, and a stroke that is not finished yet.
+import type { MazeData } from '../core/types';
+import { createHistory } from './history';
+
+export interface Editor {
+  /** The drawing, with the stroke that is being made. */
+  maze(): MazeData;
+  /** A step, or nothing where the maze is the same one. */
+  change(maze: MazeData): void;
+  /** What a stroke has made so far; `settle` makes it one step, `undo` takes it back. */
+  sketch(maze: MazeData): void;
+  settle(): void;
+  undo(): void;
+  redo(): void;
+  canUndo(): boolean;
+  canRedo(): boolean;
+}
+
+/** `changed` hears of every change, a sketch included. */
+export function createEditor(first: MazeData, changed: () => void): Editor {
+  const history = createHistory(first);
+  let stroke: MazeData | null = null;
+  function settle() {
+    if (stroke) history.add(stroke);
+    stroke = null;
+    changed();
+  }
+  return {
+    maze: () => stroke ?? history.now(),
+    change(maze) {
+      stroke = maze === history.now() ? null : maze;
+      settle();
+    },
+    sketch(maze) {
+      stroke = maze;
+      changed();
+    },
+    settle,
+    undo() {
+      if (stroke) stroke = null;
+      else history.undo();
+      changed();
+    },
+    redo() {
+      if (!stroke) history.redo();
+      changed();
+    },
+    canUndo: () => stroke !== null || history.canUndo(),
+    canRedo: () => stroke === null && history.canRedo(),
+  };
+}

@@ -1,0 +1,101 @@
+// What the core says about the drawing while it changes.
+import type { Inspection, MazeData } from '../core/types';
+import { h } from '../ui/dom';
+import { createLatest } from '../ui/latest';
+import type { Page } from '../views/view';
+
+export interface Judgement {
+  element: HTMLElement;
+  judge(maze: MazeData): void;
+}
+
+/** After so many milliseconds without an answer, the last one is taken back: it speaks of another drawing. */
+const patience = 200;
+
+const number = (value: number | null, digits = 0) => (value === null ? 'none' : value.toFixed(digits));
+const arrives = (value: boolean) => (value ? 'arrives' : 'does not arrive');
+
+/** The figures, each with what it means. */
+function figures(found: Inspection, cells: number): [string, string, string][] {
+  return [
+    ['Optimum', `${number(found.optimum)} steps`, 'the shortest speed run'],
+    ['Bound', number(found.bound, 3), 'the score of a mouse that knows the maze'],
+    ['mms bound', number(found.mms_score, 3), `the best possible score in mms: a run of ${number(found.mms_run)}`],
+    ['Shortest way', `${number(found.shortest_cells)} cells`, 'from the start to the nearest goal'],
+    ['Reachable', `${found.reachable} of ${cells} cells`, 'from the start'],
+    ['Dead ends', number(found.dead_ends), 'cells with one way in'],
+    ['Junctions', number(found.junctions), 'cells with three or four ways'],
+    ['Loops', number(found.loops), 'walls that could be closed and every cell be reached still'],
+    ['Left hand', arrives(found.left_follower_arrives), 'a mouse with its left hand on the wall'],
+    ['Right hand', arrives(found.right_follower_arrives), 'a mouse with its right hand on the wall'],
+  ];
+}
+
+/** The most important thing about a drawing. */
+function verdict(found: Inspection): { words: string; good: boolean } {
+  if (found.optimum === null) return { words: 'No goal can be reached from the start.', good: false };
+  const broken = found.contest_rules.filter((rule) => !rule.passed).length;
+  const all = found.contest_rules.length;
+  if (broken === 0) return { words: `A contest maze: it keeps all ${all} rules.`, good: true };
+  return { words: `The goal can be reached; ${broken} of ${all} contest rules are not kept.`, good: true };
+}
+
+function rulesList(found: Inspection) {
+  const mark = (passed: boolean) =>
+    h('span', { class: passed ? 'rule-mark kept' : 'rule-mark broken' }, passed ? '✓ kept' : '✗ broken');
+  return found.contest_rules.map(({ name, passed, reason }) =>
+    h('li', {}, mark(passed), h('span', { class: 'rule-name' }, name), reason && h('p', {}, reason)),
+  );
+}
+
+/** `route` hears of the shortest run of the drawing, and of null while it is not known. */
+export function createJudgement(page: Page, route: (found: Inspection | null) => void): Judgement {
+  const words = h('p', { role: 'status', class: 'verdict' });
+  const table = h('dl', { class: 'figures' });
+  const rules = h('ul', { class: 'rules' });
+  const element = h(
+    'section',
+    { class: 'card', 'aria-label': 'Judgement' },
+    h('h2', {}, 'Judgement'),
+    words,
+    table,
+    h('details', { open: true }, h('summary', {}, 'Contest rules'), rules),
+  );
+  let late: ReturnType<typeof setTimeout> | undefined;
+
+  function tell(text: string, state: string) {
+    clearTimeout(late);
+    late = undefined;
+    if (words.textContent !== text) words.replaceChildren(text);
+    words.dataset.state = state;
+  }
+  const latest = createLatest(
+    (maze: MazeData) => page.core.call('inspect', { maze }),
+    (found, maze) => {
+      const { words: text, good } = verdict(found);
+      tell(text, good ? 'good' : 'bad');
+      element.classList.remove('stale');
+      table.replaceChildren(
+        ...figures(found, maze.width * maze.height).map(([name, value, meaning]) =>
+          h('div', { title: meaning }, h('dt', {}, name), h('dd', {}, value)),
+        ),
+      );
+      rules.replaceChildren(...rulesList(found));
+      route(found);
+    },
+    (error) => {
+      tell(error instanceof Error ? error.message : String(error), 'bad');
+      route(null);
+    },
+  );
+  return {
+    element,
+    judge(maze) {
+      late ??= setTimeout(() => {
+        element.classList.add('stale');
+        route(null);
+      }, patience);
+      latest.ask(maze);
+    },
+  };
+}

@@ -1,0 +1,63 @@
+// The drawing as a file of any format, as a picture, as a link.
+import type { MazeData } from '../core/types';
+import { createCopyable } from '../ui/copy';
+import { h } from '../ui/dom';
+import type { Page } from '../views/view';
+
+const wordsOf = (error: unknown) => (error instanceof Error ? error.message : String(error));
+
+/** The page's own address with a maze in it. */
+const addressWith = (link: string) => `${location.href.split('#')[0]}#maze=${link}`;
+
+export interface Saving {
+  element: HTMLElement;
+  /** The drawing has changed: what was said of an earlier one no longer holds. */
+  changed(): void;
+}
+
+export function createSaving(page: Page, drawing: () => MazeData): Saving {
+  const refusal = h('p', { class: 'field-error', role: 'alert' });
+  const link = createCopyable('Link with the maze', 'Copy again');
+  link.element.hidden = true;
+
+  /** Does it, and says in the core's words why it could not be done. */
+  const trying = (does: () => Promise<void>) => () => {
+    refusal.replaceChildren();
+    does().catch((error: unknown) => refusal.replaceChildren(wordsOf(error)));
+  };
+  const saveAs = async (format: string) => {
+    const answer = await page.core.call('write_maze', { maze: drawing(), format });
+    page.save(answer.file_name, answer.text ?? Uint8Array.from(answer.bytes ?? []), 'application/octet-stream');
+  };
+  const savePicture = async () => {
+    const { svg } = await page.core.call('picture', { maze: drawing() });
+    page.save(`${drawing().name || 'maze'}.svg`, svg, 'image/svg+xml');
+  };
+  const copyLink = async () => {
+    const answer = await page.core.call('link', { maze: drawing() });
+    link.show(addressWith(answer.link));
+    link.element.hidden = false;
+    await link.copy();
+  };
+  const item = (name: string, meaning: string, does: () => Promise<void>) =>
+    h('li', {}, h('button', { type: 'button', onclick: trying(does) }, name), h('span', {}, meaning));
+  const items = [
+    ...page.about.formats.map(({ name, summary }) => item(name, summary, () => saveAs(name))),
+    item('picture', 'an SVG file', savePicture),
+    item('link', 'to this page with the maze in it', copyLink),
+  ];
+  return {
+    element: h(
+      'section',
+      { class: 'card', 'aria-label': 'Save' },
+      h('h2', {}, 'Save as'),
+      h('ul', { class: 'formats' }, ...items),
+      refusal,
+      link.element,
+    ),
+    changed() {
+      refusal.replaceChildren();
+      link.element.hidden = true;
+    },
+  };
+}

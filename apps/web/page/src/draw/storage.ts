@@ -1,0 +1,33 @@
+// The drawing survives a reload, where the browser keeps anything for the page.
+import type { MazeData } from '../core/types';
+import { createLatest } from '../ui/latest';
+import type { Page } from '../views/view';
+
+const key = 'labmouse drawing';
+
+/** What was drawn before, or null. The core's link is kept: it tells itself whether it is whole. */
+export async function restoreDrawing(page: Page): Promise<MazeData | null> {
+  try {
+    const link = localStorage.getItem(key);
+    return link ? (await page.core.call('read_link', { link })).maze : null;
+  } catch {
+    return null;
+  }
+}
+
+/** Keeps each drawing that it is given, the latest one at last. */
+export function createKeeper(page: Page): (maze: MazeData) => void {
+  const latest = createLatest(
+    (maze: MazeData) => page.core.call('link', { maze }),
+    ({ link }) => {
+      try {
+        localStorage.setItem(key, link);
+      } catch {
+        // Without storage the drawing lasts as long as the page.
+      }
+    },
+    () => undefined,
+    300,
+  );
+  return (maze) => latest.ask(maze);
+}

@@ -1,0 +1,50 @@
+// The tools above the drawing: what the pointer draws, back and forth, and changes of the whole.
+import type { MazeData } from '../core/types';
+import { h } from '../ui/dom';
+import type { Editor } from './editor';
+import { mirrored, rotated, withTurnedStart } from './model';
+import type { Tool } from './strokes';
+
+const tools: { tool: Tool; label: string; title: string }[] = [
+  { tool: 'walls', label: 'Walls', title: 'Click or drag along walls; drag the start and the goals' },
+  { tool: 'goals', label: 'Goals', title: 'Click or drag over cells: goal or not' },
+  { tool: 'start', label: 'Start', title: 'Click the cell in which mice start' },
+];
+
+export interface Tools {
+  element: HTMLElement;
+  /** Undo and redo as the history now allows. */
+  show(): void;
+}
+
+export function createTools(editor: Editor, choose: (tool: Tool) => void): Tools {
+  const radios = tools.map(({ tool, label, title }, i) =>
+    h(
+      'label',
+      { title },
+      h('input', { type: 'radio', name: 'draw-tool', value: tool, checked: i === 0, onchange: () => choose(tool) }),
+      h('span', {}, label),
+    ),
+  );
+  const button = (label: string, title: string, onclick: () => void) =>
+    h('button', { type: 'button', title, onclick }, label);
+  const changing = (change: (maze: MazeData) => MazeData) => () => editor.change(change(editor.maze()));
+  const undo = button('Undo', 'Ctrl+Z', editor.undo);
+  const redo = button('Redo', 'Ctrl+Shift+Z', editor.redo);
+  return {
+    element: h(
+      'div',
+      { class: 'draw-tools', role: 'toolbar', 'aria-label': 'Drawing' },
+      h('fieldset', { class: 'segments' }, h('legend', { class: 'unseen' }, 'Tool'), ...radios),
+      undo,
+      redo,
+      button('Turn start', 'The heading of the start, a quarter clockwise (R)', changing(withTurnedStart)),
+      button('Mirror', 'East becomes west', changing(mirrored)),
+      button('Rotate', 'The whole maze, a quarter clockwise', changing(rotated)),
+    ),
+    show() {
+      undo.disabled = !editor.canUndo();
+      redo.disabled = !editor.canRedo();
+    },
+  };
+}

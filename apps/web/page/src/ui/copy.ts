@@ -1,0 +1,33 @@
+// A text to be copied: a button, and the text itself for where there is no clipboard.
+import { h } from './dom';
+
+export interface Copyable {
+  element: HTMLElement;
+  show(text: string): void;
+  /** Copies what is shown; where the browser does not let it, the text is selected. */
+  copy(): Promise<void>;
+}
+
+export function createCopyable(label: string, button = 'Copy'): Copyable {
+  const text = h('input', { type: 'text', readonly: true, 'aria-label': label, spellcheck: 'false' });
+  const said = h('span', { role: 'status', class: 'copied' });
+  async function copy() {
+    try {
+      await navigator.clipboard.writeText(text.value);
+      said.replaceChildren('copied');
+    } catch {
+      text.focus();
+      text.select();
+      said.replaceChildren('selected: copy it from the field');
+    }
+  }
+  return {
+    element: h('div', { class: 'copyable' }, text, h('button', { type: 'button', onclick: copy }, button), said),
+    show(value) {
+      if (text.value === value) return;
+      text.value = value;
+      said.replaceChildren();
+    },
+    copy,
+  };
+}

@@ -1,0 +1,27 @@
+// A labelled control, with a line of help and room for what is wrong with it.
+import { h } from './dom';
+
+let fields = 0;
+
+export interface Field extends HTMLElement {
+  /** Says what is wrong with the value; nothing where that is empty. */
+  complain(message: string): void;
+}
+
+/** `help` stands below the control and describes it. */
+export function field(label: string, control: HTMLElement, help?: HTMLElement): Field {
+  const id = `field-${++fields}`;
+  control.id ||= id;
+  const error = h('span', { class: 'field-error', id: `${id}-error`, role: 'alert' });
+  if (help) help.id = `${id}-help`;
+  help?.classList.add('field-help');
+  control.setAttribute('aria-describedby', `${help ? `${id}-help ` : ''}${id}-error`);
+  const element = h('div', { class: 'field' }, h('label', { for: control.id }, label), control, help, error);
+  return Object.assign(element, {
+    complain(message: string) {
+      if (error.textContent !== message) error.replaceChildren(message);
+      if (message) control.setAttribute('aria-invalid', 'true');
+      else control.removeAttribute('aria-invalid');
+    },
+  });
+}

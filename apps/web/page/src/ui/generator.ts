@@ -1,0 +1,64 @@
+// What a generator of mazes is asked for: its kind, the size, the seed, the share of loops.
+import type { About, Named } from '../core/types';
+import { h } from './dom';
+import { field } from './field';
+
+export interface Order {
+  generator: string;
+  width: number;
+  height: number;
+  seed: number;
+  loops: number;
+}
+
+export interface GeneratorForm {
+  element: HTMLElement;
+  order(): Order;
+}
+
+/** `first` is chosen first; `more` are kinds beside those of the core. */
+export function createGenerator(about: About, { first, more = [] }: { first: string; more?: Named[] }): GeneratorForm {
+  const kinds = [...about.generators, ...more];
+  const kind = h(
+    'select',
+    {},
+    ...kinds.map(({ name }) => h('option', { value: name, selected: name === first }, name)),
+  );
+  const summary = () => kinds.find(({ name }) => name === kind.value)?.summary ?? '';
+  const whole = (value: number, min: number, max?: number) =>
+    h('input', { type: 'number', inputmode: 'numeric', step: 1, min, max, value });
+  const width = whole(16, 1, about.most_side);
+  const height = whole(16, 1, about.most_side);
+  const seed = whole(1, 0);
+  const loops = h('input', { type: 'number', inputmode: 'decimal', step: 0.01, min: 0, max: 1, value: 0 });
+  const help = h('span', {}, summary());
+  const seeded = h(
+    'div',
+    { class: 'field-row' },
+    field('Seed', seed),
+    field('Loops', loops, h('span', {}, 'share of the walls to open besides, 0 to 1')),
+  );
+  // What throws no dice needs no seed.
+  const fit = () => {
+    help.replaceChildren(summary());
+    seeded.hidden = ['empty', ...more.map(({ name }) => name)].includes(kind.value);
+  };
+  kind.addEventListener('change', fit);
+  fit();
+  return {
+    element: h(
+      'div',
+      { class: 'generator' },
+      field('Kind', kind, help),
+      h('div', { class: 'field-row' }, field('Width', width), field('Height', height)),
+      seeded,
+    ),
+    order: () => ({
+      generator: kind.value,
+      width: Number(width.value),
+      height: Number(height.value),
+      seed: Number(seed.value),
+      loops: seeded.hidden ? 0 : Number(loops.value),
+    }),
+  };
+}
