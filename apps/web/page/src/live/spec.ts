@@ -9,7 +9,7 @@ export interface Spec {
   values: Values;
 }
 
-/** The SPEC: values that are not the default, as the mouse's table has them, then those that the table does not have. */
+/** The SPEC: values that are not the default in the order of the mouse's table, then those that it does not have. */
 export function specOf(mouse: string, values: Values, mice: Mouse[]): string {
   const table = mice.find((one) => one.name === mouse)?.parameters ?? [];
   const parts = table

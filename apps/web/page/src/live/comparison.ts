@@ -1,0 +1,45 @@
+// The walk before the last change, to be seen beside the one after it.
+import type { Play } from '../core/types';
+
+/** What was run, and what came of it. */
+export interface Walk {
+  spec: string;
+  seed: number;
+  budget: number;
+  play: Play;
+  record: string;
+}
+
+const scoreOf = ({ score }: Play) => (score === null ? 'no score' : score.toFixed(3));
+
+/** What was asked for differently: "certify → certify:home=yes, seed 1 → 2". */
+function changes(before: Walk, now: Walk): string {
+  const parts = [
+    before.spec !== now.spec && `${before.spec} → ${now.spec}`,
+    before.seed !== now.seed && `seed ${before.seed} → ${now.seed}`,
+    before.budget !== now.budget && `budget ${before.budget} → ${now.budget}`,
+  ];
+  return parts.filter(Boolean).join(', ');
+}
+
+function signed(difference: number) {
+  const text = Math.abs(difference).toFixed(3);
+  return Number(text) === 0 ? '±0' : `${difference < 0 ? '−' : '+'}${text}`;
+}
+
+/** What a change did to the score, in a line. */
+export function comparisonInWords(before: Walk, now: Walk): string {
+  const asked = changes(before, now);
+  const isSameWalk = JSON.stringify(before.play.action) === JSON.stringify(now.play.action);
+  const [was, is] = [before.play.score, now.play.score];
+  const difference = was !== null && is !== null ? ` (${signed(is - was)}; less is better)` : '';
+  const score = `score ${scoreOf(before.play)} → ${scoreOf(now.play)}${difference}`;
+  return `${asked}: ${isSameWalk ? `the same walk, score ${scoreOf(now.play)}` : score}`;
+}
+
+/** Whether two walks are in one maze, so that they can be compared. */
+export function isSameMaze({ play: { maze: one } }: Walk, { play: { maze: other } }: Walk): boolean {
+  const sides = ({ width, height, walls, start, heading, goals }: Play['maze']) =>
+    JSON.stringify([width, height, walls, start, heading, goals]);
+  return sides(one) === sides(other);
+}

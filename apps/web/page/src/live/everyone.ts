@@ -1,0 +1,91 @@
+// A race of all mice in one maze, one after the other, so that it can be watched and stopped.
+import type { ContestResult, MazeData } from '../core/types';
+import { h } from '../ui/dom';
+import type { Page } from '../views/view';
+import { createTable, type Row } from './table';
+
+export interface Task {
+  maze: MazeData;
+  seed: number;
+  budget: number;
+  /** The SPEC of the mouse that is chosen; it races along. */
+  spec: string;
+}
+
+export interface Everyone {
+  element: HTMLElement;
+  /** What the table says is of another maze, seed or budget: it goes. */
+  clear(): void;
+}
+
+const isReference = (name: string) => name === 'oracle';
+
+/** `pick` hears of a mouse whose walk is to be shown, by its SPEC and its seed. */
+export function createEveryone(
+  page: Page,
+  task: () => Task | null,
+  pick: (spec: string, seed: number) => void,
+): Everyone {
+  const table = createTable((row) => row.result && pick(row.spec, row.result.seed));
+  const progress = h('progress', { hidden: true, 'aria-label': 'Mice that have raced' });
+  const said = h('p', { role: 'status', class: 'note' });
+  const begin = h('button', { type: 'button', onclick: () => void race() }, 'Race all mice on this maze');
+  const end = h('button', { type: 'button', hidden: true, onclick: stop }, 'Stop');
+  // Each race has a number; one whose number is past ends.
+  let number = 0;
+
+  function stop() {
+    number += 1;
+    finish('Stopped.');
+  }
+  function finish(words: string) {
+    progress.hidden = end.hidden = true;
+    begin.disabled = false;
+    said.replaceChildren(words);
+  }
+  async function contest(spec: string, { maze, seed, budget }: Task): Promise<Row> {
+    const base = { spec, isReference: isReference(spec) };
+    try {
+      const { results } = await page.core.call('race', { mice: [spec], mazes: [maze], seed, runs: 1, budget });
+      const [mouse] = results.mice;
+      const result: ContestResult = mouse.results[0];
+      return { ...base, result, ratio: mouse.mean_ratio, outcome: result.outcome };
+    } catch (error) {
+      return { ...base, result: null, ratio: null, outcome: error instanceof Error ? error.message : String(error) };
+    }
+  }
+  async function race() {
+    const now = task();
+    if (!now) return;
+    const mine = ++number;
+    const specs = [...new Set([...page.about.mice.map(({ name }) => name), 'oracle', now.spec])];
+    table.begin(`All mice in ${now.maze.name || 'this maze'}, seed ${now.seed}`);
+    progress.max = specs.length;
+    progress.value = 0;
+    progress.hidden = end.hidden = false;
+    begin.disabled = true;
+    for (const spec of specs) {
+      said.replaceChildren(`${spec} races: ${progress.value + 1} of ${specs.length}`);
+      const row = await contest(spec, now);
+      if (mine !== number) return;
+      table.add(row);
+      progress.value += 1;
+    }
+    finish(`${specs.length} mice have raced. A click on one shows its walk.`);
+  }
+  return {
+    element: h(
+      'section',
+      { class: 'card everyone', 'aria-label': 'All mice' },
+      h('h2', {}, 'All mice'),
+      h('div', { class: 'row' }, begin, end, progress),
+      said,
+      table.element,
+    ),
+    clear() {
+      number += 1;
+      finish('');
+      table.clear();
+    },
+  };
+}

@@ -1,0 +1,98 @@
+// The maze in which mice run: built in, generated, drawn, or from a file.
+import type { MazeData } from '../core/types';
+import { h } from '../ui/dom';
+import { field } from '../ui/field';
+import { createGenerator } from '../ui/generator';
+import { createLatest } from '../ui/latest';
+import type { Page } from '../views/view';
+
+type Source = 'built-in' | 'generator' | 'drawing' | 'given';
+
+export interface MazeChoice {
+  element: HTMLElement;
+  /** Chooses that maze, which came from elsewhere. */
+  give(maze: MazeData): void;
+  /** Asks for the chosen maze again; a drawing may have changed. */
+  refresh(): void;
+  isDrawing(): boolean;
+}
+
+/** The built-in maze to begin with. */
+const usual = 'capstone-1';
+
+const sources: { source: Source; label: string }[] = [
+  { source: 'built-in', label: 'Built in' },
+  { source: 'generator', label: 'Generator' },
+  { source: 'drawing', label: 'The drawing' },
+  { source: 'given', label: 'File or link' },
+];
+
+/** `chosen` hears of each maze. */
+export function createMazeChoice(page: Page, chosen: (maze: MazeData) => void): MazeChoice {
+  const { mazes } = page.about;
+  let given: MazeData | null = null;
+  let now: MazeData | null = null;
+  const source = h('select', {}, ...sources.map((one) => h('option', { value: one.source }, one.label)));
+  const row = field('From', source);
+  const named = mazes.map(({ name, width, height }) =>
+    h('option', { value: name, selected: name === usual }, `${name} · ${width} × ${height}`),
+  );
+  const builtin = h('select', { 'aria-label': 'Built-in maze' }, ...named);
+  const generator = createGenerator(page.about, { first: 'depth-first' });
+  const note = h('p', { class: 'note' });
+  const panels: Record<Source, HTMLElement> = {
+    'built-in': builtin,
+    generator: generator.element,
+    drawing: h('p', { class: 'note' }, 'What is drawn in the view Draw.'),
+    given: h('button', { type: 'button', onclick: page.choose }, 'Open a file…'),
+  };
+
+  async function fetchMaze(from: Source): Promise<MazeData> {
+    if (from === 'built-in') return (await page.core.call('builtin_maze', { name: builtin.value })).maze;
+    if (from === 'generator') return (await page.core.call('make_maze', generator.order())).maze;
+    const maze = from === 'drawing' ? page.drawn() : given;
+    if (maze) return maze;
+    throw new Error(from === 'drawing' ? 'nothing is drawn yet' : 'open a file, or drop one on the page');
+  }
+  function take(maze: MazeData) {
+    row.complain('');
+    now = maze;
+    note.hidden = source.value === 'built-in';
+    note.replaceChildren(`${maze.name || 'a maze'}, ${maze.width} × ${maze.height} cells`);
+    chosen(maze);
+  }
+  const latest = createLatest(
+    fetchMaze,
+    take,
+    (error) => row.complain(error instanceof Error ? error.message : String(error)),
+    150,
+  );
+  function ask() {
+    for (const one of sources) panels[one.source].hidden = one.source !== source.value;
+    latest.ask(source.value as Source);
+  }
+  function give(maze: MazeData) {
+    given = maze;
+    source.value = 'given';
+    for (const one of sources) panels[one.source].hidden = one.source !== 'given';
+    latest.cancel();
+    take(maze);
+  }
+  source.addEventListener('change', ask);
+  builtin.addEventListener('change', ask);
+  generator.element.addEventListener('input', ask);
+  return {
+    element: h(
+      'section',
+      { class: 'card', 'aria-label': 'Maze' },
+      h('h2', {}, 'Maze'),
+      row,
+      ...sources.map((one) => panels[one.source]),
+      note,
+      h('button', { type: 'button', onclick: () => now && page.draw(now) }, 'Edit in Draw'),
+    ),
+    give,
+    refresh: ask,
+    isDrawing: () => source.value === 'drawing',
+  };
+}

@@ -1,0 +1,89 @@
+// Which mouse runs, with which parameters.
+import type { Mouse } from '../core/types';
+import { createCopyable } from '../ui/copy';
+import { h } from '../ui/dom';
+import { field } from '../ui/field';
+import { createParameters } from './parameters';
+import { readSpec, specOf, type Values } from './spec';
+
+export interface MouseChoice {
+  element: HTMLElement;
+  /** The form of the parameters, which can be long. */
+  parameters: HTMLElement;
+  spec(): string;
+  /** Another mouse, by its SPEC, right or wrong. */
+  choose(spec: string): void;
+  /** Says at the field that a message of the core speaks of what is wrong; nothing where it is empty. */
+  complain(message: string): void;
+}
+
+/** The one to begin with: it has parameters, and reasons. */
+const isUsual = (name: string) => name === 'ariadne';
+
+export function createMouseChoice(mice: Mouse[], changed: () => void): MouseChoice {
+  let mouse = (mice.find(({ name }) => isUsual(name)) ?? mice[0]).name;
+  let values: Values = {};
+  const options = mice.map(({ name, summary }) => h('option', { value: name }, `${name} · ${summary}`));
+  const select = h('select', {}, ...options);
+  const summary = h('span', {});
+  const row = field('Name', select, summary);
+  const parameters = createParameters((next) => {
+    // What the table does not have stays until another mouse is chosen or all go back to their defaults.
+    values = { ...unknown(), ...next };
+    update();
+    changed();
+  });
+  const copyable = createCopyable('SPEC of the mouse', 'Copy');
+  const reset = h('button', { type: 'button', onclick: () => choose(mouse, {}) }, 'Back to defaults');
+  select.addEventListener('change', () => choose(select.value, {}));
+
+  const entry = () => mice.find(({ name }) => name === mouse);
+  const spec = () => specOf(mouse, values, mice);
+  function unknown(): Values {
+    const table = entry()?.parameters ?? [];
+    return Object.fromEntries(Object.entries(values).filter(([name]) => !table.some((one) => one.name === name)));
+  }
+  function update() {
+    select.value = mouse;
+    summary.replaceChildren(entry()?.summary ?? '');
+    parameters.show(entry() ?? { name: mouse, summary: '', throws_dice: false, parameters: [] }, values);
+    copyable.show(spec());
+    reset.disabled = spec() === mouse;
+  }
+  function set(name: string, next: Values) {
+    mouse = name;
+    values = { ...next };
+    update();
+  }
+  function choose(name: string, next: Values) {
+    set(name, next);
+    changed();
+  }
+  update();
+  return {
+    element: h(
+      'section',
+      { class: 'card', 'aria-label': 'Mouse' },
+      h('h2', {}, 'Mouse'),
+      row,
+      h('div', { class: 'field' }, h('span', { class: 'label' }, 'SPEC'), copyable.element),
+    ),
+    parameters: h(
+      'section',
+      { class: 'card', 'aria-label': 'Parameters' },
+      h('div', { class: 'row apart' }, h('h2', {}, 'Parameters'), reset),
+      parameters.element,
+    ),
+    spec,
+    choose(text) {
+      const read = readSpec(text);
+      set(read.mouse, read.values);
+    },
+    complain(message) {
+      parameters.clear();
+      row.complain('');
+      const named = /parameter '([^']*)'/.exec(message)?.[1];
+      if (message && !(named && parameters.complain(named, message))) row.complain(message);
+    },
+  };
+}

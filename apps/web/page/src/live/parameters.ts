@@ -1,0 +1,101 @@
+// The parameters of a mouse as a form, built from its table.
+import type { Mouse, Parameter } from '../core/types';
+import { h } from '../ui/dom';
+import { field, type Field } from '../ui/field';
+import { valueOf, type Values } from './spec';
+
+export interface ParameterForm {
+  element: HTMLElement;
+  /** The table of another mouse, or other values. */
+  show(mouse: Mouse, values: Values): void;
+  /** Says at that parameter what is wrong with it; false where the mouse has none of that name. */
+  complain(name: string, message: string): boolean;
+  clear(): void;
+}
+
+type Control = HTMLInputElement | HTMLSelectElement;
+
+/** More choices than that are easier to find by typing. */
+const longList = 12;
+
+/** What is given has to be shown, even where it is no choice: the core says what is wrong with it. */
+const withGiven = (choices: string[], value: string) => (choices.includes(value) ? choices : [value, ...choices]);
+
+function selectOf(parameter: Parameter, value: string): Control {
+  const options = withGiven(parameter.choices ?? [], value);
+  return h('select', {}, ...options.map((one) => h('option', { value: one, selected: one === value }, one)));
+}
+
+function listed(parameter: Parameter, value: string, id: string): [Control, HTMLElement] {
+  const options = (parameter.choices ?? []).map((one) => h('option', { value: one }));
+  const control = h('input', { type: 'text', list: id, value, spellcheck: 'false', autocomplete: 'off' });
+  return [control, h('datalist', { id }, ...options)];
+}
+
+function controlOf(parameter: Parameter, value: string): [Control, ...HTMLElement[]] {
+  const { type, low, high, choices = [] } = parameter;
+  if (type === 'flag') return [h('input', { type: 'checkbox', checked: value === 'yes' })];
+  if (type === 'whole' || type === 'real') {
+    const step = type === 'whole' ? 1 : 'any';
+    return [h('input', { type: 'number', inputmode: 'decimal', min: low, max: high, step, value })];
+  }
+  if (choices.length > longList) return listed(parameter, value, `choices-${parameter.name}`);
+  if (choices.length > 0) return [selectOf(parameter, value)];
+  return [h('input', { type: 'text', value, spellcheck: 'false', autocomplete: 'off' })];
+}
+
+/** The value in a control, as the SPEC has it; null where the browser can make nothing of what stands there. */
+function read(control: Control): string | null {
+  if (control instanceof HTMLInputElement && control.type === 'checkbox') return control.checked ? 'yes' : 'no';
+  return control.validity.badInput ? null : control.value.trim();
+}
+
+function helpFor({ meaning, low, high, type, default: usual }: Parameter): HTMLElement {
+  const range = (type === 'whole' || type === 'real') && low !== undefined ? `; ${low} to ${high}` : '';
+  return h('span', {}, `${meaning}${range}; default ${usual}`);
+}
+
+/** `changed` hears of the values that are not the default. */
+export function createParameters(changed: (values: Values) => void): ParameterForm {
+  const element = h('div', { class: 'parameters' });
+  const fields = new Map<string, Field>();
+  let shown = '';
+
+  const keyOf = (mouse: string, values: Values) => JSON.stringify([mouse, values]);
+
+  function rowOf(mouse: string, parameter: Parameter, given: Values) {
+    const [control, ...beside] = controlOf(parameter, valueOf(parameter, given));
+    const row = field(parameter.name, control, helpFor(parameter));
+    row.classList.toggle('check', parameter.type === 'flag');
+    row.append(...beside);
+    fields.set(parameter.name, row);
+    control.addEventListener('input', () => {
+      const value = read(control);
+      row.complain(value === null ? 'this is no number' : '');
+      if (value === null) return;
+      delete given[parameter.name];
+      if (value !== '' && value !== parameter.default) given[parameter.name] = value;
+      shown = keyOf(mouse, given);
+      changed({ ...given });
+    });
+    return row;
+  }
+  return {
+    element,
+    show(mouse, values) {
+      // A form that shows this already is left alone, with the focus in it.
+      const now = keyOf(mouse.name, values);
+      if (now === shown) return;
+      shown = now;
+      fields.clear();
+      const given = { ...values };
+      element.replaceChildren(...mouse.parameters.map((one) => rowOf(mouse.name, one, given)));
+      if (mouse.parameters.length === 0) element.append(h('p', { class: 'note' }, 'This mouse has no parameters.'));
+    },
+    complain(name, message) {
+      fields.get(name)?.complain(message);
+      return fields.has(name);
+    },
+    clear: () => fields.forEach((one) => one.complain('')),
+  };
+}
