@@ -30,6 +30,8 @@ export function createBoard(editor: Editor, say: (words: string) => void): Board
   let tool: Tool = 'walls';
   let cursor: Cell = editor.maze().start;
   let size = '';
+  /** What was just drawn is shown as it is, until the pointer leaves it. */
+  let fresh = '';
   let stroke: { stroke: Stroke; at: [number, number]; pointer: number } | null = null;
 
   const stage = createStage(
@@ -55,7 +57,8 @@ export function createBoard(editor: Editor, say: (words: string) => void): Board
     const wall =
       event && tool === 'walls' && event.pointerType !== 'touch' ? nearestWall(editor.maze(), ...place(event)) : null;
     canvas.style.cursor = wall || tool !== 'walls' ? 'crosshair' : 'default';
-    overlay.hover = wall;
+    if (JSON.stringify(wall) !== fresh) fresh = '';
+    overlay.hover = fresh ? null : wall;
     stage.redraw();
   }
 
@@ -86,6 +89,7 @@ export function createBoard(editor: Editor, say: (words: string) => void): Board
     stroke = null;
     if (event.type === 'pointercancel') editor.undo();
     else editor.settle();
+    fresh = JSON.stringify(nearestWall(editor.maze(), ...place(event)));
     hover(event.type === 'pointerup' ? event : null);
   }
 

@@ -64,7 +64,7 @@ export function createDesk(page: Page, first: MazeData): Desk {
   }
   changed();
 
-  const cards = [
+  const side = [
     h(
       'section',
       { class: 'card', 'aria-label': 'Drawing' },
@@ -74,6 +74,8 @@ export function createDesk(page: Page, first: MazeData): Desk {
       h('button', { type: 'button', class: 'main', onclick: () => page.live(editor.maze()) }, 'Run a mouse here'),
     ),
     judgement.element,
+  ];
+  const below = [
     saving.element,
     h(
       'section',
@@ -88,7 +90,8 @@ export function createDesk(page: Page, first: MazeData): Desk {
       'div',
       { class: 'desk' },
       h('div', { class: 'desk-main' }, tools.element, board.element, spoken),
-      h('div', { class: 'desk-side' }, ...cards),
+      h('div', { class: 'desk-side' }, ...side),
+      h('div', { class: 'desk-below' }, ...below),
     ),
     drawing: editor.maze,
     load,

@@ -12,16 +12,18 @@ export interface Judgement {
 /** After so many milliseconds without an answer, the last one is taken back: it speaks of another drawing. */
 const patience = 200;
 
-const number = (value: number | null, digits = 0) => (value === null ? 'none' : value.toFixed(digits));
+const number = (value: number | null, digits = 0) => (value === null ? '–' : value.toFixed(digits));
+const counted = (value: number | null, one: string) =>
+  value === null ? '–' : `${value} ${one}${value === 1 ? '' : 's'}`;
 const arrives = (value: boolean) => (value ? 'arrives' : 'does not arrive');
 
 /** The figures, each with what it means. */
 function figures(found: Inspection, cells: number): [string, string, string][] {
   return [
-    ['Optimum', `${number(found.optimum)} steps`, 'the shortest speed run'],
+    ['Optimum', counted(found.optimum, 'step'), 'the shortest speed run'],
     ['Bound', number(found.bound, 3), 'the score of a mouse that knows the maze'],
     ['mms bound', number(found.mms_score, 3), `the best possible score in mms: a run of ${number(found.mms_run)}`],
-    ['Shortest way', `${number(found.shortest_cells)} cells`, 'from the start to the nearest goal'],
+    ['Shortest way', counted(found.shortest_cells, 'cell'), 'from the start to the nearest goal'],
     ['Reachable', `${found.reachable} of ${cells} cells`, 'from the start'],
     ['Dead ends', number(found.dead_ends), 'cells with one way in'],
     ['Junctions', number(found.junctions), 'cells with three or four ways'],

@@ -11,24 +11,22 @@ const closed = 'closed';
 export function createMaking(page: Page, made: (maze: MazeData) => void): HTMLElement {
   const more = [{ name: closed, summary: 'every inner wall closed' }];
   const generator = createGenerator(page.about, { first: 'empty', more });
-  const failure = h('p', { class: 'field-error', role: 'alert' });
   async function make(event: Event) {
     event.preventDefault();
-    failure.replaceChildren();
+    generator.complain('');
     const order = generator.order();
     try {
       const of = order.generator === closed ? { ...order, generator: 'empty' } : order;
       const { maze } = await page.core.call('make_maze', of);
       made(order.generator === closed ? withAllClosed({ ...maze, name: `closed-${maze.width}x${maze.height}` }) : maze);
     } catch (error) {
-      failure.replaceChildren(error instanceof Error ? error.message : String(error));
+      generator.complain(error instanceof Error ? error.message : String(error));
     }
   }
   return h(
     'form',
     { class: 'making', onsubmit: make, novalidate: true },
     generator.element,
-    failure,
     h('button', { type: 'submit' }, 'New drawing'),
   );
 }

@@ -54,8 +54,13 @@ export function createMazeChoice(page: Page, chosen: (maze: MazeData) => void): 
     if (maze) return maze;
     throw new Error(from === 'drawing' ? 'nothing is drawn yet' : 'open a file, or drop one on the page');
   }
+  function complain(message: string) {
+    const isGenerator = source.value === 'generator';
+    generator.complain(isGenerator ? message : '');
+    row.complain(isGenerator ? '' : message);
+  }
   function take(maze: MazeData) {
-    row.complain('');
+    complain('');
     now = maze;
     note.hidden = source.value === 'built-in';
     note.replaceChildren(`${maze.name || 'a maze'}, ${maze.width} × ${maze.height} cells`);
@@ -64,7 +69,7 @@ export function createMazeChoice(page: Page, chosen: (maze: MazeData) => void): 
   const latest = createLatest(
     fetchMaze,
     take,
-    (error) => row.complain(error instanceof Error ? error.message : String(error)),
+    (error) => complain(error instanceof Error ? error.message : String(error)),
     150,
   );
   function ask() {

@@ -32,11 +32,16 @@ function listed(parameter: Parameter, value: string, id: string): [Control, HTML
   return [control, h('datalist', { id }, ...options)];
 }
 
+/** The core has longer names for some types where it writes for people. */
+const types: Record<string, Parameter['type']> = { 'whole number': 'whole', number: 'real', 'yes/no': 'flag' };
+const typeOf = ({ type }: Parameter) => types[type] ?? type;
+const isNumber = (parameter: Parameter) => typeOf(parameter) === 'whole' || typeOf(parameter) === 'real';
+
 function controlOf(parameter: Parameter, value: string): [Control, ...HTMLElement[]] {
-  const { type, low, high, choices = [] } = parameter;
-  if (type === 'flag') return [h('input', { type: 'checkbox', checked: value === 'yes' })];
-  if (type === 'whole' || type === 'real') {
-    const step = type === 'whole' ? 1 : 'any';
+  const { low, high, choices = [] } = parameter;
+  if (typeOf(parameter) === 'flag') return [h('input', { type: 'checkbox', checked: value === 'yes' })];
+  if (isNumber(parameter)) {
+    const step = typeOf(parameter) === 'whole' ? 1 : 'any';
     return [h('input', { type: 'number', inputmode: 'decimal', min: low, max: high, step, value })];
   }
   if (choices.length > longList) return listed(parameter, value, `choices-${parameter.name}`);
@@ -50,9 +55,10 @@ function read(control: Control): string | null {
   return control.validity.badInput ? null : control.value.trim();
 }
 
-function helpFor({ meaning, low, high, type, default: usual }: Parameter): HTMLElement {
-  const range = (type === 'whole' || type === 'real') && low !== undefined ? `; ${low} to ${high}` : '';
-  return h('span', {}, `${meaning}${range}; default ${usual}`);
+function helpFor(parameter: Parameter): HTMLElement {
+  const { meaning, low, high } = parameter;
+  const range = isNumber(parameter) && low !== undefined ? `; ${low} to ${high}` : '';
+  return h('span', {}, `${meaning}${range}; default ${parameter.default}`);
 }
 
 /** `changed` hears of the values that are not the default. */
@@ -66,7 +72,7 @@ export function createParameters(changed: (values: Values) => void): ParameterFo
   function rowOf(mouse: string, parameter: Parameter, given: Values) {
     const [control, ...beside] = controlOf(parameter, valueOf(parameter, given));
     const row = field(parameter.name, control, helpFor(parameter));
-    row.classList.toggle('check', parameter.type === 'flag');
+    row.classList.toggle('check', typeOf(parameter) === 'flag');
     row.append(...beside);
     fields.set(parameter.name, row);
     control.addEventListener('input', () => {

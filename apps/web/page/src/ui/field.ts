@@ -25,3 +25,17 @@ export function field(label: string, control: HTMLElement, help?: HTMLElement): 
     },
   });
 }
+
+/**
+ * Says a message of the core at the field that it names in quotes ("'budget' is outside of 1 to 100000"), or else at
+ * `usual`; all others are quiet then.
+ */
+export function complainAt<Name extends string>(
+  fields: Record<Name, Pick<Field, 'complain'>>,
+  usual: NoInfer<Name>,
+  message: string,
+) {
+  const names = Object.keys(fields) as Name[];
+  const named = names.find((name) => message.includes(`'${name}'`)) ?? usual;
+  for (const name of names) fields[name].complain(name === named ? message : '');
+}

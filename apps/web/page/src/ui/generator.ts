@@ -1,7 +1,7 @@
 // What a generator of mazes is asked for: its kind, the size, the seed, the share of loops.
 import type { About, Named } from '../core/types';
 import { h } from './dom';
-import { field } from './field';
+import { complainAt, field } from './field';
 
 export interface Order {
   generator: string;
@@ -14,6 +14,8 @@ export interface Order {
 export interface GeneratorForm {
   element: HTMLElement;
   order(): Order;
+  /** Says what is wrong with the order, at its field where the message names one; nothing where it is empty. */
+  complain(message: string): void;
 }
 
 /** `first` is chosen first; `more` are kinds beside those of the core. */
@@ -32,12 +34,14 @@ export function createGenerator(about: About, { first, more = [] }: { first: str
   const seed = whole(1, 0);
   const loops = h('input', { type: 'number', inputmode: 'decimal', step: 0.01, min: 0, max: 1, value: 0 });
   const help = h('span', {}, summary());
-  const seeded = h(
-    'div',
-    { class: 'field-row' },
-    field('Seed', seed),
-    field('Loops', loops, h('span', {}, 'share of the walls to open besides, 0 to 1')),
-  );
+  const fields = {
+    generator: field('Kind', kind, help),
+    width: field('Width', width),
+    height: field('Height', height),
+    seed: field('Seed', seed),
+    loops: field('Loops', loops, h('span', {}, 'share of the walls to open besides, 0 to 1')),
+  };
+  const seeded = h('div', { class: 'field-row' }, fields.seed, fields.loops);
   // What throws no dice needs no seed.
   const fit = () => {
     help.replaceChildren(summary());
@@ -49,8 +53,8 @@ export function createGenerator(about: About, { first, more = [] }: { first: str
     element: h(
       'div',
       { class: 'generator' },
-      field('Kind', kind, help),
-      h('div', { class: 'field-row' }, field('Width', width), field('Height', height)),
+      fields.generator,
+      h('div', { class: 'field-row' }, fields.width, fields.height),
       seeded,
     ),
     order: () => ({
@@ -60,5 +64,6 @@ export function createGenerator(about: About, { first, more = [] }: { first: str
       seed: Number(seed.value),
       loops: seeded.hidden ? 0 : Number(loops.value),
     }),
+    complain: (message) => complainAt(fields, 'generator', message),
   };
 }

@@ -5,7 +5,7 @@ import { createEveryone } from '../live/everyone';
 import { createMazeChoice } from '../live/maze-choice';
 import { createMouseChoice } from '../live/mouse-choice';
 import { h } from '../ui/dom';
-import { field } from '../ui/field';
+import { complainAt, field } from '../ui/field';
 import { createLatest } from '../ui/latest';
 import type { Page, View } from './view';
 import '../styles/forms.css';
@@ -44,10 +44,9 @@ export function createLive(page: Page): LiveView {
   const budget = h('input', { type: 'number', min: 1, step: 1, value: rules.budget });
   budget.addEventListener('input', () => (everyone.clear(), changed()));
   const budgetRow = field('Budget', budget, h('span', {}, `steps of both runs; ${rules.budget} in contests`));
+  const seedRow = field('Seed', seed);
   const bench = createBench(page, (message) => {
-    const isOfBudget = /\bbudget\b/.test(message);
-    budgetRow.complain(isOfBudget ? message : '');
-    mouse.complain(isOfBudget ? '' : message);
+    complainAt({ seed: seedRow, budget: budgetRow, mouse }, 'mouse', message);
   });
   const everyone = createEveryone(page, order, (spec, itsSeed) => {
     mouse.choose(spec);
@@ -105,7 +104,7 @@ export function createLive(page: Page): LiveView {
       'section',
       { class: 'card', 'aria-label': 'Contest' },
       h('h2', {}, 'Contest'),
-      h('div', { class: 'field-row' }, field('Seed', seed), budgetRow),
+      h('div', { class: 'field-row' }, seedRow, budgetRow),
     ),
     mouse.parameters,
   );
