@@ -19,33 +19,24 @@ export interface Bench {
   stop(): void;
 }
 
-const steps = (value: number | null) => (value === null ? '–' : `${value} steps`);
-const share = (value: number | null) => (value === null ? '–' : `${(100 * value).toFixed(1)} %`);
-const score = (value: number | null) => (value === null ? '–' : value.toFixed(3));
+const score = (value: number | null) => (value === null ? 'none' : value.toFixed(3));
 
-/** The figures of a walk, each with what it means. */
-function figures({ play }: Walk): [string, string, string][] {
-  return [
-    ['Score', score(play.score), 'speed run + exploration / 30; less is better'],
-    ['Bound', score(play.bound), 'the best possible score here'],
-    ['Exploration', steps(play.exploration_steps), 'the first run'],
-    ['Speed run', play.solved ? steps(play.speed_steps) : '–', 'the second run'],
-    ['Optimum', steps(play.optimum), 'the shortest speed run here'],
-    ['Discovered', share(play.discovered), 'of the cells that can be reached'],
-    ['Visited', share(play.visited), 'of the cells that can be reached'],
-  ];
+/** What came of a walk, in a line. */
+function outcomeInWords({ spec, play }: Walk): string {
+  const known = play.bound === null ? 'no goal can be reached' : `best possible ${score(play.bound)}`;
+  return `${spec} in ${play.maze.name || 'this maze'}: ${play.outcome}, score ${score(play.score)}, ${known}`;
 }
 
 /** `refused` hears why a run could not be, and an empty text where it could. */
 export function createBench(page: Page, refused: (message: string) => void): Bench {
   const player = createPlayer(page);
   const outcome = h('p', { role: 'status', class: 'verdict' });
-  const list = h('dl', { class: 'figures' });
   const compare = h('input', { type: 'checkbox', onchange: () => show() });
   const beside = h('label', { class: 'check' }, compare, 'Compare with before');
   const words = h('p', { class: 'comparison', 'aria-live': 'polite' });
   const row = h('div', { class: 'row' }, beside, words);
-  const element = h('div', { class: 'bench' }, outcome, list, row, player.element);
+  const title = h('h2', { class: 'unseen' }, 'The walk');
+  const element = h('div', { class: 'bench' }, title, outcome, row, player.element);
   let now: Walk | null = null;
   let before: Walk | null = null;
 
@@ -58,12 +49,7 @@ export function createBench(page: Page, refused: (message: string) => void): Ben
     refused('');
     element.classList.remove('stale');
     outcome.dataset.state = walk.play.solved ? 'good' : 'bad';
-    outcome.replaceChildren(`${walk.spec} in ${walk.play.maze.name || 'this maze'}: ${walk.play.outcome}`);
-    list.replaceChildren(
-      ...figures(walk).map(([name, value, meaning]) =>
-        h('div', { title: meaning }, h('dt', {}, name), h('dd', {}, value)),
-      ),
-    );
+    outcome.replaceChildren(outcomeInWords(walk));
     words.replaceChildren(before ? comparisonInWords(before, walk) : '');
     compare.disabled = before === null;
     show();

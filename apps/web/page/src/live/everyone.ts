@@ -13,7 +13,10 @@ export interface Task {
 }
 
 export interface Everyone {
+  /** The race: its progress and its table; hidden before there is one. */
   element: HTMLElement;
+  /** Begins it. */
+  button: HTMLElement;
   /** What the table says is of another maze, seed or budget: it goes. */
   clear(): void;
 }
@@ -30,7 +33,7 @@ export function createEveryone(
   const progress = h('progress', { hidden: true, 'aria-label': 'Mice that have raced' });
   const said = h('p', { role: 'status', class: 'note' });
   const begin = h('button', { type: 'button', onclick: () => void race() }, 'Race all mice on this maze');
-  const end = h('button', { type: 'button', hidden: true, onclick: stop }, 'Stop');
+  const end: HTMLButtonElement = h('button', { type: 'button', hidden: true, onclick: stop }, 'Stop');
   // Each race has a number; one whose number is past ends.
   let number = 0;
 
@@ -38,6 +41,13 @@ export function createEveryone(
     number += 1;
     finish('Stopped.');
   }
+  const element = h(
+    'section',
+    { class: 'card everyone', 'aria-label': 'All mice', hidden: true },
+    h('h2', {}, 'All mice'),
+    h('div', { class: 'row' }, said, end, progress),
+    table.element,
+  );
   function finish(words: string) {
     progress.hidden = end.hidden = true;
     begin.disabled = false;
@@ -58,6 +68,8 @@ export function createEveryone(
     const now = task();
     if (!now) return;
     const mine = ++number;
+    element.hidden = false;
+    element.scrollIntoView({ block: 'nearest' });
     const specs = [...new Set([...page.about.mice.map(({ name }) => name), 'oracle', now.spec])];
     table.begin(`All mice in ${now.maze.name || 'this maze'}, seed ${now.seed}`);
     progress.max = specs.length;
@@ -74,18 +86,12 @@ export function createEveryone(
     finish(`${specs.length} mice have raced. A click on one shows its walk.`);
   }
   return {
-    element: h(
-      'section',
-      { class: 'card everyone', 'aria-label': 'All mice' },
-      h('h2', {}, 'All mice'),
-      h('div', { class: 'row' }, begin, end, progress),
-      said,
-      table.element,
-    ),
+    element,
+    button: begin,
     clear() {
       number += 1;
       finish('');
-      table.clear();
+      element.hidden = true;
     },
   };
 }

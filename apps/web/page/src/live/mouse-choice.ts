@@ -69,9 +69,10 @@ export function createMouseChoice(mice: Mouse[], changed: () => void): MouseChoi
       h('div', { class: 'field' }, h('span', { class: 'label' }, 'SPEC'), copyable.element),
     ),
     parameters: h(
-      'section',
-      { class: 'card', 'aria-label': 'Parameters' },
-      h('div', { class: 'row apart' }, h('h2', {}, 'Parameters'), reset),
+      'details',
+      { class: 'card', open: matchMedia('(min-width: 60rem)').matches },
+      h('summary', {}, h('h2', {}, 'Parameters')),
+      reset,
       parameters.element,
     ),
     spec,

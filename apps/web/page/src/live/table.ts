@@ -16,7 +16,6 @@ export interface Table {
   element: HTMLElement;
   begin(caption: string): void;
   add(row: Row): void;
-  clear(): void;
 }
 
 type Value = string | number | null;
@@ -57,7 +56,7 @@ export function createTable(pick: (row: Row) => void): Table {
     ),
   );
   const table = h('table', {}, caption, h('thead', {}, h('tr', {}, ...heads)), body);
-  const element = h('div', { class: 'scroll', hidden: true, tabindex: 0, role: 'region', 'aria-label': 'Race' }, table);
+  const element = h('div', { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'Race' }, table);
   let rows: Row[] = [];
   let by = 1;
   let downwards = false;
@@ -95,13 +94,8 @@ export function createTable(pick: (row: Row) => void): Table {
     element,
     begin(words) {
       caption.replaceChildren(words);
-      element.hidden = false;
       set([]);
     },
     add: (row) => set([...rows, row]),
-    clear() {
-      element.hidden = true;
-      set([]);
-    },
   };
 }

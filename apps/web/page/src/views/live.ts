@@ -105,6 +105,7 @@ export function createLive(page: Page): LiveView {
       { class: 'card', 'aria-label': 'Contest' },
       h('h2', {}, 'Contest'),
       h('div', { class: 'field-row' }, seedRow, budgetRow),
+      everyone.button,
     ),
     mouse.parameters,
   );
@@ -112,7 +113,7 @@ export function createLive(page: Page): LiveView {
     element: h(
       'section',
       { 'aria-label': 'Live', class: 'live' },
-      h('div', { class: 'desk' }, h('div', { class: 'desk-main' }, bench.element, everyone.element), side),
+      h('div', { class: 'desk' }, side, h('div', { class: 'desk-main' }, bench.element, everyone.element)),
     ),
     maze: () => maze,
     shown() {
