@@ -52,7 +52,7 @@ export function createLive(page: Page): LiveView {
     mouse.choose(spec);
     seed.value = String(itsSeed);
     changed();
-    bench.element.scrollIntoView({ block: 'nearest' });
+    bench.element.scrollIntoView({ block: 'start' });
   });
 
   function order() {
