@@ -28,7 +28,7 @@ function decoded(text: string) {
 
 /** A number of an address: whole, not negative and exact; undefined for anything else. */
 function whole(text: string | undefined) {
-  const number = text !== undefined && /^\d{1,16}$/.test(text) ? Number(text) : NaN;
+  const number = text !== undefined && /^\d+$/.test(text) ? Number(text) : NaN;
   return Number.isSafeInteger(number) ? number : undefined;
 }
 
