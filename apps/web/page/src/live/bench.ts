@@ -41,7 +41,7 @@ export function createBench(page: Page, refused: (message: string) => void): Ben
   let before: Walk | null = null;
 
   function show() {
-    if (now) player.show(compare.checked && before ? [before, now] : [now]);
+    if (now) player.show(compare.checked && before ? [before, now] : [now], 'end');
   }
   function take(walk: Walk) {
     before = now && isSameMaze(now, walk) ? now : null;

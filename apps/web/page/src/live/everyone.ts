@@ -69,7 +69,7 @@ export function createEveryone(
     if (!now) return;
     const mine = ++number;
     element.hidden = false;
-    element.scrollIntoView({ block: 'start' });
+    element.scrollIntoView({ block: 'nearest' });
     const specs = [...new Set([...page.about.mice.map(({ name }) => name), 'oracle', now.spec])];
     table.begin(`All mice in ${now.maze.name || 'this maze'}, seed ${now.seed}`);
     progress.max = specs.length;

@@ -52,7 +52,7 @@ export function createLive(page: Page): LiveView {
     mouse.choose(spec);
     seed.value = String(itsSeed);
     changed();
-    bench.element.scrollIntoView({ block: 'start' });
+    bench.element.scrollIntoView({ block: 'nearest' });
   });
 
   function order() {
@@ -113,7 +113,7 @@ export function createLive(page: Page): LiveView {
     element: h(
       'section',
       { 'aria-label': 'Live', class: 'live' },
-      h('div', { class: 'desk' }, side, h('div', { class: 'desk-main' }, bench.element, everyone.element)),
+      h('div', { class: 'desk' }, side, h('div', { class: 'desk-main' }, everyone.element, bench.element)),
     ),
     maze: () => maze,
     shown() {
