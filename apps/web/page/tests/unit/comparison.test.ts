@@ -8,7 +8,11 @@ const walk = (spec: string, score: number | null, action: string[], more: Partia
   seed: 1,
   budget: 1000,
   record: '',
-  play: { score, action, maze: { name: spec, width: 1, height: 1, walls: [15], start: [0, 0], goals: [[0, 0]] } } as unknown as Play,
+  play: {
+    score,
+    action,
+    maze: { name: spec, width: 1, height: 1, walls: [15], start: [0, 0], goals: [[0, 0]] },
+  } as unknown as Play,
   ...more,
 });
 
