@@ -5,10 +5,10 @@ import { barriers, drop, native, open, picture, temporary } from './harness';
 
 /** Runs the example with those mice in that maze. */
 async function example(page: Page, mice = 'ariadne', maze = 'capstone-1') {
-  const line = page.locator('.welcome p', { hasText: `${mice} in` }).first();
+  const line = page.locator('.replay .welcome p', { hasText: `${mice} in` }).first();
   await line.getByRole('combobox').selectOption(maze);
   await line.getByRole('button', { name: 'Run' }).click();
-  await page.locator('.player canvas').first().waitFor();
+  await page.locator('.replay .player canvas').first().waitFor();
 }
 async function opened(mice?: string, options = {}) {
   const page = await open('#replay', options);
@@ -17,11 +17,11 @@ async function opened(mice?: string, options = {}) {
 }
 
 const scrubber = (page: Page) => page.getByRole('slider', { name: 'Moment of the replay' });
-const moment = async (page: Page) => (await page.locator('.moment').textContent())!;
+const moment = async (page: Page) => (await page.locator('.replay .moment').textContent())!;
 const steps = async (page: Page) => Number(/after (\d+) of/.exec(await moment(page))![1]);
 const fact = async (page: Page, name: string, column = 0) =>
   page
-    .locator('.facts tr', { has: page.getByRole('rowheader', { name, exact: true }) })
+    .locator('.replay .facts tr', { has: page.getByRole('rowheader', { name, exact: true }) })
     .locator('td')
     .nth(column)
     .textContent();
@@ -33,7 +33,7 @@ async function press(page: Page, key: string, after: number) {
 /** The picture as data, to be compared. */
 const pixels = (page: Page, at = 0) =>
   page
-    .locator('.player canvas')
+    .locator('.replay .player canvas')
     .nth(at)
     .evaluate((canvas: HTMLCanvasElement) => canvas.toDataURL());
 
@@ -60,7 +60,7 @@ test('it plays, and stops at the end', async () => {
   await page.getByRole('button', { name: 'Play', exact: true }).waitFor();
   await expect.poll(() => steps(page)).toBe(112);
   const frames = await page
-    .locator('.player')
+    .locator('.replay .player')
     .evaluate((player) => (player as unknown as { meter: { frames: number } }).meter.frames);
   expect(frames).toBeGreaterThan(2);
 });
@@ -92,28 +92,28 @@ test('each layer changes the picture, and is kept', async () => {
     await expect.poll(() => pixels(page), { message: key }).not.toBe(before);
     before = await pixels(page);
   }
-  expect(await page.getByLabel('Visits').isChecked()).toBe(false);
-  expect(await page.locator('.legend').textContent()).toContain('steps to the goal, in the whole maze');
+  expect(await page.locator('.replay').getByLabel('Visits').isChecked()).toBe(false);
+  expect(await page.locator('.replay .legend').textContent()).toContain('steps to the goal, in the whole maze');
   await page.getByRole('button', { name: 'Another record' }).click();
   await example(page);
-  expect(await page.getByLabel('Wrong guesses').isChecked()).toBe(true);
-  expect(await page.getByLabel('Walls').inputValue()).toBe('whole');
+  expect(await page.locator('.replay').getByLabel('Wrong guesses').isChecked()).toBe(true);
+  expect(await page.locator('.replay').getByLabel('Walls').inputValue()).toBe('whole');
 });
 
 test('the list of steps follows, and leads', async () => {
   const page = await opened();
-  const current = page.locator('.steps tr[aria-current]');
+  const current = page.locator('.replay .steps tr[aria-current]');
   await press(page, 'r', 95);
   expect(await current.getByRole('button').textContent()).toBe('96');
   expect(await current.isVisible()).toBe(true);
-  await page.locator('.steps tbody').getByRole('button', { name: 'step 99' }).click();
-  await expect.poll(() => steps(page)).toBe(98);
-  expect(await current.getByRole('button').textContent()).toBe('99');
+  await page.locator('.replay .steps tbody').getByRole('button', { name: 'step 97' }).click();
+  await expect.poll(() => steps(page)).toBe(96);
+  expect(await current.getByRole('button').textContent()).toBe('97');
 });
 
 test('reasons are told, and why it stopped', async () => {
   const page = await opened();
-  const reasons = page.locator('.reasons');
+  const reasons = page.locator('.replay .reasons');
   await press(page, 'ArrowRight', 1);
   expect(await reasons.locator('.chosen th').textContent()).toContain('(3,2) north');
   await reasons.getByRole('button', { name: 'and 10 more' }).click();
@@ -130,7 +130,7 @@ test('two mice run on one clock and are compared', async () => {
   expect(await moment(page)).toContain('flood after 52 of 52 steps');
   expect(await fact(page, 'score', 2)).toBe('+1.867');
   await page.getByRole('button', { name: 'flood' }).click();
-  await page.locator('.reasons').waitFor({ state: 'hidden' });
+  await page.locator('.replay .reasons').waitFor({ state: 'hidden' });
   await page.getByRole('button', { name: 'Speed run', exact: true }).click();
   await expect.poll(() => moment(page)).toContain('flood after 31 of 52 steps, speed run');
   await picture(page, 'replay-two');
@@ -152,12 +152,12 @@ test('the record is saved as it was made', async () => {
 
 test('keys are left to fields that need them, and to other views', async () => {
   const page = await opened();
-  await page.getByLabel('Distances').focus();
+  await page.locator('.replay').getByLabel('Distances').focus();
   await page.keyboard.press('ArrowDown');
-  expect(await page.getByLabel('Distances').inputValue()).toBe('true');
+  expect(await page.locator('.replay').getByLabel('Distances').inputValue()).toBe('true');
   expect(await steps(page)).toBe(0);
   await page.getByRole('link', { name: 'Race' }).click();
-  await page.locator('.player').waitFor({ state: 'hidden' });
+  await page.locator('.replay .player').waitFor({ state: 'hidden' });
   await page.keyboard.press('End');
   await page.getByRole('link', { name: 'Replay' }).click();
   expect(await steps(page)).toBe(0);
@@ -211,8 +211,8 @@ test('a program for mms is replayed with what it drew', async () => {
   native('mms', `python3 ${file}`, '--maze', 'capstone-1', '--record', record);
   const page = await open('#replay');
   await drop(page, { name: 'draws.jsonl', content: readFileSync(record) });
-  await page.locator('.player canvas').waitFor();
-  const drawn = page.getByLabel('Drawn by the program');
+  await page.locator('.replay .player canvas').waitFor();
+  const drawn = page.locator('.replay').getByLabel('Drawn by the program');
   const painted = await pixels(page);
   await drawn.uncheck();
   await expect.poll(() => pixels(page)).not.toBe(painted);
@@ -223,7 +223,7 @@ test('a program for mms is replayed with what it drew', async () => {
   await press(page, 'ArrowRight', 2);
   expect(await fact(page, 'mouse at')).toBe('(0,0.5) north-east');
   await press(page, 'End', 4);
-  expect(await page.locator('.words pre').textContent()).toContain('<b>bye</b>');
+  expect(await page.locator('.replay .words pre').textContent()).toContain('<b>bye</b>');
   expect(await page.getByRole('button', { name: 'Speed run' }).isVisible()).toBe(false);
 });
 
@@ -231,13 +231,13 @@ test('what the mouse believed is asked of the core', async () => {
   const page = await opened();
   await press(page, 'ArrowRight', 1);
   const before = await pixels(page);
-  await page.getByLabel('Distances').selectOption('true');
+  await page.locator('.replay').getByLabel('Distances').selectOption('true');
   await expect.poll(() => pixels(page)).not.toBe(before);
   const whole = await pixels(page);
-  await page.getByLabel('Distances').selectOption('believed');
+  await page.locator('.replay').getByLabel('Distances').selectOption('believed');
   await expect.poll(() => pixels(page)).not.toBe(whole);
-  await page.locator('.player canvas').hover({ position: { x: 30, y: 200 } });
-  expect(await page.locator('.readout').textContent()).toMatch(/^\(0,\d+\): \d visits?, \d+ steps to the goal$/);
+  await page.locator('.replay .player canvas').hover({ position: { x: 30, y: 200 } });
+  expect(await page.locator('.replay .readout').textContent()).toMatch(/^\(0,\d+\): \d visits?, \d+ steps to the goal$/);
 });
 
 test('a picture of the record is saved', async () => {
