@@ -37,6 +37,14 @@ LABMOUSE_EXPORT(labmouse_signature) void labmouse_signature() { call("signature"
 LABMOUSE_EXPORT(labmouse_speed) void labmouse_speed() { call("speed"); }
 LABMOUSE_EXPORT(labmouse_builtin_maze) void labmouse_builtin_maze() { call("builtin_maze"); }
 LABMOUSE_EXPORT(labmouse_make_maze) void labmouse_make_maze() { call("make_maze"); }
+LABMOUSE_EXPORT(labmouse_open) void labmouse_open() { call("open"); }
 LABMOUSE_EXPORT(labmouse_inspect) void labmouse_inspect() { call("inspect"); }
+LABMOUSE_EXPORT(labmouse_write_maze) void labmouse_write_maze() { call("write_maze"); }
+LABMOUSE_EXPORT(labmouse_link) void labmouse_link() { call("link"); }
+LABMOUSE_EXPORT(labmouse_read_link) void labmouse_read_link() { call("read_link"); }
 LABMOUSE_EXPORT(labmouse_run) void labmouse_run() { call("run"); }
+LABMOUSE_EXPORT(labmouse_unpack) void labmouse_unpack() { call("unpack"); }
 LABMOUSE_EXPORT(labmouse_race) void labmouse_race() { call("race"); }
+LABMOUSE_EXPORT(labmouse_compare) void labmouse_compare() { call("compare"); }
+LABMOUSE_EXPORT(labmouse_beliefs) void labmouse_beliefs() { call("beliefs"); }
+LABMOUSE_EXPORT(labmouse_picture) void labmouse_picture() { call("picture"); }

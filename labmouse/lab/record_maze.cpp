@@ -1,5 +1,7 @@
 #include "labmouse/lab/record_maze.hpp"
 
+#include <fmt/format.h>
+
 namespace labmouse {
 namespace {
 
@@ -10,6 +12,12 @@ std::string drawing_of(const Maze& maze) {
   const WriteResult marked = drawing_format.write(maze.with_start(maze.start(), Heading::north));
   if (marked.content) return *marked.content;
   return *drawing_format.write(maze.with_start({0, 0}, Heading::north).with_goals(centre_of(maze.size()))).content;
+}
+
+CellSet read_goals(RecordFields& fields) {
+  CellSet goals;
+  for (const nlohmann::json& goal : fields.list("goals")) goals.insert(fields.cell(goal, "goals"));
+  return goals;
 }
 
 }  // namespace
@@ -26,6 +34,28 @@ Json record_maze_json(const std::string& name, const Maze& maze) {
           {"heading", name_of(maze.start_heading())},
           {"goals", std::move(goals)},
           {"drawing", std::move(drawing)}};
+}
+
+std::optional<Maze> read_record_maze(RecordFields& fields) {
+  std::string drawing;
+  for (const nlohmann::json& row : fields.list("drawing")) {
+    if (!row.is_string()) return fields.fail("has a drawing with a line that is no text"), std::nullopt;
+    drawing += row.get<std::string>() + "\n";
+  }
+  const ReadResult read = drawing_format.read(drawing);
+  if (!read.maze) {
+    const Problem& first = read.problems.front();
+    return fields.fail(fmt::format("has a bad drawing, row {}, column {}: {}", first.line, first.column, first.reason)), std::nullopt;
+  }
+  const Cell start = fields.has("start") ? fields.cell("start") : read.maze->start();
+  const Heading heading = fields.has("heading") ? fields.heading("heading") : read.maze->start_heading();
+  const CellSet goals = fields.has("goals") ? read_goals(fields) : read.maze->goals();
+  CellSet outside = goals;
+  outside -= CellSet::all(read.maze->size());
+  if (goals.empty() || !outside.empty() || !read.maze->size().contains(start))
+    fields.fail("has a start or goals outside of the maze, or no goal");
+  if (!fields.error().empty()) return std::nullopt;
+  return read.maze->with_goals(goals).with_start(start, heading);
 }
 
 std::string record_line(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n"; }

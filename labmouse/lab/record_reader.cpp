@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
+#include "labmouse/lab/json_lines.hpp"
 #include "labmouse/lab/record_fields.hpp"
 #include "labmouse/lab/record_file.hpp"
+#include "labmouse/lab/record_maze.hpp"
 #include "labmouse/lab/record_parts.hpp"
 #include "labmouse/lab/record_reasons.hpp"
 
@@ -10,36 +12,6 @@ namespace {
 
 using Json = nlohmann::json;
 using Fields = RecordFields;
-
-CellSet read_goals(Fields& fields) {
-  CellSet goals;
-  for (const Json& goal : fields.list("goals")) goals.insert(fields.cell(goal, "goals"));
-  return goals;
-}
-
-/// Reads the maze of a header; where it does not say start, heading or goals, the drawing does. On failure the fields
-/// hold the error.
-std::optional<Maze> read_record_maze(Fields& fields) {
-  std::string drawing;
-  for (const Json& row : fields.list("drawing")) {
-    if (!row.is_string()) return fields.fail("has a drawing with a line that is no text"), std::nullopt;
-    drawing += row.get<std::string>() + "\n";
-  }
-  const ReadResult read = drawing_format.read(drawing);
-  if (!read.maze) {
-    const Problem& first = read.problems.front();
-    return fields.fail(fmt::format("has a bad drawing, row {}, column {}: {}", first.line, first.column, first.reason)), std::nullopt;
-  }
-  const Cell start = fields.has("start") ? fields.cell("start") : read.maze->start();
-  const Heading heading = fields.has("heading") ? fields.heading("heading") : read.maze->start_heading();
-  const CellSet goals = fields.has("goals") ? read_goals(fields) : read.maze->goals();
-  CellSet outside = goals;
-  outside -= CellSet::all(read.maze->size());
-  if (goals.empty() || !outside.empty() || !read.maze->size().contains(start))
-    fields.fail("has a start or goals outside of the maze, or no goal");
-  if (!fields.error().empty()) return std::nullopt;
-  return read.maze->with_goals(goals).with_start(start, heading);
-}
 
 /// Reads what the header says of the maze, which need not be its drawing; returns what is wrong, or nothing.
 std::string read_maze_field(const Json& json, RecordFile& file) {
@@ -157,40 +129,23 @@ std::string read_line(const Json& json, RecordFile& file) {
   return read_step(json, file);
 }
 
-/// Takes the first line off the text.
-std::string_view next_line(std::string_view& text) {
-  const auto length = text.find('\n');
-  const auto line = text.substr(0, length);
-  text.remove_prefix(length == std::string_view::npos ? text.size() : length + 1);
-  return line;
-}
-
 }  // namespace
 
 ReadRecordResult read_record(std::string_view text) {
-  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
   RecordFile file;
   file.maze_name = "maze";
   file.mouse = "robot";
   file.ended = false;
-  const auto failed = [](int line, std::string reason) {
-    return ReadRecordResult{std::nullopt, {{line, line > 0 ? 1 : 0, std::move(reason)}}};
-  };
   bool has_header = false;
-  const bool last_is_whole = text.ends_with('\n');
-  for (int number = 1; !text.empty(); ++number) {
-    const auto line = next_line(text);
-    if (line.find_first_not_of(" \t\r") == std::string_view::npos) continue;
-    const Json json = Json::parse(line, nullptr, false);
-    // A last line without its end was cut, say when the power went off: the record is what stands before it.
-    if (json.is_discarded() && has_header && !file.ended && text.empty() && !last_is_whole) break;
-    if (json.is_discarded()) return failed(number, "the line is not JSON");
-    if (auto error = has_header ? read_line(json, file) : read_header(json, file); !error.empty())
-      return failed(number, std::move(error));
+  LineReader reader;
+  reader.read = [&](const Json& line) {
+    auto error = has_header ? read_line(line, file) : read_header(line, file);
     has_header = true;
-  }
-  if (!has_header) return failed(0, "the record is empty");
+    return error;
+  };
+  reader.may_break_off = [&] { return !file.ended; };
+  std::vector<Problem> problems = read_json_lines(text, reader);
+  if (!problems.empty()) return {std::nullopt, std::move(problems)};
   return {std::move(file), {}};
 }
 

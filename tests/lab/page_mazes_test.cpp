@@ -75,7 +75,7 @@ json order(const json& more = json::object()) {
 
 TEST(PageMazes, Made) {
   const Maze maze = contest_generator.make({{16, 16}, 7, 50});
-  EXPECT_EQ(answer("make_maze", order())["maze"], data_of({"contest-16x16-seed-7-loops-0.05", maze}));
+  EXPECT_EQ(answer("make_maze", order())["maze"], data_of({"contest-16x16-seed-7-loops-50", maze}));
   const std::string last = answer("make_maze", order({{"seed", 18446744073709551615U}, {"loops", 0}}))["maze"]["name"];
   EXPECT_EQ(last, "contest-16x16-seed-18446744073709551615");
 }

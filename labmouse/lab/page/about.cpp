@@ -1,6 +1,8 @@
 // What the core brings, and how fast it is.
 #include <fmt/format.h>
 
+#include <map>
+
 #include "labmouse/contest/rules.hpp"
 #include "labmouse/lab/builtin_mazes.hpp"
 #include "labmouse/lab/mice_json.hpp"
@@ -19,6 +21,17 @@ template <class Things>
 Json named(const Things& things) {
   Json list = Json::array();
   for (const auto* thing : things) list.push_back({{"name", thing->name}, {"summary", thing->summary}});
+  return list;
+}
+
+/// The roster, with types of parameters in one word each.
+Json mice() {
+  const std::map<std::string, std::string> types = {{"whole number", "whole"}, {"number", "real"}, {"yes/no", "flag"}};
+  Json list = mice_json();
+  for (Json& mouse : list)
+    for (Json& parameter : mouse["parameters"])
+      if (const auto type = types.find(parameter["type"].get<std::string>()); type != types.end())
+        parameter["type"] = type->second;
   return list;
 }
 
@@ -44,7 +57,7 @@ Json rules_of_capstone() {
 PageReply answer_about(const nlohmann::json&, std::string_view) {
   return answered({{"version", version()},
                    {"compiler", compiler()},
-                   {"mice", mice_json()},
+                   {"mice", mice()},
                    {"mazes", mazes()},
                    {"formats", named(all_formats())},
                    {"generators", named(all_generators())},

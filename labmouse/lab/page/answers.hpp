@@ -34,8 +34,16 @@ PageReply answer_signature(const nlohmann::json& request, std::string_view bytes
 PageReply answer_speed(const nlohmann::json& request, std::string_view bytes);
 PageReply answer_builtin_maze(const nlohmann::json& request, std::string_view bytes);
 PageReply answer_make_maze(const nlohmann::json& request, std::string_view bytes);
+PageReply answer_open(const nlohmann::json& request, std::string_view bytes);
 PageReply answer_inspect(const nlohmann::json& request, std::string_view bytes);
+PageReply answer_write_maze(const nlohmann::json& request, std::string_view bytes);
+PageReply answer_link(const nlohmann::json& request, std::string_view bytes);
+PageReply answer_read_link(const nlohmann::json& request, std::string_view bytes);
 PageReply answer_run(const nlohmann::json& request, std::string_view bytes);
+PageReply answer_unpack(const nlohmann::json& request, std::string_view bytes);
 PageReply answer_race(const nlohmann::json& request, std::string_view bytes);
+PageReply answer_compare(const nlohmann::json& request, std::string_view bytes);
+PageReply answer_beliefs(const nlohmann::json& request, std::string_view bytes);
+PageReply answer_picture(const nlohmann::json& request, std::string_view bytes);
 
 }  // namespace labmouse

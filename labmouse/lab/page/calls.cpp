@@ -24,9 +24,17 @@ constexpr std::array calls = {
     Call{"speed", answer_speed},
     Call{"builtin_maze", answer_builtin_maze},
     Call{"make_maze", answer_make_maze},
+    Call{"open", answer_open},
     Call{"inspect", answer_inspect},
+    Call{"write_maze", answer_write_maze},
+    Call{"link", answer_link},
+    Call{"read_link", answer_read_link},
     Call{"run", answer_run},
+    Call{"unpack", answer_unpack},
     Call{"race", answer_race},
+    Call{"compare", answer_compare},
+    Call{"beliefs", answer_beliefs},
+    Call{"picture", answer_picture},
 };
 
 constexpr auto names = [] {

@@ -19,10 +19,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// "contest-16x16-seed-7", and the share of loops in percent where there are any.
+/// "contest-16x16-seed-7", and the share of loops in thousandths where there are any.
 std::string name_of_made(const Generator& generator, const GeneratorOrder& order) {
   std::string name = fmt::format("{}-{}x{}-seed-{}", generator.name, order.size.width, order.size.height, order.seed);
-  if (order.loops > 0) name += fmt::format("-loops-{}", order.loops / 1000.0);
+  if (order.loops > 0) name += fmt::format("-loops-{}", order.loops);
   return name;
 }
 

@@ -2,12 +2,23 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <string>
 
+#include "labmouse/lab/mms_record_file.hpp"
 #include "labmouse/lab/record_file.hpp"
 
 namespace labmouse {
 
 /// Of a record that has a maze and agrees with it. Costs of candidates become steps, grounds become words.
 nlohmann::ordered_json play_json(const RecordFile& file);
+
+/// A play, or where the record disagrees with its maze: exactly one of the two is there.
+struct PlayResult {
+  nlohmann::ordered_json play;
+  std::string disagreement;
+};
+
+/// Of a record of mms, which is given to the simulator again.
+PlayResult play_json(const MmsRecordFile& file);
 
 }  // namespace labmouse

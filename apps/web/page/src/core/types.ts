@@ -85,7 +85,7 @@ export interface Inspection {
   right_follower_arrives: boolean;
   /** Each rule of the official contests, always all of them. */
   contest_rules: { name: string; passed: boolean; reason: string }[];
-  /** The poses of a shortest run, from the start to the goal. */
+  /** The cells in which the steps of a shortest run end, the start first; empty where there is no way. */
   route: Cell[];
   /** Steps to the goal from each cell; -1 where there is no way. */
   distances: number[];
@@ -117,7 +117,10 @@ export interface Reasons {
   price: number;
 }
 
-/** Something that a program for mms drew; it holds from that frame on. */
+/**
+ * Something that a program for mms drew; it holds from that frame on. A colour is a letter of mms, one of
+ * kbacgorwyBCAGORVY, a text at most two rows of five characters, the second right behind the first; '' is none.
+ */
 export type MmsEvent =
   | { frame: number; kind: 'wall'; cell: Cell; side: HeadingName; there: boolean }
   | { frame: number; kind: 'colour'; cell: Cell; colour: string }
@@ -166,7 +169,7 @@ export interface Play {
   /** 0 exploration, 1 speed run. In mms always 0. */
   run: number[];
 
-  /** What was asked for, in words: "right, 3", "reset", "moveForward 2". */
+  /** What was asked for, in words: "right, 3", "ahead 2", "reset", "moveForward 2". */
   action: string[];
   /** A wall ended the movement early (in mms: a crash). */
   blocked: boolean[];
@@ -176,7 +179,8 @@ export interface Play {
   right: number[];
   /**
    * By wall, 2 * cells: the north side of cell i at i, its east side at cells + i. The frame from which the mouse knows
-   * that wall: 0 from the beginning (the border), -1 never. In mms empty.
+   * that wall: the reading of a step is taken in the frame before it. The border is known in frame 0; -1 never. In mms
+   * empty.
    */
   known: number[];
   /** The first frame in the goal, and the one in which the mouse is back at the start; null where that never came. */
@@ -184,9 +188,9 @@ export interface Play {
   reset_frame: number | null;
   /** Cells entered in each step (passing through counts), as positions in lists over cells; [] where it stayed. */
   entered: number[][];
-  /** The cells of a best possible speed run, one a step, from the start. */
+  /** The cells of a best possible speed run, one a step (in mms each cell on its way), from the start; empty where there is no way. */
   route: Cell[];
-  /** Steps to the goal from each cell in the whole maze; -1 where there is no way. */
+  /** Steps (in mms cells) to the goal from each cell in the whole maze; -1 where there is no way. */
   distances: number[];
   reasons: Reasons[];
   events: MmsEvent[];
@@ -331,6 +335,7 @@ export interface Calls {
   /** Nanoseconds of a distance field, as `labmouse bench` has them. */
   speed: { request: Record<string, never>; answer: { distance_ns: Record<string, Record<string, number>> } };
   builtin_maze: { request: { name: string }; answer: { maze: MazeData } };
+  /** `loops`: the share, 0 to 1, of the remaining inner walls to take away. */
   make_maze: {
     request: { generator: string; width: number; height: number; seed: number; loops: number };
     answer: { maze: MazeData };
@@ -348,7 +353,7 @@ export interface Calls {
     request: { mouse: string; maze: MazeData; seed: number; budget?: number };
     answer: { play: Play; record: string };
   };
-  /** A packed record of a report. */
+  /** A packed record of a report. A mouse of the roster has its reasons again. */
   unpack: { request: { record: PackedRecord; maze: MazeData }; answer: { play: Play; record: string } };
   /** A race in the one thread that the page has: keep it small. Without mice: all of the roster. */
   race: {

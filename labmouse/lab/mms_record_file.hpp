@@ -1,0 +1,59 @@
+// Records of mms, read back: JSON Lines, described in docs/mms-record.md.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "labmouse/guests/mms/host.hpp"
+#include "labmouse/maze/formats/format.hpp"
+
+namespace labmouse {
+
+/// A line of the program that moved, turned or drew.
+struct RecordedMmsEvent {
+  std::string line;
+  std::string reply;  ///< empty where mms answers nothing
+  HalfPose pose;      ///< after it
+  double clock = 0;   ///< simulated seconds
+};
+
+/// How a program ended.
+struct MmsRecordEnd {
+  std::string outcome;
+  std::string end;  ///< more words of it
+  MmsStatistics statistics;
+  std::int64_t lines = 0;
+  std::int64_t invalid_lines = 0;
+  std::vector<std::string> log;
+  std::string errors;
+  double clock = 0;
+};
+
+struct MmsRecordFile {
+  std::string version;  ///< of the program that wrote it
+  std::string maze_name;
+  std::optional<Maze> maze;  ///< always there when read
+  std::string mouse;
+  std::vector<RecordedMmsEvent> events;
+  std::int64_t left_out = 0;        ///< events after these that were not written down
+  std::optional<MmsRecordEnd> end;  ///< nothing where the record breaks off
+};
+
+/// A record, or what is wrong with the text: exactly one of the two is there.
+struct ReadMmsRecordResult {
+  std::optional<MmsRecordFile> file;
+  std::vector<Problem> problems;
+};
+
+/// Reads what MmsRecorder wrote.
+ReadMmsRecordResult read_mms_record(std::string_view text);
+
+/// Gives a record's lines to the simulator again, and compares replies and places, and the statistics at the end where no
+/// event was left out. Calls `after(i, host)` after event i. Returns where the record first disagrees, or nothing.
+std::string replay(const MmsRecordFile& file, const std::function<void(std::size_t event, const MmsHost&)>& after);
+
+}  // namespace labmouse

@@ -1,0 +1,113 @@
+// A dropped file, whatever it is: a maze, a record, or the results of a race.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "labmouse/lab/page/answers.hpp"
+#include "labmouse/lab/page/json_problem.hpp"
+#include "labmouse/lab/page/maze_data.hpp"
+#include "labmouse/lab/page/play.hpp"
+#include "labmouse/lab/page/played_record.hpp"
+#include "labmouse/lab/page/request.hpp"
+#include "labmouse/lab/page/results.hpp"
+#include "labmouse/lab/version.hpp"
+
+namespace labmouse {
+namespace {
+
+/// The text from its first character that is no blank on.
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+  const auto first = text.find_first_not_of(" \t\r\n");
+  return first == std::string_view::npos ? std::string_view() : text.substr(first);
+}
+
+/// The beginning in lower letters and without blanks.
+std::string gist(std::string_view text) {
+  constexpr std::size_t most = 200;
+  std::string gist;
+  for (const char letter : text.substr(0, most))
+    if (letter > ' ' || letter < 0) gist += static_cast<char>(letter >= 'A' && letter <= 'Z' ? letter + ('a' - 'A') : letter);
+  return gist;
+}
+
+/// What stands in the field `labmouse` of a record's first line, or of the JSON as a whole where it is one line.
+std::string kind_of_first_line(std::string_view text) {
+  const nlohmann::json json = nlohmann::json::parse(text.substr(0, text.find('\n')), nullptr, false);
+  if (json.is_object() && json.contains("labmouse") && json["labmouse"].is_string()) return json["labmouse"].get<std::string>();
+  const std::string begin = gist(text);
+  for (const char* kind : {"record", "mms record", "report"})
+    if (begin.starts_with(fmt::format("{{\"labmouse\":\"{}\"", gist(kind)))) return kind;
+  return "";
+}
+
+bool is_markup(std::string_view text) {
+  const std::string begin = gist(text);
+  constexpr std::array<std::string_view, 4> beginnings = {"<!doctype", "<html", "<?xml", "<svg"};
+  return std::any_of(beginnings.begin(), beginnings.end(), [&](std::string_view each) { return begin.starts_with(each); });
+}
+
+PageReply open_markup(const std::string& name, std::string_view text) {
+  const bool ours = text.find("labmouse") != std::string_view::npos && !gist(text).starts_with("<svg");
+  return failed(ours ? fmt::format("{} is a page of labmouse: open it by itself, as any page", name)
+                     : fmt::format("{} is a page or a picture; here go mazes, records and results of races", name));
+}
+
+PageReply open_record(const std::string& name, std::string_view text, std::optional<NamedMaze> maze) {
+  PlayedRecord played = read_played(name, text, std::move(maze));
+  if (!played.file) return {nullptr, "", std::move(played.failure)};
+  return answered({{"kind", "record"}, {"play", play_json(*played.file)}});
+}
+
+PageReply open_mms_record(const std::string& name, std::string_view text) {
+  ReadMmsRecordResult read = read_mms_record(text);
+  if (!read.file) return failed(fmt::format("{} is no record that can be read", name), std::move(read.problems));
+  PlayResult result = play_json(*read.file);
+  if (!result.disagreement.empty()) return disagreed(name, std::move(result.disagreement));
+  return answered({{"kind", "record"}, {"play", std::move(result.play)}});
+}
+
+/// Who wrote results that this version cannot read, where they say so.
+std::string writer_of(const nlohmann::json& json) {
+  if (!json.contains("labmouse") || !json["labmouse"].is_string() || json["labmouse"] == version()) return "";
+  return fmt::format("; labmouse {} wrote them, and this is {}", json["labmouse"].get<std::string>(), version());
+}
+
+PageReply open_results(const std::string& name, std::string_view text) {
+  const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
+  if (json.is_discarded()) return failed(fmt::format("{} is no JSON that can be read", name), {json_problem(text)});
+  if (!json.is_object() || !json.contains("mice"))
+    return failed(fmt::format("{} is JSON, but neither a record nor the results of a race", name));
+  ReadResultsResult read = read_results(json);
+  if (!read.error.empty())
+    return failed(fmt::format("{} has results of a race that cannot be read{}", name, writer_of(json)), {{0, 0, std::move(read.error)}});
+  return answered({{"kind", "results"}, {"results", std::move(read.results)}});
+}
+
+PageReply open_maze(const std::string& name, std::string_view content) {
+  ReadResult read = read_maze(content);
+  if (!read.maze) return failed(fmt::format("{} is no maze that can be read", name), std::move(read.problems));
+  return answered({{"kind", "maze"}, {"maze", maze_data(name, *read.maze)}});
+}
+
+}  // namespace
+
+PageReply answer_open(const nlohmann::json& json, std::string_view bytes) {
+  PageRequest request(json);
+  const std::string name = request.text("name");
+  std::optional<NamedMaze> maze;
+  if (request.has("maze")) maze = request.maze();
+  if (!request.error().empty()) return failed(request.error());
+  const std::string_view text = trimmed(bytes);
+  if (text.empty()) return failed(fmt::format("{} is empty", name));
+  if (is_markup(text)) return open_markup(name, text);
+  if (text.front() != '{' && text.front() != '[') return open_maze(name, bytes);
+  const std::string kind = kind_of_first_line(text);
+  if (kind == "record") return open_record(name, bytes, std::move(maze));
+  if (kind == "mms record") return open_mms_record(name, bytes);
+  return open_results(name, bytes);
+}
+
+}  // namespace labmouse

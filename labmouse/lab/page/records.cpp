@@ -1,0 +1,66 @@
+// Packed records, and pictures.
+#include <fmt/format.h>
+
+#include "labmouse/contest/simulator.hpp"
+#include "labmouse/lab/layers.hpp"
+#include "labmouse/lab/packed_record.hpp"
+#include "labmouse/lab/page/answers.hpp"
+#include "labmouse/lab/page/mouse_spec.hpp"
+#include "labmouse/lab/page/play.hpp"
+#include "labmouse/lab/page/played_record.hpp"
+#include "labmouse/lab/page/request.hpp"
+#include "labmouse/lab/race_files.hpp"
+
+namespace labmouse {
+namespace {
+
+/// The reasons of a mouse of the roster, which does the same when it runs again; none where it does not.
+std::vector<StepReasons> reasons_again(const RecordFile& file) {
+  const SpecResult mice = read_page_mice({&file.mouse, 1});
+  if (mice.contestants.size() != 1) return {};
+  const auto mind = mice.contestants.front().make(*file.maze, file.rules, file.seed);
+  mind->keep_reasons();
+  RunRecord again = run(*file.maze, file.rules, *mind);
+  return again.steps == file.run.steps ? std::move(again.reasons) : std::vector<StepReasons>();
+}
+
+std::string picture_of(const NamedMaze& maze) {
+  DrawingLayers layers = layers_of(maze.maze, Rules(), {Layer::coordinates});
+  layers.title = maze.name;
+  return draw_svg(maze.maze, layers);
+}
+
+}  // namespace
+
+PageReply answer_unpack(const nlohmann::json& json, std::string_view) {
+  PageRequest request(json);
+  const NamedMaze maze = request.maze();
+  if (!request.has("record")) request.reject("'record' is missing");
+  if (!request.error().empty()) return failed(request.error());
+  UnpackResult unpacked = unpack_record(json["record"], maze.maze);
+  if (!unpacked.file) return failed("the report has a record that cannot be read", {{0, 0, std::move(unpacked.error)}});
+  unpacked.file->maze = maze.maze;
+  unpacked.file->maze_name = maze.name;
+  const std::string name = fmt::format("the record of {} in {}", unpacked.file->mouse, maze.name);
+  PlayedRecord record = played(name, std::move(*unpacked.file));
+  if (!record.file) return {nullptr, "", std::move(record.failure)};
+  // What was left out of it was never in doubt.
+  record.file->given.clear();
+  record.file->given_end = {};
+  record.file->run.reasons = reasons_again(*record.file);
+  return answered({{"play", play_json(*record.file)}, {"record", write_record(*record.file)}});
+}
+
+PageReply answer_picture(const nlohmann::json& json, std::string_view bytes) {
+  PageRequest request(json);
+  if (bytes.empty()) {
+    const NamedMaze maze = request.maze();
+    if (!request.error().empty()) return failed(request.error());
+    return answered({{"svg", picture_of(maze)}});
+  }
+  PlayedRecord record = read_played("the record", bytes);
+  if (!record.file) return {nullptr, "", std::move(record.failure)};
+  return answered({{"svg", labmouse::picture_of(*record.file)}});
+}
+
+}  // namespace labmouse

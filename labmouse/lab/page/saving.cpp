@@ -1,0 +1,60 @@
+// Mazes as files and as links.
+#include <fmt/format.h>
+
+#include "labmouse/lab/file_names.hpp"
+#include "labmouse/lab/maze_link.hpp"
+#include "labmouse/lab/page/answers.hpp"
+#include "labmouse/lab/page/maze_data.hpp"
+#include "labmouse/lab/page/request.hpp"
+
+namespace labmouse {
+namespace {
+
+std::string file_name(const std::string& maze, const Format& format) {
+  const bool own_ending = format.name == maz_format.name || format.name == num_format.name;
+  return fmt::format("{}.{}", file_names({stem_of(maze)}).front(), own_ending ? format.name : "txt");
+}
+
+/// A binary file as a list of its bytes.
+nlohmann::ordered_json bytes_json(std::string_view content) {
+  auto bytes = nlohmann::ordered_json::array();
+  for (const char byte : content) bytes.push_back(static_cast<unsigned char>(byte));
+  return bytes;
+}
+
+}  // namespace
+
+PageReply answer_write_maze(const nlohmann::json& json, std::string_view) {
+  PageRequest request(json);
+  const NamedMaze maze = request.maze();
+  const std::string name = request.text("format");
+  if (!request.error().empty()) return failed(request.error());
+  const Format* format = find_format(name);
+  if (format == nullptr) return failed(fmt::format("there is no format '{}'", name));
+  const WriteResult written = format->write(maze.maze);
+  if (!written.content) return failed(fmt::format("format {} cannot hold this maze: {}", name, written.reason));
+  nlohmann::ordered_json answer = {{"file_name", file_name(maze.name, *format)}};
+  if (format->name == maz_format.name)
+    answer["bytes"] = bytes_json(*written.content);
+  else
+    answer["text"] = *written.content;
+  return answered(std::move(answer));
+}
+
+PageReply answer_link(const nlohmann::json& json, std::string_view) {
+  PageRequest request(json);
+  const NamedMaze maze = request.maze();
+  if (!request.error().empty()) return failed(request.error());
+  return answered({{"link", link_of(maze)}});
+}
+
+PageReply answer_read_link(const nlohmann::json& json, std::string_view) {
+  PageRequest request(json);
+  const std::string link = request.text("link");
+  if (!request.error().empty()) return failed(request.error());
+  ReadLinkResult read = read_link(link);
+  if (!read.maze) return failed("the link holds no maze", {{0, 0, std::move(read.error)}});
+  return answered({{"maze", maze_data(read.maze->name, read.maze->maze)}});
+}
+
+}  // namespace labmouse
