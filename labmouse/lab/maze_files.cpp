@@ -134,7 +134,7 @@ std::optional<Maze> maze_named(const std::string& name) {
   else
     add_builtin(name, collection);
   if (collection.mazes.empty()) return std::nullopt;
-  return std::move(collection.mazes.front().maze);
+  return collection.mazes.front().maze;
 }
 
 MazeCollection load_builtin_mazes() {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "labmouse/lab/bounds.hpp"
 #include "labmouse/lab/drawing/words.hpp"
@@ -84,15 +85,14 @@ ReportPage make_report(const std::string& path, std::string_view page) {
     return failed(shown(fmt::format("{}: error: has no {}; `labmouse race --out DIR` leaves one in its folder", path, results_file_name)));
   const FileContent content = read_file(file, longest_results);
   if (!content.error.empty()) return failed(shown(fmt::format("{}: error: {}", file, content.error)));
-  ReadResultsResult read = read_report_results(content.content);
+  const ReadResultsResult read = read_report_results(content.content);
   if (!read.results) return failed(describe(file, *read.problem));
   const fs::path parent = fs::path(file).parent_path();
   ReportRecords records = read_report_records(*read.results, parent.empty() ? "." : parent.string());
-  Json report = {{"labmouse", "report"}, {"format", 1}, {"version", version()}, {"results", nullptr}};
-  report["mazes"] = links_of(*read.results, records, records.notes);
-  report["results"] = std::move(read.results->json);
-  const std::string text = report.dump(-1, ' ', false, Json::error_handler_t::replace);
-  return {with_report(page, text, records.json), "", std::move(records.notes)};
+  const std::string report =
+      fmt::format(R"({{"labmouse":"report","format":1,"version":{},"results":{},"mazes":{}}})", Json(version()).dump(),
+                  read.results->json, links_of(*read.results, records, records.notes).dump());
+  return {with_report(page, report, records.json), "", std::move(records.notes)};
 }
 
 }  // namespace labmouse

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "labmouse/lab/drawing/words.hpp"
 #include "labmouse/lab/files.hpp"
@@ -54,7 +55,7 @@ Found pack(const Place& place, const std::string& text) {
     return failed(place, fmt::format("is not of this race, but of {} in {} with seed {}", file.mouse, file.maze_name, file.seed));
   const ReplayResult played = replay(file, *file.maze);
   if (!played.disagreement.empty()) return failed(place, "does not agree with its maze: " + played.disagreement);
-  return {packed_text(pack_record(file)), std::move(file.maze), ""};
+  return {packed_text(pack_record(file)), file.maze, ""};
 }
 
 /// The first line of the text that is not JSON; 0 where all are.
@@ -79,7 +80,7 @@ Found pack_mms(const Place& place, const std::string& text) {
   if (!read.file) return failed(place, read.problems.front());
   if (read.file->mouse != place.mouse->name || read.file->maze_name != *place.maze)
     return failed(place, fmt::format("is not of this race, but of {} in {}", read.file->mouse, read.file->maze_name));
-  return {packed_text({{"mouse", read.file->mouse}, {"maze", read.file->maze_name}, {"mms", text}}), std::move(read.file->maze), ""};
+  return {packed_text({{"mouse", read.file->mouse}, {"maze", read.file->maze_name}, {"mms", text}}), read.file->maze, ""};
 }
 
 Found read_place(const Place& place) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 namespace labmouse {
 namespace {
@@ -128,12 +129,14 @@ std::optional<Problem> parse(std::string_view text, Json& json) {
 
 ReadResultsResult read_report_results(std::string_view text) {
   if (std::string other = what_it_is(text); !other.empty()) return {std::nullopt, Problem{0, 0, std::move(other)}};
-  ReportResults results;
-  if (auto problem = parse(text, results.json)) return {std::nullopt, std::move(problem)};
+  Json json;
+  if (auto problem = parse(text, json)) return {std::nullopt, std::move(problem)};
   Reading reading;
-  reading.text(results.json, "labmouse", "");
-  results.steps = read_world(results.json, true, "", reading);
-  results.mms = read_groups(results.json, reading);
+  reading.text(json, "labmouse", "");
+  ReportResults results;
+  results.steps = read_world(json, true, "", reading);
+  results.mms = read_groups(json, reading);
+  results.json = json.dump();
   if (!reading.error().empty()) return {std::nullopt, Problem{0, 0, reading.error()}};
   return {std::move(results), std::nullopt};
 }

@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <string>
@@ -33,7 +32,7 @@ struct ReportWorld {
 };
 
 struct ReportResults {
-  nlohmann::ordered_json json;
+  std::string json;  ///< as it is, in one line
   ReportWorld steps;
   ReportWorld mms;
 };
