@@ -119,8 +119,6 @@ TEST_F(AReport, OfTheSameFilesHasTheSameBytes) {
 
 TEST_F(AReport, TakesJsonAlone) {
   hold(test::mice("flood"), {{"contest-01", *maze_named("contest-01")}, test::loop()});
-  test::AFolder folder;
-  std::filesystem::create_directories(folder.path() + "/alone");
   save("alone/today.json", json_);
   const ReportPage report = made("alone/today.json");
   EXPECT_EQ(report.error, "");
@@ -140,8 +138,18 @@ TEST_F(AReport, FindsNoMazeThatHasChangedSince) {
   EXPECT_EQ(mazes(), 1U);
   save("maze.txt", *drawing_format.write(test::loop().maze.with_start({4, 0}, Heading::north)).content);
   EXPECT_EQ(mazes(), 0U);
-  save("maze.txt", *drawing_format.write(test::corridor().maze).content);
+  std::filesystem::remove(file);
   EXPECT_EQ(mazes(), 0U);
+}
+
+TEST_F(AReport, FindsNoMazeOfAnotherSize) {
+  const std::string file = path("maze.txt");
+  save("maze.txt", *drawing_format.write(test::without_route().maze).content);
+  hold(test::mice("flood"), {{file, test::without_route().maze}});
+  save("alone/today.json", json_);
+  EXPECT_THAT(made("alone/today.json").notes, IsEmpty());
+  save("maze.txt", *drawing_format.write(test::corridor().maze).content);
+  EXPECT_THAT(made("alone/today.json").notes, ElementsAre(HasSubstr("1 maze not found")));
 }
 
 TEST_F(AReport, LeavesOutARecordThatCannotBeRead) {
@@ -189,6 +197,16 @@ TEST_F(AReport, SaysHowManyRecordsDoNotFit) {
   EXPECT_EQ(block["left_out"], 4U - kept);
   EXPECT_LE(some.json.size(), all / 2 + 40);
   EXPECT_THAT(some.notes, ElementsAre(HasSubstr("of 4 records, since together they have more than")));
+}
+
+TEST_F(AReport, FindsTheRecordsOfMiceThatAreNotBestInTheOrderOfTheirNames) {
+  hold(test::mice("flood:stride=1,flood:stride=2"), {test::loop()});
+  const ReportPage report = made();
+  EXPECT_THAT(report.notes, IsEmpty());
+  const Json list = block_of(report.page, "labmouse-records")["records"];
+  ASSERT_EQ(list.size(), 2U);
+  EXPECT_EQ(list[0]["mouse"], "flood:stride=2");
+  EXPECT_EQ(list[1]["mouse"], "flood:stride=1");
 }
 
 TEST_F(AReport, FindsTheRecordsOfMazesWithOneName) {
