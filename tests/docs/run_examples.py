@@ -6,7 +6,8 @@ usage: run_examples.py PAGE.md PROGRAM
 In a block marked `console`, each line after `$ ` is a command, which lines after `> ` right below it continue, and the
 lines below it are what it prints. A line `...` stands for any lines; `...` at the end of a line for any rest of it. All
 blocks of a page run in one new folder that has the project's `templates`, in order, by `sh`; `labmouse` is PROGRAM. A block marked with a language and a name,
-as in `python robot.py`, is saved as a file of that name. Blocks marked otherwise are not run.
+as in `python robot.py`, is saved as a file of that name. Blocks marked otherwise are not run. A comment
+`<!-- needs: COMMAND -->` skips the page, with exit code 77, where that command fails.
 """
 
 import os
@@ -54,7 +55,8 @@ def agrees(expected, printed):
 def main():
     page, program = sys.argv[1], os.path.abspath(sys.argv[2])
     with open(page, encoding="utf-8") as file:
-        found = examples(file.read())
+        text = file.read()
+    found = examples(text)
     failures = 0
     with tempfile.TemporaryDirectory() as folder:
         os.symlink(program, os.path.join(folder, "labmouse"))
@@ -63,6 +65,10 @@ def main():
         os.mkdir(work)
         # The pages name these as one sees them from the project's own folder.
         os.symlink(os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../templates"), os.path.join(work, "templates"))
+        for need in re.findall(r"<!-- needs: (.*) -->", text):
+            if subprocess.run(["sh", "-c", need], cwd=work, env=environment, capture_output=True).returncode != 0:
+                print(f"{page}: skipped: `{need}` fails")
+                return 77
         for number, command, expected in found:
             run = subprocess.run(["sh", "-c", command], cwd=work, env=environment, stdin=subprocess.DEVNULL,
                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=120)
