@@ -37,10 +37,11 @@ TEST(PagePlay, HasEachFrameAndEachStep) {
     "action": ["ahead 1", "reset", "ahead 1"], "blocked": [false, false, false],
     "left": [0, 0, 0], "ahead": [1, 0, 1], "right": [1, 0, 1],
     "known": [0, -1, 0, 0,  0, 0, 1, 0], "goal_frame": 1, "reset_frame": 2, "entered": [[2], [], [2]],
-    "route": [[0, 0], [0, 1]], "distances": [1, 2, 0, 3], "reasons": [], "events": [], "scores": []
+    "route": [[0, 0], [0, 1]], "distances": [1, 2, 0, 3], "reasons": [], "events": []
   })");
   expected["maze"] = data_of(test::hook());
   expected["score"] = expected["bound"] = 1 + 2 / 30.0;
+  expected["scores"] = {0.0, 1 / 30.0, 2 / 30.0, 1 + 2 / 30.0};
   EXPECT_EQ(play, expected);
 }
 

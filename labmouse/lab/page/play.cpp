@@ -95,7 +95,6 @@ Json play_json(const RecordFile& file) {
   play["reasons"] = Json::array();
   for (const StepReasons& choice : file.run.reasons) play["reasons"].push_back(choice_json(choice));
   play["events"] = Json::array();
-  play["scores"] = Json::array();
   return play;
 }
 

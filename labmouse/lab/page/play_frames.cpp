@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
 #include "labmouse/contest/coverage.hpp"
+#include "labmouse/contest/score.hpp"
 #include "labmouse/lab/page/fields.hpp"
 #include "labmouse/mouse/knowledge.hpp"
 
@@ -91,7 +93,7 @@ std::string short_words(const Action& action) {
 
 void add_frames(const RecordFile& file, Json& play) {
   const auto reset = reset_frame(file);
-  for (const char* list : {"clock", "x", "y", "heading", "run"}) play[list] = Json::array();
+  for (const char* list : {"clock", "x", "y", "heading", "run", "scores"}) play[list] = Json::array();
   Json &clock = play["clock"], &x = play["x"], &y = play["y"], &heading = play["heading"], &run = play["run"];
   for (std::size_t frame = 0; frame <= file.run.steps.size(); ++frame) {
     const Pose& pose = pose_in(file.run, frame);
@@ -100,6 +102,8 @@ void add_frames(const RecordFile& file, Json& play) {
     y.push_back(2 * pose.cell.y + 1);
     heading.push_back(2 * static_cast<int>(pose.heading));
     run.push_back(reset && frame >= *reset ? 1 : 0);
+    const auto exploration = static_cast<int>(std::min(frame, reset.value_or(frame)));
+    play["scores"].push_back(score_of(exploration, static_cast<int>(frame) - exploration, file.rules));
   }
   play["goal_frame"] = or_null(goal_frame(file));
   play["reset_frame"] = or_null(reset);

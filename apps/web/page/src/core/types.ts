@@ -194,7 +194,7 @@ export interface Play {
   distances: number[];
   reasons: Reasons[];
   events: MmsEvent[];
-  /** The score of mms at each frame; empty in `steps`, where it is exploration / factor + speed. */
+  /** What had been scored by each frame, whether or not it was solved in the end. */
   scores: number[];
 }
 

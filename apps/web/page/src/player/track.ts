@@ -65,12 +65,6 @@ function counted(play: Play, last: number, run: number): Int32Array {
   return count;
 }
 
-function scores(play: Play, exploration: Int32Array, speed: Int32Array): Float64Array {
-  if (play.scores.length === exploration.length) return Float64Array.from(play.scores);
-  const factor = play.rules?.exploration_factor ?? 1;
-  return Float64Array.from(exploration, (steps, frame) => steps / factor + speed[frame]);
-}
-
 function mostOf(cells: number, entered: Int32Array): number {
   const visits = new Int32Array(cells);
   let most = 0;
@@ -123,7 +117,7 @@ export function prepare(play: Play): Track {
     jump: jumps(play, last),
     exploration,
     speed,
-    score: scores(play, exploration, speed),
+    score: Float64Array.from(play.scores),
     closed: closedWalls(play.maze),
     known: Int32Array.from(play.known, (frame) => (frame < 0 ? never : frame)),
     enteredFrom,

@@ -65,7 +65,7 @@ export function steps(changes: Partial<Play> = {}): Play {
     distances: [3, 1, 0, 2, 2, 1],
     reasons: [],
     events: [],
-    scores: [],
+    scores: [0, 1, 2, 3, 4, 5, 35, 65, 95].map((thirtieths) => thirtieths / 30),
     ...changes,
   };
 }
