@@ -41,7 +41,8 @@ export function oneFile(fileName: string): Plugin {
         .replace(/\s*<link[^>]*stylesheet[^>]*>/, '')
         .replace('<!-- labmouse:policy -->', () => policy(code, style))
         .replace('</head>', () => `<style>${style}</style>\n  </head>`)
-        .replace('</body>', () => `<script type="module">${code}</script>\n  </body>`);
+        // Ahead of what a report carries, so that a report that was cut can say so.
+        .replace('<!-- labmouse:report -->', (mark) => `<script type="module">${code}</script>\n    ${mark}`);
       for (const file of files) delete bundle[file.fileName];
       this.emitFile({ type: 'asset', fileName, source: text });
     },
