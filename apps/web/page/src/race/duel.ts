@@ -91,13 +91,15 @@ export function duel(page: EarlyPage, board: Board, open: (a: number, b: number,
   async function choose() {
     const now = ++asked;
     const { rules } = await page.ready;
-    const fresh = pairsOf(board, a, b, rules.failure_score).sort((one, other) => one.difference - other.difference);
+    const fresh = pairsOf(board, a, b, rules.failure_score);
+    // In the order of the mazes, as the command line does: the bootstrap draws by position.
     const answer =
       fresh.length > 0
         ? await page.core.call('compare', { differences: fresh.map(({ difference }) => difference) })
         : null;
     if (now !== asked) return;
-    [pairs, found] = [fresh, answer];
+    pairs = fresh.sort((one, other) => one.difference - other.difference);
+    found = answer;
     words.textContent = found ? duelWords(name(a), name(b), found, unit) : 'These two did not race in the same mazes.';
     for (const piece of [picture, tableBox]) piece.hidden = !found;
     canvas.setAttribute(
