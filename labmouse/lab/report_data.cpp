@@ -5,6 +5,7 @@
 #include "labmouse/lab/mms_report.hpp"
 #include "labmouse/lab/printable.hpp"
 #include "labmouse/lab/race_json.hpp"
+#include "labmouse/lab/race_notes.hpp"
 #include "labmouse/lab/report.hpp"
 #include "labmouse/lab/settings_json.hpp"
 #include "labmouse/lab/version.hpp"
@@ -80,6 +81,15 @@ Json mouse_json(const Race& race, const Standing& standing) {
           {"results", std::move(results)}};
 }
 
+Json lines_of(std::string_view text) {
+  Json lines = Json::array();
+  for (std::size_t end = 0; !text.empty(); text.remove_prefix(end + 1)) {
+    end = text.find('\n');
+    lines.push_back(text.substr(0, end));
+  }
+  return lines;
+}
+
 }  // namespace
 
 Json race_json(const Race& race, const std::vector<SkippedFile>& skipped, const MmsRace* mms) {
@@ -94,6 +104,7 @@ Json race_json(const Race& race, const std::vector<SkippedFile>& skipped, const 
   for (std::size_t i = 0; i < race.mazes.size(); ++i) json["mazes"].push_back(maze_json(race.mazes[i], race.bounds[i]));
   json["mice"] = Json::array();
   for (const Standing& standing : standings_of(race)) json["mice"].push_back(mouse_json(race, standing));
+  json["notes"] = lines_of(notes_of(race));
   if (mms != nullptr) json["groups"] = {group_json(*mms)};
   json["skipped"] = Json::array();
   for (const SkippedFile& file : skipped) {

@@ -210,6 +210,7 @@ ReadResultsResult read_results(const Json& json) {
   taker.list("mice", [&](const Json& each, const std::string& path, std::string& wrong) {
     return read_mouse(each, path, mazes, wrong);
   });
+  if (taker.has("notes")) taker.text_list("notes");
   if (taker.has("groups")) taker.list("groups", read_group);
   taker.list("skipped", read_skipped);
   read.results = taker.done(read.error);

@@ -254,6 +254,8 @@ export interface RaceResults {
   stopped: boolean;
   mazes: RacedMaze[];
   mice: RacedMouse[];
+  /** What `labmouse race` says below its table, line by line; missing in results of older versions. */
+  notes?: string[];
   /** The world of mms, where programs for it raced. */
   groups?: MmsGroup[];
   skipped: { path: string; reasons: string[] }[];
