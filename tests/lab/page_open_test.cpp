@@ -186,6 +186,13 @@ json refused_with(const char* field, const json& value) {
   return refused(bad.dump(), "race.json");
 }
 
+TEST(PageOpens, NothingThatIsTooDeepToBeOurs) {
+  const json said = refused(std::string(40, '[') + std::string(40, ']'));
+  EXPECT_EQ(said["error"], "file is JSON, but has more lists and objects in each other than any of ours");
+  EXPECT_EQ(refused(std::string(1'000'000, '['))["error"], said["error"]);
+  EXPECT_EQ(refused("[\"" + std::string(40, '[') + "\\\"[\"]")["error"], "file is JSON, but neither a record nor the results of a race");
+}
+
 TEST(PageOpens, NoResultsWithWrongFields) {
   const auto reason = [](const char* field, const json& value) -> std::string {
     return refused_with(field, value)["problems"][0]["reason"];

@@ -7,6 +7,7 @@
 #include "labmouse/lab/statistics.hpp"
 #include "labmouse/maze/formats/format.hpp"
 #include "labmouse/mouse/distance.hpp"
+#include "tests/lab/mms_record_fixture.hpp"
 #include "tests/lab/page_fixture.hpp"
 #include "tests/lab/record_fixture.hpp"
 
@@ -52,6 +53,16 @@ TEST(PageUnpacks, NoRecordThatIsNoneOrOfAnotherMaze) {
   EXPECT_EQ(error_of("unpack", of_maze(test::corridor(), {{"record", packed("flood")}})),
             "the record of flood in corridor does not agree with its maze");
   EXPECT_EQ(error_of("unpack", of_maze(test::corridor())), "'record' is missing");
+}
+
+TEST(PageUnpacks, RecordsOfMmsAsTheyAreOpened) {
+  const std::string text = test::mms_recorded({"setColor 0 0 G", "moveForward"});
+  const json unpacked = answer("unpack", of_maze(test::loop(), {{"record", {{"mouse", "m"}, {"maze", "z"}, {"mms", text}}}}));
+  EXPECT_EQ(unpacked["play"], answer("open", {{"name", "r"}}, text)["play"]);
+  EXPECT_EQ(unpacked["record"], text);
+  const json cut = failure("unpack", of_maze(test::loop(), {{"record", {{"mms", text.substr(0, 20)}}}}));
+  EXPECT_EQ(cut["error"], "the report has a record of mms that cannot be read");
+  EXPECT_EQ(cut["problems"][0]["line"], 1);
 }
 
 TEST(PagePicture, IsOfAMazeOrOfARecord) {

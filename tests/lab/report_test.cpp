@@ -13,7 +13,9 @@ namespace labmouse {
 namespace {
 
 using Json = nlohmann::json;
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 using ::testing::IsSupersetOf;
 using ::testing::Not;
 using ::testing::UnorderedElementsAre;
@@ -118,6 +120,13 @@ TEST_F(RaceAsJson, ListsSkippedFilesWithTheReasons) {
   ASSERT_EQ(json_.at("skipped").size(), 1U);
   EXPECT_EQ(json_.at("skipped")[0].at("path"), "bad.txt");
   EXPECT_EQ(json_.at("skipped")[0].at("reasons"), Json({"bad.txt:2:5: error: is odd", "bad.txt:0:0: error: is bad"}));
+}
+
+TEST_F(RaceAsJson, HasTheNotesOfTheTable) {
+  std::string notes;
+  for (const Json& line : json_.at("notes")) notes += line.get<std::string>() + "\n";
+  EXPECT_THAT(notes, Not(IsEmpty()));
+  EXPECT_THAT(table_of(race_, false), EndsWith("\n\n" + notes));
 }
 
 TEST(RaceAsJsonToo, AMouseWithoutARouteAnywhereHasNullMeans) {

@@ -104,6 +104,7 @@ PageReply answer_open(const nlohmann::json& json, std::string_view bytes) {
   if (text.empty()) return failed(fmt::format("{} is empty", name));
   if (is_markup(text)) return open_markup(name, text);
   if (text.front() != '{' && text.front() != '[') return open_maze(name, bytes);
+  if (is_too_deep(text)) return failed(fmt::format("{} is JSON, but has more lists and objects in each other than any of ours", name));
   const std::string kind = kind_of_first_line(text);
   if (kind == "record") return open_record(name, bytes, std::move(maze));
   if (kind == "mms record") return open_mms_record(name, bytes);

@@ -3,6 +3,7 @@
 
 #include "labmouse/contest/simulator.hpp"
 #include "labmouse/lab/layers.hpp"
+#include "labmouse/lab/mms_record_file.hpp"
 #include "labmouse/lab/packed_record.hpp"
 #include "labmouse/lab/page/answers.hpp"
 #include "labmouse/lab/page/mouse_spec.hpp"
@@ -24,6 +25,15 @@ std::vector<StepReasons> reasons_again(const RecordFile& file) {
   return again.steps == file.run.steps ? std::move(again.reasons) : std::vector<StepReasons>();
 }
 
+/// A record of mms stands in a report as it is.
+PageReply unpack_mms(const nlohmann::json& text) {
+  ReadMmsRecordResult read = read_mms_record(text.get<std::string>());
+  if (!read.file) return failed("the report has a record of mms that cannot be read", std::move(read.problems));
+  PlayResult result = play_json(*read.file);
+  if (!result.disagreement.empty()) return disagreed("the record", std::move(result.disagreement));
+  return answered({{"play", std::move(result.play)}, {"record", text}});
+}
+
 std::string picture_of(const NamedMaze& maze) {
   DrawingLayers layers = layers_of(maze.maze, Rules(), {Layer::coordinates});
   layers.title = maze.name;
@@ -37,6 +47,8 @@ PageReply answer_unpack(const nlohmann::json& json, std::string_view) {
   const NamedMaze maze = request.maze();
   if (!request.has("record")) request.reject("'record' is missing");
   if (!request.error().empty()) return failed(request.error());
+  if (json["record"].is_object() && json["record"].value("mms", nlohmann::json()).is_string())
+    return unpack_mms(json["record"]["mms"]);
   UnpackResult unpacked = unpack_record(json["record"], maze.maze);
   if (!unpacked.file) return failed("the report has a record that cannot be read", {{0, 0, std::move(unpacked.error)}});
   unpacked.file->maze = maze.maze;

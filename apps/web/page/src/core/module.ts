@@ -46,12 +46,14 @@ function system(memory: () => WebAssembly.Memory) {
   };
 }
 
-/** Starts the core from its WebAssembly. */
-export async function startModule(wasm: Uint8Array<ArrayBuffer>): Promise<(name: string, request: unknown, bytes?: Uint8Array) => Reply> {
-  const module = await WebAssembly.compile(wasm);
+export type Call = (name: string, request: unknown, bytes?: Uint8Array) => Reply;
+
+/** Starts a core anew. */
+export async function startModule(module: WebAssembly.Module): Promise<Call> {
   const known = system(() => exports.memory) as unknown as Record<string, WebAssembly.ImportValue>;
   const imports: WebAssembly.Imports = {};
-  for (const { module: from, name } of WebAssembly.Module.imports(module)) (imports[from] ??= {})[name] = known[name] ?? known.other;
+  for (const { module: from, name } of WebAssembly.Module.imports(module))
+    (imports[from] ??= {})[name] = known[name] ?? known.other;
   const instance = await WebAssembly.instantiate(module, imports);
   const exports = instance.exports as unknown as Exports;
   exports._initialize?.();

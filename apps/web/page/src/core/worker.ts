@@ -3,13 +3,18 @@ import packed from 'virtual:core';
 import { startModule } from './module';
 import { unpack } from './unpack';
 
-const started = unpack(packed).then(startModule);
+const compiled = unpack(packed).then((wasm) => WebAssembly.compile(wasm));
+let started = compiled.then(startModule);
 
 self.onmessage = async ({ data }: MessageEvent<{ id: number; name: string; request: unknown; bytes?: Uint8Array }>) => {
   try {
     const call = await started;
     self.postMessage({ id: data.id, ...call(data.name, data.request, data.bytes) });
   } catch (error) {
-    self.postMessage({ id: data.id, failure: { error: `the core failed: ${String(error)}`, problems: [] } });
+    // What a core leaves behind that stopped in the middle is worth nothing.
+    started = compiled.then(startModule);
+    const reason = error instanceof Error ? error.message : String(error);
+    const failure = { error: `the core stopped at this, and was started again (${reason})`, problems: [] };
+    self.postMessage({ id: data.id, failure });
   }
 };
