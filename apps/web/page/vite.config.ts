@@ -29,10 +29,23 @@ export default defineConfig({
         test: {
           name: 'end-to-end',
           include: ['tests/end-to-end/**/*.test.ts'],
+          globalSetup: 'tests/end-to-end/folder.ts',
+          setupFiles: 'tests/end-to-end/setup.ts',
+          isolate: false,
           testTimeout: 60_000,
           // Patience with a busy machine.
           expect: { poll: { timeout: 15_000 } },
           hookTimeout: 60_000,
+        },
+      },
+      {
+        extends: true,
+        test: {
+          name: 'speed',
+          include: ['bench/**/*.speed.ts'],
+          globalSetup: 'tests/end-to-end/folder.ts',
+          setupFiles: 'tests/end-to-end/setup.ts',
+          testTimeout: 120_000,
         },
       },
     ],

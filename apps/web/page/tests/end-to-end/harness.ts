@@ -1,12 +1,11 @@
 // Chromium on the built page, from the disk, as a user opens it.
 import { execFileSync } from 'node:child_process';
-import { existsSync, mkdirSync, mkdtempSync, rmSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { existsSync, mkdirSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import axe from 'axe-core';
 import { chromium, type Browser, type BrowserContextOptions, type Page } from 'playwright-core';
-import { afterAll, afterEach, beforeAll, expect } from 'vitest';
+import { expect, inject } from 'vitest';
 
 export const root = resolve(__dirname, '../../../../..');
 export const builtPage = join(root, 'build/page/labmouse.html');
@@ -19,14 +18,14 @@ export function native(...words: string[]): string {
   return execFileSync(program, words, { encoding: 'utf8', maxBuffer: 1 << 28 });
 }
 
-let browser: Browser;
+let browser: Promise<Browser> | null = null;
 const pages: Page[] = [];
 /** What the pages of a test said to the console that they should not have, and what they asked of a network. */
 const complaints: string[] = [];
-let folder: string;
 
-beforeAll(async () => {
-  browser = await chromium.launch({
+/** The one browser of all tests, which ends with them; each test has pages of its own in it. */
+function theBrowser(): Promise<Browser> {
+  browser ??= chromium.launch({
     executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
     args: [
       '--no-sandbox',
@@ -38,16 +37,14 @@ beforeAll(async () => {
       '--disable-sync',
     ],
   });
-  folder = mkdtempSync(join(tmpdir(), 'labmouse-'));
-});
-afterAll(async () => {
-  await browser?.close();
-  if (folder) rmSync(folder, { recursive: true, force: true });
-});
-afterEach(async () => {
+  return browser;
+}
+
+/** Closes the pages of a test, and fails where they complained. */
+export async function endOfTest() {
   for (const page of pages.splice(0)) await page.context().close();
   expect(complaints.splice(0)).toEqual([]);
-});
+}
 
 /** Takes out the complaints that a test provoked, and returns how many there were. */
 export function provoked(pattern: RegExp): number {
@@ -57,12 +54,20 @@ export function provoked(pattern: RegExp): number {
   return count;
 }
 
-/** A place for a file of this test program. */
-export const temporary = (name: string) => join(folder, name);
+/** A place for a file of these tests. */
+export const temporary = (name: string) => join(inject('folder'), name);
 
-/** Opens the page, or another file such as a report, and waits until its core has started. */
-export async function open(hash = '', { file = builtPage, ...options }: BrowserContextOptions & { file?: string } = {}) {
-  const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, acceptDownloads: true, ...options });
+interface Opening extends BrowserContextOptions {
+  file?: string;
+  /** Done with the page before it is opened. */
+  before?: (page: Page) => Promise<void>;
+}
+
+/** Opens the page, or another file such as a report, and waits until its frame stands. */
+export async function open(hash = '', { file = builtPage, before, ...options }: Opening = {}) {
+  const context = await (
+    await theBrowser()
+  ).newContext({ viewport: { width: 1280, height: 900 }, acceptDownloads: true, ...options });
   const page = await context.newPage();
   pages.push(page);
   page.on('console', (message) => {
@@ -72,6 +77,7 @@ export async function open(hash = '', { file = builtPage, ...options }: BrowserC
   page.on('request', (request) => {
     if (/^https?:/.test(request.url())) complaints.push(`asks for ${request.url()}`);
   });
+  await before?.(page);
   await page.goto(pathToFileURL(file).href + hash);
   await page.getByRole('navigation', { name: 'Views' }).waitFor();
   return page;
@@ -81,7 +87,9 @@ export async function open(hash = '', { file = builtPage, ...options }: BrowserC
 export async function barriers(page: Page): Promise<string[]> {
   // Through the debugger, which the page's policy does not hold back.
   await page.evaluate(axe.source);
-  const { violations } = await page.evaluate(() => (window as unknown as { axe: typeof axe }).axe.run(document));
+  const { violations } = await page.evaluate(() =>
+    (window as unknown as { axe: typeof axe }).axe.run(document, { resultTypes: ['violations'] }),
+  );
   return violations
     .filter(({ impact }) => impact === 'serious' || impact === 'critical')
     .map(({ id, help, nodes }) => `${id}: ${help}: ${nodes.map((node) => node.html.slice(0, 120)).join(' | ')}`);
