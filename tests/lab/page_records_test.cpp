@@ -114,6 +114,9 @@ TEST(PageCompares, AsTheLabDoes) {
   const json said = answer("compare", {{"differences", differences}});
   EXPECT_EQ(said, (json{{"count", 5}, {"mean", found.mean}, {"interval", {found.interval.low, found.interval.high}},
                         {"below", 3}, {"equal", 1}, {"above", 1}, {"sign_test", found.sign_test}}));
+  const Interval other = paired_difference(differences, 7).interval;
+  EXPECT_EQ(answer("compare", {{"differences", differences}, {"seed", 7}})["interval"], json({other.low, other.high}));
+  EXPECT_NE(other, found.interval);
   EXPECT_EQ(answer("compare", {{"differences", json::array()}})["count"], 0);
   EXPECT_EQ(error_of("compare", {{"differences", {1, nullptr}}}), "'differences' has one that is no number");
 }

@@ -86,8 +86,8 @@ PageReply answer_compare(const nlohmann::json& json, std::string_view) {
       differences.push_back(each.get<double>());
     else
       request.reject("'differences' has one that is no number");
+  const std::uint64_t seed = request.has("seed") ? request.seed() : 1;
   if (!request.error().empty()) return failed(request.error());
-  constexpr std::uint64_t seed = 1;
   const PairedDifference found = paired_difference(differences, seed);
   return answered({{"count", found.count},
                    {"mean", found.mean},

@@ -363,7 +363,7 @@ export interface Calls {
     answer: { results: RaceResults };
   };
   /** Means of a mouse in the same mazes as another. */
-  compare: { request: { differences: number[] }; answer: PairedDifference };
+  compare: { request: { differences: number[]; seed?: number }; answer: PairedDifference };
   /**
    * What a mouse with that knowledge believed: steps to the goal from each cell, all unknown walls open, frame by frame:
    * frames * cells numbers of 16 bits in `bytes`, 65535 where there is no way.
