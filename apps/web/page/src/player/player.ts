@@ -17,7 +17,7 @@ import { nextTime, timeOf, type Actions, type Panel, type Side, type State } fro
 import { createSteps } from './steps';
 import { createTransport } from './transport';
 import { createWords } from './last-words';
-import { mazeText, momentText } from './words';
+import { mazeText, momentText, namesOf } from './words';
 
 /** A contest, and its record as text, to be saved. */
 export interface Shown {
@@ -160,7 +160,9 @@ export function createPlayer(page: Page): Player {
     element,
     show(plays, at = 'start') {
       for (const side of state.sides) side.scene.stage.close();
-      state.sides = plays.slice(0, 2).map((shown) => createSide(shown, layers, tallest));
+      const two = plays.slice(0, 2);
+      const names = namesOf(two.map(({ play }) => play));
+      state.sides = two.map((shown, i) => createSide(shown, names[i], layers, tallest));
       state.chosen = 0;
       element.hidden = state.sides.length === 0;
       element.classList.toggle('double', state.sides.length === 2);

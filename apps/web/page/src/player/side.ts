@@ -24,7 +24,7 @@ function readout(track: Track, { stage, past, distanceOf }: Scene): HTMLElement 
   return element;
 }
 
-export function createSide({ play, record }: Shown, layers: Layers, tallest: () => number): Side {
+export function createSide({ play, record }: Shown, name: string, layers: Layers, tallest: () => number): Side {
   const track = prepare(play);
   const scene = createScene(track, layers, tallest);
   const digits = play.world === 'mms' ? 1 : 3;
@@ -38,7 +38,7 @@ export function createSide({ play, record }: Shown, layers: Layers, tallest: () 
     h(
       'figcaption',
       {},
-      h('h3', {}, play.mouse, h('small', {}, ` in ${mazeText(play.maze)}: `), play.outcome),
+      h('h3', {}, name, h('small', {}, ` in ${mazeText(play.maze)}: `), play.outcome),
       h(
         'p',
         { class: 'ticker' },
@@ -54,6 +54,7 @@ export function createSide({ play, record }: Shown, layers: Layers, tallest: () 
   const set = (node: Text, text: string) => node.data !== text && (node.data = text);
   return {
     record,
+    name,
     track,
     scene,
     element,

@@ -7,6 +7,8 @@ import type { Track } from './track';
 /** One of the contests that are shown. */
 export interface Side {
   record: string;
+  /** Of the mouse; beside another play of the same mouse with what tells them apart. */
+  name: string;
   track: Track;
   scene: Scene;
   element: HTMLElement;

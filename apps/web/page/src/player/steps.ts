@@ -114,11 +114,11 @@ export function createSteps(state: State, actions: Actions): Panel {
   function choose() {
     chooser.hidden = state.sides.length < 2;
     chooser.replaceChildren(
-      ...state.sides.map(({ track: one }, i) =>
+      ...state.sides.map(({ name }, i) =>
         h(
           'button',
           { type: 'button', 'aria-pressed': String(i === state.chosen), onclick: () => actions.choose(i) },
-          one.play.mouse,
+          name,
         ),
       ),
     );

@@ -1,9 +1,10 @@
 // Words and numbers about a moment of a play.
-import type { MazeData } from '../core/types';
+import type { MazeData, Play } from '../core/types';
 import type { Scene } from './scene';
 import type { Track } from './track';
 
 type Side = { track: Track; scene: Scene };
+type Named = Side & { name: string };
 
 export const headings = ['north', 'north-east', 'east', 'south-east', 'south', 'south-west', 'west', 'north-west'];
 
@@ -46,10 +47,10 @@ export function actionText({ track, scene }: Side): string {
 }
 
 /** One sentence on where a play is, for those who hear it. */
-export function momentText(side: Side): string {
+export function momentText(side: Named): string {
   const { track, scene } = side;
   const { frame } = scene.past;
-  const when = `${track.play.mouse} after ${frame} of ${counted(track.last, 'step')}, ${runText(side)}`;
+  const when = `${side.name} after ${frame} of ${counted(track.last, 'step')}, ${runText(side)}`;
   const where = `${when}: at ${poseText(side)}`;
   if (frame === track.last) return `${where}. ${track.play.outcome}.`;
   const reads = track.play.left.length > 0 ? ` Open cells to the left, ahead, to the right: ${readingText(side)}.` : '';
@@ -58,3 +59,12 @@ export function momentText(side: Side): string {
 
 /** `capstone-1, 12 × 12 cells` */
 export const mazeText = (maze: MazeData) => `${maze.name}, ${maze.width} × ${maze.height} cells`;
+
+/** What plays beside each other are called: two of one mouse by their mazes, too, or by their place. */
+export function namesOf(plays: Pick<Play, 'mouse' | 'maze'>[]): string[] {
+  const tellApart = (names: string[]) => new Set(names).size === names.length;
+  const mice = plays.map(({ mouse }) => mouse);
+  if (tellApart(mice)) return mice;
+  const mazes = plays.map(({ mouse, maze }) => `${mouse}, ${maze.name || 'a maze'}`);
+  return tellApart(mazes) ? mazes : mice.map((mouse, i) => `${mouse}, ${i + 1}`);
+}
