@@ -1,10 +1,11 @@
 // Runs what is chosen, at once on every change, and shows the walk.
 import type { MazeData } from '../core/types';
+import { isSameMaze } from '../maze/same';
 import { createPlayer } from '../player/player';
 import { h } from '../ui/dom';
 import { createLatest } from '../ui/latest';
 import type { Page } from '../views/view';
-import { comparisonInWords, isSameMaze, type Walk } from './comparison';
+import { comparisonInWords, type Walk } from './comparison';
 
 export interface Order {
   spec: string;
@@ -44,7 +45,7 @@ export function createBench(page: Page, refused: (message: string) => void): Ben
     if (now) player.show(compare.checked && before ? [before, now] : [now], 'end');
   }
   function take(walk: Walk) {
-    before = now && isSameMaze(now, walk) ? now : null;
+    before = now && isSameMaze(now.play, walk.play) ? now : null;
     now = walk;
     refused('');
     element.classList.remove('stale');

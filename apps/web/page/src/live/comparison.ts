@@ -36,10 +36,3 @@ export function comparisonInWords(before: Walk, now: Walk): string {
   const score = `score ${scoreOf(before.play)} → ${scoreOf(now.play)}${difference}`;
   return `${asked}: ${isSameWalk ? `the same walk, score ${scoreOf(now.play)}` : score}`;
 }
-
-/** Whether two walks are in one maze, so that they can be compared. */
-export function isSameMaze({ play: { maze: one } }: Walk, { play: { maze: other } }: Walk): boolean {
-  const sides = ({ width, height, walls, start, heading, goals }: Play['maze']) =>
-    JSON.stringify([width, height, walls, start, heading, goals]);
-  return sides(one) === sides(other);
-}

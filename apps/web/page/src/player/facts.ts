@@ -1,4 +1,5 @@
 // The numbers of the moment and of the whole contest; of two contests beside each other, with their differences.
+import { isSameMaze } from '../maze/same';
 import { h } from '../ui/dom';
 import type { Panel, Side, State } from './state';
 import { counted, decimal, percent, poseText, readingText, runText, short } from './words';
@@ -10,6 +11,8 @@ interface Row {
   text: (side: Side, value: number | null) => string;
   /** Where it changes with the frame. */
   live?: boolean;
+  /** A score, which has three decimals (one in mms) wherever it stands. */
+  score?: boolean;
 }
 
 const absent = '–';
@@ -42,6 +45,7 @@ const now: Row[] = [
     value: (side) => side.track.score[side.scene.past.frame],
     text: (side, score) => (score === null ? absent : decimal(score, digits(side))),
     live: true,
+    score: true,
   },
 ];
 
@@ -58,11 +62,13 @@ const whole: Row[] = [
     label: 'score',
     value: ({ track }) => track.play.score,
     text: (side, v) => (v === null ? absent : decimal(v, digits(side))),
+    score: true,
   },
   {
     label: 'best possible',
     value: ({ track }) => track.play.bound,
     text: (side, v) => (v === null ? absent : decimal(v, digits(side))),
+    score: true,
   },
   {
     label: 'exploration',
@@ -97,25 +103,33 @@ function rowsOf(sides: Side[]): Row[] {
   return sides.every(isMms) ? rows.filter(({ label }) => !ofSteps.has(label)) : rows;
 }
 
-/** The second less the first, with a sign. */
+function amountOf(row: Row, by: number, side: Side): string {
+  if (row.label.startsWith('cells ')) return `${(100 * by).toFixed(1)} points`;
+  return row.score ? decimal(by, digits(side)) : short(by);
+}
+
+/** The first less the second, as in Race, with a sign. */
 function difference(row: Row, [first, second]: Side[]): string {
   const a = row.value?.(first) ?? null;
   const b = row.value?.(second) ?? null;
   if (a === null || b === null) return '';
-  const share = row.label.startsWith('cells ');
-  const by = share ? 100 * (b - a) : b - a;
-  const text = share ? `${Math.abs(by).toFixed(1)} points` : short(Math.abs(by));
-  return by === 0 ? '0' : (by > 0 ? '+' : '−') + text;
+  const text = amountOf(row, Math.abs(a - b), first);
+  return Number.parseFloat(text) === 0 ? '0' : (a > b ? '+' : '−') + text;
 }
+
+/** Scores of two worlds, or of two mazes, have no difference that means anything. */
+const areComparable = ([one, other]: Side[]) =>
+  one.track.play.world === other.track.play.world && isSameMaze(one.track.play, other.track.play);
 
 export function createFacts(state: State): Panel {
   const element = h('section', { class: 'facts' });
   let sides: Side[] = [];
+  let compared = false;
   let live: { row: Row; cells: Text[] }[] = [];
 
   const texts = (row: Row) => {
     const values = sides.map((side) => row.text(side, row.value?.(side) ?? null));
-    return sides.length === 2 ? [...values, difference(row, sides)] : values;
+    return compared ? [...values, difference(row, sides)] : values;
   };
   function tableRow(row: Row): HTMLElement {
     const cells = texts(row).map((text) => document.createTextNode(text));
@@ -125,8 +139,10 @@ export function createFacts(state: State): Panel {
   function rebuild() {
     sides = state.sides;
     live = [];
-    const names = sides.map(({ track }) => h('th', { scope: 'col' }, track.play.mouse));
-    const head = sides.length === 2 ? [...names, h('th', { scope: 'col' }, 'difference')] : names;
+    compared = sides.length === 2 && areComparable(sides);
+    const names = sides.map(({ name }) => name);
+    const heads = compared ? [...names, names.join(' − ')] : names;
+    const head = heads.map((text) => h('th', { scope: 'col', title: text }, text));
     element.replaceChildren(
       h('h3', {}, 'Numbers'),
       h(

@@ -128,7 +128,8 @@ test('two mice run on one clock and are compared', async () => {
   expect(await moment(page)).toContain('flood after 1 of 52 steps');
   await press(page, 'End', 112);
   expect(await moment(page)).toContain('flood after 52 of 52 steps');
-  expect(await fact(page, 'score', 2)).toBe('+1.867');
+  expect(await fact(page, 'score', 2)).toBe('−1.867');
+  await page.getByRole('columnheader', { name: 'ariadne − flood' }).waitFor();
   await page.getByRole('button', { name: 'flood' }).click();
   await page.locator('.replay .reasons').waitFor({ state: 'hidden' });
   await page.getByRole('button', { name: 'Speed run', exact: true }).click();

@@ -1,7 +1,8 @@
 import { expect, it } from 'vitest';
 import type { Play } from '../../src/core/types';
-import { comparisonInWords, isSameMaze, type Walk } from '../../src/live/comparison';
+import { comparisonInWords, type Walk } from '../../src/live/comparison';
 import { compareValues } from '../../src/live/table';
+import { isSameMaze } from '../../src/maze/same';
 
 const walk = (spec: string, score: number | null, action: string[], more: Partial<Walk> = {}): Walk => ({
   spec,
@@ -32,10 +33,10 @@ it('says what changed and what came of it', () => {
 });
 
 it('compares walks of one maze only, whatever its name', () => {
-  const one = walk('a', 1, []);
-  const other = walk('b', 1, []);
+  const { play: one } = walk('a', 1, []);
+  const { play: other } = walk('b', 1, []);
   expect(isSameMaze(one, other)).toBe(true);
-  other.play.maze.start = [1, 0];
+  other.maze.start = [1, 0];
   expect(isSameMaze(one, other)).toBe(false);
 });
 
