@@ -41,6 +41,8 @@ export function createBench(page: Page, refused: (message: string) => void): Ben
   let now: Walk | null = null;
   let before: Walk | null = null;
 
+  /** What is shown is of an order before the last one, which was refused. */
+  const stale = (is: boolean) => [row, player.element].forEach((part) => part.classList.toggle('stale', is));
   function show() {
     if (now) player.show(compare.checked && before ? [before, now] : [now], 'end');
   }
@@ -48,7 +50,7 @@ export function createBench(page: Page, refused: (message: string) => void): Ben
     before = now && isSameMaze(now.play, walk.play) ? now : null;
     now = walk;
     refused('');
-    element.classList.remove('stale');
+    stale(false);
     outcome.dataset.state = walk.play.solved ? 'good' : 'bad';
     outcome.replaceChildren(outcomeInWords(walk));
     words.replaceChildren(before ? comparisonInWords(before, walk) : '');
@@ -62,8 +64,11 @@ export function createBench(page: Page, refused: (message: string) => void): Ben
     },
     take,
     (error) => {
-      element.classList.add('stale');
-      refused(error instanceof Error ? error.message : String(error));
+      const message = error instanceof Error ? error.message : String(error);
+      stale(true);
+      outcome.dataset.state = 'bad';
+      outcome.replaceChildren(`Not run: ${message}`);
+      refused(message);
     },
     250,
   );

@@ -47,6 +47,7 @@ export function createLive(page: Page): LiveView {
   const seedRow = field('Seed', seed);
   const bench = createBench(page, (message) => {
     complainAt({ seed: seedRow, budget: budgetRow, mouse }, 'mouse', message);
+    if (message) showComplaint();
   });
   const everyone = createEveryone(page, order, (spec, itsSeed) => {
     mouse.choose(spec);
@@ -55,6 +56,12 @@ export function createLive(page: Page): LiveView {
     bench.element.scrollIntoView({ block: 'nearest' });
   });
 
+  function showComplaint() {
+    const row = side.querySelector('[aria-invalid]')?.closest('.field');
+    const closed = row?.closest('details');
+    if (closed) closed.open = true;
+    row?.scrollIntoView({ block: 'nearest' });
+  }
   function order() {
     const numbers = { seed: Number(seed.value), budget: Number(budget.value) };
     return maze && { spec: mouse.spec(), maze, ...numbers };

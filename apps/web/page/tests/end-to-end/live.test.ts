@@ -38,11 +38,15 @@ test('what is wrong stands at its field, in the words of the core', async () => 
   const page = await openLive();
   const travel = page.getByLabel('travel', { exact: true });
   await travel.fill('1000');
-  const refusal = page.getByText("of parameter 'travel' of mouse 'ariadne' is outside of 1 to 200");
+  const refusal = page.locator('.field-error', {
+    hasText: "of parameter 'travel' of mouse 'ariadne' is outside of 1 to 200",
+  });
   await refusal.waitFor();
   expect(await travel.getAttribute('aria-invalid')).toBe('true');
+  expect(await outcome(page).textContent()).toMatch(/^Not run: .*of parameter 'travel'/);
   await travel.fill('20');
   await refusal.waitFor({ state: 'detached' });
+  await expect.poll(() => outcome(page).textContent()).toContain('ariadne in capstone-1: solved');
   const maze = page.getByRole('region', { name: 'Maze', exact: true });
   await maze.getByLabel('From').selectOption('generator');
   await maze.getByLabel('Kind').selectOption('contest');
@@ -101,7 +105,8 @@ test('the address holds mouse, maze and seed', async () => {
 
 test('a strange address breaks nothing', async () => {
   const page = await open('#live&mouse=nobody:a=%3Cb%3E&maze=cut&seed=x');
-  await page.getByText(/mouse 'nobody' is unknown/).waitFor();
+  await page.locator('.field-error', { hasText: /mouse 'nobody' is unknown/ }).waitFor();
+  expect(await outcome(page).textContent()).toMatch(/^Not run: .*'nobody' is unknown/);
   await page.getByRole('alert').filter({ hasText: /./ }).first().waitFor();
   await mouse(page).selectOption('flood');
   await expect.poll(() => outcome(page).textContent()).toContain('flood in capstone-1: solved');
