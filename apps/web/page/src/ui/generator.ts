@@ -59,10 +59,10 @@ export function createGenerator(about: About, { first, more = [] }: { first: str
     ),
     order: () => ({
       generator: kind.value,
-      width: Number(width.value),
-      height: Number(height.value),
-      seed: Number(seed.value),
-      loops: seeded.hidden ? 0 : Number(loops.value),
+      width: width.valueAsNumber,
+      height: height.valueAsNumber,
+      seed: seeded.hidden ? 1 : seed.valueAsNumber,
+      loops: seeded.hidden ? 0 : loops.valueAsNumber,
     }),
     complain: (message) => complainAt(fields, 'generator', message),
   };

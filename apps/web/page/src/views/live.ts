@@ -63,14 +63,15 @@ export function createLive(page: Page): LiveView {
     row?.scrollIntoView({ block: 'nearest' });
   }
   function order() {
-    const numbers = { seed: Number(seed.value), budget: Number(budget.value) };
+    // What is empty is no number, and no 0: the core says so.
+    const numbers = { seed: seed.valueAsNumber, budget: budget.valueAsNumber };
     return maze && { spec: mouse.spec(), maze, ...numbers };
   }
   function changed() {
     const now = order();
     if (!now || !isShown) return;
     bench.run(now);
-    address.ask(now);
+    if (Number.isFinite(now.seed) && Number.isFinite(now.budget)) address.ask(now);
   }
   /** The address says what is shown, so that a reload or a shared link shows the same. */
   const address = createLatest(

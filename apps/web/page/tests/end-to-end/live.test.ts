@@ -57,6 +57,16 @@ test('what is wrong stands at its field, in the words of the core', async () => 
   await expect.poll(() => outcome(page).textContent()).toContain('contest-12x12-seed-1');
 });
 
+test('an empty number is not taken for 0', async () => {
+  const page = await openLive();
+  const contest = page.getByRole('region', { name: 'Contest' });
+  await contest.getByLabel('Seed').fill('');
+  await contest.getByText("'seed' is not a number").waitFor();
+  await expect.poll(() => outcome(page).textContent()).toContain("'seed' is not a number");
+  await contest.getByLabel('Seed').fill('2');
+  await expect.poll(() => outcome(page).textContent()).toContain('solved');
+});
+
 test('all mice race; a click on one shows its walk', async () => {
   const page = await openLive();
   await page.getByRole('button', { name: 'Race all mice on this maze' }).click();
