@@ -64,7 +64,7 @@ export function createTable(pick: (row: Row) => void): Table {
   function cellOf(column: Column, row: Row, i: number) {
     const value = column.value(row);
     if (i === 0) {
-      const show = h('button', { type: 'button', class: 'link', disabled: !row.result }, row.spec);
+      const show = h('button', { type: 'button', class: 'link', title: row.spec, disabled: !row.result }, row.spec);
       return h('th', { scope: 'row' }, show, row.isReference && h('span', { class: 'note' }, ' reference'));
     }
     const text = value === null ? '–' : typeof value === 'number' ? value.toFixed(column.digits) : value;

@@ -117,7 +117,7 @@ export function createSteps(state: State, actions: Actions): Panel {
       ...state.sides.map(({ name }, i) =>
         h(
           'button',
-          { type: 'button', 'aria-pressed': String(i === state.chosen), onclick: () => actions.choose(i) },
+          { type: 'button', title: name, 'aria-pressed': String(i === state.chosen), onclick: () => actions.choose(i) },
           name,
         ),
       ),

@@ -241,6 +241,21 @@ test('what the mouse believed is asked of the core', async () => {
   expect(await page.locator('.replay .readout').textContent()).toMatch(/^\(0,\d+\): \d visits?, \d+ steps to the goal$/);
 });
 
+test.each([1280, 390])('a name of any length stays in its place: %i pixels', async (width) => {
+  const long = (name: string) => {
+    const file = temporary('long.jsonl');
+    native('run', 'flood', 'capstone-1', '--record', file);
+    return readFileSync(file, 'utf8').replace('"flood"', `"${name.repeat(100)}"`);
+  };
+  const page = await open('#replay', { viewport: { width, height: 800 } });
+  await drop(page, { name: 'a.jsonl', content: long('nobody') }, { name: 'b.jsonl', content: long('others') });
+  await page.locator('.replay .player canvas').first().waitFor();
+  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(width);
+  const numbers = await page.locator('.replay .facts').evaluate((facts) => [facts.scrollWidth, facts.clientWidth]);
+  expect(numbers[0]).toBeLessThanOrEqual(numbers[1]);
+  await picture(page, `replay-long-names-${width}`);
+});
+
 test('a picture of the record is saved', async () => {
   const page = await opened();
   const [download] = await Promise.all([
