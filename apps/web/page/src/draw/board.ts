@@ -24,8 +24,10 @@ const help =
   'Arrow keys go from cell to cell. W, A, S, D, or Shift with an arrow, close or open the wall on that side. ' +
   'G: goal. H: the start is here. R: turn the start. Ctrl+Z and Ctrl+Shift+Z: undo and redo.';
 
-/** `say` reaches screen readers. */
-export function createBoard(editor: Editor, say: (words: string) => void): Board {
+export function createBoard(editor: Editor): Board {
+  /** What was done, or why it was not: to be read and to be heard. */
+  const said = h('p', { class: 'draw-said', 'aria-live': 'polite' });
+  const say = (words: string) => said.textContent !== words && said.replaceChildren(words);
   const overlay: Overlay = { hover: null, cursor: null, route: null };
   let tool: Tool = 'walls';
   let cursor: Cell = editor.maze().start;
@@ -70,6 +72,7 @@ export function createBoard(editor: Editor, say: (words: string) => void): Board
     stroke = { stroke: begun, at, pointer: event.pointerId };
     canvas.setPointerCapture(event.pointerId);
     overlay.hover = null;
+    say('');
     const next = begun(editor.maze(), ...at);
     if (next === editor.maze() && tool === 'goals') say('a maze has one goal at least');
     editor.sketch(next);
@@ -129,7 +132,7 @@ export function createBoard(editor: Editor, say: (words: string) => void): Board
     stage.resize(maze);
   }
   return {
-    element: h('div', { class: 'draw-board' }, stage.element, keys),
+    element: h('div', { class: 'draw-board' }, stage.element, said, keys),
     show,
     setTool(next) {
       tool = next;

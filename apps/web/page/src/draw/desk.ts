@@ -25,8 +25,7 @@ const isEqual = (one: MazeData, other: MazeData) => JSON.stringify(one) === JSON
 
 export function createDesk(page: Page, first: MazeData): Desk {
   const editor = createEditor(first, () => changed());
-  const spoken = h('p', { class: 'unseen', 'aria-live': 'polite' });
-  const board = createBoard(editor, (words) => spoken.replaceChildren(words));
+  const board = createBoard(editor);
   const tools = createTools(editor, board.setTool);
   const withRoute = h('input', { type: 'checkbox', checked: true, onchange: () => showRoute() });
   let found: [number, number][] | null = null;
@@ -89,7 +88,7 @@ export function createDesk(page: Page, first: MazeData): Desk {
     element: h(
       'div',
       { class: 'desk' },
-      h('div', { class: 'desk-main' }, tools.element, board.element, spoken),
+      h('div', { class: 'desk-main' }, tools.element, board.element),
       h('div', { class: 'desk-side' }, ...side),
       h('div', { class: 'desk-below' }, ...below),
     ),

@@ -61,7 +61,7 @@ test('walls are drawn by clicks and drags, judged, and undone', async () => {
 
 test('all is drawn by keyboard, too, and each step is said', async () => {
   const page = await openDraw();
-  const said = page.locator('.desk-main > [aria-live]');
+  const said = page.locator('.draw-board [aria-live]');
   await board(page).focus();
   for (const [key, words] of [
     ['ArrowUp', '(0,1): walls west'],
@@ -75,6 +75,21 @@ test('all is drawn by keyboard, too, and each step is said', async () => {
     await page.keyboard.press(key);
     expect(await said.textContent()).toBe(words);
   }
+});
+
+test('why the last goal stays is told below the board', async () => {
+  const page = await openDraw();
+  const form = page.getByRole('region', { name: 'New drawing' });
+  await form.getByLabel('Width').fill('3');
+  await form.getByLabel('Height').fill('3');
+  await form.getByRole('button', { name: 'New drawing' }).click();
+  await expect.poll(() => shown(page)).toBe('Drawing of 3 by 3 cells');
+  await page.getByText('Goals', { exact: true }).click();
+  const at = await places(page, 3, 3);
+  await page.mouse.click(...at(1.5, 1.5));
+  await page.getByText('a maze has one goal at least').waitFor();
+  const box = (await page.getByText('a maze has one goal at least').boundingBox())!;
+  expect(box.width).toBeGreaterThan(100);
 });
 
 test('a finger draws without moving the page', async () => {
