@@ -42,8 +42,8 @@ const believes = ({ track }: Pick<Side, 'track'>) => track.play.known.length > 0
 /** Milliseconds between two looks of the numbers and lists at a replay that runs. */
 const panelPause = 100;
 
-/** Room for the controls, in pixels of the page. */
-const tallest = () => Math.max(260, innerHeight - 300);
+/** Leaves room for the controls, and on low screens for the most needed of them; in pixels of the page. */
+const tallest = () => Math.max(Math.min(260, innerHeight - 160), innerHeight - 300);
 
 export function createPlayer(page: Page): Player {
   const clock = createClock();

@@ -33,6 +33,9 @@ export function createLive(page: Page): LiveView {
   let maze: MazeData | null = null;
   let written = '';
   let isShown = false;
+  /** A maze that came from elsewhere is to be seen with its first walk, also where the choices stand above it. */
+  let isGiven = false;
+  const narrow = matchMedia('(max-width: 60rem)');
 
   const mouse = createMouseChoice(mice.some(({ name }) => name === oracle.name) ? mice : [...mice, oracle], changed);
   const mazes = createMazeChoice(page, (next) => {
@@ -48,6 +51,8 @@ export function createLive(page: Page): LiveView {
   const bench = createBench(page, (message) => {
     complainAt({ seed: seedRow, budget: budgetRow, mouse }, 'mouse', message);
     if (message) showComplaint();
+    else if (isGiven && narrow.matches) requestAnimationFrame(() => bench.element.scrollIntoView());
+    isGiven = false;
   });
   const everyone = createEveryone(page, order, (spec, itsSeed) => {
     mouse.choose(spec);
@@ -134,6 +139,7 @@ export function createLive(page: Page): LiveView {
     },
     accept(thing) {
       if (!isMaze(thing)) return;
+      isGiven = true;
       mazes.give(thing);
       // What stands in the address is older than this.
       written = location.hash;

@@ -173,6 +173,19 @@ test('a mouse runs in what was drawn', async () => {
   expect(await name.inputValue()).toBe('my maze');
 });
 
+test('on a phone a new drawing and its first walk are brought into sight', async () => {
+  const page = await openDraw('#draw', { viewport: { width: 390, height: 844 } });
+  const inSight = (place: ReturnType<typeof board>) =>
+    expect.poll(async () => {
+      const box = await place.boundingBox();
+      return box !== null && box.y >= 0 && box.y + box.height <= 844;
+    });
+  await page.getByRole('region', { name: 'New drawing' }).getByRole('button', { name: 'New drawing' }).click();
+  await inSight(board(page)).toBe(true);
+  await page.getByRole('button', { name: 'Run a mouse here' }).click();
+  await inSight(page.getByRole('region', { name: 'Live' }).locator('canvas')).toBe(true);
+});
+
 test('the drawing survives a reload', async () => {
   const page = await openDraw();
   const form = page.getByRole('region', { name: 'New drawing' });
