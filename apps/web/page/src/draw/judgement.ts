@@ -1,6 +1,7 @@
 // What the core says about the drawing while it changes.
 import type { Inspection, MazeData } from '../core/types';
 import { h } from '../ui/dom';
+import { boundMeaning, mmsBoundMeaning, optimumMeaning } from '../ui/terms';
 import { createLatest } from '../ui/latest';
 import type { Page } from '../views/view';
 
@@ -20,9 +21,9 @@ const arrives = (value: boolean) => (value ? 'arrives' : 'does not arrive');
 /** The figures, each with what it means. */
 function figures(found: Inspection, cells: number): [string, string, string][] {
   return [
-    ['Optimum', counted(found.optimum, 'step'), 'the shortest speed run'],
-    ['Bound', number(found.bound, 3), 'the score of a mouse that knows the maze'],
-    ['mms bound', number(found.mms_score, 3), `the best possible score in mms: a run of ${number(found.mms_run)}`],
+    ['Shortest run', counted(found.optimum, 'step'), optimumMeaning],
+    ['Bound', number(found.bound, 3), boundMeaning],
+    ['mms bound', number(found.mms_score, 3), `${mmsBoundMeaning}: a run of ${number(found.mms_run)}`],
     ['Shortest way', counted(found.shortest_cells, 'cell'), 'from the start to the nearest goal'],
     ['Reachable', `${found.reachable} of ${cells} cells`, 'from the start'],
     ['Dead ends', number(found.dead_ends), 'cells with one way in'],

@@ -3,6 +3,7 @@ import type { MazeData } from '../core/types';
 import { isSameMaze } from '../maze/same';
 import { createPlayer } from '../player/player';
 import { h } from '../ui/dom';
+import { boundMeaning } from '../ui/terms';
 import { createLatest } from '../ui/latest';
 import type { Page } from '../views/view';
 import { comparisonInWords, type Walk } from './comparison';
@@ -24,7 +25,7 @@ const score = (value: number | null) => (value === null ? 'none' : value.toFixed
 
 /** What came of a walk, in a line. */
 function outcomeInWords({ spec, play }: Walk): string {
-  const known = play.bound === null ? 'no goal can be reached' : `best possible ${score(play.bound)}`;
+  const known = play.bound === null ? 'no goal can be reached' : `bound ${score(play.bound)}`;
   return `${spec} in ${play.maze.name || 'this maze'}: ${play.outcome}, score ${score(play.score)}, ${known}`;
 }
 
@@ -52,6 +53,7 @@ export function createBench(page: Page, refused: (message: string) => void): Ben
     refused('');
     stale(false);
     outcome.dataset.state = walk.play.solved ? 'good' : 'bad';
+    outcome.title = `bound: ${boundMeaning}`;
     outcome.replaceChildren(outcomeInWords(walk));
     words.replaceChildren(before ? comparisonInWords(before, walk) : '');
     compare.disabled = before === null;
@@ -67,6 +69,7 @@ export function createBench(page: Page, refused: (message: string) => void): Ben
       const message = error instanceof Error ? error.message : String(error);
       stale(true);
       outcome.dataset.state = 'bad';
+      outcome.title = '';
       outcome.replaceChildren(`Not run: ${message}`);
       refused(message);
     },

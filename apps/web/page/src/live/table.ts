@@ -1,6 +1,7 @@
 // The mice of a race in one maze, as a table that can be sorted.
 import type { ContestResult } from '../core/types';
 import { h } from '../ui/dom';
+import { boundMeaning } from '../ui/terms';
 
 export interface Row {
   spec: string;
@@ -30,7 +31,7 @@ interface Column {
 const columns: Column[] = [
   { name: 'Mouse', unit: '', value: (row) => row.spec },
   { name: 'Score', unit: 'speed + exploration / 30', value: (row) => row.result?.score ?? null, digits: 3 },
-  { name: 'Ratio', unit: 'score to the bound', value: (row) => row.ratio, digits: 3 },
+  { name: 'Score / bound', unit: `bound: ${boundMeaning}`, value: (row) => row.ratio, digits: 3 },
   { name: 'Exploration', unit: 'steps', value: (row) => row.result?.exploration_steps ?? null, digits: 0 },
   { name: 'Speed run', unit: 'steps', value: (row) => row.result?.speed_steps ?? null, digits: 0 },
   { name: 'Outcome', unit: '', value: (row) => row.outcome },

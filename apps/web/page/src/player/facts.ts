@@ -1,11 +1,13 @@
 // The numbers of the moment and of the whole contest; of two contests beside each other, with their differences.
 import { isSameMaze } from '../maze/same';
 import { h } from '../ui/dom';
+import { boundOf, optimumMeaning } from '../ui/terms';
 import type { Panel, Side, State } from './state';
 import { counted, decimal, percent, poseText, readingText, runText, short } from './words';
 
 interface Row {
   label: string;
+  meaning?: (side: Side) => string;
   /** A number, to be subtracted; `text` says it. Null where it does not apply. */
   value?: (side: Side) => number | null;
   text: (side: Side, value: number | null) => string;
@@ -65,7 +67,8 @@ const whole: Row[] = [
     score: true,
   },
   {
-    label: 'best possible',
+    label: 'bound',
+    meaning: ({ track }) => boundOf(track.play.world),
     value: ({ track }) => track.play.bound,
     text: (side, v) => (v === null ? absent : decimal(v, digits(side))),
     score: true,
@@ -76,7 +79,12 @@ const whole: Row[] = [
     text: orAbsent((v) => counted(v, 'step')),
   },
   { label: 'speed run', value: ({ track }) => track.play.speed_steps, text: orAbsent((v) => counted(v, 'step')) },
-  { label: 'shortest run', value: ({ track }) => track.play.optimum, text: orAbsent(short) },
+  {
+    label: 'shortest run',
+    meaning: () => optimumMeaning,
+    value: ({ track }) => track.play.optimum,
+    text: orAbsent((v) => counted(v, 'step')),
+  },
   { label: 'cells discovered', value: ({ track }) => track.play.discovered, text: orAbsent(percent) },
   { label: 'cells visited', value: ({ track }) => track.play.visited, text: orAbsent(percent) },
 ];
@@ -134,7 +142,7 @@ export function createFacts(state: State): Panel {
   function tableRow(row: Row): HTMLElement {
     const cells = texts(row).map((text) => document.createTextNode(text));
     if (row.live) live.push({ row, cells });
-    return h('tr', {}, h('th', { scope: 'row' }, row.label), ...cells.map((cell) => h('td', {}, cell)));
+    return h('tr', {}, h('th', { scope: 'row', title: row.meaning?.(sides[0]) }, row.label), ...cells.map((cell) => h('td', {}, cell)));
   }
   function rebuild() {
     sides = state.sides;

@@ -1,5 +1,6 @@
 // One contest in the player: its names, its score as it ticks, its picture.
 import { h } from '../ui/dom';
+import { boundOf } from '../ui/terms';
 import { cellAt } from '../maze/geometry';
 import type { Layers } from './layers';
 import { createScene, type Scene } from './scene';
@@ -31,7 +32,7 @@ export function createSide({ play, record }: Shown, name: string, layers: Layers
   const score = document.createTextNode('');
   const run = document.createTextNode('');
   const steps = document.createTextNode('');
-  const best = play.bound === null ? '' : `best possible ${decimal(play.bound, digits)}`;
+  const bound = play.bound === null ? '' : `bound ${decimal(play.bound, digits)}`;
   const element = h(
     'figure',
     { class: 'side' },
@@ -44,7 +45,7 @@ export function createSide({ play, record }: Shown, name: string, layers: Layers
         { class: 'ticker' },
         h('span', { class: 'score' }, score),
         h('span', {}, 'score so far'),
-        best !== '' && h('span', {}, best),
+        bound !== '' && h('span', { title: boundOf(play.world) }, bound),
         h('span', {}, steps, ` of ${track.last} steps, `, run),
       ),
     ),

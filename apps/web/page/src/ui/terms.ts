@@ -1,0 +1,8 @@
+// What the measures mean that stand in several places, each under one name.
+import type { Play } from '../core/types';
+
+export const boundMeaning = 'the best possible score: of a mouse that knows the maze';
+export const mmsBoundMeaning = 'the best possible score under the rules of mms';
+export const optimumMeaning = 'the optimum: steps of the shortest speed run in this maze';
+
+export const boundOf = (world: Play['world']) => (world === 'mms' ? mmsBoundMeaning : boundMeaning);
