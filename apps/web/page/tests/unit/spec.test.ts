@@ -29,8 +29,13 @@ it('reads what it wrote', () => {
   const values = { searching: 'random', weights: '1/5/2' };
   expect(readSpec(specOf('phases', values, mice))).toEqual({ mouse: 'phases', values });
   expect(readSpec(' flood ')).toEqual({ mouse: 'flood', values: {} });
-  expect(readSpec('flood:home')).toEqual({ mouse: 'flood', values: { home: '' } });
+  expect(readSpec('flood:home')).toEqual({ mouse: 'flood', values: { home: null } });
   expect(readSpec('a:b=c=d')).toEqual({ mouse: 'a', values: { b: 'c=d' } });
+});
+
+it('leaves a setting without = as it was written', () => {
+  for (const spec of ['flood:home', 'flood:home=', 'flood:', 'flood:=a', 'phases:weights'])
+    expect(specOf(readSpec(spec).mouse, readSpec(spec).values, mice)).toBe(spec);
 });
 
 it('has a value for each parameter', () => {
