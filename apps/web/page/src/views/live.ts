@@ -113,6 +113,7 @@ export function createLive(page: Page): LiveView {
     { class: 'desk-side' },
     mouse.element,
     mazes.element,
+    mouse.parameters,
     h(
       'section',
       { class: 'card', 'aria-label': 'Contest' },
@@ -120,7 +121,6 @@ export function createLive(page: Page): LiveView {
       h('div', { class: 'field-row' }, seedRow, budgetRow),
       everyone.button,
     ),
-    mouse.parameters,
   );
   return {
     element: h(
