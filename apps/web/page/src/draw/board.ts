@@ -20,6 +20,9 @@ export interface Board {
 /** A finger hides what it touches: it may be farther away. */
 const reachOf = (event: PointerEvent) => (event.pointerType === 'touch' ? 0.4 : 0.3);
 
+/** Pixels of the page that header, tools and the line below need. */
+const above = 150;
+
 const help =
   'Arrow keys go from cell to cell. W, A, S, D, or Shift with an arrow, close or open the wall on that side. ' +
   'G: goal. H: the start is here. R: turn the start. Ctrl+Z and Ctrl+Shift+Z: undo and redo.';
@@ -39,7 +42,7 @@ export function createBoard(editor: Editor): Board {
   const stage = createStage(
     editor.maze(),
     (context, geometry, palette) => paintDrawing(context, geometry, palette, editor.maze(), overlay),
-    { numbers: true, tallest: () => Math.max(280, innerHeight * 0.78) },
+    { numbers: true, tallest: () => Math.max(280, innerHeight - above) },
   );
   const { canvas } = stage;
   const keys = h('p', { id: 'draw-keys', class: 'draw-keys' }, help);
