@@ -69,16 +69,26 @@ function createWelcome(page: Page) {
   );
 }
 
+/** A phone that lies on its side. */
+const low = matchMedia('(max-height: 30rem)');
+
 export function createReplay(page: Page): View {
   const player = createPlayer(page);
   const welcome = createWelcome(page);
   const another = h('button', { type: 'button', hidden: true, onclick: () => show([]) }, 'Another record');
+  player.element.tabIndex = -1;
+  player.element.setAttribute('role', 'group');
+  player.element.setAttribute('aria-label', 'Player');
   const heading = h('header', {}, h('h2', {}, 'Replay'), another);
   const element = h('section', { class: 'replay', 'aria-label': 'Replay' }, heading, welcome, player.element);
   function show(plays: Shown[]) {
     welcome.hidden = plays.length > 0;
     another.hidden = plays.length === 0;
     player.show(plays);
+    // The button that was pressed is gone; the keys are the player's now.
+    if (plays.length > 0) player.element.focus({ preventScroll: true });
+    else welcome.querySelector('select')?.focus();
+    if (low.matches) player.element.querySelector('.side')?.scrollIntoView();
   }
   return {
     element,

@@ -52,6 +52,20 @@ test('an example is played, and the keys lead through it', async () => {
   expect(await fact(page, 'score so far')).toBe('0.000');
 });
 
+test('who starts it by keyboard is in the player, and back in the choice', async () => {
+  const page = await open('#replay');
+  const run = page.locator('.replay .welcome').getByRole('button', { name: 'Run' }).first();
+  await run.focus();
+  await page.keyboard.press('Enter');
+  const player = page.getByRole('group', { name: 'Player' });
+  await player.waitFor();
+  expect(await player.evaluate((element) => element === document.activeElement)).toBe(true);
+  await page.keyboard.press('Tab');
+  expect(await scrubber(page).evaluate((element) => element === document.activeElement)).toBe(true);
+  await page.getByRole('button', { name: 'Another record' }).press('Enter');
+  expect(await page.evaluate(() => document.activeElement?.tagName)).toBe('SELECT');
+});
+
 test('it plays, and stops at the end', async () => {
   const page = await opened();
   await page.getByRole('combobox', { name: /^Speed/ }).selectOption('64×');
