@@ -15,6 +15,8 @@ export interface Board {
   show(): void;
   setTool(tool: Tool): void;
   setRoute(route: Cell[] | null): void;
+  /** Scrolls to it, where it is out of sight. */
+  reveal(): void;
 }
 
 /** A finger hides what it touches: it may be farther away. */
@@ -145,5 +147,6 @@ export function createBoard(editor: Editor): Board {
       overlay.route = route;
       stage.redraw();
     },
+    reveal: () => stage.element.scrollIntoView({ block: 'nearest' }),
   };
 }

@@ -42,7 +42,7 @@ export function createDesk(page: Page, first: MazeData): Desk {
   function load(maze: MazeData) {
     if (!isEqual(maze, editor.maze())) editor.change(maze);
     // The forms for a new one stand below it.
-    board.element.scrollIntoView({ block: 'nearest' });
+    board.reveal();
   }
   async function open(fileName: string, content: Uint8Array) {
     try {
