@@ -84,7 +84,7 @@ test('why the last goal stays is told below the board', async () => {
   await form.getByLabel('Height').fill('3');
   await form.getByRole('button', { name: 'New drawing' }).click();
   await expect.poll(() => shown(page)).toBe('Drawing of 3 by 3 cells');
-  await page.getByText('Goals', { exact: true }).click();
+  await page.getByRole('radio', { name: 'Goals' }).check();
   const at = await places(page, 3, 3);
   await page.mouse.click(...at(1.5, 1.5));
   await page.getByText('a maze has one goal at least').waitFor();

@@ -46,7 +46,7 @@ test('what is wrong stands at its field, in the words of the core', async () => 
   expect(await outcome(page).textContent()).toMatch(/^Not run: .*of parameter 'travel'/);
   await travel.fill('20');
   await refusal.waitFor({ state: 'detached' });
-  await expect.poll(() => outcome(page).textContent()).toContain('ariadne in capstone-1: solved');
+  await expect.poll(() => outcome(page).textContent()).toContain('ariadne:travel=20 in capstone-1: solved');
   const maze = page.getByRole('region', { name: 'Maze', exact: true });
   await maze.getByLabel('From').selectOption('generator');
   await maze.getByLabel('Kind').selectOption('contest');
