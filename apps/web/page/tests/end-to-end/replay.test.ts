@@ -151,6 +151,17 @@ test('two mice run on one clock and are compared', async () => {
   await picture(page, 'replay-two');
 });
 
+test('plays of one mouse in two mazes are told apart, and not compared', async () => {
+  const [one, two] = [temporary('one.jsonl'), temporary('two.jsonl')];
+  native('run', 'flood', 'capstone-1', '--record', one);
+  native('run', 'flood', 'contest-01', '--record', two);
+  const page = await open('#replay');
+  await drop(page, ...[one, two].map((file) => ({ name: file, content: readFileSync(file) })));
+  await page.getByRole('columnheader', { name: 'flood, contest-01' }).waitFor();
+  expect(await moment(page)).toContain('flood, capstone-1 after 0 of');
+  expect(await page.locator('.replay .facts thead th').count()).toBe(2);
+});
+
 test('the record is saved as it was made', async () => {
   const page = await opened();
   const [download] = await Promise.all([
