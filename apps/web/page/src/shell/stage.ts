@@ -6,7 +6,10 @@ import { routeOf, type ViewName } from './routes';
 
 export interface Stage {
   add(name: ViewName, view: View): void;
-  /** Shows that view and hands it `thing`, if any; then the address names the view, unless it is to be kept. */
+  /**
+   * Shows that view and hands it `thing`, if any; then the address names the view, unless it is to be kept. What is new is
+   * shown from its top, all else where it was left.
+   */
   show(name: ViewName, thing?: unknown, keepAddress?: boolean): void;
   /** The view on stage. */
   current(): ViewName | null;
@@ -16,9 +19,13 @@ export interface Stage {
 export function createStage(frame: Frame, complain: (error: unknown) => void): Stage {
   const views = new Map<ViewName, View>();
   const things = new Map<ViewName, unknown>();
+  /** How far down each view was when it was left. */
+  const places = new Map<ViewName, number>();
   const starting = h('p', { class: 'starting', hidden: true }, 'Starting …');
   frame.main.append(starting);
   let current: ViewName | null = null;
+  // The browser keeps one place for the whole page and an entry of the way back, which is not the same.
+  history.scrollRestoration = 'manual';
 
   // A view that fails over a strange file must not take the page with it.
   function safely(act: () => void) {
@@ -46,7 +53,11 @@ export function createStage(frame: Frame, complain: (error: unknown) => void): S
     },
     show(name, thing, keepAddress = false) {
       if (thing !== undefined) things.set(name, thing);
-      if (current !== null && current !== name) safely(() => views.get(current!)?.hidden?.());
+      const top = things.has(name) ? 0 : (places.get(name) ?? 0);
+      if (current !== null && current !== name) {
+        places.set(current, scrollY);
+        safely(() => views.get(current!)?.hidden?.());
+      }
       current = name;
       for (const [other, view] of views) view.element.hidden = other !== name;
       starting.hidden = views.has(name);
@@ -55,6 +66,7 @@ export function createStage(frame: Frame, complain: (error: unknown) => void): S
       if (thing !== undefined && !keepAddress && !(route && 'view' in route && route.view === name))
         location.hash = name;
       give(name);
+      scrollTo({ top, behavior: 'instant' });
     },
     current: () => current,
     view: (name) => views.get(name),

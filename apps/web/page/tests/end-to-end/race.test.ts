@@ -38,6 +38,25 @@ test('the views are left and found again by links, by the address and by the way
   expect(await other.title()).toBe('Live · labmouse');
 });
 
+test('a replay is shown from its top, and the way back leads to where one was', async () => {
+  const page = await open('', { file: withBlock('report.html', pack(report)) });
+  const scrolled = () => page.evaluate(() => Math.round(scrollY));
+  await page.getByRole('region', { name: 'Differences, maze by maze' }).locator('button.link').first().click();
+  await page.waitForFunction(() => document.title === 'Replay · labmouse');
+  expect(await scrolled()).toBe(0);
+  await page.goBack();
+  await page.waitForFunction(() => document.title === 'Race · labmouse');
+  const below = await scrolled();
+  expect(below).toBeGreaterThan(500);
+  await page.evaluate(() => scrollTo(0, 300));
+  await page.getByRole('link', { name: 'Draw' }).click();
+  await page.waitForFunction(() => document.title === 'Draw · labmouse');
+  expect(await scrolled()).toBe(0);
+  await page.getByRole('link', { name: 'Race' }).click();
+  await page.waitForFunction(() => document.title === 'Race · labmouse');
+  expect(await scrolled()).toBe(300);
+});
+
 test('the theme is chosen, and kept', async () => {
   const page = await open();
   const ground = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
