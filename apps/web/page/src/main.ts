@@ -40,6 +40,11 @@ function setRace(results: RaceResults, links: Map<string, string>, records: () =
   race = loadedRace(results, { core, ready, links, opened, records });
 }
 
+function showResults(results: RaceResults) {
+  setRace(results, new Map(), async () => []);
+  stage.show('race', results);
+}
+
 const page: EarlyPage = {
   core,
   ready,
@@ -50,9 +55,14 @@ const page: EarlyPage = {
   drawn: () => stage.view('draw')?.maze?.() ?? null,
   open: (files) => void takeFiles(files),
   choose: intake.choose,
-  hold(results) {
+  hold(results, message) {
+    if (stage.current() === 'race') {
+      showResults(results);
+      return notices.tell(message);
+    }
     setRace(results, new Map(), async () => []);
-    stage.show('race', results);
+    stage.keep('race', results);
+    notices.tell(message, { label: 'Show it', act: () => stage.show('race', results) });
   },
   tell: notices.tell,
   complain: notices.complain,
@@ -69,7 +79,7 @@ const takeFiles = fileTaker(core, notices, {
     page.live(mazes[mazes.length - 1]);
   },
   plays: page.replay,
-  results: page.hold,
+  results: showResults,
   atHand: () =>
     (['draw', 'live'] as const).flatMap((name) => {
       const maze = stage.view(name)?.maze?.();

@@ -82,12 +82,9 @@ export function holdPanel(page: EarlyPage, about: About): HTMLElement {
         },
         () => wanted,
       );
-      if (results) page.hold(results);
-      page.tell(
-        results
-          ? `The race is over: ${counted(results.mice.length, 'mouse', 'mice')}, ${counted(results.mazes.length, 'maze')}.`
-          : 'The race was stopped.',
-      );
+      if (!results) return page.tell('The race was stopped.');
+      const entries = `${counted(results.mice.length, 'mouse', 'mice')}, ${counted(results.mazes.length, 'maze')}`;
+      page.hold(results, `The race is over: ${entries}.`);
     } catch (error) {
       page.complain(error);
     } finally {

@@ -33,7 +33,7 @@ export function linesOf(error: unknown): { message: string; places: string[] } {
 export interface Notices {
   status: HTMLElement;
   alerts: HTMLElement;
-  tell(message: string): void;
+  tell(message: string, ...remedies: Remedy[]): void;
   complain(error: unknown, ...remedies: Remedy[]): void;
   clear(): void;
 }
@@ -49,7 +49,14 @@ export function createNotices(): Notices {
   return {
     status,
     alerts,
-    tell: (message) => status.replaceChildren(message),
+    tell: (message, ...remedies) =>
+      status.replaceChildren(
+        message,
+        ...remedies.flatMap(({ label, act }) => [
+          ' ',
+          h('button', { type: 'button', onclick: () => (status.replaceChildren(), act()) }, label),
+        ]),
+      ),
     complain(error, ...remedies) {
       const { message, places } = linesOf(error);
       const alert: HTMLElement = h(

@@ -11,6 +11,8 @@ export interface Stage {
    * shown from its top, all else where it was left.
    */
   show(name: ViewName, thing?: unknown, keepAddress?: boolean): void;
+  /** Keeps `thing` for when that view is shown next. */
+  keep(name: ViewName, thing: unknown): void;
   /** The view on stage. */
   current(): ViewName | null;
   view(name: ViewName): View | undefined;
@@ -68,6 +70,7 @@ export function createStage(frame: Frame, complain: (error: unknown) => void): S
       give(name);
       scrollTo({ top, behavior: 'instant' });
     },
+    keep: (name, thing) => void things.set(name, thing),
     current: () => current,
     view: (name) => views.get(name),
   };

@@ -28,8 +28,8 @@ export interface EarlyPage {
   /** Takes files as if they had been dropped, or lets the user choose some. */
   open(files: File[]): void;
   choose(): void;
-  /** Shows these results in Race. */
-  hold(results: RaceResults): void;
+  /** Takes the results of a race that was held in the page, and says so; who looks at another view is left there. */
+  hold(results: RaceResults, message: string): void;
   /** Says something to all readers: a status, or what went wrong (with its lines). */
   tell(message: string): void;
   complain(error: unknown): void;

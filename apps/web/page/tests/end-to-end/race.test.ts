@@ -75,6 +75,18 @@ test('a race is held in the page', async () => {
   expect(await page.getByRole('status').first().textContent()).toContain('The race is over: 5 mice, 43 mazes.');
 });
 
+test('a race that ends leaves its user in the view where they are, and offers to show it', async () => {
+  const page = await open();
+  await page.getByRole('button', { name: 'Hold the race' }).click();
+  await page.getByRole('link', { name: 'Draw' }).click();
+  const status = page.getByRole('status').first();
+  await status.getByText('The race is over').waitFor();
+  expect(await page.title()).toBe('Draw · labmouse');
+  await status.getByRole('button', { name: 'Show it' }).click();
+  await leaderboard(page).waitFor();
+  expect([await page.title(), await page.evaluate(() => location.hash)]).toEqual(['Race · labmouse', '#race']);
+});
+
 test('the table of a report is sorted, searched, and marks references', async () => {
   const page = await open('', { file: withBlock('report.html', pack(report)) });
   await leaderboard(page).waitFor();
