@@ -10,5 +10,7 @@ export function joined(pieces: RaceResults[], stopped: boolean): RaceResults | n
     (mouse: RacedMouse) => mouse.penalised_mean,
     'ascending',
   );
-  return { ...pieces[0], stopped: stopped || pieces.some((piece) => piece.stopped), mice };
+  // The notes speak of the race as a whole, so those of pieces cannot be put together.
+  const notes = pieces.length === 1 ? pieces[0].notes : undefined;
+  return { ...pieces[0], notes, stopped: stopped || pieces.some((piece) => piece.stopped), mice };
 }

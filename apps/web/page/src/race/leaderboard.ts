@@ -14,26 +14,33 @@ function boxed<Row extends { name: string }>(
   table: SortedTable<Row>,
   columns: Column<Row>[],
   label: string,
-  note: string,
+  notes: string[],
 ): Leaderboard {
   return {
     element: h(
       'div',
       {},
       h('div', { class: 'box', tabindex: 0, role: 'region', 'aria-label': `${label}, table` }, table.element),
-      h('p', { class: 'note' }, note),
+      h('p', { class: 'note lines' }, notes.join('\n')),
       legendOf(columns),
     ),
     filter: (text) => table.filter((row) => row.name.toLowerCase().includes(text.toLowerCase())),
   };
 }
 
+/** What `labmouse race` says below its table; where the results lack it, what it always says. */
+function notesOf({ notes }: RaceResults): string[] {
+  if (Array.isArray(notes) && notes.length > 0) return notes.map(String);
+  return [
+    'Score: speed-run steps + exploration steps / 30; lower is better.',
+    "A failed contest counts 100 in 'all' and is left out of 'solved'.",
+  ];
+}
+
 /** Our own rules. `onOrder` is told the positions of the mice in their new order. */
 export function leaderboard(results: RaceResults, onOrder: (order: number[]) => void): Leaderboard {
   const mazes = results.mazes.filter(({ bound }) => isNumber(bound)).length;
   const columns = columnsOf(results.mice, mazes);
-  const note =
-    'Score: speed-run steps + exploration steps / 30; lower is better. A failed contest counts 100 in “all” and is left out of “solved”.';
   const place = new Map(results.mice.map((mouse, index) => [mouse, index]));
   const table = sortedTable({
     caption: 'Leaderboard',
@@ -43,7 +50,7 @@ export function leaderboard(results: RaceResults, onOrder: (order: number[]) => 
     rowClass: (mouse) => (mouse.contestant === false ? 'reference' : ''),
     onOrder: (rows) => onOrder(rows.map((row) => place.get(row)!)),
   });
-  return boxed(table, columns, 'Leaderboard', note);
+  return boxed(table, columns, 'Leaderboard', notesOf(results));
 }
 
 /** The world of mms. */
@@ -54,6 +61,6 @@ export function mmsLeaderboard(group: MmsGroup): Leaderboard {
     sortedTable({ caption, columns, rows: group.mice, by: 2 }),
     columns,
     caption,
-    `Mice of mms. Score: ${group.formula}; lower is better.`,
+    [`Mice of mms. Score: ${group.formula}; lower is better.`],
   );
 }

@@ -104,6 +104,14 @@ function byMean(a: string, b: string) {
   return place(a) - place(b);
 }
 
+test('what stands below the table of a race is told below the leaderboard', async () => {
+  const notes = ['Score: low is good.', '  <b>odd</b> line'];
+  const noted = { ...report, results: { ...results, notes } };
+  const page = await open('', { file: withBlock('noted.html', pack(noted)) });
+  const text = await page.locator('.lines').textContent();
+  expect(text!.split('\n')).toEqual(notes);
+});
+
 test('the matrix is walked by keys, and tells what it shows', async () => {
   const page = await open('', { file: withBlock('report.html', pack(report)) });
   const cells = page.getByRole('application');
