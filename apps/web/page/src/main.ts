@@ -34,7 +34,7 @@ Object.assign(window, { labmouse: { call: core.call } });
 /** Mazes that were opened in this page, by name, so that results find theirs. */
 const opened = new Map<string, MazeData>();
 let race: LoadedRace | null = null;
-let lastLink = '';
+let lastLink: string | null = null;
 
 function setRace(results: RaceResults, links: Map<string, string>, records: () => Promise<PackedRecord[]>) {
   race = loadedRace(results, { core, ready, links, opened, records });
@@ -101,6 +101,7 @@ function follow() {
 async function openLink(link: string) {
   notices.clear();
   stage.show('draw');
+  if (link === '') return notices.complain('This link is cut: nothing stands behind its maze=. Copy it again, whole.');
   try {
     const { maze } = await core.call('read_link', { link });
     // The link stays in the address, so that the page can be loaded again.
@@ -130,6 +131,8 @@ async function startViews() {
 
 async function start() {
   addEventListener('hashchange', follow);
+  // Whoever tries again has read what went wrong.
+  addEventListener('submit', notices.clear, true);
   follow();
   if (missing) notices.complain(missing);
   await loadReport().catch(notices.complain);

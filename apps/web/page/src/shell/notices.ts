@@ -38,12 +38,41 @@ export interface Notices {
   clear(): void;
 }
 
+/** What went wrong, in a box: its message and the buttons in one line, its places below. */
+function alertOf(error: unknown, remedies: Remedy[], close: (alert: HTMLElement) => void): HTMLElement {
+  const { message, places } = linesOf(error);
+  const button = ({ label, act }: Remedy) => h('button', { type: 'button', onclick: act }, label);
+  const alert: HTMLElement = h(
+    'div',
+    { class: 'alert' },
+    h('p', {}, message),
+    h(
+      'div',
+      { class: 'row' },
+      ...remedies.map(({ label, act }) => button({ label, act: () => (close(alert), act()) })),
+      button({ label: 'Dismiss', act: () => close(alert) }),
+    ),
+    places.length > 0 && h('ul', {}, ...places.map((place) => h('li', {}, place))),
+  );
+  return alert;
+}
+
 export function createNotices(): Notices {
   const status = h('p', { role: 'status', class: 'status' });
   const alerts = h('div', { role: 'alert', class: 'alerts' });
+  /** All that are not dismissed, the newest last. Only the newest are shown. */
+  let open: HTMLElement[] = [];
 
-  function dismiss(alert: HTMLElement) {
-    alert.remove();
+  function show() {
+    const more = open.length - mostAlerts;
+    alerts.replaceChildren(...open.slice(-mostAlerts));
+    if (more <= 0) return;
+    const clear = h('button', { type: 'button', onclick: () => dismiss(...open) }, 'Dismiss all');
+    alerts.append(h('div', { class: 'more row' }, `and ${more} more`, clear));
+  }
+  function dismiss(...closed: HTMLElement[]) {
+    open = open.filter((alert) => !closed.includes(alert));
+    show();
     document.querySelector<HTMLElement>('main')?.focus({ preventScroll: true });
   }
   return {
@@ -58,24 +87,12 @@ export function createNotices(): Notices {
         ]),
       ),
     complain(error, ...remedies) {
-      const { message, places } = linesOf(error);
-      const alert: HTMLElement = h(
-        'div',
-        { class: 'alert' },
-        h('p', {}, message),
-        places.length > 0 && h('ul', {}, ...places.map((place) => h('li', {}, place))),
-        h(
-          'div',
-          { class: 'row' },
-          ...remedies.map(({ label, act }) =>
-            h('button', { type: 'button', onclick: () => (alert.remove(), act()) }, label),
-          ),
-          h('button', { type: 'button', onclick: () => dismiss(alert) }, 'Dismiss'),
-        ),
-      );
-      while (alerts.childElementCount >= mostAlerts) alerts.firstElementChild?.remove();
-      alerts.append(alert);
+      open.push(alertOf(error, remedies, dismiss));
+      show();
     },
-    clear: () => alerts.replaceChildren(),
+    clear() {
+      open = [];
+      show();
+    },
   };
 }

@@ -3,7 +3,7 @@ import { gzipSync } from 'node:zlib';
 import type { Page } from 'playwright-core';
 import { expect, test } from 'vitest';
 import type { RaceResults } from '../../src/core/types';
-import { barriers, builtPage, native, open, picture, temporary } from './harness';
+import { barriers, builtPage, drop, native, open, picture, temporary } from './harness';
 
 const pack = (json: unknown) => gzipSync(JSON.stringify(json)).toString('base64');
 
@@ -160,6 +160,26 @@ test.each([
   await page.getByRole('button', { name: 'Dismiss' }).click();
   expect(await page.getByRole('alert').textContent()).toBe('');
   await page.getByRole('button', { name: 'Hold the race' }).waitFor();
+});
+
+test('a link without its maze is told', async () => {
+  const page = await open('#maze=');
+  await page.getByRole('alert').getByText('This link is cut').waitFor();
+});
+
+test('of many complaints the newest are shown and the rest counted, until a form is sent again', async () => {
+  const page = await open();
+  await page.getByRole('button', { name: 'Hold the race' }).waitFor();
+  await drop(page, ...Array.from({ length: 7 }, (_, i) => ({ name: `bad${i}.txt`, content: 'no maze' })));
+  const alert = page.getByRole('alert');
+  await alert.getByText('and 3 more').waitFor();
+  expect(await alert.getByRole('button', { name: 'Dismiss', exact: true }).count()).toBe(4);
+  await picture(page, 'race-complaints');
+  await alert.getByRole('button', { name: 'Dismiss', exact: true }).first().click();
+  await alert.getByText('and 2 more').waitFor();
+  await page.getByRole('link', { name: 'Race' }).click();
+  await page.getByRole('button', { name: 'Hold the race' }).click();
+  await page.waitForFunction(() => document.querySelector('[role=alert]')!.textContent === '');
 });
 
 test('names are text, whatever they look like', async () => {
