@@ -27,6 +27,8 @@ export interface BoardMouse {
   name: string;
   /** The same, cut in its middle where it is a whole command. */
   shown: string;
+  /** The same for a narrow column. */
+  short: string;
   reference: boolean;
   /** Position in its results. */
   index: number;
@@ -52,11 +54,21 @@ export interface Board {
 }
 
 const mostShown = 40;
+const mostShort = 20;
 
-function mouseOf(name: string, index: number, reference = false): BoardMouse {
-  const shown = name.length > mostShown ? `${name.slice(0, mostShown - 16)}…${name.slice(-15)}` : name;
-  return { name, shown, index, reference };
+/** Cut in its middle, because commands differ at their ends. */
+function cut(name: string, most: number): string {
+  const end = Math.floor(most * 0.4);
+  return name.length > most ? `${name.slice(0, most - end - 1)}…${name.slice(-end)}` : name;
 }
+
+const mouseOf = (name: string, index: number, reference = false): BoardMouse => ({
+  name,
+  shown: cut(name, mostShown),
+  short: cut(name, mostShort),
+  index,
+  reference,
+});
 
 const orNull = (value: unknown) => (isNumber(value) ? value : null);
 

@@ -7,7 +7,7 @@ import type { Board } from './contests';
 import { paintBars, type Bars } from './duel-bars';
 import { pairsOf, type Pair } from './duel-data';
 import { duelWords } from './duel-words';
-import { scoreText, signed } from './format';
+import { number, scoreText, signed } from './format';
 import { sortedTable } from './sorted-table';
 
 export interface Duel {
@@ -41,6 +41,13 @@ export function duel(page: EarlyPage, board: Board, open: (a: number, b: number,
   const pairText = (pair: Pair) =>
     `${mazeName(pair.maze)}: ${name(a)} ${scoreText(pair.a)}, ${name(b)} ${scoreText(pair.b)}, difference ${signed(pair.difference, 3)}`;
 
+  const scoreColumn = (mouse: number, value: (pair: Pair) => number) => ({
+    title: board.mice[mouse].short,
+    meaning: `Mean score of ${board.mice[mouse].name} in this maze, in ${unit}.`,
+    value,
+    show: (pair: Pair) => number(value(pair), 3),
+    best: 'ascending' as const,
+  });
   function table() {
     const columns = [
       {
@@ -57,32 +64,20 @@ export function duel(page: EarlyPage, board: Board, open: (a: number, b: number,
         class: 'first',
       },
       {
-        title: name(a),
-        meaning: `Its mean score in this maze, in ${unit}.`,
-        value: (pair: Pair) => pair.a,
-        show: (pair: Pair) => scoreText(pair.a),
-        best: 'ascending' as const,
-      },
-      {
-        title: name(b),
-        meaning: `Its mean score in this maze, in ${unit}.`,
-        value: (pair: Pair) => pair.b,
-        show: (pair: Pair) => scoreText(pair.b),
-        best: 'ascending' as const,
-      },
-      {
         title: 'difference',
         meaning: `The first less the second, in ${unit}: below zero the first is better.`,
         value: (pair: Pair) => pair.difference,
         show: (pair: Pair) => signed(pair.difference, 3),
         best: 'ascending' as const,
       },
+      scoreColumn(a, (pair) => pair.a),
+      scoreColumn(b, (pair) => pair.b),
     ];
     return sortedTable({
       caption: `Mean scores in ${unit}; choose a maze to open both contests.`,
       columns,
       rows: pairs,
-      by: 3,
+      by: 1,
     }).element;
   }
   function arrange() {

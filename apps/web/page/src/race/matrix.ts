@@ -130,7 +130,7 @@ export function matrix(board: Board, open: (mouse: number, maze: number, contest
     const text = filterText.toLowerCase();
     mice = order.filter((mouse) => board.mice[mouse].name.toLowerCase().includes(text));
     mazes = orderedMazes(board, mazeOrder);
-    names.replaceChildren(...mice.map((mouse) => h('div', { title: board.mice[mouse].name }, board.mice[mouse].name)));
+    names.replaceChildren(...mice.map((mouse) => h('div', { title: board.mice[mouse].name }, board.mice[mouse].short)));
     // What is hidden has no width; it is arranged again when it is shown.
     const paper = paperWidth();
     const room = (paper ?? (box.clientWidth || 600)) - (names.offsetWidth || 150);

@@ -49,7 +49,7 @@ export function whiskers(rows: { mean: unknown; interval: unknown }[]): Whiskers
           parts.push(svg('line', { class: 'bar', x1: x, x2: x, y1: middle - 4, y2: middle + 4 }));
       }
       if (isNumber(mean)) parts.push(svg('circle', { class: 'mean', cx: at(mean), cy: middle, r: 3.5 }));
-      const label = isInterval(interval) ? `${number(interval[0], 1)} to ${number(interval[1], 1)}` : 'no interval';
+      const label = isInterval(interval) ? `${number(interval[0], 3)} to ${number(interval[1], 3)}` : 'no interval';
       return svg(
         'svg',
         {
