@@ -95,6 +95,13 @@ export function matrix(board: Board, open: (mouse: number, maze: number, contest
     runs.querySelector('button')?.focus();
   }
 
+  runs.addEventListener('keydown', (event) => {
+    if (event.key !== 'Escape') return;
+    event.preventDefault();
+    runs.hidden = true;
+    grid.focus({ preventScroll: true });
+  });
+
   const placeOf = (event: MouseEvent) => {
     const area = grid.getBoundingClientRect();
     return cellAt(layout, event.clientX - area.left, event.clientY - area.top);

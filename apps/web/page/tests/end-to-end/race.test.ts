@@ -132,6 +132,10 @@ test('several runs of one cell are chosen from a list', async () => {
   await page.getByRole('application').focus();
   await page.keyboard.press('Enter');
   expect(await page.locator('.runs button').count()).toBe(3);
+  await page.keyboard.press('Escape');
+  expect(await page.locator('.runs').isVisible()).toBe(false);
+  expect(await page.getByRole('application').evaluate((cells) => cells === document.activeElement)).toBe(true);
+  await page.keyboard.press('Enter');
   await page.keyboard.press('Enter');
   await page.waitForFunction(() => document.title === 'Replay · labmouse');
 });
