@@ -34,6 +34,8 @@ Object.assign(window, { labmouse: { call: core.call } });
 /** Mazes that were opened in this page, by name, so that results find theirs. */
 const opened = new Map<string, MazeData>();
 let race: LoadedRace | null = null;
+/** The one that the page was opened with. */
+let report: LoadedRace | null = null;
 let lastLink: string | null = null;
 
 function setRace(results: RaceResults, links: Map<string, string>, records: () => Promise<PackedRecord[]>) {
@@ -49,6 +51,10 @@ const page: EarlyPage = {
   core,
   ready,
   race: () => race,
+  backToReport() {
+    if (race === report || !report) return null;
+    return () => stage.show('race', (race = report));
+  },
   replay: (plays) => stage.show('replay', plays),
   live: (maze) => stage.show('live', maze),
   draw: (maze) => stage.show('draw', maze),
@@ -119,6 +125,7 @@ async function loadReport() {
     const records = blockText('labmouse-records');
     return records === null ? [] : (await readRecords(records)).records;
   });
+  report = race;
 }
 
 async function startViews() {

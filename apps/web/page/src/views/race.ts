@@ -98,6 +98,8 @@ export function createRace(page: EarlyPage): View {
       { type: 'button', onclick: () => page.save('results.json', `${JSON.stringify(results)}\n`, 'application/json') },
       'Save results',
     );
+    const goBack = page.backToReport();
+    const back = goBack && h('button', { type: 'button', onclick: goBack }, 'Back to the report');
     const pictures = h('div', { class: 'race pictures' });
     afterFrame(() => {
       if (race !== shownRace) return;
@@ -111,7 +113,7 @@ export function createRace(page: EarlyPage): View {
       part(
         'Leaderboard',
         '',
-        h('div', { class: 'row controls' }, search, save),
+        h('div', { class: 'row controls' }, search, save, back),
         ...tables.map((table) => table.element),
       ),
       pictures,

@@ -18,6 +18,8 @@ export interface EarlyPage {
   ready: Promise<About>;
   /** What the page was opened with, or what was dropped on it; null where it has no race yet. */
   race(): LoadedRace | null;
+  /** Shows the report again that the page was opened with; null while it is shown, or where there is none. */
+  backToReport(): (() => void) | null;
   /** Opens the replay with one play, or two beside each other on one clock. */
   replay(plays: { play: Play; record: string }[]): void;
   /** Opens the maze in Live, or in Draw. */

@@ -104,6 +104,19 @@ function byMean(a: string, b: string) {
   return place(a) - place(b);
 }
 
+test('a report is found again after other results', async () => {
+  const page = await open('', { file: withBlock('report.html', pack(report)) });
+  const back = page.getByRole('button', { name: 'Back to the report' });
+  await leaderboard(page).waitFor();
+  expect(await back.count()).toBe(0);
+  const fewer = { ...results, mice: results.mice.slice(0, 2) };
+  await drop(page, { name: 'results.json', content: JSON.stringify(fewer) });
+  await back.click();
+  await page.waitForFunction(() => document.querySelectorAll('.race table.sorted tbody th .name').length >= 4);
+  expect(await mice(page)).toEqual(results.mice.map(({ name, contestant }) => (contestant ? name : `${name}reference`)));
+  expect(await back.count()).toBe(0);
+});
+
 test('what stands below the table of a race is told below the leaderboard', async () => {
   const notes = ['Score: low is good.', '  <b>odd</b> line'];
   const noted = { ...report, results: { ...results, notes } };
