@@ -1,9 +1,9 @@
 // The page: four views around one core. It paints before the core has started, and a report's table needs no core.
 import CoreWorker from './core/worker?worker&inline';
 import { startCore, type Core } from './core/client';
-import type { About, MazeData, PackedRecord, RaceResults } from './core/types';
+import type { About, MazeData, RaceResults } from './core/types';
 import { blockText, readRecords, readReport } from './report/blocks';
-import { loadedRace } from './report/loaded';
+import { loadedRace, type Sources } from './report/loaded';
 import { listenForFiles } from './shell/drop';
 import { fileTaker } from './shell/files';
 import { createFrame } from './shell/frame';
@@ -38,12 +38,12 @@ let race: LoadedRace | null = null;
 let report: LoadedRace | null = null;
 let lastLink: string | null = null;
 
-function setRace(results: RaceResults, links: Map<string, string>, records: () => Promise<PackedRecord[]>) {
-  race = loadedRace(results, { core, ready, links, opened, records });
+function setRace(results: RaceResults, more: Partial<Sources>) {
+  race = loadedRace(results, { core, ready, links: new Map(), opened, records: async () => [], ...more });
 }
 
-function showResults(results: RaceResults) {
-  setRace(results, new Map(), async () => []);
+function showResults(results: RaceResults, raced: MazeData[] = []) {
+  setRace(results, { raced });
   stage.show('race', results);
 }
 
@@ -58,15 +58,16 @@ const page: EarlyPage = {
   replay: (plays) => stage.show('replay', plays),
   live: (maze) => stage.show('live', maze),
   draw: (maze) => stage.show('draw', maze),
+  mazes: () => [...opened.values(), ...[stage.view('draw')?.maze?.() ?? []].flat()],
   drawn: () => stage.view('draw')?.maze?.() ?? null,
   open: (files) => void takeFiles(files),
   choose: intake.choose,
-  hold(results, message) {
+  hold(results, raced, message) {
     if (stage.current() === 'race') {
-      showResults(results);
+      showResults(results, raced);
       return notices.tell(message);
     }
-    setRace(results, new Map(), async () => []);
+    setRace(results, { raced });
     stage.keep('race', results);
     notices.tell(message, { label: 'Show it', act: () => stage.show('race', results) });
   },
@@ -85,7 +86,7 @@ const takeFiles = fileTaker(core, notices, {
     page.live(mazes[mazes.length - 1]);
   },
   plays: page.replay,
-  results: showResults,
+  results: (results) => showResults(results),
   atHand: () =>
     (['draw', 'live'] as const).flatMap((name) => {
       const maze = stage.view(name)?.maze?.();
@@ -121,10 +122,11 @@ async function loadReport() {
   const text = blockText('labmouse-report');
   if (text === null) return;
   const { results, mazes } = await readReport(text);
-  setRace(results, new Map(Object.entries(mazes)), async () => {
-    const records = blockText('labmouse-records');
-    return records === null ? [] : (await readRecords(records)).records;
-  });
+  const records = async () => {
+    const block = blockText('labmouse-records');
+    return block === null ? [] : (await readRecords(block)).records;
+  };
+  setRace(results, { links: new Map(Object.entries(mazes)), records });
   report = race;
 }
 

@@ -1,21 +1,40 @@
 // The form that holds a race in the page.
-import type { About } from '../core/types';
+import type { About, MazeData } from '../core/types';
 import { h } from '../ui/dom';
 import type { EarlyPage } from '../views/view';
 import { counted } from './format';
 import { holdRace, type Order } from './holding';
 
 const usual = ['ariadne', 'flood-return', 'certify', 'flood', 'frontier'];
-const usualRuns = 5;
+/** As the command line has it. */
+const usualRuns = 20;
+
+interface Choice {
+  name: string;
+  about: string;
+  on: boolean;
+}
 
 interface Picks {
   element: HTMLElement;
   chosen(): string[];
+  /** Offers other things; what was chosen among those that stay is kept. */
+  offer(choices: Choice[]): void;
 }
 
-function picks(title: string, names: { name: string; about: string; on: boolean }[]): Picks {
-  const boxes = names.map(({ name, on }) => h('input', { type: 'checkbox', value: name, checked: on }));
-  const setAll = (on: boolean) => boxes.forEach((box) => (box.checked = on));
+function picks(title: string, choices: Choice[]): Picks {
+  const on = new Map<string, HTMLInputElement>();
+  const list = h('div', { class: 'list' });
+  const boxes = () => [...on.values()];
+  const setAll = (checked: boolean) => boxes().forEach((box) => (box.checked = checked));
+  function offer(now: Choice[]) {
+    const before = new Map(on);
+    on.clear();
+    for (const { name, on: checked } of now)
+      on.set(name, before.get(name) ?? h('input', { type: 'checkbox', value: name, checked }));
+    list.replaceChildren(...now.map(({ name, about }) => h('label', { title: about }, on.get(name)!, name)));
+  }
+  offer(choices);
   return {
     element: h(
       'fieldset',
@@ -27,10 +46,23 @@ function picks(title: string, names: { name: string; about: string; on: boolean 
         h('button', { type: 'button', onclick: () => setAll(true) }, 'All'),
         h('button', { type: 'button', onclick: () => setAll(false) }, 'None'),
       ),
-      h('div', { class: 'list' }, ...boxes.map((box, i) => h('label', { title: names[i].about }, box, names[i].name))),
+      list,
     ),
-    chosen: () => boxes.filter((box) => box.checked).map((box) => box.value),
+    chosen: () => boxes().flatMap((box) => (box.checked ? [box.value] : [])),
+    offer,
   };
+}
+
+/** Each under a name of its own, which is how results tell mazes apart. */
+export function namedApart(mazes: MazeData[], taken: string[]): MazeData[] {
+  const names = new Set(taken);
+  return mazes.map((maze) => {
+    const first = maze.name || 'drawing';
+    let name = first;
+    for (let count = 2; names.has(name); ++count) name = `${first}-${count}`;
+    names.add(name);
+    return { ...maze, name };
+  });
 }
 
 const whole = (label: string, value: number, most: number) => {
@@ -39,16 +71,32 @@ const whole = (label: string, value: number, most: number) => {
   return { element: h('label', { class: 'row' }, label, input), read };
 };
 
+export interface HoldPanel {
+  element: HTMLElement;
+  /** Offers the mazes that there are by now. */
+  refresh(): void;
+}
+
 /** The form, once it is known what the core brings. */
-export function holdPanel(page: EarlyPage, about: About): HTMLElement {
+export function holdPanel(page: EarlyPage, about: About): HoldPanel {
   const mice = picks(
     'Mice',
     about.mice.map(({ name, summary }) => ({ name, about: summary, on: usual.includes(name) })),
   );
-  const mazes = picks(
-    'Mazes',
-    about.mazes.map(({ name, width, height }) => ({ name, about: `${width}×${height}`, on: true })),
-  );
+  const builtin = about.mazes.map(({ name, width, height }) => ({ name, about: `${width}×${height}`, on: true }));
+  const mazes = picks('Mazes', builtin);
+  /** Those of the user, by the names under which they are offered. */
+  let own = new Map<string, MazeData>();
+  function refresh() {
+    const found = namedApart(
+      page.mazes(),
+      builtin.map(({ name }) => name),
+    );
+    own = new Map(found.map((maze) => [maze.name, maze]));
+    const offered = found.map(({ name, width, height }) => ({ name, about: `${width}×${height}, yours`, on: false }));
+    mazes.offer([...offered, ...builtin]);
+  }
+  refresh();
   const runs = whole('runs of mice that throw dice', usualRuns, 100);
   const seed = whole('seed', 1, 2 ** 53 - 1);
   const bar = h('progress', { max: 1, value: 0, 'aria-label': 'Progress of the race' });
@@ -72,7 +120,7 @@ export function holdPanel(page: EarlyPage, about: About): HTMLElement {
     start.disabled = true;
     running.hidden = false;
     try {
-      const results = await holdRace(
+      const held = await holdRace(
         page.core,
         order,
         (now) => {
@@ -82,9 +130,10 @@ export function holdPanel(page: EarlyPage, about: About): HTMLElement {
         },
         () => wanted,
       );
-      if (!results) return page.tell('The race was stopped.');
+      if (!held) return page.tell('The race was stopped.');
+      const { results, mazes: raced } = held;
       const entries = `${counted(results.mice.length, 'mouse', 'mice')}, ${counted(results.mazes.length, 'maze')}`;
-      page.hold(results, `The race is over: ${entries}.`);
+      page.hold(results, raced, `The race is over: ${entries}.`);
     } catch (error) {
       page.complain(error);
     } finally {
@@ -94,16 +143,22 @@ export function holdPanel(page: EarlyPage, about: About): HTMLElement {
   }
   function submit(event: Event) {
     event.preventDefault();
-    const order: Order = { mice: mice.chosen(), mazes: mazes.chosen(), runs: runs.read(), seed: seed.read() };
+    const order: Order = {
+      mice: mice.chosen(),
+      mazes: mazes.chosen().map((name) => own.get(name) ?? name),
+      runs: runs.read(),
+      seed: seed.read(),
+    };
     if (order.mice.length === 0 || order.mazes.length === 0)
       return page.complain('Choose at least one mouse and one maze.');
     void hold(order);
   }
-  return h(
+  const element = h(
     'form',
     { class: 'hold', onsubmit: submit },
     h('div', { class: 'sides' }, mice.element, mazes.element),
     h('div', { class: 'row' }, runs.element, seed.element, start),
     running,
   );
+  return { element, refresh };
 }

@@ -5,7 +5,8 @@ import { joined } from './joining';
 
 export interface Order {
   mice: string[];
-  mazes: string[];
+  /** Those that the core brings by their names. */
+  mazes: (string | MazeData)[];
   /** Contests of each mouse that throws dice, in each maze. */
   runs: number;
   seed: number;
@@ -17,10 +18,10 @@ export interface Progress {
   doing: string;
 }
 
-/** Mazes that the core brings, by their names. */
-async function builtins(core: Core, names: string[]): Promise<MazeData[]> {
-  return Promise.all(names.map(async (name) => (await core.call('builtin_maze', { name })).maze));
-}
+const mazesOf = (core: Core, mazes: Order['mazes']): Promise<MazeData[]> =>
+  Promise.all(
+    mazes.map(async (maze) => (typeof maze === 'string' ? (await core.call('builtin_maze', { name: maze })).maze : maze)),
+  );
 
 /** Holds the race; `wanted` is asked between mice whether to go on. Null where it was stopped before its first end. */
 export async function holdRace(
@@ -28,10 +29,10 @@ export async function holdRace(
   order: Order,
   report: (progress: Progress) => void,
   wanted: () => boolean,
-): Promise<RaceResults | null> {
+): Promise<{ results: RaceResults; mazes: MazeData[] } | null> {
   const all = order.mice.length;
   report({ done: 0, all, doing: order.mice[0] });
-  const mazes = await builtins(core, order.mazes);
+  const mazes = await mazesOf(core, order.mazes);
   const pieces: RaceResults[] = [];
   for (const [done, mouse] of order.mice.entries()) {
     if (!wanted()) break;
@@ -39,5 +40,6 @@ export async function holdRace(
     const { results } = await core.call('race', { mice: [mouse], mazes, seed: order.seed, runs: order.runs });
     pieces.push(results);
   }
-  return joined(pieces, pieces.length < all);
+  const results = joined(pieces, pieces.length < all);
+  return results && { results, mazes };
 }

@@ -9,6 +9,8 @@ export interface Sources {
   ready: Promise<About>;
   /** Mazes that came with the report, by name, as links. */
   links: Map<string, string>;
+  /** The mazes that raced, where the race was held in the page. */
+  raced?: MazeData[];
   /** Mazes that were opened in the page, by name. */
   opened: Map<string, MazeData>;
   /** Reads the records; called once, when the first is asked for. */
@@ -23,6 +25,8 @@ async function builtin({ core, ready }: Sources, name: string): Promise<MazeData
 }
 
 async function findMaze(sources: Sources, name: string): Promise<MazeData | null> {
+  const raced = sources.raced?.find((maze) => maze.name === name);
+  if (raced) return raced;
   const link = find(sources.links, name);
   if (link !== undefined) return (await sources.core.call('read_link', { link })).maze;
   return find(sources.opened, name) ?? (await builtin(sources, name));

@@ -3,7 +3,7 @@ import { contestPlay } from '../race/contest-play';
 import { boardsOf, type Board } from '../race/contests';
 import { curves } from '../race/curves';
 import { duel } from '../race/duel';
-import { holdPanel } from '../race/hold-panel';
+import { holdPanel, type HoldPanel } from '../race/hold-panel';
 import { leaderboard, mmsLeaderboard } from '../race/leaderboard';
 import { matrix } from '../race/matrix';
 import { facts, part } from '../race/parts';
@@ -27,6 +27,7 @@ export function createRace(page: EarlyPage): View {
   const element = h('section', { 'aria-label': 'Race', class: 'race' });
   let shownRace: LoadedRace | null | undefined;
   let parts: Part[] = [];
+  let panel: HoldPanel | null = null;
 
   function replayContests(race: LoadedRace, board: Board, at: { mouse: number; maze: number; position: number }[]) {
     page.tell('Opening the replay …');
@@ -123,7 +124,7 @@ export function createRace(page: EarlyPage): View {
   function holdPart(first: boolean) {
     const room = h('div', {}, h('p', { class: 'note' }, 'Starting …'));
     page.ready.then(
-      (about) => room.replaceChildren(holdPanel(page, about)),
+      (about) => room.replaceChildren((panel = holdPanel(page, about)).element),
       () =>
         room.replaceChildren(h('p', { class: 'note' }, 'Races cannot be held here, because the core did not start.')),
     );
@@ -171,6 +172,7 @@ export function createRace(page: EarlyPage): View {
           page.complain(`These results cannot be shown: ${error instanceof Error ? error.message : String(error)}`);
         }
       }
+      panel?.refresh();
       arrange();
     },
   };

@@ -25,13 +25,15 @@ export interface EarlyPage {
   /** Opens the maze in Live, or in Draw. */
   live(maze: MazeData): void;
   draw(maze: MazeData): void;
+  /** The mazes that were opened in this page, and the one of the drawing. */
+  mazes(): MazeData[];
   /** The maze of the drawing, for Live; null while there is none. */
   drawn(): MazeData | null;
   /** Takes files as if they had been dropped, or lets the user choose some. */
   open(files: File[]): void;
   choose(): void;
   /** Takes the results of a race that was held in the page, and says so; who looks at another view is left there. */
-  hold(results: RaceResults, message: string): void;
+  hold(results: RaceResults, mazes: MazeData[], message: string): void;
   /** Says something to all readers: a status, or what went wrong (with its lines). */
   tell(message: string): void;
   complain(error: unknown): void;

@@ -87,6 +87,23 @@ test('a race that ends leaves its user in the view where they are, and offers to
   expect([await page.title(), await page.evaluate(() => location.hash)]).toEqual(['Race · labmouse', '#race']);
 });
 
+test('a maze that was opened can race, and is replayed as it was', async () => {
+  const page = await open();
+  await page.getByRole('button', { name: 'Hold the race' }).waitFor();
+  const maze = { name: 'my-maze.txt', content: native('convert', 'contest-half-01', '-') };
+  await drop(page, maze);
+  await page.waitForFunction(() => document.title === 'Live · labmouse');
+  await page.getByRole('link', { name: 'Race' }).click();
+  const mazes = page.getByRole('group', { name: 'Mazes' });
+  await mazes.getByRole('button', { name: 'None' }).click();
+  await mazes.getByLabel('my-maze').first().check();
+  await page.getByRole('button', { name: 'Hold the race' }).click();
+  await leaderboard(page).waitFor();
+  await page.getByRole('application').focus();
+  await page.keyboard.press('Enter');
+  await page.waitForFunction(() => document.title === 'Replay · labmouse');
+});
+
 test('the table of a report is sorted, searched, and marks references', async () => {
   const page = await open('', { file: withBlock('report.html', pack(report)) });
   await leaderboard(page).waitFor();
