@@ -9,6 +9,9 @@ const usual = ['ariadne', 'flood-return', 'certify', 'flood', 'frontier'];
 /** As the command line has it. */
 const usualRuns = 20;
 
+/** So many are named while the list is folded. */
+const mostNamed = 6;
+
 interface Choice {
   name: string;
   about: string;
@@ -26,29 +29,44 @@ function picks(title: string, choices: Choice[]): Picks {
   const on = new Map<string, HTMLInputElement>();
   const list = h('div', { class: 'list' });
   const boxes = () => [...on.values()];
-  const setAll = (checked: boolean) => boxes().forEach((box) => (box.checked = checked));
+  const summary = h('summary', {});
+  const chosen = () => boxes().flatMap((box) => (box.checked ? [box.value] : []));
+  function count() {
+    const names = chosen();
+    const few = names.length > 0 && names.length <= mostNamed ? `: ${names.join(', ')}` : '';
+    summary.replaceChildren(`${title}, ${names.length} of ${on.size}${few}`);
+  }
+  function setAll(checked: boolean) {
+    boxes().forEach((box) => (box.checked = checked));
+    count();
+  }
   function offer(now: Choice[]) {
     const before = new Map(on);
     on.clear();
     for (const { name, on: checked } of now)
       on.set(name, before.get(name) ?? h('input', { type: 'checkbox', value: name, checked }));
     list.replaceChildren(...now.map(({ name, about }) => h('label', { title: about }, on.get(name)!, name)));
+    count();
   }
   offer(choices);
   return {
     element: h(
-      'fieldset',
+      'details',
       { class: 'picks' },
-      h('legend', {}, title),
+      summary,
       h(
-        'p',
-        { class: 'row' },
-        h('button', { type: 'button', onclick: () => setAll(true) }, 'All'),
-        h('button', { type: 'button', onclick: () => setAll(false) }, 'None'),
+        'fieldset',
+        { 'aria-label': title, onchange: count },
+        h(
+          'p',
+          { class: 'row' },
+          h('button', { type: 'button', onclick: () => setAll(true) }, 'All'),
+          h('button', { type: 'button', onclick: () => setAll(false) }, 'None'),
+        ),
+        list,
       ),
-      list,
     ),
-    chosen: () => boxes().flatMap((box) => (box.checked ? [box.value] : [])),
+    chosen,
     offer,
   };
 }

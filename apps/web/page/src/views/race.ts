@@ -7,6 +7,7 @@ import { holdPanel, type HoldPanel } from '../race/hold-panel';
 import { leaderboard, mmsLeaderboard } from '../race/leaderboard';
 import { matrix } from '../race/matrix';
 import { facts, part } from '../race/parts';
+import { welcome } from '../race/welcome';
 import { h } from '../ui/dom';
 import { onTones } from '../ui/tones';
 import type { EarlyPage, LoadedRace, View } from './view';
@@ -131,11 +132,11 @@ export function createRace(page: EarlyPage): View {
     const about = h(
       'p',
       { class: 'note' },
-      'Choose mice and mazes; they race in this page. Or drop the results of a race: ',
+      'Choose mice and mazes; they race in this page. Results of the command line are shown in the same way: write them with ',
       h('code', {}, 'labmouse race --format json > results.json'),
-      ' on your own mazes and mice is shown here in the same way, and ',
-      h('code', {}, 'labmouse report'),
-      ' makes a page of its own from it, with the replays.',
+      ' and drop the file anywhere on this page. ',
+      h('code', {}, 'labmouse report results.json -o report.html'),
+      ' makes a page of its own from them, with the replays.',
     );
     return first
       ? part('Hold a race', '', about, room)
@@ -146,7 +147,7 @@ export function createRace(page: EarlyPage): View {
     parts = [];
     element.replaceChildren(
       h('h2', { class: 'unseen' }, 'Race'),
-      ...(race ? shownRaceParts(race) : []),
+      ...(race ? shownRaceParts(race) : [welcome(page)]),
       holdPart(!race),
     );
   }

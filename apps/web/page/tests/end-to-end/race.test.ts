@@ -67,6 +67,12 @@ test('the theme is chosen, and kept', async () => {
   expect(await page.getByLabel('Theme').inputValue()).toBe('dark');
 });
 
+test('a mouse is seen at once', async () => {
+  const page = await open();
+  await page.getByRole('button', { name: 'See a mouse run' }).click();
+  await page.waitForFunction(() => document.title === 'Replay · labmouse');
+});
+
 test('a race is held in the page', async () => {
   const page = await open();
   await page.getByRole('button', { name: 'Hold the race' }).click();
@@ -94,7 +100,8 @@ test('a maze that was opened can race, and is replayed as it was', async () => {
   await drop(page, maze);
   await page.waitForFunction(() => document.title === 'Live · labmouse');
   await page.getByRole('link', { name: 'Race' }).click();
-  const mazes = page.getByRole('group', { name: 'Mazes' });
+  const mazes = page.getByRole('group', { name: 'Mazes', exact: true });
+  await page.getByText('Mazes, 43 of').click();
   await mazes.getByRole('button', { name: 'None' }).click();
   await mazes.getByLabel('my-maze').first().check();
   await page.getByRole('button', { name: 'Hold the race' }).click();
