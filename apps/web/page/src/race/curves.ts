@@ -11,12 +11,23 @@ const hues = ['to-goal', 'route', 'onwards', 'wrong', 'candidate', 'ink'];
 const dashes = [[], [7, 4], [2, 3], [12, 4, 2, 4]];
 const shownAtFirst = 6;
 const marks = [1, 1.1, 1.25, 1.5, 2, 3, 5, 10, 20, 50, 100];
+/** Beside the axis, and for a label on it, in pixels. */
+const [axisRoom, labelRoom] = [70, 32];
 const stepped = uPlot.paths.stepped!({ align: 1 });
 const limits = [1.001, 1.05, 1.1, 1.25, 1.5, 2, 3];
 
 export interface Curves {
   element: HTMLElement;
   arrange(): void;
+}
+
+/** Those up to `end` whose labels do not touch on a logarithmic axis of that room. */
+function marksApart(end: number, room: number): number[] {
+  const place = (mark: number) => (Math.log(mark) / Math.log(end)) * (room - axisRoom);
+  const kept: number[] = [];
+  for (const mark of marks)
+    if (mark <= end && (kept.length === 0 || place(mark) - place(kept[kept.length - 1]) >= labelRoom)) kept.push(mark);
+  return kept;
 }
 
 const styleOf = (mouse: number) => ({
@@ -124,7 +135,7 @@ export function curves(board: Board): Curves {
       ticks: { stroke: tone('line'), width: 1 },
     };
     const font = `12px ${getComputedStyle(document.documentElement).fontFamily}`;
-    const splits = marks.filter((mark) => mark <= end);
+    const splits = marksApart(end, room());
     return {
       width: Math.max(240, room()),
       height: room() < 500 ? 260 : 320,

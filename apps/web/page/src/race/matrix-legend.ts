@@ -9,6 +9,15 @@ const sign = (path: string, name?: string) =>
     svg('path', { d: path }),
   );
 
+/** Some failed: the corner in its two tones, as it is on light and on dark cells. */
+const corner = (step: number, tone: string) =>
+  svg(
+    'svg',
+    { width: 14, height: 14, viewBox: '0 0 14 14', 'aria-hidden': 'true', class: 'corner' },
+    svg('rect', { width: 14, height: 14, class: toneName(step) }),
+    svg('path', { d: 'M0 0 L7 0 L0 7 Z', class: tone }),
+  );
+
 /** What the tones and signs of the matrix mean; `best` names what a score is compared with. */
 export function matrixLegend(best: string): HTMLElement {
   const swatches = toneLabels.map((label, step) =>
@@ -23,8 +32,8 @@ export function matrixLegend(best: string): HTMLElement {
       {},
       ...swatches,
       h('li', {}, sign('M3 3 L11 11 M11 3 L3 11'), 'all contests failed'),
-      h('li', {}, sign('M2 2 L10 2 L2 10 Z', 'filled'), 'some failed'),
-      h('li', {}, sign('M3 7 L11 7'), 'no way, or no contest'),
+      h('li', {}, corner(1, 'on-light'), corner(5, 'on-dark'), 'some failed'),
+      h('li', {}, sign('M3 7 L11 7', 'dash'), 'no way, or no contest'),
     ),
   );
 }
