@@ -88,9 +88,13 @@ export function duel(page: EarlyPage, board: Board, open: (a: number, b: number,
     const { rules } = await page.ready;
     const fresh = pairsOf(board, a, b, rules.failure_score);
     // In the order of the mazes, as the command line does: the bootstrap draws by position.
+    const seed = page.race()?.results.seed;
     const answer =
       fresh.length > 0
-        ? await page.core.call('compare', { differences: fresh.map(({ difference }) => difference) })
+        ? await page.core.call('compare', {
+            differences: fresh.map(({ difference }) => difference),
+            ...(Number.isSafeInteger(seed) && { seed }),
+          })
         : null;
     if (now !== asked) return;
     pairs = fresh.sort((one, other) => one.difference - other.difference);
