@@ -11,6 +11,13 @@
 #include <immintrin.h>
 #endif
 
+// clang leaves loops of a few chunks as they are, unless it is asked; g++ unrolls them itself.
+#if defined(__clang__)
+#define LABMOUSE_UNROLL _Pragma("clang loop unroll(full)")
+#else
+#define LABMOUSE_UNROLL
+#endif
+
 namespace labmouse {
 
 namespace LABMOUSE_KERNEL {
@@ -31,6 +38,9 @@ template <class Word>
 [[gnu::always_inline]] inline bool any(typename Rows<Word>::Chunk chunk) {
 #if LABMOUSE_CHUNK == 32
   return _mm256_testz_si256(reinterpret_cast<__m256i>(chunk), reinterpret_cast<__m256i>(chunk)) == 0;
+#elif defined(__wasm_simd128__)
+  typedef signed char Bytes __attribute__((vector_size(LABMOUSE_CHUNK)));
+  return __builtin_wasm_any_true_v128(reinterpret_cast<Bytes>(chunk)) != 0;
 #else
   typedef std::uint64_t Wide __attribute__((vector_size(LABMOUSE_CHUNK)));
   const Wide wide = reinterpret_cast<Wide>(chunk);
@@ -141,31 +151,8 @@ template <int K, class Word, int Longest>
     return here | moved<K - 1>(last, enter, i);
 }
 
-/// The chunks first to final. A layer of a large maze seldom spans all rows, so only those near the last one are looked
-/// at; a small set is done faster whole, in a loop that the compiler unrolls.
-template <class Word, int Reach>
-struct Window {
-  using R = Rows<Word>;
-  static constexpr bool whole = R::chunks <= 4;
-  int low = 0, high = R::chunks - 1;
-
-  [[gnu::always_inline]] int first() const { return whole ? 0 : low; }
-  [[gnu::always_inline]] int final() const { return whole ? R::chunks - 1 : high; }
-
-  [[gnu::always_inline]] void widen() {
-    low = low > Reach ? low - Reach : 0;
-    high = high + Reach < R::chunks ? high + Reach : R::chunks - 1;
-  }
-  /// Shrinks to what the set fills; false where that is nothing.
-  [[gnu::always_inline]] bool shrink(const R& rows) {
-    if constexpr (whole) return !empty(rows);
-    while (low <= high && !any<Word>(rows.chunk[low])) ++low;
-    while (low < high && !any<Word>(rows.chunk[high])) --high;
-    return low <= high;
-  }
-};
-
-/// Every move of 1 to Longest cells costs one: layer after layer. `last` stays empty outside of the window.
+/// Every move of 1 to Longest cells costs one: layer after layer, each over the whole set, in loops that the compiler
+/// unrolls.
 template <class Word, int Longest>
 void fill_layers(const FieldOrder& order) {
   using R = Rows<Word>;
@@ -177,20 +164,123 @@ void fill_layers(const FieldOrder& order) {
   narrow(order.from, last);
   for (int i = 0; i < R::chunks; ++i) unreached.chunk[i] = ~last.chunk[i];
   __builtin_memset(planes, 0, static_cast<unsigned>(order.planes) * sizeof(R));
-  Window<Word, (Longest + R::lanes - 1) / R::lanes> window;
   for (unsigned distance = 1;; ++distance) {
-    window.widen();
-    const int first = window.first(), final = window.final();
     R next;
-    for (int i = first; i <= final; ++i) next.chunk[i] = moved<Longest>(last, enter, i) & unreached.chunk[i];
-    if (!window.shrink(next)) break;
+    LABMOUSE_UNROLL
+    for (int i = 0; i < R::chunks; ++i) next.chunk[i] = moved<Longest>(last, enter, i) & unreached.chunk[i];
+    if (empty(next)) break;
     count_up(planes, unreached, distance);
-    for (int i = first; i <= final; ++i) {
-      unreached.chunk[i] &= ~next.chunk[i];
-      last.chunk[i] = next.chunk[i];
-    }
+    LABMOUSE_UNROLL
+    for (int i = 0; i < R::chunks; ++i) unreached.chunk[i] &= ~next.chunk[i];
+    last = next;
   }
   sets[0] = unreached;
+}
+
+/// One chunk of all sets that a layer of a large maze needs, side by side: one address for all of them.
+template <class Word>
+struct Strip {
+  using Chunk = typename Rows<Word>::Chunk;
+
+  Chunk last;       ///< the cells of the last layer
+  Chunk unreached;
+  /// Cells that can be entered by a straight move of one cell and, for longer moves, of two.
+  Chunk north[2], south[2], east[2], west[2];
+};
+
+/// The strips of a large maze, southernmost first, with empty ones round them, so that each has neighbours.
+template <class Word>
+struct Strips {
+  static constexpr int chunks = Rows<Word>::chunks;
+  Strip<Word> strip[chunks + 3];
+
+  [[gnu::always_inline]] Strip<Word>& at(int chunk) { return strip[chunk + 1]; }
+};
+
+/// Rows of two neighbouring chunks, moved K rows: those that come into the northern one, or into the southern one.
+template <int K, class Word, class Chunk>
+[[gnu::always_inline]] inline Chunk into_north(Chunk south, Chunk north) {
+  if constexpr (K == Rows<Word>::lanes) return south;
+  return window<Rows<Word>::lanes - K>(south, north, typename CountLanes<Rows<Word>::lanes>::type{});
+}
+template <int K, class Word, class Chunk>
+[[gnu::always_inline]] inline Chunk into_south(Chunk south, Chunk north) {
+  if constexpr (K == Rows<Word>::lanes) return north;
+  return window<K>(south, north, typename CountLanes<Rows<Word>::lanes>::type{});
+}
+
+template <int Longest, class Word>
+[[gnu::always_inline]] inline void lay_out(const FieldOrder& order, Strips<Word>& strips) {
+  constexpr int kept = Longest > 1 ? 2 : 1;
+  Entries<Word, kept> enter;
+  find_entries<kept>(order, enter);
+  Rows<Word> from;
+  narrow(order.from, from);
+  strips.at(-1) = strips.at(Rows<Word>::chunks) = strips.at(Rows<Word>::chunks + 1) = Strip<Word>{};
+  for (int i = 0; i < Rows<Word>::chunks; ++i) {
+    Strip<Word>& strip = strips.at(i);
+    strip.last = from.chunk[i];
+    strip.unreached = ~from.chunk[i];
+    for (int k = 0; k < kept; ++k) {
+      strip.north[k] = enter.north[k].chunk[i];
+      strip.south[k] = enter.south[k].chunk[i];
+      strip.east[k] = enter.east[k].chunk[i];
+      strip.west[k] = enter.west[k].chunk[i];
+    }
+  }
+}
+
+/// Goes from the last layer to the next one, from chunk first to final; outside of these the last one must be so empty
+/// that nothing comes in. Moves of three cells are one of up to one cell and one of none or two, which is less to do.
+template <int Longest, class Word>
+[[gnu::always_inline]] inline void advance(Strips<Word>& strips, int first, int final) {
+  using Chunk = typename Rows<Word>::Chunk;
+  static_assert(Longest == 1 || Longest == 3);
+  // What the last layer was in the chunk to the south, here, to the north and beyond, while it is written over.
+  Chunk south{}, here = strips.at(first).last, north = strips.at(first + 1).last;
+  Chunk up_south{}, down = here | (into_south<1, Word>(here, north) & strips.at(first).south[0]);
+  for (Strip<Word>*strip = &strips.at(first), *end = &strips.at(final + 1); strip != end; ++strip) {
+    const Chunk beyond = strip[2].last;
+    const Chunk up = here | (into_north<1, Word>(south, here) & strip[0].north[0]);
+    const Chunk down_north = north | (into_south<1, Word>(north, beyond) & strip[1].south[0]);
+    const Chunk right = here | ((here << 1) & strip[0].east[0]), left = here | ((here >> 1) & strip[0].west[0]);
+    Chunk reached = (up | down) | (right | left);
+    if constexpr (Longest > 1) {
+      reached |= (into_north<2, Word>(up_south, up) & strip[0].north[1]) | (into_south<2, Word>(down, down_north) & strip[0].south[1]);
+      reached |= ((right << 2) & strip[0].east[1]) | ((left >> 2) & strip[0].west[1]);
+    }
+    strip[0].last = reached & strip[0].unreached;
+    strip[0].unreached &= ~reached;
+    south = here, here = north, north = beyond;
+    up_south = up, down = down_north;
+  }
+}
+
+/// The same for many chunks. A layer seldom spans all rows, so only those near the last one are looked at, and its
+/// distance is written down for its own cells alone.
+template <class Word, int Longest>
+void fill_strips(const FieldOrder& order) {
+  using R = Rows<Word>;
+  constexpr int reach = (Longest + R::lanes - 1) / R::lanes;
+  R* sets = reinterpret_cast<R*>(order.sets);
+  R* planes = sets + 1;
+  Strips<Word> strips;
+  lay_out<Longest>(order, strips);
+  __builtin_memset(planes, 0, static_cast<unsigned>(order.planes) * sizeof(R));
+  int low = 0, high = R::chunks - 1;
+  for (unsigned distance = 1;; ++distance) {
+    low = low > reach ? low - reach : 0;
+    high = high + reach < R::chunks ? high + reach : R::chunks - 1;
+    advance<Longest>(strips, low, high);
+    while (low <= high && !any<Word>(strips.at(low).last)) ++low;
+    while (low < high && !any<Word>(strips.at(high).last)) --high;
+    if (low > high) break;
+    for (unsigned bits = distance; bits != 0; bits &= bits - 1) {
+      R& plane = planes[__builtin_ctz(bits)];
+      for (int i = low; i <= high; ++i) plane.chunk[i] |= strips.at(i).last;
+    }
+  }
+  for (int i = 0; i < R::chunks; ++i) sets[0].chunk[i] = strips.at(i).unreached;
 }
 
 /// Puts the cells that a straight run leads to into the buckets of their costs.
@@ -246,10 +336,17 @@ void fill_buckets(const FieldOrder& order) {
   sets[0] = unreached;
 }
 
+template <class Word, int Longest>
+constexpr Kernel kernel_for_layers() {
+  constexpr int few = 4;  // chunks
+  if constexpr (Rows<Word>::chunks <= few) return fill_layers<Word, Longest>;
+  return fill_strips<Word, Longest>;
+}
+
 template <class Word>
 Kernel kernel_for_rows(int longest, bool uniform) {
-  if (uniform && longest == 1) return fill_layers<Word, 1>;
-  if (uniform && longest == 3) return fill_layers<Word, 3>;
+  if (uniform && longest == 1) return kernel_for_layers<Word, 1>();
+  if (uniform && longest == 3) return kernel_for_layers<Word, 3>();
   return fill_buckets<Word>;
 }
 
