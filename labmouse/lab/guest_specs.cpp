@@ -1,29 +1,5 @@
 #include "labmouse/lab/guest_specs.hpp"
 
-#include <algorithm>
-#include <array>
-
-namespace labmouse {
-
-bool is_guest_spec(std::string_view spec) {
-  constexpr std::array<std::string_view, 3> kinds = {"capstone:", "guest:", "mms:"};
-  return std::any_of(kinds.begin(), kinds.end(), [&](std::string_view kind) { return spec.starts_with(kind); });
-}
-
-}  // namespace labmouse
-
-#ifdef __EMSCRIPTEN__
-
-namespace labmouse {
-
-void read_guest_spec(std::string_view, const GuestOptions&, SpecResult& result) {
-  result.error = "a page starts no programs";
-}
-
-}  // namespace labmouse
-
-#else
-
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -144,5 +120,3 @@ void read_guest_spec(std::string_view spec, const GuestOptions& options, SpecRes
 }
 
 }  // namespace labmouse
-
-#endif

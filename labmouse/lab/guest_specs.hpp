@@ -11,7 +11,9 @@
 namespace labmouse {
 
 /// Whether a SPEC is that of a guest.
-bool is_guest_spec(std::string_view spec);
+constexpr bool is_guest_spec(std::string_view spec) {
+  return spec.starts_with("capstone:") || spec.starts_with("guest:") || spec.starts_with("mms:");
+}
 
 /// Reads the SPEC of one guest into the result, as a contestant or as a mouse of mms; on failure sets its error.
 void read_guest_spec(std::string_view spec, const GuestOptions& options, SpecResult& result);

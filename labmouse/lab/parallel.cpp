@@ -1,18 +1,5 @@
 #include "labmouse/lab/parallel.hpp"
 
-#ifdef __EMSCRIPTEN__
-
-namespace labmouse {
-
-// The page has one thread.
-void for_each_parallel(std::size_t count, int, const std::function<void(std::size_t)>& work) {
-  for (std::size_t i = 0; i < count; ++i) work(i);
-}
-
-}  // namespace labmouse
-
-#else
-
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/partitioner.h>
@@ -31,5 +18,3 @@ void for_each_parallel(std::size_t count, int jobs, const std::function<void(std
 }
 
 }  // namespace labmouse
-
-#endif

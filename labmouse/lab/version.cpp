@@ -2,10 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-
-#include "labmouse/lab/printable.hpp"
-
 namespace labmouse {
 
 // version() itself is written by the build: cmake/write_version.cmake.
@@ -18,14 +14,6 @@ std::string compiler() {
 #else
   return "unknown";
 #endif
-}
-
-std::string processor() {
-  std::ifstream file("/proc/cpuinfo");
-  for (std::string line; std::getline(file, line);)
-    if (const auto colon = line.find(": "); line.starts_with("model name") && colon != std::string::npos)
-      return shown(line.substr(colon + 2));
-  return "unknown";
 }
 
 }  // namespace labmouse

@@ -1,0 +1,19 @@
+// What the lab does otherwise where it has no system: a page has no files, starts no programs, and has one thread.
+#include "labmouse/lab/files.hpp"
+#include "labmouse/lab/guest_specs.hpp"
+#include "labmouse/lab/parallel.hpp"
+#include "labmouse/lab/version.hpp"
+
+namespace labmouse {
+
+FileContent read_file(const std::string&, std::size_t) { return {"", "a page reads no files"}; }
+
+void read_guest_spec(std::string_view, const GuestOptions&, SpecResult& result) { result.error = "a page starts no programs"; }
+
+std::string processor() { return "WebAssembly"; }
+
+void for_each_parallel(std::size_t count, int, const std::function<void(std::size_t)>& work) {
+  for (std::size_t i = 0; i < count; ++i) work(i);
+}
+
+}  // namespace labmouse
