@@ -23,7 +23,7 @@ export interface Board {
 const reachOf = (event: PointerEvent) => (event.pointerType === 'touch' ? 0.4 : 0.3);
 
 /** Pixels of the page that header, tools and the line below need. */
-const above = 150;
+const above = 220;
 
 const help =
   'Arrow keys go from cell to cell. W, A, S, D, or Shift with an arrow, close or open the wall on that side. ' +

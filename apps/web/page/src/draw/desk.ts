@@ -4,11 +4,13 @@ import { h } from '../ui/dom';
 import { field } from '../ui/field';
 import { filePicker } from '../ui/pick';
 import type { Page } from '../views/view';
+import { mazeText } from '../player/words';
 import { createBoard } from './board';
 import { createEditor } from './editor';
 import { createJudgement } from './judgement';
 import { createMaking } from './making';
 import { createSaving } from './saving';
+import { createKey } from './key';
 import { createKeeper } from './storage';
 import { createTools } from './tools';
 
@@ -29,7 +31,10 @@ export function createDesk(page: Page, first: MazeData): Desk {
   const tools = createTools(editor, board.setTool);
   const withRoute = h('input', { type: 'checkbox', checked: true, onchange: () => showRoute() });
   let found: [number, number][] | null = null;
-  const showRoute = () => board.setRoute(withRoute.checked ? found : null);
+  const showRoute = () => {
+    board.setRoute(withRoute.checked ? found : null);
+    key.setRoute(withRoute.checked && found !== null);
+  };
   const judgement = createJudgement(page, (answer) => {
     found = answer?.route ?? null;
     showRoute();
@@ -38,6 +43,9 @@ export function createDesk(page: Page, first: MazeData): Desk {
   const keep = createKeeper(page);
   const name = h('input', { type: 'text', maxlength: 80, autocomplete: 'off' });
   name.addEventListener('change', () => editor.change({ ...editor.maze(), name: name.value.trim() || 'drawing' }));
+
+  const title = h('h2', { class: 'draw-title' });
+  const key = createKey();
 
   function load(maze: MazeData) {
     if (!isEqual(maze, editor.maze())) editor.change(maze);
@@ -56,6 +64,7 @@ export function createDesk(page: Page, first: MazeData): Desk {
   }
   function changed() {
     const maze = editor.maze();
+    title.replaceChildren(mazeText(maze));
     board.show();
     tools.show();
     saving.changed();
@@ -90,7 +99,7 @@ export function createDesk(page: Page, first: MazeData): Desk {
     element: h(
       'div',
       { class: 'desk' },
-      h('div', { class: 'desk-main' }, tools.element, board.element),
+      h('div', { class: 'desk-main' }, tools.element, title, board.element, key.element),
       h('div', { class: 'desk-side' }, ...side),
       h('div', { class: 'desk-below' }, ...below),
     ),

@@ -1,0 +1,25 @@
+// What the signs of the drawing mean.
+import { sample, type Sample } from '../player/samples';
+import { h } from '../ui/dom';
+
+export interface Key {
+  element: HTMLElement;
+  /** Whether the shortest run is drawn. */
+  setRoute(drawn: boolean): void;
+}
+
+const entry = (name: Sample, words: string) => h('li', {}, sample(name), h('span', {}, words));
+
+export function createKey(): Key {
+  const route = entry('exploration', 'a shortest run');
+  route.classList.add('route');
+  const element = h(
+    'ul',
+    { class: 'draw-key', 'aria-label': 'Legend' },
+    entry('walls', 'wall'),
+    entry('start', 'start, its arrow the first heading'),
+    entry('goal', 'goal'),
+    route,
+  );
+  return { element, setRoute: (drawn) => (route.hidden = !drawn) };
+}
