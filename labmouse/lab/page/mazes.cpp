@@ -1,7 +1,7 @@
 // Mazes that the core brings or makes, and what a maze is like.
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <cmath>
 
 #include "labmouse/lab/bounds.hpp"
 #include "labmouse/lab/builtin_mazes.hpp"
@@ -72,7 +72,7 @@ PageReply answer_make_maze(const nlohmann::json& json, std::string_view) {
   const std::string name = request.text("generator");
   const Size size{request.whole("width", 1, max_side), request.whole("height", 1, max_side)};
   const double loops = request.number("loops", 0.0, 1.0);
-  const GeneratorOrder order{size, request.seed(), static_cast<int>(loops * 1000.0 + 0.5)};
+  const GeneratorOrder order{size, request.seed(), static_cast<int>(std::lround(loops * 1000.0))};
   if (!request.error().empty()) return failed(request.error());
   const Generator* generator = find_generator(name);
   if (generator == nullptr) return failed(fmt::format("there is no generator '{}'", name));

@@ -80,10 +80,11 @@ PageReply open_results(const std::string& name, std::string_view text) {
   if (json.is_discarded()) return failed(fmt::format("{} is no JSON that can be read", name), {json_problem(text)});
   if (!json.is_object() || !json.contains("mice"))
     return failed(fmt::format("{} is JSON, but neither a record nor the results of a race", name));
-  ReadResultsResult read = read_results(json);
-  if (!read.error.empty())
-    return failed(fmt::format("{} has results of a race that cannot be read{}", name, writer_of(json)), {{0, 0, std::move(read.error)}});
-  return answered({{"kind", "results"}, {"results", std::move(read.results)}});
+  nlohmann::ordered_json results;
+  std::string error = read_results(json, results);
+  if (!error.empty())
+    return failed(fmt::format("{} has results of a race that cannot be read{}", name, writer_of(json)), {{0, 0, std::move(error)}});
+  return answered({{"kind", "results"}, {"results", std::move(results)}});
 }
 
 PageReply open_maze(const std::string& name, std::string_view content) {

@@ -21,7 +21,7 @@ PlayedRecord read_played(const std::string& name, std::string_view text, std::op
   if (!read.file->maze && !maze)
     return {std::nullopt, {fmt::format("{} is a record without its maze: open the maze first, then the record again", name), {}}};
   if (!read.file->maze) {
-    read.file->maze = std::move(maze->maze);
+    read.file->maze = maze->maze;
     read.file->maze_name = std::move(maze->name);
   }
   return played(name, std::move(*read.file));

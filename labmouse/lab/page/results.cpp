@@ -202,8 +202,7 @@ OrderedJson read_skipped(const Json& json, const std::string& path, std::string&
 
 }  // namespace
 
-ReadResultsResult read_results(const Json& json) {
-  ReadResultsResult read;
+std::string read_results(const Json& json, OrderedJson& results) {
   Taker taker(json, "");
   taker.texts({"labmouse", "compiler", "processor"}).seed().counts({"budget"}).flags({"stopped"}).list("mazes", read_maze);
   const Names mazes = names_in(taker.out()["mazes"]);
@@ -213,8 +212,9 @@ ReadResultsResult read_results(const Json& json) {
   if (taker.has("notes")) taker.text_list("notes");
   if (taker.has("groups")) taker.list("groups", read_group);
   taker.list("skipped", read_skipped);
-  read.results = taker.done(read.error);
-  return read;
+  std::string error;
+  results = taker.done(error);
+  return error;
 }
 
 }  // namespace labmouse

@@ -6,14 +6,9 @@
 
 namespace labmouse {
 
-/// Results, or what is wrong with them: exactly one of the two is there.
-struct ReadResultsResult {
-  nlohmann::ordered_json results;
-  std::string error;
-};
-
 /// Reads what `labmouse race --format json` wrote, and trusts none of it: what comes out has all fields of the page's type
 /// with values of their types, no others, and names no maze that it does not have. What is null in results may be missing.
-ReadResultsResult read_results(const nlohmann::json& json);
+/// Returns what is wrong, or nothing.
+std::string read_results(const nlohmann::json& json, nlohmann::ordered_json& results);
 
 }  // namespace labmouse
