@@ -2,5 +2,5 @@
 #if defined(__AVX2__)
 #define LABMOUSE_KERNEL wide
 #define LABMOUSE_CHUNK 32
-#include "labmouse/mouse/distance_rows.hpp"
+#include "labmouse/mouse/distance_searches.hpp"
 #endif
