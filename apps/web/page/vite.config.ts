@@ -33,7 +33,8 @@ export default defineConfig({
           setupFiles: 'tests/end-to-end/setup.ts',
           isolate: false,
           testTimeout: 60_000,
-          // Patience with a busy machine.
+          // Patience with a busy machine: a second try, and long looks.
+          retry: 1,
           expect: { poll: { timeout: 15_000 } },
           hookTimeout: 60_000,
         },

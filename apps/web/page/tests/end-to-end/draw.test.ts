@@ -98,7 +98,7 @@ test('a finger draws without moving the page', async () => {
   await page.touchscreen.tap(...at(1, 0.5));
   await expect.poll(() => verdict(page).textContent()).toContain('2 of 10 contest rules');
   expect(await board(page).evaluate((canvas) => getComputedStyle(canvas).touchAction)).toBe('none');
-  expect(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth)).toBe(true);
+  await expect.poll(() => page.evaluate(() => document.documentElement.scrollWidth <= innerWidth)).toBe(true);
   expect(await barriers(page)).toEqual([]);
   await picture(page, 'draw-phone');
 });

@@ -124,7 +124,7 @@ test('a strange address breaks nothing', async () => {
 
 test('it works on a phone, in the dark', async () => {
   const page = await openLive('#live', { viewport: { width: 390, height: 844 }, colorScheme: 'dark' });
-  expect(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth)).toBe(true);
+  await expect.poll(() => page.evaluate(() => document.documentElement.scrollWidth <= innerWidth)).toBe(true);
   expect(await barriers(page)).toEqual([]);
   await picture(page, 'live-phone');
 });

@@ -185,7 +185,9 @@ test('a report is without barriers in light and dark, at every width, and no wid
       await page.emulateMedia({ colorScheme });
       await page.setViewportSize({ width, height: 900 });
       if ((colorScheme === 'light') === (width === 1280)) expect(await barriers(page)).toEqual([]);
-      expect(await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)).toBeLessThanOrEqual(0);
+      await expect
+        .poll(() => page.evaluate(() => document.documentElement.scrollWidth - innerWidth))
+        .toBeLessThanOrEqual(0);
       await picture(page, `race-${colorScheme}-${width}`);
     }
 });

@@ -210,7 +210,7 @@ test('nothing is in the way of anybody, in light and dark, at every width', asyn
       await page.emulateMedia({ colorScheme });
       await page.setViewportSize({ width, height: 844 });
       if ((colorScheme === 'light') === (width === 1280)) expect(await barriers(page)).toEqual([]);
-      expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(width);
+      await expect.poll(() => page.evaluate(() => document.documentElement.scrollWidth)).toBe(width);
       await picture(page, `replay-${colorScheme}-${width}`);
     }
 });
@@ -275,7 +275,7 @@ test.each([1280, 390])('a name of any length stays in its place: %i pixels', asy
   const page = await open('#replay', { viewport: { width, height: 800 } });
   await drop(page, { name: 'a.jsonl', content: long('nobody') }, { name: 'b.jsonl', content: long('others') });
   await page.locator('.replay .player canvas').first().waitFor();
-  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(width);
+  await expect.poll(() => page.evaluate(() => document.documentElement.scrollWidth)).toBe(width);
   const numbers = await page.locator('.replay .facts').evaluate((facts) => [facts.scrollWidth, facts.clientWidth]);
   expect(numbers[0]).toBeLessThanOrEqual(numbers[1]);
   await picture(page, `replay-long-names-${width}`);
