@@ -1,5 +1,6 @@
 // The tones of the page's style sheet, for canvases.
 import '../styles/maze.css';
+import { tone } from '../ui/tones';
 
 // prettier-ignore
 const tones = [
@@ -14,31 +15,10 @@ export interface Palette extends Record<Tone, string> {
   heat: string[];
   /** The page's typeface, for `context.font`. */
   family: string;
-  dark: boolean;
-}
-
-/** Whether the page shows itself in dark tones. */
-function isDark(): boolean {
-  const { theme } = document.documentElement.dataset;
-  return theme ? theme === 'dark' : matchMedia('(prefers-color-scheme: dark)').matches;
 }
 
 export function readPalette(): Palette {
-  const style = getComputedStyle(document.documentElement);
-  const read = Object.fromEntries(tones.map((tone) => [tone, style.getPropertyValue(`--${tone}`).trim()]));
-  const colours = read as Record<Tone, string>;
+  const colours = Object.fromEntries(tones.map((name) => [name, tone(name)])) as Record<Tone, string>;
   const heat = [colours.heat1, colours.heat2, colours.heat3, colours.heat4, colours.heat5, colours.heat6];
-  return { ...colours, heat, family: style.fontFamily, dark: isDark() };
-}
-
-/** Calls back whenever the tones may have changed. Returns how to stop it. */
-export function watchTheme(changed: () => void): () => void {
-  const media = matchMedia('(prefers-color-scheme: dark)');
-  const observer = new MutationObserver(changed);
-  observer.observe(document.documentElement, { attributes: true, attributeFilter: ['data-theme'] });
-  media.addEventListener('change', changed);
-  return () => {
-    observer.disconnect();
-    media.removeEventListener('change', changed);
-  };
+  return { ...colours, heat, family: getComputedStyle(document.documentElement).fontFamily };
 }

@@ -1,8 +1,8 @@
 // A canvas for a maze that is as large as its place allows, and crisp at every zoom.
-import './print';
 import { h } from '../ui/dom';
+import { onTones } from '../ui/tones';
 import { bare, fit, numbered, type Geometry, type MazeSize } from './geometry';
-import { readPalette, watchTheme, type Palette } from './palette';
+import { readPalette, type Palette } from './palette';
 import type { Context } from './painter';
 
 /** Device pixels to a pixel of the page, at least, while it is printed. */
@@ -84,7 +84,7 @@ export function createStage(
 
   const observer = new ResizeObserver(measure);
   observer.observe(element);
-  const unwatch = watchTheme(recolour);
+  const unwatch = onTones(recolour);
   addEventListener('resize', measure);
   addEventListener('beforeprint', print);
   addEventListener('afterprint', print);

@@ -1,10 +1,18 @@
 // The page's tones as they are now, for what is painted: canvases have to be painted anew when they change.
 
+import { h } from './dom';
+
 const listeners = new Set<() => void>();
 
-/** The colour of a tone of styles/page.css: `tone('ink')`. */
-export const tone = (name: string) =>
-  getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim() || '#808080';
+let probe: HTMLElement | undefined;
+
+/** The colour of a tone of the style sheets, as a canvas takes it: `tone('ink')`. */
+export function tone(name: string): string {
+  // A custom property is text; only where it is used does the browser choose between its light and its dark colour.
+  if (!probe) document.body.append((probe = h('i', { hidden: true })));
+  probe.style.color = `var(--${name})`;
+  return getComputedStyle(probe).color;
+}
 
 /** Calls whenever the tones have changed; the function returned ends that. */
 export function onTones(listener: () => void): () => void {
