@@ -13,8 +13,8 @@ namespace labmouse {
 
 /// What reads the lines of a text.
 struct LineReader {
-  /// Takes one line; returns what is wrong with it, or nothing.
-  std::function<std::string(const nlohmann::json&)> read;
+  /// Take the first line, and each of the others; return what is wrong with it, or nothing.
+  std::function<std::string(const nlohmann::json&)> header, line;
   /// Whether the text may break off: then a last line that was cut, say when the power went off, counts for nothing.
   std::function<bool()> may_break_off;
 };

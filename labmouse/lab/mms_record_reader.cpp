@@ -123,15 +123,9 @@ std::string read_line(const Json& json, MmsRecordFile& file) {
 
 ReadMmsRecordResult read_mms_record(std::string_view text) {
   MmsRecordFile file;
-  bool has_header = false;
-  LineReader reader;
-  reader.read = [&](const Json& line) {
-    auto error = has_header ? read_line(line, file) : read_header(line, file);
-    has_header = true;
-    return error;
-  };
-  reader.may_break_off = [&] { return !file.end; };
-  std::vector<Problem> problems = read_json_lines(text, reader);
+  std::vector<Problem> problems = read_json_lines(text, {[&](const Json& line) { return read_header(line, file); },
+                                                         [&](const Json& line) { return read_line(line, file); },
+                                                         [&] { return !file.end; }});
   if (!problems.empty()) return {std::nullopt, std::move(problems)};
   return {std::move(file), {}};
 }

@@ -136,15 +136,9 @@ ReadRecordResult read_record(std::string_view text) {
   file.maze_name = "maze";
   file.mouse = "robot";
   file.ended = false;
-  bool has_header = false;
-  LineReader reader;
-  reader.read = [&](const Json& line) {
-    auto error = has_header ? read_line(line, file) : read_header(line, file);
-    has_header = true;
-    return error;
-  };
-  reader.may_break_off = [&] { return !file.ended; };
-  std::vector<Problem> problems = read_json_lines(text, reader);
+  std::vector<Problem> problems = read_json_lines(text, {[&](const Json& line) { return read_header(line, file); },
+                                                         [&](const Json& line) { return read_line(line, file); },
+                                                         [&] { return !file.ended; }});
   if (!problems.empty()) return {std::nullopt, std::move(problems)};
   return {std::move(file), {}};
 }
