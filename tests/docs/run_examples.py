@@ -4,10 +4,11 @@
 usage: run_examples.py PAGE.md PROGRAM
 
 In a block marked `console`, each line after `$ ` is a command, which lines after `> ` right below it continue, and the
-lines below it are what it prints. A line `...` stands for any lines; `...` at the end of a line for any rest of it. All
-blocks of a page run in one new folder that has the project's `templates`, in order, by `sh`; `labmouse` is PROGRAM. A block marked with a language and a name,
-as in `python robot.py`, is saved as a file of that name. Blocks marked otherwise are not run. A comment
-`<!-- needs: COMMAND -->` skips the page, with exit code 77, where that command fails.
+lines below it are what it prints. A line `...` stands for any lines; `...` at the end of a line for any rest of it, the
+blanks before it among them. All blocks of a page run in one new folder that has the project's `templates`, in order, by
+`sh`; `labmouse` is PROGRAM. A block marked with a language and a name, as in `python robot.py`, is saved as a file of
+that name. Blocks marked otherwise are not run. A comment `<!-- needs: COMMAND -->` skips the page, with exit code 77,
+where that command fails.
 """
 
 import os
@@ -46,7 +47,8 @@ def agrees(expected, printed):
         if line.strip() == "...":
             pattern += r"(?:.*\n)*?"
         elif line.endswith("..."):
-            pattern += re.escape(line[:-3]) + r".*\n"
+            # The blanks before it too: how wide a column of times is depends on the times.
+            pattern += re.escape(line[:-3].rstrip()) + r".*\n"
         else:
             pattern += re.escape(line.rstrip()) + r"[ ]*\n"
     return re.fullmatch(pattern, printed) is not None
