@@ -1,0 +1,90 @@
+// What happened in one contest in seconds: every move, wall and run, on the maze's clock in microseconds.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "labmouse/grid/wall_set.hpp"
+#include "labmouse/mouse/action.hpp"
+#include "labmouse/mouse/drive/route.hpp"
+#include "labmouse/mouse/pose.hpp"
+
+namespace labmouse {
+
+/// Microseconds since the mouse was first put into the maze.
+using MazeTime = std::int64_t;
+
+/// A wall as it was first seen.
+struct WallSeen {
+  MazeTime time = 0;
+  Wall wall;
+  bool open = false;
+
+  friend bool operator==(const WallSeen&, const WallSeen&) = default;
+};
+
+/// One move of a search. Between moves a mouse is at the edge by which it enters the cell of its pose, or at rest in the
+/// middle of it.
+struct SearchMove {
+  MazeTime begin = 0;
+  MazeTime end = 0;
+  Pose from;
+  Action action;  ///< a quarter turn or none or a half turn (180), then so many cells ahead
+  Pose to;
+  bool replanned = false;  ///< whether the mind had to plan anew
+
+  friend bool operator==(const SearchMove&, const SearchMove&) = default;
+};
+
+/// One run of a contest: a search (which may go on behind the goal), the way home, or a fast run over what is known.
+struct DriveRun {
+  enum class Kind : std::uint8_t { search, home, fast };
+
+  Kind kind = Kind::search;
+  MazeTime begin = 0;
+  MazeTime end = 0;
+  std::optional<MazeTime> gate_out;  ///< left the start cell
+  std::optional<MazeTime> gate_in;   ///< first entered a goal
+  std::optional<MazeTime> centre;    ///< first in the middle of a goal cell
+  std::vector<SearchMove> moves;     ///< of a search and a way home
+  DriveRoute route;                  ///< of a fast run; its times count from `begin`
+  /// What was known at the beginning, and the times of the fastest route that is known to exist and of the fastest that may
+  /// exist; no_time where there is none.
+  WallSet open;
+  WallSet closed;
+  DriveTime known = no_time;
+  DriveTime hoped = no_time;
+
+  friend bool operator==(const DriveRun&, const DriveRun&) = default;
+};
+
+constexpr std::string_view name_of(DriveRun::Kind kind) {
+  return kind == DriveRun::Kind::search ? "search" : kind == DriveRun::Kind::home ? "home" : "fast";
+}
+
+/// How a contest in seconds ended.
+enum class DriveOutcome : std::uint8_t {
+  finished,     ///< at least one run ended in a goal
+  out_of_time,  ///< none did within the time
+  forfeit,      ///< the mouse gave up; `reason` says why
+};
+
+constexpr std::string_view name_of(DriveOutcome outcome) {
+  return outcome == DriveOutcome::finished ? "finished" : outcome == DriveOutcome::out_of_time ? "out of time" : "forfeit";
+}
+
+struct DriveRecord {
+  std::vector<DriveRun> runs;
+  std::vector<WallSeen> walls;
+  DriveOutcome outcome = DriveOutcome::finished;
+  ForfeitReason reason = ForfeitReason::none;
+  /// Decisions of the mind, and those for which a route was planned anew.
+  int decisions = 0;
+  int replanned = 0;
+
+  friend bool operator==(const DriveRecord&, const DriveRecord&) = default;
+};
+
+}  // namespace labmouse

@@ -1,0 +1,27 @@
+// The rules of a contest in seconds. docs/seconds.md has them in words; rules/*.toml are those that come with labmouse.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace labmouse {
+
+struct DriveRules {
+  std::string name;
+  std::string source;  ///< where and when they were in force, and what of them is unsure
+  /// Time in the maze, in microseconds, from the first start on; a run that has not ended by then does not count.
+  std::int64_t time_limit = 0;
+  /// Runs that may begin at the start, searches among them.
+  int most_runs = 5;
+  /// A run counts its own time and this part of the time in the maze before it began: 0, or 1/30.
+  int maze_time_divisor = 0;  ///< 30 for a thirtieth; 0 where the maze time does not count
+  /// Whether the clock runs from gate to gate (leaves the start cell, enters a goal cell) or from rest to the centre of the
+  /// goal.
+  bool gate_to_gate = true;
+  /// Microseconds added to the time of a run after the mouse was touched; our mice never are.
+  std::int64_t touch_penalty = 0;
+  /// Microseconds taken off a run of a mouse that was never touched before it.
+  std::int64_t untouched_bonus = 0;
+};
+
+}  // namespace labmouse
