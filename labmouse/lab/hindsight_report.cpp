@@ -118,7 +118,7 @@ std::string json_of(const Hindsight& hindsight) {
   json["others"] = hindsight.has_others ? hindsight.order.others : 0;
   json["stopped"] = hindsight.stopped;
   json["bounds"] = {"bound"};
-  json["references"] = hindsight.has_others ? Json{"best_stop", "best_other"} : Json{"best_stop"};
+  json["references"] = hindsight.has_others ? Json::array({"best_stop", "best_other"}) : Json::array({"best_stop"});
   const HindsightMeans means = means_of(hindsight);
   json["means"] = hindsight.mazes.empty() ? Json(nullptr)
                                           : numbers_json(means.bound, means.score, means.best_stop, means.best_other);

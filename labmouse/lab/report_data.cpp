@@ -105,7 +105,7 @@ Json race_json(const Race& race, const std::vector<SkippedFile>& skipped, const 
   json["mice"] = Json::array();
   for (const Standing& standing : standings_of(race)) json["mice"].push_back(mouse_json(race, standing));
   json["notes"] = lines_of(notes_of(race));
-  if (mms != nullptr) json["groups"] = {group_json(*mms)};
+  if (mms != nullptr) json["groups"] = Json::array({group_json(*mms)});
   json["skipped"] = Json::array();
   for (const SkippedFile& file : skipped) {
     Json reasons = Json::array();

@@ -1,0 +1,204 @@
+#include "labmouse/mouse/drive/fastest.hpp"
+
+#include <algorithm>
+
+#include "labmouse/mouse/drive/search.hpp"
+
+namespace labmouse {
+namespace {
+
+/// The node of a point with a direction of driving, as the routes name it.
+DriveNode node_at(HalfPoint point, int direction) {
+  const auto heading = static_cast<Heading>(direction / 2);
+  const Cell centre = {(point.x - 1) / 2, (point.y - 1) / 2};
+  if (point.x % 2 != 0 && point.y % 2 != 0) return {centre, heading, Place::centre};
+  // Of the two headings of a diagonal the one that crosses the wall it lies on; on the axes that is the heading itself.
+  const bool across_north = point.x % 2 != 0;
+  const auto crosses = [&](Heading side) { return (side == Heading::north || side == Heading::south) == across_north; };
+  const Heading first = crosses(heading) ? heading : right_of(heading);
+  const Place place = direction % 2 == 0 ? Place::edge : first == heading ? Place::right : Place::left;
+  const Wall wall = {centre, across_north ? Heading::north : Heading::east};
+  return {wall.side == first ? wall.cell : neighbour(wall.cell, wall.side), first, place};
+}
+
+bool one_speed(const DriveTables& tables) {
+  if (tables.along.count() != 1 || tables.diagonal.count() != 1) return false;
+  for (std::size_t i = 1; i < tables.turns.size(); ++i)
+    if (tables.turns[i].turn == tables.turns[i - 1].turn) return false;
+  return tables.start == tables.finish && tables.start == tables.along.between;
+}
+
+}  // namespace
+
+class FastestRoutes::Search {
+ public:
+  Search(Size size, const DriveTables& tables)
+      : size_(size),
+        tables_(tables),
+        search_(one_speed(tables) ? drive::make_fixed_search(size, tables) : drive::make_lane_search(size, tables)) {}
+
+  void fill(const WallSet& passages, const CellSet& goals) {
+    goals_ = goals;
+    search_->fill(size_, passages, goals);
+  }
+
+  DriveTime time_from(Pose start) const {
+    if (goals_.contains(start.cell)) return 0;
+    DriveTime best = no_time;
+    each_start(start, [&](int units, std::size_t, DriveTime first, DriveTime rest) {
+      static_cast<void>(units);
+      best = std::min(best, first + rest);
+    });
+    return best;
+  }
+
+  void route_from(Pose start, DriveRoute& route) const {
+    route.segments.clear();
+    route.time = time_from(start);
+    if (route.time == 0 || route.time >= no_time) return;
+    Walk walk{route, {{start.cell, start.heading, Place::centre}, 0}};
+    if (begin(start, walk))
+      while (turn(walk) && straight(walk)) {
+      }
+  }
+
+  DriveTime rolling(const DriveNode& node, std::size_t lane) const {
+    if (!search_->passable(half_point(node))) return no_time;
+    return search_->rolling(number(node), lane);
+  }
+
+ private:
+  struct Stand {
+    DriveNode node;
+    DriveTime time = 0;
+    std::size_t lane = 0;
+  };
+  /// A route that is written: where it has come to, and in which lane.
+  struct Walk {
+    DriveRoute& route;
+    Stand here;
+  };
+
+  int number(const DriveNode& node) const { return search_->node(half_point(node), eighths(node)); }
+  bool is_goal(HalfPoint point) const {
+    return point.x % 2 != 0 && point.y % 2 != 0 && goals_.contains({(point.x - 1) / 2, (point.y - 1) / 2});
+  }
+
+  /// Calls visit(units, lane, time of the straight, time behind it) for each straight that a route may begin with: units up
+  /// to where a turn begins, in its lane, or one that ends in a goal, with the lane no_lane.
+  template <class Visit>
+  void each_start(Pose start, Visit visit) const {
+    HalfPoint point = half_point({start.cell, start.heading, Place::centre});
+    const int direction = 2 * static_cast<int>(start.heading);
+    for (int units = 0; units <= StraightTimes::longest && search_->passable(point); ++units) {
+      if (is_goal(point)) visit(units, no_lane, tables_.whole[static_cast<std::size_t>(units)], 0);
+      for (std::size_t lane = 0; lane < tables_.along.count(); ++lane)
+        visit(units, lane, tables_.start_to(units, lane), search_->turning(search_->node(point, direction), lane));
+      point = {point.x + drive::unit(direction).x, point.y + drive::unit(direction).y};
+    }
+  }
+
+  /// Writes the first straight. Whether the route goes on behind it.
+  bool begin(Pose start, Walk& walk) const {
+    int chosen = -1;
+    std::size_t chosen_lane = 0;
+    DriveTime first_time = 0;
+    each_start(start, [&](int units, std::size_t lane, DriveTime first, DriveTime rest) {
+      if (chosen >= 0 || first + rest != walk.route.time) return;
+      chosen = units;
+      chosen_lane = lane;
+      first_time = first;
+    });
+    add_straight(walk, chosen, first_time);
+    walk.here.lane = chosen_lane;
+    return chosen_lane != no_lane;
+  }
+
+  void add_straight(Walk& walk, int units, DriveTime time) const {
+    const int direction = eighths(walk.here.node);
+    HalfPoint point = half_point(walk.here.node);
+    point = {point.x + units * drive::unit(direction).x, point.y + units * drive::unit(direction).y};
+    const DriveNode to = node_at(point, direction);
+    if (units > 0 || time > 0)
+      walk.route.segments.push_back({DriveSegment::Kind::straight, walk.here.node, to, walk.here.time, walk.here.time + time, units, 0, false});
+    walk.here.node = to;
+    walk.here.time += time;
+  }
+
+  /// Writes a turn that begins here, and goes to its end.
+  bool turn(Walk& walk) const {
+    const int node = number(walk.here.node);
+    const bool diagonal = walk.here.node.diagonal();
+    for (std::size_t i = 0; i < tables_.turns.size(); ++i) {
+      const DrivenTurn& driven = tables_.turns[i];
+      if (driven.from != walk.here.lane || begins_diagonal(driven.turn) != diagonal) continue;
+      for (unsigned bit = 0; bit < 8; ++bit) {
+        if (!is_turn(bit, driven.turn, walk.here.node)) continue;
+        const int to = search_->leap(node, bit);
+        if (to < 0 || walk.here.time + driven.time + search_->rolling(to, driven.to) != walk.route.time) continue;
+        const HalfPoint end = search_->point(to);
+        const int before = eighths(walk.here.node), after = direction_of(to, end);
+        const bool left = ((after - before) & 7) > 4 || (eighths(driven.turn) == 4 && bit % 2 == 0);
+        const DriveNode there = node_at(end, after);
+        walk.route.segments.push_back({DriveSegment::Kind::turn, walk.here.node, there, walk.here.time, walk.here.time + driven.time, 0, static_cast<std::uint16_t>(i), left});
+        walk.here = {there, walk.here.time + driven.time, driven.to};
+        return true;
+      }
+    }
+    return false;
+  }
+
+  static bool is_turn(unsigned bit, Turn turn, const DriveNode& node) {
+    if (node.diagonal()) return bit < 3 && drive::turn_of(bit, true, false) == turn;
+    return (node.place == Place::centre || bit < 2) && drive::turn_of(bit, false, node.place == Place::edge) == turn;
+  }
+
+  int direction_of(int node, HalfPoint point) const {
+    for (int direction = 0; direction < 8; ++direction)
+      if (search_->node(point, direction) == node) return direction;
+    return 0;
+  }
+
+  /// Writes the straight that begins here, of no length perhaps. Whether the route goes on behind it.
+  bool straight(Walk& walk) const {
+    const bool diagonal = walk.here.node.diagonal();
+    const StraightTimes& table = diagonal ? tables_.diagonal : tables_.along;
+    const int direction = eighths(walk.here.node);
+    const DriveTime rest = walk.route.time - walk.here.time;
+    HalfPoint point = half_point(walk.here.node);
+    for (int units = 0; units <= StraightTimes::longest && search_->passable(point); ++units) {
+      if (!diagonal && is_goal(point) && tables_.finish_from(units, walk.here.lane) == rest) {
+        add_straight(walk, units, rest);
+        return false;
+      }
+      for (std::size_t lane = 0; lane < table.count(); ++lane)
+        if (const DriveTime time = table.at(units, walk.here.lane, lane);
+            time < no_time && time + search_->turning(search_->node(point, direction), lane) == rest) {
+          add_straight(walk, units, time);
+          walk.here.lane = lane;
+          return true;
+        }
+      point = {point.x + drive::unit(direction).x, point.y + drive::unit(direction).y};
+    }
+    return false;
+  }
+
+  static constexpr std::size_t no_lane = ~std::size_t{0};
+
+  Size size_;
+  const DriveTables& tables_;
+  CellSet goals_;
+  std::unique_ptr<drive::Search> search_;
+};
+
+FastestRoutes::FastestRoutes(Size size, const DriveTables& tables) : search_(std::make_unique<Search>(size, tables)) {}
+FastestRoutes::~FastestRoutes() = default;
+FastestRoutes::FastestRoutes(FastestRoutes&&) noexcept = default;
+FastestRoutes& FastestRoutes::operator=(FastestRoutes&&) noexcept = default;
+
+void FastestRoutes::fill(const WallSet& passages, const CellSet& goals) { search_->fill(passages, goals); }
+DriveTime FastestRoutes::time_from(Pose start) const { return search_->time_from(start); }
+void FastestRoutes::route_from(Pose start, DriveRoute& route) const { search_->route_from(start, route); }
+DriveTime FastestRoutes::rolling(const DriveNode& node, std::size_t lane) const { return search_->rolling(node, lane); }
+
+}  // namespace labmouse

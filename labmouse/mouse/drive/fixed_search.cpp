@@ -1,0 +1,233 @@
+// The search for robots that have one speed at all nodes: one lane along the axes and one on the diagonals.
+//
+// It goes from the goals backwards in time, which is forwards over nodes turned round: turns and their times are the same
+// both ways. A label of a turn is spread along the corridor ahead, several nodes at once; what it improves waits for its
+// own turns.
+#include <algorithm>
+#include <cstring>
+
+#include "labmouse/mouse/drive/search.hpp"
+
+namespace labmouse::drive {
+namespace {
+
+constexpr int width = 4;
+using Times = std::int32_t __attribute__((vector_size(4 * width)));
+
+Times load(const DriveTime* from) {
+  Times times;
+  std::memcpy(&times, from, sizeof(times));
+  return times;
+}
+void store(DriveTime* to, Times times) { std::memcpy(to, &times, sizeof(times)); }
+
+/// The lanes of a comparison as bits.
+unsigned bits_of(Times comparison) {
+#if defined(__SSE2__)
+  return static_cast<unsigned>(__builtin_ia32_movmskps(reinterpret_cast<float __attribute__((vector_size(16)))>(comparison)));
+#elif defined(__wasm_simd128__)
+  return static_cast<unsigned>(__builtin_wasm_bitmask_i32x4(comparison));
+#else
+  unsigned bits = 0;
+  for (int i = 0; i < width; ++i) bits |= (comparison[i] != 0 ? 1U : 0U) << i;
+  return bits;
+#endif
+}
+
+template <class Word>
+class FixedSearch final : public Search {
+ public:
+  using L = Lattice<Word>;
+
+  explicit FixedSearch(const DriveTables& tables)
+      : turns_waiting_(L::nodes, bucket_shift(tables)), straights_waiting_(L::nodes, bucket_shift(tables)) {
+    for (unsigned diagonal = 0; diagonal < 2; ++diagonal) {
+      const StraightTimes& table = diagonal != 0 ? tables.diagonal : tables.along;
+      Straight& straight = straights_[diagonal];
+      for (int units = 0; units <= StraightTimes::longest; ++units) take(straight, units, table.at(units, 0, 0));
+      find_gains(straight);
+    }
+    for (int units = 0; units <= StraightTimes::longest; ++units) take(finish_, units, tables.finish_from(units, 0));
+    find_gains(finish_);
+    for (const DrivenTurn& turn : tables.turns) turn_times_[static_cast<unsigned>(turn.turn)] = turn.time;
+    for (unsigned kind = 0; kind < 3; ++kind)
+      for (unsigned bit = 0; bit < 8; ++bit)
+        if (kind != 2 || bit < 3)
+          bit_times_[kind][bit] = turn_times_[static_cast<unsigned>(reversed(turn_of(bit, kind == 2, kind == 0)))];
+  }
+
+  void fill(Size size, const WallSet& passages, const CellSet& goals) override {
+    lattice_.build(size, passages);
+    std::fill(rolling_.begin(), rolling_.end(), no_time);
+    std::fill(turning_.begin(), turning_.end(), no_time);
+    turns_waiting_.clear();
+    straights_waiting_.clear();
+    goals.for_each([&](Cell cell) {
+      for (int direction = 0; direction < 8; direction += 2)
+        spread(L::node({2 * cell.x + 1, 2 * cell.y + 1}, direction), 0, finish_);
+    });
+    unsigned bucket = 0;
+    while ((bucket = std::min(turns_waiting_.next(bucket), straights_waiting_.next(bucket))) != Buckets::none) {
+      drive_straights(bucket);
+      drive_turns(bucket);
+      ++bucket;
+    }
+  }
+
+  DriveTime turning(int node, std::size_t) const override { return turning_at(L::opposite(node)); }
+  DriveTime rolling(int node, std::size_t) const override { return rolling_[static_cast<std::size_t>(pad + L::opposite(node))]; }
+  int node(HalfPoint point, int direction) const override { return L::node(point, direction); }
+  HalfPoint point(int node) const override { return L::point(node); }
+  bool passable(HalfPoint point) const override { return lattice_.passable(point); }
+  int leap(int node, unsigned bit) const override {
+    if ((lattice_.turns_at(node) >> bit & 1U) == 0) return -1;
+    return leap_of(node, bit);
+  }
+
+ private:
+  /// Nodes before the first and behind the last that a vector may touch.
+  static constexpr int pad = 2 * L::points;
+
+  /// Times by units, both ways round, and how much later than a mouse that starts over after k units one that comes through
+  /// is at least, at any place further on: the least of t(k + j) - t(j).
+  struct Straight {
+    alignas(16) DriveTime times[StraightTimes::longest + 1 + 2 * width]{};
+    DriveTime reversed[StraightTimes::longest + 1 + 2 * width]{};
+    DriveTime gain[StraightTimes::longest + 1]{};
+  };
+
+  static void take(Straight& straight, int units, DriveTime time) {
+    straight.times[units] = time;
+    straight.reversed[StraightTimes::longest + width - units] = time;
+  }
+  static void find_gains(Straight& straight) {
+    for (int k = 0; k <= StraightTimes::longest; ++k) {
+      straight.gain[k] = straight.times[k];
+      for (int j = 1; k + j <= StraightTimes::longest; ++j)
+        straight.gain[k] = std::min(straight.gain[k], straight.times[k + j] - straight.times[j]);
+    }
+  }
+
+  DriveTime turning_at(int node) const { return turning_[static_cast<std::size_t>(node)]; }
+
+  void drive_straights(unsigned bucket) {
+    const std::uint16_t* waiting = turns_waiting_.begin(bucket);
+    for (unsigned i = 0, count = turns_waiting_.length(bucket); i < count; ++i) {
+      const int node = waiting[i];
+      const DriveTime time = turning_at(node);
+      // Somebody passes here earlier, and is rolling already.
+      if (rolling_[static_cast<std::size_t>(pad + node)] <= time) continue;
+      spread(node, time, straights_[static_cast<unsigned>(node / L::plane) & 1U]);
+    }
+    turns_waiting_.empty(bucket);
+  }
+
+  void drive_turns(unsigned bucket) {
+    const std::uint16_t* waiting = straights_waiting_.begin(bucket);
+    for (unsigned i = 0, count = straights_waiting_.length(bucket); i < count; ++i) {
+      const int node = waiting[i];
+      const DriveTime time = rolling_[static_cast<std::size_t>(pad + node)];
+      if (straights_waiting_.bucket(time) != bucket) continue;  // it has been improved since, and was driven then
+      const int position = node % L::points;
+      const auto direction = static_cast<unsigned>(node / L::plane);
+      const int odd_line = 2 * (node / L::points % L::lines) + 1;
+      const auto& leaps = L::leaps()[direction][static_cast<unsigned>(position) & 1U];
+      const DriveTime* times = bit_times_[direction % 2 != 0 ? 2 : static_cast<unsigned>(position) & 1U];
+      for (unsigned bits = turn_bits(node); bits != 0; bits &= bits - 1) {
+        const auto bit = static_cast<unsigned>(std::countr_zero(bits));
+        const int to = leaps[bit].to(odd_line, position);
+        const DriveTime then = time + times[bit];
+        DriveTime& known = turning_[static_cast<std::size_t>(to)];
+        if (then >= known || then >= rolling_[static_cast<std::size_t>(pad + to)]) continue;
+        const unsigned place = turns_waiting_.bucket(then);
+        if (turns_waiting_.bucket(known) != place) turns_waiting_.add(place, to);
+        known = then;
+      }
+    }
+    straights_waiting_.empty(bucket);
+  }
+
+  unsigned turn_bits(int node) const {
+#if defined(__SSE2__)
+    using Integers = int __attribute__((vector_size(16)));
+    using Longs = long long __attribute__((vector_size(16)));
+    const Word* words = lattice_.turns(node);
+    const int left = L::points - 1 - node % L::points;
+    unsigned bits = 0;
+    if constexpr (sizeof(Word) == 4) {
+      for (int i = 0; i < 2; ++i) {
+        Integers four;
+        std::memcpy(&four, words + 4 * i, sizeof(four));
+        bits |= bits_of(__builtin_ia32_pslldi128(four, left)) << 4 * i;
+      }
+    } else {
+      for (int i = 0; i < 4; ++i) {
+        Longs two;
+        std::memcpy(&two, words + 2 * i, sizeof(two));
+        const auto shifted = __builtin_ia32_psllqi128(two, left);
+        bits |= static_cast<unsigned>(__builtin_ia32_movmskpd(reinterpret_cast<double __attribute__((vector_size(16)))>(shifted))) << 2 * i;
+      }
+    }
+    return bits;
+#else
+    return lattice_.turns_at(node);
+#endif
+  }
+
+  int leap_of(int node, unsigned bit) const {
+    const auto direction = static_cast<unsigned>(node / L::plane);
+    const auto parity = static_cast<unsigned>(node) & 1U;
+    return L::leaps()[direction][parity][bit].to(2 * (node / L::points % L::lines) + 1, node % L::points);
+  }
+
+  /// A turn has led to this node: spreads the times of straights of all lengths from here.
+  void spread(int node, DriveTime time, const Straight& straight) {
+    L::forward(node / L::plane) ? spread_to<true>(node, time, straight) : spread_to<false>(node, time, straight);
+  }
+
+  template <bool Forward>
+  void spread_to(int node, DriveTime time, const Straight& straight) {
+    const int run = lattice_.run(node);
+    const Word turns = lattice_.any_turn(node);
+    const int position = node % L::points;
+    for (int k = 0; k <= run; k += width) {
+      const int first = Forward ? node + k : node - k - width + 1;
+      const int place = Forward ? position + k : position - k - width + 1;
+      DriveTime* rolling = &rolling_[static_cast<std::size_t>(pad + first)];
+      const Times known = load(rolling);
+      const Times then = load(Forward ? straight.times + k : straight.reversed + StraightTimes::longest + 1 - k) + time;
+      // In the direction of memory the lanes are k, k + 1, ... or ..., k + 1, k.
+      const Times units = Forward ? Times{0, 1, 2, 3} + k : k + Times{3, 2, 1, 0};
+      const Times better = (then < known) & (units <= run);
+      store(rolling, (then & better) | (known & ~better));
+      unsigned bits = bits_of(better) & static_cast<unsigned>(std::rotr(turns, place & (L::points - 1)));
+      for (; bits != 0; bits &= bits - 1) {
+        const int lane = std::countr_zero(bits);
+        const unsigned bucket = straights_waiting_.bucket(then[lane]);
+        if (straights_waiting_.bucket(known[lane]) != bucket) straights_waiting_.add(bucket, first + lane);
+      }
+      // Whoever rolled here before is ahead of this one at all places further on.
+      if (k + width <= run && known[Forward ? width - 1 : 0] <= time + straight.gain[k + width - 1]) break;
+    }
+  }
+
+  L lattice_;
+  Straight straights_[2];
+  Straight finish_;
+  DriveTime turn_times_[8]{};
+  /// By kind of node (edge, centre, diagonal) and bit; of the turn as it is driven, from the new node to the old.
+  DriveTime bit_times_[3][8]{};
+  std::vector<DriveTime> rolling_ = std::vector<DriveTime>(static_cast<std::size_t>(L::nodes + 2 * pad), no_time);
+  std::vector<DriveTime> turning_ = std::vector<DriveTime>(static_cast<std::size_t>(L::nodes), no_time);
+  Buckets turns_waiting_;
+  Buckets straights_waiting_;
+};
+
+}  // namespace
+
+std::unique_ptr<Search> make_fixed_search(Size size, const DriveTables& tables) {
+  if (size.width <= 16 && size.height <= 16) return std::make_unique<FixedSearch<std::uint32_t>>(tables);
+  return std::make_unique<FixedSearch<std::uint64_t>>(tables);
+}
+
+}  // namespace labmouse::drive

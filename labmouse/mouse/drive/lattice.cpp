@@ -1,0 +1,184 @@
+#include "labmouse/mouse/drive/lattice.hpp"
+
+namespace labmouse::drive {
+namespace {
+
+/// Bit i of the lower half goes to bit 2i.
+std::uint32_t spread(std::uint64_t bits, std::uint32_t) {
+  auto word = static_cast<std::uint32_t>(bits & 0xffffU);
+  word = (word | word << 8U) & 0x00ff00ffU;
+  word = (word | word << 4U) & 0x0f0f0f0fU;
+  word = (word | word << 2U) & 0x33333333U;
+  return (word | word << 1U) & 0x55555555U;
+}
+std::uint64_t spread(std::uint64_t bits, std::uint64_t) {
+  std::uint64_t word = bits & 0xffffffffU;
+  word = (word | word << 16U) & 0x0000ffff0000ffffU;
+  word = (word | word << 8U) & 0x00ff00ff00ff00ffU;
+  word = (word | word << 4U) & 0x0f0f0f0f0f0f0f0fU;
+  word = (word | word << 2U) & 0x3333333333333333U;
+  return (word | word << 1U) & 0x5555555555555555U;
+}
+
+/// Turns a square of bits about its diagonal: bit x of word y becomes bit y of word x. By halves (Hacker's Delight, 7-3).
+template <class Word>
+void transpose(Word* words) {
+  constexpr int size = 8 * sizeof(Word);
+  Word mask = static_cast<Word>(~Word{0}) >> (size / 2);
+  for (int half = size / 2; half != 0; half /= 2, mask ^= mask << half)
+    for (int block = 0; block < size; block += 2 * half)
+      for (int i = block; i < block + half; ++i) {
+        const Word swapped = ((words[i] >> half) ^ words[i + half]) & mask;
+        words[i + half] ^= swapped;
+        words[i] ^= swapped << half;
+      }
+}
+
+template <class Word>
+constexpr Word odd_bits = static_cast<Word>(0xaaaaaaaaaaaaaaaaU);
+
+/// Moves bits back by so many positions in a direction: what lies ahead comes here.
+template <bool Forward, class Word>
+Word from_ahead(Word word, int count) {
+  return Forward ? word >> count : word << count;
+}
+
+}  // namespace
+
+template <class Word>
+void Lattice<Word>::build(Size size, const WallSet& passages) {
+  const Word cells = spread(~std::uint64_t{0} >> (64 - size.width), Word{}) << 1;
+  for (int y = 0; y < lines; ++y) {
+    const bool inside = y < size.height;
+    rows_[margin + 2 * y + 1] = inside ? cells | spread(passages.east().row(y), Word{}) << 1 << 1 : 0;
+    if (2 * y + 2 < points) rows_[margin + 2 * y + 2] = inside ? spread(passages.north().row(y), Word{}) << 1 : 0;
+  }
+  const Word* rows = rows_ + margin;
+  Word* columns = columns_ + margin;
+  for (int y = 0; y < points; ++y) {
+    columns[y] = rows[y];
+    rising_[y] = std::rotr(rows[y], y);
+    falling_[y] = std::rotl(rows[y], y);
+  }
+  transpose(columns);
+  transpose(rising_);
+  transpose(falling_);
+  for (int line = 0; line < lines; ++line) {
+    lines_[0][line] = columns[2 * line + 1];
+    lines_[1][line] = rising_[2 * line + 1];
+    lines_[2][line] = rows[2 * line + 1];
+    lines_[3][line] = falling_[2 * line + 1];
+  }
+  for (int direction = 0; direction < 8; direction += 2) {
+    find_turns_along(direction, direction % 4 == 0 ? columns : rows);
+    find_turns_across(direction + 1, direction % 4 == 0 ? rising_ : falling_);
+  }
+}
+
+/// The turns of a direction along the axes; the words are the lines in that direction, walls and posts between them.
+template <class Word>
+void Lattice<Word>::find_turns_along(int direction, const Word* words) {
+  // To the right of north and west lie the greater numbers.
+  const int right = direction == 0 || direction == 6 ? 1 : -1;
+  const auto find = [&]<bool Forward>(std::bool_constant<Forward>) {
+    for (int line = 0; line < lines; ++line) {
+      const Word* here = words + 2 * line + 1;
+      std::array<Word, 8>& turns = turns_[direction * lines + line];
+      Word any = 0;
+      for (unsigned side = 0; side < 2; ++side) {
+        const int aside = side == 0 ? -right : right;
+        const Word round = from_ahead<Forward>(here[0], 1) & from_ahead<Forward>(here[aside], 2) & odd_bits<Word>;
+        const Word small = here[0] & from_ahead<Forward>(here[aside], 1) & ~odd_bits<Word>;
+        const Word back = round & from_ahead<Forward>(here[2 * aside], 1);
+        turns[0 + side] = round | small;
+        turns[2 + side] = round & from_ahead<Forward>(here[2 * aside], 3);
+        turns[4 + side] = back & here[3 * aside];
+        turns[6 + side] = back;
+        any |= round | small;
+      }
+      any_turn_[direction * lines + line] = any;
+    }
+  };
+  forward(direction) ? find(std::true_type{}) : find(std::false_type{});
+}
+
+/// The turns of a diagonal direction; the words are the diagonals, of which every second has points.
+template <class Word>
+void Lattice<Word>::find_turns_across(int direction, const Word* words) {
+  // Where a diagonal lies on a wall between north and south, its turn goes to this side.
+  const int aside = direction == 1 || direction == 3 ? 2 : -2;
+  const auto word = [&](int line) { return words[line & (points - 1)]; };
+  const auto find = [&]<bool Forward>(std::bool_constant<Forward>) {
+    for (int line = 1; line < points; line += 2) {
+      const Word valid = word(line) & from_ahead<Forward>(word(line), 1);
+      const Word even = ~odd_bits<Word>;
+      const Word third = (word(line + aside) & even) | (from_ahead<Forward>(word(line - aside), 2) & odd_bits<Word>);
+      const Word fourth = (from_ahead<!Forward>(word(line + 2 * aside), 1) & even) |
+                          (from_ahead<Forward>(word(line - 2 * aside), 3) & odd_bits<Word>);
+      std::array<Word, 8>& turns = turns_[direction * lines + line / 2];
+      turns[diagonal_v90] = valid & third & fourth;
+      turns[diagonal_out45] = valid;
+      turns[diagonal_out135] = valid & third;
+      any_turn_[direction * lines + line / 2] = valid;
+    }
+  };
+  forward(direction) ? find(std::true_type{}) : find(std::false_type{});
+}
+
+template <class Word>
+unsigned Lattice<Word>::turns_at(int node) const {
+  unsigned bits = 0;
+  for (unsigned bit = 0; bit < 8; ++bit) bits |= static_cast<unsigned>(turns(node)[bit] >> (node % points) & 1U) << bit;
+  return bits;
+}
+
+template <class Word>
+typename Lattice<Word>::Leaps Lattice<Word>::make_leaps() {
+  // How a point is made of line and position, and these of a point, by kind of line: rows of 2×2 matrices.
+  struct Matrix {
+    int a, b, c, d;
+  };
+  constexpr std::array<Matrix, 4> point_of = {{{1, 0, 0, 1}, {1, 1, 0, 1}, {0, 1, 1, 0}, {1, -1, 0, 1}}};
+  constexpr std::array<Matrix, 4> place_of = {{{1, 0, 0, 1}, {1, -1, 0, 1}, {0, 1, 1, 0}, {1, 1, 0, 1}}};
+  Leaps leaps;
+  for (int direction = 0; direction < 8; ++direction)
+    for (unsigned parity = 0; parity < 2; ++parity)
+      for (unsigned bit = 0; bit < (direction % 2 == 0 ? 8U : 3U); ++bit) {
+        const bool even = parity == 0;
+        const int side = leads_left(bit, direction, even) ? -1 : 1;
+        const Turn turn = turn_of(bit, direction % 2 != 0, even);
+        const auto sum = [](int m, HalfPoint a, int n, HalfPoint b) { return HalfPoint{m * a.x + n * b.x, m * a.y + n * b.y}; };
+        const HalfPoint ahead = unit(direction + 8), across = unit(direction + 8 + 2 * side);
+        // Of a diagonal: the way across the wall that it lies on, and across the next.
+        const HalfPoint first = unit(direction + 8 - side), second = unit(direction + 8 + side);
+        HalfPoint moved;
+        switch (turn) {
+          case Turn::f45: moved = sum(2, ahead, 1, across); break;
+          case Turn::f90: moved = sum(2, ahead, 2, across); break;
+          case Turn::f135: moved = sum(1, ahead, 2, across); break;
+          case Turn::f180: moved = sum(0, ahead, 2, across); break;
+          case Turn::s90: moved = sum(1, ahead, 1, across); break;
+          case Turn::v90: moved = sum(1, ahead, 1, across); break;
+          case Turn::out45: moved = sum(1, first, 2, second); break;
+          case Turn::out135: moved = sum(-1, first, 2, second); break;
+        }
+        const int after = (direction + 8 + side * eighths(turn)) & 7;
+        const Matrix in = point_of[static_cast<unsigned>(direction) & 3U], out = place_of[static_cast<unsigned>(after) & 3U];
+        leaps[static_cast<unsigned>(direction)][parity][bit] = {
+            after * plane,
+            out.a * in.a + out.b * in.c, out.a * in.b + out.b * in.d, out.a * moved.x + out.b * moved.y,
+            out.c * in.a + out.d * in.c, out.c * in.b + out.d * in.d, out.c * moved.x + out.d * moved.y};
+      }
+  return leaps;
+}
+
+template <class Word>
+const typename Lattice<Word>::Leaps& Lattice<Word>::leaps() {
+  static const Leaps leaps = make_leaps();
+  return leaps;
+}
+
+template class Lattice<std::uint32_t>;
+template class Lattice<std::uint64_t>;
+
+}  // namespace labmouse::drive

@@ -1,0 +1,143 @@
+// The lattice on which routes in seconds are searched: half cells, eight directions, and which turns fit where.
+//
+// A point is the middle of a cell (both coordinates odd) or of a wall (one is odd). Points that can be passed are bits of
+// words, along all four kinds of lines: columns, rows, and rising and falling diagonals. So the length of a corridor is a
+// count of ones, and which turns fit is found for a whole line at a time by shifts and ANDs of its neighbours.
+//
+// A node is a point with a direction. The nodes of one direction lie in memory line by line, so that those of a straight
+// are neighbours:  node = direction * plane + line * points + position.
+//
+//   direction           line                  position   forward is
+//   0 north, 4 south    (x - 1) / 2           y          +1, -1
+//   2 east,  6 west     (y - 1) / 2           x          +1, -1
+//   1 NE,    5 SW       ((x - y) mod points) / 2   y     +1, -1
+//   7 NW,    3 SE       ((x + y) mod points) / 2   y     +1, -1
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstdint>
+
+#include "labmouse/grid/wall_set.hpp"
+#include "labmouse/mouse/drive/node.hpp"
+#include "labmouse/mouse/drive/turn.hpp"
+
+namespace labmouse::drive {
+
+/// A turn that can begin at a node, as a bit of a byte. At the middle of a cell these are the first eight; on an edge S90
+/// takes the places of F90; a diagonal has the other three, each to the one side on which it is possible.
+enum class Bit : std::uint8_t { f90_left, f90_right, f45_left, f45_right, f135_left, f135_right, f180_left, f180_right };
+inline constexpr unsigned diagonal_v90 = 0, diagonal_out45 = 1, diagonal_out135 = 2;
+
+/// The turn behind a bit.
+constexpr Turn turn_of(unsigned bit, bool diagonal, bool edge) {
+  constexpr std::array<Turn, 3> diagonals = {Turn::v90, Turn::out45, Turn::out135};
+  constexpr std::array<Turn, 4> centres = {Turn::f90, Turn::f45, Turn::f135, Turn::f180};
+  if (diagonal) return diagonals[bit];
+  return edge ? Turn::s90 : centres[bit / 2];
+}
+
+/// One unit in each direction.
+constexpr HalfPoint unit(int direction) {
+  constexpr std::array<HalfPoint, 8> units = {{{0, 1}, {1, 1}, {1, 0}, {1, -1}, {0, -1}, {-1, -1}, {-1, 0}, {-1, 1}}};
+  return units[static_cast<unsigned>(direction) & 7U];
+}
+
+/// The lattice of a maze up to 16 cells wide and high (Word is 32 bits) or 32 (64 bits).
+template <class Word>
+class Lattice {
+ public:
+  static constexpr int points = 8 * static_cast<int>(sizeof(Word));
+  static constexpr int lines = points / 2;
+  static constexpr int plane = lines * points;
+  static constexpr int nodes = 8 * plane;
+
+  /// Reads the open walls of a maze of that size.
+  void build(Size size, const WallSet& passages);
+
+  static int node(HalfPoint point, int direction) {
+    const int odd = line_of(point, direction);
+    return direction * plane + (odd >> 1) * points + ((direction & 3) == 2 ? point.x : point.y);
+  }
+  static HalfPoint point(int node) {
+    const int direction = node / plane, odd = 2 * (node / points % lines) + 1, position = node % points;
+    switch (direction & 3) {
+      case 0: return {odd, position};
+      case 1: return {(position + odd) & (points - 1), position};
+      case 2: return {position, odd};
+      default: return {(odd - position) & (points - 1), position};
+    }
+  }
+  static int direction(int node) { return node / plane; }
+  /// The same point in the opposite direction.
+  static int opposite(int node) { return node < 4 * plane ? node + 4 * plane : node - 4 * plane; }
+  /// Whether the next node ahead is the next in memory, or the one before.
+  static bool forward(int direction) { return direction < 3 || direction == 7; }
+  /// Whether a node's turns are those of an edge, of a node on a line between cells; for directions along the axes.
+  static bool on_edge(int node) { return node % 2 == 0; }
+
+  /// Points ahead of a node up to the first that cannot be passed.
+  int run(int node) const {
+    const int position = node % points;
+    const Word line = lines_[(node / plane) & 3][node / points % lines];
+    if (forward(node / plane)) return std::countr_one(static_cast<Word>((line >> position) >> 1));
+    return std::countl_one(static_cast<Word>((line << (points - 1 - position)) << 1));
+  }
+  bool passable(HalfPoint point) const { return (columns_[point.x + margin] >> point.y & 1U) != 0; }
+
+  /// The turns that can begin at the nodes of a line: words by bit, and all bits together.
+  const Word* turns(int node) const { return turns_[node / points].data(); }
+  Word any_turn(int node) const { return any_turn_[node / points]; }
+
+  /// The turns that can begin at a node.
+  unsigned turns_at(int node) const;
+
+  /// Where a turn leads, by direction, parity of the node's position, and bit: the new node's line and position are linear
+  /// in the old ones.
+  struct Leap {
+    int base = 0;
+    int line_line = 0, line_position = 0, line_offset = 0;
+    int position_line = 0, position_position = 0, position_offset = 0;
+    int to(int odd_line, int position) const {
+      const int line = (line_line * odd_line + line_position * position + line_offset) & (points - 1);
+      const int place = (position_line * odd_line + position_position * position + position_offset) & (points - 1);
+      return base + (line >> 1) * points + place;
+    }
+  };
+  using Leaps = std::array<std::array<std::array<Leap, 8>, 2>, 8>;
+  static const Leaps& leaps();
+  /// Whether the turn of a bit leads to the left.
+  static bool leads_left(unsigned bit, int direction, bool even) {
+    if (direction % 2 == 0) return bit % 2 == 0;
+    // On a wall between north and south (an even position of all diagonals) NE and SW turn right.
+    return (direction == 1 || direction == 5) != even;
+  }
+
+ private:
+  static constexpr int margin = 4;
+
+  static int line_of(HalfPoint point, int direction) {
+    switch (direction & 3) {
+      case 0: return point.x;
+      case 1: return (point.x - point.y) & (points - 1);
+      case 2: return point.y;
+      default: return (point.x + point.y) & (points - 1);
+    }
+  }
+  static Leaps make_leaps();
+  void find_turns_along(int direction, const Word* words);
+  void find_turns_across(int direction, const Word* words);
+
+  Word rows_[points + 2 * margin]{};
+  Word columns_[points + 2 * margin]{};
+  Word rising_[points]{};
+  Word falling_[points]{};
+  Word lines_[4][lines]{};
+  std::array<Word, 8> turns_[8 * lines]{};
+  Word any_turn_[8 * lines]{};
+};
+
+extern template class Lattice<std::uint32_t>;
+extern template class Lattice<std::uint64_t>;
+
+}  // namespace labmouse::drive
