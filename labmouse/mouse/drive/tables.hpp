@@ -72,7 +72,11 @@ struct DriveTables {
   DriveTime finish_from(int units, std::size_t lane) const {
     return finish[static_cast<std::size_t>(units) * along.count() + lane];
   }
+  /// Of the curves alone; no_time without turns.
   DriveTime shortest_turn() const;
 };
+
+/// The value of `tables.hash`: of all its other numbers, lengths and speeds to the micrometre.
+std::uint64_t hash_of(const DriveTables& tables);
 
 }  // namespace labmouse
