@@ -4,35 +4,12 @@
 // both ways. A label of a turn is spread along the corridor ahead, several nodes at once; what it improves waits for its
 // own turns.
 #include <algorithm>
-#include <cstring>
 
 #include "labmouse/mouse/drive/search.hpp"
+#include "labmouse/mouse/drive/vectors.hpp"
 
 namespace labmouse::drive {
 namespace {
-
-constexpr int width = 4;
-using Times = std::int32_t __attribute__((vector_size(4 * width)));
-
-Times load(const DriveTime* from) {
-  Times times;
-  std::memcpy(&times, from, sizeof(times));
-  return times;
-}
-void store(DriveTime* to, Times times) { std::memcpy(to, &times, sizeof(times)); }
-
-/// The lanes of a comparison as bits.
-unsigned bits_of(Times comparison) {
-#if defined(__SSE2__)
-  return static_cast<unsigned>(__builtin_ia32_movmskps(reinterpret_cast<float __attribute__((vector_size(16)))>(comparison)));
-#elif defined(__wasm_simd128__)
-  return static_cast<unsigned>(__builtin_wasm_bitmask_i32x4(comparison));
-#else
-  unsigned bits = 0;
-  for (int i = 0; i < width; ++i) bits |= (comparison[i] != 0 ? 1U : 0U) << i;
-  return bits;
-#endif
-}
 
 template <class Word>
 class FixedSearch final : public Search {
@@ -133,7 +110,7 @@ class FixedSearch final : public Search {
       const int odd_line = 2 * (node / L::points % L::lines) + 1;
       const auto& leaps = L::leaps()[direction][static_cast<unsigned>(position) & 1U];
       const DriveTime* times = bit_times_[direction % 2 != 0 ? 2 : static_cast<unsigned>(position) & 1U];
-      for (unsigned bits = turn_bits(node); bits != 0; bits &= bits - 1) {
+      for (unsigned bits = turn_bits(lattice_, node); bits != 0; bits &= bits - 1) {
         const auto bit = static_cast<unsigned>(std::countr_zero(bits));
         const int to = leaps[bit].to(odd_line, position);
         const DriveTime then = time + times[bit];
@@ -145,33 +122,6 @@ class FixedSearch final : public Search {
       }
     }
     straights_waiting_.empty(bucket);
-  }
-
-  unsigned turn_bits(int node) const {
-#if defined(__SSE2__)
-    using Integers = int __attribute__((vector_size(16)));
-    using Longs = long long __attribute__((vector_size(16)));
-    const Word* words = lattice_.turns(node);
-    const int left = L::points - 1 - node % L::points;
-    unsigned bits = 0;
-    if constexpr (sizeof(Word) == 4) {
-      for (int i = 0; i < 2; ++i) {
-        Integers four;
-        std::memcpy(&four, words + 4 * i, sizeof(four));
-        bits |= bits_of(__builtin_ia32_pslldi128(four, left)) << 4 * i;
-      }
-    } else {
-      for (int i = 0; i < 4; ++i) {
-        Longs two;
-        std::memcpy(&two, words + 2 * i, sizeof(two));
-        const auto shifted = __builtin_ia32_psllqi128(two, left);
-        bits |= static_cast<unsigned>(__builtin_ia32_movmskpd(reinterpret_cast<double __attribute__((vector_size(16)))>(shifted))) << 2 * i;
-      }
-    }
-    return bits;
-#else
-    return lattice_.turns_at(node);
-#endif
   }
 
   int leap_of(int node, unsigned bit) const {

@@ -1,0 +1,9 @@
+#include "labmouse/mouse/drive/search.hpp"
+
+namespace labmouse::drive {
+
+int bucket_shift(const DriveTables& tables) {
+  return static_cast<int>(std::bit_width(static_cast<std::uint32_t>(tables.shortest_turn()))) - 1;
+}
+
+}  // namespace labmouse::drive
