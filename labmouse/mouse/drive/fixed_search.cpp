@@ -21,10 +21,10 @@ class FixedSearch final : public Search {
     for (unsigned diagonal = 0; diagonal < 2; ++diagonal) {
       const StraightTimes& table = diagonal != 0 ? tables.diagonal : tables.along;
       Straight& straight = straights_[diagonal];
-      for (int units = 0; units <= StraightTimes::longest; ++units) take(straight, units, table.at(units, 0, 0));
+      for (int units = 0; units <= StraightTimes::longest; ++units) straight.times[units] = table.at(units, 0, 0);
       find_gains(straight);
     }
-    for (int units = 0; units <= StraightTimes::longest; ++units) take(finish_, units, tables.finish_from(units, 0));
+    for (int units = 0; units <= StraightTimes::longest; ++units) finish_.times[units] = tables.finish_from(units, 0);
     find_gains(finish_);
     for (const DrivenTurn& turn : tables.turns) turn_times_[static_cast<unsigned>(turn.turn)] = turn.time;
     for (unsigned kind = 0; kind < 3; ++kind)
@@ -51,8 +51,8 @@ class FixedSearch final : public Search {
     }
   }
 
-  DriveTime turning(int node, std::size_t) const override { return turning_at(L::opposite(node)); }
-  DriveTime rolling(int node, std::size_t) const override { return rolling_[static_cast<std::size_t>(pad + L::opposite(node))]; }
+  DriveTime turning(int node, std::size_t) const override { return turning_[index(L::opposite(node))]; }
+  DriveTime rolling(int node, std::size_t) const override { return rolling_[index(L::opposite(node))]; }
   int node(HalfPoint point, int direction) const override { return L::node(point, direction); }
   HalfPoint point(int node) const override { return L::point(node); }
   bool passable(HalfPoint point) const override { return lattice_.passable(point); }
@@ -62,21 +62,18 @@ class FixedSearch final : public Search {
   }
 
  private:
-  /// Nodes before the first and behind the last that a vector may touch.
-  static constexpr int pad = 2 * L::points;
+  /// Nodes that are looked at together.
+  static constexpr int stretch = 2 * width;
 
-  /// Times by units, both ways round, and how much later than a mouse that starts over after k units one that comes through
-  /// is at least, at any place further on: the least of t(k + j) - t(j).
+  /// Times by units, and how much later than a mouse that starts over after k units one that comes through is at least, at
+  /// any place further on: the least of t(k + j) - t(j).
   struct Straight {
-    alignas(16) DriveTime times[StraightTimes::longest + 1 + 2 * width]{};
-    DriveTime reversed[StraightTimes::longest + 1 + 2 * width]{};
+    DriveTime times[StraightTimes::longest + 1 + stretch]{};
     DriveTime gain[StraightTimes::longest + 1]{};
   };
 
-  static void take(Straight& straight, int units, DriveTime time) {
-    straight.times[units] = time;
-    straight.reversed[StraightTimes::longest + width - units] = time;
-  }
+  static std::size_t index(int node) { return static_cast<std::size_t>(node); }
+
   static void find_gains(Straight& straight) {
     for (int k = 0; k <= StraightTimes::longest; ++k) {
       straight.gain[k] = straight.times[k];
@@ -85,40 +82,64 @@ class FixedSearch final : public Search {
     }
   }
 
-  DriveTime turning_at(int node) const { return turning_[static_cast<std::size_t>(node)]; }
-
   void drive_straights(unsigned bucket) {
     const std::uint16_t* waiting = turns_waiting_.begin(bucket);
     for (unsigned i = 0, count = turns_waiting_.length(bucket); i < count; ++i) {
       const int node = waiting[i];
-      const DriveTime time = turning_at(node);
+      const DriveTime time = turning_[index(node)];
       // Somebody passes here earlier, and is rolling already.
-      if (rolling_[static_cast<std::size_t>(pad + node)] <= time) continue;
+      if (rolling_[index(node)] <= time) continue;
       spread(node, time, straights_[static_cast<unsigned>(node / L::plane) & 1U]);
     }
     turns_waiting_.empty(bucket);
+  }
+
+  /// A turn has led to this node: spreads the times of straights of all lengths from here, a stretch at a time, since few
+  /// are longer.
+  void spread(int node, DriveTime time, const Straight& straight) {
+    const int run = lattice_.run(node);
+    const Word turns = lattice_.any_turn(node) >> node % L::points;
+    for (int k = 0;; k += stretch) {
+      DriveTime* rolling = &rolling_[index(node + k)];
+      alignas(16) DriveTime known[stretch], then[stretch];
+      unsigned better = 0;
+      for (int i = 0; i < stretch; i += width) {
+        const Times old = load(rolling + i), now = load(straight.times + k + i) + time;
+        const Times improves = (now < old) & (Times{0, 1, 2, 3} + (k + i) <= run);
+        store(known + i, old);
+        store(then + i, now);
+        store(rolling + i, (now & improves) | (old & ~improves));
+        better |= bits_of(improves) << i;
+      }
+      for (unsigned bits = better & static_cast<unsigned>(turns >> k); bits != 0; bits &= bits - 1) {
+        const int i = std::countr_zero(bits);
+        const unsigned bucket = straights_waiting_.bucket(then[i]);
+        straights_waiting_.add_if(straights_waiting_.bucket(known[i]) != bucket, bucket, node + k + i);
+      }
+      // Whoever rolled here before is ahead of this one at all places further on.
+      if (k + stretch > run || known[stretch - 1] <= time + straight.gain[k + stretch - 1]) return;
+    }
   }
 
   void drive_turns(unsigned bucket) {
     const std::uint16_t* waiting = straights_waiting_.begin(bucket);
     for (unsigned i = 0, count = straights_waiting_.length(bucket); i < count; ++i) {
       const int node = waiting[i];
-      const DriveTime time = rolling_[static_cast<std::size_t>(pad + node)];
+      const DriveTime time = rolling_[index(node)];
       if (straights_waiting_.bucket(time) != bucket) continue;  // it has been improved since, and was driven then
       const int position = node % L::points;
       const auto direction = static_cast<unsigned>(node / L::plane);
       const int odd_line = 2 * (node / L::points % L::lines) + 1;
-      const auto& leaps = L::leaps()[direction][static_cast<unsigned>(position) & 1U];
+      const auto& leaps = leaps_[direction][static_cast<unsigned>(position) & 1U];
       const DriveTime* times = bit_times_[direction % 2 != 0 ? 2 : static_cast<unsigned>(position) & 1U];
       for (unsigned bits = turn_bits(lattice_, node); bits != 0; bits &= bits - 1) {
         const auto bit = static_cast<unsigned>(std::countr_zero(bits));
         const int to = leaps[bit].to(odd_line, position);
-        const DriveTime then = time + times[bit];
-        DriveTime& known = turning_[static_cast<std::size_t>(to)];
-        if (then >= known || then >= rolling_[static_cast<std::size_t>(pad + to)]) continue;
+        const DriveTime then = time + times[bit], known = turning_[index(to)];
+        const bool better = then < std::min(known, rolling_[index(to)]);
         const unsigned place = turns_waiting_.bucket(then);
-        if (turns_waiting_.bucket(known) != place) turns_waiting_.add(place, to);
-        known = then;
+        turning_[index(to)] = better ? then : known;
+        turns_waiting_.add_if(better && turns_waiting_.bucket(known) != place, place, to);
       }
     }
     straights_waiting_.empty(bucket);
@@ -127,47 +148,17 @@ class FixedSearch final : public Search {
   int leap_of(int node, unsigned bit) const {
     const auto direction = static_cast<unsigned>(node / L::plane);
     const auto parity = static_cast<unsigned>(node) & 1U;
-    return L::leaps()[direction][parity][bit].to(2 * (node / L::points % L::lines) + 1, node % L::points);
-  }
-
-  /// A turn has led to this node: spreads the times of straights of all lengths from here.
-  void spread(int node, DriveTime time, const Straight& straight) {
-    L::forward(node / L::plane) ? spread_to<true>(node, time, straight) : spread_to<false>(node, time, straight);
-  }
-
-  template <bool Forward>
-  void spread_to(int node, DriveTime time, const Straight& straight) {
-    const int run = lattice_.run(node);
-    const Word turns = lattice_.any_turn(node);
-    const int position = node % L::points;
-    for (int k = 0; k <= run; k += width) {
-      const int first = Forward ? node + k : node - k - width + 1;
-      const int place = Forward ? position + k : position - k - width + 1;
-      DriveTime* rolling = &rolling_[static_cast<std::size_t>(pad + first)];
-      const Times known = load(rolling);
-      const Times then = load(Forward ? straight.times + k : straight.reversed + StraightTimes::longest + 1 - k) + time;
-      // In the direction of memory the lanes are k, k + 1, ... or ..., k + 1, k.
-      const Times units = Forward ? Times{0, 1, 2, 3} + k : k + Times{3, 2, 1, 0};
-      const Times better = (then < known) & (units <= run);
-      store(rolling, (then & better) | (known & ~better));
-      unsigned bits = bits_of(better) & static_cast<unsigned>(std::rotr(turns, place & (L::points - 1)));
-      for (; bits != 0; bits &= bits - 1) {
-        const int lane = std::countr_zero(bits);
-        const unsigned bucket = straights_waiting_.bucket(then[lane]);
-        if (straights_waiting_.bucket(known[lane]) != bucket) straights_waiting_.add(bucket, first + lane);
-      }
-      // Whoever rolled here before is ahead of this one at all places further on.
-      if (k + width <= run && known[Forward ? width - 1 : 0] <= time + straight.gain[k + width - 1]) break;
-    }
+    return leaps_[direction][parity][bit].to(2 * (node / L::points % L::lines) + 1, node % L::points);
   }
 
   L lattice_;
+  const typename L::Leaps& leaps_ = L::leaps();
   Straight straights_[2];
   Straight finish_;
   DriveTime turn_times_[8]{};
   /// By kind of node (edge, centre, diagonal) and bit; of the turn as it is driven, from the new node to the old.
   DriveTime bit_times_[3][8]{};
-  std::vector<DriveTime> rolling_ = std::vector<DriveTime>(static_cast<std::size_t>(L::nodes + 2 * pad), no_time);
+  std::vector<DriveTime> rolling_ = std::vector<DriveTime>(static_cast<std::size_t>(L::nodes + stretch), no_time);
   std::vector<DriveTime> turning_ = std::vector<DriveTime>(static_cast<std::size_t>(L::nodes), no_time);
   Buckets turns_waiting_;
   Buckets straights_waiting_;

@@ -153,9 +153,8 @@ class LaneSearch final : public Search {
   /// A turn begins here in some lane, this time before the end: spreads it over straights of all lengths that lead to it,
   /// whose times lie at `times`, a row of lanes each, so far apart.
   void spread(int node, DriveTime time, const DriveTime* times, int apart) {
-    const int step = L::forward(node / L::plane) ? 1 : -1;
     const int run = lattice_.run(node);
-    for (int units = 0; units <= run; ++units, node += step, times += apart) {
+    for (int units = 0; units <= run; ++units, ++node, times += apart) {
       DriveTime* rolling = &rolling_[label(node, 0)];
       unsigned improved = 0;
       alignas(16) DriveTime known[max_lanes];

@@ -37,10 +37,16 @@ void transpose(Word* words) {
 template <class Word>
 constexpr Word odd_bits = static_cast<Word>(0xaaaaaaaaaaaaaaaaU);
 
-/// Moves bits back by so many positions in a direction: what lies ahead comes here.
-template <bool Forward, class Word>
-Word from_ahead(Word word, int count) {
-  return Forward ? word >> count : word << count;
+/// Bit x goes to bit size - x; bit 0, which is no point, gets lost.
+template <class Word>
+Word mirrored(Word word) {
+  constexpr int size = 8 * sizeof(Word);
+  Word mask = static_cast<Word>(~Word{0});
+  for (int half = size / 2; half != 0; half /= 2) {
+    mask ^= mask << half;
+    word = ((word >> half) & mask) | ((word << half) & ~mask);
+  }
+  return word << 1;
 }
 
 }  // namespace
@@ -53,26 +59,33 @@ void Lattice<Word>::build(Size size, const WallSet& passages) {
     rows_[margin + 2 * y + 1] = inside ? cells | spread(passages.east().row(y), Word{}) << 1 << 1 : 0;
     if (2 * y + 2 < points) rows_[margin + 2 * y + 2] = inside ? spread(passages.north().row(y), Word{}) << 1 : 0;
   }
-  const Word* rows = rows_ + margin;
-  Word* columns = columns_ + margin;
+  // Lines of all four kinds, and the same from their other ends; straight ones have empty lines on both sides.
+  Word* const rows = rows_ + margin;
+  Word* const columns = columns_ + margin;
+  Word rising[points], falling[points];
+  Word back_rows[points + 2 * margin]{}, back_columns[points + 2 * margin]{}, back_rising[points], back_falling[points];
   for (int y = 0; y < points; ++y) {
     columns[y] = rows[y];
-    rising_[y] = std::rotr(rows[y], y);
-    falling_[y] = std::rotl(rows[y], y);
+    rising[y] = std::rotr(rows[y], y);
+    falling[y] = std::rotl(rows[y], y);
   }
   transpose(columns);
-  transpose(rising_);
-  transpose(falling_);
-  for (int line = 0; line < lines; ++line) {
-    lines_[0][line] = columns[2 * line + 1];
-    lines_[1][line] = rising_[2 * line + 1];
-    lines_[2][line] = rows[2 * line + 1];
-    lines_[3][line] = falling_[2 * line + 1];
+  transpose(rising);
+  transpose(falling);
+  for (int i = 0; i < points; ++i) {
+    back_rows[margin + i] = mirrored(rows[i]);
+    back_columns[margin + i] = mirrored(columns[i]);
+    back_rising[i] = mirrored(rising[i]);
+    back_falling[i] = mirrored(falling[i]);
   }
-  for (int direction = 0; direction < 8; direction += 2) {
-    find_turns_along(direction, direction % 4 == 0 ? columns : rows);
-    find_turns_across(direction + 1, direction % 4 == 0 ? rising_ : falling_);
-  }
+  find_turns_along(0, columns);
+  find_turns_across(1, rising);
+  find_turns_along(2, rows);
+  find_turns_across(3, back_falling);
+  find_turns_along(4, back_columns + margin);
+  find_turns_across(5, back_rising);
+  find_turns_along(6, back_rows + margin);
+  find_turns_across(7, falling);
 }
 
 /// The turns of a direction along the axes; the words are the lines in that direction, walls and posts between them.
@@ -80,26 +93,24 @@ template <class Word>
 void Lattice<Word>::find_turns_along(int direction, const Word* words) {
   // To the right of north and west lie the greater numbers.
   const int right = direction == 0 || direction == 6 ? 1 : -1;
-  const auto find = [&]<bool Forward>(std::bool_constant<Forward>) {
-    for (int line = 0; line < lines; ++line) {
-      const Word* here = words + 2 * line + 1;
-      std::array<Word, 8>& turns = turns_[direction * lines + line];
-      Word any = 0;
-      for (unsigned side = 0; side < 2; ++side) {
-        const int aside = side == 0 ? -right : right;
-        const Word round = from_ahead<Forward>(here[0], 1) & from_ahead<Forward>(here[aside], 2) & odd_bits<Word>;
-        const Word small = here[0] & from_ahead<Forward>(here[aside], 1) & ~odd_bits<Word>;
-        const Word back = round & from_ahead<Forward>(here[2 * aside], 1);
-        turns[0 + side] = round | small;
-        turns[2 + side] = round & from_ahead<Forward>(here[2 * aside], 3);
-        turns[4 + side] = back & here[3 * aside];
-        turns[6 + side] = back;
-        any |= round | small;
-      }
-      any_turn_[direction * lines + line] = any;
+  for (int line = 0; line < lines; ++line) {
+    const Word* here = words + 2 * line + 1;
+    std::array<Word, 8>& turns = turns_[direction * lines + line];
+    Word any = 0;
+    for (unsigned side = 0; side < 2; ++side) {
+      const int aside = side == 0 ? -right : right;
+      const Word round = here[0] >> 1 & here[aside] >> 2 & odd_bits<Word>;
+      const Word small = here[0] & here[aside] >> 1 & ~odd_bits<Word>;
+      const Word back = round & here[2 * aside] >> 1;
+      turns[0 + side] = round | small;
+      turns[2 + side] = round & here[2 * aside] >> 3;
+      turns[4 + side] = back & here[3 * aside];
+      turns[6 + side] = back;
+      any |= round | small;
     }
-  };
-  forward(direction) ? find(std::true_type{}) : find(std::false_type{});
+    any_turn_[direction * lines + line] = any;
+    lines_[direction * lines + line] = here[0];
+  }
 }
 
 /// The turns of a diagonal direction; the words are the diagonals, of which every second has points.
@@ -108,21 +119,17 @@ void Lattice<Word>::find_turns_across(int direction, const Word* words) {
   // Where a diagonal lies on a wall between north and south, its turn goes to this side.
   const int aside = direction == 1 || direction == 3 ? 2 : -2;
   const auto word = [&](int line) { return words[line & (points - 1)]; };
-  const auto find = [&]<bool Forward>(std::bool_constant<Forward>) {
-    for (int line = 1; line < points; line += 2) {
-      const Word valid = word(line) & from_ahead<Forward>(word(line), 1);
-      const Word even = ~odd_bits<Word>;
-      const Word third = (word(line + aside) & even) | (from_ahead<Forward>(word(line - aside), 2) & odd_bits<Word>);
-      const Word fourth = (from_ahead<!Forward>(word(line + 2 * aside), 1) & even) |
-                          (from_ahead<Forward>(word(line - 2 * aside), 3) & odd_bits<Word>);
-      std::array<Word, 8>& turns = turns_[direction * lines + line / 2];
-      turns[diagonal_v90] = valid & third & fourth;
-      turns[diagonal_out45] = valid;
-      turns[diagonal_out135] = valid & third;
-      any_turn_[direction * lines + line / 2] = valid;
-    }
-  };
-  forward(direction) ? find(std::true_type{}) : find(std::false_type{});
+  for (int line = 1; line < points; line += 2) {
+    const Word valid = word(line) & word(line) >> 1;
+    const Word third = (word(line + aside) & ~odd_bits<Word>) | (word(line - aside) >> 2 & odd_bits<Word>);
+    const Word fourth = (word(line + 2 * aside) << 1 & ~odd_bits<Word>) | (word(line - 2 * aside) >> 3 & odd_bits<Word>);
+    std::array<Word, 8>& turns = turns_[direction * lines + line / 2];
+    turns[diagonal_v90] = valid & third & fourth;
+    turns[diagonal_out45] = valid;
+    turns[diagonal_out135] = valid & third;
+    any_turn_[direction * lines + line / 2] = valid;
+    lines_[direction * lines + line / 2] = word(line);
+  }
 }
 
 template <class Word>
@@ -134,12 +141,14 @@ unsigned Lattice<Word>::turns_at(int node) const {
 
 template <class Word>
 typename Lattice<Word>::Leaps Lattice<Word>::make_leaps() {
-  // How a point is made of line and position, and these of a point, by kind of line: rows of 2×2 matrices.
+  // How a point is made of line and position, and these of a point, by direction: 2×2 matrices.
   struct Matrix {
     int a, b, c, d;
   };
-  constexpr std::array<Matrix, 4> point_of = {{{1, 0, 0, 1}, {1, 1, 0, 1}, {0, 1, 1, 0}, {1, -1, 0, 1}}};
-  constexpr std::array<Matrix, 4> place_of = {{{1, 0, 0, 1}, {1, -1, 0, 1}, {0, 1, 1, 0}, {1, 1, 0, 1}}};
+  constexpr std::array<Matrix, 8> point_of = {{{1, 0, 0, 1}, {1, 1, 0, 1}, {0, 1, 1, 0}, {1, 1, 0, -1},
+                                               {1, 0, 0, -1}, {1, -1, 0, -1}, {0, -1, 1, 0}, {1, -1, 0, 1}}};
+  constexpr std::array<Matrix, 8> place_of = {{{1, 0, 0, 1}, {1, -1, 0, 1}, {0, 1, 1, 0}, {1, 1, 0, -1},
+                                               {1, 0, 0, -1}, {1, -1, 0, -1}, {0, 1, -1, 0}, {1, 1, 0, 1}}};
   Leaps leaps;
   for (int direction = 0; direction < 8; ++direction)
     for (unsigned parity = 0; parity < 2; ++parity)
@@ -163,7 +172,7 @@ typename Lattice<Word>::Leaps Lattice<Word>::make_leaps() {
           case Turn::out135: moved = sum(-1, first, 2, second); break;
         }
         const int after = (direction + 8 + side * eighths(turn)) & 7;
-        const Matrix in = point_of[static_cast<unsigned>(direction) & 3U], out = place_of[static_cast<unsigned>(after) & 3U];
+        const Matrix in = point_of[static_cast<unsigned>(direction)], out = place_of[static_cast<unsigned>(after)];
         leaps[static_cast<unsigned>(direction)][parity][bit] = {
             after * plane,
             out.a * in.a + out.b * in.c, out.a * in.b + out.b * in.d, out.a * moved.x + out.b * moved.y,

@@ -4,14 +4,14 @@
 // words, along all four kinds of lines: columns, rows, and rising and falling diagonals. So the length of a corridor is a
 // count of ones, and which turns fit is found for a whole line at a time by shifts and ANDs of its neighbours.
 //
-// A node is a point with a direction. The nodes of one direction lie in memory line by line, so that those of a straight
-// are neighbours:  node = direction * plane + line * points + position.
+// A node is a point with a direction. The nodes of one direction lie in memory line by line, each line in that direction,
+// so that the next node ahead is the next in memory:  node = direction * plane + line * points + position.
 //
-//   direction           line                  position   forward is
-//   0 north, 4 south    (x - 1) / 2           y          +1, -1
-//   2 east,  6 west     (y - 1) / 2           x          +1, -1
-//   1 NE,    5 SW       ((x - y) mod points) / 2   y     +1, -1
-//   7 NW,    3 SE       ((x + y) mod points) / 2   y     +1, -1
+//   direction           line                       position (the second: points - that)
+//   0 north, 4 south    (x - 1) / 2                y
+//   2 east,  6 west     (y - 1) / 2                x
+//   1 NE,    5 SW       ((x - y) mod points) / 2   y
+//   7 NW,    3 SE       ((x + y) mod points) / 2   y
 #pragma once
 
 #include <array>
@@ -56,33 +56,27 @@ class Lattice {
   void build(Size size, const WallSet& passages);
 
   static int node(HalfPoint point, int direction) {
-    const int odd = line_of(point, direction);
-    return direction * plane + (odd >> 1) * points + ((direction & 3) == 2 ? point.x : point.y);
+    const int along = (direction & 3) == 2 ? point.x : point.y;
+    return direction * plane + (line_of(point, direction) >> 1) * points + (goes_up(direction) ? along : points - along);
   }
   static HalfPoint point(int node) {
-    const int direction = node / plane, odd = 2 * (node / points % lines) + 1, position = node % points;
+    const int direction = node / plane, odd = 2 * (node / points % lines) + 1;
+    const int along = goes_up(direction) ? node % points : points - node % points;
     switch (direction & 3) {
-      case 0: return {odd, position};
-      case 1: return {(position + odd) & (points - 1), position};
-      case 2: return {position, odd};
-      default: return {(odd - position) & (points - 1), position};
+      case 0: return {odd, along};
+      case 1: return {(along + odd) & (points - 1), along};
+      case 2: return {along, odd};
+      default: return {(odd - along) & (points - 1), along};
     }
   }
-  static int direction(int node) { return node / plane; }
   /// The same point in the opposite direction.
-  static int opposite(int node) { return node < 4 * plane ? node + 4 * plane : node - 4 * plane; }
-  /// Whether the next node ahead is the next in memory, or the one before.
-  static bool forward(int direction) { return direction < 3 || direction == 7; }
-  /// Whether a node's turns are those of an edge, of a node on a line between cells; for directions along the axes.
-  static bool on_edge(int node) { return node % 2 == 0; }
+  static int opposite(int node) {
+    const int position = node & (points - 1);
+    return ((node - position) ^ 4 * plane) + points - position;
+  }
 
   /// Points ahead of a node up to the first that cannot be passed.
-  int run(int node) const {
-    const int position = node % points;
-    const Word line = lines_[(node / plane) & 3][node / points % lines];
-    if (forward(node / plane)) return std::countr_one(static_cast<Word>((line >> position) >> 1));
-    return std::countl_one(static_cast<Word>((line << (points - 1 - position)) << 1));
-  }
+  int run(int node) const { return std::countr_one(static_cast<Word>((lines_[node / points] >> node % points) >> 1)); }
   bool passable(HalfPoint point) const { return (columns_[point.x + margin] >> point.y & 1U) != 0; }
 
   /// The turns that can begin at the nodes of a line: words by bit, and all bits together.
@@ -116,6 +110,9 @@ class Lattice {
  private:
   static constexpr int margin = 4;
 
+  /// Whether the coordinate that positions count grows in a direction.
+  static constexpr bool goes_up(int direction) { return direction < 3 || direction == 7; }
+
   static int line_of(HalfPoint point, int direction) {
     switch (direction & 3) {
       case 0: return point.x;
@@ -128,11 +125,11 @@ class Lattice {
   void find_turns_along(int direction, const Word* words);
   void find_turns_across(int direction, const Word* words);
 
+  /// Passable points, line by line, with empty lines on both sides.
   Word rows_[points + 2 * margin]{};
   Word columns_[points + 2 * margin]{};
-  Word rising_[points]{};
-  Word falling_[points]{};
-  Word lines_[4][lines]{};
+  /// By direction and line, in that direction.
+  Word lines_[8 * lines]{};
   std::array<Word, 8> turns_[8 * lines]{};
   Word any_turn_[8 * lines]{};
 };

@@ -42,10 +42,12 @@ class Buckets {
     filled_.fill(0);
   }
   unsigned bucket(DriveTime time) const { return static_cast<unsigned>(time >> shift_); }
-  void add(unsigned bucket, int node) {
+  /// Adds a node to a bucket if so asked, and writes it down in any case: a branch that nobody can foresee costs more.
+  void add_if(bool wanted, unsigned bucket, int node) {
     const unsigned slot = bucket % count;
-    waiting_[slot * stride_ + lengths_[slot]++] = static_cast<std::uint16_t>(node);
-    filled_[slot / 64] |= std::uint64_t{1} << slot % 64;
+    waiting_[slot * stride_ + lengths_[slot]] = static_cast<std::uint16_t>(node);
+    lengths_[slot] += wanted ? 1U : 0U;
+    filled_[slot / 64] |= std::uint64_t{wanted} << slot % 64;
   }
   /// The first bucket from one on that is not empty; none where all are.
   unsigned next(unsigned from) const {
