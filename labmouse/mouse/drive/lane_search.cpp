@@ -196,11 +196,7 @@ class LaneSearch final : public Search {
     }
   }
 
-  int leap_of(int node, unsigned bit) const {
-    const auto direction = static_cast<unsigned>(node / L::plane);
-    const auto parity = static_cast<unsigned>(node) & 1U;
-    return L::leaps()[direction][parity][bit].to(2 * (node / L::points % L::lines) + 1, node % L::points);
-  }
+  int leap_of(int node, unsigned bit) const { return L::leaps()[8 * static_cast<std::size_t>(node) + bit]; }
 
   static constexpr int max_lanes = 32;
 

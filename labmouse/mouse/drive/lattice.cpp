@@ -1,5 +1,7 @@
 #include "labmouse/mouse/drive/lattice.hpp"
 
+#include <vector>
+
 namespace labmouse::drive {
 namespace {
 
@@ -139,51 +141,43 @@ unsigned Lattice<Word>::turns_at(int node) const {
   return bits;
 }
 
+/// The node behind the turn of a bit; a wrong one where the turn would leave the maze, which no lattice asks for.
 template <class Word>
-typename Lattice<Word>::Leaps Lattice<Word>::make_leaps() {
-  // How a point is made of line and position, and these of a point, by direction: 2×2 matrices.
-  struct Matrix {
-    int a, b, c, d;
+int Lattice<Word>::leap(int node, unsigned bit) {
+  const int before = direction(node);
+  const bool even = node % 2 == 0;
+  const int side = leads_left(bit, before, even) ? -1 : 1;
+  const Turn turn = turn_of(bit, before % 2 != 0, even);
+  // Of a diagonal: the way across the wall that it lies on, and across the next.
+  const HalfPoint ahead = unit(before), across = unit(before + 2 * side + 8);
+  const HalfPoint first = unit(before - side + 8), second = unit(before + side + 8);
+  const auto moved = [&](int m, HalfPoint a, int n, HalfPoint b) {
+    const HalfPoint from = point(node);
+    return HalfPoint{(from.x + m * a.x + n * b.x) & (points - 1), (from.y + m * a.y + n * b.y) & (points - 1)};
   };
-  constexpr std::array<Matrix, 8> point_of = {{{1, 0, 0, 1}, {1, 1, 0, 1}, {0, 1, 1, 0}, {1, 1, 0, -1},
-                                               {1, 0, 0, -1}, {1, -1, 0, -1}, {0, -1, 1, 0}, {1, -1, 0, 1}}};
-  constexpr std::array<Matrix, 8> place_of = {{{1, 0, 0, 1}, {1, -1, 0, 1}, {0, 1, 1, 0}, {1, 1, 0, -1},
-                                               {1, 0, 0, -1}, {1, -1, 0, -1}, {0, 1, -1, 0}, {1, 1, 0, 1}}};
-  Leaps leaps;
-  for (int direction = 0; direction < 8; ++direction)
-    for (unsigned parity = 0; parity < 2; ++parity)
-      for (unsigned bit = 0; bit < (direction % 2 == 0 ? 8U : 3U); ++bit) {
-        const bool even = parity == 0;
-        const int side = leads_left(bit, direction, even) ? -1 : 1;
-        const Turn turn = turn_of(bit, direction % 2 != 0, even);
-        const auto sum = [](int m, HalfPoint a, int n, HalfPoint b) { return HalfPoint{m * a.x + n * b.x, m * a.y + n * b.y}; };
-        const HalfPoint ahead = unit(direction + 8), across = unit(direction + 8 + 2 * side);
-        // Of a diagonal: the way across the wall that it lies on, and across the next.
-        const HalfPoint first = unit(direction + 8 - side), second = unit(direction + 8 + side);
-        HalfPoint moved;
-        switch (turn) {
-          case Turn::f45: moved = sum(2, ahead, 1, across); break;
-          case Turn::f90: moved = sum(2, ahead, 2, across); break;
-          case Turn::f135: moved = sum(1, ahead, 2, across); break;
-          case Turn::f180: moved = sum(0, ahead, 2, across); break;
-          case Turn::s90: moved = sum(1, ahead, 1, across); break;
-          case Turn::v90: moved = sum(1, ahead, 1, across); break;
-          case Turn::out45: moved = sum(1, first, 2, second); break;
-          case Turn::out135: moved = sum(-1, first, 2, second); break;
-        }
-        const int after = (direction + 8 + side * eighths(turn)) & 7;
-        const Matrix in = point_of[static_cast<unsigned>(direction)], out = place_of[static_cast<unsigned>(after)];
-        leaps[static_cast<unsigned>(direction)][parity][bit] = {
-            after * plane,
-            out.a * in.a + out.b * in.c, out.a * in.b + out.b * in.d, out.a * moved.x + out.b * moved.y,
-            out.c * in.a + out.d * in.c, out.c * in.b + out.d * in.d, out.c * moved.x + out.d * moved.y};
-      }
-  return leaps;
+  const int after = (before + 8 + side * eighths(turn)) & 7;
+  switch (turn) {
+    case Turn::f45: return Lattice::node(moved(2, ahead, 1, across), after);
+    case Turn::f90: return Lattice::node(moved(2, ahead, 2, across), after);
+    case Turn::f135: return Lattice::node(moved(1, ahead, 2, across), after);
+    case Turn::f180: return Lattice::node(moved(0, ahead, 2, across), after);
+    case Turn::s90:
+    case Turn::v90: return Lattice::node(moved(1, ahead, 1, across), after);
+    case Turn::out45: return Lattice::node(moved(1, first, 2, second), after);
+    case Turn::out135: return Lattice::node(moved(-1, first, 2, second), after);
+  }
+  return node;
 }
 
 template <class Word>
-const typename Lattice<Word>::Leaps& Lattice<Word>::leaps() {
-  static const Leaps leaps = make_leaps();
+std::span<const std::uint16_t> Lattice<Word>::leaps() {
+  static const std::vector<std::uint16_t> leaps = [] {
+    std::vector<std::uint16_t> made(8 * static_cast<std::size_t>(nodes));
+    for (int node = 0; node < nodes; ++node)
+      for (unsigned bit = 0; bit < (direction(node) % 2 == 0 ? 8U : 3U); ++bit)
+        made[8 * static_cast<std::size_t>(node) + bit] = static_cast<std::uint16_t>(leap(node, bit));
+    return made;
+  }();
   return leaps;
 }
 

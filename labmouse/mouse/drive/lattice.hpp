@@ -17,6 +17,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <span>
 
 #include "labmouse/grid/wall_set.hpp"
 #include "labmouse/mouse/drive/node.hpp"
@@ -69,6 +70,7 @@ class Lattice {
       default: return {(odd - along) & (points - 1), along};
     }
   }
+  static int direction(int node) { return node / plane; }
   /// The same point in the opposite direction.
   static int opposite(int node) {
     const int position = node & (points - 1);
@@ -86,20 +88,8 @@ class Lattice {
   /// The turns that can begin at a node.
   unsigned turns_at(int node) const;
 
-  /// Where a turn leads, by direction, parity of the node's position, and bit: the new node's line and position are linear
-  /// in the old ones.
-  struct Leap {
-    int base = 0;
-    int line_line = 0, line_position = 0, line_offset = 0;
-    int position_line = 0, position_position = 0, position_offset = 0;
-    int to(int odd_line, int position) const {
-      const int line = (line_line * odd_line + line_position * position + line_offset) & (points - 1);
-      const int place = (position_line * odd_line + position_position * position + position_offset) & (points - 1);
-      return base + (line >> 1) * points + place;
-    }
-  };
-  using Leaps = std::array<std::array<std::array<Leap, 8>, 2>, 8>;
-  static const Leaps& leaps();
+  /// Where the turns lead: the node behind the turn of a bit is at [8 * node + bit], whatever is open. The same for all mazes.
+  static std::span<const std::uint16_t> leaps();
   /// Whether the turn of a bit leads to the left.
   static bool leads_left(unsigned bit, int direction, bool even) {
     if (direction % 2 == 0) return bit % 2 == 0;
@@ -121,7 +111,7 @@ class Lattice {
       default: return (point.x + point.y) & (points - 1);
     }
   }
-  static Leaps make_leaps();
+  static int leap(int node, unsigned bit);
   void find_turns_along(int direction, const Word* words);
   void find_turns_across(int direction, const Word* words);
 

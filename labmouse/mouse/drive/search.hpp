@@ -1,6 +1,7 @@
 // What the two searches behind FastestRoutes have in common: one for robots of one speed, one for robots of many.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -26,53 +27,62 @@ class Search {
   virtual int leap(int node, unsigned bit) const = 0;
 };
 
-/// Labels that wait, by time, in buckets as wide as a turn at most: those of one bucket do not depend on each other, so any
-/// order will do (Denardo and Fox 1979; Dial 1969). A node waits at most once in each bucket.
+/// Nodes that wait, by time, in buckets as wide as a turn at most: those of one bucket do not depend on each other, so any
+/// order will do (Denardo and Fox 1979; Dial 1969).
 class Buckets {
  public:
-  /// More than the longest straight can last in any robot that DriveTables allow (longest_edge).
+  /// More than the longest straight or turn of any robot fills, so that they can be used in turn.
   static constexpr unsigned count = 256;
 
   /// For nodes with numbers below `nodes`. The lists do not lie a power of two apart, which caches dislike.
   Buckets(int nodes, int shift)
-      : shift_(shift), stride_(static_cast<std::size_t>(nodes) + 72), waiting_(new std::uint16_t[count * stride_]) {}
+      : shift_(shift),
+        stride_(static_cast<std::size_t>(nodes) + 72),
+        waiting_(new std::uint16_t[count * stride_]),
+        places_(static_cast<std::size_t>(nodes)) {
+    clear();
+  }
 
   void clear() {
-    lengths_.fill(0);
-    filled_.fill(0);
+    for (unsigned i = 0; i < count; ++i) ends_[i] = &waiting_[i * stride_];
+    std::fill(places_.begin(), places_.end(), nowhere);
+    added_ = 0;
   }
   unsigned bucket(DriveTime time) const { return static_cast<unsigned>(time >> shift_); }
-  /// Adds a node to a bucket if so asked, and writes it down in any case: a branch that nobody can foresee costs more.
-  void add_if(bool wanted, unsigned bucket, int node) {
-    const unsigned slot = bucket % count;
-    waiting_[slot * stride_ + lengths_[slot]] = static_cast<std::uint16_t>(node);
-    lengths_[slot] += wanted ? 1U : 0U;
-    filled_[slot / 64] |= std::uint64_t{wanted} << slot % 64;
+  /// Lets a node wait until a time if so asked, once in each bucket. It is written down in any case, behind the last: a
+  /// branch that nobody can foresee costs more.
+  void add_if(bool wanted, DriveTime time, int node) {
+    const unsigned bucket = static_cast<unsigned>(time >> shift_);
+    std::uint16_t& place = places_[static_cast<std::size_t>(node)];
+    std::uint16_t*& end = ends_[bucket % count];
+    const unsigned change = (place ^ bucket) & 0xffffU;
+    const unsigned more = static_cast<unsigned>(wanted) & static_cast<unsigned>(change != 0);
+    *end = static_cast<std::uint16_t>(node);
+    end += more;
+    added_ += more;
+    place = static_cast<std::uint16_t>(place ^ (change & (0U - more)));
   }
-  /// The first bucket from one on that is not empty; none where all are.
-  unsigned next(unsigned from) const {
-    const unsigned slot = from % count;
-    const std::uint64_t rest = filled_[slot / 64] >> slot % 64;
-    if (rest != 0) return from + static_cast<unsigned>(std::countr_zero(rest));
-    for (unsigned word = 1; word <= count / 64; ++word)
-      if (const std::uint64_t filled = filled_[(slot / 64 + word) % (count / 64)]; filled != 0)
-        return from + 64 * word - slot % 64 + static_cast<unsigned>(std::countr_zero(filled));
-    return none;
+  /// Calls visit(node) for all nodes of a bucket, and forgets them. None may be added to it meanwhile.
+  template <class Visit>
+  void empty(unsigned bucket, Visit visit) {
+    const std::uint16_t* const begin = &waiting_[bucket % count * stride_];
+    const std::uint16_t* const end = ends_[bucket % count];
+    for (const std::uint16_t* node = begin; node != end; ++node) visit(int{*node});
+    added_ -= static_cast<unsigned>(end - begin);
+    ends_[bucket % count] = &waiting_[bucket % count * stride_];
   }
-  static constexpr unsigned none = ~0U;
-  const std::uint16_t* begin(unsigned bucket) const { return &waiting_[bucket % count * stride_]; }
-  unsigned length(unsigned bucket) const { return lengths_[bucket % count]; }
-  void empty(unsigned bucket) {
-    lengths_[bucket % count] = 0;
-    filled_[bucket % count / 64] &= ~(std::uint64_t{1} << bucket % 64);
-  }
+  bool any() const { return added_ != 0; }
 
  private:
+  static constexpr std::uint16_t nowhere = 0xffff;
+
   int shift_;
   std::size_t stride_;
-  std::array<unsigned, count> lengths_{};
-  std::array<std::uint64_t, count / 64> filled_{};
+  unsigned added_ = 0;
   std::unique_ptr<std::uint16_t[]> waiting_;
+  std::array<std::uint16_t*, count> ends_{};
+  /// The bucket into which a node was put last; no time of a route is as late as the last one (see no_time).
+  std::vector<std::uint16_t> places_;
 };
 
 /// The greatest power of two that is not above the shortest turn, as an exponent.
