@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "labmouse/mouse/drive/fitted_turn.hpp"
+#include "labmouse/mouse/drive/search_drive.hpp"
 #include "labmouse/mouse/drive/straights.hpp"
 
 namespace labmouse {
@@ -12,6 +14,8 @@ namespace {
 /// that stays below no_time.
 constexpr DriveTime longest_cell = 500'000;
 constexpr DriveTime shortest_allowed_turn = 1'000;
+
+constexpr bool leads_back(Turn turn) { return turn == Turn::out45 || turn == Turn::out135; }
 
 DriveTime fixed_time(const FixedTimes& fixed, Turn turn) {
   switch (turn) {
@@ -27,71 +31,148 @@ DriveTime fixed_time(const FixedTimes& fixed, Turn turn) {
   return 0;
 }
 
-/// One lane along and one diagonal, without leads. The published straights begin and end at that one speed everywhere, at
-/// the start and in the goal too.
-DriveTables fixed_tables(const Robot& robot) {
-  DriveTables tables;
-  tables.cell = robot.cell;
-  const Lane lane{robot.fixed->speed, 0.0};
-  tables.along.lanes = {lane};
-  tables.diagonal.lanes = {lane};
-  fill_between(tables.along, robot.cell / 2.0, limits_along(robot));
-  fill_between(tables.diagonal, robot.cell / std::sqrt(2.0), limits_diagonal(robot));
-  tables.start = tables.finish = tables.whole = tables.along.between;
-  for (const Turn turn : all_turns)
-    tables.turns.push_back({turn, 0, 0, fixed_time(*robot.fixed, turn), robot.fixed->speed});
-  return tables;
-}
-
-std::string millimetres(double length) { return std::to_string(std::lround(length)) + " mm"; }
-
-std::string milliseconds(DriveTime time) {
-  const std::string thousandths = std::to_string(time % 1000);
-  return std::to_string(time / 1000) + "." + std::string(3 - thousandths.size(), '0') + thousandths + " ms";
-}
-
-/// Why routes could last too long or turns too short for tables of whole microseconds; nothing where all is well.
-std::string refusal_of_times(const DriveTables& tables) {
-  double slowest = tables.along.lanes.front().speed;
-  for (const DrivenTurn& turn : tables.turns) slowest = std::min(slowest, turn.speed);
-  if (tables.cell * 1e6 > slowest * longest_cell)
-    return "its slowest turn is driven at " + millimetres(slowest) + "/s, where a cell of " + millimetres(tables.cell) +
-           " takes more than 500 ms: at least " + millimetres(std::ceil(tables.cell * 2.0)) + "/s are needed";
-  for (const DrivenTurn& turn : tables.turns) {
-    const std::string it = "its turn " + std::string(name_of(turn.turn)) + " takes " + milliseconds(turn.time);
-    if (turn.time < shortest_allowed_turn) return it + ": a turn takes at least 1 ms";
-    if (turn.turn == Turn::s90 && turn.time > longest_cell) return it + ": it may take 500 ms";
-  }
-  return "";
-}
-
-std::string refusal_of_limits(const Robot& robot) {
-  for (const double limit : {robot.cell, robot.speed, robot.speed_diagonal, robot.acceleration,
-                             robot.acceleration_diagonal, robot.braking, robot.braking_diagonal})
-    if (!(limit > 0.0)) return "its cell side, speeds, accelerations and brakings must be greater than 0";
-  const double top = std::min(robot.speed, robot.speed_diagonal);
-  if (robot.fixed && !(robot.fixed->speed > 0.0 && robot.fixed->speed <= top))
-    return "its speed at nodes, " + millimetres(robot.fixed->speed) + "/s, must be more than 0 and at most that of its " +
-           "straights and diagonals, " + millimetres(top) + "/s";
-  return "";
-}
-
 DriveModel refused(std::string why) {
   DriveModel model;
   model.error = std::move(why);
   return model;
 }
 
+/// One lane along and one diagonal, without leads. The published straights begin and end at that one speed everywhere, at
+/// the start and in the goal too.
+DriveModel fixed_model(const Robot& robot) {
+  DriveModel model;
+  DriveTables& tables = model.tables;
+  tables.cell = robot.cell;
+  tables.along.lanes = tables.diagonal.lanes = {{robot.fixed->speed, 0.0}};
+  fill_between(tables.along, robot.cell / 2.0, limits_along(robot));
+  fill_between(tables.diagonal, robot.cell / std::sqrt(2.0), limits_diagonal(robot));
+  tables.start = tables.finish = tables.whole = tables.along.between;
+  for (const Turn turn : all_turns) {
+    const TurnShape shape = leads_back(turn) ? backwards(plain_shape(reversed(turn), robot.cell))
+                                             : plain_shape(turn, robot.cell);
+    const DriveTime time = fixed_time(*robot.fixed, turn);
+    tables.turns.push_back({turn, 0, 0, time, shape.whole() * 1e6 / time});
+    model.shapes.push_back(shape);
+  }
+  return model;
+}
+
+std::uint8_t lane_of(std::vector<Lane>& lanes, const Lane& lane) {
+  const auto found = std::find(lanes.begin(), lanes.end(), lane);
+  const auto index = static_cast<std::uint8_t>(found - lanes.begin());
+  if (found == lanes.end()) lanes.push_back(lane);
+  return index;
+}
+
+void add_turn(DriveModel& model, const TurnShape& shape, double speed) {
+  const auto lanes = [&](bool diagonal) -> std::vector<Lane>& {
+    return diagonal ? model.tables.diagonal.lanes : model.tables.along.lanes;
+  };
+  DrivenTurn turn{shape.turn, 0, 0, microseconds(shape.length / speed), speed};
+  turn.from = lane_of(lanes(begins_diagonal(shape.turn)), {speed, shape.lead_in});
+  turn.to = lane_of(lanes(ends_diagonal(shape.turn)), {speed, shape.lead_out});
+  model.tables.turns.push_back(turn);
+  model.shapes.push_back(shape);
+}
+
+/// Each turn at its own largest speed, and on the same path at that of the slowest: a fast turn cannot be followed at
+/// once by a slow one.
+DriveModel model_of_speeds(const Robot& robot) {
+  std::vector<FittedTurn> fitted;
+  double slowest = robot.speed;
+  for (const Turn turn : all_turns) {
+    fitted.push_back(leads_back(turn) ? fitted[static_cast<unsigned>(reversed(turn))] : fitted_turn(turn, robot));
+    if (!fitted.back().error.empty()) return refused(fitted.back().error);
+    if (leads_back(turn)) fitted.back().shape = backwards(fitted.back().shape);
+    slowest = std::min(slowest, fitted.back().speed);
+  }
+  DriveModel model;
+  for (const FittedTurn& turn : fitted) {
+    add_turn(model, turn.shape, turn.speed);
+    if (turn.speed > slowest) add_turn(model, turn.shape, slowest);
+  }
+  model.tables.cell = robot.cell;
+  fill_between(model.tables.along, robot.cell / 2.0, limits_along(robot));
+  fill_between(model.tables.diagonal, robot.cell / std::sqrt(2.0), limits_diagonal(robot));
+  fill_ends(model.tables, robot);
+  return model;
+}
+
+std::string milliseconds(DriveTime time) {
+  const std::string thousandths = std::to_string(time % 1000);
+  return std::to_string(time / 1000) + "." + std::string(3 - thousandths.size(), '0') + thousandths + " ms";
+}
+
+std::string refusal_of_limits(const Robot& robot) {
+  for (const double limit : {robot.cell, robot.speed, robot.speed_diagonal, robot.acceleration,
+                             robot.acceleration_diagonal, robot.braking, robot.braking_diagonal})
+    if (!(limit > 0.0)) return "its cell side, speeds, accelerations and brakings must be greater than 0";
+  return "";
+}
+
+std::string refusal_of_fixed(const Robot& robot) {
+  const FixedTimes& fixed = *robot.fixed;
+  if (!(fixed.speed > 0.0 && fixed.speed <= std::min(robot.speed, robot.speed_diagonal)))
+    return "its speed at nodes, " + millimetres(fixed.speed) + "/s, must be more than 0 and at most that of its straights, " +
+           millimetres(robot.speed) + "/s, and diagonals, " + millimetres(robot.speed_diagonal) + "/s";
+  for (const Turn turn : all_turns)
+    if (const DriveTime time = fixed_time(fixed, turn); time < shortest_allowed_turn || time > no_time)
+      return "its turn " + std::string(name_of(turn)) + " takes " + milliseconds(time) + ": a turn takes at least 1 ms";
+  return "";
+}
+
+std::string refusal_of_curves(const Robot& robot) {
+  if (!(robot.lateral_acceleration > 0.0 && robot.yaw_acceleration > 0.0))
+    return "its lateral acceleration and yaw acceleration must be greater than 0";
+  if (!(robot.clearance >= 0.0 && robot.run_up >= 0.0)) return "its clearance and run-up must be 0 or more";
+  // Half a diagonal from wall to wall leads between two posts half a cell away.
+  if (const double room = robot.cell / std::sqrt(8.0); robot.clearance > room)
+    return "a clearance of " + millimetres(robot.clearance) + " is more than diagonals leave in cells of " +
+           millimetres(robot.cell) + ": " + millimetres(room) + " from their middle to a post";
+  return "";
+}
+
+/// Why routes could last too long or turns too short for whole microseconds below no_time.
+std::string refusal_of_times(const DriveTables& tables) {
+  for (const Lane& lane : tables.along.lanes)
+    if (tables.cell * 1e6 > lane.speed * longest_cell)
+      return "its slowest turn is driven at " + millimetres(lane.speed) + "/s, where a cell of " +
+             millimetres(tables.cell) + " takes more than 500 ms: at least " + millimetres(std::ceil(tables.cell * 2.0)) +
+             "/s are needed";
+  for (const DrivenTurn& turn : tables.turns) {
+    const std::string it = "its turn " + std::string(name_of(turn.turn)) + " takes " + milliseconds(turn.time);
+    if (turn.time < shortest_allowed_turn) return it + ": a turn takes at least 1 ms";
+    if (turn.turn == Turn::s90 && turn.time > longest_cell) return it + ": at most 500 ms are allowed";
+  }
+  return "";
+}
+
+/// Every maze that can be searched can be run: all turns follow each other at the slowest speed, if the start reaches it.
+std::string refusal_of_start(const DriveTables& tables) {
+  const auto slowest = std::find_if(tables.turns.rbegin(), tables.turns.rend(),
+                                    [](const DrivenTurn& turn) { return turn.turn == Turn::s90; });
+  if (tables.start_to(1, slowest->from) < no_time) return "";
+  return "from rest in the start cell it does not reach the speed of its slowest turns, " + millimetres(slowest->speed) +
+         "/s, by the first wall: a larger acceleration or run-up is needed";
+}
+
 }  // namespace
 
 DriveModel make_drive_model(const Robot& robot) {
   if (std::string why = refusal_of_limits(robot); !why.empty()) return refused(std::move(why));
-  if (!robot.fixed) return refused("robots without fixed times are not known yet");
-  DriveModel model;
-  model.tables = fixed_tables(robot);
+  if (std::string why = robot.fixed ? refusal_of_fixed(robot) : refusal_of_curves(robot); !why.empty())
+    return refused(std::move(why));
+  DriveModel model = robot.fixed ? fixed_model(robot) : model_of_speeds(robot);
+  if (!model.error.empty()) return model;
   if (std::string why = refusal_of_times(model.tables); !why.empty()) return refused(std::move(why));
+  if (std::string why = refusal_of_start(model.tables); !why.empty()) return refused(std::move(why));
+  const auto small = static_cast<std::size_t>(
+      std::find_if(model.shapes.begin(), model.shapes.end(), [](const TurnShape& s) { return s.turn == Turn::s90; }) -
+      model.shapes.begin());
+  const SearchModel search = search_model(robot, model.shapes[small], model.tables.turns[small].speed);
+  if (!search.error.empty()) return refused(search.error);
+  model.search = search.drive;
   model.tables.hash = hash_of(model.tables);
-  model.search = robot.search;
   return model;
 }
 

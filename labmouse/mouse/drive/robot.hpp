@@ -39,7 +39,10 @@ struct Robot {
   double clearance = 0.0;  ///< mm that the robot's middle keeps from the middle of any post and wall that may stand
   double run_up = 0.0;     ///< mm behind the middle of the start cell where it stands before a run
   int sight = 1;           ///< cells that its sensors look into each direction
-  SearchDrive search;
+  double search_speed = 0.0;        ///< mm/s
+  double pivot_speed = 0.0;         ///< rad/s, turning on the spot
+  double pivot_acceleration = 0.0;  ///< rad/s²
+  SearchDrive search;               ///< where its `cell` is 0, it follows from the three numbers before it
   std::optional<FixedTimes> fixed;  ///< then the limits on curves above have no meaning
 };
 
@@ -47,7 +50,8 @@ struct Robot {
 struct DriveModel {
   DriveTables tables;
   /// By Turn and then by speed as in tables.turns: the shape of tables.turns[i] is shapes[i], in its first direction of
-  /// driving (a turn back from a diagonal has a shape of its own).
+  /// driving (a turn back from a diagonal has a shape of its own). The time of the turn is that from the lead of the lane
+  /// it begins in to whole() less the lead of the lane it ends in; what is left of the shape is part of the straights.
   std::vector<TurnShape> shapes;
   SearchDrive search;
   std::string error;
