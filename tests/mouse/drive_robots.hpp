@@ -19,4 +19,45 @@ inline Robot published_robot() {
   return robot;
 }
 
+/// A robot of the half-size contest, whose turns follow from its limits.
+inline Robot small_robot() {
+  Robot robot = published_robot();
+  robot.name = "small";
+  robot.fixed.reset();
+  robot.lateral_acceleration = 3800.0;
+  robot.yaw_acceleration = 300.0;
+  robot.clearance = 18.0;
+  robot.run_up = 24.0;
+  robot.search = {};
+  robot.search_speed = 300.0;
+  robot.pivot_speed = 10.0;
+  robot.pivot_acceleration = 100.0;
+  return robot;
+}
+
+/// A robot of the classic contest.
+inline Robot large_robot() {
+  Robot robot = small_robot();
+  robot.name = "large";
+  robot.cell = 180.0;
+  robot.speed = 3000.0;
+  robot.speed_diagonal = 2500.0;
+  robot.acceleration = robot.braking = robot.acceleration_diagonal = robot.braking_diagonal = 10'000.0;
+  robot.lateral_acceleration = 10'000.0;
+  robot.clearance = 45.0;
+  robot.run_up = 50.0;
+  robot.search_speed = 500.0;
+  return robot;
+}
+
+/// The same one with a fan that presses it to the ground.
+inline Robot fan_robot() {
+  Robot robot = large_robot();
+  robot.name = "fan";
+  robot.lateral_acceleration = 30'000.0;
+  robot.yaw_acceleration = 1200.0;
+  robot.acceleration = robot.braking = robot.acceleration_diagonal = robot.braking_diagonal = 25'000.0;
+  return robot;
+}
+
 }  // namespace labmouse

@@ -40,10 +40,18 @@ double speed_around_post(const Robot& robot) {
   return high;
 }
 
+/// Half a cell, as around the post in the middle; less where the curve would come too near to the wall ahead.
+void shorten_leads(TurnShape& shape, const Robot& robot) {
+  const double reach = shape.at(shape.lead_in + shape.length / 2.0).ahead - shape.lead_in;
+  const double room = 1.5 * robot.cell - robot.clearance - reach;
+  if (room < shape.lead_in) shape.lead_in = shape.lead_out = std::max(0.0, std::floor(room));
+}
+
 FittedTurn fitted_around_post(const Robot& robot) {
   FittedTurn fitted;
   const double speed = speed_around_post(robot);
   fitted.shape = shape_at(Turn::f180, speed, curve_limits(robot), robot.cell);
+  shorten_leads(fitted.shape, robot);
   fitted.shape.clearance = clearance_of(fitted.shape, robot.cell);
   fitted.speed = std::min(speed, top_speed(Turn::f180, robot));
   if (fitted.shape.clearance < robot.clearance)

@@ -17,7 +17,7 @@ struct FittedTurn {
 };
 
 /// Both leads are 0 or more, and the path keeps the robot's clearance: at the largest such speed in steps of 5 mm/s. The
-/// width of 180 leaves one path only; its speed is what the lateral acceleration allows on it.
+/// width of 180 leaves one curve only; its speed is what the limits allow on it.
 FittedTurn fitted_turn(Turn turn, const Robot& robot);
 
 /// "12.3 mm"

@@ -31,6 +31,20 @@ DriveTime fixed_time(const FixedTimes& fixed, Turn turn) {
   return 0;
 }
 
+std::string milliseconds(DriveTime time) {
+  std::string digits = std::to_string(time % 1000 + 1000);
+  digits[0] = '.';
+  return std::to_string(time / 1000) + (time % 1000 == 0 ? "" : digits) + " ms";
+}
+
+bool too_slow(double cell, double speed) { return cell * 1e6 > speed * longest_cell; }
+
+/// Behind a speed that is too low.
+std::string needed_speed(double cell) {
+  return "a cell of " + millimetres(cell) + " must not take more than " + milliseconds(longest_cell) + ", so at least " +
+         millimetres(std::ceil(cell * 1e6 / longest_cell)) + "/s are needed";
+}
+
 DriveModel refused(std::string why) {
   DriveModel model;
   model.error = std::move(why);
@@ -75,32 +89,34 @@ void add_turn(DriveModel& model, const TurnShape& shape, double speed) {
   model.shapes.push_back(shape);
 }
 
+std::string refusal_of_slowest(const Robot& robot, const FittedTurn& slowest) {
+  return "its turn " + std::string(name_of(slowest.shape.turn)) + " fits into cells of " + millimetres(robot.cell) +
+         " only up to " + millimetres(slowest.speed) + "/s: " + needed_speed(robot.cell) +
+         "; a larger lateral or yaw acceleration makes it faster";
+}
+
 /// Each turn at its own largest speed, and on the same path at that of the slowest: a fast turn cannot be followed at
 /// once by a slow one.
 DriveModel model_of_speeds(const Robot& robot) {
   std::vector<FittedTurn> fitted;
-  double slowest = robot.speed;
+  FittedTurn slowest;
   for (const Turn turn : all_turns) {
     fitted.push_back(leads_back(turn) ? fitted[static_cast<unsigned>(reversed(turn))] : fitted_turn(turn, robot));
     if (!fitted.back().error.empty()) return refused(fitted.back().error);
     if (leads_back(turn)) fitted.back().shape = backwards(fitted.back().shape);
-    slowest = std::min(slowest, fitted.back().speed);
+    if (slowest.speed == 0.0 || fitted.back().speed < slowest.speed) slowest = fitted.back();
   }
+  if (too_slow(robot.cell, slowest.speed)) return refused(refusal_of_slowest(robot, slowest));
   DriveModel model;
   for (const FittedTurn& turn : fitted) {
     add_turn(model, turn.shape, turn.speed);
-    if (turn.speed > slowest) add_turn(model, turn.shape, slowest);
+    if (turn.speed > slowest.speed) add_turn(model, turn.shape, slowest.speed);
   }
   model.tables.cell = robot.cell;
   fill_between(model.tables.along, robot.cell / 2.0, limits_along(robot));
   fill_between(model.tables.diagonal, robot.cell / std::sqrt(2.0), limits_diagonal(robot));
   fill_ends(model.tables, robot);
   return model;
-}
-
-std::string milliseconds(DriveTime time) {
-  const std::string thousandths = std::to_string(time % 1000);
-  return std::to_string(time / 1000) + "." + std::string(3 - thousandths.size(), '0') + thousandths + " ms";
 }
 
 std::string refusal_of_limits(const Robot& robot) {
@@ -115,9 +131,10 @@ std::string refusal_of_fixed(const Robot& robot) {
   if (!(fixed.speed > 0.0 && fixed.speed <= std::min(robot.speed, robot.speed_diagonal)))
     return "its speed at nodes, " + millimetres(fixed.speed) + "/s, must be more than 0 and at most that of its straights, " +
            millimetres(robot.speed) + "/s, and diagonals, " + millimetres(robot.speed_diagonal) + "/s";
-  for (const Turn turn : all_turns)
-    if (const DriveTime time = fixed_time(fixed, turn); time < shortest_allowed_turn || time > no_time)
-      return "its turn " + std::string(name_of(turn)) + " takes " + milliseconds(time) + ": a turn takes at least 1 ms";
+  if (too_slow(robot.cell, fixed.speed))
+    return "its speed at nodes, " + millimetres(fixed.speed) + "/s, is too low: " + needed_speed(robot.cell);
+  if (fixed.s90 > longest_cell)
+    return "its turn S90 takes " + milliseconds(fixed.s90) + ": at most " + milliseconds(longest_cell) + " are allowed";
   return "";
 }
 
@@ -132,18 +149,11 @@ std::string refusal_of_curves(const Robot& robot) {
   return "";
 }
 
-/// Why routes could last too long or turns too short for whole microseconds below no_time.
-std::string refusal_of_times(const DriveTables& tables) {
-  for (const Lane& lane : tables.along.lanes)
-    if (tables.cell * 1e6 > lane.speed * longest_cell)
-      return "its slowest turn is driven at " + millimetres(lane.speed) + "/s, where a cell of " +
-             millimetres(tables.cell) + " takes more than 500 ms: at least " + millimetres(std::ceil(tables.cell * 2.0)) +
-             "/s are needed";
-  for (const DrivenTurn& turn : tables.turns) {
-    const std::string it = "its turn " + std::string(name_of(turn.turn)) + " takes " + milliseconds(turn.time);
-    if (turn.time < shortest_allowed_turn) return it + ": a turn takes at least 1 ms";
-    if (turn.turn == Turn::s90 && turn.time > longest_cell) return it + ": at most 500 ms are allowed";
-  }
+std::string refusal_of_turn_times(const DriveTables& tables) {
+  for (const DrivenTurn& turn : tables.turns)
+    if (turn.time < shortest_allowed_turn)
+      return "its turn " + std::string(name_of(turn.turn)) + " takes " + milliseconds(turn.time) +
+             ": a turn takes at least 1 ms";
   return "";
 }
 
@@ -164,7 +174,7 @@ DriveModel make_drive_model(const Robot& robot) {
     return refused(std::move(why));
   DriveModel model = robot.fixed ? fixed_model(robot) : model_of_speeds(robot);
   if (!model.error.empty()) return model;
-  if (std::string why = refusal_of_times(model.tables); !why.empty()) return refused(std::move(why));
+  if (std::string why = refusal_of_turn_times(model.tables); !why.empty()) return refused(std::move(why));
   if (std::string why = refusal_of_start(model.tables); !why.empty()) return refused(std::move(why));
   const auto small = static_cast<std::size_t>(
       std::find_if(model.shapes.begin(), model.shapes.end(), [](const TurnShape& s) { return s.turn == Turn::s90; }) -
