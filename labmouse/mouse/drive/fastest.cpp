@@ -201,4 +201,28 @@ DriveTime FastestRoutes::time_from(Pose start) const { return search_->time_from
 void FastestRoutes::route_from(Pose start, DriveRoute& route) const { search_->route_from(start, route); }
 DriveTime FastestRoutes::rolling(const DriveNode& node, std::size_t lane) const { return search_->rolling(node, lane); }
 
+WallSet walls_of(const DriveRoute& route, const DriveTables&) {
+  WallSet walls;
+  const auto pass = [&](int x, int y) {
+    if (x % 2 != 0 && y % 2 != 0) return;  // the middle of a cell
+    walls.insert({{(x - 1) / 2, (y - 1) / 2}, x % 2 != 0 ? Heading::north : Heading::east});
+  };
+  for (const DriveSegment& segment : route.segments) {
+    const HalfPoint from = half_point(segment.from), to = half_point(segment.to);
+    const HalfPoint before = drive::unit(eighths(segment.from)), after = drive::unit(eighths(segment.to));
+    if (segment.kind == DriveSegment::Kind::straight) {
+      for (int i = 0; i <= segment.units; ++i) pass(from.x + i * before.x, from.y + i * before.y);
+      continue;
+    }
+    pass(from.x, from.y);
+    pass(from.x + before.x, from.y + before.y);
+    // A half turn goes round the end of a wall, over one more.
+    if (before.x == -after.x && before.y == -after.y)
+      pass((from.x + to.x) / 2 + 2 * before.x, (from.y + to.y) / 2 + 2 * before.y);
+    pass(to.x - after.x, to.y - after.y);
+    pass(to.x, to.y);
+  }
+  return walls;
+}
+
 }  // namespace labmouse

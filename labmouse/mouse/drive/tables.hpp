@@ -16,7 +16,7 @@ namespace labmouse {
 
 /// Microseconds, or microseconds of a field. Larger than any time of a route, and safe to add to another.
 using DriveTime = std::int32_t;
-inline constexpr DriveTime no_time = 1 << 30;
+inline constexpr DriveTime no_time = (1 << 30) - 1;
 
 /// How turns enter and leave straights.
 struct Lane {

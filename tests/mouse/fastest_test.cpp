@@ -1,0 +1,208 @@
+// The planner of the world in seconds against the plain search from coordinates: every time at every node, and the routes.
+#include "labmouse/mouse/drive/fastest.hpp"
+
+#include <gtest/gtest.h>
+
+#include "labmouse/lab/plain_fastest.hpp"
+#include "tests/capstone_mazes.hpp"
+#include "tests/mouse/drive_robots.hpp"
+#include "tests/strategies/random_mazes.hpp"
+
+namespace labmouse {
+namespace {
+
+/// Under the sanitizers all takes ten times as long: there, a part of the mazes has to do.
+#if defined(__SANITIZE_ADDRESS__)
+constexpr int slowness = 20;
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+constexpr int slowness = 20;
+#else
+constexpr int slowness = 1;
+#endif
+#else
+constexpr int slowness = 1;
+#endif
+
+struct NamedRobot {
+  const char* name;
+  Robot (*make)();
+};
+
+class PrintRobot {
+ public:
+  std::string operator()(const testing::TestParamInfo<NamedRobot>& info) const { return info.param.name; }
+};
+
+Pose start_of(const Maze& maze) { return {maze.start(), maze.start_heading()}; }
+
+bool fits(const Maze& maze) { return maze.size().width <= max_drive_side && maze.size().height <= max_drive_side; }
+
+/// Every time at every node, and the time from the start.
+void expect_same_times(const FastestRoutes& routes, const PlainFastest& plain, const Maze& maze, const DriveTables& tables) {
+  for (int index = 0; index < maze.size().area(); ++index)
+    for (const Heading heading : all_headings)
+      for (const Place place : all_places) {
+        const DriveNode node = {maze.size().cell_at(index), heading, place};
+        for (std::size_t lane = 0; lane < (node.diagonal() ? tables.diagonal : tables.along).count(); ++lane)
+          ASSERT_EQ(routes.rolling(node, lane), plain.rolling(node, lane))
+              << "at (" << int{node.cell.x} << "," << int{node.cell.y} << ") " << name_of(heading) << " " << name_of(place)
+              << " lane " << lane;
+      }
+  EXPECT_EQ(routes.time_from(start_of(maze)), plain.time_from(start_of(maze)));
+}
+
+/// A route hangs together, its times add up, and it can be driven where the walls that it passes are open, and only there.
+void expect_good_route(FastestRoutes& routes, const DriveTables& tables, const Maze& maze) {
+  DriveRoute route;
+  routes.route_from(start_of(maze), route);
+  ASSERT_EQ(route.time, routes.time_from(start_of(maze)));
+  if (route.time == no_time || route.time == 0) {
+    EXPECT_TRUE(route.segments.empty());
+    return;
+  }
+  EXPECT_EQ(route.segments.front().from, (DriveNode{maze.start(), maze.start_heading(), Place::centre}));
+  EXPECT_TRUE(maze.is_goal(route.segments.back().to.cell));
+  EXPECT_EQ(route.segments.back().to.place, Place::centre);
+  EXPECT_EQ(route.segments.back().end, route.time);
+  DriveTime clock = 0;
+  for (std::size_t i = 0; i < route.segments.size(); ++i) {
+    EXPECT_EQ(route.segments[i].begin, clock);
+    if (i > 0) {
+      EXPECT_EQ(route.segments[i].from, route.segments[i - 1].to);
+    }
+    clock = route.segments[i].end;
+  }
+  const WallSet walls = walls_of(route, tables);
+  walls.for_each([&](Wall wall) { EXPECT_TRUE(maze.open_walls().contains(wall)); });
+  routes.fill(walls, maze.goals());
+  EXPECT_EQ(routes.time_from(start_of(maze)), route.time);
+}
+
+class AnyRobot : public testing::TestWithParam<NamedRobot> {
+ protected:
+  AnyRobot() : model_(make_drive_model(GetParam().make())) { EXPECT_EQ(model_.error, ""); }
+
+  void expect_exact(const Maze& maze) {
+    FastestRoutes routes(maze.size(), model_.tables);
+    routes.fill(maze.open_walls(), maze.goals());
+    const PlainFastest plain(maze.size(), model_.tables, maze.open_walls(), maze.goals());
+    expect_same_times(routes, plain, maze, model_.tables);
+    expect_good_route(routes, model_.tables, maze);
+  }
+
+  DriveModel model_;
+};
+
+TEST_P(AnyRobot, IsPlannedForExactlyInEmptyMazes) {
+  for (const Size size : {Size{1, 1}, Size{2, 2}, Size{3, 7}, Size{16, 16}, Size{17, 5}, Size{32, 32}})
+    expect_exact(Maze(MazeDraft(size, MazeDraft::Inside::open)));
+}
+
+TEST_P(AnyRobot, IsPlannedForExactlyInTwoThousandMazesByDice) {
+  Dice dice(7);
+  for (int i = 0; i < 2000 / slowness; ++i) {
+    SCOPED_TRACE(i);
+    expect_exact(test::any_maze(dice, i % 10 == 0 ? 32 : 14));
+    if (HasFailure()) return;
+  }
+}
+
+TEST_P(AnyRobot, IsPlannedForExactlyInRealMazes) {
+  const auto files = test::maze_files();
+  if (files.empty()) GTEST_SKIP() << "no maze files in " << test::folder_of_mazes() << "; set LABMOUSE_MAZES";
+  for (std::size_t i = 0; i < files.size(); i += slowness)
+    if (const auto maze = test::maze_in_file(files[i]); maze && fits(*maze)) {
+      SCOPED_TRACE(files[i]);
+      expect_exact(*maze);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, AnyRobot,
+                         testing::Values(NamedRobot{"published", published_robot}, NamedRobot{"small", small_robot},
+                                         NamedRobot{"large", large_robot}, NamedRobot{"fan", fan_robot}),
+                         PrintRobot());
+
+/// The same tables with every lane twice.
+StraightTimes doubled(const StraightTimes& table) {
+  StraightTimes twice;
+  twice.lanes = {table.lanes[0], table.lanes[0]};
+  for (const DriveTime time : table.between) twice.between.insert(twice.between.end(), 4, time);
+  return twice;
+}
+
+TEST(EqualSpeeds, InManyLanesAreAsOneSpeed) {
+  const DriveModel model = make_drive_model(published_robot());
+  DriveTables many = model.tables;
+  many.along = doubled(model.tables.along);
+  many.diagonal = doubled(model.tables.diagonal);
+  for (auto* times : {&many.start, &many.finish}) {
+    std::vector<DriveTime> twice;
+    for (const DriveTime time : *times) twice.insert(twice.end(), 2, time);
+    *times = twice;
+  }
+  Dice dice(8);
+  for (int i = 0; i < 200; ++i) {
+    const Maze maze = test::any_maze(dice, 32);
+    FastestRoutes one(maze.size(), model.tables), lanes(maze.size(), many);
+    one.fill(maze.open_walls(), maze.goals());
+    lanes.fill(maze.open_walls(), maze.goals());
+    ASSERT_EQ(one.time_from(start_of(maze)), lanes.time_from(start_of(maze))) << i;
+    DriveRoute first, second;
+    one.route_from(start_of(maze), first);
+    lanes.route_from(start_of(maze), second);
+    ASSERT_EQ(first.segments, second.segments) << i;
+  }
+}
+
+TEST(FastestRoutes, DriveStraightDownACorridor) {
+  MazeDraft draft({1, 4}, MazeDraft::Inside::open);
+  draft.add_goal({0, 3});
+  const Maze maze(draft);
+  const DriveModel model = make_drive_model(published_robot());
+  FastestRoutes routes(maze.size(), model.tables);
+  routes.fill(maze.open_walls(), maze.goals());
+  DriveRoute route;
+  routes.route_from(start_of(maze), route);
+  ASSERT_EQ(route.segments.size(), 1U);
+  EXPECT_EQ(route.segments[0].units, 6);
+  EXPECT_EQ(route.time, model.tables.along.at(6, 0, 0));
+}
+
+TEST(FastestRoutes, StandStillInAGoal) {
+  MazeDraft draft({2, 2}, MazeDraft::Inside::open);
+  draft.add_goal({0, 0});
+  const Maze maze(draft);
+  const DriveModel model = make_drive_model(published_robot());
+  FastestRoutes routes(maze.size(), model.tables);
+  routes.fill(maze.open_walls(), maze.goals());
+  DriveRoute route;
+  routes.route_from(start_of(maze), route);
+  EXPECT_EQ(route.time, 0);
+  EXPECT_TRUE(route.segments.empty());
+}
+
+/// Best times that were published for real mazes, with turns for searching in the same graph where that helps.
+TEST(FastestRoutes, TakeThePublishedTimes) {
+  const DriveModel model = make_drive_model(published_robot());
+  int found = 0;
+  for (const auto& file : test::maze_files()) {
+    const std::string name = file.filename();
+    const DriveTime expected = name == "87us1.txt"                             ? 10'423
+                               : name == "alljapan-030-2009-exp-fin.txt"       ? 8'623
+                               : name == "alljapan-046-2025-exp-fin.txt"       ? 6'701
+                               : name == "alljapan-044-2023-exp-fin.txt"       ? 6'553   // 6,588 without S90
+                               : name == "alljapan-032-2011-exp-fin.txt"       ? 6'654   // 6,675 without S90
+                                                                               : 0;
+    if (expected == 0) continue;
+    ++found;
+    const Maze maze = *test::maze_in_file(file);
+    FastestRoutes routes(maze.size(), model.tables);
+    routes.fill(maze.open_walls(), maze.goals());
+    EXPECT_EQ((routes.time_from(start_of(maze)) + 500) / 1000, expected) << name;
+  }
+  if (found == 0) GTEST_SKIP() << "none of these mazes in " << test::folder_of_mazes() << "; set LABMOUSE_MAZES";
+}
+
+}  // namespace
+}  // namespace labmouse
