@@ -35,7 +35,10 @@ class FastestRoutes::Search {
   Search(Size size, const DriveTables& tables)
       : size_(size),
         tables_(tables),
-        search_(one_speed(tables) ? drive::make_fixed_search(size, tables) : drive::make_lane_search(size, tables)) {}
+        search_(one_speed(tables) ? drive::make_fixed_search(size, tables) : drive::make_lane_search(size, tables)) {
+    for (const DrivenTurn& driven : tables.turns)
+      for (auto turn = static_cast<std::size_t>(driven.turn) + 1; turn < first_.size(); ++turn) ++first_[turn];
+  }
 
   void fill(const WallSet& passages, const CellSet& goals) {
     goals_ = goals;
@@ -45,10 +48,7 @@ class FastestRoutes::Search {
   DriveTime time_from(Pose start) const {
     if (goals_.contains(start.cell)) return 0;
     DriveTime best = no_time;
-    each_start(start, [&](int units, std::size_t, DriveTime first, DriveTime rest) {
-      static_cast<void>(units);
-      best = std::min(best, first + rest);
-    });
+    each_start(start, [&](int, std::size_t, DriveTime first, DriveTime rest) { best = std::min(best, first + rest); });
     return best;
   }
 
@@ -88,13 +88,11 @@ class FastestRoutes::Search {
   /// to where a turn begins, in its lane, or one that ends in a goal, with the lane no_lane.
   template <class Visit>
   void each_start(Pose start, Visit visit) const {
-    HalfPoint point = half_point({start.cell, start.heading, Place::centre});
-    const int direction = 2 * static_cast<int>(start.heading);
-    for (int units = 0; units <= StraightTimes::longest && search_->passable(point); ++units) {
-      if (is_goal(point)) visit(units, no_lane, tables_.whole[static_cast<std::size_t>(units)], 0);
+    const int node = number({start.cell, start.heading, Place::centre});
+    for (int units = 0, run = search_->run(node); units <= run; ++units) {
+      if (is_goal(search_->point(node + units))) visit(units, no_lane, tables_.whole[static_cast<std::size_t>(units)], 0);
       for (std::size_t lane = 0; lane < tables_.along.count(); ++lane)
-        visit(units, lane, tables_.start_to(units, lane), search_->turning(search_->node(point, direction), lane));
-      point = {point.x + drive::unit(direction).x, point.y + drive::unit(direction).y};
+        visit(units, lane, tables_.start_to(units, lane), search_->turning(node + units, lane, no_time));
     }
   }
 
@@ -127,58 +125,52 @@ class FastestRoutes::Search {
 
   /// Writes a turn that begins here, and goes to its end.
   bool turn(Walk& walk) const {
-    const int node = number(walk.here.node);
-    const bool diagonal = walk.here.node.diagonal();
-    for (std::size_t i = 0; i < tables_.turns.size(); ++i) {
-      const DrivenTurn& driven = tables_.turns[i];
-      if (driven.from != walk.here.lane || begins_diagonal(driven.turn) != diagonal) continue;
-      for (unsigned bit = 0; bit < 8; ++bit) {
-        if (!is_turn(bit, driven.turn, walk.here.node)) continue;
-        const int to = search_->leap(node, bit);
-        if (to < 0 || walk.here.time + driven.time + search_->rolling(to, driven.to) != walk.route.time) continue;
-        const HalfPoint end = search_->point(to);
-        const int before = eighths(walk.here.node), after = direction_of(to, end);
-        const bool left = ((after - before) & 7) > 4 || (eighths(driven.turn) == 4 && bit % 2 == 0);
-        const DriveNode there = node_at(end, after);
-        walk.route.segments.push_back({DriveSegment::Kind::turn, walk.here.node, there, walk.here.time, walk.here.time + driven.time, 0, static_cast<std::uint16_t>(i), left});
-        walk.here = {there, walk.here.time + driven.time, driven.to};
+    const DriveNode& here = walk.here.node;
+    const int node = number(here);
+    const DriveTime rest = walk.route.time - walk.here.time;
+    for (unsigned bits = search_->turns(node); bits != 0; bits &= bits - 1) {
+      const auto bit = static_cast<unsigned>(std::countr_zero(bits));
+      const Turn turn = drive::turn_of(bit, here.diagonal(), here.place == Place::edge);
+      const int to = search_->leap(node, bit);
+      for (std::size_t i = first_[static_cast<std::size_t>(turn)]; i < first_[static_cast<std::size_t>(turn) + 1]; ++i) {
+        const DrivenTurn& driven = tables_.turns[i];
+        if (driven.from != walk.here.lane || driven.time + search_->rolling(to, driven.to) != rest) continue;
+        add_turn(walk, i, to, bit);
         return true;
       }
     }
     return false;
   }
 
-  static bool is_turn(unsigned bit, Turn turn, const DriveNode& node) {
-    if (node.diagonal()) return bit < 3 && drive::turn_of(bit, true, false) == turn;
-    return (node.place == Place::centre || bit < 2) && drive::turn_of(bit, false, node.place == Place::edge) == turn;
-  }
-
-  int direction_of(int node, HalfPoint point) const {
-    for (int direction = 0; direction < 8; ++direction)
-      if (search_->node(point, direction) == node) return direction;
-    return 0;
+  void add_turn(Walk& walk, std::size_t turn, int to, unsigned bit) const {
+    const DrivenTurn& driven = tables_.turns[turn];
+    const int after = search_->direction(to);
+    const unsigned change = static_cast<unsigned>(after - eighths(walk.here.node)) & 7U;
+    const bool left = change == 4 ? bit % 2 == 0 : change > 4;
+    const DriveNode there = node_at(search_->point(to), after);
+    const DriveTime end = walk.here.time + driven.time;
+    walk.route.segments.push_back({DriveSegment::Kind::turn, walk.here.node, there, walk.here.time, end, 0, static_cast<std::uint16_t>(turn), left});
+    walk.here = {there, end, driven.to};
   }
 
   /// Writes the straight that begins here, of no length perhaps. Whether the route goes on behind it.
   bool straight(Walk& walk) const {
     const bool diagonal = walk.here.node.diagonal();
     const StraightTimes& table = diagonal ? tables_.diagonal : tables_.along;
-    const int direction = eighths(walk.here.node);
+    const int node = number(walk.here.node);
     const DriveTime rest = walk.route.time - walk.here.time;
-    HalfPoint point = half_point(walk.here.node);
-    for (int units = 0; units <= StraightTimes::longest && search_->passable(point); ++units) {
-      if (!diagonal && is_goal(point) && tables_.finish_from(units, walk.here.lane) == rest) {
+    for (int units = 0, run = search_->run(node); units <= run; ++units) {
+      if (!diagonal && tables_.finish_from(units, walk.here.lane) == rest && is_goal(search_->point(node + units))) {
         add_straight(walk, units, rest);
         return false;
       }
-      for (std::size_t lane = 0; lane < table.count(); ++lane)
-        if (const DriveTime time = table.at(units, walk.here.lane, lane);
-            time < no_time && time + search_->turning(search_->node(point, direction), lane) == rest) {
-          add_straight(walk, units, time);
-          walk.here.lane = lane;
-          return true;
-        }
-      point = {point.x + drive::unit(direction).x, point.y + drive::unit(direction).y};
+      for (std::size_t lane = 0; lane < table.count(); ++lane) {
+        const DriveTime time = table.at(units, walk.here.lane, lane);
+        if (time > rest || search_->turning(node + units, lane, rest - time) != rest - time) continue;
+        add_straight(walk, units, time);
+        walk.here.lane = lane;
+        return true;
+      }
     }
     return false;
   }
@@ -187,6 +179,8 @@ class FastestRoutes::Search {
 
   Size size_;
   const DriveTables& tables_;
+  /// Where the turns of each kind begin in the tables.
+  std::array<std::size_t, all_turns.size() + 1> first_{};
   CellSet goals_;
   std::unique_ptr<drive::Search> search_;
 };

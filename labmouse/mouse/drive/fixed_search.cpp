@@ -37,14 +37,14 @@ class FixedSearch final : public Search {
 
   void fill(Size size, const WallSet& passages, const CellSet& goals) override {
     lattice_.build(size, passages);
-    std::fill(times_.begin(), times_.end(), no_time);
+    forget(times_);
     turned_.clear();
     driven_.clear();
     goals.for_each([&](Cell cell) {
       for (int direction = 0; direction < 8; direction += 2)
         spread(L::node({2 * cell.x + 1, 2 * cell.y + 1}, direction), 0, finish_);
     });
-    for (unsigned bucket = 0; turned_.any() || driven_.any(); ++bucket) {
+    for (unsigned bucket = 0; bucket <= std::max(turned_.last(), driven_.last()); ++bucket) {
       turned_.empty(bucket, [&](int node) {
         const DriveTime time = times_[index(node)];
         if (turned_.bucket(time) == bucket) spread(node, time, straights_[static_cast<unsigned>(node / L::plane) & 1U]);
@@ -55,28 +55,32 @@ class FixedSearch final : public Search {
     }
   }
 
-  DriveTime turning(int node, std::size_t) const override {
+  DriveTime turning(int node, std::size_t, DriveTime limit) const override {
+    if (rolling(node, 0) > limit) return no_time;
     DriveTime best = no_time;
     const auto direction = static_cast<unsigned>(node / L::plane);
     const DriveTime* times = bit_times_[direction][static_cast<unsigned>(node) & 1U];
-    for (unsigned bits = lattice_.turns_at(node); bits != 0; bits &= bits - 1) {
+    for (unsigned bits = turn_bits(lattice_, node); bits != 0; bits &= bits - 1) {
       const auto bit = static_cast<unsigned>(std::countr_zero(bits));
-      best = std::min(best, times[bit] + rolling(leap_of(node, bit), 0));
+      best = std::min(best, times[bit] + rolling(leap(node, bit), 0));
     }
     return best;
   }
   DriveTime rolling(int node, std::size_t) const override { return times_[index(L::opposite(node))]; }
   int node(HalfPoint point, int direction) const override { return L::node(point, direction); }
   HalfPoint point(int node) const override { return L::point(node); }
+  int direction(int node) const override { return L::direction(node); }
   bool passable(HalfPoint point) const override { return lattice_.passable(point); }
-  int leap(int node, unsigned bit) const override {
-    if ((lattice_.turns_at(node) >> bit & 1U) == 0) return -1;
-    return leap_of(node, bit);
-  }
+  int run(int node) const override { return lattice_.run(node); }
+  unsigned turns(int node) const override { return turn_bits(lattice_, node); }
+  int leap(int node, unsigned bit) const override { return leaps_[8 * index(node) + bit]; }
 
  private:
   /// Nodes that are looked at together.
   static constexpr int stretch = 2 * width;
+
+  /// From [stretch - n] on: n lanes of ones, and zeros.
+  static constexpr DriveTime first_lanes[2 * stretch] = {-1, -1, -1, -1, -1, -1, -1, -1};
 
   /// Times by units, and how much later than a mouse that starts over after k units one that comes through is at least, at
   /// any place further on: the least of t(k + j) - t(j).
@@ -104,15 +108,16 @@ class FixedSearch final : public Search {
     for (int k = 0;; k += stretch, better = 0) {
       DriveTime* times = &times_[index(node + k)];
       const DriveTime last = times[stretch - 1];
+      const DriveTime* within = first_lanes + stretch - std::min(run - k + 1, stretch);
       for (int i = 0; i < stretch; i += width) {
         const Times old = load(times + i), now = load(straight.times + k + i) + time;
-        const Times improves = (now < old) & (Times{0, 1, 2, 3} + (k + i) <= run);
+        const Times improves = (now < old) & load(within + i);
         store(times + i, (now & improves) | (old & ~improves));
         better |= bits_of(improves) << i;
       }
       for (unsigned bits = better & static_cast<unsigned>(turns >> k); bits != 0; bits &= bits - 1) {
         const int i = std::countr_zero(bits);
-        driven_.add_if(true, times[i], node + k + i);
+        driven_.add_if_earlier(times[i], no_time, node + k + i);
       }
       // Whoever rolled here before is ahead of this one at all places further on.
       if (k + stretch > run || last <= time + straight.gain[k + stretch - 1]) return;
@@ -130,12 +135,10 @@ class FixedSearch final : public Search {
       const auto bit = static_cast<unsigned>(std::countr_zero(bits));
       const int to = leaps[bit];
       const DriveTime then = time + times[bit], known = times_[index(to)];
-      turned_.add_if(then < known, then, to);
+      turned_.add_if_earlier(then, known, to);
       times_[index(to)] = std::min(then, known);
     }
   }
-
-  int leap_of(int node, unsigned bit) const { return leaps_[8 * index(node) + bit]; }
 
   L lattice_;
   std::span<const std::uint16_t> leaps_ = L::leaps();

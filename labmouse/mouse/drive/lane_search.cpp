@@ -77,8 +77,8 @@ class LaneSearch final : public Search {
 
   void fill(Size size, const WallSet& passages, const CellSet& goals) override {
     lattice_.build(size, passages);
-    std::fill(rolling_.begin(), rolling_.end(), no_time);
-    std::fill(turning_.begin(), turning_.end(), no_time);
+    forget(rolling_);
+    forget(turning_);
     turns_waiting_.clear();
     straights_waiting_.clear();
     goals.for_each([&](Cell cell) {
@@ -91,15 +91,15 @@ class LaneSearch final : public Search {
     }
   }
 
-  DriveTime turning(int node, std::size_t lane) const override { return turning_[label(L::opposite(node), lane)]; }
+  DriveTime turning(int node, std::size_t lane, DriveTime) const override { return turning_[label(L::opposite(node), lane)]; }
   DriveTime rolling(int node, std::size_t lane) const override { return rolling_[label(L::opposite(node), lane)]; }
   int node(HalfPoint point, int direction) const override { return L::node(point, direction); }
   HalfPoint point(int node) const override { return L::point(node); }
+  int direction(int node) const override { return L::direction(node); }
   bool passable(HalfPoint point) const override { return lattice_.passable(point); }
-  int leap(int node, unsigned bit) const override {
-    if ((lattice_.turns_at(node) >> bit & 1U) == 0) return -1;
-    return leap_of(node, bit);
-  }
+  int run(int node) const override { return lattice_.run(node); }
+  unsigned turns(int node) const override { return turn_bits(lattice_, node); }
+  int leap(int node, unsigned bit) const override { return leaps_[8 * static_cast<std::size_t>(node) + bit]; }
 
  private:
   /// The times of straights before a turn of a lane: of all lanes that they can come from side by side.
@@ -187,7 +187,7 @@ class LaneSearch final : public Search {
       const unsigned turns = turn_bits(lattice_, node);
       for (const Before& before : before_[kind_of(node)][taken % static_cast<unsigned>(lanes_)]) {
         if ((turns >> before.bit & 1U) == 0) continue;
-        const std::size_t to = label(leap_of(node, before.bit), before.from);
+        const std::size_t to = label(leap(node, before.bit), before.from);
         const DriveTime then = rolling_[taken] + before.time;
         if (then >= turning_[to]) continue;
         turns_waiting_.put(static_cast<std::uint32_t>(to), turning_[to], then);
@@ -195,8 +195,6 @@ class LaneSearch final : public Search {
       }
     }
   }
-
-  int leap_of(int node, unsigned bit) const { return L::leaps()[8 * static_cast<std::size_t>(node) + bit]; }
 
   static constexpr int max_lanes = 32;
 
@@ -208,6 +206,7 @@ class LaneSearch final : public Search {
   std::array<std::array<std::vector<Before>, max_lanes>, 3> before_;
   std::array<std::array<unsigned, max_lanes>, 3> bits_{};
   L lattice_;
+  std::span<const std::uint16_t> leaps_ = L::leaps();
   std::vector<DriveTime> rolling_;
   std::vector<DriveTime> turning_;
   LabelQueue turns_waiting_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstring>
 #include <memory>
 #include <vector>
 
@@ -18,12 +19,17 @@ class Search {
  public:
   virtual ~Search() = default;
   virtual void fill(Size size, const WallSet& passages, const CellSet& goals) = 0;
-  virtual DriveTime turning(int node, std::size_t lane) const = 0;
+  /// The time until the end from a turn that begins at a node; one above the limit may be told as no_time.
+  virtual DriveTime turning(int node, std::size_t lane, DriveTime limit) const = 0;
   virtual DriveTime rolling(int node, std::size_t lane) const = 0;
   virtual int node(HalfPoint point, int direction) const = 0;
   virtual HalfPoint point(int node) const = 0;
+  virtual int direction(int node) const = 0;
   virtual bool passable(HalfPoint point) const = 0;
-  /// Calls no more than: the node behind the turn of a bit that can begin at a node; -1 where it cannot.
+  /// How many nodes lie ahead before a wall; they have the next numbers.
+  virtual int run(int node) const = 0;
+  /// The turns that can begin at a node, as bits, and where one of them leads.
+  virtual unsigned turns(int node) const = 0;
   virtual int leap(int node, unsigned bit) const = 0;
 };
 
@@ -45,40 +51,40 @@ class Buckets {
 
   void clear() {
     for (unsigned i = 0; i < count; ++i) ends_[i] = &waiting_[i * stride_];
-    std::fill(places_.begin(), places_.end(), nowhere);
-    added_ = 0;
+    std::memset(places_.data(), 0xff, places_.size() * sizeof(places_[0]));
+    last_ = 0;
   }
   unsigned bucket(DriveTime time) const { return static_cast<unsigned>(time >> shift_); }
-  /// Lets a node wait until a time if so asked, once in each bucket. It is written down in any case, behind the last: a
-  /// branch that nobody can foresee costs more.
-  void add_if(bool wanted, DriveTime time, int node) {
+  /// Lets a node wait until a time, once in each bucket, if that is earlier than another time. It is written down in any
+  /// case, behind the last: a branch that nobody can foresee costs more.
+  void add_if_earlier(DriveTime time, DriveTime known, int node) {
     const unsigned bucket = static_cast<unsigned>(time >> shift_);
     std::uint16_t& place = places_[static_cast<std::size_t>(node)];
     std::uint16_t*& end = ends_[bucket % count];
-    const unsigned change = (place ^ bucket) & 0xffffU;
-    const unsigned more = static_cast<unsigned>(wanted) & static_cast<unsigned>(change != 0);
+    const auto earlier = static_cast<unsigned>((time - known) >> 31);  // all ones or none
+    const unsigned change = (place ^ bucket) & earlier & 0xffffU;
+    place = static_cast<std::uint16_t>(place ^ change);
     *end = static_cast<std::uint16_t>(node);
-    end += more;
-    added_ += more;
-    place = static_cast<std::uint16_t>(place ^ (change & (0U - more)));
+    end += change != 0 ? 1 : 0;
+    last_ = std::max(last_, bucket & earlier);
   }
   /// Calls visit(node) for all nodes of a bucket, and forgets them. None may be added to it meanwhile.
   template <class Visit>
   void empty(unsigned bucket, Visit visit) {
-    const std::uint16_t* const begin = &waiting_[bucket % count * stride_];
+    std::uint16_t* const begin = &waiting_[bucket % count * stride_];
     const std::uint16_t* const end = ends_[bucket % count];
     for (const std::uint16_t* node = begin; node != end; ++node) visit(int{*node});
-    added_ -= static_cast<unsigned>(end - begin);
-    ends_[bucket % count] = &waiting_[bucket % count * stride_];
+    ends_[bucket % count] = begin;
   }
-  bool any() const { return added_ != 0; }
+  /// The last bucket that a node has been put into.
+  unsigned last() const { return last_; }
 
  private:
   static constexpr std::uint16_t nowhere = 0xffff;
 
   int shift_;
   std::size_t stride_;
-  unsigned added_ = 0;
+  unsigned last_ = 0;
   std::unique_ptr<std::uint16_t[]> waiting_;
   std::array<std::uint16_t*, count> ends_{};
   /// The bucket into which a node was put last; no time of a route is as late as the last one (see no_time).

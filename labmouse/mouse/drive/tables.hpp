@@ -14,9 +14,10 @@
 
 namespace labmouse {
 
-/// Microseconds, or microseconds of a field. Larger than any time of a route, and safe to add to another.
+/// Microseconds.
 using DriveTime = std::int32_t;
-inline constexpr DriveTime no_time = (1 << 30) - 1;
+/// Larger than any time of a route, and safe to add to another. All its bytes are the same, so that memory is soon full of it.
+inline constexpr DriveTime no_time = 0x3f3f3f3f;
 
 /// How turns enter and leave straights.
 struct Lane {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstring>
+#include <vector>
 
 #include "labmouse/mouse/drive/lattice.hpp"
 #include "labmouse/mouse/drive/tables.hpp"
@@ -17,6 +18,12 @@ inline Times load(const DriveTime* from) {
   return times;
 }
 inline void store(DriveTime* to, Times times) { std::memcpy(to, &times, sizeof(times)); }
+
+/// Makes all times no_time.
+inline void forget(std::vector<DriveTime>& times) {
+  static_assert(no_time == 0x3f3f3f3f);
+  std::memset(times.data(), 0x3f, times.size() * sizeof(times[0]));
+}
 
 /// The sign bits of four lanes; of a comparison those that hold.
 inline unsigned bits_of(Times lanes) {
