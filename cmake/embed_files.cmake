@@ -1,0 +1,13 @@
+# cmake -DKIND=mazes -DTYPE=BuiltinMaze -DENDING=txt -DFOLDER=dir -DOUTPUT=file -P embed_files.cmake
+file(GLOB files ${FOLDER}/*.${ENDING})
+list(SORT files)
+set(text "#include \"labmouse/lab/builtin_${KIND}.hpp\"\n\n#include <array>\n\nnamespace labmouse {\nnamespace {\n\n")
+list(LENGTH files count)
+string(APPEND text "constexpr std::array<${TYPE}, ${count}> files = {{\n")
+foreach(file IN LISTS files)
+  get_filename_component(name ${file} NAME_WE)
+  file(READ ${file} content)
+  string(APPEND text "{\"${name}\", R\"content(${content})content\"},\n")
+endforeach()
+string(APPEND text "}};\n\n}  // namespace\n\nstd::span<const ${TYPE}> builtin_${KIND}() { return files; }\n\n}  // namespace labmouse\n")
+file(WRITE ${OUTPUT} "${text}")

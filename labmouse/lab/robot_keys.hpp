@@ -1,0 +1,40 @@
+// The keys of robot files: what each may be, and which go together.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace labmouse {
+
+/// A robot has curves by its limits or the times of its turns; and for its search a speed or times.
+struct RobotKey {
+  enum class With : unsigned char { always, curves, turns, search_speed, search_times };
+
+  std::string_view name;  ///< with its section: "straight.speed"
+  std::string_view unit;
+  double low = 0.0;
+  double high = 0.0;
+  With with = With::always;
+  bool needed = true;
+  bool whole = false;
+};
+
+/// All of them, in the order of docs/robots.md.
+std::span<const RobotKey> robot_keys();
+
+/// "100 to 20000 mm/s"
+std::string range_of(const RobotKey& key);
+
+/// Which of the two ways a file goes, twice.
+struct RobotForms {
+  bool turns = false;
+  bool search_times = false;
+
+  bool has(const RobotKey& key) const;
+};
+
+/// Behind the name of a key that the forms do not have.
+std::string_view why_not(const RobotKey& key, const RobotForms& forms);
+
+}  // namespace labmouse
