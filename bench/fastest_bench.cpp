@@ -1,0 +1,106 @@
+// Fastest routes in seconds: the walls are read anew, all times found, and the route written down. In turn over different
+// mazes, as in an exploration where the walls change (a processor learns a maze that comes again and again), and warm, one
+// maze many times; each beside the plain search in the same run.
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "bench_mazes.hpp"
+#include "labmouse/lab/plain_fastest.hpp"
+#include "labmouse/lab/robot_files.hpp"
+#include "labmouse/mouse/drive/fastest.hpp"
+
+namespace labmouse {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double microseconds(Clock::duration time) { return std::chrono::duration<double, std::micro>(time).count(); }
+
+Pose start_of(const Maze& maze) { return {maze.start(), maze.start_heading()}; }
+
+std::vector<Maze> mazes_of(int side, bool empty) {
+  if (empty) return {Maze(MazeDraft({side, side}, MazeDraft::Inside::open))};
+  return bench_mazes(side);
+}
+
+/// The times of one call in microseconds, sorted; of each maze the median of some rounds.
+class Latencies {
+ public:
+  explicit Latencies(std::size_t mazes) : of_maze_(mazes) {}
+
+  template <class Work>
+  void measure(std::size_t maze, Work work) {
+    const auto begin = Clock::now();
+    work();
+    of_maze_[maze].push_back(microseconds(Clock::now() - begin));
+  }
+  std::vector<double> medians() {
+    std::vector<double> medians;
+    for (auto& times : of_maze_) {
+      if (times.empty()) continue;
+      std::nth_element(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2), times.end());
+      medians.push_back(times[times.size() / 2]);
+    }
+    std::sort(medians.begin(), medians.end());
+    return medians;
+  }
+
+ private:
+  std::vector<std::vector<double>> of_maze_;
+};
+
+double share(const std::vector<double>& sorted, double part) {
+  return sorted[static_cast<std::size_t>(part * static_cast<double>(sorted.size() - 1) + 0.5)];
+}
+
+/// What is kept of a robot by name for the whole run.
+const DriveModel& model_of(const char* name) {
+  static std::vector<std::pair<std::string, std::unique_ptr<DriveModel>>> models;
+  for (const auto& [known, model] : models)
+    if (known == name) return *model;
+  models.emplace_back(name, std::make_unique<DriveModel>(find_robot(name).model));
+  return *models.back().second;
+}
+
+void route(benchmark::State& state, const char* robot, bool empty) {
+  const auto mazes = mazes_of(static_cast<int>(state.range(0)), empty);
+  const DriveTables& tables = model_of(robot).tables;
+  FastestRoutes routes(mazes[0].size(), tables);
+  DriveRoute found;
+  const auto plan = [&](const Maze& maze) {
+    routes.fill(maze.open_walls(), maze.goals());
+    routes.route_from(start_of(maze), found);
+    benchmark::DoNotOptimize(found);
+  };
+  Latencies in_turn(mazes.size()), warm(mazes.size()), plain(mazes.size());
+  std::size_t calls = 0;
+  for (auto _ : state) {
+    const std::size_t i = calls++ % mazes.size();
+    in_turn.measure(i, [&] { plan(mazes[i]); });
+  }
+  for (std::size_t i = 0; i < mazes.size(); ++i) {
+    for (int round = 0; round < 3; ++round)
+      plain.measure(i, [&] {
+        const PlainFastest search(mazes[i].size(), tables, mazes[i].open_walls(), mazes[i].goals());
+        benchmark::DoNotOptimize(search.time_from(start_of(mazes[i])));
+      });
+    for (int round = 0; round < 31; ++round) warm.measure(i, [&] { plan(mazes[i]); });
+  }
+  const auto turn = in_turn.medians(), again = warm.medians(), slow = plain.medians();
+  state.counters["mazes"] = static_cast<double>(mazes.size());
+  state.counters["median_us"] = share(turn, 0.5);
+  state.counters["p95_us"] = share(turn, 0.95);
+  state.counters["max_us"] = turn.back();
+  state.counters["warm_us"] = share(again, 0.5);
+  state.counters["plain_us"] = share(slow, 0.5);
+  state.counters["plain/ours"] = share(slow, 0.5) / share(turn, 0.5);
+}
+BENCHMARK_CAPTURE(route, mm2021, "mm2021", false)->Arg(16)->Arg(32)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(route, mm2021_empty, "mm2021", true)->Arg(16)->Arg(32)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(route, classic, "classic", false)->Arg(16)->Arg(32)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(route, classic_empty, "classic", true)->Arg(16)->Arg(32)->Unit(benchmark::kMicrosecond);
+
+}  // namespace
+}  // namespace labmouse
