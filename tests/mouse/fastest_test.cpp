@@ -88,6 +88,11 @@ class AnyRobot : public testing::TestWithParam<NamedRobot> {
     routes.fill(maze.open_walls(), maze.goals());
     const PlainFastest plain(maze.size(), model_.tables, maze.open_walls(), maze.goals());
     expect_same_times(routes, plain, maze, model_.tables);
+    DriveRoute whole, sooner;
+    routes.route_from(start_of(maze), whole);
+    routes.fill_for(start_of(maze), maze.open_walls(), maze.goals());
+    routes.route_from(start_of(maze), sooner);
+    EXPECT_EQ(sooner, whole);
     expect_good_route(routes, model_.tables, maze);
   }
 

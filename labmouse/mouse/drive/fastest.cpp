@@ -42,7 +42,11 @@ class FastestRoutes::Search {
 
   void fill(const WallSet& passages, const CellSet& goals) {
     goals_ = goals;
-    search_->fill(size_, passages, goals);
+    search_->fill(size_, passages, goals, drive::Search::everywhere);
+  }
+  void fill_for(Pose start, const WallSet& passages, const CellSet& goals) {
+    goals_ = goals;
+    search_->fill(size_, passages, goals, number({start.cell, start.heading, Place::centre}));
   }
 
   DriveTime time_from(Pose start) const {
@@ -191,6 +195,9 @@ FastestRoutes::FastestRoutes(FastestRoutes&&) noexcept = default;
 FastestRoutes& FastestRoutes::operator=(FastestRoutes&&) noexcept = default;
 
 void FastestRoutes::fill(const WallSet& passages, const CellSet& goals) { search_->fill(passages, goals); }
+void FastestRoutes::fill_for(Pose start, const WallSet& passages, const CellSet& goals) {
+  search_->fill_for(start, passages, goals);
+}
 DriveTime FastestRoutes::time_from(Pose start) const { return search_->time_from(start); }
 void FastestRoutes::route_from(Pose start, DriveRoute& route) const { search_->route_from(start, route); }
 DriveTime FastestRoutes::rolling(const DriveNode& node, std::size_t lane) const { return search_->rolling(node, lane); }

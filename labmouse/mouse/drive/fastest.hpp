@@ -23,6 +23,8 @@ class FastestRoutes {
 
   /// Computes all times over the given passages (all inside the size) to the given cells.
   void fill(const WallSet& passages, const CellSet& goals);
+  /// The same for one start: times that are not below that from there are only upper limits. Sooner done.
+  void fill_for(Pose start, const WallSet& passages, const CellSet& goals);
 
   /// The time from rest in the middle of the start cell, or no_time.
   DriveTime time_from(Pose start) const;

@@ -35,7 +35,7 @@ class FixedSearch final : public Search {
               turn_times[static_cast<unsigned>(reversed(turn_of(bit, direction % 2 != 0, parity == 0)))];
   }
 
-  void fill(Size size, const WallSet& passages, const CellSet& goals) override {
+  void fill(Size size, const WallSet& passages, const CellSet& goals, int start) override {
     lattice_.build(size, passages);
     forget(times_);
     turned_.clear();
@@ -44,7 +44,9 @@ class FixedSearch final : public Search {
       for (int direction = 0; direction < 8; direction += 2)
         spread(L::node({2 * cell.x + 1, 2 * cell.y + 1}, direction), 0, finish_);
     });
-    for (unsigned bucket = 0; bucket <= std::max(turned_.last(), driven_.last()); ++bucket) {
+    // Without a start, one that is never reached.
+    const DriveTime& enough = times_[start == everywhere ? times_.size() - 1 : index(L::opposite(start))];
+    for (unsigned bucket = 0; bucket <= std::max(turned_.last(), driven_.last()) && bucket <= turned_.bucket(enough); ++bucket) {
       turned_.empty(bucket, [&](int node) {
         const DriveTime time = times_[index(node)];
         if (turned_.bucket(time) == bucket) spread(node, time, straights_[static_cast<unsigned>(node / L::plane) & 1U]);

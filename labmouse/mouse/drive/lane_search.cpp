@@ -14,7 +14,7 @@ namespace {
 /// Labels by time: a doubly linked list for each bucket, so that a label can leave the one it is in.
 class LabelQueue {
  public:
-  LabelQueue(std::size_t labels, int shift) : shift_(shift), next_(labels), before_(labels) { heads_.fill(none); }
+  LabelQueue(std::size_t labels, int shift) : shift_(shift), next_(labels), before_(labels) { clear(); }
 
   static constexpr std::uint32_t none = ~std::uint32_t{0};
 
@@ -39,7 +39,10 @@ class LabelQueue {
   }
   /// The latest bucket that has ever been in use since the last clear.
   unsigned last() const { return last_; }
-  void clear() { last_ = 0; }
+  void clear() {
+    heads_.fill(none);
+    last_ = 0;
+  }
 
  private:
   void take_out(std::uint32_t label, unsigned bucket) {
@@ -60,7 +63,8 @@ class LaneSearch final : public Search {
   using L = Lattice<Word>;
 
   explicit LaneSearch(const DriveTables& tables)
-      : lanes_((static_cast<int>(std::max(tables.along.count(), tables.diagonal.count())) + width - 1) / width * width),
+      : tables_(tables),
+        lanes_((static_cast<int>(std::max(tables.along.count(), tables.diagonal.count())) + width - 1) / width * width),
         along_(tables.along, lanes_),
         diagonal_(tables.diagonal, lanes_),
         finish_(static_cast<std::size_t>((StraightTimes::longest + 1) * lanes_), no_time),
@@ -75,7 +79,7 @@ class LaneSearch final : public Search {
       for (unsigned bit = 0; bit < (kind == 2 ? 3U : 8U); ++bit) take_turns(tables, kind, bit);
   }
 
-  void fill(Size size, const WallSet& passages, const CellSet& goals) override {
+  void fill(Size size, const WallSet& passages, const CellSet& goals, int start) override {
     lattice_.build(size, passages);
     forget(rolling_);
     forget(turning_);
@@ -86,6 +90,7 @@ class LaneSearch final : public Search {
         spread(L::node({2 * cell.x + 1, 2 * cell.y + 1}, direction), 0, finish_.data(), lanes_);
     });
     for (unsigned bucket = 0; bucket <= std::max(turns_waiting_.last(), straights_waiting_.last()); ++bucket) {
+      if (start != everywhere && bucket > turns_waiting_.bucket(time_from(start))) return;
       drive_straights(bucket);
       drive_turns(bucket);
     }
@@ -122,6 +127,15 @@ class LaneSearch final : public Search {
     std::uint8_t from = 0;
     DriveTime time = 0;
   };
+
+  /// The time from rest at a start, as far as it is known; no_time where it is not, or where no turn is needed.
+  DriveTime time_from(int start) const {
+    DriveTime best = no_time;
+    for (int units = 0, run = lattice_.run(start); units <= run; ++units)
+      for (std::size_t lane = 0; lane < tables_.along.count(); ++lane)
+        best = std::min(best, tables_.start_to(units, lane) + turning(start + units, lane, no_time));
+    return best;
+  }
 
   std::size_t label(int node, std::size_t lane) const {
     return static_cast<std::size_t>(node) * static_cast<std::size_t>(lanes_) + lane;
@@ -198,6 +212,7 @@ class LaneSearch final : public Search {
 
   static constexpr int max_lanes = 32;
 
+  const DriveTables& tables_;
   int lanes_;  ///< of a node: those of both kinds of straights, whichever are more, in whole vectors
   Straights along_;
   Straights diagonal_;

@@ -18,7 +18,10 @@ namespace labmouse::drive {
 class Search {
  public:
   virtual ~Search() = default;
-  virtual void fill(Size size, const WallSet& passages, const CellSet& goals) = 0;
+  /// Finds the times to the goals, of all nodes, or with a start (its node in the direction of driving) of those that are
+  /// not farther than it.
+  virtual void fill(Size size, const WallSet& passages, const CellSet& goals, int start) = 0;
+  static constexpr int everywhere = -1;
   /// The time until the end from a turn that begins at a node; one above the limit may be told as no_time.
   virtual DriveTime turning(int node, std::size_t lane, DriveTime limit) const = 0;
   virtual DriveTime rolling(int node, std::size_t lane) const = 0;
