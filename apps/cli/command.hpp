@@ -9,6 +9,7 @@
 
 #include "labmouse/contest/rules.hpp"
 #include "labmouse/lab/maze_files.hpp"
+#include "labmouse/lab/robot_files.hpp"
 
 namespace labmouse::cli {
 
@@ -31,6 +32,9 @@ void add_places(CLI::App& command, Places& places);
 MazeCollection find_mazes(const std::vector<std::string>& paths, const Places& places);
 /// The one maze of a path.
 NamedMaze find_maze(const std::string& path, const Places& places);
+
+/// A built-in robot or that of a file; throws UsageError with all that is wrong with it.
+FoundRobot find_robot_or_refuse(const std::string& name);
 
 /// Writes to standard output, or throws UsageError when it cannot.
 void print(const std::string& text);
@@ -65,6 +69,7 @@ void add_inspect(CLI::App& app, int& exit);
 void add_make(CLI::App& app, int& exit);
 void add_convert(CLI::App& app, int& exit);
 void add_mice(CLI::App& app, int& exit);
+void add_robot(CLI::App& app, int& exit);
 void add_bound(CLI::App& app, int& exit);
 void add_replay(CLI::App& app, int& exit);
 void add_score(CLI::App& app, int& exit);

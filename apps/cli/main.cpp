@@ -37,9 +37,14 @@ std::string describe_unexpected(const CLI::App& command, const std::vector<std::
 /// Ends as bad usage: one line that says what is wrong and where help is.
 int refuse(const CLI::App& app, const CLI::ParseError& error) {
   const CLI::App* command = &app;
-  while (!command->get_subcommands().empty()) command = command->get_subcommands().front();
-  const std::string name = command == &app ? "labmouse" : "labmouse " + command->get_name();
-  const bool unexpected = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
+  std::string name = "labmouse";
+  while (!command->get_subcommands().empty()) {
+    command = command->get_subcommands().front();
+    name += " " + command->get_name();
+  }
+  // A word in the place of a command's own commands is only called a missing one.
+  const bool unexpected = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr ||
+                          (command != &app && !command->get_subcommands({}).empty());
   const std::vector<std::string> words = app.remaining(true);
   print_lines(fmt::format("error: {} (see `{} --help`)",
                           unexpected && !words.empty() ? describe_unexpected(*command, words) : error.what(), name));
@@ -81,6 +86,7 @@ int main(int argc, char** argv) {
   add_make(app, exit);
   add_convert(app, exit);
   add_mice(app, exit);
+  add_robot(app, exit);
   add_bound(app, exit);
   add_replay(app, exit);
   add_score(app, exit);

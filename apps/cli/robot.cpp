@@ -1,0 +1,67 @@
+// labmouse robot: what follows from the limits of a robot.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "command.hpp"
+#include "labmouse/lab/builtin_robots.hpp"
+#include "labmouse/lab/robot_drawing.hpp"
+#include "labmouse/lab/robot_table.hpp"
+
+namespace labmouse::cli {
+namespace {
+
+struct RobotOptions {
+  std::string robot = "classic";
+  std::string svg;
+};
+
+void show(const RobotOptions& options) {
+  const FoundRobot found = find_robot_or_refuse(options.robot);
+  if (options.svg.empty()) return print(robot_table(found.robot, found.model));
+  save(options.svg, draw_robot(found.robot, found.model));
+}
+
+void list() {
+  std::size_t width = 0;
+  for (const BuiltinRobot& robot : builtin_robots()) width = std::max(width, robot.name.size());
+  std::string text;
+  for (const BuiltinRobot& robot : builtin_robots()) {
+    const FoundRobot found = find_robot_or_refuse(std::string(robot.name));
+    text += fmt::format("{:<{}}  {}\n", robot.name, width, robot_line(found.robot, found.model));
+  }
+  print(text);
+}
+
+}  // namespace
+
+FoundRobot find_robot_or_refuse(const std::string& name) {
+  FoundRobot found = find_robot(name);
+  if (!found.errors.empty()) throw UsageError(fmt::format("{}", fmt::join(found.errors, "\n")));
+  return found;
+}
+
+void add_robot(CLI::App& app, int& exit) {
+  CLI::App* command = app.add_subcommand("robot", "The robots of the world in seconds: their turns and times");
+  command->require_subcommand(1);
+  command->footer("Example: labmouse robot show classic");
+
+  auto options = std::make_shared<RobotOptions>();
+  CLI::App* shown = command->add_subcommand("show", "What follows from the limits of a robot");
+  shown->add_option("robot", options->robot, "Name of a built-in robot, or a file with a slash or .toml in its name")
+      ->type_name("ROBOT")->capture_default_str();
+  shown->add_option("--svg", options->svg, "Save a picture of its turns in place of the table")->type_name("FILE");
+  shown->footer("Example: labmouse robot show half --svg half.svg\n         labmouse robot show ./my-mouse.toml");
+  shown->callback([options, &exit] {
+    show(*options);
+    exit = exit_good;
+  });
+
+  command->add_subcommand("list", "The robots that come with the program")->callback([&exit] {
+    list();
+    exit = exit_good;
+  });
+}
+
+}  // namespace labmouse::cli

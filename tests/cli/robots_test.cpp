@@ -1,0 +1,54 @@
+// labmouse robot, from end to end.
+#include "tests/cli/user.hpp"
+
+namespace labmouse::test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+using ABuilder = AUser;
+
+TEST_F(ABuilder, ListsTheRobots) {
+  const Ended ended = labmouse({"robot", "list"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(ended.out, StartsWith("classic  cells of 180 mm"));
+  EXPECT_EQ(std::count(ended.out.begin(), ended.out.end(), '\n'), 3);
+}
+
+TEST_F(ABuilder, SeesTheClassicRobotWhereNoneIsNamed) {
+  const Ended ended = labmouse({"robot", "show"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_EQ(ended.out, labmouse({"robot", "show", "classic"}).out);
+  EXPECT_THAT(ended.out, StartsWith("classic: cells of 180 mm"));
+}
+
+TEST_F(ABuilder, SavesAPictureInPlaceOfTheTable) {
+  const Ended ended = labmouse({"robot", "show", "half", "--svg", "half.svg"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_EQ(ended.out, "");
+  EXPECT_THAT(content("half.svg"), StartsWith("<svg "));
+}
+
+TEST_F(ABuilder, IsToldAllThatIsWrongWithAFile) {
+  file("my.toml", "cell = 9\nspeed = 3\n[straight]\nspeed = 3000\nacceleration = 10000\n[turns]\n");
+  const Ended ended = labmouse({"robot", "show", "my.toml"});
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_EQ(ended.out, "");
+  EXPECT_THAT(ended.err, HasSubstr("my.toml:1:8: error: 'cell' is 9; it must be 20 to 1000 mm\n"
+                                   "my.toml:2:1: error: unknown key 'speed'"));
+  EXPECT_THAT(ended.err, HasSubstr("missing key 'turns.45': 1 to 10000 ms\n"));
+}
+
+TEST_F(ABuilder, IsRefused) {
+  is_refused({"robot", "show", "hovercraft"}, "error: unknown robot 'hovercraft'; there are classic, half, mm2021, and");
+  is_refused({"robot", "show", "./none"}, "./none: error: no such file");
+  is_refused({"robot", "show", "."}, "error: unknown robot '.'");
+  is_refused({"robot", "show", "--svg", "none/"}, "none");
+  is_refused({"robot", "shoe"}, "error: 'shoe' was not expected (see `labmouse robot --help`)");
+  is_refused({"robot"}, "(see `labmouse robot --help`)");
+  is_refused({"robot", "show", "--svgg"}, "option '--svgg' is unknown; did you mean '--svg'? (see `labmouse robot show --help`)");
+}
+
+}  // namespace
+}  // namespace labmouse::test
