@@ -7,7 +7,7 @@ namespace labmouse {
 
 Explorer::Explorer(const Briefing& briefing)
     : briefing_(briefing),
-      knowledge_(briefing.size),
+      knowledge_(briefing.size, briefing.sight),
       pose_(briefing.start),
       to_goal_(briefing.size, briefing.motion) {
   assert(briefing.size.contains(briefing.start.cell) && !briefing.goals.empty());

@@ -4,7 +4,9 @@
 
 namespace labmouse {
 
-Knowledge::Knowledge(Size size) : size_(size), possible_(WallSet::all(size)) { assert(size.valid()); }
+Knowledge::Knowledge(Size size, int sight) : size_(size), sight_(sight), possible_(WallSet::all(size)) {
+  assert(size.valid() && sight > 0);
+}
 
 WallState Knowledge::state(Wall wall) const {
   if (open_.contains(wall)) return WallState::open;
@@ -25,13 +27,13 @@ bool Knowledge::learn(Pose pose, Sighting sighting) {
 }
 
 bool Knowledge::agrees(Pose pose, int open_cells) const {
-  if (open_cells < 0 || open_cells >= max_side) return false;
+  if (open_cells < 0 || open_cells >= max_side || open_cells > sight_) return false;
   Cell cell = pose.cell;
   for (int passed = 0; passed < open_cells; ++passed) {
     if (state(wall_at(cell, pose.heading)) == WallState::closed) return false;
     cell = neighbour(cell, pose.heading);
   }
-  return state(wall_at(cell, pose.heading)) != WallState::open;
+  return open_cells == sight_ || state(wall_at(cell, pose.heading)) != WallState::open;
 }
 
 void Knowledge::learn_corridor(Pose pose, int open_cells) {
@@ -40,6 +42,7 @@ void Knowledge::learn_corridor(Pose pose, int open_cells) {
     open_.insert(wall_at(cell, pose.heading));
     cell = neighbour(cell, pose.heading);
   }
+  if (open_cells == sight_) return;
   // The wall that ends the corridor; on the border there is nothing to learn.
   if (const Wall end = wall_at(cell, pose.heading); !on_border(end, size_)) possible_.erase(end);
 }

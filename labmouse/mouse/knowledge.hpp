@@ -12,13 +12,14 @@ enum class WallState : std::uint8_t { unknown, open, closed };
 /// Belief about one maze. It only grows: a wall that was learned never changes. The border is known from birth.
 class Knowledge {
  public:
-  explicit Knowledge(Size size);
+  /// Of a mouse whose readings reach `sight` cells: one of so many shows no wall at its end.
+  explicit Knowledge(Size size, int sight = max_side);
 
   Size size() const { return size_; }
   WallState state(Wall wall) const;
 
   /// Learns all that a reading shows: in each of the three directions the open walls of the corridor, and the closed
-  /// one at its end. False, and nothing is learned, where the reading contradicts what is known.
+  /// one at its end where that lies in sight. False, and nothing is learned, where the reading contradicts what is known.
   [[nodiscard]] bool learn(Pose pose, Sighting sighting);
 
   /// Walls known to be open: passages.
@@ -33,6 +34,7 @@ class Knowledge {
   void learn_corridor(Pose pose, int open_cells);
 
   Size size_;
+  int sight_;
   WallSet open_;
   WallSet possible_;
 };

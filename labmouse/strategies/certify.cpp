@@ -61,7 +61,7 @@ class Certify final : public Explorer {
       for (const Heading direction : {wall.side, opposite(wall.side)}) {
         Cell cell = direction == wall.side ? wall.cell : neighbour(wall.cell, wall.side);
         cells.insert(cell);
-        while (knowledge().open().contains(wall_at(cell, opposite(direction)))) {
+        for (int away = 1; away < briefing().sight && knowledge().open().contains(wall_at(cell, opposite(direction))); ++away) {
           cell = neighbour(cell, opposite(direction));
           cells.insert(cell);
         }

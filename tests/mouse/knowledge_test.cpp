@@ -62,6 +62,37 @@ TEST_F(ANewMouse, LearnsTheWholeCorridorAndTheWallAtItsEnd) {
   EXPECT_EQ(wall(3, 1, Heading::east), WallState::closed);
 }
 
+/// The same mouse, which looks no farther than two cells.
+class AShortSightedMouse : public ANewMouse {
+ protected:
+  AShortSightedMouse() { knowledge_ = Knowledge(Size{5, 4}, 2); }
+};
+
+TEST_F(AShortSightedMouse, LearnsNoWallWhereItsSightEnds) {
+  ASSERT_TRUE(sees(0, 0, 2));
+  EXPECT_EQ(wall(1, 1, Heading::east), WallState::open);
+  EXPECT_EQ(wall(2, 1, Heading::east), WallState::open);
+  EXPECT_EQ(wall(3, 1, Heading::east), WallState::unknown);
+}
+
+TEST_F(AShortSightedMouse, LearnsTheWallThatEndsACorridorInSight) {
+  ASSERT_TRUE(sees(0, 1, 0));
+  EXPECT_EQ(wall(1, 1, Heading::north), WallState::open);
+  EXPECT_EQ(wall(1, 2, Heading::north), WallState::closed);
+}
+
+TEST_F(AShortSightedMouse, AgreesWithAReadingThatEndsBeforeAnOpenWall) {
+  ASSERT_TRUE(sees(2, 0, 1, {{3, 1}, Heading::north}));
+  ASSERT_EQ(wall(3, 1, Heading::east), WallState::open);
+  EXPECT_TRUE(sees(0, 0, 2));
+  EXPECT_TRUE(sees(0, 0, 2));
+}
+
+TEST_F(AShortSightedMouse, DoesNotBelieveAReadingBeyondItsSight) {
+  EXPECT_FALSE(sees(0, 0, 3));
+  EXPECT_EQ(knowledge_.unknown(), WallSet::all({5, 4}));
+}
+
 TEST_F(ANewMouse, LearnsNothingOfTheWallBehind) {
   ASSERT_TRUE(sees(0, 0, 0));
   EXPECT_EQ(wall(1, 1, Heading::south), WallState::unknown);

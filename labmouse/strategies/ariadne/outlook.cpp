@@ -26,6 +26,7 @@ bool is_room(const CellSet& cells) {
 
 Outlook::Outlook(const Briefing& briefing, const WallPrior* prior)
     : size_(briefing.size),
+      sight_(briefing.sight),
       prior_(prior),
       table_(&all_open),
       contexts_(briefing.size),
@@ -45,7 +46,7 @@ bool Outlook::learn(Pose pose, const Sighting& seen) {
   for (const int side : {-1, 0, 1}) {
     const Heading direction = turned(pose.heading, side);
     Cell cell = pose.cell;
-    for (int passed = 0; passed <= seen.towards(side); ++passed, cell = neighbour(cell, direction)) {
+    for (int passed = 0; passed <= seen.towards(side) && passed < sight_; ++passed, cell = neighbour(cell, direction)) {
       const Wall wall = wall_at(cell, direction);
       if (!unknown_.contains(wall)) continue;
       learn(wall, passed < seen.towards(side));

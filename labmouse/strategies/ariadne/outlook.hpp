@@ -41,6 +41,7 @@ class Outlook {
   int reluctance(Wall wall) const;
 
   Size size_;
+  int sight_;
   const WallPrior* prior_;
   const PriceTable* table_;
   WallContexts contexts_;

@@ -6,7 +6,8 @@ Viewpoint Views::viewpoint(Wall wall) const {
   Viewpoint nearest;
   for (const Heading side : {wall.side, opposite(wall.side)}) {
     Cell cell = side == wall.side ? wall.cell : neighbour(wall.cell, wall.side);
-    for (bool more = true; more; cell = neighbour(cell, opposite(side))) {
+    bool more = true;
+    for (int away = 0; more && away < sight_; ++away, cell = neighbour(cell, opposite(side))) {
       if (const int travel = travel_.at(cell); travel < nearest.travel) nearest = {cell, travel};
       more = knowledge_.open().contains(wall_at(cell, opposite(side)));
     }
@@ -18,7 +19,9 @@ int Views::unseen_from(Cell from, const WallPrices& prices) const {
   int unseen = 0;
   for (const Heading direction : all_headings) {
     Cell cell = from;
-    while (knowledge_.open().contains(wall_at(cell, direction))) cell = neighbour(cell, direction);
+    int away = 0;
+    for (; away < sight_ && knowledge_.open().contains(wall_at(cell, direction)); ++away) cell = neighbour(cell, direction);
+    if (away == sight_) continue;
     const Wall wall = wall_at(cell, direction);
     if (knowledge_.state(wall) == WallState::unknown && prices.passable(wall)) ++unseen;
   }
