@@ -182,6 +182,7 @@ DriveModel make_drive_model(const Robot& robot) {
   const SearchModel search = search_model(robot, model.shapes[small], model.tables.turns[small].speed);
   if (!search.error.empty()) return refused(search.error);
   model.search = search.drive;
+  model.robot = robot;
   model.tables.hash = hash_of(model.tables);
   return model;
 }

@@ -54,6 +54,7 @@ struct DriveModel {
   /// it begins in to whole() less the lead of the lane it ends in; what is left of the shape is part of the straights.
   std::vector<TurnShape> shapes;
   SearchDrive search;
+  Robot robot;  ///< the one that it was made of
   std::string error;
 };
 

@@ -1,0 +1,39 @@
+// How a mouse searches in the world of seconds: cell by cell, over edges.
+//
+// Between two moves it is at the edge by which it enters a cell, heading into it, and has just read the walls of that cell;
+// or at rest in the middle of a cell, as it is in the beginning. An Action::step(rotation, cells) of it is
+//
+//       0, k   straight on over k edges             180, k   stops in the middle, pivots, leaves where it came in, and on
+//     ±90, k   a small turn, then straight on    any, 0   stops in the middle, pivots, and looks
+//
+// where the first of the k edges is that of the cell it is in. At rest, a rotation is a pivot.
+#pragma once
+
+#include "labmouse/grid/wall_set.hpp"
+#include "labmouse/mouse/action.hpp"
+#include "labmouse/mouse/drive/robot.hpp"
+#include "labmouse/mouse/pose.hpp"
+
+namespace labmouse {
+
+/// Where a searching mouse is between two moves.
+struct SearchPlace {
+  Pose pose;
+  bool at_rest = false;
+
+  friend constexpr bool operator==(const SearchPlace&, const SearchPlace&) = default;
+};
+
+/// Whether a step is one of those above, and not one that does nothing.
+bool is_search_step(const SearchPlace& from, const Action& step);
+
+/// Where such a step leads, if all walls on its way are open.
+SearchPlace after_search(const SearchPlace& from, const Action& step);
+
+/// How long it takes.
+DriveTime search_time(const SearchDrive& drive, const SearchPlace& from, const Action& step);
+
+/// The step over so many edges in a direction.
+Action search_step(Heading heading, Heading direction, int cells);
+
+}  // namespace labmouse

@@ -1,0 +1,66 @@
+// Least search times the plain way: what SearchField is tested against. Every move of a search is tried, also stops and pivots
+// on the way, from coordinates alone.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <queue>
+#include <tuple>
+#include <vector>
+
+#include "labmouse/mouse/drive/robot.hpp"
+#include "labmouse/mouse/drive/search_motion.hpp"
+
+namespace labmouse::test {
+
+/// x, y, heading in quarters from north, at rest.
+using PlainPlace = std::tuple<int, int, int, bool>;
+
+inline PlainPlace plain(const SearchPlace& place) {
+  return {place.pose.cell.x, place.pose.cell.y, static_cast<int>(place.pose.heading), place.at_rest};
+}
+
+/// What it takes to leave (x, y) northwards, eastwards, southwards, westwards besides the time, or nothing where it is closed.
+using PlainToll = std::function<std::optional<std::int64_t>(int x, int y, int heading)>;
+
+/// The least time from every place from which one of the targets can be entered (Dijkstra 1959, over all moves forwards and
+/// then turned round).
+inline std::map<PlainPlace, std::int64_t> plain_search_times(Size size, const SearchDrive& drive, const PlainToll& toll,
+                                                             const std::vector<Cell>& targets) {
+  struct Move {
+    PlainPlace from;
+    std::int64_t time;
+  };
+  std::map<PlainPlace, std::vector<Move>> into;
+  constexpr int dx[] = {0, 1, 0, -1}, dy[] = {1, 0, -1, 0};
+  for (int x = 0; x < size.width; ++x)
+    for (int y = 0; y < size.height; ++y)
+      for (int heading = 0; heading < 4; ++heading)
+        for (const bool at_rest : {false, true})
+          for (int quarters = 0; quarters < 4; ++quarters) {
+            const PlainPlace from = {x, y, heading, at_rest};
+            const int direction = (heading + quarters) % 4, pivots = quarters == 3 ? 1 : quarters;
+            const std::int64_t rest = (at_rest ? 0 : drive.half_cell) + pivots * std::int64_t{drive.quarter};
+            if (rest > 0) into[{x, y, direction, true}].push_back({from, rest});
+            const auto extra = toll(x, y, direction);
+            if (!extra) continue;
+            const std::int64_t moving = quarters == 0 ? drive.cell : quarters == 2 ? drive.back : drive.turn;
+            into[{x + dx[direction], y + dy[direction], direction, false}].push_back(
+                {from, *extra + (at_rest ? rest + drive.half_cell : moving)});
+          }
+  std::map<PlainPlace, std::int64_t> times;
+  std::priority_queue<std::pair<std::int64_t, PlainPlace>, std::vector<std::pair<std::int64_t, PlainPlace>>, std::greater<>> queue;
+  for (const Cell target : targets)
+    for (int heading = 0; heading < 4; ++heading)
+      for (const bool at_rest : {false, true}) queue.push({0, {target.x, target.y, heading, at_rest}});
+  while (!queue.empty()) {
+    const auto [time, place] = queue.top();
+    queue.pop();
+    if (!times.emplace(place, time).second) continue;
+    for (const Move& move : into[place]) queue.push({time + move.time, move.from});
+  }
+  return times;
+}
+
+}  // namespace labmouse::test

@@ -1,0 +1,166 @@
+#include "labmouse/mouse/drive/search_field.hpp"
+
+#include <gtest/gtest.h>
+
+#include "labmouse/chance/dice.hpp"
+#include "tests/drawn_maze.hpp"
+#include "tests/mouse/drive_robots.hpp"
+#include "tests/mouse/plain_search_field.hpp"
+#include "tests/strategies/random_mazes.hpp"
+
+namespace labmouse {
+namespace {
+
+constexpr SearchPlace at_edge(int x, int y, Heading heading) { return {{{x, y}, heading}, false}; }
+constexpr SearchPlace at_rest(int x, int y, Heading heading) { return {{{x, y}, heading}, true}; }
+
+/// Whole times that tell apart what they are made of.
+constexpr SearchDrive drive = {100, 70, 5000, 1000, 30};
+
+TEST(SearchMotion, LeavesTheCellThatItIsIn) {
+  EXPECT_EQ(after_search(at_edge(2, 2, Heading::north), Action::step(0, 2)), at_edge(2, 4, Heading::north));
+  EXPECT_EQ(after_search(at_edge(2, 2, Heading::north), Action::step(90, 1)), at_edge(3, 2, Heading::east));
+  EXPECT_EQ(after_search(at_edge(2, 2, Heading::north), Action::step(-90, 2)), at_edge(0, 2, Heading::west));
+  EXPECT_EQ(after_search(at_edge(2, 2, Heading::north), Action::step(180, 1)), at_edge(2, 1, Heading::south));
+  EXPECT_EQ(after_search(at_rest(2, 2, Heading::north), Action::step(0, 1)), at_edge(2, 3, Heading::north));
+  EXPECT_EQ(after_search(at_edge(2, 2, Heading::north), Action::step(-90, 0)), at_rest(2, 2, Heading::west));
+}
+
+TEST(SearchMotion, TakesItsTimes) {
+  const SearchPlace edge = at_edge(2, 2, Heading::north), rest = at_rest(2, 2, Heading::north);
+  EXPECT_EQ(search_time(drive, edge, Action::step(0, 3)), 300);
+  EXPECT_EQ(search_time(drive, edge, Action::step(90, 1)), 70);
+  EXPECT_EQ(search_time(drive, edge, Action::step(-90, 3)), 270);
+  EXPECT_EQ(search_time(drive, edge, Action::step(180, 2)), 5100);
+  EXPECT_EQ(search_time(drive, edge, Action::step(0, 0)), 30);
+  EXPECT_EQ(search_time(drive, edge, Action::step(180, 0)), 2030);
+  EXPECT_EQ(search_time(drive, rest, Action::step(0, 2)), 130);
+  EXPECT_EQ(search_time(drive, rest, Action::step(-90, 1)), 1030);
+  EXPECT_EQ(search_time(drive, rest, Action::step(180, 1)), 2030);
+  EXPECT_EQ(search_time(drive, rest, Action::step(90, 0)), 1000);
+}
+
+TEST(SearchMotion, KnowsWhatIsNoMove) {
+  const SearchPlace edge = at_edge(2, 2, Heading::north), rest = at_rest(2, 2, Heading::north);
+  EXPECT_TRUE(is_search_step(edge, Action::step(0, 0)));
+  EXPECT_FALSE(is_search_step(rest, Action::step(0, 0)));
+  EXPECT_TRUE(is_search_step(rest, Action::step(180, 0)));
+  for (const Action& action : {Action::step(0, -1), Action::step(45, 1), Action::step(-180, 1), Action::step(270, 1),
+                               Action::step(0, 1 << 30), Action::step(90, -2), Action::reset()})
+    EXPECT_FALSE(is_search_step(edge, action));
+}
+
+TEST(SearchField, CountsCellsTurnsAndTheWayBack) {
+  const Maze maze = test::drawn(R"(
+    o---o---o---o
+    |           |
+    o   o---o   o
+    |   |   | G |
+    o   o---o---o
+    | S |       |
+    o---o---o---o
+  )");
+  SearchField field(maze.size(), drive);
+  field.fill(maze.open_walls(), maze.goals());
+  // Half a cell, one on, and then the corner, two cells of which the second is a corner, too.
+  EXPECT_EQ(field.from(at_rest(0, 0, Heading::north)), 30 + 100 + 70 + 100 + 70);
+  EXPECT_EQ(field.from(at_rest(0, 0, Heading::east)), 1000 + 30 + 100 + 70 + 100 + 70);
+  EXPECT_EQ(field.from(at_edge(0, 1, Heading::south)), 5000 + 70 + 100 + 70);
+  EXPECT_EQ(field.from(at_edge(2, 1, Heading::south)), 0);
+  EXPECT_EQ(field.from(at_edge(1, 1, Heading::south)), no_time);
+  EXPECT_EQ(field.step(at_edge(0, 1, Heading::south)), Action::step(180, 1));
+  EXPECT_EQ(field.step(at_edge(0, 2, Heading::north)), Action::step(90, 1));
+  EXPECT_EQ(field.step(at_edge(2, 1, Heading::south)), Action::step(0, 0));
+  EXPECT_EQ(field.step(at_rest(1, 1, Heading::south)), Action::forfeit(ForfeitReason::no_way));
+}
+
+TEST(SearchField, AddsWhatWallsCost) {
+  WallPrices prices({3, 1});
+  prices.set(wall_at({0, 0}, Heading::east), 7);
+  prices.set(wall_at({1, 0}, Heading::east), 0);
+  SearchField field({3, 1}, drive);
+  field.fill(prices, 11, CellSet::of({2, 0}));
+  EXPECT_EQ(field.from(at_edge(0, 0, Heading::east)), 200 + 77);
+  EXPECT_EQ(field.from(at_edge(1, 0, Heading::east)), 100);
+}
+
+/// A robot for which no stop on the way can be worth it, as for any whose times follow from its speeds.
+SearchDrive any_drive(Dice& dice) {
+  SearchDrive times;
+  times.half_cell = 100 + dice.below(200);
+  times.quarter = 300 + dice.below(1000);
+  times.cell = 50 + dice.below(2 * times.half_cell - 50);
+  times.turn = 50 + dice.below(2 * times.half_cell + times.quarter - 50);
+  times.back = 50 + dice.below(2 * times.half_cell + 2 * times.quarter - 50);
+  return times;
+}
+
+void expect_plain_times(const Maze& maze, const SearchDrive& times, const SearchField& field, const test::PlainToll& toll) {
+  std::vector<Cell> targets;
+  maze.goals().for_each([&](Cell cell) { targets.push_back(cell); });
+  const auto plain = test::plain_search_times(maze.size(), times, toll, targets);
+  for (int index = 0; index < maze.size().area(); ++index)
+    for (const Heading heading : all_headings)
+      for (const bool rest : {false, true}) {
+        const SearchPlace place = {{maze.size().cell_at(index), heading}, rest};
+        const auto found = plain.find(test::plain(place));
+        ASSERT_EQ(field.from(place), found == plain.end() ? no_time : found->second) << test::drawing_of(maze);
+      }
+}
+
+TEST(SearchField, IsThatOfAPlainSearchInAnyMaze) {
+  Dice dice(11);
+  for (int round = 0; round < 60; ++round) {
+    const Maze maze = test::any_maze(dice, 12);
+    const SearchDrive times = any_drive(dice);
+    SearchField field(maze.size(), times);
+    field.fill(maze.open_walls(), maze.goals());
+    expect_plain_times(maze, times, field, [&](int x, int y, int heading) -> std::optional<std::int64_t> {
+      if (!maze.is_open({x, y}, all_headings[static_cast<unsigned>(heading)])) return std::nullopt;
+      return 0;
+    });
+  }
+}
+
+TEST(SearchField, IsThatOfAPlainSearchOverPrices) {
+  Dice dice(12);
+  for (int round = 0; round < 60; ++round) {
+    const Maze maze = test::any_maze(dice, 10);
+    const SearchDrive times = any_drive(dice);
+    WallPrices prices(maze.size());
+    WallSet::all(maze.size()).for_each([&](Wall wall) {
+      prices.set(wall, dice.chance(1, 3) ? WallPrices::closed : dice.below(WallPrices::highest + 1));
+    });
+    SearchField field(maze.size(), times);
+    field.fill(prices, 13, maze.goals());
+    expect_plain_times(maze, times, field, [&](int x, int y, int heading) -> std::optional<std::int64_t> {
+      const Wall wall = wall_at({x, y}, all_headings[static_cast<unsigned>(heading)]);
+      if (on_border(wall, maze.size()) || !prices.passable(wall)) return std::nullopt;
+      return 13 * prices.of(wall);
+    });
+  }
+}
+
+TEST(SearchField, LeadsByItsStepsInTheTimeThatItSays) {
+  Dice dice(13);
+  for (int round = 0; round < 60; ++round) {
+    const Maze maze = test::any_maze(dice, 16);
+    const SearchDrive times = any_drive(dice);
+    SearchField field(maze.size(), times);
+    field.fill(maze.open_walls(), maze.goals());
+    SearchPlace place = {{maze.start(), maze.start_heading()}, true};
+    if (field.from(place) == no_time) continue;
+    std::int64_t spent = 0;
+    const DriveTime said = field.from(place);
+    for (Action step = field.step(place); step.movement > 0; step = field.step(place)) {
+      ASSERT_EQ(step.kind, Action::Kind::step);
+      spent += search_time(times, place, step);
+      place = after_search(place, step);
+    }
+    EXPECT_TRUE(maze.is_goal(place.pose.cell));
+    EXPECT_EQ(spent, said);
+  }
+}
+
+}  // namespace
+}  // namespace labmouse
