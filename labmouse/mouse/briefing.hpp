@@ -9,6 +9,15 @@
 
 namespace labmouse {
 
+struct DriveModel;
+
+/// What a mouse is told of the world in seconds: its robot, and what of the rules it can go by.
+struct DriveBriefing {
+  const DriveModel* model = nullptr;  ///< null in the other worlds; must outlive the mouse
+  std::int64_t time_limit = 0;        ///< microseconds in the maze
+  int maze_time_divisor = 0;          ///< so many microseconds in the maze count as one of a run; 0 where they do not
+};
+
 struct Briefing {
   Size size;
   Pose start;
@@ -20,6 +29,9 @@ struct Briefing {
   std::uint64_t seed = 0;
   /// Cells that a reading reaches at most, 1 or more: a reading of so many shows no wall at its end.
   int sight = max_side;
+  DriveBriefing drive = {};
+
+  bool in_seconds() const { return drive.model != nullptr; }
 };
 
 }  // namespace labmouse

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "labmouse/mouse/drive/search_clock.hpp"
+
 namespace labmouse {
 
 Explorer::Explorer(const Briefing& briefing)
@@ -12,18 +14,31 @@ Explorer::Explorer(const Briefing& briefing)
       to_goal_(briefing.size, briefing.motion) {
   assert(briefing.size.contains(briefing.start.cell) && !briefing.goals.empty());
   visited_.insert(pose_.cell);
+  if (!briefing.in_seconds()) return;
+  clock_ = std::make_unique<SearchClock>(briefing);
+  goal_entered_ = briefing.goals.contains(pose_.cell);
 }
+
+Explorer::~Explorer() = default;
 
 Action Explorer::decide(const Sighting& seen) {
   if (!knowledge_.learn(pose_, seen)) return Action::forfeit(ForfeitReason::contradiction);
   seen_ = seen;
-  const Action action = racing_ ? race() : explore();
+  const bool must_go_home = !racing_ && goal_entered_ && clock_ && clock_->must_go_home(knowledge_, place());
+  const Action action = racing_ ? race() : must_go_home ? Action::reset() : explore();
   perform(action);
   ++steps_;
   return action;
 }
 
+void Explorer::show(const Pose& pose, const Sighting& seen) { static_cast<void>(knowledge_.learn(pose, seen)); }
+
+std::span<const Counter> Explorer::counters() const {
+  return clock_ ? std::span<const Counter>(counters_) : std::span<const Counter>();
+}
+
 Action Explorer::race() {
+  if (clock_) return Action::forfeit(ForfeitReason::finished);
   to_goal_.fill(knowledge_.open(), briefing_.goals);
   return step_along(to_goal_, knowledge_.open(), pose_);
 }
@@ -31,7 +46,7 @@ Action Explorer::race() {
 void Explorer::perform(const Action& action) {
   switch (action.kind) {
     case Action::Kind::step:
-      pose_ = after(pose_, action);
+      move(action);
       assert(briefing_.size.contains(pose_.cell));
       if (racing_) break;
       visited_.insert(pose_.cell);
@@ -40,11 +55,22 @@ void Explorer::perform(const Action& action) {
     case Action::Kind::reset:
       assert(goal_entered_ && !racing_);
       pose_ = briefing_.start;
-      racing_ = true;
+      racing_ = at_rest_ = true;
       break;
     case Action::Kind::forfeit:
       break;
   }
+}
+
+void Explorer::move(const Action& step) {
+  if (!clock_) {
+    pose_ = after(pose_, step);
+    return;
+  }
+  clock_->count(place(), step);
+  const SearchPlace next = after_search(place(), step);
+  pose_ = next.pose;
+  at_rest_ = next.at_rest;
 }
 
 }  // namespace labmouse

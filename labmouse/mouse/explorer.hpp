@@ -2,19 +2,30 @@
 // run takes the shortest route that it knows. What is left to the mind is where to explore and when to stop.
 #pragma once
 
+#include <array>
+#include <memory>
+
 #include "labmouse/mouse/briefing.hpp"
+#include "labmouse/mouse/drive/search_motion.hpp"
 #include "labmouse/mouse/route.hpp"
 #include "labmouse/mouse/strategy.hpp"
 
 namespace labmouse {
 
-/// A strategy with the bookkeeping done. A mind derives from it and writes explore().
+class SearchClock;
+
+/// A strategy with the bookkeeping done. A mind derives from it and writes explore(). In seconds it goes home when the time
+/// only just allows it, and has no more to do when it has run.
 class Explorer : public Strategy {
  public:
   explicit Explorer(const Briefing& briefing);
+  ~Explorer() override;
 
   Action decide(const Sighting& seen) final;
+  void show(const Pose& pose, const Sighting& seen) final;
   const Knowledge& knowledge() const final { return knowledge_; }
+  /// In seconds, `replanned`: how often it planned anew.
+  std::span<const Counter> counters() const override;
 
  protected:
   /// One action of the exploration. Moves must lead through walls known to be open; a reset is only for a mouse that
@@ -26,6 +37,8 @@ class Explorer : public Strategy {
 
   const Briefing& briefing() const { return briefing_; }
   const Pose& pose() const { return pose_; }
+  /// The same in seconds, where it matters whether the mouse stands.
+  SearchPlace place() const { return {pose_, at_rest_}; }
   /// The reading in the present pose.
   const Sighting& seen() const { return seen_; }
   /// Whether a step of the exploration has ended in a goal, so that a reset is allowed.
@@ -35,6 +48,9 @@ class Explorer : public Strategy {
   /// Steps that the budget still allows, the present one among them.
   int steps_left() const { return briefing_.budget - steps_; }
 
+  /// Notes that the present decision took a new plan.
+  void count_plan() { ++counters_.front().value; }
+
   /// labmouse::optimistic_step with what is known here.
   Action optimistic_step(const DistanceField& optimistic) const {
     return labmouse::optimistic_step(optimistic, knowledge_, pose_);
@@ -42,6 +58,7 @@ class Explorer : public Strategy {
 
  private:
   void perform(const Action& action);
+  void move(const Action& step);
 
   Briefing briefing_;
   Knowledge knowledge_;
@@ -50,8 +67,11 @@ class Explorer : public Strategy {
   CellSet visited_;
   DistanceField to_goal_;
   int steps_ = 0;
+  bool at_rest_ = true;
   bool goal_entered_ = false;
   bool racing_ = false;
+  std::array<Counter, 1> counters_ = {Counter{"replanned", 0}};
+  std::unique_ptr<SearchClock> clock_;  ///< in seconds
 };
 
 }  // namespace labmouse

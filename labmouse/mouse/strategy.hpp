@@ -26,6 +26,10 @@ class Strategy {
   /// The next action, given what is read in the present pose. Called once a step until the contest ends.
   virtual Action decide(const Sighting& seen) = 0;
 
+  /// Shows it a reading in a pose in which it does not decide: in a cell that its last step leads through, or on a way on
+  /// which others drive it.
+  virtual void show(const Pose&, const Sighting&) {}
+
   /// What the mouse believes, for viewers and for the contract tests.
   virtual const Knowledge& knowledge() const = 0;
 

@@ -7,6 +7,7 @@
 // Afterwards a wall is worth a look while T(e), and something for the way, is less than the shortest known run costs. When
 // none is, the mouse resets at once, wherever it stands. It decides anew when it has seen something new.
 // Where the walls seen so far look like those of a maze without loops, it stops at the goal: there is no second route.
+// In seconds: ariadne/driver.hpp.
 // Limits: one wall at a time; what a look at the next could be worth for the one after is not asked. Its prior is that of
 // contest mazes.
 // Source: our own.
@@ -14,6 +15,7 @@
 #include <optional>
 
 #include "labmouse/mouse/explorer.hpp"
+#include "labmouse/strategies/ariadne/driver.hpp"
 #include "labmouse/strategies/ariadne/edge_costs.hpp"
 #include "labmouse/strategies/ariadne/priors.hpp"
 #include "labmouse/strategies/ariadne/views.hpp"
@@ -287,13 +289,14 @@ std::unique_ptr<Strategy> make(const Briefing& briefing, const Settings& setting
   // One that was learned serves at every size.
   const WallPrior* prior = settings.attached();
   if (prior == nullptr && settings.choice("prior") == "contest") prior = ariadne::contest_prior_for(briefing.size);
+  if (briefing.in_seconds()) return ariadne::make_driver(briefing, prior);
   return std::make_unique<Ariadne>(briefing, settings, prior);
 }
 
 }  // namespace
 
 const RosterEntry ariadne_mouse = {"ariadne", "looks at the walls through which a good run could lead, by what contest mazes are like",
-                                   ariadne::fast_parameters(), make};
+                                   ariadne::fast_parameters(), make, RosterEntry::never, true};
 
 const RosterEntry ariadne_deep_mouse = {"ariadne-deep", "the same, and on the way to the goal it thinks of the way back, too",
                                         ariadne::deep_parameters(), make};

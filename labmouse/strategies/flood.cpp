@@ -3,44 +3,49 @@
 // Method: distances to the goal over all walls not known to be closed; go where they fall, look, fill again. `flood`
 // resets as soon as it has entered the goal. `flood-return` floods back to the start in the same way first: the way back
 // shows walls that the way there did not, for two or three steps of a run's score, and often a shorter route.
-// Both then take the shortest known route.
+// Both then take the shortest known route. In seconds the same on search times and the fastest known route.
 // Limits: neither knows whether a shorter route is left.
 // Source: the flood fill of the micromouse contests of the 1980s; the first report describes it for this world.
 #include <algorithm>
 #include <array>
 
 #include "labmouse/mouse/explorer.hpp"
+#include "labmouse/mouse/ways.hpp"
 #include "labmouse/strategies/roster.hpp"
 
 namespace labmouse {
 namespace {
 
+template <class Ways>
 class Flood final : public Explorer {
  public:
   Flood(const Briefing& briefing, const Settings& settings, bool returns)
-      : Explorer(briefing), optimistic_(briefing.size, shortened(briefing.motion, settings.whole("stride"))), returns_(returns) {
+      : Explorer(briefing), optimistic_(shortened(briefing, settings.whole("stride"))), returns_(returns) {
     start_.insert(briefing.start.cell);
   }
 
  private:
-  static Motion shortened(Motion motion, int stride) {
-    motion.longest = std::min(motion.longest, stride);
-    return motion;
+  static Briefing shortened(Briefing briefing, int stride) {
+    briefing.motion.longest = std::min(briefing.motion.longest, stride);
+    return briefing;
   }
 
   Action explore() override {
     if (!goal_entered()) {
-      optimistic_.fill(knowledge().possible(), briefing().goals);
       // Standing on a goal without having entered it: the start is one. A step has to end there.
-      if (optimistic_.at(pose().cell) == 0) return Action::step(0, 0);
-      return optimistic_step(optimistic_);
+      if (briefing().goals.contains(pose().cell)) return Action::step(0, 0);
+      return step_towards(briefing().goals);
     }
     if (!returns_ || pose().cell == briefing().start.cell) return Action::reset();
-    optimistic_.fill(knowledge().possible(), start_);
-    return optimistic_step(optimistic_);
+    return step_towards(start_);
   }
 
-  DistanceField optimistic_;
+  Action step_towards(const CellSet& cells) {
+    count_plan();
+    return optimistic_.step_towards(cells, knowledge(), place());
+  }
+
+  Ways optimistic_;
   CellSet start_;
   bool returns_;
 };
@@ -49,17 +54,17 @@ constexpr std::array parameters = {
     Parameter{"stride", ParameterType::whole, "3", 1, Motion::max_longest, "", "longest move while exploring, in cells; the rules' own limit holds too"},
 };
 
+template <bool returns>
+std::unique_ptr<Strategy> make(const Briefing& briefing, const Settings& settings) {
+  if (briefing.in_seconds()) return std::make_unique<Flood<SearchWays>>(briefing, settings, returns);
+  return std::make_unique<Flood<StrideWays>>(briefing, settings, returns);
+}
+
 }  // namespace
 
-const RosterEntry flood_mouse = {"flood", "flood fill to the goal", parameters,
-                                 [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
-                                   return std::make_unique<Flood>(briefing, settings, false);
-                                 }};
+const RosterEntry flood_mouse = {"flood", "flood fill to the goal", parameters, make<false>, RosterEntry::never, true};
 
-const RosterEntry flood_return_mouse = {
-    "flood-return", "flood fill to the goal and back to the start", parameters,
-    [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
-      return std::make_unique<Flood>(briefing, settings, true);
-    }};
+const RosterEntry flood_return_mouse = {"flood-return",     "flood fill to the goal and back to the start", parameters, make<true>,
+                                        RosterEntry::never, true};
 
 }  // namespace labmouse

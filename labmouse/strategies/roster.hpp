@@ -23,6 +23,9 @@ struct RosterEntry {
   /// Whether it throws dice under these settings: then one run says little, and races give it several.
   bool (*uses_chance)(const Settings& settings) = never;
 
+  /// Whether it drives in the world of seconds, too.
+  bool drives = false;
+
   static bool never(const Settings&) { return false; }
   static bool always(const Settings&) { return true; }
 };

@@ -1,0 +1,35 @@
+// A searching mouse's own count of the time.
+#pragma once
+
+#include <cstdint>
+
+#include "labmouse/mouse/briefing.hpp"
+#include "labmouse/mouse/drive/fastest.hpp"
+#include "labmouse/mouse/drive/search_field.hpp"
+#include "labmouse/mouse/knowledge.hpp"
+
+namespace labmouse {
+
+/// Counts the time of a search, and says when the mouse must go home to run in time. Takes all memory that it will need.
+class SearchClock {
+ public:
+  /// For a briefing in seconds.
+  explicit SearchClock(const Briefing& briefing);
+
+  void count(const SearchPlace& from, const Action& step) { time_ += search_time(search_, from, step); }
+
+  /// Whether the way home and the fastest known run would no longer fit into the time after another look. Never where no
+  /// run is known.
+  bool must_go_home(const Knowledge& knowledge, const SearchPlace& place);
+
+ private:
+  Pose start_;
+  CellSet goals_;
+  SearchDrive search_;
+  std::int64_t time_limit_;
+  std::int64_t time_ = 0;
+  SearchField home_;
+  FastestRoutes runs_;
+};
+
+}  // namespace labmouse

@@ -1,0 +1,37 @@
+#include "labmouse/mouse/ways.hpp"
+
+#include "labmouse/mouse/drive/robot.hpp"
+
+namespace labmouse {
+
+SearchWays::SearchWays(const Briefing& briefing) : field_(briefing.size, briefing.drive.model->search) {}
+
+Action SearchWays::step_towards(const CellSet& cells, const Knowledge& knowledge, const SearchPlace& place) {
+  field_.fill(knowledge.possible(), cells);
+  return hopeful_step(field_, knowledge, place);
+}
+
+Action hopeful_step(const SearchField& field, const Knowledge& knowledge, const SearchPlace& place) {
+  const Action step = field.step(place);
+  if (step.kind != Action::Kind::step || step.movement == 0) return step;
+  // Only the wall behind a mouse at rest can be unknown: the other three were just read.
+  const Heading direction = after_search(place, step).pose.heading;
+  return knowledge.open().contains(wall_at(place.pose.cell, direction)) ? step : Action::step(90, 0);
+}
+
+CellSet viewpoints_of(const WallSet& walls, const Knowledge& knowledge, int sight) {
+  CellSet cells;
+  walls.for_each([&](Wall wall) {
+    for (const Heading direction : {wall.side, opposite(wall.side)}) {
+      Cell cell = direction == wall.side ? wall.cell : neighbour(wall.cell, wall.side);
+      cells.insert(cell);
+      for (int away = 1; away < sight && knowledge.open().contains(wall_at(cell, opposite(direction))); ++away) {
+        cell = neighbour(cell, opposite(direction));
+        cells.insert(cell);
+      }
+    }
+  });
+  return cells;
+}
+
+}  // namespace labmouse

@@ -1,0 +1,55 @@
+// Ways of an exploring mouse, in each world: how it gets to some cells, step by step.
+//
+// The two classes have the same members, so that a mind that is written for one of them is written for both.
+#pragma once
+
+#include "labmouse/mouse/briefing.hpp"
+#include "labmouse/mouse/drive/search_field.hpp"
+#include "labmouse/mouse/knowledge.hpp"
+#include "labmouse/mouse/route.hpp"
+
+namespace labmouse {
+
+/// By the moves of the briefing's motion.
+class StrideWays {
+ public:
+  explicit StrideWays(const Briefing& briefing) : field_(briefing.size, briefing.motion) {}
+
+  /// A step to some cells over what may be open: as far as that is known, or a look at what is not.
+  Action step_towards(const CellSet& cells, const Knowledge& knowledge, const SearchPlace& place) {
+    field_.fill(knowledge.possible(), cells);
+    return optimistic_step(field_, knowledge, place.pose);
+  }
+  /// A step to the nearest of some cells from which something is to be seen: over what is known.
+  Action step_to_look(const CellSet& cells, const Knowledge& knowledge, const SearchPlace& place) {
+    field_.fill(knowledge.open(), cells);
+    return step_along(field_, knowledge.open(), place.pose);
+  }
+
+ private:
+  DistanceField field_;
+};
+
+/// In seconds.
+class SearchWays {
+ public:
+  explicit SearchWays(const Briefing& briefing);
+
+  Action step_towards(const CellSet& cells, const Knowledge& knowledge, const SearchPlace& place);
+  /// Over what may be open, too: readings show little, so that a way through unseen walls shows more than one round them, and
+  /// it is shorter.
+  Action step_to_look(const CellSet& cells, const Knowledge& knowledge, const SearchPlace& place) {
+    return step_towards(cells, knowledge, place);
+  }
+
+ private:
+  SearchField field_;
+};
+
+/// A step along a field over what may be open: as far as it is known, or a look at what is not.
+Action hopeful_step(const SearchField& field, const Knowledge& knowledge, const SearchPlace& place);
+
+/// The cells that look along a corridor of open walls at one of the walls.
+CellSet viewpoints_of(const WallSet& walls, const Knowledge& knowledge, int sight);
+
+}  // namespace labmouse
