@@ -1,0 +1,40 @@
+#include "labmouse/contest/drive_score.hpp"
+
+namespace labmouse {
+namespace {
+
+/// A run's score where it counts by the rules.
+std::optional<DriveRunScore> score_of(const DriveRun& run, const DriveRules& rules) {
+  DriveRunScore score;
+  if (run.gate_out && run.gate_in) score.gate_to_gate = *run.gate_in - *run.gate_out;
+  if (run.centre) score.rest_to_centre = *run.centre - run.begin;
+  const auto& time = rules.gate_to_gate ? score.gate_to_gate : score.rest_to_centre;
+  const auto& end = rules.gate_to_gate ? run.gate_in : run.centre;
+  if (run.kind == DriveRun::Kind::home || !time || *end > rules.time_limit) return std::nullopt;
+  score.maze_time = maze_time_part(run.begin, rules);
+  score.bonus = rules.untouched_bonus;
+  score.value = *time + score.maze_time - score.bonus;
+  return score;
+}
+
+}  // namespace
+
+MazeTime maze_time_part(MazeTime before, const DriveRules& rules) {
+  const int divisor = rules.maze_time_divisor;
+  return divisor == 0 ? 0 : (before + divisor / 2) / divisor;
+}
+
+DriveScore score(const DriveRecord& record, const DriveRules& rules) {
+  DriveScore score;
+  score.outcome = record.outcome;
+  for (std::size_t i = 0; i < record.runs.size(); ++i) {
+    auto run = score_of(record.runs[i], rules);
+    if (!run) continue;
+    run->run = i;
+    if (!score.best || run->value < score.runs[*score.best].value) score.best = score.runs.size();
+    score.runs.push_back(*run);
+  }
+  return score;
+}
+
+}  // namespace labmouse

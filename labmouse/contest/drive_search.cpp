@@ -1,0 +1,66 @@
+#include "labmouse/contest/drive_search.hpp"
+
+#include <cassert>
+
+#include "labmouse/contest/drive.hpp"
+
+namespace labmouse {
+
+SearchDriver::SearchDriver(const Maze& maze, const DriveModel& model, DriveRecord& record)
+    : maze_(maze),
+      model_(model),
+      record_(record),
+      known_(maze.size(), model.robot.sight),
+      place_(start()),
+      goal_entered_(maze.is_goal(maze.start())) {
+  read();
+}
+
+void SearchDriver::read() {
+  seen_ = look(maze_, place_.pose, model_.robot.sight);
+  WallSet news = known_.unknown();
+  [[maybe_unused]] const bool agrees = known_.learn(place_.pose, seen_);
+  assert(agrees);
+  news -= known_.unknown();
+  news.for_each([&](Wall wall) { record_.walls.push_back({clock_, wall, known_.open().contains(wall)}); });
+}
+
+void SearchDriver::make(const Action& action, bool replanned) {
+  const SearchPlace next = after_search(place_, action);
+  const MazeTime begin = clock_;
+  clock_ += search_time(model_.search, place_, action);
+  DriveRun& run = record_.runs.back();
+  run.moves.push_back({begin, clock_, place_.pose, action, next.pose, replanned});
+  run.end = clock_;
+  if (run.kind == DriveRun::Kind::search) note_gates(action, begin);
+  place_ = next;
+  read();
+}
+
+/// A goal is entered at the end of a move, and its middle is passed, or stopped in, by the next, unless that is a small turn.
+void SearchDriver::note_gates(const Action& action, MazeTime begin) {
+  DriveRun& run = record_.runs.back();
+  const SearchPlace next = after_search(place_, action);
+  const bool turns = action.rotation % 180 != 0 && action.movement > 0;
+  if (run.gate_in && !run.centre && !place_.at_rest && !turns && maze_.is_goal(place_.pose.cell)) {
+    const bool passes = action.rotation == 0 && action.movement > 0;
+    run.centre = begin + (passes ? model_.search.cell / 2 : model_.search.half_cell);
+  }
+  if (!run.gate_out && place_.pose.cell == maze_.start() && action.movement > 0) run.gate_out = clock_;
+  if (!run.gate_in && maze_.is_goal(next.pose.cell) && run.gate_out) run.gate_in = clock_;
+  goal_entered_ = goal_entered_ || maze_.is_goal(next.pose.cell);
+}
+
+void SearchDriver::stop_search() {
+  DriveRun& run = record_.runs.back();
+  if (run.gate_in && !run.centre && !place_.at_rest && maze_.is_goal(place_.pose.cell))
+    run.centre = clock_ + model_.search.half_cell;
+}
+
+void SearchDriver::put(const SearchPlace& place, MazeTime clock) {
+  place_ = place;
+  clock_ = clock;
+  read();
+}
+
+}  // namespace labmouse

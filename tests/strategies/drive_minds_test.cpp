@@ -1,0 +1,290 @@
+// The mice that drive in seconds, in mazes of all kinds.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "labmouse/contest/drive.hpp"
+#include "labmouse/contest/drive_score.hpp"
+#include "labmouse/mouse/drive/fastest.hpp"
+#include "labmouse/mouse/runs.hpp"
+#include "labmouse/strategies/roster.hpp"
+#include "tests/capstone_mazes.hpp"
+#include "tests/mouse/drive_robots.hpp"
+#include "tests/strategies/allocations.hpp"
+#include "tests/strategies/mouse_name.hpp"
+#include "tests/strategies/random_mazes.hpp"
+
+namespace labmouse {
+namespace {
+
+struct SomeMaze {
+  std::string name;
+  Maze maze;
+};
+
+const std::vector<SomeMaze>& generated_mazes() {
+  static const std::vector<SomeMaze> mazes = [] {
+    std::vector<SomeMaze> made;
+    Dice dice(17);
+    for (int i = 0; i < 150; ++i) made.push_back({"generated " + std::to_string(i), test::any_maze(dice, 20)});
+    return made;
+  }();
+  return mazes;
+}
+
+const std::vector<SomeMaze>& real_mazes() {
+  static const std::vector<SomeMaze> mazes = [] {
+    std::vector<SomeMaze> read;
+    for (const auto& file : test::maze_files())
+      if (auto maze = test::maze_in_file(file); maze && std::max(maze->size().width, maze->size().height) <= max_drive_side)
+        read.push_back({file.filename(), std::move(*maze)});
+    return read;
+  }();
+  return mazes;
+}
+
+const DriveModel& published() {
+  static const DriveModel model = make_drive_model(published_robot());
+  return model;
+}
+const DriveModel& large() {
+  static const DriveModel model = make_drive_model(large_robot());
+  return model;
+}
+
+DriveRules rules_of(int divisor, std::int64_t seconds = 3600) {
+  DriveRules rules;
+  rules.time_limit = seconds * 1'000'000;
+  rules.maze_time_divisor = divisor;
+  return rules;
+}
+
+std::unique_ptr<Strategy> make(const RosterEntry& mouse, const Maze& maze, const DriveRules& rules, const DriveModel& model) {
+  return mouse.make(brief(maze, rules, model, 1), Settings(mouse.parameters));
+}
+
+DriveRecord contest(const RosterEntry& mouse, const Maze& maze, const DriveRules& rules, const DriveModel& model) {
+  return drive(maze, rules, model, *make(mouse, maze, rules, model));
+}
+
+DriveTime fastest(const Maze& maze, const DriveModel& model) {
+  FastestRoutes routes(maze.size(), model.tables);
+  routes.fill(maze.open_walls(), maze.goals());
+  return routes.time_from({maze.start(), maze.start_heading()});
+}
+
+const DriveRun* last_run(const DriveRecord& record) {
+  return record.runs.empty() || record.runs.back().kind != DriveRun::Kind::fast ? nullptr : &record.runs.back();
+}
+
+std::vector<const RosterEntry*> drivers() {
+  std::vector<const RosterEntry*> mice;
+  for (const RosterEntry* entry : roster())
+    if (entry->drives) mice.push_back(entry);
+  return mice;
+}
+
+class EveryDriver : public testing::TestWithParam<const RosterEntry*> {
+ protected:
+  const RosterEntry& mouse() const { return *GetParam(); }
+
+  /// The mouse comes to the goal and home, and then runs by a way that is there, wherever there is one. Where the only way that
+  /// a search has found begins behind the start, or beside it, there is none: a run begins straight on.
+  void expect_good_contests(const std::vector<SomeMaze>& mazes, const DriveRules& rules, const DriveModel& model) const {
+    for (const SomeMaze& maze : mazes) {
+      SCOPED_TRACE(maze.name);
+      const DriveRecord record = contest(mouse(), maze.maze, rules, model);
+      const DriveTime best = fastest(maze.maze, model);
+      if (record.outcome == DriveOutcome::forfeit) {
+        EXPECT_EQ(record.reason, ForfeitReason::no_way);
+        EXPECT_EQ(best, no_time);
+        continue;
+      }
+      ASSERT_EQ(record.outcome, DriveOutcome::finished);
+      const DriveRun* run = last_run(record);
+      if (run == nullptr) {
+        EXPECT_TRUE(best == no_time || (stops_at_once() && may_leave_sideways(maze.maze)));
+        continue;
+      }
+      EXPECT_GE(run->route.time, best);
+      WallSet walls = walls_of(run->route, model.tables);
+      EXPECT_TRUE((walls -= maze.maze.open_walls()).empty());
+    }
+  }
+
+ private:
+  bool stops_at_once() const { return mouse().name.starts_with("flood"); }
+  static bool may_leave_sideways(const Maze& maze) {
+    return std::any_of(all_headings.begin(), all_headings.end(), [&](Heading heading) {
+      return heading != maze.start_heading() && maze.is_open(maze.start(), heading);
+    });
+  }
+};
+
+TEST_P(EveryDriver, NeverLosesItsWay) {
+  for (const int divisor : {0, 30}) {
+    expect_good_contests(generated_mazes(), rules_of(divisor), published());
+    expect_good_contests(generated_mazes(), rules_of(divisor), large());
+  }
+}
+
+TEST_P(EveryDriver, NeverLosesItsWayInRealMazes) {
+  if (real_mazes().empty()) GTEST_SKIP() << "no maze files in " << test::folder_of_mazes() << "; set LABMOUSE_MAZES";
+  // Without a divisor the proofs below go through them.
+  expect_good_contests(real_mazes(), rules_of(30), published());
+}
+
+TEST_P(EveryDriver, LooksAsFarAsItsSensorsReach) {
+  for (const int sight : {2, 5, max_side}) {
+    Robot robot = published_robot();
+    robot.sight = sight;
+    expect_good_contests(generated_mazes(), rules_of(30), make_drive_model(robot));
+  }
+}
+
+TEST_P(EveryDriver, GivesTheSameRecordAgain) {
+  for (std::size_t i = 0; i < generated_mazes().size(); i += 10) {
+    const Maze& maze = generated_mazes()[i].maze;
+    EXPECT_EQ(contest(mouse(), maze, rules_of(30), published()), contest(mouse(), maze, rules_of(30), published()));
+  }
+}
+
+TEST_P(EveryDriver, RunsInTimeWhereItKnowsARunInTime) {
+  for (const SomeMaze& maze : generated_mazes())
+    for (const int seconds : {60, 90, 150}) {
+      SCOPED_TRACE(maze.name + " in " + std::to_string(seconds) + " s");
+      const DriveRules rules = rules_of(0, seconds);
+      const DriveRecord record = contest(mouse(), maze.maze, rules, published());
+      if (record.outcome != DriveOutcome::finished) continue;
+      // It entered the goal in the first quarter of the time, which leaves enough for pivots, a way home as long and a run.
+      const auto entered = record.runs.front().gate_in;
+      if (!entered || *entered * 4 > rules.time_limit || fastest(maze.maze, published()) == no_time) continue;
+      const DriveRun& last = record.runs.back();
+      if (last.kind == DriveRun::Kind::home && last.known == no_time) continue;
+      ASSERT_NE(last_run(record), nullptr);
+      EXPECT_LE(last_run(record)->end, rules.time_limit);
+    }
+}
+
+/// Counts what the mouse takes from the heap while it decides.
+class Counting final : public Strategy {
+ public:
+  explicit Counting(Strategy& mouse) : mouse_(mouse) {}
+  Action decide(const Sighting& seen) override {
+    const long before = test::allocations();
+    const Action action = mouse_.decide(seen);
+    allocations += test::allocations() - before;
+    return action;
+  }
+  const Knowledge& knowledge() const override { return mouse_.knowledge(); }
+  long allocations = 0;
+
+ private:
+  Strategy& mouse_;
+};
+
+TEST_P(EveryDriver, TakesAllItsMemoryBeforeItDrives) {
+  for (std::size_t i = 0; i < generated_mazes().size(); i += 10) {
+    const Maze& maze = generated_mazes()[i].maze;
+    const auto mind = make(mouse(), maze, rules_of(30, 100), published());
+    Counting counting(*mind);
+    drive(maze, rules_of(30, 100), published(), counting);
+    EXPECT_EQ(counting.allocations, 0) << generated_mazes()[i].name;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Roster, EveryDriver, testing::ValuesIn(drivers()), test::mouse_name);
+
+void expect_proofs(const RosterEntry& mouse, const std::vector<SomeMaze>& mazes, const DriveModel& model) {
+  for (const SomeMaze& maze : mazes) {
+    SCOPED_TRACE(maze.name);
+    const DriveRecord record = contest(mouse, maze.maze, rules_of(0), model);
+    const DriveRun* run = last_run(record);
+    if (run == nullptr) {
+      EXPECT_EQ(fastest(maze.maze, model), no_time);
+      continue;
+    }
+    EXPECT_EQ(run->route.time, fastest(maze.maze, model));
+    EXPECT_EQ(run->known, run->hoped);
+  }
+}
+
+TEST(Proof, MakesTheRunTheFastestThereIs) {
+  for (const RosterEntry* mouse : {&certify_mouse, &ariadne_mouse})
+    for (const DriveModel* model : {&published(), &large()}) expect_proofs(*mouse, generated_mazes(), *model);
+}
+
+TEST(Proof, MakesTheRunTheFastestThereIsInRealMazes) {
+  if (real_mazes().empty()) GTEST_SKIP() << "no maze files in " << test::folder_of_mazes() << "; set LABMOUSE_MAZES";
+  for (const RosterEntry* mouse : {&certify_mouse, &ariadne_mouse}) expect_proofs(*mouse, real_mazes(), published());
+}
+
+/// Keeps the runs of certify beside it, and compares them with a plan from nothing at each decision.
+class Replanning final : public Strategy {
+ public:
+  Replanning(Strategy& mouse, const Briefing& briefing) : mouse_(mouse), briefing_(briefing), runs_(briefing) {}
+  Action decide(const Sighting& seen) override {
+    const Action action = mouse_.decide(seen);
+    kept_ += runs_.plan(mouse_.knowledge()) ? 0 : 1;
+    DriveRuns anew(briefing_);
+    anew.plan(mouse_.knowledge());
+    EXPECT_EQ(runs_.hoped(), anew.hoped());
+    EXPECT_EQ(runs_.unknown_walls(), anew.unknown_walls());
+    return action;
+  }
+  const Knowledge& knowledge() const override { return mouse_.knowledge(); }
+  int kept() const { return kept_; }
+
+ private:
+  Strategy& mouse_;
+  Briefing briefing_;
+  DriveRuns runs_;
+  int kept_ = 0;
+};
+
+TEST(DriveRuns, AreWhatAPlanFromNothingWouldBe) {
+  for (const DriveModel* model : {&published(), &large()})
+    for (std::size_t i = 0; i < generated_mazes().size(); i += 5) {
+      SCOPED_TRACE(generated_mazes()[i].name);
+      const Maze& maze = generated_mazes()[i].maze;
+      const auto mouse = make(certify_mouse, maze, rules_of(0), *model);
+      Replanning replanning(*mouse, brief(maze, rules_of(0), *model, 1));
+      const DriveRecord record = drive(maze, rules_of(0), *model, replanning);
+      EXPECT_TRUE(replanning.kept() > 0 || record.decisions < 20);
+    }
+}
+
+TEST(DriversOfSeconds, SayWhenTheyPlanAnew) {
+  const DriveRecord record = contest(certify_mouse, generated_mazes().front().maze, rules_of(0), published());
+  int marked = 0;
+  for (const DriveRun& run : record.runs)
+    for (const SearchMove& move : run.moves) marked += move.replanned ? 1 : 0;
+  EXPECT_GT(record.replanned, 0);
+  // The last decision is a reset.
+  EXPECT_GE(record.replanned, marked);
+  EXPECT_LE(record.replanned, marked + 2);
+}
+
+double mean_value(const RosterEntry& mouse, const DriveRules& rules) {
+  double sum = 0;
+  int count = 0;
+  for (const SomeMaze& maze : real_mazes()) {
+    if (maze.maze.size().width != 16) continue;
+    const auto value = score(contest(mouse, maze.maze, rules, published()), rules).value();
+    if (!value) continue;
+    sum += static_cast<double>(*value) / 1e6;
+    ++count;
+  }
+  return sum / count;
+}
+
+TEST(Ariadne, ScoresBestUnderAThirtieth) {
+  if (real_mazes().empty()) GTEST_SKIP() << "no maze files in " << test::folder_of_mazes() << "; set LABMOUSE_MAZES";
+  const DriveRules rules = rules_of(30, 600);
+  const double ariadne = mean_value(ariadne_mouse, rules);
+  EXPECT_LT(ariadne, mean_value(flood_return_mouse, rules));
+  EXPECT_LT(ariadne, mean_value(certify_mouse, rules));
+}
+
+}  // namespace
+}  // namespace labmouse
