@@ -44,7 +44,7 @@ void add_bench(CLI::App& app, int& exit) {
   command->add_flag("--signature", *signature_only, "Print the behaviour signature alone");
   command->footer("Example: labmouse bench --format json");
   command->callback([format, signature_only, &exit] {
-    const std::string signature = fmt::format("{:016x}", behaviour_signature());
+    const std::string signature = labmouse::signature();
     exit = exit_good;
     if (*signature_only) {
       print(signature + "\n");

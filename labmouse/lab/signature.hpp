@@ -1,11 +1,18 @@
-// One number for the behaviour of everything: equal on every compiler and platform. A change that alters it says why.
+// Two numbers for the behaviour of everything: equal on every compiler and platform. A change that alters it says why.
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 namespace labmouse {
 
 /// A hash over all actions of every mouse on the roster, with its defaults, in fixed mazes of our generators.
 std::uint64_t behaviour_signature();
+
+/// The same of the world in seconds: the tables of robots of all kinds, and every move and run of the mice that drive.
+std::uint64_t seconds_signature();
+
+/// Both in hexadecimal digits, with a hyphen between: what `labmouse bench` prints.
+std::string signature();
 
 }  // namespace labmouse

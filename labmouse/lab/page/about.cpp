@@ -66,7 +66,7 @@ PageReply answer_about(const nlohmann::json&, std::string_view) {
 }
 
 PageReply answer_signature(const nlohmann::json&, std::string_view) {
-  return answered({{"signature", fmt::format("{:016x}", behaviour_signature())}});
+  return answered({{"signature", signature()}});
 }
 
 PageReply answer_speed(const nlohmann::json&, std::string_view) {
