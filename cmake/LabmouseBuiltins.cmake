@@ -15,3 +15,4 @@ endfunction()
 
 labmouse_builtins(mazes BuiltinMaze txt)
 labmouse_builtins(robots BuiltinRobot toml)
+labmouse_builtins(rules BuiltinRules toml)

@@ -43,6 +43,8 @@ Contestant contestant_of(const RosterEntry& entry, Settings settings) {
   contestant.make = [&entry, settings](const Maze& maze, const Rules& rules, std::uint64_t seed) {
     return entry.make(brief(maze, rules, seed), settings);
   };
+  if (entry.drives)
+    contestant.drive = [&entry, settings](const Briefing& briefing) { return entry.make(briefing, settings); };
   if (can_learn(entry, settings))
     contestant.taught = [&entry, settings](const std::vector<const Maze*>& training, const Rules& rules) {
       Settings learned = settings;
@@ -213,6 +215,15 @@ SpecResult read_variant(const Contestant& mouse, std::span<const Setting> values
   for (const Setting& value : values)
     if (auto error = apply(*entry, fmt::format("{}={}", value.name, value.value), settings); !error.empty()) return refused(error);
   return {{contestant_of(*entry, std::move(settings))}, {}, ""};
+}
+
+std::string refuse_to_drive(std::span<const Contestant> mice) {
+  const auto stays = std::find_if(mice.begin(), mice.end(), [](const Contestant& mouse) { return !mouse.drive; });
+  if (stays == mice.end()) return "";
+  std::vector<std::string_view> drivers;
+  for (const RosterEntry* entry : roster())
+    if (entry->drives) drivers.push_back(entry->name);
+  return fmt::format("mouse '{}' does not drive in seconds; those that do are {}", stays->name, fmt::join(drivers, ", "));
 }
 
 std::vector<Contestant> all_contestants() {

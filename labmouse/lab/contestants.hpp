@@ -11,6 +11,7 @@
 #include "labmouse/contest/rules.hpp"
 #include "labmouse/guests/process.hpp"
 #include "labmouse/maze/maze.hpp"
+#include "labmouse/mouse/briefing.hpp"
 #include "labmouse/mouse/strategy.hpp"
 #include "labmouse/strategies/parameter.hpp"
 
@@ -27,6 +28,8 @@ struct Contestant {
   /// Takes part as a measure and not as a contestant (the oracle).
   bool reference = false;
   std::function<std::unique_ptr<Strategy>(const Maze&, const Rules&, std::uint64_t seed)> make;
+  /// The same in seconds; empty for a mouse that does not drive in that world.
+  std::function<std::unique_ptr<Strategy>(const Briefing&)> drive;
   /// Only of a mouse that learns from whole mazes before it races: the same mouse with what these mazes teach in place of
   /// what it brings along. Studies call it with the mazes of all folds but one, in the order of their names; it may
   /// remember nothing from one call to the next, must give equal mice for equal mazes, and keeps uses_chance.
@@ -71,6 +74,9 @@ SpecResult read_variant(std::string_view spec, std::span<const Setting> values);
 
 /// The same of a mouse that was read before; of its files none is read again.
 SpecResult read_variant(const Contestant& mouse, std::span<const Setting> values);
+
+/// Why these mice cannot race in seconds, with the names of those that can; empty where they can.
+std::string refuse_to_drive(std::span<const Contestant> mice);
 
 /// Every mouse of the roster with its defaults.
 std::vector<Contestant> all_contestants();

@@ -3,27 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <tuple>
 
-#include "labmouse/lab/printable.hpp"
 #include "labmouse/lab/robot_keys.hpp"
-#include "labmouse/maze/formats/problem_list.hpp"
+#include "labmouse/lab/toml_text.hpp"
 #include "labmouse/mouse/drive/straights.hpp"
-#include "labmouse/strategies/parameter.hpp"
-
-#define TOML_HEADER_ONLY 1
-#define TOML_EXCEPTIONS 0
-#define TOML_ENABLE_FORMATTERS 0
-#include <toml++/toml.h>
 
 namespace labmouse {
 namespace {
-
-constexpr std::size_t most_bytes = std::size_t{1} << 16U;
-
-Problem problem_at(const toml::source_position& place, std::string reason) {
-  return {static_cast<int>(place.line), static_cast<int>(place.column), std::move(reason)};
-}
 
 /// The section and the rest of a key: "straight" and "speed"; no section for "cell".
 std::pair<std::string_view, std::string_view> split(std::string_view key) {
@@ -48,14 +34,7 @@ class RobotReader {
   }
   const RobotForms& forms() const { return forms_; }
 
-  /// In the order of the file.
-  std::vector<Problem> problems() {
-    std::stable_sort(problems_.begin(), problems_.end(), [](const Problem& a, const Problem& b) {
-      return std::tie(a.line, a.column) < std::tie(b.line, b.column);
-    });
-    if (problems_.size() > most_problems) problems_.resize(most_problems);
-    return problems_;
-  }
+  std::vector<Problem> problems() const { return in_order(problems_); }
 
  private:
   const toml::node* node(std::string_view key) const {
@@ -109,8 +88,7 @@ class RobotReader {
       names.push_back(key.name);
       if (const auto section = split(key.name).first; !section.empty()) names.push_back(section);
     }
-    const std::string_view near = nearest_name(name, names);
-    return fmt::format("unknown key {}{}", formats::quoted(name), near.empty() ? "" : fmt::format("; did you mean '{}'?", near));
+    return unknown_key(name, names);
   }
 
   const toml::table& root_;
@@ -158,11 +136,9 @@ Robot robot_of(const RobotReader& reader, std::string_view name) {
 
 RobotResult read_robot(std::string_view text, std::string_view name) {
   const auto failure = [](std::vector<Problem> problems) { return RobotResult{std::nullopt, {}, std::move(problems)}; };
-  if (text.size() > most_bytes)
-    return failure({{0, 0, fmt::format("has {} bytes; more than {} is too large", text.size(), most_bytes)}});
-  const toml::parse_result parsed = toml::parse(text);
-  if (!parsed) return failure({problem_at(parsed.error().source().begin, shown(parsed.error().description()))});
-  RobotReader reader(parsed.table());
+  const TomlText toml = parse_toml(text);
+  if (!toml.problems.empty()) return failure(toml.problems);
+  RobotReader reader(toml.table);
   if (auto problems = reader.problems(); !problems.empty()) return failure(std::move(problems));
   Robot robot = robot_of(reader, name);
   DriveModel model = make_drive_model(robot);

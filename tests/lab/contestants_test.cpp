@@ -24,6 +24,13 @@ std::string error(std::string_view specs) {
   return result.error;
 }
 
+TEST(Contestants, DriveInSecondsOrSayWhoDoes) {
+  EXPECT_EQ(refuse_to_drive(read_specs("flood,certify,ariadne,flood-return").contestants), "");
+  EXPECT_EQ(refuse_to_drive(read_specs("flood,wall-left,random").contestants),
+            "mouse 'wall-left' does not drive in seconds; those that do are flood, flood-return, certify, ariadne");
+  EXPECT_NE(refuse_to_drive(read_specs("oracle").contestants), "");
+}
+
 TEST(Spec, NamesAMouse) { EXPECT_THAT(names("flood"), ElementsAre("flood")); }
 
 TEST(Spec, NamesSeveral) { EXPECT_THAT(names("flood,certify,random"), ElementsAre("flood", "certify", "random")); }

@@ -1,0 +1,33 @@
+// What the program brings under a name, and users under the path of a file.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace labmouse {
+
+/// A text, or why there is none, as a line for the user.
+struct NamedText {
+  std::string text;
+  std::string error;
+};
+
+/// The built-in text of that name, or that of a file, whose name has a slash or ends in `.toml`. `kind` is what such a thing is
+/// called: "robot".
+template <class Builtin>
+NamedText find_text(std::string_view kind, const Builtin& builtins, const std::string& name);
+
+/// The same of a list of names and texts.
+NamedText find_text(std::string_view kind, const std::vector<std::pair<std::string_view, std::string_view>>& builtins,
+                    const std::string& name);
+
+template <class Builtin>
+NamedText find_text(std::string_view kind, const Builtin& builtins, const std::string& name) {
+  std::vector<std::pair<std::string_view, std::string_view>> texts;
+  for (const auto& builtin : builtins) texts.emplace_back(builtin.name, builtin.text);
+  return find_text(kind, texts, name);
+}
+
+}  // namespace labmouse
