@@ -160,6 +160,24 @@ TEST(EqualSpeeds, InManyLanesAreAsOneSpeed) {
   }
 }
 
+/// A robot need not have all turns.
+TEST(SomeTurns, ArePlannedForExactly) {
+  for (const Robot& robot : {published_robot(), small_robot()}) {
+    DriveModel model = make_drive_model(robot);
+    std::erase_if(model.tables.turns, [](const DrivenTurn& turn) { return turn.turn != Turn::s90; });
+    Dice dice(9);
+    for (int i = 0; i < 100 / slowness; ++i) {
+      SCOPED_TRACE(i);
+      const Maze maze = test::any_maze(dice, 14);
+      FastestRoutes routes(maze.size(), model.tables);
+      routes.fill(maze.open_walls(), maze.goals());
+      const PlainFastest plain(maze.size(), model.tables, maze.open_walls(), maze.goals());
+      expect_same_times(routes, plain, maze, model.tables);
+      expect_good_route(routes, model.tables, maze);
+    }
+  }
+}
+
 TEST(FastestRoutes, DriveStraightDownACorridor) {
   MazeDraft draft({1, 4}, MazeDraft::Inside::open);
   draft.add_goal({0, 3});

@@ -22,7 +22,7 @@ DriveNode node_at(HalfPoint point, int direction) {
 }
 
 bool one_speed(const DriveTables& tables) {
-  if (tables.along.count() != 1 || tables.diagonal.count() != 1) return false;
+  if (tables.along.count() != 1 || tables.diagonal.count() != 1 || tables.turns.size() != all_turns.size()) return false;
   for (std::size_t i = 1; i < tables.turns.size(); ++i)
     if (tables.turns[i].turn == tables.turns[i - 1].turn) return false;
   return tables.start == tables.finish && tables.start == tables.along.between;

@@ -1,0 +1,55 @@
+// labmouse route: the fastest route of a maze in seconds.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "command.hpp"
+#include "labmouse/lab/printable.hpp"
+#include "labmouse/lab/route_report.hpp"
+
+namespace labmouse::cli {
+namespace {
+
+struct RouteOptions {
+  std::vector<std::string> mazes;
+  Places places;
+  std::string robot = "classic";
+  std::string format = "table";
+};
+
+int route(const RouteOptions& options) {
+  const DriveModel model = find_robot_or_refuse(options.robot).model;
+  const std::vector<NamedMaze> mazes = find_mazes(options.mazes, options.places).mazes;
+  std::vector<RouteReport> reports;
+  for (const NamedMaze& maze : mazes) reports.push_back(route_report(maze.maze, model));
+  const bool one = mazes.size() == 1;
+  if (one && !reports.front().error.empty())
+    throw UsageError(fmt::format("{}: error: {}", mazes.front().name, reports.front().error));
+  if (options.format == "json")
+    print(json_of(reports, mazes, model));
+  else
+    print(one ? table_of(reports.front(), mazes.front(), model) : summary_of(reports, mazes, model));
+  return exit_good;
+}
+
+}  // namespace
+
+void add_route(CLI::App& app, int& exit) {
+  auto options = std::make_shared<RouteOptions>();
+  CLI::App* command = app.add_subcommand("route", "The fastest route of a maze in seconds, with curves and diagonals");
+  command
+      ->add_option("mazes", options->mazes,
+                   "Maze file or name of a built-in maze; several, folders and patterns get a line for each maze")
+      ->type_name("MAZE")
+      ->required();
+  add_places(*command, options->places);
+  add_robot_option(*command, options->robot);
+  command->add_option("--format", options->format, "Output")
+      ->check(CLI::IsMember({"table", "json"}))
+      ->capture_default_str();
+  command->footer("Example: labmouse route contest-01 --robot mm2021");
+  command->callback([options, &exit] { exit = route(*options); });
+}
+
+}  // namespace labmouse::cli

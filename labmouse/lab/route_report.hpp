@@ -1,0 +1,49 @@
+// The fastest route of a maze, and what its diagonals and its way are worth.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "labmouse/lab/maze_files.hpp"
+#include "labmouse/mouse/drive/robot.hpp"
+#include "labmouse/mouse/drive/route.hpp"
+
+namespace labmouse {
+
+/// The fastest route of one maze, beside others.
+struct RouteReport {
+  std::string error;  ///< why there is none; then nothing else counts
+  DriveRoute route;
+  DriveTime gate_to_gate = 0;  ///< of the route: from leaving the start cell to entering a goal, microseconds
+  int cells = 0;               ///< that the route enters
+  /// The fastest route of straights along the axes and the small turn S90 alone.
+  DriveTime without_diagonals = no_time;
+  int fewest_cells = 0;  ///< that any route enters
+  /// The fastest route over passages that lie on routes of the fewest cells; nothing where that one enters more of them.
+  std::optional<DriveTime> fewest_cells_time;
+
+  /// The share of the time without diagonals that they save; nothing where no time passes.
+  std::optional<double> gain() const;
+};
+
+/// A maze too large for the world of seconds, and one without a route in the direction of its start, give an error.
+RouteReport route_report(const Maze& maze, const DriveModel& model);
+
+/// In the notation of builders: S3 is a straight of three half cells, D4 one over four half diagonals, and L45, R90, LV90
+/// and RS90 are turns to the left and right.
+std::string notation_of(const DriveSegment& segment, const DriveTables& tables);
+/// Of all segments, with blanks between; a straight that is but the lead of a turn is left out.
+std::string notation_of(const DriveRoute& route, const DriveTables& tables);
+
+/// The route as a table of its segments, and how it compares.
+std::string table_of(const RouteReport& report, const NamedMaze& maze, const DriveModel& model);
+
+/// The routes of many mazes: a line each, then medians. Those without a route have a reason in place of numbers.
+std::string summary_of(const std::vector<RouteReport>& reports, const std::vector<NamedMaze>& mazes,
+                       const DriveModel& model);
+
+/// All of the routes, with their segments.
+std::string json_of(const std::vector<RouteReport>& reports, const std::vector<NamedMaze>& mazes, const DriveModel& model);
+
+}  // namespace labmouse
