@@ -35,6 +35,8 @@ NamedMaze find_maze(const std::string& path, const Places& places);
 
 /// A built-in robot or that of a file; throws UsageError with all that is wrong with it.
 FoundRobot find_robot_or_refuse(const std::string& name);
+/// --robot, which has its default.
+void add_robot_option(CLI::App& command, std::string& robot);
 
 /// Writes to standard output, or throws UsageError when it cannot.
 void print(const std::string& text);
@@ -71,6 +73,7 @@ void add_convert(CLI::App& app, int& exit);
 void add_mice(CLI::App& app, int& exit);
 void add_robot(CLI::App& app, int& exit);
 void add_bound(CLI::App& app, int& exit);
+void add_route(CLI::App& app, int& exit);
 void add_replay(CLI::App& app, int& exit);
 void add_score(CLI::App& app, int& exit);
 void add_page(CLI::App& app, int& exit);

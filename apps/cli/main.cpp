@@ -88,6 +88,7 @@ int main(int argc, char** argv) {
   add_mice(app, exit);
   add_robot(app, exit);
   add_bound(app, exit);
+  add_route(app, exit);
   add_replay(app, exit);
   add_score(app, exit);
   add_page(app, exit);

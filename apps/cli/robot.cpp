@@ -42,6 +42,12 @@ FoundRobot find_robot_or_refuse(const std::string& name) {
   return found;
 }
 
+void add_robot_option(CLI::App& command, std::string& robot) {
+  command.add_option("--robot", robot, "Name of a built-in robot, or a file with a slash or .toml in its name")
+      ->type_name("ROBOT")
+      ->capture_default_str();
+}
+
 void add_robot(CLI::App& app, int& exit) {
   CLI::App* command = app.add_subcommand("robot", "The robots of the world in seconds: their turns and times");
   command->require_subcommand(1);
