@@ -1,6 +1,7 @@
 // Where a mouse is at each moment of a route, and how fast.
 #pragma once
 
+#include <array>
 #include <cstddef>
 
 #include "labmouse/mouse/drive/robot.hpp"
@@ -28,6 +29,10 @@ class DriveProfile {
   double distance_at(double time) const;
   /// mm/s at that time.
   double speed_at(double time) const;
+  /// The two times at which the acceleration changes: when it no longer speeds up, and when it begins to brake.
+  std::array<double, 2> changes() const {
+    return {phases_[0].seconds * scale_, (phases_[0].seconds + phases_[1].seconds) * scale_};
+  }
   /// The time at which a length from 0 to length() is driven.
   double time_at(double distance) const;
   /// Where the mouse is by then.
