@@ -7,10 +7,12 @@
 #include "labmouse/lab/builtin_mazes.hpp"
 #include "labmouse/lab/mice_json.hpp"
 #include "labmouse/lab/page/answers.hpp"
+#include "labmouse/lab/page/drive_choices.hpp"
 #include "labmouse/lab/signature.hpp"
 #include "labmouse/lab/speed.hpp"
 #include "labmouse/lab/version.hpp"
 #include "labmouse/maze/generators/generator.hpp"
+#include "labmouse/strategies/roster.hpp"
 
 namespace labmouse {
 namespace {
@@ -28,10 +30,12 @@ Json named(const Things& things) {
 Json mice() {
   const std::map<std::string, std::string> types = {{"whole number", "whole"}, {"number", "real"}, {"yes/no", "flag"}};
   Json list = mice_json();
-  for (Json& mouse : list)
+  for (Json& mouse : list) {
+    mouse["drives"] = find_mouse(mouse["name"].get<std::string>())->drives;
     for (Json& parameter : mouse["parameters"])
       if (const auto type = types.find(parameter["type"].get<std::string>()); type != types.end())
         parameter["type"] = type->second;
+  }
   return list;
 }
 
@@ -62,7 +66,9 @@ PageReply answer_about(const nlohmann::json&, std::string_view) {
                    {"formats", named(all_formats())},
                    {"generators", named(all_generators())},
                    {"rules", rules_of_capstone()},
-                   {"most_side", max_side}});
+                   {"most_side", max_side},
+                   {"robots", page_robots_json()},
+                   {"drive_rules", page_rules_json()}});
 }
 
 PageReply answer_signature(const nlohmann::json&, std::string_view) {

@@ -40,6 +40,7 @@ PageReply answer_write_maze(const nlohmann::json& request, std::string_view byte
 PageReply answer_link(const nlohmann::json& request, std::string_view bytes);
 PageReply answer_read_link(const nlohmann::json& request, std::string_view bytes);
 PageReply answer_run(const nlohmann::json& request, std::string_view bytes);
+PageReply answer_drive(const nlohmann::json& request, std::string_view bytes);
 PageReply answer_unpack(const nlohmann::json& request, std::string_view bytes);
 PageReply answer_race(const nlohmann::json& request, std::string_view bytes);
 PageReply answer_compare(const nlohmann::json& request, std::string_view bytes);

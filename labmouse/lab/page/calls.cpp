@@ -30,6 +30,7 @@ constexpr std::array calls = {
     Call{"link", answer_link},
     Call{"read_link", answer_read_link},
     Call{"run", answer_run},
+    Call{"drive", answer_drive},
     Call{"unpack", answer_unpack},
     Call{"race", answer_race},
     Call{"compare", answer_compare},

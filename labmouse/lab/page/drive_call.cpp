@@ -1,0 +1,62 @@
+// A contest in seconds, held at once.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "labmouse/contest/drive.hpp"
+#include "labmouse/lab/page/answers.hpp"
+#include "labmouse/lab/page/drive_choices.hpp"
+#include "labmouse/lab/page/mouse_spec.hpp"
+#include "labmouse/lab/page/play_seconds.hpp"
+#include "labmouse/lab/page/request.hpp"
+#include "labmouse/strategies/roster.hpp"
+
+namespace labmouse {
+namespace {
+
+const RosterEntry* driver_of(const Contestant& mouse) {
+  const RosterEntry* entry = find_mouse(mouse.name.substr(0, mouse.name.find(':')));
+  return entry != nullptr && entry->drives ? entry : nullptr;
+}
+
+std::string no_driver(const Contestant& mouse) {
+  std::vector<std::string_view> names;
+  for (const RosterEntry* entry : roster())
+    if (entry->drives) names.push_back(entry->name);
+  return fmt::format("mouse '{}' does not drive in seconds; {} do", mouse.name, fmt::join(names, ", "));
+}
+
+std::string too_large(const NamedMaze& maze) {
+  const Size size = maze.maze.size();
+  if (std::max(size.width, size.height) <= max_drive_side) return "";
+  return fmt::format("{} has {}x{} cells; in seconds mazes have up to {}x{}", maze.name, size.width, size.height,
+                     max_drive_side, max_drive_side);
+}
+
+}  // namespace
+
+PageReply answer_drive(const nlohmann::json& json, std::string_view) {
+  PageRequest request(json);
+  const std::string spec = request.text("mouse");
+  const NamedMaze maze = request.maze();
+  const std::uint64_t seed = request.seed();
+  const std::string robot_name = request.text("robot"), rules_name = request.text("rules");
+  request.reject(too_large(maze));
+  if (!request.error().empty()) return failed(request.error());
+  const SpecResult mice = read_page_mice({&spec, 1});
+  if (!mice.error.empty()) return failed(mice.error);
+  if (mice.contestants.size() != 1) return failed(fmt::format("'{}' names several mice; one drives here", spec));
+  const Contestant& mouse = mice.contestants.front();
+  const RosterEntry* entry = driver_of(mouse);
+  if (entry == nullptr) return failed(no_driver(mouse));
+  const std::optional<DriveModel> model = page_robot(robot_name);
+  if (!model) return failed(fmt::format("there is no robot '{}' in the page", robot_name));
+  const std::optional<DriveRules> rules = page_rules(rules_name);
+  if (!rules) return failed(fmt::format("there are no rules '{}' in the page", rules_name));
+  const auto mind = entry->make(brief(maze.maze, *rules, *model, seed), mouse.settings);
+  const DriveRecord record = drive(maze.maze, *rules, *model, *mind);
+  return answered({{"play", play_json({mouse.name, maze.name, seed, maze.maze, *model, *rules, record})}, {"record", ""}});
+}
+
+}  // namespace labmouse

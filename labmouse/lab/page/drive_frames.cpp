@@ -1,0 +1,203 @@
+#include "labmouse/lab/page/drive_frames.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "labmouse/contest/drive_score.hpp"
+#include "labmouse/lab/page/drive_path.hpp"
+#include "labmouse/lab/page/fields.hpp"
+#include "labmouse/lab/page/play_frames.hpp"
+
+namespace labmouse {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Where a mouse is in a frame, on half cells and eighths of a turn.
+struct FramePlace {
+  HalfPoint point;
+  int heading = 0;
+
+  friend bool operator==(const FramePlace&, const FramePlace&) = default;
+};
+
+FramePlace place_of(const SearchPlace& place) {
+  FramePlace found = {{2 * place.pose.cell.x + 1, 2 * place.pose.cell.y + 1}, 2 * static_cast<int>(place.pose.heading)};
+  if (place.at_rest) return found;
+  // On the edge by which it enters the cell.
+  const Cell ahead = neighbour(Cell{0, 0}, place.pose.heading);
+  found.point.x -= ahead.x;
+  found.point.y -= ahead.y;
+  return found;
+}
+
+FramePlace place_of(const DriveNode& node) { return {half_point(node), eighths(node)}; }
+
+/// Builds the lists.
+class DriveFrames {
+ public:
+  DriveFrames(const DrivenContest& contest, Json& play)
+      : contest_(contest),
+        play_(play),
+        scores_(score(contest.record, contest.rules)),
+        place_{{contest.maze.start(), contest.maze.start_heading()}, true},
+        shown_(place_of(place_)) {
+    for (const char* list : {"clock", "x", "y", "heading", "run", "scores", "action", "blocked", "left", "ahead", "right",
+                             "entered", "known"})
+      play_[list] = Json::array();
+    add_frame(0);
+  }
+
+  void add(const DriveRun& run, std::size_t number) {
+    kind_ = static_cast<int>(run.kind);
+    first_of_.push_back(frame_);
+    if (run.kind == DriveRun::Kind::fast)
+      add_fast(run, number);
+    else
+      add_search(run);
+    if (!goal_frame_ && run.gate_in) goal_frame_ = frame_from(*run.gate_in);
+  }
+
+  void finish() {
+    first_of_.push_back(frame_);
+    play_["goal_frame"] = or_null(goal_frame_);
+    play_["reset_frame"] = or_null(reset_frame_);
+    add_known();
+  }
+
+  const std::vector<std::size_t>& first_frames() const { return first_of_; }
+
+ private:
+  SearchPlace start() const { return {{contest_.maze.start(), contest_.maze.start_heading()}, true}; }
+
+  /// A new run begins in the frame before it, unless the mouse has to be carried.
+  void begin_run(const SearchPlace& place, MazeTime time) {
+    place_ = place;
+    if (place_of(place) == shown_) {
+      play_["run"].back() = kind_;
+      return;
+    }
+    step("carried to the start", place_of(place), time, {});
+    first_of_.back() = frame_;
+  }
+
+  void add_search(const DriveRun& run) {
+    begin_run(run.kind == DriveRun::Kind::search ? start() : place_, run.begin);
+    for (const SearchMove& move : run.moves) {
+      const Cell before = place_.pose.cell;
+      place_ = after_search(place_, move.action);
+      std::vector<Cell> entered;
+      for (int i = 1; i <= move.action.movement; ++i) entered.push_back(neighbour(before, place_.pose.heading, i));
+      step(short_words(move.action), place_of(place_), move.end, entered);
+    }
+  }
+
+  void add_fast(const DriveRun& run, std::size_t number) {
+    begin_run(start(), run.begin);
+    if (!reset_frame_) reset_frame_ = frame_;
+    const auto counted = std::find_if(scores_.runs.begin(), scores_.runs.end(), [&](const auto& s) { return s.run == number; });
+    Cell cell = contest_.maze.start();
+    for (std::size_t i = 0; i < run.route.segments.size(); ++i) {
+      const DriveSegment& segment = run.route.segments[i];
+      if (i + 1 == run.route.segments.size() && counted != scores_.runs.end()) improve(counted->value);
+      step(segment_words(segment, contest_.model.tables), place_of(segment.to), run.begin + segment.end,
+           cells_of(DriveProfile(contest_.model, run.route, i), cell));
+    }
+    if (!run.route.segments.empty()) {
+      const DriveNode& last = run.route.segments.back().to;
+      place_ = {{last.cell, last.heading}, true};
+    }
+  }
+
+  /// The cells that a segment comes into.
+  std::vector<Cell> cells_of(const DriveProfile& profile, Cell& cell) const {
+    constexpr int looks_a_cell = 32;
+    const double side = contest_.model.tables.cell;
+    const int looks = 1 + static_cast<int>(profile.length() / side * looks_a_cell);
+    std::vector<Cell> cells;
+    for (int i = 0; i <= looks; ++i) {
+      const DriveSpot spot = profile.spot(profile.length() * i / looks);
+      const Cell at = {static_cast<int>(std::floor(spot.x / side)), static_cast<int>(std::floor(spot.y / side))};
+      if (at == cell || !contest_.maze.size().contains(at)) continue;
+      cells.push_back(cell = at);
+    }
+    return cells;
+  }
+
+  void improve(MazeTime value) { best_ = std::min(best_.value_or(value), value); }
+
+  void step(std::string words, const FramePlace& place, MazeTime time, const std::vector<Cell>& entered) {
+    Json cells = Json::array();
+    for (const Cell cell : entered) cells.push_back(contest_.maze.size().index(cell));
+    play_["action"].push_back(std::move(words));
+    play_["blocked"].push_back(false);
+    play_["entered"].push_back(std::move(cells));
+    shown_ = place;
+    ++frame_;
+    add_frame(time);
+  }
+
+  void add_frame(MazeTime time) {
+    times_.push_back(time);
+    play_["clock"].push_back(static_cast<double>(time) / 1e6);
+    play_["x"].push_back(shown_.point.x);
+    play_["y"].push_back(shown_.point.y);
+    play_["heading"].push_back(shown_.heading);
+    play_["run"].push_back(kind_);
+    play_["scores"].push_back(best_ ? Json(static_cast<double>(*best_) / 1e6) : Json(nullptr));
+  }
+
+  /// The first frame at that time or later; the last one where there is none.
+  std::size_t frame_from(MazeTime time) const {
+    const auto found = std::lower_bound(times_.begin(), times_.end(), time);
+    return std::min(static_cast<std::size_t>(found - times_.begin()), frame_);
+  }
+
+  void add_known() {
+    const Size size = contest_.maze.size();
+    const auto area = static_cast<std::size_t>(size.area());
+    std::vector<int> known(2 * area, 0);
+    WallSet::all(size).for_each([&](Wall wall) { known[index_of(wall)] = on_border(wall, size) ? 0 : -1; });
+    for (const WallSeen& seen : contest_.record.walls)
+      if (int& frame = known[index_of(seen.wall)]; frame < 0) frame = static_cast<int>(frame_from(seen.time));
+    play_["known"] = known;
+  }
+
+  std::size_t index_of(Wall wall) const {
+    const Size size = contest_.maze.size();
+    return static_cast<std::size_t>(size.index(wall.cell) + (wall.side == Heading::east ? size.area() : 0));
+  }
+
+  const DrivenContest& contest_;
+  Json& play_;
+  DriveScore scores_;
+  SearchPlace place_;
+  FramePlace shown_;
+  std::vector<MazeTime> times_;
+  std::vector<std::size_t> first_of_;
+  std::optional<std::size_t> goal_frame_, reset_frame_;
+  std::optional<MazeTime> best_;
+  std::size_t frame_ = 0;
+  int kind_ = 0;
+};
+
+}  // namespace
+
+std::string segment_words(const DriveSegment& segment, const DriveTables& tables) {
+  if (segment.kind == DriveSegment::Kind::turn)
+    return fmt::format("{} {}", segment.left ? "left" : "right", name_of(tables.turns[segment.turn].turn));
+  if (segment.diagonal()) return fmt::format("diagonal {}", segment.units);
+  return fmt::format("ahead {}", segment.units / 2.0);
+}
+
+std::vector<std::size_t> add_drive_frames(const DrivenContest& contest, Json& play) {
+  DriveFrames frames(contest, play);
+  for (std::size_t i = 0; i < contest.record.runs.size(); ++i) frames.add(contest.record.runs[i], i);
+  frames.finish();
+  return frames.first_frames();
+}
+
+}  // namespace labmouse

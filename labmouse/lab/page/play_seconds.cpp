@@ -1,0 +1,183 @@
+#include "labmouse/lab/page/play_seconds.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "labmouse/contest/drive_gates.hpp"
+#include "labmouse/contest/drive_score.hpp"
+#include "labmouse/lab/page/drive_frames.hpp"
+#include "labmouse/lab/page/drive_path.hpp"
+#include "labmouse/lab/page/fields.hpp"
+#include "labmouse/lab/page/maze_data.hpp"
+#include "labmouse/mouse/drive/fastest.hpp"
+
+namespace labmouse {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json seconds_json(const std::optional<MazeTime>& time) {
+  return time ? Json(static_cast<double>(*time) / 1e6) : Json(nullptr);
+}
+
+Json time_json(DriveTime time) { return time < no_time ? Json(time) : Json(nullptr); }
+Json seconds_json(DriveTime time) { return time < no_time ? Json(time / 1e6) : Json(nullptr); }
+
+std::string outcome_words(const DriveRecord& record) {
+  std::string words(name_of(record.outcome));
+  if (record.outcome == DriveOutcome::forfeit) words += fmt::format(": {}", name_of(record.reason));
+  return words;
+}
+
+/// The fastest run that the maze allows, made at once.
+DriveRun best_run(const DrivenContest& contest) {
+  const Maze& maze = contest.maze;
+  FastestRoutes routes(maze.size(), contest.model.tables);
+  routes.fill(maze.open_walls(), maze.goals());
+  DriveRun run;
+  run.kind = DriveRun::Kind::fast;
+  routes.route_from({maze.start(), maze.start_heading()}, run.route);
+  if (run.route.time == no_time) return run;
+  run.end = run.route.time;
+  set_gates(run, maze, contest.model);
+  return run;
+}
+
+std::optional<MazeTime> bound_of(const DrivenContest& contest, const DriveRun& best) {
+  if (best.route.time == no_time) return std::nullopt;
+  DriveRecord record;
+  record.runs = {best};
+  return score(record, contest.rules).value();
+}
+
+/// The points of a path as lists, one number of each kind a point.
+class PathLists {
+ public:
+  void add(const std::vector<DrivePathPoint>& points) {
+    for (const DrivePathPoint& point : points) {
+      t_.push_back(std::llround(point.time));
+      x_.push_back(rounded(point.x, 1e4));
+      y_.push_back(rounded(point.y, 1e4));
+      heading_.push_back(rounded(point.heading, 1e3));
+      v_.push_back(std::llround(point.speed));
+      a_.push_back(std::llround(point.acceleration));
+    }
+  }
+  std::size_t size() const { return t_.size(); }
+  Json json() const { return {{"t", t_}, {"x", x_}, {"y", y_}, {"heading", heading_}, {"v", v_}, {"a", a_}}; }
+
+ private:
+  static double rounded(double value, double parts) { return std::round(value * parts) / parts; }
+
+  std::vector<std::int64_t> t_, v_, a_;
+  std::vector<double> x_, y_, heading_;
+};
+
+Json score_json(const DriveScore& scores, std::size_t run) {
+  for (std::size_t i = 0; i < scores.runs.size(); ++i) {
+    const DriveRunScore& score = scores.runs[i];
+    if (score.run != run) continue;
+    return {{"gate_to_gate", or_null(score.gate_to_gate)},
+            {"rest_to_centre", or_null(score.rest_to_centre)},
+            {"maze_time", score.maze_time},
+            {"bonus", score.bonus},
+            {"value", score.value},
+            {"best", scores.best == i}};
+  }
+  return nullptr;
+}
+
+Json run_json(const DriveRun& run) {
+  return {{"kind", name_of(run.kind)},       {"begin", run.begin},
+          {"end", run.end},                  {"gate_out", or_null(run.gate_out)},
+          {"gate_in", or_null(run.gate_in)}, {"centre", or_null(run.centre)},
+          {"known", time_json(run.known)}, {"hoped", time_json(run.hoped)}};
+}
+
+Json robot_json(const Robot& robot, const DriveTables& tables) {
+  return {{"name", robot.name}, {"cell", robot.cell}, {"hash", fmt::format("{:016x}", tables.hash)}};
+}
+
+Json rules_json(const DriveRules& rules) {
+  return {{"name", rules.name},
+          {"source", rules.source},
+          {"time_limit", rules.time_limit},
+          {"most_runs", rules.most_runs},
+          {"maze_time_divisor", rules.maze_time_divisor},
+          {"gate_to_gate", rules.gate_to_gate}};
+}
+
+Json drive_json(const DrivenContest& contest, const DriveRun& best, const std::vector<std::size_t>& first_frames) {
+  const DriveScore scores = score(contest.record, contest.rules);
+  DrivePath path({contest.maze.start(), contest.maze.start_heading()}, contest.model);
+  PathLists lists, best_lists;
+  Json runs = Json::array();
+  for (std::size_t i = 0; i < contest.record.runs.size(); ++i) {
+    Json run = run_json(contest.record.runs[i]);
+    run["frame"] = first_frames[i];
+    run["from"] = lists.size();
+    lists.add(path.follow(contest.record.runs[i]));
+    run["to"] = lists.size();
+    run["score"] = score_json(scores, i);
+    runs.push_back(std::move(run));
+  }
+  best_lists.add(path_of(best.route, 0, contest.model));
+  return {{"robot", robot_json(contest.model.robot, contest.model.tables)},
+          {"rules", rules_json(contest.rules)},
+          {"decisions", contest.record.decisions},
+          {"replanned", contest.record.replanned},
+          {"runs", std::move(runs)},
+          {"path", lists.json()},
+          {"best", best_lists.json()}};
+}
+
+Json header_json(const DrivenContest& contest, const DriveRun& best) {
+  const auto value = score(contest.record, contest.rules).value();
+  return {{"world", "seconds"},
+          {"mouse", contest.mouse},
+          {"maze", maze_data(contest.maze_name, contest.maze)},
+          {"rules", nullptr},
+          {"seed", contest.seed},
+          {"outcome", outcome_words(contest.record)},
+          {"solved", value.has_value()},
+          {"score", seconds_json(value)},
+          {"bound", seconds_json(bound_of(contest, best))},
+          {"optimum", seconds_json(best.route.time)},
+          {"exploration_steps", 0},
+          {"speed_steps", 0},
+          {"discovered", nullptr},
+          {"visited", nullptr},
+          {"last_words", ""},
+          {"counts", Json::array()},
+          {"checked", ""},
+          {"ended", true}};
+}
+
+/// The share of cells that were come into, of those that can be.
+double visited_share(const DrivenContest& contest, const Json& play, const Json& distances) {
+  std::set<int> cells = {contest.maze.size().index(contest.maze.start())};
+  for (const Json& entered : play["entered"])
+    for (const Json& cell : entered) cells.insert(cell.get<int>());
+  const auto reachable = std::count_if(distances.begin(), distances.end(), [](const Json& d) { return d.get<int>() >= 0; });
+  return reachable > 0 ? static_cast<double>(cells.size()) / static_cast<double>(reachable) : 0.0;
+}
+
+}  // namespace
+
+Json play_json(const DrivenContest& contest) {
+  const DriveRun best = best_run(contest);
+  Json play = header_json(contest, best);
+  const std::vector<std::size_t> first_frames = add_drive_frames(contest, play);
+  play["route"] = Json::array();
+  play["distances"] = distances_json(contest.maze, 1);
+  play["visited"] = visited_share(contest, play, play["distances"]);
+  play["reasons"] = Json::array();
+  play["events"] = Json::array();
+  play["drive"] = drive_json(contest, best, first_frames);
+  return play;
+}
+
+}  // namespace labmouse
