@@ -46,6 +46,8 @@ export interface Mouse {
   name: string;
   summary: string;
   throws_dice: boolean;
+  /** Whether it drives in the world of seconds, too. */
+  drives?: boolean;
   parameters: Parameter[];
 }
 
@@ -65,6 +67,9 @@ export interface About {
   rules: Rules & { failure_score: number };
   /** Largest side of a maze. */
   most_side: number;
+  /** For contests in seconds: robots with the side of their cells in mm, and rules with their sources. */
+  robots: { name: string; cell: number }[];
+  drive_rules: { name: string; source: string }[];
 }
 
 /** `inspect`: what a maze is like. */
@@ -128,22 +133,95 @@ export type MmsEvent =
   | { frame: number; kind: 'clear colours' }
   | { frame: number; kind: 'clear texts' };
 
+/** What a run of a contest in seconds is worth by the rules, in microseconds. */
+export interface DriveScore {
+  gate_to_gate: number | null;
+  rest_to_centre: number | null;
+  /** The part of the time in the maze before it that counts, and what is taken off for a mouse that was not touched. */
+  maze_time: number;
+  bonus: number;
+  value: number;
+  /** The one that counts in the end. */
+  best: boolean;
+}
+
+/** One run of a contest in seconds. Times are microseconds on the maze's clock. */
+export interface DriveRun {
+  kind: 'search' | 'home' | 'fast';
+  begin: number;
+  end: number;
+  /** Left the start cell, first entered a goal, first in the middle of a goal; null where that never came. */
+  gate_out: number | null;
+  gate_in: number | null;
+  centre: number | null;
+  /** When it began: times of the fastest route known to exist, and of the fastest that may exist; null for none. */
+  known: number | null;
+  hoped: number | null;
+  /** The frame in which it begins. */
+  frame: number;
+  /** Its points in the path: from that one to the one before `to`. */
+  from: number;
+  to: number;
+  /** Null where it does not count. */
+  score: DriveScore | null;
+}
+
+/**
+ * A path, point by point. Between two points of a run the acceleration is even; turns have points dense enough to be
+ * drawn as lines. Where the speed leaps (robots with published times), two points have the same time.
+ */
+export interface DrivePath {
+  /** Microseconds. */
+  t: number[];
+  /** Cells from the south-west corner: the middle of cell (0,0) is (0.5, 0.5). */
+  x: number[];
+  y: number[];
+  /** Eighths of a turn clockwise from north, without a leap within a run. */
+  heading: number[];
+  /** mm/s. */
+  v: number[];
+  /** mm/s² along the path from this point to the next one. */
+  a: number[];
+}
+
+/** What only a play in seconds has. */
+export interface Drive {
+  /** `cell`: the side of a cell in mm; `hash`: of its tables. */
+  robot: { name: string; cell: number; hash: string };
+  /** Times in microseconds. `maze_time_divisor`: 30 where a thirtieth of the time in the maze counts, 0 where none does. */
+  rules: {
+    name: string;
+    source: string;
+    time_limit: number;
+    most_runs: number;
+    maze_time_divisor: number;
+    gate_to_gate: boolean;
+  };
+  decisions: number;
+  replanned: number;
+  runs: DriveRun[];
+  path: DrivePath;
+  /** The fastest run that the maze allows, from time 0; without points where there is none. */
+  best: DrivePath;
+}
+
 /**
  * One contest, frame by frame: frame 0 is before the first step, frame i after step i; the last is the end. Lists `clock`,
  * `x`, `y`, `heading`, `run` have one entry a frame, those of steps one entry a step: step i leads from frame i to i + 1.
+ * In seconds a step is a move of a search, a straight or a turn, or being carried to the start.
  */
 export interface Play {
-  world: 'steps' | 'mms';
+  world: 'steps' | 'mms' | 'seconds';
   mouse: string;
   maze: MazeData;
-  /** As in the record; null in mms. */
+  /** As in the record; only of a contest in steps. */
   rules: Rules | null;
   seed: number | null;
   /** In words, with the reason of a forfeit. */
   outcome: string;
   solved: boolean;
   score: number | null;
-  /** The best possible score and speed run here; null where there is no way. */
+  /** The best possible score and speed run here (in seconds: from rest to the centre); null where there is no way. */
   bound: number | null;
   optimum: number | null;
   exploration_steps: number;
@@ -159,21 +237,21 @@ export interface Play {
   /** False where the record breaks off. */
   ended: boolean;
 
-  /** Steps in `steps`, seconds in `mms`. */
+  /** Steps in `steps`, seconds in the other worlds. */
   clock: number[];
   /** In half cells: the centre of cell (0,0) is (1,1). */
   x: number[];
   y: number[];
   /** Eighths of a turn clockwise from north. */
   heading: number[];
-  /** 0 exploration, 1 speed run. In mms always 0. */
+  /** 0 exploration, 1 speed run; in seconds 0 search, 1 way home, 2 fast run. In mms always 0. */
   run: number[];
 
-  /** What was asked for, in words: "right, 3", "ahead 2", "reset", "moveForward 2". */
+  /** What was asked for, in words: "right, 3", "ahead 2", "reset", "moveForward 2", "left V90". */
   action: string[];
   /** A wall ended the movement early (in mms: a crash). */
   blocked: boolean[];
-  /** Open cells to the left, ahead and to the right before each step; empty in mms. */
+  /** Open cells to the left, ahead and to the right before each step; empty in mms and in seconds. */
   left: number[];
   ahead: number[];
   right: number[];
@@ -194,8 +272,10 @@ export interface Play {
   distances: number[];
   reasons: Reasons[];
   events: MmsEvent[];
-  /** What had been scored by each frame, whether or not it was solved in the end. */
-  scores: number[];
+  /** What had been scored by each frame, whether or not it was solved in the end; in seconds null before the first run. */
+  scores: (number | null)[];
+  /** Only in seconds. */
+  drive?: Drive;
 }
 
 /** One contest in the results of a race; docs/races.md has the fields. */
@@ -353,6 +433,11 @@ export interface Calls {
   /** A contest of a mouse of the roster, as `labmouse run MOUSE MAZE --seed N --explain`. */
   run: {
     request: { mouse: string; maze: MazeData; seed: number; budget?: number };
+    answer: { play: Play; record: string };
+  };
+  /** A contest in seconds of a mouse that drives there. `record` is empty where it cannot be saved. */
+  drive: {
+    request: { mouse: string; maze: MazeData; seed: number; robot: string; rules: string };
     answer: { play: Play; record: string };
   };
   /** A packed record of a report. A mouse of the roster has its reasons again. */

@@ -1,16 +1,19 @@
 // The one clock of a player: where it is, whether it runs, how fast.
 
 /** Times the usual speed. */
-export const speeds = [0.25, 0.5, 1, 2, 4, 8, 16, 32, 64];
+export const speeds = [0.1, 0.25, 0.5, 1, 2, 4, 8, 16, 32, 64];
 
-/** Steps (or seconds of mms) in a second at the usual speed. */
-export const usual = { steps: 4, mms: 1 };
+/** The position of 1×. */
+export const usualSpeed = speeds.indexOf(1);
+
+/** Steps (or seconds of the other worlds) in a second at the usual speed. */
+export const usual = { steps: 4, seconds: 1 };
 
 /** Seconds for all of it, at the speed `fit`. */
 const fitSeconds = 20;
 
 export interface Clock {
-  /** Steps, or seconds in mms; from 0 to `end`. */
+  /** Steps, or seconds in the other worlds; from 0 to `end`. */
   time: number;
   end: number;
   playing: boolean;
@@ -28,12 +31,12 @@ export const createClock = (): Clock => ({
   end: 0,
   playing: false,
   loop: false,
-  speed: 2,
+  speed: usualSpeed,
   unit: usual.steps,
   ticked: -1,
 });
 
-/** Steps (or seconds of mms) in a second. */
+/** Steps (or seconds of the other worlds) in a second. */
 export function rateOf(clock: Clock): number {
   return clock.speed < 0 ? Math.max(clock.end / fitSeconds, clock.unit / 4) : speeds[clock.speed] * clock.unit;
 }

@@ -2,6 +2,7 @@
 import { isSameMaze } from '../maze/same';
 import { h } from '../ui/dom';
 import { boundOf, optimumMeaning } from '../ui/terms';
+import { accelerationText, durationText, speedText } from './drive';
 import type { Panel, Side, State } from './state';
 import { counted, decimal, percent, poseText, readingText, runText, short } from './words';
 
@@ -106,7 +107,73 @@ function countRows(sides: Side[]): Row[] {
   return [...names].map((name) => ({ label: name, value: value(name), text: orAbsent(String) }));
 }
 
+/** Rows of a contest in seconds: of its moment, of its present run, of the whole. */
+const driven: Row[] = [
+  { label: 'run', text: runText, live: true },
+  {
+    label: 'time in the maze',
+    value: ({ scene }) => scene.moment?.time ?? null,
+    text: (side, time) => `${decimal(time ?? 0)} of ${decimal(side.track.time[side.track.last])} s`,
+    live: true,
+  },
+  { label: 'time in this run', text: (side) => durationText(inRun(side)), live: true },
+  { label: 'since the gate', text: (side) => durationText(sinceGate(side)), live: true },
+  { label: 'mouse at', text: poseText, live: true },
+  {
+    label: 'speed',
+    value: ({ scene }) => scene.moment?.v ?? null,
+    text: orAbsent(speedText),
+    live: true,
+  },
+  { label: 'acceleration', text: ({ scene }) => accelerationText(scene.moment?.a ?? 0), live: true },
+  {
+    label: 'best so far',
+    value: (side) => numberOr(side.track.score[side.scene.past.frame]),
+    text: orAbsent((v) => `${decimal(v)} s`),
+    live: true,
+    score: true,
+  },
+  { label: 'outcome', text: ({ track }) => track.play.outcome },
+  { label: 'score', value: ({ track }) => track.play.score, text: orAbsent((v) => `${decimal(v)} s`), score: true },
+  {
+    label: 'bound',
+    meaning: ({ track }) => boundOf(track.play.world),
+    value: ({ track }) => track.play.bound,
+    text: orAbsent((v) => `${decimal(v)} s`),
+    score: true,
+  },
+  {
+    label: 'fastest possible run',
+    meaning: () => 'from rest at the start to the middle of a goal, in the whole maze',
+    value: ({ track }) => track.play.optimum,
+    text: orAbsent((v) => `${decimal(v)} s`),
+    score: true,
+  },
+  { label: 'robot', text: ({ track }) => track.play.drive?.robot.name ?? absent },
+  { label: 'rules', meaning: ({ track }) => track.play.drive?.rules.source ?? '', text: ({ track }) => track.play.drive?.rules.name ?? absent },
+  {
+    label: 'decisions',
+    value: ({ track }) => track.play.drive?.decisions ?? null,
+    text: (side, v) => `${v ?? 0}, ${side.track.play.drive?.replanned ?? 0} planned anew`,
+  },
+  { label: 'cells visited', value: ({ track }) => track.play.visited, text: orAbsent(percent) },
+];
+
+const numberOr = (value: number) => (Number.isNaN(value) ? null : value);
+
+/** Microseconds since the present run began, and since it left the start cell, which ends in the goal. */
+function inRun({ track, scene: { moment } }: Side): number | null {
+  const run = track.drive?.runs[moment?.run ?? -1];
+  return run && moment ? moment.time * 1e6 - run.begin : null;
+}
+function sinceGate({ track, scene: { moment } }: Side): number | null {
+  const run = track.drive?.runs[moment?.run ?? -1];
+  if (!run || !moment || run.gate_out === null || moment.time * 1e6 < run.gate_out) return null;
+  return Math.min(moment.time * 1e6, run.gate_in ?? Infinity) - run.gate_out;
+}
+
 function rowsOf(sides: Side[]): Row[] {
+  if (sides.every(({ track }) => track.drive)) return driven;
   const rows = [...now, ...(sides.some(isMms) ? [seconds] : []), ...whole, ...countRows(sides)];
   return sides.every(isMms) ? rows.filter(({ label }) => !ofSteps.has(label)) : rows;
 }

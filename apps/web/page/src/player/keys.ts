@@ -1,12 +1,12 @@
 // The keyboard, and the help that lists it.
 import { h } from '../ui/dom';
-import { speeds } from './clock';
+import { speeds, usualSpeed } from './clock';
 import { layerNames, toggled } from './layers';
 import type { Actions, State } from './state';
 
 const list: [string, string][] = [
   ['Space', 'play or pause'],
-  ['← →', 'one step back or forward; with Shift ten'],
+  ['← →', 'one step (move, straight or turn) back or forward; with Shift ten'],
   ['Home End', 'to the start or the end'],
   ['G R', 'to the first step in the goal, to the speed run'],
   ['+ −', 'faster or slower'],
@@ -42,7 +42,7 @@ export function press(key: string, shift: boolean, state: State, actions: Action
   const layer = /^[0-9]$/.test(key) ? layerNames[(Number(key) + 9) % 10] : undefined;
   const believes = sides.some(({ track }) => track.play.known.length > 0);
   const faster = (by: number) =>
-    actions.setSpeed(Math.min(Math.max(clock.speed < 0 ? 2 : clock.speed + by, 0), speeds.length - 1));
+    actions.setSpeed(Math.min(Math.max(clock.speed < 0 ? usualSpeed : clock.speed + by, 0), speeds.length - 1));
   if (layer) actions.setLayers(toggled(layers, layer, believes));
   else if (key === ' ') actions.toggle();
   else if (key === 'ArrowLeft') actions.step(shift ? -10 : -1);

@@ -41,8 +41,12 @@ export const usualLayers: Readonly<Layers> = {
 /** Whether a play has anything for that layer. */
 export function has(play: Play, layer: LayerName): boolean {
   const mms = play.world === 'mms';
+  const seconds = play.world === 'seconds';
   switch (layer) {
     case 'rays':
+      return !mms && !seconds;
+    case 'exploration':
+      return !seconds;
     case 'wrong':
     case 'speed':
       return !mms;
@@ -51,7 +55,7 @@ export function has(play: Play, layer: LayerName): boolean {
     case 'mms':
       return mms;
     case 'best':
-      return play.route.length > 1;
+      return play.route.length > 1 || (play.drive?.best.t.length ?? 0) > 1;
     default:
       return true;
   }

@@ -1,4 +1,5 @@
 // The layers as toggles, each with what its signs mean: the legend of the pictures.
+import type { Play } from '../core/types';
 import { h, type Child } from '../ui/dom';
 import { has, layerNames, type DistanceMode, type LayerName, type Layers, type WallMode } from './layers';
 import { sample, type Sample } from './samples';
@@ -9,7 +10,9 @@ const tints = '; a tone where the cells are too small for numbers, the stronger 
 type Sign = [Sample, string];
 
 /** What each layer's signs say; those of the walls and in mms depend on more. */
-function signsOf(layer: LayerName, layers: Layers, mms: boolean, most: number): Sign[] {
+function signsOf(layer: LayerName, layers: Layers, world: Play['world'], most: number, fastest: number): Sign[] {
+  const mms = world === 'mms';
+  const unit = world === 'seconds' ? 'cells' : 'steps';
   switch (layer) {
     case 'walls':
       if (mms)
@@ -34,8 +37,8 @@ function signsOf(layer: LayerName, layers: Layers, mms: boolean, most: number): 
       return [['visits', most > 1 ? `1 to ${most} visits to a cell so far` : '1 visit to a cell']];
     case 'distances':
       if (layers.distances === 'believed')
-        return [['distances', `steps to the goal as the mouse believed, were all unknown walls open${tints}`]];
-      return [['distances', `steps to the goal, in the whole maze${tints}`]];
+        return [['distances', `${unit} to the goal as the mouse believed, were all unknown walls open${tints}`]];
+      return [['distances', `${unit} to the goal, in the whole maze${tints}`]];
     case 'rays':
       return [['rays', 'open cells to the left, ahead and to the right, read before the next step']];
     case 'exploration':
@@ -49,8 +52,14 @@ function signsOf(layer: LayerName, layers: Layers, mms: boolean, most: number): 
             ['onwards', 'its way from there on'],
           ];
     case 'speed':
+      if (world === 'seconds')
+        return [
+          ['speeds', `its way in this run so far: 0 to ${fastest.toFixed(2)} m/s, in steps of ${(fastest / 6).toFixed(2)}`],
+          ['ahead', 'of a fast run: what is still to come'],
+        ];
       return [['speed', 'speed run; dot: the end of each step, with its number']];
     case 'best':
+      if (world === 'seconds') return [['fastest', 'the fastest run that the maze allows']];
       return [['best', mms ? 'a best possible run, cell by cell' : 'a shortest speed run; ring: the end of a step']];
     case 'candidates':
       return [
@@ -82,6 +91,9 @@ const titles: Record<LayerName, string> = {
   mms: 'Drawn by the program',
 };
 
+/** What a layer is called in seconds, where it is called otherwise. */
+const titlesInSeconds: Partial<Record<LayerName, string>> = { speed: 'Path by speed', best: 'Fastest possible run' };
+
 const always: Sign[] = [
   ['start', 'start'],
   ['goal', 'goal'],
@@ -104,6 +116,8 @@ export function createLegend(state: State, actions: Actions): Panel {
     select.value = value;
     return select;
   }
+  const title = (layer: LayerName) =>
+    (state.sides.every(({ track }) => track.drive) && titlesInSeconds[layer]) || titles[layer];
   function control(layer: LayerName): Child[] {
     const { layers, sides } = state;
     if (layer === 'walls') {
@@ -129,19 +143,20 @@ export function createLegend(state: State, actions: Actions): Panel {
       checked: layers[layer] as boolean,
       onchange: () => actions.setLayers({ [layer]: box.checked }),
     });
-    return [h('label', {}, box, ' ', titles[layer])];
+    return [h('label', {}, box, ' ', title(layer))];
   }
   function line(layer: LayerName): HTMLElement {
     const { layers, sides } = state;
     const on = layer === 'walls' || (layer === 'distances' ? layers.distances !== 'none' : layers[layer] === true);
     const most = Math.max(...sides.map(({ track }) => track.mostVisits));
-    const mms = sides[0].track.play.world === 'mms';
+    const { world } = sides[0].track.play;
+    const fastest = Math.max(...sides.map(({ track }) => track.drive?.fastest ?? 0));
     const key = (layerNames.indexOf(layer) + 1) % 10;
     return h(
       'div',
       { class: on ? 'layer on' : 'layer' },
       h('div', { class: 'control' }, ...control(layer), h('kbd', {}, key)),
-      on && signList(signsOf(layer, layers, mms, most)),
+      on && signList(signsOf(layer, layers, world, most, fastest)),
     );
   }
   function draw() {

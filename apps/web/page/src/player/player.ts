@@ -5,6 +5,7 @@ import type { Page } from '../views/view';
 import '../styles/player.css';
 import { fetchBeliefs } from './beliefs';
 import { createClock, seek, start, tick, usual } from './clock';
+import { createCurves } from './curves';
 import { createFacts } from './facts';
 import { createFiles } from './files';
 import { keyHelp, listen } from './keys';
@@ -12,6 +13,7 @@ import { usualLayers, type Layers } from './layers';
 import { createLegend } from './legend';
 import { count, createMeter } from './meter';
 import { createReasons } from './reasons';
+import { createRuns } from './runs';
 import { createSide } from './side';
 import { nextTime, timeOf, type Actions, type Panel, type Side, type State } from './state';
 import { createSteps } from './steps';
@@ -98,13 +100,14 @@ export function createPlayer(page: Page): Player {
   const moment = h('p', { class: 'moment' });
   const transport = createTransport(state, actions);
   const legend = createLegend(state, actions);
-  const numbers: Panel[] = [createFacts(state), createReasons(state)];
+  const curves = createCurves(state, actions);
+  const numbers: Panel[] = [createRuns(state, actions), createFacts(state), createReasons(state)];
   const below: Panel[] = [createSteps(state, actions), createWords(state), createFiles(page, state)];
-  const panels = [transport, legend, ...numbers, ...below];
+  const panels = [transport, legend, curves, ...numbers, ...below];
   const element = h(
     'div',
     { class: 'player', hidden: true },
-    h('div', { class: 'picture' }, sides, transport.element, moment),
+    h('div', { class: 'picture' }, sides, transport.element, moment, curves.element),
     h('div', { class: 'numbers' }, ...numbers.map((panel) => panel.element)),
     legend.element,
     h('div', { class: 'below' }, ...below.map((panel) => panel.element), keyHelp()),
@@ -130,7 +133,12 @@ export function createPlayer(page: Page): Player {
     asked = 0;
     tick(clock, now);
     const smooth = !still.matches;
-    for (let i = 0; i < state.sides.length; ++i) if (state.sides[i].scene.show(clock.time, smooth)) dirty = true;
+    for (let i = 0; i < state.sides.length; ++i) {
+      const { scene, track } = state.sides[i];
+      // In seconds the numbers change between the frames, too.
+      if (scene.show(clock.time, smooth) || track.drive) dirty = true;
+    }
+    curves.tick();
     if (!clock.playing || (dirty && now - told >= panelPause)) {
       told = now;
       refresh();
@@ -164,13 +172,15 @@ export function createPlayer(page: Page): Player {
       const names = namesOf(two.map(({ play }) => play));
       state.sides = two.map((shown, i) => createSide(shown, names[i], layers, tallest));
       state.chosen = 0;
+      const fastest = Math.max(...state.sides.map(({ track }) => track.drive?.fastest ?? 0));
+      for (const { track } of state.sides) if (track.drive) track.drive.fastest = fastest;
       element.hidden = state.sides.length === 0;
       element.classList.toggle('double', state.sides.length === 2);
       sides.replaceChildren(...state.sides.map((side) => side.element));
       clock.playing = false;
       clock.end = Math.max(0, ...state.sides.map(({ track }) => track.time[track.last]));
       clock.time = at === 'end' ? clock.end : 0;
-      clock.unit = state.sides.every(({ track }) => track.play.world === 'mms') ? usual.mms : usual.steps;
+      clock.unit = state.sides.some(({ track }) => track.play.world === 'steps') ? usual.steps : usual.seconds;
       if (layers.distances === 'believed' && !state.sides.some(believes)) layers.distances = 'true';
       if (layers.distances === 'believed') void believe();
       if (state.sides.length > 0) refresh();

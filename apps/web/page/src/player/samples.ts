@@ -11,7 +11,7 @@ const dot = (className: string, attributes = {}) =>
   svg('circle', { class: className, cx: 26, cy: 9, r: 6, ...attributes });
 
 const shapes: Record<
-  LayerName | 'mouse' | 'start' | 'goal' | 'unknown' | 'onwards' | 'chosen' | 'unseen' | 'drawn',
+  LayerName | 'mouse' | 'start' | 'goal' | 'unknown' | 'onwards' | 'chosen' | 'unseen' | 'drawn' | 'speeds' | 'ahead' | 'fastest',
   () => Child[]
 > = {
   walls: () => [line('s-ink', { 'stroke-width': 4 })],
@@ -43,6 +43,9 @@ const shapes: Record<
     line('s-to-goal', { d: 'M22 2v14', 'stroke-width': 4 }),
     svg('text', { class: 'f-ink', x: 31, y: 14, 'text-anchor': 'middle', 'font-size': 12 }, 'a'),
   ],
+  speeds: () => [1, 2, 3, 4, 5, 6].map((level, i) => box(`f-speed${level}`, i * 6, 6)),
+  ahead: () => [line('s-muted', { 'stroke-width': 1.5 })],
+  fastest: () => [line('s-ink', { 'stroke-width': 2, 'stroke-dasharray': '4 4' })],
   mouse: () => [svg('path', { class: 'f-ink', d: 'M18 1l7 15-7-3-7 3z' })],
   start: () => [
     box('f-start', 10, 16),

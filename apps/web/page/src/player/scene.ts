@@ -3,11 +3,13 @@
 import { h } from '../ui/dom';
 import { paintGround, paintLetters, paintNumbers } from '../maze/painter';
 import { createStage, type Stage } from '../maze/stage';
+import { createMoment, goTo, type Moment } from './drive';
 import type { Layers } from './layers';
 import { createPose, poseAt } from './motion';
 import type { Brush } from './paint/brush';
 import { paintCandidates } from './paint/candidates';
 import { distanceOf, paintDistances } from './paint/distances';
+import { paintDriven, paintDriving, paintFastest, poseOf } from './paint/drive';
 import { paintFloor } from './paint/floor';
 import { paintMouse, paintRays } from './paint/mouse';
 import { paintMmsTexts } from './paint/mms-texts';
@@ -20,6 +22,8 @@ export interface Scene {
   stage: Stage;
   track: Track;
   past: Past;
+  /** Of the last time that was shown; null in other worlds than that of seconds. */
+  moment: Moment | null;
   /** Believed distances: see beliefs.ts. */
   setBeliefs(beliefs: Uint16Array): void;
   believes(): boolean;
@@ -31,6 +35,9 @@ export interface Scene {
   repaint(): void;
 }
 
+/** Of a cell: paths between posts are to be seen. */
+const mouseInSeconds = 0.6;
+
 /** Everything but the mouse and its rays. */
 function paintBelow(brush: Brush) {
   const { context, g, palette, track, layers } = brush;
@@ -40,9 +47,9 @@ function paintBelow(brush: Brush) {
   paintFloor(brush);
   paintLetters(context, g, palette, track.maze, crowded);
   paintWalls(brush);
-  if (layers.best) paintBest(brush);
-  if (layers.exploration) paintExploration(brush);
-  if (layers.speed) paintSpeedRun(brush);
+  if (layers.best) (track.drive ? paintFastest : paintBest)(brush);
+  if (layers.exploration && !track.drive) paintExploration(brush);
+  if (layers.speed) (track.drive ? paintDriven : paintSpeedRun)(brush);
   if (layers.mms && mms) paintMmsTexts(brush);
   if (layers.distances !== 'none') paintDistances(brush);
   if (layers.candidates) paintCandidates(brush);
@@ -52,6 +59,7 @@ function paintBelow(brush: Brush) {
 export function createScene(track: Track, layers: Layers, tallest: () => number): Scene {
   const past = createPast(track);
   const pose = createPose();
+  const moment = track.drive ? createMoment() : null;
   const belowCanvas = h('canvas');
   const context = belowCanvas.getContext('2d', { alpha: false })!;
   let below: Brush | null = null;
@@ -66,7 +74,8 @@ export function createScene(track: Track, layers: Layers, tallest: () => number)
     stale = false;
     front.context.drawImage(belowCanvas, 0, 0);
     if (layers.rays) paintRays(front);
-    paintMouse(front, pose);
+    if (layers.speed && moment) paintDriving(front, moment);
+    paintMouse(front, pose, track.drive ? mouseInSeconds : 1);
   }
   const stage = createStage(track.maze, paint, {
     numbers: true,
@@ -79,12 +88,19 @@ export function createScene(track: Track, layers: Layers, tallest: () => number)
       stale = true;
     },
   });
-  poseAt(track, 0, 0, pose);
+  function look(time: number, frame: number, share: number) {
+    poseAt(track, frame, share, pose);
+    if (!track.drive || !moment) return;
+    goTo(track.drive, time, moment);
+    poseOf(moment, pose);
+  }
+  look(0, 0, 0);
 
   return {
     stage,
     track,
     past,
+    moment,
     setBeliefs(other) {
       beliefs = other;
       if (below) below.beliefs = other;
@@ -101,7 +117,7 @@ export function createScene(track: Track, layers: Layers, tallest: () => number)
       const share = between > 0 ? (time - track.time[frame]) / between : 0;
       if (!changed && frame + share === shown) return false;
       shown = frame + share;
-      poseAt(track, frame, share, pose);
+      look(smooth ? time : track.time[frame], frame, share);
       if (changed) stale = true;
       paint();
       return changed;

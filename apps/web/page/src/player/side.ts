@@ -18,7 +18,7 @@ function readout(track: Track, { stage, past, distanceOf }: Scene): HTMLElement 
     const [x, y] = cell;
     const index = y * track.maze.width + x;
     const distance = distanceOf(index);
-    const way = distance < 0 ? '' : `, ${counted(distance, 'step')} to the goal`;
+    const way = distance < 0 ? '' : `, ${counted(distance, track.drive ? 'cell' : 'step')} to the goal`;
     element.textContent = `(${x},${y}): ${counted(past.visits[index], 'visit')}${way}`;
   });
   stage.canvas.addEventListener('pointerleave', () => element.replaceChildren());
@@ -30,6 +30,7 @@ export function createSide({ play, record }: Shown, name: string, layers: Layers
   const scene = createScene(track, layers, tallest);
   const digits = play.world === 'mms' ? 1 : 3;
   const score = document.createTextNode('');
+  const best = document.createTextNode('');
   const run = document.createTextNode('');
   const steps = document.createTextNode('');
   const bound = play.bound === null ? '' : `bound ${decimal(play.bound, digits)}`;
@@ -44,9 +45,10 @@ export function createSide({ play, record }: Shown, name: string, layers: Layers
         'p',
         { class: 'ticker' },
         h('span', { class: 'score' }, score),
-        h('span', {}, 'score so far'),
+        h('span', {}, track.drive ? 's on the clock' : 'score so far'),
+        track.drive && h('span', {}, best),
         bound !== '' && h('span', { title: boundOf(play.world) }, bound),
-        h('span', {}, steps, ` of ${track.last} steps, `, run),
+        h('span', {}, steps, ` of ${track.last} ${track.drive ? 'moves' : 'steps'}, `, run),
       ),
     ),
     scene.stage.element,
@@ -61,7 +63,9 @@ export function createSide({ play, record }: Shown, name: string, layers: Layers
     element,
     update() {
       const { frame } = scene.past;
-      set(score, decimal(track.score[frame], digits));
+      const value = track.score[frame];
+      set(score, decimal(scene.moment ? scene.moment.time : value, digits));
+      set(best, Number.isNaN(value) ? 'no run so far' : `best so far ${decimal(value)}`);
       set(steps, String(frame));
       set(run, runText({ track, scene }));
     },

@@ -13,6 +13,7 @@ interface Column {
 }
 
 const runs = ['exploration', 'speed run'];
+const kinds = ['search', 'way home', 'fast run'];
 const place: Column = { name: 'at', text: ({ x, y }, i) => placeText(x[i], y[i]) };
 const heading: Column = { name: 'heading', text: (track, i) => headings[track.heading[i] & 7] };
 const action: Column = { name: 'does', text: ({ play, last }, i) => (i < last ? play.action[i] : play.outcome) };
@@ -27,9 +28,17 @@ const reading: Column = {
   text: ({ play: { left, ahead, right } }, i) => (i < left.length ? `${left[i]} ${ahead[i]} ${right[i]}` : ''),
 };
 
+const kind: Column = { name: 'run', text: ({ run, last }, i) => (i === last ? 'end' : kinds[run[i]]) };
+const clock: Column = { name: 'seconds', text: ({ time }, i) => time[i].toFixed(3) };
+const lasts: Column = {
+  name: 'takes, ms',
+  text: ({ time, last }, i) => (i < last ? (1000 * (time[i + 1] - time[i])).toFixed(1) : ''),
+};
+
 const columns = {
   steps: [run, place, heading, reading, action, blocked],
   mms: [seconds, place, heading, action, blocked],
+  seconds: [kind, clock, place, heading, action, lasts],
 };
 
 interface Line {

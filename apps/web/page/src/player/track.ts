@@ -1,6 +1,7 @@
 // A play as typed arrays, made once, so that nothing is made while it is shown.
 import type { MazeData, Play } from '../core/types';
 import { closedWalls } from '../maze/geometry';
+import { prepareDrive, type DriveTrack } from './drive';
 import { mmsChanges, type Changes } from './mms-changes';
 
 export interface Track {
@@ -9,14 +10,14 @@ export interface Track {
   cells: number;
   /** The last frame; there are as many steps. */
   last: number;
-  /** When each frame is: steps, or seconds in mms; never falling. */
+  /** When each frame is: steps, or seconds in the other worlds; never falling. */
   time: Float64Array;
   /** Half cells and eighths of a turn clockwise from north. */
   x: Int16Array;
   y: Int16Array;
   heading: Int8Array;
   run: Uint8Array;
-  /** 1 for a step that puts the mouse back, which is no way through the maze. */
+  /** 1 for a step that puts the mouse back, which is no way through the maze; in seconds for all: their path is in `drive`. */
   jump: Uint8Array;
   /** Steps of each run up to each frame. */
   exploration: Int32Array;
@@ -39,6 +40,8 @@ export interface Track {
   /** The first frames of the two marks, and of the speed run; -1 where they never came. */
   goalFrame: number;
   resetFrame: number;
+  /** Only in seconds. */
+  drive: DriveTrack | null;
 }
 
 export const never = 0x7fffffff;
@@ -53,7 +56,7 @@ function jumps(play: Play, last: number): Uint8Array {
   const jump = new Uint8Array(last);
   for (let i = 0; i < last; ++i) {
     const crooked = play.world === 'steps' && play.x[i] !== play.x[i + 1] && play.y[i] !== play.y[i + 1];
-    jump[i] = crooked || /^(ack)?reset/i.test(play.action[i]) ? 1 : 0;
+    jump[i] = play.world === 'seconds' || crooked || /^(ack)?reset/i.test(play.action[i]) ? 1 : 0;
   }
   return jump;
 }
@@ -79,14 +82,14 @@ function lastReasons(play: Play, last: number): Int32Array {
   return at;
 }
 
-/** The frame with which the speed run begins; mms has none. */
+/** The frame with which the (first) speed run begins; mms has none. */
 const resetOf = (play: Play) => (play.world === 'mms' ? -1 : (play.reset_frame ?? -1));
 
 function fans(play: Play, last: number): Uint8Array {
   const fan = new Uint8Array(last + 1);
   const stops = new Map<number, number>();
   const reset = resetOf(play);
-  if (reset < 0) return fan;
+  if (reset < 0 || play.world === 'seconds') return fan;
   for (let frame = reset + 1; frame <= last; ++frame) {
     const place = play.y[frame] * (2 * play.maze.width + 1) + play.x[frame];
     const earlier = stops.get(place) ?? 0;
@@ -117,7 +120,7 @@ export function prepare(play: Play): Track {
     jump: jumps(play, last),
     exploration,
     speed,
-    score: Float64Array.from(play.scores),
+    score: Float64Array.from(play.scores, (score) => score ?? NaN),
     closed: closedWalls(play.maze),
     known: Int32Array.from(play.known, (frame) => (frame < 0 ? never : frame)),
     enteredFrom,
@@ -129,6 +132,7 @@ export function prepare(play: Play): Track {
     changes: mmsChanges(play.events, play.maze, last),
     goalFrame: play.goal_frame ?? -1,
     resetFrame: resetOf(play),
+    drive: play.drive ? prepareDrive(play.drive) : null,
   };
 }
 

@@ -1,4 +1,5 @@
 // The controls of time: buttons, the scrubber with the runs marked on it, the speed.
+import type { DriveRun } from '../core/types';
 import { h } from '../ui/dom';
 import { rateOf, speeds } from './clock';
 import { icon, type Icon } from './icons';
@@ -8,6 +9,9 @@ import { momentText, short } from './words';
 function button(name: Icon, label: string, keys: string, onclick: () => void): HTMLButtonElement {
   return h('button', { type: 'button', 'aria-label': label, title: `${label} (${keys})`, onclick }, icon(name));
 }
+
+/** Of a run in seconds. */
+const runTones: Record<DriveRun['kind'], string> = { search: 'to-goal', home: 'onwards', fast: 'route' };
 
 /** One strip a play: how long it explored until the goal and from there on, and how long it ran. */
 function strip(side: Side, end: number): HTMLElement {
@@ -21,6 +25,10 @@ function strip(side: Side, end: number): HTMLElement {
     element.style.width = `${end > 0 ? (100 * (to - from)) / end : 0}%`;
     return element;
   };
+  if (track.drive) {
+    const runs = track.drive.runs.map(({ kind, begin, end: stops }) => part(runTones[kind], begin / 1e6, stops / 1e6));
+    return h('div', { class: 'strip' }, ...runs);
+  }
   if (track.play.world === 'mms') return h('div', { class: 'strip' }, part('to-goal', 0, stop));
   return h(
     'div',
@@ -85,6 +93,8 @@ export function createTransport(state: State, actions: Actions): Panel {
     const { track } = sides[state.chosen];
     const mms = track.play.world === 'mms';
     marks.start.hidden = mms;
+    marks.start.textContent = track.drive ? 'Search' : 'Exploration';
+    marks.speed.textContent = track.drive ? 'Fast run' : 'Speed run';
     marks.speed.hidden = mms;
     marks.goal.disabled = track.goalFrame < 0;
     marks.speed.disabled = track.resetFrame < 0;

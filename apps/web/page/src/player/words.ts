@@ -21,10 +21,13 @@ export const short = (value: number) => String(Math.round(value * 1000) / 1000);
 
 export const percent = (share: number) => `${(100 * share).toFixed(1)} %`;
 
+const runsInSeconds = ['search', 'way home', 'fast run'];
+
 export function runText({ track, scene }: Side): string {
   const { frame } = scene.past;
   if (frame === track.last) return track.play.ended ? 'ended' : 'broken off';
   if (track.play.world === 'mms') return 'running';
+  if (track.drive) return runsInSeconds[track.run[frame]];
   return track.run[frame] === 1 ? 'speed run' : 'exploration';
 }
 
@@ -46,9 +49,20 @@ export function actionText({ track, scene }: Side): string {
   return track.play.action[frame] + (track.play.blocked[frame] ? ', ended by a wall' : '');
 }
 
+/** The same of a contest in seconds. */
+function driveText(side: Named): string {
+  const { track, scene } = side;
+  const { time, v } = scene.moment!;
+  const { frame } = scene.past;
+  const when = `${side.name} at ${decimal(time)} of ${decimal(track.time[track.last])} s, ${runText(side)}`;
+  const where = `${when}: at ${poseText(side)}, ${decimal(v, 2)} m/s`;
+  return frame === track.last ? `${where}. ${track.play.outcome}.` : `${where}. Now: ${actionText(side)}.`;
+}
+
 /** One sentence on where a play is, for those who hear it. */
 export function momentText(side: Named): string {
   const { track, scene } = side;
+  if (scene.moment) return driveText(side);
   const { frame } = scene.past;
   const when = `${side.name} after ${frame} of ${counted(track.last, 'step')}, ${runText(side)}`;
   const where = `${when}: at ${poseText(side)}`;

@@ -1,11 +1,14 @@
 // The view Replay: the player, and while there is nothing to show, how to get something.
+import type { MazeData } from '../core/types';
 import { h } from '../ui/dom';
 import { createPlayer, type Shown } from '../player/player';
 import '../styles/replay.css';
 import type { Page, View } from './view';
 
+type Run = (mouse: string, maze: MazeData) => Promise<Shown>;
+
 /** Runs mice in a maze that the core brings, as an example. */
-function createExample(page: Page, mice: string[]) {
+function createExample(page: Page, mice: string[], where: string, run: Run) {
   const { mazes } = page.about;
   const select = h(
     'select',
@@ -14,12 +17,12 @@ function createExample(page: Page, mice: string[]) {
   );
   const usual = mazes.find(({ width }) => width === 16) ?? mazes[0];
   if (usual) select.value = usual.name;
-  async function run() {
+  async function show() {
     page.tell(`${mice.join(' and ')} in ${select.value} …`);
     try {
       const { maze } = await page.core.call('builtin_maze', { name: select.value });
       const plays: Shown[] = [];
-      for (const mouse of mice) plays.push(await page.core.call('run', { mouse, maze, seed: 1 }));
+      for (const mouse of mice) plays.push(await run(mouse, maze));
       page.tell('');
       page.replay(plays);
     } catch (error) {
@@ -29,13 +32,17 @@ function createExample(page: Page, mice: string[]) {
   return h(
     'p',
     {},
-    h('label', {}, `${mice.join(' and ')} in `, select),
+    h('label', {}, `${mice.join(' and ')}${where} in `, select),
     ' ',
-    h('button', { type: 'button', onclick: () => void run() }, 'Run'),
+    h('button', { type: 'button', onclick: () => void show() }, 'Run'),
   );
 }
 
 function createWelcome(page: Page) {
+  const inSteps: Run = (mouse, maze) => page.core.call('run', { mouse, maze, seed: 1 });
+  const { robots, drive_rules: rules } = page.about;
+  const inSeconds: Run = (mouse, maze) =>
+    page.core.call('drive', { mouse, maze, seed: 1, robot: robots[0].name, rules: rules[0].name });
   return h(
     'div',
     { class: 'welcome' },
@@ -46,8 +53,9 @@ function createWelcome(page: Page) {
       'Here it is played again.',
     ),
     h('h3', {}, 'See an example'),
-    createExample(page, ['ariadne']),
-    createExample(page, ['ariadne', 'flood']),
+    createExample(page, ['ariadne'], '', inSteps),
+    createExample(page, ['ariadne', 'flood'], '', inSteps),
+    robots.length > 0 && rules.length > 0 && createExample(page, ['certify'], ' in seconds', inSeconds),
     h('h3', {}, 'See one of your own'),
     h(
       'p',

@@ -14,12 +14,13 @@ function traceMouse(context: Context, size: number) {
   context.closePath();
 }
 
-export function paintMouse({ context, g, palette }: Brush, pose: Pose) {
+/** `size` 1 for one that fills its cell. */
+export function paintMouse({ context, g, palette }: Brush, pose: Pose, size = 1) {
   const angle = (pose[2] * Math.PI) / 4;
   const cos = Math.cos(angle);
   const sin = Math.sin(angle);
   context.setTransform(cos, sin, -sin, cos, halfX(g, pose[0]), halfY(g, pose[1]));
-  traceMouse(context, Math.max(g.pitch, 10 * g.ratio));
+  traceMouse(context, Math.max(g.pitch * size, 10 * g.ratio));
   context.lineJoin = 'round';
   context.lineWidth = thick(g, 0.07);
   context.strokeStyle = palette.paper;

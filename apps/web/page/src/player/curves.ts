@@ -1,0 +1,124 @@
+// Speed and acceleration of the present run over its time, below the maze.
+import uPlot from 'uplot';
+import 'uplot/dist/uPlot.min.css';
+import { h } from '../ui/dom';
+import { onTones, paperWidth, tone } from '../ui/tones';
+import { accelerationText, clockText, kinds, speedText, type DriveTrack } from './drive';
+import type { Actions, Panel, Side, State } from './state';
+
+const stepped = uPlot.paths.stepped!({ align: 1 });
+const height = 190;
+
+export interface Curves extends Panel {
+  /** Moves the mark of the present moment; in every frame of the browser. */
+  tick(): void;
+}
+
+/** Seconds since the run began, m/s, m/s². */
+export function curveData({ path, runs }: DriveTrack, run: number): [number[], number[], number[]] {
+  const { from, to, begin } = runs[run];
+  const cut = (list: Float64Array) => Array.from(list.subarray(from, to));
+  return [cut(path.t).map((time) => time - begin / 1e6), cut(path.v), cut(path.a)];
+}
+
+/** A little more than the values need, with 0 inside. */
+function rangeOf(values: number[]): [number, number] {
+  const low = values.reduce((a, b) => Math.min(a, b), 0);
+  const high = values.reduce((a, b) => Math.max(a, b), 0);
+  const room = Math.max((high - low) * 0.06, 0.05);
+  return [low < 0 ? low - room : 0, high + room];
+}
+
+export function createCurves(state: State, actions: Actions): Curves {
+  const picture = h('div', { class: 'speeds', role: 'img' });
+  const title = h('h3', {}, 'Speed and acceleration');
+  const text = h('p', { class: 'reading' });
+  const mark = h('div', { class: 'now' });
+  const element = h('section', { class: 'drive-curves', hidden: true, 'aria-label': 'Speed and acceleration' }, title, text, picture);
+  let plot: uPlot | null = null;
+  let side: Side | null = null;
+  let run = -1;
+  let place = NaN;
+
+  const drive = () => side?.track.drive ?? null;
+  const begin = () => (drive()?.runs[run]?.begin ?? 0) / 1e6;
+
+  function options(width: number, data: number[][]): uPlot.Options {
+    const font = `12px ${getComputedStyle(document.documentElement).fontFamily}`;
+    const axis = { font, labelFont: font, labelSize: 18, ticks: { stroke: tone('line'), width: 1 } };
+    const grid = { stroke: tone('line'), width: 1 };
+    const speed = rangeOf(data[1]);
+    const acceleration = rangeOf(data[2]);
+    return {
+      width,
+      height,
+      legend: { show: false },
+      cursor: { show: false },
+      scales: {
+        x: { time: false, range: () => [0, Math.max(data[0][data[0].length - 1], 0.001)] },
+        y: { range: () => speed },
+        a: { range: () => acceleration },
+      },
+      axes: [
+        { ...axis, stroke: tone('muted'), grid, label: 'seconds in this run', size: 30 },
+        { ...axis, stroke: tone('to-goal'), grid, label: 'm/s', size: 42 },
+        { ...axis, stroke: tone('route'), grid: { show: false }, scale: 'a', side: 1, label: 'm/s²', size: 46 },
+      ],
+      series: [
+        {},
+        { label: 'speed', stroke: tone('to-goal'), width: 2, points: { show: false } },
+        { label: 'acceleration', scale: 'a', stroke: tone('route'), width: 1.5, dash: [4, 2], paths: stepped, points: { show: false } },
+      ],
+    };
+  }
+  function draw() {
+    plot?.destroy();
+    plot = null;
+    const width = paperWidth() ?? picture.clientWidth;
+    const track = drive();
+    if (!track || run < 0 || width === 0) return;
+    const data = curveData(track, run);
+    if (data[0].length < 2) return;
+    const { kind } = track.runs[run];
+    const name = `${side!.name}, run ${run + 1}: ${kinds[kind]}`;
+    title.textContent = `Speed and acceleration: ${name}`;
+    const most = data[1].reduce((a, b) => Math.max(a, b), 0);
+    picture.setAttribute(
+      'aria-label',
+      `Speed and acceleration over the ${clockText(data[0][data[0].length - 1])} s of ${name}; at most ${speedText(most)}.`,
+    );
+    plot = new uPlot(options(width, data), data, picture);
+    plot.over.append(mark);
+    plot.over.addEventListener('click', ({ offsetX }) => actions.seek(begin() + plot!.posToVal(offsetX, 'x')));
+    place = NaN;
+    tick();
+  }
+  function tick() {
+    const moment = side?.scene.moment;
+    if (!moment || !plot) return;
+    const at = Math.round(plot.valToPos(moment.time - begin(), 'x') * 2) / 2;
+    if (at === place) return;
+    place = at;
+    mark.style.transform = `translateX(${Math.min(Math.max(at, 0), plot.over.clientWidth)}px)`;
+  }
+  new ResizeObserver(() => element.hidden || draw()).observe(picture);
+  onTones(() => element.hidden || draw());
+  return {
+    element,
+    tick,
+    update() {
+      const chosen = state.sides[state.chosen];
+      const { moment } = chosen.scene;
+      element.hidden = !chosen.track.drive || !moment || moment.run < 0;
+      if (element.hidden) return;
+      if (chosen !== side || moment!.run !== run) {
+        side = chosen;
+        run = moment!.run;
+        draw();
+      }
+      tick();
+      const words = `${clockText(moment!.time - begin())} s: ${speedText(moment!.v)}, ${accelerationText(moment!.a)}`;
+      if (text.textContent !== words) text.textContent = words;
+    },
+  };
+}
