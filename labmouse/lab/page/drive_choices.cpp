@@ -1,33 +1,13 @@
 #include "labmouse/lab/page/drive_choices.hpp"
 
-#include <array>
-
 #include "labmouse/lab/builtin_robots.hpp"
+#include "labmouse/lab/builtin_rules.hpp"
+#include "labmouse/lab/drive_rules_file.hpp"
 #include "labmouse/lab/robot_file.hpp"
 
 namespace labmouse {
-namespace {
 
 using Json = nlohmann::ordered_json;
-
-DriveRules rules_of(const char* name, const char* source, int divisor, bool gate_to_gate) {
-  DriveRules rules;
-  rules.name = name;
-  rules.source = source;
-  rules.time_limit = 600'000'000;
-  rules.maze_time_divisor = divisor;
-  rules.gate_to_gate = gate_to_gate;
-  return rules;
-}
-
-const std::array<DriveRules, 2>& all_rules() {
-  static const std::array<DriveRules, 2> rules = {
-      rules_of("all-japan", "the fastest of at most five runs in the time given", 0, true),
-      rules_of("thirtieth", "a run and a thirtieth of the time in the maze before it", 30, true)};
-  return rules;
-}
-
-}  // namespace
 
 std::optional<DriveModel> page_robot(std::string_view name) {
   for (const BuiltinRobot& robot : builtin_robots())
@@ -36,8 +16,8 @@ std::optional<DriveModel> page_robot(std::string_view name) {
 }
 
 std::optional<DriveRules> page_rules(std::string_view name) {
-  for (const DriveRules& rules : all_rules())
-    if (rules.name == name) return rules;
+  for (const BuiltinRules& rules : builtin_rules())
+    if (rules.name == name) return read_drive_rules(rules.text, rules.name).rules;
   return std::nullopt;
 }
 
@@ -50,7 +30,8 @@ Json page_robots_json() {
 
 Json page_rules_json() {
   Json list = Json::array();
-  for (const DriveRules& rules : all_rules()) list.push_back({{"name", rules.name}, {"source", rules.source}});
+  for (const BuiltinRules& rules : builtin_rules())
+    list.push_back({{"name", rules.name}, {"source", read_drive_rules(rules.text, rules.name).rules->source}});
   return list;
 }
 

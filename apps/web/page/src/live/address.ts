@@ -1,4 +1,5 @@
-// What Live shows, as the part of the page's address behind `#`: `live&mouse=SPEC&maze=LINK&seed=N&budget=N`.
+// What Live shows, as the part of the page's address behind `#`: `live&mouse=SPEC&maze=LINK&seed=N&budget=N`, and in
+// seconds `live&mouse=SPEC&maze=LINK&seed=N&robot=NAME&rules=NAME`.
 
 export interface LiveAddress {
   mouse?: string;
@@ -6,14 +7,17 @@ export interface LiveAddress {
   maze?: string;
   seed?: number;
   budget?: number;
+  /** Of a contest in seconds. */
+  robot?: string;
+  rules?: string;
 }
 
 /** A SPEC in a link stays legible. */
 const legible = (text: string) =>
   encodeURIComponent(text).replace(/%3A/g, ':').replace(/%3D/g, '=').replace(/%2F/g, '/').replace(/%2C/g, ',');
 
-export function addressOf({ mouse, maze, seed, budget }: LiveAddress): string {
-  const fields = { mouse, maze, seed, budget };
+export function addressOf({ mouse, maze, seed, budget, robot, rules }: LiveAddress): string {
+  const fields = { mouse, maze, seed, budget, robot, rules };
   const parts = Object.entries(fields).filter(([, value]) => value !== undefined);
   return ['live', ...parts.map(([name, value]) => `${name}=${legible(String(value))}`)].join('&');
 }
@@ -46,6 +50,8 @@ export function readAddress(hash: string): LiveAddress | null {
     maze: fields.get('maze') || undefined,
     seed: whole(fields.get('seed')),
     budget: whole(fields.get('budget')),
+    robot: fields.get('robot') || undefined,
+    rules: fields.get('rules') || undefined,
   };
   return Object.fromEntries(Object.entries(address).filter(([, value]) => value !== undefined));
 }

@@ -1,9 +1,9 @@
 // Runs what is chosen, at once on every change, and shows the walk.
-import type { MazeData } from '../core/types';
+import type { MazeData, Play } from '../core/types';
 import { isSameMaze } from '../maze/same';
 import { createPlayer } from '../player/player';
 import { h } from '../ui/dom';
-import { boundMeaning } from '../ui/terms';
+import { boundOf } from '../ui/terms';
 import { createLatest } from '../ui/latest';
 import type { Page } from '../views/view';
 import { comparisonInWords, type Walk } from './comparison';
@@ -13,6 +13,8 @@ export interface Order {
   maze: MazeData;
   seed: number;
   budget: number;
+  /** For a contest in seconds, which has no budget of steps. */
+  drive: { robot: string; rules: string } | null;
 }
 
 export interface Bench {
@@ -21,12 +23,13 @@ export interface Bench {
   stop(): void;
 }
 
-const score = (value: number | null) => (value === null ? 'none' : value.toFixed(3));
+const score = (value: number | null, unit: string) => (value === null ? 'none' : value.toFixed(3) + unit);
 
 /** What came of a walk, in a line. */
 function outcomeInWords({ spec, play }: Walk): string {
-  const known = play.bound === null ? 'no goal can be reached' : `bound ${score(play.bound)}`;
-  return `${spec} in ${play.maze.name || 'this maze'}: ${play.outcome}, score ${score(play.score)}, ${known}`;
+  const unit = play.drive ? ' s' : '';
+  const known = play.bound === null ? 'no goal can be reached' : `bound ${score(play.bound, unit)}`;
+  return `${spec} in ${play.maze.name || 'this maze'}: ${play.outcome}, score ${score(play.score, unit)}, ${known}`;
 }
 
 /** `refused` hears why a run could not be, and an empty text where it could. */
@@ -48,21 +51,23 @@ export function createBench(page: Page, refused: (message: string) => void): Ben
     if (now) player.show(compare.checked && before ? [before, now] : [now], 'end');
   }
   function take(walk: Walk) {
-    before = now && isSameMaze(now.play, walk.play) ? now : null;
+    before = now && now.play.world === walk.play.world && isSameMaze(now.play, walk.play) ? now : null;
     now = walk;
     refused('');
     stale(false);
     outcome.dataset.state = walk.play.solved ? 'good' : 'bad';
-    outcome.title = `bound: ${boundMeaning}`;
+    outcome.title = `bound: ${boundOf(walk.play.world)}`;
     outcome.replaceChildren(outcomeInWords(walk));
     words.replaceChildren(before ? comparisonInWords(before, walk) : '');
     compare.disabled = before === null;
     show();
   }
   const latest = createLatest(
-    async ({ spec, maze, seed, budget }: Order): Promise<Walk> => {
-      const answer = await page.core.call('run', { mouse: spec, maze, seed, budget });
-      return { spec, seed, budget, ...answer };
+    async ({ spec, maze, seed, budget, drive }: Order): Promise<Walk> => {
+      const answer: { play: Play; record: string } = drive
+        ? await page.core.call('drive', { mouse: spec, maze, seed, ...drive })
+        : await page.core.call('run', { mouse: spec, maze, seed, budget });
+      return { spec, seed, budget, drive, ...answer };
     },
     take,
     (error) => {

@@ -6,6 +6,7 @@ export interface Walk {
   spec: string;
   seed: number;
   budget: number;
+  drive?: { robot: string; rules: string } | null;
   play: Play;
   record: string;
 }
@@ -17,7 +18,9 @@ function changes(before: Walk, now: Walk): string {
   const parts = [
     before.spec !== now.spec && `${before.spec} → ${now.spec}`,
     before.seed !== now.seed && `seed ${before.seed} → ${now.seed}`,
-    before.budget !== now.budget && `budget ${before.budget} → ${now.budget}`,
+    before.drive?.robot !== now.drive?.robot && `robot ${before.drive?.robot} → ${now.drive?.robot}`,
+    before.drive?.rules !== now.drive?.rules && `rules ${before.drive?.rules} → ${now.drive?.rules}`,
+    !now.drive && before.budget !== now.budget && `budget ${before.budget} → ${now.budget}`,
   ];
   return parts.filter(Boolean).join(', ');
 }
@@ -30,7 +33,8 @@ function signed(difference: number) {
 /** What a change did to the score, in a line. */
 export function comparisonInWords(before: Walk, now: Walk): string {
   const asked = changes(before, now);
-  const isSameWalk = JSON.stringify(before.play.action) === JSON.stringify(now.play.action);
+  const isSameWalk =
+    JSON.stringify([before.play.action, before.play.clock]) === JSON.stringify([now.play.action, now.play.clock]);
   const [was, is] = [before.play.score, now.play.score];
   const difference = was !== null && is !== null ? ` (${signed(is - was)}; less is better)` : '';
   const score = `score ${scoreOf(before.play)} → ${scoreOf(now.play)}${difference}`;

@@ -40,7 +40,7 @@ export function createCurves(state: State, actions: Actions): Curves {
   let run = -1;
   let place = NaN;
 
-  const drive = () => side?.track.drive ?? null;
+  const drive = () => side?.track.drive;
   const begin = () => (drive()?.runs[run]?.begin ?? 0) / 1e6;
 
   function options(width: number, data: number[][]): uPlot.Options {
@@ -110,7 +110,10 @@ export function createCurves(state: State, actions: Actions): Curves {
       const chosen = state.sides[state.chosen];
       const { moment } = chosen.scene;
       element.hidden = !chosen.track.drive || !moment || moment.run < 0;
-      if (element.hidden) return;
+      if (element.hidden) {
+        side = null;
+        return;
+      }
       if (chosen !== side || moment!.run !== run) {
         side = chosen;
         run = moment!.run;

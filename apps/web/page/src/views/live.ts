@@ -3,6 +3,7 @@ import { addressOf, readAddress } from '../live/address';
 import { createBench } from '../live/bench';
 import { createEveryone } from '../live/everyone';
 import { createMazeChoice } from '../live/maze-choice';
+import { createWorldChoice } from '../live/world-choice';
 import { createMouseChoice } from '../live/mouse-choice';
 import { h } from '../ui/dom';
 import { complainAt, field } from '../ui/field';
@@ -48,6 +49,7 @@ export function createLive(page: Page): LiveView {
   budget.addEventListener('input', () => (everyone.clear(), changed()));
   const budgetRow = field('Budget', budget, h('span', {}, `steps of both runs; ${rules.budget} in contests`));
   const seedRow = field('Seed', seed);
+  const world = createWorldChoice(page.about, () => (showWorld(), changed()));
   const bench = createBench(page, (message) => {
     complainAt({ seed: seedRow, budget: budgetRow, mouse }, 'mouse', message);
     if (message) showComplaint();
@@ -61,6 +63,10 @@ export function createLive(page: Page): LiveView {
     bench.element.scrollIntoView({ block: 'nearest' });
   });
 
+  function showWorld() {
+    budgetRow.hidden = everyone.button.hidden = world.drive() !== null;
+    if (world.drive()) everyone.clear();
+  }
   function showComplaint() {
     const row = side.querySelector('[aria-invalid]')?.closest('.field');
     const closed = row?.closest('details');
@@ -70,20 +76,21 @@ export function createLive(page: Page): LiveView {
   function order() {
     // What is empty is no number, and no 0: the core says so.
     const numbers = { seed: seed.valueAsNumber, budget: budget.valueAsNumber };
-    return maze && { spec: mouse.spec(), maze, ...numbers };
+    return maze && { spec: mouse.spec(), maze, ...numbers, drive: world.drive() };
   }
   function changed() {
     const now = order();
     if (!now || !isShown) return;
     bench.run(now);
-    if (Number.isFinite(now.seed) && Number.isFinite(now.budget)) address.ask(now);
+    if (Number.isFinite(now.seed) && (now.drive || Number.isFinite(now.budget))) address.ask(now);
   }
   /** The address says what is shown, so that a reload or a shared link shows the same. */
   const address = createLatest(
     async (now: NonNullable<ReturnType<typeof order>>) => (await page.core.call('link', { maze: now.maze })).link,
     (link, now) => {
-      const usual = now.budget === rules.budget;
-      const text = addressOf({ mouse: now.spec, maze: link, seed: now.seed, budget: usual ? undefined : now.budget });
+      const usual = now.drive || now.budget === rules.budget;
+      const budget = usual ? undefined : now.budget;
+      const text = addressOf({ mouse: now.spec, maze: link, seed: now.seed, budget, ...now.drive });
       written = `#${text}`;
       if (isShown) history.replaceState(null, '', written);
     },
@@ -95,6 +102,7 @@ export function createLive(page: Page): LiveView {
     if (wanted?.mouse) mouse.choose(wanted.mouse);
     if (wanted?.seed !== undefined) seed.value = String(wanted.seed);
     if (wanted?.budget !== undefined) budget.value = String(wanted.budget);
+    if (wanted?.robot || wanted?.mouse) (world.choose(wanted.robot, wanted.rules), showWorld());
     if (wanted?.maze) {
       written = location.hash;
       try {
@@ -118,6 +126,7 @@ export function createLive(page: Page): LiveView {
       'section',
       { class: 'card', 'aria-label': 'Contest' },
       h('h2', {}, 'Contest'),
+      world.element,
       h('div', { class: 'field-row' }, seedRow, budgetRow),
       everyone.button,
     ),

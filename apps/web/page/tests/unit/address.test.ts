@@ -7,6 +7,12 @@ it('reads what it wrote', () => {
   expect(readAddress(`#${addressOf(address)}`)).toEqual(address);
 });
 
+it('says the robot and the rules of a contest in seconds', () => {
+  const address = { mouse: 'certify', seed: 1, robot: 'mm2021', rules: 'all-japan' };
+  expect(addressOf(address)).toBe('live&mouse=certify&seed=1&robot=mm2021&rules=all-japan');
+  expect(readAddress(addressOf(address))).toEqual(address);
+});
+
 it('leaves out what is not said', () => {
   expect(addressOf({})).toBe('live');
   expect(readAddress('#live')).toEqual({});

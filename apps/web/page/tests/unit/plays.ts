@@ -103,3 +103,69 @@ export function mms(changes: Partial<Play> = {}): Play {
     ...changes,
   });
 }
+
+/**
+ * A contest in seconds in the same maze, of one cell a second: up, one cell to the right, stops and turns, is carried
+ * back, and runs up again, evenly accelerated, then at a leap faster.
+ */
+export function seconds(changes: Partial<Play> = {}): Play {
+  const run = { gate_out: null, gate_in: null, centre: null, known: null, hoped: null, score: null };
+  return {
+    ...steps(),
+    world: 'seconds',
+    rules: null,
+    outcome: 'finished',
+    score: 1.5,
+    bound: 1.25,
+    optimum: 1.5,
+    exploration_steps: 0,
+    speed_steps: 0,
+    clock: [0, 1, 3, 3, 5, 5.5],
+    x: [1, 1, 3, 1, 1, 1],
+    y: [1, 3, 3, 1, 2, 3],
+    heading: [0, 0, 2, 0, 0, 0],
+    run: [0, 0, 0, 2, 2, 2],
+    action: ['ahead 1', 'right, 1', 'carried to the start', 'ahead 0.5', 'ahead 0.5'],
+    blocked: [false, false, false, false, false],
+    left: [],
+    ahead: [],
+    right: [],
+    known: [0, -1, -1, 0, 0, 0, 0, 1, 0, 2, 2, 0],
+    goal_frame: 2,
+    reset_frame: 3,
+    entered: [[3], [4], [], [], [3]],
+    route: [],
+    scores: [null, null, null, null, null, 1.5],
+    drive: {
+      robot: { name: 'hand', cell: 100, hash: '0' },
+      rules: { name: 'thirtieth', source: '', time_limit: 6e8, most_runs: 5, maze_time_divisor: 30, gate_to_gate: true },
+      decisions: 2,
+      replanned: 1,
+      runs: [
+        { ...run, kind: 'search', begin: 0, end: 3e6, gate_out: 1e6, gate_in: 2e6, frame: 0, from: 0, to: 4 },
+        {
+          ...run,
+          kind: 'fast',
+          begin: 3e6,
+          end: 5.5e6,
+          gate_out: 4e6,
+          gate_in: 5.5e6,
+          frame: 3,
+          from: 4,
+          to: 8,
+          score: { gate_to_gate: 1.5e6, rest_to_centre: 2.5e6, maze_time: 1e5, bonus: 0, value: 1.6e6, best: true },
+        },
+      ],
+      path: {
+        t: [0, 1e6, 2e6, 3e6, 3e6, 5e6, 5e6, 5.5e6],
+        x: [0.5, 0.5, 1.5, 1.5, 0.5, 0.5, 0.5, 0.5],
+        y: [0.5, 1.5, 1.5, 1.5, 0.5, 1.5, 1.5, 2],
+        heading: [0, 0, 2, 6, 0, 0, 0, 0],
+        v: [100, 100, 0, 0, 0, 100, 200, 200],
+        a: [0, -100, 0, 0, 50, 0, 0, 0],
+      },
+      best: { t: [], x: [], y: [], heading: [], v: [], a: [] },
+    },
+    ...changes,
+  };
+}

@@ -1,0 +1,139 @@
+// Contests in seconds, in Replay and in Live.
+import type { Page } from 'playwright-core';
+import { expect, test } from 'vitest';
+import { barriers, open, picture } from './harness';
+
+/** Drives the example, with its maze. */
+async function driven(options = {}) {
+  const page = await open('#replay', options);
+  const line = page.locator('.replay .welcome p', { hasText: 'certify in seconds in' });
+  await line.getByRole('combobox').selectOption('contest-01');
+  await line.getByRole('button', { name: 'Run' }).click();
+  await page.locator('.replay .player canvas').first().waitFor();
+  return page;
+}
+
+const moment = async (page: Page) => (await page.locator('.replay .moment').textContent())!;
+const clock = async (page: Page) => Number(/ at ([\d.]+) of/.exec(await moment(page))![1]);
+const end = async (page: Page) => Number(/ of ([\d.]+) s/.exec(await moment(page))![1]);
+const scrubber = (page: Page) => page.getByRole('slider', { name: 'Moment of the replay' });
+const fact = async (page: Page, name: string) =>
+  page
+    .locator('.replay .facts tr', { has: page.getByRole('rowheader', { name, exact: true }) })
+    .locator('td')
+    .first()
+    .textContent();
+const pixels = (page: Page) =>
+  page.locator('.replay .sides canvas').evaluate((canvas: HTMLCanvasElement) => canvas.toDataURL());
+const fastRun = (page: Page) => page.locator('.replay .runs').getByRole('button', { name: /fast run$/ }).last();
+
+test('a contest in seconds is played on its clock, move by move', async () => {
+  const page = await driven();
+  expect(await moment(page)).toContain('certify at 0.000 of');
+  expect(await moment(page)).toContain('search: at (0,0) north, 0.00 m/s');
+  await page.keyboard.press('ArrowRight');
+  await expect.poll(() => clock(page)).toBeGreaterThan(0);
+  const first = await clock(page);
+  await page.keyboard.press('ArrowLeft');
+  await expect.poll(() => clock(page)).toBe(0);
+  await scrubber(page).fill(String(first / 2));
+  await expect.poll(() => clock(page)).toBeCloseTo(first / 2, 2);
+  await page.keyboard.press('End');
+  await expect.poll(() => moment(page)).toContain('finished');
+  expect(await clock(page)).toBe(await end(page));
+  expect(await fact(page, 'best so far')).toBe(await fact(page, 'score'));
+});
+
+test('its runs are listed, and lead to their beginnings, with their curves', async () => {
+  const page = await driven();
+  const runs = page.locator('.replay .runs tbody tr');
+  expect(await runs.allTextContents()).toEqual([
+    expect.stringContaining('1 search'),
+    expect.stringContaining('2 way home'),
+    expect.stringContaining('3 fast run'),
+  ]);
+  expect(await runs.last().textContent()).toContain('best');
+  await fastRun(page).click();
+  await expect.poll(() => fact(page, 'run')).toBe('fast run');
+  expect(await runs.last().getAttribute('aria-current')).toBe('true');
+  expect(await fact(page, 'time in this run')).toBe('0.000 s');
+  const curves = page.locator('.replay .drive-curves');
+  await curves.locator('canvas').waitFor();
+  expect(await curves.getByRole('img').getAttribute('aria-label')).toMatch(/run 3: fast run; at most [\d.]+ m\/s/);
+  const before = await pixels(page);
+  await curves.locator('.u-over').click({ position: { x: 150, y: 20 } });
+  await expect.poll(() => fact(page, 'time in this run')).not.toBe('0.000 s');
+  await expect.poll(() => pixels(page)).not.toBe(before);
+  expect(await curves.locator('.reading').textContent()).toMatch(/^[\d.]+ s: [\d.]+ m\/s, −?[\d.]+ m\/s²$/);
+});
+
+test('it runs in real time and slower', async () => {
+  const page = await driven();
+  const speed = page.getByRole('combobox', { name: /^Speed/ });
+  await speed.selectOption('0.1×');
+  expect(await page.locator('.replay .rate').textContent()).toBe('0.1 s/s');
+  await speed.selectOption('64×');
+  await page.keyboard.press('Space');
+  await page.getByRole('button', { name: 'Play', exact: true }).waitFor();
+  await expect.poll(() => moment(page)).toContain('finished');
+});
+
+test('what was scrubbed is drawn the same forwards and backwards, in each layer', async () => {
+  const page = await driven();
+  const whole = await end(page);
+  const at = async (time: number) => {
+    await scrubber(page).fill(String(time));
+    await expect.poll(() => clock(page)).toBeCloseTo(time, 2);
+    return pixels(page);
+  };
+  const first = await at(whole / 3);
+  const later = await at(whole - 1.234);
+  expect(first).not.toBe(later);
+  expect(await at(whole / 3)).toBe(first);
+  expect(await at(whole - 1.234)).toBe(later);
+  let before = later;
+  for (const key of ['1', '2', '3', '4', '7', '8']) {
+    await page.keyboard.press(key);
+    await expect.poll(() => pixels(page), { message: key }).not.toBe(before);
+    before = await pixels(page);
+  }
+  expect(await page.locator('.replay .legend').textContent()).toContain('m/s, in steps of');
+});
+
+test('nothing is in the way of anybody, in light and dark, at every width', async () => {
+  const page = await driven();
+  await fastRun(page).click();
+  await scrubber(page).fill(String((await end(page)) - 2));
+  await page.keyboard.press('8');
+  await expect.poll(() => fact(page, 'run')).toBe('fast run');
+  for (const colorScheme of ['light', 'dark'] as const)
+    for (const width of [1280, 390]) {
+      await page.emulateMedia({ colorScheme });
+      await page.setViewportSize({ width, height: width === 1280 ? 1000 : 844 });
+      if ((colorScheme === 'light') === (width === 1280)) expect(await barriers(page)).toEqual([]);
+      await expect.poll(() => page.evaluate(() => document.documentElement.scrollWidth)).toBe(width);
+      await picture(page, `seconds-${colorScheme}-${width}`);
+      await page.locator('.replay .drive-curves').scrollIntoViewIfNeeded();
+      if (width === 390) await picture(page, `seconds-${colorScheme}-${width}-curves`);
+    }
+});
+
+test('a mouse drives in Live, with a robot and rules, and the address says so', async () => {
+  const page = await open('#live');
+  const live = page.getByRole('region', { name: 'Live' });
+  const outcome = live.locator('.verdict');
+  await expect.poll(() => outcome.textContent()).toContain('score');
+  await live.getByLabel('World').selectOption('seconds');
+  await expect.poll(() => outcome.textContent()).toMatch(/finished, score [\d.]+ s, bound [\d.]+ s$/);
+  await live.getByLabel('Robot').selectOption('half');
+  await live.getByLabel('Rules').selectOption('thirtieth');
+  await page.getByRole('region', { name: 'Mouse' }).getByLabel('Name').selectOption('certify');
+  await expect.poll(() => page.evaluate(() => location.hash)).toMatch(/mouse=certify.*&robot=half&rules=thirtieth$/);
+  await expect.poll(() => outcome.textContent()).toMatch(/^certify in .* finished, score/);
+  const said = await outcome.textContent();
+  expect(await barriers(page)).toEqual([]);
+  await page.reload();
+  await expect.poll(() => outcome.textContent()).toBe(said);
+  await page.getByRole('region', { name: 'Mouse' }).getByLabel('Name').selectOption('random');
+  await expect.poll(() => outcome.textContent()).toContain("mouse 'random' does not drive in seconds");
+});
