@@ -101,13 +101,14 @@ export function createPlayer(page: Page): Player {
   const transport = createTransport(state, actions);
   const legend = createLegend(state, actions);
   const curves = createCurves(state, actions);
-  const numbers: Panel[] = [createRuns(state, actions), createFacts(state), createReasons(state)];
+  const runs = createRuns(state, actions);
+  const numbers: Panel[] = [createFacts(state), createReasons(state)];
   const below: Panel[] = [createSteps(state, actions), createWords(state), createFiles(page, state)];
-  const panels = [transport, legend, curves, ...numbers, ...below];
+  const panels = [transport, legend, curves, runs, ...numbers, ...below];
   const element = h(
     'div',
     { class: 'player', hidden: true },
-    h('div', { class: 'picture' }, sides, transport.element, moment, curves.element),
+    h('div', { class: 'picture' }, sides, transport.element, moment, curves.element, runs.element),
     h('div', { class: 'numbers' }, ...numbers.map((panel) => panel.element)),
     legend.element,
     h('div', { class: 'below' }, ...below.map((panel) => panel.element), keyHelp()),
