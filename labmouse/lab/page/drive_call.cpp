@@ -5,27 +5,15 @@
 #include <optional>
 
 #include "labmouse/contest/drive.hpp"
+#include "labmouse/lab/contestants.hpp"
 #include "labmouse/lab/page/answers.hpp"
 #include "labmouse/lab/page/drive_choices.hpp"
 #include "labmouse/lab/page/mouse_spec.hpp"
 #include "labmouse/lab/page/play_seconds.hpp"
 #include "labmouse/lab/page/request.hpp"
-#include "labmouse/strategies/roster.hpp"
 
 namespace labmouse {
 namespace {
-
-const RosterEntry* driver_of(const Contestant& mouse) {
-  const RosterEntry* entry = find_mouse(mouse.name.substr(0, mouse.name.find(':')));
-  return entry != nullptr && entry->drives ? entry : nullptr;
-}
-
-std::string no_driver(const Contestant& mouse) {
-  std::vector<std::string_view> names;
-  for (const RosterEntry* entry : roster())
-    if (entry->drives) names.push_back(entry->name);
-  return fmt::format("mouse '{}' does not drive in seconds; {} do", mouse.name, fmt::join(names, ", "));
-}
 
 std::string too_large(const NamedMaze& maze) {
   const Size size = maze.maze.size();
@@ -48,13 +36,12 @@ PageReply answer_drive(const nlohmann::json& json, std::string_view) {
   if (!mice.error.empty()) return failed(mice.error);
   if (mice.contestants.size() != 1) return failed(fmt::format("'{}' names several mice; one drives here", spec));
   const Contestant& mouse = mice.contestants.front();
-  const RosterEntry* entry = driver_of(mouse);
-  if (entry == nullptr) return failed(no_driver(mouse));
+  if (auto reason = refuse_to_drive(mice.contestants); !reason.empty()) return failed(std::move(reason));
   const std::optional<DriveModel> model = page_robot(robot_name);
   if (!model) return failed(fmt::format("there is no robot '{}' in the page", robot_name));
   const std::optional<DriveRules> rules = page_rules(rules_name);
   if (!rules) return failed(fmt::format("there are no rules '{}' in the page", rules_name));
-  const auto mind = entry->make(brief(maze.maze, *rules, *model, seed), mouse.settings);
+  const auto mind = mouse.drive(brief(maze.maze, *rules, *model, seed));
   const DriveRecord record = drive(maze.maze, *rules, *model, *mind);
   return answered({{"play", play_json({mouse.name, maze.name, seed, maze.maze, *model, *rules, record})}, {"record", ""}});
 }
