@@ -93,7 +93,8 @@ std::string driven_path(const Panel& panel, double cell_side, double from, doubl
 }
 
 std::string line(const Tone& tone, double width, std::string_view path) {
-  return fmt::format("<path {} stroke-width=\"{:.1f}\" stroke-linejoin=\"round\" d=\"{}\"/>\n", stroke(tone), width, path);
+  return fmt::format("<path {} stroke-width=\"{:.1f}\" stroke-linejoin=\"round\" d=\"{}\"/>\n", stroke(tone), width,
+                     path);
 }
 
 std::string open_wall(std::string_view path) {
@@ -146,7 +147,8 @@ std::string panel_svg(const Panel& panel, const Robot& robot) {
   std::string svg = drawing_of(panel, robot);
   int y = panel.corner.y + 2 * cell + 28;
   for (const std::string& words : figures(panel, robot)) {
-    svg += text_svg(panel.corner.x + cell, y, "middle", words.starts_with(name_of(panel.shape.turn)) ? ink : muted, words);
+    svg +=
+        text_svg(panel.corner.x + cell, y, "middle", words.starts_with(name_of(panel.shape.turn)) ? ink : muted, words);
     y += line_height;
   }
   return svg;
@@ -156,10 +158,12 @@ Legend legend_of(const Robot& robot) {
   Legend legend({margin, bottom(robot) + 14}, right);
   legend.add(28, wall(ink, "M3 0h22"), "may stand");
   legend.add(28, open_wall("M0 0h28"), "must be open");
-  legend.add(28, line(route, 3, "M0 0h28"), robot.fixed ? "a curve from node to node; the real one is not known" : "curve");
+  legend.add(28, line(route, 3, "M0 0h28"),
+             robot.fixed ? "a curve from node to node; the real one is not known" : "curve");
   if (!robot.fixed) legend.add(28, line(onwards, 3, "M0 0h28"), "lead: straight");
   if (robot.clearance > 0.0)
-    legend.add(28, line(heat_tones[0], 18, "M0 0h28"), fmt::format("{:g} mm on both sides, which stay free", robot.clearance));
+    legend.add(28, line(heat_tones[0], 18, "M0 0h28"),
+               fmt::format("{:g} mm on both sides, which stay free", robot.clearance));
   return legend;
 }
 

@@ -7,7 +7,8 @@
 
 namespace labmouse {
 
-/// An SVG file: the six turns, each with the walls that it needs open and those that may stand, the path and its figures.
+/// An SVG file: the six turns, each with the walls that it needs open and those that may stand, the path and its
+/// figures.
 std::string draw_robot(const Robot& robot, const DriveModel& model);
 
 }  // namespace labmouse

@@ -14,9 +14,11 @@ std::string milliseconds(DriveTime time) { return fmt::format("{} ms", time / 1e
 
 /// Where the times of turns are given, only they and what follows from them is known.
 std::string turn_line(const Robot& robot, const DrivenTurn& turn, const TurnShape& shape, bool first) {
-  std::string line = fmt::format("{:<5} {:>7.1f} {:>8.3f}", first ? name_of(turn.turn) : "", turn.speed, turn.time / 1e3);
+  std::string line =
+      fmt::format("{:<5} {:>7.1f} {:>8.3f}", first ? name_of(turn.turn) : "", turn.speed, turn.time / 1e3);
   if (!robot.fixed)
-    line += fmt::format(" {:>8.1f} {:>8.1f} {:>8.1f} {:>9.1f}", shape.lead_in, shape.lead_out, shape.length, shape.clearance);
+    line += fmt::format(" {:>8.1f} {:>8.1f} {:>8.1f} {:>9.1f}", shape.lead_in, shape.lead_out, shape.length,
+                        shape.clearance);
   return line + "\n";
 }
 
@@ -65,13 +67,13 @@ std::string robot_table(const Robot& robot, const DriveModel& model) {
 
 std::string robot_line(const Robot& robot, const DriveModel& model) {
   if (robot.fixed)
-    return fmt::format("cells of {:g} mm, straights up to {:g} mm/s, {:g} mm/s between turns of given times", robot.cell,
-                       robot.speed, robot.fixed->speed);
+    return fmt::format("cells of {:g} mm, straights up to {:g} mm/s, {:g} mm/s between turns of given times",
+                       robot.cell, robot.speed, robot.fixed->speed);
   const auto [slowest, fastest] = std::minmax_element(
       model.tables.turns.begin(), model.tables.turns.end(),
       [](const DrivenTurn& a, const DrivenTurn& b) { return a.speed < b.speed; });
-  return fmt::format("cells of {:g} mm, straights up to {:g} mm/s, turns at {:.0f} to {:.0f} mm/s", robot.cell, robot.speed,
-                     slowest->speed, fastest->speed);
+  return fmt::format("cells of {:g} mm, straights up to {:g} mm/s, turns at {:.0f} to {:.0f} mm/s", robot.cell,
+                     robot.speed, slowest->speed, fastest->speed);
 }
 
 }  // namespace labmouse

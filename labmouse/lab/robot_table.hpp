@@ -7,7 +7,8 @@
 
 namespace labmouse {
 
-/// All that follows from a robot, as a table for people. Turns back from diagonals are those onto them and are left out.
+/// All that follows from a robot, as a table for people. Turns back from diagonals are those onto them and are left
+/// out.
 std::string robot_table(const Robot& robot, const DriveModel& model);
 
 /// The robot in one line, without its name.

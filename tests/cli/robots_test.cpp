@@ -41,13 +41,15 @@ TEST_F(ABuilder, IsToldAllThatIsWrongWithAFile) {
 }
 
 TEST_F(ABuilder, IsRefused) {
-  is_refused({"robot", "show", "hovercraft"}, "error: unknown robot 'hovercraft'; there are classic, half, mm2021, and");
+  is_refused({"robot", "show", "hovercraft"},
+             "error: unknown robot 'hovercraft'; there are classic, half, mm2021, and");
   is_refused({"robot", "show", "./none"}, "./none: error: no such file");
   is_refused({"robot", "show", "."}, "error: unknown robot '.'");
   is_refused({"robot", "show", "--svg", "none/"}, "none");
   is_refused({"robot", "shoe"}, "error: 'shoe' was not expected (see `labmouse robot --help`)");
   is_refused({"robot"}, "(see `labmouse robot --help`)");
-  is_refused({"robot", "show", "--svgg"}, "option '--svgg' is unknown; did you mean '--svg'? (see `labmouse robot show --help`)");
+  is_refused({"robot", "show", "--svgg"},
+             "option '--svgg' is unknown; did you mean '--svg'? (see `labmouse robot show --help`)");
 }
 
 }  // namespace

@@ -96,6 +96,12 @@ TEST(RobotFile, ReadsLimits) {
   EXPECT_EQ(result.model.search.cell, 360'000);
 }
 
+TEST(RobotFile, ReadsCommentsInAnyLettersAfterAMark) {
+  const RobotResult result = read_robot("\xEF\xBB\xBF# mm/s², é, \xff\r\n" + std::string(by_limits), "mine");
+  ASSERT_TRUE(result.robot);
+  EXPECT_EQ(result.model.tables.hash, read_robot(by_limits, "mine").model.tables.hash);
+}
+
 TEST(RobotFile, ReadsTimes) {
   const RobotResult result = read_robot(by_times, "mine");
   ASSERT_TRUE(result.robot) << complaint(by_times);
@@ -121,7 +127,8 @@ TEST(RobotFile, SaysWhatIsMissingAndWhereItBelongs) {
             "my.toml:0:0: error: missing key 'clearance': 0 to 500 mm\n");
   EXPECT_EQ(complaint(changed(by_limits, "yaw_acceleration = 300\n", "")),
             "my.toml:13:1: error: missing key 'curve.yaw_acceleration': 1 to 100000 rad/s²\n");
-  EXPECT_EQ(complaint(changed(by_times, "V90 = 388\n", "")), "my.toml:5:1: error: missing key 'turns.V90': 1 to 10000 ms\n");
+  EXPECT_EQ(complaint(changed(by_times, "V90 = 388\n", "")),
+            "my.toml:5:1: error: missing key 'turns.V90': 1 to 10000 ms\n");
   const RobotResult nothing = read_robot("", "my.toml");
   EXPECT_EQ(nothing.problems.size(), 9U);
 }
@@ -129,7 +136,8 @@ TEST(RobotFile, SaysWhatIsMissingAndWhereItBelongs) {
 TEST(RobotFile, SaysWhatItDoesNotKnow) {
   EXPECT_EQ(complaint(changed(by_limits, "braking = 9000", "breaking = 9000")),
             "my.toml:8:1: error: unknown key 'straight.breaking'; did you mean 'straight.braking'?\n");
-  EXPECT_EQ(complaint(changed(by_limits, "sight = 3", "colour = \"red\"")), "my.toml:4:1: error: unknown key 'colour'\n");
+  EXPECT_EQ(complaint(changed(by_limits, "sight = 3", "colour = \"red\"")),
+            "my.toml:4:1: error: unknown key 'colour'\n");
   EXPECT_EQ(complaint(changed(by_limits, "[diagonal]", "[diagonals]")),
             "my.toml:9:2: error: unknown key 'diagonals'; did you mean 'diagonal'?\n");
   EXPECT_EQ(complaint(changed(by_limits, "sight = 3", "\"\\u001b[2J\" = 3")).find('\x1b'), std::string::npos);
@@ -146,7 +154,8 @@ TEST(RobotFile, SaysWhatANumberMayBe) {
             "my.toml:2:13: error: 'clearance' is nan; it must be 0 to 500 mm\n");
   EXPECT_EQ(complaint(changed(by_limits, "run_up = 50.5", "run_up = -1")),
             "my.toml:3:10: error: 'run_up' is -1; it must be 0 to 500 mm\n");
-  EXPECT_EQ(complaint("straight = 3\n" + changed(by_limits, "[straight]\nspeed = 3000\nacceleration = 10_000\nbraking = 9000\n", "")),
+  EXPECT_EQ(complaint("straight = 3\n" +
+                      changed(by_limits, "[straight]\nspeed = 3000\nacceleration = 10_000\nbraking = 9000\n", "")),
             "my.toml:1:1: error: 'straight' must be a table: [straight]\n"
             "my.toml:1:12: error: missing key 'straight.speed': 100 to 20000 mm/s\n"
             "my.toml:1:12: error: missing key 'straight.acceleration': 100 to 200000 mm/s²\n");
@@ -165,6 +174,8 @@ TEST(RobotFile, PassesOnWhatIsNoToml) {
   EXPECT_EQ(complaint("cell = 180\nclearance 45\n").substr(0, 16), "my.toml:2:11: er");
   EXPECT_EQ(complaint("cell = 180\ncell = 90\n").substr(0, 15), "my.toml:2:8: er");
   EXPECT_NE(complaint("\xff\xfe"), "");
+  EXPECT_EQ(complaint("[    \n").substr(0, 15), "my.toml:1:6: er");
+  EXPECT_EQ(complaint(changed(by_limits, "sight = 3", "sight = ²")).substr(0, 15), "my.toml:4:9: er");
   EXPECT_EQ(complaint(std::string(70'000, '#')), "my.toml:0:0: error: has 70000 bytes; more than 65536 is too large\n");
 }
 
@@ -175,12 +186,14 @@ TEST(RobotFile, ListsAtMostTenProblems) {
 }
 
 TEST(RobotFile, PassesOnWhatItsModelRefuses) {
-  EXPECT_EQ(complaint(changed(by_limits, "clearance = 45", "clearance = 70")),
-            "my.toml:0:0: error: a clearance of 70 mm is more than diagonals leave in cells of 180 mm: 63.6 mm from their "
-            "middle to a post\n");
-  EXPECT_EQ(complaint(changed(by_limits, "yaw_acceleration = 300", "yaw_acceleration = 30")),
-            "my.toml:0:0: error: its turn S90 fits into cells of 180 mm only up to 330 mm/s: a cell of 180 mm must not take "
-            "more than 500 ms, so at least 360 mm/s are needed; a larger lateral or yaw acceleration makes it faster\n");
+  EXPECT_EQ(
+      complaint(changed(by_limits, "clearance = 45", "clearance = 70")),
+      "my.toml:0:0: error: a clearance of 70 mm is more than diagonals leave in cells of 180 mm: 63.6 mm from their "
+      "middle to a post\n");
+  EXPECT_EQ(
+      complaint(changed(by_limits, "yaw_acceleration = 300", "yaw_acceleration = 30")),
+      "my.toml:0:0: error: its turn S90 fits into cells of 180 mm only up to 330 mm/s: a cell of 180 mm must not take "
+      "more than 500 ms, so at least 360 mm/s are needed; a larger lateral or yaw acceleration makes it faster\n");
 }
 
 TEST(RobotFile, ReadsEveryNumberThatItsKeysAllow) {
@@ -216,9 +229,10 @@ TEST(RobotFiles, BringsThreeRobots) {
 TEST(RobotFiles, SaysWhichRobotThereIsNot) {
   EXPECT_EQ(find_robot("clasic").errors,
             (std::vector<std::string>{"error: unknown robot 'clasic'; did you mean 'classic'?"}));
-  EXPECT_EQ(find_robot("hovercraft").errors,
-            (std::vector<std::string>{"error: unknown robot 'hovercraft'; there are classic, half, mm2021, and files with "
-                                      "a slash or .toml in their name"}));
+  EXPECT_EQ(
+      find_robot("hovercraft").errors,
+      (std::vector<std::string>{"error: unknown robot 'hovercraft'; there are classic, half, mm2021, and files with "
+                                "a slash or .toml in their name"}));
   ASSERT_EQ(find_robot("nowhere.toml").errors.size(), 1U);
   EXPECT_EQ(find_robot("nowhere.toml").errors[0].substr(0, 21), "nowhere.toml: error: ");
 }

@@ -39,13 +39,14 @@ TEST(RobotTable, NamesEveryTurnOnceWithItsSpeeds) {
                         "        380.0  225.889      0.0     18.7     85.8      31.4\n"
                         "90      560.0  254.105      1.1      1.1    142.3      29.3\n"));
   EXPECT_THAT(table_of("half"), HasSubstr("\nS90     380.0  190.413      0.5      0.5     72.4      45.0\nstraight"));
-  EXPECT_THAT(table_of("half"), HasSubstr("straight  1500 mm/s, 4200 mm/s² up, 4200 mm/s² down\n"
-                                          "diagonal  1200 mm/s, 3600 mm/s² up, 3600 mm/s² down\n"
-                                          "runs      at rest, 24 mm behind the middle of the start cell; at any speed in "
-                                          "the goal\n"
-                                          "search    cell 300 ms, turn 244.502 ms, back 785.587 ms, quarter on the spot "
-                                          "257.08 ms, half a cell from rest 185.714 ms\n"
-                                          "tables    "));
+  EXPECT_THAT(table_of("half"),
+              HasSubstr("straight  1500 mm/s, 4200 mm/s² up, 4200 mm/s² down\n"
+                        "diagonal  1200 mm/s, 3600 mm/s² up, 3600 mm/s² down\n"
+                        "runs      at rest, 24 mm behind the middle of the start cell; at any speed in "
+                        "the goal\n"
+                        "search    cell 300 ms, turn 244.502 ms, back 785.587 ms, quarter on the spot "
+                        "257.08 ms, half a cell from rest 185.714 ms\n"
+                        "tables    "));
 }
 
 TEST(RobotTable, LeavesOutWhatGivenTimesDoNotSay) {

@@ -3,11 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-#include <utility>
-
-#include "labmouse/mouse/drive/straights.hpp"
 #include "tests/mouse/drive_robots.hpp"
 
 namespace labmouse {
@@ -83,9 +78,10 @@ TEST(FixedRobot, IsRefusedWhereTimesWouldLeaveTheirRange) {
     change(robot);
     return make_drive_model(robot).error;
   };
-  EXPECT_EQ(error([](Robot& robot) { robot.fixed->speed = 179.5; }),
-            "its speed at nodes, 179.5 mm/s, is too low: a cell of 90 mm must not take more than 500 ms, so at least 180 "
-            "mm/s are needed");
+  EXPECT_EQ(
+      error([](Robot& robot) { robot.fixed->speed = 179.5; }),
+      "its speed at nodes, 179.5 mm/s, is too low: a cell of 90 mm must not take more than 500 ms, so at least 180 "
+      "mm/s are needed");
   EXPECT_EQ(error([](Robot& robot) { robot.fixed->speed = 180.0; }), "");
   EXPECT_EQ(error([](Robot& robot) { robot.fixed->v90 = 999; }),
             "its turn V90 takes 0.999 ms: a turn takes at least 1 ms");
@@ -96,164 +92,6 @@ TEST(FixedRobot, IsRefusedWhereTimesWouldLeaveTheirRange) {
             "diagonals, 1200 mm/s");
   EXPECT_EQ(error([](Robot& robot) { robot.braking = 0.0; }),
             "its cell side, speeds, accelerations and brakings must be greater than 0");
-}
-
-const TurnShape& shape_of(const DriveModel& model, Turn turn) {
-  return *std::find_if(model.shapes.begin(), model.shapes.end(), [=](const auto& it) { return it.turn == turn; });
-}
-
-TEST(RobotOfSpeeds, DrivesEachTurnAtItsOwnSpeedAndAtTheSlowest) {
-  const DriveModel model = make_drive_model(small_robot());
-  ASSERT_EQ(model.error, "");
-  std::vector<std::pair<Turn, double>> turns;
-  for (const DrivenTurn& turn : model.tables.turns) turns.emplace_back(turn.turn, std::round(turn.speed));
-  EXPECT_EQ(turns, (std::vector<std::pair<Turn, double>>{{Turn::f45, 595.0},
-                                                         {Turn::f45, 380.0},
-                                                         {Turn::f90, 560.0},
-                                                         {Turn::f90, 380.0},
-                                                         {Turn::f135, 435.0},
-                                                         {Turn::f135, 380.0},
-                                                         {Turn::f180, 413.0},
-                                                         {Turn::f180, 380.0},
-                                                         {Turn::v90, 465.0},
-                                                         {Turn::v90, 380.0},
-                                                         {Turn::s90, 380.0},
-                                                         {Turn::out45, 595.0},
-                                                         {Turn::out45, 380.0},
-                                                         {Turn::out135, 435.0},
-                                                         {Turn::out135, 380.0}}));
-  for (std::size_t i = 0; i < model.shapes.size(); ++i) {
-    const DrivenTurn& turn = model.tables.turns[i];
-    const auto& before = begins_diagonal(turn.turn) ? model.tables.diagonal : model.tables.along;
-    const auto& after = ends_diagonal(turn.turn) ? model.tables.diagonal : model.tables.along;
-    EXPECT_EQ(before.lanes[turn.from], (Lane{turn.speed, model.shapes[i].lead_in}));
-    EXPECT_EQ(after.lanes[turn.to], (Lane{turn.speed, model.shapes[i].lead_out}));
-  }
-}
-
-TEST(RobotOfSpeeds, HasEveryLaneOnce) {
-  for (const Robot& robot : {small_robot(), large_robot(), fan_robot()}) {
-    const DriveTables tables = make_drive_model(robot).tables;
-    for (const StraightTimes* straights : {&tables.along, &tables.diagonal}) {
-      EXPECT_EQ(straights->between.size(), 65 * straights->count() * straights->count());
-      for (std::size_t i = 0; i < straights->count(); ++i)
-        for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(straights->lanes[i] == straights->lanes[j]);
-    }
-    EXPECT_EQ(tables.start.size(), 65 * tables.along.count());
-    EXPECT_EQ(tables.finish.size(), 65 * tables.along.count());
-    EXPECT_EQ(tables.whole.size(), 65U);
-  }
-}
-
-/// The time over a length by its speeds: as fast as the limits let it from both ends, in 100,000 steps, shorter where it
-/// may be slow.
-double stepped_seconds(double length, double from, double to, const StraightLimits& limits) {
-  const int steps = 100'000;
-  double seconds = 0.0;
-  for (int i = 0; i < steps; ++i) {
-    const double share = (i + 0.5) / steps;
-    const double step = length * 2.0 * share / steps;
-    const double done = length * share * share;
-    const double up = std::sqrt(from * from + 2.0 * limits.acceleration * done);
-    const double down = std::sqrt(to * to + 2.0 * limits.braking * (length - done));
-    seconds += step / std::min({limits.speed, up, down});
-  }
-  return seconds;
-}
-
-TEST(RobotOfSpeeds, TakesTheTimeOfItsSpeedsOverEveryStraight) {
-  Robot robot = large_robot();
-  robot.braking = 7000.0;
-  robot.braking_diagonal = 12'000.0;
-  const DriveTables tables = make_drive_model(robot).tables;
-  const auto check = [&](const StraightTimes& straights, double unit, const StraightLimits& limits) {
-    for (const int units : {0, 1, 2, 5, 20, 64})
-      for (std::size_t from = 0; from < straights.count(); ++from)
-        for (std::size_t to = 0; to < straights.count(); ++to) {
-          const Lane& before = straights.lanes[from];
-          const Lane& after = straights.lanes[to];
-          const double length = units * unit + before.lead + after.lead;
-          const double gain = after.speed * after.speed - before.speed * before.speed;
-          const bool possible = gain <= 2.0 * limits.acceleration * length && -gain <= 2.0 * limits.braking * length;
-          ASSERT_EQ(straights.at(units, from, to) < no_time, possible) << units << ": " << from << " to " << to;
-          if (!possible) continue;
-          ASSERT_NEAR(straights.at(units, from, to),
-                      stepped_seconds(length, before.speed, after.speed, limits) * 1e6, 2.0)
-              << units << ": " << from << " to " << to;
-        }
-  };
-  check(tables.along, 90.0, limits_along(robot));
-  check(tables.diagonal, 180.0 / std::sqrt(2.0), limits_diagonal(robot));
-}
-
-TEST(RobotOfSpeeds, StartsAtRestWithARunUpAndEndsAtAnySpeed) {
-  const Robot robot = large_robot();
-  const DriveTables tables = make_drive_model(robot).tables;
-  const StraightLimits limits = limits_along(robot);
-  for (const int units : {0, 1, 2, 30, 64})
-    for (std::size_t lane = 0; lane < tables.along.count(); ++lane) {
-      const auto [speed, lead] = tables.along.lanes[lane];
-      const double length = units * 90.0 + lead;
-      const bool possible = speed * speed <= 2.0 * robot.acceleration * (length + robot.run_up);
-      ASSERT_EQ(tables.start_to(units, lane) < no_time, possible);
-      if (possible) {
-        EXPECT_NEAR(tables.start_to(units, lane), stepped_seconds(length + robot.run_up, 0.0, speed, limits) * 1e6, 2.0);
-      }
-      EXPECT_NEAR(tables.finish_from(units, lane), stepped_seconds(length, speed, 1e6, limits) * 1e6, 2.0);
-    }
-  EXPECT_EQ(tables.whole[0], 100'000);   // 50 mm at 10 m/s²
-  EXPECT_EQ(tables.whole[30], 1'066'667);  // 300 ms and 450 mm to 3 m/s, 2300 mm at that
-}
-
-TEST(RobotOfSpeeds, DerivesItsSearch) {
-  const DriveModel model = make_drive_model(small_robot());
-  EXPECT_EQ(model.search.cell, 300'000);
-  EXPECT_NEAR(model.search.turn, shape_of(model, Turn::s90).whole() / 300.0 * 1e6, 0.51);
-  // 300 mm/s after 71.429 ms and 10.714 mm, the other 34.286 mm in 114.286 ms.
-  EXPECT_EQ(model.search.half_cell, 185'714);
-  // A quarter: 100 ms up to 10 rad/s, as much down, 0.5708 rad between; a half turn 1.5708 rad more.
-  EXPECT_EQ(model.search.quarter, 257'080);
-  EXPECT_EQ(model.search.back, 2 * 185'714 + 414'159);
-  Robot slow_brakes = small_robot();
-  slow_brakes.braking = 1500.0;
-  EXPECT_EQ(make_drive_model(slow_brakes).search.half_cell, 250'000);
-}
-
-TEST(RobotOfSpeeds, IsRefusedInItsOwnUnits) {
-  const auto error = [](auto change) {
-    Robot robot = large_robot();
-    change(robot);
-    return make_drive_model(robot).error;
-  };
-  EXPECT_EQ(error([](Robot& robot) { robot.clearance = 64.0; }),
-            "a clearance of 64 mm is more than diagonals leave in cells of 180 mm: 63.6 mm from their middle to a post");
-  EXPECT_EQ(error([](Robot& robot) { robot.clearance = 63.63; }), "");
-  EXPECT_EQ(error([](Robot& robot) { robot.yaw_acceleration = 20.0; }),
-            "its turn S90 fits into cells of 180 mm only up to 265 mm/s: a cell of 180 mm must not take more than 500 ms, "
-            "so at least 360 mm/s are needed; a larger lateral or yaw acceleration makes it faster");
-  EXPECT_EQ(error([](Robot& robot) { robot.yaw_acceleration = 100.0; }), "");
-  EXPECT_EQ(error([](Robot& robot) { robot.yaw_acceleration = 0.0001; }),
-            "its turn 45 does not fit into cells of 180 mm: even at 5 mm/s its curve is too long; a larger yaw "
-            "acceleration makes it shorter");
-  EXPECT_EQ(error([](Robot& robot) { robot.acceleration = 2500.0; }),
-            "from rest in the start cell it does not reach the speed of its slowest turns, 850 mm/s, by the first wall: a "
-            "larger acceleration or run-up is needed");
-  EXPECT_EQ(error([](Robot& robot) { robot.acceleration = 2600.0; }), "");
-  EXPECT_EQ(error([](Robot& robot) { robot.search_speed = 900.0; }),
-            "its search speed, 900 mm/s, is above that of its turn S90, 850 mm/s");
-  EXPECT_EQ(error([](Robot& robot) { robot.braking = 1000.0; }),
-            "its search speed, 500 mm/s, cannot be reached and stopped within half a cell: at most 424 mm/s");
-  EXPECT_EQ(error([](Robot& robot) { robot.pivot_speed = 0.0; }),
-            "its search speed, pivot speed and pivot acceleration must be greater than 0");
-  EXPECT_EQ(error([](Robot& robot) { robot.lateral_acceleration = 0.0; }),
-            "its lateral acceleration and yaw acceleration must be greater than 0");
-  EXPECT_EQ(error([](Robot& robot) { robot.run_up = -1.0; }), "its clearance and run-up must be 0 or more");
-}
-
-TEST(RobotOfSpeeds, HasTheSameNumbersOnEveryPlatform) {
-  EXPECT_EQ(make_drive_model(published_robot()).tables.hash, 17765994016381339539U);
-  EXPECT_EQ(make_drive_model(small_robot()).tables.hash, 5871095360443030486U);
-  EXPECT_EQ(make_drive_model(large_robot()).tables.hash, 15370581466104005003U);
 }
 
 }  // namespace

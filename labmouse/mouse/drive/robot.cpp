@@ -41,8 +41,8 @@ bool too_slow(double cell, double speed) { return cell * 1e6 > speed * longest_c
 
 /// Behind a speed that is too low.
 std::string needed_speed(double cell) {
-  return "a cell of " + millimetres(cell) + " must not take more than " + milliseconds(longest_cell) + ", so at least " +
-         millimetres(std::ceil(cell * 1e6 / longest_cell)) + "/s are needed";
+  return "a cell of " + millimetres(cell) + " must not take more than " + milliseconds(longest_cell) +
+         ", so at least " + millimetres(std::ceil(cell * 1e6 / longest_cell)) + "/s are needed";
 }
 
 DriveModel refused(std::string why) {
@@ -51,8 +51,8 @@ DriveModel refused(std::string why) {
   return model;
 }
 
-/// One lane along and one diagonal, without leads. The published straights begin and end at that one speed everywhere, at
-/// the start and in the goal too.
+/// One lane along and one diagonal, without leads. The published straights begin and end at that one speed everywhere,
+/// at the start and in the goal too.
 DriveModel fixed_model(const Robot& robot) {
   DriveModel model;
   DriveTables& tables = model.tables;
@@ -129,8 +129,9 @@ std::string refusal_of_limits(const Robot& robot) {
 std::string refusal_of_fixed(const Robot& robot) {
   const FixedTimes& fixed = *robot.fixed;
   if (!(fixed.speed > 0.0 && fixed.speed <= std::min(robot.speed, robot.speed_diagonal)))
-    return "its speed at nodes, " + millimetres(fixed.speed) + "/s, must be more than 0 and at most that of its straights, " +
-           millimetres(robot.speed) + "/s, and diagonals, " + millimetres(robot.speed_diagonal) + "/s";
+    return "its speed at nodes, " + millimetres(fixed.speed) +
+           "/s, must be more than 0 and at most that of its straights, " + millimetres(robot.speed) +
+           "/s, and diagonals, " + millimetres(robot.speed_diagonal) + "/s";
   if (too_slow(robot.cell, fixed.speed))
     return "its speed at nodes, " + millimetres(fixed.speed) + "/s, is too low: " + needed_speed(robot.cell);
   if (fixed.s90 > longest_cell)
@@ -157,13 +158,14 @@ std::string refusal_of_turn_times(const DriveTables& tables) {
   return "";
 }
 
-/// Every maze that can be searched can be run: all turns follow each other at the slowest speed, if the start reaches it.
+/// Every maze that can be searched can be run: all turns follow each other at the slowest speed, if the start reaches
+/// it.
 std::string refusal_of_start(const DriveTables& tables) {
   const auto slowest = std::find_if(tables.turns.rbegin(), tables.turns.rend(),
                                     [](const DrivenTurn& turn) { return turn.turn == Turn::s90; });
   if (tables.start_to(1, slowest->from) < no_time) return "";
-  return "from rest in the start cell it does not reach the speed of its slowest turns, " + millimetres(slowest->speed) +
-         "/s, by the first wall: a larger acceleration or run-up is needed";
+  return "from rest in the start cell it does not reach the speed of its slowest turns, " +
+         millimetres(slowest->speed) + "/s, by the first wall: a larger acceleration or run-up is needed";
 }
 
 }  // namespace

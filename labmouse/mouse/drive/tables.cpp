@@ -16,7 +16,7 @@ class TableHash {
   void add_length(double millimetres) { add(static_cast<std::int64_t>(std::floor(millimetres * 1000.0 + 0.5))); }
   void add(const std::vector<DriveTime>& times) {
     add(static_cast<std::int64_t>(times.size()));
-    for (const DriveTime time : times) add(time);
+    for (const DriveTime time : times) add(time < no_time ? std::int64_t{time} : std::int64_t{-1});
   }
   void add(const StraightTimes& straights) {
     add(static_cast<std::int64_t>(straights.count()));

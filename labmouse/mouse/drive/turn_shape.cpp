@@ -42,8 +42,8 @@ PathPoint on_curve(const TurnShape& shape, double distance) {
   const double angle = turned + shape.peak * (distance - shape.ramp);
   const Direction before = direction_of(turned);
   const Direction after = direction_of(angle);
-  return {point.ahead + (after.sine - before.sine) / shape.peak, point.aside + (before.cosine - after.cosine) / shape.peak,
-          angle};
+  return {point.ahead + (after.sine - before.sine) / shape.peak,
+          point.aside + (before.cosine - after.cosine) / shape.peak, angle};
 }
 
 /// Where the curve ends, in its own beginning's direction: both halves of it are mirror images.
