@@ -71,7 +71,8 @@ FittedTurn fitted_turn(Turn turn, const Robot& robot) {
   if (turn == Turn::f180) return fitted_around_post(robot);
   double best = -1.0;
   double best_speed = 0.0;
-  for (double speed = std::floor(top_speed(turn, robot) / speed_step) * speed_step; speed > 0.0; speed -= speed_step) {
+  for (int steps = static_cast<int>(top_speed(turn, robot) / speed_step); steps > 0; --steps) {
+    const double speed = steps * speed_step;
     FittedTurn fitted{shape_at(turn, speed, curve_limits(robot), robot.cell), speed, {}};
     if (fitted.shape.lead_in < 0.0 || fitted.shape.lead_out < 0.0) continue;
     fitted.shape.clearance = clearance_of(fitted.shape, robot.cell);
