@@ -97,7 +97,7 @@ TEST(RobotFile, ReadsLimits) {
 }
 
 TEST(RobotFile, ReadsCommentsInAnyLettersAfterAMark) {
-  const RobotResult result = read_robot("\xEF\xBB\xBF# mm/s², é, \xff\r\n" + std::string(by_limits), "mine");
+  const RobotResult result = read_robot("\xEF\xBB\xBF# mm/s², é, ミリ\r\n" + std::string(by_limits), "mine");
   ASSERT_TRUE(result.robot);
   EXPECT_EQ(result.model.tables.hash, read_robot(by_limits, "mine").model.tables.hash);
 }
