@@ -124,6 +124,19 @@ TEST(PageDrive, KeepsFramesOnThePath) {
   }
 }
 
+/// Nothing before the first goal; a search that reached a goal counts as well as a run.
+TEST(PageDrive, ScoresEachRunOnceItReachesTheGoal) {
+  const json play = play_of(builtin("capstone-1"), "certify", "classic");
+  const json& runs = play["drive"]["runs"];
+  const std::size_t goal = play["goal_frame"], last = play["scores"].size() - 1;
+  EXPECT_TRUE(play["scores"][goal - 1].is_null());
+  EXPECT_EQ(play["scores"][goal].get<double>() * 1e6, runs[0]["score"]["value"].get<double>());
+  EXPECT_EQ(play["scores"][last - 1], play["scores"][goal]);
+  EXPECT_LT(play["scores"][last], play["scores"][goal]);
+  EXPECT_EQ(play["scores"][last].get<double>() * 1e6, runs.back()["score"]["value"].get<double>());
+  EXPECT_GE(play["score"], play["bound"]);
+}
+
 TEST(PageDrive, KnowsWallsFromTheFrameInWhichTheyAreSeen) {
   const json play = play_of(test::hook(), "flood");
   // The border from the beginning, the walls of the start cell too; those of the goal once it is entered.

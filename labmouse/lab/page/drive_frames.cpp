@@ -57,7 +57,7 @@ class DriveFrames {
     if (run.kind == DriveRun::Kind::fast)
       add_fast(run, number);
     else
-      add_search(run);
+      add_search(run, number);
     if (!goal_frame_ && run.gate_in) goal_frame_ = frame_from(*run.gate_in);
   }
 
@@ -84,13 +84,14 @@ class DriveFrames {
     first_of_.back() = frame_;
   }
 
-  void add_search(const DriveRun& run) {
+  void add_search(const DriveRun& run, std::size_t number) {
     begin_run(run.kind == DriveRun::Kind::search ? start() : place_, run.begin);
     for (const SearchMove& move : run.moves) {
       const Cell before = place_.pose.cell;
       place_ = after_search(place_, move.action);
       std::vector<Cell> entered;
       for (int i = 1; i <= move.action.movement; ++i) entered.push_back(neighbour(before, place_.pose.heading, i));
+      if (run.gate_in && *run.gate_in <= move.end) count(number);
       step(short_words(move.action), place_of(place_), move.end, entered);
     }
   }
@@ -98,11 +99,10 @@ class DriveFrames {
   void add_fast(const DriveRun& run, std::size_t number) {
     begin_run(start(), run.begin);
     if (!reset_frame_) reset_frame_ = frame_;
-    const auto counted = std::find_if(scores_.runs.begin(), scores_.runs.end(), [&](const auto& s) { return s.run == number; });
     Cell cell = contest_.maze.start();
     for (std::size_t i = 0; i < run.route.segments.size(); ++i) {
       const DriveSegment& segment = run.route.segments[i];
-      if (i + 1 == run.route.segments.size() && counted != scores_.runs.end()) improve(counted->value);
+      if (i + 1 == run.route.segments.size()) count(number);
       step(segment_words(segment, contest_.model.tables), place_of(segment.to), run.begin + segment.end,
            cells_of(DriveProfile(contest_.model, run.route, i), cell));
     }
@@ -127,7 +127,11 @@ class DriveFrames {
     return cells;
   }
 
-  void improve(MazeTime value) { best_ = std::min(best_.value_or(value), value); }
+  /// From the next frame on that run counts, where it does.
+  void count(std::size_t run) {
+    for (const DriveRunScore& score : scores_.runs)
+      if (score.run == run) best_ = std::min(best_.value_or(score.value), score.value);
+  }
 
   void step(std::string words, const FramePlace& place, MazeTime time, const std::vector<Cell>& entered) {
     Json cells = Json::array();

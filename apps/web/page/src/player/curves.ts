@@ -64,6 +64,8 @@ export function createCurves(state: State, actions: Actions): Curves {
         { ...axis, stroke: tone('to-goal'), grid, label: 'm/s', size: 42 },
         { ...axis, stroke: tone('route'), grid: { show: false }, scale: 'a', side: 1, label: 'm/s²', size: 46 },
       ],
+      // Before that it has no scales to place the mark by.
+      hooks: { ready: [tick] },
       series: [
         {},
         { label: 'speed', stroke: tone('to-goal'), width: 2, points: { show: false } },
@@ -91,7 +93,6 @@ export function createCurves(state: State, actions: Actions): Curves {
     plot.over.append(mark);
     plot.over.addEventListener('click', ({ offsetX }) => actions.seek(begin() + plot!.posToVal(offsetX, 'x')));
     place = NaN;
-    tick();
   }
   function tick() {
     const moment = side?.scene.moment;

@@ -36,7 +36,7 @@ test('a contest in seconds is played on its clock, move by move', async () => {
   const first = await clock(page);
   await page.keyboard.press('ArrowLeft');
   await expect.poll(() => clock(page)).toBe(0);
-  await scrubber(page).fill(String(first / 2));
+  await scrubber(page).fill((first / 2).toFixed(3));
   await expect.poll(() => clock(page)).toBeCloseTo(first / 2, 2);
   await page.keyboard.press('End');
   await expect.poll(() => moment(page)).toContain('finished');
@@ -82,7 +82,7 @@ test('what was scrubbed is drawn the same forwards and backwards, in each layer'
   const page = await driven();
   const whole = await end(page);
   const at = async (time: number) => {
-    await scrubber(page).fill(String(time));
+    await scrubber(page).fill(time.toFixed(3));
     await expect.poll(() => clock(page)).toBeCloseTo(time, 2);
     return pixels(page);
   };
@@ -91,19 +91,19 @@ test('what was scrubbed is drawn the same forwards and backwards, in each layer'
   expect(first).not.toBe(later);
   expect(await at(whole / 3)).toBe(first);
   expect(await at(whole - 1.234)).toBe(later);
+  expect(await page.locator('.replay .legend').textContent()).toContain('m/s, in steps of');
   let before = later;
   for (const key of ['1', '2', '3', '4', '7', '8']) {
     await page.keyboard.press(key);
     await expect.poll(() => pixels(page), { message: key }).not.toBe(before);
     before = await pixels(page);
   }
-  expect(await page.locator('.replay .legend').textContent()).toContain('m/s, in steps of');
 });
 
 test('nothing is in the way of anybody, in light and dark, at every width', async () => {
   const page = await driven();
   await fastRun(page).click();
-  await scrubber(page).fill(String((await end(page)) - 2));
+  await scrubber(page).fill(((await end(page)) - 2).toFixed(3));
   await page.keyboard.press('8');
   await expect.poll(() => fact(page, 'run')).toBe('fast run');
   for (const colorScheme of ['light', 'dark'] as const)
@@ -116,6 +116,12 @@ test('nothing is in the way of anybody, in light and dark, at every width', asyn
       await page.locator('.replay .drive-curves').scrollIntoViewIfNeeded();
       if (width === 390) await picture(page, `seconds-${colorScheme}-${width}-curves`);
     }
+  await page.emulateMedia({ colorScheme: 'light' });
+  await page.setViewportSize({ width: 1280, height: 1230 });
+  await page.evaluate(() => scrollTo(0, 0));
+  const mark = page.locator('.replay .drive-curves .now');
+  await expect.poll(() => mark.evaluate((element) => new DOMMatrix(getComputedStyle(element).transform).e)).toBeGreaterThan(50);
+  await picture(page, 'seconds');
 });
 
 test('a mouse drives in Live, with a robot and rules, and the address says so', async () => {
