@@ -13,7 +13,11 @@ export interface WorldChoice {
 
 export function createWorldChoice({ mice, robots, drive_rules }: About, changed: () => void): WorldChoice {
   const select = (options: [string, string][]) =>
-    h('select', { onchange: () => (update(), changed()) }, ...options.map(([value, text]) => h('option', { value }, text)));
+    h(
+      'select',
+      { onchange: () => (update(), changed()) },
+      ...options.map(([value, text]) => h('option', { value }, text)),
+    );
   const world = select([
     ['steps', 'steps of the capstone'],
     ['seconds', 'seconds: curves and diagonals'],
@@ -37,7 +41,13 @@ export function createWorldChoice({ mice, robots, drive_rules }: About, changed:
   };
   update();
   return {
-    element: h('div', { hidden: robots.length === 0 || drive_rules.length === 0 }, field('World', world, worldNote), robotRow, rulesRow),
+    element: h(
+      'div',
+      { hidden: robots.length === 0 || drive_rules.length === 0 },
+      field('World', world, worldNote),
+      robotRow,
+      rulesRow,
+    ),
     drive: () => (world.value === 'seconds' ? { robot: robot.value, rules: rules.value } : null),
     choose(wantedRobot, wantedRules) {
       world.value = wantedRobot === undefined ? 'steps' : 'seconds';

@@ -34,7 +34,13 @@ export function createCurves(state: State, actions: Actions): Curves {
   const title = h('h3', {}, 'Speed and acceleration');
   const text = h('p', { class: 'reading' });
   const mark = h('div', { class: 'now' });
-  const element = h('section', { class: 'drive-curves', hidden: true, 'aria-label': 'Speed and acceleration' }, title, text, picture);
+  const element = h(
+    'section',
+    { class: 'drive-curves', hidden: true, 'aria-label': 'Speed and acceleration' },
+    title,
+    text,
+    picture,
+  );
   let plot: uPlot | null = null;
   let side: Side | null = null;
   let run = -1;
@@ -69,7 +75,15 @@ export function createCurves(state: State, actions: Actions): Curves {
       series: [
         {},
         { label: 'speed', stroke: tone('to-goal'), width: 2, points: { show: false } },
-        { label: 'acceleration', scale: 'a', stroke: tone('route'), width: 1.5, dash: [4, 2], paths: stepped, points: { show: false } },
+        {
+          label: 'acceleration',
+          scale: 'a',
+          stroke: tone('route'),
+          width: 1.5,
+          dash: [4, 2],
+          paths: stepped,
+          points: { show: false },
+        },
       ],
     };
   }
@@ -87,7 +101,7 @@ export function createCurves(state: State, actions: Actions): Curves {
     const most = data[1].reduce((a, b) => Math.max(a, b), 0);
     picture.setAttribute(
       'aria-label',
-      `Speed and acceleration over the ${clockText(data[0][data[0].length - 1])} s of ${name}; at most ${speedText(most)}.`,
+      `Speed and acceleration over the ${clockText(data[0].at(-1)!)} s of ${name}; at most ${speedText(most)}.`,
     );
     plot = new uPlot(options(width, data), data, picture);
     plot.over.append(mark);

@@ -150,7 +150,11 @@ const driven: Row[] = [
     score: true,
   },
   { label: 'robot', text: ({ track }) => track.play.drive?.robot.name ?? absent },
-  { label: 'rules', meaning: ({ track }) => track.play.drive?.rules.source ?? '', text: ({ track }) => track.play.drive?.rules.name ?? absent },
+  {
+    label: 'rules',
+    meaning: ({ track }) => track.play.drive?.rules.source ?? '',
+    text: ({ track }) => track.play.drive?.rules.name ?? absent,
+  },
   {
     label: 'decisions',
     value: ({ track }) => track.play.drive?.decisions ?? null,

@@ -54,7 +54,10 @@ function signsOf(layer: LayerName, layers: Layers, world: Play['world'], most: n
     case 'speed':
       if (world === 'seconds')
         return [
-          ['speeds', `its way in this run so far: 0 to ${fastest.toFixed(2)} m/s, in steps of ${(fastest / 6).toFixed(2)}`],
+          [
+            'speeds',
+            `its way in this run so far: 0 to ${fastest.toFixed(2)} m/s, in steps of ${(fastest / 6).toFixed(2)}`,
+          ],
           ['ahead', 'of a fast run: what is still to come'],
         ];
       return [['speed', 'speed run; dot: the end of each step, with its number']];

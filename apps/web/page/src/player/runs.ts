@@ -17,7 +17,8 @@ export function createRuns(state: State, actions: Actions): Panel {
       actions.choose(state.sides.indexOf(side));
       actions.seek(run.begin / 1e6);
     };
-    const known = run.known === run.hoped ? `${durationText(run.known)}, proven` : `${durationText(run.known)}, ${durationText(run.hoped)}`;
+    const hoped = run.known === run.hoped ? 'proven' : durationText(run.hoped);
+    const known = `${durationText(run.known)}, ${hoped}`;
     const value = run.score ? durationText(run.score.value) : '–';
     const row = h(
       'tr',

@@ -11,7 +11,9 @@ const dot = (className: string, attributes = {}) =>
   svg('circle', { class: className, cx: 26, cy: 9, r: 6, ...attributes });
 
 const shapes: Record<
-  LayerName | 'mouse' | 'start' | 'goal' | 'unknown' | 'onwards' | 'chosen' | 'unseen' | 'drawn' | 'speeds' | 'ahead' | 'fastest',
+  | LayerName
+  | ('mouse' | 'start' | 'goal' | 'unknown' | 'onwards' | 'chosen' | 'unseen' | 'drawn')
+  | ('speeds' | 'ahead' | 'fastest'),
   () => Child[]
 > = {
   walls: () => [line('s-ink', { 'stroke-width': 4 })],

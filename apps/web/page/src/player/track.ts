@@ -17,7 +17,7 @@ export interface Track {
   y: Int16Array;
   heading: Int8Array;
   run: Uint8Array;
-  /** 1 for a step that puts the mouse back, which is no way through the maze; in seconds for all: their path is in `drive`. */
+  /** 1 for a step that puts the mouse back, which is no way through the maze; in seconds for all: see `drive`. */
   jump: Uint8Array;
   /** Steps of each run up to each frame. */
   exploration: Int32Array;

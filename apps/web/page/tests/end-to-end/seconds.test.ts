@@ -120,7 +120,8 @@ test('nothing is in the way of anybody, in light and dark, at every width', asyn
   await page.setViewportSize({ width: 1280, height: 1230 });
   await page.evaluate(() => scrollTo(0, 0));
   const mark = page.locator('.replay .drive-curves .now');
-  await expect.poll(() => mark.evaluate((element) => new DOMMatrix(getComputedStyle(element).transform).e)).toBeGreaterThan(50);
+  const place = () => mark.evaluate((element) => new DOMMatrix(getComputedStyle(element).transform).e);
+  await expect.poll(place).toBeGreaterThan(50);
   await picture(page, 'seconds');
 });
 

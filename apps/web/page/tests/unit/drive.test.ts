@@ -24,6 +24,10 @@ describe('a moment in seconds', () => {
     expect([y, v, a]).toEqual([0.75, expect.closeTo(0.05), expect.closeTo(0.05)]);
   });
 
+  it('has gone three quarters of the way in half the time to rest', () => {
+    expect([at(1.5).x, at(1.5).v]).toEqual([expect.closeTo(1.25), expect.closeTo(0.05)]);
+  });
+
   it('turns on the spot, where there is no way', () => {
     expect(at(2.5)).toMatchObject({ x: 1.5, y: 1.5, heading: 4, v: 0 });
   });
