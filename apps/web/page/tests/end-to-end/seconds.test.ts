@@ -71,7 +71,7 @@ test('it runs in real time and slower', async () => {
   const page = await driven();
   const speed = page.getByRole('combobox', { name: /^Speed/ });
   await speed.selectOption('0.1×');
-  expect(await page.locator('.replay .rate').textContent()).toBe('0.1 s/s');
+  await expect.poll(() => page.locator('.replay .rate').textContent()).toBe('0.1 s/s');
   await speed.selectOption('64×');
   await page.keyboard.press('Space');
   await page.getByRole('button', { name: 'Play', exact: true }).waitFor();
