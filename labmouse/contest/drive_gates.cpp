@@ -24,7 +24,7 @@ MazeTime first_moment(const DriveModel& model, const DriveRoute& route, Arrived 
       if (!arrived_at(behind)) continue;
       for (int halving = 0; halving < halvings; ++halving)
         (arrived_at((before + behind) / 2) ? behind : before) = (before + behind) / 2;
-      return route.segments[i].begin + static_cast<MazeTime>(profile.time_at(behind) + 0.5);
+      return route.segments[i].begin + static_cast<MazeTime>(std::llround(profile.time_at(behind)));
     }
   }
   return route.time;
