@@ -6,7 +6,7 @@ import type { Actions, Panel, Side, State } from './state';
 const heads = ['run', 'begins', 'takes', 'gate to gate', 'known, hoped for', 'counts'];
 
 export function createRuns(state: State, actions: Actions): Panel {
-  const element = h('section', { class: 'runs', hidden: true });
+  const element = h('section', { class: 'drive-runs', hidden: true });
   let shown: Side[] = [];
   let rows: { side: Side; run: number; row: HTMLElement }[] = [];
 

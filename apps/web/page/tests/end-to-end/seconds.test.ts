@@ -25,7 +25,7 @@ const fact = async (page: Page, name: string) =>
     .textContent();
 const pixels = (page: Page) =>
   page.locator('.replay .sides canvas').evaluate((canvas: HTMLCanvasElement) => canvas.toDataURL());
-const fastRun = (page: Page) => page.locator('.replay .runs').getByRole('button', { name: /fast run$/ }).last();
+const fastRun = (page: Page) => page.locator('.replay .drive-runs').getByRole('button', { name: /fast run$/ }).last();
 
 test('a contest in seconds is played on its clock, move by move', async () => {
   const page = await driven();
@@ -46,7 +46,7 @@ test('a contest in seconds is played on its clock, move by move', async () => {
 
 test('its runs are listed, and lead to their beginnings, with their curves', async () => {
   const page = await driven();
-  const runs = page.locator('.replay .runs tbody tr');
+  const runs = page.locator('.replay .drive-runs tbody tr');
   expect(await runs.allTextContents()).toEqual([
     expect.stringContaining('1 search'),
     expect.stringContaining('2 way home'),
