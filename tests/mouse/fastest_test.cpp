@@ -6,23 +6,11 @@
 #include "labmouse/lab/plain_fastest.hpp"
 #include "tests/capstone_mazes.hpp"
 #include "tests/mouse/drive_robots.hpp"
+#include "tests/slowness.hpp"
 #include "tests/strategies/random_mazes.hpp"
 
 namespace labmouse {
 namespace {
-
-/// Under the sanitizers all takes ten times as long: there, a part of the mazes has to do.
-#if defined(__SANITIZE_ADDRESS__)
-constexpr int slowness = 20;
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-constexpr int slowness = 20;
-#else
-constexpr int slowness = 1;
-#endif
-#else
-constexpr int slowness = 1;
-#endif
 
 struct NamedRobot {
   const char* name;
@@ -106,7 +94,7 @@ TEST_P(AnyRobot, IsPlannedForExactlyInEmptyMazes) {
 
 TEST_P(AnyRobot, IsPlannedForExactlyInTwoThousandMazesByDice) {
   Dice dice(7);
-  for (int i = 0; i < 2000 / slowness; ++i) {
+  for (int i = 0; i < 2000 / test::slowness; ++i) {
     SCOPED_TRACE(i);
     expect_exact(test::any_maze(dice, i % 10 == 0 ? 32 : 14));
     if (HasFailure()) return;
@@ -116,7 +104,7 @@ TEST_P(AnyRobot, IsPlannedForExactlyInTwoThousandMazesByDice) {
 TEST_P(AnyRobot, IsPlannedForExactlyInRealMazes) {
   const auto files = test::maze_files();
   if (files.empty()) GTEST_SKIP() << "no maze files in " << test::folder_of_mazes() << "; set LABMOUSE_MAZES";
-  for (std::size_t i = 0; i < files.size(); i += slowness)
+  for (std::size_t i = 0; i < files.size(); i += test::slowness)
     if (const auto maze = test::maze_in_file(files[i]); maze && fits(*maze)) {
       SCOPED_TRACE(files[i]);
       expect_exact(*maze);
@@ -166,7 +154,7 @@ TEST(SomeTurns, ArePlannedForExactly) {
     DriveModel model = make_drive_model(robot);
     std::erase_if(model.tables.turns, [](const DrivenTurn& turn) { return turn.turn != Turn::s90; });
     Dice dice(9);
-    for (int i = 0; i < 100 / slowness; ++i) {
+    for (int i = 0; i < 100 / test::slowness; ++i) {
       SCOPED_TRACE(i);
       const Maze maze = test::any_maze(dice, 14);
       FastestRoutes routes(maze.size(), model.tables);
