@@ -79,7 +79,8 @@ class Lattice {
 
   /// Points ahead of a node up to the first that cannot be passed.
   int run(int node) const { return std::countr_one(static_cast<Word>((lines_[node / points] >> node % points) >> 1)); }
-  bool passable(HalfPoint point) const { return (columns_[point.x + margin] >> point.y & 1U) != 0; }
+  /// Whether a point, from border to border, can be passed.
+  bool passable(HalfPoint point) const { return point.y < points && (columns_[point.x + margin] >> point.y & 1U) != 0; }
 
   /// The turns that can begin at the nodes of a line: words by bit, and all bits together.
   const Word* turns(int node) const { return turns_[node / points].data(); }
