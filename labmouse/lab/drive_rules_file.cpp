@@ -67,7 +67,7 @@ class RulesReader {
       add({0, 0}, fmt::format("missing key '{}': {}", key, meaning));
       return "";
     }
-    const std::string value = node->value<std::string>().value_or("");
+    std::string value = node->value<std::string>().value_or("");
     if (value.empty()) add(node->source().begin, fmt::format("'{}' must be {}", key, meaning));
     return value;
   }

@@ -54,10 +54,10 @@ constexpr std::array parameters = {
     Parameter{"stride", ParameterType::whole, "3", 1, Motion::max_longest, "", "longest move while exploring, in cells; the rules' own limit holds too"},
 };
 
-template <bool returns>
+template <bool Returns>
 std::unique_ptr<Strategy> make(const Briefing& briefing, const Settings& settings) {
-  if (briefing.in_seconds()) return std::make_unique<Flood<SearchWays>>(briefing, settings, returns);
-  return std::make_unique<Flood<StrideWays>>(briefing, settings, returns);
+  if (briefing.in_seconds()) return std::make_unique<Flood<SearchWays>>(briefing, settings, Returns);
+  return std::make_unique<Flood<StrideWays>>(briefing, settings, Returns);
 }
 
 }  // namespace
