@@ -12,10 +12,28 @@ CLI::Option* add_record_maze(CLI::App& command, std::string& maze) {
   return command.add_option("--maze", maze, "Play it in this maze in place of the record's own")->type_name("MAZE");
 }
 
-RecordFile load_record(const std::string& path, const std::string& maze) {
-  const FileContent file = read_file(path, std::size_t{1} << 28U);
+std::string load_record_text(const std::string& path) {
+  FileContent file = read_file(path, std::size_t{1} << 28U);
   if (!file.error.empty()) throw UsageError(fmt::format("{}: error: {}", path, file.error));
-  ReadRecordResult result = read_record(file.content);
+  return std::move(file.content);
+}
+
+std::optional<DriveRecordFile> load_drive_record(const std::string& path, const std::string& text) {
+  ReadDriveRecordResult result = read_drive_record(text);
+  if (!result.file) throw UsageError(describe(path, result.problems.front()));
+  const std::string disagreement = replay(*result.file);
+  if (disagreement.empty()) return std::move(result.file);
+  tell(fmt::format("{}: error: does not agree with its maze: {}\n", shown(path), disagreement));
+  return std::nullopt;
+}
+
+void refuse_in_seconds(const CLI::App& command, const std::vector<std::string>& options) {
+  for (const std::string& name : options)
+    if (command.count(name) > 0) throw UsageError(fmt::format("error: {} is not for records in seconds", name));
+}
+
+RecordFile load_record(const std::string& path, const std::string& text, const std::string& maze) {
+  ReadRecordResult result = read_record(text);
   if (!result.file) throw UsageError(describe(path, result.problems.front()));
   RecordFile& record = *result.file;
   if (!maze.empty()) {

@@ -5,6 +5,7 @@
 
 #include "command.hpp"
 #include "explain.hpp"
+#include "labmouse/lab/drive_drawing.hpp"
 #include "labmouse/lab/race_files.hpp"
 #include "records.hpp"
 #include "walk.hpp"
@@ -13,18 +14,31 @@ namespace labmouse::cli {
 namespace {
 
 struct ScoreOptions {
+  const CLI::App* command = nullptr;
   std::string file, maze;
 };
 
 struct ReplayOptions {
+  const CLI::App* command = nullptr;
   std::string file, maze, svg;
   ExplainOptions explain;
   bool watch = false;
   int delay = 60;
 };
 
+int replay_in_seconds(const ReplayOptions& options, const std::string& text) {
+  refuse_in_seconds(*options.command, {"--maze", "--watch", "--delay", "--explain", "--candidates"});
+  const auto file = load_drive_record(options.file, text);
+  if (!file) return exit_finding;
+  print(summary_of(*file));
+  if (!options.svg.empty()) save(options.svg, draw_contest(*file));
+  return exit_good;
+}
+
 int replay_file(const ReplayOptions& options) {
-  RecordFile file = load_record(options.file, options.maze);
+  const std::string text = load_record_text(options.file);
+  if (is_drive_record(text)) return replay_in_seconds(options, text);
+  RecordFile file = load_record(options.file, text, options.maze);
   if (!re_enact(options.file, file)) return exit_finding;
   if (options.watch)
     watch(file, options.delay);
@@ -38,7 +52,14 @@ int replay_file(const ReplayOptions& options) {
 
 /// A record's score counts only if it could have happened, so it is played first.
 int score_file(const ScoreOptions& options) {
-  RecordFile file = load_record(options.file, options.maze);
+  const std::string text = load_record_text(options.file);
+  if (is_drive_record(text)) {
+    refuse_in_seconds(*options.command, {"--maze"});
+    const auto file = load_drive_record(options.file, text);
+    if (file) print(result_line(*file) + "\n");
+    return file ? exit_good : exit_finding;
+  }
+  RecordFile file = load_record(options.file, text, options.maze);
   if (!re_enact(options.file, file)) return exit_finding;
   print(result_line(file) + "\n");
   return exit_good;
@@ -49,6 +70,7 @@ int score_file(const ScoreOptions& options) {
 void add_replay(CLI::App& app, int& exit) {
   auto options = std::make_shared<ReplayOptions>();
   CLI::App* command = app.add_subcommand("replay", "Play a record again and check that it agrees with its maze");
+  options->command = command;
   command->add_option("file", options->file, "Record")->required()->type_name("FILE");
   add_record_maze(*command, options->maze);
   add_explain(*command, options->explain);
@@ -62,6 +84,7 @@ void add_replay(CLI::App& app, int& exit) {
 void add_score(CLI::App& app, int& exit) {
   auto options = std::make_shared<ScoreOptions>();
   CLI::App* command = app.add_subcommand("score", "Score a record, after checking that it agrees with its maze");
+  options->command = command;
   command->add_option("file", options->file, "Record")->required()->type_name("FILE");
   add_record_maze(*command, options->maze);
   command->footer("Example: labmouse score walk.jsonl");

@@ -1,11 +1,11 @@
 // labmouse route: the fastest route of a maze in seconds.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <memory>
 
 #include "command.hpp"
-#include "labmouse/lab/printable.hpp"
+#include "labmouse/lab/drive_drawing.hpp"
+#include "labmouse/lab/file_names.hpp"
 #include "labmouse/lab/route_report.hpp"
 
 namespace labmouse::cli {
@@ -16,6 +16,7 @@ struct RouteOptions {
   Places places;
   std::string robot = "classic";
   std::string format = "table";
+  std::string svg;
 };
 
 int route(const RouteOptions& options) {
@@ -26,6 +27,12 @@ int route(const RouteOptions& options) {
   const bool one = mazes.size() == 1;
   if (one && !reports.front().error.empty())
     throw UsageError(fmt::format("{}: error: {}", mazes.front().name, reports.front().error));
+  if (!options.svg.empty()) {
+    if (!one) throw UsageError(fmt::format("error: --svg draws one maze; these are {}", mazes.size()));
+    const DriveRoute& drawn = reports.front().route;
+    const std::string title = fmt::format("{}: {}, {:.3f} s", stem_of(mazes.front().name), model.robot.name, drawn.time / 1e6);
+    save(options.svg, draw_route(mazes.front().maze, drawn, model, title));
+  }
   if (options.format == "json")
     print(json_of(reports, mazes, model));
   else
@@ -48,6 +55,7 @@ void add_route(CLI::App& app, int& exit) {
   command->add_option("--format", options->format, "Output")
       ->check(CLI::IsMember({"table", "json"}))
       ->capture_default_str();
+  command->add_option("--svg", options->svg, "Save a picture of it, too")->type_name("FILE");
   command->footer("Example: labmouse route contest-01 --robot mm2021");
   command->callback([options, &exit] { exit = route(*options); });
 }

@@ -7,6 +7,7 @@
 #include "command.hpp"
 #include "labmouse/lab/bounds.hpp"
 #include "labmouse/lab/drawing.hpp"
+#include "labmouse/lab/drive_drawing.hpp"
 #include "labmouse/lab/layers.hpp"
 #include "labmouse/lab/printable.hpp"
 #include "labmouse/lab/race_files.hpp"
@@ -16,6 +17,7 @@ namespace labmouse::cli {
 namespace {
 
 struct ShowOptions {
+  const CLI::App* command = nullptr;
   std::string maze, record, record_maze, svg;
   std::vector<std::string> layers;
   Places places;
@@ -91,9 +93,20 @@ void drop_missing(const ShowOptions& options, const DrawingLayers& layers, Layer
        options.step > 0 ? "no reasons up to there" : "no reasons; `labmouse run` with --explain and --record keeps them");
 }
 
+int show_in_seconds(const ShowOptions& options, const std::string& text) {
+  refuse_in_seconds(*options.command, {"--maze", "--layer", "--step", "--distances", "--no-route", "--no-coordinates"});
+  const auto file = load_drive_record(options.record, text);
+  if (!file) return exit_finding;
+  if (options.svg.empty()) throw UsageError("error: a record in seconds is drawn as a picture only; name its file with --svg FILE");
+  save(options.svg, draw_contest(*file));
+  return exit_good;
+}
+
 int show_record(const ShowOptions& options) {
+  const std::string text = load_record_text(options.record);
+  if (is_drive_record(text)) return show_in_seconds(options, text);
   LayerSet chosen = chosen_layers(options, contest_layers());
-  RecordFile file = load_record(options.record, options.record_maze);
+  RecordFile file = load_record(options.record, text, options.record_maze);
   if (!re_enact(options.record, file)) return exit_finding;
   const std::string cut = options.step > 0 ? cut_at(file, options.step) : "";
   DrawingLayers layers = layers_of(file, chosen);
@@ -129,6 +142,7 @@ std::string layer_lines() {
 void add_show(CLI::App& app, int& exit) {
   auto options = std::make_shared<ShowOptions>();
   CLI::App* command = app.add_subcommand("show", "Draw a maze with its best route, or a record in layers");
+  options->command = command;
   command->add_option("maze", options->maze, "Maze file or name of a built-in maze")->type_name("MAZE");
   add_places(*command, options->places);
   auto* record = command->add_option("--record", options->record, "Draw this record in place of a maze");

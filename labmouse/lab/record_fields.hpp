@@ -41,6 +41,14 @@ class RecordFields {
     return wrong(key, "is not a text"), "";
   }
   int whole(const char* key, int low, int high) { return whole(get(key), key, low, high); }
+  /// The same for numbers that an int may not hold, up to 2^53, which every reader of JSON keeps exactly.
+  std::int64_t long_whole(const char* key, std::int64_t low, std::int64_t high) {
+    const Json& value = get(key);
+    if (!value.is_number_integer()) return wrong(key, "is not a whole number"), low;
+    const bool fits = !value.is_number_unsigned() || value.get<std::uint64_t>() <= std::uint64_t{1} << 53U;
+    if (fits && value.get<std::int64_t>() >= low && value.get<std::int64_t>() <= high) return value.get<std::int64_t>();
+    return wrong(key, fmt::format("is outside of {} to {}", low, high)), low;
+  }
   double number(const char* key, double low, double high) {
     const Json& value = get(key);
     if (!value.is_number()) return wrong(key, "is not a number"), low;

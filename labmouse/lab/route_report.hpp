@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "labmouse/lab/drive_notation.hpp"
 #include "labmouse/lab/maze_files.hpp"
 #include "labmouse/mouse/drive/robot.hpp"
 #include "labmouse/mouse/drive/route.hpp"
@@ -29,12 +30,6 @@ struct RouteReport {
 
 /// A maze too large for the world of seconds, and one without a route in the direction of its start, give an error.
 RouteReport route_report(const Maze& maze, const DriveModel& model);
-
-/// In the notation of builders: S3 is a straight of three half cells, D4 one over four half diagonals, and L45, R90, LV90
-/// and RS90 are turns to the left and right.
-std::string notation_of(const DriveSegment& segment, const DriveTables& tables);
-/// Of all segments, with blanks between; a straight that is but the lead of a turn is left out.
-std::string notation_of(const DriveRoute& route, const DriveTables& tables);
 
 /// The route as a table of its segments, and how it compares.
 std::string table_of(const RouteReport& report, const NamedMaze& maze, const DriveModel& model);

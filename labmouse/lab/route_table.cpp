@@ -75,8 +75,8 @@ std::string percent(const std::optional<double>& share) {
 
 std::string summary_line(const std::array<std::string, 6>& numbers, const std::string& maze) {
   std::string line;
-  for (const std::string& number : numbers) line += fmt::format("{:>8} ", number);
-  return line + " " + maze + "\n";
+  for (const std::string& number : numbers) line += fmt::format("{}{:>8}", line.empty() ? "" : " ", number);
+  return line + (maze.empty() ? "" : "  ") + maze + "\n";
 }
 
 std::optional<double> seconds_without(const RouteReport& report) {

@@ -13,6 +13,7 @@ namespace {
 using test::answer;
 using test::data_of;
 using test::error_of;
+using test::failure;
 using test::json;
 using ::testing::HasSubstr;
 
@@ -164,6 +165,29 @@ TEST(PageDrive, PlaysWhatEndsWithoutARun) {
   EXPECT_EQ(play["bound"], nullptr);
   EXPECT_EQ(play["goal_frame"], nullptr);
   EXPECT_TRUE(play["drive"]["best"]["t"].empty());
+}
+
+TEST(PageDrive, OpensARecordAsItWasDriven) {
+  const json driven = answer("drive", driving(test::hook()));
+  const std::string record = driven["record"];
+  const json opened = answer("open", {{"name", "hook.jsonl"}}, record);
+  EXPECT_EQ(opened["kind"], "record");
+  EXPECT_EQ(opened["play"], driven["play"]);
+  EXPECT_THAT(answer("picture", json::object(), record)["svg"].get<std::string>(), HasSubstr("<title>certify in "));
+  const std::string cut = record.substr(0, record.rfind("{\"outcome\""));
+  EXPECT_EQ(answer("open", {{"name", "cut.jsonl"}}, cut)["play"]["ended"], false);
+}
+
+TEST(PageDrive, OpensNoRecordThatCannotHaveHappened) {
+  const std::string record = answer("drive", driving(test::hook(), "flood"))["record"];
+  std::string changed = record;
+  changed.replace(changed.find("\"until\":300000"), 14, "\"until\":300001");
+  for (const char* call : {"open", "picture"})
+    EXPECT_THAT(failure(call, {{"name", "changed.jsonl"}}, changed)["problems"][0]["reason"].get<std::string>(),
+                HasSubstr("run 1 (search): move 1: recorded")) << call;
+  const json cut = failure("open", {{"name", "cut.jsonl"}}, record.substr(0, 100));
+  EXPECT_EQ(cut["error"], "cut.jsonl is no record that can be read");
+  EXPECT_THAT(cut["problems"][0]["reason"].get<std::string>(), HasSubstr("not JSON"));
 }
 
 }  // namespace

@@ -37,13 +37,21 @@ PageReply answer_drive(const nlohmann::json& json, std::string_view) {
   if (mice.contestants.size() != 1) return failed(fmt::format("'{}' names several mice; one drives here", spec));
   const Contestant& mouse = mice.contestants.front();
   if (auto reason = refuse_to_drive(mice.contestants); !reason.empty()) return failed(std::move(reason));
-  const std::optional<DriveModel> model = page_robot(robot_name);
+  std::optional<DriveModel> model = page_robot(robot_name);
   if (!model) return failed(fmt::format("there is no robot '{}' in the page", robot_name));
-  const std::optional<DriveRules> rules = page_rules(rules_name);
+  std::optional<DriveRules> rules = page_rules(rules_name);
   if (!rules) return failed(fmt::format("there are no rules '{}' in the page", rules_name));
-  const auto mind = mouse.drive(brief(maze.maze, *rules, *model, seed));
-  const DriveRecord record = drive(maze.maze, *rules, *model, *mind);
-  return answered({{"play", play_json({mouse.name, maze.name, seed, maze.maze, *model, *rules, record})}, {"record", ""}});
+  DriveRecordFile file;
+  file.maze_name = maze.name;
+  file.maze = maze.maze;
+  file.mouse = mouse.name;
+  file.settings = mouse.settings;
+  file.seed = seed;
+  file.model = std::make_shared<DriveModel>(std::move(*model));
+  file.rules = std::move(*rules);
+  const auto mind = mouse.drive(brief(maze.maze, file.rules, *file.model, seed));
+  file.record = drive(maze.maze, file.rules, *file.model, *mind);
+  return answered({{"play", play_json(file)}, {"record", write_drive_record(file)}});
 }
 
 }  // namespace labmouse

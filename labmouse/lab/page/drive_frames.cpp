@@ -7,7 +7,8 @@
 #include <optional>
 
 #include "labmouse/contest/drive_score.hpp"
-#include "labmouse/lab/page/drive_path.hpp"
+#include "labmouse/lab/drive_path.hpp"
+#include "labmouse/lab/optional_json.hpp"
 #include "labmouse/lab/page/fields.hpp"
 #include "labmouse/lab/page/play_frames.hpp"
 
@@ -39,11 +40,11 @@ FramePlace place_of(const DriveNode& node) { return {half_point(node), eighths(n
 /// Builds the lists.
 class DriveFrames {
  public:
-  DriveFrames(const DrivenContest& contest, Json& play)
+  DriveFrames(const DriveRecordFile& contest, Json& play)
       : contest_(contest),
         play_(play),
         scores_(score(contest.record, contest.rules)),
-        place_{{contest.maze.start(), contest.maze.start_heading()}, true},
+        place_{{contest.maze->start(), contest.maze->start_heading()}, true},
         shown_(place_of(place_)) {
     for (const char* list : {"clock", "x", "y", "heading", "run", "scores", "action", "blocked", "left", "ahead", "right",
                              "entered", "known"})
@@ -71,7 +72,7 @@ class DriveFrames {
   const std::vector<std::size_t>& first_frames() const { return first_of_; }
 
  private:
-  SearchPlace start() const { return {{contest_.maze.start(), contest_.maze.start_heading()}, true}; }
+  SearchPlace start() const { return {{contest_.maze->start(), contest_.maze->start_heading()}, true}; }
 
   /// A new run begins in the frame before it, unless the mouse has to be carried.
   void begin_run(const SearchPlace& place, MazeTime time) {
@@ -99,12 +100,12 @@ class DriveFrames {
   void add_fast(const DriveRun& run, std::size_t number) {
     begin_run(start(), run.begin);
     if (!reset_frame_) reset_frame_ = frame_;
-    Cell cell = contest_.maze.start();
+    Cell cell = contest_.maze->start();
     for (std::size_t i = 0; i < run.route.segments.size(); ++i) {
       const DriveSegment& segment = run.route.segments[i];
       if (i + 1 == run.route.segments.size()) count(number);
-      step(segment_words(segment, contest_.model.tables), place_of(segment.to), run.begin + segment.end,
-           cells_of(DriveProfile(contest_.model, run.route, i), cell));
+      step(segment_words(segment, contest_.model->tables), place_of(segment.to), run.begin + segment.end,
+           cells_of(DriveProfile(*contest_.model, run.route, i), cell));
     }
     if (!run.route.segments.empty()) {
       const DriveNode& last = run.route.segments.back().to;
@@ -115,13 +116,13 @@ class DriveFrames {
   /// The cells that a segment comes into.
   std::vector<Cell> cells_of(const DriveProfile& profile, Cell& cell) const {
     constexpr int looks_a_cell = 32;
-    const double side = contest_.model.tables.cell;
+    const double side = contest_.model->tables.cell;
     const int looks = 1 + static_cast<int>(profile.length() / side * looks_a_cell);
     std::vector<Cell> cells;
     for (int i = 0; i <= looks; ++i) {
       const DriveSpot spot = profile.spot(profile.length() * i / looks);
       const Cell at = {static_cast<int>(std::floor(spot.x / side)), static_cast<int>(std::floor(spot.y / side))};
-      if (at == cell || !contest_.maze.size().contains(at)) continue;
+      if (at == cell || !contest_.maze->size().contains(at)) continue;
       cells.push_back(cell = at);
     }
     return cells;
@@ -135,7 +136,7 @@ class DriveFrames {
 
   void step(std::string words, const FramePlace& place, MazeTime time, const std::vector<Cell>& entered) {
     Json cells = Json::array();
-    for (const Cell cell : entered) cells.push_back(contest_.maze.size().index(cell));
+    for (const Cell cell : entered) cells.push_back(contest_.maze->size().index(cell));
     play_["action"].push_back(std::move(words));
     play_["blocked"].push_back(false);
     play_["entered"].push_back(std::move(cells));
@@ -161,7 +162,7 @@ class DriveFrames {
   }
 
   void add_known() {
-    const Size size = contest_.maze.size();
+    const Size size = contest_.maze->size();
     const auto area = static_cast<std::size_t>(size.area());
     std::vector<int> known(2 * area, 0);
     WallSet::all(size).for_each([&](Wall wall) { known[index_of(wall)] = on_border(wall, size) ? 0 : -1; });
@@ -171,11 +172,11 @@ class DriveFrames {
   }
 
   std::size_t index_of(Wall wall) const {
-    const Size size = contest_.maze.size();
+    const Size size = contest_.maze->size();
     return static_cast<std::size_t>(size.index(wall.cell) + (wall.side == Heading::east ? size.area() : 0));
   }
 
-  const DrivenContest& contest_;
+  const DriveRecordFile& contest_;
   Json& play_;
   DriveScore scores_;
   SearchPlace place_;
@@ -197,7 +198,7 @@ std::string segment_words(const DriveSegment& segment, const DriveTables& tables
   return fmt::format("ahead {}", segment.units / 2.0);
 }
 
-std::vector<std::size_t> add_drive_frames(const DrivenContest& contest, Json& play) {
+std::vector<std::size_t> add_drive_frames(const DriveRecordFile& contest, Json& play) {
   DriveFrames frames(contest, play);
   for (std::size_t i = 0; i < contest.record.runs.size(); ++i) frames.add(contest.record.runs[i], i);
   frames.finish();

@@ -2,17 +2,11 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
-#include <optional>
 
 #include "labmouse/contest/rules.hpp"
 #include "labmouse/maze/maze.hpp"
 
 namespace labmouse {
-
-template <class Value>
-nlohmann::ordered_json or_null(const std::optional<Value>& value) {
-  return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
-}
 
 /// The cells in which the steps of a shortest run end, the start first; empty where there is no way.
 nlohmann::ordered_json route_json(const Maze& maze, const Rules& rules);

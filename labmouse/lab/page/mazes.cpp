@@ -6,6 +6,7 @@
 #include "labmouse/lab/bounds.hpp"
 #include "labmouse/lab/builtin_mazes.hpp"
 #include "labmouse/lab/mms_bound.hpp"
+#include "labmouse/lab/optional_json.hpp"
 #include "labmouse/lab/page/answers.hpp"
 #include "labmouse/lab/page/fields.hpp"
 #include "labmouse/lab/page/maze_data.hpp"

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <array>
 
+#include "labmouse/lab/drive_json.hpp"
 #include "labmouse/lab/page/answers.hpp"
 #include "labmouse/lab/page/json_problem.hpp"
 #include "labmouse/lab/page/maze_data.hpp"
 #include "labmouse/lab/page/play.hpp"
+#include "labmouse/lab/page/play_seconds.hpp"
 #include "labmouse/lab/page/played_record.hpp"
 #include "labmouse/lab/page/request.hpp"
 #include "labmouse/lab/page/results.hpp"
@@ -38,7 +40,7 @@ std::string kind_of_first_line(std::string_view text) {
   const nlohmann::json json = nlohmann::json::parse(text.substr(0, text.find('\n')), nullptr, false);
   if (json.is_object() && json.contains("labmouse") && json["labmouse"].is_string()) return json["labmouse"].get<std::string>();
   const std::string begin = gist(text);
-  for (const char* kind : {"record", "mms record", "report"})
+  for (const char* kind : {"record", "mms record", "drive record", "report"})
     if (begin.starts_with(fmt::format("{{\"labmouse\":\"{}\"", gist(kind)))) return kind;
   return "";
 }
@@ -69,6 +71,13 @@ PageReply open_mms_record(const std::string& name, std::string_view text) {
   return answered({{"kind", "record"}, {"play", std::move(result.play)}});
 }
 
+PageReply open_drive_record(const std::string& name, std::string_view text) {
+  ReadDriveRecordResult read = read_drive_record(text);
+  if (!read.file) return failed(fmt::format("{} is no record that can be read", name), std::move(read.problems));
+  if (std::string disagreement = replay(*read.file); !disagreement.empty()) return disagreed(name, std::move(disagreement));
+  return answered({{"kind", "record"}, {"play", play_json(*read.file)}});
+}
+
 /// Who wrote results that this version cannot read, where they say so.
 std::string writer_of(const nlohmann::json& json) {
   if (!json.contains("labmouse") || !json["labmouse"].is_string() || json["labmouse"] == version()) return "";
@@ -80,6 +89,8 @@ PageReply open_results(const std::string& name, std::string_view text) {
   if (json.is_discarded()) return failed(fmt::format("{} is no JSON that can be read", name), {json_problem(text)});
   if (!json.is_object() || !json.contains("mice"))
     return failed(fmt::format("{} is JSON, but neither a record nor the results of a race", name));
+  if (is_race_in_seconds(json))
+    return failed(fmt::format("{} is a race in seconds, which is not shown here: open records that it saved, --out DIR", name));
   nlohmann::ordered_json results;
   std::string error = read_results(json, results);
   if (!error.empty())
@@ -109,6 +120,7 @@ PageReply answer_open(const nlohmann::json& json, std::string_view bytes) {
   const std::string kind = kind_of_first_line(text);
   if (kind == "record") return open_record(name, bytes, std::move(maze));
   if (kind == "mms record") return open_mms_record(name, bytes);
+  if (kind == "drive record") return open_drive_record(name, bytes);
   return open_results(name, bytes);
 }
 

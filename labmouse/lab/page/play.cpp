@@ -6,6 +6,7 @@
 #include "labmouse/contest/score.hpp"
 #include "labmouse/lab/bounds.hpp"
 #include "labmouse/lab/explanation.hpp"
+#include "labmouse/lab/optional_json.hpp"
 #include "labmouse/lab/page/fields.hpp"
 #include "labmouse/lab/page/maze_data.hpp"
 #include "labmouse/lab/page/play_frames.hpp"

@@ -6,6 +6,7 @@
 #include "labmouse/lab/mms_bound.hpp"
 #include "labmouse/lab/mms_drawing.hpp"
 #include "labmouse/lab/mms_fields.hpp"
+#include "labmouse/lab/optional_json.hpp"
 #include "labmouse/lab/page/fields.hpp"
 #include "labmouse/lab/page/maze_data.hpp"
 #include "labmouse/lab/page/play.hpp"

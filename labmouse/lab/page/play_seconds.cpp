@@ -8,8 +8,10 @@
 
 #include "labmouse/contest/drive_gates.hpp"
 #include "labmouse/contest/drive_score.hpp"
+#include "labmouse/lab/drive_bound.hpp"
+#include "labmouse/lab/drive_json.hpp"
+#include "labmouse/lab/drive_path.hpp"
 #include "labmouse/lab/page/drive_frames.hpp"
-#include "labmouse/lab/page/drive_path.hpp"
 #include "labmouse/lab/page/fields.hpp"
 #include "labmouse/lab/page/maze_data.hpp"
 #include "labmouse/mouse/drive/fastest.hpp"
@@ -23,7 +25,6 @@ Json seconds_json(const std::optional<MazeTime>& time) {
   return time ? Json(static_cast<double>(*time) / 1e6) : Json(nullptr);
 }
 
-Json time_json(DriveTime time) { return time < no_time ? Json(time) : Json(nullptr); }
 Json seconds_json(DriveTime time) { return time < no_time ? Json(time / 1e6) : Json(nullptr); }
 
 std::string outcome_words(const DriveRecord& record) {
@@ -33,24 +34,17 @@ std::string outcome_words(const DriveRecord& record) {
 }
 
 /// The fastest run that the maze allows, made at once.
-DriveRun best_run(const DrivenContest& contest) {
-  const Maze& maze = contest.maze;
-  FastestRoutes routes(maze.size(), contest.model.tables);
+DriveRun best_run(const DriveRecordFile& contest) {
+  const Maze& maze = *contest.maze;
+  FastestRoutes routes(maze.size(), contest.model->tables);
   routes.fill(maze.open_walls(), maze.goals());
   DriveRun run;
   run.kind = DriveRun::Kind::fast;
   routes.route_from({maze.start(), maze.start_heading()}, run.route);
   if (run.route.time == no_time) return run;
   run.end = run.route.time;
-  set_gates(run, maze, contest.model);
+  set_gates(run, maze, *contest.model);
   return run;
-}
-
-std::optional<MazeTime> bound_of(const DrivenContest& contest, const DriveRun& best) {
-  if (best.route.time == no_time) return std::nullopt;
-  DriveRecord record;
-  record.runs = {best};
-  return score(record, contest.rules).value();
 }
 
 /// The points of a path as lists, one number of each kind a point.
@@ -98,21 +92,12 @@ Json run_json(const DriveRun& run) {
 }
 
 Json robot_json(const Robot& robot, const DriveTables& tables) {
-  return {{"name", robot.name}, {"cell", robot.cell}, {"hash", fmt::format("{:016x}", tables.hash)}};
+  return {{"name", robot.name}, {"cell", robot.cell}, {"hash", hash_text(tables.hash)}};
 }
 
-Json rules_json(const DriveRules& rules) {
-  return {{"name", rules.name},
-          {"source", rules.source},
-          {"time_limit", rules.time_limit},
-          {"most_runs", rules.most_runs},
-          {"maze_time_divisor", rules.maze_time_divisor},
-          {"gate_to_gate", rules.gate_to_gate}};
-}
-
-Json drive_json(const DrivenContest& contest, const DriveRun& best, const std::vector<std::size_t>& first_frames) {
+Json drive_json(const DriveRecordFile& contest, const DriveRun& best, const std::vector<std::size_t>& first_frames) {
   const DriveScore scores = score(contest.record, contest.rules);
-  DrivePath path({contest.maze.start(), contest.maze.start_heading()}, contest.model);
+  DrivePath path({contest.maze->start(), contest.maze->start_heading()}, *contest.model);
   PathLists lists, best_lists;
   Json runs = Json::array();
   for (std::size_t i = 0; i < contest.record.runs.size(); ++i) {
@@ -124,8 +109,8 @@ Json drive_json(const DrivenContest& contest, const DriveRun& best, const std::v
     run["score"] = score_json(scores, i);
     runs.push_back(std::move(run));
   }
-  best_lists.add(path_of(best.route, 0, contest.model));
-  return {{"robot", robot_json(contest.model.robot, contest.model.tables)},
+  best_lists.add(path_of(best.route, 0, *contest.model));
+  return {{"robot", robot_json(contest.model->robot, contest.model->tables)},
           {"rules", rules_json(contest.rules)},
           {"decisions", contest.record.decisions},
           {"replanned", contest.record.replanned},
@@ -134,17 +119,17 @@ Json drive_json(const DrivenContest& contest, const DriveRun& best, const std::v
           {"best", best_lists.json()}};
 }
 
-Json header_json(const DrivenContest& contest, const DriveRun& best) {
+Json header_json(const DriveRecordFile& contest, const DriveRun& best) {
   const auto value = score(contest.record, contest.rules).value();
   return {{"world", "seconds"},
           {"mouse", contest.mouse},
-          {"maze", maze_data(contest.maze_name, contest.maze)},
+          {"maze", maze_data(contest.maze_name, *contest.maze)},
           {"rules", nullptr},
           {"seed", contest.seed},
           {"outcome", outcome_words(contest.record)},
           {"solved", value.has_value()},
           {"score", seconds_json(value)},
-          {"bound", seconds_json(bound_of(contest, best))},
+          {"bound", seconds_json(drive_bound_of(*contest.maze, contest.rules, *contest.model).score)},
           {"optimum", seconds_json(best.route.time)},
           {"exploration_steps", 0},
           {"speed_steps", 0},
@@ -153,12 +138,12 @@ Json header_json(const DrivenContest& contest, const DriveRun& best) {
           {"last_words", ""},
           {"counts", Json::array()},
           {"checked", ""},
-          {"ended", true}};
+          {"ended", contest.ended}};
 }
 
 /// The share of cells that were come into, of those that can be.
-double visited_share(const DrivenContest& contest, const Json& play, const Json& distances) {
-  std::set<int> cells = {contest.maze.size().index(contest.maze.start())};
+double visited_share(const DriveRecordFile& contest, const Json& play, const Json& distances) {
+  std::set<int> cells = {contest.maze->size().index(contest.maze->start())};
   for (const Json& entered : play["entered"])
     for (const Json& cell : entered) cells.insert(cell.get<int>());
   const auto reachable = std::count_if(distances.begin(), distances.end(), [](const Json& d) { return d.get<int>() >= 0; });
@@ -167,12 +152,12 @@ double visited_share(const DrivenContest& contest, const Json& play, const Json&
 
 }  // namespace
 
-Json play_json(const DrivenContest& contest) {
+Json play_json(const DriveRecordFile& contest) {
   const DriveRun best = best_run(contest);
   Json play = header_json(contest, best);
   const std::vector<std::size_t> first_frames = add_drive_frames(contest, play);
   play["route"] = Json::array();
-  play["distances"] = distances_json(contest.maze, 1);
+  play["distances"] = distances_json(*contest.maze, 1);
   play["visited"] = visited_share(contest, play, play["distances"]);
   play["reasons"] = Json::array();
   play["events"] = Json::array();

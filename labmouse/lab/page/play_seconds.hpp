@@ -2,26 +2,12 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
-#include <string>
 
-#include "labmouse/contest/drive_record.hpp"
-#include "labmouse/contest/drive_rules.hpp"
-#include "labmouse/maze/maze.hpp"
-#include "labmouse/mouse/drive/robot.hpp"
+#include "labmouse/lab/drive_record_file.hpp"
 
 namespace labmouse {
 
-/// What a play in seconds is made of: a record that agrees with its maze, and what it was made with.
-struct DrivenContest {
-  std::string mouse;
-  std::string maze_name;
-  std::uint64_t seed = 0;
-  const Maze& maze;
-  const DriveModel& model;
-  const DriveRules& rules;
-  const DriveRecord& record;
-};
-
-nlohmann::ordered_json play_json(const DrivenContest& contest);
+/// Of a record that agrees with its maze.
+nlohmann::ordered_json play_json(const DriveRecordFile& contest);
 
 }  // namespace labmouse

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "labmouse/contest/simulator.hpp"
+#include "labmouse/lab/drive_drawing.hpp"
 #include "labmouse/lab/layers.hpp"
 #include "labmouse/lab/mms_record_file.hpp"
 #include "labmouse/lab/packed_record.hpp"
@@ -40,6 +41,14 @@ std::string picture_of(const NamedMaze& maze) {
   return draw_svg(maze.maze, layers);
 }
 
+PageReply drive_picture(std::string_view text) {
+  ReadDriveRecordResult read = read_drive_record(text);
+  if (!read.file) return failed("the record cannot be read", std::move(read.problems));
+  if (std::string disagreement = replay(*read.file); !disagreement.empty())
+    return disagreed("the record", std::move(disagreement));
+  return answered({{"svg", draw_contest(*read.file)}});
+}
+
 }  // namespace
 
 PageReply answer_unpack(const nlohmann::json& json, std::string_view) {
@@ -70,6 +79,7 @@ PageReply answer_picture(const nlohmann::json& json, std::string_view bytes) {
     if (!request.error().empty()) return failed(request.error());
     return answered({{"svg", picture_of(maze)}});
   }
+  if (is_drive_record(bytes)) return drive_picture(bytes);
   PlayedRecord record = read_played("the record", bytes);
   if (!record.file) return {nullptr, "", std::move(record.failure)};
   return answered({{"svg", labmouse::picture_of(*record.file)}});

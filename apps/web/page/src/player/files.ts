@@ -39,7 +39,7 @@ export function createFiles(page: Page, state: State): Panel {
     ),
     update() {
       save.disabled = chosen().record === '';
-      picture.disabled = chosen().record === '' || chosen().track.play.world !== 'steps';
+      picture.disabled = chosen().record === '' || chosen().track.play.world === 'mms';
     },
   };
 }

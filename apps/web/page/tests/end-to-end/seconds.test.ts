@@ -1,7 +1,8 @@
 // Contests in seconds, in Replay and in Live.
+import { readFileSync } from 'node:fs';
 import type { Page } from 'playwright-core';
 import { expect, test } from 'vitest';
-import { barriers, open, picture } from './harness';
+import { barriers, drop, open, picture } from './harness';
 
 /** Drives the example, with its maze. */
 async function driven(options = {}) {
@@ -98,6 +99,28 @@ test('what was scrubbed is drawn the same forwards and backwards, in each layer'
     await expect.poll(() => pixels(page), { message: key }).not.toBe(before);
     before = await pixels(page);
   }
+});
+
+test('its record and its picture are saved, and the record is opened again', async () => {
+  const page = await driven();
+  const whole = await moment(page);
+  const saved = async (button: string) => {
+    const [download] = await Promise.all([
+      page.waitForEvent('download'),
+      page.getByRole('button', { name: button }).click(),
+    ]);
+    return { name: download.suggestedFilename(), content: readFileSync((await download.path())!, 'utf8') };
+  };
+  const drawing = await saved('Save picture');
+  expect(drawing.name).toBe('certify-contest-01.svg');
+  expect(drawing.content).toContain('<title>certify in contest-01: ');
+  const record = await saved('Save record');
+  expect(record.name).toBe('certify-contest-01.jsonl');
+  await page.getByRole('button', { name: 'Another record' }).click();
+  await drop(page, record);
+  await expect.poll(() => moment(page)).toBe(whole);
+  await drop(page, { name: 'changed.jsonl', content: record.content.replace(/"gate_out":\d/, '"gate_out":9') });
+  await expect.poll(() => page.locator('.alerts').textContent()).toContain('recorded to leave the start at');
 });
 
 test('nothing is in the way of anybody, in light and dark, at every width', async () => {

@@ -1,4 +1,4 @@
-#include "labmouse/lab/page/drive_path.hpp"
+#include "labmouse/lab/drive_path.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,17 @@
+// A robot in the header of a record.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "labmouse/lab/record_fields.hpp"
+#include "labmouse/mouse/drive/robot.hpp"
+
+namespace labmouse {
+
+/// Its name and its parameters, under the keys of robot files: "straight.speed".
+nlohmann::ordered_json robot_json(const Robot& robot);
+
+/// Reads them, and makes the model; the fields hold what is wrong, and the model has an error then.
+DriveModel read_robot_json(RecordFields& fields, const nlohmann::json& json);
+
+}  // namespace labmouse

@@ -1,0 +1,49 @@
+// Records in seconds to test with.
+#pragma once
+
+#include "labmouse/contest/drive.hpp"
+#include "labmouse/lab/drive_record_file.hpp"
+#include "labmouse/lab/drive_rules_file.hpp"
+#include "labmouse/lab/robot_files.hpp"
+#include "labmouse/strategies/roster.hpp"
+#include "tests/drawn_maze.hpp"
+
+namespace labmouse::test {
+
+inline std::shared_ptr<const DriveModel> drive_model(const std::string& robot) {
+  return std::make_shared<DriveModel>(find_robot(robot).model);
+}
+
+/// A ring of eight cells, with the goal in its middle on the right.
+inline Maze ring() {
+  return drawn(R"(
+    o---o---o---o
+    |           |
+    o   o---o   o
+    |   |   | G |
+    o   o---o   o
+    | S |       |
+    o---o---o---o
+  )");
+}
+
+/// The record of a contest of that mouse.
+inline DriveRecordFile driven(const std::string& mouse, const Maze& maze = ring(), const std::string& robot = "mm2021",
+                              const std::string& rules = "all-japan") {
+  DriveRecordFile file;
+  file.maze_name = "ring";
+  file.maze = maze;
+  file.mouse = mouse;
+  file.model = drive_model(robot);
+  file.tables_hash = file.model->tables.hash;
+  file.rules = find_rules(rules).rules;
+  for (const RosterEntry* entry : roster())
+    if (entry->name == mouse) {
+      const auto strategy = entry->make(brief(maze, file.rules, *file.model, 1), Settings(entry->parameters));
+      file.record = drive(maze, file.rules, *file.model, *strategy);
+    }
+  file.recorded_score = score(file.record, file.rules).value();
+  return file;
+}
+
+}  // namespace labmouse::test
