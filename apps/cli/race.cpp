@@ -1,6 +1,8 @@
 // labmouse race: many mice on many mazes, and a leaderboard.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <memory>
 #include <optional>
 
@@ -15,6 +17,7 @@
 #include "labmouse/lab/printable.hpp"
 #include "labmouse/lab/race_files.hpp"
 #include "labmouse/lab/report.hpp"
+#include "race_seconds.hpp"
 
 namespace labmouse::cli {
 namespace {
@@ -31,6 +34,7 @@ struct RaceOptions {
   bool has_limit = false;
   int worst = 0;
   bool shares = false;
+  std::string world = "strides", robot = "classic", rules = "all-japan";
 };
 
 /// The races of both worlds; that of mms is there where it has mice.
@@ -193,6 +197,43 @@ int race(const RaceOptions& options) {
   return above.empty() ? exit_good : exit_finding;
 }
 
+SecondsRace in_seconds(const RaceOptions& options) {
+  SecondsRace race;
+  race.mice = options.mice;
+  race.contests = options.contests;
+  race.robot = options.robot;
+  race.rules = options.rules;
+  race.format = options.format;
+  race.out = options.out;
+  if (options.has_limit) race.fail_above = options.fail_above;
+  return race;
+}
+
+/// Throws UsageError for an option of another world than that of the race.
+void require_world(const CLI::App& command, const RaceOptions& options) {
+  const bool seconds = options.world == "seconds";
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->count() == 0) continue;
+    const std::string name = option->get_name();
+    if (!seconds && (name == "--robot" || name == "--rules"))
+      throw UsageError(fmt::format("error: {} is for the world of seconds; add --world seconds", name));
+    constexpr std::array<std::string_view, 12> shared = {"--world", "--robot", "--rules", "--mice", "--mazes",  "--start",
+                                                         "--goal",  "--runs",  "--seed",  "--jobs", "--format", "--out"};
+    if (seconds && name != "--fail-above" && std::find(shared.begin(), shared.end(), name) == shared.end())
+      throw UsageError(fmt::format("error: {} is not for the world of seconds", name));
+  }
+}
+
+void add_world(CLI::App& command, RaceOptions& options) {
+  command.add_option("--world", options.world, "What moves cost: strides or seconds")
+      ->check(CLI::IsMember({"strides", "seconds"}))
+      ->capture_default_str();
+  add_robot_option(command, options.robot);
+  command.add_option("--rules", options.rules, "Name of built-in rules in seconds, or a file with a slash or .toml in its name")
+      ->type_name("RULES")
+      ->capture_default_str();
+}
+
 }  // namespace
 
 void add_race(CLI::App& app, int& exit) {
@@ -200,6 +241,7 @@ void add_race(CLI::App& app, int& exit) {
   CLI::App* command = app.add_subcommand("race", "Race many mice on many mazes and print the leaderboard");
   command->add_option("--mice", options->mice, "Mice: name[:key=value]..., several separated by commas, or capstone:FILE, guest:COMMAND, mms:COMMAND (may repeat); default: all")
       ->type_name("SPEC")->expected(1)->take_all();
+  add_world(*command, *options);
   add_contests(*command, options->contests);
   command->add_option("--format", options->format, "Output")->check(CLI::IsMember({"table", "json", "csv"}))->capture_default_str();
   command->add_option("--out", options->out, "Folder for records, one SVG a maze and mouse, and the results as JSON")->type_name("DIR");
@@ -214,10 +256,12 @@ void add_race(CLI::App& app, int& exit) {
   command->add_option("--guest-runs", options->guests.runs, "Contests of each guest in each maze, for those that throw dice")
       ->type_name("N")->check(CLI::Range(1, 1'000'000))->capture_default_str();
   command->footer("Example: labmouse race --mice flood:stride=1,certify --mazes my-mazes/ --format json > today.json\n"
-                  "         labmouse race --mazes my-mazes/ --baseline today.json");
-  command->callback([options, limit, &exit] {
+                  "         labmouse race --mazes my-mazes/ --baseline today.json\n"
+                  "         labmouse race --world seconds --robot half --rules thirtieth");
+  command->callback([options, command, limit, &exit] {
     options->has_limit = limit->count() > 0;
-    exit = race(*options);
+    require_world(*command, *options);
+    exit = options->world == "seconds" ? race_in_seconds(in_seconds(*options)) : race(*options);
   });
 }
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "labmouse/lab/drive_json.hpp"
+
 namespace labmouse {
 namespace {
 
@@ -102,6 +104,7 @@ std::string what_it_is(std::string_view text) {
   const Json first = Json::parse(text.substr(0, std::min(text.find('\n'), longest_header)), nullptr, false);
   const Json kind = first.is_object() ? first.value("labmouse", Json()) : Json();
   if (kind == "record") return "is the record of one contest, not a race; `labmouse show --record` draws it";
+  if (kind == "drive record") return "is the record of one contest in seconds, not a race; `labmouse show --record` draws it";
   if (kind == "mms record") return "is the record of one run of a program for mms, not a race";
   if (text.starts_with("mouse,maze,")) return fmt::format("is the CSV of a race, which lacks much; {}", how_to_make);
   if (text.starts_with("<!doctype html")) return "is a page already";
@@ -131,6 +134,8 @@ ReadResultsResult read_report_results(std::string_view text) {
   if (std::string other = what_it_is(text); !other.empty()) return {std::nullopt, Problem{0, 0, std::move(other)}};
   Json json;
   if (auto problem = parse(text, json)) return {std::nullopt, std::move(problem)};
+  if (is_race_in_seconds(json))
+    return {std::nullopt, Problem{0, 0, "is a race in seconds, of which there are no reports; its records can be opened in `labmouse page`"}};
   Reading reading;
   reading.text(json, "labmouse", "");
   ReportResults results;

@@ -229,6 +229,8 @@ TEST(PageOpens, NoJsonThatIsNone) {
   EXPECT_EQ(said["problems"][0]["line"], 3);
   EXPECT_EQ(said["problems"][0]["column"], 3);
   EXPECT_THAT(said["problems"][0]["reason"].get<std::string>(), HasSubstr("no JSON: syntax error while parsing value - unexpected '}'"));
+  EXPECT_EQ(refused(R"({"labmouse":"0.1.0","mice":[],"groups":[{"world":"seconds"}]})", "x")["error"],
+            "x is a race in seconds, which is not shown here: open records that it saved, --out DIR");
   EXPECT_EQ(refused("[1]", "x")["error"], "x is JSON, but neither a record nor the results of a race");
 }
 

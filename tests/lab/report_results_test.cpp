@@ -70,6 +70,8 @@ TEST(ReportResults, ThatAreNoJsonSayFromWhere) {
 TEST(ReportResults, ThatAreSomethingElseSayWhat) {
   EXPECT_THAT(problem_of(write_record(test::recorded("flood"))).reason, StartsWith("is the record of one contest"));
   EXPECT_THAT(problem_of("{\"labmouse\":\"mms record\",\"format\":1}\n{}\n").reason, StartsWith("is the record of one run of a program for mms"));
+  EXPECT_THAT(problem_of("{\"labmouse\":\"drive record\",\"format\":1}\n{}\n").reason, StartsWith("is the record of one contest in seconds"));
+  EXPECT_THAT(problem_of(R"({"labmouse":"0.1.0","mazes":[],"mice":[],"groups":[{"world":"seconds"}]})").reason, StartsWith("is a race in seconds"));
   EXPECT_THAT(problem_of(csv_of(test::race_of("flood"))).reason, StartsWith("is the CSV of a race"));
   EXPECT_THAT(problem_of(*drawing_format.write(test::corridor().maze).content).reason, StartsWith("is a maze"));
   EXPECT_THAT(problem_of("<!doctype html>\n<html></html>").reason, "is a page already");

@@ -1,0 +1,108 @@
+#include "race_seconds.hpp"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "labmouse/lab/drive_folder.hpp"
+#include "labmouse/lab/drive_report.hpp"
+#include "labmouse/lab/drive_rules_file.hpp"
+#include "labmouse/lab/drive_standings.hpp"
+#include "labmouse/lab/files.hpp"
+#include "labmouse/lab/printable.hpp"
+
+namespace labmouse::cli {
+namespace {
+
+std::vector<Contestant> find_drivers(const SecondsRace& options) {
+  if (options.mice.empty()) return all_drivers();
+  std::vector<Contestant> mice = find_contestants(options.mice);
+  if (const std::string refusal = refuse_to_drive(mice); !refusal.empty()) throw UsageError("error: " + refusal);
+  return mice;
+}
+
+/// The mazes that are not too large; the others become skipped files.
+MazeCollection find_small_mazes(const SecondsRace& options) {
+  MazeCollection mazes = find_mazes(options.contests.mazes, options.contests.places);
+  std::erase_if(mazes.mazes, [&](const NamedMaze& maze) {
+    const Size size = maze.maze.size();
+    if (size.width <= max_drive_side && size.height <= max_drive_side) return false;
+    const std::string reason = fmt::format("is {}x{}; the world of seconds takes mazes up to {}x{}", size.width, size.height,
+                                           max_drive_side, max_drive_side);
+    mazes.skipped.push_back({maze.name, {{0, 0, reason}}});
+    return true;
+  });
+  if (!mazes.mazes.empty()) return mazes;
+  const SkippedFile& first = mazes.skipped.back();
+  throw UsageError(fmt::format("{}: error: {}", first.path, first.problems.front().reason));
+}
+
+DriveRaceOrder order_of(const SecondsRace& options) {
+  FoundRules rules = find_rules(options.rules);
+  if (!rules.errors.empty()) throw UsageError(fmt::format("{}", fmt::join(rules.errors, "\n")));
+  DriveRaceOrder order;
+  order.rules = std::move(rules.rules);
+  order.model = std::make_shared<DriveModel>(find_robot_or_refuse(options.robot).model);
+  order.runs = options.contests.order.runs;
+  order.seed = options.contests.order.seed;
+  order.jobs = options.contests.order.jobs;
+  return order;
+}
+
+/// Holds the race and saves its contests. What went wrong with that is in `failed_write`, and ends the race early.
+DriveRace hold(const SecondsRace& options, std::vector<NamedMaze> mazes, std::string& failed_write) {
+  std::vector<Contestant> mice = find_drivers(options);
+  const DriveRaceOrder order = order_of(options);
+  const std::size_t all = drive_contests_of(mice, mazes.size(), order);
+  Progress progress;
+  Interruptible interruptible;
+  std::optional<DriveRaceFolder> folder;
+  DriveRaceHooks hooks;
+  hooks.stop = &interruptible.stopped();
+  hooks.finished = [&](const DriveRace& race, const DriveResult& result, const DriveRecord& record) {
+    progress.advance(all);
+    if (options.out.empty() || !failed_write.empty()) return;
+    if (!folder) folder.emplace(options.out, race);
+    failed_write = folder->save(race, result, record);
+    if (!failed_write.empty()) interruptible.stop();
+  };
+  return hold_drive_race(std::move(mice), std::move(mazes), order, hooks);
+}
+
+std::string save_results(const SecondsRace& options, const std::string& json) {
+  if (options.out.empty()) return "";
+  const std::string path = fmt::format("{}/{}", options.out, results_file_name);
+  const std::string error = write_file(path, json);
+  return error.empty() ? "" : fmt::format("{}: error: {}", path, error);
+}
+
+/// The mice whose mean is above the limit, or that did not score everywhere.
+std::string above_limit(const DriveRace& race, double limit) {
+  std::string text;
+  for (const DriveStanding& standing : drive_standings_of(race)) {
+    const std::string name = shown(race.mice[standing.mouse].name);
+    if (standing.scored < standing.runs)
+      text += fmt::format("{} has no score in {} of {} contests\n", name, standing.runs - standing.scored, standing.runs);
+    else if (standing.mean_score && *standing.mean_score > limit)
+      text += fmt::format("{} scores {:.3f}, above the limit of {:g}\n", name, *standing.mean_score, limit);
+  }
+  return text;
+}
+
+}  // namespace
+
+int race_in_seconds(const SecondsRace& options) {
+  MazeCollection mazes = find_small_mazes(options);
+  std::string failed_write;
+  const DriveRace race = hold(options, std::move(mazes.mazes), failed_write);
+  const std::string json = json_of(race, mazes.skipped);
+  if (failed_write.empty()) failed_write = save_results(options, json);
+  print(options.format == "json" ? json : options.format == "csv" ? csv_of(race) : table_of(race, colours()));
+  if (!failed_write.empty()) throw UsageError(failed_write);
+  if (race.stopped) return exit_interrupted;
+  const std::string above = options.fail_above ? above_limit(race, *options.fail_above) : "";
+  tell(above);
+  return above.empty() ? exit_good : exit_finding;
+}
+
+}  // namespace labmouse::cli
