@@ -21,10 +21,13 @@ DriveNode node_at(HalfPoint point, int direction) {
   return {wall.side == first ? wall.cell : neighbour(wall.cell, wall.side), first, place};
 }
 
+/// Whether a robot has one speed at all nodes, at its start and in the goal, and each turn in one way, backwards as well.
 bool one_speed(const DriveTables& tables) {
   if (tables.along.count() != 1 || tables.diagonal.count() != 1 || tables.turns.size() != all_turns.size()) return false;
-  for (std::size_t i = 1; i < tables.turns.size(); ++i)
-    if (tables.turns[i].turn == tables.turns[i - 1].turn) return false;
+  for (const Turn turn : all_turns) {
+    const DrivenTurn& driven = tables.turns[static_cast<std::size_t>(turn)];
+    if (driven.turn != turn || driven.time != tables.turns[static_cast<std::size_t>(reversed(turn))].time) return false;
+  }
   return tables.start == tables.finish && tables.start == tables.along.between;
 }
 
@@ -33,8 +36,7 @@ bool one_speed(const DriveTables& tables) {
 class FastestRoutes::Search {
  public:
   Search(Size size, const DriveTables& tables)
-      : size_(size),
-        tables_(tables),
+      : tables_(tables),
         search_(one_speed(tables) ? drive::make_fixed_search(size, tables) : drive::make_lane_search(size, tables)) {
     for (const DrivenTurn& driven : tables.turns)
       for (auto turn = static_cast<std::size_t>(driven.turn) + 1; turn < first_.size(); ++turn) ++first_[turn];
@@ -42,11 +44,11 @@ class FastestRoutes::Search {
 
   void fill(const WallSet& passages, const CellSet& goals) {
     goals_ = goals;
-    search_->fill(size_, passages, goals, drive::Search::everywhere);
+    search_->fill(passages, goals, drive::Search::everywhere);
   }
   void fill_for(Pose start, const WallSet& passages, const CellSet& goals) {
     goals_ = goals;
-    search_->fill(size_, passages, goals, number({start.cell, start.heading, Place::centre}));
+    search_->fill(passages, goals, number({start.cell, start.heading, Place::centre}));
   }
 
   DriveTime time_from(Pose start) const {
@@ -181,7 +183,6 @@ class FastestRoutes::Search {
 
   static constexpr std::size_t no_lane = ~std::size_t{0};
 
-  Size size_;
   const DriveTables& tables_;
   /// Where the turns of each kind begin in the tables.
   std::array<std::size_t, all_turns.size() + 1> first_{};

@@ -1,10 +1,14 @@
 // The search for robots that have one speed at all nodes: one lane along the axes and one on the diagonals.
 //
 // It goes from the goals backwards in time, which is forwards over nodes turned round: turns and their times are the same
-// both ways. A label of a turn is spread along the corridor ahead, several nodes at once; what it improves waits for its
-// own turns.
+// both ways. A label of a turn is spread along the corridor ahead, several nodes at once; then all nodes that have improved
+// turn from there, and those that this improves wait for their time.
+//
+// With a start it is the search A* (Hart, Nilsson and Raphael 1968): a node waits for its time to the goals and that from
+// the start in the maze without inner walls, which is never more than it takes in any other.
 #include <algorithm>
 
+#include "labmouse/mouse/drive/lists.hpp"
 #include "labmouse/mouse/drive/search.hpp"
 #include "labmouse/mouse/drive/vectors.hpp"
 
@@ -16,55 +20,35 @@ class FixedSearch final : public Search {
  public:
   using L = Lattice<Word>;
 
-  explicit FixedSearch(const DriveTables& tables)
-      : turned_(L::nodes, bucket_shift(tables)), driven_(L::nodes, bucket_shift(tables)) {
-    for (unsigned diagonal = 0; diagonal < 2; ++diagonal) {
-      const StraightTimes& table = diagonal != 0 ? tables.diagonal : tables.along;
-      Straight& straight = straights_[diagonal];
-      for (int units = 0; units <= StraightTimes::longest; ++units) straight.times[units] = table.at(units, 0, 0);
-      find_gains(straight);
-    }
-    for (int units = 0; units <= StraightTimes::longest; ++units) finish_.times[units] = tables.finish_from(units, 0);
-    find_gains(finish_);
-    std::array<DriveTime, all_turns.size()> turn_times{};
-    for (const DrivenTurn& turn : tables.turns) turn_times[static_cast<unsigned>(turn.turn)] = turn.time;
-    for (unsigned direction = 0; direction < 8; ++direction)
-      for (unsigned parity = 0; parity < 2; ++parity)
-        for (unsigned bit = 0; bit < (direction % 2 == 0 ? 8U : 3U); ++bit)
-          bit_times_[direction][parity][bit] =
-              turn_times[static_cast<unsigned>(reversed(turn_of(bit, direction % 2 != 0, parity == 0)))];
+  FixedSearch(Size size, const DriveTables& tables) : size_(size), waiting_(L::nodes, bucket_shift(tables)) {
+    find_gains(straights_[0], tables.along);
+    find_gains(straights_[1], tables.diagonal);
+    for (const DrivenTurn& turn : tables.turns)
+      for (unsigned bit = 0; bit < 8; ++bit) {
+        if (turn.turn == turn_of(bit, false, true)) turn_times_[0][bit] = turn.time;
+        if (turn.turn == turn_of(bit, false, false)) turn_times_[0][8 + bit] = turn.time;
+        if (bit < 3 && turn.turn == turn_of(bit, true, false)) turn_times_[1][bit] = turn_times_[1][8 + bit] = turn.time;
+      }
   }
 
-  void fill(Size size, const WallSet& passages, const CellSet& goals, int start) override {
-    lattice_.build(size, passages);
-    forget(times_);
-    turned_.clear();
-    driven_.clear();
+  void fill(const WallSet& passages, const CellSet& goals, int start) override {
+    if (start != everywhere) aim_at(start);
+    begin(passages);
     goals.for_each([&](Cell cell) {
       for (int direction = 0; direction < 8; direction += 2)
-        spread(L::node({2 * cell.x + 1, 2 * cell.y + 1}, direction), 0, finish_);
+        spread(L::node({2 * cell.x + 1, 2 * cell.y + 1}, direction), 0);
     });
     // Without a start, one that is never reached.
-    const DriveTime& enough = times_[start == everywhere ? times_.size() - 1 : index(L::opposite(start))];
-    for (unsigned bucket = 0; bucket <= std::max(turned_.last(), driven_.last()) && bucket <= turned_.bucket(enough); ++bucket) {
-      turned_.empty(bucket, [&](int node) {
-        const DriveTime time = times_[index(node)];
-        if (turned_.bucket(time) == bucket) spread(node, time, straights_[static_cast<unsigned>(node / L::plane) & 1U]);
-      });
-      driven_.empty(bucket, [&](int node) {
-        if (driven_.bucket(times_[index(node)]) == bucket) turn(node);
-      });
-    }
+    finish(start == everywhere ? times_.back() : times_[index(L::opposite(start))],
+           start == everywhere ? no_bounds_ : bounds_);
   }
 
   DriveTime turning(int node, std::size_t, DriveTime limit) const override {
     if (rolling(node, 0) > limit) return no_time;
     DriveTime best = no_time;
-    const auto direction = static_cast<unsigned>(node / L::plane);
-    const DriveTime* times = bit_times_[direction][static_cast<unsigned>(node) & 1U];
-    for (unsigned bits = turn_bits(lattice_, node); bits != 0; bits &= bits - 1) {
+    for (unsigned bits = turns(node); bits != 0; bits &= bits - 1) {
       const auto bit = static_cast<unsigned>(std::countr_zero(bits));
-      best = std::min(best, times[bit] + rolling(leap(node, bit), 0));
+      best = std::min(best, turn_time(8 * static_cast<unsigned>(node) + bit) + rolling(leap(node, bit), 0));
     }
     return best;
   }
@@ -90,20 +74,53 @@ class FixedSearch final : public Search {
     DriveTime times[StraightTimes::longest + 1 + stretch]{};
     DriveTime gain[StraightTimes::longest + 1]{};
   };
+  /// A node and the bit of a turn that begins there: 8 * node + bit. Turns of one kind share their last four bits.
+  using TurnAt = std::conditional_t<sizeof(Word) == sizeof(std::uint32_t), std::uint16_t, std::uint32_t>;
 
   static std::size_t index(int node) { return static_cast<std::size_t>(node); }
 
-  static void find_gains(Straight& straight) {
+  static void find_gains(Straight& straight, const StraightTimes& table) {
+    for (int units = 0; units <= StraightTimes::longest; ++units) straight.times[units] = table.at(units, 0, 0);
     for (int k = 0; k <= StraightTimes::longest; ++k) {
       straight.gain[k] = straight.times[k];
       for (int j = 1; k + j <= StraightTimes::longest; ++j)
         straight.gain[k] = std::min(straight.gain[k], straight.times[k + j] - straight.times[j]);
     }
   }
+  DriveTime turn_time(unsigned turn) const { return turn_times_[turn / (8 * L::plane) % 2][turn % 16]; }
+
+  /// Finds the bounds of a start: its times in the maze without inner walls, driven backwards.
+  void aim_at(int start) {
+    if (start == start_) return;
+    start_ = start;
+    begin(WallSet::all(size_));
+    spread(start, 0);
+    finish(times_.back(), no_bounds_);
+    for (int node = 0; node < L::nodes; ++node) bounds_[index(node)] = times_[index(L::opposite(node))];
+  }
+
+  void begin(const WallSet& passages) {
+    lattice_.build(size_, passages);
+    forget(times_);
+    waiting_.clear();
+  }
+
+  /// Goes on from the nodes that have been spread, until no node waits for a time before `enough`.
+  void finish(const DriveTime& enough, const std::vector<DriveTime>& bounds) {
+    const auto time_of = [&](int node) { return times_[index(node)] + bounds[index(node)]; };
+    drive_turns();
+    do {
+      for (const int node : improved_) waiting_.add(node, time_of(node));
+      if (!waiting_.advance(enough)) return;
+      waiting_.empty(time_of, [&](int node) { spread(node, times_[index(node)]); });
+      drive_turns();
+    } while (true);
+  }
 
   /// A turn has led to this node: spreads the times of straights of all lengths from here, a stretch at a time, since few
-  /// are longer. What is improved waits for its turns, and so does the node itself.
-  void spread(int node, DriveTime time, const Straight& straight) {
+  /// are longer. What is improved will turn, and so will the node itself.
+  void spread(int node, DriveTime time) {
+    const Straight& straight = straights_[static_cast<unsigned>(node / L::plane) & 1U];
     const int run = lattice_.run(node);
     const Word turns = lattice_.any_turn(node) >> node % L::points;
     unsigned better = 1;
@@ -117,48 +134,63 @@ class FixedSearch final : public Search {
         store(times + i, (now & improves) | (old & ~improves));
         better |= bits_of(improves) << i;
       }
-      for (unsigned bits = better & static_cast<unsigned>(turns >> k); bits != 0; bits &= bits - 1) {
-        const int i = std::countr_zero(bits);
-        driven_.add_if_earlier(times[i], no_time, node + k + i);
-      }
+      let_turn(node + k, better & static_cast<unsigned>(turns >> k));
       // Whoever rolled here before is ahead of this one at all places further on.
       if (k + stretch > run || last <= time + straight.gain[k + stretch - 1]) return;
     }
   }
 
-  /// A straight has led to this node: turns from here wherever that is earlier than what is known. A mouse that rolls
-  /// through a node before a turn could lead there is ahead of it at all places further on, so one time a node will do.
-  void turn(int node) {
-    const DriveTime time = times_[index(node)];
-    const auto direction = static_cast<unsigned>(node / L::plane);
-    const DriveTime* times = bit_times_[direction][static_cast<unsigned>(node) & 1U];
-    const std::uint16_t* leaps = &leaps_[8 * index(node)];
-    for (unsigned bits = turn_bits(lattice_, node); bits != 0; bits &= bits - 1) {
-      const auto bit = static_cast<unsigned>(std::countr_zero(bits));
-      const int to = leaps[bit];
-      const DriveTime then = time + times[bit], known = times_[index(to)];
-      turned_.add_if_earlier(then, known, to);
-      times_[index(to)] = std::min(then, known);
+  /// Some of the nodes of a stretch will turn, once each.
+  void let_turn(int node, unsigned nodes) {
+    Word& turning = turning_[node / L::points];
+    const int position = node % L::points;
+    nodes &= ~static_cast<unsigned>(turning >> position);
+    turning |= static_cast<Word>(nodes) << position;
+    driven_.add_ones(static_cast<std::uint16_t>(node), nodes);
+  }
+
+  /// All nodes to which straights have led turn wherever that is earlier than what is known. A mouse that rolls through a
+  /// node before a turn could lead there is ahead of it at all places further on, so one time a node will do.
+  void drive_turns() {
+    turns_.clear();
+    for (const int node : driven_) {
+      turning_[node / L::points] = 0;
+      turns_.add_ones(static_cast<TurnAt>(8 * node), turn_bits(lattice_, node));
+    }
+    driven_.clear();
+    improved_.clear();
+    for (const unsigned turn : turns_) {
+      const std::uint16_t to = leaps_[turn];
+      const DriveTime known = times_[to], gain = std::min(times_[turn / 8] + turn_time(turn) - known, 0);
+      times_[to] = known + gain;
+      improved_.add(to, static_cast<unsigned>(gain) >> 31);
     }
   }
 
+  Size size_;
   L lattice_;
   std::span<const std::uint16_t> leaps_ = L::leaps();
   Straight straights_[2];
-  Straight finish_;
-  /// By direction, parity of the position and bit; of the turn as it is driven, from the new node to the old.
-  DriveTime bit_times_[8][2][8]{};
+  /// By kind of line, parity of the position and bit.
+  DriveTime turn_times_[2][16]{};
   /// Of a mouse that rolls at a node, turned round, until the end.
   std::vector<DriveTime> times_ = std::vector<DriveTime>(static_cast<std::size_t>(L::nodes + stretch), no_time);
-  Buckets turned_;  ///< nodes to which a turn has led
-  Buckets driven_;  ///< nodes to which a straight has led
+  /// From the start to a node, turned round, at least.
+  std::vector<DriveTime> bounds_ = std::vector<DriveTime>(static_cast<std::size_t>(L::nodes), 0);
+  const std::vector<DriveTime> no_bounds_ = bounds_;
+  int start_ = everywhere;
+  Buckets waiting_;                       ///< nodes to which turns have led
+  List<std::uint16_t> driven_{L::nodes};  ///< nodes to which straights have led
+  Word turning_[8 * L::lines]{};          ///< the same, by line and position
+  List<TurnAt> turns_{8 * L::nodes};
+  List<std::uint16_t> improved_{8 * L::nodes};
 };
 
 }  // namespace
 
 std::unique_ptr<Search> make_fixed_search(Size size, const DriveTables& tables) {
-  if (size.width <= 16 && size.height <= 16) return std::make_unique<FixedSearch<std::uint32_t>>(tables);
-  return std::make_unique<FixedSearch<std::uint64_t>>(tables);
+  if (size.width <= 16 && size.height <= 16) return std::make_unique<FixedSearch<std::uint32_t>>(size, tables);
+  return std::make_unique<FixedSearch<std::uint64_t>>(size, tables);
 }
 
 }  // namespace labmouse::drive

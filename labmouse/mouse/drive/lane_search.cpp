@@ -5,6 +5,7 @@
 // earlier one when they improve.
 #include <algorithm>
 
+#include "labmouse/mouse/drive/lists.hpp"
 #include "labmouse/mouse/drive/search.hpp"
 #include "labmouse/mouse/drive/vectors.hpp"
 
@@ -24,7 +25,7 @@ class LabelQueue {
     const unsigned from = bucket(old), to = bucket(now);
     if (from == to) return;
     if (old < no_time) take_out(label, from);
-    std::uint32_t& head = heads_[to % Buckets::count];
+    std::uint32_t& head = heads_[to % 256];
     next_[label] = head;
     before_[label] = none;
     if (head != none) before_[head] = label;
@@ -33,7 +34,7 @@ class LabelQueue {
   }
   /// Takes one label out of a bucket; none where it is empty.
   std::uint32_t take(unsigned bucket) {
-    const std::uint32_t label = heads_[bucket % Buckets::count];
+    const std::uint32_t label = heads_[bucket % 256];
     if (label != none) take_out(label, bucket);
     return label;
   }
@@ -47,13 +48,13 @@ class LabelQueue {
  private:
   void take_out(std::uint32_t label, unsigned bucket) {
     const std::uint32_t before = before_[label], after = next_[label];
-    (before == none ? heads_[bucket % Buckets::count] : next_[before]) = after;
+    (before == none ? heads_[bucket % 256] : next_[before]) = after;
     if (after != none) before_[after] = before;
   }
 
   int shift_;
   unsigned last_ = 0;
-  std::array<std::uint32_t, Buckets::count> heads_{};
+  std::array<std::uint32_t, 256> heads_{};
   std::vector<std::uint32_t> next_, before_;
 };
 
@@ -62,16 +63,17 @@ class LaneSearch final : public Search {
  public:
   using L = Lattice<Word>;
 
-  explicit LaneSearch(const DriveTables& tables)
-      : tables_(tables),
+  LaneSearch(Size size, const DriveTables& tables)
+      : size_(size),
+        tables_(tables),
         lanes_((static_cast<int>(std::max(tables.along.count(), tables.diagonal.count())) + width - 1) / width * width),
         along_(tables.along, lanes_),
         diagonal_(tables.diagonal, lanes_),
         finish_(static_cast<std::size_t>((StraightTimes::longest + 1) * lanes_), no_time),
         rolling_(static_cast<std::size_t>(L::nodes * lanes_), no_time),
         turning_(rolling_),
-        turns_waiting_(rolling_.size(), bucket_shift(tables)),
-        straights_waiting_(rolling_.size(), bucket_shift(tables)) {
+        turns_waiting_(rolling_.size(), bucket_shift(tables) - 1),
+        straights_waiting_(rolling_.size(), bucket_shift(tables) - 1) {
     for (int units = 0; units <= StraightTimes::longest; ++units)
       for (std::size_t lane = 0; lane < tables.along.count(); ++lane)
         finish_[static_cast<std::size_t>(units * lanes_) + lane] = tables.finish_from(units, lane);
@@ -79,8 +81,8 @@ class LaneSearch final : public Search {
       for (unsigned bit = 0; bit < (kind == 2 ? 3U : 8U); ++bit) take_turns(tables, kind, bit);
   }
 
-  void fill(Size size, const WallSet& passages, const CellSet& goals, int start) override {
-    lattice_.build(size, passages);
+  void fill(const WallSet& passages, const CellSet& goals, int start) override {
+    lattice_.build(size_, passages);
     forget(rolling_);
     forget(turning_);
     turns_waiting_.clear();
@@ -212,6 +214,7 @@ class LaneSearch final : public Search {
 
   static constexpr int max_lanes = 32;
 
+  Size size_;
   const DriveTables& tables_;
   int lanes_;  ///< of a node: those of both kinds of straights, whichever are more, in whole vectors
   Straights along_;
@@ -231,8 +234,8 @@ class LaneSearch final : public Search {
 }  // namespace
 
 std::unique_ptr<Search> make_lane_search(Size size, const DriveTables& tables) {
-  if (size.width <= 16 && size.height <= 16) return std::make_unique<LaneSearch<std::uint32_t>>(tables);
-  return std::make_unique<LaneSearch<std::uint64_t>>(tables);
+  if (size.width <= 16 && size.height <= 16) return std::make_unique<LaneSearch<std::uint32_t>>(size, tables);
+  return std::make_unique<LaneSearch<std::uint64_t>>(size, tables);
 }
 
 }  // namespace labmouse::drive

@@ -1,0 +1,128 @@
+// Lists of nodes that a search writes without asking: what a processor would have to foresee, and cannot in a maze that it
+// has not met before, costs it more than a few words written in vain.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <vector>
+
+#include "labmouse/mouse/drive/tables.hpp"
+
+namespace labmouse::drive {
+
+/// The places of the ones in every byte, from the lowest on.
+template <class Number>
+struct Ones {
+  Number places[256][8]{};
+  std::uint8_t count[256]{};
+
+  constexpr Ones() {
+    for (unsigned byte = 0; byte < 256; ++byte)
+      for (unsigned bit = 0; bit < 8; ++bit)
+        if ((byte >> bit & 1U) != 0) places[byte][count[byte]++] = static_cast<Number>(bit);
+  }
+};
+
+/// A list of numbers. More than is added is written behind its end.
+template <class Number>
+class List {
+ public:
+  explicit List(int most) : numbers_(new Number[static_cast<std::size_t>(most) + 8]) { clear(); }
+
+  void clear() { end_ = numbers_.get(); }
+  const Number* begin() const { return numbers_.get(); }
+  const Number* end() const { return end_; }
+
+  /// Adds a number once or not at all.
+  void add(Number number, unsigned times) {
+    *end_ = number;
+    end_ += times;
+  }
+  /// Adds the sums of a number and the places of the ones of a byte.
+  void add_ones(Number number, unsigned byte) {
+    for (unsigned i = 0; i < 8; ++i) end_[i] = static_cast<Number>(number + ones.places[byte][i]);
+    end_ += ones.count[byte];
+  }
+
+ private:
+  static constexpr Ones<Number> ones{};
+
+  std::unique_ptr<Number[]> numbers_;
+  Number* end_;
+};
+
+/// Nodes that wait, by time, in buckets: those of one bucket in any order, so that a bucket may fill again while it is
+/// emptied (Dial 1969).
+class Buckets {
+ public:
+  /// They are used in turn; what waits for a later time than they reach waits in the last of them first.
+  static constexpr unsigned count = 64;
+
+  /// For nodes with numbers below `nodes`. The lists do not lie a power of two apart, which caches dislike.
+  Buckets(int nodes, int shift)
+      : shift_(shift),
+        stride_(static_cast<std::size_t>(nodes) + 72),
+        waiting_(new std::uint16_t[count * stride_]),
+        places_(static_cast<std::size_t>(nodes)) {
+    clear();
+  }
+
+  void clear() {
+    for (unsigned i = 0; i < count; ++i) ends_[i] = &waiting_[i * stride_];
+    std::memset(places_.data(), 0xff, places_.size() * sizeof(places_[0]));
+    current_ = last_ = 0;
+  }
+  /// Lets a node wait until a time, which is not before the current bucket; never, where that is no_time or later.
+  void add(int node, DriveTime time) {
+    const unsigned bucket = std::min(bucket_of(time), current_ + count - 1);
+    std::uint16_t& place = places_[static_cast<std::size_t>(node)];
+    std::uint16_t*& end = ends_[bucket % count];
+    const bool waits = time < no_time;
+    *end = static_cast<std::uint16_t>(node);
+    end += static_cast<unsigned>(place != bucket) & static_cast<unsigned>(waits);
+    place = static_cast<std::uint16_t>(bucket);
+    last_ = waits ? std::max(last_, bucket) : last_;
+  }
+  /// Goes on to the first bucket in which nodes wait, before that of a time or in it. Whether there is one.
+  bool advance(DriveTime until) {
+    for (const unsigned end = std::min(last_, bucket_of(until)); current_ <= end; ++current_)
+      if (ends_[current_ % count] != list(current_)) return true;
+    return false;
+  }
+  /// Calls visit(node) for all nodes of the current bucket that have waited for time_of(node), and forgets them. What is
+  /// added to it meanwhile is lost.
+  template <class Time, class Visit>
+  void empty(Time time_of, Visit visit) {
+    const std::uint16_t* const end = ends_[current_ % count];
+    ends_[current_ % count] = list(current_);
+    for (const std::uint16_t* i = list(current_); i != end; ++i) {
+      const int node = *i;
+      const DriveTime time = time_of(node);
+      places_[static_cast<std::size_t>(node)] = nowhere;
+      if (bucket_of(time) == current_)
+        visit(node);
+      else if (bucket_of(time) > current_)
+        add(node, time);
+    }
+  }
+
+ private:
+  static constexpr std::uint16_t nowhere = 0xffff;
+
+  unsigned bucket_of(DriveTime time) const { return static_cast<unsigned>(time >> shift_); }
+  std::uint16_t* list(unsigned bucket) { return &waiting_[bucket % count * stride_]; }
+
+  int shift_;
+  std::size_t stride_;
+  unsigned current_ = 0;
+  unsigned last_ = 0;  ///< in which a node has been put
+  std::unique_ptr<std::uint16_t[]> waiting_;
+  std::array<std::uint16_t*, count> ends_{};
+  /// The bucket into which a node was put last; no time of a route is as late as the last one (see no_time).
+  std::vector<std::uint16_t> places_;
+};
+
+}  // namespace labmouse::drive
