@@ -165,6 +165,14 @@ DriveTime PlainFastest::rolling(const DriveNode& node, std::size_t lane) const {
   return times_[label({point, eighths(node)}, false, lane)];
 }
 
+bool PlainFastest::turn_ends(const DriveNode& node, std::size_t lane) const {
+  const auto& places = ending_[label({half_point(node), eighths(node)}, false, 0) / (2 * lanes_)];
+  return std::any_of(places.begin(), places.end(), [&](const DrivenPlace& place) {
+    return std::any_of(tables_.turns.begin(), tables_.turns.end(),
+                       [&](const DrivenTurn& turn) { return turn.turn == place.turn && turn.to == lane; });
+  });
+}
+
 DriveTime PlainFastest::time_from(Pose start) const {
   if (goals_.contains(start.cell)) return 0;
   DriveTime best = no_time;

@@ -18,6 +18,8 @@ class PlainFastest {
   /// As FastestRoutes gives them.
   DriveTime rolling(const DriveNode& node, std::size_t lane) const;
   DriveTime time_from(Pose start) const;
+  /// Whether a turn can end at a node in that lane.
+  bool turn_ends(const DriveNode& node, std::size_t lane) const;
 
  private:
   struct Spot {

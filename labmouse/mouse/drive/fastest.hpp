@@ -33,7 +33,7 @@ class FastestRoutes {
   void route_from(Pose start, DriveRoute& route) const;
 
   /// The time from a node where a straight (of any length, or none) begins behind a turn that ended in that lane, or
-  /// no_time; for comparison with other searches.
+  /// no_time; whatever where no turn can end there in that lane. For comparison with other searches.
   DriveTime rolling(const DriveNode& node, std::size_t lane) const;
 
  private:

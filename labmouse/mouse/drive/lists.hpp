@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <cstring>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "labmouse/mouse/drive/tables.hpp"
@@ -123,6 +125,59 @@ class Buckets {
   std::array<std::uint16_t*, count> ends_{};
   /// The bucket into which a node was put last; no time of a route is as late as the last one (see no_time).
   std::vector<std::uint16_t> places_;
+};
+
+/// The same for nodes that may wait for several times at once: sets in place of lists.
+class NodeSets {
+ public:
+  static constexpr unsigned count = 64;
+
+  NodeSets(int nodes, int shift)
+      : shift_(shift), words_(static_cast<std::size_t>(nodes) / 64), sets_(count * words_) {}
+
+  void clear() {
+    for (unsigned bucket = 0; bucket < count; ++bucket)
+      if (filled_[bucket] != 0) empty(bucket, [](int) {});
+    current_ = last_ = 0;
+  }
+  /// Lets a node wait until a time, or until now if that has passed; never, where it is no_time or later.
+  void add(int node, DriveTime time) {
+    if (time >= no_time) return;
+    const unsigned bucket = std::clamp(bucket_of(time), current_, current_ + count - 1);
+    const std::size_t word = static_cast<std::size_t>(node) / 64;
+    sets_[bucket % count * words_ + word] |= std::uint64_t{1} << node % 64;
+    filled_[bucket % count] |= std::uint64_t{1} << word % 64;
+    last_ = std::max(last_, bucket);
+  }
+  bool is_now(DriveTime time) const { return bucket_of(time) <= current_; }
+  /// Goes on to the first bucket in which nodes wait, before that of a time or in it. Whether there is one.
+  bool advance(DriveTime until) {
+    for (const unsigned end = std::min(last_, bucket_of(until)); current_ <= end; ++current_)
+      if (filled_[current_ % count] != 0) return true;
+    return false;
+  }
+  /// Calls visit(node) for all nodes of the current bucket, and forgets them.
+  template <class Visit>
+  void empty(Visit visit) { empty(current_ % count, visit); }
+
+ private:
+  unsigned bucket_of(DriveTime time) const { return static_cast<unsigned>(time >> shift_); }
+
+  template <class Visit>
+  void empty(unsigned bucket, Visit visit) {
+    std::uint64_t* const set = &sets_[bucket * words_];
+    for (std::uint64_t filled = std::exchange(filled_[bucket], 0); filled != 0; filled &= filled - 1)
+      for (std::size_t word = static_cast<std::size_t>(std::countr_zero(filled)); word < words_; word += 64)
+        for (std::uint64_t nodes = std::exchange(set[word], 0); nodes != 0; nodes &= nodes - 1)
+          visit(static_cast<int>(64 * word) + std::countr_zero(nodes));
+  }
+
+  int shift_;
+  std::size_t words_;
+  unsigned current_ = 0;
+  unsigned last_ = 0;
+  std::vector<std::uint64_t> sets_;
+  std::array<std::uint64_t, count> filled_{};  ///< words that are not empty, modulo 64
 };
 
 }  // namespace labmouse::drive

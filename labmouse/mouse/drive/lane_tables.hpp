@@ -1,0 +1,81 @@
+// The tables of a robot of many speeds as its search uses them: rows of lanes, several of which are looked at together.
+//
+// At each kind of node - edges, middles of cells, diagonals - turns end and begin only in some of the lanes. These are its
+// slots, which a row has side by side.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "labmouse/mouse/drive/tables.hpp"
+#include "labmouse/mouse/drive/vectors.hpp"
+
+namespace labmouse::drive {
+
+enum NodeKind : unsigned { edge_node, centre_node, diagonal_node };
+inline constexpr unsigned node_kinds = 3;
+
+/// A turn that ended in a slot: its bit (of the node turned round), the slot in which it began, and its time.
+struct TurnBefore {
+  std::uint8_t bit = 0;
+  std::uint8_t slot = 0;
+  DriveTime time = 0;
+};
+
+/// The same robot driven backwards.
+DriveTables backwards(const DriveTables& tables);
+
+class LaneTables {
+ public:
+  explicit LaneTables(const DriveTables& tables);
+
+  static constexpr int no_slot = -1;
+  static constexpr unsigned most_slots = 16;
+
+  /// The times of a row, in whole vectors; those of slots that a kind of node has not are no_time.
+  int row() const { return row_; }
+  int slot(unsigned kind, std::size_t lane) const { return slots_[kind][lane]; }
+
+  /// The times of straights to a turn that begins in a slot: rows of the slots that they come from, by units.
+  const DriveTime* straights(unsigned kind, unsigned slot) const { return at(straights_, kind, slot, lengths); }
+  /// The same of straights into the middle of a goal.
+  const DriveTime* finish() const { return finish_.data(); }
+
+  /// How much later a mouse may begin a turn in a slot than another one begins a turn 0, 2, 4, 8 ... units before, and be
+  /// nowhere ahead of it that is `reach` units or more before that: rows of the other one's slots. A turn in the same place
+  /// must be later by one more, so that no two say so of each other.
+  const DriveTime* slacks(unsigned kind, unsigned slot) const { return at(slacks_, kind, slot, checks); }
+  static constexpr int checks = 6;
+  int reach() const { return reach_; }
+
+  /// The turns that end in a slot.
+  const std::vector<TurnBefore>& turns(unsigned kind, unsigned slot) const { return turns_[kind][slot]; }
+
+ private:
+  static constexpr int lengths = StraightTimes::longest + 1;
+
+  std::size_t place(unsigned kind, unsigned slot, int rows) const {
+    return (kind * static_cast<std::size_t>(row_) + slot) * static_cast<std::size_t>(rows * row_);
+  }
+  const DriveTime* at(const std::vector<DriveTime>& rows, unsigned kind, unsigned slot, int count) const {
+    return &rows[place(kind, slot, count)];
+  }
+  void find_slots(const DriveTables& tables);
+  void find_straights(const DriveTables& tables);
+  void find_reach();
+  void find_slacks();
+  DriveTime slack(unsigned kind, unsigned slot, int units, unsigned other) const;
+  void find_turns(const DriveTables& tables);
+
+  int row_ = 0;
+  int reach_ = 0;
+  std::array<std::vector<int>, node_kinds> slots_;            ///< by lane
+  std::array<std::vector<std::size_t>, node_kinds> lanes_;    ///< by slot
+  std::vector<DriveTime> straights_;
+  std::vector<DriveTime> finish_;
+  std::vector<DriveTime> slacks_;
+  std::array<std::array<std::vector<TurnBefore>, most_slots>, node_kinds> turns_;
+};
+
+}  // namespace labmouse::drive
