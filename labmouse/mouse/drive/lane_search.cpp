@@ -22,8 +22,7 @@ class LaneSearch final : public Search {
         tables_(tables),
         onwards_(tables),
         backwards_(backwards(tables)),
-        row_(onwards_.row()),
-        rolling_(static_cast<std::size_t>(L::nodes * row_), no_time),
+        rolling_(static_cast<std::size_t>(L::nodes * row), no_time),
         turning_(rolling_),
         waiting_(L::nodes, bucket_shift(tables)) {}
 
@@ -50,22 +49,33 @@ class LaneSearch final : public Search {
 
  private:
   static std::size_t index(int node) { return static_cast<std::size_t>(node); }
-  std::size_t row(int node) const { return index(node * row_); }
+  static std::size_t row_of(int node) { return index(row * node); }
   static unsigned kind_of(int node) {
-    return node / L::plane % 2 != 0 ? diagonal_node : node % 2 == 0 ? edge_node : centre_node;
+    const unsigned diagonal = static_cast<unsigned>(node / L::plane) & 1U;
+    return diagonal_node * diagonal | (centre_node & static_cast<unsigned>(node) & ~diagonal);
   }
   DriveTime time(const std::vector<DriveTime>& times, int node, std::size_t lane) const {
     const int slot = onwards_.slot(kind_of(node), lane);
-    return slot == LaneTables::no_slot ? no_time : times[row(node) + index(slot)];
+    return slot == LaneTables::no_slot ? no_time : times[row_of(node) + index(slot)];
   }
 
   /// The time from rest at a start, as far as it is known; no_time where it is not, or where no turn is needed.
   DriveTime time_from(int start) const {
-    DriveTime best = no_time;
-    for (int units = 0, run = lattice_.run(start); units <= run; ++units)
-      for (std::size_t lane = 0; lane < tables_.along.count(); ++lane)
-        best = std::min(best, tables_.start_to(units, lane) + turning(start + units, lane, no_time));
-    return best;
+    Times best = Times{} + no_time;
+    for (Word places = places_of_turns(start, lattice_.run(start)); places != 0; places &= places - 1) {
+      const int units = std::countr_zero(places);
+      const DriveTime* first = backwards_.finish() + units * row;
+      const DriveTime* rest = &turning_[row_of(L::opposite(start + units))];
+      for (int slot = 0; slot < row; slot += width) {
+        const Times time = load(first + slot) + load(rest + slot);
+        best = time < best ? time : best;
+      }
+    }
+    return std::min(std::min(best[0], best[1]), std::min(best[2], best[3]));
+  }
+  /// The nodes ahead of this one, up to so many units away, where a turn can begin.
+  Word places_of_turns(int node, int units) const {
+    return (lattice_.any_turn(node) >> node % L::points) & static_cast<Word>(~Word{0}) >> (L::points - 1 - units);
   }
 
   /// Finds the bounds of a start: its times in the maze without inner walls, driven backwards.
@@ -77,40 +87,48 @@ class LaneSearch final : public Search {
     finish(backwards_, no_bounds_, [] { return no_time; });
     for (int node = 0; node < L::nodes; ++node) {
       if (node % L::points == 0) continue;  // no point
-      const DriveTime* times = &rolling_[row(L::opposite(node))];
-      bounds_[index(node)] = *std::min_element(times, times + row_);
+      const DriveTime* times = &rolling_[row_of(L::opposite(node))];
+      bounds_[index(node)] = *std::min_element(times, times + row);
     }
   }
 
   void begin(const WallSet& passages) {
     lattice_.build(size_, passages);
-    forget(rolling_);
-    forget(turning_);
-    std::fill(turns_due_.begin(), turns_due_.end(), 0);
+    forget_times();
     waiting_.clear();
   }
+
+  /// Forgets the times of all nodes that a search has touched.
+  void forget_times() {
+    for (std::size_t word = 0; word < touched_.size(); ++word)
+      for (std::uint64_t nodes = std::exchange(touched_[word], 0); nodes != 0; nodes &= nodes - 1) {
+        const int node = static_cast<int>(64 * word) + std::countr_zero(nodes);
+        for (int slot = 0; slot < row; slot += width) {
+          store(&rolling_[row_of(node) + index(slot)], Times{} + no_time);
+          store(&turning_[row_of(node) + index(slot)], Times{} + no_time);
+        }
+        turns_due_[index(node)] = 0;
+      }
+  }
+  void touch(int node) { touched_[index(node) / 64] |= std::uint64_t{1} << node % 64; }
 
   template <class Enough>
   void finish(const LaneTables& lanes, const std::vector<DriveTime>& bounds, Enough enough) {
     do {
       drive_turns(lanes, bounds);
       if (!waiting_.advance(enough())) return;
-      waiting_.empty([&](int node) { drive_straights(lanes, node, bounds[index(node)]); });
+      drive_straights(lanes);
     } while (true);
   }
 
-  /// Turns begin at this node: spreads those in slots whose time has come.
-  void drive_straights(const LaneTables& lanes, int node, DriveTime bound) {
-    const unsigned kind = kind_of(node);
-    unsigned due = std::exchange(turns_due_[index(node)], 0);
-    for (; due != 0; due &= due - 1) {
-      const auto slot = static_cast<unsigned>(std::countr_zero(due));
-      const DriveTime time = turning_[row(node) + slot];
-      if (!waiting_.is_now(time + bound)) {
-        turns_due_[index(node)] |= 1U << slot;
-        waiting_.add(node, time + bound);
-        continue;
-      }
+  /// Turns begin at the nodes whose time has come: spreads those of all slots that have improved.
+  void drive_straights(const LaneTables& lanes) {
+    ready_.clear();
+    waiting_.empty([&](int node) { ready_.add_ones(static_cast<std::uint32_t>(8 * node), std::exchange(turns_due_[index(node)], 0)); });
+    for (const std::uint32_t label : ready_) {
+      const int node = static_cast<int>(label / 8);
+      const unsigned kind = kind_of(node), slot = label % 8;
+      const DriveTime time = turning_[row_of(node) + slot];
       const int units = useful_units(node, time, lanes.slacks(kind, slot), lanes.reach());
       spread(node, time, lanes.straights(kind, slot), units);
     }
@@ -119,66 +137,72 @@ class LaneSearch final : public Search {
   /// How long a straight to a turn at most is of use: behind another turn that would do for all mice from farther away, only
   /// so many units more.
   int useful_units(int node, DriveTime time, const DriveTime* slacks, int reach) const {
-    const int run = lattice_.run(node);
-    for (int check = 0; check < LaneTables::checks; ++check, slacks += row_) {
-      const int units = check == 0 ? 0 : 1 << check;
-      if (units + reach >= run) break;
-      const DriveTime* others = &turning_[row(node + units)];
-      Times ahead{};
-      for (int slot = 0; slot < row_; slot += width) ahead |= load(others + slot) <= load(slacks + slot) + time;
-      if (bits_of(ahead) != 0) return units + reach;
+    int useful = lattice_.run(node);
+    useful = std::min(useful, would_do(node, time, slacks) ? reach : useful);
+    for (int units = 2; units + reach < useful; units *= 2) {
+      slacks += row;
+      if (would_do(node + units, time, slacks)) return units + reach;
     }
-    return run;
+    return useful;
+  }
+  /// Whether a turn that begins at a node in another slot would do as well.
+  bool would_do(int node, DriveTime time, const DriveTime* slacks) const {
+    Times ahead{};
+    for (std::size_t slot = 0; slot < row; slot += width)
+      ahead |= load(&turning_[row_of(node) + slot]) <= load(slacks + slot) + time;
+    return bits_of(ahead) != 0;
   }
 
   void spread(int node, DriveTime time, const DriveTime* straights) { spread(node, time, straights, lattice_.run(node)); }
 
   /// A turn begins here, this time before the end: spreads it over the straights that lead to it, rows of times by units.
   void spread(int node, DriveTime time, const DriveTime* straights, int units) {
-    Word places = (lattice_.any_turn(node) >> node % L::points) & static_cast<Word>(~Word{0}) >> (L::points - 1 - units);
-    for (; places != 0; places &= places - 1) {
+    for (Word places = places_of_turns(node, units); places != 0; places &= places - 1) {
       const int unit = std::countr_zero(places), there = node + unit;
-      DriveTime* rolling = &rolling_[row(there)];
+      DriveTime* rolling = &rolling_[row_of(there)];
       unsigned improved = 0;
-      for (int slot = 0; slot < row_; slot += width) {
-        const Times old = load(rolling + slot), now = load(straights + unit * row_ + slot) + time;
+      for (int slot = 0; slot < row; slot += width) {
+        const Times old = load(rolling + slot), now = load(straights + unit * row + slot) + time;
         const Times better = now < old;
         store(rolling + slot, (now & better) | (old & ~better));
         improved |= bits_of(better) << slot;
       }
-      unsigned& due = straights_due_[index(there)];
+      std::uint8_t& due = straights_due_[index(there)];
       driven_.add(static_cast<std::uint16_t>(there), static_cast<unsigned>(due == 0) & static_cast<unsigned>(improved != 0));
-      due |= improved;
+      due = static_cast<std::uint8_t>(due | improved);
     }
   }
 
   /// At all nodes to which straights have led, turns in those slots that have improved.
   void drive_turns(const LaneTables& lanes, const std::vector<DriveTime>& bounds) {
+    turns_.clear();
     for (const int node : driven_) {
-      const unsigned kind = kind_of(node), bits = turn_bits(lattice_, node);
-      unsigned due = std::exchange(straights_due_[index(node)], 0);
-      for (; due != 0; due &= due - 1) {
-        const auto slot = static_cast<unsigned>(std::countr_zero(due));
-        for (const TurnBefore& turn : lanes.turns(kind, slot))
-          if ((bits >> turn.bit & 1U) != 0)
-            reach(leap(node, turn.bit), turn.slot, rolling_[row(node) + slot] + turn.time, bounds);
-      }
+      touch(node);
+      unsigned turns = lanes.turns(kind_of(node), std::exchange(straights_due_[index(node)], 0), turn_bits(lattice_, node));
+      for (int first = 0; turns != 0; first += 8, turns >>= 8) turns_.add_ones(static_cast<std::uint32_t>(32 * node + first), turns & 255U);
     }
     driven_.clear();
-  }
-
-  void reach(int node, unsigned slot, DriveTime time, const std::vector<DriveTime>& bounds) {
-    DriveTime& known = turning_[row(node) + slot];
-    if (time >= known) return;
-    known = time;
-    turns_due_[index(node)] |= 1U << slot;
-    waiting_.add(node, time + bounds[index(node)]);
+    improved_.clear();
+    for (const std::uint32_t turn : turns_) {
+      const int node = static_cast<int>(turn / 32);
+      const TurnBefore& before = lanes.turn(kind_of(node), turn % 32);
+      const int to = leaps_[8 * index(node) + before.bit];
+      DriveTime& known = turning_[row_of(to) + before.before];
+      const DriveTime gain = std::min(rolling_[row_of(node) + before.slot] + before.time - known, 0);
+      known += gain;
+      improved_.add(static_cast<std::uint32_t>(8 * to + before.before), static_cast<unsigned>(gain) >> 31);
+    }
+    for (const std::uint32_t label : improved_) {
+      const int node = static_cast<int>(label / 8);
+      touch(node);
+      turns_due_[index(node)] = static_cast<std::uint8_t>(turns_due_[index(node)] | 1U << label % 8);
+      waiting_.add(node, turning_[row_of(node) + label % 8] + bounds[index(node)]);
+    }
   }
 
   Size size_;
   const DriveTables& tables_;
   const LaneTables onwards_, backwards_;
-  int row_;
   L lattice_;
   std::span<const std::uint16_t> leaps_ = L::leaps();
   std::vector<DriveTime> rolling_;
@@ -186,10 +210,14 @@ class LaneSearch final : public Search {
   std::vector<DriveTime> bounds_ = std::vector<DriveTime>(static_cast<std::size_t>(L::nodes), 0);
   const std::vector<DriveTime> no_bounds_ = bounds_;
   int start_ = everywhere;
-  NodeSets waiting_;                                       ///< nodes to which turns have led
-  std::vector<unsigned> turns_due_ = std::vector<unsigned>(L::nodes);      ///< their slots
-  List<std::uint16_t> driven_{L::nodes};                   ///< nodes to which straights have led
-  std::vector<unsigned> straights_due_ = std::vector<unsigned>(L::nodes);  ///< their slots
+  NodeSets waiting_;                                                                 ///< nodes to which turns have led
+  std::vector<std::uint8_t> turns_due_ = std::vector<std::uint8_t>(L::nodes);        ///< their slots
+  List<std::uint32_t> ready_{8 * L::nodes};                                          ///< their labels
+  List<std::uint16_t> driven_{L::nodes};                                             ///< nodes to which straights have led
+  std::vector<std::uint8_t> straights_due_ = std::vector<std::uint8_t>(L::nodes);    ///< their slots
+  List<std::uint32_t> turns_{32 * L::nodes};
+  List<std::uint32_t> improved_{32 * L::nodes};
+  std::vector<std::uint64_t> touched_ = std::vector<std::uint64_t>(L::nodes / 64);
 };
 
 }  // namespace

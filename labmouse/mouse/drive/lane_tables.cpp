@@ -57,18 +57,17 @@ void LaneTables::find_slots(const DriveTables& tables) {
     add(begin_of(turn.turn), turn.from);
     add(end_of(turn.turn), turn.to);
   }
-  for (const auto& lanes : lanes_) row_ = std::max(row_, (static_cast<int>(lanes.size()) + width - 1) / width * width);
 }
 
 void LaneTables::find_straights(const DriveTables& tables) {
   straights_.assign(place(node_kinds, 0, lengths), no_time);
-  finish_.assign(static_cast<std::size_t>(lengths * row_), no_time);
+  finish_.assign(static_cast<std::size_t>(lengths * row), no_time);
   for (int units = 0; units < lengths; ++units)
     for (unsigned kind = 0; kind < node_kinds; ++kind) {
       const StraightTimes& table = kind == diagonal_node ? tables.diagonal : tables.along;
       const auto& from = lanes_[kind_behind(kind, units)];
       for (std::size_t i = 0; i < from.size(); ++i) {
-        const std::size_t here = static_cast<std::size_t>(units * row_) + i;
+        const std::size_t here = static_cast<std::size_t>(units * row) + i;
         for (unsigned slot = 0; slot < lanes_[kind].size(); ++slot)
           straights_[place(kind, slot, lengths) + here] = table.at(units, from[i], lanes_[kind][slot]);
         if (kind == centre_node) finish_[here] = tables.finish_from(units, from[i]);
@@ -82,7 +81,7 @@ void LaneTables::find_reach() {
     for (unsigned slot = 0; slot < lanes_[kind].size(); ++slot)
       for (int units = reach_; units < lengths; ++units)
         for (std::size_t from = 0; from < lanes_[kind_behind(kind, units)].size(); ++from)
-          if (straights(kind, slot)[static_cast<std::size_t>(units * row_) + from] >= no_time) reach_ = units + 1;
+          if (straights(kind, slot)[static_cast<std::size_t>(units * row) + from] >= no_time) reach_ = units + 1;
 }
 
 void LaneTables::find_slacks() {
@@ -91,15 +90,15 @@ void LaneTables::find_slacks() {
     for (unsigned slot = 0; slot < lanes_[kind].size(); ++slot)
       for (int check = 0; check < checks; ++check)
         for (unsigned other = 0; other < lanes_[kind].size(); ++other)
-          slacks_[place(kind, slot, checks) + static_cast<std::size_t>(check * row_) + other] =
+          slacks_[place(kind, slot, checks) + static_cast<std::size_t>(check * row) + other] =
               check == 0 ? slack(kind, slot, 0, other) - 1 : slack(kind, slot, 1 << check, other);
 }
 
 DriveTime LaneTables::slack(unsigned kind, unsigned slot, int units, unsigned other) const {
   DriveTime least = no_time;
   for (int before = reach_; units + before < lengths; ++before) {
-    const DriveTime* through = straights(kind, slot) + (units + before) * row_;
-    const DriveTime* over = straights(kind, other) + before * row_;
+    const DriveTime* through = straights(kind, slot) + (units + before) * row;
+    const DriveTime* over = straights(kind, other) + before * row;
     for (std::size_t from = 0; from < lanes_[kind_behind(kind, before)].size(); ++from)
       least = std::min(least, through[from] - over[from]);
   }
@@ -107,12 +106,20 @@ DriveTime LaneTables::slack(unsigned kind, unsigned slot, int units, unsigned ot
 }
 
 void LaneTables::find_turns(const DriveTables& tables) {
-  for (unsigned kind = 0; kind < node_kinds; ++kind)
+  for (unsigned kind = 0; kind < node_kinds; ++kind) {
+    unsigned count = 0;
     for (unsigned bit = 0; bit < (kind == diagonal_node ? 3U : kind == edge_node ? 2U : 8U); ++bit)
       for (const DrivenTurn& turn : tables.turns)
-        if (turn.turn == reversed(turn_of(bit, kind == diagonal_node, kind == edge_node)))
-          turns_[kind][static_cast<std::size_t>(slot(kind, turn.to))].push_back(
-              {static_cast<std::uint8_t>(bit), static_cast<std::uint8_t>(slot(begin_of(turn.turn), turn.from)), turn.time});
+        if (turn.turn == reversed(turn_of(bit, kind == diagonal_node, kind == edge_node))) {
+          const auto slot_of = [&](unsigned at, std::size_t lane) { return static_cast<std::uint8_t>(slot(at, lane)); };
+          const TurnBefore before = {slot_of(kind, turn.to), static_cast<std::uint8_t>(bit), slot_of(begin_of(turn.turn), turn.from), turn.time};
+          for (unsigned byte = 0; byte < 256; ++byte) {
+            ending_in_[kind][byte] |= (byte >> before.slot & 1U) << count;
+            beginning_with_[kind][byte] |= (byte >> bit & 1U) << count;
+          }
+          turns_[kind][count++] = before;
+        }
+  }
 }
 
 }  // namespace labmouse::drive

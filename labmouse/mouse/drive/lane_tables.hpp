@@ -13,13 +13,18 @@
 
 namespace labmouse::drive {
 
+/// The times of a row. Those of slots that a kind of node has not are no_time.
+inline constexpr int row = 8;
+
 enum NodeKind : unsigned { edge_node, centre_node, diagonal_node };
 inline constexpr unsigned node_kinds = 3;
 
-/// A turn that ended in a slot: its bit (of the node turned round), the slot in which it began, and its time.
+/// A turn that ends at a kind of node: the slot in which it does, its bit (of the node turned round), the slot in which it
+/// began, and its time.
 struct TurnBefore {
-  std::uint8_t bit = 0;
   std::uint8_t slot = 0;
+  std::uint8_t bit = 0;
+  std::uint8_t before = 0;
   DriveTime time = 0;
 };
 
@@ -31,10 +36,8 @@ class LaneTables {
   explicit LaneTables(const DriveTables& tables);
 
   static constexpr int no_slot = -1;
-  static constexpr unsigned most_slots = 16;
+  static constexpr unsigned most_turns = 32;
 
-  /// The times of a row, in whole vectors; those of slots that a kind of node has not are no_time.
-  int row() const { return row_; }
   int slot(unsigned kind, std::size_t lane) const { return slots_[kind][lane]; }
 
   /// The times of straights to a turn that begins in a slot: rows of the slots that they come from, by units.
@@ -49,14 +52,17 @@ class LaneTables {
   static constexpr int checks = 6;
   int reach() const { return reach_; }
 
-  /// The turns that end in a slot.
-  const std::vector<TurnBefore>& turns(unsigned kind, unsigned slot) const { return turns_[kind][slot]; }
+  /// The turns that end at a kind of node, by number, and of them as bits those that end in some slots and have a bit.
+  const TurnBefore& turn(unsigned kind, unsigned number) const { return turns_[kind][number]; }
+  unsigned turns(unsigned kind, unsigned slots, unsigned bits) const {
+    return ending_in_[kind][slots] & beginning_with_[kind][bits];
+  }
 
  private:
   static constexpr int lengths = StraightTimes::longest + 1;
 
   std::size_t place(unsigned kind, unsigned slot, int rows) const {
-    return (kind * static_cast<std::size_t>(row_) + slot) * static_cast<std::size_t>(rows * row_);
+    return (kind * static_cast<std::size_t>(row) + slot) * static_cast<std::size_t>(rows * row);
   }
   const DriveTime* at(const std::vector<DriveTime>& rows, unsigned kind, unsigned slot, int count) const {
     return &rows[place(kind, slot, count)];
@@ -68,14 +74,14 @@ class LaneTables {
   DriveTime slack(unsigned kind, unsigned slot, int units, unsigned other) const;
   void find_turns(const DriveTables& tables);
 
-  int row_ = 0;
   int reach_ = 0;
   std::array<std::vector<int>, node_kinds> slots_;            ///< by lane
   std::array<std::vector<std::size_t>, node_kinds> lanes_;    ///< by slot
   std::vector<DriveTime> straights_;
   std::vector<DriveTime> finish_;
   std::vector<DriveTime> slacks_;
-  std::array<std::array<std::vector<TurnBefore>, most_slots>, node_kinds> turns_;
+  std::array<std::array<TurnBefore, most_turns>, node_kinds> turns_{};
+  std::array<std::array<unsigned, 256>, node_kinds> ending_in_{}, beginning_with_{};
 };
 
 }  // namespace labmouse::drive

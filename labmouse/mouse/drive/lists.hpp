@@ -149,7 +149,6 @@ class NodeSets {
     filled_[bucket % count] |= std::uint64_t{1} << word % 64;
     last_ = std::max(last_, bucket);
   }
-  bool is_now(DriveTime time) const { return bucket_of(time) <= current_; }
   /// Goes on to the first bucket in which nodes wait, before that of a time or in it. Whether there is one.
   bool advance(DriveTime until) {
     for (const unsigned end = std::min(last_, bucket_of(until)); current_ <= end; ++current_)
