@@ -134,6 +134,59 @@ INSTANTIATE_TEST_SUITE_P(Robots, AnyRobot,
                                          NamedRobot{"large", large_robot}, NamedRobot{"fan", fan_robot}),
                          PrintRobot());
 
+/// The search must not lean on how the times of a robot come about.
+DriveTables shaken(DriveTables tables, Dice& dice) {
+  const bool gaps = dice.chance(1, 3);
+  const auto shake = [&](std::vector<DriveTime>& times) {
+    for (DriveTime& time : times)
+      if (time < no_time) time = gaps && dice.chance(1, 50) ? no_time : time / 100 * (80 + dice.below(40)) + dice.below(100);
+  };
+  for (auto* times : {&tables.along.between, &tables.diagonal.between, &tables.start, &tables.finish, &tables.whole})
+    shake(*times);
+  for (DrivenTurn& turn : tables.turns) {
+    turn.time = turn.time / 100 * (20 + dice.below(180)) + 1'000;
+    if (turn.turn != Turn::v90) continue;
+    turn.from = static_cast<std::uint8_t>(dice.below(static_cast<int>(tables.diagonal.count())));
+    turn.to = static_cast<std::uint8_t>(dice.below(static_cast<int>(tables.diagonal.count())));
+  }
+  return tables;
+}
+
+TEST(ShakenTables, ArePlannedForExactly) {
+  Dice dice(10);
+  const DriveModel model = make_drive_model(large_robot());
+  for (int i = 0; i < 300 / test::slowness; ++i) {
+    SCOPED_TRACE(i);
+    const DriveTables tables = shaken(model.tables, dice);
+    const Maze maze = i % 10 == 0 ? Maze(MazeDraft({9, 9}, MazeDraft::Inside::open)) : test::any_maze(dice, 14);
+    FastestRoutes routes(maze.size(), tables), some(maze.size(), tables);
+    routes.fill(maze.open_walls(), maze.goals());
+    expect_same_times(routes, PlainFastest(maze.size(), tables, maze.open_walls(), maze.goals()), maze, tables);
+    expect_same_routes(some, routes, maze, dice);
+    if (testing::Test::HasFailure()) return;
+  }
+}
+
+/// Turns that last far less than a straight, or far more: all that a search may wait for lies near, or far.
+TEST(OddTurns, ArePlannedForExactly) {
+  Dice dice(11);
+  for (const DriveTime time : {1'000, 20'000, 5'000'000}) {
+    Robot robot = published_robot();
+    robot.fixed = FixedTimes{200.0, time, time + 300, time + 700, time + 900, time + 500, std::min(time, 400'000)};
+    const DriveModel model = make_drive_model(robot);
+    ASSERT_EQ(model.error, "");
+    for (int i = 0; i < 100 / test::slowness; ++i) {
+      SCOPED_TRACE(i);
+      const Maze maze = test::any_maze(dice, i % 10 == 0 ? 32 : 14);
+      FastestRoutes routes(maze.size(), model.tables), some(maze.size(), model.tables);
+      routes.fill(maze.open_walls(), maze.goals());
+      expect_same_times(routes, PlainFastest(maze.size(), model.tables, maze.open_walls(), maze.goals()), maze, model.tables);
+      expect_same_routes(some, routes, maze, dice);
+      if (testing::Test::HasFailure()) return;
+    }
+  }
+}
+
 /// The same tables with every lane twice.
 StraightTimes doubled(const StraightTimes& table) {
   StraightTimes twice;

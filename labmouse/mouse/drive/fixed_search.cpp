@@ -108,13 +108,14 @@ class FixedSearch final : public Search {
   /// Goes on from the nodes that have been spread, until no node waits for a time before `enough`.
   void finish(const DriveTime& enough, const std::vector<DriveTime>& bounds) {
     const auto time_of = [&](int node) { return times_[index(node)] + bounds[index(node)]; };
-    drive_turns();
-    do {
+    for (;;) {
+      drive_turns();
       for (const int node : improved_) waiting_.add(node, time_of(node));
       if (!waiting_.advance(enough)) return;
-      waiting_.empty(time_of, [&](int node) { spread(node, times_[index(node)]); });
-      drive_turns();
-    } while (true);
+      waiting_.empty([&](int node) {
+        if (!waiting_.passed(time_of(node))) spread(node, times_[index(node)]);
+      });
+    }
   }
 
   /// A turn has led to this node: spreads the times of straights of all lengths from here, a stretch at a time, since few

@@ -2,6 +2,9 @@
 //
 // Otherwise as in fixed_search.cpp, backwards from the goals. A label of a turn is spread along the corridor ahead into all
 // lanes that a turn before it could have ended in, several at a time, and to the nodes where one could.
+//
+// In the open most straights are of no use beyond the next few nodes: whoever comes from farther away had better begin a
+// turn there that is known already. Tables of how much later this one may be tell so exactly (LaneTables::slacks).
 #include <algorithm>
 
 #include "labmouse/mouse/drive/lane_tables.hpp"
@@ -19,10 +22,9 @@ class LaneSearch final : public Search {
 
   LaneSearch(Size size, const DriveTables& tables)
       : size_(size),
-        tables_(tables),
         onwards_(tables),
         backwards_(backwards(tables)),
-        rolling_(static_cast<std::size_t>(L::nodes * row), no_time),
+        rolling_(static_cast<std::size_t>(L::nodes) * row, no_time),
         turning_(rolling_),
         waiting_(L::nodes, bucket_shift(tables)) {}
 
@@ -31,7 +33,7 @@ class LaneSearch final : public Search {
     begin(passages);
     goals.for_each([&](Cell cell) {
       for (int direction = 0; direction < 8; direction += 2)
-        spread(L::node({2 * cell.x + 1, 2 * cell.y + 1}, direction), 0, onwards_.finish());
+        begin_at(L::node({2 * cell.x + 1, 2 * cell.y + 1}, direction), onwards_);
     });
     const auto enough = [&] { return start == everywhere ? no_time : time_from(start); };
     finish(onwards_, start == everywhere ? no_bounds_ : bounds_, enough);
@@ -49,14 +51,14 @@ class LaneSearch final : public Search {
 
  private:
   static std::size_t index(int node) { return static_cast<std::size_t>(node); }
-  static std::size_t row_of(int node) { return index(row * node); }
+  static std::uint32_t label(int node, unsigned slot) { return static_cast<std::uint32_t>(node) * row + slot; }
   static unsigned kind_of(int node) {
     const unsigned diagonal = static_cast<unsigned>(node / L::plane) & 1U;
     return diagonal_node * diagonal | (centre_node & static_cast<unsigned>(node) & ~diagonal);
   }
   DriveTime time(const std::vector<DriveTime>& times, int node, std::size_t lane) const {
     const int slot = onwards_.slot(kind_of(node), lane);
-    return slot == LaneTables::no_slot ? no_time : times[row_of(node) + index(slot)];
+    return slot == LaneTables::no_slot ? no_time : times[label(node, static_cast<unsigned>(slot))];
   }
 
   /// The time from rest at a start, as far as it is known; no_time where it is not, or where no turn is needed.
@@ -64,9 +66,9 @@ class LaneSearch final : public Search {
     Times best = Times{} + no_time;
     for (Word places = places_of_turns(start, lattice_.run(start)); places != 0; places &= places - 1) {
       const int units = std::countr_zero(places);
-      const DriveTime* first = backwards_.finish() + units * row;
-      const DriveTime* rest = &turning_[row_of(L::opposite(start + units))];
-      for (int slot = 0; slot < row; slot += width) {
+      const DriveTime* first = backwards_.finish() + static_cast<unsigned>(units) * row;
+      const DriveTime* rest = &turning_[label(L::opposite(start + units), 0)];
+      for (unsigned slot = 0; slot < row; slot += width) {
         const Times time = load(first + slot) + load(rest + slot);
         best = time < best ? time : best;
       }
@@ -83,11 +85,11 @@ class LaneSearch final : public Search {
     if (start == start_) return;
     start_ = start;
     begin(WallSet::all(size_));
-    spread(start, 0, backwards_.finish());
+    begin_at(start, backwards_);
     finish(backwards_, no_bounds_, [] { return no_time; });
     for (int node = 0; node < L::nodes; ++node) {
       if (node % L::points == 0) continue;  // no point
-      const DriveTime* times = &rolling_[row_of(L::opposite(node))];
+      const DriveTime* times = &rolling_[label(L::opposite(node), 0)];
       bounds_[index(node)] = *std::min_element(times, times + row);
     }
   }
@@ -98,39 +100,42 @@ class LaneSearch final : public Search {
     waiting_.clear();
   }
 
+  void begin_at(int node, const LaneTables& lanes) { spread(node, 0, lanes.finish(), lattice_.run(node)); }
+
   /// Forgets the times of all nodes that a search has touched.
   void forget_times() {
     for (std::size_t word = 0; word < touched_.size(); ++word)
       for (std::uint64_t nodes = std::exchange(touched_[word], 0); nodes != 0; nodes &= nodes - 1) {
         const int node = static_cast<int>(64 * word) + std::countr_zero(nodes);
-        for (int slot = 0; slot < row; slot += width) {
-          store(&rolling_[row_of(node) + index(slot)], Times{} + no_time);
-          store(&turning_[row_of(node) + index(slot)], Times{} + no_time);
+        for (unsigned slot = 0; slot < row; slot += width) {
+          store(&rolling_[label(node, slot)], Times{} + no_time);
+          store(&turning_[label(node, slot)], Times{} + no_time);
         }
         turns_due_[index(node)] = 0;
       }
   }
   void touch(int node) { touched_[index(node) / 64] |= std::uint64_t{1} << node % 64; }
 
+  /// Goes on from the nodes to which straights have led, until no node waits for a time before enough().
   template <class Enough>
   void finish(const LaneTables& lanes, const std::vector<DriveTime>& bounds, Enough enough) {
-    do {
-      drive_turns(lanes, bounds);
+    for (;;) {
+      drive_turns(lanes);
+      await(bounds);
       if (!waiting_.advance(enough())) return;
       drive_straights(lanes);
-    } while (true);
+    }
   }
 
-  /// Turns begin at the nodes whose time has come: spreads those of all slots that have improved.
+  /// Turns begin at the nodes whose time has come: spreads those in all slots that have improved.
   void drive_straights(const LaneTables& lanes) {
     ready_.clear();
-    waiting_.empty([&](int node) { ready_.add_ones(static_cast<std::uint32_t>(8 * node), std::exchange(turns_due_[index(node)], 0)); });
-    for (const std::uint32_t label : ready_) {
-      const int node = static_cast<int>(label / 8);
-      const unsigned kind = kind_of(node), slot = label % 8;
-      const DriveTime time = turning_[row_of(node) + slot];
-      const int units = useful_units(node, time, lanes.slacks(kind, slot), lanes.reach());
-      spread(node, time, lanes.straights(kind, slot), units);
+    waiting_.empty([&](int node) { ready_.add_ones(label(node, 0), std::exchange(turns_due_[index(node)], 0)); });
+    for (const std::uint32_t ready : ready_) {
+      const int node = static_cast<int>(ready / row);
+      const unsigned kind = kind_of(node), slot = ready % row;
+      const int units = useful_units(node, turning_[ready], lanes.slacks(kind, slot), lanes.reach());
+      spread(node, turning_[ready], lanes.straights(kind, slot), units);
     }
   }
 
@@ -148,20 +153,19 @@ class LaneSearch final : public Search {
   /// Whether a turn that begins at a node in another slot would do as well.
   bool would_do(int node, DriveTime time, const DriveTime* slacks) const {
     Times ahead{};
-    for (std::size_t slot = 0; slot < row; slot += width)
-      ahead |= load(&turning_[row_of(node) + slot]) <= load(slacks + slot) + time;
+    for (unsigned slot = 0; slot < row; slot += width)
+      ahead |= load(&turning_[label(node, slot)]) <= load(slacks + slot) + time;
     return bits_of(ahead) != 0;
   }
-
-  void spread(int node, DriveTime time, const DriveTime* straights) { spread(node, time, straights, lattice_.run(node)); }
 
   /// A turn begins here, this time before the end: spreads it over the straights that lead to it, rows of times by units.
   void spread(int node, DriveTime time, const DriveTime* straights, int units) {
     for (Word places = places_of_turns(node, units); places != 0; places &= places - 1) {
-      const int unit = std::countr_zero(places), there = node + unit;
-      DriveTime* rolling = &rolling_[row_of(there)];
+      const auto unit = static_cast<unsigned>(std::countr_zero(places));
+      const int there = node + static_cast<int>(unit);
+      DriveTime* rolling = &rolling_[label(there, 0)];
       unsigned improved = 0;
-      for (int slot = 0; slot < row; slot += width) {
+      for (unsigned slot = 0; slot < row; slot += width) {
         const Times old = load(rolling + slot), now = load(straights + unit * row + slot) + time;
         const Times better = now < old;
         store(rolling + slot, (now & better) | (old & ~better));
@@ -173,50 +177,60 @@ class LaneSearch final : public Search {
     }
   }
 
-  /// At all nodes to which straights have led, turns in those slots that have improved.
-  void drive_turns(const LaneTables& lanes, const std::vector<DriveTime>& bounds) {
+  /// Turns at all nodes to which straights have led, in those slots that have improved.
+  void drive_turns(const LaneTables& lanes) {
+    list_turns(lanes);
+    improved_.clear();
+    for (const std::uint32_t listed : turns_) {
+      const int node = static_cast<int>(listed / LaneTables::most_turns);
+      const TurnBefore& turn = lanes.turn(kind_of(node), listed % LaneTables::most_turns);
+      const std::uint32_t to = label(leaps_[8 * index(node) + turn.bit], turn.before);
+      const DriveTime known = turning_[to], gain = std::min(rolling_[label(node, turn.slot)] + turn.time - known, 0);
+      turning_[to] = known + gain;
+      improved_.add(to, static_cast<unsigned>(gain) >> 31);
+    }
+  }
+  void list_turns(const LaneTables& lanes) {
     turns_.clear();
     for (const int node : driven_) {
+      const unsigned slots = std::exchange(straights_due_[index(node)], 0);
+      auto first = static_cast<std::uint32_t>(node) * LaneTables::most_turns;
+      for (unsigned turns = lanes.turns(kind_of(node), slots, turn_bits(lattice_, node)); turns != 0; turns >>= 8, first += 8)
+        turns_.add_ones(first, turns & 255U);
       touch(node);
-      unsigned turns = lanes.turns(kind_of(node), std::exchange(straights_due_[index(node)], 0), turn_bits(lattice_, node));
-      for (int first = 0; turns != 0; first += 8, turns >>= 8) turns_.add_ones(static_cast<std::uint32_t>(32 * node + first), turns & 255U);
     }
     driven_.clear();
-    improved_.clear();
-    for (const std::uint32_t turn : turns_) {
-      const int node = static_cast<int>(turn / 32);
-      const TurnBefore& before = lanes.turn(kind_of(node), turn % 32);
-      const int to = leaps_[8 * index(node) + before.bit];
-      DriveTime& known = turning_[row_of(to) + before.before];
-      const DriveTime gain = std::min(rolling_[row_of(node) + before.slot] + before.time - known, 0);
-      known += gain;
-      improved_.add(static_cast<std::uint32_t>(8 * to + before.before), static_cast<unsigned>(gain) >> 31);
-    }
-    for (const std::uint32_t label : improved_) {
-      const int node = static_cast<int>(label / 8);
+  }
+  /// Lets the labels that turns have improved wait for their time.
+  void await(const std::vector<DriveTime>& bounds) {
+    for (const std::uint32_t improved : improved_) {
+      const int node = static_cast<int>(improved / row);
+      std::uint8_t& due = turns_due_[index(node)];
+      due = static_cast<std::uint8_t>(due | 1U << improved % row);
+      waiting_.add(node, turning_[improved] + bounds[index(node)]);
       touch(node);
-      turns_due_[index(node)] = static_cast<std::uint8_t>(turns_due_[index(node)] | 1U << label % 8);
-      waiting_.add(node, turning_[row_of(node) + label % 8] + bounds[index(node)]);
     }
   }
 
   Size size_;
-  const DriveTables& tables_;
   const LaneTables onwards_, backwards_;
   L lattice_;
   std::span<const std::uint16_t> leaps_ = L::leaps();
-  std::vector<DriveTime> rolling_;
+  std::vector<DriveTime> rolling_;  ///< by label: node, turned round, and slot
   std::vector<DriveTime> turning_;
+  /// From the start to a node, turned round, at least.
   std::vector<DriveTime> bounds_ = std::vector<DriveTime>(static_cast<std::size_t>(L::nodes), 0);
   const std::vector<DriveTime> no_bounds_ = bounds_;
   int start_ = everywhere;
-  NodeSets waiting_;                                                                 ///< nodes to which turns have led
-  std::vector<std::uint8_t> turns_due_ = std::vector<std::uint8_t>(L::nodes);        ///< their slots
-  List<std::uint32_t> ready_{8 * L::nodes};                                          ///< their labels
-  List<std::uint16_t> driven_{L::nodes};                                             ///< nodes to which straights have led
-  std::vector<std::uint8_t> straights_due_ = std::vector<std::uint8_t>(L::nodes);    ///< their slots
-  List<std::uint32_t> turns_{32 * L::nodes};
-  List<std::uint32_t> improved_{32 * L::nodes};
+  Buckets waiting_;  ///< nodes to which turns have led
+  List<std::uint16_t> driven_{L::nodes};  ///< nodes to which straights have led
+  /// By node, as bits: slots in which turns have led there, and straights.
+  std::vector<std::uint8_t> turns_due_ = std::vector<std::uint8_t>(L::nodes);
+  std::vector<std::uint8_t> straights_due_ = turns_due_;
+  List<std::uint32_t> ready_{L::nodes * static_cast<int>(row)};     ///< labels of turns that are to be spread
+  List<std::uint32_t> turns_{L::nodes * static_cast<int>(LaneTables::most_turns)};  ///< by node and number
+  List<std::uint32_t> improved_{L::nodes * static_cast<int>(LaneTables::most_turns)};  ///< labels of turns
+  /// Nodes of which times are known, as bits.
   std::vector<std::uint64_t> touched_ = std::vector<std::uint64_t>(L::nodes / 64);
 };
 

@@ -1,6 +1,7 @@
 #include "labmouse/mouse/drive/lane_tables.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 namespace labmouse::drive {
 namespace {
@@ -46,16 +47,16 @@ LaneTables::LaneTables(const DriveTables& tables) {
 }
 
 void LaneTables::find_slots(const DriveTables& tables) {
+  std::array<std::vector<bool>, node_kinds> used;
   for (unsigned kind = 0; kind < node_kinds; ++kind)
-    slots_[kind].assign((kind == diagonal_node ? tables.diagonal : tables.along).count(), no_slot);
-  const auto add = [&](NodeKind kind, std::size_t lane) {
-    if (slots_[kind][lane] != no_slot) return;
-    slots_[kind][lane] = static_cast<int>(lanes_[kind].size());
-    lanes_[kind].push_back(lane);
-  };
-  for (const DrivenTurn& turn : tables.turns) {
-    add(begin_of(turn.turn), turn.from);
-    add(end_of(turn.turn), turn.to);
+    used[kind].resize((kind == diagonal_node ? tables.diagonal : tables.along).count());
+  for (const DrivenTurn& turn : tables.turns) used[begin_of(turn.turn)][turn.from] = used[end_of(turn.turn)][turn.to] = true;
+  for (unsigned kind = 0; kind < node_kinds; ++kind) {
+    for (std::size_t lane = 0; lane < used[kind].size(); ++lane) {
+      slots_[kind].push_back(used[kind][lane] ? static_cast<int>(lanes_[kind].size()) : no_slot);
+      if (used[kind][lane]) lanes_[kind].push_back(lane);
+    }
+    assert(lanes_[kind].size() <= row);
   }
 }
 

@@ -13,8 +13,9 @@
 
 namespace labmouse::drive {
 
-/// The times of a row. Those of slots that a kind of node has not are no_time.
-inline constexpr int row = 8;
+/// The slots of a row, more than any robot needs: four turns at two speeds. The times of those that a kind of node has not
+/// are no_time.
+inline constexpr unsigned row = 8;
 
 enum NodeKind : unsigned { edge_node, centre_node, diagonal_node };
 inline constexpr unsigned node_kinds = 3;

@@ -6,7 +6,6 @@
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <cstring>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -56,83 +55,15 @@ class List {
   Number* end_;
 };
 
-/// Nodes that wait, by time, in buckets: those of one bucket in any order, so that a bucket may fill again while it is
-/// emptied (Dial 1969).
+/// Nodes that wait, by time, in buckets: those of one bucket in any order, so that it may fill again while it is emptied
+/// (Dial 1969; Denardo and Fox 1979).
 class Buckets {
  public:
-  /// They are used in turn; what waits for a later time than they reach waits in the last of them first.
+  /// They are used in turn; what waits for a later time than they reach is visited with the last of them.
   static constexpr unsigned count = 64;
 
-  /// For nodes with numbers below `nodes`. The lists do not lie a power of two apart, which caches dislike.
+  /// For nodes with numbers below `nodes`.
   Buckets(int nodes, int shift)
-      : shift_(shift),
-        stride_(static_cast<std::size_t>(nodes) + 72),
-        waiting_(new std::uint16_t[count * stride_]),
-        places_(static_cast<std::size_t>(nodes)) {
-    clear();
-  }
-
-  void clear() {
-    for (unsigned i = 0; i < count; ++i) ends_[i] = &waiting_[i * stride_];
-    std::memset(places_.data(), 0xff, places_.size() * sizeof(places_[0]));
-    current_ = last_ = 0;
-  }
-  /// Lets a node wait until a time, which is not before the current bucket; never, where that is no_time or later.
-  void add(int node, DriveTime time) {
-    const unsigned bucket = std::min(bucket_of(time), current_ + count - 1);
-    std::uint16_t& place = places_[static_cast<std::size_t>(node)];
-    std::uint16_t*& end = ends_[bucket % count];
-    const bool waits = time < no_time;
-    *end = static_cast<std::uint16_t>(node);
-    end += static_cast<unsigned>(place != bucket) & static_cast<unsigned>(waits);
-    place = static_cast<std::uint16_t>(bucket);
-    last_ = waits ? std::max(last_, bucket) : last_;
-  }
-  /// Goes on to the first bucket in which nodes wait, before that of a time or in it. Whether there is one.
-  bool advance(DriveTime until) {
-    for (const unsigned end = std::min(last_, bucket_of(until)); current_ <= end; ++current_)
-      if (ends_[current_ % count] != list(current_)) return true;
-    return false;
-  }
-  /// Calls visit(node) for all nodes of the current bucket that have waited for time_of(node), and forgets them. What is
-  /// added to it meanwhile is lost.
-  template <class Time, class Visit>
-  void empty(Time time_of, Visit visit) {
-    const std::uint16_t* const end = ends_[current_ % count];
-    ends_[current_ % count] = list(current_);
-    for (const std::uint16_t* i = list(current_); i != end; ++i) {
-      const int node = *i;
-      const DriveTime time = time_of(node);
-      places_[static_cast<std::size_t>(node)] = nowhere;
-      if (bucket_of(time) == current_)
-        visit(node);
-      else if (bucket_of(time) > current_)
-        add(node, time);
-    }
-  }
-
- private:
-  static constexpr std::uint16_t nowhere = 0xffff;
-
-  unsigned bucket_of(DriveTime time) const { return static_cast<unsigned>(time >> shift_); }
-  std::uint16_t* list(unsigned bucket) { return &waiting_[bucket % count * stride_]; }
-
-  int shift_;
-  std::size_t stride_;
-  unsigned current_ = 0;
-  unsigned last_ = 0;  ///< in which a node has been put
-  std::unique_ptr<std::uint16_t[]> waiting_;
-  std::array<std::uint16_t*, count> ends_{};
-  /// The bucket into which a node was put last; no time of a route is as late as the last one (see no_time).
-  std::vector<std::uint16_t> places_;
-};
-
-/// The same for nodes that may wait for several times at once: sets in place of lists.
-class NodeSets {
- public:
-  static constexpr unsigned count = 64;
-
-  NodeSets(int nodes, int shift)
       : shift_(shift), words_(static_cast<std::size_t>(nodes) / 64), sets_(count * words_) {}
 
   void clear() {
@@ -149,15 +80,19 @@ class NodeSets {
     filled_[bucket % count] |= std::uint64_t{1} << word % 64;
     last_ = std::max(last_, bucket);
   }
-  /// Goes on to the first bucket in which nodes wait, before that of a time or in it. Whether there is one.
+  /// Goes on to the first bucket in which nodes wait, up to that of a time. Whether there is one.
   bool advance(DriveTime until) {
     for (const unsigned end = std::min(last_, bucket_of(until)); current_ <= end; ++current_)
       if (filled_[current_ % count] != 0) return true;
     return false;
   }
+  /// Whether a node that waited for this time has been visited before the current bucket.
+  bool passed(DriveTime time) const { return bucket_of(time) < current_; }
   /// Calls visit(node) for all nodes of the current bucket, and forgets them.
   template <class Visit>
-  void empty(Visit visit) { empty(current_ % count, visit); }
+  void empty(Visit visit) {
+    empty(current_ % count, visit);
+  }
 
  private:
   unsigned bucket_of(DriveTime time) const { return static_cast<unsigned>(time >> shift_); }
@@ -166,15 +101,15 @@ class NodeSets {
   void empty(unsigned bucket, Visit visit) {
     std::uint64_t* const set = &sets_[bucket * words_];
     for (std::uint64_t filled = std::exchange(filled_[bucket], 0); filled != 0; filled &= filled - 1)
-      for (std::size_t word = static_cast<std::size_t>(std::countr_zero(filled)); word < words_; word += 64)
+      for (auto word = static_cast<std::size_t>(std::countr_zero(filled)); word < words_; word += 64)
         for (std::uint64_t nodes = std::exchange(set[word], 0); nodes != 0; nodes &= nodes - 1)
           visit(static_cast<int>(64 * word) + std::countr_zero(nodes));
   }
 
   int shift_;
-  std::size_t words_;
+  std::size_t words_;  ///< of a set
   unsigned current_ = 0;
-  unsigned last_ = 0;
+  unsigned last_ = 0;  ///< in which a node has been put
   std::vector<std::uint64_t> sets_;
   std::array<std::uint64_t, count> filled_{};  ///< words that are not empty, modulo 64
 };
