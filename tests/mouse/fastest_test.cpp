@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 
 #include "labmouse/lab/plain_fastest.hpp"
@@ -164,6 +165,31 @@ TEST(ShakenTables, ArePlannedForExactly) {
     expect_same_times(routes, PlainFastest(maze.size(), tables, maze.open_walls(), maze.goals()), maze, tables);
     expect_same_routes(some, routes, maze, dice);
     if (testing::Test::HasFailure()) return;
+  }
+}
+
+/// Times of a few units each: where all of them count, and many are equal.
+DriveTables coarse(DriveTables tables) {
+  const auto round_up = [](DriveTime& time) { time = time < no_time ? (time + 49'999) / 50'000 : no_time; };
+  for (auto* times : {&tables.along.between, &tables.diagonal.between, &tables.start, &tables.finish, &tables.whole})
+    std::for_each(times->begin(), times->end(), round_up);
+  for (DrivenTurn& turn : tables.turns) round_up(turn.time);
+  return tables;
+}
+
+TEST(CoarseTimes, ArePlannedForExactly) {
+  Dice dice(12);
+  for (const Robot& robot : {published_robot(), small_robot(), large_robot()}) {
+    const DriveTables tables = coarse(make_drive_model(robot).tables);
+    for (int i = 0; i < 300 / test::slowness; ++i) {
+      SCOPED_TRACE(i);
+      const Maze maze = test::any_maze(dice, 14);
+      FastestRoutes routes(maze.size(), tables), some(maze.size(), tables);
+      routes.fill(maze.open_walls(), maze.goals());
+      expect_same_times(routes, PlainFastest(maze.size(), tables, maze.open_walls(), maze.goals()), maze, tables);
+      expect_same_routes(some, routes, maze, dice);
+      if (testing::Test::HasFailure()) return;
+    }
   }
 }
 

@@ -140,13 +140,13 @@ class LaneSearch final : public Search {
   }
 
   /// How long a straight to a turn at most is of use: behind another turn that would do for all mice from farther away, only
-  /// so many units more.
+  /// as far as they are too near for that one.
   int useful_units(int node, DriveTime time, const DriveTime* slacks, int reach) const {
     int useful = lattice_.run(node);
-    useful = std::min(useful, would_do(node, time, slacks) ? reach : useful);
-    for (int units = 2; units + reach < useful; units *= 2) {
+    useful = std::min(useful, would_do(node, time, slacks) ? reach - 1 : useful);
+    for (int units = 2; units + reach <= useful; units *= 2) {
       slacks += row;
-      if (would_do(node + units, time, slacks)) return units + reach;
+      if (would_do(node + units, time, slacks)) return units + reach - 1;
     }
     return useful;
   }

@@ -75,7 +75,7 @@ class LaneTables {
   DriveTime slack(unsigned kind, unsigned slot, int units, unsigned other) const;
   void find_turns(const DriveTables& tables);
 
-  int reach_ = 0;
+  int reach_ = 1;
   std::array<std::vector<int>, node_kinds> slots_;            ///< by lane
   std::array<std::vector<std::size_t>, node_kinds> lanes_;    ///< by slot
   std::vector<DriveTime> straights_;
