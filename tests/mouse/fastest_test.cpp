@@ -181,7 +181,7 @@ TEST(CoarseTimes, ArePlannedForExactly) {
   Dice dice(12);
   for (const Robot& robot : {published_robot(), small_robot(), large_robot()}) {
     const DriveTables tables = coarse(make_drive_model(robot).tables);
-    for (int i = 0; i < 300 / test::slowness; ++i) {
+    for (int i = 0; i < 1000 / test::slowness; ++i) {
       SCOPED_TRACE(i);
       const Maze maze = test::any_maze(dice, 14);
       FastestRoutes routes(maze.size(), tables), some(maze.size(), tables);

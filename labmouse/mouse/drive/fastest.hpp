@@ -23,7 +23,8 @@ class FastestRoutes {
 
   /// Computes all times over the given passages (all inside the size) to the given cells.
   void fill(const WallSet& passages, const CellSet& goals);
-  /// The same for one start: times that are not below that from there are only upper limits. Sooner done.
+  /// The same for one start: only the fastest routes from there are sure to be found, and other times are upper limits.
+  /// Sooner done, but for the first time with a start: what there is to know of it beforehand is found then, and kept.
   void fill_for(Pose start, const WallSet& passages, const CellSet& goals);
 
   /// The time from rest in the middle of the start cell, or no_time.

@@ -1,11 +1,11 @@
 // The search for robots that have one speed at all nodes: one lane along the axes and one on the diagonals.
 //
-// It goes from the goals backwards in time, which is forwards over nodes turned round: turns and their times are the same
-// both ways. A label of a turn is spread along the corridor ahead, several nodes at once; then all nodes that have improved
-// turn from there, and those that this improves wait for their time.
+// It goes from the goals backwards in time, which is forwards over nodes turned round: turns and their times are the
+// same both ways. A label of a turn is spread along the corridor ahead, several nodes at once; then all nodes that have
+// improved turn from there, and those that this improves wait for their time.
 //
-// With a start it is the search A* (Hart, Nilsson and Raphael 1968): a node waits for its time to the goals and that from
-// the start in the maze without inner walls, which is never more than it takes in any other.
+// With a start it is the search A* (Hart, Nilsson and Raphael 1968): a node waits for its time to the goals and that
+// from the start in the maze without inner walls, which is never more than it takes in any other.
 #include <algorithm>
 
 #include "labmouse/mouse/drive/lists.hpp"
@@ -27,7 +27,8 @@ class FixedSearch final : public Search {
       for (unsigned bit = 0; bit < 8; ++bit) {
         if (turn.turn == turn_of(bit, false, true)) turn_times_[0][bit] = turn.time;
         if (turn.turn == turn_of(bit, false, false)) turn_times_[0][8 + bit] = turn.time;
-        if (bit < 3 && turn.turn == turn_of(bit, true, false)) turn_times_[1][bit] = turn_times_[1][8 + bit] = turn.time;
+        if (bit < 3 && turn.turn == turn_of(bit, true, false))
+          turn_times_[1][bit] = turn_times_[1][8 + bit] = turn.time;
       }
   }
 
@@ -68,8 +69,8 @@ class FixedSearch final : public Search {
   /// From [stretch - n] on: n lanes of ones, and zeros.
   static constexpr DriveTime first_lanes[2 * stretch] = {-1, -1, -1, -1, -1, -1, -1, -1};
 
-  /// Times by units, and how much later than a mouse that starts over after k units one that comes through is at least, at
-  /// any place further on: the least of t(k + j) - t(j).
+  /// Times by units, and how much later than a mouse that starts over after k units one that comes through is at least,
+  /// at any place further on: the least of t(k + j) - t(j).
   struct Straight {
     DriveTime times[StraightTimes::longest + 1 + stretch]{};
     DriveTime gain[StraightTimes::longest + 1]{};
@@ -118,8 +119,8 @@ class FixedSearch final : public Search {
     }
   }
 
-  /// A turn has led to this node: spreads the times of straights of all lengths from here, a stretch at a time, since few
-  /// are longer. What is improved will turn, and so will the node itself.
+  /// A turn has led to this node: spreads the times of straights of all lengths from here, a stretch at a time, since
+  /// few are longer. What is improved will turn, and so will the node itself.
   void spread(int node, DriveTime time) {
     const Straight& straight = straights_[static_cast<unsigned>(node / L::plane) & 1U];
     const int run = lattice_.run(node);
@@ -150,8 +151,8 @@ class FixedSearch final : public Search {
     driven_.add_ones(static_cast<std::uint16_t>(node), nodes);
   }
 
-  /// All nodes to which straights have led turn wherever that is earlier than what is known. A mouse that rolls through a
-  /// node before a turn could lead there is ahead of it at all places further on, so one time a node will do.
+  /// All nodes to which straights have led turn wherever that is earlier than what is known. A mouse that rolls through
+  /// a node before a turn could lead there is ahead of it at all places further on, so one time a node will do.
   void drive_turns() {
     turns_.clear();
     for (const int node : driven_) {

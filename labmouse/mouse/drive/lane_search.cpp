@@ -1,10 +1,10 @@
 // The search for robots of many speeds: a label for each lane in which a turn can end or begin at a node.
 //
-// Otherwise as in fixed_search.cpp, backwards from the goals. A label of a turn is spread along the corridor ahead into all
-// lanes that a turn before it could have ended in, several at a time, and to the nodes where one could.
+// Otherwise as in fixed_search.cpp, backwards from the goals. A label of a turn is spread along the corridor ahead into
+// all lanes that a turn before it could have ended in, several at a time, and to the nodes where one could.
 //
-// In the open most straights are of no use beyond the next few nodes: whoever comes from farther away had better begin a
-// turn there that is known already. Tables of how much later this one may be tell so exactly (LaneTables::slacks).
+// In the open most straights are of no use beyond the next few nodes: whoever comes from farther away had better begin
+// a turn there that is known already. Tables of how much later this one may be tell so exactly (LaneTables::slacks).
 #include <algorithm>
 
 #include "labmouse/mouse/drive/lane_tables.hpp"
@@ -39,7 +39,9 @@ class LaneSearch final : public Search {
     finish(onwards_, start == everywhere ? no_bounds_ : bounds_, enough);
   }
 
-  DriveTime turning(int node, std::size_t lane, DriveTime) const override { return time(turning_, L::opposite(node), lane); }
+  DriveTime turning(int node, std::size_t lane, DriveTime) const override {
+    return time(turning_, L::opposite(node), lane);
+  }
   DriveTime rolling(int node, std::size_t lane) const override { return time(rolling_, L::opposite(node), lane); }
   int node(HalfPoint point, int direction) const override { return L::node(point, direction); }
   HalfPoint point(int node) const override { return L::point(node); }
@@ -139,8 +141,8 @@ class LaneSearch final : public Search {
     }
   }
 
-  /// How long a straight to a turn at most is of use: behind another turn that would do for all mice from farther away, only
-  /// as far as they are too near for that one.
+  /// How long a straight to a turn at most is of use: behind another turn that would do for all mice from farther away,
+  /// only as far as they are too near for that one.
   int useful_units(int node, DriveTime time, const DriveTime* slacks, int reach) const {
     int useful = lattice_.run(node);
     useful = std::min(useful, would_do(node, time, slacks) ? reach - 1 : useful);
@@ -158,7 +160,8 @@ class LaneSearch final : public Search {
     return bits_of(ahead) != 0;
   }
 
-  /// A turn begins here, this time before the end: spreads it over the straights that lead to it, rows of times by units.
+  /// A turn begins here, this time before the end: spreads it over the straights that lead to it, rows of times by
+  /// units.
   void spread(int node, DriveTime time, const DriveTime* straights, int units) {
     for (Word places = places_of_turns(node, units); places != 0; places &= places - 1) {
       const auto unit = static_cast<unsigned>(std::countr_zero(places));
@@ -172,7 +175,8 @@ class LaneSearch final : public Search {
         improved |= bits_of(better) << slot;
       }
       std::uint8_t& due = straights_due_[index(there)];
-      driven_.add(static_cast<std::uint16_t>(there), static_cast<unsigned>(due == 0) & static_cast<unsigned>(improved != 0));
+      driven_.add(static_cast<std::uint16_t>(there),
+                  static_cast<unsigned>(due == 0) & static_cast<unsigned>(improved != 0));
       due = static_cast<std::uint8_t>(due | improved);
     }
   }
@@ -194,8 +198,8 @@ class LaneSearch final : public Search {
     turns_.clear();
     for (const int node : driven_) {
       const unsigned slots = std::exchange(straights_due_[index(node)], 0);
-      auto first = static_cast<std::uint32_t>(node) * LaneTables::most_turns;
-      for (unsigned turns = lanes.turns(kind_of(node), slots, turn_bits(lattice_, node)); turns != 0; turns >>= 8, first += 8)
+      unsigned turns = lanes.turns(kind_of(node), slots, turn_bits(lattice_, node));
+      for (auto first = static_cast<std::uint32_t>(node) * LaneTables::most_turns; turns != 0; turns >>= 8, first += 8)
         turns_.add_ones(first, turns & 255U);
       touch(node);
     }
@@ -222,13 +226,13 @@ class LaneSearch final : public Search {
   std::vector<DriveTime> bounds_ = std::vector<DriveTime>(static_cast<std::size_t>(L::nodes), 0);
   const std::vector<DriveTime> no_bounds_ = bounds_;
   int start_ = everywhere;
-  Buckets waiting_;  ///< nodes to which turns have led
+  Buckets waiting_;                       ///< nodes to which turns have led
   List<std::uint16_t> driven_{L::nodes};  ///< nodes to which straights have led
   /// By node, as bits: slots in which turns have led there, and straights.
   std::vector<std::uint8_t> turns_due_ = std::vector<std::uint8_t>(L::nodes);
   std::vector<std::uint8_t> straights_due_ = turns_due_;
-  List<std::uint32_t> ready_{L::nodes * static_cast<int>(row)};     ///< labels of turns that are to be spread
-  List<std::uint32_t> turns_{L::nodes * static_cast<int>(LaneTables::most_turns)};  ///< by node and number
+  List<std::uint32_t> ready_{L::nodes * static_cast<int>(row)};  ///< labels of turns that are to be spread
+  List<std::uint32_t> turns_{L::nodes * static_cast<int>(LaneTables::most_turns)};     ///< by node and number
   List<std::uint32_t> improved_{L::nodes * static_cast<int>(LaneTables::most_turns)};  ///< labels of turns
   /// Nodes of which times are known, as bits.
   std::vector<std::uint64_t> touched_ = std::vector<std::uint64_t>(L::nodes / 64);

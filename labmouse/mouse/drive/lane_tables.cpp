@@ -50,7 +50,8 @@ void LaneTables::find_slots(const DriveTables& tables) {
   std::array<std::vector<bool>, node_kinds> used;
   for (unsigned kind = 0; kind < node_kinds; ++kind)
     used[kind].resize((kind == diagonal_node ? tables.diagonal : tables.along).count());
-  for (const DrivenTurn& turn : tables.turns) used[begin_of(turn.turn)][turn.from] = used[end_of(turn.turn)][turn.to] = true;
+  for (const DrivenTurn& turn : tables.turns)
+    used[begin_of(turn.turn)][turn.from] = used[end_of(turn.turn)][turn.to] = true;
   for (unsigned kind = 0; kind < node_kinds; ++kind) {
     for (std::size_t lane = 0; lane < used[kind].size(); ++lane) {
       slots_[kind].push_back(used[kind][lane] ? static_cast<int>(lanes_[kind].size()) : no_slot);
@@ -113,7 +114,8 @@ void LaneTables::find_turns(const DriveTables& tables) {
       for (const DrivenTurn& turn : tables.turns)
         if (turn.turn == reversed(turn_of(bit, kind == diagonal_node, kind == edge_node))) {
           const auto slot_of = [&](unsigned at, std::size_t lane) { return static_cast<std::uint8_t>(slot(at, lane)); };
-          const TurnBefore before = {slot_of(kind, turn.to), static_cast<std::uint8_t>(bit), slot_of(begin_of(turn.turn), turn.from), turn.time};
+          const TurnBefore before = {slot_of(kind, turn.to), static_cast<std::uint8_t>(bit),
+                                     slot_of(begin_of(turn.turn), turn.from), turn.time};
           for (unsigned byte = 0; byte < 256; ++byte) {
             ending_in_[kind][byte] |= (byte >> before.slot & 1U) << count;
             beginning_with_[kind][byte] |= (byte >> bit & 1U) << count;

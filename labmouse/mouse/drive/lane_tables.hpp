@@ -1,7 +1,7 @@
 // The tables of a robot of many speeds as its search uses them: rows of lanes, several of which are looked at together.
 //
-// At each kind of node - edges, middles of cells, diagonals - turns end and begin only in some of the lanes. These are its
-// slots, which a row has side by side.
+// At each kind of node - edges, middles of cells, diagonals - turns end and begin only in some of the lanes. These are
+// its slots, which a row has side by side.
 #pragma once
 
 #include <array>
@@ -13,15 +13,15 @@
 
 namespace labmouse::drive {
 
-/// The slots of a row, more than any robot needs: four turns at two speeds. The times of those that a kind of node has not
-/// are no_time.
+/// The slots of a row, more than any robot needs: four turns at two speeds. The times of those that a kind of node has
+/// not are no_time.
 inline constexpr unsigned row = 8;
 
 enum NodeKind : unsigned { edge_node, centre_node, diagonal_node };
 inline constexpr unsigned node_kinds = 3;
 
-/// A turn that ends at a kind of node: the slot in which it does, its bit (of the node turned round), the slot in which it
-/// began, and its time.
+/// A turn that ends at a kind of node: the slot in which it does, its bit (of the node turned round), the slot in which
+/// it began, and its time.
 struct TurnBefore {
   std::uint8_t slot = 0;
   std::uint8_t bit = 0;
@@ -46,9 +46,9 @@ class LaneTables {
   /// The same of straights into the middle of a goal.
   const DriveTime* finish() const { return finish_.data(); }
 
-  /// How much later a mouse may begin a turn in a slot than another one begins a turn 0, 2, 4, 8 ... units before, and be
-  /// nowhere ahead of it that is `reach` units or more before that: rows of the other one's slots. A turn in the same place
-  /// must be later by one more, so that no two say so of each other.
+  /// How much later a mouse may begin a turn in a slot than another one begins a turn 0, 2, 4, 8 ... units before, and
+  /// be nowhere ahead of it that is `reach` units or more before that: rows of the other one's slots. A turn in the
+  /// same place must be later by one more, so that no two say so of each other.
   const DriveTime* slacks(unsigned kind, unsigned slot) const { return at(slacks_, kind, slot, checks); }
   static constexpr int checks = 6;
   int reach() const { return reach_; }
@@ -76,8 +76,8 @@ class LaneTables {
   void find_turns(const DriveTables& tables);
 
   int reach_ = 1;
-  std::array<std::vector<int>, node_kinds> slots_;            ///< by lane
-  std::array<std::vector<std::size_t>, node_kinds> lanes_;    ///< by slot
+  std::array<std::vector<int>, node_kinds> slots_;          ///< by lane
+  std::array<std::vector<std::size_t>, node_kinds> lanes_;  ///< by slot
   std::vector<DriveTime> straights_;
   std::vector<DriveTime> finish_;
   std::vector<DriveTime> slacks_;

@@ -1,5 +1,5 @@
-// Lists of nodes that a search writes without asking: what a processor would have to foresee, and cannot in a maze that it
-// has not met before, costs it more than a few words written in vain.
+// Lists of nodes that a search writes without asking: what a processor would have to foresee, and cannot in a maze that
+// it has not met before, costs it more than a few words written in vain.
 #pragma once
 
 #include <algorithm>
@@ -55,16 +55,15 @@ class List {
   Number* end_;
 };
 
-/// Nodes that wait, by time, in buckets: those of one bucket in any order, so that it may fill again while it is emptied
-/// (Dial 1969; Denardo and Fox 1979).
+/// Nodes that wait, by time, in buckets: those of one bucket in any order, so that it may fill again while it is
+/// emptied (Dial 1969; Denardo and Fox 1979).
 class Buckets {
  public:
   /// They are used in turn; what waits for a later time than they reach is visited with the last of them.
   static constexpr unsigned count = 64;
 
   /// For nodes with numbers below `nodes`.
-  Buckets(int nodes, int shift)
-      : shift_(shift), words_(static_cast<std::size_t>(nodes) / 64), sets_(count * words_) {}
+  Buckets(int nodes, int shift) : shift_(shift), words_(static_cast<std::size_t>(nodes) / 64), sets_(count * words_) {}
 
   void clear() {
     for (unsigned bucket = 0; bucket < count; ++bucket)

@@ -14,8 +14,8 @@ namespace labmouse::drive {
 class Search {
  public:
   virtual ~Search() = default;
-  /// Finds the times to the goals, of all nodes, or with a start (its node in the direction of driving) of those that are
-  /// not farther than it.
+  /// Finds the times to the goals, of all nodes, or with a start (its node in the direction of driving) of those on fastest
+  /// routes from there; others may be too late then.
   virtual void fill(const WallSet& passages, const CellSet& goals, int start) = 0;
   static constexpr int everywhere = -1;
   /// The time until the end from a turn that begins at a node; one above the limit may be told as no_time.
