@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "labmouse/contest/drive_gates.hpp"
+#include "labmouse/contest/drive_score.hpp"
 #include "labmouse/contest/drive_search.hpp"
 #include "labmouse/mouse/drive/fastest.hpp"
 #include "labmouse/mouse/drive/search_field.hpp"
@@ -32,7 +33,7 @@ class DriveContest {
 
   DriveRecord hold() {
     hold_runs();
-    if (record_.outcome != DriveOutcome::forfeit && !reached_a_goal()) record_.outcome = DriveOutcome::out_of_time;
+    if (record_.outcome != DriveOutcome::forfeit && !score(record_, rules_).best) record_.outcome = DriveOutcome::out_of_time;
     return std::move(record_);
   }
 
@@ -62,12 +63,6 @@ class DriveContest {
                                           [](const DriveRun& run) { return run.kind != DriveRun::Kind::home; }));
   }
 
-  bool reached_a_goal() const {
-    return std::any_of(record_.runs.begin(), record_.runs.end(), [&](const DriveRun& run) {
-      return run.gate_in && *run.gate_in <= rules_.time_limit;
-    });
-  }
-
   /// Opens the record of a run, with routes over what is known; false where time or rules allow none.
   bool begin(DriveRun::Kind kind) {
     if (out_of_time() || (kind != DriveRun::Kind::home && starts() >= rules_.most_runs)) return false;
@@ -78,9 +73,9 @@ class DriveContest {
     run.open = known.open();
     run.closed = WallSet::all(maze_.size());
     run.closed -= known.possible();
-    routes_.fill(known.possible(), maze_.goals());
+    routes_.fill_for(driver_.start().pose, known.possible(), maze_.goals());
     run.hoped = routes_.time_from(driver_.start().pose);
-    routes_.fill(known.open(), maze_.goals());
+    routes_.fill_for(driver_.start().pose, known.open(), maze_.goals());
     run.known = routes_.time_from(driver_.start().pose);
     record_.runs.push_back(std::move(run));
     return true;

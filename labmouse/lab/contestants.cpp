@@ -217,13 +217,48 @@ SpecResult read_variant(const Contestant& mouse, std::span<const Setting> values
   return {{contestant_of(*entry, std::move(settings))}, {}, ""};
 }
 
+namespace {
+
+const RosterEntry* entry_of(const Contestant& mouse) { return find_mouse(mouse.name.substr(0, mouse.name.find(':'))); }
+
+bool counts_in_seconds(const Parameter& parameter) { return parameter.type == ParameterType::prior; }
+
+/// Why one of the mice, all of which drive, has a parameter that says nothing there; empty without one.
+std::string refuse_idle_settings(std::span<const Contestant> mice) {
+  for (const Contestant& mouse : mice) {
+    const RosterEntry* entry = entry_of(mouse);
+    for (std::size_t i = 0; entry != nullptr && i < entry->parameters.size(); ++i) {
+      const Parameter& parameter = entry->parameters[i];
+      if (counts_in_seconds(parameter) || mouse.settings.all()[i].value == parameter.default_value) continue;
+      const auto counting = std::find_if(entry->parameters.begin(), entry->parameters.end(), counts_in_seconds);
+      return fmt::format("parameter '{}' of mouse '{}' has no meaning in seconds; it has {} there", parameter.name, entry->name,
+                         counting == entry->parameters.end() ? "none" : fmt::format("'{}'", counting->name));
+    }
+  }
+  return "";
+}
+
+}  // namespace
+
 std::string refuse_to_drive(std::span<const Contestant> mice) {
   const auto stays = std::find_if(mice.begin(), mice.end(), [](const Contestant& mouse) { return !mouse.drive; });
-  if (stays == mice.end()) return "";
+  if (stays == mice.end()) return refuse_idle_settings(mice);
   std::vector<std::string_view> drivers;
   for (const RosterEntry* entry : roster())
     if (entry->drives) drivers.push_back(entry->name);
   return fmt::format("mouse '{}' does not drive in seconds; those that do are {}", stays->name, fmt::join(drivers, ", "));
+}
+
+Settings settings_in_seconds(const Contestant& mouse) {
+  const RosterEntry* entry = entry_of(mouse);
+  if (entry == nullptr) return {};
+  for (const Parameter& parameter : entry->parameters) {
+    if (!counts_in_seconds(parameter)) continue;
+    Settings settings({&parameter, 1});
+    settings.set(parameter.name, mouse.settings.choice(parameter.name));
+    return settings;
+  }
+  return {};
 }
 
 std::vector<Contestant> all_contestants() {

@@ -78,6 +78,9 @@ SpecResult read_variant(const Contestant& mouse, std::span<const Setting> values
 /// Why these mice cannot race in seconds, with the names of those that can; empty where they can.
 std::string refuse_to_drive(std::span<const Contestant> mice);
 
+/// The settings of such a mouse that count in seconds: its prior. All other parameters are about steps.
+Settings settings_in_seconds(const Contestant& mouse);
+
 /// Every mouse of the roster with its defaults.
 std::vector<Contestant> all_contestants();
 

@@ -1,31 +1,12 @@
 #include "labmouse/lab/drive_race.hpp"
 
-#include <algorithm>
-#include <mutex>
-
 #include "labmouse/contest/drive.hpp"
-#include "labmouse/lab/parallel.hpp"
-#include "labmouse/lab/tournament.hpp"
+#include "labmouse/lab/holding.hpp"
 
 namespace labmouse {
 namespace {
 
 int runs_of(const Contestant& mouse, const DriveRaceOrder& order) { return mouse.uses_chance ? order.runs : 1; }
-
-std::vector<DriveResult> list_contests(const DriveRace& race) {
-  std::vector<DriveResult> contests;
-  for (std::size_t mouse = 0; mouse < race.mice.size(); ++mouse)
-    for (std::size_t maze = 0; maze < race.mazes.size(); ++maze)
-      for (int run = 0; run < runs_of(race.mice[mouse], race.order); ++run) {
-        DriveResult contest;
-        contest.mouse = mouse;
-        contest.maze = maze;
-        contest.run = run;
-        contest.seed = contest_seed(race.order.seed, race.mazes[maze].name, run);
-        contests.push_back(contest);
-      }
-  return contests;
-}
 
 /// The fastest of the runs that count.
 std::optional<MazeTime> best_of(const DriveScore& score) {
@@ -80,40 +61,25 @@ DriveRecordFile drive_record_file_of(const DriveRace& race, const DriveResult& r
   file.maze_name = race.mazes[result.maze].name;
   file.maze = race.mazes[result.maze].maze;
   file.mouse = race.mice[result.mouse].name;
-  file.settings = race.mice[result.mouse].settings;
+  file.settings = settings_in_seconds(race.mice[result.mouse]);
   file.seed = result.seed;
   file.model = race.order.model;
   file.tables_hash = race.order.model->tables.hash;
   file.rules = race.order.rules;
   file.record = record;
-  file.recorded_score = result.score.value();
+  if (const auto& best = result.score.best) file.recorded_score = result.score.runs[*best];
   return file;
 }
 
 DriveRace hold_drive_race(std::vector<Contestant> mice, std::vector<NamedMaze> mazes, const DriveRaceOrder& order,
                           const DriveRaceHooks& hooks) {
-  DriveRace race;
-  race.order = order;
-  race.mice = std::move(mice);
-  race.mazes = std::move(mazes);
-  const auto by_name = [](const auto& a, const auto& b) { return a.name < b.name; };
-  std::sort(race.mice.begin(), race.mice.end(), by_name);
-  std::sort(race.mazes.begin(), race.mazes.end(), by_name);
+  auto race = race_of<DriveRace>(std::move(mice), std::move(mazes), order);
   race.bounds.resize(race.mazes.size());
   for_each_parallel(race.mazes.size(), order.jobs, [&](std::size_t i) {
     race.bounds[i] = drive_bound_of(race.mazes[i].maze, order.rules, *order.model);
   });
-  race.results = list_contests(race);
-
-  std::mutex telling;
-  for_each_parallel(race.results.size(), order.jobs, [&](std::size_t i) {
-    if (hooks.stop != nullptr && hooks.stop->load()) return;
-    const DriveRecord record = hold_contest(race, race.results[i]);
-    if (!hooks.finished) return;
-    const std::lock_guard lock(telling);
-    hooks.finished(race, race.results[i], record);
-  });
-  race.stopped = std::any_of(race.results.begin(), race.results.end(), [](const DriveResult& r) { return !r.done; });
+  list_contests(race, [&](const Contestant& mouse) { return runs_of(mouse, order); });
+  hold_contests(race, hooks, [&](DriveResult& result) { return hold_contest(race, result); });
   return race;
 }
 

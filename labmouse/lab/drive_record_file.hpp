@@ -29,7 +29,7 @@ struct DriveRecordFile {
   DriveRules rules;
   DriveRecord record;
   bool ended = true;                         ///< false where the last line, with the outcome, is missing
-  std::optional<MazeTime> recorded_score{};  ///< what the last line gives; a writer puts the score of the record
+  std::optional<DriveRunScore> recorded_score{};  ///< what the last line gives; a writer puts the score of the record
 };
 
 std::string write_drive_record(const DriveRecordFile& file);
@@ -46,7 +46,7 @@ ReadDriveRecordResult read_drive_record(std::string_view text);
 bool is_drive_record(std::string_view text);
 
 /// Plays a record again in its maze and compares all of it: places, times, walls, what was known and hoped for, gates, and
-/// the score. What the mind decided, and how often it planned, is taken over unchecked. Returns where the record first
+/// the score. Who drove, and how often it decided and planned, is taken over unchecked. Returns where the record first
 /// disagrees, or nothing.
 std::string replay(const DriveRecordFile& file);
 

@@ -45,6 +45,18 @@ auto optional_of(const Json& json, const char* key, Read read) -> std::optional<
   return read();
 }
 
+DriveRunScore read_score(const Json& json, Fields& fields) {
+  const auto time = [&](const char* key) { return fields.long_whole(key, -longest_time, longest_time); };
+  DriveRunScore score;
+  score.run = static_cast<std::size_t>(fields.whole("run", 1, static_cast<int>(most_runs)) - 1);
+  for (const auto& [key, part] : {std::pair("gate_to_gate", &score.gate_to_gate), std::pair("rest_to_centre", &score.rest_to_centre)})
+    if (!json.is_object() || !json.contains(key) || !json[key].is_null()) *part = time(key);
+  score.maze_time = time("maze_time");
+  score.bonus = time("bonus");
+  score.value = time("value");
+  return score;
+}
+
 void Reading::read_maze(const Json& json, Fields& outer) {
   Fields fields(json, "maze");
   file_.maze_name = fields.text("name");
@@ -58,6 +70,7 @@ std::string Reading::read_header(const Json& json) {
   Fields fields(json, "");
   if (fields.text("labmouse") != "drive record") fields.fail("is not the header of a record in seconds");
   if (fields.whole("format", 0, 1'000'000) != 1) fields.fail("has a format other than 1, which this version does not know");
+  if (fields.text("world") != "seconds") fields.fail("has a world other than seconds");
   file_.version = fields.text("version");
   for (const char* key : {"maze", "mouse", "robot", "rules", "seed"})
     if (!fields.has(key)) fields.reject(fmt::format("'{}' is missing", key));
@@ -73,6 +86,8 @@ std::string Reading::read_header(const Json& json) {
   read_drive_rules_json(json["rules"], file_.rules, fields);
   if (fields.error().empty()) read_maze(json["maze"], fields);
   if (fields.error().empty()) file_.model = std::make_shared<DriveModel>(read_robot_json(fields, json["robot"]));
+  if (fields.error().empty() && fields.text("model") != model_name(file_.model->robot))
+    fields.fail(fmt::format("has a model that is not that of its robot, '{}'", model_name(file_.model->robot)));
   file_.ended = false;
   return fields.error();
 }
@@ -185,7 +200,7 @@ std::string Reading::read_end(const Json& json) {
   if (!fields.error().empty()) return fields.error();
   if (!json["score"].is_null()) {
     Fields score(json["score"], "score");
-    file_.recorded_score = score.long_whole("value", -longest_time, longest_time);
+    file_.recorded_score = read_score(json["score"], score);
     fields.reject(score.error());
   }
   file_.ended = true;

@@ -32,8 +32,7 @@ class Replay {
                          hash_text(file_.model->tables.hash));
     const auto& runs = file_.record.runs;
     for (std::size_t i = 0; i < runs.size(); ++i) {
-      const bool whole = file_.ended || i + 1 < runs.size();
-      if (const std::string wrong = play(runs[i], whole); !wrong.empty())
+      if (const std::string wrong = play(i); !wrong.empty())
         return fmt::format("run {} ({}): {}", i + 1, name_of(runs[i].kind), wrong);
     }
     if (!file_.ended) return "";
@@ -42,18 +41,38 @@ class Replay {
   }
 
  private:
-  std::string play(const DriveRun& run, bool whole) {
-    // Only on its way home does a mouse go on from where it is.
-    if (run.kind != DriveRun::Kind::home) driver_.put(driver_.start(), driver_.clock());
-    if (run.begin != driver_.clock())
-      return fmt::format("recorded to begin at {}; played, at {}", seconds(run.begin), seconds(driver_.clock()));
+  std::string play(std::size_t index) {
+    const DriveRun& run = file_.record.runs[index];
+    const bool last = index + 1 == file_.record.runs.size(), whole = file_.ended || !last;
+    if (std::string wrong = compare_beginning(run); !wrong.empty()) return wrong;
     if (std::string wrong = compare_knowledge(run); !wrong.empty()) return wrong;
     DriveRun& played = played_.runs.emplace_back();
     played.kind = run.kind;
     played.begin = played.end = run.begin;
     if (std::string wrong = run.kind == DriveRun::Kind::fast ? play_route(run, whole) : play_moves(run); !wrong.empty())
       return wrong;
+    if (run.kind == DriveRun::Kind::home && whole && driver_.place() != driver_.start() && driver_.clock() < file_.rules.time_limit)
+      return "it does not end at rest at the start";
+    // Unless it is given up or the time is over, a search ends in the middle of the goal.
+    const bool cut_short = last && (file_.record.outcome == DriveOutcome::forfeit || driver_.clock() >= file_.rules.time_limit);
+    if (run.kind == DriveRun::Kind::search && whole && !cut_short && driver_.goal_entered()) driver_.stop_search();
     return whole ? compare_gates(run) : "";
+  }
+
+  /// Whether the contest allows such a run then and there.
+  std::string compare_beginning(const DriveRun& run) {
+    const bool search = run.kind == DriveRun::Kind::search, fast = run.kind == DriveRun::Kind::fast;
+    if (played_.runs.empty() && !search) return "a contest begins with a search";
+    // Between two fast runs the mouse is carried; else only a way home goes on from where it is not at rest at the start.
+    if (fast && played_.runs.back().kind == DriveRun::Kind::fast) driver_.put(driver_.start(), driver_.clock());
+    if ((search || fast) && driver_.place() != driver_.start()) return "it begins at the start, where the mouse is not";
+    if (!search && !driver_.goal_entered()) return "it begins before a goal was entered";
+    if (run.begin != driver_.clock())
+      return fmt::format("recorded to begin at {}; played, at {}", seconds(run.begin), seconds(driver_.clock()));
+    if (run.begin >= file_.rules.time_limit) return fmt::format("it begins after the time of {}", seconds(file_.rules.time_limit));
+    starts_ += search || fast ? 1 : 0;
+    if (starts_ <= file_.rules.most_runs) return "";
+    return fmt::format("the rules allow {} run{} from the start", file_.rules.most_runs, file_.rules.most_runs == 1 ? "" : "s");
   }
 
   std::string compare_knowledge(const DriveRun& run) {
@@ -71,13 +90,15 @@ class Replay {
   }
 
   DriveTime time_over(const WallSet& passages) {
-    routes_.fill(passages, file_.maze->goals());
+    routes_.fill_for(driver_.start().pose, passages, file_.maze->goals());
     return routes_.time_from(driver_.start().pose);
   }
 
   std::string play_moves(const DriveRun& run) {
     for (std::size_t i = 0; i < run.moves.size(); ++i) {
       const SearchMove& move = run.moves[i];
+      if (driver_.clock() >= file_.rules.time_limit)
+        return fmt::format("move {}: it begins after the time of {}", i + 1, seconds(file_.rules.time_limit));
       if (!driver_.move(move.action, move.replanned, [](const Pose&, const Sighting&) {}))
         return fmt::format("move {}: it is none, or leads through a wall that was not seen to be open", i + 1);
       const SearchMove& made = played_.runs.back().moves.back();
@@ -92,6 +113,8 @@ class Replay {
   std::string play_route(const DriveRun& run, bool whole) {
     if (!whole) return "";
     const Maze& maze = *file_.maze;
+    if (run.route.time != run.known)
+      return fmt::format("its route takes {}; the fastest known one, {}", route_time(run.route.time), route_time(run.known));
     if (std::string wrong = check_route(run.route, driver_.start().pose, maze.size(), driver_.known().open(), maze.goals(), *file_.model);
         !wrong.empty())
       return wrong;
@@ -107,8 +130,6 @@ class Replay {
 
   std::string compare_gates(const DriveRun& run) {
     const DriveRun& played = played_.runs.back();
-    // A search that was given up has not stopped in the middle of the goal.
-    if (run.kind == DriveRun::Kind::search && run.centre && !played.centre) driver_.stop_search();
     if (run.end != played.end) return fmt::format("recorded to end at {}; played, at {}", seconds(run.end), seconds(played.end));
     if (run.gate_out == played.gate_out && run.gate_in == played.gate_in && run.centre == played.centre) return "";
     return fmt::format("recorded to leave the start at {}, enter a goal at {} and reach its middle at {}; played, {}, {} and {}",
@@ -133,10 +154,13 @@ class Replay {
 
   std::string compare_end() const {
     const DriveScore played = score(played_, file_.rules);
-    if (played.value() != file_.recorded_score)
-      return fmt::format("recorded is a score of {}; played, it is {}", seconds(file_.recorded_score), seconds(played.value()));
-    bool in_time = false;
-    for (const DriveRun& run : played_.runs) in_time = in_time || (run.gate_in && *run.gate_in <= file_.rules.time_limit);
+    const auto best = played.best ? std::optional(played.runs[*played.best]) : std::nullopt;
+    if (best != file_.recorded_score) {
+      const auto recorded = file_.recorded_score ? std::optional(file_.recorded_score->value) : std::nullopt;
+      return fmt::format("recorded is a score of {}; played, it is {}{}", seconds(recorded), seconds(played.value()),
+                         recorded == played.value() ? ", of other parts" : "");
+    }
+    const bool in_time = best.has_value();
     if (file_.record.outcome != DriveOutcome::forfeit && in_time != (file_.record.outcome == DriveOutcome::finished))
       return fmt::format("the record ends '{}'; played, {} run came to a goal in time", name_of(file_.record.outcome),
                          in_time ? "a" : "no");
@@ -147,6 +171,7 @@ class Replay {
   DriveRecord played_;
   SearchDriver driver_;
   FastestRoutes routes_;
+  int starts_ = 0;
 };
 
 }  // namespace

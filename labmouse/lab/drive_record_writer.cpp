@@ -22,7 +22,7 @@ Json header_json(const DriveRecordFile& file) {
           {"mouse", {{"name", file.mouse}, {"parameters", settings_json(file.settings)}}},
           {"seed", file.seed},
           {"robot", robot_json(file.model->robot)},
-          {"model", file.model->robot.fixed ? "fixed" : "classes"},
+          {"model", model_name(file.model->robot)},
           {"tables", hash_text(file.model->tables.hash)},
           {"rules", rules_json(file.rules)}};
 }

@@ -1,10 +1,9 @@
 #include "labmouse/lab/mms_race.hpp"
 
 #include <algorithm>
-#include <mutex>
 
+#include "labmouse/lab/holding.hpp"
 #include "labmouse/lab/mms_record.hpp"
-#include "labmouse/lab/parallel.hpp"
 
 namespace labmouse {
 namespace {
@@ -51,27 +50,12 @@ std::string hold_run(const MmsRace& race, MmsResult& result, const std::atomic<b
 
 MmsRace hold_mms_race(std::vector<MmsMouse> mice, std::vector<NamedMaze> mazes, const MmsRaceOrder& order,
                       const MmsRaceHooks& hooks) {
-  MmsRace race;
-  race.order = order;
-  race.mice = std::move(mice);
-  race.mazes = std::move(mazes);
-  const auto by_name = [](const auto& a, const auto& b) { return a.name < b.name; };
-  std::sort(race.mice.begin(), race.mice.end(), by_name);
-  std::sort(race.mazes.begin(), race.mazes.end(), by_name);
+  auto race = race_of<MmsRace>(std::move(mice), std::move(mazes), order);
   race.results = list_runs(race);
   race.bounds.resize(race.mazes.size());
   for_each_parallel(race.mazes.size(), order.jobs,
                     [&](std::size_t i) { race.bounds[i] = mms_bound_of(race.mazes[i].maze); });
-
-  std::mutex telling;
-  for_each_parallel(race.results.size(), order.jobs, [&](std::size_t i) {
-    if (hooks.stop != nullptr && hooks.stop->load()) return;
-    const std::string record = hold_run(race, race.results[i], hooks.stop);
-    if (!hooks.finished || !race.results[i].done) return;
-    const std::lock_guard lock(telling);
-    hooks.finished(race, race.results[i], record);
-  });
-  race.stopped = std::any_of(race.results.begin(), race.results.end(), [](const MmsResult& r) { return !r.done; });
+  hold_contests(race, hooks, [&](MmsResult& result) { return hold_run(race, result, hooks.stop); });
   return race;
 }
 

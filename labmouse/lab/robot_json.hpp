@@ -11,6 +11,9 @@ namespace labmouse {
 /// Its name and its parameters, under the keys of robot files: "straight.speed".
 nlohmann::ordered_json robot_json(const Robot& robot);
 
+/// "fixed" where all nodes have one speed, or "classes".
+inline const char* model_name(const Robot& robot) { return robot.fixed ? "fixed" : "classes"; }
+
 /// Reads them, and makes the model; the fields hold what is wrong, and the model has an error then.
 DriveModel read_robot_json(RecordFields& fields, const nlohmann::json& json);
 

@@ -1,12 +1,9 @@
 #include "labmouse/lab/tournament.hpp"
 
-#include <algorithm>
 #include <chrono>
-#include <mutex>
 
-#include "labmouse/chance/dice.hpp"
 #include "labmouse/contest/simulator.hpp"
-#include "labmouse/lab/parallel.hpp"
+#include "labmouse/lab/holding.hpp"
 #include "labmouse/maze/routes.hpp"
 
 namespace labmouse {
@@ -38,21 +35,6 @@ int runs_of(const Contestant& mouse, const RaceOrder& order) {
   return mouse.uses_chance ? order.runs : 1;
 }
 
-std::vector<ContestResult> list_contests(const Race& race) {
-  std::vector<ContestResult> contests;
-  for (std::size_t mouse = 0; mouse < race.mice.size(); ++mouse)
-    for (std::size_t maze = 0; maze < race.mazes.size(); ++maze)
-      for (int run = 0; run < runs_of(race.mice[mouse], race.order); ++run) {
-        ContestResult contest;
-        contest.mouse = mouse;
-        contest.maze = maze;
-        contest.run = run;
-        contest.seed = contest_seed(race.order.seed, race.mazes[maze].name, run);
-        contests.push_back(contest);
-      }
-  return contests;
-}
-
 RunRecord hold_contest(const Race& race, ContestResult& contest) {
   const Maze& maze = race.mazes[contest.maze].maze;
   const auto mouse = race.mice[contest.mouse].make(maze, race.order.rules, contest.seed);
@@ -78,36 +60,15 @@ std::size_t contests_of(const std::vector<Contestant>& mice, std::size_t mazes, 
   return all;
 }
 
-std::uint64_t contest_seed(std::uint64_t seed, std::string_view maze_name, int run) {
-  // 53 bits: a JSON reader that keeps numbers as doubles gets them whole.
-  return seed_for(seed, maze_name.substr(maze_name.rfind('/') + 1), static_cast<std::uint64_t>(run)) >> 11U;
-}
-
 Race hold_race(std::vector<Contestant> mice, std::vector<NamedMaze> mazes, const RaceOrder& order,
                const RaceHooks& hooks) {
-  Race race;
-  race.order = order;
-  race.mice = std::move(mice);
-  race.mazes = std::move(mazes);
-  const auto by_name = [](const auto& a, const auto& b) { return a.name < b.name; };
-  std::sort(race.mice.begin(), race.mice.end(), by_name);
-  std::sort(race.mazes.begin(), race.mazes.end(), by_name);
+  auto race = race_of<Race>(std::move(mice), std::move(mazes), order);
   for (const NamedMaze& maze : race.mazes) {
     race.bounds.push_back(bound_of(maze.maze, order.rules));
     race.reachable.push_back(reachable_cells(maze.maze));
   }
-  race.results = list_contests(race);
-
-  std::mutex telling;
-  const auto hold = [&](std::size_t i) {
-    if (hooks.stop != nullptr && hooks.stop->load()) return;
-    const RunRecord record = hold_contest(race, race.results[i]);
-    if (!hooks.finished || !race.results[i].done) return;
-    const std::lock_guard lock(telling);
-    hooks.finished(race, race.results[i], record);
-  };
-  for_each_parallel(race.results.size(), order.jobs, hold);
-  race.stopped = std::any_of(race.results.begin(), race.results.end(), [](const ContestResult& r) { return !r.done; });
+  list_contests(race, [&](const Contestant& mouse) { return runs_of(mouse, order); });
+  hold_contests(race, hooks, [&](ContestResult& contest) { return hold_contest(race, contest); });
   return race;
 }
 

@@ -70,7 +70,4 @@ Race hold_race(std::vector<Contestant> mice, std::vector<NamedMaze> mazes, const
 /// How many contests such a race has.
 std::size_t contests_of(const std::vector<Contestant>& mice, std::size_t mazes, const RaceOrder& order);
 
-/// The seed of a contest: from the race's seed, the maze's name without its folders, and the number of the run.
-std::uint64_t contest_seed(std::uint64_t seed, std::string_view maze_name, int run);
-
 }  // namespace labmouse

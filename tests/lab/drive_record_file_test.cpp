@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "labmouse/contest/drive_gates.hpp"
+#include "labmouse/lab/drive_route_check.hpp"
+#include "tests/contest/scripted.hpp"
 #include "tests/lab/drive_record_fixture.hpp"
 
 namespace labmouse {
@@ -53,7 +56,7 @@ TEST(DriveRecordFile, IsReadAsItWasWritten) {
       EXPECT_EQ(file.rules.name, "thirtieth");
       EXPECT_EQ(file.rules.maze_time_divisor, 30);
       EXPECT_EQ(file.rules.time_limit, written.rules.time_limit);
-      EXPECT_EQ(file.recorded_score, score(written.record, written.rules).value());
+      EXPECT_EQ(file.recorded_score, written.recorded_score);
       EXPECT_TRUE(file.ended);
       EXPECT_EQ(replay(file), "");
     }
@@ -127,12 +130,224 @@ TEST(DriveRecordFile, WithAWrongRouteIsToldOf) {
   EXPECT_THAT(disagreement("{\"piece\":\"R90\"", "{\"piece\":\"L90\""), HasSubstr("it does not lead to where it is said to end"));
 }
 
+TEST(DriveRecordFile, IsRefusedWithAnotherWorldOrModel) {
+  EXPECT_EQ(problem(changed(good(), "\"world\":\"seconds\"", "\"world\":\"strides\"")).reason,
+            "the line has a world other than seconds");
+  EXPECT_EQ(problem(changed(good(), "\"model\":\"fixed\"", "\"model\":\"classes\"")).reason,
+            "the line has a model that is not that of its robot, 'fixed'");
+}
+
+/// The same run, so much later.
+DriveRun later(DriveRun run, MazeTime by) {
+  run.begin += by;
+  run.end += by;
+  for (auto* moment : {&run.gate_out, &run.gate_in, &run.centre})
+    if (*moment) **moment += by;
+  for (SearchMove& move : run.moves) {
+    move.begin += by;
+    move.end += by;
+  }
+  return run;
+}
+
+void score_again(DriveRecordFile& file) {
+  const DriveScore result = score(file.record, file.rules);
+  file.recorded_score = result.best ? std::optional(result.runs[*result.best]) : std::nullopt;
+}
+
+/// The record of a mouse that does so in the ring, under rules with that much time.
+DriveRecordFile scripted(std::vector<Action> script, MazeTime time_limit) {
+  DriveRecordFile file = driven("certify");
+  file.rules.time_limit = time_limit;
+  test::Scripted mouse(std::move(script));
+  file.record = drive(*file.maze, file.rules, *file.model, mouse);
+  score_again(file);
+  return file;
+}
+
+/// To the edge of the goal of the ring, in 1,374 ms.
+std::vector<Action> to_goal(const Action& then) {
+  const Action on = Action::step(0, 1), right = Action::step(90, 1);
+  return {on, on, right, on, right, then};
+}
+
+/// A search, the way home, and a fast run.
+DriveRecordFile three_runs() {
+  DriveRecordFile file = driven("certify");
+  EXPECT_EQ(file.record.runs.size(), 3U);
+  return file;
+}
+
+TEST(DriveRecordReplay, BeginsWithASearch) {
+  DriveRecordFile file = three_runs();
+  file.record.runs.erase(file.record.runs.begin());
+  EXPECT_EQ(replay(file), "run 1 (home): a contest begins with a search");
+  file.record.runs.erase(file.record.runs.begin());
+  EXPECT_EQ(replay(file), "run 1 (fast): a contest begins with a search");
+}
+
+TEST(DriveRecordReplay, LetsNoRunBeginAtTheStartWhereTheMouseIsNot) {
+  DriveRecordFile file = three_runs();
+  auto& runs = file.record.runs;
+  const DriveRun search = runs[0], fast = runs[2];
+  runs = {search, later(fast, search.end - fast.begin)};
+  EXPECT_EQ(replay(file), "run 2 (fast): it begins at the start, where the mouse is not");
+  runs = {search, later(search, search.end)};
+  EXPECT_EQ(replay(file), "run 2 (search): it begins at the start, where the mouse is not");
+}
+
+TEST(DriveRecordReplay, LetsNoMouseDriveBeforeAGoalWasEntered) {
+  DriveRecordFile file = three_runs();
+  auto& runs = file.record.runs;
+  DriveRun search = runs[0];
+  const DriveRun home = runs[1], fast = runs[2];
+  search.moves.erase(search.moves.begin() + 2, search.moves.end());
+  search.end = search.moves.back().end;
+  search.gate_in = search.centre = std::nullopt;
+  runs = {search, later(home, search.end - home.begin)};
+  EXPECT_EQ(replay(file), "run 2 (home): it begins before a goal was entered");
+  // From the start, which it has not left.
+  search.moves.clear();
+  search.end = search.begin;
+  search.gate_out = std::nullopt;
+  runs = {search, later(fast, -fast.begin)};
+  EXPECT_EQ(replay(file), "run 2 (fast): it begins before a goal was entered");
+}
+
+TEST(DriveRecordReplay, CountsTheRunsThatBeginAtTheStart) {
+  DriveRecordFile file = three_runs();
+  auto& runs = file.record.runs;
+  file.rules.most_runs = 2;
+  EXPECT_EQ(replay(file), "");
+  file.rules.most_runs = 1;
+  EXPECT_THAT(replay(file), StartsWith("run 3 (fast): the rules allow 1 run"));
+  // And once more: it is carried to the start.
+  runs.push_back(later(runs[2], runs[2].end - runs[2].begin));
+  file.rules.most_runs = 3;
+  EXPECT_EQ(replay(file), "");
+  file.rules.most_runs = 2;
+  EXPECT_THAT(replay(file), StartsWith("run 4 (fast): the rules allow 2 runs"));
+  file.rules.most_runs = 3;
+  runs[3] = later(runs[3], 1);
+  EXPECT_THAT(replay(file), StartsWith("run 4 (fast): recorded to begin at "));
+}
+
+TEST(DriveRecordReplay, LetsNoRunBeginAfterTheTime) {
+  DriveRecordFile file = three_runs();
+  for (const std::size_t run : {std::size_t{1}, std::size_t{2}}) {
+    file.rules.time_limit = file.record.runs[run].begin;
+    score_again(file);
+    EXPECT_THAT(replay(file), StartsWith(run == 1 ? "run 2 (home): it begins after the time of 1.374000 s"
+                                                  : "run 3 (fast): it begins after the time of 8.748000 s"));
+  }
+  // Just in time it may begin, though it does not count.
+  ++file.rules.time_limit;
+  score_again(file);
+  EXPECT_EQ(file.recorded_score->run, 0U);
+  EXPECT_EQ(replay(file), "");
+}
+
+TEST(DriveRecordReplay, WantsTheFastestKnownRoute) {
+  // Flood finds the way along the middle row; only certify looks at the upper row, which makes a diagonal the faster way.
+  const Maze maze = test::drawn(R"(
+    o---o---o---o---o
+    |             G |
+    o   o   o---o   o
+    |               |
+    o   o   o   o   o
+    | S |       |   |
+    o---o---o---o---o
+  )");
+  DriveRecordFile file = driven("certify", maze);
+  ASSERT_EQ(replay(file), "");
+  ASSERT_EQ(file.record.runs.size(), 3U);
+  DriveRun& fast = file.record.runs[2];
+  const DriveRoute slower = driven("flood", maze).record.runs.back().route;
+  ASSERT_GT(slower.time, fast.route.time);
+  ASSERT_LT(slower.time, no_time);
+  const Pose start = {maze.start(), maze.start_heading()};
+  ASSERT_EQ(check_route(slower, start, maze.size(), fast.open, maze.goals(), *file.model), "");
+  fast.route = slower;
+  set_gates(fast, maze, *file.model);
+  fast.end = fast.begin + slower.time;
+  score_again(file);
+  EXPECT_THAT(replay(file), StartsWith("run 3 (fast): its route takes 0.904562 s; the fastest known one, 0.789001 s"));
+  // Nor does it help to say that no faster one was known.
+  fast.known = slower.time;
+  EXPECT_THAT(replay(file), StartsWith("run 3 (fast): recorded are a known route of 0.904562 s"));
+}
+
+TEST(DriveRecordReplay, KnowsWhereASearchEndsInTheMiddleOfAGoal) {
+  DriveRecordFile file = three_runs();
+  file.record.runs[0].centre.reset();
+  EXPECT_EQ(replay(file), "run 1 (search): recorded to leave the start at 0.300000 s, enter a goal at 1.374000 s and reach "
+                          "its middle at never; played, 0.300000 s, 1.374000 s and 1.674000 s");
+  // Not where the time ends at the edge of the goal, or where the mouse gives up there.
+  for (DriveRecordFile cut : {scripted(to_goal(Action::reset()), 1'374'000),
+                              scripted(to_goal(Action::forfeit(ForfeitReason::no_way)), 100'000'000)}) {
+    ASSERT_EQ(cut.record.runs.size(), 1U);
+    EXPECT_FALSE(cut.record.runs[0].centre);
+    EXPECT_EQ(replay(cut), "");
+    cut.record.runs[0].centre = 1'674'000;
+    EXPECT_THAT(replay(cut), HasSubstr("reach its middle at 1.674000 s; played, 0.300000 s, 1.374000 s and never"));
+  }
+}
+
+TEST(DriveRecordReplay, ComparesAllPartsOfTheScore) {
+  const DriveRecordFile file = three_runs();
+  const auto said = [&](auto change) {
+    DriveRecordFile other = file;
+    change(*other.recorded_score);
+    return replay(other);
+  };
+  const auto parts = HasSubstr(", of other parts");
+  EXPECT_THAT(said([](DriveRunScore& score) { score.run = 0; }), parts);
+  EXPECT_THAT(said([](DriveRunScore& score) { ++*score.gate_to_gate; }), parts);
+  EXPECT_THAT(said([](DriveRunScore& score) { score.gate_to_gate.reset(); }), parts);
+  EXPECT_THAT(said([](DriveRunScore& score) { ++*score.rest_to_centre; }), parts);
+  EXPECT_THAT(said([](DriveRunScore& score) { score.rest_to_centre.reset(); }), parts);
+  EXPECT_THAT(said([](DriveRunScore& score) { ++score.maze_time; }), parts);
+  EXPECT_THAT(said([](DriveRunScore& score) { ++score.bonus; }), parts);
+  EXPECT_EQ(said([](DriveRunScore& score) { score.value = 1'000'000; }),
+            "recorded is a score of 1.000000 s; played, it is 0.707515 s");
+  DriveRecordFile none = file;
+  none.recorded_score.reset();
+  EXPECT_EQ(replay(none), "recorded is a score of never; played, it is 0.707515 s");
+}
+
+TEST(DriveRecordReplay, ComparesTheOutcome) {
+  DriveRecordFile file = three_runs();
+  file.record.outcome = DriveOutcome::out_of_time;
+  EXPECT_EQ(replay(file), "the record ends 'out of time'; played, a run came to a goal in time");
+  DriveRecordFile late = scripted(to_goal(Action::reset()), 1'000'000);
+  ASSERT_EQ(late.record.outcome, DriveOutcome::out_of_time);
+  EXPECT_EQ(replay(late), "");
+  late.record.outcome = DriveOutcome::finished;
+  EXPECT_EQ(replay(late), "the record ends 'finished'; played, no run came to a goal in time");
+}
+
 TEST(DriveRecordFile, HasASummary) {
   const DriveRecordFile file = driven("flood");
   const std::string summary = summary_of(file);
   EXPECT_THAT(summary, StartsWith("run           begin s     end s    gates   centre    known    hoped\n  1  search     0.000 "));
   EXPECT_THAT(summary, HasSubstr("\nflood in ring, mm2021, all-japan: "));
   EXPECT_THAT(summary, HasSubstr(" s gate to gate in run "));
+}
+
+TEST(DriveRecordReplay, TellsOfAWayHomeThatStopsBeforeTheStart) {
+  DriveRecordFile file = driven("flood");
+  ASSERT_EQ(file.record.runs.size(), 3U);
+  DriveRun& home = file.record.runs[1];
+  file.record.runs.resize(2);
+  home.moves.pop_back();
+  home.end = home.moves.back().end;
+  EXPECT_EQ(replay(file), "run 2 (home): it does not end at rest at the start");
+}
+
+TEST(DriveRecordReplay, TellsOfAMoveAfterTheTime) {
+  DriveRecordFile file = driven("flood");
+  file.rules.time_limit = file.record.runs[0].moves[1].begin;
+  EXPECT_THAT(replay(file), StartsWith("run 1 (search): move 2: it begins after the time of 0.300000 s"));
 }
 
 }  // namespace

@@ -42,7 +42,8 @@ inline DriveRecordFile driven(const std::string& mouse, const Maze& maze = ring(
       const auto strategy = entry->make(brief(maze, file.rules, *file.model, 1), Settings(entry->parameters));
       file.record = drive(maze, file.rules, *file.model, *strategy);
     }
-  file.recorded_score = score(file.record, file.rules).value();
+  const DriveScore result = score(file.record, file.rules);
+  if (result.best) file.recorded_score = result.runs[*result.best];
   return file;
 }
 

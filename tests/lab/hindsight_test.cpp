@@ -8,6 +8,7 @@
 #include "labmouse/chance/dice.hpp"
 #include "labmouse/contest/script.hpp"
 #include "labmouse/contest/simulator.hpp"
+#include "labmouse/lab/holding.hpp"
 #include "labmouse/lab/standings.hpp"
 #include "labmouse/maze/generators/generator.hpp"
 #include "tests/lab/race_fixture.hpp"

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "labmouse/contest/script.hpp"
+#include "labmouse/lab/holding.hpp"
 #include "labmouse/lab/report.hpp"
 #include "tests/lab/record_fixture.hpp"
 

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "labmouse/lab/files.hpp"
+#include "labmouse/lab/holding.hpp"
 #include "labmouse/lab/maze_link.hpp"
 #include "labmouse/lab/mms_folder.hpp"
 #include "labmouse/lab/mms_record.hpp"

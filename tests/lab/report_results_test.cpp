@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "labmouse/lab/holding.hpp"
 #include "labmouse/lab/race_json.hpp"
 #include "labmouse/lab/report.hpp"
 #include "tests/lab/mms_fixture.hpp"

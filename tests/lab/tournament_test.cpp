@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "labmouse/lab/holding.hpp"
 #include "labmouse/lab/standings.hpp"
 #include "tests/lab/race_fixture.hpp"
 

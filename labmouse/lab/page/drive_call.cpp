@@ -45,7 +45,7 @@ PageReply answer_drive(const nlohmann::json& json, std::string_view) {
   file.maze_name = maze.name;
   file.maze = maze.maze;
   file.mouse = mouse.name;
-  file.settings = mouse.settings;
+  file.settings = settings_in_seconds(mouse);
   file.seed = seed;
   file.model = std::make_shared<DriveModel>(std::move(*model));
   file.rules = std::move(*rules);
