@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "labmouse/lab/robot_keys.hpp"
 #include "labmouse/lab/toml_text.hpp"
@@ -10,6 +11,11 @@
 
 namespace labmouse {
 namespace {
+
+/// A number as it stands in the file.
+std::string written(const toml::node& number) {
+  return number.is_integer() ? fmt::format("{}", number.as_integer()->get()) : fmt::format("{}", number.as_floating_point()->get());
+}
 
 /// The section and the rest of a key: "straight" and "speed"; no section for "cell".
 std::pair<std::string_view, std::string_view> split(std::string_view key) {
@@ -53,9 +59,10 @@ class RobotReader {
     if (found == nullptr) return key.needed && forms_.has(key) ? missing(key) : void();
     if (!forms_.has(key)) return add(found->source().begin, fmt::format("'{}' {}", key.name, why_not(key, forms_)));
     if (!found->is_number()) return add(found->source().begin, fmt::format("'{}' must be a number of {}", key.name, key.unit));
-    const double value = *found->value<double>();
+    // A whole number that a double cannot hold is far out of any range.
+    const double value = found->value<double>().value_or(std::numeric_limits<double>::infinity());
     if (!(value >= key.low && value <= key.high) || (key.whole && !found->is_integer()))
-      add(found->source().begin, fmt::format("'{}' is {}; it must be {}", key.name, value, range_of(key)));
+      add(found->source().begin, fmt::format("'{}' is {}; it must be {}{}", key.name, written(*found), range_of(key), hint_of(key, value)));
   }
 
   void missing(const RobotKey& key) {

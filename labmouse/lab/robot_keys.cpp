@@ -32,7 +32,7 @@ constexpr std::array keys = {
     RobotKey{"turns.V90", "ms", 1.0, 10'000.0, With::turns},
     RobotKey{"turns.S90", "ms", 1.0, 10'000.0, With::turns},
     RobotKey{"search.speed", "mm/s", 10.0, 20'000.0, With::search_speed},
-    RobotKey{"search.pivot_speed", "rad/s", 0.1, 1000.0, With::search_speed},
+    RobotKey{"search.pivot_speed", "rad/s", 0.1, 100.0, With::search_speed},
     RobotKey{"search.pivot_acceleration", "rad/s²", 1.0, 100'000.0, With::search_speed},
     RobotKey{"search.cell", "ms", 1.0, 60'000.0, With::search_times},
     RobotKey{"search.turn", "ms", 1.0, 60'000.0, With::search_times},
@@ -47,6 +47,13 @@ std::span<const RobotKey> robot_keys() { return keys; }
 
 std::string range_of(const RobotKey& key) {
   return fmt::format("{}{:g} to {:g} {}", key.whole ? "a whole number, " : "", key.low, key.high, key.unit);
+}
+
+std::string hint_of(const RobotKey& key, double value) {
+  const std::string_view unit = key.unit;
+  const bool thousandths = unit.starts_with("mm") || unit == "ms";
+  if (!thousandths || !(value * 1e3 >= key.low && value * 1e3 <= key.high)) return "";
+  return fmt::format("; if that is in {}, write {:g}", unit.substr(1), value * 1e3);
 }
 
 bool RobotForms::has(const RobotKey& key) const {

@@ -26,6 +26,9 @@ std::span<const RobotKey> robot_keys();
 /// "100 to 20000 mm/s"
 std::string range_of(const RobotKey& key);
 
+/// What is said behind that of a value that is in range once it is taken for one in metres or seconds; empty otherwise.
+std::string hint_of(const RobotKey& key, double value);
+
 /// Which of the two ways a file goes, twice.
 struct RobotForms {
   bool turns = false;

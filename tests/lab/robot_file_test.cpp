@@ -145,13 +145,17 @@ TEST(RobotFile, SaysWhatItDoesNotKnow) {
 
 TEST(RobotFile, SaysWhatANumberMayBe) {
   EXPECT_EQ(complaint(changed(by_limits, "speed = 3000", "speed = 3")),
-            "my.toml:6:9: error: 'straight.speed' is 3; it must be 100 to 20000 mm/s\n");
+            "my.toml:6:9: error: 'straight.speed' is 3; it must be 100 to 20000 mm/s; if that is in m/s, write 3000\n");
   EXPECT_EQ(complaint(changed(by_limits, "speed = 3000", "speed = \"fast\"")),
             "my.toml:6:9: error: 'straight.speed' must be a number of mm/s\n");
   EXPECT_EQ(complaint(changed(by_limits, "sight = 3", "sight = 2.5")),
             "my.toml:4:9: error: 'sight' is 2.5; it must be a whole number, 1 to 32 cells\n");
   EXPECT_EQ(complaint(changed(by_limits, "clearance = 45", "clearance = nan")),
             "my.toml:2:13: error: 'clearance' is nan; it must be 0 to 500 mm\n");
+  EXPECT_EQ(complaint(changed(by_limits, "clearance = 45", "clearance = 9007199254740993")),
+            "my.toml:2:13: error: 'clearance' is 9007199254740993; it must be 0 to 500 mm\n");
+  EXPECT_EQ(complaint(changed(by_limits, "clearance = 45", "clearance = -9223372036854775808")),
+            "my.toml:2:13: error: 'clearance' is -9223372036854775808; it must be 0 to 500 mm\n");
   EXPECT_EQ(complaint(changed(by_limits, "run_up = 50.5", "run_up = -1")),
             "my.toml:3:10: error: 'run_up' is -1; it must be 0 to 500 mm\n");
   EXPECT_EQ(complaint("straight = 3\n" +
@@ -193,7 +197,7 @@ TEST(RobotFile, PassesOnWhatItsModelRefuses) {
   EXPECT_EQ(
       complaint(changed(by_limits, "yaw_acceleration = 300", "yaw_acceleration = 30")),
       "my.toml:0:0: error: its turn S90 fits into cells of 180 mm only up to 330 mm/s: a cell of 180 mm must not take "
-      "more than 500 ms, so at least 360 mm/s are needed; a larger lateral or yaw acceleration makes it faster\n");
+      "more than 500 ms, the longest that times here are made for, so at least 360 mm/s are needed; a larger lateral or yaw acceleration makes it faster\n");
 }
 
 TEST(RobotFile, ReadsEveryNumberThatItsKeysAllow) {

@@ -80,8 +80,8 @@ TEST(FixedRobot, IsRefusedWhereTimesWouldLeaveTheirRange) {
   };
   EXPECT_EQ(
       error([](Robot& robot) { robot.fixed->speed = 179.5; }),
-      "its speed at nodes, 179.5 mm/s, is too low: a cell of 90 mm must not take more than 500 ms, so at least 180 "
-      "mm/s are needed");
+      "its speed at nodes, 179.5 mm/s, is too low: a cell of 90 mm must not take more than 500 ms, the longest "
+      "that times here are made for, so at least 180 mm/s are needed");
   EXPECT_EQ(error([](Robot& robot) { robot.fixed->speed = 180.0; }), "");
   EXPECT_EQ(error([](Robot& robot) { robot.fixed->v90 = 999; }),
             "its turn V90 takes 0.999 ms: a turn takes at least 1 ms");

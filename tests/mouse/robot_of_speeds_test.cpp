@@ -146,8 +146,8 @@ TEST(RobotOfSpeeds, IsRefusedInItsOwnUnits) {
   EXPECT_EQ(error([](Robot& robot) { robot.clearance = 63.63; }), "");
   EXPECT_EQ(
       error([](Robot& robot) { robot.yaw_acceleration = 20.0; }),
-      "its turn S90 fits into cells of 180 mm only up to 265 mm/s: a cell of 180 mm must not take more than 500 ms, "
-      "so at least 360 mm/s are needed; a larger lateral or yaw acceleration makes it faster");
+      "its turn S90 fits into cells of 180 mm only up to 265 mm/s: a cell of 180 mm must not take more than 500 ms, the longest "
+      "that times here are made for, so at least 360 mm/s are needed; a larger lateral or yaw acceleration makes it faster");
   EXPECT_EQ(error([](Robot& robot) { robot.yaw_acceleration = 100.0; }), "");
   EXPECT_EQ(error([](Robot& robot) { robot.yaw_acceleration = 0.0001; }),
             "its turn 45 does not fit into cells of 180 mm: even at 5 mm/s its curve is too long; a larger yaw "
@@ -166,6 +166,8 @@ TEST(RobotOfSpeeds, IsRefusedInItsOwnUnits) {
   EXPECT_EQ(error([](Robot& robot) { robot.lateral_acceleration = 0.0; }),
             "its lateral acceleration and yaw acceleration must be greater than 0");
   EXPECT_EQ(error([](Robot& robot) { robot.run_up = -1.0; }), "its clearance and run-up must be 0 or more");
+  EXPECT_EQ(error([](Robot& robot) { robot.run_up = 90.0; }),
+            "a run-up of 90 mm begins behind the wall of the start cell, 90 mm from its middle");
 }
 
 TEST(RobotOfSpeeds, HasTheSameNumbersOnEveryPlatform) {

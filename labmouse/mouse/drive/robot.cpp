@@ -42,7 +42,7 @@ bool too_slow(double cell, double speed) { return cell * 1e6 > speed * longest_c
 /// Behind a speed that is too low.
 std::string needed_speed(double cell) {
   return "a cell of " + millimetres(cell) + " must not take more than " + milliseconds(longest_cell) +
-         ", so at least " + millimetres(std::ceil(cell * 1e6 / longest_cell)) + "/s are needed";
+         ", the longest that times here are made for, so at least " + millimetres(std::ceil(cell * 1e6 / longest_cell)) + "/s are needed";
 }
 
 DriveModel refused(std::string why) {
@@ -143,6 +143,9 @@ std::string refusal_of_curves(const Robot& robot) {
   if (!(robot.lateral_acceleration > 0.0 && robot.yaw_acceleration > 0.0))
     return "its lateral acceleration and yaw acceleration must be greater than 0";
   if (!(robot.clearance >= 0.0 && robot.run_up >= 0.0)) return "its clearance and run-up must be 0 or more";
+  if (robot.run_up >= robot.cell / 2.0)
+    return "a run-up of " + millimetres(robot.run_up) + " begins behind the wall of the start cell, " +
+           millimetres(robot.cell / 2.0) + " from its middle";
   // Half a diagonal from wall to wall leads between two posts half a cell away.
   if (const double room = robot.cell / std::sqrt(8.0); robot.clearance > room)
     return "a clearance of " + millimetres(robot.clearance) + " is more than diagonals leave in cells of " +
