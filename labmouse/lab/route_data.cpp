@@ -29,11 +29,12 @@ Json report_json(const RouteReport& report, const NamedMaze& maze, const DriveMo
     json["error"] = report.error;
     return json;
   }
-  const auto gain = report.gain();
   json["time_us"] = report.route.time;
   json["gate_to_gate_us"] = report.gate_to_gate;
   json["without_diagonals_us"] = time_json(report.without_diagonals);
-  json["diagonal_gain"] = gain ? Json(*gain) : Json(nullptr);
+  json["diagonal_gain"] = or_null(report.gain_over(report.without_diagonals));
+  json["small_turns_us"] = time_json(report.small_turns);
+  json["gain_over_small_turns"] = or_null(report.gain_over(report.small_turns));
   json["cells"] = report.cells;
   json["fewest_cells"] = report.fewest_cells;
   json["fewest_cells_us"] = report.fewest_cells_time ? Json(*report.fewest_cells_time) : Json(nullptr);

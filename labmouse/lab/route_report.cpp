@@ -19,11 +19,16 @@ DriveRoute fastest_route(const Maze& maze, const WallSet& passages, const DriveT
   return route;
 }
 
-DriveTables small_turns_only(const DriveTables& all) {
+/// The robot with some of its turns alone.
+template <class Keep>
+DriveTables with_turns(const DriveTables& all, Keep keep) {
   DriveTables tables = all;
-  std::erase_if(tables.turns, [](const DrivenTurn& turn) { return turn.turn != Turn::s90; });
+  std::erase_if(tables.turns, [&](const DrivenTurn& turn) { return !keep(turn.turn); });
   return tables;
 }
+
+bool keeps_to_the_axes(Turn turn) { return !begins_diagonal(turn) && !ends_diagonal(turn); }
+bool is_small(Turn turn) { return turn == Turn::s90; }
 
 MazeTime gate_to_gate_of(const DriveRoute& route, const Maze& maze, const DriveModel& model) {
   DriveRun run;
@@ -66,9 +71,9 @@ RouteReport without_route(std::string why) {
 
 }  // namespace
 
-std::optional<double> RouteReport::gain() const {
-  if (without_diagonals >= no_time || without_diagonals == 0) return std::nullopt;
-  return 1.0 - static_cast<double>(route.time) / without_diagonals;
+std::optional<double> RouteReport::gain_over(DriveTime other) const {
+  if (other >= no_time || other == 0) return std::nullopt;
+  return 1.0 - static_cast<double>(route.time) / other;
 }
 
 RouteReport route_report(const Maze& maze, const DriveModel& model) {
@@ -83,7 +88,8 @@ RouteReport route_report(const Maze& maze, const DriveModel& model) {
                                      name_of(maze.start_heading()), maze.start().x, maze.start().y));
   report.cells = walls_of(report.route, model.tables).count();
   report.gate_to_gate = static_cast<DriveTime>(gate_to_gate_of(report.route, maze, model));
-  report.without_diagonals = fastest_route(maze, maze.open_walls(), small_turns_only(model.tables)).time;
+  report.without_diagonals = fastest_route(maze, maze.open_walls(), with_turns(model.tables, keeps_to_the_axes)).time;
+  report.small_turns = fastest_route(maze, maze.open_walls(), with_turns(model.tables, is_small)).time;
   add_fewest_cells(report, maze, model.tables);
   return report;
 }

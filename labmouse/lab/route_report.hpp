@@ -18,14 +18,16 @@ struct RouteReport {
   DriveRoute route;
   DriveTime gate_to_gate = 0;  ///< of the route: from leaving the start cell to entering a goal, microseconds
   int cells = 0;               ///< that the route enters
-  /// The fastest route of straights along the axes and the small turn S90 alone.
+  /// The fastest route without diagonals, of straights along the axes and the turns between them.
   DriveTime without_diagonals = no_time;
+  /// The same with the small turns of a search alone, S90.
+  DriveTime small_turns = no_time;
   int fewest_cells = 0;  ///< that any route enters
   /// The fastest route over passages that lie on routes of the fewest cells; nothing where that one enters more of them.
   std::optional<DriveTime> fewest_cells_time;
 
-  /// The share of the time without diagonals that they save; nothing where no time passes.
-  std::optional<double> gain() const;
+  /// The share of another route's time that this one saves; nothing where there is none, or no time passes.
+  std::optional<double> gain_over(DriveTime other) const;
 };
 
 /// A maze too large for the world of seconds, and one without a route in the direction of its start, give an error.
