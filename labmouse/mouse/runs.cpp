@@ -28,7 +28,7 @@ bool DriveRuns::plan(const WallSet& hoped, const WallSet& open) {
   cut -= hoped;
   const bool anew = !planned_ || !cut.empty();
   if (anew) {
-    routes_.fill(hoped, goals_);
+    routes_.fill_for(start_, hoped, goals_);
     routes_.route_from(start_, route_);
     walls_ = walls_of(route_, tables_);
     planned_ = true;
@@ -39,7 +39,7 @@ bool DriveRuns::plan(const WallSet& hoped, const WallSet& open) {
 }
 
 DriveTime DriveRuns::known_time(const Knowledge& knowledge) {
-  routes_.fill(knowledge.open(), goals_);
+  routes_.fill_for(start_, knowledge.open(), goals_);
   return routes_.time_from(start_);
 }
 

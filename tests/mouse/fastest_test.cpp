@@ -7,6 +7,7 @@
 #include <map>
 
 #include "labmouse/lab/plain_fastest.hpp"
+#include "labmouse/lab/robot_files.hpp"
 #include "tests/capstone_mazes.hpp"
 #include "tests/mouse/drive_robots.hpp"
 #include "tests/slowness.hpp"
@@ -130,9 +131,21 @@ TEST_P(AnyRobot, IsPlannedForExactlyInRealMazes) {
     }
 }
 
+Robot mm2021() { return find_robot("mm2021").robot; }
+Robot classic() { return find_robot("classic").robot; }
+Robot half() { return find_robot("half").robot; }
+
+/// Backwards it is another robot.
+Robot weak_brakes() {
+  Robot robot = fan_robot();
+  robot.braking = robot.acceleration / 3.0;
+  robot.braking_diagonal = robot.acceleration_diagonal / 2.0;
+  return robot;
+}
+
 INSTANTIATE_TEST_SUITE_P(Robots, AnyRobot,
-                         testing::Values(NamedRobot{"published", published_robot}, NamedRobot{"small", small_robot},
-                                         NamedRobot{"large", large_robot}, NamedRobot{"fan", fan_robot}),
+                         testing::Values(NamedRobot{"mm2021", mm2021}, NamedRobot{"half", half}, NamedRobot{"classic", classic},
+                                         NamedRobot{"fan", fan_robot}, NamedRobot{"weak_brakes", weak_brakes}),
                          PrintRobot());
 
 /// The search must not lean on how the times of a robot come about.

@@ -16,7 +16,7 @@ bool SearchClock::must_go_home(const Knowledge& knowledge, const SearchPlace& pl
   const std::int64_t look = 2 * (search_.cell + search_.back + search_.half_cell + 2 * search_.quarter);
   // It could go home the way that it came, and then the same way as fast as it searched.
   if (3 * time_ + look + search_.back + arrival < time_limit_) return false;
-  runs_.fill(knowledge.open(), goals_);
+  runs_.fill_for(start_, knowledge.open(), goals_);
   const DriveTime run = runs_.time_from(start_);
   if (run == no_time) return false;
   home_.fill(knowledge.open(), CellSet::of(start_.cell));
