@@ -69,7 +69,8 @@ std::string describe_all(const std::vector<SkippedFile>& files) {
   return text;
 }
 
-/// Names the first files that were no mazes and counts the others, which JSON lists all.
+}  // namespace
+
 void tell_skipped(const std::vector<SkippedFile>& skipped) {
   constexpr std::size_t told = 10;
   const auto end = skipped.begin() + static_cast<std::ptrdiff_t>(std::min(skipped.size(), told));
@@ -77,8 +78,6 @@ void tell_skipped(const std::vector<SkippedFile>& skipped) {
   tell(fmt::format("{}\n", describe_all({skipped.begin(), end})));
   if (skipped.size() > told) tell(fmt::format("... and {} more files skipped\n", skipped.size() - told));
 }
-
-}  // namespace
 
 void add_places(CLI::App& command, Places& places) {
   command.add_option("--start", places.start, "Start cell, X,Y or X,Y,HEADING, in place of the file's")->type_name("X,Y[,HEADING]");

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "labmouse/contest/drive_rules.hpp"
 #include "labmouse/contest/rules.hpp"
 #include "labmouse/lab/maze_files.hpp"
 #include "labmouse/lab/robot_files.hpp"
@@ -30,11 +31,15 @@ void add_places(CLI::App& command, Places& places);
 /// The mazes of the paths (the built-in ones where there is none), with the places applied. What was skipped is told on
 /// standard error; a path named directly that is no maze throws UsageError.
 MazeCollection find_mazes(const std::vector<std::string>& paths, const Places& places);
+/// Names the first files that are no mazes and counts the others, which JSON lists all.
+void tell_skipped(const std::vector<SkippedFile>& skipped);
 /// The one maze of a path.
 NamedMaze find_maze(const std::string& path, const Places& places);
 
 /// A built-in robot or that of a file; throws UsageError with all that is wrong with it.
 FoundRobot find_robot_or_refuse(const std::string& name);
+/// Built-in rules or those of a file; throws UsageError with all that is wrong with them.
+DriveRules find_rules_or_refuse(const std::string& name);
 /// --robot, which has its default.
 void add_robot_option(CLI::App& command, std::string& robot);
 
@@ -72,6 +77,7 @@ void add_make(CLI::App& app, int& exit);
 void add_convert(CLI::App& app, int& exit);
 void add_mice(CLI::App& app, int& exit);
 void add_robot(CLI::App& app, int& exit);
+void add_rules(CLI::App& app, int& exit);
 void add_bound(CLI::App& app, int& exit);
 void add_route(CLI::App& app, int& exit);
 void add_replay(CLI::App& app, int& exit);

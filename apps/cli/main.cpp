@@ -87,6 +87,7 @@ int main(int argc, char** argv) {
   add_convert(app, exit);
   add_mice(app, exit);
   add_robot(app, exit);
+  add_rules(app, exit);
   add_bound(app, exit);
   add_route(app, exit);
   add_replay(app, exit);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "labmouse/lab/drive_folder.hpp"
@@ -21,27 +22,30 @@ std::vector<Contestant> find_drivers(const SecondsRace& options) {
   return mice;
 }
 
-/// The mazes that are not too large; the others become skipped files.
+/// The mazes that are not too large; of folders the others are skipped, as files are that hold no maze.
 MazeCollection find_small_mazes(const SecondsRace& options) {
-  MazeCollection mazes = find_mazes(options.contests.mazes, options.contests.places);
+  const std::vector<std::string>& paths = options.contests.mazes;
+  MazeCollection mazes = find_mazes(paths, options.contests.places);
+  std::vector<SkippedFile> large;
   std::erase_if(mazes.mazes, [&](const NamedMaze& maze) {
     const Size size = maze.maze.size();
     if (size.width <= max_drive_side && size.height <= max_drive_side) return false;
     const std::string reason = fmt::format("is {}x{}; the world of seconds takes mazes up to {}x{}", size.width, size.height,
                                            max_drive_side, max_drive_side);
-    mazes.skipped.push_back({maze.name, {{0, 0, reason}}});
+    if (std::find(paths.begin(), paths.end(), maze.name) != paths.end())
+      throw UsageError(fmt::format("{}: error: {}", maze.name, reason));
+    large.push_back({maze.name, {{no_place, no_place, reason}}});
     return true;
   });
-  if (!mazes.mazes.empty()) return mazes;
-  const SkippedFile& first = mazes.skipped.back();
-  throw UsageError(fmt::format("{}: error: {}", first.path, first.problems.front().reason));
+  tell_skipped(large);
+  mazes.skipped.insert(mazes.skipped.end(), large.begin(), large.end());
+  if (mazes.mazes.empty()) throw UsageError("error: no maze to race on: all are too large for the world of seconds");
+  return mazes;
 }
 
 DriveRaceOrder order_of(const SecondsRace& options) {
-  FoundRules rules = find_rules(options.rules);
-  if (!rules.errors.empty()) throw UsageError(fmt::format("{}", fmt::join(rules.errors, "\n")));
   DriveRaceOrder order;
-  order.rules = std::move(rules.rules);
+  order.rules = find_rules_or_refuse(options.rules);
   order.model = std::make_shared<DriveModel>(find_robot_or_refuse(options.robot).model);
   order.runs = options.contests.order.runs;
   order.seed = options.contests.order.seed;

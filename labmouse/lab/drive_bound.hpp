@@ -10,12 +10,13 @@
 
 namespace labmouse {
 
-/// In microseconds; nothing where no route leads from the start in its direction to a goal.
+/// In microseconds.
 struct DriveBound {
-  /// The fastest route, from rest to the centre.
+  /// The fastest route, from rest to the centre; nothing where none leads from the start in its direction to a goal.
   std::optional<DriveTime> fastest;
-  /// The best score by the rules, where a mouse drives fast only over walls that it has seen: that of the shortest search to
-  /// a goal itself, or that of the fastest route after the shortest search to a goal and home.
+  /// The score by the rules, in their time, of a mouse that knows the maze but drives fast only over walls that it has seen:
+  /// of the shortest search to a goal itself, or of the fastest route after the shortest search to a goal and home. By the
+  /// clock from gate to gate another route may be faster by some milliseconds. Nothing where no run can count.
   std::optional<MazeTime> score;
 };
 
@@ -25,7 +26,7 @@ DriveBound drive_bound_of(const Maze& maze, const DriveRules& rules, const Drive
 /// The least time of a search from the start to a goal and on, to rest at the start again; nothing where there is no way.
 std::optional<MazeTime> shortest_search_home(const Maze& maze, const SearchDrive& search);
 
-/// The least time of a search to a goal by the clock of the rules; nothing where there is no way.
+/// The least time of a search to a goal by the clock of the rules; nothing where there is no way, or it takes too long.
 std::optional<MazeTime> shortest_search(const Maze& maze, const DriveRules& rules, const SearchDrive& search);
 
 }  // namespace labmouse

@@ -17,8 +17,8 @@ Json maze_json(const NamedMaze& maze, const DriveBound& bound) {
   return {{"name", maze.name},
           {"width", maze.maze.size().width},
           {"height", maze.maze.size().height},
-          {"fastest", or_null(bound.fastest)},
-          {"bound", or_null(bound.score)}};
+          {"fastest_us", or_null(bound.fastest)},
+          {"bound_us", or_null(bound.score)}};
 }
 
 std::string outcome_text(const DriveResult& result) {
@@ -31,8 +31,8 @@ Json result_json(const DriveRace& race, const DriveResult& result) {
           {"seed", result.seed},
           {"outcome", outcome_text(result)},
           {"score", score_json(result.score)},
-          {"search", result.search},
-          {"best", or_null(result.best)},
+          {"search_us", result.search},
+          {"best_us", or_null(result.best)},
           {"excess", or_null(excess_of(race, result))},
           {"proven", result.proven},
           {"starts", result.starts},
@@ -46,7 +46,7 @@ Json mouse_json(const DriveRace& race, const DriveStanding& standing) {
   for (const DriveResult& result : race.results)
     if (result.mouse == standing.mouse && result.done) results.push_back(result_json(race, result));
   return {{"name", mouse.name},
-          {"parameters", settings_json(mouse.settings)},
+          {"parameters", settings_json(settings_in_seconds(mouse))},
           {"scored", standing.scored},
           {"runs", standing.runs},
           {"mean_score", or_null(standing.mean_score)},

@@ -20,8 +20,10 @@ struct Sums {
     const MazeTime value = *result.score.value();
     scores.push_back(seconds(value));
     by_maze[result.maze].push_back(seconds(value));
-    if (const MazeTime bound = *race.bounds[result.maze].score; bound > 0)
-      ratios.push_back(static_cast<double>(value) / static_cast<double>(bound));
+    // A bonus would leave little or nothing to compare; all have it.
+    const MazeTime bonus = race.order.rules.untouched_bonus;
+    if (const MazeTime bound = *race.bounds[result.maze].score + bonus; bound > 0)
+      ratios.push_back(static_cast<double>(value + bonus) / static_cast<double>(bound));
     searches.push_back(seconds(result.search));
     bests.push_back(seconds(*result.best));
     if (const auto excess = excess_of(race, result)) excesses.push_back(*excess);
@@ -44,7 +46,8 @@ DriveStanding standing_of(const DriveRace& race, std::size_t mouse) {
     if (!result.score.value() || !result.best) continue;
     ++standing.scored;
     sums.add(race, result);
-    if (*result.best <= *race.bounds[result.maze].fastest) ++standing.optimal;
+    const auto& fastest = race.bounds[result.maze].fastest;
+    if (fastest && *result.best <= *fastest) ++standing.optimal;
     if (result.proven) ++standing.proven;
   }
   std::vector<double> means;
@@ -64,7 +67,7 @@ DriveStanding standing_of(const DriveRace& race, std::size_t mouse) {
 }  // namespace
 
 bool counts(const DriveRace& race, const DriveResult& result) {
-  return result.done && race.bounds[result.maze].fastest.has_value();
+  return result.done && race.bounds[result.maze].score.has_value();
 }
 
 std::optional<double> excess_of(const DriveRace& race, const DriveResult& result) {
@@ -79,7 +82,8 @@ std::vector<DriveStanding> drive_standings_of(const DriveRace& race) {
   // The mice stand in the order of their names, so a stable sort breaks ties by name.
   std::stable_sort(standings.begin(), standings.end(), [](const DriveStanding& a, const DriveStanding& b) {
     if (a.scored != b.scored) return a.scored > b.scored;
-    return a.mean_score < b.mean_score;
+    if (a.mean_score != b.mean_score) return a.mean_score < b.mean_score;
+    return a.mean_search < b.mean_search;
   });
   return standings;
 }

@@ -18,7 +18,7 @@ struct DriveStanding {
   /// Over the scored contests, in seconds; nothing where there is none.
   std::optional<double> mean_score;
   Interval interval;                    ///< of the mean score over mazes
-  std::optional<double> mean_ratio;     ///< score over the bound
+  std::optional<double> mean_ratio;     ///< score over the bound, both before a bonus
   std::optional<double> mean_search;
   std::optional<double> mean_best;      ///< run, from rest to the centre
   std::optional<double> mean_excess;    ///< of the best run over the fastest possible one, as a share of that
@@ -29,10 +29,11 @@ struct DriveStanding {
   int replanned = 0;
 };
 
-/// The standings: whoever scores in more contests first, then the best mean score, then by name.
+/// The standings: whoever scores in more contests first, then the best mean score, then the shortest search, then by
+/// name.
 std::vector<DriveStanding> drive_standings_of(const DriveRace& race);
 
-/// Whether a contest enters the means: it is done, and its maze has a route.
+/// Whether a contest enters the means: it is done, and some mouse could score in its maze.
 bool counts(const DriveRace& race, const DriveResult& result);
 
 /// How much longer the best run took than the fastest possible one, as a share; nothing without a run or where that takes no

@@ -36,12 +36,16 @@ std::string laid_out(const Line& line, std::size_t width) {
                      line[3], line[4], line[5], line[6], line[7], line[8], line[9], line[10]);
 }
 
+std::string interval_text(const Interval& interval) {
+  return fmt::format("{:.2f}{}{:.2f}", interval.low, interval.low < 0 || interval.high < 0 ? " to " : "-", interval.high);
+}
+
 Line line_of(const DriveStanding& standing, const std::string& name) {
   const bool spread = standing.mean_score && standing.mazes > 1;  // one maze says nothing of others
   return {name,
           fmt::format("{}/{}", standing.scored, standing.runs),
           number(standing.mean_score, 3),
-          spread ? fmt::format("{:.2f}-{:.2f}", standing.interval.low, standing.interval.high) : "-",
+          spread ? interval_text(standing.interval) : "-",
           number(standing.mean_ratio, 3),
           number(standing.mean_search, 1),
           number(standing.mean_best, 3),
@@ -63,15 +67,28 @@ std::string failures_of(const DriveRace& race, std::size_t mouse) {
   return text;
 }
 
+/// "1/30 of "
+std::string share_of(int divisor) { return divisor == 1 ? "" : fmt::format("1/{} of ", divisor); }
+
+/// The mean of the bounds, in seconds.
+std::optional<double> mean_bound(const DriveRace& race) {
+  std::vector<double> bounds;
+  for (const DriveBound& bound : race.bounds)
+    if (bound.score) bounds.push_back(seconds(*bound.score));
+  return bounds.empty() ? std::nullopt : std::optional(mean(bounds));
+}
+
 std::string notes_of(const DriveRace& race, const std::vector<std::string>& names) {
   const DriveModel& model = *race.order.model;
   std::string notes = fmt::format(
-      "Rules {}: {}. Lower is better.\nRobot {}, cells of {:g} mm. Search ends where the first fast run begins; best runs from "
-      "rest to the centre.\nBound: the score of a mouse that knows the maze, but drives fast only where it has been.\n",
-      shown(race.order.rules.name), formula_of(race.order.rules), shown(model.robot.name), model.tables.cell);
-  const auto none = std::count_if(race.bounds.begin(), race.bounds.end(), [](const DriveBound& b) { return !b.fastest; });
+      "Rules {}: {}. Lower is better; most contests scored first.\nRobot {}, cells of {:g} mm. Search ends where the first fast "
+      "run begins; best runs from rest to the centre.\nBound, {} s on average: the fastest route, driven by a mouse that knows "
+      "the maze but has to search a way there first.\n",
+      shown(race.order.rules.name), formula_of(race.order.rules), shown(model.robot.name), model.tables.cell,
+      number(mean_bound(race), 3));
+  const auto none = std::count_if(race.bounds.begin(), race.bounds.end(), [](const DriveBound& b) { return !b.score; });
   if (none > 0)
-    notes += fmt::format("{} without a route that leads on from the start: not counted.\n", counted(static_cast<int>(none), "maze", "mazes"));
+    notes += fmt::format("{} in which no mouse could score: not counted.\n", counted(static_cast<int>(none), "maze", "mazes"));
   for (std::size_t mouse = 0; mouse < race.mice.size(); ++mouse)
     if (const std::string failures = failures_of(race, mouse); !failures.empty())
       notes += fmt::format("{} without a score: {}.\n", names[mouse], failures);
@@ -87,8 +104,9 @@ std::string notes_of(const DriveRace& race, const std::vector<std::string>& name
 std::string formula_of(const DriveRules& rules) {
   std::string text = fmt::format("the best of at most {} in {:g} s, {}", counted(rules.most_runs, "run", "runs"),
                                  seconds(rules.time_limit), rules.gate_to_gate ? "gate to gate" : "rest to centre");
-  if (rules.maze_time_divisor > 0) text += fmt::format(", plus a {}th of the time in the maze before it", rules.maze_time_divisor);
+  if (rules.maze_time_divisor > 0) text += fmt::format(", plus {}the time in the maze before it", share_of(rules.maze_time_divisor));
   if (rules.untouched_bonus > 0) text += fmt::format(", less {:g} s untouched", seconds(rules.untouched_bonus));
+  if (rules.touch_penalty > 0) text += fmt::format(", {:g} s for a touch, which never happens here", seconds(rules.touch_penalty));
   return text;
 }
 

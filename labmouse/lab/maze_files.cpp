@@ -16,9 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Line of a problem that is not in a file's content: there is no such file, say.
-constexpr int no_place = -1;
-
 /// Reads one file into the collection, or notes in `failures` what is wrong with it.
 void add_file(const std::string& path, MazeCollection& collection, std::vector<SkippedFile>& failures) {
   const FileContent file = read_file(path);

@@ -16,6 +16,9 @@ struct NamedMaze {
   Maze maze;
 };
 
+/// Line and column of a problem that is not in a file's content: there is no such file, say.
+inline constexpr int no_place = -1;
+
 /// A file that is no maze, and why.
 struct SkippedFile {
   std::string path;

@@ -21,7 +21,7 @@ class ADriver : public AUser {
 TEST_F(ADriver, FindsTheFastestRoute) {
   const Ended ended = labmouse({"route", "corner.txt", "--robot", "mm2021", "--svg", "route.svg"});
   EXPECT_EQ(ended.code, 0) << ended.err;
-  EXPECT_THAT(ended.out, HasSubstr("\nR90\n\n0.375 s from rest to the centre of the goal, "));
+  EXPECT_THAT(ended.out, HasSubstr("\nR90\n\n0.375 s from 420 mm/s in the centre of the start to the centre of the goal, "));
   EXPECT_THAT(content("route.svg"), HasSubstr("<title>corner: mm2021, 0.375 s</title>"));
   const auto json = nlohmann::json::parse(labmouse({"route", "corner.txt", "--robot", "mm2021", "--format", "json"}).out);
   EXPECT_EQ(json["mazes"][0]["time_us"], 375'000);
@@ -58,7 +58,31 @@ TEST_F(ADriver, IsToldWhichOptionsMakeNoSense) {
   is_refused({"race", "--world", "seconds", "--shares"}, "--shares is not for the world of seconds");
   is_refused({"race", "--world", "seconds", "--mice", "manhattan"}, "mouse 'manhattan' does not drive in seconds; those that do are ");
   is_refused({"race", "--world", "seconds", "--rules", "all-japam"}, "did you mean 'all-japan'?");
+  is_refused({"race", "--world", "seconds", "--mice", "flood,ariadne:base=50"},
+             "parameter 'base' of mouse 'ariadne' has no meaning in seconds; it has 'prior' there");
+  is_refused({"race", "--world", "seconds", "--mice", "flood:stride=1"}, "has no meaning in seconds; it has none there");
+  EXPECT_EQ(race_in_seconds({"--mice", "ariadne:prior=uniform"}).code, 0);
   is_refused({"race", "--world", "minutes"}, "--world");
+}
+
+TEST_F(ADriver, IsToldOfMazesThatAreTooLarge) {
+  EXPECT_EQ(labmouse({"make", "wilson", "--size", "33x33", "-o", "mazes/large.txt"}).code, 0);
+  file("mazes/corner.txt", content("corner.txt"));
+  is_refused({"race", "--world", "seconds", "--mazes", "corner.txt", "mazes/large.txt"}, "large.txt: error: is 33x33; the world of seconds");
+  const Ended ended = labmouse({"race", "--world", "seconds", "--mice", "flood", "--mazes", "mazes"});
+  EXPECT_EQ(ended.code, 0);
+  EXPECT_THAT(ended.out, HasSubstr("1 mouse, 1 maze, seed 1"));
+  EXPECT_THAT(ended.err, HasSubstr("mazes/large.txt: error: is 33x33; the world of seconds takes mazes up to 32x32\n"));
+}
+
+TEST_F(ADriver, SeesTheRulesThatThereAre) {
+  EXPECT_THAT(labmouse({"rules", "list"}).out, HasSubstr("\nthirtieth  the best of at most 100 runs in 600 s, gate to gate, plus 1/30 of the time in the maze"));
+  const Ended shown = labmouse({"rules", "show", "uk"});
+  EXPECT_THAT(shown.out, HasSubstr("\nmaze_time_divisor = 30\n"));
+  file("mine.toml", shown.out);
+  EXPECT_EQ(labmouse({"rules", "show", "./mine.toml"}).code, 0);
+  EXPECT_EQ(race_in_seconds({"--rules", "mine.toml"}).code, 0);
+  is_refused({"rules", "show", "all-japam"}, "did you mean 'all-japan'?");
 }
 
 TEST_F(ADriver, SavesRecordsAndPlaysThemAgain) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "labmouse/contest/drive_gates.hpp"
+#include "labmouse/mouse/drive/fastest.hpp"
 #include "tests/lab/drive_record_fixture.hpp"
 #include "tests/strategies/random_mazes.hpp"
 
@@ -25,6 +27,15 @@ TEST(DriveBound, KnowsTheShortestSearch) {
   // Half a cell before the gate, then a cell, a corner, a cell, a corner; and half a cell passed behind it.
   EXPECT_EQ(shortest_search(test::ring(), rules_of(30, true), mm2021().search), 300'000 + 237'000 + 300'000 + 237'000);
   EXPECT_EQ(shortest_search(test::ring(), rules_of(30, false), mm2021().search), 300'000 + 1'074'000 + 150'000);
+}
+
+TEST(DriveBound, TakesTheSoonerMiddleOfTheGoal) {
+  // Through it, or to rest in it: that can be the sooner one.
+  SearchDrive search = mm2021().search;
+  search.half_cell = 100'000;
+  EXPECT_EQ(shortest_search(test::ring(), rules_of(30, false), search), 100'000 + 1'074'000 + 100'000);
+  search.half_cell = 200'000;
+  EXPECT_EQ(shortest_search(test::ring(), rules_of(30, false), search), 200'000 + 1'074'000 + 150'000);
 }
 
 TEST(DriveBound, KnowsTheShortestSearchHome) {
@@ -52,6 +63,47 @@ TEST(DriveBound, TakesABonusOff) {
   const MazeTime before = *drive_bound_of(test::ring(), rules, mm2021()).score;
   rules.untouched_bonus = 2'000;
   EXPECT_EQ(drive_bound_of(test::ring(), rules, mm2021()).score, before - 2'000);
+}
+
+/// The fastest run in the ring behind the shortest search and way home.
+DriveRun run_in_ring() {
+  const Maze maze = test::ring();
+  FastestRoutes routes(maze.size(), mm2021().tables);
+  routes.fill(maze.open_walls(), maze.goals());
+  DriveRun run;
+  run.begin = 8'748'000;
+  routes.route_from({maze.start(), maze.start_heading()}, run.route);
+  set_gates(run, maze, mm2021());
+  return run;
+}
+
+TEST(DriveBound, OfOneRunIsThatOfTheSearch) {
+  DriveRules rules = rules_of(0, true);
+  rules.most_runs = 1;
+  const DriveBound bound = drive_bound_of(test::ring(), rules, mm2021());
+  EXPECT_EQ(bound.score, 1'074'000);
+  EXPECT_EQ(bound.fastest, run_in_ring().route.time);
+  rules.most_runs = 2;
+  EXPECT_LT(*drive_bound_of(test::ring(), rules, mm2021()).score, 1'074'000);
+}
+
+TEST(DriveBound, OfWhatTheTimeIsTooShortForIsThatOfTheSearchOrNone) {
+  const auto bound = [](bool gate_to_gate, MazeTime time_limit) {
+    DriveRules rules = rules_of(0, gate_to_gate);
+    rules.time_limit = time_limit;
+    return drive_bound_of(test::ring(), rules, mm2021());
+  };
+  const DriveRun run = run_in_ring();
+  EXPECT_EQ(bound(true, *run.gate_in).score, *run.gate_in - *run.gate_out);
+  EXPECT_EQ(bound(true, *run.gate_in - 1).score, 1'074'000);
+  EXPECT_EQ(bound(true, 1'374'000).score, 1'074'000);
+  EXPECT_FALSE(bound(true, 1'373'999).score);
+  EXPECT_EQ(bound(false, *run.centre).score, run.route.time);
+  EXPECT_EQ(bound(false, *run.centre - 1).score, 1'524'000);
+  EXPECT_EQ(bound(false, 1'524'000).score, 1'524'000);
+  EXPECT_FALSE(bound(false, 1'523'999).score);
+  // What could be driven does not depend on the rules.
+  EXPECT_EQ(bound(true, 1'373'999).fastest, run.route.time);
 }
 
 TEST(DriveBound, IsNoneWithoutARoute) {

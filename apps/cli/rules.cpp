@@ -1,0 +1,65 @@
+// labmouse rules: the rules of contests in seconds.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "command.hpp"
+#include "labmouse/lab/builtin_rules.hpp"
+#include "labmouse/lab/drive_report.hpp"
+#include "labmouse/lab/drive_rules_file.hpp"
+#include "labmouse/lab/files.hpp"
+
+namespace labmouse::cli {
+namespace {
+
+/// The file, with all that it says of what is sure and what is not.
+std::string text_of_rules(const std::string& name) {
+  for (const BuiltinRules& rules : builtin_rules())
+    if (rules.name == name) return std::string(rules.text);
+  return read_file(name).content;
+}
+
+void show(const std::string& name) {
+  const DriveRules rules = find_rules_or_refuse(name);
+  print(fmt::format("{}\n# {}: {}.\n", text_of_rules(name), name, formula_of(rules)));
+}
+
+void list() {
+  std::size_t width = 0;
+  for (const BuiltinRules& rules : builtin_rules()) width = std::max(width, rules.name.size());
+  std::string text;
+  for (const BuiltinRules& rules : builtin_rules())
+    text += fmt::format("{:<{}}  {}\n", rules.name, width, formula_of(find_rules_or_refuse(std::string(rules.name))));
+  print(text);
+}
+
+}  // namespace
+
+DriveRules find_rules_or_refuse(const std::string& name) {
+  FoundRules found = find_rules(name);
+  if (!found.errors.empty()) throw UsageError(fmt::format("{}", fmt::join(found.errors, "\n")));
+  return std::move(found.rules);
+}
+
+void add_rules(CLI::App& app, int& exit) {
+  CLI::App* command = app.add_subcommand("rules", "The rules of contests in seconds");
+  command->require_subcommand(1);
+  command->footer("Example: labmouse rules show thirtieth > mine.toml");
+
+  auto name = std::make_shared<std::string>("all-japan");
+  CLI::App* shown = command->add_subcommand("show", "The file of some rules, as a beginning of your own");
+  shown->add_option("rules", *name, "Name of built-in rules, or a file with a slash or .toml in its name")
+      ->type_name("RULES")->capture_default_str();
+  shown->callback([name, &exit] {
+    show(*name);
+    exit = exit_good;
+  });
+
+  command->add_subcommand("list", "The rules that come with the program")->callback([&exit] {
+    list();
+    exit = exit_good;
+  });
+}
+
+}  // namespace labmouse::cli
