@@ -127,9 +127,9 @@ std::size_t coloured_run(const DriveRecordFile& file) {
 
 }  // namespace
 
-std::string draw_route(const Maze& maze, const DriveRoute& route, const DriveModel& model, const std::string& title) {
-  return picture(maze, {path_of(route, 0, model), {}, title,
-                        fmt::format("A route of {} pieces that takes {:.3f} s.", route.segments.size(), route.time / 1e6)});
+std::string draw_route(const Maze& maze, const DriveRoute& driven, const DriveModel& model, const std::string& title) {
+  return picture(maze, {path_of(driven, 0, model), {}, title,
+                        fmt::format("A route of {} pieces that takes {:.3f} s.", driven.segments.size(), driven.time / 1e6)});
 }
 
 std::string draw_contest(const DriveRecordFile& file) {

@@ -10,7 +10,7 @@
 namespace labmouse {
 
 /// One self-contained SVG picture with a legend: a route in its maze.
-std::string draw_route(const Maze& maze, const DriveRoute& route, const DriveModel& model, const std::string& title);
+std::string draw_route(const Maze& maze, const DriveRoute& driven, const DriveModel& model, const std::string& title);
 
 /// The same of a contest: the run that counts (or the last fast one) in colours, over the thin line of the search.
 std::string draw_contest(const DriveRecordFile& file);

@@ -17,8 +17,8 @@ namespace labmouse {
 std::uint64_t contest_seed(std::uint64_t seed, std::string_view maze_name, int run);
 
 /// A race of these mice on these mazes, both in the order of their names, before any contest.
-template <class Race, class Mice, class Order>
-Race race_of(Mice mice, std::vector<NamedMaze> mazes, const Order& order) {
+template <class Race, class Mouse, class Order>
+Race race_of(std::vector<Mouse>&& mice, std::vector<NamedMaze>&& mazes, const Order& order) {
   Race race;
   race.order = order;
   race.mice = std::move(mice);

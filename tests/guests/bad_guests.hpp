@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <string>
 
 #include "labmouse/guests/process.hpp"
@@ -31,9 +32,10 @@ inline int tagged_processes() {
   int count = 0;
   std::error_code error;
   for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
-    std::ifstream file(entry.path() / "cmdline", std::ios::binary);
-    const std::string words{std::istreambuf_iterator<char>(file), {}};
-    if (words.find(tag()) != std::string::npos) ++count;
+    // One that ends meanwhile cannot be read any more: a stream says so in its state, an iterator throws.
+    std::ostringstream words;
+    words << std::ifstream(entry.path() / "cmdline", std::ios::binary).rdbuf();
+    if (words.str().find(tag()) != std::string::npos) ++count;
   }
   return count;
 }

@@ -7,6 +7,7 @@
 #include "labmouse/lab/tournament.hpp"
 #include "tests/capstone_mazes.hpp"
 #include "tests/guests/capstone_fixture.hpp"
+#include "tests/slowness.hpp"
 
 namespace labmouse {
 namespace {
@@ -72,9 +73,9 @@ TEST(TheRobotFlood, DoesWhatTheMouseDoesInRealMazes) {
     GTEST_SKIP() << "no maze files in " << test::folder_of_mazes() << "; set LABMOUSE_MAZES";
   if (test::python3().empty()) GTEST_SKIP() << "no python3 that runs is in PATH";
   std::vector<NamedMaze> mazes;
-  // Every third: most of the time goes into the robot.
+  // Every fourth: most of the time goes into the robot.
   const auto files = test::maze_files();
-  for (std::size_t i = 0; i < files.size(); i += 3)
+  for (std::size_t i = 0; i < files.size(); i += 4 * test::slowness)
     if (auto maze = test::maze_in_file(files[i]); maze && as_in_the_project(*maze))
       mazes.push_back({files[i].string(), std::move(*maze)});
   expect_equal_records(mazes, test::python3());

@@ -8,6 +8,7 @@
 #include "labmouse/contest/simulator.hpp"
 #include "tests/drawn_maze.hpp"
 #include "tests/guests/bad_guests.hpp"
+#include "tests/slowness.hpp"
 
 namespace labmouse {
 namespace {
@@ -168,7 +169,7 @@ TEST(GuestMind, LeavesNothingBehindAThousandGuests) {
   const int descriptors = test::open_descriptors(), children = test::children();
   const std::vector<std::string> ways = {"die", "rubbish", "daemon at the start", "many answers", "wrong greeting", "crash", "long line", "flood"};
   const auto of_every_kind = [&](int first) {
-    for (int i = first; i < 1000; i += 4) {
+    for (int i = first; i < 1000 / test::slowness; i += 4) {
       const RunRecord record = contest(ways[static_cast<std::size_t>(i) / 4 % ways.size()]);
       EXPECT_EQ(record.outcome, Outcome::forfeit);
     }

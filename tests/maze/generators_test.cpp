@@ -8,6 +8,7 @@
 #include "labmouse/maze/generators/generator.hpp"
 #include "labmouse/maze/routes.hpp"
 #include "tests/maze/problem_lines.hpp"
+#include "tests/slowness.hpp"
 
 namespace labmouse {
 namespace {
@@ -128,7 +129,7 @@ void expect_contest_mazes(Size size, int seeds, int loops) {
 TEST(Contest, KeepsTheRulesOn16) { expect_contest_mazes({16, 16}, 200, 0); }
 TEST(Contest, KeepsTheRulesOn32) { expect_contest_mazes({32, 32}, 60, 0); }
 TEST(Contest, KeepsAllRulesButTheSizeOnOtherSquares) {
-  for (int side = 12; side <= 30; side += 2) expect_contest_mazes({side, side}, 40, side % 4 == 0 ? 0 : 50);
+  for (int side = 12; side <= 30; side += 2) expect_contest_mazes({side, side}, 40 / test::slowness, side % 4 == 0 ? 0 : 50);
   expect_contest_mazes({62, 62}, 2, 0);
 }
 TEST(Contest, KeepsTheRulesWithMoreLoops) {

@@ -5,6 +5,7 @@
 #include "labmouse/maze/routes.hpp"
 #include "tests/capstone_mazes.hpp"
 #include "tests/drawn_maze.hpp"
+#include "tests/slowness.hpp"
 #include "tests/strategies/allocations.hpp"
 #include "tests/strategies/ariadne_referee.hpp"
 #include "tests/strategies/one_contest.hpp"
@@ -65,7 +66,7 @@ Settings any_settings(Dice& dice) {
 
 TEST(Ariadne, DecidesAsItsDefinitionSaysInAThousandMazes) {
   Dice dice(1000);
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < 1000 / test::slowness; ++i) {
     const Maze maze = any_maze(dice, i % 8 == 0 ? 16 : 9);
     const Rules rules = any_rules(dice);
     const RefereedRun run = refereed(maze, any_settings(dice), rules);

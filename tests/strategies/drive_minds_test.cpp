@@ -27,7 +27,7 @@ const std::vector<SomeMaze>& generated_mazes() {
   static const std::vector<SomeMaze> mazes = [] {
     std::vector<SomeMaze> made;
     Dice dice(17);
-    for (int i = 0; i < 150; ++i) made.push_back({"generated " + std::to_string(i), test::any_maze(dice, 20)});
+    for (int i = 0; i < 150 / test::slowness; ++i) made.push_back({"generated " + std::to_string(i), test::any_maze(dice, 20)});
     return made;
   }();
   return mazes;

@@ -4,6 +4,7 @@
 
 #include "labmouse/strategies/ariadne/priors.hpp"
 #include "tests/mouse/plain_priced_field.hpp"
+#include "tests/slowness.hpp"
 #include "tests/strategies/one_contest.hpp"
 #include "tests/strategies/random_mazes.hpp"
 
@@ -177,7 +178,7 @@ void expect_plain_costs_while_learning(const Maze& maze, Dice& dice) {
 
 TEST(EdgeCosts, AgreeWithThePlainDefinitionAsWallsBecomeKnown) {
   Dice dice(8);
-  for (int i = 0; i < 150; ++i) ASSERT_NO_FATAL_FAILURE(expect_plain_costs_while_learning(test::any_maze(dice, 14), dice)) << i;
+  for (int i = 0; i < 150 / test::slowness; ++i) ASSERT_NO_FATAL_FAILURE(expect_plain_costs_while_learning(test::any_maze(dice, 14), dice)) << i;
 }
 
 TEST(EdgeCosts, AgreeInTheLargestMaze) {

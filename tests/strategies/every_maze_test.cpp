@@ -5,6 +5,7 @@
 #include "labmouse/maze/routes.hpp"
 #include "labmouse/strategies/roster.hpp"
 #include "tests/capstone_mazes.hpp"
+#include "tests/slowness.hpp"
 #include "tests/strategies/mouse_name.hpp"
 
 namespace labmouse {
@@ -64,7 +65,7 @@ TEST_P(InRealMazes, DoesSoByEveryMethodThatItCanBeGiven) {
       Settings settings(GetParam()->parameters);
       settings.set(parameter.name, value);
       // Every fifth maze: the methods are many.
-      for (std::size_t i = 0; i < real_mazes().size(); i += 5) expect_good_contest(*GetParam(), settings, real_mazes()[i]);
+      for (std::size_t i = 0; i < real_mazes().size(); i += 5 * test::slowness) expect_good_contest(*GetParam(), settings, real_mazes()[i]);
     }
   }
 }

@@ -79,7 +79,8 @@ class LaneSearch final : public Search {
   }
   /// The nodes ahead of this one, up to so many units away, where a turn can begin.
   Word places_of_turns(int node, int units) const {
-    return (lattice_.any_turn(node) >> node % L::points) & static_cast<Word>(~Word{0}) >> (L::points - 1 - units);
+    const unsigned beyond = static_cast<unsigned>(L::points - 1 - units) % L::points;
+    return (lattice_.any_turn(node) >> node % L::points) & static_cast<Word>(~Word{0}) >> beyond;
   }
 
   /// Finds the bounds of a start: its times in the maze without inner walls, driven backwards.
