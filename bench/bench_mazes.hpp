@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <vector>
 
-#include "labmouse/lab/maze_files.hpp"
+#include "labmouse/lab/mazes/maze_files.hpp"
 #include "labmouse/maze/generators/generator.hpp"
 
 namespace labmouse {

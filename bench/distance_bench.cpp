@@ -4,7 +4,7 @@
 #include <chrono>
 
 #include "bench_mazes.hpp"
-#include "labmouse/lab/plain_distance.hpp"
+#include "labmouse/lab/bench/plain_distance.hpp"
 #include "labmouse/mouse/distance.hpp"
 
 namespace labmouse {

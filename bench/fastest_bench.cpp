@@ -7,8 +7,8 @@
 #include <chrono>
 
 #include "bench_mazes.hpp"
-#include "labmouse/lab/plain_fastest.hpp"
-#include "labmouse/lab/robot_files.hpp"
+#include "labmouse/lab/bench/plain_fastest.hpp"
+#include "labmouse/lab/robots/robot_files.hpp"
 #include "labmouse/mouse/drive/fastest.hpp"
 
 namespace labmouse {

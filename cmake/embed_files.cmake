@@ -1,7 +1,7 @@
-# cmake -DKIND=mazes -DTYPE=BuiltinMaze -DENDING=txt -DFOLDER=dir -DOUTPUT=file -P embed_files.cmake
+# cmake -DKIND=mazes -DWING=mazes -DTYPE=BuiltinMaze -DENDING=txt -DFOLDER=dir -DOUTPUT=file -P embed_files.cmake
 file(GLOB files ${FOLDER}/*.${ENDING})
 list(SORT files)
-set(text "#include \"labmouse/lab/builtin_${KIND}.hpp\"\n\n#include <array>\n\nnamespace labmouse {\nnamespace {\n\n")
+set(text "#include \"labmouse/lab/${WING}/builtin_${KIND}.hpp\"\n\n#include <array>\n\nnamespace labmouse {\nnamespace {\n\n")
 list(LENGTH files count)
 string(APPEND text "constexpr std::array<${TYPE}, ${count}> files = {{\n")
 foreach(file IN LISTS files)

@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "command.hpp"
-#include "labmouse/lab/signature.hpp"
-#include "labmouse/lab/speed.hpp"
-#include "labmouse/lab/version.hpp"
+#include "labmouse/lab/bench/signature.hpp"
+#include "labmouse/lab/bench/distance_speed.hpp"
+#include "labmouse/lab/system/version.hpp"
 
 namespace labmouse::cli {
 namespace {

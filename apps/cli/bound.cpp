@@ -6,9 +6,9 @@
 
 #include "command.hpp"
 #include "contests.hpp"
-#include "labmouse/lab/bounds.hpp"
-#include "labmouse/lab/hindsight.hpp"
-#include "labmouse/lab/printable.hpp"
+#include "labmouse/lab/bounds/bounds.hpp"
+#include "labmouse/lab/studies/hindsight.hpp"
+#include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse::cli {
 namespace {

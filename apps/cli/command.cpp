@@ -9,7 +9,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "labmouse/lab/files.hpp"
+#include "labmouse/lab/system/files.hpp"
 #include "labmouse/mouse/pose.hpp"
 #include "labmouse/strategies/parameter.hpp"
 

@@ -9,8 +9,8 @@
 
 #include "labmouse/contest/drive_rules.hpp"
 #include "labmouse/contest/rules.hpp"
-#include "labmouse/lab/maze_files.hpp"
-#include "labmouse/lab/robot_files.hpp"
+#include "labmouse/lab/mazes/maze_files.hpp"
+#include "labmouse/lab/robots/robot_files.hpp"
 
 namespace labmouse::cli {
 

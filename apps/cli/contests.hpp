@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "command.hpp"
-#include "labmouse/lab/tournament.hpp"
+#include "labmouse/lab/races/tournament.hpp"
 
 namespace labmouse::cli {
 

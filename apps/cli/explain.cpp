@@ -1,7 +1,7 @@
 #include "explain.hpp"
 
 #include "command.hpp"
-#include "labmouse/lab/explanation.hpp"
+#include "labmouse/lab/records/explanation.hpp"
 
 namespace labmouse::cli {
 

@@ -4,7 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-#include "labmouse/lab/record_file.hpp"
+#include "labmouse/lab/records/record_file.hpp"
 
 namespace labmouse::cli {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "labmouse/guests/mms/host.hpp"
-#include "labmouse/lab/contestants.hpp"
+#include "labmouse/lab/mice/specs.hpp"
 
 namespace labmouse::cli {
 

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "command.hpp"
-#include "labmouse/lab/printable.hpp"
+#include "labmouse/lab/text/printable.hpp"
 #include "labmouse/maze/inspect.hpp"
 
 namespace labmouse::cli {

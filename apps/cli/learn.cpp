@@ -3,7 +3,7 @@
 
 #include "command.hpp"
 #include "contests.hpp"
-#include "labmouse/lab/lesson.hpp"
+#include "labmouse/lab/studies/prior_lesson.hpp"
 
 namespace labmouse::cli {
 namespace {

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "command.hpp"
-#include "labmouse/lab/mice_json.hpp"
+#include "labmouse/lab/mice/mice_json.hpp"
 #include "labmouse/mouse/tie_order.hpp"
 #include "labmouse/strategies/roster.hpp"
 

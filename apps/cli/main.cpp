@@ -7,8 +7,8 @@
 #include <exception>
 
 #include "command.hpp"
-#include "labmouse/lab/printable.hpp"
-#include "labmouse/lab/version.hpp"
+#include "labmouse/lab/text/printable.hpp"
+#include "labmouse/lab/system/version.hpp"
 #include "labmouse/strategies/parameter.hpp"
 
 namespace {

@@ -11,10 +11,10 @@
 #include "frames.hpp"
 #include "guests.hpp"
 #include "labmouse/guests/mms/run.hpp"
-#include "labmouse/lab/mms_drawing.hpp"
-#include "labmouse/lab/mms_record.hpp"
-#include "labmouse/lab/mms_report.hpp"
-#include "labmouse/lab/printable.hpp"
+#include "labmouse/lab/pictures/mms_picture.hpp"
+#include "labmouse/lab/records/mms_record.hpp"
+#include "labmouse/lab/standings/mms_report.hpp"
+#include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse::cli {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "command.hpp"
 #include "embedded_page.hpp"
-#include "labmouse/lab/files.hpp"
-#include "labmouse/lab/report_page.hpp"
+#include "labmouse/lab/system/files.hpp"
+#include "labmouse/lab/reports/report_page.hpp"
 
 namespace labmouse::cli {
 namespace {

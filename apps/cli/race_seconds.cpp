@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <memory>
 
-#include "labmouse/lab/drive_folder.hpp"
-#include "labmouse/lab/drive_report.hpp"
-#include "labmouse/lab/drive_rules_file.hpp"
-#include "labmouse/lab/drive_standings.hpp"
-#include "labmouse/lab/files.hpp"
-#include "labmouse/lab/printable.hpp"
+#include "labmouse/lab/galleries/drive_folder.hpp"
+#include "labmouse/lab/standings/drive_report.hpp"
+#include "labmouse/lab/robots/drive_rules_file.hpp"
+#include "labmouse/lab/standings/drive_standings.hpp"
+#include "labmouse/lab/system/files.hpp"
+#include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse::cli {
 namespace {

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "command.hpp"
-#include "labmouse/lab/files.hpp"
-#include "labmouse/lab/printable.hpp"
+#include "labmouse/lab/system/files.hpp"
+#include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse::cli {
 

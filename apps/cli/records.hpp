@@ -4,8 +4,8 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
-#include "labmouse/lab/drive_record_file.hpp"
-#include "labmouse/lab/record_file.hpp"
+#include "labmouse/lab/records/drive_record_file.hpp"
+#include "labmouse/lab/records/record_file.hpp"
 
 namespace labmouse::cli {
 

@@ -5,8 +5,8 @@
 
 #include "command.hpp"
 #include "explain.hpp"
-#include "labmouse/lab/drive_drawing.hpp"
-#include "labmouse/lab/race_files.hpp"
+#include "labmouse/lab/pictures/drive_picture.hpp"
+#include "labmouse/lab/galleries/race_folder.hpp"
 #include "records.hpp"
 #include "walk.hpp"
 

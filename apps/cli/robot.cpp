@@ -5,9 +5,9 @@
 #include <memory>
 
 #include "command.hpp"
-#include "labmouse/lab/builtin_robots.hpp"
-#include "labmouse/lab/robot_drawing.hpp"
-#include "labmouse/lab/robot_table.hpp"
+#include "labmouse/lab/robots/builtin_robots.hpp"
+#include "labmouse/lab/pictures/robot_picture.hpp"
+#include "labmouse/lab/robots/robot_table.hpp"
 
 namespace labmouse::cli {
 namespace {

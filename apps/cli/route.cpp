@@ -4,9 +4,9 @@
 #include <memory>
 
 #include "command.hpp"
-#include "labmouse/lab/drive_drawing.hpp"
-#include "labmouse/lab/file_names.hpp"
-#include "labmouse/lab/route_report.hpp"
+#include "labmouse/lab/pictures/drive_picture.hpp"
+#include "labmouse/lab/system/file_names.hpp"
+#include "labmouse/lab/routes/route_report.hpp"
 
 namespace labmouse::cli {
 namespace {

@@ -5,10 +5,10 @@
 #include <memory>
 
 #include "command.hpp"
-#include "labmouse/lab/builtin_rules.hpp"
-#include "labmouse/lab/drive_report.hpp"
-#include "labmouse/lab/drive_rules_file.hpp"
-#include "labmouse/lab/files.hpp"
+#include "labmouse/lab/robots/builtin_rules.hpp"
+#include "labmouse/lab/standings/drive_report.hpp"
+#include "labmouse/lab/robots/drive_rules_file.hpp"
+#include "labmouse/lab/system/files.hpp"
 
 namespace labmouse::cli {
 namespace {

@@ -8,8 +8,8 @@
 #include "explain.hpp"
 #include "guests.hpp"
 #include "labmouse/contest/simulator.hpp"
-#include "labmouse/lab/contestants.hpp"
-#include "labmouse/lab/race_files.hpp"
+#include "labmouse/lab/mice/specs.hpp"
+#include "labmouse/lab/galleries/race_folder.hpp"
 #include "walk.hpp"
 
 namespace labmouse::cli {

@@ -5,12 +5,12 @@
 #include <memory>
 
 #include "command.hpp"
-#include "labmouse/lab/bounds.hpp"
-#include "labmouse/lab/drawing.hpp"
-#include "labmouse/lab/drive_drawing.hpp"
-#include "labmouse/lab/layers.hpp"
-#include "labmouse/lab/printable.hpp"
-#include "labmouse/lab/race_files.hpp"
+#include "labmouse/lab/bounds/bounds.hpp"
+#include "labmouse/lab/drawing/drawing.hpp"
+#include "labmouse/lab/pictures/drive_picture.hpp"
+#include "labmouse/lab/pictures/picture_layers.hpp"
+#include "labmouse/lab/text/printable.hpp"
+#include "labmouse/lab/galleries/race_folder.hpp"
 #include "records.hpp"
 
 namespace labmouse::cli {

@@ -1,5 +1,5 @@
 // labmouse study: an honest comparison of mice, each maze held out once.
-#include "labmouse/lab/study.hpp"
+#include "labmouse/lab/studies/study.hpp"
 
 #include <memory>
 

@@ -1,5 +1,5 @@
 // labmouse sweep: one mouse at many values of one parameter.
-#include "labmouse/lab/sweep.hpp"
+#include "labmouse/lab/studies/sweep.hpp"
 
 #include <memory>
 

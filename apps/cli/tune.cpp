@@ -1,11 +1,11 @@
 // labmouse tune: better values for several parameters of a mouse at once.
-#include "labmouse/lab/tune.hpp"
+#include "labmouse/lab/studies/tune.hpp"
 
 #include <memory>
 
 #include "command.hpp"
 #include "contests.hpp"
-#include "labmouse/lab/files.hpp"
+#include "labmouse/lab/system/files.hpp"
 
 namespace labmouse::cli {
 namespace {

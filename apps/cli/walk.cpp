@@ -8,10 +8,10 @@
 #include "command.hpp"
 #include "frames.hpp"
 #include "labmouse/contest/missteps.hpp"
-#include "labmouse/lab/drawing.hpp"
-#include "labmouse/lab/layers.hpp"
-#include "labmouse/lab/misstep_lines.hpp"
-#include "labmouse/lab/race_files.hpp"
+#include "labmouse/lab/drawing/drawing.hpp"
+#include "labmouse/lab/pictures/picture_layers.hpp"
+#include "labmouse/lab/standings/misstep_lines.hpp"
+#include "labmouse/lab/galleries/race_folder.hpp"
 
 namespace labmouse::cli {
 namespace {

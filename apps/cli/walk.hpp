@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "labmouse/lab/record_file.hpp"
+#include "labmouse/lab/records/record_file.hpp"
 
 namespace labmouse::cli {
 

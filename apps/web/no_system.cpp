@@ -1,8 +1,8 @@
 // What the lab does otherwise where it has no system: a page has no files, starts no programs, and has one thread.
-#include "labmouse/lab/files.hpp"
-#include "labmouse/lab/guest_specs.hpp"
-#include "labmouse/lab/parallel.hpp"
-#include "labmouse/lab/version.hpp"
+#include "labmouse/lab/system/files.hpp"
+#include "labmouse/lab/mice/guest_specs.hpp"
+#include "labmouse/lab/system/parallel.hpp"
+#include "labmouse/lab/system/version.hpp"
 
 namespace labmouse {
 

@@ -169,11 +169,6 @@ Briefing brief(const Maze& maze, const DriveRules& rules, const DriveModel& mode
   return briefing;
 }
 
-Sighting look(const Maze& maze, Pose pose, int sight) {
-  const auto read = [&](Heading heading) { return std::min(sight, maze.corridor(pose.cell, heading)); };
-  return {read(left_of(pose.heading)), read(pose.heading), read(right_of(pose.heading))};
-}
-
 DriveRecord drive(const Maze& maze, const DriveRules& rules, const DriveModel& model, Strategy& mouse) {
   return DriveContest(maze, rules, model, mouse).hold();
 }

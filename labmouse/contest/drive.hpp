@@ -10,16 +10,13 @@
 #include "labmouse/contest/drive_rules.hpp"
 #include "labmouse/maze/maze.hpp"
 #include "labmouse/mouse/briefing.hpp"
-#include "labmouse/mouse/drive/robot.hpp"
+#include "labmouse/mouse/robot/drive_model.hpp"
 #include "labmouse/mouse/strategy.hpp"
 
 namespace labmouse {
 
 /// What a mouse is told before a contest in seconds. The model must outlive the mouse, and have no error.
 Briefing brief(const Maze& maze, const DriveRules& rules, const DriveModel& model, std::uint64_t seed);
-
-/// What a mouse in that pose reads that looks so many cells far.
-Sighting look(const Maze& maze, Pose pose, int sight);
 
 /// Holds the contest, in a maze up to 32×32. The strategy must be new and briefed as above. A move through a wall that it
 /// has not seen to be open, a reset before a goal was entered, and an action that is none of a search end the contest as a

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "labmouse/mouse/drive/drive_profile.hpp"
+#include "labmouse/mouse/robot/drive_profile.hpp"
 
 namespace labmouse {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "labmouse/contest/drive_record.hpp"
 #include "labmouse/maze/maze.hpp"
-#include "labmouse/mouse/drive/robot.hpp"
+#include "labmouse/mouse/robot/drive_model.hpp"
 
 namespace labmouse {
 

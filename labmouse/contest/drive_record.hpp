@@ -8,7 +8,7 @@
 
 #include "labmouse/grid/wall_set.hpp"
 #include "labmouse/mouse/action.hpp"
-#include "labmouse/mouse/drive/route.hpp"
+#include "labmouse/mouse/robot/route.hpp"
 #include "labmouse/mouse/pose.hpp"
 
 namespace labmouse {

@@ -2,9 +2,12 @@
 
 #include <cassert>
 
-#include "labmouse/contest/drive.hpp"
-
 namespace labmouse {
+
+Sighting look(const Maze& maze, Pose pose, int sight) {
+  const auto read = [&](Heading heading) { return std::min(sight, maze.corridor(pose.cell, heading)); };
+  return {read(left_of(pose.heading)), read(pose.heading), read(right_of(pose.heading))};
+}
 
 SearchDriver::SearchDriver(const Maze& maze, const DriveModel& model, DriveRecord& record)
     : maze_(maze),

@@ -3,12 +3,15 @@
 
 #include "labmouse/contest/drive_record.hpp"
 #include "labmouse/maze/maze.hpp"
-#include "labmouse/mouse/drive/robot.hpp"
+#include "labmouse/mouse/robot/drive_model.hpp"
 #include "labmouse/mouse/drive/search_motion.hpp"
 #include "labmouse/mouse/knowledge.hpp"
 #include "labmouse/mouse/sighting.hpp"
 
 namespace labmouse {
+
+/// What a mouse in that pose reads that looks so many cells far.
+Sighting look(const Maze& maze, Pose pose, int sight);
 
 /// Makes the moves of searches and of ways home, and writes them and the walls that they show into the record.
 class SearchDriver {

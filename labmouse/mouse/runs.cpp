@@ -1,6 +1,6 @@
 #include "labmouse/mouse/runs.hpp"
 
-#include "labmouse/mouse/drive/robot.hpp"
+#include "labmouse/mouse/robot/drive_model.hpp"
 
 namespace labmouse {
 

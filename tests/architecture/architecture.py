@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Compares the tree with the table of rooms in ARCHITECTURE.md.
+"""Compares the tree with the tables of rooms and wings in ARCHITECTURE.md.
 
 Usage: architecture.py ROOT
 Prints each violation as FILE:LINE: error: REASON and exits with 1 if there is any.
@@ -13,6 +13,9 @@ from pathlib import Path
 PORTABLE_ROOMS = ("grid", "chance", "maze", "mouse", "strategies", "contest")
 BANNED_HEADERS = ("chrono", "filesystem", "fstream", "iostream", "random", "regex", "thread", "unordered_map",
                   "unordered_set")
+
+# A wing with more files than that has a second purpose.
+MOST_FILES_IN_A_WING = 40
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
@@ -31,6 +34,19 @@ def rooms_of(page):
     if not rooms:
         raise ValueError("no table of rooms")
     return rooms
+
+
+def wings_of(page):
+    """The second table as {room/wing: the wings of the same room that it includes}, in the order of the page."""
+    wings = {}
+    for name, included in re.findall(r"^\| (\w+/\w+) \| [^|]+ \| ([^|]+) \|$", page, re.MULTILINE):
+        room = name.split("/")[0]
+        words = [] if included.strip() == "nothing" else [f"{room}/{word}" for word in included.strip().split(", ")]
+        above = [word for word in words if word not in wings]
+        if above:
+            raise ValueError(f"wing {name} includes {', '.join(above)}, which the table does not list above it")
+        wings[name] = set(words)
+    return wings
 
 
 def sources(folder):
@@ -63,6 +79,69 @@ def judged(room, rooms, quoted, header):
         yield f"{room} must not include <{header}>"
 
 
+def wing_of(header):
+    """`lab/text` of `labmouse/lab/text/counted.hpp`; of a file that lies in its room directly, the room."""
+    return "/".join(header.split("/")[1:-1][:2])
+
+
+def wing_violations(root, wings):
+    """Each wing includes just those that the table names, and a room with a list of all its wings has no other files."""
+    rooms = {name.split("/")[0] for name in wings}
+    used, files = {name: set() for name in wings}, {name: 0 for name in wings}
+    for path in sources(root / "labmouse"):
+        wing = wing_of(path.relative_to(root).as_posix())
+        if wing.split("/")[0] not in rooms or (wing not in wings and wing == "mouse"):
+            continue
+        if wing not in wings:
+            yield path, 1, f"{wing} is no wing of ARCHITECTURE.md"
+            continue
+        files[wing] += 1
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+            match = INCLUDE.match(line)
+            other = wing_of(match[2]) if match and match[2].startswith("labmouse/") else wing
+            if other == wing or other not in wings or other.split("/")[0] != wing.split("/")[0]:
+                continue
+            used[wing].add(other)
+            if other not in wings[wing]:
+                yield path, number, f"{wing} must not include {other}: {match[2]}"
+    page = root / "ARCHITECTURE.md"
+    for wing, allowed in wings.items():
+        if unused := sorted(allowed - used[wing]):
+            yield page, 1, f"{wing} does not include {', '.join(unused)}, though the table says so"
+        if files[wing] == 0:
+            yield page, 1, f"{wing} has no files"
+        if files[wing] > MOST_FILES_IN_A_WING:
+            yield page, 1, f"{wing} has {files[wing]} files; {MOST_FILES_IN_A_WING} are the most"
+
+
+def cycle_violations(root):
+    """No file needs itself: X.hpp and X.cpp are one, and includes lead from it to no other that leads back."""
+    includes = {}
+    for path in sources(root / "labmouse"):
+        unit = path.relative_to(root).with_suffix("").as_posix()
+        found = includes.setdefault(unit, set())
+        for line in path.read_text(encoding="utf-8").splitlines():
+            if match := INCLUDE.match(line):
+                found.add(re.sub(r"\.hpp$", "", match[2]))
+    done = set()
+
+    def search(unit, way):
+        if unit in way:
+            return way[way.index(unit):] + [unit]
+        if unit in done:
+            return None
+        for other in sorted(includes.get(unit, set()) - {unit}):
+            if cycle := search(other, way + [unit]):
+                return cycle
+        done.add(unit)
+        return None
+
+    for unit in sorted(includes):
+        if cycle := search(unit, []):
+            yield root / cycle[0], 1, f"includes itself: {' -> '.join(cycle)}"
+            return
+
+
 def link_violations(root, rooms):
     """labmouse_room(NAME ROOM...) links what the table allows: no less, so that the table is not wider than it has to be."""
     path = root / "CMakeLists.txt"
@@ -90,8 +169,10 @@ def roster_violations(root):
 def violations(root):
     """All violations as lines of text."""
     root = Path(root)
-    rooms = rooms_of((root / "ARCHITECTURE.md").read_text(encoding="utf-8"))
-    found = [*include_violations(root, rooms), *link_violations(root, rooms), *roster_violations(root)]
+    page = (root / "ARCHITECTURE.md").read_text(encoding="utf-8")
+    rooms, wings = rooms_of(page), wings_of(page)
+    found = [*include_violations(root, rooms), *wing_violations(root, wings), *cycle_violations(root),
+             *link_violations(root, rooms), *roster_violations(root)]
     return [f"{path.relative_to(root)}:{number}: error: {reason}" for path, number, reason in found]
 
 

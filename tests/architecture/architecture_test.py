@@ -18,6 +18,13 @@ PAGE = """
 | apps | programs | all above | logic |
 """
 
+WINGS = """
+| wing | holds | includes |
+|---|---|---|
+| lab/text | words | nothing |
+| lab/races | many contests | text |
+"""
+
 
 def violations_of(files, page=PAGE):
     """What is found in a tree of these files, {path: text}."""
@@ -82,6 +89,40 @@ class Architecture(unittest.TestCase):
             "labmouse/strategies/flood.cpp": "const RosterEntry flood_mouse = {};\n",
             "labmouse/strategies/shy.cpp": "const RosterEntry shy_mouse = {};\n",
         }), ["labmouse/strategies/shy.cpp:1: error: shy_mouse is not on the roster"])
+
+    def test_wings_that_keep_to_the_page(self):
+        self.assertEqual(violations_of({
+            "labmouse/lab/text/words.hpp": "",
+            "labmouse/lab/races/race.cpp": '#include "labmouse/lab/text/words.hpp"\n',
+        }, PAGE + WINGS), [])
+
+    def test_a_wing_that_includes_one_below_it(self):
+        found = violations_of({
+            "labmouse/lab/text/words.cpp": '#include "labmouse/lab/races/race.hpp"\n',
+            "labmouse/lab/races/race.hpp": '#include "labmouse/lab/text/other.hpp"\n',
+        }, PAGE + WINGS)
+        self.assertEqual(found, ["labmouse/lab/text/words.cpp:1: error: lab/text must not include lab/races: "
+                                 "labmouse/lab/races/race.hpp"])
+
+    def test_a_file_outside_of_all_wings(self):
+        self.assertIn("labmouse/lab/odd.hpp:1: error: lab is no wing of ARCHITECTURE.md",
+                      violations_of({"labmouse/lab/odd.hpp": ""}, PAGE + WINGS))
+
+    def test_a_table_of_wings_that_is_wider_than_it_has_to_be(self):
+        found = violations_of({"labmouse/lab/text/words.hpp": "", "labmouse/lab/races/race.hpp": ""}, PAGE + WINGS)
+        self.assertEqual(found, ["ARCHITECTURE.md:1: error: lab/races does not include lab/text, though the table says so"])
+
+    def test_a_wing_that_has_become_a_room_of_its_own(self):
+        files = {f"labmouse/lab/text/words{number}.hpp": "" for number in range(41)}
+        files["labmouse/lab/races/race.hpp"] = '#include "labmouse/lab/text/words1.hpp"\n'
+        self.assertEqual(violations_of(files, PAGE + WINGS),
+                         ["ARCHITECTURE.md:1: error: lab/text has 41 files; 40 are the most"])
+
+    def test_files_that_need_each_other(self):
+        self.assertEqual(violations_of({
+            "labmouse/maze/a.cpp": '#include "labmouse/maze/a.hpp"\n#include "labmouse/maze/b.hpp"\n',
+            "labmouse/maze/b.cpp": '#include "labmouse/maze/a.hpp"\n',
+        }), ["labmouse/maze/a:1: error: includes itself: labmouse/maze/a -> labmouse/maze/b -> labmouse/maze/a"])
 
     def test_a_table_out_of_order(self):
         with self.assertRaisesRegex(ValueError, "room grid may include maze, which the table does not list above it"):

@@ -3,7 +3,7 @@
 
 #include "labmouse/contest/score.hpp"
 #include "labmouse/contest/simulator.hpp"
-#include "labmouse/lab/bounds.hpp"
+#include "labmouse/lab/bounds/bounds.hpp"
 #include "labmouse/maze/generators/generator.hpp"
 #include "labmouse/strategies/roster.hpp"
 

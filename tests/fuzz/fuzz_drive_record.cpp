@@ -1,8 +1,8 @@
 // Any bytes as a record in seconds: there is a record or a problem, and what is one can be played again and written.
 #include <cstdlib>
 
-#include "labmouse/lab/drive_record_file.hpp"
-#include "labmouse/lab/version.hpp"
+#include "labmouse/lab/records/drive_record_file.hpp"
+#include "labmouse/lab/system/version.hpp"
 
 // A record names the version that wrote it; that of a fuzzer is none.
 std::string_view labmouse::version() { return "fuzzer"; }

@@ -2,7 +2,7 @@
 // maze has no other link.
 #include <cstdlib>
 
-#include "labmouse/lab/maze_link.hpp"
+#include "labmouse/lab/mazes/maze_link.hpp"
 
 namespace {
 

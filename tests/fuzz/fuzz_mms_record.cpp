@@ -1,7 +1,7 @@
 // Any bytes as a record of mms: there is a record or a problem, and what is one can be given to the simulator again.
 #include <cstdlib>
 
-#include "labmouse/lab/mms_record_file.hpp"
+#include "labmouse/lab/records/mms_record_file.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   const auto result = labmouse::read_mms_record({reinterpret_cast<const char*>(bytes), size});

@@ -2,7 +2,7 @@
 // be played without a crash, and packs to the same actions again.
 #include <cstdlib>
 
-#include "labmouse/lab/packed_record.hpp"
+#include "labmouse/lab/records/packed_record.hpp"
 
 namespace {
 

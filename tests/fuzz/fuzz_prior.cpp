@@ -1,5 +1,5 @@
 // Any bytes as a prior: there is a prior or there are problems, and a prior survives being written.
-#include "labmouse/lab/prior_file.hpp"
+#include "labmouse/lab/mice/prior_file.hpp"
 #include "tests/fuzz/check_reader.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {

@@ -2,7 +2,7 @@
 // of playing it in a maze that it agrees with is a whole record, which agrees as well.
 #include <cstdlib>
 
-#include "labmouse/lab/record_file.hpp"
+#include "labmouse/lab/records/record_file.hpp"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // Any bytes as a robot: there is a robot with a model, or there are problems; and the model keeps what it promises.
-#include "labmouse/lab/robot_file.hpp"
+#include "labmouse/lab/robots/robot_file.hpp"
 #include "tests/fuzz/check_reader.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {

@@ -1,7 +1,7 @@
 // Any bytes as a SPEC: there are mice or an error of one line, and mice have names that read as the same mice again.
 #include <cstdlib>
 
-#include "labmouse/lab/contestants.hpp"
+#include "labmouse/lab/mice/specs.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   // A named Python, so that none is started to ask for its version.

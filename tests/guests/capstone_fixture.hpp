@@ -8,7 +8,7 @@
 #include <fstream>
 
 #include "labmouse/contest/simulator.hpp"
-#include "labmouse/lab/contestants.hpp"
+#include "labmouse/lab/mice/specs.hpp"
 #include "tests/drawn_maze.hpp"
 #include "tests/interpreters.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <map>
 
-#include "labmouse/lab/tournament.hpp"
+#include "labmouse/lab/races/tournament.hpp"
 #include "tests/capstone_mazes.hpp"
 #include "tests/guests/capstone_fixture.hpp"
 #include "tests/slowness.hpp"

@@ -1,9 +1,9 @@
-#include "labmouse/lab/baseline.hpp"
+#include "labmouse/lab/standings/baseline.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "labmouse/lab/report.hpp"
+#include "labmouse/lab/standings/race_report.hpp"
 #include "tests/lab/race_fixture.hpp"
 
 namespace labmouse {

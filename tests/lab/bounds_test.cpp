@@ -1,4 +1,4 @@
-#include "labmouse/lab/bounds.hpp"
+#include "labmouse/lab/bounds/bounds.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "labmouse/lab/contestants.hpp"
+#include "labmouse/lab/mice/specs.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

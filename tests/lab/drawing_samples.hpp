@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "labmouse/lab/drawing.hpp"
+#include "labmouse/lab/drawing/drawing.hpp"
 #include "labmouse/maze/maze.hpp"
 #include "labmouse/mouse/pose.hpp"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "labmouse/lab/drawing.hpp"
+#include "labmouse/lab/drawing/drawing.hpp"
 #include "tests/lab/drawing_samples.hpp"
 
 namespace labmouse {

@@ -1,4 +1,4 @@
-#include "labmouse/lab/drive_bound.hpp"
+#include "labmouse/lab/bounds/drive_bound.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "labmouse/lab/drive_drawing.hpp"
+#include "labmouse/lab/pictures/drive_picture.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "labmouse/mouse/drive/drive_profile.hpp"
+#include "labmouse/mouse/robot/drive_profile.hpp"
 #include "labmouse/mouse/drive/fastest.hpp"
 #include "tests/capstone_mazes.hpp"
 #include "tests/lab/drive_record_fixture.hpp"

@@ -1,12 +1,12 @@
-#include "labmouse/lab/drive_race.hpp"
+#include "labmouse/lab/races/drive_race.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
-#include "labmouse/lab/drive_report.hpp"
-#include "labmouse/lab/drive_standings.hpp"
+#include "labmouse/lab/standings/drive_report.hpp"
+#include "labmouse/lab/standings/drive_standings.hpp"
 #include "tests/lab/drive_record_fixture.hpp"
 #include "tests/strategies/random_mazes.hpp"
 

@@ -1,10 +1,10 @@
-#include "labmouse/lab/drive_record_file.hpp"
+#include "labmouse/lab/records/drive_record_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "labmouse/contest/drive_gates.hpp"
-#include "labmouse/lab/drive_route_check.hpp"
+#include "labmouse/lab/records/drive_route_check.hpp"
 #include "tests/contest/scripted.hpp"
 #include "tests/lab/drive_record_fixture.hpp"
 

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "labmouse/contest/drive.hpp"
-#include "labmouse/lab/drive_record_file.hpp"
-#include "labmouse/lab/drive_rules_file.hpp"
-#include "labmouse/lab/robot_files.hpp"
+#include "labmouse/lab/records/drive_record_file.hpp"
+#include "labmouse/lab/robots/drive_rules_file.hpp"
+#include "labmouse/lab/robots/robot_files.hpp"
 #include "labmouse/strategies/roster.hpp"
 #include "tests/drawn_maze.hpp"
 

@@ -1,4 +1,4 @@
-#include "labmouse/lab/drive_route_check.hpp"
+#include "labmouse/lab/records/drive_route_check.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

@@ -1,10 +1,10 @@
 // Rules of contests in seconds as files: what is read, and what is said of a file that is none.
-#include "labmouse/lab/drive_rules_file.hpp"
+#include "labmouse/lab/robots/drive_rules_file.hpp"
 
 #include <gtest/gtest.h>
 
-#include "labmouse/lab/builtin_rules.hpp"
-#include "labmouse/lab/maze_files.hpp"
+#include "labmouse/lab/robots/builtin_rules.hpp"
+#include "labmouse/lab/mazes/maze_files.hpp"
 
 namespace labmouse {
 namespace {

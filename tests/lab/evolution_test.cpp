@@ -1,4 +1,4 @@
-#include "labmouse/lab/evolution.hpp"
+#include "labmouse/lab/numbers/evolution.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

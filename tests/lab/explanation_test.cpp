@@ -1,5 +1,5 @@
 // Reasons in words.
-#include "labmouse/lab/explanation.hpp"
+#include "labmouse/lab/records/explanation.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "labmouse/lab/hindsight.hpp"
+#include "labmouse/lab/studies/hindsight.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,8 +8,8 @@
 #include "labmouse/chance/dice.hpp"
 #include "labmouse/contest/script.hpp"
 #include "labmouse/contest/simulator.hpp"
-#include "labmouse/lab/holding.hpp"
-#include "labmouse/lab/standings.hpp"
+#include "labmouse/lab/races/contest_list.hpp"
+#include "labmouse/lab/standings/standings.hpp"
 #include "labmouse/maze/generators/generator.hpp"
 #include "tests/lab/race_fixture.hpp"
 

@@ -1,4 +1,4 @@
-#include "labmouse/lab/layers.hpp"
+#include "labmouse/lab/pictures/picture_layers.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

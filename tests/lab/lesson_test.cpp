@@ -1,9 +1,9 @@
-#include "labmouse/lab/lesson.hpp"
+#include "labmouse/lab/studies/prior_lesson.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "labmouse/lab/prior_file.hpp"
+#include "labmouse/lab/mice/prior_file.hpp"
 #include "labmouse/maze/symmetry.hpp"
 #include "tests/lab/race_fixture.hpp"
 

@@ -1,4 +1,4 @@
-#include "labmouse/lab/maze_files.hpp"
+#include "labmouse/lab/mazes/maze_files.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "labmouse/lab/builtin_mazes.hpp"
+#include "labmouse/lab/mazes/builtin_mazes.hpp"
 
 namespace labmouse {
 namespace {

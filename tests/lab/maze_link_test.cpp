@@ -1,10 +1,10 @@
-#include "labmouse/lab/maze_link.hpp"
+#include "labmouse/lab/mazes/maze_link.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "labmouse/lab/builtin_mazes.hpp"
+#include "labmouse/lab/mazes/builtin_mazes.hpp"
 #include "tests/lab/race_fixture.hpp"
 #include "tests/maze/random_maze.hpp"
 

@@ -1,4 +1,4 @@
-#include "labmouse/lab/misstep_lines.hpp"
+#include "labmouse/lab/standings/misstep_lines.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "labmouse/contest/script.hpp"
-#include "labmouse/lab/holding.hpp"
-#include "labmouse/lab/report.hpp"
+#include "labmouse/lab/races/contest_list.hpp"
+#include "labmouse/lab/standings/race_report.hpp"
 #include "tests/lab/record_fixture.hpp"
 
 namespace labmouse {

@@ -1,4 +1,4 @@
-#include "labmouse/lab/mms_bound.hpp"
+#include "labmouse/lab/bounds/mms_bound.hpp"
 
 #include <gtest/gtest.h>
 

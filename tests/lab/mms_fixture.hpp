@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "labmouse/lab/mms_race.hpp"
+#include "labmouse/lab/races/mms_race.hpp"
 #include "tests/lab/race_fixture.hpp"
 
 namespace labmouse::test {

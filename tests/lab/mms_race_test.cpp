@@ -1,4 +1,4 @@
-#include "labmouse/lab/mms_race.hpp"
+#include "labmouse/lab/races/mms_race.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,9 +6,9 @@
 
 #include <filesystem>
 
-#include "labmouse/lab/files.hpp"
-#include "labmouse/lab/mms_folder.hpp"
-#include "labmouse/lab/mms_standings.hpp"
+#include "labmouse/lab/system/files.hpp"
+#include "labmouse/lab/galleries/mms_folder.hpp"
+#include "labmouse/lab/standings/mms_standings.hpp"
 #include "tests/lab/mms_fixture.hpp"
 
 namespace labmouse {

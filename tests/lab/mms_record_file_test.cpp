@@ -1,8 +1,8 @@
 // Records of mms: read back, and given to the simulator again.
 #include <gmock/gmock.h>
 
-#include "labmouse/lab/mms_record.hpp"
-#include "labmouse/lab/mms_record_file.hpp"
+#include "labmouse/lab/records/mms_record.hpp"
+#include "labmouse/lab/records/mms_record_file.hpp"
 #include "tests/lab/mms_record_fixture.hpp"
 #include "tests/lab/record_fixture.hpp"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "labmouse/lab/mms_record.hpp"
+#include "labmouse/lab/records/mms_record.hpp"
 #include "tests/lab/mms_fixture.hpp"
 
 namespace labmouse::test {

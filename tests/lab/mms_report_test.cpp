@@ -1,14 +1,14 @@
-#include "labmouse/lab/mms_report.hpp"
+#include "labmouse/lab/standings/mms_report.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <sstream>
 
-#include "labmouse/lab/mms_drawing.hpp"
-#include "labmouse/lab/mms_fields.hpp"
-#include "labmouse/lab/mms_record.hpp"
-#include "labmouse/lab/report.hpp"
+#include "labmouse/lab/pictures/mms_picture.hpp"
+#include "labmouse/lab/records/mms_fields.hpp"
+#include "labmouse/lab/records/mms_record.hpp"
+#include "labmouse/lab/standings/race_report.hpp"
 #include "tests/lab/mms_fixture.hpp"
 
 namespace labmouse {

@@ -1,4 +1,4 @@
-#include "labmouse/lab/packed_record.hpp"
+#include "labmouse/lab/records/packed_record.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "labmouse/lab/packing.hpp"
+#include "labmouse/lab/text/packing.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -6,9 +6,9 @@
 #include <set>
 #include <sstream>
 
-#include "labmouse/lab/mice_json.hpp"
-#include "labmouse/lab/race_json.hpp"
-#include "labmouse/lab/signature.hpp"
+#include "labmouse/lab/mice/mice_json.hpp"
+#include "labmouse/lab/standings/race_json.hpp"
+#include "labmouse/lab/bench/signature.hpp"
 #include "tests/lab/page_fixture.hpp"
 
 namespace labmouse {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "labmouse/lab/builtin_mazes.hpp"
+#include "labmouse/lab/mazes/builtin_mazes.hpp"
 #include "tests/lab/page_fixture.hpp"
 
 namespace labmouse {

@@ -1,7 +1,7 @@
 // Mazes in the calls of the page: those that it gives, and those that it takes.
 #include <gmock/gmock.h>
 
-#include "labmouse/lab/builtin_mazes.hpp"
+#include "labmouse/lab/mazes/builtin_mazes.hpp"
 #include "labmouse/maze/formats/format.hpp"
 #include "labmouse/maze/generators/generator.hpp"
 #include "tests/lab/page_fixture.hpp"

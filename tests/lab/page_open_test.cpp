@@ -1,10 +1,10 @@
 // Files that are dropped on the page.
 #include <gmock/gmock.h>
 
-#include "labmouse/lab/mms_drawing.hpp"
+#include "labmouse/lab/pictures/mms_picture.hpp"
 #include "labmouse/lab/page/json_problem.hpp"
-#include "labmouse/lab/race_json.hpp"
-#include "labmouse/lab/version.hpp"
+#include "labmouse/lab/standings/race_json.hpp"
+#include "labmouse/lab/system/version.hpp"
 #include "labmouse/maze/generators/generator.hpp"
 #include "tests/lab/mms_record_fixture.hpp"
 #include "tests/lab/page_fixture.hpp"

@@ -2,9 +2,9 @@
 #include <gmock/gmock.h>
 
 #include "labmouse/contest/coverage.hpp"
-#include "labmouse/lab/contestants.hpp"
+#include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/page/play_frames.hpp"
-#include "labmouse/lab/race_files.hpp"
+#include "labmouse/lab/galleries/race_folder.hpp"
 #include "tests/lab/page_fixture.hpp"
 #include "tests/lab/record_fixture.hpp"
 

@@ -1,10 +1,10 @@
 // Packed records, pictures, beliefs, comparisons, links and files, as the page asks for them.
 #include <gmock/gmock.h>
 
-#include "labmouse/lab/layers.hpp"
-#include "labmouse/lab/maze_link.hpp"
-#include "labmouse/lab/packed_record.hpp"
-#include "labmouse/lab/statistics.hpp"
+#include "labmouse/lab/pictures/picture_layers.hpp"
+#include "labmouse/lab/mazes/maze_link.hpp"
+#include "labmouse/lab/records/packed_record.hpp"
+#include "labmouse/lab/numbers/statistics.hpp"
 #include "labmouse/maze/formats/format.hpp"
 #include "labmouse/mouse/distance.hpp"
 #include "tests/lab/mms_record_fixture.hpp"

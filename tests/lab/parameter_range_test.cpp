@@ -1,4 +1,4 @@
-#include "labmouse/lab/parameter_range.hpp"
+#include "labmouse/lab/studies/parameter_range.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "labmouse/lab/plot.hpp"
+#include "labmouse/lab/drawing/plot.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "labmouse/lab/printable.hpp"
+#include "labmouse/lab/text/printable.hpp"
 
 #include <gtest/gtest.h>
 

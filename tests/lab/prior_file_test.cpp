@@ -1,4 +1,4 @@
-#include "labmouse/lab/prior_file.hpp"
+#include "labmouse/lab/mice/prior_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

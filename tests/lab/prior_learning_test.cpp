@@ -1,4 +1,4 @@
-#include "labmouse/lab/prior_learning.hpp"
+#include "labmouse/lab/mice/prior_learning.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

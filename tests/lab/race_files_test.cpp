@@ -1,4 +1,4 @@
-#include "labmouse/lab/race_files.hpp"
+#include "labmouse/lab/galleries/race_folder.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

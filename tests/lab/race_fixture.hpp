@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "labmouse/lab/tournament.hpp"
+#include "labmouse/lab/races/tournament.hpp"
 #include "tests/drawn_maze.hpp"
 
 namespace labmouse::test {

@@ -1,4 +1,4 @@
-#include "labmouse/lab/record_file.hpp"
+#include "labmouse/lab/records/record_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

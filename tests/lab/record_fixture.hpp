@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "labmouse/contest/simulator.hpp"
-#include "labmouse/lab/race_files.hpp"
+#include "labmouse/lab/galleries/race_folder.hpp"
 #include "tests/lab/race_fixture.hpp"
 
 namespace labmouse::test {

@@ -1,18 +1,18 @@
-#include "labmouse/lab/report_page.hpp"
+#include "labmouse/lab/reports/report_page.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
 
-#include "labmouse/lab/files.hpp"
-#include "labmouse/lab/holding.hpp"
-#include "labmouse/lab/maze_link.hpp"
-#include "labmouse/lab/mms_folder.hpp"
-#include "labmouse/lab/mms_record.hpp"
-#include "labmouse/lab/packed_record.hpp"
-#include "labmouse/lab/report.hpp"
-#include "labmouse/lab/report_records.hpp"
+#include "labmouse/lab/system/files.hpp"
+#include "labmouse/lab/races/contest_list.hpp"
+#include "labmouse/lab/mazes/maze_link.hpp"
+#include "labmouse/lab/galleries/mms_folder.hpp"
+#include "labmouse/lab/records/mms_record.hpp"
+#include "labmouse/lab/records/packed_record.hpp"
+#include "labmouse/lab/standings/race_report.hpp"
+#include "labmouse/lab/reports/report_records.hpp"
 #include "tests/lab/mms_fixture.hpp"
 #include "tests/lab/record_fixture.hpp"
 #include "tests/lab/unpacking.hpp"

@@ -1,11 +1,11 @@
-#include "labmouse/lab/report_results.hpp"
+#include "labmouse/lab/reports/report_results.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "labmouse/lab/holding.hpp"
-#include "labmouse/lab/race_json.hpp"
-#include "labmouse/lab/report.hpp"
+#include "labmouse/lab/races/contest_list.hpp"
+#include "labmouse/lab/standings/race_json.hpp"
+#include "labmouse/lab/standings/race_report.hpp"
 #include "tests/lab/mms_fixture.hpp"
 #include "tests/lab/record_fixture.hpp"
 

@@ -1,4 +1,4 @@
-#include "labmouse/lab/report.hpp"
+#include "labmouse/lab/standings/race_report.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "labmouse/lab/version.hpp"
+#include "labmouse/lab/system/version.hpp"
 #include "tests/lab/race_fixture.hpp"
 
 namespace labmouse {

@@ -1,13 +1,13 @@
 // Robots as files: what is read, and what is said of a file that is none.
-#include "labmouse/lab/robot_file.hpp"
+#include "labmouse/lab/robots/robot_file.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "labmouse/lab/builtin_robots.hpp"
-#include "labmouse/lab/maze_files.hpp"
-#include "labmouse/lab/robot_files.hpp"
-#include "labmouse/lab/robot_keys.hpp"
+#include "labmouse/lab/robots/builtin_robots.hpp"
+#include "labmouse/lab/mazes/maze_files.hpp"
+#include "labmouse/lab/robots/robot_files.hpp"
+#include "labmouse/lab/robots/robot_keys.hpp"
 
 namespace labmouse {
 namespace {

@@ -1,11 +1,11 @@
 // Robots as tables and pictures.
-#include "labmouse/lab/robot_table.hpp"
+#include "labmouse/lab/robots/robot_table.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "labmouse/lab/robot_drawing.hpp"
-#include "labmouse/lab/robot_files.hpp"
+#include "labmouse/lab/pictures/robot_picture.hpp"
+#include "labmouse/lab/robots/robot_files.hpp"
 #include "tests/lab/xml_scanner.hpp"
 
 namespace labmouse {

@@ -1,11 +1,11 @@
-#include "labmouse/lab/route_report.hpp"
+#include "labmouse/lab/routes/route_report.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
-#include "labmouse/lab/robot_files.hpp"
+#include "labmouse/lab/robots/robot_files.hpp"
 #include "labmouse/mouse/drive/fastest.hpp"
 #include "tests/drawn_maze.hpp"
 #include "tests/strategies/random_mazes.hpp"

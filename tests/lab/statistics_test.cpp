@@ -1,4 +1,4 @@
-#include "labmouse/lab/statistics.hpp"
+#include "labmouse/lab/numbers/statistics.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "labmouse/lab/study.hpp"
+#include "labmouse/lab/studies/study.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "labmouse/lab/standings.hpp"
+#include "labmouse/lab/standings/standings.hpp"
 #include "labmouse/maze/symmetry.hpp"
 #include "tests/lab/drawing_samples.hpp"
 #include "tests/lab/race_fixture.hpp"

@@ -1,11 +1,11 @@
-#include "labmouse/lab/sweep.hpp"
+#include "labmouse/lab/studies/sweep.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <sstream>
 
-#include "labmouse/lab/standings.hpp"
+#include "labmouse/lab/standings/standings.hpp"
 #include "tests/lab/drawing_samples.hpp"
 #include "tests/lab/race_fixture.hpp"
 #include "tests/lab/xml_scanner.hpp"

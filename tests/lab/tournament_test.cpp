@@ -1,10 +1,10 @@
-#include "labmouse/lab/tournament.hpp"
+#include "labmouse/lab/races/tournament.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "labmouse/lab/holding.hpp"
-#include "labmouse/lab/standings.hpp"
+#include "labmouse/lab/races/contest_list.hpp"
+#include "labmouse/lab/standings/standings.hpp"
 #include "tests/lab/race_fixture.hpp"
 
 namespace labmouse {

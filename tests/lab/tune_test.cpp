@@ -1,9 +1,9 @@
-#include "labmouse/lab/tune.hpp"
+#include "labmouse/lab/studies/tune.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "labmouse/lab/standings.hpp"
+#include "labmouse/lab/standings/standings.hpp"
 #include "tests/lab/drawing_samples.hpp"
 #include "tests/lab/race_fixture.hpp"
 #include "tests/lab/xml_scanner.hpp"

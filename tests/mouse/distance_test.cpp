@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "labmouse/chance/dice.hpp"
-#include "labmouse/lab/plain_distance.hpp"
+#include "labmouse/lab/bench/plain_distance.hpp"
 #include "labmouse/maze/generators/generator.hpp"
 #include "tests/drawn_maze.hpp"
 

@@ -1,4 +1,4 @@
-#include "labmouse/mouse/drive/drive_profile.hpp"
+#include "labmouse/mouse/robot/drive_profile.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
 // A robot's tables of whole microseconds.
-#include "labmouse/mouse/drive/robot.hpp"
+#include "labmouse/mouse/robot/drive_model.hpp"
+#include "labmouse/mouse/robot/robot.hpp"
 
 #include <gtest/gtest.h>
 

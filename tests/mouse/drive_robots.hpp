@@ -1,7 +1,7 @@
 // Robots for tests.
 #pragma once
 
-#include "labmouse/mouse/drive/robot.hpp"
+#include "labmouse/mouse/robot/robot.hpp"
 
 namespace labmouse {
 

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <map>
 
-#include "labmouse/lab/plain_fastest.hpp"
-#include "labmouse/lab/robot_files.hpp"
+#include "labmouse/lab/bench/plain_fastest.hpp"
+#include "labmouse/lab/robots/robot_files.hpp"
 #include "tests/capstone_mazes.hpp"
 #include "tests/mouse/drive_robots.hpp"
 #include "tests/slowness.hpp"

@@ -1,5 +1,5 @@
 // The fastest way to drive a turn: that it keeps away from walls, and cannot be driven faster.
-#include "labmouse/mouse/drive/fitted_turn.hpp"
+#include "labmouse/mouse/robot/fitted_turn.hpp"
 
 #include <gtest/gtest.h>
 

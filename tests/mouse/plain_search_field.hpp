@@ -9,7 +9,7 @@
 #include <tuple>
 #include <vector>
 
-#include "labmouse/mouse/drive/robot.hpp"
+#include "labmouse/mouse/robot/robot.hpp"
 #include "labmouse/mouse/drive/search_motion.hpp"
 
 namespace labmouse::test {

@@ -5,8 +5,9 @@
 #include <cmath>
 #include <utility>
 
-#include "labmouse/mouse/drive/robot.hpp"
-#include "labmouse/mouse/drive/straights.hpp"
+#include "labmouse/mouse/robot/drive_model.hpp"
+#include "labmouse/mouse/robot/robot.hpp"
+#include "labmouse/mouse/robot/straights.hpp"
 #include "tests/mouse/drive_robots.hpp"
 
 namespace labmouse {

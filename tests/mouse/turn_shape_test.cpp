@@ -1,5 +1,5 @@
 // The curves of turns: that they are smooth and lead from node to node.
-#include "labmouse/mouse/drive/turn_shape.hpp"
+#include "labmouse/mouse/robot/turn_shape.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,9 @@
 #include <array>
 #include <cmath>
 
-#include "labmouse/mouse/drive/angles.hpp"
-#include "labmouse/mouse/drive/turn_room.hpp"
+#include "labmouse/mouse/robot/angles.hpp"
+#include "labmouse/mouse/robot/drive_model.hpp"
+#include "labmouse/mouse/robot/turn_room.hpp"
 #include "tests/mouse/drive_robots.hpp"
 
 namespace labmouse {

@@ -72,4 +72,9 @@ inline bool blocked(const Maze& maze, HalfPlace place, Compass direction) {
 /// The goals of mms: the cells in the centre, whatever the maze's file marks.
 inline CellSet mms_goals(Size size) { return centre_of(size); }
 
+/// The maze as mms takes it: start and goals are always the same cells, whatever the file marks.
+inline Maze as_in_mms(const Maze& maze) {
+  return maze.with_start({0, 0}, Heading::north).with_goals(mms_goals(maze.size()));
+}
+
 }  // namespace labmouse

@@ -6,7 +6,7 @@
 #include <cstddef>
 
 #include "labmouse/lab/drawing/heat.hpp"
-#include "labmouse/lab/printable.hpp"
+#include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse::drawing {
 namespace {

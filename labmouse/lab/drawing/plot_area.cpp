@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "labmouse/lab/drawing/sheet.hpp"
-#include "labmouse/lab/printable.hpp"
+#include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse::drawing {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "labmouse/lab/drawing.hpp"
+#include "labmouse/lab/drawing/drawing.hpp"
 #include "labmouse/lab/drawing/frame.hpp"
 #include "labmouse/lab/drawing/heat.hpp"
 #include "labmouse/lab/drawing/legend.hpp"

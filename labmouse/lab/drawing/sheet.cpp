@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "labmouse/lab/printable.hpp"
+#include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse::drawing {
 

@@ -6,7 +6,7 @@
 #include "labmouse/lab/drawing/palette.hpp"
 #include "labmouse/lab/drawing/scene.hpp"
 #include "labmouse/lab/drawing/walls.hpp"
-#include "labmouse/lab/printable.hpp"
+#include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse::drawing {
 namespace {

@@ -1,7 +1,7 @@
 // Every wall of a picture once, and how it looks.
 #pragma once
 
-#include "labmouse/lab/drawing.hpp"
+#include "labmouse/lab/drawing/drawing.hpp"
 
 namespace labmouse::drawing {
 

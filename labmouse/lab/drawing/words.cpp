@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "labmouse/lab/text/counted.hpp"
+
 namespace labmouse::drawing {
 namespace {
 
@@ -17,10 +19,6 @@ std::string share_words(const CellSet& part, const CellSet& whole, std::string_v
 }
 
 }  // namespace
-
-std::string counted(int count, std::string_view one, std::string_view many) {
-  return fmt::format("{} {}", count, count == 1 ? one : many);
-}
 
 std::string route_words(const std::vector<Leg>& legs) {
   return counted(static_cast<int>(legs.size()), "step", "steps") + ", " + counted(length_of(legs), "cell", "cells");

@@ -4,13 +4,10 @@
 #include <string>
 #include <string_view>
 
-#include "labmouse/lab/drawing.hpp"
+#include "labmouse/lab/drawing/drawing.hpp"
 #include "labmouse/lab/drawing/legs.hpp"
 
 namespace labmouse::drawing {
-
-/// A number with its noun: "1 step", "2 steps".
-std::string counted(int count, std::string_view one, std::string_view many);
 
 /// "17 steps, 45 cells".
 std::string route_words(const std::vector<Leg>& legs);

@@ -4,13 +4,13 @@
 #include <map>
 
 #include "labmouse/contest/rules.hpp"
-#include "labmouse/lab/builtin_mazes.hpp"
-#include "labmouse/lab/mice_json.hpp"
+#include "labmouse/lab/mazes/builtin_mazes.hpp"
+#include "labmouse/lab/mice/mice_json.hpp"
 #include "labmouse/lab/page/answers.hpp"
 #include "labmouse/lab/page/drive_choices.hpp"
-#include "labmouse/lab/signature.hpp"
-#include "labmouse/lab/speed.hpp"
-#include "labmouse/lab/version.hpp"
+#include "labmouse/lab/bench/signature.hpp"
+#include "labmouse/lab/bench/distance_speed.hpp"
+#include "labmouse/lab/system/version.hpp"
 #include "labmouse/maze/generators/generator.hpp"
 #include "labmouse/strategies/roster.hpp"
 

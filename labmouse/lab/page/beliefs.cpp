@@ -5,7 +5,7 @@
 
 #include "labmouse/lab/page/answers.hpp"
 #include "labmouse/lab/page/request.hpp"
-#include "labmouse/lab/statistics.hpp"
+#include "labmouse/lab/numbers/statistics.hpp"
 #include "labmouse/mouse/distance.hpp"
 
 namespace labmouse {

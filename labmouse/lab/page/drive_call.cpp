@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "labmouse/contest/drive.hpp"
-#include "labmouse/lab/contestants.hpp"
+#include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/page/answers.hpp"
 #include "labmouse/lab/page/drive_choices.hpp"
 #include "labmouse/lab/page/mouse_spec.hpp"

@@ -1,9 +1,9 @@
 #include "labmouse/lab/page/drive_choices.hpp"
 
-#include "labmouse/lab/builtin_robots.hpp"
-#include "labmouse/lab/builtin_rules.hpp"
-#include "labmouse/lab/drive_rules_file.hpp"
-#include "labmouse/lab/robot_file.hpp"
+#include "labmouse/lab/robots/builtin_robots.hpp"
+#include "labmouse/lab/robots/builtin_rules.hpp"
+#include "labmouse/lab/robots/drive_rules_file.hpp"
+#include "labmouse/lab/robots/robot_file.hpp"
 
 namespace labmouse {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "labmouse/contest/drive_rules.hpp"
-#include "labmouse/mouse/drive/robot.hpp"
+#include "labmouse/mouse/robot/drive_model.hpp"
 
 namespace labmouse {
 

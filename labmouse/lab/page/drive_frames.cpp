@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "labmouse/contest/drive_score.hpp"
-#include "labmouse/lab/drive_path.hpp"
-#include "labmouse/lab/optional_json.hpp"
+#include "labmouse/lab/pictures/drive_path.hpp"
+#include "labmouse/lab/text/optional_json.hpp"
 #include "labmouse/lab/page/fields.hpp"
 #include "labmouse/lab/page/play_frames.hpp"
 

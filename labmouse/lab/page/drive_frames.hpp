@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "labmouse/lab/page/play_seconds.hpp"
+#include "labmouse/lab/records/drive_record_file.hpp"
 
 namespace labmouse {
 

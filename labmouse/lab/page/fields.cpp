@@ -1,6 +1,6 @@
 #include "labmouse/lab/page/fields.hpp"
 
-#include "labmouse/lab/bounds.hpp"
+#include "labmouse/lab/bounds/bounds.hpp"
 #include "labmouse/lab/page/maze_data.hpp"
 #include "labmouse/mouse/distance.hpp"
 

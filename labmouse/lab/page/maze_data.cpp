@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "labmouse/lab/record_fields.hpp"
+#include "labmouse/lab/text/json_fields.hpp"
 
 namespace labmouse {
 namespace {

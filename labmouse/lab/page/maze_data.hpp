@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "labmouse/lab/maze_files.hpp"
+#include "labmouse/lab/mazes/maze_files.hpp"
 
 namespace labmouse {
 

@@ -3,10 +3,10 @@
 
 #include <cmath>
 
-#include "labmouse/lab/bounds.hpp"
-#include "labmouse/lab/builtin_mazes.hpp"
-#include "labmouse/lab/mms_bound.hpp"
-#include "labmouse/lab/optional_json.hpp"
+#include "labmouse/lab/bounds/bounds.hpp"
+#include "labmouse/lab/mazes/builtin_mazes.hpp"
+#include "labmouse/lab/bounds/mms_bound.hpp"
+#include "labmouse/lab/text/optional_json.hpp"
 #include "labmouse/lab/page/answers.hpp"
 #include "labmouse/lab/page/fields.hpp"
 #include "labmouse/lab/page/maze_data.hpp"

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "labmouse/lab/guest_specs.hpp"
+#include "labmouse/lab/mice/guest_specs.hpp"
 #include "labmouse/strategies/roster.hpp"
 
 namespace labmouse {

@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "labmouse/lab/contestants.hpp"
+#include "labmouse/lab/mice/specs.hpp"
 
 namespace labmouse {
 

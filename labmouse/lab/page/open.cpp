@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "labmouse/lab/drive_json.hpp"
+#include "labmouse/lab/records/drive_json.hpp"
 #include "labmouse/lab/page/answers.hpp"
 #include "labmouse/lab/page/json_problem.hpp"
 #include "labmouse/lab/page/maze_data.hpp"
@@ -13,7 +13,7 @@
 #include "labmouse/lab/page/played_record.hpp"
 #include "labmouse/lab/page/request.hpp"
 #include "labmouse/lab/page/results.hpp"
-#include "labmouse/lab/version.hpp"
+#include "labmouse/lab/system/version.hpp"
 
 namespace labmouse {
 namespace {

@@ -4,13 +4,13 @@
 
 #include "labmouse/contest/coverage.hpp"
 #include "labmouse/contest/score.hpp"
-#include "labmouse/lab/bounds.hpp"
-#include "labmouse/lab/explanation.hpp"
-#include "labmouse/lab/optional_json.hpp"
+#include "labmouse/lab/bounds/bounds.hpp"
+#include "labmouse/lab/records/explanation.hpp"
+#include "labmouse/lab/text/optional_json.hpp"
 #include "labmouse/lab/page/fields.hpp"
 #include "labmouse/lab/page/maze_data.hpp"
 #include "labmouse/lab/page/play_frames.hpp"
-#include "labmouse/lab/race_files.hpp"
+#include "labmouse/lab/galleries/race_folder.hpp"
 
 namespace labmouse {
 namespace {

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "labmouse/lab/mms_record_file.hpp"
-#include "labmouse/lab/record_file.hpp"
+#include "labmouse/lab/records/mms_record_file.hpp"
+#include "labmouse/lab/records/record_file.hpp"
 
 namespace labmouse {
 

@@ -8,7 +8,7 @@
 
 #include "labmouse/contest/coverage.hpp"
 #include "labmouse/contest/score.hpp"
-#include "labmouse/lab/optional_json.hpp"
+#include "labmouse/lab/text/optional_json.hpp"
 #include "labmouse/lab/page/fields.hpp"
 #include "labmouse/mouse/knowledge.hpp"
 

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "labmouse/lab/record_file.hpp"
+#include "labmouse/lab/records/record_file.hpp"
 
 namespace labmouse {
 

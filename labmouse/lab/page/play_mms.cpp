@@ -3,10 +3,10 @@
 
 #include <functional>
 
-#include "labmouse/lab/mms_bound.hpp"
-#include "labmouse/lab/mms_drawing.hpp"
-#include "labmouse/lab/mms_fields.hpp"
-#include "labmouse/lab/optional_json.hpp"
+#include "labmouse/lab/bounds/mms_bound.hpp"
+#include "labmouse/lab/pictures/mms_picture.hpp"
+#include "labmouse/lab/records/mms_fields.hpp"
+#include "labmouse/lab/text/optional_json.hpp"
 #include "labmouse/lab/page/fields.hpp"
 #include "labmouse/lab/page/maze_data.hpp"
 #include "labmouse/lab/page/play.hpp"

@@ -8,9 +8,9 @@
 
 #include "labmouse/contest/drive_gates.hpp"
 #include "labmouse/contest/drive_score.hpp"
-#include "labmouse/lab/drive_bound.hpp"
-#include "labmouse/lab/drive_json.hpp"
-#include "labmouse/lab/drive_path.hpp"
+#include "labmouse/lab/bounds/drive_bound.hpp"
+#include "labmouse/lab/records/drive_json.hpp"
+#include "labmouse/lab/pictures/drive_path.hpp"
 #include "labmouse/lab/page/drive_frames.hpp"
 #include "labmouse/lab/page/fields.hpp"
 #include "labmouse/lab/page/maze_data.hpp"

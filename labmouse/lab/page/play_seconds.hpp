@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "labmouse/lab/drive_record_file.hpp"
+#include "labmouse/lab/records/drive_record_file.hpp"
 
 namespace labmouse {
 

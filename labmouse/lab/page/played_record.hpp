@@ -5,9 +5,9 @@
 #include <string>
 #include <string_view>
 
-#include "labmouse/lab/maze_files.hpp"
+#include "labmouse/lab/mazes/maze_files.hpp"
 #include "labmouse/lab/page/answers.hpp"
-#include "labmouse/lab/record_file.hpp"
+#include "labmouse/lab/records/record_file.hpp"
 
 namespace labmouse {
 

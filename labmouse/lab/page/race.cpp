@@ -8,8 +8,8 @@
 #include "labmouse/lab/page/mouse_spec.hpp"
 #include "labmouse/lab/page/play.hpp"
 #include "labmouse/lab/page/request.hpp"
-#include "labmouse/lab/race_files.hpp"
-#include "labmouse/lab/race_json.hpp"
+#include "labmouse/lab/galleries/race_folder.hpp"
+#include "labmouse/lab/standings/race_json.hpp"
 
 namespace labmouse {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "labmouse/contest/rules.hpp"
-#include "labmouse/lab/maze_files.hpp"
-#include "labmouse/lab/record_fields.hpp"
+#include "labmouse/lab/mazes/maze_files.hpp"
+#include "labmouse/lab/text/json_fields.hpp"
 
 namespace labmouse {
 

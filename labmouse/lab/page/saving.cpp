@@ -1,8 +1,8 @@
 // Mazes as files and as links.
 #include <fmt/format.h>
 
-#include "labmouse/lab/file_names.hpp"
-#include "labmouse/lab/maze_link.hpp"
+#include "labmouse/lab/system/file_names.hpp"
+#include "labmouse/lab/mazes/maze_link.hpp"
 #include "labmouse/lab/page/answers.hpp"
 #include "labmouse/lab/page/maze_data.hpp"
 #include "labmouse/lab/page/request.hpp"

@@ -3,6 +3,7 @@
 // The file shows the maze on its side: the first line of numbers is the column x = 0, and its first number is y = 0.
 // A number adds up the open sides: 1 north, 2 east, 4 south, 8 west, the same bits as Sides.
 #include "labmouse/maze/formats/cell_table.hpp"
+#include "labmouse/maze/formats/format.hpp"
 #include "labmouse/maze/formats/problem_list.hpp"
 #include "labmouse/maze/formats/text.hpp"
 

@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-#include "labmouse/maze/formats/format.hpp"
+#include "labmouse/maze/formats/read_result.hpp"
 
 namespace labmouse::formats {
 

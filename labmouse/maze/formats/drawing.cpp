@@ -6,6 +6,7 @@
 //     | S     |
 //     o---o---o   last line: the south sides of the row y = 0, under their one name the north sides of y = -1
 #include "labmouse/maze/formats/drawing_reader.hpp"
+#include "labmouse/maze/formats/format.hpp"
 #include "labmouse/maze/formats/problem_list.hpp"
 #include "labmouse/maze/formats/text.hpp"
 

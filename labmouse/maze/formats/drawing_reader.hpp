@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "labmouse/maze/formats/format.hpp"
+#include "labmouse/maze/formats/read_result.hpp"
 
 namespace labmouse::formats {
 

@@ -5,30 +5,11 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
+#include "labmouse/maze/formats/read_result.hpp"
 #include "labmouse/maze/maze.hpp"
 
 namespace labmouse {
-
-/// What is wrong with an input, and where: line and column count from 1; 0 where the input as a whole is meant.
-/// In a binary file the line is 0 and the column the byte's position counted from 1.
-struct Problem {
-  int line = 0;
-  int column = 0;
-  std::string reason;
-
-  friend bool operator==(const Problem&, const Problem&) = default;
-};
-
-/// At most so many problems of one input are listed.
-inline constexpr std::size_t most_problems = 10;
-
-/// A maze, or what is wrong with its file: exactly one of the two is there.
-struct ReadResult {
-  std::optional<Maze> maze;
-  std::vector<Problem> problems;
-};
 
 /// A maze as file content, or the reason why the format cannot hold it.
 struct WriteResult {

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "labmouse/maze/formats/cell_table.hpp"
+#include "labmouse/maze/formats/format.hpp"
 #include "labmouse/maze/formats/problem_list.hpp"
 
 namespace labmouse {

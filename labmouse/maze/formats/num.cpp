@@ -3,6 +3,7 @@
 #include <array>
 
 #include "labmouse/maze/formats/cell_table.hpp"
+#include "labmouse/maze/formats/format.hpp"
 #include "labmouse/maze/formats/problem_list.hpp"
 #include "labmouse/maze/formats/text.hpp"
 

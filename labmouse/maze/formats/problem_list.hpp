@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "labmouse/maze/formats/format.hpp"
+#include "labmouse/maze/formats/read_result.hpp"
 
 namespace labmouse::formats {
 

@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "labmouse/grid/wall_set.hpp"
-#include "labmouse/mouse/drive/route.hpp"
+#include "labmouse/mouse/robot/route.hpp"
 
 namespace labmouse {
 

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "labmouse/mouse/drive/tables.hpp"
+#include "labmouse/mouse/robot/tables.hpp"
 #include "labmouse/mouse/drive/vectors.hpp"
 
 namespace labmouse::drive {

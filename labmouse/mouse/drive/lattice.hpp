@@ -20,8 +20,8 @@
 #include <span>
 
 #include "labmouse/grid/wall_set.hpp"
-#include "labmouse/mouse/drive/node.hpp"
-#include "labmouse/mouse/drive/turn.hpp"
+#include "labmouse/mouse/robot/node.hpp"
+#include "labmouse/mouse/robot/turn.hpp"
 
 namespace labmouse::drive {
 

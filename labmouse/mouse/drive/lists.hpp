@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "labmouse/mouse/drive/tables.hpp"
+#include "labmouse/mouse/robot/tables.hpp"
 
 namespace labmouse::drive {
 

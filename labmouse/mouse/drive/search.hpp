@@ -5,7 +5,7 @@
 
 #include "labmouse/grid/wall_set.hpp"
 #include "labmouse/mouse/drive/lattice.hpp"
-#include "labmouse/mouse/drive/tables.hpp"
+#include "labmouse/mouse/robot/tables.hpp"
 
 namespace labmouse::drive {
 

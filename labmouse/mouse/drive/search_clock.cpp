@@ -1,5 +1,7 @@
 #include "labmouse/mouse/drive/search_clock.hpp"
 
+#include "labmouse/mouse/robot/drive_model.hpp"
+
 namespace labmouse {
 
 SearchClock::SearchClock(const Briefing& briefing)

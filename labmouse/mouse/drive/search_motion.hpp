@@ -11,7 +11,7 @@
 
 #include "labmouse/grid/wall_set.hpp"
 #include "labmouse/mouse/action.hpp"
-#include "labmouse/mouse/drive/robot.hpp"
+#include "labmouse/mouse/robot/robot.hpp"
 #include "labmouse/mouse/pose.hpp"
 
 namespace labmouse {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "labmouse/mouse/drive/lattice.hpp"
-#include "labmouse/mouse/drive/tables.hpp"
+#include "labmouse/mouse/robot/tables.hpp"
 
 namespace labmouse::drive {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "labmouse/mouse/drive/robot.hpp"
+#include "labmouse/mouse/robot/drive_model.hpp"
 #include "labmouse/mouse/explorer.hpp"
 #include "labmouse/mouse/runs.hpp"
 #include "labmouse/mouse/ways.hpp"

@@ -1,0 +1,143 @@
+#include "labmouse/lab/mazes/maze_files.hpp"
+
+#include <fmt/format.h>
+#include <glob.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "labmouse/lab/mazes/builtin_mazes.hpp"
+#include "labmouse/lab/system/files.hpp"
+#include "labmouse/lab/text/printable.hpp"
+#include "labmouse/strategies/parameter.hpp"
+
+namespace labmouse {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Reads one file into the collection, or notes in `failures` what is wrong with it.
+void add_file(const std::string& path, MazeCollection& collection, std::vector<SkippedFile>& failures) {
+  const FileContent file = read_file(path);
+  if (!file.error.empty()) {
+    failures.push_back({path, {{no_place, no_place, file.error}}});
+    return;
+  }
+  ReadResult result = read_maze(file.content);
+  if (result.maze)
+    collection.mazes.push_back({path, *result.maze});
+  else
+    failures.push_back({path, std::move(result.problems)});
+}
+
+bool hidden(const fs::path& path) { return path.filename().string().starts_with('.'); }
+
+std::vector<fs::directory_entry> entries_of(const std::string& folder, std::error_code& error) {
+  std::vector<fs::directory_entry> entries;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+    if (!hidden(entry->path())) entries.push_back(*entry);
+  std::sort(entries.begin(), entries.end());
+  return entries;
+}
+
+/// Adds every file below a folder; links to folders are not followed, so there is no way round in circles. What cannot
+/// be read is skipped, but the folder itself, where that cannot be read, is noted in `failures`.
+void add_folder(const std::string& folder, MazeCollection& collection, std::vector<SkippedFile>& failures) {
+  std::error_code error;
+  for (const fs::directory_entry& entry : entries_of(folder, error)) {
+    std::error_code unknown;
+    const bool link = entry.is_symlink(unknown);
+    if (link && entry.is_directory(unknown)) continue;
+    if (entry.is_directory(unknown))
+      add_folder(entry.path().string(), collection, collection.skipped);
+    else
+      add_file(entry.path().string(), collection, collection.skipped);
+  }
+  if (error) failures.push_back({folder, {{no_place, no_place, "cannot read the folder: " + error.message()}}});
+}
+
+/// Adds what a pattern matches; false where it matches nothing.
+bool add_matches(const std::string& pattern, MazeCollection& collection) {
+  glob_t matches{};
+  const bool found = glob(pattern.c_str(), 0, nullptr, &matches) == 0;
+  for (std::size_t i = 0; found && i < matches.gl_pathc; ++i) {
+    const std::string path = matches.gl_pathv[i];
+    std::error_code unknown;
+    if (fs::is_directory(path, unknown))
+      add_folder(path, collection, collection.skipped);
+    else
+      add_file(path, collection, collection.skipped);
+  }
+  globfree(&matches);
+  return found;
+}
+
+bool add_builtin(const std::string& name, MazeCollection& collection) {
+  for (const BuiltinMaze& builtin : builtin_mazes())
+    if (builtin.name == name) {
+      collection.mazes.push_back({name, *read_maze(builtin.text).maze});
+      return true;
+    }
+  return false;
+}
+
+std::string no_such_maze(const std::string& path) {
+  std::vector<std::string_view> names;
+  for (const BuiltinMaze& builtin : builtin_mazes()) names.push_back(builtin.name);
+  const auto near = nearest_name(path, names);
+  return near.empty() ? "no such file, folder, match or built-in maze"
+                      : fmt::format("no such file or built-in maze; did you mean '{}'?", near);
+}
+
+void add_path(const std::string& path, MazeCollection& collection) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (fs::is_directory(status)) return add_folder(path, collection, collection.errors);
+  if (status.type() != fs::file_type::not_found) return add_file(path, collection, collection.errors);
+  if (path.find_first_of("*?[") != std::string::npos && add_matches(path, collection)) return;
+  if (!add_builtin(path, collection)) collection.errors.push_back({path, {{no_place, no_place, no_such_maze(path)}}});
+}
+
+/// Sorts by a name and keeps one of each, so that neither order nor repetition of arguments matters.
+template <class Named, class Name>
+void sort_by(std::vector<Named>& list, Name name) {
+  std::stable_sort(list.begin(), list.end(), [&](const Named& a, const Named& b) { return name(a) < name(b); });
+  list.erase(std::unique(list.begin(), list.end(), [&](const Named& a, const Named& b) { return name(a) == name(b); }),
+             list.end());
+}
+
+}  // namespace
+
+std::string describe(const std::string& path, const Problem& problem) {
+  const std::string place = problem.line == no_place ? "" : fmt::format(":{}:{}", problem.line, problem.column);
+  // Paths and contents are foreign: neither may break the line or steer a terminal.
+  return shown(fmt::format("{}{}: error: {}", path, place, problem.reason));
+}
+
+MazeCollection load_mazes(std::span<const std::string> paths) {
+  MazeCollection collection;
+  for (const std::string& path : paths) add_path(path, collection);
+  sort_by(collection.mazes, [](const NamedMaze& maze) -> const std::string& { return maze.name; });
+  for (auto* files : {&collection.skipped, &collection.errors})
+    sort_by(*files, [](const SkippedFile& file) -> const std::string& { return file.path; });
+  return collection;
+}
+
+std::optional<Maze> maze_named(const std::string& name) {
+  MazeCollection collection;
+  std::error_code error;
+  if (fs::exists(name, error))
+    add_file(name, collection, collection.errors);
+  else
+    add_builtin(name, collection);
+  if (collection.mazes.empty()) return std::nullopt;
+  return collection.mazes.front().maze;
+}
+
+MazeCollection load_builtin_mazes() {
+  MazeCollection collection;
+  for (const BuiltinMaze& builtin : builtin_mazes()) add_builtin(std::string(builtin.name), collection);
+  return collection;
+}
+
+}  // namespace labmouse

@@ -1,0 +1,62 @@
+// A mouse that takes part in races, and how guests are started.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "labmouse/contest/rules.hpp"
+#include "labmouse/guests/process.hpp"
+#include "labmouse/maze/maze.hpp"
+#include "labmouse/mouse/briefing.hpp"
+#include "labmouse/mouse/strategy.hpp"
+#include "labmouse/strategies/parameter.hpp"
+
+namespace labmouse {
+
+/// A mouse with its parameters, ready to be made once a contest.
+struct Contestant {
+  /// The SPEC in its shortest form: parameters that differ from their defaults, in the order of the mouse's table.
+  std::string name;
+  Settings settings;
+  bool uses_chance = false;
+  /// Contests in each maze; 0: as many as the race holds of a mouse that throws dice, or one.
+  int runs = 0;
+  /// Takes part as a measure and not as a contestant (the oracle).
+  bool reference = false;
+  std::function<std::unique_ptr<Strategy>(const Maze&, const Rules&, std::uint64_t seed)> make;
+  /// The same in seconds; empty for a mouse that does not drive in that world.
+  std::function<std::unique_ptr<Strategy>(const Briefing&)> drive;
+  /// Only of a mouse that learns from whole mazes before it races: the same mouse with what these mazes teach in place of
+  /// what it brings along. Studies call it with the mazes of all folds but one, in the order of their names; it may
+  /// remember nothing from one call to the next, must give equal mice for equal mazes, and keeps uses_chance.
+  std::function<Contestant(const std::vector<const Maze*>& training, const Rules&)> taught;
+};
+
+/// A program that was written for mms, which is a world of its own.
+struct MmsMouse {
+  std::string name;  ///< the SPEC, `mms:COMMAND`
+  Launch launch;
+};
+
+/// Mice, or the reason why the text is no SPEC: exactly one of the two is there.
+struct SpecResult {
+  std::vector<Contestant> contestants;
+  std::vector<MmsMouse> mms;
+  std::string error;
+};
+
+/// How guests are started.
+struct GuestOptions {
+  std::string python;     ///< for capstone robots; empty: the newest python3 of PATH
+  std::string directory;  ///< where commands run; empty: here
+  GuestLimits limits;
+  int runs = 1;           ///< contests of each guest in each maze
+  const std::atomic<bool>* stop = nullptr;  ///< once true, guests are ended; may be null
+};
+
+}  // namespace labmouse

@@ -1,0 +1,122 @@
+#include "labmouse/lab/mice/guest_specs.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "labmouse/contest/simulator.hpp"
+#include "labmouse/guests/capstone.hpp"
+#include "labmouse/guests/command_line.hpp"
+#include "labmouse/guests/guest_mind.hpp"
+#include "labmouse/lab/text/printable.hpp"
+
+namespace labmouse {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The same from every folder; a name without a slash, which is looked for in PATH, stays.
+std::string anchored(const std::string& path) {
+  std::error_code error;
+  const fs::path absolute = path.find('/') == std::string::npos ? fs::path(path) : fs::absolute(path, error);
+  return error ? path : absolute.string();
+}
+
+Contestant contestant_of(std::string name, Launch launch, int runs) {
+  Contestant contestant;
+  contestant.name = std::move(name);
+  contestant.runs = runs;
+  contestant.make = [launch = std::move(launch)](const Maze& maze, const Rules& rules, std::uint64_t seed) {
+    return std::make_unique<GuestMind>(launch, brief(maze, rules, seed));
+  };
+  return contestant;
+}
+
+/// A file as users name it: a shell does not see a `~` behind a colon, so it is still there.
+std::string from_home(const std::string& file) {
+  const char* home = std::getenv("HOME");
+  return file.starts_with("~/") && home != nullptr ? home + file.substr(1) : file;
+}
+
+/// Why a robot's file is none.
+std::string no_robot(const std::string& file) {
+  std::error_code failure;
+  if (fs::is_directory(file, failure)) return fmt::format("'{}' is a folder; name the Python file with the class Robot", file);
+  const auto comma = file.find(',');
+  if (comma != std::string::npos && fs::exists(file.substr(0, comma), failure))
+    return fmt::format("there is no file '{}'; a guest takes all behind its colon, so name other mice before it or with another --mice", file);
+  return fmt::format("there is no file '{}'; write capstone:FILE, the Python file with the class Robot", file);
+}
+
+/// Why a command's first word is no program.
+std::string no_program(const std::string& name, const std::string& directory) {
+  std::error_code failure;
+  const fs::path path = fs::path(directory) / name;
+  const std::string ending = fs::path(name).extension().string();
+  if (!fs::exists(path, failure)) {
+    const char* hint = name.find('/') == std::string::npos ? " in PATH; a path of your own has a slash, as in ./mouse"
+                       : name.starts_with('~')             ? "; no shell sees the command, so write the whole path for ~"
+                                                           : "";
+    return fmt::format("there is no program '{}' that can be executed{}", name, hint);
+  }
+  if (ending == ".py") return fmt::format("'{}' cannot be executed; write 'python3 {}'", name, name);
+  if (ending == ".js") return fmt::format("'{}' cannot be executed; write 'node {}'", name, name);
+  if (name.find('/') == std::string::npos && access(path.c_str(), X_OK) == 0)
+    return fmt::format("'{}' is not in PATH; a path of your own has a slash: ./{}", name, name);
+  return fmt::format("'{}' cannot be executed; is it a program, and compiled?", name);
+}
+
+/// How to start what stands behind the colon of `capstone:`; on failure sets the error.
+Launch robot_launch(const std::string& named, const GuestOptions& options, std::string& error) {
+  std::error_code failure;
+  const std::string file = from_home(named);
+  if (!fs::is_regular_file(file, failure)) {
+    error = no_robot(file);
+    return {};
+  }
+  const std::string python = options.python.empty() ? newest_python3() : anchored(from_home(options.python));
+  if (python.empty())
+    error = "no python3 was found in PATH; name one with --python";
+  else if (program_path(python, "").empty())
+    error = fmt::format("there is no Python '{}' that can be executed", python);
+  else if (!options.python.empty() && !python_runs(python))
+    error = fmt::format("'{}' is no Python that runs", python);
+  return capstone_launch(fs::absolute(file, failure).string(), python);
+}
+
+Launch command_launch(const std::string& command, const GuestOptions& options, std::string& error) {
+  Launch launch;
+  launch.words = split_command(command);
+  launch.directory = options.directory;
+  if (launch.words.empty())
+    error = "it names no program";
+  else if (program_path(launch.words.front(), launch.directory).empty())
+    error = no_program(launch.words.front(), launch.directory);
+  return launch;
+}
+
+}  // namespace
+
+void read_guest_spec(std::string_view spec, const GuestOptions& options, SpecResult& result) {
+  const std::string_view kind = spec.substr(0, spec.find(':') + 1);
+  const std::string rest(spec.substr(kind.size()));
+  std::string error;
+  // What is accepted here is printed as the mouse's name, and handed on as words that end with a zero.
+  if (shown(spec) != spec) {
+    result.error = fmt::format("guest '{}': its SPEC has characters that cannot be printed", shown(spec));
+    return;
+  }
+  Launch launch = kind == "capstone:" ? robot_launch(rest, options, error) : command_launch(rest, options, error);
+  launch.limits = options.limits;
+  launch.stop = options.stop;
+  if (!error.empty())
+    result.error = fmt::format("guest '{}': {}", spec, error);
+  else if (kind == "mms:")
+    result.mms.push_back({std::string(spec), std::move(launch)});
+  else
+    result.contestants.push_back(contestant_of(std::string(spec), std::move(launch), options.runs));
+}
+
+}  // namespace labmouse

@@ -1,0 +1,39 @@
+#include "labmouse/lab/mice/mice_json.hpp"
+
+#include "labmouse/strategies/roster.hpp"
+
+namespace labmouse {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json parameter_json(const Parameter& parameter) {
+  Json json = {{"name", parameter.name},
+               {"type", name_of(parameter.type)},
+               {"default", parameter.default_value},
+               {"meaning", parameter.meaning}};
+  switch (parameter.type) {
+    case ParameterType::flag: break;
+    case ParameterType::choice:
+    case ParameterType::prior: json["choices"] = choices_of(parameter); break;
+    default: json["low"] = parameter.low, json["high"] = parameter.high;
+  }
+  return json;
+}
+
+}  // namespace
+
+Json mice_json() {
+  Json mice = Json::array();
+  for (const RosterEntry* mouse : roster()) {
+    Json parameters = Json::array();
+    for (const Parameter& parameter : mouse->parameters) parameters.push_back(parameter_json(parameter));
+    mice.push_back({{"name", mouse->name},
+                    {"summary", mouse->summary},
+                    {"throws_dice", mouse->uses_chance(Settings(mouse->parameters))},
+                    {"parameters", std::move(parameters)}});
+  }
+  return mice;
+}
+
+}  // namespace labmouse

@@ -1,0 +1,270 @@
+#include "labmouse/lab/mice/specs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "labmouse/contest/simulator.hpp"
+#include "labmouse/lab/bounds/bounds.hpp"
+#include "labmouse/lab/system/files.hpp"
+#include "labmouse/lab/mice/guest_specs.hpp"
+#include "labmouse/lab/text/printable.hpp"
+#include "labmouse/lab/mice/prior_file.hpp"
+#include "labmouse/lab/mice/prior_learning.hpp"
+#include "labmouse/strategies/roster.hpp"
+
+namespace labmouse {
+namespace {
+
+constexpr std::string_view oracle_name = "oracle";
+
+Contestant oracle() {
+  Contestant contestant;
+  contestant.name = oracle_name;
+  contestant.reference = true;
+  contestant.make = [](const Maze& maze, const Rules& rules, std::uint64_t) { return make_oracle(maze, rules); };
+  return contestant;
+}
+
+/// Whether the mouse brings a prior along that mazes could take the place of.
+bool can_learn(const RosterEntry& entry, const Settings& settings) {
+  return std::any_of(entry.parameters.begin(), entry.parameters.end(), [&](const Parameter& parameter) {
+    return parameter.type == ParameterType::prior && settings.choice(parameter.name) == parameter.default_value;
+  });
+}
+
+Contestant contestant_of(const RosterEntry& entry, Settings settings) {
+  Contestant contestant;
+  contestant.name = entry.name;
+  for (std::size_t i = 0; i < entry.parameters.size(); ++i)
+    if (const Setting& setting = settings.all()[i]; setting.value != entry.parameters[i].default_value)
+      contestant.name += ":" + setting.name + "=" + setting.value;
+  contestant.uses_chance = entry.uses_chance(settings);
+  contestant.make = [&entry, settings](const Maze& maze, const Rules& rules, std::uint64_t seed) {
+    return entry.make(brief(maze, rules, seed), settings);
+  };
+  if (entry.drives)
+    contestant.drive = [&entry, settings](const Briefing& briefing) { return entry.make(briefing, settings); };
+  if (can_learn(entry, settings))
+    contestant.taught = [&entry, settings](const std::vector<const Maze*>& training, const Rules& rules) {
+      Settings learned = settings;
+      learned.attach(std::make_shared<const WallPrior>(learn_prior(training, rules)));
+      return contestant_of(entry, std::move(learned));
+    };
+  contestant.settings = std::move(settings);
+  return contestant;
+}
+
+/// What a mouse's name cannot be, but a program's path or a piece of a command.
+bool looks_like_a_program(std::string_view name) {
+  return name.find_first_of("/ ~") != std::string_view::npos || name.ends_with(".py") || name.ends_with(".js");
+}
+
+std::string unknown_mouse(std::string_view name) {
+  if (looks_like_a_program(name))
+    return fmt::format("mouse '{}' is unknown; a program of yours is 'capstone:FILE', 'guest:COMMAND' or 'mms:COMMAND', in quotes", name);
+  std::vector<std::string_view> names = {oracle_name, "capstone", "guest", "mms"};
+  for (const RosterEntry* entry : roster()) names.push_back(entry->name);
+  const auto near = nearest_name(name, names);
+  const auto hint = near.empty() ? std::string() : fmt::format("did you mean '{}'? ", near);
+  return fmt::format("mouse '{}' is unknown; {}`labmouse mice` lists all", name, hint);
+}
+
+std::string unknown_parameter(const RosterEntry& entry, std::string_view key) {
+  if (entry.parameters.empty()) return fmt::format("mouse '{}' has no parameters, so none called '{}'", entry.name, key);
+  std::vector<std::string_view> names;
+  for (const Parameter& parameter : entry.parameters) names.push_back(parameter.name);
+  const auto near = nearest_name(key, names);
+  return fmt::format("mouse '{}' has no parameter '{}'; {}", entry.name, key,
+                     near.empty() ? fmt::format("it has {}", fmt::join(names, ", ")) : fmt::format("did you mean '{}'?", near));
+}
+
+/// What a value that is no file may have been meant for.
+std::string hint_for(const Parameter& parameter, std::string_view value) {
+  const auto near = value.find_first_of("./") == std::string::npos ? nearest_name(value, choices_of(parameter)) : "";
+  return near.empty() ? "a SPEC ends a path at ':' and ','" : fmt::format("did you mean '{}'?", near);
+}
+
+/// Attaches the prior of a file, or none where the value is a choice; returns what is wrong with it, or nothing.
+std::string attach_prior(const Parameter& parameter, const std::string& value, Settings& settings) {
+  const auto choices = choices_of(parameter);
+  settings.attach(nullptr);
+  if (std::find(choices.begin(), choices.end(), value) != choices.end()) return "";
+  // What is accepted here is printed as part of the mouse's name.
+  if (shown(value) != value) return fmt::format("prior file '{}' has a name that cannot be printed", shown(value));
+  const FileContent file = read_file(value);
+  if (!file.error.empty())
+    return fmt::format("prior file {}: {}; {}", value, file.error, hint_for(parameter, value));
+  const ReadPriorResult read = read_prior(file.content);
+  if (!read.prior) {
+    const Problem& first = read.problems.front();
+    return fmt::format("prior file {}:{}:{}: {}", value, first.line, first.column, first.reason);
+  }
+  settings.attach(std::make_shared<const WallPrior>(*read.prior));
+  return "";
+}
+
+/// Applies one `key=value`; returns what is wrong with it, or nothing.
+std::string apply(const RosterEntry& entry, std::string_view assignment, Settings& settings) {
+  const auto equals = assignment.find('=');
+  if (equals == std::string_view::npos)
+    return fmt::format("'{}' of mouse '{}' is not of the form key=value", assignment, entry.name);
+  const auto key = assignment.substr(0, equals), value = assignment.substr(equals + 1);
+  const auto parameter = std::find_if(entry.parameters.begin(), entry.parameters.end(),
+                                      [&](const Parameter& p) { return p.name == key; });
+  if (parameter == entry.parameters.end()) return unknown_parameter(entry, key);
+  if (const auto reason = check_value(*parameter, value); !reason.empty())
+    return fmt::format("value '{}' of parameter '{}' of mouse '{}' {}", value, key, entry.name, reason);
+  settings.set(key, canonical_value(*parameter, value));
+  return parameter->type == ParameterType::prior ? attach_prior(*parameter, std::string(value), settings) : "";
+}
+
+/// Reads one mouse into the list; returns what is wrong with it, or nothing.
+std::string read_spec(std::string_view spec, std::vector<Contestant>& contestants) {
+  const auto colon = spec.find(':');
+  const auto name = spec.substr(0, colon);
+  if (name.empty()) return "a mouse without a name; write name[:key=value]..., several separated by commas";
+  if (name == oracle_name) {
+    if (colon != std::string_view::npos) return "the oracle has no parameters";
+    contestants.push_back(oracle());
+    return "";
+  }
+  const RosterEntry* entry = find_mouse(name);
+  if (entry == nullptr) return unknown_mouse(name);
+  Settings settings(entry->parameters);
+  std::vector<std::string_view> keys;
+  auto rest = colon == std::string_view::npos ? std::string_view() : spec.substr(colon + 1);
+  for (bool more = colon != std::string_view::npos; more;) {
+    const auto next = rest.find(':');
+    const auto assignment = rest.substr(0, next);
+    if (auto error = apply(*entry, assignment, settings); !error.empty()) return error;
+    keys.push_back(assignment.substr(0, assignment.find('=')));
+    if (std::count(keys.begin(), keys.end(), keys.back()) > 1)
+      return fmt::format("parameter '{}' of mouse '{}' is given twice", keys.back(), entry->name);
+    more = next != std::string_view::npos;
+    if (more) rest.remove_prefix(next + 1);
+  }
+  contestants.push_back(contestant_of(*entry, std::move(settings)));
+  return "";
+}
+
+template <class Mouse>
+void drop_repetitions(std::vector<Mouse>& mice) {
+  for (std::size_t i = 0; i < mice.size(); ++i)
+    mice.erase(std::remove_if(mice.begin() + static_cast<std::ptrdiff_t>(i) + 1, mice.end(),
+                              [&](const Mouse& m) { return m.name == mice[i].name; }),
+               mice.end());
+}
+
+SpecResult refused(std::string error) { return {{}, {}, std::move(error)}; }
+
+/// Reads the mice of one text into the result; on failure sets its error.
+void read_into(std::string_view text, const GuestOptions& options, SpecResult& result) {
+  for (bool more = true; more && result.error.empty();) {
+    if (is_guest_spec(text)) return read_guest_spec(text, options, result);
+    const auto comma = text.find(',');
+    result.error = read_spec(text.substr(0, comma), result.contestants);
+    more = comma != std::string_view::npos;
+    if (more) text.remove_prefix(comma + 1);
+  }
+}
+
+}  // namespace
+
+SpecResult read_specs(std::span<const std::string> texts, const GuestOptions& options) {
+  SpecResult result;
+  for (const std::string& text : texts)
+    if (result.error.empty()) read_into(text, options, result);
+  if (!result.error.empty()) return refused(result.error);
+  drop_repetitions(result.contestants);
+  drop_repetitions(result.mms);
+  return result;
+}
+
+SpecResult read_specs(std::string_view text, const GuestOptions& options) {
+  const std::string whole(text);
+  return read_specs({&whole, 1}, options);
+}
+
+SpecResult read_variants(std::string_view spec, std::string_view parameter, std::span<const std::string> values) {
+  SpecResult result;
+  for (const std::string& value : values) {
+    const Setting setting = {std::string(parameter), value};
+    SpecResult variant = read_variant(spec, {&setting, 1});
+    if (!variant.error.empty()) return variant;
+    result.contestants.push_back(std::move(variant.contestants.front()));
+  }
+  drop_repetitions(result.contestants);
+  return result;
+}
+
+SpecResult read_variant(std::string_view spec, std::span<const Setting> values) {
+  SpecResult result = read_specs(spec);
+  if (!result.error.empty()) return result;
+  if (is_guest_spec(spec)) return refused(fmt::format("guest '{}' has no parameters", spec));
+  if (result.contestants.size() != 1)
+    return refused(fmt::format("'{}' names {} mice; name one", spec, result.contestants.size()));
+  return read_variant(result.contestants.front(), values);
+}
+
+SpecResult read_variant(const Contestant& mouse, std::span<const Setting> values) {
+  const RosterEntry* entry = find_mouse(std::string_view(mouse.name).substr(0, mouse.name.find(':')));
+  if (entry == nullptr)
+    return refused(is_guest_spec(mouse.name) ? fmt::format("guest '{}' has no parameters", mouse.name) : "the oracle has no parameters");
+  Settings settings = mouse.settings;
+  for (const Setting& value : values)
+    if (auto error = apply(*entry, fmt::format("{}={}", value.name, value.value), settings); !error.empty()) return refused(error);
+  return {{contestant_of(*entry, std::move(settings))}, {}, ""};
+}
+
+namespace {
+
+const RosterEntry* entry_of(const Contestant& mouse) { return find_mouse(mouse.name.substr(0, mouse.name.find(':'))); }
+
+bool counts_in_seconds(const Parameter& parameter) { return parameter.type == ParameterType::prior; }
+
+/// Why one of the mice, all of which drive, has a parameter that says nothing there; empty without one.
+std::string refuse_idle_settings(std::span<const Contestant> mice) {
+  for (const Contestant& mouse : mice) {
+    const RosterEntry* entry = entry_of(mouse);
+    for (std::size_t i = 0; entry != nullptr && i < entry->parameters.size(); ++i) {
+      const Parameter& parameter = entry->parameters[i];
+      if (counts_in_seconds(parameter) || mouse.settings.all()[i].value == parameter.default_value) continue;
+      const auto counting = std::find_if(entry->parameters.begin(), entry->parameters.end(), counts_in_seconds);
+      return fmt::format("parameter '{}' of mouse '{}' has no meaning in seconds; it has {} there", parameter.name, entry->name,
+                         counting == entry->parameters.end() ? "none" : fmt::format("'{}'", counting->name));
+    }
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string refuse_to_drive(std::span<const Contestant> mice) {
+  const auto stays = std::find_if(mice.begin(), mice.end(), [](const Contestant& mouse) { return !mouse.drive; });
+  if (stays == mice.end()) return refuse_idle_settings(mice);
+  std::vector<std::string_view> drivers;
+  for (const RosterEntry* entry : roster())
+    if (entry->drives) drivers.push_back(entry->name);
+  return fmt::format("mouse '{}' does not drive in seconds; those that do are {}", stays->name, fmt::join(drivers, ", "));
+}
+
+Settings settings_in_seconds(const Contestant& mouse) {
+  const RosterEntry* entry = entry_of(mouse);
+  if (entry == nullptr) return {};
+  for (const Parameter& parameter : entry->parameters) {
+    if (!counts_in_seconds(parameter)) continue;
+    Settings settings({&parameter, 1});
+    settings.set(parameter.name, mouse.settings.choice(parameter.name));
+    return settings;
+  }
+  return {};
+}
+
+std::vector<Contestant> all_contestants() {
+  std::vector<Contestant> contestants;
+  for (const RosterEntry* entry : roster()) contestants.push_back(contestant_of(*entry, Settings(entry->parameters)));
+  return contestants;
+}
+
+}  // namespace labmouse

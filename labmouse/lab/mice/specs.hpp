@@ -1,0 +1,39 @@
+// Who races: mice by their SPEC, `name[:key=value]...`, several separated by commas.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "labmouse/lab/mice/contestant.hpp"
+
+namespace labmouse {
+
+/// Reads one or more mice; a name that stands twice with equal parameters counts once. Reads the files of their priors. The
+/// SPEC of a guest reaches to the end of the text.
+SpecResult read_specs(std::string_view text, const GuestOptions& options = {});
+
+/// The same of several texts.
+SpecResult read_specs(std::span<const std::string> texts, const GuestOptions& options = {});
+
+/// The mouse of a SPEC once for each value of one of its parameters, in the order of the values; what the SPEC says of that
+/// parameter is overridden. Values that are spelled differently and are equal count once.
+SpecResult read_variants(std::string_view spec, std::string_view parameter, std::span<const std::string> values);
+
+/// The one mouse of a SPEC with values for some of its parameters; what the SPEC says of those is overridden.
+SpecResult read_variant(std::string_view spec, std::span<const Setting> values);
+
+/// The same of a mouse that was read before; of its files none is read again.
+SpecResult read_variant(const Contestant& mouse, std::span<const Setting> values);
+
+/// Why these mice cannot race in seconds, with the names of those that can; empty where they can.
+std::string refuse_to_drive(std::span<const Contestant> mice);
+
+/// The settings of such a mouse that count in seconds: its prior. All other parameters are about steps.
+Settings settings_in_seconds(const Contestant& mouse);
+
+/// Every mouse of the roster with its defaults.
+std::vector<Contestant> all_contestants();
+
+}  // namespace labmouse

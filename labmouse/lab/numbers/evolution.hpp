@@ -1,0 +1,84 @@
+// CMA-ES: looks for the lowest value of a function that can only be measured, point by point.
+//
+// Method: each generation throws points from a normal distribution, ranks them by their measured values, and moves the
+// distribution's mean to the weighted mean of the better half. Its step size grows while successive moves point the
+// same way and shrinks while they cancel (cumulation); its shape, the covariance matrix, learns from the better half
+// (rank-mu update) and from the path of the mean (rank-one update). Only the order of the values counts.
+// Source: Hansen, "The CMA Evolution Strategy: A Tutorial" (arXiv 1604.00772, 2016), with its standard constants and
+// positive weights.
+// Limits: learning a shape takes about 10 n^2 measurements of n numbers; on few-valued numbers it stops learning where
+// the step is shorter than a value. The deviates and the step size need std::log and std::exp, which may differ in
+// their last bit from platform to platform: so may the path of a search, but not what is measured at a point.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "labmouse/chance/dice.hpp"
+#include "labmouse/lab/numbers/eigenvectors.hpp"
+
+namespace labmouse {
+
+using Point = std::vector<double>;
+
+struct EvolutionOrder {
+  Point start;         ///< in the unit cube; 1 to 20 numbers
+  double step = 0.2;   ///< first standard deviation of each number, as a share of its range
+  int population = 0;  ///< points a generation, at least 2; 0 takes usual_population
+  std::uint64_t seed = 1;
+};
+
+/// 4 + 3 ln(dimension), rounded down.
+int usual_population(std::size_t dimension);
+
+/// One search in the unit cube [0,1]^n. What is thrown beyond a side is reflected there, as often as needed.
+class Evolution {
+ public:
+  explicit Evolution(const EvolutionOrder& order);
+
+  /// The points of the next generation. Until they are told, asking again throws others.
+  std::vector<Point> ask();
+  /// What was measured at the points of the last ask, in their order; lower is better, and equal ones rank as they
+  /// stand.
+  void tell(std::span<const double> values);
+
+  int population() const { return population_; }
+  /// The present step size, as a share of the ranges.
+  double step() const { return step_; }
+
+ private:
+  /// Weights of the better half and the rates of learning, all of them functions of dimension and population.
+  struct Constants {
+    std::vector<double> weights;
+    double effective = 0.0;        ///< mu_eff: how many equal parents the weighted ones are worth
+    double path_rate = 0.0;        ///< c_sigma, of the path of the step size
+    double damping = 0.0;          ///< d_sigma
+    double shape_path_rate = 0.0;  ///< c_c, of the path of the shape
+    double rank_one = 0.0;         ///< c_1
+    double rank_mu = 0.0;          ///< c_mu
+    double usual_length = 0.0;     ///< of a vector of normal deviates
+  };
+  static Constants constants_of(std::size_t dimension, int population);
+
+  Point thrown_step();
+  Point weighted_sum(std::span<const std::size_t> ranked) const;
+  Point whitened(const Point& step) const;
+  bool advance_paths(const Point& move);
+  void learn_shape(std::span<const std::size_t> ranked, bool path_runs);
+
+  std::size_t dimension_;
+  int population_;
+  Constants constants_;
+  Dice dice_;
+  Point mean_;  ///< not reflected: the distribution lives in the mirrored continuation of the cube
+  double step_;
+  Point path_, shape_path_;
+  double path_age_ = 1.0;  ///< (1 - c_sigma)^(2 generations): what is left of the paths' beginning at zero
+  SquareMatrix covariance_;
+  Eigenvectors axes_;         ///< of the covariance; the values are standard deviations
+  std::vector<Point> steps_;  ///< of the last ask, before step size and mean
+};
+
+}  // namespace labmouse

@@ -1,0 +1,154 @@
+#include "labmouse/lab/pictures/drive_picture.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "labmouse/lab/drawing/scene.hpp"
+#include "labmouse/lab/drawing/sheet.hpp"
+#include "labmouse/lab/system/file_names.hpp"
+#include "labmouse/lab/pictures/drive_path.hpp"
+
+namespace labmouse {
+namespace {
+
+using namespace drawing;
+
+constexpr int margin = 20, coordinates_room = 12, least_width = 300;
+
+/// From slow to fast: a part of "plasma" (Smith and van der Walt 2015), which grows lighter all along, so that no eye needs
+/// its hues.
+constexpr std::array<Tone, 7> speed_tones = {{
+    {"speed1", "#0d0887", "#6f7bff"},
+    {"speed2", "#5302a3", "#9b6dff"},
+    {"speed3", "#8b0aa5", "#c863de"},
+    {"speed4", "#b83289", "#e072ae"},
+    {"speed5", "#db5c68", "#f08b7c"},
+    {"speed6", "#f48849", "#f9aa58"},
+    {"speed7", "#f0a91e", "#fdd64f"},
+}};
+
+using Path = std::vector<DrivePathPoint>;
+
+/// The speeds of a path, in as many equal parts as there are tones.
+class SpeedScale {
+ public:
+  explicit SpeedScale(const Path& path) {
+    if (path.empty()) return;
+    const auto [slow, fast] = std::minmax_element(path.begin(), path.end(), [](const auto& a, const auto& b) { return a.speed < b.speed; });
+    low_ = slow->speed;
+    high_ = fast->speed;
+  }
+  std::size_t level(double speed) const {
+    if (high_ <= low_) return speed_tones.size() - 1;
+    const double share = (speed - low_) / (high_ - low_);
+    return std::min(static_cast<std::size_t>(share * static_cast<double>(speed_tones.size())), speed_tones.size() - 1);
+  }
+  std::string words() const { return fmt::format("{:.2f} to {:.2f} m/s", low_ / 1e3, high_ / 1e3); }
+
+ private:
+  double low_ = 0.0, high_ = 0.0;
+};
+
+std::string place(const Frame& frame, const DrivePathPoint& point) {
+  return fmt::format("{:.1f} {:.1f}", frame.origin.x + point.x * Frame::cell,
+                     frame.origin.y + (frame.size.height - point.y) * Frame::cell);
+}
+
+std::string line(const Tone& tone, double width, const std::string& data) {
+  return fmt::format("<path {} stroke-width=\"{:.1f}\" stroke-linejoin=\"round\" stroke-linecap=\"round\" d=\"{}\"/>\n",
+                     stroke(tone), width, data);
+}
+
+std::string data_of(const Frame& frame, const Path& path, std::size_t first, std::size_t last) {
+  std::string data;
+  for (std::size_t i = first; i <= last; ++i) data += (i == first ? "M" : "L") + place(frame, path[i]);
+  return data;
+}
+
+/// Each stretch of one level as a line; the speed of a piece is that of its middle.
+std::string coloured(const Frame& frame, const Path& path, const SpeedScale& scale) {
+  std::string svg;
+  const auto level = [&](std::size_t i) { return scale.level((path[i].speed + path[i + 1].speed) / 2.0); };
+  for (std::size_t first = 0; first + 1 < path.size();) {
+    std::size_t last = first + 1;
+    while (last + 1 < path.size() && level(last) == level(first)) ++last;
+    svg += line(speed_tones[level(first)], 4.0, data_of(frame, path, first, last));
+    first = last;
+  }
+  return svg;
+}
+
+std::string ramp() {
+  std::string svg;
+  for (std::size_t i = 0; i < speed_tones.size(); ++i)
+    svg += fmt::format("<path {} stroke-width=\"6\" d=\"M{} 0h10\"/>", stroke(speed_tones[i]), 10 * i);
+  return svg;
+}
+
+/// What is drawn: a fast run, over the thin lines of searches.
+struct Drives {
+  Path fast;
+  std::vector<Path> searches;
+  std::string title;
+  std::string description;
+};
+
+std::string picture(const Maze& maze, const Drives& drives) {
+  DrawingLayers layers;
+  layers.coordinates = true;
+  const Scene scene = {maze, layers, Frame{maze.size(), {margin + coordinates_room, margin + 32}}, Heat(maze.size(), nullptr), {}};
+  const SpeedScale scale(drives.fast);
+  const int width = std::max(scene.frame.right() + margin, least_width);
+  Legend legend({scene.frame.origin.x, scene.frame.bottom() + 24 + margin}, width - margin);
+  std::string lines;
+  for (const Path& search : drives.searches)
+    if (search.size() > 1) lines += line(muted, 1.5, data_of(scene.frame, search, 0, search.size() - 1));
+  if (!lines.empty()) legend.add(24, fmt::format("<path {} stroke-width=\"1.5\" d=\"M0 0h24\"/>", stroke(muted)), "searching");
+  if (drives.fast.size() > 1) legend.add(70, ramp(), scale.words());
+  const Sheet sheet = {width, legend.bottom() + margin / 2, drives.title, drives.description,
+                       std::vector<Tone>(speed_tones.begin(), speed_tones.end())};
+  return sheet.with(heading_svg({scene.frame.origin.x, margin + 14}, width - margin, drives.title) + floor_svg(scene) +
+                    lines + coloured(scene.frame, drives.fast, scale) + walls_svg(scene) + labels_svg(scene) +
+                    coordinates_svg(scene) + legend.svg());
+}
+
+/// The place of the run that is drawn in colours; past the end where none is.
+std::size_t coloured_run(const DriveRecordFile& file) {
+  const DriveScore result = score(file.record, file.rules);
+  const auto& runs = file.record.runs;
+  const auto fast = [&](std::size_t i) { return runs[i].kind == DriveRun::Kind::fast; };
+  if (result.best && fast(result.runs[*result.best].run)) return result.runs[*result.best].run;
+  for (std::size_t i = runs.size(); i-- > 0;)
+    if (fast(i)) return i;
+  return runs.size();
+}
+
+}  // namespace
+
+std::string draw_route(const Maze& maze, const DriveRoute& driven, const DriveModel& model, const std::string& title) {
+  return picture(maze, {path_of(driven, 0, model), {}, title,
+                        fmt::format("A route of {} pieces that takes {:.3f} s.", driven.segments.size(), driven.time / 1e6)});
+}
+
+std::string draw_contest(const DriveRecordFile& file) {
+  Drives drives;
+  const std::size_t best = coloured_run(file);
+  DrivePath path({file.maze->start(), file.maze->start_heading()}, *file.model);
+  for (std::size_t i = 0; i < file.record.runs.size(); ++i) {
+    Path points = path.follow(file.record.runs[i]);
+    if (i == best)
+      drives.fast = std::move(points);
+    else if (file.record.runs[i].kind != DriveRun::Kind::fast)
+      drives.searches.push_back(std::move(points));
+  }
+  const DriveScore result = score(file.record, file.rules);
+  drives.title = fmt::format("{} in {}: {}", file.mouse, stem_of(file.maze_name),
+                             result.best ? fmt::format("{:.3f} s", static_cast<double>(*result.value()) / 1e6)
+                                         : std::string(name_of(file.record.outcome)));
+  drives.description = result_line(file);
+  return picture(*file.maze, drives);
+}
+
+}  // namespace labmouse

@@ -1,0 +1,58 @@
+// The layers of pictures by their names, made from a maze or from a record.
+#pragma once
+
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "labmouse/lab/drawing/drawing.hpp"
+#include "labmouse/lab/records/record_file.hpp"
+
+namespace labmouse {
+
+enum class Layer : std::uint8_t {
+  heat,         ///< how often the exploration came into each cell
+  path,         ///< the speed run, step by step; of a maze alone a shortest run
+  exploration,  ///< the way of the exploration: to the goal, and from there to the reset
+  known,        ///< walls that the mouse did not know at the end of the exploration, faint
+  wrong,        ///< closed walls among them: an optimist takes them for open
+  shares,       ///< the cells visited and discovered, and their shares of all that can be reached
+  distances,    ///< steps to the goal in each cell
+  cells,        ///< the same in cells walked
+  coordinates,  ///< the numbers of columns and rows
+  candidates,   ///< the unseen walls among which the mouse chose last, for a record with reasons
+};
+
+using LayerSet = std::set<Layer>;
+
+std::string_view name_of(Layer layer);
+/// One line about a layer, for lists.
+std::string_view meaning_of(Layer layer);
+/// All layers, in the order of their names above.
+const LayerSet& all_layers();
+/// Whether there is nothing to draw without a record.
+bool needs_record(Layer layer);
+/// Whether a terminal cannot show it; heat takes one with colours.
+bool needs_svg(Layer layer, bool colours);
+
+/// Layers named in a list such as `heat,path`, or what is wrong with it: where the error is empty, it is good.
+struct LayersResult {
+  LayerSet layers;
+  std::string error;
+};
+LayersResult read_layers(std::string_view names);
+
+/// The layers of a maze alone; those that need a record stay empty.
+DrawingLayers layers_of(const Maze& maze, const Rules& rules, const LayerSet& chosen);
+
+/// The layers of a record that has a maze and agrees with it. A record that was cut, or whose mouse never went back to
+/// the start, is drawn as far as it goes: up to there it counts as the exploration.
+DrawingLayers layers_of(const RecordFile& file, const LayerSet& chosen);
+
+/// The record as it was after that step (1 or more): cut there, so that the layers show what was known and chosen by then.
+RecordFile as_of(RecordFile file, int step);
+
+/// The layers of the picture that every contest leaves: the speed run over the visits of the exploration.
+const LayerSet& contest_layers();
+
+}  // namespace labmouse

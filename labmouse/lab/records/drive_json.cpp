@@ -1,0 +1,29 @@
+#include "labmouse/lab/records/drive_json.hpp"
+
+namespace labmouse {
+
+using Json = nlohmann::ordered_json;
+
+Json rules_json(const DriveRules& rules) {
+  return {{"name", rules.name},
+          {"source", rules.source},
+          {"time_limit", rules.time_limit},
+          {"most_runs", rules.most_runs},
+          {"maze_time_divisor", rules.maze_time_divisor},
+          {"gate_to_gate", rules.gate_to_gate},
+          {"touch_penalty", rules.touch_penalty},
+          {"untouched_bonus", rules.untouched_bonus}};
+}
+
+Json score_json(const DriveScore& score) {
+  if (!score.best) return nullptr;
+  const DriveRunScore& best = score.runs[*score.best];
+  return {{"value", best.value},
+          {"run", best.run + 1},
+          {"gate_to_gate", or_null(best.gate_to_gate)},
+          {"rest_to_centre", or_null(best.rest_to_centre)},
+          {"maze_time", best.maze_time},
+          {"bonus", best.bonus}};
+}
+
+}  // namespace labmouse

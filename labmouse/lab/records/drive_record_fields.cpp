@@ -1,0 +1,118 @@
+#include "labmouse/lab/records/drive_record_fields.hpp"
+
+#include <charconv>
+#include <cmath>
+
+namespace labmouse {
+namespace {
+
+using Json = nlohmann::json;
+using Fields = RecordFields;
+
+constexpr std::size_t longest_source = 4096;  // bytes
+
+Heading read_heading(const Json& name, const char* key, Fields& fields) {
+  for (const Heading heading : all_headings)
+    if (name == name_of(heading)) return heading;
+  fields.fail(fmt::format("has a '{}' whose heading is none of north, east, south, west", key));
+  return Heading::north;
+}
+
+CellSet rows_in(Fields& fields, const char* key, Size size) {
+  CellSet cells;
+  const Json& rows = fields.list(key);
+  if (rows.size() != static_cast<std::size_t>(size.height)) fields.fail(fmt::format("has {} rows where the maze has {}", rows.size(), size.height));
+  for (std::size_t y = 0; y < rows.size() && fields.error().empty(); ++y) {
+    const auto bits = rows[y].is_string() ? hexadecimal(rows[y].get<std::string>()) : std::nullopt;
+    if (!bits) return fields.fail("has a row that is not a hexadecimal number"), cells;
+    cells.set_row(static_cast<int>(y), *bits);
+  }
+  return cells;
+}
+
+std::optional<std::uint16_t> find_turn(const DriveTables& tables, const std::string& name, bool diagonal, double speed) {
+  constexpr double tolerance = 1e-3;  // mm/s: two speeds of a turn are further apart
+  const std::vector<DrivenTurn>& turns = tables.turns;
+  for (std::size_t i = 0; i < turns.size(); ++i)
+    if (name_of(turns[i].turn) == name && begins_diagonal(turns[i].turn) == diagonal &&
+        std::abs(turns[i].speed - speed) < tolerance)
+      return static_cast<std::uint16_t>(i);
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::uint64_t> hexadecimal(const std::string& text) {
+  std::uint64_t number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number, 16);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return number;
+}
+
+WallSet walls_in(const Json& json, const char* key, Size size, Fields& outer) {
+  if (!outer.has(key)) return outer.reject(fmt::format("'{}' is missing", key)), WallSet();
+  Fields fields(json[key], key);
+  const CellSet north = rows_in(fields, "north", size), east = rows_in(fields, "east", size);
+  const WallSet all = WallSet::all(size);
+  CellSet outside = north, outside_east = east;
+  outside -= all.north();
+  outside_east -= all.east();
+  if (!outside.empty() || !outside_east.empty()) fields.fail("has walls that the maze does not have");
+  outer.reject(fields.error());
+  WallSet walls;
+  if (!fields.error().empty()) return walls;
+  north.for_each([&](Cell cell) { walls.insert({cell, Heading::north}); });
+  east.for_each([&](Cell cell) { walls.insert({cell, Heading::east}); });
+  return walls;
+}
+
+Pose pose_in(Fields& fields, const char* key, Size size) {
+  const Json& pose = fields.list(key);
+  if (pose.size() != 3) return fields.fail(fmt::format("has a '{}' that is not [x, y, heading]", key)), Pose();
+  return {{fields.whole(pose[0], key, 0, size.width - 1), fields.whole(pose[1], key, 0, size.height - 1)},
+          read_heading(pose[2], key, fields)};
+}
+
+DriveNode node_in(Fields& fields, const char* key, Size size) {
+  const Json& node = fields.list(key);
+  if (node.size() != 4) return fields.fail(fmt::format("has a '{}' that is not [x, y, heading, place]", key)), DriveNode();
+  DriveNode read = {{fields.whole(node[0], key, 0, size.width - 1), fields.whole(node[1], key, 0, size.height - 1)},
+                    read_heading(node[2], key, fields)};
+  for (const Place place : all_places)
+    if (node[3] == name_of(place)) return read.place = place, read;
+  return fields.fail(fmt::format("has a '{}' whose place is none of centre, edge, left, right", key)), read;
+}
+
+void read_piece(const Json& json, Fields& fields, const DriveTables& tables, DriveSegment& segment) {
+  const std::string piece = fields.text("piece");
+  if (piece.starts_with('S') || piece.starts_with('D')) {
+    const auto [end, error] = std::from_chars(piece.data() + 1, piece.data() + piece.size(), segment.units);
+    const bool good = error == std::errc() && end == piece.data() + piece.size() && segment.units >= 0 &&
+                      segment.units <= StraightTimes::longest && segment.from.diagonal() == piece.starts_with('D');
+    if (!good) fields.fail("has a piece that is no straight from there");
+    return;
+  }
+  segment.kind = DriveSegment::Kind::turn;
+  segment.left = piece.starts_with('L');
+  const bool sided = segment.left || piece.starts_with('R');
+  const auto turn = sided && json.contains("speed") && json["speed"].is_number()
+                        ? find_turn(tables, piece.substr(1), segment.from.diagonal(), json["speed"].get<double>())
+                        : std::nullopt;
+  if (!turn) fields.fail("has a piece that is no straight, and no turn that this robot makes there at that speed");
+  segment.turn = turn.value_or(0);
+}
+
+void read_drive_rules_json(const Json& json, DriveRules& rules, Fields& outer) {
+  Fields fields(json, "rules");
+  rules.name = fields.text("name");
+  rules.source = fields.text("source").substr(0, longest_source);
+  rules.time_limit = fields.long_whole("time_limit", 1, longest_time);
+  rules.most_runs = fields.whole("most_runs", 1, 1000);
+  rules.maze_time_divisor = fields.whole("maze_time_divisor", 0, 1'000'000);
+  rules.gate_to_gate = fields.flag("gate_to_gate");
+  rules.touch_penalty = fields.long_whole("touch_penalty", 0, longest_time);
+  rules.untouched_bonus = fields.long_whole("untouched_bonus", 0, longest_time);
+  outer.reject(fields.error());
+}
+
+}  // namespace labmouse

@@ -1,0 +1,59 @@
+// Records of contests in seconds as files: JSON Lines, described in docs/drive-record.md.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "labmouse/contest/drive_record.hpp"
+#include "labmouse/contest/drive_rules.hpp"
+#include "labmouse/contest/drive_score.hpp"
+#include "labmouse/maze/formats/format.hpp"
+#include "labmouse/mouse/robot/drive_model.hpp"
+#include "labmouse/strategies/parameter.hpp"
+
+namespace labmouse {
+
+/// A record with all that is needed to understand it years later.
+struct DriveRecordFile {
+  std::string version;  ///< of the program that wrote it; a writer puts its own
+  std::string maze_name;
+  std::optional<Maze> maze;  ///< always there, and at most 32x32
+  std::string mouse;
+  Settings settings;  ///< written, not read back
+  std::uint64_t seed = 0;
+  std::shared_ptr<const DriveModel> model;  ///< always there; without an error
+  std::uint64_t tables_hash = 0;            ///< of the tables that the record was made with; a writer puts the model's
+  DriveRules rules;
+  DriveRecord record;
+  bool ended = true;                         ///< false where the last line, with the outcome, is missing
+  std::optional<DriveRunScore> recorded_score{};  ///< what the last line gives; a writer puts the score of the record
+};
+
+std::string write_drive_record(const DriveRecordFile& file);
+
+/// A record, or what is wrong with the text: exactly one of the two is there.
+struct ReadDriveRecordResult {
+  std::optional<DriveRecordFile> file;
+  std::vector<Problem> problems;
+};
+
+ReadDriveRecordResult read_drive_record(std::string_view text);
+
+/// Whether a text is meant to be such a record: its first line says so.
+bool is_drive_record(std::string_view text);
+
+/// Plays a record again in its maze and compares all of it: places, times, walls, what was known and hoped for, gates, and
+/// the score. Who drove, and how often it decided and planned, is taken over unchecked. Returns where the record first
+/// disagrees, or nothing.
+std::string replay(const DriveRecordFile& file);
+
+/// The runs as a table, and the result in a line below.
+std::string summary_of(const DriveRecordFile& file);
+
+/// How a contest went, in one line without its end: the mouse, the maze, and the score with its parts or what went wrong.
+std::string result_line(const DriveRecordFile& file);
+
+}  // namespace labmouse

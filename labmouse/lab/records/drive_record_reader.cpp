@@ -1,0 +1,239 @@
+#include "labmouse/lab/records/drive_record_file.hpp"
+#include "labmouse/lab/records/drive_record_fields.hpp"
+#include "labmouse/lab/text/json_lines.hpp"
+#include "labmouse/lab/records/record_maze.hpp"
+#include "labmouse/lab/robots/robot_json.hpp"
+
+namespace labmouse {
+namespace {
+
+using Json = nlohmann::json;
+using Fields = RecordFields;
+
+// Limits on what a hostile record can make us hold.
+constexpr std::size_t most_runs = 1000, most_moves = 1'000'000, most_segments = 10'000;
+
+/// A file that is being read: where in it we are.
+class Reading {
+ public:
+  std::string read_header(const Json& json);
+  std::string read_line(const Json& json);
+  bool may_break_off() const { return !file_.ended; }
+  DriveRecordFile take() { return std::move(file_); }
+
+ private:
+  Size size() const { return file_.maze->size(); }
+  std::vector<DriveRun>& runs() { return file_.record.runs; }
+
+  void read_maze(const Json& json, Fields& outer);
+  std::string begin_run(const Json& json);
+  std::string end_run(const Json& json);
+  std::string read_move(const Json& json);
+  std::string read_segment(const Json& json);
+  std::string read_wall(const Json& json);
+  std::string read_end(const Json& json);
+
+  DriveRecordFile file_;
+  bool running_ = false;
+  std::size_t moves_ = 0;
+};
+
+/// A time or null.
+template <class Read>
+auto optional_of(const Json& json, const char* key, Read read) -> std::optional<decltype(read())> {
+  if (json.contains(key) && json[key].is_null()) return std::nullopt;
+  return read();
+}
+
+DriveRunScore read_score(const Json& json, Fields& fields) {
+  const auto time = [&](const char* key) { return fields.long_whole(key, -longest_time, longest_time); };
+  DriveRunScore score;
+  score.run = static_cast<std::size_t>(fields.whole("run", 1, static_cast<int>(most_runs)) - 1);
+  for (const auto& [key, part] : {std::pair("gate_to_gate", &score.gate_to_gate), std::pair("rest_to_centre", &score.rest_to_centre)})
+    if (!json.is_object() || !json.contains(key) || !json[key].is_null()) *part = time(key);
+  score.maze_time = time("maze_time");
+  score.bonus = time("bonus");
+  score.value = time("value");
+  return score;
+}
+
+void Reading::read_maze(const Json& json, Fields& outer) {
+  Fields fields(json, "maze");
+  file_.maze_name = fields.text("name");
+  file_.maze = read_record_maze(fields);
+  if (file_.maze && (size().width > max_drive_side || size().height > max_drive_side))
+    fields.fail(fmt::format("is larger than {}x{}, which the world of seconds takes", max_drive_side, max_drive_side));
+  outer.reject(fields.error());
+}
+
+std::string Reading::read_header(const Json& json) {
+  Fields fields(json, "");
+  if (fields.text("labmouse") != "drive record") fields.fail("is not the header of a record in seconds");
+  if (fields.whole("format", 0, 1'000'000) != 1) fields.fail("has a format other than 1, which this version does not know");
+  if (fields.text("world") != "seconds") fields.fail("has a world other than seconds");
+  file_.version = fields.text("version");
+  for (const char* key : {"maze", "mouse", "robot", "rules", "seed"})
+    if (!fields.has(key)) fields.reject(fmt::format("'{}' is missing", key));
+  if (!fields.error().empty()) return fields.error();
+  if (!json["seed"].is_number_unsigned()) return "'seed' is not a number from 0 to 2^64 - 1";
+  file_.seed = json["seed"].get<std::uint64_t>();
+  Fields mouse(json["mouse"], "mouse");
+  file_.mouse = mouse.text("name");
+  fields.reject(mouse.error());
+  const auto hash = hexadecimal(fields.text("tables"));
+  if (!hash) fields.reject("'tables' is not a hexadecimal number");
+  file_.tables_hash = hash.value_or(0);
+  read_drive_rules_json(json["rules"], file_.rules, fields);
+  if (fields.error().empty()) read_maze(json["maze"], fields);
+  if (fields.error().empty()) file_.model = std::make_shared<DriveModel>(read_robot_json(fields, json["robot"]));
+  if (fields.error().empty() && fields.text("model") != model_name(file_.model->robot))
+    fields.fail(fmt::format("has a model that is not that of its robot, '{}'", model_name(file_.model->robot)));
+  file_.ended = false;
+  return fields.error();
+}
+
+std::string Reading::begin_run(const Json& json) {
+  if (running_) return "the line begins a run before the one before it has ended";
+  if (runs().size() >= most_runs) return fmt::format("the record has more than {} runs", most_runs);
+  Fields fields(json, "");
+  DriveRun run;
+  const std::string kind = fields.text("run");
+  bool known = false;
+  for (const auto each : {DriveRun::Kind::search, DriveRun::Kind::home, DriveRun::Kind::fast})
+    if (kind == name_of(each)) run.kind = each, known = true;
+  if (!known) fields.fail("has a run that is none of search, home, fast");
+  run.begin = run.end = fields.long_whole("begin", 0, longest_time);
+  const auto hope = [&](const char* key) {
+    return optional_of(json, key, [&] { return fields.whole(key, 0, no_time - 1); }).value_or(no_time);
+  };
+  run.known = hope("known");
+  run.hoped = hope("hoped");
+  run.open = walls_in(json, "open", size(), fields);
+  run.closed = walls_in(json, "closed", size(), fields);
+  if (run.kind == DriveRun::Kind::fast) run.route.time = 0;
+  runs().push_back(std::move(run));
+  running_ = true;
+  return fields.error();
+}
+
+std::string Reading::end_run(const Json& json) {
+  if (!running_) return "the line ends a run that has not begun";
+  Fields fields(json, "");
+  DriveRun& run = runs().back();
+  run.end = fields.long_whole("end", 0, longest_time);
+  const auto moment = [&](const char* key) {
+    return optional_of(json, key, [&] { return fields.long_whole(key, 0, longest_time); });
+  };
+  run.gate_out = moment("gate_out");
+  run.gate_in = moment("gate_in");
+  run.centre = moment("centre");
+  running_ = false;
+  return fields.error();
+}
+
+std::string Reading::read_move(const Json& json) {
+  if (!running_ || runs().back().kind == DriveRun::Kind::fast) return "the line has a move outside of a search or a way home";
+  if (++moves_ > most_moves) return fmt::format("the record has more than {} moves", most_moves);
+  Fields fields(json, "");
+  SearchMove move;
+  const Json& action = fields.list("move");
+  if (action.size() != 2) return "the line has a move that is not [rotation, cells]";
+  move.action = Action::step(fields.whole(action[0], "move", -180, 180), fields.whole(action[1], "move", 0, 1));
+  move.from = pose_in(fields, "from", size());
+  move.to = pose_in(fields, "to", size());
+  move.begin = fields.long_whole("begin", 0, longest_time);
+  move.end = fields.long_whole("until", 0, longest_time);
+  move.replanned = fields.flag("replanned");
+  runs().back().moves.push_back(move);
+  return fields.error();
+}
+
+std::string Reading::read_segment(const Json& json) {
+  if (!running_ || runs().back().kind != DriveRun::Kind::fast) return "the line has a segment outside of a fast run";
+  DriveRoute& route = runs().back().route;
+  if (route.segments.size() >= most_segments) return fmt::format("the run has more than {} segments", most_segments);
+  Fields fields(json, "");
+  DriveSegment segment;
+  segment.from = node_in(fields, "from", size());
+  segment.to = node_in(fields, "to", size());
+  segment.begin = fields.whole("begin", 0, no_time - 1);
+  segment.end = fields.whole("until", 0, no_time - 1);
+  read_piece(json, fields, file_.model->tables, segment);
+  route.segments.push_back(segment);
+  route.time = segment.end;
+  return fields.error();
+}
+
+std::string Reading::read_wall(const Json& json) {
+  if (running_) return "the line has a wall inside of a run; walls stand behind all runs";
+  if (file_.record.walls.size() >= static_cast<std::size_t>(2 * size().area())) return "the record has more walls than the maze";
+  Fields fields(json, "");
+  const Pose side = pose_in(fields, "wall", size());
+  WallSeen seen;
+  seen.wall = wall_at(side.cell, side.heading);
+  if (side.heading != seen.wall.side || on_border(seen.wall, size())) fields.fail("has a wall that is no inner one, named by its north or east side");
+  seen.open = fields.flag("open");
+  seen.time = fields.long_whole("time", 0, longest_time);
+  file_.record.walls.push_back(seen);
+  return fields.error();
+}
+
+std::string Reading::read_end(const Json& json) {
+  if (running_) return "the line ends the record before the last run has ended";
+  Fields fields(json, "");
+  DriveRecord& record = file_.record;
+  const std::string name = fields.text("outcome");
+  bool known = false;
+  for (const auto each : {DriveOutcome::finished, DriveOutcome::out_of_time, DriveOutcome::forfeit})
+    if (name == name_of(each)) record.outcome = each, known = true;
+  if (!known) return fmt::format("'outcome' is '{}', which this version does not know", name);
+  if (record.outcome == DriveOutcome::forfeit) {
+    const std::string reason = fields.text("reason");
+    known = false;
+    for (const ForfeitReason each : all_forfeit_reasons)
+      if (reason == name_of(each)) record.reason = each, known = true;
+    if (!known) fields.fail("has a reason that this version does not know");
+  }
+  record.decisions = fields.whole("decisions", 0, 1'000'000'000);
+  record.replanned = fields.whole("replanned", 0, 1'000'000'000);
+  if (!fields.has("score")) fields.reject("'score' is missing");
+  if (!fields.error().empty()) return fields.error();
+  if (!json["score"].is_null()) {
+    Fields score(json["score"], "score");
+    file_.recorded_score = read_score(json["score"], score);
+    fields.reject(score.error());
+  }
+  file_.ended = true;
+  return fields.error();
+}
+
+std::string Reading::read_line(const Json& json) {
+  if (file_.ended) return "the line stands behind the end of the record";
+  if (!json.is_object()) return "the line is not an object";
+  if (json.contains("labmouse")) return "the line is a second header; a file holds one record";
+  if (json.contains("run")) return begin_run(json);
+  if (json.contains("move")) return read_move(json);
+  if (json.contains("piece")) return read_segment(json);
+  if (json.contains("wall")) return read_wall(json);
+  if (json.contains("outcome")) return read_end(json);
+  if (json.contains("end")) return end_run(json);
+  return "the line is none of a record in seconds: it has no run, move, piece, end, wall or outcome";
+}
+
+}  // namespace
+
+ReadDriveRecordResult read_drive_record(std::string_view text) {
+  Reading reading;
+  std::vector<Problem> problems = read_json_lines(text, {[&](const Json& line) { return reading.read_header(line); },
+                                                         [&](const Json& line) { return reading.read_line(line); },
+                                                         [&] { return reading.may_break_off(); }});
+  if (!problems.empty()) return {std::nullopt, std::move(problems)};
+  return {reading.take(), {}};
+}
+
+bool is_drive_record(std::string_view text) {
+  const Json header = Json::parse(text.substr(0, text.find('\n')), nullptr, false);
+  return header.is_object() && header.contains("labmouse") && header["labmouse"] == "drive record";
+}
+
+}  // namespace labmouse

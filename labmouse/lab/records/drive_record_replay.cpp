@@ -1,0 +1,181 @@
+#include <fmt/format.h>
+
+#include "labmouse/contest/drive_gates.hpp"
+#include "labmouse/contest/drive_search.hpp"
+#include "labmouse/lab/records/drive_json.hpp"
+#include "labmouse/lab/records/drive_record_file.hpp"
+#include "labmouse/lab/records/drive_route_check.hpp"
+#include "labmouse/mouse/drive/fastest.hpp"
+
+namespace labmouse {
+namespace {
+
+std::string seconds(MazeTime time) { return fmt::format("{:.6f} s", static_cast<double>(time) / 1e6); }
+std::string seconds(const std::optional<MazeTime>& time) { return time ? seconds(*time) : "never"; }
+std::string route_time(DriveTime time) { return time < no_time ? seconds(time) : "none"; }
+
+std::string pose_words(const Pose& pose) {
+  return fmt::format("({},{}) heading {}", pose.cell.x, pose.cell.y, name_of(pose.heading));
+}
+
+/// Makes the moves of a record again.
+class Replay {
+ public:
+  explicit Replay(const DriveRecordFile& file)
+      : file_(file),
+        driver_(*file.maze, *file.model, played_),
+        routes_(file.maze->size(), file.model->tables) {}
+
+  std::string disagreement() {
+    if (file_.tables_hash != file_.model->tables.hash)
+      return fmt::format("the tables of its robot have the hash {}; made again, they have {}", hash_text(file_.tables_hash),
+                         hash_text(file_.model->tables.hash));
+    const auto& runs = file_.record.runs;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      if (const std::string wrong = play(i); !wrong.empty())
+        return fmt::format("run {} ({}): {}", i + 1, name_of(runs[i].kind), wrong);
+    }
+    if (!file_.ended) return "";
+    const std::string wrong = compare_walls();
+    return wrong.empty() ? compare_end() : wrong;
+  }
+
+ private:
+  std::string play(std::size_t index) {
+    const DriveRun& run = file_.record.runs[index];
+    const bool last = index + 1 == file_.record.runs.size(), whole = file_.ended || !last;
+    if (std::string wrong = compare_beginning(run); !wrong.empty()) return wrong;
+    if (std::string wrong = compare_knowledge(run); !wrong.empty()) return wrong;
+    DriveRun& played = played_.runs.emplace_back();
+    played.kind = run.kind;
+    played.begin = played.end = run.begin;
+    if (std::string wrong = run.kind == DriveRun::Kind::fast ? play_route(run, whole) : play_moves(run); !wrong.empty())
+      return wrong;
+    if (run.kind == DriveRun::Kind::home && whole && driver_.place() != driver_.start() && driver_.clock() < file_.rules.time_limit)
+      return "it does not end at rest at the start";
+    // Unless it is given up or the time is over, a search ends in the middle of the goal.
+    const bool cut_short = last && (file_.record.outcome == DriveOutcome::forfeit || driver_.clock() >= file_.rules.time_limit);
+    if (run.kind == DriveRun::Kind::search && whole && !cut_short && driver_.goal_entered()) driver_.stop_search();
+    return whole ? compare_gates(run) : "";
+  }
+
+  /// Whether the contest allows such a run then and there.
+  std::string compare_beginning(const DriveRun& run) {
+    const bool search = run.kind == DriveRun::Kind::search, fast = run.kind == DriveRun::Kind::fast;
+    if (played_.runs.empty() && !search) return "a contest begins with a search";
+    // Between two fast runs the mouse is carried; else only a way home goes on from where it is not at rest at the start.
+    if (fast && played_.runs.back().kind == DriveRun::Kind::fast) driver_.put(driver_.start(), driver_.clock());
+    if ((search || fast) && driver_.place() != driver_.start()) return "it begins at the start, where the mouse is not";
+    if (!search && !driver_.goal_entered()) return "it begins before a goal was entered";
+    if (run.begin != driver_.clock())
+      return fmt::format("recorded to begin at {}; played, at {}", seconds(run.begin), seconds(driver_.clock()));
+    if (run.begin >= file_.rules.time_limit) return fmt::format("it begins after the time of {}", seconds(file_.rules.time_limit));
+    starts_ += search || fast ? 1 : 0;
+    if (starts_ <= file_.rules.most_runs) return "";
+    return fmt::format("the rules allow {} run{} from the start", file_.rules.most_runs, file_.rules.most_runs == 1 ? "" : "s");
+  }
+
+  std::string compare_knowledge(const DriveRun& run) {
+    const Knowledge& known = driver_.known();
+    WallSet closed = WallSet::all(file_.maze->size());
+    closed -= known.possible();
+    if (run.open != known.open() || run.closed != closed)
+      return fmt::format("recorded are {} open and {} closed walls at its beginning; played, {} and {}{}", run.open.count(),
+                         run.closed.count(), known.open().count(), closed.count(),
+                         run.open.count() == known.open().count() && run.closed.count() == closed.count() ? ", other ones" : "");
+    const DriveTime hoped = time_over(known.possible()), best = time_over(known.open());
+    if (run.hoped == hoped && run.known == best) return "";
+    return fmt::format("recorded are a known route of {} and hopes for {}; planned again, {} and {}", route_time(run.known),
+                       route_time(run.hoped), route_time(best), route_time(hoped));
+  }
+
+  DriveTime time_over(const WallSet& passages) {
+    routes_.fill_for(driver_.start().pose, passages, file_.maze->goals());
+    return routes_.time_from(driver_.start().pose);
+  }
+
+  std::string play_moves(const DriveRun& run) {
+    for (std::size_t i = 0; i < run.moves.size(); ++i) {
+      const SearchMove& move = run.moves[i];
+      if (driver_.clock() >= file_.rules.time_limit)
+        return fmt::format("move {}: it begins after the time of {}", i + 1, seconds(file_.rules.time_limit));
+      if (!driver_.move(move.action, move.replanned, [](const Pose&, const Sighting&) {}))
+        return fmt::format("move {}: it is none, or leads through a wall that was not seen to be open", i + 1);
+      const SearchMove& made = played_.runs.back().moves.back();
+      if (made == move) continue;
+      return fmt::format("move {}: recorded from {} to {}, {} to {}; played from {} to {}, {} to {}", i + 1,
+                         pose_words(move.from), pose_words(move.to), seconds(move.begin), seconds(move.end),
+                         pose_words(made.from), pose_words(made.to), seconds(made.begin), seconds(made.end));
+    }
+    return "";
+  }
+
+  std::string play_route(const DriveRun& run, bool whole) {
+    if (!whole) return "";
+    const Maze& maze = *file_.maze;
+    if (run.route.time != run.known)
+      return fmt::format("its route takes {}; the fastest known one, {}", route_time(run.route.time), route_time(run.known));
+    if (std::string wrong = check_route(run.route, driver_.start().pose, maze.size(), driver_.known().open(), maze.goals(), *file_.model);
+        !wrong.empty())
+      return wrong;
+    DriveRun& played = played_.runs.back();
+    played.route = run.route;
+    set_gates(played, maze, *file_.model);
+    played.end = played.begin + run.route.time;
+    const auto& segments = run.route.segments;
+    const Pose goal = segments.empty() ? driver_.start().pose : Pose{segments.back().to.cell, segments.back().to.heading};
+    driver_.put({goal, true}, played.end);
+    return "";
+  }
+
+  std::string compare_gates(const DriveRun& run) {
+    const DriveRun& played = played_.runs.back();
+    if (run.end != played.end) return fmt::format("recorded to end at {}; played, at {}", seconds(run.end), seconds(played.end));
+    if (run.gate_out == played.gate_out && run.gate_in == played.gate_in && run.centre == played.centre) return "";
+    return fmt::format("recorded to leave the start at {}, enter a goal at {} and reach its middle at {}; played, {}, {} and {}",
+                       seconds(run.gate_out), seconds(run.gate_in), seconds(run.centre), seconds(played.gate_out),
+                       seconds(played.gate_in), seconds(played.centre));
+  }
+
+  std::string compare_walls() const {
+    const std::vector<WallSeen>& was = file_.record.walls;
+    const std::vector<WallSeen>& is = played_.walls;
+    if (was.size() != is.size()) return fmt::format("recorded are {} walls; played, {} were seen", was.size(), is.size());
+    for (std::size_t i = 0; i < was.size(); ++i)
+      if (was[i] != is[i])
+        return fmt::format("wall {}: recorded {}; played {}", i + 1, wall_words(was[i]), wall_words(is[i]));
+    return "";
+  }
+
+  static std::string wall_words(const WallSeen& seen) {
+    return fmt::format("the {} side of ({},{}) {} at {}", name_of(seen.wall.side), seen.wall.cell.x, seen.wall.cell.y,
+                       seen.open ? "open" : "closed", seconds(seen.time));
+  }
+
+  std::string compare_end() const {
+    const DriveScore played = score(played_, file_.rules);
+    const auto best = played.best ? std::optional(played.runs[*played.best]) : std::nullopt;
+    if (best != file_.recorded_score) {
+      const auto recorded = file_.recorded_score ? std::optional(file_.recorded_score->value) : std::nullopt;
+      return fmt::format("recorded is a score of {}; played, it is {}{}", seconds(recorded), seconds(played.value()),
+                         recorded == played.value() ? ", of other parts" : "");
+    }
+    const bool in_time = best.has_value();
+    if (file_.record.outcome != DriveOutcome::forfeit && in_time != (file_.record.outcome == DriveOutcome::finished))
+      return fmt::format("the record ends '{}'; played, {} run came to a goal in time", name_of(file_.record.outcome),
+                         in_time ? "a" : "no");
+    return "";
+  }
+
+  const DriveRecordFile& file_;
+  DriveRecord played_;
+  SearchDriver driver_;
+  FastestRoutes routes_;
+  int starts_ = 0;
+};
+
+}  // namespace
+
+std::string replay(const DriveRecordFile& file) { return Replay(file).disagreement(); }
+
+}  // namespace labmouse

@@ -1,0 +1,55 @@
+#include <fmt/format.h>
+
+#include "labmouse/lab/records/drive_record_file.hpp"
+#include "labmouse/lab/text/printable.hpp"
+
+namespace labmouse {
+namespace {
+
+double seconds(MazeTime time) { return static_cast<double>(time) / 1e6; }
+
+std::string number(const std::optional<MazeTime>& time) { return time ? fmt::format("{:.3f}", seconds(*time)) : "-"; }
+std::string number(DriveTime time) { return time < no_time ? fmt::format("{:.3f}", seconds(time)) : "-"; }
+
+std::string run_line(const DriveRun& run, std::size_t index) {
+  const bool gates = run.gate_in && run.gate_out;
+  return fmt::format("{:>3}  {:<6} {:>9.3f} {:>9.3f} {:>8} {:>8} {:>8} {:>8}\n", index + 1, name_of(run.kind),
+                     seconds(run.begin), seconds(run.end), number(gates ? std::optional(*run.gate_in - *run.gate_out) : std::nullopt),
+                     number(run.centre ? std::optional(*run.centre - run.begin) : std::nullopt), number(run.known),
+                     number(run.hoped));
+}
+
+/// "8.123 s = 5.123 s gate to gate + 3.000 s of 90.000 s in the maze"
+std::string score_words(const DriveScore& score, const DriveRecord& record, const DriveRules& rules) {
+  const DriveRunScore& best = score.runs[*score.best];
+  const auto time = rules.gate_to_gate ? best.gate_to_gate : best.rest_to_centre;
+  std::string words = fmt::format("{:.3f} s = {:.3f} s {}", seconds(best.value), seconds(*time),
+                                  rules.gate_to_gate ? "gate to gate" : "rest to centre");
+  if (rules.maze_time_divisor > 0)
+    words += fmt::format(" + {:.3f} s / {}", seconds(record.runs[best.run].begin), rules.maze_time_divisor);
+  if (best.bonus > 0) words += fmt::format(" - {:.3f} s untouched", seconds(best.bonus));
+  return words + fmt::format(" in run {}", best.run + 1);
+}
+
+}  // namespace
+
+std::string result_line(const DriveRecordFile& file) {
+  const DriveRecord& record = file.record;
+  const DriveScore result = score(record, file.rules);
+  std::string line = fmt::format("{} in {}, {}, {}: ", file.mouse, file.maze_name, file.model->robot.name, file.rules.name);
+  if (result.best)
+    line += score_words(result, record, file.rules);
+  else
+    line += file.ended ? std::string(name_of(record.outcome)) : "the record breaks off";
+  if (record.outcome == DriveOutcome::forfeit) line += fmt::format(" ({})", name_of(record.reason));
+  return shown(line);
+}
+
+std::string summary_of(const DriveRecordFile& file) {
+  std::string text = fmt::format("{:>3}  {:<6} {:>9} {:>9} {:>8} {:>8} {:>8} {:>8}\n", "run", "", "begin s", "end s", "gates", "centre",
+                                 "known", "hoped");
+  for (std::size_t i = 0; i < file.record.runs.size(); ++i) text += run_line(file.record.runs[i], i);
+  return text + result_line(file) + "\n";
+}
+
+}  // namespace labmouse

@@ -1,0 +1,101 @@
+#include <nlohmann/json.hpp>
+
+#include "labmouse/lab/records/drive_json.hpp"
+#include "labmouse/lab/records/drive_record_file.hpp"
+#include "labmouse/lab/records/record_maze.hpp"
+#include "labmouse/lab/robots/robot_json.hpp"
+#include "labmouse/lab/records/drive_notation.hpp"
+#include "labmouse/lab/records/settings_json.hpp"
+#include "labmouse/lab/system/version.hpp"
+
+namespace labmouse {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json header_json(const DriveRecordFile& file) {
+  return {{"labmouse", "drive record"},
+          {"format", 1},
+          {"version", version()},
+          {"world", "seconds"},
+          {"maze", record_maze_json(file.maze_name, *file.maze)},
+          {"mouse", {{"name", file.mouse}, {"parameters", settings_json(file.settings)}}},
+          {"seed", file.seed},
+          {"robot", robot_json(file.model->robot)},
+          {"model", model_name(file.model->robot)},
+          {"tables", hash_text(file.model->tables.hash)},
+          {"rules", rules_json(file.rules)}};
+}
+
+Json pose_json(const Pose& pose) { return {pose.cell.x, pose.cell.y, name_of(pose.heading)}; }
+
+Json cells_json(const CellSet& cells, int height) {
+  Json rows = Json::array();
+  for (int y = 0; y < height; ++y) rows.push_back(fmt::format("{:x}", cells.row(y)));
+  return rows;
+}
+
+Json walls_json(const WallSet& walls, Size size) {
+  return {{"north", cells_json(walls.north(), size.height)}, {"east", cells_json(walls.east(), size.height)}};
+}
+
+Json run_json(const DriveRun& run, Size size) {
+  return {{"run", name_of(run.kind)},
+          {"begin", run.begin},
+          {"known", time_json(run.known)},
+          {"hoped", time_json(run.hoped)},
+          {"open", walls_json(run.open, size)},
+          {"closed", walls_json(run.closed, size)}};
+}
+
+Json run_end_json(const DriveRun& run) {
+  return {{"end", run.end}, {"gate_out", or_null(run.gate_out)}, {"gate_in", or_null(run.gate_in)}, {"centre", or_null(run.centre)}};
+}
+
+Json move_json(const SearchMove& move) {
+  return {{"move", {move.action.rotation, move.action.movement}},
+          {"from", pose_json(move.from)},
+          {"to", pose_json(move.to)},
+          {"begin", move.begin},
+          {"until", move.end},
+          {"replanned", move.replanned}};
+}
+
+Json segment_json(const DriveSegment& segment, const DriveTables& tables) {
+  Json json = {{"piece", notation_of(segment, tables)}};
+  if (segment.kind == DriveSegment::Kind::turn) json["speed"] = tables.turns[segment.turn].speed;
+  json["from"] = node_json(segment.from);
+  json["to"] = node_json(segment.to);
+  json["begin"] = segment.begin;
+  json["until"] = segment.end;
+  return json;
+}
+
+Json end_json(const DriveRecordFile& file) {
+  const DriveRecord& record = file.record;
+  Json json = {{"outcome", name_of(record.outcome)}};
+  if (record.outcome == DriveOutcome::forfeit) json["reason"] = name_of(record.reason);
+  json["decisions"] = record.decisions;
+  json["replanned"] = record.replanned;
+  json["score"] = score_json(score(record, file.rules));
+  return json;
+}
+
+}  // namespace
+
+std::string write_drive_record(const DriveRecordFile& file) {
+  std::string text = record_line(header_json(file));
+  for (const DriveRun& run : file.record.runs) {
+    text += record_line(run_json(run, file.maze->size()));
+    for (const SearchMove& move : run.moves) text += record_line(move_json(move));
+    for (const DriveSegment& segment : run.route.segments) text += record_line(segment_json(segment, file.model->tables));
+    text += record_line(run_end_json(run));
+  }
+  for (const WallSeen& seen : file.record.walls)
+    text += record_line({{"wall", {seen.wall.cell.x, seen.wall.cell.y, name_of(seen.wall.side)}},
+                         {"open", seen.open},
+                         {"time", seen.time}});
+  return text + record_line(end_json(file));
+}
+
+}  // namespace labmouse

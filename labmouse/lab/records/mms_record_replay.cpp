@@ -1,0 +1,50 @@
+#include <fmt/format.h>
+
+#include "labmouse/lab/records/mms_record_file.hpp"
+
+namespace labmouse {
+namespace {
+
+/// "ack at [1,3] heading north", with what mms would have replied.
+std::string words_of(std::string_view reply, const HalfPose& pose) {
+  return fmt::format("{} at [{},{}] heading {}", reply.empty() ? "no reply" : reply, pose.place.x, pose.place.y,
+                     name_of(pose.heading));
+}
+
+/// The statistic that differs, or nothing.
+std::string compare(const MmsStatistics& was, const MmsStatistics& is) {
+  for (const MmsStatistic& statistic : mms_statistics)
+    if (const float recorded = was.*statistic.value, played = is.*statistic.value; recorded != played)
+      return fmt::format("the record ends with {} {}; played, it is {}", statistic.name, recorded, played);
+  return was.solved == is.solved ? "" : "the record and the simulator disagree on whether the mouse was in the goal";
+}
+
+/// What an event did, as a record has it.
+struct Played {
+  bool any = false;
+  std::string reply;
+  HalfPose pose;
+};
+
+}  // namespace
+
+std::string replay(const MmsRecordFile& file, const std::function<void(std::size_t event, const MmsHost&)>& after) {
+  MmsHost host(*file.maze, {});
+  Played played;
+  host.on_event([&](const MmsEvent& event) { played = {true, std::string(event.reply), event.pose}; });
+  std::string replies;
+  for (std::size_t i = 0; i < file.events.size(); ++i) {
+    const RecordedMmsEvent& event = file.events[i];
+    played = {};
+    replies.clear();
+    host.obey(event.line, replies);
+    if (!played.any) return fmt::format("event {}: its line neither moves nor draws anything in this maze", i + 1);
+    if (played.reply != event.reply || played.pose != event.pose)
+      return fmt::format("event {}: recorded {}; played {}", i + 1, words_of(event.reply, event.pose),
+                         words_of(played.reply, played.pose));
+    after(i, host);
+  }
+  return file.end && file.left_out == 0 ? compare(file.end->statistics, host.statistics()) : "";
+}
+
+}  // namespace labmouse

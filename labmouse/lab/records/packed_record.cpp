@@ -1,0 +1,145 @@
+#include "labmouse/lab/records/packed_record.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+#include "labmouse/lab/text/json_fields.hpp"
+#include "labmouse/lab/records/record_parts.hpp"
+
+namespace labmouse {
+namespace {
+
+constexpr int usual_movement = 3;
+constexpr int usual_movements = 2 * usual_movement + 1;
+constexpr char first_letter = 'a';
+constexpr char last_letter = 'u';
+constexpr char reset_letter = 'R';
+constexpr std::uint64_t largest_number = std::uint64_t{1} << 53U;  // up to which JavaScript has all whole ones
+
+bool usual(const Action& step) {
+  return (step.rotation == -90 || step.rotation == 0 || step.rotation == 90) && step.movement >= -usual_movement &&
+         step.movement <= usual_movement;
+}
+
+std::string text_of(const Action& action) {
+  if (action.kind == Action::Kind::reset) return {reset_letter};
+  if (action.kind == Action::Kind::forfeit) return fmt::format("!{};", name_of(action.reason));
+  if (!usual(action)) return fmt::format("({},{})", action.rotation, action.movement);
+  return {static_cast<char>(first_letter + (action.rotation / 90 + 1) * usual_movements + action.movement + usual_movement)};
+}
+
+Action usual_step(char letter) {
+  const int number = letter - first_letter;
+  return Action::step((number / usual_movements - 1) * 90, number % usual_movements - usual_movement);
+}
+
+std::optional<Action> read_unusual_step(std::string_view text) {
+  Action step;
+  const char* const end = text.data() + text.size();
+  const auto rotation = std::from_chars(text.data() + 1, end, step.rotation);
+  if (rotation.ec != std::errc() || rotation.ptr == end || *rotation.ptr != ',') return std::nullopt;
+  const auto movement = std::from_chars(rotation.ptr + 1, end, step.movement);
+  if (movement.ec != std::errc()) return std::nullopt;
+  return step;
+}
+
+std::optional<Action> read_forfeit(std::string_view text) {
+  for (const ForfeitReason reason : all_forfeit_reasons)
+    if (text.substr(1).starts_with(name_of(reason))) {
+      const Action forfeit = Action::forfeit(reason);
+      if (text.starts_with(text_of(forfeit))) return forfeit;
+    }
+  return std::nullopt;
+}
+
+/// The action that the text, which is not empty, begins with.
+std::optional<Action> read_action(std::string_view text) {
+  const char letter = text.front();
+  if (letter >= first_letter && letter <= last_letter) return usual_step(letter);
+  if (letter == reset_letter) return Action::reset();
+  const auto action = letter == '(' ? read_unusual_step(text) : letter == '!' ? read_forfeit(text) : std::nullopt;
+  // An action has one form only.
+  if (action && text.starts_with(text_of(*action))) return action;
+  return std::nullopt;
+}
+
+void read_actions(std::string_view text, RecordFields& fields, RunRecord& run) {
+  for (std::size_t at = 0; at < text.size(); at += text_of(run.steps.back().action).size()) {
+    if (run.steps.size() == longest_record) return fields.fail(fmt::format("has more than {} actions", longest_record));
+    const auto action = read_action(text.substr(at));
+    if (!action) return fields.fail(fmt::format("has no action at character {} of 'actions'", at + 1));
+    StepRecord step;
+    step.step = static_cast<int>(run.steps.size()) + 1;
+    step.action = *action;
+    run.steps.push_back(step);
+  }
+}
+
+std::uint64_t read_seed(const nlohmann::json& seed, RecordFields& fields) {
+  if (seed.is_number_unsigned()) return seed.get<std::uint64_t>();
+  std::uint64_t number = 0;
+  const std::string text = seed.is_string() ? seed.get<std::string>() : "";
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (text.empty() || error != std::errc() || end != text.data() + text.size())
+    fields.fail("has a seed that is not a number from 0 to 2^64 - 1");
+  return number;
+}
+
+void read_outcome(const std::string& name, RecordFields& fields, RecordFile& file) {
+  file.ended = true;
+  if (const auto outcome = outcome_of(name))
+    file.run.outcome = *outcome;
+  else
+    fields.fail("has an outcome that this version does not know");
+}
+
+/// Reads the fields that may be missing; returns what is wrong, or nothing.
+std::string read_rest(const nlohmann::json& json, RecordFields& fields, RecordFile& file) {
+  file.ended = false;
+  if (fields.has("seed")) file.seed = read_seed(json["seed"], fields);
+  if (fields.has("outcome")) read_outcome(fields.text("outcome"), fields, file);
+  if (fields.has("last_words")) file.run.last_words = fields.text("last_words").substr(0, longest_last_words);
+  std::string error = fields.error();
+  if (error.empty() && fields.has("rules")) error = read_record_rules(json["rules"], file.rules);
+  if (error.empty() && fields.has("counts")) error = read_record_counts(json["counts"], file.run.counts);
+  return error;
+}
+
+}  // namespace
+
+nlohmann::ordered_json pack_record(const RecordFile& file) {
+  nlohmann::ordered_json json = {{"mouse", file.mouse}, {"maze", file.maze_name}};
+  if (file.seed <= largest_number)
+    json["seed"] = file.seed;
+  else
+    json["seed"] = fmt::format("{}", file.seed);
+  if (file.rules != Rules())
+    json["rules"] = {{"budget", file.rules.budget},
+                     {"exploration_factor", file.rules.exploration_factor},
+                     {"stride", file.rules.stride}};
+  std::string actions;
+  for (const StepRecord& step : file.run.steps) actions += text_of(step.action);
+  json["actions"] = std::move(actions);
+  if (file.ended) json["outcome"] = name_of(file.run.outcome);
+  if (!file.run.last_words.empty()) json["last_words"] = file.run.last_words;
+  for (const Count& count : file.run.counts) json["counts"][count.name] = count.value;
+  return json;
+}
+
+UnpackResult unpack_record(const nlohmann::json& json, const Maze& maze) {
+  RecordFile file;
+  RecordFields fields(json, "record");
+  file.maze = maze;
+  file.mouse = fields.text("mouse");
+  file.maze_name = fields.text("maze");
+  read_actions(fields.text("actions"), fields, file.run);
+  std::string error = read_rest(json, fields, file);
+  if (!error.empty()) return {std::nullopt, std::move(error)};
+  constexpr GivenFields none = {false, false, false, false, false};
+  file.given.assign(file.run.steps.size(), none);
+  file.given_end = none;
+  return {std::move(file), ""};
+}
+
+}  // namespace labmouse

@@ -1,0 +1,146 @@
+#include <fmt/format.h>
+
+#include "labmouse/lab/text/json_lines.hpp"
+#include "labmouse/lab/text/json_fields.hpp"
+#include "labmouse/lab/records/record_file.hpp"
+#include "labmouse/lab/records/record_maze.hpp"
+#include "labmouse/lab/records/record_parts.hpp"
+#include "labmouse/lab/records/record_reasons.hpp"
+
+namespace labmouse {
+namespace {
+
+using Json = nlohmann::json;
+using Fields = RecordFields;
+
+/// Reads what the header says of the maze, which need not be its drawing; returns what is wrong, or nothing.
+std::string read_maze_field(const Json& json, RecordFile& file) {
+  Fields fields(json, "maze");
+  if (fields.has("name")) file.maze_name = fields.text("name");
+  if (fields.has("drawing"))
+    file.maze = read_record_maze(fields);
+  else if (fields.has("start") || fields.has("heading") || fields.has("goals"))
+    fields.fail("has a start, a heading or goals, but no drawing");
+  return fields.error();
+}
+
+std::string read_mouse_field(const Json& json, RecordFile& file) {
+  Fields fields(json, "mouse");
+  if (fields.has("name")) file.mouse = fields.text("name");
+  return fields.error();
+}
+
+/// Reads the header into the file; returns what is wrong, or nothing.
+std::string read_header(const Json& json, RecordFile& file) {
+  Fields fields(json, "");
+  if (fields.text("labmouse") == "mms record") fields.fail("is the header of a record of mms, which is drawn but not played again");
+  if (fields.text("labmouse") != "record") fields.fail("is not the header of a record");
+  if (fields.whole("format", 0, 1'000'000) != 1) fields.fail("has a format other than 1, which this version does not know");
+  if (!fields.error().empty()) return fields.error();
+  if (fields.has("version")) file.version = fields.text("version");
+  if (fields.has("seed") && !json["seed"].is_number_unsigned()) return "'seed' is not a number from 0 to 2^64 - 1";
+  if (fields.has("seed")) file.seed = json["seed"].get<std::uint64_t>();
+  std::string error;
+  if (fields.has("rules")) error = read_record_rules(json["rules"], file.rules);
+  if (error.empty() && fields.has("mouse")) error = read_mouse_field(json["mouse"], file);
+  if (error.empty() && fields.has("maze")) error = read_maze_field(json["maze"], file);
+  return error;
+}
+
+Action read_action(const Json& json, Fields& fields) {
+  constexpr int far = 1'000'000;  // wrong rotations and movements are part of a record, within reason
+  if (json.is_array() && json.size() == 2)
+    return Action::step(fields.whole(json[0], "action", -far, far), fields.whole(json[1], "action", -far, far));
+  if (json == "reset") return Action::reset();
+  for (const ForfeitReason reason : all_forfeit_reasons)
+    if (json == "forfeit: " + std::string(name_of(reason))) return Action::forfeit(reason);
+  return fields.fail("has an action that is neither [rotation, movement] nor reset nor forfeit"), Action();
+}
+
+Run read_run(Fields& fields) {
+  const std::string run = fields.text("run");
+  if (run != "exploration" && run != "speed") fields.fail("has a run that is neither exploration nor speed");
+  return run == "speed" ? Run::speed : Run::exploration;
+}
+
+Sighting read_reading(Fields& fields) {
+  const Json& reading = fields.list("reading");
+  if (reading.size() != 3) return fields.fail("has a reading that is not [left, ahead, right]"), Sighting();
+  const auto cells = [&](std::size_t direction) { return fields.whole(reading[direction], "reading", 0, max_side); };
+  return {cells(0), cells(1), cells(2)};
+}
+
+/// Reads what a step gives besides its action and its number.
+StepRecord read_given(Fields& fields, const GivenFields& given) {
+  StepRecord step;
+  if (given.run) step.run = read_run(fields);
+  if (given.cell) step.pose.cell = fields.cell("cell");
+  if (given.heading) step.pose.heading = fields.heading("heading");
+  if (given.reading) step.sighting = read_reading(fields);
+  if (given.blocked) step.blocked = fields.flag("blocked");
+  return step;
+}
+
+GivenFields given_in(const Fields& fields) {
+  return {fields.has("run"), fields.has("cell"), fields.has("heading"), fields.has("reading"), fields.has("blocked")};
+}
+
+std::string read_step(const Json& json, RecordFile& file) {
+  const auto due = static_cast<int>(file.run.steps.size()) + 1;
+  if (due > longest_record) return fmt::format("the record has more than {} steps", longest_record);
+  Fields fields(json, "");
+  const GivenFields given = given_in(fields);
+  StepRecord step = read_given(fields, given);
+  step.step = fields.has("step") ? fields.whole("step", 1, longest_record) : due;
+  step.action = fields.has("action") ? read_action(json["action"], fields) : (fields.fail("has no action"), Action());
+  if (step.step != due) fields.fail(fmt::format("has step {} where step {} is due", step.step, due));
+  file.run.steps.push_back(step);
+  file.given.push_back(given);
+  if (!fields.has("reasons") || !fields.error().empty()) return fields.error();
+  const Size size = file.maze ? file.maze->size() : Size{max_side, max_side};
+  return read_reasons(json["reasons"], size, file.run.reasons.emplace_back(StepReasons{step.step, {}}).reasons);
+}
+
+std::string read_end(const Json& json, RecordFile& file) {
+  Fields fields(json, "");
+  if (fields.has("last_words")) file.run.last_words = fields.text("last_words").substr(0, longest_last_words);
+  if (fields.has("counts"))
+    if (auto error = read_record_counts(json["counts"], file.run.counts); !error.empty()) return error;
+  const std::string name = fields.text("outcome");
+  file.given_end = given_in(fields);
+  if (file.given_end.cell) file.run.end.cell = fields.cell("cell");
+  if (file.given_end.heading) file.run.end.heading = fields.heading("heading");
+  const bool gave_up = !file.run.steps.empty() && file.run.steps.back().action.kind == Action::Kind::forfeit;
+  if (gave_up != (name == name_of(Outcome::forfeit))) fields.fail("and the last step disagree on a forfeit");
+  if (const auto outcome = outcome_of(name)) {
+    file.run.outcome = *outcome;
+    file.ended = true;
+    return fields.error();
+  }
+  return fmt::format("'outcome' is '{}', which this version does not know", name);
+}
+
+/// Reads one line after the header; returns what is wrong, or nothing.
+std::string read_line(const Json& json, RecordFile& file) {
+  if (file.ended) return "the line stands behind the end of the record";
+  const auto has = [&](const char* key) { return json.is_object() && json.contains(key); };
+  if (has("outcome")) return read_end(json, file);
+  if (has("labmouse") && !has("action")) return "the line is a second header; a file holds one record";
+  return read_step(json, file);
+}
+
+}  // namespace
+
+ReadRecordResult read_record(std::string_view text) {
+  RecordFile file;
+  file.maze_name = "maze";
+  file.mouse = "robot";
+  file.ended = false;
+  std::vector<Problem> problems = read_json_lines(text, {[&](const Json& line) { return read_header(line, file); },
+                                                         [&](const Json& line) { return read_line(line, file); },
+                                                         [&] { return !file.ended; }});
+  if (!problems.empty()) return {std::nullopt, std::move(problems)};
+  return {std::move(file), {}};
+}
+
+}  // namespace labmouse

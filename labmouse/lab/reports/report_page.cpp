@@ -1,0 +1,98 @@
+#include "labmouse/lab/reports/report_page.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "labmouse/lab/bounds/bounds.hpp"
+#include "labmouse/lab/text/counted.hpp"
+#include "labmouse/lab/system/files.hpp"
+#include "labmouse/lab/mazes/maze_files.hpp"
+#include "labmouse/lab/mazes/maze_link.hpp"
+#include "labmouse/lab/text/packing.hpp"
+#include "labmouse/lab/text/printable.hpp"
+#include "labmouse/lab/races/race_paths.hpp"
+#include "labmouse/lab/reports/report_records.hpp"
+#include "labmouse/lab/system/version.hpp"
+
+namespace labmouse {
+namespace {
+
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+constexpr std::string_view place = "<!-- labmouse:report -->";
+constexpr std::size_t longest_results = std::size_t{1} << 28U;  // bytes
+
+/// Nothing of a file's text stands in the page as it is: base64 has no character that means something in HTML.
+std::string block(std::string_view id, std::string_view json) {
+  return fmt::format("<script type=\"text/plain\" id=\"{}\">{}</script>\n", id, base64(gzip(json)));
+}
+
+/// The maze of that name, if it is still the one that the results speak of.
+std::optional<Maze> find_again(const ReportMaze& wanted) {
+  auto maze = maze_named(wanted.name);
+  if (!maze || maze->size() != wanted.size) return std::nullopt;
+  if (wanted.optimum && bound_of(*maze, Rules()).optimum != wanted.optimum) return std::nullopt;
+  return maze;
+}
+
+/// The links of the mazes by their names. `notes` gets a line where some are not found.
+Json links_of(const ReportResults& results, const ReportRecords& records, std::vector<std::string>& notes) {
+  Json links = Json::object();
+  std::vector<std::string> lost;
+  for (const ReportWorld* world : {&results.steps, &results.mms})
+    for (const ReportMaze& wanted : world->mazes) {
+      if (links.contains(wanted.name)) continue;
+      const auto recorded = records.mazes.find(wanted.name);
+      const auto maze = recorded != records.mazes.end() ? recorded->second : find_again(wanted);
+      if (maze)
+        links[wanted.name] = link_of({wanted.name, *maze});
+      else if (world == &results.steps)
+        lost.push_back(wanted.name);
+    }
+  if (!lost.empty())
+    notes.push_back(shown(fmt::format("left out: {} not found by name as in the race, such as {}",
+                                      counted(static_cast<int>(lost.size()), "maze", "mazes"), lost.front())));
+  return links;
+}
+
+ReportPage failed(std::string error) { return {"", std::move(error), {}}; }
+
+}  // namespace
+
+std::string wrong_page(std::string_view page) {
+  const auto first = page.find(place);
+  if (first == std::string_view::npos) return fmt::format("is not the page of labmouse: it has no {}", place);
+  if (page.find(place, first + 1) != std::string_view::npos)
+    return fmt::format("is not the page of labmouse: it has more than one {}", place);
+  return "";
+}
+
+std::string with_report(std::string_view page, std::string_view report, std::string_view records) {
+  const auto at = page.find(place);
+  std::string text(page.substr(0, at));
+  text += block("labmouse-report", report) + block("labmouse-records", records);
+  return text.append(page.substr(at + place.size()));
+}
+
+ReportPage make_report(const std::string& path, std::string_view page) {
+  std::error_code unknown;
+  const bool is_folder = fs::is_directory(path, unknown);
+  const std::string file = is_folder ? (fs::path(path) / results_file_name).string() : path;
+  if (is_folder && !fs::exists(file, unknown))
+    return failed(shown(fmt::format("{}: error: has no {}; `labmouse race --out DIR` leaves one in its folder", path, results_file_name)));
+  const FileContent content = read_file(file, longest_results);
+  if (!content.error.empty()) return failed(shown(fmt::format("{}: error: {}", file, content.error)));
+  const ReadResultsResult read = read_report_results(content.content);
+  if (!read.results) return failed(describe(file, *read.problem));
+  const fs::path parent = fs::path(file).parent_path();
+  ReportRecords records = read_report_records(*read.results, parent.empty() ? "." : parent.string());
+  const std::string report =
+      fmt::format(R"({{"labmouse":"report","format":1,"version":{},"results":{},"mazes":{}}})", Json(version()).dump(),
+                  read.results->json, links_of(*read.results, records, records.notes).dump());
+  return {with_report(page, report, records.json), "", std::move(records.notes)};
+}
+
+}  // namespace labmouse

@@ -1,0 +1,149 @@
+#include "labmouse/lab/reports/report_results.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "labmouse/lab/records/drive_json.hpp"
+
+namespace labmouse {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int most_depth = 32;  // a race's JSON is 7 deep
+constexpr std::size_t longest_header = std::size_t{1} << 20U;  // bytes of the first line of a record
+constexpr const char* how_to_make = "make one with `labmouse race --format json` or `--out`";
+
+/// Reads values and remembers the first that is missing or wrong. In place of that it gives an empty one.
+class Reading {
+ public:
+  const std::string& error() const { return error_; }
+
+  std::string text(const Json& json, const char* key, const std::string& path) {
+    const Json& value = get(json, key, path);
+    if (value.is_string()) return value.get<std::string>();
+    return wrong(path, key, "is not a text"), "";
+  }
+  std::uint64_t number(const Json& json, const char* key, const std::string& path) {
+    const Json& value = get(json, key, path);
+    if (value.is_number_unsigned()) return value.get<std::uint64_t>();
+    return wrong(path, key, "is not a whole number from 0 on"), 0;
+  }
+  const Json& list(const Json& json, const char* key, const std::string& path) {
+    static const Json none = Json::array();
+    const Json& value = get(json, key, path);
+    if (value.is_array()) return value;
+    return wrong(path, key, "is not a list"), none;
+  }
+
+ private:
+  const Json& get(const Json& json, const char* key, const std::string& path) {
+    static const Json nothing;
+    if (json.is_object() && json.contains(key)) return json[key];
+    wrong(path, key, "is missing");
+    return nothing;
+  }
+  void wrong(const std::string& path, const char* key, const char* reason) {
+    if (error_.empty()) error_ = fmt::format("is not the JSON of a race: '{}{}' {}; {}", path, key, reason, how_to_make);
+  }
+
+  std::string error_;
+};
+
+ReportMouse read_mouse(const Json& json, bool seeds, const std::string& path, Reading& reading) {
+  ReportMouse mouse;
+  mouse.name = reading.text(json, "name", path);
+  int number = 0;
+  for (const Json& result : reading.list(json, "results", path)) {
+    const std::string place = fmt::format("{}results[{}].", path, number++);
+    auto& known = mouse.seeds[reading.text(result, "maze", place)];
+    if (seeds) known.insert(reading.number(result, "seed", place));
+  }
+  return mouse;
+}
+
+ReportMaze read_raced_maze(const Json& json, const std::string& path, Reading& reading) {
+  ReportMaze maze;
+  maze.name = reading.text(json, "name", path);
+  const auto side = [&](const char* key) {
+    return static_cast<int>(std::min<std::uint64_t>(reading.number(json, key, path), max_side + 1));
+  };
+  maze.size = {side("width"), side("height")};
+  if (json.is_object() && json.contains("optimum") && json["optimum"].is_number_unsigned()) maze.optimum = json["optimum"].get<int>();
+  return maze;
+}
+
+ReportWorld read_world(const Json& json, bool seeds, const std::string& path, Reading& reading) {
+  ReportWorld world;
+  for (const Json& maze : reading.list(json, "mazes", path))
+    world.mazes.push_back(read_raced_maze(maze, fmt::format("{}mazes[{}].", path, world.mazes.size()), reading));
+  for (const Json& mouse : reading.list(json, "mice", path))
+    world.mice.push_back(read_mouse(mouse, seeds, fmt::format("{}mice[{}].", path, world.mice.size()), reading));
+  return world;
+}
+
+ReportWorld read_groups(const Json& json, Reading& reading) {
+  if (!json.contains("groups")) return {};
+  const Json& groups = reading.list(json, "groups", "");
+  return groups.empty() ? ReportWorld() : read_world(groups.front(), false, "groups[0].", reading);
+}
+
+/// Line and column of a byte, which counts from 1.
+Problem problem_at(std::string_view text, std::size_t byte, std::string reason) {
+  const std::string_view before = text.substr(0, std::min(text.size(), byte > 0 ? byte - 1 : 0));
+  const auto line = std::count(before.begin(), before.end(), '\n') + 1;
+  const auto begin = before.rfind('\n');
+  const auto column = before.size() - (begin == std::string_view::npos ? 0 : begin + 1) + 1;
+  return {static_cast<int>(line), static_cast<int>(column), std::move(reason)};
+}
+
+/// What a text is that is no results, where that can be seen; or nothing.
+std::string what_it_is(std::string_view text) {
+  const Json first = Json::parse(text.substr(0, std::min(text.find('\n'), longest_header)), nullptr, false);
+  const Json kind = first.is_object() ? first.value("labmouse", Json()) : Json();
+  if (kind == "record") return "is the record of one contest, not a race; `labmouse show --record` draws it";
+  if (kind == "drive record") return "is the record of one contest in seconds, not a race; `labmouse show --record` draws it";
+  if (kind == "mms record") return "is the record of one run of a program for mms, not a race";
+  if (text.starts_with("mouse,maze,")) return fmt::format("is the CSV of a race, which lacks much; {}", how_to_make);
+  if (text.starts_with("<!doctype html")) return "is a page already";
+  if (read_maze(text).maze) return "is a maze, not a race; `labmouse show` draws it";
+  return "";
+}
+
+/// The JSON, or what is wrong with it.
+std::optional<Problem> parse(std::string_view text, Json& json) {
+  bool deep = false;
+  const auto watch = [&](int depth, Json::parse_event_t, Json&) {
+    deep = deep || depth > most_depth;
+    return !deep;
+  };
+  try {
+    json = Json::parse(text.begin(), text.end(), watch);
+  } catch (const Json::parse_error& error) {
+    return problem_at(text, error.byte, "is not JSON from here on");
+  }
+  if (deep) return Problem{0, 0, fmt::format("is not the JSON of a race: more than {} lists or objects in each other", most_depth)};
+  return std::nullopt;
+}
+
+}  // namespace
+
+ReadResultsResult read_report_results(std::string_view text) {
+  if (std::string other = what_it_is(text); !other.empty()) return {std::nullopt, Problem{0, 0, std::move(other)}};
+  Json json;
+  if (auto problem = parse(text, json)) return {std::nullopt, std::move(problem)};
+  if (is_race_in_seconds(json))
+    return {std::nullopt, Problem{0, 0, "is a race in seconds, of which there are no reports; its records can be opened in `labmouse page`"}};
+  Reading reading;
+  reading.text(json, "labmouse", "");
+  ReportResults results;
+  results.steps = read_world(json, true, "", reading);
+  results.mms = read_groups(json, reading);
+  results.json = json.dump();
+  if (!reading.error().empty()) return {std::nullopt, Problem{0, 0, reading.error()}};
+  return {std::move(results), std::nullopt};
+}
+
+}  // namespace labmouse

@@ -1,0 +1,125 @@
+#include "labmouse/lab/robots/drive_rules_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "labmouse/lab/robots/builtin_rules.hpp"
+#include "labmouse/lab/mazes/maze_files.hpp"
+#include "labmouse/lab/system/named_text.hpp"
+#include "labmouse/lab/text/printable.hpp"
+#include "labmouse/lab/text/toml_text.hpp"
+
+namespace labmouse {
+namespace {
+
+/// A number in a file of rules; times are in seconds.
+struct RulesNumber {
+  std::string_view name;
+  double low = 0.0;
+  double high = 0.0;
+  bool whole = false;
+  bool needed = false;
+};
+
+constexpr RulesNumber time_limit = {"time_limit", 1, 7200, false, true};
+constexpr RulesNumber runs = {"runs", 1, 100, true, true};
+constexpr RulesNumber maze_time_divisor = {"maze_time_divisor", 1, 1000, true, false};
+constexpr RulesNumber touch_penalty = {"touch_penalty", 0, 600, false, false};
+constexpr RulesNumber untouched_bonus = {"untouched_bonus", 0, 600, false, false};
+
+constexpr std::array<std::string_view, 7> keys = {"source",        "time_limit",      "runs", "maze_time_divisor",
+                                                  "touch_penalty", "untouched_bonus", "clock"};
+constexpr std::string_view gate_to_gate = "gate to gate", rest_to_centre = "rest to centre";
+
+std::string range_of(const RulesNumber& number) {
+  return fmt::format("a {} from {:g} to {:g}", number.whole ? "whole number" : "number of seconds", number.low, number.high);
+}
+
+/// Takes the values out of a table, and notes what is wrong with it.
+class RulesReader {
+ public:
+  explicit RulesReader(const toml::table& table) : table_(table) {
+    for (const auto& [key, value] : table)
+      if (std::find(keys.begin(), keys.end(), key.str()) == keys.end())
+        add(key.source().begin, unknown_key(std::string(key.str()), keys));
+  }
+
+  /// The number of a key; 0 where it is left out, or wrong.
+  double number(const RulesNumber& key) {
+    const toml::node* node = table_.get(key.name);
+    if (node == nullptr) {
+      if (key.needed) add({0, 0}, fmt::format("missing key '{}': {}", key.name, range_of(key)));
+      return 0.0;
+    }
+    const double value = node->value<double>().value_or(std::nan(""));
+    if (node->is_number() && value >= key.low && value <= key.high && (!key.whole || node->is_integer())) return value;
+    add(node->source().begin, fmt::format("'{}' must be {}", key.name, range_of(key)));
+    return 0.0;
+  }
+
+  /// The text of a key, which is needed and not empty.
+  std::string text(std::string_view key, std::string_view meaning) {
+    const toml::node* node = table_.get(key);
+    if (node == nullptr) {
+      add({0, 0}, fmt::format("missing key '{}': {}", key, meaning));
+      return "";
+    }
+    std::string value = node->value<std::string>().value_or("");
+    if (value.empty()) add(node->source().begin, fmt::format("'{}' must be {}", key, meaning));
+    return value;
+  }
+
+  bool clock() {
+    constexpr std::string_view meaning = "\"gate to gate\" or \"rest to centre\"";
+    const std::string value = text("clock", meaning);
+    if (!value.empty() && value != gate_to_gate && value != rest_to_centre)
+      add(table_.get("clock")->source().begin, fmt::format("'clock' must be {}", meaning));
+    return value == gate_to_gate;
+  }
+
+  std::vector<Problem> problems() const { return in_order(problems_); }
+
+ private:
+  void add(const toml::source_position& place, std::string reason) {
+    problems_.push_back(problem_at(place, std::move(reason)));
+  }
+
+  const toml::table& table_;
+  std::vector<Problem> problems_;
+};
+
+std::int64_t whole_microseconds(double seconds) { return static_cast<std::int64_t>(std::floor(seconds * 1e6 + 0.5)); }
+
+}  // namespace
+
+DriveRulesResult read_drive_rules(std::string_view text, std::string_view name) {
+  const TomlText toml = parse_toml(text);
+  if (!toml.problems.empty()) return {std::nullopt, toml.problems};
+  RulesReader reader(toml.table);
+  DriveRules rules;
+  rules.name = name;
+  rules.source = shown(reader.text("source", "where and when the rules were in force, in words"));
+  rules.time_limit = whole_microseconds(reader.number(time_limit));
+  rules.most_runs = static_cast<int>(reader.number(runs));
+  rules.maze_time_divisor = static_cast<int>(reader.number(maze_time_divisor));
+  rules.touch_penalty = whole_microseconds(reader.number(touch_penalty));
+  rules.untouched_bonus = whole_microseconds(reader.number(untouched_bonus));
+  rules.gate_to_gate = reader.clock();
+  if (auto problems = reader.problems(); !problems.empty()) return {std::nullopt, std::move(problems)};
+  return {std::move(rules), {}};
+}
+
+FoundRules find_rules(const std::string& name) {
+  const NamedText found = find_text("rules", builtin_rules(), name);
+  if (!found.error.empty()) return {{}, {found.error}};
+  DriveRulesResult read = read_drive_rules(found.text, name);
+  if (read.rules) return {std::move(*read.rules), {}};
+  FoundRules none;
+  for (const Problem& problem : read.problems) none.errors.push_back(describe(name, problem));
+  return none;
+}
+
+}  // namespace labmouse

@@ -1,0 +1,156 @@
+#include "labmouse/lab/robots/robot_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "labmouse/lab/robots/robot_keys.hpp"
+#include "labmouse/lab/text/toml_text.hpp"
+#include "labmouse/mouse/robot/straights.hpp"
+
+namespace labmouse {
+namespace {
+
+/// A number as it stands in the file.
+std::string written(const toml::node& number) {
+  return number.is_integer() ? fmt::format("{}", number.as_integer()->get()) : fmt::format("{}", number.as_floating_point()->get());
+}
+
+/// The section and the rest of a key: "straight" and "speed"; no section for "cell".
+std::pair<std::string_view, std::string_view> split(std::string_view key) {
+  const auto dot = key.find('.');
+  return dot == std::string_view::npos ? std::pair(std::string_view(), key)
+                                       : std::pair(key.substr(0, dot), key.substr(dot + 1));
+}
+
+/// Takes the numbers out of a table, and notes what is wrong with it.
+class RobotReader {
+ public:
+  explicit RobotReader(const toml::table& root)
+      : root_(root), forms_{node("turns") != nullptr, node("search.cell") != nullptr} {
+    for (const RobotKey& key : robot_keys()) read(key);
+    for (const auto& [name, value] : root_) check_name("", name, value);
+  }
+
+  /// The number of a key, or the other one where it does not stand there.
+  double number(std::string_view key, double otherwise = 0.0) const {
+    const auto* found = node(key);
+    return found == nullptr ? otherwise : found->value<double>().value_or(otherwise);
+  }
+  const RobotForms& forms() const { return forms_; }
+
+  std::vector<Problem> problems() const { return in_order(problems_); }
+
+ private:
+  const toml::node* node(std::string_view key) const {
+    const auto [section, name] = split(key);
+    if (section.empty()) return root_.get(name);
+    const toml::node* table = root_.get(section);
+    return table != nullptr && table->is_table() ? table->as_table()->get(name) : nullptr;
+  }
+
+  void add(const toml::source_position& place, std::string reason) {
+    problems_.push_back(problem_at(place, std::move(reason)));
+  }
+
+  void read(const RobotKey& key) {
+    const toml::node* found = node(key.name);
+    if (found == nullptr) return key.needed && forms_.has(key) ? missing(key) : void();
+    if (!forms_.has(key)) return add(found->source().begin, fmt::format("'{}' {}", key.name, why_not(key, forms_)));
+    if (!found->is_number()) return add(found->source().begin, fmt::format("'{}' must be a number of {}", key.name, key.unit));
+    // A whole number that a double cannot hold is far out of any range.
+    const double value = found->value<double>().value_or(std::numeric_limits<double>::infinity());
+    if (!(value >= key.low && value <= key.high) || (key.whole && !found->is_integer()))
+      add(found->source().begin, fmt::format("'{}' is {}; it must be {}{}", key.name, written(*found), range_of(key), hint_of(key, value)));
+  }
+
+  void missing(const RobotKey& key) {
+    const toml::node* section = root_.get(split(key.name).first);
+    add(section != nullptr ? section->source().begin : toml::source_position{0, 0},
+        fmt::format("missing key '{}': {}", key.name, range_of(key)));
+  }
+
+  void check_name(std::string_view section, const toml::key& key, const toml::node& value) {
+    const std::string name = section.empty() ? std::string(key.str()) : fmt::format("{}.{}", section, key.str());
+    if (section.empty() && is_section(name)) {
+      if (!value.is_table()) return add(key.source().begin, fmt::format("'{0}' must be a table: [{0}]", name));
+      for (const auto& [inner, inner_value] : *value.as_table()) check_name(name, inner, inner_value);
+    } else if (!is_key(name)) {
+      add(key.source().begin, unknown(name));
+    }
+  }
+
+  static bool is_section(std::string_view name) {
+    return std::any_of(robot_keys().begin(), robot_keys().end(),
+                       [&](const RobotKey& key) { return split(key.name).first == name; });
+  }
+  static bool is_key(std::string_view name) {
+    return std::any_of(robot_keys().begin(), robot_keys().end(), [&](const RobotKey& key) { return key.name == name; });
+  }
+
+  static std::string unknown(const std::string& name) {
+    std::vector<std::string_view> names;
+    for (const RobotKey& key : robot_keys()) {
+      names.push_back(key.name);
+      if (const auto section = split(key.name).first; !section.empty()) names.push_back(section);
+    }
+    return unknown_key(name, names);
+  }
+
+  const toml::table& root_;
+  RobotForms forms_;
+  std::vector<Problem> problems_;
+};
+
+DriveTime time_of(const RobotReader& reader, std::string_view key) { return microseconds(reader.number(key) / 1e3); }
+
+FixedTimes fixed_times(const RobotReader& reader) {
+  return {reader.number("turns.speed"),    time_of(reader, "turns.45"),  time_of(reader, "turns.90"),
+          time_of(reader, "turns.135"),    time_of(reader, "turns.180"), time_of(reader, "turns.V90"),
+          time_of(reader, "turns.S90")};
+}
+
+SearchDrive search_times(const RobotReader& reader) {
+  return {time_of(reader, "search.cell"), time_of(reader, "search.turn"), time_of(reader, "search.back"),
+          time_of(reader, "search.quarter"), time_of(reader, "search.half_cell")};
+}
+
+Robot robot_of(const RobotReader& reader, std::string_view name) {
+  Robot robot;
+  robot.name = name;
+  robot.cell = reader.number("cell");
+  robot.speed = reader.number("straight.speed");
+  robot.acceleration = reader.number("straight.acceleration");
+  robot.braking = reader.number("straight.braking", robot.acceleration);
+  robot.speed_diagonal = reader.number("diagonal.speed", robot.speed);
+  robot.acceleration_diagonal = reader.number("diagonal.acceleration", robot.acceleration);
+  robot.braking_diagonal = reader.number("diagonal.braking", robot.braking);
+  robot.lateral_acceleration = reader.number("curve.lateral_acceleration");
+  robot.yaw_acceleration = reader.number("curve.yaw_acceleration");
+  robot.clearance = reader.number("clearance");
+  robot.run_up = reader.number("run_up");
+  robot.sight = static_cast<int>(reader.number("sight", 1.0));
+  robot.search_speed = reader.number("search.speed");
+  robot.pivot_speed = reader.number("search.pivot_speed");
+  robot.pivot_acceleration = reader.number("search.pivot_acceleration");
+  if (reader.forms().turns) robot.fixed = fixed_times(reader);
+  if (reader.forms().search_times) robot.search = search_times(reader);
+  return robot;
+}
+
+}  // namespace
+
+RobotResult read_robot(std::string_view text, std::string_view name) {
+  const auto failure = [](std::vector<Problem> problems) { return RobotResult{std::nullopt, {}, std::move(problems)}; };
+  const TomlText toml = parse_toml(text);
+  if (!toml.problems.empty()) return failure(toml.problems);
+  RobotReader reader(toml.table);
+  if (auto problems = reader.problems(); !problems.empty()) return failure(std::move(problems));
+  Robot robot = robot_of(reader, name);
+  DriveModel model = make_drive_model(robot);
+  if (!model.error.empty()) return failure({{0, 0, model.error}});
+  return {std::move(robot), std::move(model), {}};
+}
+
+}  // namespace labmouse

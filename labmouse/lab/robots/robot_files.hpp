@@ -1,0 +1,22 @@
+// Robots from files, and those that the program brings.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "labmouse/lab/robots/robot_file.hpp"
+
+namespace labmouse {
+
+/// A robot with all that follows from it, or why there is none: a line for each problem, as `describe` words them.
+struct FoundRobot {
+  Robot robot;
+  DriveModel model;
+  std::vector<std::string> errors;
+};
+
+/// The built-in robot of that name, or that of a file, whose name has a slash or ends in `.toml`. A robot's own name is
+/// the one given here.
+FoundRobot find_robot(const std::string& name);
+
+}  // namespace labmouse

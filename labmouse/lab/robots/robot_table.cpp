@@ -1,0 +1,79 @@
+#include "labmouse/lab/robots/robot_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "labmouse/lab/text/printable.hpp"
+
+namespace labmouse {
+namespace {
+
+/// Thousandths only where there are any: "300 ms", "295.54 ms".
+std::string milliseconds(DriveTime time) { return fmt::format("{} ms", time / 1e3); }
+
+/// Where the times of turns are given, only they and what follows from them is known.
+std::string turn_line(const Robot& robot, const DrivenTurn& turn, const TurnShape& shape, bool first) {
+  std::string line =
+      fmt::format("{:<5} {:>7.1f} {:>8.3f}", first ? name_of(turn.turn) : "", turn.speed, turn.time / 1e3);
+  if (!robot.fixed)
+    line += fmt::format(" {:>8.1f} {:>8.1f} {:>8.1f} {:>9.1f}", shape.lead_in, shape.lead_out, shape.length,
+                        shape.clearance);
+  return line + "\n";
+}
+
+std::string turns_text(const Robot& robot, const DriveModel& model) {
+  std::string text = fmt::format("{:<5} {:>7} {:>8}", "turn", "mm/s", "ms");
+  if (!robot.fixed) text += fmt::format(" {:>8} {:>8} {:>8} {:>9}", "lead in", "lead out", "curve mm", "clearance");
+  text += "\n";
+  for (std::size_t i = 0; i < model.shapes.size(); ++i) {
+    const DrivenTurn& turn = model.tables.turns[i];
+    if (begins_diagonal(turn.turn) && !ends_diagonal(turn.turn)) continue;
+    const bool first = i == 0 || model.tables.turns[i - 1].turn != turn.turn;
+    text += turn_line(robot, turn, model.shapes[i], first);
+  }
+  return text;
+}
+
+std::string straight_line(std::string_view name, double speed, double acceleration, double braking) {
+  return fmt::format("{:<9} {:g} mm/s, {:g} mm/s² up, {:g} mm/s² down\n", name, speed, acceleration, braking);
+}
+
+std::string ends_line(const Robot& robot) {
+  if (robot.fixed)
+    return fmt::format("{:<9} {:g} mm/s, at the start and the end too; turns from node to node\n", "nodes",
+                       robot.fixed->speed);
+  return fmt::format("{:<9} at rest, {:g} mm behind the middle of the start cell; at any speed in the goal\n", "runs",
+                     robot.run_up);
+}
+
+std::string search_line(const SearchDrive& search) {
+  return fmt::format("{:<9} cell {}, turn {}, back {}, quarter on the spot {}, half a cell from rest {}\n", "search",
+                     milliseconds(search.cell), milliseconds(search.turn), milliseconds(search.back),
+                     milliseconds(search.quarter), milliseconds(search.half_cell));
+}
+
+}  // namespace
+
+std::string hash_words(const DriveTables& tables) { return fmt::format("{:016x}", tables.hash); }
+
+std::string robot_table(const Robot& robot, const DriveModel& model) {
+  return fmt::format("{}: cells of {:g} mm, sees {} cell{} far\n", shown(robot.name), robot.cell, robot.sight,
+                     robot.sight == 1 ? "" : "s") +
+         turns_text(robot, model) + straight_line("straight", robot.speed, robot.acceleration, robot.braking) +
+         straight_line("diagonal", robot.speed_diagonal, robot.acceleration_diagonal, robot.braking_diagonal) +
+         ends_line(robot) + search_line(model.search) + fmt::format("{:<9} {}\n", "tables", hash_words(model.tables));
+}
+
+std::string robot_line(const Robot& robot, const DriveModel& model) {
+  if (robot.fixed)
+    return fmt::format("cells of {:g} mm, straights up to {:g} mm/s, {:g} mm/s between turns of given times",
+                       robot.cell, robot.speed, robot.fixed->speed);
+  const auto [slowest, fastest] = std::minmax_element(
+      model.tables.turns.begin(), model.tables.turns.end(),
+      [](const DrivenTurn& a, const DrivenTurn& b) { return a.speed < b.speed; });
+  return fmt::format("cells of {:g} mm, straights up to {:g} mm/s, turns at {:.0f} to {:.0f} mm/s", robot.cell,
+                     robot.speed, slowest->speed, fastest->speed);
+}
+
+}  // namespace labmouse

@@ -1,0 +1,176 @@
+#include "labmouse/lab/studies/hindsight.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "labmouse/chance/dice.hpp"
+#include "labmouse/lab/studies/parameter_range.hpp"
+#include "labmouse/lab/standings/standings.hpp"
+#include "labmouse/mouse/distance.hpp"
+#include "labmouse/mouse/knowledge.hpp"
+#include "labmouse/strategies/roster.hpp"
+
+namespace labmouse {
+namespace {
+
+/// Whether step i of the exploration ended in a goal.
+bool ends_in_goal(const RunRecord& record, std::size_t i, const Maze& maze) {
+  if (record.steps[i].action.kind != Action::Kind::step) return false;
+  return maze.is_goal(i + 1 < record.steps.size() ? record.steps[i + 1].pose.cell : record.end.cell);
+}
+
+/// -1 to 1, in millionths.
+double throw_between(Dice& dice) { return (dice.below(2'000'001) - 1'000'000) / 1e6; }
+
+Setting shifted(const Parameter& parameter, double value, Dice& dice) {
+  const double most = std::max(0.25 * std::abs(value), 0.01 * (parameter.high - parameter.low));
+  const ParameterRange range = {parameter, parameter.low, parameter.high};
+  return {std::string(parameter.name), written_value(range, value + most * throw_between(dice))};
+}
+
+/// The parameters of a mouse; none for the oracle.
+std::span<const Parameter> parameters_of(const Contestant& mouse) {
+  const RosterEntry* entry = find_mouse(mouse.name.substr(0, mouse.name.find(':')));
+  return entry == nullptr ? std::span<const Parameter>() : entry->parameters;
+}
+
+/// What a maze's contests say: the mouse's own ones apart from those of the others.
+class Collector {
+ public:
+  Collector(const Hindsight& hindsight, const Maze& maze) : hindsight_(hindsight), maze_(maze) {}
+
+  /// For a contest as soon as it is done, because its record is gone afterwards.
+  void note_stop(const Race& race, const ContestResult& contest, const RunRecord& record) {
+    if (!is_own(race, contest)) return;
+    stops_.resize(std::max(stops_.size(), static_cast<std::size_t>(contest.run) + 1));
+    stops_[static_cast<std::size_t>(contest.run)] = best_stop(record, maze_, race.order.rules);
+  }
+
+  MazeHindsight result(const Race& race) const {
+    MazeHindsight found;
+    found.maze = race.mazes.front().name;
+    found.bound = race.bounds.front();
+    std::vector<double> own;
+    const ContestResult* best = nullptr;
+    for (const ContestResult& contest : race.results) {
+      if (is_own(race, contest)) own.push_back(penalised(race, contest));
+      if (best == nullptr || penalised(race, contest) < penalised(race, *best)) best = &contest;
+    }
+    found.score = mean(own);
+    found.best_stop = mean(stops_);
+    if (!hindsight_.has_others) return found;
+    found.best_other = penalised(race, *best);
+    found.best_mouse = race.mice[best->mouse].name;
+    found.best_seed = best->seed;
+    return found;
+  }
+
+ private:
+  bool is_own(const Race& race, const ContestResult& contest) const {
+    return race.mice[contest.mouse].name == hindsight_.mouse && contest.run < hindsight_.order.race.runs;
+  }
+
+  const Hindsight& hindsight_;
+  const Maze& maze_;
+  std::vector<double> stops_;  ///< of the mouse's own contests, by run
+};
+
+/// The mouse and, where it throws no dice, its perturbed variants.
+std::vector<Contestant> all_mice(const Contestant& mouse, const HindsightOrder& order) {
+  std::vector<Contestant> mice = {mouse};
+  if (mouse.uses_chance || order.others == 0) return mice;
+  for (Contestant& other : perturbed(mouse, order.others, order.race.seed)) mice.push_back(std::move(other));
+  return mice;
+}
+
+bool has_numbers(const Contestant& mouse) {
+  const auto parameters = parameters_of(mouse);
+  return std::any_of(parameters.begin(), parameters.end(), is_number);
+}
+
+/// Looks back maze by maze, so that one that is stopped under way leaves whole ones.
+void race_all(const Contestant& mouse, const std::vector<NamedMaze>& mazes, const HindsightHooks& hooks,
+              Hindsight& hindsight) {
+  const std::vector<Contestant> mice = all_mice(mouse, hindsight.order);
+  RaceOrder order = hindsight.order.race;
+  order.runs = mouse.uses_chance ? order.runs + hindsight.order.others : 1;
+  std::vector<const NamedMaze*> with_route;
+  for (const NamedMaze& maze : mazes)
+    if (bound_of(maze.maze, order.rules).score)
+      with_route.push_back(&maze);
+    else
+      hindsight.routeless.push_back(maze.name);
+  const std::size_t all = contests_of(mice, with_route.size(), order);
+  for (const NamedMaze* maze : with_route) {
+    Collector collector(hindsight, maze->maze);
+    RaceHooks race_hooks;
+    race_hooks.stop = hooks.stop;
+    race_hooks.finished = [&](const Race& race, const ContestResult& contest, const RunRecord& record) {
+      collector.note_stop(race, contest, record);
+      if (hooks.finished) hooks.finished(all);
+    };
+    const Race race = hold_race(mice, {*maze}, order, race_hooks);
+    if (hindsight.stopped = race.stopped; hindsight.stopped) return;
+    hindsight.mazes.push_back(collector.result(race));
+  }
+}
+
+}  // namespace
+
+double best_stop(const RunRecord& record, const Maze& maze, const Rules& rules) {
+  Knowledge known(maze.size());
+  DistanceField to_goal(maze.size(), strides(rules.stride));
+  double best = score(record, rules).value.value_or(rules.failure_score);
+  bool entered = false;
+  for (std::size_t i = 0; i < record.steps.size() && record.steps[i].run == Run::exploration; ++i) {
+    const StepRecord& step = record.steps[i];
+    if (!known.learn(step.pose, step.sighting)) break;
+    if (entered) {
+      to_goal.fill(known.open(), maze.goals());
+      // This step as the reset. Where the start is a goal, one step has to end there.
+      const int exploration = static_cast<int>(i) + 1, speed = std::max(1, to_goal.at(maze.start()));
+      if (exploration + speed <= rules.budget) best = std::min(best, score_of(exploration, speed, rules));
+    }
+    entered = entered || ends_in_goal(record, i, maze);
+  }
+  return best;
+}
+
+std::vector<Contestant> perturbed(const Contestant& mouse, int count, std::uint64_t seed) {
+  std::vector<Contestant> variants;
+  if (!has_numbers(mouse)) return variants;
+  for (int number = 0; number < count; ++number) {
+    // A seed for each, so that more variants begin with the same ones.
+    Dice dice(seed_for(seed, "perturbed", static_cast<std::uint64_t>(number)));
+    std::vector<Setting> values;
+    for (const Parameter& parameter : parameters_of(mouse))
+      if (is_number(parameter)) values.push_back(shifted(parameter, mouse.settings.real(parameter.name), dice));
+    Contestant variant = std::move(read_variant(mouse, values).contestants.front());
+    const auto is_same = [&](const Contestant& other) { return other.name == variant.name; };
+    if (!is_same(mouse) && std::none_of(variants.begin(), variants.end(), is_same))
+      variants.push_back(std::move(variant));
+  }
+  return variants;
+}
+
+Hindsight look_back(std::string_view spec, const std::vector<NamedMaze>& mazes, const HindsightOrder& order,
+                    const HindsightHooks& hooks) {
+  Hindsight hindsight;
+  hindsight.order = order;
+  const SpecResult read = read_specs(spec);
+  if (hindsight.error = read.error; !hindsight.error.empty()) return hindsight;
+  if (read.contestants.size() != 1) {
+    hindsight.error = fmt::format("'{}' names {} mice; name one", spec, read.contestants.size());
+    return hindsight;
+  }
+  const Contestant& mouse = read.contestants.front();
+  hindsight.mouse = mouse.name;
+  hindsight.throws_dice = mouse.uses_chance;
+  hindsight.has_others = order.others > 0 && (mouse.uses_chance || has_numbers(mouse));
+  race_all(mouse, mazes, hooks, hindsight);
+  return hindsight;
+}
+
+}  // namespace labmouse

@@ -1,0 +1,134 @@
+#include "labmouse/lab/studies/parameter_range.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "labmouse/lab/mice/specs.hpp"
+#include "labmouse/strategies/roster.hpp"
+
+namespace labmouse {
+namespace {
+
+constexpr std::size_t most_decimals = 6;  ///< of the ends of a range, as in a sweep
+
+/// Decimals that show four significant digits: 3 for 2.345, 0 for 2345 and for more. At most 9, so that with the digits
+/// before the point a value is never longer than parse_number reads.
+int decimals_of(double value) {
+  int decimals = 3;
+  const double size = std::abs(value);
+  for (double limit = 10.0; size >= limit && decimals > 0; limit *= 10.0) --decimals;
+  for (double limit = 1.0; size < limit && decimals < 9; limit /= 10.0) ++decimals;
+  return decimals;
+}
+
+const Parameter* find_number(const RosterEntry& mouse, std::string_view name) {
+  const auto found = std::find_if(mouse.parameters.begin(), mouse.parameters.end(),
+                                  [&](const Parameter& parameter) { return parameter.name == name; });
+  return found == mouse.parameters.end() ? nullptr : &*found;
+}
+
+/// Why a parameter that is no number cannot be searched.
+std::string no_number(const RosterEntry& mouse, const Parameter& parameter) {
+  std::vector<std::string_view> numbers;
+  for (const Parameter& other : mouse.parameters)
+    if (is_number(other)) numbers.push_back(other.name);
+  return fmt::format("parameter '{}' of mouse '{}' is a {}, and only numbers are tuned{}", parameter.name, mouse.name,
+                     name_of(parameter.type),
+                     numbers.empty() ? ", of which it has none" : fmt::format(": {}", fmt::join(numbers, ", ")));
+}
+
+bool has_few_decimals(std::string_view number) {
+  const auto point = number.find('.');
+  return point == std::string_view::npos || number.size() - point - 1 <= most_decimals;
+}
+
+/// Reads one end of a range; returns what is wrong with it, or nothing.
+std::string read_end(std::string_view spec, const Parameter& parameter, std::string_view text, double& end) {
+  const Setting setting = {std::string(parameter.name), std::string(text)};
+  if (const SpecResult variant = read_variant(spec, {&setting, 1}); !variant.error.empty()) return variant.error;
+  parse_number(text, end);
+  return "";
+}
+
+/// Reads LOW:HIGH into the range; returns what is wrong, or nothing.
+std::string read_ends(std::string_view spec, std::string_view text, ParameterRange& range) {
+  const auto colon = text.find(':');
+  const auto low = text.substr(0, colon), high = colon == std::string_view::npos ? "" : text.substr(colon + 1);
+  double number = 0.0;
+  if (!parse_number(low, number) || !parse_number(high, number) || !has_few_decimals(low) || !has_few_decimals(high))
+    return fmt::format("'{}' is no range; write LOW:HIGH, numbers with at most {} decimals, as in 0.2:0.8", text,
+                       most_decimals);
+  if (auto error = read_end(spec, range.parameter, low, range.low); !error.empty()) return error;
+  if (auto error = read_end(spec, range.parameter, high, range.high); !error.empty()) return error;
+  if (range.low >= range.high) return fmt::format("the range '{}' does not end above its begin", text);
+  return "";
+}
+
+/// Reads one NAME[=LOW:HIGH]; returns what is wrong, or nothing.
+std::string read_one(std::string_view spec, const RosterEntry& mouse, std::string_view text,
+                     std::vector<ParameterRange>& ranges) {
+  const auto equals = text.find('=');
+  const auto name = text.substr(0, equals);
+  if (name.empty())
+    return fmt::format("'{}' is not of the form NAME or NAME=LOW:HIGH, several separated by commas", text);
+  const Parameter* parameter = find_number(mouse, name);
+  if (parameter == nullptr) {
+    const Setting unknown = {std::string(name), ""};
+    return read_variant(spec, {&unknown, 1}).error;
+  }
+  if (!is_number(*parameter)) return no_number(mouse, *parameter);
+  for (const ParameterRange& range : ranges)
+    if (range.parameter.name == name) return fmt::format("parameter '{}' is named twice", name);
+  ranges.push_back({*parameter, parameter->low, parameter->high});
+  return equals == std::string_view::npos ? "" : read_ends(spec, text.substr(equals + 1), ranges.back());
+}
+
+}  // namespace
+
+bool is_number(const Parameter& parameter) {
+  return parameter.type == ParameterType::whole || parameter.type == ParameterType::real;
+}
+
+std::string written_value(const ParameterRange& range, double value) {
+  value = std::clamp(value, range.low, range.high);
+  const bool whole = range.parameter.type == ParameterType::whole;
+  // A value near an end may be rounded beyond it; its ends have few decimals, so some more keep it inside.
+  for (int decimals = whole ? 0 : decimals_of(value);; ++decimals) {
+    std::string text = canonical_value(range.parameter, fmt::format("{:.{}f}", value, decimals));
+    double number = 0.0;
+    parse_number(text, number);
+    if ((number >= range.low && number <= range.high) || decimals > 9) return text;
+  }
+}
+
+std::string value_at(const ParameterRange& range, double share) {
+  const double width = range.high - range.low;
+  if (range.parameter.type != ParameterType::whole) return written_value(range, range.low + share * width);
+  return written_value(range, range.low + std::floor(share * (width + 1.0)));
+}
+
+double share_of(const ParameterRange& range, double value) {
+  const double above = std::clamp(value, range.low, range.high) - range.low, width = range.high - range.low;
+  // The middle of the whole number's share, so that a step has to be taken to leave it.
+  return range.parameter.type == ParameterType::whole ? (above + 0.5) / (width + 1.0) : above / width;
+}
+
+RangesResult read_ranges(std::string_view spec, std::string_view text) {
+  if (const SpecResult base = read_variant(spec, {}); !base.error.empty()) return {{}, base.error};
+  const RosterEntry& mouse = *find_mouse(spec.substr(0, spec.find_first_of(":,")));
+  RangesResult result;
+  for (bool more = true; more;) {
+    const auto comma = text.find(',');
+    if (auto error = read_one(spec, mouse, text.substr(0, comma), result.ranges); !error.empty()) return {{}, error};
+    more = comma != std::string_view::npos;
+    if (more) text.remove_prefix(comma + 1);
+  }
+  if (result.ranges.size() > most_ranges)
+    return {{},
+            fmt::format("{} parameters are named; at most {} are tuned at once", result.ranges.size(), most_ranges)};
+  return result;
+}
+
+}  // namespace labmouse

@@ -1,0 +1,48 @@
+#include "labmouse/lab/studies/prior_lesson.hpp"
+
+#include <fmt/format.h>
+
+#include "labmouse/lab/studies/dropped_mazes.hpp"
+#include "labmouse/lab/mice/prior_file.hpp"
+#include "labmouse/lab/system/version.hpp"
+
+namespace labmouse {
+namespace {
+
+std::string words_of(const Lesson& lesson) {
+  const std::size_t all = lesson.selection.mazes.size();
+  if (lesson.done < all)
+    return fmt::format("Stopped early: {} of {} mazes explored, no prior made.\n", lesson.done, all);
+  const PriorFit fit = fit_of(lesson.counts);
+  return fmt::format("{} {}, {} walls counted: log loss {:.3f}, entropy {:.3f} nats a wall\n", all,
+                     all == 1 ? "maze" : "mazes", fit.walls, fit.log_loss, fit.entropy);
+}
+
+}  // namespace
+
+Lesson hold_lesson(std::vector<NamedMaze> mazes, const Rules& rules, const LessonHooks& hooks) {
+  Lesson lesson;
+  const std::size_t given = mazes.size();
+  lesson.selection = select_mazes(std::move(mazes), rules);
+  const std::size_t all = lesson.selection.mazes.size();
+  if (all == 0) lesson.error = fmt::format("no maze with a route (of {} given), so nothing to learn from", given);
+  for (const NamedMaze& maze : lesson.selection.mazes) {
+    if (hooks.stop != nullptr && hooks.stop->load()) break;
+    lesson.counts.explore(maze.maze, rules);
+    ++lesson.done;
+    if (hooks.finished) hooks.finished(all);
+  }
+  return lesson;
+}
+
+std::string file_of(const Lesson& lesson) {
+  PriorProvenance provenance;
+  provenance.version = version();
+  for (const NamedMaze& maze : lesson.selection.mazes) provenance.mazes.push_back(maze.maze.size());
+  provenance.fit = fit_of(lesson.counts);
+  return write_prior(prior_of(lesson.counts), provenance);
+}
+
+std::string summary_of(const Lesson& lesson) { return words_of(lesson) + left_out_notes(lesson.selection, ""); }
+
+}  // namespace labmouse

@@ -1,0 +1,73 @@
+#include <fmt/format.h>
+
+#include "labmouse/lab/text/printable.hpp"
+#include "labmouse/lab/standings/race_json.hpp"
+#include "labmouse/lab/standings/standings.hpp"
+#include "labmouse/lab/studies/study.hpp"
+
+namespace labmouse {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json folds_json(const Study& study) {
+  std::size_t mazes = 0;
+  for (const std::size_t size : study.fold_sizes) mazes += size;
+  Json folds = Json::array();
+  for (std::size_t fold = 0; fold < study.fold_sizes.size(); ++fold)
+    folds.push_back({{"fold", fold + 1},
+                     {"held_out", study.fold_sizes[fold]},
+                     {"training", mazes - study.fold_sizes[fold]},
+                     {"done", fold < static_cast<std::size_t>(study.folds_done)}});
+  return folds;
+}
+
+Json comparison_json(const Study& study, const Comparison& comparison) {
+  const PairedDifference& found = comparison.found;
+  return {{"mouse", study.race.mice[comparison.mouse].name},
+          {"against", study.race.mice[comparison.against].name},
+          {"mazes", found.count},
+          {"mean_difference", found.count > 0 ? Json(found.mean) : Json(nullptr)},
+          {"interval", found.count > 1 ? Json{found.interval.low, found.interval.high} : Json(nullptr)},
+          {"wins", found.below},
+          {"ties", found.equal},
+          {"losses", found.above},
+          {"sign_test", found.sign_test}};
+}
+
+}  // namespace
+
+std::string json_of(const Study& study, const std::vector<SkippedFile>& skipped) {
+  Json json = race_json(study.race, skipped);
+  for (std::size_t maze = 0; maze < study.fold_of.size(); ++maze) json["mazes"][maze]["fold"] = study.fold_of[maze] + 1;
+  json["folds"] = folds_json(study);
+  json["learning"] = study.order.learning;
+  json["learners"] = study.learners;
+  json["comparisons"] = Json::array();
+  for (const Comparison& comparison : comparisons_of(study))
+    json["comparisons"].push_back(comparison_json(study, comparison));
+  json["duplicates"] = Json::array();
+  for (const Duplicate& duplicate : study.selection.duplicates)
+    json["duplicates"].push_back({{"name", duplicate.name}, {"same_as", duplicate.same_as}});
+  json["routeless"] = study.selection.routeless;
+  return text_of(json);
+}
+
+std::string csv_of(const Study& study) {
+  std::vector<std::vector<std::optional<double>>> scores;
+  std::string text = "maze,fold,bound";
+  for (const std::string& mouse : study.mice) {
+    text += "," + csv_field(mouse);
+    scores.push_back(scores_by_maze(study.race, position_of(study.race, mouse)));
+  }
+  text += "\n";
+  for (std::size_t maze = 0; maze < study.race.mazes.size(); ++maze) {
+    text += fmt::format("{},{},{}", csv_field(study.race.mazes[maze].name), study.fold_of[maze] + 1,
+                        *study.race.bounds[maze].score);
+    for (const auto& of_mouse : scores) text += fmt::format(",{}", *of_mouse[maze]);
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace labmouse

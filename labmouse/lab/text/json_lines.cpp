@@ -1,0 +1,34 @@
+#include "labmouse/lab/text/json_lines.hpp"
+
+namespace labmouse {
+namespace {
+
+/// Takes the first line off the text.
+std::string_view next_line(std::string_view& text) {
+  const auto length = text.find('\n');
+  const auto line = text.substr(0, length);
+  text.remove_prefix(length == std::string_view::npos ? text.size() : length + 1);
+  return line;
+}
+
+}  // namespace
+
+std::vector<Problem> read_json_lines(std::string_view text, const LineReader& reader) {
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+  const bool last_is_whole = text.ends_with('\n');
+  bool empty = true;
+  for (int number = 1; !text.empty(); ++number) {
+    const auto line = next_line(text);
+    if (line.find_first_not_of(" \t\r") == std::string_view::npos) continue;
+    const nlohmann::json json = nlohmann::json::parse(line, nullptr, false);
+    if (json.is_discarded() && !empty && text.empty() && !last_is_whole && reader.may_break_off()) break;
+    if (json.is_discarded()) return {{number, 1, "the line is not JSON"}};
+    if (auto error = empty ? reader.header(json) : reader.line(json); !error.empty()) return {{number, 1, std::move(error)}};
+    empty = false;
+  }
+  if (empty) return {{0, 0, "the record is empty"}};
+  return {};
+}
+
+}  // namespace labmouse

@@ -1,0 +1,31 @@
+// What reading a maze file comes to: a maze, or what is wrong and where.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "labmouse/maze/maze.hpp"
+
+namespace labmouse {
+
+/// What is wrong with an input, and where: line and column count from 1; 0 where the input as a whole is meant.
+/// In a binary file the line is 0 and the column the byte's position counted from 1.
+struct Problem {
+  int line = 0;
+  int column = 0;
+  std::string reason;
+
+  friend bool operator==(const Problem&, const Problem&) = default;
+};
+
+/// At most so many problems of one input are listed.
+inline constexpr std::size_t most_problems = 10;
+
+/// A maze, or what is wrong with its file: exactly one of the two is there.
+struct ReadResult {
+  std::optional<Maze> maze;
+  std::vector<Problem> problems;
+};
+
+}  // namespace labmouse

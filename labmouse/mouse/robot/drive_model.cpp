@@ -1,0 +1,195 @@
+#include "labmouse/mouse/robot/drive_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "labmouse/mouse/robot/fitted_turn.hpp"
+#include "labmouse/mouse/robot/search_drive.hpp"
+#include "labmouse/mouse/robot/straights.hpp"
+
+namespace labmouse {
+namespace {
+
+/// A shortest way enters each of the 32 x 32 cells at most twice, straight on or by a small turn. At half a second each
+/// that stays below no_time.
+constexpr DriveTime longest_cell = 500'000;
+constexpr DriveTime shortest_allowed_turn = 1'000;
+
+constexpr bool leads_back(Turn turn) { return turn == Turn::out45 || turn == Turn::out135; }
+
+DriveTime fixed_time(const FixedTimes& fixed, Turn turn) {
+  switch (turn) {
+    case Turn::f45:
+    case Turn::out45: return fixed.f45;
+    case Turn::f90: return fixed.f90;
+    case Turn::f135:
+    case Turn::out135: return fixed.f135;
+    case Turn::f180: return fixed.f180;
+    case Turn::v90: return fixed.v90;
+    case Turn::s90: return fixed.s90;
+  }
+  return 0;
+}
+
+std::string milliseconds(DriveTime time) {
+  std::string digits = std::to_string(time % 1000 + 1000);
+  digits[0] = '.';
+  return std::to_string(time / 1000) + (time % 1000 == 0 ? "" : digits) + " ms";
+}
+
+bool too_slow(double cell, double speed) { return cell * 1e6 > speed * longest_cell; }
+
+/// Behind a speed that is too low.
+std::string needed_speed(double cell) {
+  return "a cell of " + millimetres(cell) + " must not take more than " + milliseconds(longest_cell) +
+         ", the longest that times here are made for, so at least " + millimetres(std::ceil(cell * 1e6 / longest_cell)) + "/s are needed";
+}
+
+DriveModel refused(std::string why) {
+  DriveModel model;
+  model.error = std::move(why);
+  return model;
+}
+
+/// One lane along and one diagonal, without leads. The published straights begin and end at that one speed everywhere,
+/// at the start and in the goal too.
+DriveModel fixed_model(const Robot& robot) {
+  DriveModel model;
+  DriveTables& tables = model.tables;
+  tables.cell = robot.cell;
+  tables.along.lanes = tables.diagonal.lanes = {{robot.fixed->speed, 0.0}};
+  fill_between(tables.along, robot.cell / 2.0, limits_along(robot));
+  fill_between(tables.diagonal, robot.cell / std::sqrt(2.0), limits_diagonal(robot));
+  tables.start = tables.finish = tables.whole = tables.along.between;
+  for (const Turn turn : all_turns) {
+    const TurnShape shape = leads_back(turn) ? backwards(plain_shape(reversed(turn), robot.cell))
+                                             : plain_shape(turn, robot.cell);
+    const DriveTime time = fixed_time(*robot.fixed, turn);
+    tables.turns.push_back({turn, 0, 0, time, shape.whole() * 1e6 / time});
+    model.shapes.push_back(shape);
+  }
+  return model;
+}
+
+std::uint8_t lane_of(std::vector<Lane>& lanes, const Lane& lane) {
+  const auto found = std::find(lanes.begin(), lanes.end(), lane);
+  const auto index = static_cast<std::uint8_t>(found - lanes.begin());
+  if (found == lanes.end()) lanes.push_back(lane);
+  return index;
+}
+
+void add_turn(DriveModel& model, const TurnShape& shape, double speed) {
+  const auto lanes = [&](bool diagonal) -> std::vector<Lane>& {
+    return diagonal ? model.tables.diagonal.lanes : model.tables.along.lanes;
+  };
+  DrivenTurn turn{shape.turn, 0, 0, microseconds(shape.length / speed), speed};
+  turn.from = lane_of(lanes(begins_diagonal(shape.turn)), {speed, shape.lead_in});
+  turn.to = lane_of(lanes(ends_diagonal(shape.turn)), {speed, shape.lead_out});
+  model.tables.turns.push_back(turn);
+  model.shapes.push_back(shape);
+}
+
+std::string refusal_of_slowest(const Robot& robot, const FittedTurn& slowest) {
+  return "its turn " + std::string(name_of(slowest.shape.turn)) + " fits into cells of " + millimetres(robot.cell) +
+         " only up to " + millimetres(slowest.speed) + "/s: " + needed_speed(robot.cell) +
+         "; a larger lateral or yaw acceleration makes it faster";
+}
+
+/// Each turn at its own largest speed, and on the same path at that of the slowest: a fast turn cannot be followed at
+/// once by a slow one.
+DriveModel model_of_speeds(const Robot& robot) {
+  std::vector<FittedTurn> fitted;
+  FittedTurn slowest;
+  for (const Turn turn : all_turns) {
+    fitted.push_back(leads_back(turn) ? fitted[static_cast<unsigned>(reversed(turn))] : fitted_turn(turn, robot));
+    if (!fitted.back().error.empty()) return refused(fitted.back().error);
+    if (leads_back(turn)) fitted.back().shape = backwards(fitted.back().shape);
+    if (slowest.speed == 0.0 || fitted.back().speed < slowest.speed) slowest = fitted.back();
+  }
+  if (too_slow(robot.cell, slowest.speed)) return refused(refusal_of_slowest(robot, slowest));
+  DriveModel model;
+  for (const FittedTurn& turn : fitted) {
+    add_turn(model, turn.shape, turn.speed);
+    if (turn.speed > slowest.speed) add_turn(model, turn.shape, slowest.speed);
+  }
+  model.tables.cell = robot.cell;
+  fill_between(model.tables.along, robot.cell / 2.0, limits_along(robot));
+  fill_between(model.tables.diagonal, robot.cell / std::sqrt(2.0), limits_diagonal(robot));
+  fill_ends(model.tables, robot);
+  return model;
+}
+
+std::string refusal_of_limits(const Robot& robot) {
+  for (const double limit : {robot.cell, robot.speed, robot.speed_diagonal, robot.acceleration,
+                             robot.acceleration_diagonal, robot.braking, robot.braking_diagonal})
+    if (!(limit > 0.0)) return "its cell side, speeds, accelerations and brakings must be greater than 0";
+  return "";
+}
+
+std::string refusal_of_fixed(const Robot& robot) {
+  const FixedTimes& fixed = *robot.fixed;
+  if (!(fixed.speed > 0.0 && fixed.speed <= std::min(robot.speed, robot.speed_diagonal)))
+    return "its speed at nodes, " + millimetres(fixed.speed) +
+           "/s, must be more than 0 and at most that of its straights, " + millimetres(robot.speed) +
+           "/s, and diagonals, " + millimetres(robot.speed_diagonal) + "/s";
+  if (too_slow(robot.cell, fixed.speed))
+    return "its speed at nodes, " + millimetres(fixed.speed) + "/s, is too low: " + needed_speed(robot.cell);
+  if (fixed.s90 > longest_cell)
+    return "its turn S90 takes " + milliseconds(fixed.s90) + ": at most " + milliseconds(longest_cell) + " are allowed";
+  return "";
+}
+
+std::string refusal_of_curves(const Robot& robot) {
+  if (!(robot.lateral_acceleration > 0.0 && robot.yaw_acceleration > 0.0))
+    return "its lateral acceleration and yaw acceleration must be greater than 0";
+  if (!(robot.clearance >= 0.0 && robot.run_up >= 0.0)) return "its clearance and run-up must be 0 or more";
+  if (robot.run_up >= robot.cell / 2.0)
+    return "a run-up of " + millimetres(robot.run_up) + " begins behind the wall of the start cell, " +
+           millimetres(robot.cell / 2.0) + " from its middle";
+  // Half a diagonal from wall to wall leads between two posts half a cell away.
+  if (const double room = robot.cell / std::sqrt(8.0); robot.clearance > room)
+    return "a clearance of " + millimetres(robot.clearance) + " is more than diagonals leave in cells of " +
+           millimetres(robot.cell) + ": " + millimetres(room) + " from their middle to a post";
+  return "";
+}
+
+std::string refusal_of_turn_times(const DriveTables& tables) {
+  for (const DrivenTurn& turn : tables.turns)
+    if (turn.time < shortest_allowed_turn)
+      return "its turn " + std::string(name_of(turn.turn)) + " takes " + milliseconds(turn.time) +
+             ": a turn takes at least 1 ms";
+  return "";
+}
+
+/// Every maze that can be searched can be run: all turns follow each other at the slowest speed, if the start reaches
+/// it.
+std::string refusal_of_start(const DriveTables& tables) {
+  const auto slowest = std::find_if(tables.turns.rbegin(), tables.turns.rend(),
+                                    [](const DrivenTurn& turn) { return turn.turn == Turn::s90; });
+  if (tables.start_to(1, slowest->from) < no_time) return "";
+  return "from rest in the start cell it does not reach the speed of its slowest turns, " +
+         millimetres(slowest->speed) + "/s, by the first wall: a larger acceleration or run-up is needed";
+}
+
+}  // namespace
+
+DriveModel make_drive_model(const Robot& robot) {
+  if (std::string why = refusal_of_limits(robot); !why.empty()) return refused(std::move(why));
+  if (std::string why = robot.fixed ? refusal_of_fixed(robot) : refusal_of_curves(robot); !why.empty())
+    return refused(std::move(why));
+  DriveModel model = robot.fixed ? fixed_model(robot) : model_of_speeds(robot);
+  if (!model.error.empty()) return model;
+  if (std::string why = refusal_of_turn_times(model.tables); !why.empty()) return refused(std::move(why));
+  if (std::string why = refusal_of_start(model.tables); !why.empty()) return refused(std::move(why));
+  const auto small = static_cast<std::size_t>(
+      std::find_if(model.shapes.begin(), model.shapes.end(), [](const TurnShape& s) { return s.turn == Turn::s90; }) -
+      model.shapes.begin());
+  const SearchModel search = search_model(robot, model.shapes[small], model.tables.turns[small].speed);
+  if (!search.error.empty()) return refused(search.error);
+  model.search = search.drive;
+  model.robot = robot;
+  model.tables.hash = hash_of(model.tables);
+  return model;
+}
+
+}  // namespace labmouse

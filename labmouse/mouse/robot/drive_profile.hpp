@@ -1,0 +1,63 @@
+// Where a mouse is at each moment of a route, and how fast.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "labmouse/mouse/robot/drive_model.hpp"
+#include "labmouse/mouse/robot/route.hpp"
+
+namespace labmouse {
+
+/// A point of a maze in mm from its south-west corner, and a direction in rad clockwise from north.
+struct DriveSpot {
+  double x = 0.0;
+  double y = 0.0;
+  double angle = 0.0;
+};
+
+/// One segment of a route, as it is driven: a straight, with the leads of the turns about it, speeds up, stays at the limit and
+/// brakes; a turn is driven at one speed. Times are microseconds since the segment's beginning, lengths mm from there.
+class DriveProfile {
+ public:
+  DriveProfile(const DriveModel& model, const DriveRoute& route, std::size_t segment);
+
+  double length() const { return length_; }
+  DriveTime duration() const { return duration_; }
+
+  /// The length driven at a time from 0 to duration().
+  double distance_at(double time) const;
+  /// mm/s at that time.
+  double speed_at(double time) const;
+  /// The two times at which the acceleration changes: when it no longer speeds up, and when it begins to brake.
+  std::array<double, 2> changes() const {
+    return {phases_[0].seconds * scale_, (phases_[0].seconds + phases_[1].seconds) * scale_};
+  }
+  /// The time at which a length from 0 to length() is driven.
+  double time_at(double distance) const;
+  /// Where the mouse is by then.
+  DriveSpot spot(double distance) const;
+
+ private:
+  /// A piece of a straight in which the speed changes evenly.
+  struct Phase {
+    double seconds = 0.0;
+    double length = 0.0;
+    double speed = 0.0;  ///< at its beginning
+    double acceleration = 0.0;
+  };
+
+  void set_straight(const DriveModel& model, const DriveRoute& route, std::size_t segment);
+  void set_turn(const DriveModel& model, const DriveSegment& segment);
+
+  DriveSegment segment_;
+  double cell_;
+  double length_ = 0.0;
+  double offset_ = 0.0;  ///< from the first node to the beginning, backwards of a straight, along the shape of a turn
+  DriveTime duration_;
+  double scale_ = 1e6;  ///< microseconds that a second of the phases lasts: tables are rounded
+  Phase phases_[3];
+  const TurnShape* shape_ = nullptr;
+};
+
+}  // namespace labmouse

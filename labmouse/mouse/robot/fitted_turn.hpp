@@ -1,0 +1,27 @@
+// The fastest way to drive a turn within its cells.
+#pragma once
+
+#include <string>
+
+#include "labmouse/mouse/robot/robot.hpp"
+#include "labmouse/mouse/robot/turn_shape.hpp"
+
+namespace labmouse {
+
+/// Whole steps of speed that are tried for a turn, mm/s.
+inline constexpr double speed_step = 5.0;
+
+struct FittedTurn {
+  TurnShape shape;
+  double speed = 0.0;  ///< mm/s
+  std::string error;   ///< why no speed fits, in mm and mm/s
+};
+
+/// Both leads are 0 or more, and the path keeps the robot's clearance: at the largest such speed in steps of 5 mm/s. The
+/// width of 180 leaves one curve only; its speed is what the limits allow on it.
+FittedTurn fitted_turn(Turn turn, const Robot& robot);
+
+/// "12.3 mm"
+std::string millimetres(double length);
+
+}  // namespace labmouse

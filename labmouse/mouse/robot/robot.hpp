@@ -1,0 +1,48 @@
+// A robot: the limits of a real mouse, from which its turns and times follow.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "labmouse/mouse/robot/tables.hpp"
+
+namespace labmouse {
+
+/// How a robot searches: cell by cell at one speed, seeing the walls about each cell as it enters it.
+struct SearchDrive {
+  DriveTime cell = 0;       ///< straight on, from edge to edge
+  DriveTime turn = 0;       ///< a quarter turn inside one cell, from edge to edge
+  DriveTime back = 0;       ///< stops in the middle of the cell, pivots, and leaves it where it came in
+  DriveTime quarter = 0;    ///< a quarter turn on the spot, at rest
+  DriveTime half_cell = 0;  ///< from rest in the middle of a cell to its edge, or from there to rest
+
+  friend bool operator==(const SearchDrive&, const SearchDrive&) = default;
+};
+
+/// Published times of a robot, where its limits are not known: one speed at all nodes, and the whole time of each turn from
+/// node to node.
+struct FixedTimes {
+  double speed = 0.0;  ///< mm/s at every node
+  DriveTime f45 = 0, f90 = 0, f135 = 0, f180 = 0, v90 = 0, s90 = 0;
+};
+
+/// Lengths in mm, times in seconds, angles in rad.
+struct Robot {
+  std::string name;
+  double cell = 180.0;  ///< side of a cell
+  double speed = 0.0, speed_diagonal = 0.0;                ///< never faster than that on straights
+  double acceleration = 0.0, acceleration_diagonal = 0.0;  ///< mm/s²
+  double braking = 0.0, braking_diagonal = 0.0;            ///< mm/s², positive
+  double lateral_acceleration = 0.0;                       ///< mm/s², in curves
+  double yaw_acceleration = 0.0;                           ///< rad/s², where a curve begins and ends
+  double clearance = 0.0;  ///< mm that the robot's middle keeps from the middle of any post and wall that may stand
+  double run_up = 0.0;     ///< mm behind the middle of the start cell where it stands before a run
+  int sight = 1;           ///< cells that its sensors look into each direction
+  double search_speed = 0.0;        ///< mm/s
+  double pivot_speed = 0.0;         ///< rad/s, turning on the spot
+  double pivot_acceleration = 0.0;  ///< rad/s²
+  SearchDrive search;               ///< where its `cell` is 0, it follows from the three numbers before it
+  std::optional<FixedTimes> fixed;  ///< then the limits on curves above have no meaning
+};
+
+}  // namespace labmouse

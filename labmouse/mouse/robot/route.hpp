@@ -1,0 +1,38 @@
+// A route in seconds: straights, diagonals and turns.
+#pragma once
+
+#include <vector>
+
+#include "labmouse/mouse/robot/tables.hpp"
+#include "labmouse/mouse/pose.hpp"
+
+namespace labmouse {
+
+/// One piece of a route, from node to node.
+struct DriveSegment {
+  enum class Kind : std::uint8_t { straight, turn };
+
+  Kind kind = Kind::straight;
+  DriveNode from;
+  DriveNode to;
+  DriveTime begin = 0;  ///< since the run's start
+  DriveTime end = 0;
+  int units = 0;           ///< of a straight: half cells, or half diagonals where its nodes are diagonal ones
+  std::uint16_t turn = 0;  ///< of a turn: its place in DriveTables::turns
+  bool left = false;       ///< of a turn: the side it turns to
+
+  bool diagonal() const { return kind == Kind::straight && from.diagonal(); }
+
+  friend bool operator==(const DriveSegment&, const DriveSegment&) = default;
+};
+
+/// From rest in the middle of a start cell to the middle of a goal cell, at any speed there. Straights and turns follow
+/// each other in turns; a straight of no length is left out, unless there is a lead to drive.
+struct DriveRoute {
+  std::vector<DriveSegment> segments;
+  DriveTime time = no_time;
+
+  friend bool operator==(const DriveRoute&, const DriveRoute&) = default;
+};
+
+}  // namespace labmouse

@@ -1,0 +1,83 @@
+// What a robot's turns and straights last: all that a planner needs of it, in whole microseconds.
+//
+// A turn is driven at one speed, and may come in several speeds. It begins where its curve does, which may lie behind the
+// node: so much of the straight before is longer, its lead; and the same at its end. Turns that agree in speed and lead
+// share a *lane*: a straight is known by its length and the lanes that it leads from and to. One table for straights along
+// the axes and one for diagonals.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "labmouse/mouse/robot/node.hpp"
+#include "labmouse/mouse/robot/turn.hpp"
+
+namespace labmouse {
+
+/// Microseconds.
+using DriveTime = std::int32_t;
+/// Larger than any time of a route, and safe to add to another. All its bytes are the same, so that memory is soon full of it.
+inline constexpr DriveTime no_time = 0x3f3f3f3f;
+
+/// How turns enter and leave straights.
+struct Lane {
+  double speed = 0.0;  ///< mm/s
+  double lead = 0.0;   ///< mm between the node and where the curve begins or ends; a part of the straight
+
+  friend bool operator==(const Lane&, const Lane&) = default;
+};
+
+/// One turn at one speed.
+struct DrivenTurn {
+  Turn turn = Turn::f45;
+  std::uint8_t from = 0;  ///< lane in which it begins: of the straights before it
+  std::uint8_t to = 0;    ///< lane in which it ends
+  DriveTime time = 0;     ///< of the curve alone
+  double speed = 0.0;     ///< mm/s, the same all along it
+};
+
+/// Straights of one kind: along the axes in half cells, or diagonal in half diagonals of a cell.
+struct StraightTimes {
+  static constexpr int longest = 2 * max_drive_side;
+
+  std::vector<Lane> lanes;
+  /// The time of `units` between a turn that ends in lane `from` and one that begins in lane `to`: at
+  /// [(units * lanes.size() + from) * lanes.size() + to], no_time where that cannot be driven; units 0 to longest.
+  std::vector<DriveTime> between;
+
+  std::size_t count() const { return lanes.size(); }
+  DriveTime at(int units, std::size_t from, std::size_t to) const {
+    return between[(static_cast<std::size_t>(units) * count() + from) * count() + to];
+  }
+};
+
+/// A robot as the planner sees it. `labmouse/mouse/robot/robot.hpp` makes it.
+struct DriveTables {
+  double cell = 0.0;  ///< side of a cell, mm
+  StraightTimes along;
+  StraightTimes diagonal;
+  /// From the start, at rest: half cells from the middle of the start cell to a lane, at [units * lanes + to].
+  std::vector<DriveTime> start;
+  /// To the end, at any speed: half cells from a lane to the middle of a goal cell, at [units * lanes + from].
+  std::vector<DriveTime> finish;
+  /// From the start to the end without a turn, by half cells.
+  std::vector<DriveTime> whole;
+  /// All turns, by kind, the fastest of each first; those onto a diagonal and those back from it are both here.
+  std::vector<DrivenTurn> turns;
+  /// Of all numbers above, for records.
+  std::uint64_t hash = 0;
+
+  DriveTime start_to(int units, std::size_t lane) const {
+    return start[static_cast<std::size_t>(units) * along.count() + lane];
+  }
+  DriveTime finish_from(int units, std::size_t lane) const {
+    return finish[static_cast<std::size_t>(units) * along.count() + lane];
+  }
+  /// Of the curves alone; no_time without turns.
+  DriveTime shortest_turn() const;
+};
+
+/// The value of `tables.hash`: of all its other numbers, lengths and speeds to the micrometre.
+std::uint64_t hash_of(const DriveTables& tables);
+
+}  // namespace labmouse

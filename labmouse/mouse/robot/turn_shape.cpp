@@ -1,0 +1,155 @@
+#include "labmouse/mouse/robot/turn_shape.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "labmouse/mouse/robot/angles.hpp"
+
+namespace labmouse {
+namespace {
+
+constexpr double half = 0.7071067811865476;
+
+double angle_of(Turn turn) { return eighths(turn) * (pi / 4.0); }
+
+/// Exact where quarters of a circle are.
+Direction end_direction(Turn turn) {
+  constexpr std::array<Direction, 5> directions = {{{0.0, 1.0}, {half, half}, {1.0, 0.0}, {half, -half}, {0.0, -1.0}}};
+  return directions[static_cast<unsigned>(eighths(turn))];
+}
+
+/// After `distance` mm of a clothoid that starts straight and has turned by `angle` there: Fresnel's sums.
+PathPoint after_clothoid(double distance, double angle) {
+  double ahead = 0.0;
+  double aside = 0.0;
+  double term = distance;
+  for (int n = 0; n < 40; n += 2) {
+    ahead += term / (2 * n + 1);
+    term *= angle / (n + 1);
+    aside += term / (2 * n + 3);
+    term *= -angle / (n + 2);
+  }
+  return {ahead, aside, angle};
+}
+
+/// A point of the shape's curve, from where the curve begins; it is the same from both of its ends.
+PathPoint on_curve(const TurnShape& shape, double distance) {
+  const double within = std::min(distance, shape.ramp);
+  const double turned = shape.ramp > 0.0 ? shape.peak * within * within / (2.0 * shape.ramp) : 0.0;
+  PathPoint point = after_clothoid(within, turned);
+  if (distance <= shape.ramp) return point;
+  const double angle = turned + shape.peak * (distance - shape.ramp);
+  const Direction before = direction_of(turned);
+  const Direction after = direction_of(angle);
+  return {point.ahead + (after.sine - before.sine) / shape.peak,
+          point.aside + (before.cosine - after.cosine) / shape.peak, angle};
+}
+
+/// Where the curve ends, in its own beginning's direction: both halves of it are mirror images.
+PathPoint curve_end(const TurnShape& shape) {
+  const PathPoint middle = on_curve(shape, shape.length / 2.0);
+  // The mirror's axis stands at half the angle; the way to the middle is repeated behind it, mirrored.
+  const Direction end = end_direction(shape.turn);
+  return {middle.ahead * (1.0 + end.cosine) + middle.aside * end.sine,
+          middle.ahead * end.sine + middle.aside * (1.0 - end.cosine), angle_of(shape.turn)};
+}
+
+/// The leads that put a curve with that end between the nodes of a turn.
+void set_leads(TurnShape& shape, const PathPoint& curve) {
+  const Direction end = end_direction(shape.turn);
+  shape.lead_out = (shape.end.aside - curve.aside) / end.sine;
+  shape.lead_in = shape.end.ahead - curve.ahead - shape.lead_out * end.cosine;
+  const bool symmetric = shape.turn == Turn::f90 || shape.turn == Turn::v90 || shape.turn == Turn::s90;
+  if (symmetric) shape.lead_in = shape.lead_out;
+}
+
+/// Puts the curve between its nodes. Around a post both leads are half a cell.
+TurnShape placed(TurnShape shape, double cell) {
+  shape.end = end_of(shape.turn, cell);
+  if (shape.turn == Turn::f180) shape.lead_in = shape.lead_out = cell / 2.0;
+  else set_leads(shape, curve_end(shape));
+  return shape;
+}
+
+/// A curve eight times as long as its clothoids, anywhere.
+TurnShape curve_of_eighths(Turn turn, double ramp) {
+  TurnShape shape;
+  shape.turn = turn;
+  shape.ramp = ramp;
+  shape.length = 8.0 * ramp;
+  shape.peak = angle_of(turn) / (7.0 * ramp);
+  return shape;
+}
+
+}  // namespace
+
+PathPoint end_of(Turn turn, double cell) {
+  constexpr std::array<PathPoint, 8> ends = {{{1.0, 0.5}, {1.0, 1.0}, {0.5, 1.0}, {0.0, 1.0}, {half, half}, {0.5, 0.5},
+                                              {1.5 * half, 0.5 * half}, {0.5 * half, 1.5 * half}}};
+  const PathPoint& end = ends[static_cast<unsigned>(turn)];
+  return {end.ahead * cell, end.aside * cell, angle_of(turn)};
+}
+
+PathPoint TurnShape::at(double distance) const {
+  const double left = whole() - distance;
+  const Direction out = end_direction(turn);
+  if (distance <= lead_in) return {distance, 0.0, 0.0};
+  if (left <= lead_out) return {end.ahead - left * out.cosine, end.aside - left * out.sine, end.angle};
+  if (distance - lead_in <= length / 2.0) {
+    const PathPoint point = on_curve(*this, distance - lead_in);
+    return {lead_in + point.ahead, point.aside, point.angle};
+  }
+  // From its end the curve is its own mirror image.
+  const PathPoint point = on_curve(*this, left - lead_out);
+  const double back = lead_out + point.ahead;
+  return {end.ahead - back * out.cosine - point.aside * out.sine,
+          end.aside - back * out.sine + point.aside * out.cosine, end.angle - point.angle};
+}
+
+TurnShape shape_at(Turn turn, double speed, const CurveLimits& limits, double cell) {
+  const double angle = angle_of(turn);
+  double yaw_rate = limits.lateral_acceleration / speed;
+  double ramp_time = yaw_rate / limits.yaw_acceleration;
+  if (yaw_rate * ramp_time > angle) {
+    yaw_rate = std::sqrt(angle * limits.yaw_acceleration);
+    ramp_time = yaw_rate / limits.yaw_acceleration;
+  }
+  TurnShape shape;
+  shape.turn = turn;
+  shape.ramp = speed * ramp_time;
+  shape.peak = yaw_rate / speed;
+  shape.length = angle / shape.peak + shape.ramp;
+  return placed(shape, cell);
+}
+
+double width_of(const TurnShape& shape) { return curve_end(shape).aside; }
+
+TurnShape plain_shape(Turn turn, double cell) {
+  const TurnShape unit = curve_of_eighths(turn, 1.0);
+  if (turn == Turn::f180) return placed(curve_of_eighths(turn, cell / width_of(unit)), cell);
+  // A corner has the longest leads; each mm of the curve takes as much of them away as the one before it.
+  TurnShape corner = unit;
+  corner.end = end_of(turn, cell);
+  set_leads(corner, {});
+  TurnShape taken = unit;
+  taken.end = {};
+  set_leads(taken, curve_end(unit));
+  const double ramp = std::min(corner.lead_in / -taken.lead_in, corner.lead_out / -taken.lead_out);
+  TurnShape shape = placed(curve_of_eighths(turn, ramp), cell);
+  shape.lead_in = std::max(0.0, shape.lead_in);
+  shape.lead_out = std::max(0.0, shape.lead_out);
+  return shape;
+}
+
+TurnShape backwards(const TurnShape& shape) {
+  TurnShape back = shape;
+  back.turn = reversed(shape.turn);
+  std::swap(back.lead_in, back.lead_out);
+  const Direction out = end_direction(shape.turn);
+  back.end = {shape.end.ahead * out.cosine + shape.end.aside * out.sine,
+              shape.end.ahead * out.sine - shape.end.aside * out.cosine, shape.end.angle};
+  return back;
+}
+
+}  // namespace labmouse

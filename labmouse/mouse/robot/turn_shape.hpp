@@ -1,0 +1,55 @@
+// The curve of a turn: driven at one speed; the yaw rate rises at a steady rate (a clothoid), stays (an arc), and falls.
+#pragma once
+
+#include <vector>
+
+#include "labmouse/mouse/robot/turn.hpp"
+
+namespace labmouse {
+
+/// A point of a path, in mm ahead of and to the left of the turn's first node, in the direction of that node; with the
+/// path's own direction in rad to the left of it.
+struct PathPoint {
+  double ahead = 0.0;
+  double aside = 0.0;
+  double angle = 0.0;
+};
+
+/// A turn to the left from its first node to its last: a straight lead-in, the curve, a straight lead-out.
+struct TurnShape {
+  Turn turn = Turn::f45;
+  double lead_in = 0.0;   ///< mm
+  double lead_out = 0.0;  ///< mm
+  double length = 0.0;    ///< mm of the curve alone
+  double ramp = 0.0;      ///< mm of each of its two clothoids
+  double peak = 0.0;      ///< largest curvature, rad/mm
+  PathPoint end;          ///< the last node
+  double clearance = 0.0;  ///< mm from the nearest post or wall that may stand there, middle to middle
+
+  /// The point after so many mm from the first node, from 0 to lead_in + length + lead_out.
+  PathPoint at(double distance) const;
+  double whole() const { return lead_in + length + lead_out; }
+};
+
+/// Where a turn leads in cells of that many mm.
+PathPoint end_of(Turn turn, double cell);
+
+/// How hard a robot may turn: mm/s², rad/s².
+struct CurveLimits {
+  double lateral_acceleration = 0.0;
+  double yaw_acceleration = 0.0;
+};
+
+/// The tightest curve at a speed (mm/s) within the limits. Its leads come out below 0 where it needs more room than
+/// there is, and that of 180 has its last node wherever it ends: `width` says how far aside. Clearance is left at 0.
+TurnShape shape_at(Turn turn, double speed, const CurveLimits& limits, double cell);
+/// Of the curve alone, from its beginning to its end across.
+double width_of(const TurnShape& shape);
+
+/// A curve eight times as long as each of its clothoids, as wide as the nodes allow.
+TurnShape plain_shape(Turn turn, double cell);
+
+/// The same path driven backwards, mirrored so that it turns to the left again.
+TurnShape backwards(const TurnShape& shape);
+
+}  // namespace labmouse
