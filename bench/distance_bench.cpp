@@ -41,7 +41,8 @@ void ring_queue(benchmark::State& state) {
   std::vector<RingSearch> searches;
   for (const Maze& maze : mazes) searches.emplace_back(maze.size(), strides().longest, maze.open_walls());
   const auto begin = Clock::now();
-  for_each_maze(state, mazes.size(), [&](std::size_t i) { benchmark::DoNotOptimize(searches[i].fill(mazes[i].goals())); });
+  for_each_maze(state, mazes.size(),
+                [&](std::size_t i) { benchmark::DoNotOptimize(searches[i].fill(mazes[i].goals())); });
   const auto spent = Clock::now() - begin;
   // How many times the rows of bits are faster, measured right behind.
   DistanceField field({side, side}, strides());
@@ -51,7 +52,8 @@ void ring_queue(benchmark::State& state) {
     field.fill(mazes[call % mazes.size()].open_walls(), mazes[call % mazes.size()].goals());
     benchmark::DoNotOptimize(field);
   }
-  state.counters["times_rows"] = static_cast<double>(spent.count()) / static_cast<double>((Clock::now() - rows_begin).count());
+  state.counters["times_rows"] =
+      static_cast<double>(spent.count()) / static_cast<double>((Clock::now() - rows_begin).count());
 }
 BENCHMARK(ring_queue)->Arg(16)->Arg(32)->Arg(64);
 

@@ -1,6 +1,7 @@
-// Fastest routes in seconds: the walls are read anew, the times found, and the route written down. In turn over different
-// mazes, as in an exploration where the walls change (a processor learns a maze that comes again and again), and warm, one
-// maze many times; for the route alone, and with the whole field (field_us, in turn); beside the plain search in the same run.
+// Fastest routes in seconds: the walls are read anew, the times found, and the route written down. In turn over
+// different mazes, as in an exploration where the walls change (a processor learns a maze that comes again and again),
+// and warm, one maze many times; for the route alone, and with the whole field (field_us, in turn); beside the plain
+// search in the same run.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -91,7 +92,8 @@ void route(benchmark::State& state, const char* robot, bool empty) {
     const std::size_t i = calls++ % mazes.size();
     in_turn.measure(i, [&] { plan(mazes[i]); });
   }
-  for (std::size_t call = 0; call < calls; ++call) all.measure(call % mazes.size(), [&] { plan_all(mazes[call % mazes.size()]); });
+  for (std::size_t call = 0; call < calls; ++call)
+    all.measure(call % mazes.size(), [&] { plan_all(mazes[call % mazes.size()]); });
   for (std::size_t i = 0; i < mazes.size(); ++i) {
     for (int round = 0; round < 3; ++round)
       plain.measure(i, [&] {
@@ -100,7 +102,8 @@ void route(benchmark::State& state, const char* robot, bool empty) {
       });
     for (int round = 0; round < 31; ++round) warm.measure(i, [&] { plan(mazes[i]); });
   }
-  const auto calls_in_turn = in_turn.all(), turn = in_turn.medians(), field = all.medians(), again = warm.medians(), slow = plain.medians();
+  const auto calls_in_turn = in_turn.all(), turn = in_turn.medians(), field = all.medians(), again = warm.medians(),
+             slow = plain.medians();
   state.counters["mazes"] = static_cast<double>(mazes.size());
   state.counters["median_us"] = share(turn, 0.5);
   state.counters["p95_us"] = share(calls_in_turn, 0.95);

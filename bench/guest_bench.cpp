@@ -76,7 +76,8 @@ void ping_pong_guest(benchmark::State& state) {
   GuestMind mind(bench_guest({"guest"}), brief(maze, Rules(), 1));
   const Sighting seen = {0, 11, 0};
   for (auto _ : state)
-    if (mind.decide(seen).kind == Action::Kind::forfeit) return state.SkipWithError(std::string(mind.last_words()).c_str());
+    if (mind.decide(seen).kind == Action::Kind::forfeit)
+      return state.SkipWithError(std::string(mind.last_words()).c_str());
   state.SetItemsProcessed(state.iterations());
 }
 BENCHMARK(ping_pong_guest)->UseRealTime();

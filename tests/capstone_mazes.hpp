@@ -1,5 +1,6 @@
-// Mazes that do not come with the project: a folder of maze files, $LABMOUSE_MAZES or one beside the checkout. Among them
-// are the test mazes 2 and 3 that the reports speak of; the first is printed in one of them and comes with the project.
+// Mazes that do not come with the project: a folder of maze files, $LABMOUSE_MAZES or one beside the checkout. Among
+// them are the test mazes 2 and 3 that the reports speak of; the first is printed in one of them and comes with the
+// project.
 #pragma once
 
 #include <algorithm>

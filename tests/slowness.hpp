@@ -1,4 +1,5 @@
-// How much less a long test should do. Under the sanitizers all takes ten times as long, and a part of it has to do there.
+// How much less a long test should do. Under the sanitizers all takes ten times as long, and a part of it has to do
+// there.
 #pragma once
 
 namespace labmouse::test {

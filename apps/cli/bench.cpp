@@ -5,21 +5,23 @@
 #include <nlohmann/json.hpp>
 
 #include "command.hpp"
-#include "labmouse/lab/bench/signature.hpp"
 #include "labmouse/lab/bench/distance_speed.hpp"
+#include "labmouse/lab/bench/signature.hpp"
 #include "labmouse/lab/system/version.hpp"
 
 namespace labmouse::cli {
 namespace {
 
 std::string bench_table(const std::string& signature, const Speed& speed) {
-  std::string text = fmt::format("signature {}\n{}, {}\n\ndistance field, strides of three, median ns\n{:>5}{:>10}{:>16}{:>10}{:>10}{:>14}\n",
-                                 signature, compiler(), processor(), "side", "rows", "rows, portable", "queue", "plain", "queue / rows");
+  std::string text = fmt::format(
+      "signature {}\n{}, {}\n\ndistance field, strides of three, median ns\n{:>5}{:>10}{:>16}{:>10}{:>10}{:>14}\n",
+      signature, compiler(), processor(), "side", "rows", "rows, portable", "queue", "plain", "queue / rows");
   for (const auto& [side, ns] : speed.distance_ns)
-    text += fmt::format("{:>5}{:>10.0f}{:>16.0f}{:>10.0f}{:>10.0f}{:>14.1f}\n", side, ns.rows, ns.portable_rows, ns.queue,
-                        ns.plain, ns.queue / ns.rows);
+    text += fmt::format("{:>5}{:>10.0f}{:>16.0f}{:>10.0f}{:>10.0f}{:>14.1f}\n", side, ns.rows, ns.portable_rows,
+                        ns.queue, ns.plain, ns.queue / ns.rows);
   text += "\ncontests a second on one thread, 16x16\n";
-  for (const auto& [mouse, contests] : speed.contests_per_second) text += fmt::format("{:>14}{:>10.0f}\n", mouse, contests);
+  for (const auto& [mouse, contests] : speed.contests_per_second)
+    text += fmt::format("{:>14}{:>10.0f}\n", mouse, contests);
   return text;
 }
 

@@ -4,8 +4,8 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cerrno>
+#include <charconv>
 #include <cstdio>
 #include <cstdlib>
 
@@ -25,12 +25,14 @@ Pose read_place(const std::string& text, bool with_heading) {
     begin = comma + 1;
   }
   const auto bad = [&] {
-    return UsageError(fmt::format("error: '{}' is no place; write X,Y{}, as in 0,0", text, with_heading ? " or X,Y,HEADING" : ""));
+    return UsageError(
+        fmt::format("error: '{}' is no place; write X,Y{}, as in 0,0", text, with_heading ? " or X,Y,HEADING" : ""));
   };
   double x = 0.0, y = 0.0;
   if (parts.size() < 2 || parts.size() > (with_heading ? 3U : 2U)) throw bad();
   if (!parse_number(parts[0], x) || !parse_number(parts[1], y)) throw bad();
-  if (x < 0 || y < 0 || x >= max_side || y >= max_side || x != static_cast<int>(x) || y != static_cast<int>(y)) throw bad();
+  if (x < 0 || y < 0 || x >= max_side || y >= max_side || x != static_cast<int>(x) || y != static_cast<int>(y))
+    throw bad();
   Pose pose{{static_cast<int>(x), static_cast<int>(y)}, Heading::north};
   if (parts.size() == 2) return pose;
   for (const Heading heading : all_headings)
@@ -41,8 +43,8 @@ Pose read_place(const std::string& text, bool with_heading) {
 void require_inside(const NamedMaze& maze, Cell cell, const char* what) {
   const Size size = maze.maze.size();
   if (size.contains(cell)) return;
-  throw UsageError(fmt::format("{}: error: the {} ({},{}) lies outside of the maze, which is {}x{}", maze.name, what, cell.x,
-                               cell.y, size.width, size.height));
+  throw UsageError(fmt::format("{}: error: the {} ({},{}) lies outside of the maze, which is {}x{}", maze.name, what,
+                               cell.x, cell.y, size.width, size.height));
 }
 
 void apply(const Places& places, NamedMaze& maze) {
@@ -80,8 +82,12 @@ void tell_skipped(const std::vector<SkippedFile>& skipped) {
 }
 
 void add_places(CLI::App& command, Places& places) {
-  command.add_option("--start", places.start, "Start cell, X,Y or X,Y,HEADING, in place of the file's")->type_name("X,Y[,HEADING]");
-  command.add_option("--goal", places.goals, "Goal cell in place of the file's (may repeat)")->type_name("X,Y")->expected(1)->take_all();
+  command.add_option("--start", places.start, "Start cell, X,Y or X,Y,HEADING, in place of the file's")
+      ->type_name("X,Y[,HEADING]");
+  command.add_option("--goal", places.goals, "Goal cell in place of the file's (may repeat)")
+      ->type_name("X,Y")
+      ->expected(1)
+      ->take_all();
 }
 
 void tell(const std::string& text) {
@@ -91,14 +97,16 @@ void tell(const std::string& text) {
 
 void add_budget(CLI::App& command, Rules& rules) {
   command.add_option("--budget", rules.budget, "Steps of a contest, over both runs")
-      ->check(CLI::Range(1, 1'000'000))->capture_default_str();
+      ->check(CLI::Range(1, 1'000'000))
+      ->capture_default_str();
 }
 
 MazeCollection find_mazes(const std::vector<std::string>& paths, const Places& places) {
   MazeCollection collection = paths.empty() ? load_builtin_mazes() : load_mazes(paths);
   if (!collection.errors.empty()) throw UsageError(describe_all(collection.errors));
   tell_skipped(collection.skipped);
-  if (collection.mazes.empty()) throw UsageError("error: no maze to work on; name a maze file, or leave the paths out for the built-in ones");
+  if (collection.mazes.empty())
+    throw UsageError("error: no maze to work on; name a maze file, or leave the paths out for the built-in ones");
   for (NamedMaze& maze : collection.mazes) apply(places, maze);
   return collection;
 }
@@ -117,12 +125,14 @@ void print(const std::string& text) {
 }
 
 void save(const std::string& path, const std::string& content) {
-  if (const auto error = write_file(path, content); !error.empty()) throw UsageError(fmt::format("{}: error: {}", path, error));
+  if (const auto error = write_file(path, content); !error.empty())
+    throw UsageError(fmt::format("{}: error: {}", path, error));
 }
 
 void require_writable(const std::string& path) {
   if (path.empty()) return;
-  if (const auto error = check_writable(path); !error.empty()) throw UsageError(fmt::format("{}: error: {}", path, error));
+  if (const auto error = check_writable(path); !error.empty())
+    throw UsageError(fmt::format("{}: error: {}", path, error));
 }
 
 CLI::Validator seed_number() {

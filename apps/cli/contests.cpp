@@ -37,8 +37,9 @@ std::vector<Contestant> find_contestants(const std::vector<std::string>& specs, 
   SpecResult result = read_specs(specs, options);
   if (!result.error.empty()) throw UsageError("error: " + result.error);
   if (!result.mms.empty())
-    throw UsageError(fmt::format("error: '{}' lives in the world of mms; `labmouse race` races it, `labmouse mms` hosts it in one maze",
-                                 result.mms.front().name));
+    throw UsageError(fmt::format(
+        "error: '{}' lives in the world of mms; `labmouse race` races it, `labmouse mms` hosts it in one maze",
+        result.mms.front().name));
   return std::move(result.contestants);
 }
 

@@ -17,8 +17,8 @@ struct Contests {
 };
 void add_contests(CLI::App& command, Contests& contests);
 
-/// The mice of the SPECs, all of the roster where there is none; throws UsageError, also where one lives in another world.
-/// While an Interruptible lives, Ctrl-C ends the guests among them.
+/// The mice of the SPECs, all of the roster where there is none; throws UsageError, also where one lives in another
+/// world. While an Interruptible lives, Ctrl-C ends the guests among them.
 std::vector<Contestant> find_contestants(const std::vector<std::string>& specs, GuestOptions options = {});
 
 /// A bar on standard error, where that is a terminal.

@@ -6,9 +6,12 @@
 namespace labmouse::cli {
 
 void add_explain(CLI::App& command, ExplainOptions& options) {
-  CLI::Option* flag = command.add_flag("--explain", options.wanted, "Tell among which walls it chose, and why it stopped");
+  CLI::Option* flag =
+      command.add_flag("--explain", options.wanted, "Tell among which walls it chose, and why it stopped");
   command.add_option("--candidates", options.candidates, "Candidates that --explain shows of each choice")
-      ->needs(flag)->check(CLI::Range(1, 10'000))->capture_default_str();
+      ->needs(flag)
+      ->check(CLI::Range(1, 10'000))
+      ->capture_default_str();
 }
 
 void explain(const RecordFile& file, const ExplainOptions& options, const std::string& none) {

@@ -22,9 +22,10 @@ void require_room(Size size, int lines) {
   if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &window) != 0 || window.ws_row == 0) return;
   const int columns = 4 * size.width + 4, rows = 2 * size.height + 3 + lines;
   if (window.ws_col >= columns && window.ws_row >= rows) return;
-  throw UsageError(fmt::format("error: to watch a maze of {}x{} takes a terminal of {}x{}, and this one has {}x{}; make it larger "
-                               "or its letters smaller, or pipe the frames into a pager", size.width, size.height, columns, rows,
-                               window.ws_col, window.ws_row));
+  throw UsageError(
+      fmt::format("error: to watch a maze of {}x{} takes a terminal of {}x{}, and this one has {}x{}; make it larger "
+                  "or its letters smaller, or pipe the frames into a pager",
+                  size.width, size.height, columns, rows, window.ws_col, window.ws_row));
 }
 
 }  // namespace

@@ -9,10 +9,12 @@
 namespace labmouse::cli {
 namespace {
 
-void add_seconds(CLI::App& command, const std::string& name, std::chrono::milliseconds& limit, const std::string& meaning) {
+void add_seconds(CLI::App& command, const std::string& name, std::chrono::milliseconds& limit,
+                 const std::string& meaning) {
   command
       .add_option_function<double>(
-          name, [&limit](double seconds) { limit = std::chrono::milliseconds(std::llround(1000.0 * seconds)); }, meaning)
+          name, [&limit](double seconds) { limit = std::chrono::milliseconds(std::llround(1000.0 * seconds)); },
+          meaning)
       ->type_name("SECONDS")
       ->check(finite_number())
       ->check(CLI::Range(0.001, 1e6))
@@ -22,7 +24,8 @@ void add_seconds(CLI::App& command, const std::string& name, std::chrono::millis
 }  // namespace
 
 void add_python(CLI::App& command, GuestOptions& guests) {
-  command.add_option("--python", guests.python, "Python that plays capstone robots; default: the newest python3 of PATH")
+  command
+      .add_option("--python", guests.python, "Python that plays capstone robots; default: the newest python3 of PATH")
       ->type_name("INTERPRETER");
 }
 
@@ -37,7 +40,8 @@ void add_guest_options(CLI::App& command, GuestOptions& guests) {
   add_seconds(command, "--contest-limit", limits.contest, "How long a program may run in one maze");
   command
       .add_option_function<std::uint64_t>(
-          "--memory", [&limits](std::uint64_t mib) { limits.memory = mib << mib_bits; }, "Memory of each process of a program")
+          "--memory", [&limits](std::uint64_t mib) { limits.memory = mib << mib_bits; },
+          "Memory of each process of a program")
       ->type_name("MIB")
       ->check(CLI::Range(std::uint64_t{16}, std::uint64_t{1} << mib_bits))
       ->default_str(fmt::format("{}", limits.memory >> mib_bits));

@@ -1,4 +1,6 @@
 // labmouse inspect: what a maze is like, and whether it keeps the rules of the contests.
+#include "labmouse/maze/inspect.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,7 +8,6 @@
 
 #include "command.hpp"
 #include "labmouse/lab/text/printable.hpp"
-#include "labmouse/maze/inspect.hpp"
 
 namespace labmouse::cli {
 namespace {
@@ -20,7 +21,9 @@ struct InspectOptions {
 std::string describe(const NamedMaze& maze, const Inspection& found) {
   const Size size = maze.maze.size();
   std::string text = shown(maze.name) + "\n";
-  const auto line = [&](std::string_view what, const std::string& value) { text += fmt::format("  {:<36}{}\n", what, value); };
+  const auto line = [&](std::string_view what, const std::string& value) {
+    text += fmt::format("  {:<36}{}\n", what, value);
+  };
   line("size", fmt::format("{}x{}", size.width, size.height));
   line("reachable cells", fmt::format("{} of {}", found.reachable.count(), size.area()));
   line("dead ends", fmt::format("{}", found.dead_ends));
@@ -41,7 +44,8 @@ int inspect_all(const InspectOptions& options) {
   for (const NamedMaze& maze : find_mazes(options.mazes, options.places).mazes) {
     const Inspection found = inspect(maze.maze);
     print(describe(maze, found));
-    broken |= !std::all_of(found.contest_rules.begin(), found.contest_rules.end(), [](const auto& rule) { return rule.passed; });
+    broken |= !std::all_of(found.contest_rules.begin(), found.contest_rules.end(),
+                           [](const auto& rule) { return rule.passed; });
   }
   return options.check && broken ? exit_finding : exit_good;
 }
@@ -51,7 +55,10 @@ int inspect_all(const InspectOptions& options) {
 void add_inspect(CLI::App& app, int& exit) {
   auto options = std::make_shared<InspectOptions>();
   CLI::App* command = app.add_subcommand("inspect", "Describe mazes and check them against the contest rules");
-  command->add_option("mazes", options->mazes, "Maze files, folders, patterns or names of built-in mazes; default: all built-in mazes")->type_name("MAZE");
+  command
+      ->add_option("mazes", options->mazes,
+                   "Maze files, folders, patterns or names of built-in mazes; default: all built-in mazes")
+      ->type_name("MAZE");
   add_places(*command, options->places);
   command->add_flag("--check", options->check, "Exit with 1 if a maze breaks a contest rule");
   command->footer("Example: labmouse inspect contest-01 --check");

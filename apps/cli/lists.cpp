@@ -14,12 +14,15 @@ namespace {
 
 std::string range_of(const Parameter& parameter) {
   switch (parameter.type) {
-    case ParameterType::flag: return "yes or no";
+    case ParameterType::flag:
+      return "yes or no";
     case ParameterType::choice:
       // Orders to break ties by are too many to read.
       return parameter.choices == TieOrder::all ? "an order such as nesw or alrb" : std::string(parameter.choices);
-    case ParameterType::prior: return fmt::format("{} or a file of `labmouse learn`", parameter.choices);
-    default: return fmt::format("{:g} to {:g}", parameter.low, parameter.high);
+    case ParameterType::prior:
+      return fmt::format("{} or a file of `labmouse learn`", parameter.choices);
+    default:
+      return fmt::format("{:g} to {:g}", parameter.low, parameter.high);
   }
 }
 
@@ -28,7 +31,8 @@ std::string describe_mice() {
   for (const RosterEntry* mouse : roster()) width = std::max(width, mouse->name.size());
   std::string text;
   for (const RosterEntry* mouse : roster()) {
-    text += fmt::format("{:<{}}  {}{}\n", mouse->name, width, mouse->summary, mouse->uses_chance(Settings(mouse->parameters)) ? " (throws dice)" : "");
+    text += fmt::format("{:<{}}  {}{}\n", mouse->name, width, mouse->summary,
+                        mouse->uses_chance(Settings(mouse->parameters)) ? " (throws dice)" : "");
     for (const Parameter& parameter : mouse->parameters)
       text += fmt::format("    {}={}  {}, {}: {}\n", parameter.name, parameter.default_value, name_of(parameter.type),
                           range_of(parameter), parameter.meaning);

@@ -7,8 +7,8 @@
 #include <exception>
 
 #include "command.hpp"
-#include "labmouse/lab/text/printable.hpp"
 #include "labmouse/lab/system/version.hpp"
+#include "labmouse/lab/text/printable.hpp"
 #include "labmouse/strategies/parameter.hpp"
 
 namespace {
@@ -58,9 +58,9 @@ void refuse_unknown_command(const CLI::App& app, const std::string& word) {
   if (word.starts_with('-') || std::find(names.begin(), names.end(), word) != names.end()) return;
   const std::vector<std::string_view> candidates(names.begin(), names.end());
   const auto near = labmouse::nearest_name(word, candidates);
-  throw labmouse::cli::UsageError(fmt::format("error: command '{}' is unknown; {} (see `labmouse --help`)", word,
-                                              near.empty() ? fmt::format("there are {}", fmt::join(names, ", "))
-                                                           : fmt::format("did you mean '{}'?", near)));
+  throw labmouse::cli::UsageError(fmt::format(
+      "error: command '{}' is unknown; {} (see `labmouse --help`)", word,
+      near.empty() ? fmt::format("there are {}", fmt::join(names, ", ")) : fmt::format("did you mean '{}'?", near)));
 }
 
 }  // namespace
@@ -72,7 +72,9 @@ int main(int argc, char** argv) {
   CLI::App app{"labmouse: a laboratory for mice that explore mazes they have never seen", "labmouse"};
   app.set_version_flag("--version", "labmouse " + std::string(labmouse::version()));
   app.require_subcommand(1);
-  app.footer("Example: labmouse race --mice flood,certify --worst 3\nExit codes: 0 good, 1 a check found something, 2 bad usage or input, 130 interrupted.");
+  app.footer(
+      "Example: labmouse race --mice flood,certify --worst 3\nExit codes: 0 good, 1 a check found something, 2 bad "
+      "usage or input, 130 interrupted.");
   int exit = exit_good;
   add_race(app, exit);
   add_sweep(app, exit);

@@ -35,7 +35,8 @@ const Format& choose_format(const std::string& name, const std::string& path) {
 void write(const Maze& maze, const std::string& path, const std::string& format_name) {
   const Format& format = choose_format(format_name, path);
   const WriteResult result = format.write(maze);
-  if (!result.content) throw UsageError(fmt::format("{}: error: format {} cannot hold this maze: {}", path, format.name, result.reason));
+  if (!result.content)
+    throw UsageError(fmt::format("{}: error: format {} cannot hold this maze: {}", path, format.name, result.reason));
   if (path == "-")
     print(*result.content);
   else
@@ -52,8 +53,8 @@ Size read_size(const std::string& text) {
   const auto cross = text.find('x');
   double width = 0.0, height = 0.0;
   const bool good = parse_number(text.substr(0, cross), width) &&
-                    parse_number(cross == std::string::npos ? text : text.substr(cross + 1), height) &&
-                    width >= 1 && height >= 1 && width <= max_side && height <= max_side;
+                    parse_number(cross == std::string::npos ? text : text.substr(cross + 1), height) && width >= 1 &&
+                    height >= 1 && width <= max_side && height <= max_side;
   const Size size{static_cast<int>(width), static_cast<int>(height)};
   if (good && size.width == width && size.height == height) return size;
   throw UsageError(fmt::format("error: size '{}' is not WIDTHxHEIGHT with sides of 1 to {}", text, max_side));
@@ -62,9 +63,11 @@ Size read_size(const std::string& text) {
 void make(const MakeOptions& options) {
   const Generator* generator = find_generator(options.kind);
   if (generator == nullptr)
-    throw UsageError(fmt::format("error: kind '{}' is unknown; {}", options.kind, suggestion(options.kind, all_generators())));
+    throw UsageError(
+        fmt::format("error: kind '{}' is unknown; {}", options.kind, suggestion(options.kind, all_generators())));
   const GeneratorOrder order{read_size(options.size), options.seed, static_cast<int>(options.loops * 1000.0 + 0.5)};
-  if (const auto reason = generator->refuses(order); !reason.empty()) throw UsageError(fmt::format("error: {}", reason));
+  if (const auto reason = generator->refuses(order); !reason.empty())
+    throw UsageError(fmt::format("error: {}", reason));
   write(generator->make(order), options.out, options.format);
 }
 
@@ -81,9 +84,14 @@ void add_make(CLI::App& app, int& exit) {
   command->add_option("--size", options->size, "Width and height in cells")->type_name("WxH")->capture_default_str();
   command->add_option("--seed", options->seed, "Seed of all chance")->check(seed_number())->capture_default_str();
   command->add_option("--loops", options->loops, "Share of the remaining inner walls to take away, which makes loops")
-      ->check(finite_number())->check(CLI::Range(0.0, 1.0))->capture_default_str();
-  command->add_option("-o,--out", options->out, "File to write; - is standard output")->type_name("FILE")->capture_default_str();
-  command->add_option("--format", options->format, "Format: " + names_of(all_formats()) + "; default by the file's ending, or drawing");
+      ->check(finite_number())
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  command->add_option("-o,--out", options->out, "File to write; - is standard output")
+      ->type_name("FILE")
+      ->capture_default_str();
+  command->add_option("--format", options->format,
+                      "Format: " + names_of(all_formats()) + "; default by the file's ending, or drawing");
   command->footer("Example: labmouse make contest --size 32x32 --seed 7 -o my-maze.txt");
   command->callback([options, &exit] {
     make(*options);
@@ -96,7 +104,8 @@ void add_convert(CLI::App& app, int& exit) {
   CLI::App* command = app.add_subcommand("convert", "Convert a maze into another format");
   command->add_option("in", options->in, "Maze file or name of a built-in maze")->required()->type_name("IN");
   command->add_option("out", options->out, "File to write; - is standard output")->required()->type_name("OUT");
-  command->add_option("--format", options->format, "Format: " + names_of(all_formats()) + "; default by the ending of OUT, or drawing");
+  command->add_option("--format", options->format,
+                      "Format: " + names_of(all_formats()) + "; default by the ending of OUT, or drawing");
   command->footer("Example: labmouse convert maze.txt maze.maz");
   command->callback([options, &exit] {
     write(find_maze(options->in, {}).maze, options->out, options->format);

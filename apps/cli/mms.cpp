@@ -56,7 +56,8 @@ class Watching {
     const auto until = std::chrono::steady_clock::now() + std::chrono::duration<double>(simulated / speed_);
     // Ctrl-C does not wait for a slow mouse.
     while (!stop_.load() && std::chrono::steady_clock::now() < until)
-      std::this_thread::sleep_for(std::min<std::chrono::duration<double>>(until - std::chrono::steady_clock::now(), 50ms));
+      std::this_thread::sleep_for(
+          std::min<std::chrono::duration<double>>(until - std::chrono::steady_clock::now(), 50ms));
   }
 
   const Maze& maze_;

@@ -1,12 +1,13 @@
-// labmouse page: the page that watches, compares and edits in a browser. labmouse report: the same page with a race in it.
+// labmouse page: the page that watches, compares and edits in a browser. labmouse report: the same page with a race in
+// it.
 #include <fmt/format.h>
 
 #include <memory>
 
 #include "command.hpp"
 #include "embedded_page.hpp"
-#include "labmouse/lab/system/files.hpp"
 #include "labmouse/lab/reports/report_page.hpp"
+#include "labmouse/lab/system/files.hpp"
 
 namespace labmouse::cli {
 namespace {
@@ -18,7 +19,9 @@ struct PageOptions {
 /// The page of --page, or else the one that the program has. Throws UsageError where there is none.
 std::string find_page(const PageOptions& options) {
   if (options.page.empty() && embedded_page().empty())
-    throw UsageError("error: this program was built without its page; `make page` builds it and the program with it, or name one with --page FILE");
+    throw UsageError(
+        "error: this program was built without its page; `make page` builds it and the program with it, or name one "
+        "with --page FILE");
   if (options.page.empty()) return std::string(embedded_page());
   FileContent file = read_file(options.page, std::size_t{1} << 26U);
   if (file.error.empty()) file.error = wrong_page(file.content);
@@ -51,7 +54,8 @@ void report(const PageOptions& options) {
 
 void add_page_options(CLI::App& command, PageOptions& options) {
   command.add_option("-o,--out", options.out, "File to write; - is standard output")->required()->type_name("FILE");
-  command.add_option("--page", options.page, "Take this page in place of the one that the program has")->type_name("FILE");
+  command.add_option("--page", options.page, "Take this page in place of the one that the program has")
+      ->type_name("FILE");
 }
 
 }  // namespace
@@ -70,7 +74,9 @@ void add_page(CLI::App& app, int& exit) {
 void add_report(CLI::App& app, int& exit) {
   auto options = std::make_shared<PageOptions>();
   CLI::App* command = app.add_subcommand("report", "Write the page with a race in it: results, mazes and records");
-  command->add_option("results", options->results, "Folder of `labmouse race --out`, or a JSON file of `labmouse race --format json`")
+  command
+      ->add_option("results", options->results,
+                   "Folder of `labmouse race --out`, or a JSON file of `labmouse race --format json`")
       ->required()
       ->type_name("RESULTS");
   add_page_options(*command, *options);

@@ -9,14 +9,14 @@
 #include "command.hpp"
 #include "contests.hpp"
 #include "guests.hpp"
-#include "labmouse/lab/standings/baseline.hpp"
-#include "labmouse/lab/system/files.hpp"
 #include "labmouse/lab/galleries/mms_folder.hpp"
+#include "labmouse/lab/galleries/race_folder.hpp"
+#include "labmouse/lab/standings/baseline.hpp"
 #include "labmouse/lab/standings/mms_report.hpp"
 #include "labmouse/lab/standings/mms_standings.hpp"
-#include "labmouse/lab/text/printable.hpp"
-#include "labmouse/lab/galleries/race_folder.hpp"
 #include "labmouse/lab/standings/race_report.hpp"
+#include "labmouse/lab/system/files.hpp"
+#include "labmouse/lab/text/printable.hpp"
 #include "race_seconds.hpp"
 
 namespace labmouse::cli {
@@ -155,7 +155,8 @@ std::optional<Baseline> load_baseline(const RaceOptions& options) {
   if (!file.error.empty()) throw UsageError(fmt::format("{}: error: {}", options.baseline, file.error));
   auto baseline = read_baseline(file.content, options.contests.order.rules);
   if (baseline) return baseline;
-  throw UsageError(fmt::format("{}: error: is not the JSON of a race (make one with `labmouse race --format json`)", options.baseline));
+  throw UsageError(fmt::format("{}: error: is not the JSON of a race (make one with `labmouse race --format json`)",
+                               options.baseline));
 }
 
 std::string above_limit(const RaceOptions& options, const std::string& mouse, const std::optional<double>& mean) {
@@ -217,8 +218,9 @@ void require_world(const CLI::App& command, const RaceOptions& options) {
     const std::string name = option->get_name();
     if (!seconds && (name == "--robot" || name == "--rules"))
       throw UsageError(fmt::format("error: {} is for the world of seconds; add --world seconds", name));
-    constexpr std::array<std::string_view, 12> shared = {"--world", "--robot", "--rules", "--mice", "--mazes",  "--start",
-                                                         "--goal",  "--runs",  "--seed",  "--jobs", "--format", "--out"};
+    constexpr std::array<std::string_view, 12> shared = {"--world", "--robot", "--rules",  "--mice",
+                                                         "--mazes", "--start", "--goal",   "--runs",
+                                                         "--seed",  "--jobs",  "--format", "--out"};
     if (seconds && name != "--fail-above" && std::find(shared.begin(), shared.end(), name) == shared.end())
       throw UsageError(fmt::format("error: {} is not for the world of seconds", name));
   }
@@ -229,7 +231,9 @@ void add_world(CLI::App& command, RaceOptions& options) {
       ->check(CLI::IsMember({"strides", "seconds"}))
       ->capture_default_str();
   add_robot_option(command, options.robot);
-  command.add_option("--rules", options.rules, "Name of built-in rules in seconds, or a file with a slash or .toml in its name")
+  command
+      .add_option("--rules", options.rules,
+                  "Name of built-in rules in seconds, or a file with a slash or .toml in its name")
       ->type_name("RULES")
       ->capture_default_str();
 }
@@ -239,25 +243,44 @@ void add_world(CLI::App& command, RaceOptions& options) {
 void add_race(CLI::App& app, int& exit) {
   auto options = std::make_shared<RaceOptions>();
   CLI::App* command = app.add_subcommand("race", "Race many mice on many mazes and print the leaderboard");
-  command->add_option("--mice", options->mice, "Mice: name[:key=value]..., several separated by commas, or capstone:FILE, guest:COMMAND, mms:COMMAND (may repeat); default: all")
-      ->type_name("SPEC")->expected(1)->take_all();
+  command
+      ->add_option("--mice", options->mice,
+                   "Mice: name[:key=value]..., several separated by commas, or capstone:FILE, guest:COMMAND, "
+                   "mms:COMMAND (may repeat); default: all")
+      ->type_name("SPEC")
+      ->expected(1)
+      ->take_all();
   add_world(*command, *options);
   add_contests(*command, options->contests);
-  command->add_option("--format", options->format, "Output")->check(CLI::IsMember({"table", "json", "csv"}))->capture_default_str();
-  command->add_option("--out", options->out, "Folder for records, one SVG a maze and mouse, and the results as JSON")->type_name("DIR");
-  command->add_option("--baseline", options->baseline, "JSON of an earlier race: prints the paired difference")->type_name("FILE");
-  auto* limit = command->add_option("--fail-above", options->fail_above, "Exit with 1 if a mouse's mean score over all is above this")
-      ->type_name("SCORE")->check(finite_number());
-  command->add_option("--worst", options->worst, "Print the N mazes that cost each mouse most")->type_name("N")->check(CLI::Range(1, 1'000'000));
+  command->add_option("--format", options->format, "Output")
+      ->check(CLI::IsMember({"table", "json", "csv"}))
+      ->capture_default_str();
+  command->add_option("--out", options->out, "Folder for records, one SVG a maze and mouse, and the results as JSON")
+      ->type_name("DIR");
+  command->add_option("--baseline", options->baseline, "JSON of an earlier race: prints the paired difference")
+      ->type_name("FILE");
+  auto* limit = command
+                    ->add_option("--fail-above", options->fail_above,
+                                 "Exit with 1 if a mouse's mean score over all is above this")
+                    ->type_name("SCORE")
+                    ->check(finite_number());
+  command->add_option("--worst", options->worst, "Print the N mazes that cost each mouse most")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1'000'000));
   command->add_flag("--shares", options->shares, "Print how much of the mazes each mouse discovered and visited");
   add_mms_options(*command, options->mms);
   add_python(*command, options->guests);
   add_guest_options(*command, options->guests);
-  command->add_option("--guest-runs", options->guests.runs, "Contests of each guest in each maze, for those that throw dice")
-      ->type_name("N")->check(CLI::Range(1, 1'000'000))->capture_default_str();
-  command->footer("Example: labmouse race --mice flood:stride=1,certify --mazes my-mazes/ --format json > today.json\n"
-                  "         labmouse race --mazes my-mazes/ --baseline today.json\n"
-                  "         labmouse race --world seconds --robot half --rules thirtieth");
+  command
+      ->add_option("--guest-runs", options->guests.runs,
+                   "Contests of each guest in each maze, for those that throw dice")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1'000'000))
+      ->capture_default_str();
+  command->footer(
+      "Example: labmouse race --mice flood:stride=1,certify --mazes my-mazes/ --format json > today.json\n"
+      "         labmouse race --mazes my-mazes/ --baseline today.json\n"
+      "         labmouse race --world seconds --robot half --rules thirtieth");
   command->callback([options, command, limit, &exit] {
     options->has_limit = limit->count() > 0;
     require_world(*command, *options);

@@ -6,8 +6,8 @@
 #include <memory>
 
 #include "labmouse/lab/galleries/drive_folder.hpp"
-#include "labmouse/lab/standings/drive_report.hpp"
 #include "labmouse/lab/robots/drive_rules_file.hpp"
+#include "labmouse/lab/standings/drive_report.hpp"
 #include "labmouse/lab/standings/drive_standings.hpp"
 #include "labmouse/lab/system/files.hpp"
 #include "labmouse/lab/text/printable.hpp"
@@ -30,8 +30,8 @@ MazeCollection find_small_mazes(const SecondsRace& options) {
   std::erase_if(mazes.mazes, [&](const NamedMaze& maze) {
     const Size size = maze.maze.size();
     if (size.width <= max_drive_side && size.height <= max_drive_side) return false;
-    const std::string reason = fmt::format("is {}x{}; the world of seconds takes mazes up to {}x{}", size.width, size.height,
-                                           max_drive_side, max_drive_side);
+    const std::string reason = fmt::format("is {}x{}; the world of seconds takes mazes up to {}x{}", size.width,
+                                           size.height, max_drive_side, max_drive_side);
     if (std::find(paths.begin(), paths.end(), maze.name) != paths.end())
       throw UsageError(fmt::format("{}: error: {}", maze.name, reason));
     large.push_back({maze.name, {{no_place, no_place, reason}}});
@@ -86,7 +86,8 @@ std::string above_limit(const DriveRace& race, double limit) {
   for (const DriveStanding& standing : drive_standings_of(race)) {
     const std::string name = shown(race.mice[standing.mouse].name);
     if (standing.scored < standing.runs)
-      text += fmt::format("{} has no score in {} of {} contests\n", name, standing.runs - standing.scored, standing.runs);
+      text +=
+          fmt::format("{} has no score in {} of {} contests\n", name, standing.runs - standing.scored, standing.runs);
     else if (standing.mean_score && *standing.mean_score > limit)
       text += fmt::format("{} scores {:.3f}, above the limit of {:g}\n", name, *standing.mean_score, limit);
   }

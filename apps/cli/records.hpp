@@ -15,18 +15,19 @@ CLI::Option* add_record_maze(CLI::App& command, std::string& maze);
 /// The text of a record's file. Throws UsageError.
 std::string load_record_text(const std::string& path);
 
-/// The record of a contest in seconds in a file of that text. Throws UsageError where there is none, and tells where it could
-/// not have happened: then nothing.
+/// The record of a contest in seconds in a file of that text. Throws UsageError where there is none, and tells where it
+/// could not have happened: then nothing.
 std::optional<DriveRecordFile> load_drive_record(const std::string& path, const std::string& text);
 
 /// Throws UsageError where one of the options was given, which records in seconds do not take.
 void refuse_in_seconds(const CLI::App& command, const std::vector<std::string>& options);
 
-/// The record of a file's text, with the maze of that name or file, or its own where that is empty. Throws UsageError where
-/// there is no record or no maze.
+/// The record of a file's text, with the maze of that name or file, or its own where that is empty. Throws UsageError
+/// where there is no record or no maze.
 RecordFile load_record(const std::string& path, const std::string& text, const std::string& maze);
 
-/// Plays the record in its maze and takes over what comes out. False where it disagrees, which it tells on standard error.
+/// Plays the record in its maze and takes over what comes out. False where it disagrees, which it tells on standard
+/// error.
 bool re_enact(const std::string& path, RecordFile& file);
 
 }  // namespace labmouse::cli

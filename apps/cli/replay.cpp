@@ -5,8 +5,8 @@
 
 #include "command.hpp"
 #include "explain.hpp"
-#include "labmouse/lab/pictures/drive_picture.hpp"
 #include "labmouse/lab/galleries/race_folder.hpp"
+#include "labmouse/lab/pictures/drive_picture.hpp"
 #include "records.hpp"
 #include "walk.hpp"
 
@@ -75,7 +75,9 @@ void add_replay(CLI::App& app, int& exit) {
   add_record_maze(*command, options->maze);
   add_explain(*command, options->explain);
   command->add_flag("--watch", options->watch, "Draw it step by step");
-  command->add_option("--delay", options->delay, "Milliseconds a step stays on the screen")->check(CLI::Range(0, 60'000))->capture_default_str();
+  command->add_option("--delay", options->delay, "Milliseconds a step stays on the screen")
+      ->check(CLI::Range(0, 60'000))
+      ->capture_default_str();
   command->add_option("--svg", options->svg, "Save a picture")->type_name("FILE");
   command->footer("Example: labmouse run certify capstone-1 --record walk.jsonl && labmouse replay walk.jsonl --watch");
   command->callback([options, &exit] { exit = replay_file(*options); });

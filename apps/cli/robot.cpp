@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "command.hpp"
-#include "labmouse/lab/robots/builtin_robots.hpp"
 #include "labmouse/lab/pictures/robot_picture.hpp"
+#include "labmouse/lab/robots/builtin_robots.hpp"
 #include "labmouse/lab/robots/robot_table.hpp"
 
 namespace labmouse::cli {
@@ -56,7 +56,8 @@ void add_robot(CLI::App& app, int& exit) {
   auto options = std::make_shared<RobotOptions>();
   CLI::App* shown = command->add_subcommand("show", "What follows from the limits of a robot");
   shown->add_option("robot", options->robot, "Name of a built-in robot, or a file with a slash or .toml in its name")
-      ->type_name("ROBOT")->capture_default_str();
+      ->type_name("ROBOT")
+      ->capture_default_str();
   shown->add_option("--svg", options->svg, "Save a picture of its turns in place of the table")->type_name("FILE");
   shown->footer("Example: labmouse robot show half --svg half.svg\n         labmouse robot show ./my-mouse.toml");
   shown->callback([options, &exit] {

@@ -5,8 +5,8 @@
 
 #include "command.hpp"
 #include "labmouse/lab/pictures/drive_picture.hpp"
-#include "labmouse/lab/system/file_names.hpp"
 #include "labmouse/lab/routes/route_report.hpp"
+#include "labmouse/lab/system/file_names.hpp"
 
 namespace labmouse::cli {
 namespace {
@@ -30,7 +30,8 @@ int route(const RouteOptions& options) {
   if (!options.svg.empty()) {
     if (!one) throw UsageError(fmt::format("error: --svg draws one maze; these are {}", mazes.size()));
     const DriveRoute& drawn = reports.front().route;
-    const std::string title = fmt::format("{}: {}, {:.3f} s", stem_of(mazes.front().name), model.robot.name, drawn.time / 1e6);
+    const std::string title =
+        fmt::format("{}: {}, {:.3f} s", stem_of(mazes.front().name), model.robot.name, drawn.time / 1e6);
     save(options.svg, draw_route(mazes.front().maze, drawn, model, title));
   }
   if (options.format == "json")

@@ -6,8 +6,8 @@
 
 #include "command.hpp"
 #include "labmouse/lab/robots/builtin_rules.hpp"
-#include "labmouse/lab/standings/drive_report.hpp"
 #include "labmouse/lab/robots/drive_rules_file.hpp"
+#include "labmouse/lab/standings/drive_report.hpp"
 #include "labmouse/lab/system/files.hpp"
 
 namespace labmouse::cli {
@@ -50,7 +50,8 @@ void add_rules(CLI::App& app, int& exit) {
   auto name = std::make_shared<std::string>("all-japan");
   CLI::App* shown = command->add_subcommand("show", "The file of some rules, as a beginning of your own");
   shown->add_option("rules", *name, "Name of built-in rules, or a file with a slash or .toml in its name")
-      ->type_name("RULES")->capture_default_str();
+      ->type_name("RULES")
+      ->capture_default_str();
   shown->callback([name, &exit] {
     show(*name);
     exit = exit_good;

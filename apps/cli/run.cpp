@@ -8,8 +8,8 @@
 #include "explain.hpp"
 #include "guests.hpp"
 #include "labmouse/contest/simulator.hpp"
-#include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/galleries/race_folder.hpp"
+#include "labmouse/lab/mice/specs.hpp"
 #include "walk.hpp"
 
 namespace labmouse::cli {
@@ -49,16 +49,23 @@ void run_contest(const RunOptions& options) {
 void add_run(CLI::App& app, int& exit) {
   auto options = std::make_shared<RunOptions>();
   CLI::App* command = app.add_subcommand("run", "Run one mouse in one maze");
-  command->add_option("mouse", options->mouse, "Mouse: name[:key=value]..., capstone:FILE or guest:COMMAND")->required()->type_name("MOUSE");
+  command->add_option("mouse", options->mouse, "Mouse: name[:key=value]..., capstone:FILE or guest:COMMAND")
+      ->required()
+      ->type_name("MOUSE");
   command->add_option("maze", options->maze, "Maze file or name of a built-in maze")->required()->type_name("MAZE");
   add_places(*command, options->places);
   add_budget(*command, options->rules);
-  command->add_option("--seed", options->seed, "Seed of a mouse that throws dice")->check(seed_number())->capture_default_str();
+  command->add_option("--seed", options->seed, "Seed of a mouse that throws dice")
+      ->check(seed_number())
+      ->capture_default_str();
   add_explain(*command, options->explain);
   command->add_flag("--watch", options->watch, "Draw it step by step");
-  command->add_option("--delay", options->delay, "Milliseconds a step stays on the screen")->check(CLI::Range(0, 60'000))->capture_default_str();
+  command->add_option("--delay", options->delay, "Milliseconds a step stays on the screen")
+      ->check(CLI::Range(0, 60'000))
+      ->capture_default_str();
   command->add_option("--svg", options->svg, "Save a picture")->type_name("FILE");
-  command->add_option("--record", options->record, "Save the record, with --explain also the reasons")->type_name("FILE");
+  command->add_option("--record", options->record, "Save the record, with --explain also the reasons")
+      ->type_name("FILE");
   add_python(*command, options->guests);
   add_guest_options(*command, options->guests);
   command->footer("Example: labmouse run certify capstone-1 --watch --svg walk.svg");

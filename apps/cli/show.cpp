@@ -7,10 +7,10 @@
 #include "command.hpp"
 #include "labmouse/lab/bounds/bounds.hpp"
 #include "labmouse/lab/drawing/drawing.hpp"
+#include "labmouse/lab/galleries/race_folder.hpp"
 #include "labmouse/lab/pictures/drive_picture.hpp"
 #include "labmouse/lab/pictures/picture_layers.hpp"
 #include "labmouse/lab/text/printable.hpp"
-#include "labmouse/lab/galleries/race_folder.hpp"
 #include "records.hpp"
 
 namespace labmouse::cli {
@@ -45,9 +45,10 @@ void tell_left_out(const ShowOptions& options, const LayerSet& layers) {
     if (needs_svg(layer, colours())) names.push_back(name_of(layer));
   if (options.layers.empty() || names.empty()) return;
   const bool one = names.size() == 1;
-  const bool colours_help = std::none_of(layers.begin(), layers.end(), [](Layer layer) { return needs_svg(layer, true); });
-  tell(fmt::format("not drawn here: layer{} {} need{} --svg FILE{}\n", one ? "" : "s", fmt::join(names, ", "), one ? "s" : "",
-             colours_help ? " or a terminal with colours" : ""));
+  const bool colours_help =
+      std::none_of(layers.begin(), layers.end(), [](Layer layer) { return needs_svg(layer, true); });
+  tell(fmt::format("not drawn here: layer{} {} need{} --svg FILE{}\n", one ? "" : "s", fmt::join(names, ", "),
+                   one ? "s" : "", colours_help ? " or a terminal with colours" : ""));
 }
 
 void draw(const ShowOptions& options, const Maze& maze, const LayerSet& chosen, const DrawingLayers& layers) {
@@ -66,7 +67,8 @@ void show_maze(const ShowOptions& options) {
   const LayerSet chosen = chosen_layers(options, {Layer::path, Layer::coordinates});
   for (const Layer layer : chosen)
     if (needs_record(layer))
-      throw UsageError(fmt::format("error: layer {} needs a record; name one with --record FILE in place of the maze", name_of(layer)));
+      throw UsageError(fmt::format("error: layer {} needs a record; name one with --record FILE in place of the maze",
+                                   name_of(layer)));
   const NamedMaze maze = find_maze(options.maze, options.places);
   const Rules rules;
   DrawingLayers layers = layers_of(maze.maze, rules, chosen);
@@ -77,7 +79,8 @@ void show_maze(const ShowOptions& options) {
 /// Cuts the record after the step asked for. Returns how far that is, as a title.
 std::string cut_at(RecordFile& file, int step) {
   const auto steps = file.run.steps.size();
-  if (step > static_cast<int>(steps)) throw UsageError(fmt::format("error: the record has {} steps, so no step {}", steps, step));
+  if (step > static_cast<int>(steps))
+    throw UsageError(fmt::format("error: the record has {} steps, so no step {}", steps, step));
   file = as_of(std::move(file), step);
   return fmt::format("{} in {}: step {} of {}", file.mouse, file.maze_name, step, steps);
 }
@@ -90,14 +93,16 @@ void drop_missing(const ShowOptions& options, const DrawingLayers& layers, Layer
   };
   drop(Layer::path, !layers.route.empty(), "no speed run");
   drop(Layer::candidates, layers.candidates.has_value(),
-       options.step > 0 ? "no reasons up to there" : "no reasons; `labmouse run` with --explain and --record keeps them");
+       options.step > 0 ? "no reasons up to there"
+                        : "no reasons; `labmouse run` with --explain and --record keeps them");
 }
 
 int show_in_seconds(const ShowOptions& options, const std::string& text) {
   refuse_in_seconds(*options.command, {"--maze", "--layer", "--step", "--distances", "--no-route", "--no-coordinates"});
   const auto file = load_drive_record(options.record, text);
   if (!file) return exit_finding;
-  if (options.svg.empty()) throw UsageError("error: a record in seconds is drawn as a picture only; name its file with --svg FILE");
+  if (options.svg.empty())
+    throw UsageError("error: a record in seconds is drawn as a picture only; name its file with --svg FILE");
   save(options.svg, draw_contest(*file));
   return exit_good;
 }
@@ -122,8 +127,10 @@ int show(const ShowOptions& options) {
   const bool places = !options.places.start.empty() || !options.places.goals.empty();
   if (options.maze.empty() == options.record.empty())
     throw UsageError("error: `show` takes either a maze or --record FILE");
-  if (!options.record.empty() && places) throw UsageError("error: --start and --goal are for mazes; a record has its own");
-  if (options.record.empty() && options.step > 0) throw UsageError("error: --step is for records; name one with --record FILE");
+  if (!options.record.empty() && places)
+    throw UsageError("error: --start and --goal are for mazes; a record has its own");
+  if (options.record.empty() && options.step > 0)
+    throw UsageError("error: --step is for records; name one with --record FILE");
   if (!options.record.empty()) return show_record(options);
   show_maze(options);
   return exit_good;
@@ -133,7 +140,8 @@ int show(const ShowOptions& options) {
 std::string layer_lines() {
   std::string lines = "Layers:\n";
   for (const Layer layer : all_layers())
-    lines += fmt::format("  {:<12} {}{}\n", name_of(layer), meaning_of(layer), needs_record(layer) ? " (of a record)" : "");
+    lines +=
+        fmt::format("  {:<12} {}{}\n", name_of(layer), meaning_of(layer), needs_record(layer) ? " (of a record)" : "");
   return lines;
 }
 
@@ -149,14 +157,17 @@ void add_show(CLI::App& app, int& exit) {
   record->type_name("FILE");
   add_record_maze(*command, options->record_maze)->needs(record);
   command->add_option("--layer", options->layers, "Draw these layers in place of the usual ones")
-      ->type_name("NAME,...")->expected(1)->take_all();
+      ->type_name("NAME,...")
+      ->expected(1)
+      ->take_all();
   command->add_option("--step", options->step, "Draw the record as far as this step")->check(CLI::Range(1, 1'000'000));
   command->add_option("--svg", options->svg, "Save a picture in place of drawing in the terminal")->type_name("FILE");
   command->add_flag("--distances", options->distances, "Steps from each cell to the goal");
   command->add_flag("--no-route", options->no_route, "Leave the path out");
   command->add_flag("--no-coordinates", options->no_coordinates, "Leave the coordinates out");
-  command->footer(layer_lines() + "\nExample: labmouse show capstone-1 --distances --svg maze.svg\n"
-                                  "Example: labmouse show --record walk.jsonl --layer heat,path,known --svg walk.svg");
+  command->footer(layer_lines() +
+                  "\nExample: labmouse show capstone-1 --distances --svg maze.svg\n"
+                  "Example: labmouse show --record walk.jsonl --layer heat,path,known --svg walk.svg");
   command->callback([options, &exit] { exit = show(*options); });
 }
 

@@ -9,9 +9,9 @@
 #include "frames.hpp"
 #include "labmouse/contest/missteps.hpp"
 #include "labmouse/lab/drawing/drawing.hpp"
+#include "labmouse/lab/galleries/race_folder.hpp"
 #include "labmouse/lab/pictures/picture_layers.hpp"
 #include "labmouse/lab/standings/misstep_lines.hpp"
-#include "labmouse/lab/galleries/race_folder.hpp"
 
 namespace labmouse::cli {
 namespace {
@@ -21,8 +21,9 @@ std::string frame_of(const RecordFile& file, const StepRecord& step, const Knowl
   layers.coordinates = true;
   layers.mouse = step.pose;
   layers.unknown = knowledge.unknown();
-  return fmt::format("{}step {:>4}  {} run  at ({},{}) heading {}  sees {} {} {}  {}{}{}\n", draw_text(*file.maze, layers, colours()),
-                     step.step, step.run == Run::speed ? "speed" : "exploration", step.pose.cell.x, step.pose.cell.y,
+  return fmt::format("{}step {:>4}  {} run  at ({},{}) heading {}  sees {} {} {}  {}{}{}\n",
+                     draw_text(*file.maze, layers, colours()), step.step,
+                     step.run == Run::speed ? "speed" : "exploration", step.pose.cell.x, step.pose.cell.y,
                      name_of(step.pose.heading), step.sighting.left, step.sighting.ahead, step.sighting.right,
                      action_words(step.action), has_void_rotation(step.action) ? " (no such turn)" : "",
                      step.blocked ? "  blocked" : "");
@@ -31,7 +32,8 @@ std::string frame_of(const RecordFile& file, const StepRecord& step, const Knowl
 /// What the mouse said and counted and which steps were not performed as asked, if any, and how the contest went.
 std::string last_lines(const RecordFile& file) {
   const std::string counts = counts_line(file);
-  return last_words_lines(file) + (counts.empty() ? "" : counts + "\n") + misstep_lines(file) + result_line(file) + "\n";
+  return last_words_lines(file) + (counts.empty() ? "" : counts + "\n") + misstep_lines(file) + result_line(file) +
+         "\n";
 }
 
 }  // namespace

@@ -8,8 +8,8 @@
 namespace labmouse::cli {
 
 /// Draws every step with what the mouse knows by then, and how it ended: as frames of an animation on a terminal, one
-/// below the other elsewhere. `delay` is the time a frame stays, in milliseconds. Throws UsageError where the terminal is
-/// too small.
+/// below the other elsewhere. `delay` is the time a frame stays, in milliseconds. Throws UsageError where the terminal
+/// is too small.
 void watch(const RecordFile& file, int delay);
 
 /// The maze with the speed run, a line on what the exploration saw, what the mouse counted, steps that were not

@@ -1,6 +1,6 @@
 // The core of the page: labmouse as a WebAssembly module without a loader. The page writes a request (JSON, and bytes
-// beside it) into room that the module gives it, calls one of the functions below, and reads the answer. What they mean is
-// in labmouse/lab/page, where it is tested natively.
+// beside it) into room that the module gives it, calls one of the functions below, and reads the answer. What they mean
+// is in labmouse/lab/page, where it is tested natively.
 #include <cstddef>
 #include <string>
 
@@ -24,7 +24,9 @@ char* room(std::string& text, std::size_t size) {
 
 /// Room for a request of that many bytes, and for what goes beside it.
 LABMOUSE_EXPORT(labmouse_request) char* labmouse_request(std::size_t size) { return room(request, size); }
-LABMOUSE_EXPORT(labmouse_request_bytes) char* labmouse_request_bytes(std::size_t size) { return room(request_bytes, size); }
+LABMOUSE_EXPORT(labmouse_request_bytes) char* labmouse_request_bytes(std::size_t size) {
+  return room(request_bytes, size);
+}
 
 /// The answer to the last call: JSON, and what goes beside it.
 LABMOUSE_EXPORT(labmouse_answer) const char* labmouse_answer() { return answer.json.data(); }

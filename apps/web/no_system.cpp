@@ -1,6 +1,6 @@
 // What the lab does otherwise where it has no system: a page has no files, starts no programs, and has one thread.
-#include "labmouse/lab/system/files.hpp"
 #include "labmouse/lab/mice/guest_specs.hpp"
+#include "labmouse/lab/system/files.hpp"
 #include "labmouse/lab/system/parallel.hpp"
 #include "labmouse/lab/system/version.hpp"
 
@@ -8,7 +8,9 @@ namespace labmouse {
 
 FileContent read_file(const std::string&, std::size_t) { return {"", "a page reads no files"}; }
 
-void read_guest_spec(std::string_view, const GuestOptions&, SpecResult& result) { result.error = "a page starts no programs"; }
+void read_guest_spec(std::string_view, const GuestOptions&, SpecResult& result) {
+  result.error = "a page starts no programs";
+}
 
 std::string processor() { return "WebAssembly"; }
 

@@ -17,7 +17,9 @@ std::string_view hear() {
   return {bytes.data(), count > 0 ? static_cast<std::size_t>(count) : 0};
 }
 
-bool say(std::string_view text) { return write(STDOUT_FILENO, text.data(), text.size()) == static_cast<ssize_t>(text.size()); }
+bool say(std::string_view text) {
+  return write(STDOUT_FILENO, text.data(), text.size()) == static_cast<ssize_t>(text.size());
+}
 
 /// The other side of a bare ping-pong.
 void echo() {

@@ -36,7 +36,8 @@ std::vector<Cell> entered_cells(const StepRecord& step, const Pose& next, Size s
 /// drove through are among them. Cells of a record that lie outside of a maze of that size are left out.
 std::vector<Cell> explored_way(const RunRecord& record, Size size);
 
-/// The cells of an exploration: of all of its steps, with the reading of the one that reset it. The speed run adds none.
+/// The cells of an exploration: of all of its steps, with the reading of the one that reset it. The speed run adds
+/// none.
 ExploredCells explored_cells(const RunRecord& record, const Maze& maze);
 
 /// Their shares.

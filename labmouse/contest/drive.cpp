@@ -33,7 +33,8 @@ class DriveContest {
 
   DriveRecord hold() {
     hold_runs();
-    if (record_.outcome != DriveOutcome::forfeit && !score(record_, rules_).best) record_.outcome = DriveOutcome::out_of_time;
+    if (record_.outcome != DriveOutcome::forfeit && !score(record_, rules_).best)
+      record_.outcome = DriveOutcome::out_of_time;
     return std::move(record_);
   }
 
@@ -139,7 +140,8 @@ class DriveContest {
     set_gates(run, maze_, model_);
     run.end = run.begin + run.route.time;
     const auto& segments = run.route.segments;
-    const Pose goal = segments.empty() ? driver_.start().pose : Pose{segments.back().to.cell, segments.back().to.heading};
+    const Pose goal =
+        segments.empty() ? driver_.start().pose : Pose{segments.back().to.cell, segments.back().to.heading};
     driver_.put({goal, true}, run.end);
     mouse_.show(driver_.place().pose, driver_.seen());
     return true;

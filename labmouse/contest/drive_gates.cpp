@@ -7,7 +7,8 @@
 namespace labmouse {
 namespace {
 
-/// The first moment of a route, in microseconds, at which arrived(Cell) holds of the cell that the mouse's middle is in.
+/// The first moment of a route, in microseconds, at which arrived(Cell) holds of the cell that the mouse's middle is
+/// in.
 template <class Arrived>
 MazeTime first_moment(const DriveModel& model, const DriveRoute& route, Arrived arrived) {
   constexpr int steps_a_cell = 64, halvings = 40;

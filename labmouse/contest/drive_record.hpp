@@ -8,8 +8,8 @@
 
 #include "labmouse/grid/wall_set.hpp"
 #include "labmouse/mouse/action.hpp"
-#include "labmouse/mouse/robot/route.hpp"
 #include "labmouse/mouse/pose.hpp"
+#include "labmouse/mouse/robot/route.hpp"
 
 namespace labmouse {
 
@@ -25,8 +25,8 @@ struct WallSeen {
   friend bool operator==(const WallSeen&, const WallSeen&) = default;
 };
 
-/// One move of a search. Between moves a mouse is at the edge by which it enters the cell of its pose, or at rest in the
-/// middle of it.
+/// One move of a search. Between moves a mouse is at the edge by which it enters the cell of its pose, or at rest in
+/// the middle of it.
 struct SearchMove {
   MazeTime begin = 0;
   MazeTime end = 0;
@@ -50,8 +50,8 @@ struct DriveRun {
   std::optional<MazeTime> centre;    ///< first in the middle of a goal cell
   std::vector<SearchMove> moves;     ///< of a search and a way home
   DriveRoute route;                  ///< of a fast run; its times count from `begin`
-  /// What was known at the beginning, and the times of the fastest route that is known to exist and of the fastest that may
-  /// exist; no_time where there is none.
+  /// What was known at the beginning, and the times of the fastest route that is known to exist and of the fastest that
+  /// may exist; no_time where there is none.
   WallSet open;
   WallSet closed;
   DriveTime known = no_time;
@@ -72,7 +72,9 @@ enum class DriveOutcome : std::uint8_t {
 };
 
 constexpr std::string_view name_of(DriveOutcome outcome) {
-  return outcome == DriveOutcome::finished ? "finished" : outcome == DriveOutcome::out_of_time ? "out of time" : "forfeit";
+  return outcome == DriveOutcome::finished      ? "finished"
+         : outcome == DriveOutcome::out_of_time ? "out of time"
+                                                : "forfeit";
 }
 
 struct DriveRecord {

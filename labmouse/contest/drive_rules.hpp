@@ -1,4 +1,5 @@
-// The rules of a contest in seconds. docs/rules-in-seconds.md has them in words; rules/*.toml are those that come with labmouse.
+// The rules of a contest in seconds. docs/rules-in-seconds.md has them in words; rules/*.toml are those that come with
+// labmouse.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +16,8 @@ struct DriveRules {
   int most_runs = 5;
   /// A run counts its own time and this part of the time in the maze before it began: 0, or 1/30.
   int maze_time_divisor = 0;  ///< 30 for a thirtieth; 0 where the maze time does not count
-  /// Whether the clock runs from gate to gate (leaves the start cell, enters a goal cell) or from rest to the centre of the
-  /// goal.
+  /// Whether the clock runs from gate to gate (leaves the start cell, enters a goal cell) or from rest to the centre of
+  /// the goal.
   bool gate_to_gate = true;
   /// Microseconds added to the time of a run after the mouse was touched; our mice never are.
   std::int64_t touch_penalty = 0;

@@ -40,7 +40,8 @@ void SearchDriver::make(const Action& action, bool replanned) {
   read();
 }
 
-/// A goal is entered at the end of a move, and its middle is passed, or stopped in, by the next, unless that is a small turn.
+/// A goal is entered at the end of a move, and its middle is passed, or stopped in, by the next, unless that is a small
+/// turn.
 void SearchDriver::note_gates(const Action& action, MazeTime begin) {
   DriveRun& run = record_.runs.back();
   const SearchPlace next = after_search(place_, action);

@@ -3,9 +3,9 @@
 
 #include "labmouse/contest/drive_record.hpp"
 #include "labmouse/maze/maze.hpp"
-#include "labmouse/mouse/robot/drive_model.hpp"
 #include "labmouse/mouse/drive/search_motion.hpp"
 #include "labmouse/mouse/knowledge.hpp"
+#include "labmouse/mouse/robot/drive_model.hpp"
 #include "labmouse/mouse/sighting.hpp"
 
 namespace labmouse {
@@ -19,8 +19,9 @@ class SearchDriver {
   /// At rest at the start, where it reads the walls; all must outlive it.
   SearchDriver(const Maze& maze, const DriveModel& model, DriveRecord& record);
 
-  /// Makes a move in the last run of the record, edge by edge with a reading at each; show(pose, seen) is told all of them but
-  /// the last. False, with what was made so far, where it is no move, or leads through a wall not known to be open.
+  /// Makes a move in the last run of the record, edge by edge with a reading at each; show(pose, seen) is told all of
+  /// them but the last. False, with what was made so far, where it is no move, or leads through a wall not known to be
+  /// open.
   template <class Show>
   bool move(const Action& action, bool replanned, Show show) {
     if (!is_search_step(place_, action)) return false;

@@ -1,5 +1,5 @@
-// Steps that were not performed as the mouse asked for them: a function of its record. A mouse that does not notice them
-// takes itself to be where it is not.
+// Steps that were not performed as the mouse asked for them: a function of its record. A mouse that does not notice
+// them takes itself to be where it is not.
 #pragma once
 
 #include "labmouse/contest/record.hpp"

@@ -18,20 +18,25 @@ enum class Run : std::uint8_t { exploration, speed };
 
 /// How a contest ended.
 enum class Outcome : std::uint8_t {
-  solved,                 ///< the speed run ended in a goal
-  out_of_steps,           ///< the budget ended before a step of the exploration ended in a goal
-  never_reset,            ///< a goal was entered, and the budget ended before the mouse went back to the start
-  speed_run_unfinished,   ///< the budget ended in the speed run
-  forfeit,                ///< the mouse gave up; the last step's action has the reason
+  solved,                ///< the speed run ended in a goal
+  out_of_steps,          ///< the budget ended before a step of the exploration ended in a goal
+  never_reset,           ///< a goal was entered, and the budget ended before the mouse went back to the start
+  speed_run_unfinished,  ///< the budget ended in the speed run
+  forfeit,               ///< the mouse gave up; the last step's action has the reason
 };
 
 constexpr std::string_view name_of(Outcome outcome) {
   switch (outcome) {
-    case Outcome::solved: return "solved";
-    case Outcome::out_of_steps: return "out of steps";
-    case Outcome::never_reset: return "never reset";
-    case Outcome::speed_run_unfinished: return "speed run unfinished";
-    case Outcome::forfeit: return "forfeit";
+    case Outcome::solved:
+      return "solved";
+    case Outcome::out_of_steps:
+      return "out of steps";
+    case Outcome::never_reset:
+      return "never reset";
+    case Outcome::speed_run_unfinished:
+      return "speed run unfinished";
+    case Outcome::forfeit:
+      return "forfeit";
   }
   return "unknown";
 }
@@ -41,9 +46,9 @@ struct StepRecord {
   Run run = Run::exploration;
   /// Count of the clock, from 1 over both runs.
   int step = 0;
-  Pose pose;          ///< before the action
-  Sighting sighting;  ///< as read in that pose
-  Action action;      ///< as asked for
+  Pose pose;             ///< before the action
+  Sighting sighting;     ///< as read in that pose
+  Action action;         ///< as asked for
   bool blocked = false;  ///< a wall ended the movement early
 
   friend constexpr bool operator==(const StepRecord&, const StepRecord&) = default;

@@ -22,8 +22,8 @@ struct StepResult {
 };
 StepResult perform(const Maze& maze, const Rules& rules, Pose pose, const Action& step);
 
-/// Runs the contest to its end. The strategy must be new, or in the state in which a new one would be. To have its reasons
-/// in the record, ask it to keep them before.
+/// Runs the contest to its end. The strategy must be new, or in the state in which a new one would be. To have its
+/// reasons in the record, ask it to keep them before.
 RunRecord run(const Maze& maze, const Rules& rules, Strategy& mouse);
 
 }  // namespace labmouse

@@ -22,7 +22,8 @@ std::string first_line(const std::string& python, const std::string& script) {
 
 /// The second number of a Python 3's version; nothing where it does not run or is another Python.
 std::optional<int> minor_version(const std::string& python) {
-  const std::string line = first_line(python, "import sys; print(sys.version_info[1] if sys.version_info[0] == 3 else 'old')");
+  const std::string line =
+      first_line(python, "import sys; print(sys.version_info[1] if sys.version_info[0] == 3 else 'old')");
   int minor = 0;
   if (std::from_chars(line.data(), line.data() + line.size(), minor).ec != std::errc()) return std::nullopt;
   return minor;

@@ -7,12 +7,12 @@
 
 namespace labmouse {
 
-/// The words of a command as mms splits it: at blanks, except between double quotes; three quotes in a row are one of the
-/// word's own. No shell: no variables, no redirection. Empty where there is no word.
+/// The words of a command as mms splits it: at blanks, except between double quotes; three quotes in a row are one of
+/// the word's own. No shell: no variables, no redirection. Empty where there is no word.
 std::vector<std::string> split_command(std::string_view text);
 
-/// The path of a program that can be executed: a name with a slash is taken as it is, seen from `directory` (empty: from
-/// here); another is looked for in PATH. Empty where there is none.
+/// The path of a program that can be executed: a name with a slash is taken as it is, seen from `directory` (empty:
+/// from here); another is looked for in PATH. Empty where there is none.
 std::string program_path(std::string_view name, std::string_view directory);
 
 }  // namespace labmouse

@@ -9,8 +9,8 @@
 
 namespace labmouse {
 
-/// Starts the program and greets it, then asks it at each step. A program that does not play by the protocol or its limits is
-/// ended, and what it did is a forfeit with that reason.
+/// Starts the program and greets it, then asks it at each step. A program that does not play by the protocol or its
+/// limits is ended, and what it did is a forfeit with that reason.
 class GuestMind final : public Strategy {
  public:
   GuestMind(const Launch& launch, const Briefing& briefing);

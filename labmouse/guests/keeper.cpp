@@ -38,8 +38,8 @@ void limit(int resource, rlim_t most, rlim_t beyond = 0) {
 }
 
 void limit_all(const GuestLimits& limits) {
-  // A second between the two: at the first limit comes a signal that says which limit it was, at the second no other than
-  // for everything else.
+  // A second between the two: at the first limit comes a signal that says which limit it was, at the second no other
+  // than for everything else.
   limit(RLIMIT_CPU, static_cast<rlim_t>(limits.processor_seconds), 1);
   // Memory that is written to. Address space would be the wrong measure: some interpreters reserve gigabytes unused.
   limit(RLIMIT_DATA, limits.memory);
@@ -60,7 +60,8 @@ void reset_signals() {
                                const KeptEnds& ends) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   setpgid(0, 0);
-  if (dup2(ends.input, STDIN_FILENO) < 0 || dup2(ends.output, STDOUT_FILENO) < 0 || dup2(ends.errors, STDERR_FILENO) < 0)
+  if (dup2(ends.input, STDIN_FILENO) < 0 || dup2(ends.output, STDOUT_FILENO) < 0 ||
+      dup2(ends.errors, STDERR_FILENO) < 0)
     fail(ends);
   if (*directory != '\0' && chdir(directory) != 0) fail(ends);
   reset_signals();
@@ -84,8 +85,8 @@ void close_all_but(const std::array<int, 6>& kept) {
   syscall(SYS_close_range, first, ~0U, 0U);
 }
 
-/// Ends each child of this process; those of a child that ends come to be ours, since nobody else takes them. False where
-/// the system does not tell who they are, or where one of them is of another user and may not be ended.
+/// Ends each child of this process; those of a child that ends come to be ours, since nobody else takes them. False
+/// where the system does not tell who they are, or where one of them is of another user and may not be ended.
 bool kill_children() {
   std::array<char, 4096> text{};
   const int list = open("/proc/thread-self/children", O_RDONLY | O_CLOEXEC);
@@ -118,7 +119,8 @@ void note_child_ended(int) {}
 
 }  // namespace
 
-void keep_guest(const char* path, char* const* words, const char* directory, const GuestLimits& limits, const KeptEnds& ends) {
+void keep_guest(const char* path, char* const* words, const char* directory, const GuestLimits& limits,
+                const KeptEnds& ends) {
   const KeptEnds kept = {moved_up(ends.input),   moved_up(ends.output), moved_up(ends.errors),
                          moved_up(ends.failure), moved_up(ends.status), moved_up(ends.leash)};
   for (const int end : {kept.input, kept.output, kept.errors, kept.failure, kept.status, kept.leash})
@@ -154,7 +156,8 @@ void keep_guest(const char* path, char* const* words, const char* directory, con
       runs = false;
     }
   }
-  // The whole group in one stroke, lest it forks faster than we look. Once the guest was buried its number may be another's.
+  // The whole group in one stroke, lest it forks faster than we look. Once the guest was buried its number may be
+  // another's.
   if (runs) kill(-guest, SIGKILL);
   end_all();
   _exit(0);

@@ -10,13 +10,13 @@ namespace labmouse {
 /// The ends that a guest and its keeper hold.
 struct KeptEnds {
   int input = -1, output = -1, errors = -1;  ///< the guest's standard streams
-  int failure = -1;  ///< takes the errno of a failed start, and is closed by one that succeeds
-  int status = -1;   ///< takes the guest's wait status when it ends
-  int leash = -1;    ///< at its end everything that the guest left is ended
+  int failure = -1;                          ///< takes the errno of a failed start, and is closed by one that succeeds
+  int status = -1;                           ///< takes the guest's wait status when it ends
+  int leash = -1;                            ///< at its end everything that the guest left is ended
 };
 
-/// Starts the guest and stays until the leash is let go; never returns. To be called in a new process that may have been
-/// forked beside other threads: it allocates nothing and takes no lock. `words` ends with a null.
+/// Starts the guest and stays until the leash is let go; never returns. To be called in a new process that may have
+/// been forked beside other threads: it allocates nothing and takes no lock. `words` ends with a null.
 [[noreturn]] void keep_guest(const char* path, char* const* words, const char* directory, const GuestLimits& limits,
                              const KeptEnds& ends);
 

@@ -76,7 +76,10 @@ struct GuestProcess::Pipes {
 };
 
 GuestProcess::GuestProcess(const Launch& launch)
-    : limits_(launch.limits), stop_(launch.stop), lines_(launch.limits.longest_line), portion_(std::size_t{1} << 16U, '\0') {
+    : limits_(launch.limits),
+      stop_(launch.stop),
+      lines_(launch.limits.longest_line),
+      portion_(std::size_t{1} << 16U, '\0') {
   ignore_broken_pipes();
   Pipes pipes;
   if (launch.words.empty())
@@ -97,7 +100,7 @@ void GuestProcess::start(const Launch& launch, Pipes& pipes) {
   std::vector<char*> words;
   for (const std::string& word : launch.words) words.push_back(const_cast<char*>(word.c_str()));
   words.push_back(nullptr);
-  const KeptEnds ends = {pipes.input.read,   pipes.output.write, pipes.errors.write,
+  const KeptEnds ends = {pipes.input.read,    pipes.output.write, pipes.errors.write,
                          pipes.failure.write, pipes.status.write, pipes.leash.read};
   keeper_ = fork();
   if (keeper_ == 0) keep_guest(path.c_str(), words.data(), launch.directory.c_str(), launch.limits, ends);
@@ -112,8 +115,8 @@ void GuestProcess::start(const Launch& launch, Pipes& pipes) {
   leash_ = std::exchange(pipes.leash.write, -1);
   for (const int end : {input_, output_, errors_end_, status_end_}) fcntl(end, F_SETFL, O_NONBLOCK);
   // Now the keeper alone has its ends: each is at its end when the keeper and the guest let go of it.
-  for (int* end : {&pipes.input.read, &pipes.output.write, &pipes.errors.write, &pipes.failure.write, &pipes.status.write,
-                   &pipes.leash.read})
+  for (int* end : {&pipes.input.read, &pipes.output.write, &pipes.errors.write, &pipes.failure.write,
+                   &pipes.status.write, &pipes.leash.read})
     close_end(*end);
   int reason = 0;
   while (read(pipes.failure.read, &reason, sizeof reason) < 0 && errno == EINTR) {
@@ -143,7 +146,8 @@ GuestEvent GuestProcess::wait(Clock::time_point deadline) {
 bool GuestProcess::look(Clock::duration left) {
   // The input is watched even if there is nothing to write: an error says that nobody reads it any more.
   const short writable = unsent() > 0 ? POLLOUT : 0;
-  std::array<pollfd, 4> ends = {{{output_, POLLIN, 0}, {errors_end_, POLLIN, 0}, {status_end_, POLLIN, 0}, {input_, writable, 0}}};
+  std::array<pollfd, 4> ends = {
+      {{output_, POLLIN, 0}, {errors_end_, POLLIN, 0}, {status_end_, POLLIN, 0}, {input_, writable, 0}}};
   const timespec time = {std::chrono::duration_cast<std::chrono::seconds>(left).count(),
                          std::chrono::duration_cast<std::chrono::nanoseconds>(left % 1s).count()};
   if (ppoll(ends.data(), ends.size(), &time, nullptr) <= 0) return false;
@@ -222,7 +226,8 @@ void GuestProcess::read_status() {
     status_ = exit_status(wait_status);
     return;
   }
-  // A keeper that ends without a word was killed, and its guest is killed with it: what it may still say counts no more.
+  // A keeper that ends without a word was killed, and its guest is killed with it: what it may still say counts no
+  // more.
   status_ = ExitStatus{0, SIGKILL};
   close_end(output_);
 }

@@ -48,14 +48,14 @@ struct ExitStatus {
 std::string describe(const ExitStatus& status);
 
 /// One guest. A keeper process between it and us gathers all that the guest leaves behind, even what left its process
-/// group, and ends it when this object goes or when our own process dies. Only a guest that kills its keeper, or that runs
-/// programs with the rights of another user, can leave something behind. Linux only.
+/// group, and ends it when this object goes or when our own process dies. Only a guest that kills its keeper, or that
+/// runs programs with the rights of another user, can leave something behind. Linux only.
 class GuestProcess {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// Starts it; where that fails, error() says why, and every wait returns `ended`. From the first start on, the program
-  /// ignores SIGPIPE where it had no handler for it.
+  /// Starts it; where that fails, error() says why, and every wait returns `ended`. From the first start on, the
+  /// program ignores SIGPIPE where it had no handler for it.
   explicit GuestProcess(const Launch& launch);
   GuestProcess(const GuestProcess&) = delete;
   GuestProcess& operator=(const GuestProcess&) = delete;
@@ -78,8 +78,8 @@ class GuestProcess {
   /// How it ended; nothing while it runs.
   const std::optional<ExitStatus>& status() const { return status_; }
 
-  /// Closes its standard input and gives it that long to end by itself (none: it is not even told), then ends it with all
-  /// that it started. What it still writes to its standard error is kept; its output is dropped.
+  /// Closes its standard input and gives it that long to end by itself (none: it is not even told), then ends it with
+  /// all that it started. What it still writes to its standard error is kept; its output is dropped.
   void end(std::chrono::milliseconds grace);
 
   /// The last bytes of its standard error, as they came; of a program that runs, up to now.

@@ -22,13 +22,17 @@ bool take_number(std::string_view& text, int& number) {
 }  // namespace
 
 std::string briefing_text(const Briefing& briefing) {
-  std::string text = fmt::format("{}\nsize {} {}\nstart {} {} {}\n", guest_greeting, briefing.size.width, briefing.size.height,
-                                 briefing.start.cell.x, briefing.start.cell.y, name_of(briefing.start.heading));
+  std::string text =
+      fmt::format("{}\nsize {} {}\nstart {} {} {}\n", guest_greeting, briefing.size.width, briefing.size.height,
+                  briefing.start.cell.x, briefing.start.cell.y, name_of(briefing.start.heading));
   briefing.goals.for_each([&](Cell goal) { text += fmt::format("goal {} {}\n", goal.x, goal.y); });
-  return text + fmt::format("stride {}\nbudget {}\nseed {}\nbegin\n", briefing.motion.longest, briefing.budget, briefing.seed);
+  return text +
+         fmt::format("stride {}\nbudget {}\nseed {}\nbegin\n", briefing.motion.longest, briefing.budget, briefing.seed);
 }
 
-std::string question(const Sighting& seen) { return fmt::format("sense {} {} {}\n", seen.left, seen.ahead, seen.right); }
+std::string question(const Sighting& seen) {
+  return fmt::format("sense {} {} {}\n", seen.left, seen.ahead, seen.right);
+}
 
 std::optional<Action> read_answer(std::string_view line) {
   constexpr std::string_view move = "move";

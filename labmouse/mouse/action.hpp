@@ -29,29 +29,45 @@ enum class ForfeitReason : std::uint8_t {
 };
 
 inline constexpr std::array all_forfeit_reasons = {
-    ForfeitReason::none,    ForfeitReason::contradiction, ForfeitReason::no_way, ForfeitReason::lost,
-    ForfeitReason::finished, ForfeitReason::gave_up,       ForfeitReason::not_started, ForfeitReason::died,
-    ForfeitReason::left,    ForfeitReason::closed,        ForfeitReason::hung,   ForfeitReason::late,
-    ForfeitReason::out_of_time, ForfeitReason::flooded,   ForfeitReason::rubbish, ForfeitReason::interrupted};
+    ForfeitReason::none,        ForfeitReason::contradiction, ForfeitReason::no_way,      ForfeitReason::lost,
+    ForfeitReason::finished,    ForfeitReason::gave_up,       ForfeitReason::not_started, ForfeitReason::died,
+    ForfeitReason::left,        ForfeitReason::closed,        ForfeitReason::hung,        ForfeitReason::late,
+    ForfeitReason::out_of_time, ForfeitReason::flooded,       ForfeitReason::rubbish,     ForfeitReason::interrupted};
 
 constexpr std::string_view name_of(ForfeitReason reason) {
   switch (reason) {
-    case ForfeitReason::none: return "none";
-    case ForfeitReason::contradiction: return "contradiction";
-    case ForfeitReason::no_way: return "no way";
-    case ForfeitReason::lost: return "lost";
-    case ForfeitReason::finished: return "finished";
-    case ForfeitReason::gave_up: return "gave up";
-    case ForfeitReason::not_started: return "not started";
-    case ForfeitReason::died: return "died";
-    case ForfeitReason::left: return "left";
-    case ForfeitReason::closed: return "closed its pipes";
-    case ForfeitReason::hung: return "hung";
-    case ForfeitReason::late: return "late";
-    case ForfeitReason::out_of_time: return "out of time";
-    case ForfeitReason::flooded: return "flooded";
-    case ForfeitReason::rubbish: return "rubbish";
-    case ForfeitReason::interrupted: return "interrupted";
+    case ForfeitReason::none:
+      return "none";
+    case ForfeitReason::contradiction:
+      return "contradiction";
+    case ForfeitReason::no_way:
+      return "no way";
+    case ForfeitReason::lost:
+      return "lost";
+    case ForfeitReason::finished:
+      return "finished";
+    case ForfeitReason::gave_up:
+      return "gave up";
+    case ForfeitReason::not_started:
+      return "not started";
+    case ForfeitReason::died:
+      return "died";
+    case ForfeitReason::left:
+      return "left";
+    case ForfeitReason::closed:
+      return "closed its pipes";
+    case ForfeitReason::hung:
+      return "hung";
+    case ForfeitReason::late:
+      return "late";
+    case ForfeitReason::out_of_time:
+      return "out of time";
+    case ForfeitReason::flooded:
+      return "flooded";
+    case ForfeitReason::rubbish:
+      return "rubbish";
+    case ForfeitReason::interrupted:
+      return "interrupted";
   }
   return "unknown";
 }

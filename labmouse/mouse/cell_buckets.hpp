@@ -79,7 +79,7 @@ class CellBuckets {
     if (cell == none) used_[bucket / 64] &= ~(std::uint64_t{1} << bucket % 64);
   }
 
-  std::size_t mask_;  ///< buckets in the ring, less one
+  std::size_t mask_;                 ///< buckets in the ring, less one
   std::vector<Link> links_;          ///< of each cell that waits
   std::vector<Index> first_;         ///< cell of each bucket
   std::vector<std::uint64_t> used_;  ///< which buckets hold cells

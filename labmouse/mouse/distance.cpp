@@ -47,7 +47,8 @@ void DistanceField::fill(const WallSet& passages, const CellSet& from) {
 template <class Word>
 int DistanceField::read(Cell cell) const {
   constexpr std::size_t bytes_in_set = 8 * sizeof(Word) * sizeof(Word);
-  const unsigned char* row = reinterpret_cast<const unsigned char*>(sets()) + static_cast<unsigned>(cell.y) * sizeof(Word);
+  const unsigned char* row =
+      reinterpret_cast<const unsigned char*>(sets()) + static_cast<unsigned>(cell.y) * sizeof(Word);
   const auto bit = [&](int set) {
     Word word;
     std::memcpy(&word, row + static_cast<std::size_t>(set) * bytes_in_set, sizeof word);
@@ -68,7 +69,8 @@ int DistanceField::at(Cell cell) const {
 
 template <class Word>
 void DistanceField::read_all(std::span<int> out) const {
-  for (int index = 0; index < size_.area(); ++index) out[static_cast<std::size_t>(index)] = read<Word>(size_.cell_at(index));
+  for (int index = 0; index < size_.area(); ++index)
+    out[static_cast<std::size_t>(index)] = read<Word>(size_.cell_at(index));
 }
 
 template <class Word>

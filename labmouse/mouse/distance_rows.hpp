@@ -93,7 +93,8 @@ template <class Word>
   __builtin_memcpy(&rows, words, sizeof rows);
 }
 
-/// Adds one to the distance of all cells of the set; they all have distance - 1 now, so the carry goes equally far in all.
+/// Adds one to the distance of all cells of the set; they all have distance - 1 now, so the carry goes equally far in
+/// all.
 template <class Word>
 [[gnu::always_inline]] inline void count_up(Rows<Word>* planes, const Rows<Word>& cells, unsigned distance) {
   const int flips = __builtin_ctz(distance) + 1;

@@ -56,8 +56,8 @@ void fill_layers(const FieldOrder& order) {
 
 /// Puts the cells that a straight run leads to into the buckets of their costs.
 template <class Word>
-[[gnu::always_inline]] inline void spread(const FieldOrder& order, const Entries<Word, 1>& enter, const Rows<Word>& settled,
-                                          unsigned distance, Rows<Word>* ring) {
+[[gnu::always_inline]] inline void spread(const FieldOrder& order, const Entries<Word, 1>& enter,
+                                          const Rows<Word>& settled, unsigned distance, Rows<Word>* ring) {
   const auto buckets = static_cast<unsigned>(order.cost[order.longest]) + 1;
   Rows<Word> to_north = settled, to_south = settled, to_east = settled, to_west = settled;
   for (int k = 1; k <= order.longest; ++k) {

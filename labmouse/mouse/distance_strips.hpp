@@ -1,4 +1,5 @@
-// The search behind DistanceField for sets of many vectors, compiled once for each width of vector; see distance_rows.hpp.
+// The search behind DistanceField for sets of many vectors, compiled once for each width of vector; see
+// distance_rows.hpp.
 #pragma once
 
 #include "labmouse/mouse/distance_rows.hpp"
@@ -13,7 +14,7 @@ template <class Word>
 struct Strip {
   using Chunk = typename Rows<Word>::Chunk;
 
-  Chunk last;       ///< the cells of the last layer
+  Chunk last;  ///< the cells of the last layer
   Chunk unreached;
   /// Cells that can be entered by a straight move of one cell and, for longer moves, of two.
   Chunk north[2], south[2], east[2], west[2];
@@ -77,7 +78,8 @@ template <int Longest, class Word>
     const Chunk right = here | ((here << 1) & strip[0].east[0]), left = here | ((here >> 1) & strip[0].west[0]);
     Chunk reached = (up | down) | (right | left);
     if constexpr (Longest > 1) {
-      reached |= (into_north<2, Word>(up_south, up) & strip[0].north[1]) | (into_south<2, Word>(down, down_north) & strip[0].south[1]);
+      reached |= (into_north<2, Word>(up_south, up) & strip[0].north[1]) |
+                 (into_south<2, Word>(down, down_north) & strip[0].south[1]);
       reached |= ((right << 2) & strip[0].east[1]) | ((left >> 2) & strip[0].west[1]);
     }
     strip[0].last = reached & strip[0].unreached;
@@ -87,8 +89,8 @@ template <int Longest, class Word>
   }
 }
 
-/// Every move of 1 to Longest cells costs one: layer after layer. One seldom spans all rows, so only those near the last
-/// layer are looked at, and its distance is written down for its own cells alone.
+/// Every move of 1 to Longest cells costs one: layer after layer. One seldom spans all rows, so only those near the
+/// last layer are looked at, and its distance is written down for its own cells alone.
 template <class Word, int Longest>
 void fill_strips(const FieldOrder& order) {
   using R = Rows<Word>;

@@ -14,8 +14,8 @@ namespace labmouse {
 
 class SearchClock;
 
-/// A strategy with the bookkeeping done. A mind derives from it and writes explore(). In seconds it goes home when the time
-/// only just allows it, and has no more to do when it has run.
+/// A strategy with the bookkeeping done. A mind derives from it and writes explore(). In seconds it goes home when the
+/// time only just allows it, and has no more to do when it has run.
 class Explorer : public Strategy {
  public:
   explicit Explorer(const Briefing& briefing);

@@ -19,7 +19,8 @@ class Knowledge {
   WallState state(Wall wall) const;
 
   /// Learns all that a reading shows: in each of the three directions the open walls of the corridor, and the closed
-  /// one at its end where that lies in sight. False, and nothing is learned, where the reading contradicts what is known.
+  /// one at its end where that lies in sight. False, and nothing is learned, where the reading contradicts what is
+  /// known.
   [[nodiscard]] bool learn(Pose pose, Sighting sighting);
 
   /// Walls known to be open: passages.

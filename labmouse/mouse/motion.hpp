@@ -50,10 +50,14 @@ constexpr Motion strides(int longest = 3) {
 /// The action that moves `cells` cells in `direction` from a heading: forward, after a quarter turn, or backwards.
 constexpr Action move_in(Heading heading, Heading direction, int cells) {
   switch (quarters_between(heading, direction)) {
-    case 0: return Action::step(0, cells);
-    case 1: return Action::step(90, cells);
-    case 2: return Action::step(0, -cells);
-    default: return Action::step(-90, cells);
+    case 0:
+      return Action::step(0, cells);
+    case 1:
+      return Action::step(90, cells);
+    case 2:
+      return Action::step(0, -cells);
+    default:
+      return Action::step(-90, cells);
   }
 }
 

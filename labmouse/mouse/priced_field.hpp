@@ -17,11 +17,12 @@
 namespace labmouse {
 
 /// Cheapest costs from a set of cells: a straight move of k cells costs what the motion says, times a step's price, and
-/// the prices of the walls that it leads through. Moves cost the same both ways, so these are the costs to the set, too.
+/// the prices of the walls that it leads through. Moves cost the same both ways, so these are the costs to the set,
+/// too.
 class PricedField {
  public:
-  /// Takes all memory that it will need: 4 bytes a cell, and for its queue as many and 2 KiB, for strides at a step's price
-  /// of 30.
+  /// Takes all memory that it will need: 4 bytes a cell, and for its queue as many and 2 KiB, for strides at a step's
+  /// price of 30.
   PricedField(Size size, const Motion& motion, int step_price);
   /// A second field of the same kind, which saves the memory of a queue: the two must not be filled at the same time.
   PricedField sibling() const { return *this; }
@@ -29,7 +30,8 @@ class PricedField {
   void fill(const WallPrices& prices, const CellSet& from);
   /// The same for those cells alone whose cost is below a limit; others may be unreachable. It ends the sooner.
   void fill_below(int limit, const WallPrices& prices, const CellSet& from);
-  /// The same for those cells alone whose cost and their rest, a field over the same prices, add up to less than a limit.
+  /// The same for those cells alone whose cost and their rest, a field over the same prices, add up to less than a
+  /// limit.
   void fill_below(int limit, const PricedField& rest, const WallPrices& prices, const CellSet& from);
 
   /// The cost of a cell inside, or unreachable.

@@ -15,11 +15,11 @@ inline constexpr int costs_a_step = 30;
 
 /// Something that an exploring mind thought of doing next.
 struct Candidate {
-  Wall wall;        ///< the unseen wall to look at; of a goal the cell alone counts
-  Cell seen_from;   ///< where to go for it
+  Wall wall;          ///< the unseen wall to look at; of a goal the cell alone counts
+  Cell seen_from;     ///< where to go for it
   bool goal = false;  ///< to enter the goal
-  int through = 0;  ///< what a run from start to goal would cost that led through the wall; see Reasons::way_here
-  int travel = 0;   ///< what the way to that cell costs, in the motion's unit
+  int through = 0;    ///< what a run from start to goal would cost that led through the wall; see Reasons::way_here
+  int travel = 0;     ///< what the way to that cell costs, in the motion's unit
   bool worth = true;  ///< worth the way to it; after the goal, some are not
   double score = 0;   ///< the lowest of those that are is chosen
 
@@ -43,7 +43,7 @@ struct Reasons {
   std::vector<Candidate> candidates;
   /// The position of the chosen one; -1 where none was worth its price, and the mind stops.
   int chosen = -1;
-  int known = 0;     ///< cost of the shortest known run from start to goal; 0 where there is none yet
+  int known = 0;  ///< cost of the shortest known run from start to goal; 0 where there is none yet
   /// The share of the way from the start to a wall that `through` of the wall counts: 0 where a mind only looks ahead.
   double way_here = 1;
   double hope = 0;   ///< after the goal: the cost of the run through the wall that comes nearest to being worth a look

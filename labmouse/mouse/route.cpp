@@ -22,7 +22,8 @@ std::optional<Move> next_move(const DistanceField& field, const WallSet& passage
   if (!field.reaches(pose.cell)) return std::nullopt;
   for (const int quarters : {0, -1, 1, 2}) {
     const Heading direction = turned(pose.heading, quarters);
-    if (const int cells = cells_on_route(field, passages, pose.cell, direction); cells > 0) return Move{direction, cells};
+    if (const int cells = cells_on_route(field, passages, pose.cell, direction); cells > 0)
+      return Move{direction, cells};
   }
   return std::nullopt;
 }

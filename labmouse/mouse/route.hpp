@@ -25,9 +25,9 @@ std::optional<Move> next_move(const DistanceField& field, const WallSet& passage
 /// The same as an action; a pose at distance 0 gives the step that stays there, none gives a forfeit.
 Action step_along(const DistanceField& field, const WallSet& passages, Pose pose);
 
-/// One step towards the cells at distance 0 of a field filled over knowledge.possible(): along a cheapest route as far as
-/// it is known to be open; where it begins behind a wall not yet seen, a quarter turn to look at that wall. For a pose
-/// whose reading has been learned.
+/// One step towards the cells at distance 0 of a field filled over knowledge.possible(): along a cheapest route as far
+/// as it is known to be open; where it begins behind a wall not yet seen, a quarter turn to look at that wall. For a
+/// pose whose reading has been learned.
 Action optimistic_step(const DistanceField& optimistic, const Knowledge& knowledge, Pose pose);
 
 }  // namespace labmouse

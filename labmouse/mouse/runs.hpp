@@ -39,14 +39,14 @@ class DriveRuns {
  public:
   explicit DriveRuns(const Briefing& briefing);
 
-  /// Plans anew only where a newly seen wall cuts the route that was hoped for: walls only raise times, so that one that is
-  /// not cut stays the fastest.
+  /// Plans anew only where a newly seen wall cuts the route that was hoped for: walls only raise times, so that one
+  /// that is not cut stays the fastest.
   bool plan(const Knowledge& knowledge) { return plan(knowledge.possible(), knowledge.open()); }
   /// The same over passages that a mind hopes for; those that come to its hopes later are seen with the next new plan.
   bool plan(const WallSet& hoped, const WallSet& open);
 
-  /// Once all walls of the hoped-for route are open, it is the best known one, too. Nothing is left to prove where no route
-  /// can be driven.
+  /// Once all walls of the hoped-for route are open, it is the best known one, too. Nothing is left to prove where no
+  /// route can be driven.
   bool proven() const { return unknown_.empty(); }
   bool hopeless() const { return false; }
   const WallSet& unknown_walls() const { return unknown_; }

@@ -1,7 +1,7 @@
 // A breadth-first search as textbooks write it: one queue, and the four directions in a fixed order.
 //
-// DistanceField computes the same distances far faster, but has no opinion among equally short routes. Here the order in
-// which cells are found decides, as it does in the programs that the reports describe.
+// DistanceField computes the same distances far faster, but has no opinion among equally short routes. Here the order
+// in which cells are found decides, as it does in the programs that the reports describe.
 #pragma once
 
 #include <span>

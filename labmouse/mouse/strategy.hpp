@@ -26,8 +26,8 @@ class Strategy {
   /// The next action, given what is read in the present pose. Called once a step until the contest ends.
   virtual Action decide(const Sighting& seen) = 0;
 
-  /// Shows it a reading in a pose in which it does not decide: in a cell that its last step leads through, or on a way on
-  /// which others drive it.
+  /// Shows it a reading in a pose in which it does not decide: in a cell that its last step leads through, or on a way
+  /// on which others drive it.
   virtual void show(const Pose&, const Sighting&) {}
 
   /// What the mouse believes, for viewers and for the contract tests.
@@ -36,8 +36,8 @@ class Strategy {
   /// What it counted so far, under names that never change.
   virtual std::span<const Counter> counters() const { return {}; }
 
-  /// What it has to say at the end, for people: where it gave up, what went wrong, in the first line; then of a guest the
-  /// last lines that it wrote to its standard error.
+  /// What it has to say at the end, for people: where it gave up, what went wrong, in the first line; then of a guest
+  /// the last lines that it wrote to its standard error.
   virtual std::string_view last_words() { return {}; }
 
   /// Asks it to keep its reasons, before the first decision. Most minds have none to tell.

@@ -13,7 +13,8 @@ Wall parallel(Wall wall, int along, int across) {
                                      : Wall{{wall.cell.x + across, wall.cell.y + along}, wall.side};
 }
 
-/// The wall of the other kind on the far side, in the direction along, of the cell `along` and `across` from this wall's.
+/// The wall of the other kind on the far side, in the direction along, of the cell `along` and `across` from this
+/// wall's.
 Wall crossing(Wall wall, int along, int across) {
   Wall other = parallel(wall, along, across);
   other.side = wall.side == Heading::north ? Heading::east : Heading::north;

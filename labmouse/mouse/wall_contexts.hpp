@@ -1,7 +1,7 @@
 // What is known about the surroundings of each wall: whether its eight neighbours are unknown, open or closed.
 //
-// Six meet it at its two posts, two lie beside it. For a wall that runs from left to right (the north side of a cell; an
-// east side is looked at with x and y exchanged):
+// Six meet it at its two posts, two lie beside it. For a wall that runs from left to right (the north side of a cell;
+// an east side is looked at with x and y exchanged):
 //
 //              o   7   o
 //              2       5
@@ -18,7 +18,8 @@
 
 namespace labmouse {
 
-/// A context is a number of eight digits to the base three, the digit of neighbour 0 lowest: 0 unknown, 1 open, 2 closed.
+/// A context is a number of eight digits to the base three, the digit of neighbour 0 lowest: 0 unknown, 1 open, 2
+/// closed.
 inline constexpr int wall_contexts = 6561;
 
 /// The eight neighbours of a wall, in the order of the picture; some may lie on the border or outside.

@@ -11,8 +11,8 @@ namespace labmouse {
 /// So many numbers does rim_context give.
 inline constexpr int rim_contexts = 24;
 
-/// What crossing an unseen wall is worth avoiding: its reluctance, -ln(1 - P(closed)) in 1/32, 0 to 255. Integers that a
-/// table gives, so that no mathematical library decides what a mouse does. `labmouse learn` makes them.
+/// What crossing an unseen wall is worth avoiding: its reluctance, -ln(1 - P(closed)) in 1/32, 0 to 255. Integers that
+/// a table gives, so that no mathematical library decides what a mouse does. `labmouse learn` makes them.
 struct WallPrior {
   /// Of any wall, by its context.
   std::array<std::uint8_t, wall_contexts> walls;

@@ -36,8 +36,8 @@ class SearchWays {
   explicit SearchWays(const Briefing& briefing);
 
   Action step_towards(const CellSet& cells, const Knowledge& knowledge, const SearchPlace& place);
-  /// Over what may be open, too: readings show little, so that a way through unseen walls shows more than one round them, and
-  /// it is shorter.
+  /// Over what may be open, too: readings show little, so that a way through unseen walls shows more than one round
+  /// them, and it is shorter.
   Action step_to_look(const CellSet& cells, const Knowledge& knowledge, const SearchPlace& place) {
     return step_towards(cells, knowledge, place);
   }

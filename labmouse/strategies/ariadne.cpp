@@ -4,13 +4,11 @@
 // state of its eight neighbours (`labmouse learn`). Over these prices T(e) is the cheapest run from start to goal
 // through the unseen wall e (EdgeCosts). Before the goal has been entered, only what lies ahead counts: the mouse goes
 // to see the wall for which T(e) and the price of the way there are least, until the goal itself is the best of them.
-// Afterwards a wall is worth a look while T(e), and something for the way, is less than the shortest known run costs. When
-// none is, the mouse resets at once, wherever it stands. It decides anew when it has seen something new.
-// Where the walls seen so far look like those of a maze without loops, it stops at the goal: there is no second route.
-// In seconds: ariadne/driver.hpp.
-// Limits: one wall at a time; what a look at the next could be worth for the one after is not asked. Its prior is that of
-// contest mazes.
-// Source: our own.
+// Afterwards a wall is worth a look while T(e), and something for the way, is less than the shortest known run costs.
+// When none is, the mouse resets at once, wherever it stands. It decides anew when it has seen something new. Where the
+// walls seen so far look like those of a maze without loops, it stops at the goal: there is no second route. In
+// seconds: ariadne/driver.hpp. Limits: one wall at a time; what a look at the next could be worth for the one after is
+// not asked. Its prior is that of contest mazes. Source: our own.
 #include <algorithm>
 #include <optional>
 
@@ -87,7 +85,9 @@ class Ariadne final : public Explorer {
 
   /// Whether the budget is small for this maze, or half of it is gone without the goal: then it floods, as the mice do
   /// that find most goals in time.
-  bool in_a_hurry() const { return 8 * briefing().budget < 7 * briefing().size.area() || 2 * steps_left() < briefing().budget; }
+  bool in_a_hurry() const {
+    return 8 * briefing().budget < 7 * briefing().size.area() || 2 * steps_left() < briefing().budget;
+  }
 
   Action flood_step() {
     give_ground(Ground::flood);
@@ -134,7 +134,8 @@ class Ariadne final : public Explorer {
   /// Before the goal has been entered: the best wall, or the goal.
   void choose_before() {
     // What is much dearer than the last choice is not asked for, unless all that was found is dearer, too.
-    const bool near = !keeps_reasons_ && score_ > 0 && choose_near(static_cast<int>(score_ / one) + ariadne::step_price);
+    const bool near =
+        !keeps_reasons_ && score_ > 0 && choose_near(static_cast<int>(score_ / one) + ariadne::step_price);
     if (near) return;
     costs_.plan(outlook_.prices(), phase_->way_here);
     consider_all();
@@ -145,7 +146,8 @@ class Ariadne final : public Explorer {
   bool choose_near(int limit) {
     costs_.plan_near(limit, outlook_.prices(), phase_->way_here);
     consider_all();
-    if (target_ && score_ + judged(most_insights, phase_->insight) < judged(limit + ariadne::step_price, one)) return true;
+    if (target_ && score_ + judged(most_insights, phase_->insight) < judged(limit + ariadne::step_price, one))
+      return true;
     target_.reset();
     return false;
   }
@@ -222,7 +224,8 @@ class Ariadne final : public Explorer {
   void add(Candidate candidate, std::int64_t score) {
     // The bonus is small: most often there is no need to count.
     const bool near = !target_ || score - judged(most_insights, phase_->insight) < score_;
-    if (!candidate.goal && (near || keeps_reasons_)) score -= judged(views_.unseen_from(candidate.seen_from, outlook_.prices()), phase_->insight);
+    if (!candidate.goal && (near || keeps_reasons_))
+      score -= judged(views_.unseen_from(candidate.seen_from, outlook_.prices()), phase_->insight);
     candidate.score = static_cast<double>(score) / one;
     if (candidate.worth && (!target_ || score < score_)) {
       target_ = candidate;
@@ -261,7 +264,8 @@ class Ariadne final : public Explorer {
         cell = neighbour(cell, direction);
         if (way_.at(cell) + motion.cost[static_cast<unsigned>(cells)] != way_.at(pose().cell)) continue;
         int value = quarters == 2 ? 0 : 1;
-        for (const Heading side : all_headings) value += knowledge().state(wall_at(cell, side)) == WallState::unknown ? 2 : 0;
+        for (const Heading side : all_headings)
+          value += knowledge().state(wall_at(cell, side)) == WallState::unknown ? 2 : 0;
         if (value <= most) continue;
         most = value;
         best = move_in(pose().heading, direction, cells);
@@ -295,10 +299,16 @@ std::unique_ptr<Strategy> make(const Briefing& briefing, const Settings& setting
 
 }  // namespace
 
-const RosterEntry ariadne_mouse = {"ariadne", "looks at the walls through which a good run could lead, by what contest mazes are like",
-                                   ariadne::fast_parameters(), make, RosterEntry::never, true};
+const RosterEntry ariadne_mouse = {
+    "ariadne",
+    "looks at the walls through which a good run could lead, by what contest mazes are like",
+    ariadne::fast_parameters(),
+    make,
+    RosterEntry::never,
+    true};
 
-const RosterEntry ariadne_deep_mouse = {"ariadne-deep", "the same, and on the way to the goal it thinks of the way back, too",
+const RosterEntry ariadne_deep_mouse = {"ariadne-deep",
+                                        "the same, and on the way to the goal it thinks of the way back, too",
                                         ariadne::deep_parameters(), make};
 
 }  // namespace labmouse

@@ -1,11 +1,11 @@
 // flood, flood-return: the classic of the contests.
 //
 // Method: distances to the goal over all walls not known to be closed; go where they fall, look, fill again. `flood`
-// resets as soon as it has entered the goal. `flood-return` floods back to the start in the same way first: the way back
-// shows walls that the way there did not, for two or three steps of a run's score, and often a shorter route.
-// Both then take the shortest known route. In seconds the same on search times and the fastest known route.
-// Limits: neither knows whether a shorter route is left.
-// Source: the flood fill of the micromouse contests of the 1980s; the first report describes it for this world.
+// resets as soon as it has entered the goal. `flood-return` floods back to the start in the same way first: the way
+// back shows walls that the way there did not, for two or three steps of a run's score, and often a shorter route. Both
+// then take the shortest known route. In seconds the same on search times and the fastest known route. Limits: neither
+// knows whether a shorter route is left. Source: the flood fill of the micromouse contests of the 1980s; the first
+// report describes it for this world.
 #include <algorithm>
 #include <array>
 
@@ -51,7 +51,8 @@ class Flood final : public Explorer {
 };
 
 constexpr std::array parameters = {
-    Parameter{"stride", ParameterType::whole, "3", 1, Motion::max_longest, "", "longest move while exploring, in cells; the rules' own limit holds too"},
+    Parameter{"stride", ParameterType::whole, "3", 1, Motion::max_longest, "",
+              "longest move while exploring, in cells; the rules' own limit holds too"},
 };
 
 template <bool Returns>
@@ -64,7 +65,7 @@ std::unique_ptr<Strategy> make(const Briefing& briefing, const Settings& setting
 
 const RosterEntry flood_mouse = {"flood", "flood fill to the goal", parameters, make<false>, RosterEntry::never, true};
 
-const RosterEntry flood_return_mouse = {"flood-return",     "flood fill to the goal and back to the start", parameters, make<true>,
-                                        RosterEntry::never, true};
+const RosterEntry flood_return_mouse = {
+    "flood-return", "flood fill to the goal and back to the start", parameters, make<true>, RosterEntry::never, true};
 
 }  // namespace labmouse

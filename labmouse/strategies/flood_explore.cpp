@@ -12,8 +12,8 @@
 // gives all three exactly (33.733 as 412 steps and 20, 43.367 as 551 and 25, 52.4 as 822 and 25). So the easternmost
 // column comes first, and in it the northernmost cell: far from the start's corner. The same scores settle that the
 // speed run prefers the end of the tie order, which flood-block alone settles; ahead before left before right, and a
-// few more, would do as well. Where an unvisited cell cannot be reached (the report's mazes have none), all distances to
-// it are equal, and the first direction in order wins at each step, for ever.
+// few more, would do as well. Where an unvisited cell cannot be reached (the report's mazes have none), all distances
+// to it are equal, and the first direction in order wins at each step, for ever.
 #include <array>
 #include <optional>
 

@@ -10,9 +10,10 @@
 // mouse has not, and no order, metric or end of the exploration that was tried gives them: here they are 1.4 below,
 // 0.2 above, 2.0 above and, in the empty maze, 0.1 below. There the report's takes three steps more, as if it had to
 // stand in all four goal cells; but then the others still do not all come out.
+#include "labmouse/mouse/manhattan.hpp"
+
 #include <array>
 
-#include "labmouse/mouse/manhattan.hpp"
 #include "labmouse/mouse/seeker.hpp"
 #include "labmouse/strategies/roster.hpp"
 

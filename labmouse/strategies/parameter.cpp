@@ -82,12 +82,18 @@ std::size_t edits_between(std::string_view a, std::string_view b) {
 
 std::string_view name_of(ParameterType type) {
   switch (type) {
-    case ParameterType::whole: return "whole number";
-    case ParameterType::real: return "number";
-    case ParameterType::flag: return "yes/no";
-    case ParameterType::choice: return "choice";
-    case ParameterType::list: return "list";
-    case ParameterType::prior: return "prior";
+    case ParameterType::whole:
+      return "whole number";
+    case ParameterType::real:
+      return "number";
+    case ParameterType::flag:
+      return "yes/no";
+    case ParameterType::choice:
+      return "choice";
+    case ParameterType::list:
+      return "list";
+    case ParameterType::prior:
+      return "prior";
   }
   return "unknown";
 }
@@ -100,13 +106,15 @@ Settings::Settings(std::span<const Parameter> parameters) {
 }
 
 void Settings::set(std::string_view name, std::string_view value) {
-  const auto setting = std::find_if(settings_.begin(), settings_.end(), [&](const Setting& s) { return s.name == name; });
+  const auto setting =
+      std::find_if(settings_.begin(), settings_.end(), [&](const Setting& s) { return s.name == name; });
   assert(setting != settings_.end());
   setting->value = value;
 }
 
 std::string_view Settings::choice(std::string_view name) const {
-  const auto setting = std::find_if(settings_.begin(), settings_.end(), [&](const Setting& s) { return s.name == name; });
+  const auto setting =
+      std::find_if(settings_.begin(), settings_.end(), [&](const Setting& s) { return s.name == name; });
   assert(setting != settings_.end());
   return setting->value;
 }
@@ -163,7 +171,8 @@ std::string_view nearest_name(std::string_view word, std::span<const std::string
   std::string_view nearest;
   std::size_t fewest = std::max<std::size_t>(2, word.size() / 2);  // more edits than this is another word
   for (const auto candidate : candidates)
-    if (const std::size_t edits = edits_between(word, candidate); edits < fewest || (edits == fewest && nearest.empty())) {
+    if (const std::size_t edits = edits_between(word, candidate);
+        edits < fewest || (edits == fewest && nearest.empty())) {
       fewest = edits;
       nearest = candidate;
     }

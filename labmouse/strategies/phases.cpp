@@ -88,11 +88,10 @@ constexpr std::array parameters = {
 
 }  // namespace
 
-const RosterEntry phases_mouse = {
-    "phases", "three exchangeable phases: search the goal, continue, run", parameters,
-    [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
-      return std::make_unique<Phases>(briefing, settings);
-    },
-    searches_by_chance};
+const RosterEntry phases_mouse = {"phases", "three exchangeable phases: search the goal, continue, run", parameters,
+                                  [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
+                                    return std::make_unique<Phases>(briefing, settings);
+                                  },
+                                  searches_by_chance};
 
 }  // namespace labmouse

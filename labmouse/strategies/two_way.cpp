@@ -8,17 +8,16 @@
 // visits, the costs and the parents are cleared, the walls and dead ends are not, and the same search leads to the
 // start. The speed run follows the shorter of the two paths or (join_legs) the shorter leg between each two of their
 // crossings, one cell a step or (merge_strides) in strides.
-// Limits: no path is shown to be shortest, and legs are compared in cells, not in strides. It does not watch the budget:
-// in a large maze the way back may not fit.
-// Source: report 2 (Kapustin 2016), Implementation and Refinement; its first stage is
-// bias=1:join_legs=no:merge_strides=no.
-// Choices: the report does not say in which order equally good cells are listed. Its list is a map of its language's,
-// and in the order of that map (HashedCells) the scores of all its stages come out; in orders of directions they did
-// not. `ties` orders only the looks at the neighbours. The mouse leaves the goal by the way it came, and lists no other
-// neighbour of that goal: so 36 steps lead back in maze 1. A dead end that it backs into shows an open way ahead and is
-// not marked; the rank within a dead end decides nothing. Of equally long legs and paths, those of the way there. The
-// first stride is one cell shorter than others, as if the start were a cell to go to: so maze 3 takes 30 steps, not 29.
-// A start whose rear is not the border is looked at from a second side first.
+// Limits: no path is shown to be shortest, and legs are compared in cells, not in strides. It does not watch the
+// budget: in a large maze the way back may not fit. Source: report 2 (Kapustin 2016), Implementation and Refinement;
+// its first stage is bias=1:join_legs=no:merge_strides=no. Choices: the report does not say in which order equally good
+// cells are listed. Its list is a map of its language's, and in the order of that map (HashedCells) the scores of all
+// its stages come out; in orders of directions they did not. `ties` orders only the looks at the neighbours. The mouse
+// leaves the goal by the way it came, and lists no other neighbour of that goal: so 36 steps lead back in maze 1. A
+// dead end that it backs into shows an open way ahead and is not marked; the rank within a dead end decides nothing. Of
+// equally long legs and paths, those of the way there. The first stride is one cell shorter than others, as if the
+// start were a cell to go to: so maze 3 takes 30 steps, not 29. A start whose rear is not the border is looked at from
+// a second side first.
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -127,8 +126,8 @@ class TwoWay final : public Explorer {
   }
 
   int ways_from(Cell cell) const {
-    return static_cast<int>(std::count_if(all_headings.begin(), all_headings.end(),
-                                          [&](Heading side) { return open(cell, side); }));
+    return static_cast<int>(
+        std::count_if(all_headings.begin(), all_headings.end(), [&](Heading side) { return open(cell, side); }));
   }
 
   /// Plans the way to the unvisited cell of least length + bias × Manhattan distance; false where none is left.
@@ -234,7 +233,8 @@ class TwoWay final : public Explorer {
 
 constexpr std::array parameters = {
     Parameter{"bias", ParameterType::real, "1.5", 0, 100, "", "weight of the Manhattan distance against steps"},
-    Parameter{"join_legs", ParameterType::flag, "yes", 0, 0, "", "take the shorter leg between crossings of both paths"},
+    Parameter{"join_legs", ParameterType::flag, "yes", 0, 0, "",
+              "take the shorter leg between crossings of both paths"},
     Parameter{"merge_strides", ParameterType::flag, "yes", 0, 0, "", "run straight legs in strides, not cell by cell"},
     Parameter{"ties", ParameterType::choice, "nesw", 0, 0, TieOrder::all, "order of the directions"},
 };

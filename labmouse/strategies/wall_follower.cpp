@@ -28,12 +28,16 @@ class WallFollower final : public Explorer {
 
 }  // namespace
 
-const RosterEntry wall_left_mouse = {"wall-left", "keeps its left hand on the wall until the goal", {},
+const RosterEntry wall_left_mouse = {"wall-left",
+                                     "keeps its left hand on the wall until the goal",
+                                     {},
                                      [](const Briefing& briefing, const Settings&) -> std::unique_ptr<Strategy> {
                                        return std::make_unique<WallFollower>(briefing, -1);
                                      }};
 
-const RosterEntry wall_right_mouse = {"wall-right", "keeps its right hand on the wall until the goal", {},
+const RosterEntry wall_right_mouse = {"wall-right",
+                                      "keeps its right hand on the wall until the goal",
+                                      {},
                                       [](const Briefing& briefing, const Settings&) -> std::unique_ptr<Strategy> {
                                         return std::make_unique<WallFollower>(briefing, 1);
                                       }};

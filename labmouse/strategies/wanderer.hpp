@@ -17,8 +17,8 @@
 namespace labmouse {
 
 /// The parameter of those that move by chance alone: with a larger share they hardly ever end in time.
-inline constexpr Parameter half_coverage = {"coverage", ParameterType::real, "0.5", 0, 1, "",
-                                            "share of all cells to stand in before the reset"};
+inline constexpr Parameter half_coverage = {
+    "coverage", ParameterType::real, "0.5", 0, 1, "", "share of all cells to stand in before the reset"};
 
 /// A mouse that wanders. A mind derives from it and writes wander().
 class Wanderer : public Explorer {

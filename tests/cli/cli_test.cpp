@@ -27,8 +27,8 @@ void leave_times_out(Json& json) {
   }
 }
 
-constexpr const char* commands[] = {"race", "sweep", "tune",    "study",   "learn", "run",   "show",  "inspect",
-                                    "make", "convert", "mice", "bound", "replay", "score", "page",  "report", "bench"};
+constexpr const char* commands[] = {"race",    "sweep", "tune",  "study",  "learn", "run",  "show",   "inspect", "make",
+                                    "convert", "mice",  "bound", "replay", "score", "page", "report", "bench"};
 
 TEST_F(AUser, FindsHelpWithAnExampleForEverything) {
   const Ended all = labmouse({"--help"});
@@ -80,7 +80,8 @@ TEST_F(AUser, IsToldWhatIsWrongWithASweep) {
   is_refused({"sweep", "flod", "--vary", "stride=1,2"}, "did you mean 'flood'?");
   is_refused({"sweep", "flood,certify", "--vary", "stride=1,2"}, "names 2 mice; name one");
   is_refused({"sweep", "flood", "--vary", "strid=1,2"}, "did you mean 'stride'?");
-  is_refused({"sweep", "flood", "--vary", "stride=7:9:1"}, "value '9' of parameter 'stride' of mouse 'flood' is outside of 1 to 8; the nearest is 8");
+  is_refused({"sweep", "flood", "--vary", "stride=7:9:1"},
+             "value '9' of parameter 'stride' of mouse 'flood' is outside of 1 to 8; the nearest is 8");
   is_refused({"sweep", "flood", "--vary", "stride=1:3"}, "write LOW:HIGH:STEP");
   is_refused({"sweep", "flood", "--vary", "stride"}, "is not of the form");
   is_refused({"sweep", "flood", "--vary", "stride=0:1:0.0001"}, "at most 1000");
@@ -117,9 +118,10 @@ TEST_F(AUser, GetsTheSameForAnyNumberOfJobsAndAnyOrder) {
   file("two/bad.txt", "rubbish");
   file("one/corridor.txt", corridor);
   file("two/corridor.txt", corridor);
-  Json forwards = race({"--jobs", "1", "--runs", "3", "--mice", "flood,certify,random", "--mazes", "one", "two", "spiral-9"});
-  Json backwards = race({"--jobs", "3", "--runs", "3", "--mice", "random,certify", "--mice", "flood", "--mazes", "spiral-9", "two",
-                         "one", "two"});
+  Json forwards =
+      race({"--jobs", "1", "--runs", "3", "--mice", "flood,certify,random", "--mazes", "one", "two", "spiral-9"});
+  Json backwards = race({"--jobs", "3", "--runs", "3", "--mice", "random,certify", "--mice", "flood", "--mazes",
+                         "spiral-9", "two", "one", "two"});
   leave_times_out(forwards);
   leave_times_out(backwards);
   EXPECT_EQ(forwards, backwards);
@@ -137,7 +139,8 @@ TEST_F(AUser, SeesEveryMouseInTheTable) {
 
 TEST_F(AUser, SetsTheBudget) {
   const auto steps = [this](const char* budget) {
-    const Ended ended = labmouse({"race", "--mice", "wall-left", "--mazes", "island-8", "--budget", budget, "--format", "json"});
+    const Ended ended =
+        labmouse({"race", "--mice", "wall-left", "--mazes", "island-8", "--budget", budget, "--format", "json"});
     const auto json = nlohmann::json::parse(ended.out);
     EXPECT_EQ(json["budget"], std::stoi(budget));
     return json["mice"][0]["results"][0]["exploration_steps"].get<int>();
@@ -155,7 +158,8 @@ TEST_F(AUser, ReadsTheRosterAsJson) {
   for (const auto& mouse : mice) {
     EXPECT_THAT(table, HasSubstr(mouse["name"].get<std::string>() + " "));
     for (const auto& parameter : mouse["parameters"])
-      EXPECT_THAT(table, HasSubstr("    " + parameter["name"].get<std::string>() + "=" + parameter["default"].get<std::string>()));
+      EXPECT_THAT(table, HasSubstr("    " + parameter["name"].get<std::string>() + "=" +
+                                   parameter["default"].get<std::string>()));
   }
 }
 
@@ -254,13 +258,15 @@ TEST_F(AUser, ComparesWithAnEarlierRace) {
   const Ended same = labmouse({"race", "--mice", "flood", "--baseline", "earlier.json"});
   EXPECT_EQ(same.code, 0);
   EXPECT_THAT(same.out, HasSubstr("flood: +0.000 [+0.000, +0.000]"));
-  is_refused({"race", "--mice", "flood", "--baseline", file("bad.json", "{}")}, "bad.json: error: is not the JSON of a race");
+  is_refused({"race", "--mice", "flood", "--baseline", file("bad.json", "{}")},
+             "bad.json: error: is not the JSON of a race");
   is_refused({"race", "--mice", "flod", "--baseline", "bad.json"}, "did you mean 'flood'?");
 }
 
 TEST_F(AUser, KeepsRecordsAndPicturesOfARace) {
   file("corridor.txt", corridor);
-  ASSERT_EQ(labmouse({"race", "--mice", "flood,random", "--runs", "2", "--mazes", "corridor.txt", "--out", "out"}).code, 0);
+  ASSERT_EQ(labmouse({"race", "--mice", "flood,random", "--runs", "2", "--mazes", "corridor.txt", "--out", "out"}).code,
+            0);
   std::vector<std::string> files;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_ / "out"))
     if (entry.is_regular_file()) files.push_back(entry.path().lexically_relative(folder_).string());
@@ -276,7 +282,8 @@ TEST_F(AUser, KeepsTheResultsOfARaceWhateverIsPrinted) {
   const Ended table = labmouse({"race", "--mice", "flood", "--mazes", "corridor.txt", "--out", "out"});
   Json saved = Json::parse(content("out/results.json"));
   EXPECT_THAT(table.out, HasSubstr("95 %"));
-  const Ended json = labmouse({"race", "--mice", "flood", "--mazes", "corridor.txt", "--out", "again", "--format", "json"});
+  const Ended json =
+      labmouse({"race", "--mice", "flood", "--mazes", "corridor.txt", "--out", "again", "--format", "json"});
   EXPECT_EQ(json.out, content("again/results.json"));
   Json printed = Json::parse(json.out);
   leave_times_out(saved);
@@ -304,7 +311,8 @@ TEST_F(AUser, SweepsAParameter) {
 
 TEST_F(AUser, SeesTheSweepWhoseFilesCannotBeWritten) {
   file("corridor.txt", corridor);
-  const Ended ended = labmouse({"sweep", "flood", "--vary", "stride=1,2", "--mazes", "corridor.txt", "--csv", "corridor.txt/a.csv"});
+  const Ended ended =
+      labmouse({"sweep", "flood", "--vary", "stride=1,2", "--mazes", "corridor.txt", "--csv", "corridor.txt/a.csv"});
   EXPECT_EQ(ended.code, 2);
   EXPECT_THAT(ended.out, HasSubstr("Lowest mean"));
   EXPECT_THAT(ended.err, HasSubstr("corridor.txt/a.csv: error: cannot"));
@@ -313,8 +321,8 @@ TEST_F(AUser, SeesTheSweepWhoseFilesCannotBeWritten) {
 TEST_F(AUser, WhoInterruptsASweepAtOnceLosesNoFile) {
   file("corridor.txt", corridor);
   file("strides.csv", "kept");
-  const test::Program program(folder_, {"sweep", "random", "--vary", "stride=1:8:1", "--mazes", "corridor.txt", "--runs",
-                                        "500000", "--jobs", "1", "--csv", "strides.csv"});
+  const test::Program program(folder_, {"sweep", "random", "--vary", "stride=1:8:1", "--mazes", "corridor.txt",
+                                        "--runs", "500000", "--jobs", "1", "--csv", "strides.csv"});
   const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(60);
   while (!program.handles_interrupts() && std::chrono::steady_clock::now() < patience) std::this_thread::yield();
   program.interrupt();
@@ -331,8 +339,10 @@ TEST_F(AUser, SeesHowMuchOfTheMazesWasSeen) {
   const Ended as_data = labmouse({"race", "--mice", "flood", "--mazes", "corridor.txt", "--shares", "--format", "csv"});
   EXPECT_THAT(as_data.out, Not(HasSubstr("discovered%")));
   EXPECT_THAT(as_data.err, HasSubstr("discovered%"));
-  EXPECT_THAT(labmouse({"run", "flood", "corridor.txt"}).out,
-              HasSubstr("exploration: discovered 100.0 %, visited 100.0 % of 3 reachable cells\nflood in corridor.txt: solved"));
+  EXPECT_THAT(
+      labmouse({"run", "flood", "corridor.txt"}).out,
+      HasSubstr(
+          "exploration: discovered 100.0 %, visited 100.0 % of 3 reachable cells\nflood in corridor.txt: solved"));
 }
 
 TEST_F(AUser, LearnsTheBound) {
@@ -344,7 +354,8 @@ TEST_F(AUser, LearnsTheBound) {
 TEST_F(AUser, OverridesStartAndGoal) {
   file("corridor.txt", corridor);
   EXPECT_THAT(labmouse({"run", "flood", "corridor.txt", "--goal", "1,0"}).out, HasSubstr("1 speed"));
-  EXPECT_THAT(labmouse({"run", "flood", "corridor.txt", "--start", "2,0,west", "--goal", "0,0"}).out, HasSubstr("bound 1.067"));
+  EXPECT_THAT(labmouse({"run", "flood", "corridor.txt", "--start", "2,0,west", "--goal", "0,0"}).out,
+              HasSubstr("bound 1.067"));
 }
 
 TEST_F(AUser, ReplaysAndScoresARecord) {
@@ -388,7 +399,8 @@ TEST_F(AUser, IsToldWhichLayersTheTerminalLeavesOut) {
 TEST_F(AUser, SeesAMazeInLayers) {
   EXPECT_EQ(labmouse({"show", "capstone-1", "--layer", "path,coordinates,distances"}).out,
             labmouse({"show", "capstone-1", "--distances"}).out);
-  EXPECT_EQ(labmouse({"show", "capstone-1", "--layer", "coordinates"}).out, labmouse({"show", "capstone-1", "--no-route"}).out);
+  EXPECT_EQ(labmouse({"show", "capstone-1", "--layer", "coordinates"}).out,
+            labmouse({"show", "capstone-1", "--no-route"}).out);
   EXPECT_EQ(labmouse({"show", "capstone-1", "--layer", "cells"}).err, "");
 }
 
@@ -396,14 +408,16 @@ TEST_F(AUser, IsToldWhatCannotBeShown) {
   ASSERT_EQ(labmouse({"run", "flood", "capstone-1", "--record", "walk.jsonl"}).code, 0);
   is_refused({"show"}, "error: `show` takes either a maze or --record FILE");
   is_refused({"show", "capstone-1", "--record", "walk.jsonl"}, "error: `show` takes either a maze or --record FILE");
-  is_refused({"show", "--record", "walk.jsonl", "--layer", "heat,pth"}, "error: layer 'pth' is unknown; did you mean 'path'?");
+  is_refused({"show", "--record", "walk.jsonl", "--layer", "heat,pth"},
+             "error: layer 'pth' is unknown; did you mean 'path'?");
   is_refused({"show", "--record", "walk.jsonl", "--layer", ""}, "error: layer '' is unknown; there are heat, ");
   is_refused({"show", "--record", "walk.jsonl", "--layer", "cells", "--distances"}, "choose one");
   is_refused({"show", "--record", "walk.jsonl", "--goal", "1,1"}, "a record has its own");
   is_refused({"show", "capstone-1", "--layer", "heat"}, "error: layer heat needs a record");
   is_refused({"show", "--record", "nothing.jsonl"}, "nothing.jsonl: error: no such file");
   file("bare.jsonl", R"({"labmouse":"record","format":1,"mouse":{"name":"flood"}})");
-  is_refused({"show", "--record", "bare.jsonl"}, "bare.jsonl: error: the record has no maze; name its maze with --maze MAZE");
+  is_refused({"show", "--record", "bare.jsonl"},
+             "bare.jsonl: error: the record has no maze; name its maze with --maze MAZE");
 }
 
 TEST_F(AUser, SeesHowFarARecordWithoutAnEndGoes) {
@@ -415,7 +429,8 @@ TEST_F(AUser, SeesHowFarARecordWithoutAnEndGoes) {
   const Ended cut = labmouse({"show", "--record", "cut.jsonl", "--layer", "exploration,path"});
   EXPECT_EQ(cut.code, 0);
   EXPECT_EQ(cut.err, "not drawn: layer path, since the record has no speed run\n");
-  EXPECT_THAT(cut.out, HasSubstr("+ 19 steps, no goal entered\nflood in capstone-1: the record breaks off after step 19"));
+  EXPECT_THAT(cut.out,
+              HasSubstr("+ 19 steps, no goal entered\nflood in capstone-1: the record breaks off after step 19"));
   EXPECT_EQ(labmouse({"show", "--record", "cut.jsonl", "--svg", "cut.svg"}).code, 0);
   EXPECT_THAT(content("cut.svg"), HasSubstr("<title>flood in capstone-1: breaks off after step 19</title>"));
 }
@@ -459,12 +474,13 @@ TEST_F(AUser, IsToldWhatCannotBeWritten) {
 TEST_F(AUser, WhoInterruptsARaceSeesWhatIsDone) {
   file("corridor.txt", corridor);
   // Far more contests than a minute holds; the first record shows that the race is under way.
-  std::vector<std::string> arguments = {"race", "--mazes", "corridor.txt", "--mice", "random", "--runs", "500000",
-                                        "--jobs", "1", "--format", "json", "--out", "out"};
+  std::vector<std::string> arguments = {"race",   "--mazes", "corridor.txt", "--mice", "random", "--runs", "500000",
+                                        "--jobs", "1",       "--format",     "json",   "--out",  "out"};
   const test::Program program(folder_, arguments);
   const auto first = folder_ / "out" / "random";
   const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-  while ((!std::filesystem::exists(first) || std::filesystem::is_empty(first)) && std::chrono::steady_clock::now() < patience)
+  while ((!std::filesystem::exists(first) || std::filesystem::is_empty(first)) &&
+         std::chrono::steady_clock::now() < patience)
     std::this_thread::yield();
   program.interrupt();
   const Ended ended = program.wait();

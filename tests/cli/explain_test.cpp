@@ -59,12 +59,14 @@ TEST_F(AUser, FindsReasonsInARecordOnlyWhereTheyWereAskedFor) {
   EXPECT_EQ(labmouse({"replay", "told.jsonl"}).out, labmouse({"replay", "plain.jsonl"}).out);
   const Ended nothing = labmouse({"replay", "plain.jsonl", "--explain"});
   EXPECT_EQ(nothing.code, 0);
-  EXPECT_THAT(nothing.out, EndsWith("\nThe record has no reasons; `labmouse run` with --explain and --record keeps them.\n"));
+  EXPECT_THAT(nothing.out,
+              EndsWith("\nThe record has no reasons; `labmouse run` with --explain and --record keeps them.\n"));
 }
 
 TEST_F(AUser, SeesTheCandidatesOfAStep) {
   ASSERT_EQ(labmouse({"run", "ariadne", "capstone-1", "--explain", "--record", "walk.jsonl"}).code, 0);
-  const Ended first = labmouse({"show", "--record", "walk.jsonl", "--layer", "candidates,known", "--step", "1", "--svg", "1.svg"});
+  const Ended first =
+      labmouse({"show", "--record", "walk.jsonl", "--layer", "candidates,known", "--step", "1", "--svg", "1.svg"});
   EXPECT_EQ(first.code, 0);
   EXPECT_EQ(first.out + first.err, "");
   EXPECT_THAT(content("1.svg"), HasSubstr("<title>ariadne in capstone-1: step 1 of "));
@@ -90,7 +92,8 @@ TEST_F(AUser, IsToldWhyThereAreNoCandidatesToSee) {
   const Ended none = labmouse({"show", "--record", "flood.jsonl", "--layer", "candidates"});
   EXPECT_EQ(none.code, 0);
   EXPECT_EQ(none.err,
-            "not drawn: layer candidates, since the record has no reasons; `labmouse run` with --explain and --record keeps them\n");
+            "not drawn: layer candidates, since the record has no reasons; `labmouse run` with --explain and --record "
+            "keeps them\n");
   ASSERT_EQ(labmouse({"run", "ariadne", "capstone-1", "--explain", "--record", "walk.jsonl"}).code, 0);
   EXPECT_EQ(labmouse({"show", "--record", "walk.jsonl", "--layer", "candidates"}).err,
             "not drawn here: layer candidates needs --svg FILE\n");

@@ -11,7 +11,9 @@ using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 
 /// The SPEC of a guest that misbehaves in that way; see tests/guests/bad/bad_guest.cpp.
-std::string bad(const std::string& how) { return std::string("guest:") + LABMOUSE_BAD_GUEST + " \"" + how + "\" " + tag(); }
+std::string bad(const std::string& how) {
+  return std::string("guest:") + LABMOUSE_BAD_GUEST + " \"" + how + "\" " + tag();
+}
 
 class AHostOfGuests : public AUser {
  protected:
@@ -53,7 +55,8 @@ TEST_F(AHostOfGuests, TellsWhichOfTheirStepsWereNotPerformed) {
       "\n5 of 5 steps were blocked by a wall, first step 1 at (0,0) heading north: turn +45, move +4\n"
       "5 of 5 steps had a void turn (not -90, 0 or 90), first step 1 at (0,0) heading north: turn +45, move +4\n"
       "5 of 5 steps were cut to 3 cells, first step 1 at (0,0) heading north: turn +45, move +4\n"
-      "guest:sh clumsy.sh in corridor.txt: out of steps at (0,0) heading north after 5 exploration and 0 speed steps; bound 1.067\n";
+      "guest:sh clumsy.sh in corridor.txt: out of steps at (0,0) heading north after 5 exploration and 0 speed steps; "
+      "bound 1.067\n";
   const Ended run = labmouse({"run", clumsy, "corridor.txt", "--budget", "5", "--record", "clumsy.jsonl"});
   EXPECT_THAT(run.out, HasSubstr(lines));
   EXPECT_EQ(labmouse({"replay", "clumsy.jsonl"}).out, run.out);
@@ -61,7 +64,8 @@ TEST_F(AHostOfGuests, TellsWhichOfTheirStepsWereNotPerformed) {
   EXPECT_THAT(watched.out, HasSubstr("turn +45, move +4 (no such turn)  blocked\n"));
   EXPECT_THAT(watched.out, HasSubstr(lines));
   EXPECT_THAT(race_in_the_corridor({"--mice", clumsy, "--budget", "5"}).out,
-              HasSubstr("  guest:sh clumsy.sh: 5 blocked by walls, 5 void rotations, 5 cut movements; first in corridor.txt, step 1\n"));
+              HasSubstr("  guest:sh clumsy.sh: 5 blocked by walls, 5 void rotations, 5 cut movements; first in "
+                        "corridor.txt, step 1\n"));
   const auto json = race({"--mice", clumsy, "--budget", "5", "--mazes", "corridor.txt"});
   EXPECT_EQ(json["mice"][0]["results"][0]["cut_movements"], 5);
 }
@@ -80,8 +84,10 @@ TEST_F(AHostOfGuests, LetsNothingThroughThatSteersATerminal) {
 }
 
 TEST_F(AHostOfGuests, HoldsThemToTheLimitsThatAreAskedFor) {
-  EXPECT_THAT(race_in_the_corridor({"--mice", bad("hang"), "--decision-limit", "0.05"}).out, HasSubstr("forfeit (hung) 1"));
-  EXPECT_THAT(race_in_the_corridor({"--mice", bad("hang at the start"), "--start-limit", "0.05"}).out, HasSubstr("forfeit (hung) 1"));
+  EXPECT_THAT(race_in_the_corridor({"--mice", bad("hang"), "--decision-limit", "0.05"}).out,
+              HasSubstr("forfeit (hung) 1"));
+  EXPECT_THAT(race_in_the_corridor({"--mice", bad("hang at the start"), "--start-limit", "0.05"}).out,
+              HasSubstr("forfeit (hung) 1"));
   EXPECT_THAT(race_in_the_corridor({"--mice", bad("turn"), "--contest-limit", "0.1", "--budget", "1000000"}).out,
               HasSubstr("forfeit (out of time) 1"));
   EXPECT_THAT(race_in_the_corridor({"--mice", bad("eat memory"), "--memory", "256", "--decision-limit", "20"}).out,
@@ -96,7 +102,8 @@ TEST_F(AHostOfGuests, RunsEachAsOftenAsAsked) {
 TEST_F(AHostOfGuests, StartsThemInTheirFolder) {
   std::filesystem::create_directories(folder_ / "place");
   std::filesystem::create_symlink(LABMOUSE_BAD_GUEST, folder_ / "place" / "mouse");
-  EXPECT_THAT(race_in_the_corridor({"--mice", "guest:./mouse end", "--directory", "place"}).out, HasSubstr("forfeit (died) 1"));
+  EXPECT_THAT(race_in_the_corridor({"--mice", "guest:./mouse end", "--directory", "place"}).out,
+              HasSubstr("forfeit (died) 1"));
   is_refused({"race", "--mice", "guest:./mouse end"}, "there is no program './mouse' that can be executed");
 }
 
@@ -122,13 +129,15 @@ TEST_F(AHostOfGuests, RefusesWhatIsNoGuest) {
 }
 
 TEST_F(AHostOfGuests, FindsRobotsInTheFolderOfTheUser) {
-  file("robot.py", "class Robot(object):\n  def __init__(self, size): pass\n  def next_move(self, seen): return 90, 0\n");
+  file("robot.py",
+       "class Robot(object):\n  def __init__(self, size): pass\n  def next_move(self, seen): return 90, 0\n");
   const std::string home = "HOME=" + folder_.string();
   EXPECT_EQ(labmouse({"run", "capstone:~/robot.py", "corridor.txt", "--budget", "3"}, home.c_str()).code, 0);
 }
 
 TEST_F(AHostOfGuests, SaysWhichMazesRobotsDoNotExpect) {
-  file("robot.py", "class Robot(object):\n  def __init__(self, size): pass\n  def next_move(self, seen): return 90, 0\n");
+  file("robot.py",
+       "class Robot(object):\n  def __init__(self, size): pass\n  def next_move(self, seen): return 90, 0\n");
   const std::vector<std::string> robot = {"--mice", "capstone:robot.py", "--budget", "3"};
   EXPECT_THAT(race_in_the_corridor(robot).out, HasSubstr("the size alone, and 1 maze is not as they expect"));
   EXPECT_THAT(labmouse({"race", "--mice", "capstone:robot.py", "--budget", "3", "--mazes", "capstone-1"}).out,
@@ -137,14 +146,14 @@ TEST_F(AHostOfGuests, SaysWhichMazesRobotsDoNotExpect) {
 
 TEST_F(AHostOfGuests, RunsThemSideBySide) {
   // Each waits for the other one, so that neither would end if they ran in turn.
-  const auto json = race({"--jobs", "2", "--mice", bad("meet") + " here there", "--mice", bad("meet") + " there here", "--budget", "5",
-                          "--start-limit", "20", "--mazes", "corridor.txt"});
+  const auto json = race({"--jobs", "2", "--mice", bad("meet") + " here there", "--mice", bad("meet") + " there here",
+                          "--budget", "5", "--start-limit", "20", "--mazes", "corridor.txt"});
   for (const auto& mouse : json.at("mice")) EXPECT_EQ(mouse["results"][0]["outcome"], "out of steps");
 }
 
 TEST_F(AHostOfGuests, AnInterruptEndsThemAndPrintsWhatIsDone) {
-  const Program program(folder_, {"race", "--jobs", "1", "--mice", bad("hang"), "--mice", "flood", "--mazes", "corridor.txt",
-                                  "--decision-limit", "60"});
+  const Program program(folder_, {"race", "--jobs", "1", "--mice", bad("hang"), "--mice", "flood", "--mazes",
+                                  "corridor.txt", "--decision-limit", "60"});
   while (tagged_processes() < 2) std::this_thread::yield();  // the race itself has the tag among its words, too
   program.interrupt();
   const Ended ended = program.wait();

@@ -67,7 +67,8 @@ TEST_F(AnMmsUser, TellsOfLinesThatAreNoCommands) {
 }
 
 TEST_F(AnMmsUser, PressesResetForWhoWaits) {
-  const std::vector<std::string> waiting = {"burst:100:wasReset", "hear:100", "ask:wasReset", "need:true", "ask:ackReset"};
+  const std::vector<std::string> waiting = {"burst:100:wasReset", "hear:100", "ask:wasReset", "need:true",
+                                            "ask:ackReset"};
   EXPECT_EQ(mms(waiting, {"--presses", "1"}).code, 0);
   EXPECT_THAT(mms(waiting).out, HasSubstr("waiting: waits for Reset"));
 }
@@ -84,7 +85,8 @@ TEST_F(AnMmsUser, KeepsARecord) {
   const std::string record = content("walk.jsonl");
   EXPECT_EQ(std::count(record.begin(), record.end(), '\n'), 4);
   EXPECT_THAT(record, StartsWith("{\"labmouse\":\"mms record\""));
-  EXPECT_THAT(record, HasSubstr("{\"line\":\"moveForward\",\"reply\":\"ack\",\"place\":[3,1],\"heading\":\"east\",\"clock\":"));
+  EXPECT_THAT(record,
+              HasSubstr("{\"line\":\"moveForward\",\"reply\":\"ack\",\"place\":[3,1],\"heading\":\"east\",\"clock\":"));
 }
 
 TEST_F(AnMmsUser, WatchesEachMove) {
@@ -96,8 +98,8 @@ TEST_F(AnMmsUser, WatchesEachMove) {
 }
 
 TEST_F(AnMmsUser, WatchesOnATerminalAtAnySpeed) {
-  const auto printed = on_a_terminal({"mms", guest({"say:setColor 1 0 G", "ask:turnRight", "ask:moveForward"}), "--maze",
-                                      (folder_ / "plank.txt").string(), "--speed", "1000"},
+  const auto printed = on_a_terminal({"mms", guest({"say:setColor 1 0 G", "ask:turnRight", "ask:moveForward"}),
+                                      "--maze", (folder_ / "plank.txt").string(), "--speed", "1000"},
                                      "NO_COLOR=");
   if (!printed) GTEST_SKIP() << "the system lends no terminals";
   EXPECT_THAT(*printed, HasSubstr("\x1b[H"));
@@ -106,7 +108,8 @@ TEST_F(AnMmsUser, WatchesOnATerminalAtAnySpeed) {
 }
 
 TEST_F(AnMmsUser, AnInterruptEndsTheProgram) {
-  const Program program(folder_, {"mms", guest({"ask:turnRight", "hang"}), "--maze", "plank.txt", "--decision-limit", "60"});
+  const Program program(folder_,
+                        {"mms", guest({"ask:turnRight", "hang"}), "--maze", "plank.txt", "--decision-limit", "60"});
   while (!program.handles_interrupts()) std::this_thread::yield();
   program.interrupt();
   const Ended ended = program.wait();
@@ -158,10 +161,12 @@ TEST_F(AnMmsUser, IsToldWhatIsNotForMms) {
 }
 
 TEST_F(AnMmsUser, GetsTheRecordsOfARace) {
-  EXPECT_EQ(labmouse({"race", "--mice", "flood", "--mice", to_the_goal_, "--mazes", "plank.txt", "--out", "out"}).code, 0);
+  EXPECT_EQ(labmouse({"race", "--mice", "flood", "--mice", to_the_goal_, "--mazes", "plank.txt", "--out", "out"}).code,
+            0);
   int records = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_ / "out"))
-    if (entry.path().filename() == "plank.jsonl") records += content_of(entry.path()).starts_with("{\"labmouse\":\"mms record\"") ? 1 : 0;
+    if (entry.path().filename() == "plank.jsonl")
+      records += content_of(entry.path()).starts_with("{\"labmouse\":\"mms record\"") ? 1 : 0;
   EXPECT_EQ(records, 1);
   EXPECT_TRUE(std::filesystem::exists(folder_ / "out/flood/plank-1.jsonl"));
 }

@@ -1,4 +1,5 @@
-// labmouse page and labmouse report, with a page of one line, so that nothing depends on whether the real one was built.
+// labmouse page and labmouse report, with a page of one line, so that nothing depends on whether the real one was
+// built.
 #include "tests/cli/user.hpp"
 
 namespace labmouse {
@@ -18,8 +19,8 @@ class AReader : public AUser {
   AReader() {
     file("page.html", small_page);
     file("corridor.txt", corridor);
-    const Ended race = labmouse({"race", "--mice", "flood,random", "--runs", "2", "--mazes", "corridor.txt", "capstone-1", "--out", "out",
-                                 "--format", "json"});
+    const Ended race = labmouse({"race", "--mice", "flood,random", "--runs", "2", "--mazes", "corridor.txt",
+                                 "capstone-1", "--out", "out", "--format", "json"});
     EXPECT_EQ(race.code, 0) << race.err;
     file("today.json", race.out);
   }
@@ -100,12 +101,14 @@ TEST_F(AReader, IsRefusedWhatIsNoRace) {
 }
 
 TEST_F(AReader, IsRefusedWhatIsNoPage) {
-  is_refused({"page", "--page", "corridor.txt", "-o", "-"}, "corridor.txt: error: is not the page of labmouse: it has no <!-- labmouse:report -->");
+  is_refused({"page", "--page", "corridor.txt", "-o", "-"},
+             "corridor.txt: error: is not the page of labmouse: it has no <!-- labmouse:report -->");
   is_refused({"page", "--page", "nowhere.html", "-o", "-"}, "nowhere.html: error: no such file");
   is_refused({"page"}, "--out is required");
   is_refused({"report", "out", "--page", "page.html"}, "--out is required");
   is_refused({"report", "--page", "page.html", "-o", "-"}, "results is required");
-  is_refused({"report", "out", "--page", "page.html", "-o", "page.html/report.html"}, "page.html/report.html: error: cannot make its folder");
+  is_refused({"report", "out", "--page", "page.html", "-o", "page.html/report.html"},
+             "page.html/report.html: error: cannot make its folder");
   EXPECT_EQ(report({"out", "-o", "report.html"}).code, 0);
   is_refused({"report", "out", "--page", "report.html", "-o", "-"}, "report.html: error: is not the page of labmouse");
 }

@@ -58,7 +58,8 @@ class Program {
   bool handles_interrupts() const {
     const std::string status = content_of("/proc/" + std::to_string(child_) + "/status");
     const auto caught = status.find("SigCgt:");
-    return caught != std::string::npos && (std::stoull(status.substr(caught + 7), nullptr, 16) >> (SIGINT - 1) & 1U) != 0;
+    return caught != std::string::npos &&
+           (std::stoull(status.substr(caught + 7), nullptr, 16) >> (SIGINT - 1) & 1U) != 0;
   }
 
   Ended wait() const {
@@ -113,7 +114,8 @@ inline std::optional<std::string> on_a_terminal(std::vector<std::string> argumen
   std::string printed;
   char buffer[4096];
   // The read fails once the program has ended and all was read.
-  for (ssize_t count; (count = read(terminal, buffer, sizeof buffer)) > 0;) printed.append(buffer, static_cast<std::size_t>(count));
+  for (ssize_t count; (count = read(terminal, buffer, sizeof buffer)) > 0;)
+    printed.append(buffer, static_cast<std::size_t>(count));
   close(terminal);
   waitpid(child, nullptr, 0);
   return printed;

@@ -6,12 +6,13 @@ namespace {
 
 using ::testing::HasSubstr;
 
-constexpr const char* robot = "{\"labmouse\":\"record\",\"format\":1}\r\n"
-                              "{\"reading\":[0,0,2],\"action\":[90,1]}\r\n"
-                              "{\"reading\":[0,1,0],\"action\":[0,1]}\r\n"
-                              "{\"reading\":[0,0,0],\"action\":\"reset\"}\r\n"
-                              "{\"reading\":[0,0,2],\"action\":[90,2]}\r\n"
-                              "{\"outcome\":\"solved\"}\r\n";
+constexpr const char* robot =
+    "{\"labmouse\":\"record\",\"format\":1}\r\n"
+    "{\"reading\":[0,0,2],\"action\":[90,1]}\r\n"
+    "{\"reading\":[0,1,0],\"action\":[0,1]}\r\n"
+    "{\"reading\":[0,0,0],\"action\":\"reset\"}\r\n"
+    "{\"reading\":[0,0,2],\"action\":[90,2]}\r\n"
+    "{\"outcome\":\"solved\"}\r\n";
 constexpr const char* result =
     "robot in corridor.txt: solved, score 1.100 = 1 speed + 3 exploration / 30; bound 1.067\n";
 
@@ -46,8 +47,9 @@ TEST_F(ARobot, IsToldWhichWallItMisread) {
   const Ended scored = labmouse({"score", "robot.jsonl", "--maze", "corridor.txt"});
   EXPECT_EQ(scored.code, 1);
   EXPECT_EQ(scored.out, "");
-  EXPECT_EQ(scored.err, "robot.jsonl: error: does not agree with its maze: step 2: recorded reading 0 2 0; "
-                        "played at (1,0) heading east, reading 0 1 0; the maze has a wall east of (2,0)\n");
+  EXPECT_EQ(scored.err,
+            "robot.jsonl: error: does not agree with its maze: step 2: recorded reading 0 2 0; "
+            "played at (1,0) heading east, reading 0 1 0; the maze has a wall east of (2,0)\n");
 }
 
 TEST_F(ARobot, IsDrawnAndWatched) {

@@ -21,9 +21,11 @@ class ADriver : public AUser {
 TEST_F(ADriver, FindsTheFastestRoute) {
   const Ended ended = labmouse({"route", "corner.txt", "--robot", "mm2021", "--svg", "route.svg"});
   EXPECT_EQ(ended.code, 0) << ended.err;
-  EXPECT_THAT(ended.out, HasSubstr("\nR90\n\n0.375 s from 420 mm/s in the centre of the start to the centre of the goal, "));
+  EXPECT_THAT(ended.out,
+              HasSubstr("\nR90\n\n0.375 s from 420 mm/s in the centre of the start to the centre of the goal, "));
   EXPECT_THAT(content("route.svg"), HasSubstr("<title>corner: mm2021, 0.375 s</title>"));
-  const auto json = nlohmann::json::parse(labmouse({"route", "corner.txt", "--robot", "mm2021", "--format", "json"}).out);
+  const auto json =
+      nlohmann::json::parse(labmouse({"route", "corner.txt", "--robot", "mm2021", "--format", "json"}).out);
   EXPECT_EQ(json["mazes"][0]["time_us"], 375'000);
 }
 
@@ -36,7 +38,8 @@ TEST_F(ADriver, IsToldWhyThereIsNoRoute) {
   EXPECT_EQ(labmouse({"make", "wilson", "--size", "33x33", "-o", "large.txt"}).code, 0);
   is_refused({"route", "large.txt"}, "the world of seconds takes mazes up to 32x32");
   is_refused({"race", "--world", "seconds", "--mazes", "large.txt"}, "the world of seconds takes mazes up to 32x32");
-  EXPECT_THAT(labmouse({"route", "large.txt", "corner.txt"}).out, HasSubstr("large.txt: is 33x33; the world of seconds"));
+  EXPECT_THAT(labmouse({"route", "large.txt", "corner.txt"}).out,
+              HasSubstr("large.txt: is 33x33; the world of seconds"));
 }
 
 TEST_F(ADriver, RacesInSeconds) {
@@ -56,11 +59,13 @@ TEST_F(ADriver, IsToldWhichOptionsMakeNoSense) {
   is_refused({"race", "--rules", "uk"}, "--rules is for the world of seconds; add --world seconds");
   is_refused({"race", "--world", "seconds", "--budget", "5"}, "--budget is not for the world of seconds");
   is_refused({"race", "--world", "seconds", "--shares"}, "--shares is not for the world of seconds");
-  is_refused({"race", "--world", "seconds", "--mice", "manhattan"}, "mouse 'manhattan' does not drive in seconds; those that do are ");
+  is_refused({"race", "--world", "seconds", "--mice", "manhattan"},
+             "mouse 'manhattan' does not drive in seconds; those that do are ");
   is_refused({"race", "--world", "seconds", "--rules", "all-japam"}, "did you mean 'all-japan'?");
   is_refused({"race", "--world", "seconds", "--mice", "flood,ariadne:base=50"},
              "parameter 'base' of mouse 'ariadne' has no meaning in seconds; it has 'prior' there");
-  is_refused({"race", "--world", "seconds", "--mice", "flood:stride=1"}, "has no meaning in seconds; it has none there");
+  is_refused({"race", "--world", "seconds", "--mice", "flood:stride=1"},
+             "has no meaning in seconds; it has none there");
   EXPECT_EQ(race_in_seconds({"--mice", "ariadne:prior=uniform"}).code, 0);
   is_refused({"race", "--world", "minutes"}, "--world");
 }
@@ -68,7 +73,8 @@ TEST_F(ADriver, IsToldWhichOptionsMakeNoSense) {
 TEST_F(ADriver, IsToldOfMazesThatAreTooLarge) {
   EXPECT_EQ(labmouse({"make", "wilson", "--size", "33x33", "-o", "mazes/large.txt"}).code, 0);
   file("mazes/corner.txt", content("corner.txt"));
-  is_refused({"race", "--world", "seconds", "--mazes", "corner.txt", "mazes/large.txt"}, "large.txt: error: is 33x33; the world of seconds");
+  is_refused({"race", "--world", "seconds", "--mazes", "corner.txt", "mazes/large.txt"},
+             "large.txt: error: is 33x33; the world of seconds");
   const Ended ended = labmouse({"race", "--world", "seconds", "--mice", "flood", "--mazes", "mazes"});
   EXPECT_EQ(ended.code, 0);
   EXPECT_THAT(ended.out, HasSubstr("1 mouse, 1 maze, seed 1"));
@@ -76,7 +82,9 @@ TEST_F(ADriver, IsToldOfMazesThatAreTooLarge) {
 }
 
 TEST_F(ADriver, SeesTheRulesThatThereAre) {
-  EXPECT_THAT(labmouse({"rules", "list"}).out, HasSubstr("\nthirtieth  the best of at most 100 runs in 600 s, gate to gate, plus 1/30 of the time in the maze"));
+  EXPECT_THAT(
+      labmouse({"rules", "list"}).out,
+      HasSubstr("\nthirtieth  the best of at most 100 runs in 600 s, gate to gate, plus 1/30 of the time in the maze"));
   const Ended shown = labmouse({"rules", "show", "uk"});
   EXPECT_THAT(shown.out, HasSubstr("\nmaze_time_divisor = 30\n"));
   file("mine.toml", shown.out);
@@ -97,7 +105,8 @@ TEST_F(ADriver, SavesRecordsAndPlaysThemAgain) {
   EXPECT_THAT(labmouse({"score", record}).out, StartsWith("certify in corner.txt, mm2021, all-japan: "));
   EXPECT_EQ(nlohmann::json::parse(content("saved/results.json"))["groups"][0]["world"], "seconds");
   is_refused({"show", "--record", record}, "drawn as a picture only; name its file with --svg FILE");
-  is_refused({"show", "--record", record, "--svg", "x.svg", "--layer", "heat"}, "--layer is not for records in seconds");
+  is_refused({"show", "--record", record, "--svg", "x.svg", "--layer", "heat"},
+             "--layer is not for records in seconds");
   is_refused({"replay", record, "--watch"}, "--watch is not for records in seconds");
 }
 

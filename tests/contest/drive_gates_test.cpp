@@ -7,8 +7,8 @@
 
 #include "labmouse/contest/drive.hpp"
 #include "labmouse/contest/drive_score.hpp"
-#include "labmouse/mouse/robot/drive_profile.hpp"
 #include "labmouse/mouse/drive/fastest.hpp"
+#include "labmouse/mouse/robot/drive_profile.hpp"
 #include "tests/contest/scripted.hpp"
 #include "tests/drawn_maze.hpp"
 #include "tests/mouse/drive_robots.hpp"

@@ -83,7 +83,8 @@ TEST(Drive, ComesHomeAndRuns) {
   EXPECT_EQ(home.kind, DriveRun::Kind::home);
   EXPECT_EQ(home.begin, 1'374'000);
   // Back out of the goal, a corner, a cell, a corner, two cells to the edge of the start; half a cell, and two pivots.
-  EXPECT_EQ(home.end - home.begin, 3'000'000 + 237'000 + 300'000 + 237'000 + 2 * 300'000 + 300'000 + 3'000'000 - 300'000);
+  EXPECT_EQ(home.end - home.begin,
+            3'000'000 + 237'000 + 300'000 + 237'000 + 2 * 300'000 + 300'000 + 3'000'000 - 300'000);
   EXPECT_EQ(home.moves.back().to, (Pose{{0, 0}, Heading::north}));
   EXPECT_EQ(fast.kind, DriveRun::Kind::fast);
   EXPECT_EQ(fast.begin, home.end);

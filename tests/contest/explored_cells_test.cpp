@@ -1,7 +1,6 @@
-#include "labmouse/contest/coverage.hpp"
-
 #include <gtest/gtest.h>
 
+#include "labmouse/contest/coverage.hpp"
 #include "labmouse/contest/script.hpp"
 #include "labmouse/contest/simulator.hpp"
 #include "tests/drawn_maze.hpp"
@@ -49,9 +48,7 @@ TEST(ExploredCells, VisitsWhatItCrossesForwardAndBack) {
   EXPECT_EQ(back.discovered, cells({{0, 0}, {0, 1}, {0, 2}, {1, 1}, {2, 1}, {3, 1}, {3, 0}}));
 }
 
-TEST(ExploredCells, AWallEndsAVisit) {
-  EXPECT_EQ(explored({Action::step(90, 3)}).visited, cells({{0, 0}}));
-}
+TEST(ExploredCells, AWallEndsAVisit) { EXPECT_EQ(explored({Action::step(90, 3)}).visited, cells({{0, 0}})); }
 
 TEST(ExploredCells, TheSpeedRunAddsNothing) {
   // To the goal and back to the start; then the speed run strays through the cells in the south.

@@ -41,12 +41,14 @@ TEST(Missteps, CountBlockedStepsFromTheFirst) {
 
 TEST(Missteps, CountRotationsThatTurnNothing) {
   EXPECT_EQ(after({Action::step(0, 0), Action::step(180, 0), Action::step(-90, 0), Action::step(1, 0),
-                   Action::step(-180, 0), Action::step(270, 0)}).void_rotations,
+                   Action::step(-180, 0), Action::step(270, 0)})
+                .void_rotations,
             (MisstepCount{4, 2}));
 }
 
 TEST(Missteps, CountMovementsBeyondTheStrideOfTheRules) {
-  const std::vector<Action> actions = {Action::step(90, 2), Action::step(0, -2), Action::step(0, 4), Action::step(0, -4)};
+  const std::vector<Action> actions = {Action::step(90, 2), Action::step(0, -2), Action::step(0, 4),
+                                       Action::step(0, -4)};
   EXPECT_EQ(after(actions).cut_movements, (MisstepCount{2, 3}));
   Rules shorter, longer;
   shorter.stride = 1;
@@ -61,8 +63,8 @@ TEST(Missteps, AStepCanBeOfSeveralKinds) {
 }
 
 TEST(Missteps, CountResetsThatDoNothing) {
-  const std::vector<Action> actions = {Action::step(90, 3), Action::reset(), Action::step(0, 1), Action::reset(),
-                                       Action::reset(),     Action::reset()};
+  const std::vector<Action> actions = {Action::step(90, 3), Action::reset(), Action::step(0, 1),
+                                       Action::reset(),     Action::reset(), Action::reset()};
   EXPECT_EQ(after(actions).idle_resets, (MisstepCount{3, 2}));
   EXPECT_EQ(after({Action::reset()}).idle_resets, (MisstepCount{1, 1}));
 }

@@ -115,7 +115,7 @@ class PlainSimulator {
   }
 
   int look(const PlainContest& contest, char side) {
-    const char heading = side == 'l' ? left_turn(contest.heading)
+    const char heading = side == 'l'   ? left_turn(contest.heading)
                          : side == 'r' ? right_turn(contest.heading)
                                        : contest.heading;
     int x = contest.x, y = contest.y, cells = 0;

@@ -25,7 +25,8 @@ Maze random_maze(Dice& dice) {
     for (int goal = 0, count = 1 + dice.below(4); goal < count; ++goal)
       goals.insert(order.size.cell_at(dice.below(order.size.area())));
     return generator.make(order)
-        .with_start(order.size.cell_at(dice.below(order.size.area())), all_headings[static_cast<std::size_t>(dice.below(4))])
+        .with_start(order.size.cell_at(dice.below(order.size.area())),
+                    all_headings[static_cast<std::size_t>(dice.below(4))])
         .with_goals(goals);
   }
 }
@@ -46,9 +47,9 @@ Action random_action(Dice& dice) {
   for (std::size_t i = 0; i < record.steps.size(); ++i) {
     const StepRecord& fast = record.steps[i];
     const test::PlainStep& step = plain.steps[i];
-    if (fast.step != step.clock || (fast.run == Run::speed) != step.speed_run || fast.pose.cell != Cell(step.x, step.y) ||
-        name_of(fast.pose.heading)[0] != step.heading || fast.sighting != Sighting{step.left, step.ahead, step.right} ||
-        fast.blocked != step.blocked)
+    if (fast.step != step.clock || (fast.run == Run::speed) != step.speed_run ||
+        fast.pose.cell != Cell(step.x, step.y) || name_of(fast.pose.heading)[0] != step.heading ||
+        fast.sighting != Sighting{step.left, step.ahead, step.right} || fast.blocked != step.blocked)
       return ::testing::AssertionFailure() << "step " << i + 1 << " differs";
   }
   if (name_of(record.outcome) != plain.outcome)
@@ -75,8 +76,8 @@ TEST(PlainSimulator, AgreesStepForStepOverAHundredThousandSteps) {
     steps += record.steps.size();
     ++outcomes[record.outcome];
   }
-  for (const Outcome outcome : {Outcome::solved, Outcome::out_of_steps, Outcome::never_reset,
-                                Outcome::speed_run_unfinished, Outcome::forfeit})
+  for (const Outcome outcome :
+       {Outcome::solved, Outcome::out_of_steps, Outcome::never_reset, Outcome::speed_run_unfinished, Outcome::forfeit})
     EXPECT_GE(outcomes[outcome], 10) << "too few contests end with: " << name_of(outcome);
 }
 

@@ -1,4 +1,3 @@
-#include "labmouse/contest/script.hpp"
 #include "labmouse/contest/simulator.hpp"
 
 #include <gtest/gtest.h>
@@ -7,6 +6,7 @@
 #include <climits>
 
 #include "labmouse/contest/score.hpp"
+#include "labmouse/contest/script.hpp"
 #include "tests/drawn_maze.hpp"
 
 namespace labmouse {
@@ -15,9 +15,7 @@ namespace labmouse {
 void PrintTo(const Pose& pose, std::ostream* out) {
   *out << '(' << int{pose.cell.x} << ',' << int{pose.cell.y} << ") " << name_of(pose.heading);
 }
-void PrintTo(const Sighting& seen, std::ostream* out) {
-  *out << seen.left << ' ' << seen.ahead << ' ' << seen.right;
-}
+void PrintTo(const Sighting& seen, std::ostream* out) { *out << seen.left << ' ' << seen.ahead << ' ' << seen.right; }
 void PrintTo(Outcome outcome, std::ostream* out) { *out << name_of(outcome); }
 
 namespace {
@@ -59,7 +57,8 @@ class InACorridor : public Contest {
           o---o---o---o---o---o---o---o
           | S               G         |
           o---o---o---o---o---o---o---o
-        )").with_start({0, 0}, Heading::east)) {}
+        )")
+                    .with_start({0, 0}, Heading::east)) {}
 };
 
 TEST_F(InACorridor, AStepMovesUpToThreeCells) {

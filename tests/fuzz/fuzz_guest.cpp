@@ -1,5 +1,5 @@
-// Any bytes as what a guest says: lines come out whole and within their limit, whatever portions they came in, and an answer
-// is one that the world can perform and a record can hold.
+// Any bytes as what a guest says: lines come out whole and within their limit, whatever portions they came in, and an
+// answer is one that the world can perform and a record can hold.
 #include <fmt/format.h>
 
 #include "labmouse/guests/line_buffer.hpp"

@@ -1,5 +1,5 @@
-// Any bytes as a link to a maze, as they are and with the checksum that they would need: there is a maze or an error, and a
-// maze has no other link.
+// Any bytes as a link to a maze, as they are and with the checksum that they would need: there is a maze or an error,
+// and a maze has no other link.
 #include <cstdlib>
 
 #include "labmouse/lab/mazes/maze_link.hpp"

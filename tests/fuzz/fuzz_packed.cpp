@@ -1,5 +1,5 @@
-// Any bytes as the actions of a packed record, and as the JSON of one: there is a record or an error, what is a record can
-// be played without a crash, and packs to the same actions again.
+// Any bytes as the actions of a packed record, and as the JSON of one: there is a record or an error, what is a record
+// can be played without a crash, and packs to the same actions again.
 #include <cstdlib>
 
 #include "labmouse/lab/records/packed_record.hpp"

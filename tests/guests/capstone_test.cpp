@@ -196,7 +196,8 @@ TEST_P(ARobot, IsNotTheProgram) {
 // How it dies.
 
 TEST_P(ARobot, WithoutTheClassIsSaidToHaveNone) {
-  expect_died(contest("class Rowboat(object): pass\n"), 1, HasSubstr("exit code 1 before it said 'labmouse 1'\nrobot.py has no class Robot"));
+  expect_died(contest("class Rowboat(object): pass\n"), 1,
+              HasSubstr("exit code 1 before it said 'labmouse 1'\nrobot.py has no class Robot"));
 }
 
 TEST_P(ARobot, WithASyntaxErrorIsShownItsLine) {

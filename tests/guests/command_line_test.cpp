@@ -27,7 +27,8 @@ TEST(CommandLine, HasQuotesThatGroup) {
 }
 
 TEST(CommandLine, KnowsNothingOfShells) {
-  EXPECT_EQ(split_command("a $HOME 'b c' > d; e | f \\g"), (Words{"a", "$HOME", "'b", "c'", ">", "d;", "e", "|", "f", "\\g"}));
+  EXPECT_EQ(split_command("a $HOME 'b c' > d; e | f \\g"),
+            (Words{"a", "$HOME", "'b", "c'", ">", "d;", "e", "|", "f", "\\g"}));
 }
 
 class Programs : public testing::Test {
@@ -35,14 +36,16 @@ class Programs : public testing::Test {
   void SetUp() override {
     std::filesystem::create_directories(folder_ / "bin");
     for (const char* name : {"mouse", "bin/mouse", "plain"}) std::ofstream(folder_ / name) << "#!/bin/sh\n";
-    for (const char* name : {"mouse", "bin/mouse"}) std::filesystem::permissions(folder_ / name, std::filesystem::perms::owner_all);
+    for (const char* name : {"mouse", "bin/mouse"})
+      std::filesystem::permissions(folder_ / name, std::filesystem::perms::owner_all);
     before_ = std::getenv("PATH");
   }
   ~Programs() override {
     setenv("PATH", before_.c_str(), 1);
     std::filesystem::remove_all(folder_);
   }
-  std::filesystem::path folder_ = std::filesystem::temp_directory_path() / ("labmouse-programs-" + std::to_string(getpid()));
+  std::filesystem::path folder_ =
+      std::filesystem::temp_directory_path() / ("labmouse-programs-" + std::to_string(getpid()));
   std::string before_;
 };
 

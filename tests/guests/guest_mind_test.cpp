@@ -65,33 +65,34 @@ TEST_P(BadGuest, EndsUnderItsName) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, BadGuest,
-    testing::Values(
-        Misbehaviour{"hang at the start", ForfeitReason::hung, "no answer in 0.8 s; 0.4 s are allowed; does it flush after each line?"},
-        Misbehaviour{"hang within a line", ForfeitReason::hung, "it wrote 'move 0' without the line's end"},
-        Misbehaviour{"end at the start", ForfeitReason::died, "exit code 0 before it said 'labmouse 1'"},
-        Misbehaviour{"wrong greeting", ForfeitReason::rubbish, "its first line is 'hello'"},
-        Misbehaviour{"mms", ForfeitReason::rubbish, "race it as mms:COMMAND"},
-        Misbehaviour{"other version", ForfeitReason::rubbish, "'labmouse 2' and not 'labmouse 1'"},
-        Misbehaviour{"daemon at the start", ForfeitReason::rubbish, "'rubbish'"},
-        Misbehaviour{"give up", ForfeitReason::gave_up, "forfeit"},
-        Misbehaviour{"hang", ForfeitReason::hung, "no answer in 0.8 s; 0.4 s are allowed"},
-        Misbehaviour{"late", ForfeitReason::late, "'move 0 0' took 0.5"},
-        Misbehaviour{"die", ForfeitReason::died, "exit code 3\none\ntwo\nthree: no way out"},
-        Misbehaviour{"end", ForfeitReason::died, "exit code 0"},
-        Misbehaviour{"crash", ForfeitReason::died, "signal 11 (Segmentation fault)\nabout to crash"},
-        Misbehaviour{"rubbish", ForfeitReason::rubbish, "'what?'"},
-        Misbehaviour{"bytes", ForfeitReason::rubbish, "it said '"},
-        Misbehaviour{"many answers", ForfeitReason::flooded, "behind its answer 'move 0 0' it went on: 'move 0 0'"},
-        Misbehaviour{"flood", ForfeitReason::flooded, "went on"},
-        Misbehaviour{"long line", ForfeitReason::flooded, "a line of more than 4096 bytes: 'aaa"},
-        Misbehaviour{"flood errors", ForfeitReason::hung, "again and again"},
-        Misbehaviour{"fork and leave", ForfeitReason::left, "what it had started"},
-        Misbehaviour{"leave answering", ForfeitReason::left, "what it had started"},
-        Misbehaviour{"close output", ForfeitReason::closed, "standard output"},
-        Misbehaviour{"close input", ForfeitReason::closed, "standard input"},
-        Misbehaviour{"close all", ForfeitReason::closed, "closed"},
-        Misbehaviour{"stop the keeper", ForfeitReason::rubbish, "'what?'"},
-        Misbehaviour{"kill the keeper", ForfeitReason::died, "signal 9"}),
+    testing::Values(Misbehaviour{"hang at the start", ForfeitReason::hung,
+                                 "no answer in 0.8 s; 0.4 s are allowed; does it flush after each line?"},
+                    Misbehaviour{"hang within a line", ForfeitReason::hung, "it wrote 'move 0' without the line's end"},
+                    Misbehaviour{"end at the start", ForfeitReason::died, "exit code 0 before it said 'labmouse 1'"},
+                    Misbehaviour{"wrong greeting", ForfeitReason::rubbish, "its first line is 'hello'"},
+                    Misbehaviour{"mms", ForfeitReason::rubbish, "race it as mms:COMMAND"},
+                    Misbehaviour{"other version", ForfeitReason::rubbish, "'labmouse 2' and not 'labmouse 1'"},
+                    Misbehaviour{"daemon at the start", ForfeitReason::rubbish, "'rubbish'"},
+                    Misbehaviour{"give up", ForfeitReason::gave_up, "forfeit"},
+                    Misbehaviour{"hang", ForfeitReason::hung, "no answer in 0.8 s; 0.4 s are allowed"},
+                    Misbehaviour{"late", ForfeitReason::late, "'move 0 0' took 0.5"},
+                    Misbehaviour{"die", ForfeitReason::died, "exit code 3\none\ntwo\nthree: no way out"},
+                    Misbehaviour{"end", ForfeitReason::died, "exit code 0"},
+                    Misbehaviour{"crash", ForfeitReason::died, "signal 11 (Segmentation fault)\nabout to crash"},
+                    Misbehaviour{"rubbish", ForfeitReason::rubbish, "'what?'"},
+                    Misbehaviour{"bytes", ForfeitReason::rubbish, "it said '"},
+                    Misbehaviour{"many answers", ForfeitReason::flooded,
+                                 "behind its answer 'move 0 0' it went on: 'move 0 0'"},
+                    Misbehaviour{"flood", ForfeitReason::flooded, "went on"},
+                    Misbehaviour{"long line", ForfeitReason::flooded, "a line of more than 4096 bytes: 'aaa"},
+                    Misbehaviour{"flood errors", ForfeitReason::hung, "again and again"},
+                    Misbehaviour{"fork and leave", ForfeitReason::left, "what it had started"},
+                    Misbehaviour{"leave answering", ForfeitReason::left, "what it had started"},
+                    Misbehaviour{"close output", ForfeitReason::closed, "standard output"},
+                    Misbehaviour{"close input", ForfeitReason::closed, "standard input"},
+                    Misbehaviour{"close all", ForfeitReason::closed, "closed"},
+                    Misbehaviour{"stop the keeper", ForfeitReason::rubbish, "'what?'"},
+                    Misbehaviour{"kill the keeper", ForfeitReason::died, "signal 9"}),
     [](const auto& test) {
       std::string name = test.param.how;
       std::replace(name.begin(), name.end(), ' ', '_');
@@ -167,7 +168,8 @@ TEST(GuestMind, SaysWhyItCouldNotBeStarted) {
 
 TEST(GuestMind, LeavesNothingBehindAThousandGuests) {
   const int descriptors = test::open_descriptors(), children = test::children();
-  const std::vector<std::string> ways = {"die", "rubbish", "daemon at the start", "many answers", "wrong greeting", "crash", "long line", "flood"};
+  const std::vector<std::string> ways = {
+      "die", "rubbish", "daemon at the start", "many answers", "wrong greeting", "crash", "long line", "flood"};
   const auto of_every_kind = [&](int first) {
     for (int i = first; i < 1000 / test::slowness; i += 4) {
       const RunRecord record = contest(ways[static_cast<std::size_t>(i) / 4 % ways.size()]);

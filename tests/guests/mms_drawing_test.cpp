@@ -86,7 +86,10 @@ constexpr Stroke strokes[] = {
     {"TextShowsATabAsAQuestion", "setText 1 0 a\tb\x7f", {1, 0}, " 'a?b?'"},
     {"TextShowsOtherLettersAsOneQuestionEach", "setText 1 0 \xC3\xA9\xE2\x82\xAC\xF0\x9F\x90\xAD.", {1, 0}, " '???.'"},
     {"TextShowsBrokenLettersAsQuestions", "setText 1 0 \xFF\x80\xC3.", {1, 0}, " '???.'"},
-    {"TextCutsAfterTenLettersNotBytes", "setText 1 0 \xC3\xA9\xC3\xA9\xC3\xA9\xC3\xA9\xC3\xA9\xC3\xA9\xC3\xA9\xC3\xA9\xC3\xA9Zz", {1, 0}, " '?????????Z'"},
+    {"TextCutsAfterTenLettersNotBytes",
+     "setText 1 0 \xC3\xA9\xC3\xA9\xC3\xA9\xC3\xA9\xC3\xA9\xC3\xA9\xC3\xA9\xC3\xA9\xC3\xA9Zz",
+     {1, 0},
+     " '?????????Z'"},
     {"TextMayBeEmpty", "setText 1 0 abc\nsetText 1 0 ", {1, 0}, ""},
     {"TextWithoutAThirdBlankIsTheLine", "setText 1 0", {1, 0}, " 'setText 1 '"},
     {"TextGoes", "setText 1 0 abc\nclearText 1 0", {1, 0}, ""},
@@ -116,8 +119,9 @@ TEST(MmsDrawing, KnowsSeventeenColours) {
 
 TEST(MmsDrawing, NeverChangesTheMaze) {
   MmsHost host(field(), {});
-  EXPECT_EQ(told(host, "setWall 0 0 n\nwallFront\nclearWall 0 0 w\nwallLeft\nsetColor 0 1 r\nsetText 0 1 x\nmoveForward\n"),
-            "false true ack");
+  EXPECT_EQ(
+      told(host, "setWall 0 0 n\nwallFront\nclearWall 0 0 w\nwallLeft\nsetColor 0 1 r\nsetText 0 1 x\nmoveForward\n"),
+      "false true ack");
   EXPECT_EQ(host.statistics().total_distance, 2);
 }
 

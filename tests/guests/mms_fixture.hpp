@@ -59,7 +59,8 @@ inline std::string told(MmsHost& host, std::string_view lines) {
 }
 
 inline std::string words_of(const HalfPose& pose) {
-  return "(" + std::to_string(pose.place.x) + "," + std::to_string(pose.place.y) + ") " + std::string(name_of(pose.heading));
+  return "(" + std::to_string(pose.place.x) + "," + std::to_string(pose.place.y) + ") " +
+         std::string(name_of(pose.heading));
 }
 
 /// One rule of the protocol. `name` says it.

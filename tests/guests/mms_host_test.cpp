@@ -33,7 +33,8 @@ constexpr Diagnosis diagnoses[] = {
     {"wallLeft 1 2 3 4 5 6", "has no reply: wallLeft takes one number at most"},
     {"getStat", "has no reply: getStat takes the name of one statistic"},
     {"getStat Score", "has no reply: there is no such statistic; did you mean score?"},
-    {"getStat total-effective-distances", "has no reply: there is no such statistic; did you mean total-effective-distance?"},
+    {"getStat total-effective-distances",
+     "has no reply: there is no such statistic; did you mean total-effective-distance?"},
     {"getStat time", "has no reply: there is no such statistic"},
     {"movForward", "has no reply: there is no such command; did you mean moveForward?"},
     {"MoveForward 2", "has no reply: there is no such command; did you mean moveForward?"},
@@ -76,8 +77,9 @@ TEST(MmsLog, KeepsTheFirstHundred) {
 TEST(MmsLog, ShowsNoControlsAndNoEndlessLines) {
   MmsHost host(field(), {});
   told(host, "\x1b[2J\x07\xC3\xA9 one\n" + std::string(3000, 'x') + "\n");
-  EXPECT_THAT(host.log(), ElementsAre("line 1: '?[2J??? one' has no reply: there is no such command",
-                                      "line 2: '" + std::string(60, 'x') + "...' has no reply: there is no such command"));
+  EXPECT_THAT(host.log(),
+              ElementsAre("line 1: '?[2J??? one' has no reply: there is no such command",
+                          "line 2: '" + std::string(60, 'x') + "...' has no reply: there is no such command"));
 }
 
 TEST(MmsStrict, EndsWithTheFirstBadLine) {
@@ -181,12 +183,16 @@ TEST(MmsEvents, AreLinesThatChangedSomething) {
     events.push_back(std::string(event.line) + " > " + std::string(event.reply) + " " + words_of(event.pose));
     EXPECT_EQ(event.clock, host.clock());
   });
-  told(host, "mazeWidth\nmoveForward\nwallFront\nmoveForward\nturnRight45\nmoveForwardHalf -1\nsetWall 0 0 n\nsetColor 9 9 r\n"
-             "hello\nsetText 0 0 x\nclearAllColor\nclearAllText\nwasReset\ngetStat score\nturnRight45\nmoveForward 9\nackReset\n");
+  told(
+      host,
+      "mazeWidth\nmoveForward\nwallFront\nmoveForward\nturnRight45\nmoveForwardHalf -1\nsetWall 0 0 n\nsetColor 9 9 r\n"
+      "hello\nsetText 0 0 x\nclearAllColor\nclearAllText\nwasReset\ngetStat score\nturnRight45\nmoveForward "
+      "9\nackReset\n");
   EXPECT_THAT(events, ElementsAre("moveForward > ack (1,3) north", "turnRight45 > ack (1,3) north-east",
                                   "setWall 0 0 n >  (1,3) north-east", "setText 0 0 x >  (1,3) north-east",
                                   "clearAllColor >  (1,3) north-east", "clearAllText >  (1,3) north-east",
-                                  "turnRight45 > ack (1,3) east", "moveForward 9 > crash (5,3) east", "ackReset > ack (1,1) north"));
+                                  "turnRight45 > ack (1,3) east", "moveForward 9 > crash (5,3) east",
+                                  "ackReset > ack (1,1) north"));
 }
 
 TEST(MmsHost, IsAValue) {

@@ -1,10 +1,9 @@
-#include "labmouse/guests/mms/run.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <csignal>
 
+#include "labmouse/guests/mms/run.hpp"
 #include "tests/guests/mms_fixture.hpp"
 
 namespace labmouse {
@@ -158,7 +157,8 @@ TEST(MmsRun, WhoWaitsForResetIsNotWaitedFor) {
 }
 
 TEST(MmsRun, ResetCanBePressed) {
-  const MmsRun run = hosted({"burst:100:wasReset", "hear:100", "ask:wasReset", "need:true", "ask:ackReset"}, {.presses = 1});
+  const MmsRun run =
+      hosted({"burst:100:wasReset", "hear:100", "ask:wasReset", "need:true", "ask:ackReset"}, {.presses = 1});
   EXPECT_EQ(run.outcome, MmsOutcome::complete);
 }
 

@@ -70,7 +70,8 @@ TEST(GuestProcess, GivesAProgramTheSignalsOfAFreshStart) {
   EXPECT_EQ(process.wait(GuestProcess::Clock::now() + 20s), GuestEvent::output);
   const std::string masks(process.lines().rest());
   EXPECT_EQ(exhaust(process, lines), GuestEvent::ended);
-  const auto blocked = std::stoull(masks, nullptr, 16), ignored = std::stoull(masks.substr(masks.find('\n')), nullptr, 16);
+  const auto blocked = std::stoull(masks, nullptr, 16),
+             ignored = std::stoull(masks.substr(masks.find('\n')), nullptr, 16);
   EXPECT_EQ(blocked, 0U);
   EXPECT_EQ(ignored >> (SIGPIPE - 1U) & 1U, 0U);
   EXPECT_EQ(ignored >> (SIGINT - 1U) & 1U, 0U);

@@ -35,10 +35,36 @@ TEST(GuestProtocol, ReadsAnswers) {
 }
 
 TEST(GuestProtocol, ReadsNothingElse) {
-  for (const char* line : {"", " ", "move", "move ", "move 0", "move 0 ", "move 0 1 ", "move 0 1 2", "move  0 1", "move 0  1",
-                           " move 0 1", "Move 0 1", "move0 1", "move 0,1", "move +0 1", "move 0 1.0", "move a b", "move 0x1 1",
-                           "move 1000001 0", "move 0 -1000001", "move 99999999999999999999 0", "move\t0\t1", "Reset", "RESET",
-                           "reset ", " reset", "reset now", "forfeit: hung", "quit", "labmouse 1"})
+  for (const char* line : {"",
+                           " ",
+                           "move",
+                           "move ",
+                           "move 0",
+                           "move 0 ",
+                           "move 0 1 ",
+                           "move 0 1 2",
+                           "move  0 1",
+                           "move 0  1",
+                           " move 0 1",
+                           "Move 0 1",
+                           "move0 1",
+                           "move 0,1",
+                           "move +0 1",
+                           "move 0 1.0",
+                           "move a b",
+                           "move 0x1 1",
+                           "move 1000001 0",
+                           "move 0 -1000001",
+                           "move 99999999999999999999 0",
+                           "move\t0\t1",
+                           "Reset",
+                           "RESET",
+                           "reset ",
+                           " reset",
+                           "reset now",
+                           "forfeit: hung",
+                           "quit",
+                           "labmouse 1"})
     EXPECT_EQ(read_answer(line), std::nullopt) << line;
 }
 

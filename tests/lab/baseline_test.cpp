@@ -23,7 +23,8 @@ std::string compared(std::string_view now, std::string_view earlier) {
 }
 
 TEST(Baseline, ItselfShowsNoDifference) {
-  EXPECT_THAT(compared("flood", "flood"), HasSubstr("flood: +0.000 [+0.000, +0.000] over 2 mazes (0 better, 2 equal, 0 worse)"));
+  EXPECT_THAT(compared("flood", "flood"),
+              HasSubstr("flood: +0.000 [+0.000, +0.000] over 2 mazes (0 better, 2 equal, 0 worse)"));
 }
 
 TEST(Baseline, PairsMiceByTheirNames) {
@@ -76,15 +77,15 @@ TEST(Baseline, WithoutACommonMazeItSaysSo) {
 }
 
 TEST(Baseline, WhatIsNoRaceIsRefused) {
-  for (const char* bad : {"", "no json", "[]", "{}", "null", "3", R"({"labmouse":"x"})", R"({"labmouse":"x","mice":3})",
-                          R"({"labmouse":"x","mice":[3]})", R"({"labmouse":"x","mice":[{"name":3,"results":[]}]})",
-                          R"({"labmouse":"x","mice":[{"name":"flood"}]})",
-                          R"({"labmouse":"x","mice":[{"name":"flood","results":[3]}]})",
-                          R"({"labmouse":"x","mice":[{"name":"flood","results":[{"maze":3,"score":1}]}]})",
-                          R"({"labmouse":"x","mice":[{"name":"flood","results":[{"maze":"loop"}]}]})",
-                          R"({"labmouse":"x","mice":[{"name":"flood","results":[{"maze":"loop","score":"1"}]}]})",
-                          R"({"labmouse":"x","mice":[{"name":"flood","results":[{"maze":"loop","score":1e308}]}]})",
-                          R"({"labmouse":"x","mice":[{"name":"flood","results":[{"maze":"loop","score":-1}]}]})"})
+  for (const char* bad :
+       {"", "no json", "[]", "{}", "null", "3", R"({"labmouse":"x"})", R"({"labmouse":"x","mice":3})",
+        R"({"labmouse":"x","mice":[3]})", R"({"labmouse":"x","mice":[{"name":3,"results":[]}]})",
+        R"({"labmouse":"x","mice":[{"name":"flood"}]})", R"({"labmouse":"x","mice":[{"name":"flood","results":[3]}]})",
+        R"({"labmouse":"x","mice":[{"name":"flood","results":[{"maze":3,"score":1}]}]})",
+        R"({"labmouse":"x","mice":[{"name":"flood","results":[{"maze":"loop"}]}]})",
+        R"({"labmouse":"x","mice":[{"name":"flood","results":[{"maze":"loop","score":"1"}]}]})",
+        R"({"labmouse":"x","mice":[{"name":"flood","results":[{"maze":"loop","score":1e308}]}]})",
+        R"({"labmouse":"x","mice":[{"name":"flood","results":[{"maze":"loop","score":-1}]}]})"})
     EXPECT_FALSE(read_baseline(bad, Rules()).has_value()) << bad;
 }
 

@@ -24,7 +24,8 @@ TEST_P(BoundOfTestMaze, IsWhatThePerfectMouseScores) {
 }
 
 INSTANTIATE_TEST_SUITE_P(OneToThree, BoundOfTestMaze,
-                         testing::Values(std::tuple{1, 17, 17.600}, std::tuple{2, 22, 22.767}, std::tuple{3, 25, 25.867}));
+                         testing::Values(std::tuple{1, 17, 17.600}, std::tuple{2, 22, 22.767},
+                                         std::tuple{3, 25, 25.867}));
 
 TEST(Bound, CountsTheShortestRunTwiceAndTheReset) {
   const Bound bound = bound_of(test::corridor().maze, Rules());
@@ -57,8 +58,9 @@ TEST(Oracle, ScoresTheBoundInEveryMaze) {
   Dice dice(8);
   for (int i = 0; i < 100; ++i) {
     const Size size{1 + dice.below(24), 1 + dice.below(24)};
-    const Maze maze = prim_generator.make({size, dice.bits(), dice.below(500)})
-                          .with_start(size.cell_at(dice.below(size.area())), all_headings[static_cast<std::size_t>(dice.below(4))]);
+    const Maze maze =
+        prim_generator.make({size, dice.bits(), dice.below(500)})
+            .with_start(size.cell_at(dice.below(size.area())), all_headings[static_cast<std::size_t>(dice.below(4))]);
     const Score result = score(run(maze, Rules(), *make_oracle(maze, Rules())), Rules());
     ASSERT_EQ(result.value, bound_of(maze, Rules()).score);
     ASSERT_EQ(result.speed_steps, shortest_in_strides(maze).value().strides);

@@ -1,8 +1,7 @@
-#include "labmouse/lab/mice/specs.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/strategies/roster.hpp"
 
 namespace labmouse {
@@ -96,7 +95,8 @@ TEST(SpecError, AValueIsMissing) {
 
 TEST(SpecError, AValueIsOutOfRangeOrNone) {
   for (const std::string value : {"0", "9", "-1", "1.5", "x", "", "1e3", " 1", "999999999999999999999"})
-    EXPECT_EQ(error("flood:stride=" + value).find("value '" + value + "' of parameter 'stride' of mouse 'flood' "), 0U) << value;
+    EXPECT_EQ(error("flood:stride=" + value).find("value '" + value + "' of parameter 'stride' of mouse 'flood' "), 0U)
+        << value;
 }
 
 TEST(SpecError, OneBadMouseSpoilsTheLot) { error("flood,certify,flod"); }

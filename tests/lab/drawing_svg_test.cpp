@@ -154,8 +154,9 @@ TEST(SvgDrawing, CandidatesAreDashesWithTheirRunsAndTheChosenOneALine) {
   EXPECT_THAT(svg, HasSubstr("stroke-width=\"7\" d=\"M100 60v40\"/>"));
   EXPECT_THAT(svg, HasSubstr("stroke-width=\"4\" stroke-dasharray=\"6 4\" stroke-opacity=\"0.5\" d=\"M20 100h40\"/>"));
   EXPECT_THAT(svg, HasSubstr("stroke-width=\"4\" stroke-dasharray=\"6 4\" d=\"M65 65h30v30h-30z\"/>"));
-  EXPECT_THAT(svg, HasSubstr("<text x=\"100\" y=\"83\" font-weight=\"700\">17.4</text><text x=\"40\" y=\"103\">33.3</text>"
-                             "<text x=\"80\" y=\"98\">5.0</text>"));
+  EXPECT_THAT(svg,
+              HasSubstr("<text x=\"100\" y=\"83\" font-weight=\"700\">17.4</text><text x=\"40\" y=\"103\">33.3</text>"
+                        "<text x=\"80\" y=\"98\">5.0</text>"));
   EXPECT_THAT(svg, HasSubstr(">3 candidates of step 12, with ways ahead in steps<"));
   EXPECT_THAT(svg, HasSubstr(">chosen: 17.4<"));
 }
@@ -175,8 +176,8 @@ TEST(SvgDrawing, CandidatesOfWhichNoneWasChosenSaySo) {
 TEST(SvgDrawing, DarkGroundHasRulesForEveryColourOfALayer) {
   const std::string bare = draw_svg(ring(), {});
   const std::string full = draw_svg(ring(), all_layers());
-  for (const auto* rule : {".stroke-to-goal{", ".stroke-onwards{", ".stroke-wrong{", ".fill-visited{", ".fill-discovered{",
-                            ".stroke-candidate{"}) {
+  for (const auto* rule : {".stroke-to-goal{", ".stroke-onwards{", ".stroke-wrong{", ".fill-visited{",
+                           ".fill-discovered{", ".stroke-candidate{"}) {
     EXPECT_THAT(full, HasSubstr(rule));
     EXPECT_THAT(bare, Not(HasSubstr(rule)));
   }
@@ -204,8 +205,8 @@ TEST(SvgDrawing, RouteLeavesTheMiddleOnlyWhereItComesAgain) {
 
 TEST(SvgDrawing, LegendNamesOnlyWhatIsShown) {
   const std::string bare = draw_svg(ring(), {});
-  for (const auto* words : {">unknown wall<", ">mouse<", "visits to a cell<", ">columns<", "visited (", "discovered (", "steps to the goal<",
-                            "wrong guesses: ", "candidates of step"}) {
+  for (const auto* words : {">unknown wall<", ">mouse<", "visits to a cell<", ">columns<", "visited (", "discovered (",
+                            "steps to the goal<", "wrong guesses: ", "candidates of step"}) {
     EXPECT_THAT(bare, Not(HasSubstr(words)));
     EXPECT_THAT(draw_svg(ring(), all_layers()), HasSubstr(words));
   }

@@ -40,7 +40,8 @@ TEST(DriveBound, TakesTheSoonerMiddleOfTheGoal) {
 
 TEST(DriveBound, KnowsTheShortestSearchHome) {
   // There; back, a corner, a cell, a corner, a cell; a stop in the middle and half a turn.
-  const MazeTime there = 1'374'000, back = 3'000'000 + 237'000 + 300'000 + 237'000 + 300'000, stop = 300'000 + 3'000'000;
+  const MazeTime there = 1'374'000, back = 3'000'000 + 237'000 + 300'000 + 237'000 + 300'000,
+                 stop = 300'000 + 3'000'000;
   EXPECT_EQ(shortest_search_home(test::ring(), mm2021().search), there + back + stop);
 }
 

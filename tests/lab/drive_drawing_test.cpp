@@ -1,13 +1,12 @@
-#include "labmouse/lab/pictures/drive_picture.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "labmouse/mouse/robot/drive_profile.hpp"
+#include "labmouse/lab/pictures/drive_picture.hpp"
 #include "labmouse/mouse/drive/fastest.hpp"
+#include "labmouse/mouse/robot/drive_profile.hpp"
 #include "tests/capstone_mazes.hpp"
 #include "tests/lab/drive_record_fixture.hpp"
 #include "tests/lab/xml_scanner.hpp"
@@ -52,7 +51,8 @@ TEST(DriveDrawing, JoinsTheSegmentsOfRoutesInRealMazes) {
   for (const char* robot : {"mm2021", "classic", "half"}) {
     const auto model = test::drive_model(robot);
     for (const auto& file : files)
-      if (const auto maze = test::maze_in_file(file); maze && maze->size().width <= max_drive_side && maze->size().height <= max_drive_side) {
+      if (const auto maze = test::maze_in_file(file);
+          maze && maze->size().width <= max_drive_side && maze->size().height <= max_drive_side) {
         SCOPED_TRACE(file);
         expect_joined(fastest_route(*maze, *model), *model);
         if (HasFailure()) return;

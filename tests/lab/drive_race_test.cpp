@@ -31,7 +31,8 @@ std::vector<NamedMaze> some_mazes() {
   Dice dice(11);
   for (int i = 0; i < 6; ++i) {
     const Maze maze = test::any_maze(dice, 8);
-    mazes.push_back({"maze " + std::to_string(i), maze.with_start({0, 0}, Heading::north).with_goals(centre_of(maze.size()))});
+    mazes.push_back(
+        {"maze " + std::to_string(i), maze.with_start({0, 0}, Heading::north).with_goals(centre_of(maze.size()))});
   }
   mazes.push_back({"closed", Maze(MazeDraft({3, 3}, MazeDraft::Inside::closed))});
   return mazes;
@@ -79,7 +80,8 @@ TEST(DriveRace, CertifiedRunsAreTheBestThatThereAre) {
   const DriveStanding standing = drive_standings_of(race).front();
   EXPECT_GT(standing.runs, 3);
   // Where no route leads on from the start the search alone scores.
-  const auto routes = std::count_if(race.bounds.begin(), race.bounds.end(), [](const DriveBound& b) { return b.fastest; });
+  const auto routes =
+      std::count_if(race.bounds.begin(), race.bounds.end(), [](const DriveBound& b) { return b.fastest; });
   EXPECT_GT(standing.runs, routes);
   EXPECT_EQ(standing.optimal, routes);
   EXPECT_EQ(standing.proven, routes);
@@ -87,8 +89,8 @@ TEST(DriveRace, CertifiedRunsAreTheBestThatThereAre) {
   EXPECT_EQ(standing.mean_excess, 0.0);
 }
 
-/// Flood finds the way along the middle row; only certify looks whether the upper row is open, too, which makes a diagonal
-/// the faster way.
+/// Flood finds the way along the middle row; only certify looks whether the upper row is open, too, which makes a
+/// diagonal the faster way.
 Maze with_a_faster_way() {
   return test::drawn(R"(
     o---o---o---o---o
@@ -221,10 +223,12 @@ TEST(DriveReport, IsATable) {
                  score          95 %  score  search    best  above  best        runs
 mouse   scored       s      interval /bound       s   run s  best%  runs proven each
 )"));
-  EXPECT_THAT(table, HasSubstr("\nquick      2/2   8.500    6.00-11.00  1.150    30.0   6.500  12.50     1      0  2.0\n"));
+  EXPECT_THAT(table,
+              HasSubstr("\nquick      2/2   8.500    6.00-11.00  1.150    30.0   6.500  12.50     1      0  2.0\n"));
   EXPECT_THAT(table, HasSubstr("\nRules thirtieth: "));
   EXPECT_THAT(table, HasSubstr("Robot mm2021, cells of 90 mm."));
-  EXPECT_THAT(table, HasSubstr("1 maze in which no mouse could score: not counted.\nslow without a score: out of time 1.\n"));
+  EXPECT_THAT(table,
+              HasSubstr("1 maze in which no mouse could score: not counted.\nslow without a score: out of time 1.\n"));
 }
 
 TEST(DriveReport, WordsTheRules) {
@@ -235,7 +239,9 @@ TEST(DriveReport, WordsTheRules) {
   rules.most_runs = 1;
   rules.maze_time_divisor = 30;
   rules.untouched_bonus = 2'500'000;
-  EXPECT_EQ(formula_of(rules), "the best of at most 1 run in 600 s, rest to centre, plus 1/30 of the time in the maze before it, less 2.5 s untouched");
+  EXPECT_EQ(formula_of(rules),
+            "the best of at most 1 run in 600 s, rest to centre, plus 1/30 of the time in the maze before it, less 2.5 "
+            "s untouched");
 }
 
 TEST(DriveReport, IsJsonWithAGroupOfItsOwn) {
@@ -256,7 +262,8 @@ TEST(DriveReport, IsJsonWithAGroupOfItsOwn) {
 TEST(DriveReport, IsCsv) {
   const std::string csv = csv_of(made_up());
   EXPECT_THAT(csv, StartsWith("mouse,maze,seed,outcome,score_us,gate_to_gate_us,"));
-  EXPECT_THAT(csv, HasSubstr("\nquick,a,0,finished,6000000,5000000,5000000,30000000,5000000,4000000,5000000,false,2,0\n"));
+  EXPECT_THAT(csv,
+              HasSubstr("\nquick,a,0,finished,6000000,5000000,5000000,30000000,5000000,4000000,5000000,false,2,0\n"));
   EXPECT_THAT(csv, HasSubstr("\nslow,b,0,out of time,,,,30000000,,8000000,10000000,false,2,0\n"));
 }
 

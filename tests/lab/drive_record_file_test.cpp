@@ -11,9 +11,9 @@
 namespace labmouse {
 namespace {
 
+using test::driven;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
-using test::driven;
 
 DriveRecordFile read(const std::string& text) {
   ReadDriveRecordResult result = read_drive_record(text);
@@ -38,7 +38,9 @@ const std::string& good() {
   return text;
 }
 
-std::string disagreement(const std::string& old, const std::string& now) { return replay(read(changed(good(), old, now))); }
+std::string disagreement(const std::string& old, const std::string& now) {
+  return replay(read(changed(good(), old, now)));
+}
 
 TEST(DriveRecordFile, IsReadAsItWasWritten) {
   for (const char* robot : {"mm2021", "classic", "half"})
@@ -81,7 +83,8 @@ TEST(DriveRecordFile, MayBreakOff) {
 TEST(DriveRecordFile, ThatIsNoneIsRefusedWithItsLine) {
   EXPECT_EQ(problem("").reason, "the record is empty");
   EXPECT_EQ(problem("{").reason, "the line is not JSON");
-  EXPECT_EQ(problem(changed(good(), "drive record", "record")).reason, "the line is not the header of a record in seconds");
+  EXPECT_EQ(problem(changed(good(), "drive record", "record")).reason,
+            "the line is not the header of a record in seconds");
   EXPECT_EQ(problem(changed(good(), "\"format\":1", "\"format\":2")).reason,
             "the line has a format other than 1, which this version does not know");
   EXPECT_EQ(problem(changed(good(), "\"robot\":{\"name\"", "\"robot\":{\"nome\"")).reason, "'robot.name' is missing");
@@ -89,12 +92,15 @@ TEST(DriveRecordFile, ThatIsNoneIsRefusedWithItsLine) {
             "'robot': 'straight.speed' is -5; it must be 100 to 20000 mm/s");
   EXPECT_EQ(problem(changed(good(), "\"straight.speed\"", "\"straight speed\"")).reason,
             "'robot.parameters' has a key or a value that no robot has");
-  EXPECT_EQ(problem(changed(good(), "\"most_runs\":5", "\"most_runs\":0")).reason, "'rules.most_runs' is outside of 1 to 1000");
+  EXPECT_EQ(problem(changed(good(), "\"most_runs\":5", "\"most_runs\":0")).reason,
+            "'rules.most_runs' is outside of 1 to 1000");
   EXPECT_EQ(problem(good() + good()).reason, "the line stands behind the end of the record");
   EXPECT_EQ(problem(changed(good(), "\"run\":\"search\"", "\"run\":\"stroll\"")),
             (Problem{2, 1, "the line has a run that is none of search, home, fast"}));
-  EXPECT_EQ(problem(changed(good(), "{\"move\":[0,1]", "{\"move\":[0,2]")), (Problem{3, 1, "'move' is outside of 0 to 1"}));
-  EXPECT_THAT(problem(changed(good(), "{\"move\"", "{\"love\"")).reason, StartsWith("the line is none of a record in seconds"));
+  EXPECT_EQ(problem(changed(good(), "{\"move\":[0,1]", "{\"move\":[0,2]")),
+            (Problem{3, 1, "'move' is outside of 0 to 1"}));
+  EXPECT_THAT(problem(changed(good(), "{\"move\"", "{\"love\"")).reason,
+              StartsWith("the line is none of a record in seconds"));
   EXPECT_EQ(problem(changed(good(), "\"piece\":\"R90\"", "\"piece\":\"R91\"")).reason,
             "the line has a piece that is no straight, and no turn that this robot makes there at that speed");
   EXPECT_EQ(problem(changed(good(), "\"outcome\":\"finished\"", "\"outcome\":\"lost\"")).reason,
@@ -114,20 +120,27 @@ TEST(DriveRecordFile, ThatDoesNotFitItsMazeIsToldOf) {
   DriveRecordFile other = read(good());
   ++other.tables_hash;
   EXPECT_THAT(replay(other), StartsWith("the tables of its robot have the hash "));
-  EXPECT_THAT(disagreement("\"until\":300000", "\"until\":300001"),
-              StartsWith("run 1 (search): move 1: recorded from (0,0) heading north to (0,1) heading north, 0.000000 s to 0.300001 s; "
-                         "played from (0,0) heading north to (0,1) heading north, 0.000000 s to 0.300000 s"));
-  EXPECT_THAT(disagreement("\"known\":null", "\"known\":5"), StartsWith("run 1 (search): recorded are a known route of 0.000005 s"));
+  EXPECT_THAT(
+      disagreement("\"until\":300000", "\"until\":300001"),
+      StartsWith(
+          "run 1 (search): move 1: recorded from (0,0) heading north to (0,1) heading north, 0.000000 s to 0.300001 s; "
+          "played from (0,0) heading north to (0,1) heading north, 0.000000 s to 0.300000 s"));
+  EXPECT_THAT(disagreement("\"known\":null", "\"known\":5"),
+              StartsWith("run 1 (search): recorded are a known route of 0.000005 s"));
   EXPECT_THAT(disagreement("\"north\":[\"1\",\"0\",\"0\"]", "\"north\":[\"0\",\"0\",\"0\"]"),
               StartsWith("run 1 (search): recorded are 0 open and 1 closed walls at its beginning; played, 1 and 1"));
-  EXPECT_THAT(disagreement("\"gate_out\":300000", "\"gate_out\":300001"), HasSubstr("recorded to leave the start at 0.300001 s"));
-  EXPECT_THAT(disagreement("\"open\":true,\"time\":0}", "\"open\":false,\"time\":0}"), StartsWith("wall 1: recorded the north side of (0,0) closed"));
+  EXPECT_THAT(disagreement("\"gate_out\":300000", "\"gate_out\":300001"),
+              HasSubstr("recorded to leave the start at 0.300001 s"));
+  EXPECT_THAT(disagreement("\"open\":true,\"time\":0}", "\"open\":false,\"time\":0}"),
+              StartsWith("wall 1: recorded the north side of (0,0) closed"));
   EXPECT_THAT(disagreement("\"score\":{\"value\":", "\"score\":{\"value\":1"), StartsWith("recorded is a score of "));
 }
 
 TEST(DriveRecordFile, WithAWrongRouteIsToldOf) {
-  EXPECT_THAT(disagreement("\"piece\":\"S2\"", "\"piece\":\"S4\""), HasSubstr("it does not lead to where it is said to end"));
-  EXPECT_THAT(disagreement("{\"piece\":\"R90\"", "{\"piece\":\"L90\""), HasSubstr("it does not lead to where it is said to end"));
+  EXPECT_THAT(disagreement("\"piece\":\"S2\"", "\"piece\":\"S4\""),
+              HasSubstr("it does not lead to where it is said to end"));
+  EXPECT_THAT(disagreement("{\"piece\":\"R90\"", "{\"piece\":\"L90\""),
+              HasSubstr("it does not lead to where it is said to end"));
 }
 
 TEST(DriveRecordFile, IsRefusedWithAnotherWorldOrModel) {
@@ -248,7 +261,8 @@ TEST(DriveRecordReplay, LetsNoRunBeginAfterTheTime) {
 }
 
 TEST(DriveRecordReplay, WantsTheFastestKnownRoute) {
-  // Flood finds the way along the middle row; only certify looks at the upper row, which makes a diagonal the faster way.
+  // Flood finds the way along the middle row; only certify looks at the upper row, which makes a diagonal the faster
+  // way.
   const Maze maze = test::drawn(R"(
     o---o---o---o---o
     |             G |
@@ -280,8 +294,9 @@ TEST(DriveRecordReplay, WantsTheFastestKnownRoute) {
 TEST(DriveRecordReplay, KnowsWhereASearchEndsInTheMiddleOfAGoal) {
   DriveRecordFile file = three_runs();
   file.record.runs[0].centre.reset();
-  EXPECT_EQ(replay(file), "run 1 (search): recorded to leave the start at 0.300000 s, enter a goal at 1.374000 s and reach "
-                          "its middle at never; played, 0.300000 s, 1.374000 s and 1.674000 s");
+  EXPECT_EQ(replay(file),
+            "run 1 (search): recorded to leave the start at 0.300000 s, enter a goal at 1.374000 s and reach "
+            "its middle at never; played, 0.300000 s, 1.374000 s and 1.674000 s");
   // Not where the time ends at the edge of the goal, or where the mouse gives up there.
   for (DriveRecordFile cut : {scripted(to_goal(Action::reset()), 1'374'000),
                               scripted(to_goal(Action::forfeit(ForfeitReason::no_way)), 100'000'000)}) {
@@ -329,7 +344,9 @@ TEST(DriveRecordReplay, ComparesTheOutcome) {
 TEST(DriveRecordFile, HasASummary) {
   const DriveRecordFile file = driven("flood");
   const std::string summary = summary_of(file);
-  EXPECT_THAT(summary, StartsWith("run           begin s     end s    gates   centre    known    hoped\n  1  search     0.000 "));
+  EXPECT_THAT(
+      summary,
+      StartsWith("run           begin s     end s    gates   centre    known    hoped\n  1  search     0.000 "));
   EXPECT_THAT(summary, HasSubstr("\nflood in ring, mm2021, all-japan: "));
   EXPECT_THAT(summary, HasSubstr(" s gate to gate in run "));
 }

@@ -56,7 +56,8 @@ Maze open_square(Heading heading) {
     o   o   o   o
     |           |
     o---o---o---o
-  )").with_start({1, 1}, heading);
+  )")
+      .with_start({1, 1}, heading);
 }
 
 /// All in it is open, and the start is in the lower row: on the left, or on the right.
@@ -67,7 +68,8 @@ Maze hall(int start) {
     o   o   o
     | S   G |
     o---o---o
-  )").with_start({start, 0}, Heading::north);
+  )")
+      .with_start({start, 0}, Heading::north);
 }
 
 void append(Course& course, DriveSegment segment, DriveTime time) {
@@ -177,8 +179,9 @@ TEST(DriveRouteCheck, WantsTheWallsOfTheRouteToBeKnownAndNoOthers) {
   passed.for_each([&](Wall wall) {
     WallSet open = course.maze.open_walls();
     open.erase(wall);
-    EXPECT_EQ(course.checked_over(open), fmt::format("the route passes the {} side of ({},{}), which is not known to be open",
-                                                     name_of(wall.side), wall.cell.x, wall.cell.y));
+    EXPECT_EQ(course.checked_over(open),
+              fmt::format("the route passes the {} side of ({},{}), which is not known to be open", name_of(wall.side),
+                          wall.cell.x, wall.cell.y));
   });
 }
 
@@ -238,7 +241,8 @@ TEST(DriveRouteCheck, LetsNoTurnBeginAtTheMiddleOfACellThatBeginsElsewhere) {
     for (const Turn turn : {Turn::s90, Turn::v90, Turn::out45, Turn::out135})
       EXPECT_THAT(said_of(course, turn, left), EndsWith("): that turn does not begin there")) << name_of(turn);
     for (const Turn turn : {Turn::f45, Turn::f90, Turn::f135, Turn::f180})
-      EXPECT_THAT(said_of(course, turn, left), EndsWith("): it does not lead to where it is said to end")) << name_of(turn);
+      EXPECT_THAT(said_of(course, turn, left), EndsWith("): it does not lead to where it is said to end"))
+          << name_of(turn);
   }
   EXPECT_EQ(said_of(course, Turn::s90, false), "segment 1 (RS90): that turn does not begin there");
 }
@@ -257,7 +261,8 @@ TEST(DriveRouteCheck, LetsTurnsFromADiagonalToADiagonalBeginOnOneSideOnly) {
   for (const bool left : {false, true}) {
     // Onto the wall between the upper cells, by a turn to the right from the left, or the other way round.
     Course course{hall(left ? 1 : 0), test::drive_model("mm2021")};
-    const DriveNode diagonal = {{left ? 1 : 0, 1}, left ? Heading::west : Heading::east, left ? Place::right : Place::left};
+    const DriveNode diagonal = {
+        {left ? 1 : 0, 1}, left ? Heading::west : Heading::east, left ? Place::right : Place::left};
     append_turn(course, Turn::f45, left, {course.maze.start(), Heading::north, Place::centre}, diagonal);
     // It goes on to the side that it did not come to.
     EXPECT_THAT(said_of(course, Turn::v90, left), EndsWith(refused)) << left;

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "labmouse/lab/robots/builtin_rules.hpp"
 #include "labmouse/lab/mazes/maze_files.hpp"
+#include "labmouse/lab/robots/builtin_rules.hpp"
 
 namespace labmouse {
 namespace {
@@ -67,13 +67,18 @@ TEST(DriveRulesFile, SaysWhatIsMissing) {
 }
 
 TEST(DriveRulesFile, SaysWhatIsWrong) {
-  EXPECT_EQ(complaint(changed("runs = 7", "runs = 7.5")), "my.toml:3:8: error: 'runs' must be a whole number from 1 to 100\n");
-  EXPECT_EQ(complaint(changed("420.5", "0")), "my.toml:2:14: error: 'time_limit' must be a number of seconds from 1 to 7200\n");
-  EXPECT_EQ(complaint(changed("420.5", "nan")), "my.toml:2:14: error: 'time_limit' must be a number of seconds from 1 to 7200\n");
+  EXPECT_EQ(complaint(changed("runs = 7", "runs = 7.5")),
+            "my.toml:3:8: error: 'runs' must be a whole number from 1 to 100\n");
+  EXPECT_EQ(complaint(changed("420.5", "0")),
+            "my.toml:2:14: error: 'time_limit' must be a number of seconds from 1 to 7200\n");
+  EXPECT_EQ(complaint(changed("420.5", "nan")),
+            "my.toml:2:14: error: 'time_limit' must be a number of seconds from 1 to 7200\n");
   EXPECT_EQ(complaint(changed("420.5", "\"long\"")),
             "my.toml:2:14: error: 'time_limit' must be a number of seconds from 1 to 7200\n");
-  EXPECT_EQ(complaint(changed("rest to centre", "noon")), "my.toml:7:9: error: 'clock' must be \"gate to gate\" or \"rest to centre\"\n");
-  EXPECT_EQ(complaint(changed("\"rest to centre\"", "3")), "my.toml:7:9: error: 'clock' must be \"gate to gate\" or \"rest to centre\"\n");
+  EXPECT_EQ(complaint(changed("rest to centre", "noon")),
+            "my.toml:7:9: error: 'clock' must be \"gate to gate\" or \"rest to centre\"\n");
+  EXPECT_EQ(complaint(changed("\"rest to centre\"", "3")),
+            "my.toml:7:9: error: 'clock' must be \"gate to gate\" or \"rest to centre\"\n");
   EXPECT_EQ(complaint(changed("\"Ours, 2026\"", "\"\"")),
             "my.toml:1:10: error: 'source' must be where and when the rules were in force, in words\n");
   EXPECT_EQ(complaint(changed("maze_time_divisor = 20", "maze_time_divisor = 0")),
@@ -83,7 +88,8 @@ TEST(DriveRulesFile, SaysWhatIsWrong) {
 TEST(DriveRulesFile, SaysWhatItDoesNotKnow) {
   EXPECT_EQ(complaint(changed("touch_penalty", "touch_penality")),
             "my.toml:5:1: error: unknown key 'touch_penality'; did you mean 'touch_penalty'?\n");
-  EXPECT_EQ(complaint(std::string(whole) + "[weather]\nrain = true\n").substr(0, 37), "my.toml:8:2: error: unknown key 'weat");
+  EXPECT_EQ(complaint(std::string(whole) + "[weather]\nrain = true\n").substr(0, 37),
+            "my.toml:8:2: error: unknown key 'weat");
 }
 
 TEST(DriveRulesFile, PassesOnWhatIsNoToml) {
@@ -105,7 +111,8 @@ TEST(Rules, ComeWithTheProgram) {
 }
 
 TEST(Rules, OfAnotherNameAreUnknown) {
-  EXPECT_EQ(find_rules("all-japn").errors, (std::vector<std::string>{"error: unknown rules 'all-japn'; did you mean 'all-japan'?"}));
+  EXPECT_EQ(find_rules("all-japn").errors,
+            (std::vector<std::string>{"error: unknown rules 'all-japn'; did you mean 'all-japan'?"}));
   ASSERT_EQ(find_rules("nowhere/rules.toml").errors.size(), 1U);
   EXPECT_EQ(find_rules("nowhere/rules.toml").errors[0], "nowhere/rules.toml: error: no such file");
 }

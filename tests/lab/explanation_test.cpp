@@ -31,12 +31,13 @@ RecordFile walk() {
 
 Candidate candidate(Wall wall, int through, double score) { return {wall, wall.cell, false, through, 1, true, score}; }
 
-/// In the first step it looks ahead and chooses the second of three, in the third it goes into the goal, in the fourth nothing
-/// is worth it.
+/// In the first step it looks ahead and chooses the second of three, in the third it goes into the goal, in the fourth
+/// nothing is worth it.
 std::vector<StepReasons> reasons() {
   std::vector<StepReasons> all(3);
   all[0].step = 1;
-  all[0].reasons.candidates = {candidate({{1, 1}, Heading::east}, 100, 145), candidate({{0, 2}, Heading::east}, 52, 92.125),
+  all[0].reasons.candidates = {candidate({{1, 1}, Heading::east}, 100, 145),
+                               candidate({{0, 2}, Heading::east}, 52, 92.125),
                                candidate({{1, 2}, Heading::east}, 53, 1)};
   all[0].reasons.candidates[2].worth = false;
   all[0].reasons.chosen = 1;
@@ -47,7 +48,8 @@ std::vector<StepReasons> reasons() {
   all[1].reasons.known = 90;
   all[1].reasons.way_here = 0;
   all[2].step = 4;
-  all[2].reasons.candidates = {candidate({{1, 0}, Heading::east}, 96, 120), candidate({{2, 0}, Heading::north}, 92, 130)};
+  all[2].reasons.candidates = {candidate({{1, 0}, Heading::east}, 96, 120),
+                               candidate({{2, 0}, Heading::north}, 92, 130)};
   for (Candidate& candidate : all[2].reasons.candidates) candidate.worth = false;
   all[2].reasons.known = 90;
   all[2].reasons.hope = 92;
@@ -62,7 +64,8 @@ RecordFile explained() {
 }
 
 TEST(Explanation, TellsEachChoiceAndWhyItStopped) {
-  EXPECT_EQ(explanation_of(explained(), 5), R"(T: steps of the run through that wall, with a guess for walls not yet seen.
+  EXPECT_EQ(explanation_of(explained(), 5),
+            R"(T: steps of the run through that wall, with a guess for walls not yet seen.
 travel: steps to the cell from which it is seen. score: in steps; the lowest is
 chosen (>) among those that are worth the way (others: -).
 T ahead: T without the way from the start to the wall.
@@ -120,7 +123,8 @@ TEST(Explanation, TellsOfAResetWithoutNewReasons) {
 TEST(Explanation, TellsOfAResetAgainstTheChoice) {
   RecordFile file = explained();
   file.run.reasons.back().reasons.chosen = 0;
-  EXPECT_THAT(explanation_of(file, 5), EndsWith("\nstep 4: reset all the same, with 96 of 100 steps left; the known run takes 3.\n"));
+  EXPECT_THAT(explanation_of(file, 5),
+              EndsWith("\nstep 4: reset all the same, with 96 of 100 steps left; the known run takes 3.\n"));
 }
 
 TEST(Explanation, TellsWhereNoWallIsLeft) {
@@ -128,8 +132,9 @@ TEST(Explanation, TellsWhereNoWallIsLeft) {
   Reasons& last = file.run.reasons.back().reasons;
   last.candidates.clear();
   last.hope = last.price = 0;
-  EXPECT_THAT(explanation_of(file, 5), EndsWith(", after the goal: 0 candidates\n\nstep 4: reset. The known run takes 3 steps.\n"
-                                                "No unseen wall is left through which another could lead.\n"));
+  EXPECT_THAT(explanation_of(file, 5),
+              EndsWith(", after the goal: 0 candidates\n\nstep 4: reset. The known run takes 3 steps.\n"
+                       "No unseen wall is left through which another could lead.\n"));
 }
 
 TEST(Explanation, OfEqualHopesNamesTheNearest) {

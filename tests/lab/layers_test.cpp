@@ -1,11 +1,10 @@
-#include "labmouse/lab/pictures/picture_layers.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "labmouse/contest/score.hpp"
 #include "labmouse/contest/script.hpp"
 #include "labmouse/contest/simulator.hpp"
+#include "labmouse/lab/pictures/picture_layers.hpp"
 #include "tests/lab/drawing_samples.hpp"
 
 namespace labmouse {
@@ -49,11 +48,14 @@ const Pose goal = {{1, 1}, Heading::south};
 
 TEST(Layers, OnlyThoseChosenAreMade) {
   const DrawingLayers none = layers_of(there_and_back(), {});
-  EXPECT_FALSE(none.coordinates || none.label || none.visits || none.unknown || none.wrong || none.exploration || none.explored);
+  EXPECT_FALSE(none.coordinates || none.label || none.visits || none.unknown || none.wrong || none.exploration ||
+               none.explored);
   EXPECT_TRUE(none.route.empty());
-  const DrawingLayers all = layers_of(there_and_back(), {Layer::heat, Layer::path, Layer::exploration, Layer::known,
-                                                         Layer::wrong, Layer::shares, Layer::distances, Layer::coordinates});
-  EXPECT_TRUE(all.coordinates && all.label && all.visits && all.unknown && all.wrong && all.exploration && all.explored);
+  const DrawingLayers all =
+      layers_of(there_and_back(), {Layer::heat, Layer::path, Layer::exploration, Layer::known, Layer::wrong,
+                                   Layer::shares, Layer::distances, Layer::coordinates});
+  EXPECT_TRUE(all.coordinates && all.label && all.visits && all.unknown && all.wrong && all.exploration &&
+              all.explored);
   EXPECT_EQ(all.route, way_to_goal());
 }
 
@@ -71,14 +73,16 @@ TEST(Layers, ExplorationWithoutGoalOrResetGoesToTheEnd) {
   const ExplorationLegs stayed = *layers_of(recorded({north, east, south}), {Layer::exploration}).exploration;
   EXPECT_EQ(stayed.onwards, std::vector<Pose>{goal});
   // The reset is the last step: what comes after it is no part of the exploration.
-  const ExplorationLegs reset = *layers_of(recorded({north, east, south, Action::reset()}), {Layer::exploration}).exploration;
+  const ExplorationLegs reset =
+      *layers_of(recorded({north, east, south, Action::reset()}), {Layer::exploration}).exploration;
   EXPECT_EQ(reset.onwards, std::vector<Pose>{goal});
   EXPECT_TRUE(layers_of(recorded({north, east}), {Layer::path}).route.empty());
 }
 
 TEST(Layers, WrongGuessesAreTheUnknownWallsThatAreClosed) {
   // At the start the mouse sees the wall beside it and the corridor ahead; from (0,2) the corridor to (1,2).
-  const DrawingLayers layers = layers_of(recorded({Action::step(0, 2), Action::step(0, 0)}), {Layer::known, Layer::wrong});
+  const DrawingLayers layers =
+      layers_of(recorded({Action::step(0, 2), Action::step(0, 0)}), {Layer::known, Layer::wrong});
   EXPECT_EQ(layers.unknown->count(), 12 - 5);
   WallSet wrong;
   wrong.insert(wall_at({0, 1}, Heading::east));

@@ -7,11 +7,11 @@
 #include <optional>
 
 #include "labmouse/contest/simulator.hpp"
-#include "labmouse/lab/mice/specs.hpp"
-#include "labmouse/lab/system/files.hpp"
-#include "labmouse/lab/studies/prior_lesson.hpp"
 #include "labmouse/lab/mice/prior_file.hpp"
+#include "labmouse/lab/mice/specs.hpp"
+#include "labmouse/lab/studies/prior_lesson.hpp"
 #include "labmouse/lab/studies/study.hpp"
+#include "labmouse/lab/system/files.hpp"
 #include "labmouse/maze/generators/generator.hpp"
 #include "labmouse/strategies/ariadne/priors.hpp"
 #include "tests/lab/race_fixture.hpp"

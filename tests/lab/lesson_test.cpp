@@ -1,9 +1,8 @@
-#include "labmouse/lab/studies/prior_lesson.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "labmouse/lab/mice/prior_file.hpp"
+#include "labmouse/lab/studies/prior_lesson.hpp"
 #include "labmouse/maze/symmetry.hpp"
 #include "tests/lab/race_fixture.hpp"
 

@@ -27,7 +27,9 @@ const std::vector<Action> clumsy = {Action::step(90, 3),  Action::step(0, 1),  A
 Contestant player(std::string name, const std::vector<Action>& actions) {
   Contestant mouse;
   mouse.name = std::move(name);
-  mouse.make = [actions](const Maze& maze, const Rules&, std::uint64_t) { return std::make_unique<Script>(maze.size(), actions); };
+  mouse.make = [actions](const Maze& maze, const Rules&, std::uint64_t) {
+    return std::make_unique<Script>(maze.size(), actions);
+  };
   return mouse;
 }
 
@@ -48,7 +50,8 @@ TEST(MisstepLines, NameTheFirstStepOfEachKind) {
 TEST(MisstepLines, OfSeveralAreInThePlural) {
   Rules rules;
   rules.stride = 1;
-  const std::string lines = misstep_lines(played({Action::reset(), Action::step(45, 2), Action::step(45, -2), Action::reset()}, rules));
+  const std::string lines =
+      misstep_lines(played({Action::reset(), Action::step(45, 2), Action::step(45, -2), Action::reset()}, rules));
   EXPECT_THAT(lines, HasSubstr("2 of 5 steps had a void turn (not -90, 0 or 90), first step 2 at"));
   EXPECT_THAT(lines, HasSubstr("2 of 5 steps were cut to 1 cell, first step 2 at"));
   EXPECT_THAT(lines, HasSubstr("2 of 5 steps were resets that did nothing, first step 1 at"));
@@ -61,20 +64,25 @@ TEST(MisstepLines, OfOurMiceThereAreNone) {
 }
 
 TEST(MisstepLines, OfARaceAreTotalsWithTheFirstStep) {
-  const Race race = hold_race({player("guest:./a", clumsy), player("guest:./b", solution), player("guest:./c", {Action::step(0, 1)})},
-                              {test::corridor(), test::without_route()}, {});
+  const Race race =
+      hold_race({player("guest:./a", clumsy), player("guest:./b", solution), player("guest:./c", {Action::step(0, 1)})},
+                {test::corridor(), test::without_route()}, {});
   EXPECT_THAT(misstep_lines(race),
               HasSubstr("Steps that were not performed as asked:\n"
-                        "  guest:./a: 6 blocked by walls, 2 void rotations, 2 cut movements, 2 idle resets; first in corridor, step 2\n"
+                        "  guest:./a: 6 blocked by walls, 2 void rotations, 2 cut movements, 2 idle resets; first in "
+                        "corridor, step 2\n"
                         "  guest:./b: 6 blocked by walls, 1 idle reset; first in without-route, step 1\n"));
   EXPECT_THAT(misstep_lines(race), EndsWith("\n  guest:./c: 2 blocked by walls; first in corridor, step 1\n"));
   EXPECT_THAT(table_of(race, false), HasSubstr(misstep_lines(race)));
 }
 
 TEST(MisstepLines, OfARaceSayOneOfEachInTheSingular) {
-  const Race race = hold_race({player("clumsy", {Action::step(180, 0), Action::step(90, 4), Action::step(0, 1), Action::reset()})},
-                              {test::corridor()}, {});
-  EXPECT_THAT(misstep_lines(race), EndsWith(": 1 blocked by a wall, 1 void rotation, 1 cut movement, 1 idle reset; first in corridor, step 1\n"));
+  const Race race =
+      hold_race({player("clumsy", {Action::step(180, 0), Action::step(90, 4), Action::step(0, 1), Action::reset()})},
+                {test::corridor()}, {});
+  EXPECT_THAT(
+      misstep_lines(race),
+      EndsWith(": 1 blocked by a wall, 1 void rotation, 1 cut movement, 1 idle reset; first in corridor, step 1\n"));
 }
 
 TEST(MisstepLines, OfALaterRunSayWhichItIs) {
@@ -100,12 +108,14 @@ TEST(MisstepLines, ShortenALongCommand) {
 }
 
 TEST(MisstepFields, StandWhereAnyIsNotZero) {
-  const Race race = hold_race({player("a", clumsy), player("b", solution), player("c", {Action::step(0, 1)})}, {test::corridor()}, {});
+  const Race race = hold_race({player("a", clumsy), player("b", solution), player("c", {Action::step(0, 1)})},
+                              {test::corridor()}, {});
   const auto json = nlohmann::json::parse(json_of(race, {}));
   for (const auto& mouse : json.at("mice")) {
     const auto& result = mouse.at("results").at(0);
     if (mouse.at("name") == "b") {
-      for (const char* field : {"blocked_steps", "void_rotations", "cut_movements", "idle_resets"}) EXPECT_FALSE(result.contains(field));
+      for (const char* field : {"blocked_steps", "void_rotations", "cut_movements", "idle_resets"})
+        EXPECT_FALSE(result.contains(field));
       continue;
     }
     const int others = mouse.at("name") == "a" ? 1 : 0;

@@ -65,13 +65,14 @@ TEST(MmsBound, TakesDiagonals) {
   EXPECT_EQ(mms_bound_of(maze).run, 8.5);
   EXPECT_EQ(mms_bound_of(maze).score, 9.35);
   EXPECT_EQ(mms_best_commands(maze),
-            (std::vector<std::string>{"moveForwardHalf 3", "turnRight45", "moveForwardHalf 1", "turnRight", "moveForwardHalf 1",
-                                      "turnRight45", "moveForwardHalf 1"}));
+            (std::vector<std::string>{"moveForwardHalf 3", "turnRight45", "moveForwardHalf 1", "turnRight",
+                                      "moveForwardHalf 1", "turnRight45", "moveForwardHalf 1"}));
 }
 
 TEST(MmsBound, OfAnOpenRoomIsOneDiagonal) {
   const Maze maze = open_room(16, 16);
-  EXPECT_EQ(mms_best_commands(maze), (std::vector<std::string>{"moveForwardHalf 1", "turnRight45", "moveForwardHalf 13"}));
+  EXPECT_EQ(mms_best_commands(maze),
+            (std::vector<std::string>{"moveForwardHalf 1", "turnRight45", "moveForwardHalf 13"}));
   EXPECT_EQ(mms_bound_of(maze).run, 1 + 1 + 7.5);
   EXPECT_EQ(mms_bound_of(maze).score, 10.45);
 }
@@ -137,9 +138,10 @@ class Everything {
   std::optional<float> least_score, least_run;
 
  private:
-  static constexpr std::array commands = {
-      "turnLeft", "turnRight", "turnLeft45", "turnRight45", "moveForwardHalf 1", "moveForwardHalf 2", "moveForwardHalf 3",
-      "moveForwardHalf 4", "moveForwardHalf 5", "moveForwardHalf 6", "moveForward 1", "ackReset"};
+  static constexpr std::array commands = {"turnLeft",          "turnRight",         "turnLeft45",
+                                          "turnRight45",       "moveForwardHalf 1", "moveForwardHalf 2",
+                                          "moveForwardHalf 3", "moveForwardHalf 4", "moveForwardHalf 5",
+                                          "moveForwardHalf 6", "moveForward 1",     "ackReset"};
   using Key = std::tuple<int, int, int, float, float, float, bool, float>;
 
   static float total_of(const MmsHost& host) {
@@ -148,8 +150,14 @@ class Everything {
   static Key key_of(const MmsHost& host) {
     const MmsStatistics& all = host.statistics();
     const float best = all.best_run_effective_distance + all.best_run_turns;
-    return {host.pose().place.x, host.pose().place.y, static_cast<int>(host.pose().heading), all.current_run_effective_distance,
-            all.current_run_turns, host.books().pending_penalty(), host.books().in_run(), best};
+    return {host.pose().place.x,
+            host.pose().place.y,
+            static_cast<int>(host.pose().heading),
+            all.current_run_effective_distance,
+            all.current_run_turns,
+            host.books().pending_penalty(),
+            host.books().in_run(),
+            best};
   }
   static MmsHost after(MmsHost host, const char* command) {
     std::string replies;
@@ -189,7 +197,8 @@ void expect_least(const Maze& maze, float more) {
 
 TEST(MmsBound, IsTheLeastOfAllThatCanBeDoneInSmallMazes) {
   Dice dice(3);
-  for (const Size size : {Size{1, 1}, {1, 2}, {2, 2}, {1, 3}, {3, 1}, {2, 3}, {3, 2}, {3, 3}, {3, 3}, {4, 3}, {3, 4}, {4, 4}})
+  for (const Size size :
+       {Size{1, 1}, {1, 2}, {2, 2}, {1, 3}, {3, 1}, {2, 3}, {3, 2}, {3, 3}, {3, 3}, {4, 3}, {3, 4}, {4, 4}})
     for (const int loops : {0, 400}) expect_least(wilson_generator.make({size, dice.bits(), loops}), 4);
 }
 

@@ -6,9 +6,9 @@
 
 #include <filesystem>
 
-#include "labmouse/lab/system/files.hpp"
 #include "labmouse/lab/galleries/mms_folder.hpp"
 #include "labmouse/lab/standings/mms_standings.hpp"
+#include "labmouse/lab/system/files.hpp"
 #include "tests/lab/mms_fixture.hpp"
 
 namespace labmouse {
@@ -30,7 +30,8 @@ MmsMouse witness_of(const Maze& maze) {
 }
 
 TEST(MmsRace, HoldsEveryMouseInEveryMazeInTheOrderOfNames) {
-  const MmsRace race = hold_mms_race({mms_mouse("b", {"ask:mazeWidth"}), mms_mouse("a", {"exit:2"})}, {plank(), loop()}, {});
+  const MmsRace race =
+      hold_mms_race({mms_mouse("b", {"ask:mazeWidth"}), mms_mouse("a", {"exit:2"})}, {plank(), loop()}, {});
   EXPECT_FALSE(race.stopped);
   EXPECT_EQ(race.mice[0].name, "mms:a");
   EXPECT_EQ(race.mazes[0].name, "loop");
@@ -58,7 +59,8 @@ TEST(MmsRace, ResultsDoNotDependOnTheNumberOfThreads) {
     order.jobs = jobs;
     std::vector<float> list;
     for (const MmsResult& result : hold_mms_race({witness_of(loop().maze), mms_mouse("turner", {"burst:99:turnLeft"})},
-                                                 {loop(), plank(), hook()}, order).results)
+                                                 {loop(), plank(), hook()}, order)
+                                       .results)
       list.push_back(result.run.statistics.total_turns);
     return list;
   };
@@ -66,9 +68,10 @@ TEST(MmsRace, ResultsDoNotDependOnTheNumberOfThreads) {
 }
 
 TEST(MmsRace, KeepsLittleOfLongTexts) {
-  const MmsRace race = hold_mms_race({mms_mouse("chatter", {"burst:50:what?", "errors:one", "errors:two", "errors:three",
-                                                            "errors:four", "errors:five", "errors:" + std::string(1000, 'x'), "say:setColor 0 0 G"})},
-                                     {plank()}, {});
+  const MmsRace race =
+      hold_mms_race({mms_mouse("chatter", {"burst:50:what?", "errors:one", "errors:two", "errors:three", "errors:four",
+                                           "errors:five", "errors:" + std::string(1000, 'x'), "say:setColor 0 0 G"})},
+                    {plank()}, {});
   const MmsRun& run = race.results[0].run;
   EXPECT_EQ(run.invalid_lines, 50);
   EXPECT_EQ(run.log.size(), kept_log);
@@ -99,7 +102,8 @@ TEST(MmsRace, BeginsNoOtherRunOnceItIsStopped) {
   hooks.finished = [&](const MmsRace&, const MmsResult&, const std::string&) { stop = true; };
   MmsRaceOrder order;
   order.jobs = 1;
-  const MmsRace race = hold_mms_race({mms_mouse("a", {}), mms_mouse("b", {"ask:turnLeft", "hang"})}, {plank(), hook()}, order, hooks);
+  const MmsRace race =
+      hold_mms_race({mms_mouse("a", {}), mms_mouse("b", {"ask:turnLeft", "hang"})}, {plank(), hook()}, order, hooks);
   EXPECT_TRUE(race.stopped);
   EXPECT_EQ(std::count_if(race.results.begin(), race.results.end(), [](const MmsResult& r) { return r.done; }), 1);
 }
@@ -114,7 +118,8 @@ TEST(MmsRace, ARunThatWasUnderWayIsEndedAndLeftOut) {
   };
   MmsRaceOrder order;
   order.jobs = 2;
-  const MmsRace race = hold_mms_race({mms_mouse("a", {}), mms_mouse("b", {"ask:turnLeft", "hang"})}, {plank()}, order, hooks);
+  const MmsRace race =
+      hold_mms_race({mms_mouse("a", {}), mms_mouse("b", {"ask:turnLeft", "hang"})}, {plank()}, order, hooks);
   EXPECT_TRUE(race.stopped);
   EXPECT_FALSE(race.results[1].done);
 }
@@ -122,7 +127,8 @@ TEST(MmsRace, ARunThatWasUnderWayIsEndedAndLeftOut) {
 TEST(MmsRace, HandsItsOptionsOn) {
   MmsRaceOrder order;
   order.options.strict = true;
-  EXPECT_EQ(hold_mms_race({mms_mouse("a", {"say:what?", "hang"})}, {plank()}, order).results[0].run.outcome, MmsOutcome::invalid);
+  EXPECT_EQ(hold_mms_race({mms_mouse("a", {"say:what?", "hang"})}, {plank()}, order).results[0].run.outcome,
+            MmsOutcome::invalid);
 }
 
 TEST(MmsRaceFolder, SavesUnderTheNamesOfMouseAndMaze) {
@@ -158,8 +164,12 @@ MmsRace two_mice() {
   unsolved.statistics.total_effective_distance = 100;
   unsolved.lines = 7;
   unsolved.invalid_lines = 2;
-  race.results = {{0, 0, true, test::imagined_run(40, 10, 180, 20)}, {0, 1, true, unsolved}, {0, 2, true, unsolved},
-                  {1, 0, true, test::imagined_run(30, 6, 30, 6)},    {1, 1, true, test::imagined_run(2, 0, 2, 1)}, {1, 2, false, {}}};
+  race.results = {{0, 0, true, test::imagined_run(40, 10, 180, 20)},
+                  {0, 1, true, unsolved},
+                  {0, 2, true, unsolved},
+                  {1, 0, true, test::imagined_run(30, 6, 30, 6)},
+                  {1, 1, true, test::imagined_run(2, 0, 2, 1)},
+                  {1, 2, false, {}}};
   return race;
 }
 

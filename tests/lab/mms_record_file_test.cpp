@@ -1,8 +1,9 @@
 // Records of mms: read back, and given to the simulator again.
+#include "labmouse/lab/records/mms_record_file.hpp"
+
 #include <gmock/gmock.h>
 
 #include "labmouse/lab/records/mms_record.hpp"
-#include "labmouse/lab/records/mms_record_file.hpp"
 #include "tests/lab/mms_record_fixture.hpp"
 #include "tests/lab/record_fixture.hpp"
 
@@ -78,17 +79,21 @@ TEST(MmsRecordFile, ThatIsNoneIsRefusedWithItsLine) {
   EXPECT_EQ(problem(changed(good, "\"drawing\"", "\"draft\"")).reason, "'maze.drawing' is missing");
   EXPECT_EQ(problem(good + good).reason, "the line stands behind the end of the record");
   EXPECT_EQ(problem(changed(good, "\"statistics\"", "\"sums\"")), (Problem{7, 1, "'statistics' is missing"}));
-  EXPECT_EQ(problem(changed(good, "\"total-turns\":1", "\"total-turns\":\"1\"")).reason, "'statistics.total-turns' is not a number");
+  EXPECT_EQ(problem(changed(good, "\"total-turns\":1", "\"total-turns\":\"1\"")).reason,
+            "'statistics.total-turns' is not a number");
   EXPECT_EQ(problem(changed(good, "\"lines\":5", "\"lines\":5.5")).reason, "'lines' is not a whole number");
-  EXPECT_EQ(problem(changed(good, "\"log\":[]", "\"log\":[1]")).reason, "the line has a log with a line that is no text");
+  EXPECT_EQ(problem(changed(good, "\"log\":[]", "\"log\":[1]")).reason,
+            "the line has a log with a line that is no text");
 }
 
 TEST(MmsRecordFile, WithAWrongEventIsRefusedWithItsLine) {
   const std::string good = mms_recorded(walk);
-  EXPECT_EQ(problem(changed(good, "\"line\":\"turnRight\"", "\"lime\":\"turnRight\"")), (Problem{3, 1, "'line' is missing"}));
+  EXPECT_EQ(problem(changed(good, "\"line\":\"turnRight\"", "\"lime\":\"turnRight\"")),
+            (Problem{3, 1, "'line' is missing"}));
   EXPECT_EQ(problem(changed(good, "[3,1]", "[3]")), (Problem{4, 1, "the line has a place that is not [x, y]"}));
   EXPECT_EQ(problem(changed(good, "[3,1]", "[7,1]")).reason, "'place' is outside of 0 to 6");
-  EXPECT_EQ(problem(changed(good, "\"heading\":\"east\"", "\"heading\":\"up\"")).reason, "the line has a heading that is none of the eight");
+  EXPECT_EQ(problem(changed(good, "\"heading\":\"east\"", "\"heading\":\"up\"")).reason,
+            "the line has a heading that is none of the eight");
   EXPECT_EQ(problem(changed(good, "\"clock\":0.0", "\"clock\":-1")).reason.substr(0, 19), "'clock' is outside ");
 }
 

@@ -42,8 +42,10 @@ MmsRace two_mice() {
   hung.invalid_lines = 2;
   hung.log = {"line 3: 'turnright' is no command", "line 4: '' is no command"};
   hung.errors = "Traceback\n  File \x1b[31m\nKeyError: 'north'\n";
-  race.results = {{0, 0, true, imagined_run(31, 8, 31.5F, 8)}, {0, 1, true, imagined_run(2, 0, 2, 1)},
-                  {1, 0, true, hung},                          {1, 1, true, imagined_run(2, 0, 24, 10)}};
+  race.results = {{0, 0, true, imagined_run(31, 8, 31.5F, 8)},
+                  {0, 1, true, imagined_run(2, 0, 2, 1)},
+                  {1, 0, true, hung},
+                  {1, 1, true, imagined_run(2, 0, 24, 10)}};
   return race;
 }
 
@@ -73,7 +75,8 @@ TEST(MmsTable, SaysHowRunsFailedAndWhatTheyWroteLast) {
 }
 
 TEST(MmsTable, SaysWhichLinesAreNoCommands) {
-  EXPECT_THAT(table_of(two_mice(), false), HasSubstr("  python3 bad.py: 2 of 30; first in loop: line 3: 'turnright' is no command\n"));
+  EXPECT_THAT(table_of(two_mice(), false),
+              HasSubstr("  python3 bad.py: 2 of 30; first in loop: line 3: 'turnright' is no command\n"));
 }
 
 TEST(MmsTable, SaysWhereItWasStopped) {
@@ -94,7 +97,8 @@ TEST(MmsTable, SaysWhichMazesAreOtherInMms) {
 }
 
 TEST(MmsTable, ShortensLongCommandsAndKeepsThemDifferent) {
-  const std::string path = "/home/somebody/mice/mms/mine/", one = "python3 " + path + "one.py", two = "python3 " + path + "two.py";
+  const std::string path = "/home/somebody/mice/mms/mine/", one = "python3 " + path + "one.py",
+                    two = "python3 " + path + "two.py";
   EXPECT_THAT(table_of(imagined_race({one, two}, {plank()}), false), HasSubstr("\n...somebody/mice/mms/mine/one.py "));
   const std::string tail = "/a/long/path/to/the/same/mouse.py";
   const std::string both = table_of(imagined_race({"python2 " + tail, "python3 " + tail}, {plank()}), false);
@@ -131,7 +135,9 @@ TEST(MmsJson, ARaceThatWasStoppedInOneWorldWasStopped) {
 TEST(MmsJson, AMazeHasItsLimits) {
   const Json json = group_json(imagined_race({"a"}, {plank(), shaft()}));
   const MmsBound bound = mms_bound_of(plank().maze);
-  EXPECT_EQ(json.at("mazes")[0], Json({{"name", "plank"}, {"width", 3}, {"height", 1}, {"best_run", *bound.run}, {"best_score", *bound.score}}));
+  EXPECT_EQ(
+      json.at("mazes")[0],
+      Json({{"name", "plank"}, {"width", 3}, {"height", 1}, {"best_run", *bound.run}, {"best_score", *bound.score}}));
   EXPECT_TRUE(json.at("mazes")[1].at("best_run").is_null());
   EXPECT_TRUE(json.at("mazes")[1].at("best_score").is_null());
 }
@@ -188,9 +194,11 @@ TEST(MmsJson, TextsThatAreNoUtf8DoNoHarm) {
 TEST(MmsCsv, HasALineForEachRun) {
   const auto list = lines(csv_of(two_mice()));
   ASSERT_EQ(list.size(), 5U);
-  EXPECT_EQ(list[0], "mouse,maze,outcome,end,solved,best_run,possible_run,possible_score,total-distance,total-effective-distance,"
-                     "total-turns,current-run-distance,current-run-effective-distance,current-run-turns,best-run-distance,"
-                     "best-run-effective-distance,best-run-turns,score,lines,invalid_lines,simulated_seconds,seconds");
+  EXPECT_EQ(
+      list[0],
+      "mouse,maze,outcome,end,solved,best_run,possible_run,possible_score,total-distance,total-effective-distance,"
+      "total-turns,current-run-distance,current-run-effective-distance,current-run-turns,best-run-distance,"
+      "best-run-effective-distance,best-run-turns,score,lines,invalid_lines,simulated_seconds,seconds");
   for (const std::string& line : list) EXPECT_EQ(std::count(line.begin(), line.end(), ','), 21) << line;
   EXPECT_THAT(list[3], HasSubstr("mms:python3 bad.py,loop,hung,wrote no line for 1 s,false,,"));
 }
@@ -198,14 +206,17 @@ TEST(MmsCsv, HasALineForEachRun) {
 TEST(MmsReport, PutsTheScoreBesideTheBound) {
   const std::string text = report_of("./mouse", plank(), imagined_run(2, 0, 24, 9));
   const MmsBound bound = mms_bound_of(plank().maze);
-  EXPECT_THAT(text, HasSubstr("./mouse in plank: score 5.3 = 2 best run + 33 total / 10; bound " + fmt::format("{:g}", *bound.score)));
+  EXPECT_THAT(text, HasSubstr("./mouse in plank: score 5.3 = 2 best run + 33 total / 10; bound " +
+                              fmt::format("{:g}", *bound.score)));
   EXPECT_THAT(text, HasSubstr("complete: exit code 0; 20 lines, 12.5 s in mms"));
   EXPECT_THAT(report_of("./mouse", shaft(), {}), HasSubstr("unsolved, score 2000; the centre cannot be reached"));
 }
 
 TEST(MmsReport, SaysWhatWasWrong) {
   const std::string text = report_of("./mouse", loop(), two_mice().results[2].run);
-  EXPECT_THAT(text, HasSubstr("2 lines that are no command, which mms does not answer:\n  line 3: 'turnright' is no command\n"));
+  EXPECT_THAT(
+      text,
+      HasSubstr("2 lines that are no command, which mms does not answer:\n  line 3: 'turnright' is no command\n"));
   EXPECT_THAT(text, HasSubstr("  | KeyError: 'north'\n"));
   EXPECT_THAT(text, Not(HasSubstr("\x1b")));
 }
@@ -237,7 +248,8 @@ TEST(MmsRecord, BeginsWithTheMazeAsMmsTakesIt) {
 }
 
 TEST(MmsRecord, HasALineForWhatMovedTurnedOrDrew) {
-  const auto record = recorded({"mazeWidth", "moveForward 2", "turnRight45", "setText 1 1 caf\xe9", "ackReset", "what"});
+  const auto record =
+      recorded({"mazeWidth", "moveForward 2", "turnRight45", "setText 1 1 caf\xe9", "ackReset", "what"});
   ASSERT_EQ(record.size(), 6U);
   EXPECT_EQ(record[1].at("line"), "moveForward 2");
   EXPECT_EQ(record[1].at("reply"), "ack");

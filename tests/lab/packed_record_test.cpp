@@ -95,8 +95,8 @@ TEST(PackedRecord, KeepsActionsThatNoMouseShouldTake) {
   constexpr int least = std::numeric_limits<int>::min(), most = std::numeric_limits<int>::max();
   const NamedMaze maze = test::loop();
   RecordFile file = recorded("flood", maze);
-  Script script(maze.maze.size(), {Action::step(45, 1), Action::step(least, most), Action::step(90, 4), Action::step(0, least),
-                                   Action::reset(), Action::forfeit(ForfeitReason::closed)});
+  Script script(maze.maze.size(), {Action::step(45, 1), Action::step(least, most), Action::step(90, 4),
+                                   Action::step(0, least), Action::reset(), Action::forfeit(ForfeitReason::closed)});
   file.run = run(maze.maze, Rules(), script);
   EXPECT_EQ(pack_record(file)["actions"], "(45,1)(-2147483648,2147483647)(90,4)(0,-2147483648)R!closed its pipes;");
   EXPECT_EQ(unpacked(file).run, file.run);
@@ -126,9 +126,31 @@ RC_GTEST_PROP(PackedRecord, HoldsAnyActions, ()) {
 TEST(PackedRecord, SaysWhichActionIsNone) {
   EXPECT_EQ(error_of(with_actions("nv")), "'record' has no action at character 2 of 'actions'");
   EXPECT_EQ(error_of(with_actions("(45,1)n*")), "'record' has no action at character 8 of 'actions'");
-  for (const char* bad : {"A", "`", "r ", "\xff", "(", "(1", "(1,", "(1,2", "(1,2]", "(01,2)", "(+1,2)", "( 1,2)", "(-0,2)",
-                          "(,2)", "(1,)", "(0,1)", "(90,-3)", "(2147483648,1)", "(1,-2147483649)", "!", "!;", "!lost",
-                          "!Lost;", "!lost ;", "!sleepy;"})
+  for (const char* bad : {"A",
+                          "`",
+                          "r ",
+                          "\xff",
+                          "(",
+                          "(1",
+                          "(1,",
+                          "(1,2",
+                          "(1,2]",
+                          "(01,2)",
+                          "(+1,2)",
+                          "( 1,2)",
+                          "(-0,2)",
+                          "(,2)",
+                          "(1,)",
+                          "(0,1)",
+                          "(90,-3)",
+                          "(2147483648,1)",
+                          "(1,-2147483649)",
+                          "!",
+                          "!;",
+                          "!lost",
+                          "!Lost;",
+                          "!lost ;",
+                          "!sleepy;"})
     EXPECT_THAT(error_of(with_actions(bad)), HasSubstr("has no action at")) << bad;
 }
 
@@ -153,7 +175,8 @@ TEST(PackedRecord, SaysWhichFieldIsWrong) {
   EXPECT_EQ(with("last_words", 7), "'record.last_words' is not a text");
   EXPECT_EQ(with("outcome", 7), "'record.outcome' is not a text");
   EXPECT_EQ(with("outcome", "won"), "'record' has an outcome that this version does not know");
-  for (const Json& seed : {Json(-1), Json(1.5), Json(""), Json("-1"), Json("1 "), Json("18446744073709551616"), Json(true)})
+  for (const Json& seed :
+       {Json(-1), Json(1.5), Json(""), Json("-1"), Json("1 "), Json("18446744073709551616"), Json(true)})
     EXPECT_EQ(with("seed", seed), "'record' has a seed that is not a number from 0 to 2^64 - 1") << seed;
   EXPECT_EQ(with("rules", {{"stride", 9}}), "'rules.stride' is outside of 1 to 8");
   EXPECT_EQ(with("counts", 7), "'counts' is not an object");

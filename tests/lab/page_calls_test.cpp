@@ -6,9 +6,9 @@
 #include <set>
 #include <sstream>
 
+#include "labmouse/lab/bench/signature.hpp"
 #include "labmouse/lab/mice/mice_json.hpp"
 #include "labmouse/lab/standings/race_json.hpp"
-#include "labmouse/lab/bench/signature.hpp"
 #include "tests/lab/page_fixture.hpp"
 
 namespace labmouse {
@@ -61,11 +61,17 @@ TEST(PageCalls, RefuseWhatIsNoRequest) {
 /// Whatever stands in a field, there is an answer or a failure in words.
 TEST(PageCalls, SurviveAnythingInAnyField) {
   const json maze = data_of(test::hook());
-  const json requests = {{"maze", maze},     {"mouse", "flood"}, {"seed", 1},      {"name", "a"},     {"generator", "prim"},
-                         {"width", 4},       {"height", 4},      {"loops", 0},     {"mice", {"flood"}}, {"runs", 1},
-                         {"mazes", {maze}},  {"differences", {1.5}}, {"format", "maz"}, {"link", "x"},  {"frames", 2},
-                         {"known", {0, 0, 0, 0, 0, 0, 0, 0}},        {"stride", 3},    {"record", json::object()}};
-  const json anything = {nullptr, true, -1, 0, 1e300, "", "x", json::array(), json::object(), {1, "a", nullptr}, {{"name", 1}}};
+  const json requests = {{"maze", maze},        {"mouse", "flood"},
+                         {"seed", 1},           {"name", "a"},
+                         {"generator", "prim"}, {"width", 4},
+                         {"height", 4},         {"loops", 0},
+                         {"mice", {"flood"}},   {"runs", 1},
+                         {"mazes", {maze}},     {"differences", {1.5}},
+                         {"format", "maz"},     {"link", "x"},
+                         {"frames", 2},         {"known", {0, 0, 0, 0, 0, 0, 0, 0}},
+                         {"stride", 3},         {"record", json::object()}};
+  const json anything = {nullptr,           true,         -1, 0, 1e300, "", "x", json::array(), json::object(),
+                         {1, "a", nullptr}, {{"name", 1}}};
   for (const std::string_view call : page_calls()) {
     if (call == "about" || call == "signature" || call == "speed") continue;
     for (const auto& [field, value] : requests.items())
@@ -73,14 +79,16 @@ TEST(PageCalls, SurviveAnythingInAnyField) {
         json request = requests;
         request[field] = bad;
         const json said = test::said(call, request, "no file");
-        EXPECT_TRUE(said.contains("answer") || !said["failure"]["error"].get<std::string>().empty()) << call << field << bad;
+        EXPECT_TRUE(said.contains("answer") || !said["failure"]["error"].get<std::string>().empty())
+            << call << field << bad;
       }
     for (const auto& [field, value] : maze.items())
       for (const json& bad : anything) {
         json request = requests;
         request["maze"][field] = bad;
         const json said = test::said(call, request, "no file");
-        EXPECT_TRUE(said.contains("answer") || !said["failure"]["error"].get<std::string>().empty()) << call << field << bad;
+        EXPECT_TRUE(said.contains("answer") || !said["failure"]["error"].get<std::string>().empty())
+            << call << field << bad;
       }
   }
 }
@@ -105,12 +113,13 @@ TEST(PageCalls, TellWhatTheCoreBrings) {
   for (const char* field : {"version", "compiler"}) EXPECT_FALSE(about[field].get<std::string>().empty());
 }
 
-TEST(PageCalls, HaveTheSignature) {
-  EXPECT_EQ(answer("signature", json::object())["signature"], signature());
-}
+TEST(PageCalls, HaveTheSignature) { EXPECT_EQ(answer("signature", json::object())["signature"], signature()); }
 
 json race(const json& more = json::object()) {
-  json request = {{"mice", {"flood", "random"}}, {"mazes", {data_of(test::loop()), data_of(test::corridor())}}, {"seed", 3}, {"runs", 2}};
+  json request = {{"mice", {"flood", "random"}},
+                  {"mazes", {data_of(test::loop()), data_of(test::corridor())}},
+                  {"seed", 3},
+                  {"runs", 2}};
   request.update(more);
   return request;
 }
@@ -139,7 +148,8 @@ TEST(PageCalls, RaceTheRosterWhereNoMouseIsNamed) {
 
 TEST(PageCalls, RefuseRacesThatCannotBe) {
   EXPECT_EQ(error_of("race", race({{"mazes", json::array()}})), "a race needs a maze");
-  EXPECT_EQ(error_of("race", race({{"mazes", {data_of(test::loop()), data_of(test::loop())}}})), "two mazes are called 'loop'");
+  EXPECT_EQ(error_of("race", race({{"mazes", {data_of(test::loop()), data_of(test::loop())}}})),
+            "two mazes are called 'loop'");
   EXPECT_EQ(error_of("race", race({{"mazes", {data_of(test::loop()), 3}}})), "'mazes[1]' is not an object");
   EXPECT_EQ(error_of("race", race({{"mice", {"flood", 3}}})), "'mice' has one that is no text");
   EXPECT_EQ(error_of("race", race({{"runs", 0}})), "'runs' is outside of 1 to 1000");

@@ -70,8 +70,8 @@ TEST(PageDrive, HasEachMoveAndEachSegment) {
   EXPECT_EQ(play_of(test::loop(), "flood")["drive"]["runs"][0]["known"], nullptr);
 }
 
-/// Of every run the path begins and ends with the run, and its points agree: the way between two of them is what the speeds
-/// at both make of the time between, and each frame of the play lies on it.
+/// Of every run the path begins and ends with the run, and its points agree: the way between two of them is what the
+/// speeds at both make of the time between, and each frame of the play lies on it.
 TEST(PageDrive, DrawsAPathThatIsDrivenAtItsSpeeds) {
   for (const char* robot : {"mm2021", "classic", "half"})
     for (const char* mouse : {"flood", "certify", "ariadne"}) {
@@ -100,7 +100,7 @@ TEST(PageDrive, DrawsAPathThatIsDrivenAtItsSpeeds) {
 /// Where the mouse looks is where it goes, unless it turns on the spot.
 TEST(PageDrive, LooksWhereItGoes) {
   const json play = play_of(builtin("capstone-1"), "certify", "classic");
-  const json &path = play["drive"]["path"];
+  const json& path = play["drive"]["path"];
   for (const json& run : play["drive"]["runs"])
     for (std::size_t i = run["from"].get<std::size_t>() + 1; i < run["to"]; ++i) {
       const Spot a = spot_of(path, i - 1), b = spot_of(path, i);
@@ -184,7 +184,8 @@ TEST(PageDrive, OpensNoRecordThatCannotHaveHappened) {
   changed.replace(changed.find("\"until\":300000"), 14, "\"until\":300001");
   for (const char* call : {"open", "picture"})
     EXPECT_THAT(failure(call, {{"name", "changed.jsonl"}}, changed)["problems"][0]["reason"].get<std::string>(),
-                HasSubstr("run 1 (search): move 1: recorded")) << call;
+                HasSubstr("run 1 (search): move 1: recorded"))
+        << call;
   const json cut = failure("open", {{"name", "cut.jsonl"}}, record.substr(0, 100));
   EXPECT_EQ(cut["error"], "cut.jsonl is no record that can be read");
   EXPECT_THAT(cut["problems"][0]["reason"].get<std::string>(), HasSubstr("not JSON"));

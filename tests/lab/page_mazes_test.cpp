@@ -109,7 +109,8 @@ TEST(PageMazes, AreInspected) {
 
 TEST(PageMazes, WithoutAWayHaveNoBounds) {
   const json found = answer("inspect", inspecting(data_of(test::without_route())));
-  for (const char* field : {"optimum", "bound", "shortest_cells", "shortest_runs"}) EXPECT_TRUE(found[field].is_null()) << field;
+  for (const char* field : {"optimum", "bound", "shortest_cells", "shortest_runs"})
+    EXPECT_TRUE(found[field].is_null()) << field;
   EXPECT_EQ(found["route"], json::array());
   EXPECT_EQ(found["distances"], json::parse("[-1,0]"));
 }

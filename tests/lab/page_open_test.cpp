@@ -1,8 +1,8 @@
 // Files that are dropped on the page.
 #include <gmock/gmock.h>
 
-#include "labmouse/lab/pictures/mms_picture.hpp"
 #include "labmouse/lab/page/json_problem.hpp"
+#include "labmouse/lab/pictures/mms_picture.hpp"
 #include "labmouse/lab/standings/race_json.hpp"
 #include "labmouse/lab/system/version.hpp"
 #include "labmouse/maze/generators/generator.hpp"
@@ -19,10 +19,16 @@ using test::json;
 using test::recorded;
 using ::testing::HasSubstr;
 
-json opened(std::string_view content, const char* name = "file") { return test::answer("open", {{"name", name}}, content); }
-json refused(std::string_view content, const char* name = "file") { return test::failure("open", {{"name", name}}, content); }
+json opened(std::string_view content, const char* name = "file") {
+  return test::answer("open", {{"name", name}}, content);
+}
+json refused(std::string_view content, const char* name = "file") {
+  return test::failure("open", {{"name", name}}, content);
+}
 
-json problem(int line, int column, const std::string& reason) { return {{"line", line}, {"column", column}, {"reason", reason}}; }
+json problem(int line, int column, const std::string& reason) {
+  return {{"line", line}, {"column", column}, {"reason", reason}};
+}
 
 TEST(PageOpens, MazesOfEveryFormat) {
   const Maze maze = depth_first_generator.make({{16, 16}, 1, 0});
@@ -78,8 +84,10 @@ TEST(PageOpens, NoRecordThatIsNone) {
   const json said = refused(changed(good, "\"step\":2", "\"step\":3"), "walk.jsonl");
   EXPECT_EQ(said["error"], "walk.jsonl is no record that can be read");
   EXPECT_EQ(said["problems"], json::array({problem(3, 1, "the line has step 3 where step 2 is due")}));
-  EXPECT_EQ(refused("{\"labmouse\":\"record\",\"for")["problems"], json::array({problem(1, 1, "the line is not JSON")}));
-  EXPECT_EQ(refused("{ \"labmouse\" : \"mms record\",\n")["problems"], json::array({problem(1, 1, "the line is not JSON")}));
+  EXPECT_EQ(refused("{\"labmouse\":\"record\",\"for")["problems"],
+            json::array({problem(1, 1, "the line is not JSON")}));
+  EXPECT_EQ(refused("{ \"labmouse\" : \"mms record\",\n")["problems"],
+            json::array({problem(1, 1, "the line is not JSON")}));
 }
 
 TEST(PageOpens, NoRecordOfAnotherMaze) {
@@ -92,8 +100,9 @@ TEST(PageOpens, NoRecordOfAnotherMaze) {
 
 /// Each number can be seen in the plank: two moves, of which the first enters the goal.
 TEST(PageOpens, RecordsOfMms) {
-  json play = opened(test::mms_recorded({"setColor 0 0 G", "turnRight", "setText 1 0 here it is", "moveForward 5", "setWall 2 0 e",
-                                         "clearColor 0 0", "clearAllText", "ackReset", "setWall 0 0 n", "clearWall 0 0 n", "clearAllColor"}))["play"];
+  json play = opened(test::mms_recorded({"setColor 0 0 G", "turnRight", "setText 1 0 here it is", "moveForward 5",
+                                         "setWall 2 0 e", "clearColor 0 0", "clearAllText", "ackReset", "setWall 0 0 n",
+                                         "clearWall 0 0 n", "clearAllColor"}))["play"];
   for (const char* list : {"clock", "scores"}) {
     EXPECT_EQ(play[list].size(), 4U) << list;
     EXPECT_EQ(play[list][0], list == std::string("scores") ? 2000 : 0);
@@ -126,8 +135,9 @@ TEST(PageOpens, RecordsOfMms) {
 
 TEST(PageOpens, RecordsOfMmsWithDiagonals) {
   const NamedMaze maze = {"room", test::drawn("o---o---o\n|       |\no   o   o\n|       |\no---o---o")};
-  const json play = opened(test::mms_recorded({"moveForwardHalf 1", "turnRight45", "moveForwardHalf 1", "turnRight45", "moveForwardHalf 1"},
-                                              most_recorded_events, maze))["play"];
+  const json play = opened(
+      test::mms_recorded({"moveForwardHalf 1", "turnRight45", "moveForwardHalf 1", "turnRight45", "moveForwardHalf 1"},
+                         most_recorded_events, maze))["play"];
   EXPECT_EQ(play["entered"], json::parse("[[],[],[2],[],[3]]"));
   EXPECT_EQ(play["heading"], json::parse("[0,0,1,1,2,2]"));
   EXPECT_EQ(play["goal_frame"], 1);
@@ -145,8 +155,10 @@ TEST(PageOpens, NoRecordOfMmsThatDoesNotFit) {
 TEST(PageOpens, Pages) {
   EXPECT_EQ(refused("<!DOCTYPE html>\n<html><title>labmouse</title>", "report.html")["error"],
             "report.html is a page of labmouse: open it by itself, as any page");
-  EXPECT_THAT(refused("\xEF\xBB\xBF <html>", "x.html")["error"].get<std::string>(), HasSubstr("x.html is a page or a picture; here go "));
-  EXPECT_THAT(refused("<svg>labmouse</svg>", "x.svg")["error"].get<std::string>(), HasSubstr("x.svg is a page or a picture; here go "));
+  EXPECT_THAT(refused("\xEF\xBB\xBF <html>", "x.html")["error"].get<std::string>(),
+              HasSubstr("x.html is a page or a picture; here go "));
+  EXPECT_THAT(refused("<svg>labmouse</svg>", "x.svg")["error"].get<std::string>(),
+              HasSubstr("x.svg is a page or a picture; here go "));
 }
 
 json results() {
@@ -177,7 +189,8 @@ TEST(PageOpens, ResultsOfMms) {
   EXPECT_EQ(group["mazes"], whole["groups"][0]["mazes"]);
   EXPECT_EQ(group["mice"][0]["results"][0]["score"], whole["groups"][0]["mice"][0]["results"][0]["score"]);
   whole["groups"][0]["mice"][0]["results"][0]["maze"] = "other";
-  EXPECT_EQ(refused(whole.dump())["problems"][0]["reason"], "'groups[0].mice[0].results[0].maze' is none of the race's mazes");
+  EXPECT_EQ(refused(whole.dump())["problems"][0]["reason"],
+            "'groups[0].mice[0].results[0].maze' is none of the race's mazes");
 }
 
 json refused_with(const char* field, const json& value) {
@@ -190,7 +203,8 @@ TEST(PageOpens, NothingThatIsTooDeepToBeOurs) {
   const json said = refused(std::string(40, '[') + std::string(40, ']'));
   EXPECT_EQ(said["error"], "file is JSON, but has more lists and objects in each other than any of ours");
   EXPECT_EQ(refused(std::string(1'000'000, '['))["error"], said["error"]);
-  EXPECT_EQ(refused("[\"" + std::string(40, '[') + "\\\"[\"]")["error"], "file is JSON, but neither a record nor the results of a race");
+  EXPECT_EQ(refused("[\"" + std::string(40, '[') + "\\\"[\"]")["error"],
+            "file is JSON, but neither a record nor the results of a race");
 }
 
 TEST(PageOpens, NoResultsWithWrongFields) {
@@ -218,7 +232,9 @@ TEST(PageOpens, ResultsOfAnEarlierVersionWhereTheyHaveWhatIsNeeded) {
   EXPECT_TRUE(opened(old.dump())["results"]["mice"][0]["mean_visited_share"].is_null());
   old["mice"][0].erase("optimal_share");
   const json said = refused(old.dump(), "old.json");
-  EXPECT_EQ(said["error"], "old.json has results of a race that cannot be read; labmouse 0.0.1 wrote them, and this is " + std::string(version()));
+  EXPECT_EQ(said["error"],
+            "old.json has results of a race that cannot be read; labmouse 0.0.1 wrote them, and this is " +
+                std::string(version()));
   EXPECT_EQ(said["problems"], json::array({problem(0, 0, "'mice[0].optimal_share' is missing")}));
 }
 
@@ -228,14 +244,18 @@ TEST(PageOpens, NoJsonThatIsNone) {
   ASSERT_EQ(said["problems"].size(), 1U);
   EXPECT_EQ(said["problems"][0]["line"], 3);
   EXPECT_EQ(said["problems"][0]["column"], 3);
-  EXPECT_THAT(said["problems"][0]["reason"].get<std::string>(), HasSubstr("no JSON: syntax error while parsing value - unexpected '}'"));
+  EXPECT_THAT(said["problems"][0]["reason"].get<std::string>(),
+              HasSubstr("no JSON: syntax error while parsing value - unexpected '}'"));
   EXPECT_EQ(refused(R"({"labmouse":"0.1.0","mice":[],"groups":[{"world":"seconds"}]})", "x")["error"],
             "x is a race in seconds, which is not shown here: open records that it saved, --out DIR");
   EXPECT_EQ(refused("[1]", "x")["error"], "x is JSON, but neither a record nor the results of a race");
 }
 
 TEST(JsonProblem, HasItsPlace) {
-  const auto place = [](std::string_view text) { const Problem at = json_problem(text); return std::pair(at.line, at.column); };
+  const auto place = [](std::string_view text) {
+    const Problem at = json_problem(text);
+    return std::pair(at.line, at.column);
+  };
   EXPECT_EQ(place("{,"), std::pair(1, 2));
   EXPECT_EQ(place("\n\n  x"), std::pair(3, 3));
   EXPECT_EQ(place("[1e999]"), std::pair(1, 6));

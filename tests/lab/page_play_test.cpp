@@ -2,9 +2,9 @@
 #include <gmock/gmock.h>
 
 #include "labmouse/contest/coverage.hpp"
+#include "labmouse/lab/galleries/race_folder.hpp"
 #include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/page/play_frames.hpp"
-#include "labmouse/lab/galleries/race_folder.hpp"
 #include "tests/lab/page_fixture.hpp"
 #include "tests/lab/record_fixture.hpp"
 
@@ -91,7 +91,8 @@ TEST(PagePlay, SaysWhyAMouseGaveUp) {
   const json play = play_of("flood", test::without_route());
   EXPECT_EQ(play["outcome"], "forfeit: no way");
   EXPECT_EQ(play["solved"], false);
-  for (const char* field : {"score", "bound", "optimum", "goal_frame", "reset_frame"}) EXPECT_TRUE(play[field].is_null()) << field;
+  for (const char* field : {"score", "bound", "optimum", "goal_frame", "reset_frame"})
+    EXPECT_TRUE(play[field].is_null()) << field;
   EXPECT_EQ(play["action"].back(), "forfeit: no way");
 }
 
@@ -109,9 +110,11 @@ TEST(PagePlay, TakesABudget) {
 }
 
 TEST(PagePlay, IsOfOneMouseOfTheRoster) {
-  EXPECT_EQ(error_of("run", running("flod")), "mouse 'flod' is unknown; did you mean 'flood'? `labmouse mice` lists all");
+  EXPECT_EQ(error_of("run", running("flod")),
+            "mouse 'flod' is unknown; did you mean 'flood'? `labmouse mice` lists all");
   EXPECT_EQ(error_of("run", running("flood,certify")), "'flood,certify' names several mice; one runs here");
-  EXPECT_EQ(error_of("run", running("guest:ls")), "guest 'guest:ls' is a program, and a page starts none; `labmouse race` does");
+  EXPECT_EQ(error_of("run", running("guest:ls")),
+            "guest 'guest:ls' is a program, and a page starts none; `labmouse race` does");
   EXPECT_THAT(error_of("run", running("flood,mms:ls")), HasSubstr("guest 'mms:ls' is a program"));
   EXPECT_THAT(error_of("run", running("capstone:r.py")), HasSubstr("guest 'capstone:r.py' is a program"));
 }

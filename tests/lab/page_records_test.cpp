@@ -1,10 +1,10 @@
 // Packed records, pictures, beliefs, comparisons, links and files, as the page asks for them.
 #include <gmock/gmock.h>
 
-#include "labmouse/lab/pictures/picture_layers.hpp"
 #include "labmouse/lab/mazes/maze_link.hpp"
-#include "labmouse/lab/records/packed_record.hpp"
 #include "labmouse/lab/numbers/statistics.hpp"
+#include "labmouse/lab/pictures/picture_layers.hpp"
+#include "labmouse/lab/records/packed_record.hpp"
 #include "labmouse/maze/formats/format.hpp"
 #include "labmouse/mouse/distance.hpp"
 #include "tests/lab/mms_record_fixture.hpp"
@@ -57,7 +57,8 @@ TEST(PageUnpacks, NoRecordThatIsNoneOrOfAnotherMaze) {
 
 TEST(PageUnpacks, RecordsOfMmsAsTheyAreOpened) {
   const std::string text = test::mms_recorded({"setColor 0 0 G", "moveForward"});
-  const json unpacked = answer("unpack", of_maze(test::loop(), {{"record", {{"mouse", "m"}, {"maze", "z"}, {"mms", text}}}}));
+  const json unpacked =
+      answer("unpack", of_maze(test::loop(), {{"record", {{"mouse", "m"}, {"maze", "z"}, {"mms", text}}}}));
   EXPECT_EQ(unpacked["play"], answer("open", {{"name", "r"}}, text)["play"]);
   EXPECT_EQ(unpacked["record"], text);
   const json cut = failure("unpack", of_maze(test::loop(), {{"record", {{"mms", text.substr(0, 20)}}}}));
@@ -87,7 +88,8 @@ TEST(PageBeliefs, AreDistancesOverWallsNotYetSeen) {
   const json request = of_maze(test::corridor(), {{"known", known}, {"frames", 4}, {"stride", 3}});
   const PageAnswer said = answer_page("beliefs", request.dump(), "");
   EXPECT_EQ(json::parse(said.json), json::parse(R"({"answer":{}})"));
-  const std::vector<int> open = {0, 1, 1, 1, 1, 2, 2, 2}, once = {0, 1, 1, 1, 3, 2, 2, 2}, twice = {0, 1, 1, 1, 3, 3, 2, 2};
+  const std::vector<int> open = {0, 1, 1, 1, 1, 2, 2, 2}, once = {0, 1, 1, 1, 3, 2, 2, 2},
+                         twice = {0, 1, 1, 1, 3, 3, 2, 2};
   std::vector<int> all = open;
   for (const auto* frame : {&once, &twice, &twice}) all.insert(all.end(), frame->begin(), frame->end());
   EXPECT_EQ(numbers(said.bytes), all);
@@ -102,7 +104,8 @@ TEST(PageBeliefs, AreNotOfWrongLists) {
   const auto error = [](const json& more) { return error_of("beliefs", of_maze(test::hook(), more)); };
   const json zeros = {0, 0, 0, 0, 0, 0, 0, 0};
   EXPECT_EQ(error({{"known", {1}}, {"frames", 2}, {"stride", 3}}), "'known' is of 1 walls where 8 are due");
-  EXPECT_EQ(error({{"known", {0, 0, 0, 0, 0, 0, 2, 0}}, {"frames", 2}, {"stride", 3}}), "'known' is outside of -1 to 1");
+  EXPECT_EQ(error({{"known", {0, 0, 0, 0, 0, 0, 2, 0}}, {"frames", 2}, {"stride", 3}}),
+            "'known' is outside of -1 to 1");
   EXPECT_EQ(error({{"known", zeros}, {"frames", 0}, {"stride", 3}}).substr(0, 21), "'frames' is outside o");
   EXPECT_EQ(error({{"known", zeros}, {"frames", 2}, {"stride", 9}}), "'stride' is outside of 1 to 8");
   EXPECT_THAT(error({{"known", zeros}, {"frames", 2000000000}, {"stride", 3}}), HasSubstr("too much for a page"));
@@ -112,8 +115,13 @@ TEST(PageCompares, AsTheLabDoes) {
   const std::vector<double> differences = {-1, 0.5, -2, 0, -0.25};
   const PairedDifference found = paired_difference(differences, 1);
   const json said = answer("compare", {{"differences", differences}});
-  EXPECT_EQ(said, (json{{"count", 5}, {"mean", found.mean}, {"interval", {found.interval.low, found.interval.high}},
-                        {"below", 3}, {"equal", 1}, {"above", 1}, {"sign_test", found.sign_test}}));
+  EXPECT_EQ(said, (json{{"count", 5},
+                        {"mean", found.mean},
+                        {"interval", {found.interval.low, found.interval.high}},
+                        {"below", 3},
+                        {"equal", 1},
+                        {"above", 1},
+                        {"sign_test", found.sign_test}}));
   const Interval other = paired_difference(differences, 7).interval;
   EXPECT_EQ(answer("compare", {{"differences", differences}, {"seed", 7}})["interval"], json({other.low, other.high}));
   EXPECT_NE(other, found.interval);
@@ -149,7 +157,8 @@ TEST(PageWrites, BytesOfTheBinaryFormat) {
 }
 
 TEST(PageWrites, NothingThatAFormatCannotHold) {
-  EXPECT_THAT(error_of("write_maze", of_maze(test::hook(), {{"format", "maz"}})), HasSubstr("format maz cannot hold this maze: "));
+  EXPECT_THAT(error_of("write_maze", of_maze(test::hook(), {{"format", "maz"}})),
+              HasSubstr("format maz cannot hold this maze: "));
   EXPECT_EQ(error_of("write_maze", of_maze(test::hook(), {{"format", "png"}})), "there is no format 'png'");
 }
 

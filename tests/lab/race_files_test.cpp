@@ -1,8 +1,7 @@
-#include "labmouse/lab/galleries/race_folder.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "labmouse/lab/galleries/race_folder.hpp"
 #include "tests/lab/record_fixture.hpp"
 
 namespace labmouse {
@@ -22,11 +21,13 @@ RecordFile short_of_steps(int budget) {
 
 TEST(ResultLine, SaysWhereAMouseStoodThatDidNotSolveIt) {
   RecordFile file = short_of_steps(2);
-  EXPECT_EQ(result_line(file), "flood in loop: out of steps at (0,4) heading north after 2 exploration and 0 speed steps; bound 4.167");
+  EXPECT_EQ(result_line(file),
+            "flood in loop: out of steps at (0,4) heading north after 2 exploration and 0 speed steps; bound 4.167");
   file.run.end = {{3, 1}, Heading::west};
   EXPECT_THAT(result_line(file), HasSubstr("out of steps at (3,1) heading west after 2"));
   EXPECT_EQ(result_line(test::recorded("flood", test::without_route())),
-            "flood in without-route: forfeit (no way) at (0,0) heading north after 1 exploration and 0 speed steps; the goal cannot be reached");
+            "flood in without-route: forfeit (no way) at (0,0) heading north after 1 exploration and 0 speed steps; "
+            "the goal cannot be reached");
 }
 
 TEST(ResultLine, DoesNotForASolvedContestOrACutRecord) {

@@ -163,13 +163,15 @@ TEST(Record, CutAtAnyByteNeverCrashes) {
 TEST(Record, RubbishIsRefused) {
   EXPECT_EQ(problem(""), (Problem{0, 0, "the record is empty"}));
   EXPECT_EQ(problem("rubbish\n").line, 1);
-  for (const char* bad : {"\x00\xff\xfe", "[]", "3", "null", "\"record\"", "{}", "{\"format\":1}", "{\"format\":\"1\"}",
-                          "{\"format\":1,\"maze\":3,\"mouse\":3}", "{\"format\":1,\"maze\":{},\"mouse\":{\"name\":\"x\"}}"})
+  for (const char* bad :
+       {"\x00\xff\xfe", "[]", "3", "null", "\"record\"", "{}", "{\"format\":1}", "{\"format\":\"1\"}",
+        "{\"format\":1,\"maze\":3,\"mouse\":3}", "{\"format\":1,\"maze\":{},\"mouse\":{\"name\":\"x\"}}"})
     problem(bad);
 }
 
 TEST(Record, OfAnotherFormatIsRefused) {
-  EXPECT_THAT(problem(changed(write_record(recorded("flood")), "\"format\":1", "\"format\":2")).reason, HasSubstr("format"));
+  EXPECT_THAT(problem(changed(write_record(recorded("flood")), "\"format\":1", "\"format\":2")).reason,
+              HasSubstr("format"));
 }
 
 TEST(Record, OfAnotherProgramIsRefused) {
@@ -239,7 +241,8 @@ TEST(Replay, RefusesAChangedReadingActionOrFlag) {
 
 TEST(Replay, RefusesAnotherOutcomeOrEnd) {
   const std::string text = write_record(recorded("flood"));
-  EXPECT_THAT(disagreement(changed(text, "\"outcome\":\"solved\"", "\"outcome\":\"never reset\"")), HasSubstr("never reset"));
+  EXPECT_THAT(disagreement(changed(text, "\"outcome\":\"solved\"", "\"outcome\":\"never reset\"")),
+              HasSubstr("never reset"));
 }
 
 TEST(Replay, RefusesStepsBehindTheContestsEnd) {

@@ -1,7 +1,6 @@
 // The reasons of a mouse in a record.
-#include <gmock/gmock.h>
-
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 
 #include "tests/lab/record_fixture.hpp"
 
@@ -75,7 +74,8 @@ std::string reasoned(const std::string& reasons) {
 
 /// The same with these candidates, of which none was chosen; `more` overrides fields.
 std::string with_candidates(const std::string& candidates, const std::string& more = "") {
-  return reasoned(R"({"candidates":[)" + candidates + R"(],"chosen":-1,"known":0,"way_here":1,"hope":0,"price":0)" + more + "}");
+  return reasoned(R"({"candidates":[)" + candidates + R"(],"chosen":-1,"known":0,"way_here":1,"hope":0,"price":0)" +
+                  more + "}");
 }
 
 constexpr const char* wall = R"("wall":[0,0,"north"])";
@@ -116,8 +116,9 @@ TEST(RecordedReasons, WithAGroundThatIsNoneAreRefused) {
 }
 
 TEST(RecordedReasons, WithAWrongWallAreRefused) {
-  for (const char* bad : {"3", "[0,0]", R"([0,0,"south"])", R"([0,0,"north",1])", R"([0,99,"north"])", R"([4,0,"east"])",
-                          R"([0,4,"north"])", R"([0.5,0,"north"])", R"([["a",1],["b",1],"north"])", R"([20,20,"north"])"})
+  for (const char* bad :
+       {"3", "[0,0]", R"([0,0,"south"])", R"([0,0,"north",1])", R"([0,99,"north"])", R"([4,0,"east"])",
+        R"([0,4,"north"])", R"([0.5,0,"north"])", R"([["a",1],["b",1],"north"])", R"([20,20,"north"])"})
     EXPECT_THAT(problem(with_candidates(candidate(",\"wall\":" + std::string(bad)))).reason, HasSubstr("wall")) << bad;
   EXPECT_THAT(problem(with_candidates(goal("," + std::string(wall)))).reason, HasSubstr("both a goal and a wall"));
 }
@@ -128,8 +129,9 @@ TEST(RecordedReasons, WithValuesOutOfRangeAreRefused) {
                           R"("score":-1e10)", R"("score":null)", R"("worth":0)", R"("goal":"no")"})
     EXPECT_THAT(problem(with_candidates(candidate("," + std::string(bad)))).reason, HasSubstr("'reasons.candidates[0]"))
         << bad;
-  for (const char* bad : {R"("chosen":1)", R"("chosen":-2)", R"("chosen":0.5)", R"("known":-1)", R"("known":1.5)",
-                          R"("way_here":1.5)", R"("way_here":-0.5)", R"("hope":-1)", R"("price":1e10)", R"("price":true)"})
+  for (const char* bad :
+       {R"("chosen":1)", R"("chosen":-2)", R"("chosen":0.5)", R"("known":-1)", R"("known":1.5)", R"("way_here":1.5)",
+        R"("way_here":-0.5)", R"("hope":-1)", R"("price":1e10)", R"("price":true)"})
     EXPECT_THAT(problem(with_candidates(candidate(), "," + std::string(bad))).reason, HasSubstr("'reasons.")) << bad;
 }
 

@@ -5,14 +5,14 @@
 
 #include <fstream>
 
-#include "labmouse/lab/system/files.hpp"
-#include "labmouse/lab/races/contest_list.hpp"
-#include "labmouse/lab/mazes/maze_link.hpp"
 #include "labmouse/lab/galleries/mms_folder.hpp"
+#include "labmouse/lab/mazes/maze_link.hpp"
+#include "labmouse/lab/races/contest_list.hpp"
 #include "labmouse/lab/records/mms_record.hpp"
 #include "labmouse/lab/records/packed_record.hpp"
-#include "labmouse/lab/standings/race_report.hpp"
 #include "labmouse/lab/reports/report_records.hpp"
+#include "labmouse/lab/standings/race_report.hpp"
+#include "labmouse/lab/system/files.hpp"
 #include "tests/lab/mms_fixture.hpp"
 #include "tests/lab/record_fixture.hpp"
 #include "tests/lab/unpacking.hpp"
@@ -33,7 +33,8 @@ constexpr const char* page = "<html><body><!-- labmouse:report --><script>code</
 /// A race whose files lie in a folder.
 class AReport : public testing::Test {
  protected:
-  void hold(std::vector<Contestant> mice, std::vector<NamedMaze> mazes, const RaceOrder& order = {}, const MmsRace* mms = nullptr) {
+  void hold(std::vector<Contestant> mice, std::vector<NamedMaze> mazes, const RaceOrder& order = {},
+            const MmsRace* mms = nullptr) {
     std::optional<RaceFolder> kept;
     RaceHooks hooks;
     hooks.finished = [&](const Race& race, const ContestResult& contest, const RunRecord& record) {
@@ -52,7 +53,9 @@ class AReport : public testing::Test {
   }
 
   std::string path(const std::string& name) const { return folder_.path() + "/" + name; }
-  void save(const std::string& name, const std::string& content) const { EXPECT_EQ(write_file(path(name), content), ""); }
+  void save(const std::string& name, const std::string& content) const {
+    EXPECT_EQ(write_file(path(name), content), "");
+  }
   std::string content(const std::string& name) const { return read_file(path(name)).content; }
 
   ReportPage made(const std::string& name = "") const {
@@ -155,7 +158,8 @@ TEST_F(AReport, FindsNoMazeOfAnotherSize) {
 
 TEST_F(AReport, LeavesOutARecordThatCannotBeRead) {
   hold_small();
-  save("flood/loop-1.jsonl", content("flood/loop-1.jsonl").insert(content("flood/loop-1.jsonl").find('\n') + 1, "oops\n"));
+  save("flood/loop-1.jsonl",
+       content("flood/loop-1.jsonl").insert(content("flood/loop-1.jsonl").find('\n') + 1, "oops\n"));
   const ReportPage report = made();
   EXPECT_THAT(report.notes, ElementsAre(path("flood/loop-1.jsonl") + ":2:1: error: the line is not JSON"));
   EXPECT_EQ(block_of(report.page, "labmouse-records")["records"].size(), 3U);
@@ -173,9 +177,11 @@ TEST_F(AReport, LeavesOutARecordOfAnotherRace) {
     save("flood/loop-1.jsonl", write_record(file));
     return made().notes;
   };
-  EXPECT_THAT(notes_of(test::recorded("flood", test::loop(), 7)), ElementsAre(HasSubstr("is not of this race, but of flood in loop with seed 7")));
+  EXPECT_THAT(notes_of(test::recorded("flood", test::loop(), 7)),
+              ElementsAre(HasSubstr("is not of this race, but of flood in loop with seed 7")));
   const std::uint64_t seed = contest_seed(1, "loop", 0);
-  EXPECT_THAT(notes_of(test::recorded("certify", test::loop(), seed)), ElementsAre(HasSubstr("but of certify in loop")));
+  EXPECT_THAT(notes_of(test::recorded("certify", test::loop(), seed)),
+              ElementsAre(HasSubstr("but of certify in loop")));
   EXPECT_THAT(notes_of(test::recorded("flood", test::hook(), seed)), ElementsAre(HasSubstr("but of flood in hook")));
   EXPECT_THAT(notes_of(test::recorded("flood", {"loop", test::hook().maze}, seed)).size(), 1U);
   EXPECT_THAT(notes_of(test::recorded("flood", test::loop(), seed)), IsEmpty());
@@ -234,7 +240,8 @@ TEST_F(AReport, SaysWhatIsWrongWithItsInput) {
   const auto error = [&](const std::string& name) { return make_report(path(name), page).error; };
   EXPECT_EQ(error("nowhere"), path("nowhere") + ": error: no such file");
   std::filesystem::create_directories(path("empty"));
-  EXPECT_EQ(error("empty"), path("empty") + ": error: has no results.json; `labmouse race --out DIR` leaves one in its folder");
+  EXPECT_EQ(error("empty"),
+            path("empty") + ": error: has no results.json; `labmouse race --out DIR` leaves one in its folder");
   save("bad.json", "{\"labmouse\": \"1\",\n oops}");
   EXPECT_EQ(error("bad.json"), path("bad.json") + ":2:2: error: is not JSON from here on");
   save("record.jsonl", write_record(test::recorded("flood")));
@@ -282,7 +289,8 @@ TEST_F(AReportOfMms, LeavesOutBadRecords) {
   save("mms_left/plank.jsonl", record_ + "{oops\n");
   EXPECT_THAT(made().notes, testing::Contains(HasSubstr("plank.jsonl:3:1: error: the line is not JSON")));
   save("mms_left/plank.jsonl", write_record(test::recorded("flood")));
-  EXPECT_THAT(made().notes, testing::Contains(HasSubstr("plank.jsonl:1:1: error: is not the header of a record of mms")));
+  EXPECT_THAT(made().notes,
+              testing::Contains(HasSubstr("plank.jsonl:1:1: error: is not the header of a record of mms")));
 }
 
 }  // namespace

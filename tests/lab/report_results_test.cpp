@@ -70,9 +70,12 @@ TEST(ReportResults, ThatAreNoJsonSayFromWhere) {
 
 TEST(ReportResults, ThatAreSomethingElseSayWhat) {
   EXPECT_THAT(problem_of(write_record(test::recorded("flood"))).reason, StartsWith("is the record of one contest"));
-  EXPECT_THAT(problem_of("{\"labmouse\":\"mms record\",\"format\":1}\n{}\n").reason, StartsWith("is the record of one run of a program for mms"));
-  EXPECT_THAT(problem_of("{\"labmouse\":\"drive record\",\"format\":1}\n{}\n").reason, StartsWith("is the record of one contest in seconds"));
-  EXPECT_THAT(problem_of(R"({"labmouse":"0.1.0","mazes":[],"mice":[],"groups":[{"world":"seconds"}]})").reason, StartsWith("is a race in seconds"));
+  EXPECT_THAT(problem_of("{\"labmouse\":\"mms record\",\"format\":1}\n{}\n").reason,
+              StartsWith("is the record of one run of a program for mms"));
+  EXPECT_THAT(problem_of("{\"labmouse\":\"drive record\",\"format\":1}\n{}\n").reason,
+              StartsWith("is the record of one contest in seconds"));
+  EXPECT_THAT(problem_of(R"({"labmouse":"0.1.0","mazes":[],"mice":[],"groups":[{"world":"seconds"}]})").reason,
+              StartsWith("is a race in seconds"));
   EXPECT_THAT(problem_of(csv_of(test::race_of("flood"))).reason, StartsWith("is the CSV of a race"));
   EXPECT_THAT(problem_of(*drawing_format.write(test::corridor().maze).content).reason, StartsWith("is a maze"));
   EXPECT_THAT(problem_of("<!doctype html>\n<html></html>").reason, "is a page already");
@@ -80,16 +83,19 @@ TEST(ReportResults, ThatAreSomethingElseSayWhat) {
 
 TEST(ReportResults, ThatLackAFieldSayWhich) {
   const auto wrong = [](const std::string& text) { return problem_of(text).reason; };
-  EXPECT_EQ(wrong("[]"), "is not the JSON of a race: 'labmouse' is missing; make one with `labmouse race --format json` or `--out`");
+  EXPECT_EQ(wrong("[]"),
+            "is not the JSON of a race: 'labmouse' is missing; make one with `labmouse race --format json` or `--out`");
   EXPECT_THAT(wrong("7"), HasSubstr("'labmouse' is missing"));
   EXPECT_THAT(wrong(R"({"labmouse":7})"), HasSubstr("'labmouse' is not a text"));
   EXPECT_THAT(wrong(R"({"labmouse":"1"})"), HasSubstr("'mazes' is missing"));
-  EXPECT_THAT(wrong(R"({"labmouse":"1","mazes":[{"name":"a","width":"3"}],"mice":[]})"), HasSubstr("'mazes[0].width' is not a whole number"));
+  EXPECT_THAT(wrong(R"({"labmouse":"1","mazes":[{"name":"a","width":"3"}],"mice":[]})"),
+              HasSubstr("'mazes[0].width' is not a whole number"));
   EXPECT_THAT(wrong(R"({"labmouse":"1","mazes":[],"mice":{}})"), HasSubstr("'mice' is not a list"));
   EXPECT_THAT(wrong(R"({"labmouse":"1","mazes":[],"mice":[7]})"), HasSubstr("'mice[0].name' is missing"));
   EXPECT_THAT(wrong(R"({"labmouse":"1","mazes":[],"mice":[{"name":"a","results":[{"maze":"b","seed":-1}]}]})"),
               HasSubstr("'mice[0].results[0].seed' is not a whole number"));
-  EXPECT_THAT(wrong(R"({"labmouse":"1","mazes":[],"mice":[],"groups":[{}]})"), HasSubstr("'groups[0].mazes' is missing"));
+  EXPECT_THAT(wrong(R"({"labmouse":"1","mazes":[],"mice":[],"groups":[{}]})"),
+              HasSubstr("'groups[0].mazes' is missing"));
   EXPECT_EQ(wrong(R"({"labmouse":"1","mazes":[],"mice":[],"groups":[]})"), "");
 }
 

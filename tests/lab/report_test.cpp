@@ -1,11 +1,10 @@
-#include "labmouse/lab/standings/race_report.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "labmouse/lab/standings/race_report.hpp"
 #include "labmouse/lab/system/version.hpp"
 #include "tests/lab/race_fixture.hpp"
 
@@ -52,14 +51,14 @@ TEST_F(RaceAsJson, HasAllFieldsOfAMaze) {
 }
 
 TEST_F(RaceAsJson, HasAllFieldsOfAMouse) {
-  EXPECT_THAT(keys(mouse("random")),
-              IsSupersetOf({"name", "parameters", "solved", "runs", "mean_score", "penalised_mean", "interval", "mean_ratio", "results"}));
+  EXPECT_THAT(keys(mouse("random")), IsSupersetOf({"name", "parameters", "solved", "runs", "mean_score",
+                                                   "penalised_mean", "interval", "mean_ratio", "results"}));
 }
 
 TEST_F(RaceAsJson, HasAllFieldsOfAResult) {
-  EXPECT_THAT(keys(result("random", "loop")), UnorderedElementsAre("maze", "seed", "outcome", "score", "exploration_steps",
-                                                                   "speed_steps", "discovered_share", "visited_share",
-                                                                   "microseconds_per_decision"));
+  EXPECT_THAT(keys(result("random", "loop")),
+              UnorderedElementsAre("maze", "seed", "outcome", "score", "exploration_steps", "speed_steps",
+                                   "discovered_share", "visited_share", "microseconds_per_decision"));
 }
 
 TEST_F(RaceAsJson, ListsMazesInTheOrderOfTheirNames) {
@@ -90,7 +89,8 @@ TEST_F(RaceAsJson, AFailedContestLacksItsScoreAndSpeedSteps) {
 TEST_F(RaceAsJson, ASolvedContestHasItsScore) {
   const Json& solved = result("flood:stride=1", "corridor");
   EXPECT_EQ(solved.at("outcome"), "solved");
-  EXPECT_DOUBLE_EQ(solved.at("score"), solved.at("speed_steps").get<int>() + solved.at("exploration_steps").get<int>() / 30.0);
+  EXPECT_DOUBLE_EQ(solved.at("score"),
+                   solved.at("speed_steps").get<int>() + solved.at("exploration_steps").get<int>() / 30.0);
 }
 
 TEST_F(RaceAsJson, SharesAreOfTheReachableCells) {
@@ -131,7 +131,8 @@ TEST_F(RaceAsJson, HasTheNotesOfTheTable) {
 
 TEST(RaceAsJsonToo, AMouseWithoutARouteAnywhereHasNullMeans) {
   const Json json = Json::parse(json_of(hold_race(test::mice("flood"), {test::without_route()}, {}), {}));
-  for (const char* field : {"mean_score", "penalised_mean", "interval", "mean_ratio", "mean_discovered_share", "mean_visited_share"})
+  for (const char* field :
+       {"mean_score", "penalised_mean", "interval", "mean_ratio", "mean_discovered_share", "mean_visited_share"})
     EXPECT_TRUE(json.at("mice")[0].at(field).is_null()) << field;
   EXPECT_TRUE(json.at("skipped").empty());
 }
@@ -153,8 +154,9 @@ TEST(RaceAsCsv, HasALineForEachContest) {
   const Race race = test::race_of("flood,certify");
   const auto list = lines(csv_of(race));
   ASSERT_EQ(list.size(), 1U + race.results.size());
-  EXPECT_EQ(list[0], "mouse,maze,seed,outcome,score,exploration_steps,speed_steps,optimum,bound,microseconds_per_decision,"
-                     "discovered_share,visited_share");
+  EXPECT_EQ(list[0],
+            "mouse,maze,seed,outcome,score,exploration_steps,speed_steps,optimum,bound,microseconds_per_decision,"
+            "discovered_share,visited_share");
   for (const std::string& line : list) EXPECT_EQ(std::count(line.begin(), line.end(), ','), 11);
   EXPECT_EQ(list[1].find("certify,corridor,"), 0U);
 }
@@ -215,7 +217,8 @@ TEST(Shares, ArePercentInTheOrderOfTheLeaderboard) {
   EXPECT_EQ(list[3].find("flood "), 0U);
   EXPECT_THAT(shares_of(hold_race(test::mice("oracle"), {test::hook(), test::without_route()}, {})),
               HasSubstr("\noracle *        75.0     50.0\n"));
-  EXPECT_THAT(shares_of(hold_race(test::mice("flood"), {test::without_route()}, {})), HasSubstr("flood           -        -"));
+  EXPECT_THAT(shares_of(hold_race(test::mice("flood"), {test::without_route()}, {})),
+              HasSubstr("flood           -        -"));
 }
 
 TEST(Worst, ListsTheCostliestMazesFirst) {
@@ -225,7 +228,8 @@ TEST(Worst, ListsTheCostliestMazesFirst) {
 }
 
 TEST(Worst, CountsFromTheBound) {
-  EXPECT_THAT(worst_of(hold_race(test::mice("oracle"), {test::corridor()}, {}), 5), HasSubstr("3.133 = bound 3.133 + 0.000"));
+  EXPECT_THAT(worst_of(hold_race(test::mice("oracle"), {test::corridor()}, {}), 5),
+              HasSubstr("3.133 = bound 3.133 + 0.000"));
 }
 
 }  // namespace

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "labmouse/lab/robots/builtin_robots.hpp"
 #include "labmouse/lab/mazes/maze_files.hpp"
+#include "labmouse/lab/robots/builtin_robots.hpp"
 #include "labmouse/lab/robots/robot_files.hpp"
 #include "labmouse/lab/robots/robot_keys.hpp"
 
@@ -197,7 +197,8 @@ TEST(RobotFile, PassesOnWhatItsModelRefuses) {
   EXPECT_EQ(
       complaint(changed(by_limits, "yaw_acceleration = 300", "yaw_acceleration = 30")),
       "my.toml:0:0: error: its turn S90 fits into cells of 180 mm only up to 330 mm/s: a cell of 180 mm must not take "
-      "more than 500 ms, the longest that times here are made for, so at least 360 mm/s are needed; a larger lateral or yaw acceleration makes it faster\n");
+      "more than 500 ms, the longest that times here are made for, so at least 360 mm/s are needed; a larger lateral "
+      "or yaw acceleration makes it faster\n");
 }
 
 TEST(RobotFile, ReadsEveryNumberThatItsKeysAllow) {

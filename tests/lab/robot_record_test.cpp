@@ -87,8 +87,9 @@ TEST(RobotRecord, IsRefusedWithoutAnAction) {
 }
 
 TEST(RobotRecord, ReadsWhatItGivesAsStrictlyAsEver) {
-  for (const char* bad : {"\"cell\":null", "\"cell\":[0]", "\"heading\":\"up\"", "\"run\":\"walk\"", "\"blocked\":0",
-                          "\"reading\":[1,2]", "\"reading\":[1,2,3,4]", "\"reading\":[1,2,null]", "\"reading\":[1,2,65]", "\"step\":2"})
+  for (const char* bad :
+       {"\"cell\":null", "\"cell\":[0]", "\"heading\":\"up\"", "\"run\":\"walk\"", "\"blocked\":0", "\"reading\":[1,2]",
+        "\"reading\":[1,2,3,4]", "\"reading\":[1,2,null]", "\"reading\":[1,2,65]", "\"step\":2"})
     EXPECT_EQ(problem(header + "{\"action\":[0,1]," + bad + "}\n").line, 2) << bad;
   for (const char* bad : {"\"maze\":3", "\"maze\":{\"name\":3}", "\"maze\":{\"drawing\":[]}", "\"mouse\":\"robot\"",
                           "\"mouse\":{\"name\":null}", "\"rules\":{\"stride\":0}", "\"rules\":[]", "\"seed\":-1"})
@@ -131,7 +132,8 @@ TEST(RobotRecord, IsComparedInEachFieldThatItGives) {
   EXPECT_THAT(told("\"cell\":[2,0]"), HasSubstr("recorded at (2,0); played at (3,0) heading east, reading 1 0 0"));
   EXPECT_THAT(told("\"heading\":\"west\""), HasSubstr("step 2: recorded heading west; played at (3,0) heading east"));
   EXPECT_THAT(told("\"reading\":[1,0,1]"), HasSubstr("step 2: recorded reading 1 0 1; played at (3,0) heading east"));
-  EXPECT_THAT(told("\"blocked\":true"), HasSubstr("recorded blocked; played at (3,0) heading east, reading 1 0 0, not"));
+  EXPECT_THAT(told("\"blocked\":true"),
+              HasSubstr("recorded blocked; played at (3,0) heading east, reading 1 0 0, not"));
 }
 
 TEST(RobotRecord, NamesTheWallThatAReadingContradicts) {
@@ -144,8 +146,9 @@ TEST(RobotRecord, NamesTheWallThatAReadingContradicts) {
 }
 
 TEST(RobotRecord, SpeaksOfRunAndBlocksOnlyWhereTheyDiffer) {
-  EXPECT_EQ(disagreement(with_step("\"run\":\"exploration\",\"blocked\":false,\"reading\":[1,1,0]")),
-            "step 2: recorded reading 1 1 0; played at (3,0) heading east, reading 1 0 0; the maze has a wall east of (3,0)");
+  EXPECT_EQ(
+      disagreement(with_step("\"run\":\"exploration\",\"blocked\":false,\"reading\":[1,1,0]")),
+      "step 2: recorded reading 1 1 0; played at (3,0) heading east, reading 1 0 0; the maze has a wall east of (3,0)");
 }
 
 TEST(RobotRecord, NamesNoWallWhereItStoodElsewhere) {
@@ -216,7 +219,8 @@ TEST(RobotRecord, OfTooManyStepsIsRefused) {
 TEST(RobotRecord, WithReasonsNeedsAMazeThatHasTheirWalls) {
   const auto reasoned = [](const std::string& candidate) {
     return header + "{\"action\":[90,1],\"reasons\":{\"candidates\":[{" + candidate +
-           ",\"through\":3,\"travel\":1,\"score\":1}],\"chosen\":0,\"known\":0,\"way_here\":0,\"hope\":0,\"price\":0}}\n";
+           ",\"through\":3,\"travel\":1,\"score\":1}],\"chosen\":0,\"known\":0,\"way_here\":0,\"hope\":0,\"price\":0}}"
+           "\n";
   };
   EXPECT_EQ(disagreement(reasoned(R"("wall":[0,0,"north"],"seen_from":[0,0])")), "");
   const std::string of_a_goal = reasoned(R"("goal":true,"seen_from":[1,0])");

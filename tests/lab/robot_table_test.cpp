@@ -32,12 +32,11 @@ int count(std::string_view text, std::string_view word) {
 }
 
 TEST(RobotTable, NamesEveryTurnOnceWithItsSpeeds) {
-  EXPECT_THAT(table_of("half"),
-              HasSubstr("half: cells of 90 mm, sees 1 cell far\n"
-                        "turn     mm/s       ms  lead in lead out curve mm clearance\n"
-                        "45      595.0  144.265      0.0     18.7     85.8      31.4\n"
-                        "        380.0  225.889      0.0     18.7     85.8      31.4\n"
-                        "90      560.0  254.105      1.1      1.1    142.3      29.3\n"));
+  EXPECT_THAT(table_of("half"), HasSubstr("half: cells of 90 mm, sees 1 cell far\n"
+                                          "turn     mm/s       ms  lead in lead out curve mm clearance\n"
+                                          "45      595.0  144.265      0.0     18.7     85.8      31.4\n"
+                                          "        380.0  225.889      0.0     18.7     85.8      31.4\n"
+                                          "90      560.0  254.105      1.1      1.1    142.3      29.3\n"));
   EXPECT_THAT(table_of("half"), HasSubstr("\nS90     380.0  190.413      0.5      0.5     72.4      45.0\nstraight"));
   EXPECT_THAT(table_of("half"),
               HasSubstr("straight  1500 mm/s, 4200 mm/s² up, 4200 mm/s² down\n"

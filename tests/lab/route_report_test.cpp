@@ -79,7 +79,8 @@ TEST(RouteReport, SaysWhyThereIsNoRoute) {
       o---o---o
       | S   G |
       o---o---o
-  )").error,
+  )")
+                .error,
             "no route leads north from the start (0,0) to a goal, and at the start a run cannot turn");
 }
 
@@ -144,18 +145,24 @@ TEST(RouteReport, IsATable) {
   const std::string table = table_of(route_report(maze.maze, mm2021()), maze, mm2021());
   EXPECT_THAT(table, HasSubstr("corner: the fastest route of mm2021, cells of 90 mm\n"));
   EXPECT_THAT(table, HasSubstr("  1  R90    (0,0) N        (1,1) E            387   387    375.0    0.375\n"));
-  EXPECT_THAT(table, HasSubstr("\nR90\n\n0.375 s from 420 mm/s in the centre of the start to the centre of the goal, "));
-  EXPECT_THAT(table, HasSubstr("\nwithout diagonals: 0.375 s, 0.0 % gained\nwith search turns alone, S90: 0.456 s, 17.7 % gained\nfewest cells: 2, as this route\n"));
+  EXPECT_THAT(table,
+              HasSubstr("\nR90\n\n0.375 s from 420 mm/s in the centre of the start to the centre of the goal, "));
+  EXPECT_THAT(table, HasSubstr("\nwithout diagonals: 0.375 s, 0.0 % gained\nwith search turns alone, S90: 0.456 s, "
+                               "17.7 % gained\nfewest cells: 2, as this route\n"));
 }
 
 TEST(RouteReport, SumsUpManyMazes) {
-  const std::vector<NamedMaze> mazes = {{"corner", test::drawn(corner)}, {"large", Maze(MazeDraft({33, 2}, MazeDraft::Inside::open))}};
+  const std::vector<NamedMaze> mazes = {{"corner", test::drawn(corner)},
+                                        {"large", Maze(MazeDraft({33, 2}, MazeDraft::Inside::open))}};
   std::vector<RouteReport> reports;
   for (const NamedMaze& maze : mazes) reports.push_back(route_report(maze.maze, mm2021()));
   const std::string text = summary_of(reports, mazes, mm2021());
   EXPECT_THAT(text, HasSubstr("   0.375    0.375      0.0    0.456     17.7        2        2      0.0  corner\n"));
-  EXPECT_THAT(text, HasSubstr("    none        -        -        -        -        -        -        -  large: is 33x2; the world"));
-  EXPECT_THAT(text, HasSubstr("   0.375    0.375      0.0    0.456     17.7        2        2        -  median of 1 maze\n"));
+  EXPECT_THAT(
+      text,
+      HasSubstr("    none        -        -        -        -        -        -        -  large: is 33x2; the world"));
+  EXPECT_THAT(text,
+              HasSubstr("   0.375    0.375      0.0    0.456     17.7        2        2        -  median of 1 maze\n"));
   EXPECT_THAT(text, HasSubstr("In 0 of them (0.0 %) the fastest route enters more cells than it must.\n"));
   const auto json = nlohmann::json::parse(json_of(reports, mazes, mm2021()));
   EXPECT_EQ(json["mazes"][0]["time_us"], 375'000);

@@ -18,7 +18,9 @@ TEST(Mean, IsTheSumOverTheCount) {
 
 TEST(Bootstrap, OneValueIsItsInterval) { EXPECT_EQ(bootstrap_interval(Values{4.5}, 1), (Interval{4.5, 4.5})); }
 
-TEST(Bootstrap, EqualValuesAreTheirInterval) { EXPECT_EQ(bootstrap_interval(Values(50, 7.0), 1), (Interval{7.0, 7.0})); }
+TEST(Bootstrap, EqualValuesAreTheirInterval) {
+  EXPECT_EQ(bootstrap_interval(Values(50, 7.0), 1), (Interval{7.0, 7.0}));
+}
 
 TEST(Bootstrap, NoValueGivesZeros) { EXPECT_EQ(bootstrap_interval(Values{}, 1), Interval()); }
 

@@ -90,7 +90,8 @@ std::string refusal(std::string_view spec, std::string_view parameter, const std
 TEST(Variants, AreRefusedAsASpecIs) {
   EXPECT_THAT(refusal("flod", "stride", "1"), HasSubstr("did you mean 'flood'?"));
   EXPECT_THAT(refusal("flood", "strid", "1"), HasSubstr("did you mean 'stride'?"));
-  EXPECT_EQ(refusal("flood", "stride", "9"), "value '9' of parameter 'stride' of mouse 'flood' is outside of 1 to 8; the nearest is 8");
+  EXPECT_EQ(refusal("flood", "stride", "9"),
+            "value '9' of parameter 'stride' of mouse 'flood' is outside of 1 to 8; the nearest is 8");
   EXPECT_THAT(refusal("flood", "stride", "1.5"), HasSubstr("is not a whole number"));
   EXPECT_EQ(refusal("flood,certify", "stride", "1"), "'flood,certify' names 2 mice; name one");
   EXPECT_EQ(refusal("oracle", "stride", "1"), "the oracle has no parameters");

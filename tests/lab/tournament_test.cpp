@@ -62,7 +62,9 @@ TEST(Race, SeedsDependOnRaceMazeAndRun) {
   EXPECT_NE(contest_seed(1, "a", 0), contest_seed(1, "a", 1));
 }
 
-TEST(Race, SeedsDoNotDependOnTheFolder) { EXPECT_EQ(contest_seed(1, "here/a.txt", 3), contest_seed(1, "/there/a.txt", 3)); }
+TEST(Race, SeedsDoNotDependOnTheFolder) {
+  EXPECT_EQ(contest_seed(1, "here/a.txt", 3), contest_seed(1, "/there/a.txt", 3));
+}
 
 TEST(Race, ASeedGivesAnotherRace) {
   RaceOrder order;
@@ -130,7 +132,8 @@ Race made_up() {
   race.mice = test::mice("certify,flood");
   race.mazes = {test::corridor(), test::loop()};
   race.bounds = {{3, 3.0}, {4, 8.0}};
-  const auto add = [&](std::size_t mouse, std::size_t maze, Outcome outcome, int exploration, int speed, std::optional<double> value) {
+  const auto add = [&](std::size_t mouse, std::size_t maze, Outcome outcome, int exploration, int speed,
+                       std::optional<double> value) {
     ContestResult result;
     result.mouse = mouse;
     result.maze = maze;

@@ -52,7 +52,8 @@ inline nlohmann::ordered_json block_of(const std::string& page, const std::strin
   if (at == std::string::npos) return ADD_FAILURE() << "no block " << name, nlohmann::ordered_json();
   EXPECT_EQ(page.find(begin, at + 1), std::string::npos);
   const auto from = at + begin.size();
-  return nlohmann::ordered_json::parse(from_gzip(from_base64(std::string_view(page).substr(from, page.find("</script>", from) - from))));
+  return nlohmann::ordered_json::parse(
+      from_gzip(from_base64(std::string_view(page).substr(from, page.find("</script>", from) - from))));
 }
 
 /// An empty folder of this test, which goes with it.

@@ -95,7 +95,8 @@ TEST(BuiltinMazes, ContestMazesKeepTheRules) {
     const auto findings = check_contest_rules(read_maze(content_of(row.file)).maze.value());
     const bool official = row.size == "16x16" || row.size == "32x32";
     for (const RuleFinding& rule : findings)
-      EXPECT_TRUE(rule.passed || (rule.name == "size" && !official)) << row.file << ": " << rule.name << ": " << rule.reason;
+      EXPECT_TRUE(rule.passed || (rule.name == "size" && !official))
+          << row.file << ": " << rule.name << ": " << rule.reason;
   }
 }
 

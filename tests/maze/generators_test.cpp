@@ -118,7 +118,8 @@ void expect_contest_mazes(Size size, int seeds, int loops) {
     const Maze maze = contest_generator.make({size, static_cast<std::uint64_t>(seed), loops});
     const bool official = size.width == 16 || size.width == 32;
     for (const RuleFinding& rule : check_contest_rules(maze))
-      EXPECT_TRUE(rule.passed || (rule.name == "size" && !official)) << "seed " << seed << ": " << rule.name << ": " << rule.reason;
+      EXPECT_TRUE(rule.passed || (rule.name == "size" && !official))
+          << "seed " << seed << ": " << rule.name << ": " << rule.reason;
     EXPECT_EQ(reachable_cells(maze).count(), size.area()) << "seed " << seed;
     EXPECT_EQ(maze.start(), Cell(0, 0));
     EXPECT_TRUE(maze.is_open({0, 0}, Heading::north));
@@ -129,7 +130,8 @@ void expect_contest_mazes(Size size, int seeds, int loops) {
 TEST(Contest, KeepsTheRulesOn16) { expect_contest_mazes({16, 16}, 200, 0); }
 TEST(Contest, KeepsTheRulesOn32) { expect_contest_mazes({32, 32}, 60, 0); }
 TEST(Contest, KeepsAllRulesButTheSizeOnOtherSquares) {
-  for (int side = 12; side <= 30; side += 2) expect_contest_mazes({side, side}, 40 / test::slowness, side % 4 == 0 ? 0 : 50);
+  for (int side = 12; side <= 30; side += 2)
+    expect_contest_mazes({side, side}, 40 / test::slowness, side % 4 == 0 ? 0 : 50);
   expect_contest_mazes({62, 62}, 2, 0);
 }
 TEST(Contest, KeepsTheRulesWithMoreLoops) {

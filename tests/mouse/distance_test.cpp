@@ -42,12 +42,12 @@ std::string flood(const Maze& maze) { return flooded(maze.size(), maze.open_wall
 
 TEST(PrintedDistances, TheFirstFloodOfAnEmptyMapOfTwelve) {
   // As printed: a line for each column of the maze, from the west; in it the cells from the south. Goal at (5,6).
-  constexpr int printed[12][12] = {
-      {11, 10, 9, 8, 7, 6, 5, 6, 7, 8, 9, 10}, {10, 9, 8, 7, 6, 5, 4, 5, 6, 7, 8, 9}, {9, 8, 7, 6, 5, 4, 3, 4, 5, 6, 7, 8},
-      {8, 7, 6, 5, 4, 3, 2, 3, 4, 5, 6, 7},    {7, 6, 5, 4, 3, 2, 1, 2, 3, 4, 5, 6},  {6, 5, 4, 3, 2, 1, 0, 1, 2, 3, 4, 5},
-      {7, 6, 5, 4, 3, 2, 1, 2, 3, 4, 5, 6},    {8, 7, 6, 5, 4, 3, 2, 3, 4, 5, 6, 7},  {9, 8, 7, 6, 5, 4, 3, 4, 5, 6, 7, 8},
-      {10, 9, 8, 7, 6, 5, 4, 5, 6, 7, 8, 9},   {11, 10, 9, 8, 7, 6, 5, 6, 7, 8, 9, 10},
-      {12, 11, 10, 9, 8, 7, 6, 7, 8, 9, 10, 11}};
+  constexpr int printed[12][12] = {{11, 10, 9, 8, 7, 6, 5, 6, 7, 8, 9, 10}, {10, 9, 8, 7, 6, 5, 4, 5, 6, 7, 8, 9},
+                                   {9, 8, 7, 6, 5, 4, 3, 4, 5, 6, 7, 8},    {8, 7, 6, 5, 4, 3, 2, 3, 4, 5, 6, 7},
+                                   {7, 6, 5, 4, 3, 2, 1, 2, 3, 4, 5, 6},    {6, 5, 4, 3, 2, 1, 0, 1, 2, 3, 4, 5},
+                                   {7, 6, 5, 4, 3, 2, 1, 2, 3, 4, 5, 6},    {8, 7, 6, 5, 4, 3, 2, 3, 4, 5, 6, 7},
+                                   {9, 8, 7, 6, 5, 4, 3, 4, 5, 6, 7, 8},    {10, 9, 8, 7, 6, 5, 4, 5, 6, 7, 8, 9},
+                                   {11, 10, 9, 8, 7, 6, 5, 6, 7, 8, 9, 10}, {12, 11, 10, 9, 8, 7, 6, 7, 8, 9, 10, 11}};
   DistanceField field({12, 12}, strides(1));
   field.fill(WallSet::all({12, 12}), one({5, 6}));
   for (int x = 0; x < 12; ++x)
@@ -109,9 +109,10 @@ TEST(Distance, AStrideMayEndWithinASlowerOnesWay) {
     |               |
     o---o---o---o---o
   )");
-  EXPECT_EQ(flooded(maze.size(), maze.open_walls(), maze.goals(), strides(3)), " 1  2  2  2\n"
-                                                                               " 0 -- --  3\n"
-                                                                               "-- -- -- --\n");
+  EXPECT_EQ(flooded(maze.size(), maze.open_walls(), maze.goals(), strides(3)),
+            " 1  2  2  2\n"
+            " 0 -- --  3\n"
+            "-- -- -- --\n");
 }
 
 TEST(Distance, DearMovesAreWeighed) {
@@ -133,7 +134,8 @@ TEST(Distance, NothingIsReachedFromNowhere) {
 TEST(Distance, CellsOutsideAreUnreachable) {
   DistanceField field({7, 5}, strides(3));
   field.fill(WallSet::all({7, 5}), CellSet::all({7, 5}));
-  for (const Cell outside : {Cell{-1, 0}, Cell{0, -1}, Cell{7, 0}, Cell{0, 5}}) EXPECT_EQ(field.at(outside), unreachable);
+  for (const Cell outside : {Cell{-1, 0}, Cell{0, -1}, Cell{7, 0}, Cell{0, 5}})
+    EXPECT_EQ(field.at(outside), unreachable);
 }
 
 TEST(Distance, TheLongestWayThatFitsIsCounted) {

@@ -114,7 +114,8 @@ TEST_P(Profiles, SayWhenAndHowFarAlike) {
   });
 }
 
-INSTANTIATE_TEST_SUITE_P(Robots, Profiles, testing::Values(published_robot(), small_robot(), large_robot(), fan_robot()),
+INSTANTIATE_TEST_SUITE_P(Robots, Profiles,
+                         testing::Values(published_robot(), small_robot(), large_robot(), fan_robot()),
                          [](const auto& robot) { return robot.param.name; });
 
 }  // namespace

@@ -1,9 +1,8 @@
 // A robot's tables of whole microseconds.
-#include "labmouse/mouse/robot/drive_model.hpp"
-#include "labmouse/mouse/robot/robot.hpp"
-
 #include <gtest/gtest.h>
 
+#include "labmouse/mouse/robot/drive_model.hpp"
+#include "labmouse/mouse/robot/robot.hpp"
 #include "tests/mouse/drive_robots.hpp"
 
 namespace labmouse {
@@ -79,10 +78,9 @@ TEST(FixedRobot, IsRefusedWhereTimesWouldLeaveTheirRange) {
     change(robot);
     return make_drive_model(robot).error;
   };
-  EXPECT_EQ(
-      error([](Robot& robot) { robot.fixed->speed = 179.5; }),
-      "its speed at nodes, 179.5 mm/s, is too low: a cell of 90 mm must not take more than 500 ms, the longest "
-      "that times here are made for, so at least 180 mm/s are needed");
+  EXPECT_EQ(error([](Robot& robot) { robot.fixed->speed = 179.5; }),
+            "its speed at nodes, 179.5 mm/s, is too low: a cell of 90 mm must not take more than 500 ms, the longest "
+            "that times here are made for, so at least 180 mm/s are needed");
   EXPECT_EQ(error([](Robot& robot) { robot.fixed->speed = 180.0; }), "");
   EXPECT_EQ(error([](Robot& robot) { robot.fixed->v90 = 999; }),
             "its turn V90 takes 0.999 ms: a turn takes at least 1 ms");

@@ -1,4 +1,5 @@
-// The planner of the world in seconds against the plain search from coordinates: every time at every node, and the routes.
+// The planner of the world in seconds against the plain search from coordinates: every time at every node, and the
+// routes.
 #include "labmouse/mouse/drive/fastest.hpp"
 
 #include <gtest/gtest.h>
@@ -31,7 +32,8 @@ Pose start_of(const Maze& maze) { return {maze.start(), maze.start_heading()}; }
 bool fits(const Maze& maze) { return maze.size().width <= max_drive_side && maze.size().height <= max_drive_side; }
 
 /// Every time at every node where a turn can end, and the time from the start.
-void expect_same_times(const FastestRoutes& routes, const PlainFastest& plain, const Maze& maze, const DriveTables& tables) {
+void expect_same_times(const FastestRoutes& routes, const PlainFastest& plain, const Maze& maze,
+                       const DriveTables& tables) {
   for (int index = 0; index < maze.size().area(); ++index)
     for (const Heading heading : all_headings)
       for (const Place place : all_places) {
@@ -39,8 +41,8 @@ void expect_same_times(const FastestRoutes& routes, const PlainFastest& plain, c
         for (std::size_t lane = 0; lane < (node.diagonal() ? tables.diagonal : tables.along).count(); ++lane) {
           if (!plain.turn_ends(node, lane)) continue;
           ASSERT_EQ(routes.rolling(node, lane), plain.rolling(node, lane))
-              << "at (" << int{node.cell.x} << "," << int{node.cell.y} << ") " << name_of(heading) << " " << name_of(place)
-              << " lane " << lane;
+              << "at (" << int{node.cell.x} << "," << int{node.cell.y} << ") " << name_of(heading) << " "
+              << name_of(place) << " lane " << lane;
         }
       }
   EXPECT_EQ(routes.time_from(start_of(maze)), plain.time_from(start_of(maze)));
@@ -56,11 +58,13 @@ void expect_same_routes(FastestRoutes& some, const FastestRoutes& all, const Maz
     some.fill_for(start, maze.open_walls(), maze.goals());
     some.route_from(start, one);
     all.route_from(start, other);
-    ASSERT_EQ(one, other) << "from (" << int{start.cell.x} << "," << int{start.cell.y} << ") " << name_of(start.heading);
+    ASSERT_EQ(one, other) << "from (" << int{start.cell.x} << "," << int{start.cell.y} << ") "
+                          << name_of(start.heading);
   }
 }
 
-/// A route hangs together, its times add up, and it can be driven where the walls that it passes are open, and only there.
+/// A route hangs together, its times add up, and it can be driven where the walls that it passes are open, and only
+/// there.
 void expect_good_route(FastestRoutes& routes, const DriveTables& tables, const Maze& maze) {
   DriveRoute route;
   routes.route_from(start_of(maze), route);
@@ -96,7 +100,8 @@ class AnyRobot : public testing::TestWithParam<NamedRobot> {
     routes.fill(maze.open_walls(), maze.goals());
     const PlainFastest plain(maze.size(), model_.tables, maze.open_walls(), maze.goals());
     expect_same_times(routes, plain, maze, model_.tables);
-    FastestRoutes& some = some_.try_emplace({maze.size().width, maze.size().height}, maze.size(), model_.tables).first->second;
+    FastestRoutes& some =
+        some_.try_emplace({maze.size().width, maze.size().height}, maze.size(), model_.tables).first->second;
     expect_same_routes(some, routes, maze, dice_);
     expect_good_route(routes, model_.tables, maze);
   }
@@ -144,8 +149,9 @@ Robot weak_brakes() {
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, AnyRobot,
-                         testing::Values(NamedRobot{"mm2021", mm2021}, NamedRobot{"half", half}, NamedRobot{"classic", classic},
-                                         NamedRobot{"fan", fan_robot}, NamedRobot{"weak_brakes", weak_brakes}),
+                         testing::Values(NamedRobot{"mm2021", mm2021}, NamedRobot{"half", half},
+                                         NamedRobot{"classic", classic}, NamedRobot{"fan", fan_robot},
+                                         NamedRobot{"weak_brakes", weak_brakes}),
                          PrintRobot());
 
 /// The search must not lean on how the times of a robot come about.
@@ -153,7 +159,8 @@ DriveTables shaken(DriveTables tables, Dice& dice) {
   const bool gaps = dice.chance(1, 3);
   const auto shake = [&](std::vector<DriveTime>& times) {
     for (DriveTime& time : times)
-      if (time < no_time) time = gaps && dice.chance(1, 50) ? no_time : time / 100 * (80 + dice.below(40)) + dice.below(100);
+      if (time < no_time)
+        time = gaps && dice.chance(1, 50) ? no_time : time / 100 * (80 + dice.below(40)) + dice.below(100);
   };
   for (auto* times : {&tables.along.between, &tables.diagonal.between, &tables.start, &tables.finish, &tables.whole})
     shake(*times);
@@ -219,7 +226,8 @@ TEST(OddTurns, ArePlannedForExactly) {
       const Maze maze = test::any_maze(dice, i % 10 == 0 ? 32 : 14);
       FastestRoutes routes(maze.size(), model.tables), some(maze.size(), model.tables);
       routes.fill(maze.open_walls(), maze.goals());
-      expect_same_times(routes, PlainFastest(maze.size(), model.tables, maze.open_walls(), maze.goals()), maze, model.tables);
+      expect_same_times(routes, PlainFastest(maze.size(), model.tables, maze.open_walls(), maze.goals()), maze,
+                        model.tables);
       expect_same_routes(some, routes, maze, dice);
       if (testing::Test::HasFailure()) return;
     }
@@ -309,12 +317,12 @@ TEST(FastestRoutes, TakeThePublishedTimes) {
   int found = 0;
   for (const auto& file : test::maze_files()) {
     const std::string name = file.filename();
-    const DriveTime expected = name == "87us1.txt"                             ? 10'423
-                               : name == "alljapan-030-2009-exp-fin.txt"       ? 8'623
-                               : name == "alljapan-046-2025-exp-fin.txt"       ? 6'701
-                               : name == "alljapan-044-2023-exp-fin.txt"       ? 6'553   // 6,588 without S90
-                               : name == "alljapan-032-2011-exp-fin.txt"       ? 6'654   // 6,675 without S90
-                                                                               : 0;
+    const DriveTime expected = name == "87us1.txt"                       ? 10'423
+                               : name == "alljapan-030-2009-exp-fin.txt" ? 8'623
+                               : name == "alljapan-046-2025-exp-fin.txt" ? 6'701
+                               : name == "alljapan-044-2023-exp-fin.txt" ? 6'553  // 6,588 without S90
+                               : name == "alljapan-032-2011-exp-fin.txt" ? 6'654  // 6,675 without S90
+                                                                         : 0;
     if (expected == 0) continue;
     ++found;
     const Maze maze = *test::maze_in_file(file);

@@ -29,12 +29,18 @@ std::vector<Stretch> open_stretches(Turn turn) {
   const Stretch back_of_side{0.5, 0.5, 0.5, 1.5};
   const Stretch far_side{-0.5, 1.5, 0.5, 1.5};
   switch (turn) {
-    case Turn::f45: return {front, side, front_of_side};
-    case Turn::f90: return {front, side};
-    case Turn::f135: return {front, side, back_of_side, far_side};
-    case Turn::f180: return {front, side, back_of_side};
-    case Turn::v90: return {front, side, back_of_side, far_side};
-    default: return {front, side};
+    case Turn::f45:
+      return {front, side, front_of_side};
+    case Turn::f90:
+      return {front, side};
+    case Turn::f135:
+      return {front, side, back_of_side, far_side};
+    case Turn::f180:
+      return {front, side, back_of_side};
+    case Turn::v90:
+      return {front, side, back_of_side, far_side};
+    default:
+      return {front, side};
   }
 }
 
@@ -85,8 +91,8 @@ TEST(FittedTurn, FitsNoMoreWhen5MillimetresASecondFaster) {
     for (const Turn turn : forward_turns) {
       if (turn == Turn::f180) continue;
       const FittedTurn fitted = fitted_turn(turn, robot);
-      const TurnShape faster = shape_at(turn, fitted.speed + 5.0,
-                                        {robot.lateral_acceleration, robot.yaw_acceleration}, robot.cell);
+      const TurnShape faster =
+          shape_at(turn, fitted.speed + 5.0, {robot.lateral_acceleration, robot.yaw_acceleration}, robot.cell);
       EXPECT_TRUE(faster.lead_in < 0.0 || faster.lead_out < 0.0 ||
                   sampled_clearance(faster, robot.cell) < robot.clearance)
           << robot.name << " " << name_of(turn);
@@ -136,9 +142,11 @@ TEST(FittedTurn, DrivesTheKnownExamples) {
                                   {Turn::v90, 1035, 195, 3, 3}});
   Robot fan = fan_robot();
   fan.speed_diagonal = 3000.0;
-  for (const auto& [turn, speed, milliseconds] :
-       {std::tuple{Turn::f45, 2365, 73}, {Turn::f90, 2240, 128}, {Turn::f135, 1685, 147}, {Turn::f180, 1641, 187},
-        {Turn::v90, 1795, 108}}) {
+  for (const auto& [turn, speed, milliseconds] : {std::tuple{Turn::f45, 2365, 73},
+                                                  {Turn::f90, 2240, 128},
+                                                  {Turn::f135, 1685, 147},
+                                                  {Turn::f180, 1641, 187},
+                                                  {Turn::v90, 1795, 108}}) {
     const FittedTurn fitted = fitted_turn(turn, fan);
     EXPECT_EQ(std::round(fitted.speed), speed) << name_of(turn);
     EXPECT_NEAR(fitted.shape.length / fitted.speed * 1e3, milliseconds, 0.6) << name_of(turn);

@@ -46,7 +46,8 @@ TEST(HashedCells, ListsThemAsTheMapOfThatLanguageDoes) {
   HashedCells cells({5, 5}, Python::v2_7, CellKey::row_column);
   for (int y = 4; y >= 2; --y)
     for (int x = 0; x < 3; ++x) cells.insert({x, y});
-  EXPECT_EQ(members(cells), (std::vector<Cell>{{1, 4}, {2, 3}, {0, 4}, {1, 2}, {1, 3}, {0, 2}, {2, 2}, {0, 3}, {2, 4}}));
+  EXPECT_EQ(members(cells),
+            (std::vector<Cell>{{1, 4}, {2, 3}, {0, 4}, {1, 2}, {1, 3}, {0, 2}, {2, 2}, {0, 3}, {2, 4}}));
   for (int i = 0; i < 3; ++i) cells.erase({i, 4 - i});
   for (int x = 0; x < 5; ++x) cells.insert({x, 0});
   const std::vector<Cell> without_a_diagonal = {{1, 4}, {2, 3}, {4, 0}, {1, 2}, {0, 2}, {3, 0},

@@ -48,7 +48,8 @@ TEST(OptimisticRoutes, AreNoneWhereTheStartIsClosedIn) {
   EXPECT_TRUE(routes.unknown_walls().empty());
 }
 
-/// Routes by their definition: a move is on a shortest one where the ways before and after it and the move itself add up.
+/// Routes by their definition: a move is on a shortest one where the ways before and after it and the move itself add
+/// up.
 struct PlainRoutes {
   int length = unreachable;
   WallSet unknown_walls;

@@ -1,4 +1,5 @@
-// Cheapest costs over walls that have prices, the plain way: what PricedField, and what is made of it, is tested against.
+// Cheapest costs over walls that have prices, the plain way: what PricedField, and what is made of it, is tested
+// against.
 #pragma once
 
 #include <algorithm>
@@ -60,7 +61,8 @@ inline std::vector<int> plain_costs(const PricedWorld& world, const CellSet& fro
     const auto [cost, index] = queue.top();
     queue.pop();
     if (cost > costs[static_cast<std::size_t>(index)]) continue;
-    for_each_move(world, world.size.cell_at(index), [&, here = cost](Cell to, int move, const auto&) { reach(to, here + move); });
+    for_each_move(world, world.size.cell_at(index),
+                  [&, here = cost](Cell to, int move, const auto&) { reach(to, here + move); });
   }
   return costs;
 }

@@ -1,5 +1,5 @@
-// Least search times the plain way: what SearchField is tested against. Every move of a search is tried, also stops and pivots
-// on the way, from coordinates alone.
+// Least search times the plain way: what SearchField is tested against. Every move of a search is tried, also stops and
+// pivots on the way, from coordinates alone.
 #pragma once
 
 #include <functional>
@@ -9,8 +9,8 @@
 #include <tuple>
 #include <vector>
 
-#include "labmouse/mouse/robot/robot.hpp"
 #include "labmouse/mouse/drive/search_motion.hpp"
+#include "labmouse/mouse/robot/robot.hpp"
 
 namespace labmouse::test {
 
@@ -21,11 +21,12 @@ inline PlainPlace plain(const SearchPlace& place) {
   return {place.pose.cell.x, place.pose.cell.y, static_cast<int>(place.pose.heading), place.at_rest};
 }
 
-/// What it takes to leave (x, y) northwards, eastwards, southwards, westwards besides the time, or nothing where it is closed.
+/// What it takes to leave (x, y) northwards, eastwards, southwards, westwards besides the time, or nothing where it is
+/// closed.
 using PlainToll = std::function<std::optional<std::int64_t>(int x, int y, int heading)>;
 
-/// The least time from every place from which one of the targets can be entered (Dijkstra 1959, over all moves forwards and
-/// then turned round).
+/// The least time from every place from which one of the targets can be entered (Dijkstra 1959, over all moves forwards
+/// and then turned round).
 inline std::map<PlainPlace, std::int64_t> plain_search_times(Size size, const SearchDrive& drive, const PlainToll& toll,
                                                              const std::vector<Cell>& targets) {
   struct Move {
@@ -50,7 +51,9 @@ inline std::map<PlainPlace, std::int64_t> plain_search_times(Size size, const Se
                 {from, *extra + (at_rest ? rest + drive.half_cell : moving)});
           }
   std::map<PlainPlace, std::int64_t> times;
-  std::priority_queue<std::pair<std::int64_t, PlainPlace>, std::vector<std::pair<std::int64_t, PlainPlace>>, std::greater<>> queue;
+  std::priority_queue<std::pair<std::int64_t, PlainPlace>, std::vector<std::pair<std::int64_t, PlainPlace>>,
+                      std::greater<>>
+      queue;
   for (const Cell target : targets)
     for (int heading = 0; heading < 4; ++heading)
       for (const bool at_rest : {false, true}) queue.push({0, {target.x, target.y, heading, at_rest}});

@@ -86,7 +86,8 @@ class RandomWorld {
     closed_ = dice_.below(9);
     dearest_ = pick({0, 1, 40, WallPrices::highest});
     WallSet::all(size_).for_each([&](Wall wall) { prices_.set(wall, any_price()); });
-    for (int count = pick({0, 1, 1, 1, 2, 5}); count > 0; --count) from_.insert(size_.cell_at(dice_.below(size_.area())));
+    for (int count = pick({0, 1, 1, 1, 2, 5}); count > 0; --count)
+      from_.insert(size_.cell_at(dice_.below(size_.area())));
   }
 
   Size size() const { return size_; }
@@ -126,7 +127,8 @@ class RandomWorld {
 
 /// Both sides 1 to 64; small ones as often as all others.
 RandomWorld any_world() {
-  const auto side = rc::gen::resize(rc::kNominalSize, rc::gen::weightedOneOf<int>({{1, rc::gen::inRange(1, 9)}, {1, rc::gen::inRange(1, 65)}}));
+  const auto side = rc::gen::resize(
+      rc::kNominalSize, rc::gen::weightedOneOf<int>({{1, rc::gen::inRange(1, 9)}, {1, rc::gen::inRange(1, 65)}}));
   const int width = *side, height = *side;
   return RandomWorld({width, height}, *rc::gen::arbitrary<std::uint64_t>());
 }

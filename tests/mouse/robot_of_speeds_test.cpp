@@ -92,8 +92,8 @@ TEST(RobotOfSpeeds, TakesTheTimeOfItsSpeedsOverEveryStraight) {
           const bool possible = gain <= 2.0 * limits.acceleration * length && -gain <= 2.0 * limits.braking * length;
           ASSERT_EQ(straights.at(units, from, to) < no_time, possible) << units << ": " << from << " to " << to;
           if (!possible) continue;
-          ASSERT_NEAR(straights.at(units, from, to),
-                      stepped_seconds(length, before.speed, after.speed, limits) * 1e6, 2.0)
+          ASSERT_NEAR(straights.at(units, from, to), stepped_seconds(length, before.speed, after.speed, limits) * 1e6,
+                      2.0)
               << units << ": " << from << " to " << to;
         }
   };
@@ -117,7 +117,7 @@ TEST(RobotOfSpeeds, StartsAtRestWithARunUpAndEndsAtAnySpeed) {
       }
       EXPECT_NEAR(tables.finish_from(units, lane), stepped_seconds(length, speed, 1e6, limits) * 1e6, 2.0);
     }
-  EXPECT_EQ(tables.whole[0], 100'000);   // 50 mm at 10 m/s²
+  EXPECT_EQ(tables.whole[0], 100'000);     // 50 mm at 10 m/s²
   EXPECT_EQ(tables.whole[30], 1'066'667);  // 300 ms and 450 mm to 3 m/s, 2300 mm at that
 }
 
@@ -145,10 +145,11 @@ TEST(RobotOfSpeeds, IsRefusedInItsOwnUnits) {
       error([](Robot& robot) { robot.clearance = 64.0; }),
       "a clearance of 64 mm is more than diagonals leave in cells of 180 mm: 63.6 mm from their middle to a post");
   EXPECT_EQ(error([](Robot& robot) { robot.clearance = 63.63; }), "");
-  EXPECT_EQ(
-      error([](Robot& robot) { robot.yaw_acceleration = 20.0; }),
-      "its turn S90 fits into cells of 180 mm only up to 265 mm/s: a cell of 180 mm must not take more than 500 ms, the longest "
-      "that times here are made for, so at least 360 mm/s are needed; a larger lateral or yaw acceleration makes it faster");
+  EXPECT_EQ(error([](Robot& robot) { robot.yaw_acceleration = 20.0; }),
+            "its turn S90 fits into cells of 180 mm only up to 265 mm/s: a cell of 180 mm must not take more than 500 "
+            "ms, the longest "
+            "that times here are made for, so at least 360 mm/s are needed; a larger lateral or yaw acceleration makes "
+            "it faster");
   EXPECT_EQ(error([](Robot& robot) { robot.yaw_acceleration = 100.0; }), "");
   EXPECT_EQ(error([](Robot& robot) { robot.yaw_acceleration = 0.0001; }),
             "its turn 45 does not fit into cells of 180 mm: even at 5 mm/s its curve is too long; a larger yaw "

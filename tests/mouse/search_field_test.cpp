@@ -95,7 +95,8 @@ SearchDrive any_drive(Dice& dice) {
   return times;
 }
 
-void expect_plain_times(const Maze& maze, const SearchDrive& times, const SearchField& field, const test::PlainToll& toll) {
+void expect_plain_times(const Maze& maze, const SearchDrive& times, const SearchField& field,
+                        const test::PlainToll& toll) {
   std::vector<Cell> targets;
   maze.goals().for_each([&](Cell cell) { targets.push_back(cell); });
   const auto plain = test::plain_search_times(maze.size(), times, toll, targets);

@@ -72,7 +72,8 @@ TEST(SearchTree, TakesOnlyMovesThatWereSeenAsAWhole) {
 
 TEST(SearchTree, PrefersTheReachThatItWasMadeWith) {
   const WallSet open = WallSet::all({4, 1});
-  SearchTree nearest({4, 1}, 3, TieOrder("nesw")), farthest({4, 1}, 3, TieOrder("nesw"), SearchTree::Reach::farthest_first);
+  SearchTree nearest({4, 1}, 3, TieOrder("nesw")),
+      farthest({4, 1}, 3, TieOrder("nesw"), SearchTree::Reach::farthest_first);
   nearest.grow(open, {{0, 0}, Heading::east});
   farthest.grow(open, {{0, 0}, Heading::east});
   EXPECT_EQ(nearest.found()[1], (Cell{1, 0}));
@@ -102,7 +103,8 @@ TEST(TieOrder, NamesEachOrderOnce) {
     for (const Heading heading : TieOrder(name).from(Heading::east)) headings.insert(heading);
     EXPECT_EQ(headings.size(), 4U) << name;
   }
-  EXPECT_EQ(TieOrder("arbl").from(Heading::east), (std::array{Heading::east, Heading::south, Heading::west, Heading::north}));
+  EXPECT_EQ(TieOrder("arbl").from(Heading::east),
+            (std::array{Heading::east, Heading::south, Heading::west, Heading::north}));
 }
 
 TEST(KnownMoves, AreAllStraightOnesThroughPassages) {

@@ -76,9 +76,23 @@ TEST(TextbookSearch, OnTestMaze1MergesIntoThePrintedMoves) {
   const Maze maze = test::capstone_maze(1).value();
   const std::vector<Action> printed = [] {
     std::vector<Action> actions;
-    for (const auto& [rotation, movement] : std::initializer_list<std::pair<int, int>>{
-             {0, 2},   {90, 1},  {90, 2}, {-90, 3}, {-90, 2}, {90, 2}, {90, 1},  {-90, 1}, {90, 1},
-             {-90, 1}, {0, 3},   {-90, 3}, {-90, 3}, {90, 2},  {-90, 1}, {90, 1}, {-90, 1}})
+    for (const auto& [rotation, movement] : std::initializer_list<std::pair<int, int>>{{0, 2},
+                                                                                       {90, 1},
+                                                                                       {90, 2},
+                                                                                       {-90, 3},
+                                                                                       {-90, 2},
+                                                                                       {90, 2},
+                                                                                       {90, 1},
+                                                                                       {-90, 1},
+                                                                                       {90, 1},
+                                                                                       {-90, 1},
+                                                                                       {0, 3},
+                                                                                       {-90, 3},
+                                                                                       {-90, 3},
+                                                                                       {90, 2},
+                                                                                       {-90, 1},
+                                                                                       {90, 1},
+                                                                                       {-90, 1}})
       actions.push_back(Action::step(rotation, movement));
     return actions;
   }();

@@ -48,7 +48,9 @@ class AriadneReferee final : public Strategy {
   bool stopped_at_the_goal() const { return stopped_at_the_goal_; }
 
  private:
-  PricedWorld world(PriceOf price) const { return {briefing_.size, briefing_.motion, ariadne::step_price, std::move(price)}; }
+  PricedWorld world(PriceOf price) const {
+    return {briefing_.size, briefing_.motion, ariadne::step_price, std::move(price)};
+  }
   /// Steps over known passages from some cells to each.
   std::vector<int> steps_from(const CellSet& cells) const {
     const auto price = [&](Wall wall) { return knowledge_.open().contains(wall) ? 0 : int{WallPrices::closed}; };
@@ -58,7 +60,9 @@ class AriadneReferee final : public Strategy {
     return numbers[static_cast<std::size_t>(briefing_.size.index(cell))];
   }
   int steps_left() const { return briefing_.budget - steps_; }
-  bool unknown(Wall wall) const { return knowledge_.state(wall) == WallState::unknown && !on_border(wall, briefing_.size); }
+  bool unknown(Wall wall) const {
+    return knowledge_.state(wall) == WallState::unknown && !on_border(wall, briefing_.size);
+  }
 
   void look_around() {
     travel_ = steps_from(CellSet::of(pose_.cell));
@@ -186,7 +190,9 @@ class AriadneReferee final : public Strategy {
       ASSERT_NO_FATAL_FAILURE(judge_wall(candidate, phase, through[candidate.wall]));
     }
     ASSERT_EQ(goals, !goal_entered_ && nearest_goal_ < unreachable ? 1 : 0);
-    WallSet::all(briefing_.size).for_each([&](Wall wall) { ASSERT_EQ(walls.contains(wall), is_candidate(wall, through)); });
+    WallSet::all(briefing_.size).for_each([&](Wall wall) {
+      ASSERT_EQ(walls.contains(wall), is_candidate(wall, through));
+    });
   }
 
   void judge_goal(const Candidate& goal, const ariadne::Phase& phase) const {
@@ -292,7 +298,8 @@ class AriadneReferee final : public Strategy {
     };
     int most = -1;
     for (int cells = 1; cells <= briefing_.motion.longest; ++cells)
-      for (const Heading direction : all_headings) most = std::max(most, value(move_in(pose_.heading, direction, cells)));
+      for (const Heading direction : all_headings)
+        most = std::max(most, value(move_in(pose_.heading, direction, cells)));
     ASSERT_GE(most, 0);
     ASSERT_EQ(value(action), most);
   }

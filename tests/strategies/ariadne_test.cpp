@@ -26,7 +26,8 @@ Settings settings_of(const Values& values) {
 }
 
 /// With these it stops where nothing unseen can be shorter, as certify does.
-const Values proof = {{"prior", "uniform"}, {"model", "free"}, {"style", "contest"}, {"stop_travel", "0"}, {"stop_margin", "0"}};
+const Values proof = {
+    {"prior", "uniform"}, {"model", "free"}, {"style", "contest"}, {"stop_travel", "0"}, {"stop_margin", "0"}};
 
 struct RefereedRun {
   RunRecord record;
@@ -71,14 +72,16 @@ TEST(Ariadne, DecidesAsItsDefinitionSaysInAThousandMazes) {
     const Rules rules = any_rules(dice);
     const RefereedRun run = refereed(maze, any_settings(dice), rules);
     for (const StepRecord& step : run.record.steps) ASSERT_FALSE(step.blocked) << i << drawing_of(maze);
-    ASSERT_FALSE(HasFailure()) << "maze " << i << ", stride " << rules.stride << ", budget " << rules.budget << drawing_of(maze);
+    ASSERT_FALSE(HasFailure()) << "maze " << i << ", stride " << rules.stride << ", budget " << rules.budget
+                               << drawing_of(maze);
   }
 }
 
 TEST(Ariadne, DecidesSoInTheLargestMazes) {
   Dice dice(64);
   for (const Size size : {Size{64, 64}, Size{64, 1}, Size{3, 64}, Size{32, 32}}) {
-    const Maze maze = kruskal_generator.make({size, 5, 100}).with_start({size.width - 1, size.height - 1}, Heading::south);
+    const Maze maze =
+        kruskal_generator.make({size, 5, 100}).with_start({size.width - 1, size.height - 1}, Heading::south);
     Rules rules;
     rules.budget = 60;
     refereed(maze, settings_of({}), rules);
@@ -216,7 +219,9 @@ TEST(Ariadne, NeedsNoMoreThanTheWayThereAndTheRunInACorridor) {
   }
 }
 
-RunRecord in_style(std::string_view style, const Maze& maze) { return test::contest(ariadne_mouse, maze, {{"style", style}}); }
+RunRecord in_style(std::string_view style, const Maze& maze) {
+  return test::contest(ariadne_mouse, maze, {{"style", style}});
+}
 
 TEST(Ariadne, StopsAtTheGoalOfAMazeWithoutLoops) {
   int earlier = 0;  // than it would otherwise
@@ -298,7 +303,8 @@ TEST(Ariadne, DoesTheSameWhetherItKeepsItsReasonsOrNot) {
     const Maze maze = any_maze(dice, i % 10 == 0 ? 40 : 16);
     const Rules rules = any_rules(dice);
     const Settings settings = any_settings(dice);
-    const auto silent = ariadne_mouse.make(brief(maze, rules, 1), settings), talks = ariadne_mouse.make(brief(maze, rules, 1), settings);
+    const auto silent = ariadne_mouse.make(brief(maze, rules, 1), settings),
+               talks = ariadne_mouse.make(brief(maze, rules, 1), settings);
     talks->keep_reasons();
     ASSERT_EQ(run(maze, rules, *silent).steps, run(maze, rules, *talks).steps) << i;
     ASSERT_EQ(silent->reasons(), nullptr);

@@ -239,9 +239,11 @@ TEST_P(BothFloods, SolveEveryMazeWithARouteAndGiveUpInTheOthers) {
   patient.budget = 100'000;
   for (const test::ContractMaze& maze : test::contract_mazes()) {
     const bool has_route = shortest_in_cells(maze.maze).has_value();
-    const bool looks_for_ever = GetParam() == &flood_explore_mouse && reachable_cells(maze.maze) != CellSet::all(maze.maze.size());
-    EXPECT_EQ(run_of(*GetParam(), maze.maze, patient).outcome,
-              !has_route ? Outcome::forfeit : looks_for_ever ? Outcome::never_reset : Outcome::solved)
+    const bool looks_for_ever =
+        GetParam() == &flood_explore_mouse && reachable_cells(maze.maze) != CellSet::all(maze.maze.size());
+    EXPECT_EQ(run_of(*GetParam(), maze.maze, patient).outcome, !has_route       ? Outcome::forfeit
+                                                               : looks_for_ever ? Outcome::never_reset
+                                                                                : Outcome::solved)
         << maze.name;
   }
 }

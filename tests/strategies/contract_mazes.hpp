@@ -19,8 +19,8 @@ inline void add_generated(std::vector<ContractMaze>& mazes) {
   const auto add = [&](const Generator& generator, Size size, int loops) {
     const GeneratorOrder order{size, 7, loops};
     if (generator.refuses(order).empty())
-      mazes.push_back({std::string(generator.name) + " " + std::to_string(size.width) + "x" + std::to_string(size.height) +
-                           " loops " + std::to_string(loops),
+      mazes.push_back({std::string(generator.name) + " " + std::to_string(size.width) + "x" +
+                           std::to_string(size.height) + " loops " + std::to_string(loops),
                        generator.make(order)});
   };
   for (const Generator* generator : all_generators())

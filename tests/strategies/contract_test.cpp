@@ -20,7 +20,8 @@ using test::ContractMaze;
 
 bool has_route(const Maze& maze) { return shortest_in_cells(maze).has_value(); }
 
-std::unique_ptr<Strategy> make(const RosterEntry& mouse, const Maze& maze, const Rules& rules = {}, std::uint64_t seed = 1) {
+std::unique_ptr<Strategy> make(const RosterEntry& mouse, const Maze& maze, const Rules& rules = {},
+                               std::uint64_t seed = 1) {
   return mouse.make(brief(maze, rules, seed), Settings(mouse.parameters));
 }
 
@@ -197,7 +198,8 @@ TEST_P(EveryMouse, DoesTheSameWhileAnotherRuns) {
 
 TEST_P(EveryMouse, ThrowsDiceOnlyWhereTheRosterSaysSo) {
   const Maze maze = prim_generator.make({{16, 16}, 3, 100});
-  EXPECT_NE(run_of(mouse(), maze, {}, 1) == run_of(mouse(), maze, {}, 2), mouse().uses_chance(Settings(mouse().parameters)));
+  EXPECT_NE(run_of(mouse(), maze, {}, 1) == run_of(mouse(), maze, {}, 2),
+            mouse().uses_chance(Settings(mouse().parameters)));
 }
 
 TEST_P(EveryMouse, GivesUpWhereAReadingContradictsAnother) {
@@ -210,7 +212,8 @@ TEST_P(EveryMouse, GivesUpWhereAReadingContradictsAnother) {
 /// Values of a parameter to try beside the default.
 std::vector<std::string> values_of(const Parameter& parameter) {
   switch (parameter.type) {
-    case ParameterType::flag: return {"yes", "no"};
+    case ParameterType::flag:
+      return {"yes", "no"};
     case ParameterType::choice:
     case ParameterType::prior: {
       std::vector<std::string> values;
@@ -222,7 +225,8 @@ std::vector<std::string> values_of(const Parameter& parameter) {
     }
     case ParameterType::list:  // the default with one number, in turn, at each end of the range
     case ParameterType::whole:
-    case ParameterType::real: break;
+    case ParameterType::real:
+      break;
   }
   const auto number = [](double value) {
     std::string text = std::to_string(value);
@@ -242,7 +246,8 @@ bool changes_something(const RosterEntry& mouse, const Parameter& parameter, con
     Settings settings = others;
     settings.set(parameter.name, value);
     for (std::uint64_t seed = 1; seed <= 10; ++seed)
-      for (const Maze& maze : {prim_generator.make({{16, 16}, seed, 300}), contest_generator.make({{16, 16}, seed, 0})}) {
+      for (const Maze& maze :
+           {prim_generator.make({{16, 16}, seed, 300}), contest_generator.make({{16, 16}, seed, 0})}) {
         const Briefing briefing = brief(maze, {}, 1);
         if (run(maze, {}, *mouse.make(briefing, settings)) != run(maze, {}, *mouse.make(briefing, others))) return true;
       }
@@ -278,7 +283,8 @@ TEST_P(EveryMouse, HasParametersThatSayWhatTheyMean) {
 }
 
 TEST_P(EveryMouse, HasNoParameterWithoutEffect) {
-  for (const Parameter& parameter : mouse().parameters) EXPECT_TRUE(changes_something(mouse(), parameter)) << parameter.name;
+  for (const Parameter& parameter : mouse().parameters)
+    EXPECT_TRUE(changes_something(mouse(), parameter)) << parameter.name;
 }
 
 INSTANTIATE_TEST_SUITE_P(Roster, EveryMouse, testing::ValuesIn(roster().begin(), roster().end()), test::mouse_name);
@@ -309,7 +315,8 @@ INSTANTIATE_TEST_SUITE_P(Roster, SureMouse,
 
 Maze generated(Dice& dice) {
   for (;;) {
-    const Generator& generator = *all_generators()[static_cast<std::size_t>(dice.below(static_cast<int>(all_generators().size())))];
+    const Generator& generator =
+        *all_generators()[static_cast<std::size_t>(dice.below(static_cast<int>(all_generators().size())))];
     const GeneratorOrder order{{1 + dice.below(20), 1 + dice.below(20)}, dice.bits(), dice.below(400)};
     if (generator.refuses(order).empty())
       return generator.make(order).with_start(order.size.cell_at(dice.below(order.size.area())),

@@ -27,7 +27,8 @@ const std::vector<SomeMaze>& generated_mazes() {
   static const std::vector<SomeMaze> mazes = [] {
     std::vector<SomeMaze> made;
     Dice dice(17);
-    for (int i = 0; i < 150 / test::slowness; ++i) made.push_back({"generated " + std::to_string(i), test::any_maze(dice, 20)});
+    for (int i = 0; i < 150 / test::slowness; ++i)
+      made.push_back({"generated " + std::to_string(i), test::any_maze(dice, 20)});
     return made;
   }();
   return mazes;
@@ -38,7 +39,8 @@ const std::vector<SomeMaze>& real_mazes() {
     std::vector<SomeMaze> read;
     const auto files = test::maze_files();
     for (std::size_t i = 0; i < files.size(); i += test::slowness)
-      if (auto maze = test::maze_in_file(files[i]); maze && std::max(maze->size().width, maze->size().height) <= max_drive_side)
+      if (auto maze = test::maze_in_file(files[i]);
+          maze && std::max(maze->size().width, maze->size().height) <= max_drive_side)
         read.push_back({files[i].filename(), std::move(*maze)});
     return read;
   }();
@@ -61,7 +63,8 @@ DriveRules rules_of(int divisor, std::int64_t seconds = 3600) {
   return rules;
 }
 
-std::unique_ptr<Strategy> make(const RosterEntry& mouse, const Maze& maze, const DriveRules& rules, const DriveModel& model) {
+std::unique_ptr<Strategy> make(const RosterEntry& mouse, const Maze& maze, const DriveRules& rules,
+                               const DriveModel& model) {
   return mouse.make(brief(maze, rules, model, 1), Settings(mouse.parameters));
 }
 
@@ -90,9 +93,10 @@ class EveryDriver : public testing::TestWithParam<const RosterEntry*> {
  protected:
   const RosterEntry& mouse() const { return *GetParam(); }
 
-  /// The mouse comes to the goal and home, and then runs by a way that is there, wherever there is one. Where the only way that
-  /// a search has found begins behind the start, or beside it, there is none: a run begins straight on.
-  void expect_good_contests(const std::vector<SomeMaze>& mazes, const DriveRules& rules, const DriveModel& model) const {
+  /// The mouse comes to the goal and home, and then runs by a way that is there, wherever there is one. Where the only
+  /// way that a search has found begins behind the start, or beside it, there is none: a run begins straight on.
+  void expect_good_contests(const std::vector<SomeMaze>& mazes, const DriveRules& rules,
+                            const DriveModel& model) const {
     for (const SomeMaze& maze : mazes) {
       SCOPED_TRACE(maze.name);
       const DriveRecord record = contest(mouse(), maze.maze, rules, model);
@@ -158,7 +162,8 @@ TEST_P(EveryDriver, RunsInTimeWhereItKnowsARunInTime) {
       const DriveRules rules = rules_of(0, seconds);
       const DriveRecord record = contest(mouse(), maze.maze, rules, published());
       if (record.outcome != DriveOutcome::finished) continue;
-      // It entered the goal in the first quarter of the time, which leaves enough for pivots, a way home as long and a run.
+      // It entered the goal in the first quarter of the time, which leaves enough for pivots, a way home as long and a
+      // run.
       const auto entered = record.runs.front().gate_in;
       if (!entered || *entered * 4 > rules.time_limit || fastest(maze.maze, published()) == no_time) continue;
       const DriveRun& last = record.runs.back();

@@ -76,7 +76,11 @@ TEST(EdgeCosts, RoundTheWeightedWayDown) {
 class Learner {
  public:
   Learner(const Maze& maze, const Motion& motion, Dice& dice)
-      : briefing_(briefing(maze, motion)), prior_(any_prior(dice)), outlook_(briefing_, prior_), costs_(briefing_), knowledge_(maze.size()) {}
+      : briefing_(briefing(maze, motion)),
+        prior_(any_prior(dice)),
+        outlook_(briefing_, prior_),
+        costs_(briefing_),
+        knowledge_(maze.size()) {}
 
   void learn(const StepRecord& step) {
     ASSERT_TRUE(knowledge_.learn(step.pose, step.sighting));
@@ -87,7 +91,8 @@ class Learner {
   void expect_plain_costs(int weight) {
     costs_.plan(outlook_.prices(), weight);
     const WallPrices& prices = outlook_.prices();
-    const test::PricedWorld world = {briefing_.size, briefing_.motion, step_price, [&](Wall wall) { return prices.of(wall); }};
+    const test::PricedWorld world = {briefing_.size, briefing_.motion, step_price,
+                                     [&](Wall wall) { return prices.of(wall); }};
     const test::WallNumbers plain = test::plain_costs_through(world, briefing_.start.cell, briefing_.goals, weight);
     knowledge_.unknown().for_each([&](Wall wall) {
       if (!prices.passable(wall)) return;
@@ -99,7 +104,8 @@ class Learner {
   /// With a limit, what costs less than it is exact, and nothing else seems to cost less.
   void expect_plain_costs_below(int limit, int weight) {
     const WallPrices& prices = outlook_.prices();
-    const test::PricedWorld world = {briefing_.size, briefing_.motion, step_price, [&](Wall wall) { return prices.of(wall); }};
+    const test::PricedWorld world = {briefing_.size, briefing_.motion, step_price,
+                                     [&](Wall wall) { return prices.of(wall); }};
     const auto expect = [&](const test::WallNumbers& plain, int exact_below) {
       knowledge_.unknown().for_each([&](Wall wall) {
         if (!prices.passable(wall)) return;
@@ -112,7 +118,8 @@ class Learner {
       });
     };
     costs_.plan_below(limit, prices);
-    ASSERT_NO_FATAL_FAILURE(expect(test::plain_costs_through(world, briefing_.start.cell, briefing_.goals, 256), limit));
+    ASSERT_NO_FATAL_FAILURE(
+        expect(test::plain_costs_through(world, briefing_.start.cell, briefing_.goals, 256), limit));
     // Runs through cells that are left out cost at least the limit and a move.
     costs_.plan_near(limit, prices, weight);
     const int cheapest_move = step_price * briefing_.motion.cost[1];
@@ -142,8 +149,8 @@ PriceTable any_table(Dice& dice) {
   PriceTable table;
   const int base = dice.below(20), slope = dice.below(8), closed = dice.chance(1, 4) ? 256 : 1 + dice.below(200);
   for (int reluctance = 0; reluctance < 256; ++reluctance)
-    table[static_cast<unsigned>(reluctance)] =
-        static_cast<std::uint8_t>(reluctance >= closed ? WallPrices::closed : std::min(base + slope * reluctance / 4, WallPrices::highest));
+    table[static_cast<unsigned>(reluctance)] = static_cast<std::uint8_t>(
+        reluctance >= closed ? WallPrices::closed : std::min(base + slope * reluctance / 4, WallPrices::highest));
   return table;
 }
 
@@ -172,13 +179,15 @@ void expect_plain_costs_while_learning(const Maze& maze, Dice& dice) {
     if (!dice.chance(1, 3)) continue;
     ASSERT_NO_FATAL_FAILURE(learner.expect_plain_costs(weight)) << "step " << step.step << test::drawing_of(maze);
     const int limit = 1 + dice.below(dice.chance(1, 2) ? 400 : 3000);
-    ASSERT_NO_FATAL_FAILURE(learner.expect_plain_costs_below(limit, weight)) << "step " << step.step << test::drawing_of(maze);
+    ASSERT_NO_FATAL_FAILURE(learner.expect_plain_costs_below(limit, weight))
+        << "step " << step.step << test::drawing_of(maze);
   }
 }
 
 TEST(EdgeCosts, AgreeWithThePlainDefinitionAsWallsBecomeKnown) {
   Dice dice(8);
-  for (int i = 0; i < 150 / test::slowness; ++i) ASSERT_NO_FATAL_FAILURE(expect_plain_costs_while_learning(test::any_maze(dice, 14), dice)) << i;
+  for (int i = 0; i < 150 / test::slowness; ++i)
+    ASSERT_NO_FATAL_FAILURE(expect_plain_costs_while_learning(test::any_maze(dice, 14), dice)) << i;
 }
 
 TEST(EdgeCosts, AgreeInTheLargestMaze) {

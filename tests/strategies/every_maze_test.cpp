@@ -65,7 +65,8 @@ TEST_P(InRealMazes, DoesSoByEveryMethodThatItCanBeGiven) {
       Settings settings(GetParam()->parameters);
       settings.set(parameter.name, value);
       // Every fifth maze: the methods are many.
-      for (std::size_t i = 0; i < real_mazes().size(); i += 5 * test::slowness) expect_good_contest(*GetParam(), settings, real_mazes()[i]);
+      for (std::size_t i = 0; i < real_mazes().size(); i += 5 * test::slowness)
+        expect_good_contest(*GetParam(), settings, real_mazes()[i]);
     }
   }
 }

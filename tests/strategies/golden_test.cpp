@@ -65,10 +65,11 @@ std::string words_of(const Action& action) {
 
 std::string line_of(const StepRecord& step) {
   std::ostringstream line;
-  line << std::setw(3) << step.step << "  " << std::left << std::setw(11) << (step.run == Run::speed ? "speed" : "exploration")
-       << "  at (" << int{step.pose.cell.x} << ',' << int{step.pose.cell.y} << ") " << std::setw(5)
-       << name_of(step.pose.heading) << "  sees " << step.sighting.left << ' ' << step.sighting.ahead << ' '
-       << step.sighting.right << "  " << words_of(step.action) << (step.blocked ? " (blocked)" : "") << '\n';
+  line << std::setw(3) << step.step << "  " << std::left << std::setw(11)
+       << (step.run == Run::speed ? "speed" : "exploration") << "  at (" << int{step.pose.cell.x} << ','
+       << int{step.pose.cell.y} << ") " << std::setw(5) << name_of(step.pose.heading) << "  sees " << step.sighting.left
+       << ' ' << step.sighting.ahead << ' ' << step.sighting.right << "  " << words_of(step.action)
+       << (step.blocked ? " (blocked)" : "") << '\n';
   return line.str();
 }
 
@@ -97,7 +98,8 @@ class Golden : public testing::TestWithParam<const RosterEntry*> {
         LABMOUSE_SOURCE_DIR "/tests/golden/" + std::string(GetParam()->name) + "-in-" + maze.name + ".txt";
     const std::string now = playthrough(*GetParam(), maze);
     if (std::getenv("LABMOUSE_UPDATE_GOLDEN") != nullptr) std::ofstream(path, std::ios::binary) << now;
-    EXPECT_EQ(now, content_of(path)) << "not as in " << path << "; where that is meant, LABMOUSE_UPDATE_GOLDEN=1 writes it anew";
+    EXPECT_EQ(now, content_of(path)) << "not as in " << path
+                                     << "; where that is meant, LABMOUSE_UPDATE_GOLDEN=1 writes it anew";
   }
 };
 

@@ -24,9 +24,8 @@ TEST(ManhattanDistance, LooksAtTheNearestCellOfASet) {
 
 TEST(ManhattanMouse, GoesToTheUnvisitedCellThatLooksNearestToTheGoal) {
   for (const Maze& maze : test::loopy_mazes())
-    test::expect_goes_to_the_cheapest(manhattan_mouse, maze, [&](const SearchTree&, Cell cell) {
-      return manhattan_to(maze.goals(), cell);
-    });
+    test::expect_goes_to_the_cheapest(manhattan_mouse, maze,
+                                      [&](const SearchTree&, Cell cell) { return manhattan_to(maze.goals(), cell); });
 }
 
 TEST(ManhattanMouse, MakesOnlyMovesThatItHasSeenAsAWhole) {

@@ -154,8 +154,8 @@ std::array<int, 3> turns_at_crossings(const Changes& changes) {
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     const Maze maze = kruskal_generator.make({{16, 16}, seed, 1000});
     for (const StepRecord& step : run_with(changes, maze, {}, seed).steps)
-      if (step.run == Run::exploration && step.sighting.left > 0 && step.sighting.ahead > 0 && step.sighting.right > 0 &&
-          step.action.movement == 1)
+      if (step.run == Run::exploration && step.sighting.left > 0 && step.sighting.ahead > 0 &&
+          step.sighting.right > 0 && step.action.movement == 1)
         ++turns[static_cast<std::size_t>(step.action.rotation / 90 + 1)];
   }
   return turns;
@@ -278,7 +278,8 @@ TEST(PhasesContinuing, AllGoalsLeavesOutThoseThatCannotBeEntered) {
     o   o---o   o   o
     | S |       |   |
     o---o---o---o---o
-  )").with_goals(goals);
+  )")
+                        .with_goals(goals);
   const RunRecord record = run_with({{"continuing", "all-goals"}}, maze);
   EXPECT_EQ(record.outcome, Outcome::solved);
   EXPECT_TRUE(stood_in(record).contains({0, 3}));
@@ -343,8 +344,8 @@ TEST(PhasesContinuing, WorthwhileEndsWithAShortestRun) {
 }
 
 TEST(PhasesContinuing, WorthwhileLeavesOutWhatHasToBeLeftWhereItWasEntered) {
-  // The left hand leads once around the room: all its walls are seen, and its only door, which lies at the goal. What can
-  // matter lies behind the start.
+  // The left hand leads once around the room: all its walls are seen, and its only door, which lies at the goal. What
+  // can matter lies behind the start.
   const Maze maze = test::drawn(R"(
     o---o---o---o---o---o
     |                   |

@@ -1,5 +1,5 @@
-// What ariadne expects of unseen walls, looked up anew for each wall from what is known around it: what its Outlook, which
-// keeps all that up to date, is tested against.
+// What ariadne expects of unseen walls, looked up anew for each wall from what is known around it: what its Outlook,
+// which keeps all that up to date, is tested against.
 #pragma once
 
 #include <algorithm>
@@ -37,7 +37,8 @@ class PlainOutlook {
   int reluctance(Wall wall) const {
     if (goals_beside(wall) == 2) return 0;
     if (prior_ == nullptr) return 22;  // ln 2
-    if (on_rim(wall)) return prior_->rim[static_cast<unsigned>(std::min(count_of_rim(open), 2) * 8 + count_of_rim(closed))];
+    if (on_rim(wall))
+      return prior_->rim[static_cast<unsigned>(std::min(count_of_rim(open), 2) * 8 + count_of_rim(closed))];
     return prior_->walls[static_cast<unsigned>(context(wall))];
   }
 
@@ -65,7 +66,8 @@ class PlainOutlook {
       const Cell cell = size_.cell_at(index);
       CellSet room = CellSet::of(cell);
       if (cell.x + 1 >= size_.width || cell.y + 1 >= size_.height) continue;
-      for (const Cell other : {Cell{cell.x + 1, cell.y}, Cell{cell.x, cell.y + 1}, Cell{cell.x + 1, cell.y + 1}}) room.insert(other);
+      for (const Cell other : {Cell{cell.x + 1, cell.y}, Cell{cell.x, cell.y + 1}, Cell{cell.x + 1, cell.y + 1}})
+        room.insert(other);
       if (room == goals_) return true;
     }
     return false;
@@ -85,7 +87,8 @@ class PlainOutlook {
       return state({{wall.cell.x + (flat ? x : y), wall.cell.y + (flat ? y : x)}, wall.side});
     };
     const auto crossing = [&](int x, int y) {
-      return state({{wall.cell.x + (flat ? x : y), wall.cell.y + (flat ? y : x)}, flat ? Heading::east : Heading::north});
+      return state(
+          {{wall.cell.x + (flat ? x : y), wall.cell.y + (flat ? y : x)}, flat ? Heading::east : Heading::north});
     };
     const int digits[] = {parallel(-1, 0), crossing(-1, 0), crossing(-1, 1), parallel(1, 0),
                           crossing(0, 0),  crossing(0, 1),  parallel(0, -1), parallel(0, 1)};

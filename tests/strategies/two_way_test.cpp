@@ -119,7 +119,8 @@ TEST(TwoWay, TakesItsFirstStrideOneCellShorter) {
     o---o---o---o---o---o---o---o
     | S                       G |
     o---o---o---o---o---o---o---o
-  )").with_start({0, 0}, Heading::east);
+  )")
+                        .with_start({0, 0}, Heading::east);
   const RunRecord record = run_with(maze);
   std::vector<int> strides;
   for (const StepRecord& step : record.steps)

@@ -160,7 +160,8 @@ std::string read_drawing(const Entry& entry, const Words& words, MmsCommand& com
   const std::string_view letters = entry.form == Form::wall ? sides : mms_colours;
   const std::string_view letter = words.word[3];
   const std::size_t place = letter.size() == 1 ? letters.find(letter) : std::string_view::npos;
-  if (place == std::string_view::npos) return std::string(third.substr(1)) + " is one letter of " + std::string(letters);
+  if (place == std::string_view::npos)
+    return std::string(third.substr(1)) + " is one letter of " + std::string(letters);
   command.side = static_cast<Heading>(place & 3U);
   command.colour = letter[0];
   return {};

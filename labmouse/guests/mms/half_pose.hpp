@@ -1,9 +1,9 @@
 // The half grid of mms: where a mouse stands that goes half cells and turns by 45 degrees.
 //
 //      y
-//      2 o---|---o       The places of cell (0,0) and of the walls round it. Both coordinates odd: the centre of a cell;
-//      1 |   +   |       one of them even: the middle of a wall; both even: a post, where no mouse goes.
-//      0 o---|---o
+//      2 o---|---o       The places of cell (0,0) and of the walls round it. Both coordinates odd: the centre of a
+//      cell; 1 |   +   |       one of them even: the middle of a wall; both even: a post, where no mouse goes. 0
+//      o---|---o
 //        0   1   2  x
 #pragma once
 

@@ -18,16 +18,17 @@ namespace labmouse {
 struct MmsOptions {
   /// Whether a line that mms would not answer ends the run.
   bool strict = false;
-  /// How often somebody presses Reset for a mouse that waits for it: that asked `wasReset` 100 times with nothing between.
+  /// How often somebody presses Reset for a mouse that waits for it: that asked `wasReset` 100 times with nothing
+  /// between.
   int presses = 0;
 };
 
 /// What a line did, for records and for watching.
 struct MmsEvent {
-  std::string_view line;    ///< as the mouse wrote it
-  std::string_view reply;   ///< empty where there is none
-  HalfPose pose;            ///< after it
-  double clock = 0;         ///< simulated time after it, in seconds, at mms's default speed
+  std::string_view line;   ///< as the mouse wrote it
+  std::string_view reply;  ///< empty where there is none
+  HalfPose pose;           ///< after it
+  double clock = 0;        ///< simulated time after it, in seconds, at mms's default speed
 };
 
 /// The simulator with one mouse in one maze, from its start to its end. No time passes in it.

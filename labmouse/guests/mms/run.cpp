@@ -20,7 +20,12 @@ class Hosting {
   using Listener = std::function<void(const MmsEvent&, const MmsHost&)>;
 
   Hosting(const Launch& launch, const Maze& maze, const MmsOptions& options, const Listener& listener)
-      : launch_(launch), presses_(options.presses), host_(maze, options), begin_(Clock::now()), sign_(begin_), guest_(launch) {
+      : launch_(launch),
+        presses_(options.presses),
+        host_(maze, options),
+        begin_(Clock::now()),
+        sign_(begin_),
+        guest_(launch) {
     if (!listener) return;
     host_.on_event([this, listener](const MmsEvent& event) {
       const auto called = Clock::now();
@@ -53,13 +58,18 @@ class Hosting {
     obey_lines();
     if (ended_) return;
     switch (event) {
-      case GuestEvent::output: return;
-      case GuestEvent::ended: return finish_ended();
+      case GuestEvent::output:
+        return;
+      case GuestEvent::ended:
+        return finish_ended();
       case GuestEvent::left:
         return finish(MmsOutcome::left, describe(*guest_.status()) + ", but what it started goes on");
-      case GuestEvent::closed: return finish(MmsOutcome::closed, "closed its standard output and ran on");
-      case GuestEvent::timeout: return finish_late();
-      case GuestEvent::interrupted: return finish(MmsOutcome::interrupted, "by its user");
+      case GuestEvent::closed:
+        return finish(MmsOutcome::closed, "closed its standard output and ran on");
+      case GuestEvent::timeout:
+        return finish_late();
+      case GuestEvent::interrupted:
+        return finish(MmsOutcome::interrupted, "by its user");
     }
   }
 

@@ -28,24 +28,25 @@ enum class MmsOutcome : std::uint8_t {
 };
 
 constexpr std::string_view name_of(MmsOutcome outcome) {
-  constexpr std::array<std::string_view, 11> names = {"complete", "failed", "waiting", "invalid",     "hung",       "out of time",
-                                                      "flooded",  "closed", "left",    "not started", "interrupted"};
+  constexpr std::array<std::string_view, 11> names = {"complete", "failed",      "waiting",    "invalid",
+                                                      "hung",     "out of time", "flooded",    "closed",
+                                                      "left",     "not started", "interrupted"};
   return names[static_cast<std::size_t>(outcome)];
 }
 
 /// One run of one program in one maze.
 struct MmsRun {
   MmsOutcome outcome = MmsOutcome::complete;
-  std::string end;        ///< how it ended, in words: "exit code 1", "signal 11 (Segmentation fault)", ...
+  std::string end;  ///< how it ended, in words: "exit code 1", "signal 11 (Segmentation fault)", ...
   MmsStatistics statistics;
-  HalfPose pose;          ///< at the end
-  MmsCanvas canvas;       ///< at the end
-  double clock = 0;       ///< simulated seconds
+  HalfPose pose;     ///< at the end
+  MmsCanvas canvas;  ///< at the end
+  double clock = 0;  ///< simulated seconds
   std::int64_t lines = 0;
   std::int64_t invalid_lines = 0;
   std::vector<std::string> log;  ///< what was wrong with the first of them
-  std::string errors;     ///< the last bytes of its standard error
-  double seconds = 0;     ///< of real time
+  std::string errors;            ///< the last bytes of its standard error
+  double seconds = 0;            ///< of real time
 };
 
 /// Starts the program and hosts it until it ends or has to be ended. `listener` may be empty; the time that it takes is

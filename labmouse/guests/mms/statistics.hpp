@@ -60,7 +60,8 @@ constexpr float effective_distance(std::int64_t half_steps) {
 /// Keeps the statistics. A run begins with a move from the start cell, and ends in a goal or where the mouse is back.
 class MmsBooks {
  public:
-  /// What every ackReset adds to the effective distance of the next run, and to the total. Twice in a row it is the same.
+  /// What every ackReset adds to the effective distance of the next run, and to the total. Twice in a row it is the
+  /// same.
   static constexpr float reset_penalty = 15;
 
   /// A move that was begun: by the half steps that were asked for, whether the mouse gets that far or not.

@@ -22,7 +22,8 @@ double median_ns(std::size_t count, int batches, Work work) {
   for (int batch = 0; batch < batches; ++batch) {
     const auto begin = Clock::now();
     for (std::size_t i = 0; i < count; ++i) work(i);
-    times.push_back(std::chrono::duration<double, std::nano>(Clock::now() - begin).count() / static_cast<double>(count));
+    times.push_back(std::chrono::duration<double, std::nano>(Clock::now() - begin).count() /
+                    static_cast<double>(count));
   }
   const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
   std::nth_element(times.begin(), middle, times.end());
@@ -51,7 +52,8 @@ DistanceSpeed measure_distance(int side) {
   speed.rows = time(401, [&](std::size_t i) { rows.fill(mazes[i].open_walls(), mazes[i].goals()); });
   speed.portable_rows = time(401, [&](std::size_t i) { portable_rows.fill(mazes[i].open_walls(), mazes[i].goals()); });
   speed.queue = time(101, [&](std::size_t i) { rings[i].fill(mazes[i].goals()); });
-  speed.plain = time(15, [&](std::size_t i) { plain_distances(size, motion, mazes[i].open_walls(), mazes[i].goals()); });
+  speed.plain =
+      time(15, [&](std::size_t i) { plain_distances(size, motion, mazes[i].open_walls(), mazes[i].goals()); });
   return speed;
 }
 

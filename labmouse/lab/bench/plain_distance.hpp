@@ -12,8 +12,8 @@ namespace labmouse {
 /// Any motion: the queue is one of (cost, cell) pairs in order (Dijkstra 1959).
 std::vector<int> plain_distances(Size size, const Motion& motion, const WallSet& passages, const CellSet& from);
 
-/// Breadth-first search for moves of cost one, the honest fast way with one cell at a time: passages in a flat array read
-/// beforehand, a ring in an array for a queue, no memory taken while it runs.
+/// Breadth-first search for moves of cost one, the honest fast way with one cell at a time: passages in a flat array
+/// read beforehand, a ring in an array for a queue, no memory taken while it runs.
 class RingSearch {
  public:
   RingSearch(Size size, int longest, const WallSet& passages);

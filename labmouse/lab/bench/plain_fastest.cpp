@@ -75,7 +75,8 @@ void PlainFastest::find_places() {
 
 /// Adds a turn to one side (-1 left, 1 right) if its walls are open, and where it leads onto a diagonal the one back.
 void PlainFastest::add_turn(Turn turn, Spot from, int side) {
-  const auto& outline = *std::find_if(outlines.begin(), outlines.end(), [&](const Outline& o) { return o.turn == turn; });
+  const auto& outline =
+      *std::find_if(outlines.begin(), outlines.end(), [&](const Outline& o) { return o.turn == turn; });
   const bool centre = is_centre(from.point);
   if (centre != outline.from_centre || !passable(from.point)) return;
   // An edge node lies on a wall that its direction crosses.
@@ -86,14 +87,16 @@ void PlainFastest::add_turn(Turn turn, Spot from, int side) {
   for (const HalfPoint& open : outline.open)
     if (!passable(place(open))) return;
   const Spot to = {place(outline.end), (from.direction + 8 + side * eighths(turn)) % 8};
-  const auto add = [&](const DrivenPlace& found) { ending_[label(found.to, false, 0) / (2 * lanes_)].push_back(found); };
+  const auto add = [&](const DrivenPlace& found) {
+    ending_[label(found.to, false, 0) / (2 * lanes_)].push_back(found);
+  };
   add({from, to, turn});
   if (!ends_diagonal(turn)) return;
   add({{to.point, (to.direction + 4) % 8}, {from.point, (from.direction + 4) % 8}, reversed(turn)});
 }
 
-/// V90: round a post, from the middle of a wall over that of a second to that of a third, coming from one before and going
-/// on towards one behind.
+/// V90: round a post, from the middle of a wall over that of a second to that of a third, coming from one before and
+/// going on towards one behind.
 void PlainFastest::add_diagonal_turn(Spot from, int side) {
   if (is_centre(from.point) || !passable(from.point) || !passable(moved(from.point, from.direction, -1))) return;
   const HalfPoint middle = moved(from.point, from.direction, 1);

@@ -4,13 +4,13 @@
 #include <vector>
 
 #include "labmouse/grid/wall_set.hpp"
-#include "labmouse/mouse/robot/tables.hpp"
 #include "labmouse/mouse/pose.hpp"
+#include "labmouse/mouse/robot/tables.hpp"
 
 namespace labmouse {
 
-/// All times to the goals, by the algorithm of Dijkstra (1959) with a queue of the standard library. It knows no cells and
-/// no nodes but points on a lattice of half cells and eight directions, and a turn as the points that it passes.
+/// All times to the goals, by the algorithm of Dijkstra (1959) with a queue of the standard library. It knows no cells
+/// and no nodes but points on a lattice of half cells and eight directions, and a turn as the points that it passes.
 class PlainFastest {
  public:
   PlainFastest(Size size, const DriveTables& tables, const WallSet& passages, const CellSet& goals);
@@ -51,7 +51,7 @@ class PlainFastest {
   const CellSet& goals_;
   std::size_t lanes_;
   std::vector<std::vector<DrivenPlace>> ending_;  ///< the turns that end in each spot
-  std::vector<DriveTime> times_;            ///< by label
+  std::vector<DriveTime> times_;                  ///< by label
   std::vector<std::pair<DriveTime, std::size_t>> queue_;
 };
 

@@ -26,7 +26,8 @@ std::optional<MazeTime> fast_score(const DriveRun& run, const DriveRules& rules)
   return end - (rules.gate_to_gate ? *run.gate_out : run.begin) + maze_time_part(run.begin, rules);
 }
 
-/// The least time to a goal and home, by the algorithm of Dijkstra (1959) over edges, before a goal was entered and after.
+/// The least time to a goal and home, by the algorithm of Dijkstra (1959) over edges, before a goal was entered and
+/// after.
 class SearchHome {
  public:
   SearchHome(const Maze& maze, const SearchDrive& search)
@@ -36,7 +37,8 @@ class SearchHome {
       const auto [time, spot] = waiting_.top();
       waiting_.pop();
       if (time != times_[spot]) continue;
-      const SearchPlace place = {{maze.size().cell_at(static_cast<int>(spot / 8)), static_cast<Heading>(spot / 2 % 4)}, false};
+      const SearchPlace place = {{maze.size().cell_at(static_cast<int>(spot / 8)), static_cast<Heading>(spot / 2 % 4)},
+                                 false};
       const bool on_the_way_home = spot % 2 != 0;
       if (on_the_way_home && place.pose.cell == maze.start()) stop(place, time);
       reach_from(place, time, on_the_way_home);

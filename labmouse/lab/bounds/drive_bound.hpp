@@ -15,16 +15,18 @@ namespace labmouse {
 struct DriveBound {
   /// The fastest route, from rest to the centre; nothing where none leads from the start in its direction to a goal.
   std::optional<DriveTime> fastest;
-  /// The score by the rules, in their time, of a mouse that knows the maze but drives fast only over walls that it has seen:
-  /// of the shortest search to a goal itself, or of the fastest route after the shortest search to a goal and home. By the
-  /// clock from gate to gate another route may be faster by some milliseconds. Nothing where no run can count.
+  /// The score by the rules, in their time, of a mouse that knows the maze but drives fast only over walls that it has
+  /// seen: of the shortest search to a goal itself, or of the fastest route after the shortest search to a goal and
+  /// home. By the clock from gate to gate another route may be faster by some milliseconds. Nothing where no run can
+  /// count.
   std::optional<MazeTime> score;
 };
 
 /// For a maze up to 32×32.
 DriveBound drive_bound_of(const Maze& maze, const DriveRules& rules, const DriveModel& model);
 
-/// The least time of a search from the start to a goal and on, to rest at the start again; nothing where there is no way.
+/// The least time of a search from the start to a goal and on, to rest at the start again; nothing where there is no
+/// way.
 std::optional<MazeTime> shortest_search_home(const Maze& maze, const SearchDrive& search);
 
 /// The least time of a search to a goal by the clock of the rules; nothing where there is no way, or it takes too long.

@@ -62,7 +62,8 @@ class Search {
   };
 
   std::size_t index(const HalfPose& pose) const {
-    return static_cast<std::size_t>(pose.place.y * columns_ + pose.place.x) * 8 + static_cast<std::size_t>(pose.heading);
+    return static_cast<std::size_t>(pose.place.y * columns_ + pose.place.x) * 8 +
+           static_cast<std::size_t>(pose.heading);
   }
   HalfPose pose(std::size_t index) const {
     const int place = static_cast<int>(index / 8);

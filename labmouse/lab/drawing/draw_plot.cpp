@@ -7,9 +7,9 @@
 #include "labmouse/lab/drawing/axis.hpp"
 #include "labmouse/lab/drawing/legend.hpp"
 #include "labmouse/lab/drawing/palette.hpp"
+#include "labmouse/lab/drawing/plot.hpp"
 #include "labmouse/lab/drawing/plot_area.hpp"
 #include "labmouse/lab/drawing/sheet.hpp"
-#include "labmouse/lab/drawing/plot.hpp"
 #include "labmouse/lab/text/printable.hpp"
 #include "labmouse/strategies/parameter.hpp"
 
@@ -131,7 +131,8 @@ std::string draw_plot(const Plot& plot) {
   const Axis x = x_axis(row, right), y = y_axis(row);
   const Legend legend = legend_of(plot, right);
   const Sheet sheet = {right + margin, legend.bottom() + margin / 2, plot.title, plot.description};
-  return sheet.with(heading_svg({left, 32}, right, plot.title) + axes_svg({left, top, right, bottom}, x, y, plot.x_label, plot.y_label) + points_svg(row, x, y) +
+  return sheet.with(heading_svg({left, 32}, right, plot.title) +
+                    axes_svg({left, top, right, bottom}, x, y, plot.x_label, plot.y_label) + points_svg(row, x, y) +
                     legend.svg());
 }
 

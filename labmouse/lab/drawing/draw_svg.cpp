@@ -73,8 +73,8 @@ std::string draw_svg(const Maze& maze, const DrawingLayers& layers) {
   const Sheet sheet = {width_of(scene), legend.bottom() + margin / 2, layers.title.empty() ? "Maze" : layers.title,
                        description_of(scene), tones_of(layers)};
   return sheet.with(heading_svg({scene.frame.origin.x, margin + 14}, right, layers.title) + floor_svg(scene) +
-                    walls_svg(scene) + exploration_svg(scene) + labels_svg(scene) + route_svg(scene) + candidates_svg(scene) +
-                    mouse_svg(scene) + coordinates_svg(scene) + legend.svg());
+                    walls_svg(scene) + exploration_svg(scene) + labels_svg(scene) + route_svg(scene) +
+                    candidates_svg(scene) + mouse_svg(scene) + coordinates_svg(scene) + legend.svg());
 }
 
 }  // namespace labmouse

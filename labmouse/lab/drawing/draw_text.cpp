@@ -9,8 +9,8 @@
 #include <string>
 #include <utility>
 
-#include "labmouse/lab/drawing/drawing.hpp"
 #include "labmouse/lab/drawing/canvas.hpp"
+#include "labmouse/lab/drawing/drawing.hpp"
 #include "labmouse/lab/drawing/heat.hpp"
 #include "labmouse/lab/drawing/legs.hpp"
 #include "labmouse/lab/drawing/walls.hpp"
@@ -139,8 +139,7 @@ class TextDrawing {
       lines += '\n';
     }
     if (layers_.wrong) lines += "# " + wrong_words(*layers_.wrong) + '\n';
-    if (layers_.explored)
-      lines += visited_words(*layers_.explored) + ", " + discovered_words(*layers_.explored) + '\n';
+    if (layers_.explored) lines += visited_words(*layers_.explored) + ", " + discovered_words(*layers_.explored) + '\n';
     return lines;
   }
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "labmouse/contest/record.hpp"
 #include "labmouse/contest/coverage.hpp"
+#include "labmouse/contest/record.hpp"
 #include "labmouse/maze/maze.hpp"
 
 namespace labmouse {
@@ -53,10 +53,11 @@ struct DrawingLayers {
 /// One self-contained SVG picture with a legend; colours that colour-blind eyes tell apart, for light and dark ground.
 std::string draw_svg(const Maze& maze, const DrawingLayers& layers);
 
-/// Lines of text: posts `o`, walls `---` and `|`, unknown walls `- -` and `:`, wrong guesses `###` and `#`, the route as
-/// dots with the number of each step where it ends, the exploration as `+` to the goal, `x` from there on and `*` where
-/// both went, the mouse as one of `^ > v <`. A cell is three columns wide; longer labels end in `~`. Below stand the
-/// meanings of the signs for wrong guesses and the exploration, and the shares of the explored cells. ASCII but for what labels and title bring; with ANSI colours only where asked for.
+/// Lines of text: posts `o`, walls `---` and `|`, unknown walls `- -` and `:`, wrong guesses `###` and `#`, the route
+/// as dots with the number of each step where it ends, the exploration as `+` to the goal, `x` from there on and `*`
+/// where both went, the mouse as one of `^ > v <`. A cell is three columns wide; longer labels end in `~`. Below stand
+/// the meanings of the signs for wrong guesses and the exploration, and the shares of the explored cells. ASCII but for
+/// what labels and title bring; with ANSI colours only where asked for.
 std::string draw_text(const Maze& maze, const DrawingLayers& layers, bool colours);
 
 }  // namespace labmouse

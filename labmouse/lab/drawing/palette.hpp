@@ -51,8 +51,8 @@ std::string stroke(const Tone& tone);
 /// Both at once.
 std::string fill_and_stroke(const Tone& area, const Tone& line);
 
-/// The style sheet for dark ground, for elements inside of one with the class `labmouse`: rules for the tones that every
-/// picture may have, and for those named.
+/// The style sheet for dark ground, for elements inside of one with the class `labmouse`: rules for the tones that
+/// every picture may have, and for those named.
 std::string dark_style_sheet(std::span<const Tone> more);
 
 }  // namespace labmouse::drawing

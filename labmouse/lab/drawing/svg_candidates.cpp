@@ -42,8 +42,10 @@ std::string candidates_svg(const Scene& scene) {
     numbers += fmt::format("<text x=\"{}\" y=\"{}\"{}>{}</text>", at.x, at.y + 3, chosen ? " font-weight=\"700\"" : "",
                            through_words(each, reasons));
   }
-  return lines + fmt::format("<g {} stroke-width=\"3\" stroke-linejoin=\"round\" paint-order=\"stroke\" "
-                             "text-anchor=\"middle\" font-size=\"9\">{}</g>\n", fill_and_stroke(ink, paper), numbers);
+  return lines + fmt::format(
+                     "<g {} stroke-width=\"3\" stroke-linejoin=\"round\" paint-order=\"stroke\" "
+                     "text-anchor=\"middle\" font-size=\"9\">{}</g>\n",
+                     fill_and_stroke(ink, paper), numbers);
 }
 
 }  // namespace labmouse::drawing

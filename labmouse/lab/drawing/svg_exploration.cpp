@@ -23,7 +23,8 @@ std::string line_svg(const Scene& scene, const Tone& tone, const std::vector<Pos
 std::string leg_svg(const Tone& tone, const std::string& path) {
   if (path.empty()) return "";
   const std::string_view dashes = tone.name == onwards.name ? " stroke-dasharray=\"6 3\"" : "";
-  return fmt::format("<path {} stroke-width=\"2.5\" stroke-linejoin=\"round\"{} d=\"{}\"/>\n", stroke(tone), dashes, path);
+  return fmt::format("<path {} stroke-width=\"2.5\" stroke-linejoin=\"round\"{} d=\"{}\"/>\n", stroke(tone), dashes,
+                     path);
 }
 
 std::string exploration_svg(const Scene& scene) {

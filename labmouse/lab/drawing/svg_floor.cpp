@@ -24,9 +24,8 @@ std::string explored_svg(const Scene& scene) {
   std::string stood_in;
   std::string only_shown;
   const ExploredCells& explored = *scene.layers.explored;
-  explored.discovered.for_each([&](Cell cell) {
-    (explored.visited.contains(cell) ? stood_in : only_shown) += square(scene.frame, cell, 0);
-  });
+  explored.discovered.for_each(
+      [&](Cell cell) { (explored.visited.contains(cell) ? stood_in : only_shown) += square(scene.frame, cell, 0); });
   return area(discovered, only_shown) + area(visited, stood_in);
 }
 

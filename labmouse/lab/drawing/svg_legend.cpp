@@ -34,8 +34,10 @@ void add_heat(Legend& legend, const Heat& heat) {
 
 /// Both tones of the discovered cells, in which those visited are counted.
 std::string discovered_swatch() {
-  return fmt::format("<rect y=\"-9\" width=\"18\" height=\"18\" rx=\"2\" {}/><rect x=\"18\" y=\"-9\" width=\"18\" "
-                     "height=\"18\" rx=\"2\" {}/>", fill(visited), fill(discovered));
+  return fmt::format(
+      "<rect y=\"-9\" width=\"18\" height=\"18\" rx=\"2\" {}/><rect x=\"18\" y=\"-9\" width=\"18\" "
+      "height=\"18\" rx=\"2\" {}/>",
+      fill(visited), fill(discovered));
 }
 
 void add_exploration(Legend& legend, const ExplorationLegs& exploration) {

@@ -39,8 +39,8 @@ std::string letters(const Scene& scene) {
         corner ? scene.frame.corner(cell).moved(9 + shift, 13 + shift) : scene.frame.centre(cell).moved(0, 6);
     return fmt::format("<text x=\"{}\" y=\"{}\">{}</text>", at.x, at.y, name);
   };
-  std::string all =
-      fmt::format("<g {} font-weight=\"600\" text-anchor=\"middle\" font-size=\"{}\">", writing(scene), corner ? 10 : 17);
+  std::string all = fmt::format("<g {} font-weight=\"600\" text-anchor=\"middle\" font-size=\"{}\">", writing(scene),
+                                corner ? 10 : 17);
   all += letter(scene.maze.start(), 'S');
   scene.maze.goals().for_each([&](Cell cell) {
     if (cell != scene.maze.start()) all += letter(cell, 'G');
@@ -95,9 +95,8 @@ std::string labels_svg(const Scene& scene) {
   if (!scene.layers.label) return letters(scene);
   // Lines take the middles; then labels stand in the corner that they leave free.
   const bool corner = scene.lined();
-  std::string all =
-      fmt::format("<g {} text-anchor=\"{}\" font-size=\"{}\">", writing(scene), corner ? "end" : "middle",
-                  corner ? 10 : 12);
+  std::string all = fmt::format("<g {} text-anchor=\"{}\" font-size=\"{}\">", writing(scene), corner ? "end" : "middle",
+                                corner ? 10 : 12);
   CellSet::all(scene.frame.size).for_each([&](Cell cell) {
     const std::string label = shortened(scene.layers.label(cell));
     const Point middle = scene.frame.centre(cell);

@@ -21,7 +21,8 @@ DriveRaceFolder::DriveRaceFolder(std::string folder, const DriveRace& race)
 std::string DriveRaceFolder::save(const DriveRace& race, const DriveResult& result, const DriveRecord& record) const {
   const DriveRecordFile file = drive_record_file_of(race, result, record);
   auto error = save_file(paths_.record(result.mouse, result.maze, result.run), write_drive_record(file));
-  if (error.empty() && result.run == 0) error = save_file(paths_.picture(result.mouse, result.maze), draw_contest(file));
+  if (error.empty() && result.run == 0)
+    error = save_file(paths_.picture(result.mouse, result.maze), draw_contest(file));
   return error;
 }
 

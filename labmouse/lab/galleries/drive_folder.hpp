@@ -8,7 +8,8 @@
 
 namespace labmouse {
 
-/// A folder that takes the record of each contest of one race, and of the first in each maze a picture; RacePaths has where.
+/// A folder that takes the record of each contest of one race, and of the first in each maze a picture; RacePaths has
+/// where.
 class DriveRaceFolder {
  public:
   DriveRaceFolder(std::string folder, const DriveRace& race);

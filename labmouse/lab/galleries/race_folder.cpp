@@ -5,12 +5,12 @@
 #include "labmouse/contest/coverage.hpp"
 #include "labmouse/contest/score.hpp"
 #include "labmouse/lab/bounds/bounds.hpp"
-#include "labmouse/lab/text/counted.hpp"
+#include "labmouse/lab/mice/mouse_names.hpp"
+#include "labmouse/lab/pictures/picture_layers.hpp"
 #include "labmouse/lab/system/file_names.hpp"
 #include "labmouse/lab/system/files.hpp"
-#include "labmouse/lab/pictures/picture_layers.hpp"
+#include "labmouse/lab/text/counted.hpp"
 #include "labmouse/lab/text/last_lines.hpp"
-#include "labmouse/lab/mice/mouse_names.hpp"
 #include "labmouse/lab/text/printable.hpp"
 #include "labmouse/maze/routes.hpp"
 
@@ -37,7 +37,8 @@ std::string RaceFolder::save(const Race& race, const ContestResult& contest, con
   const RecordFile file =
       record_file_of(race.mice[contest.mouse], race.mazes[contest.maze], race.order.rules, contest.seed, record);
   auto error = save_file(paths_.record(contest.mouse, contest.maze, contest.run), write_record(file));
-  if (error.empty() && contest.run == 0) error = save_file(paths_.picture(contest.mouse, contest.maze), picture_of(file));
+  if (error.empty() && contest.run == 0)
+    error = save_file(paths_.picture(contest.mouse, contest.maze), picture_of(file));
   return error;
 }
 
@@ -71,8 +72,8 @@ std::string picture_of(const RecordFile& file) {
 std::string exploration_line(const RecordFile& file) {
   const Coverage coverage = coverage_of(file.run, *file.maze);
   const int cells = reachable_cells(*file.maze).count();
-  return fmt::format("exploration: discovered {:.1f} %, visited {:.1f} % of {} reachable {}", 100.0 * coverage.discovered,
-                     100.0 * coverage.visited, cells, cells == 1 ? "cell" : "cells");
+  return fmt::format("exploration: discovered {:.1f} %, visited {:.1f} % of {} reachable {}",
+                     100.0 * coverage.discovered, 100.0 * coverage.visited, cells, cells == 1 ? "cell" : "cells");
 }
 
 std::string result_line(const RecordFile& file) {
@@ -124,7 +125,8 @@ std::string last_words_lines(const RecordFile& file) {
 
 std::string counts_line(const RecordFile& file) {
   std::string line;
-  for (const Count& count : file.run.counts) line += fmt::format("{}{} {}", line.empty() ? "" : ", ", count.name, count.value);
+  for (const Count& count : file.run.counts)
+    line += fmt::format("{}{} {}", line.empty() ? "" : ", ", count.name, count.value);
   return shown(line);
 }
 

@@ -5,12 +5,13 @@
 #include <vector>
 
 #include "labmouse/lab/races/race_paths.hpp"
-#include "labmouse/lab/records/record_file.hpp"
 #include "labmouse/lab/races/tournament.hpp"
+#include "labmouse/lab/records/record_file.hpp"
 
 namespace labmouse {
 
-/// A folder that takes the contests of one race: the record of each, and for the first run a picture; RacePaths has where.
+/// A folder that takes the contests of one race: the record of each, and for the first run a picture; RacePaths has
+/// where.
 class RaceFolder {
  public:
   RaceFolder(std::string folder, const Race& race);

@@ -34,7 +34,8 @@ struct MazeCollection {
   std::vector<SkippedFile> errors;
 };
 
-/// `FILE:LINE:COLUMN: error: REASON`; 0:0 is the content as a whole, and `FILE: error: REASON` a file that was not read.
+/// `FILE:LINE:COLUMN: error: REASON`; 0:0 is the content as a whole, and `FILE: error: REASON` a file that was not
+/// read.
 std::string describe(const std::string& path, const Problem& problem);
 
 /// Reads each path: a file, a folder (with all that is in it, but nothing hidden), a pattern with `*` and `?`, or the

@@ -17,8 +17,18 @@ constexpr std::string_view link_version = "1";
 constexpr std::string_view centre = "c";
 constexpr std::size_t checksum_digits = 6;
 
-enum Part : std::size_t { version_part, size_part, start_part, goals_part, walls_part, name_part, checksum_part, parts };
-constexpr std::array<std::string_view, parts> part_names = {"version", "size", "start", "goals", "walls", "name", "checksum"};
+enum Part : std::size_t {
+  version_part,
+  size_part,
+  start_part,
+  goals_part,
+  walls_part,
+  name_part,
+  checksum_part,
+  parts
+};
+constexpr std::array<std::string_view, parts> part_names = {"version", "size", "start",   "goals",
+                                                            "walls",   "name", "checksum"};
 
 /// FNV-1a: a single changed character always changes it.
 std::string checksum_of(std::string_view text) {
@@ -87,7 +97,8 @@ bool read_walls(std::string_view text, MazeDraft& draft) {
 }
 
 bool plain(char letter) {
-  return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') || (letter >= '0' && letter <= '9') || letter == '-';
+  return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') || (letter >= '0' && letter <= '9') ||
+         letter == '-';
 }
 
 /// The end of a name that is too long, from where a character begins (in UTF-8 the others start with the bits 10).
@@ -155,9 +166,11 @@ std::string wrong_form(std::string_view link) {
   std::size_t count = 0;
   const auto found = parts_of(link, count);
   const std::string_view first = found[version_part];
-  if (first.empty() || first.find_first_not_of("0123456789") != std::string_view::npos) return "this is no link to a maze";
+  if (first.empty() || first.find_first_not_of("0123456789") != std::string_view::npos)
+    return "this is no link to a maze";
   if (first != link_version)
-    return fmt::format("the link is of a later version ({}); this program knows version {}", first.substr(0, 9), link_version);
+    return fmt::format("the link is of a later version ({}); this program knows version {}", first.substr(0, 9),
+                       link_version);
   if (count < parts) return fmt::format("the link is cut: it breaks off in its {}", part_names[count - 1]);
   const std::string_view sum = found[checksum_part];
   if (sum.size() < checksum_digits) return "the link is cut: it breaks off in its checksum";
@@ -187,9 +200,10 @@ std::optional<NamedMaze> maze_of(const std::array<std::string_view, parts>& foun
 
 std::string link_of(const NamedMaze& maze) {
   const Size size = maze.maze.size();
-  std::string link = fmt::format("{}.{}x{}.{}{}.{}.{}.{}.", link_version, size.width, size.height, cell_text(maze.maze.start()),
-                                 heading_letters[static_cast<std::size_t>(maze.maze.start_heading())], goals_text(maze.maze),
-                                 walls_text(maze.maze), name_text(maze.name));
+  std::string link =
+      fmt::format("{}.{}x{}.{}{}.{}.{}.{}.", link_version, size.width, size.height, cell_text(maze.maze.start()),
+                  heading_letters[static_cast<std::size_t>(maze.maze.start_heading())], goals_text(maze.maze),
+                  walls_text(maze.maze), name_text(maze.name));
   return link + checksum_of(link);
 }
 

@@ -23,7 +23,8 @@ namespace labmouse {
 /// The longest name in a link, in bytes. Of a longer one its end stands there, which of a path is the file.
 inline constexpr std::size_t longest_link_name = 200;
 
-/// Size, walls, start, heading, goals and name, with a checksum. About 110 characters for 16×16. Each maze has one link.
+/// Size, walls, start, heading, goals and name, with a checksum. About 110 characters for 16×16. Each maze has one
+/// link.
 std::string link_of(const NamedMaze& maze);
 
 /// A maze, or why the text is none (cut, mistyped, of a later version): exactly one of the two is there.
@@ -32,7 +33,8 @@ struct ReadLinkResult {
   std::string error;
 };
 
-/// Reads what link_of wrote, and nothing else. Never throws, whatever the text; the name that it gives can be any bytes.
+/// Reads what link_of wrote, and nothing else. Never throws, whatever the text; the name that it gives can be any
+/// bytes.
 ReadLinkResult read_link(std::string_view link);
 
 }  // namespace labmouse

@@ -31,8 +31,8 @@ struct Contestant {
   std::function<std::unique_ptr<Strategy>(const Maze&, const Rules&, std::uint64_t seed)> make;
   /// The same in seconds; empty for a mouse that does not drive in that world.
   std::function<std::unique_ptr<Strategy>(const Briefing&)> drive;
-  /// Only of a mouse that learns from whole mazes before it races: the same mouse with what these mazes teach in place of
-  /// what it brings along. Studies call it with the mazes of all folds but one, in the order of their names; it may
+  /// Only of a mouse that learns from whole mazes before it races: the same mouse with what these mazes teach in place
+  /// of what it brings along. Studies call it with the mazes of all folds but one, in the order of their names; it may
   /// remember nothing from one call to the next, must give equal mice for equal mazes, and keeps uses_chance.
   std::function<Contestant(const std::vector<const Maze*>& training, const Rules&)> taught;
 };
@@ -55,7 +55,7 @@ struct GuestOptions {
   std::string python;     ///< for capstone robots; empty: the newest python3 of PATH
   std::string directory;  ///< where commands run; empty: here
   GuestLimits limits;
-  int runs = 1;           ///< contests of each guest in each maze
+  int runs = 1;                             ///< contests of each guest in each maze
   const std::atomic<bool>* stop = nullptr;  ///< once true, guests are ended; may be null
 };
 

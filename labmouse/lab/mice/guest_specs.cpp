@@ -43,10 +43,14 @@ std::string from_home(const std::string& file) {
 /// Why a robot's file is none.
 std::string no_robot(const std::string& file) {
   std::error_code failure;
-  if (fs::is_directory(file, failure)) return fmt::format("'{}' is a folder; name the Python file with the class Robot", file);
+  if (fs::is_directory(file, failure))
+    return fmt::format("'{}' is a folder; name the Python file with the class Robot", file);
   const auto comma = file.find(',');
   if (comma != std::string::npos && fs::exists(file.substr(0, comma), failure))
-    return fmt::format("there is no file '{}'; a guest takes all behind its colon, so name other mice before it or with another --mice", file);
+    return fmt::format(
+        "there is no file '{}'; a guest takes all behind its colon, so name other mice before it or with another "
+        "--mice",
+        file);
   return fmt::format("there is no file '{}'; write capstone:FILE, the Python file with the class Robot", file);
 }
 
@@ -57,8 +61,8 @@ std::string no_program(const std::string& name, const std::string& directory) {
   const std::string ending = fs::path(name).extension().string();
   if (!fs::exists(path, failure)) {
     const char* hint = name.find('/') == std::string::npos ? " in PATH; a path of your own has a slash, as in ./mouse"
-                       : name.starts_with('~')             ? "; no shell sees the command, so write the whole path for ~"
-                                                           : "";
+                       : name.starts_with('~') ? "; no shell sees the command, so write the whole path for ~"
+                                               : "";
     return fmt::format("there is no program '{}' that can be executed{}", name, hint);
   }
   if (ending == ".py") return fmt::format("'{}' cannot be executed; write 'python3 {}'", name, name);

@@ -13,10 +13,14 @@ Json parameter_json(const Parameter& parameter) {
                {"default", parameter.default_value},
                {"meaning", parameter.meaning}};
   switch (parameter.type) {
-    case ParameterType::flag: break;
+    case ParameterType::flag:
+      break;
     case ParameterType::choice:
-    case ParameterType::prior: json["choices"] = choices_of(parameter); break;
-    default: json["low"] = parameter.low, json["high"] = parameter.high;
+    case ParameterType::prior:
+      json["choices"] = choices_of(parameter);
+      break;
+    default:
+      json["low"] = parameter.low, json["high"] = parameter.high;
   }
   return json;
 }

@@ -5,8 +5,8 @@
 
 namespace labmouse {
 
-/// A list of `name`, `summary`, `throws_dice` and `parameters`, the simplest mouse first. A parameter has `name`, `type`,
-/// `default`, `meaning`, and `low` and `high`, or `choices`.
+/// A list of `name`, `summary`, `throws_dice` and `parameters`, the simplest mouse first. A parameter has `name`,
+/// `type`, `default`, `meaning`, and `low` and `high`, or `choices`.
 nlohmann::ordered_json mice_json();
 
 }  // namespace labmouse

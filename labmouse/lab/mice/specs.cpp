@@ -6,11 +6,11 @@
 
 #include "labmouse/contest/simulator.hpp"
 #include "labmouse/lab/bounds/bounds.hpp"
-#include "labmouse/lab/system/files.hpp"
 #include "labmouse/lab/mice/guest_specs.hpp"
-#include "labmouse/lab/text/printable.hpp"
 #include "labmouse/lab/mice/prior_file.hpp"
 #include "labmouse/lab/mice/prior_learning.hpp"
+#include "labmouse/lab/system/files.hpp"
+#include "labmouse/lab/text/printable.hpp"
 #include "labmouse/strategies/roster.hpp"
 
 namespace labmouse {
@@ -62,7 +62,9 @@ bool looks_like_a_program(std::string_view name) {
 
 std::string unknown_mouse(std::string_view name) {
   if (looks_like_a_program(name))
-    return fmt::format("mouse '{}' is unknown; a program of yours is 'capstone:FILE', 'guest:COMMAND' or 'mms:COMMAND', in quotes", name);
+    return fmt::format(
+        "mouse '{}' is unknown; a program of yours is 'capstone:FILE', 'guest:COMMAND' or 'mms:COMMAND', in quotes",
+        name);
   std::vector<std::string_view> names = {oracle_name, "capstone", "guest", "mms"};
   for (const RosterEntry* entry : roster()) names.push_back(entry->name);
   const auto near = nearest_name(name, names);
@@ -71,12 +73,14 @@ std::string unknown_mouse(std::string_view name) {
 }
 
 std::string unknown_parameter(const RosterEntry& entry, std::string_view key) {
-  if (entry.parameters.empty()) return fmt::format("mouse '{}' has no parameters, so none called '{}'", entry.name, key);
+  if (entry.parameters.empty())
+    return fmt::format("mouse '{}' has no parameters, so none called '{}'", entry.name, key);
   std::vector<std::string_view> names;
   for (const Parameter& parameter : entry.parameters) names.push_back(parameter.name);
   const auto near = nearest_name(key, names);
-  return fmt::format("mouse '{}' has no parameter '{}'; {}", entry.name, key,
-                     near.empty() ? fmt::format("it has {}", fmt::join(names, ", ")) : fmt::format("did you mean '{}'?", near));
+  return fmt::format(
+      "mouse '{}' has no parameter '{}'; {}", entry.name, key,
+      near.empty() ? fmt::format("it has {}", fmt::join(names, ", ")) : fmt::format("did you mean '{}'?", near));
 }
 
 /// What a value that is no file may have been meant for.
@@ -93,8 +97,7 @@ std::string attach_prior(const Parameter& parameter, const std::string& value, S
   // What is accepted here is printed as part of the mouse's name.
   if (shown(value) != value) return fmt::format("prior file '{}' has a name that cannot be printed", shown(value));
   const FileContent file = read_file(value);
-  if (!file.error.empty())
-    return fmt::format("prior file {}: {}; {}", value, file.error, hint_for(parameter, value));
+  if (!file.error.empty()) return fmt::format("prior file {}: {}; {}", value, file.error, hint_for(parameter, value));
   const ReadPriorResult read = read_prior(file.content);
   if (!read.prior) {
     const Problem& first = read.problems.front();
@@ -110,8 +113,8 @@ std::string apply(const RosterEntry& entry, std::string_view assignment, Setting
   if (equals == std::string_view::npos)
     return fmt::format("'{}' of mouse '{}' is not of the form key=value", assignment, entry.name);
   const auto key = assignment.substr(0, equals), value = assignment.substr(equals + 1);
-  const auto parameter = std::find_if(entry.parameters.begin(), entry.parameters.end(),
-                                      [&](const Parameter& p) { return p.name == key; });
+  const auto parameter =
+      std::find_if(entry.parameters.begin(), entry.parameters.end(), [&](const Parameter& p) { return p.name == key; });
   if (parameter == entry.parameters.end()) return unknown_parameter(entry, key);
   if (const auto reason = check_value(*parameter, value); !reason.empty())
     return fmt::format("value '{}' of parameter '{}' of mouse '{}' {}", value, key, entry.name, reason);
@@ -210,10 +213,12 @@ SpecResult read_variant(std::string_view spec, std::span<const Setting> values) 
 SpecResult read_variant(const Contestant& mouse, std::span<const Setting> values) {
   const RosterEntry* entry = find_mouse(std::string_view(mouse.name).substr(0, mouse.name.find(':')));
   if (entry == nullptr)
-    return refused(is_guest_spec(mouse.name) ? fmt::format("guest '{}' has no parameters", mouse.name) : "the oracle has no parameters");
+    return refused(is_guest_spec(mouse.name) ? fmt::format("guest '{}' has no parameters", mouse.name)
+                                             : "the oracle has no parameters");
   Settings settings = mouse.settings;
   for (const Setting& value : values)
-    if (auto error = apply(*entry, fmt::format("{}={}", value.name, value.value), settings); !error.empty()) return refused(error);
+    if (auto error = apply(*entry, fmt::format("{}={}", value.name, value.value), settings); !error.empty())
+      return refused(error);
   return {{contestant_of(*entry, std::move(settings))}, {}, ""};
 }
 
@@ -231,7 +236,8 @@ std::string refuse_idle_settings(std::span<const Contestant> mice) {
       const Parameter& parameter = entry->parameters[i];
       if (counts_in_seconds(parameter) || mouse.settings.all()[i].value == parameter.default_value) continue;
       const auto counting = std::find_if(entry->parameters.begin(), entry->parameters.end(), counts_in_seconds);
-      return fmt::format("parameter '{}' of mouse '{}' has no meaning in seconds; it has {} there", parameter.name, entry->name,
+      return fmt::format("parameter '{}' of mouse '{}' has no meaning in seconds; it has {} there", parameter.name,
+                         entry->name,
                          counting == entry->parameters.end() ? "none" : fmt::format("'{}'", counting->name));
     }
   }
@@ -246,7 +252,8 @@ std::string refuse_to_drive(std::span<const Contestant> mice) {
   std::vector<std::string_view> drivers;
   for (const RosterEntry* entry : roster())
     if (entry->drives) drivers.push_back(entry->name);
-  return fmt::format("mouse '{}' does not drive in seconds; those that do are {}", stays->name, fmt::join(drivers, ", "));
+  return fmt::format("mouse '{}' does not drive in seconds; those that do are {}", stays->name,
+                     fmt::join(drivers, ", "));
 }
 
 Settings settings_in_seconds(const Contestant& mouse) {

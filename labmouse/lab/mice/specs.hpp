@@ -10,15 +10,15 @@
 
 namespace labmouse {
 
-/// Reads one or more mice; a name that stands twice with equal parameters counts once. Reads the files of their priors. The
-/// SPEC of a guest reaches to the end of the text.
+/// Reads one or more mice; a name that stands twice with equal parameters counts once. Reads the files of their priors.
+/// The SPEC of a guest reaches to the end of the text.
 SpecResult read_specs(std::string_view text, const GuestOptions& options = {});
 
 /// The same of several texts.
 SpecResult read_specs(std::span<const std::string> texts, const GuestOptions& options = {});
 
-/// The mouse of a SPEC once for each value of one of its parameters, in the order of the values; what the SPEC says of that
-/// parameter is overridden. Values that are spelled differently and are equal count once.
+/// The mouse of a SPEC once for each value of one of its parameters, in the order of the values; what the SPEC says of
+/// that parameter is overridden. Values that are spelled differently and are equal count once.
 SpecResult read_variants(std::string_view spec, std::string_view parameter, std::span<const std::string> values);
 
 /// The one mouse of a SPEC with values for some of its parameters; what the SPEC says of those is overridden.

@@ -18,8 +18,8 @@ struct Interval {
 /// The mean, summed in the order given; 0 for no values.
 double mean(std::span<const double> values);
 
-/// 95 % percentile interval of the mean by 2,000 bootstrap samples (Efron 1979), seeded: equal values in equal order give
-/// equal intervals. One value gives that value twice; none gives zeros.
+/// 95 % percentile interval of the mean by 2,000 bootstrap samples (Efron 1979), seeded: equal values in equal order
+/// give equal intervals. One value gives that value twice; none gives zeros.
 Interval bootstrap_interval(std::span<const double> values, std::uint64_t seed);
 
 /// Two-sided exact sign test (Arbuthnott 1710): the chance that so many fair throws fall at least as unevenly as these.
@@ -38,8 +38,8 @@ struct PairedDifference {
   double sign_test = 1.0;
 };
 
-/// Differences closer to 0 than a billionth count as equal: sums of whole steps and thirtieths of steps are further apart
-/// or the same, and differ by less only where they were rounded on different ways.
+/// Differences closer to 0 than a billionth count as equal: sums of whole steps and thirtieths of steps are further
+/// apart or the same, and differ by less only where they were rounded on different ways.
 PairedDifference paired_difference(std::span<const double> differences, std::uint64_t seed);
 
 }  // namespace labmouse

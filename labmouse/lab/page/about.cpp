@@ -4,12 +4,12 @@
 #include <map>
 
 #include "labmouse/contest/rules.hpp"
+#include "labmouse/lab/bench/distance_speed.hpp"
+#include "labmouse/lab/bench/signature.hpp"
 #include "labmouse/lab/mazes/builtin_mazes.hpp"
 #include "labmouse/lab/mice/mice_json.hpp"
 #include "labmouse/lab/page/answers.hpp"
 #include "labmouse/lab/page/drive_choices.hpp"
-#include "labmouse/lab/bench/signature.hpp"
-#include "labmouse/lab/bench/distance_speed.hpp"
 #include "labmouse/lab/system/version.hpp"
 #include "labmouse/maze/generators/generator.hpp"
 #include "labmouse/strategies/roster.hpp"
@@ -71,9 +71,7 @@ PageReply answer_about(const nlohmann::json&, std::string_view) {
                    {"drive_rules", page_rules_json()}});
 }
 
-PageReply answer_signature(const nlohmann::json&, std::string_view) {
-  return answered({{"signature", signature()}});
-}
+PageReply answer_signature(const nlohmann::json&, std::string_view) { return answered({{"signature", signature()}}); }
 
 PageReply answer_speed(const nlohmann::json&, std::string_view) {
   return answered({{"distance_ns", distance_json(measure_distances())}});

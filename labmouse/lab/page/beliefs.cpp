@@ -3,9 +3,9 @@
 
 #include <limits>
 
+#include "labmouse/lab/numbers/statistics.hpp"
 #include "labmouse/lab/page/answers.hpp"
 #include "labmouse/lab/page/request.hpp"
-#include "labmouse/lab/numbers/statistics.hpp"
 #include "labmouse/mouse/distance.hpp"
 
 namespace labmouse {
@@ -39,7 +39,8 @@ Discoveries read_discoveries(PageRequest& request, const Maze& maze, int frames)
 void append(const DistanceField& field, std::string& bytes) {
   for (int i = 0; i < field.size().area(); ++i) {
     const Cell cell = field.size().cell_at(i);
-    const unsigned steps = field.reaches(cell) ? static_cast<unsigned>(field.at(cell)) : std::numeric_limits<std::uint16_t>::max();
+    const unsigned steps =
+        field.reaches(cell) ? static_cast<unsigned>(field.at(cell)) : std::numeric_limits<std::uint16_t>::max();
     bytes += static_cast<char>(steps & 255U);
     bytes += static_cast<char>(steps >> 8U);
   }

@@ -1,5 +1,5 @@
-// What the page asks of the lab: each call a name with a request in JSON, answered in JSON. The shapes of both are listed
-// in apps/web/page/src/core/types.ts.
+// What the page asks of the lab: each call a name with a request in JSON, answered in JSON. The shapes of both are
+// listed in apps/web/page/src/core/types.ts.
 #pragma once
 
 #include <span>
@@ -8,7 +8,8 @@
 
 namespace labmouse {
 
-/// An answer: JSON, `{"answer":{...}}` or `{"failure":{"error":...,"problems":[...]}}`, and what goes beside it as bytes.
+/// An answer: JSON, `{"answer":{...}}` or `{"failure":{"error":...,"problems":[...]}}`, and what goes beside it as
+/// bytes.
 struct PageAnswer {
   std::string json;
   std::string bytes;

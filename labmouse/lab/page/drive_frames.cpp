@@ -7,10 +7,10 @@
 #include <optional>
 
 #include "labmouse/contest/drive_score.hpp"
-#include "labmouse/lab/pictures/drive_path.hpp"
-#include "labmouse/lab/text/optional_json.hpp"
 #include "labmouse/lab/page/fields.hpp"
 #include "labmouse/lab/page/play_frames.hpp"
+#include "labmouse/lab/pictures/drive_path.hpp"
+#include "labmouse/lab/text/optional_json.hpp"
 
 namespace labmouse {
 namespace {
@@ -46,8 +46,8 @@ class DriveFrames {
         scores_(score(contest.record, contest.rules)),
         place_{{contest.maze->start(), contest.maze->start_heading()}, true},
         shown_(place_of(place_)) {
-    for (const char* list : {"clock", "x", "y", "heading", "run", "scores", "action", "blocked", "left", "ahead", "right",
-                             "entered", "known"})
+    for (const char* list : {"clock", "x", "y", "heading", "run", "scores", "action", "blocked", "left", "ahead",
+                             "right", "entered", "known"})
       play_[list] = Json::array();
     add_frame(0);
   }

@@ -8,11 +8,12 @@
 
 namespace labmouse {
 
-/// Adds the lists of frames, steps and walls, and `goal_frame` and `reset_frame`. The frame with which each run begins, and
-/// then the last frame.
+/// Adds the lists of frames, steps and walls, and `goal_frame` and `reset_frame`. The frame with which each run begins,
+/// and then the last frame.
 std::vector<std::size_t> add_drive_frames(const DriveRecordFile& contest, nlohmann::ordered_json& play);
 
-/// A segment in words: "ahead 2.5", "diagonal 3", "left 45", "right V90"; lengths in cells, of a diagonal in half diagonals.
+/// A segment in words: "ahead 2.5", "diagonal 3", "left 45", "right V90"; lengths in cells, of a diagonal in half
+/// diagonals.
 std::string segment_words(const DriveSegment& segment, const DriveTables& tables);
 
 }  // namespace labmouse

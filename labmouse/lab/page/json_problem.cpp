@@ -37,7 +37,8 @@ class Mistake final : public nlohmann::json_sax<Json> {
 std::string without_place(const std::string& words) {
   const auto place = words.find(": ");
   const auto mark = words.find("] ");
-  if (words.find("parse error at line") != std::string::npos && place != std::string::npos) return words.substr(place + 2);
+  if (words.find("parse error at line") != std::string::npos && place != std::string::npos)
+    return words.substr(place + 2);
   return mark == std::string::npos ? words : words.substr(mark + 2);
 }
 

@@ -4,13 +4,13 @@
 #include <cmath>
 
 #include "labmouse/lab/bounds/bounds.hpp"
-#include "labmouse/lab/mazes/builtin_mazes.hpp"
 #include "labmouse/lab/bounds/mms_bound.hpp"
-#include "labmouse/lab/text/optional_json.hpp"
+#include "labmouse/lab/mazes/builtin_mazes.hpp"
 #include "labmouse/lab/page/answers.hpp"
 #include "labmouse/lab/page/fields.hpp"
 #include "labmouse/lab/page/maze_data.hpp"
 #include "labmouse/lab/page/request.hpp"
+#include "labmouse/lab/text/optional_json.hpp"
 #include "labmouse/maze/generators/generator.hpp"
 #include "labmouse/maze/inspect.hpp"
 #include "labmouse/strategies/parameter.hpp"

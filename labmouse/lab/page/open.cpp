@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 
-#include "labmouse/lab/records/drive_json.hpp"
 #include "labmouse/lab/page/answers.hpp"
 #include "labmouse/lab/page/json_problem.hpp"
 #include "labmouse/lab/page/maze_data.hpp"
@@ -13,6 +12,7 @@
 #include "labmouse/lab/page/played_record.hpp"
 #include "labmouse/lab/page/request.hpp"
 #include "labmouse/lab/page/results.hpp"
+#include "labmouse/lab/records/drive_json.hpp"
 #include "labmouse/lab/system/version.hpp"
 
 namespace labmouse {
@@ -31,14 +31,16 @@ std::string gist(std::string_view text) {
   constexpr std::size_t most = 200;
   std::string gist;
   for (const char letter : text.substr(0, most))
-    if (letter > ' ' || letter < 0) gist += static_cast<char>(letter >= 'A' && letter <= 'Z' ? letter + ('a' - 'A') : letter);
+    if (letter > ' ' || letter < 0)
+      gist += static_cast<char>(letter >= 'A' && letter <= 'Z' ? letter + ('a' - 'A') : letter);
   return gist;
 }
 
 /// What stands in the field `labmouse` of a record's first line, or of the JSON as a whole where it is one line.
 std::string kind_of_first_line(std::string_view text) {
   const nlohmann::json json = nlohmann::json::parse(text.substr(0, text.find('\n')), nullptr, false);
-  if (json.is_object() && json.contains("labmouse") && json["labmouse"].is_string()) return json["labmouse"].get<std::string>();
+  if (json.is_object() && json.contains("labmouse") && json["labmouse"].is_string())
+    return json["labmouse"].get<std::string>();
   const std::string begin = gist(text);
   for (const char* kind : {"record", "mms record", "drive record", "report"})
     if (begin.starts_with(fmt::format("{{\"labmouse\":\"{}\"", gist(kind)))) return kind;
@@ -48,7 +50,8 @@ std::string kind_of_first_line(std::string_view text) {
 bool is_markup(std::string_view text) {
   const std::string begin = gist(text);
   constexpr std::array<std::string_view, 4> beginnings = {"<!doctype", "<html", "<?xml", "<svg"};
-  return std::any_of(beginnings.begin(), beginnings.end(), [&](std::string_view each) { return begin.starts_with(each); });
+  return std::any_of(beginnings.begin(), beginnings.end(),
+                     [&](std::string_view each) { return begin.starts_with(each); });
 }
 
 PageReply open_markup(const std::string& name, std::string_view text) {
@@ -74,7 +77,8 @@ PageReply open_mms_record(const std::string& name, std::string_view text) {
 PageReply open_drive_record(const std::string& name, std::string_view text) {
   ReadDriveRecordResult read = read_drive_record(text);
   if (!read.file) return failed(fmt::format("{} is no record that can be read", name), std::move(read.problems));
-  if (std::string disagreement = replay(*read.file); !disagreement.empty()) return disagreed(name, std::move(disagreement));
+  if (std::string disagreement = replay(*read.file); !disagreement.empty())
+    return disagreed(name, std::move(disagreement));
   return answered({{"kind", "record"}, {"play", play_json(*read.file)}});
 }
 
@@ -90,11 +94,13 @@ PageReply open_results(const std::string& name, std::string_view text) {
   if (!json.is_object() || !json.contains("mice"))
     return failed(fmt::format("{} is JSON, but neither a record nor the results of a race", name));
   if (is_race_in_seconds(json))
-    return failed(fmt::format("{} is a race in seconds, which is not shown here: open records that it saved, --out DIR", name));
+    return failed(
+        fmt::format("{} is a race in seconds, which is not shown here: open records that it saved, --out DIR", name));
   nlohmann::ordered_json results;
   std::string error = read_results(json, results);
   if (!error.empty())
-    return failed(fmt::format("{} has results of a race that cannot be read{}", name, writer_of(json)), {{0, 0, std::move(error)}});
+    return failed(fmt::format("{} has results of a race that cannot be read{}", name, writer_of(json)),
+                  {{0, 0, std::move(error)}});
   return answered({{"kind", "results"}, {"results", std::move(results)}});
 }
 
@@ -116,7 +122,8 @@ PageReply answer_open(const nlohmann::json& json, std::string_view bytes) {
   if (text.empty()) return failed(fmt::format("{} is empty", name));
   if (is_markup(text)) return open_markup(name, text);
   if (text.front() != '{' && text.front() != '[') return open_maze(name, bytes);
-  if (is_too_deep(text)) return failed(fmt::format("{} is JSON, but has more lists and objects in each other than any of ours", name));
+  if (is_too_deep(text))
+    return failed(fmt::format("{} is JSON, but has more lists and objects in each other than any of ours", name));
   const std::string kind = kind_of_first_line(text);
   if (kind == "record") return open_record(name, bytes, std::move(maze));
   if (kind == "mms record") return open_mms_record(name, bytes);

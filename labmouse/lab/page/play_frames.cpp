@@ -8,8 +8,8 @@
 
 #include "labmouse/contest/coverage.hpp"
 #include "labmouse/contest/score.hpp"
-#include "labmouse/lab/text/optional_json.hpp"
 #include "labmouse/lab/page/fields.hpp"
+#include "labmouse/lab/text/optional_json.hpp"
 #include "labmouse/mouse/knowledge.hpp"
 
 namespace labmouse {
@@ -42,7 +42,10 @@ std::optional<std::size_t> reset_frame(const RecordFile& file) {
 class KnownFrames {
  public:
   explicit KnownFrames(Size size)
-      : size_(size), knowledge_(size), unknown_(knowledge_.unknown()), frames_(2 * static_cast<std::size_t>(size.area()), 0) {
+      : size_(size),
+        knowledge_(size),
+        unknown_(knowledge_.unknown()),
+        frames_(2 * static_cast<std::size_t>(size.area()), 0) {
     unknown_.for_each([this](Wall wall) { frame_of(wall) = -1; });
   }
 

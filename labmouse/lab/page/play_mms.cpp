@@ -1,15 +1,16 @@
-// A record of mms as a play. What time passes in is a step; what is only drawn holds from the frame that it was drawn in.
+// A record of mms as a play. What time passes in is a step; what is only drawn holds from the frame that it was drawn
+// in.
 #include <fmt/format.h>
 
 #include <functional>
 
 #include "labmouse/lab/bounds/mms_bound.hpp"
-#include "labmouse/lab/pictures/mms_picture.hpp"
-#include "labmouse/lab/records/mms_fields.hpp"
-#include "labmouse/lab/text/optional_json.hpp"
 #include "labmouse/lab/page/fields.hpp"
 #include "labmouse/lab/page/maze_data.hpp"
 #include "labmouse/lab/page/play.hpp"
+#include "labmouse/lab/pictures/mms_picture.hpp"
+#include "labmouse/lab/records/mms_fields.hpp"
+#include "labmouse/lab/text/optional_json.hpp"
 
 namespace labmouse {
 namespace {
@@ -45,8 +46,8 @@ class CellWay {
 class MmsFrames {
  public:
   MmsFrames(Size size, Json& play) : size_(size), play_(play) {
-    for (const char* list : {"clock", "x", "y", "heading", "run", "action", "blocked", "left", "ahead", "right", "known",
-                             "entered", "events", "scores"})
+    for (const char* list : {"clock", "x", "y", "heading", "run", "action", "blocked", "left", "ahead", "right",
+                             "known", "entered", "events", "scores"})
       play_[list] = Json::array();
     play_["goal_frame"] = play_["reset_frame"] = nullptr;
     add_frame({}, 0, MmsStatistics());
@@ -55,7 +56,8 @@ class MmsFrames {
   void add(const RecordedMmsEvent& event, const MmsHost& host) {
     // It was obeyed, so it is a command.
     const MmsCommand command = *read_mms_line(event.line).command;
-    const bool takes_time = command.verb == MmsVerb::move || command.verb == MmsVerb::turn || command.verb == MmsVerb::ack_reset;
+    const bool takes_time =
+        command.verb == MmsVerb::move || command.verb == MmsVerb::turn || command.verb == MmsVerb::ack_reset;
     if (takes_time)
       add_step(event, command, host);
     else
@@ -85,7 +87,9 @@ class MmsFrames {
     play_["blocked"].push_back(event.reply == "crash");
     play_["entered"].push_back(std::move(entered));
     add_frame(host.pose(), host.clock(), host.statistics());
-    const auto first = [&](const char* key) { if (play_[key].is_null()) play_[key] = frame_; };
+    const auto first = [&](const char* key) {
+      if (play_[key].is_null()) play_[key] = frame_;
+    };
     if (mms_goals(size_).contains(cell_of(host.pose().place))) first("goal_frame");
     if (command.verb == MmsVerb::ack_reset) first("reset_frame");
   }
@@ -99,16 +103,23 @@ class MmsFrames {
       event[key] = std::move(value);
     };
     switch (command.verb) {
-      case MmsVerb::clear_all_colour: event["kind"] = "clear colours"; break;
-      case MmsVerb::clear_all_text: event["kind"] = "clear texts"; break;
+      case MmsVerb::clear_all_colour:
+        event["kind"] = "clear colours";
+        break;
+      case MmsVerb::clear_all_text:
+        event["kind"] = "clear texts";
+        break;
       case MmsVerb::set_wall:
       case MmsVerb::clear_wall:
         of_cell("wall", "side", std::string(name_of(command.side)));
         event["there"] = command.verb == MmsVerb::set_wall;
         break;
       case MmsVerb::set_text:
-      case MmsVerb::clear_text: of_cell("text", "text", std::string(canvas.text(cell))); break;
-      default: of_cell("colour", "colour", canvas.colour(cell) == 0 ? "" : std::string(1, canvas.colour(cell)));
+      case MmsVerb::clear_text:
+        of_cell("text", "text", std::string(canvas.text(cell)));
+        break;
+      default:
+        of_cell("colour", "colour", canvas.colour(cell) == 0 ? "" : std::string(1, canvas.colour(cell)));
     }
     play_["events"].push_back(std::move(event));
   }
@@ -127,7 +138,9 @@ std::string outcome_words(const MmsRecordFile& file) {
 /// Everything that mms counted, and what was wrong with lines.
 Json counts_json(const MmsStatistics& statistics, const MmsRecordFile& file) {
   Json counts = Json::array();
-  const auto add = [&](std::string_view name, Json value) { counts.push_back({{"name", name}, {"value", std::move(value)}}); };
+  const auto add = [&](std::string_view name, Json value) {
+    counts.push_back({{"name", name}, {"value", std::move(value)}});
+  };
   for (const MmsStatistic& statistic : mms_statistics) add(statistic.name, short_json(statistics.*statistic.value));
   if (!file.end) return counts;
   add("lines", file.end->lines);

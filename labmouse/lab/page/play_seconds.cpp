@@ -9,11 +9,11 @@
 #include "labmouse/contest/drive_gates.hpp"
 #include "labmouse/contest/drive_score.hpp"
 #include "labmouse/lab/bounds/drive_bound.hpp"
-#include "labmouse/lab/records/drive_json.hpp"
-#include "labmouse/lab/pictures/drive_path.hpp"
 #include "labmouse/lab/page/drive_frames.hpp"
 #include "labmouse/lab/page/fields.hpp"
 #include "labmouse/lab/page/maze_data.hpp"
+#include "labmouse/lab/pictures/drive_path.hpp"
+#include "labmouse/lab/records/drive_json.hpp"
 #include "labmouse/mouse/drive/fastest.hpp"
 
 namespace labmouse {
@@ -85,10 +85,14 @@ Json score_json(const DriveScore& scores, std::size_t run) {
 }
 
 Json run_json(const DriveRun& run) {
-  return {{"kind", name_of(run.kind)},       {"begin", run.begin},
-          {"end", run.end},                  {"gate_out", or_null(run.gate_out)},
-          {"gate_in", or_null(run.gate_in)}, {"centre", or_null(run.centre)},
-          {"known", time_json(run.known)}, {"hoped", time_json(run.hoped)}};
+  return {{"kind", name_of(run.kind)},
+          {"begin", run.begin},
+          {"end", run.end},
+          {"gate_out", or_null(run.gate_out)},
+          {"gate_in", or_null(run.gate_in)},
+          {"centre", or_null(run.centre)},
+          {"known", time_json(run.known)},
+          {"hoped", time_json(run.hoped)}};
 }
 
 Json robot_json(const Robot& robot, const DriveTables& tables) {
@@ -146,7 +150,8 @@ double visited_share(const DriveRecordFile& contest, const Json& play, const Jso
   std::set<int> cells = {contest.maze->size().index(contest.maze->start())};
   for (const Json& entered : play["entered"])
     for (const Json& cell : entered) cells.insert(cell.get<int>());
-  const auto reachable = std::count_if(distances.begin(), distances.end(), [](const Json& d) { return d.get<int>() >= 0; });
+  const auto reachable =
+      std::count_if(distances.begin(), distances.end(), [](const Json& d) { return d.get<int>() >= 0; });
   return reachable > 0 ? static_cast<double>(cells.size()) / static_cast<double>(reachable) : 0.0;
 }
 

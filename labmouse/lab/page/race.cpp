@@ -4,11 +4,11 @@
 #include <algorithm>
 
 #include "labmouse/contest/simulator.hpp"
+#include "labmouse/lab/galleries/race_folder.hpp"
 #include "labmouse/lab/page/answers.hpp"
 #include "labmouse/lab/page/mouse_spec.hpp"
 #include "labmouse/lab/page/play.hpp"
 #include "labmouse/lab/page/request.hpp"
-#include "labmouse/lab/galleries/race_folder.hpp"
 #include "labmouse/lab/standings/race_json.hpp"
 
 namespace labmouse {
@@ -74,8 +74,9 @@ PageReply answer_race(const nlohmann::json& json, std::string_view) {
   order.seed = request.seed();
   if (!request.error().empty()) return failed(request.error());
   if (const auto contests = contests_of(mice, mazes.size(), order); contests > most_contests)
-    return failed(fmt::format("a race of {} contests is too long for a page, which holds {} at most; `labmouse race` holds it",
-                              contests, most_contests));
+    return failed(
+        fmt::format("a race of {} contests is too long for a page, which holds {} at most; `labmouse race` holds it",
+                    contests, most_contests));
   return answered({{"results", race_json(hold_race(std::move(mice), std::move(mazes), order), {})}});
 }
 

@@ -2,16 +2,16 @@
 #include <fmt/format.h>
 
 #include "labmouse/contest/simulator.hpp"
-#include "labmouse/lab/pictures/drive_picture.hpp"
-#include "labmouse/lab/pictures/picture_layers.hpp"
-#include "labmouse/lab/records/mms_record_file.hpp"
-#include "labmouse/lab/records/packed_record.hpp"
+#include "labmouse/lab/galleries/race_folder.hpp"
 #include "labmouse/lab/page/answers.hpp"
 #include "labmouse/lab/page/mouse_spec.hpp"
 #include "labmouse/lab/page/play.hpp"
 #include "labmouse/lab/page/played_record.hpp"
 #include "labmouse/lab/page/request.hpp"
-#include "labmouse/lab/galleries/race_folder.hpp"
+#include "labmouse/lab/pictures/drive_picture.hpp"
+#include "labmouse/lab/pictures/picture_layers.hpp"
+#include "labmouse/lab/records/mms_record_file.hpp"
+#include "labmouse/lab/records/packed_record.hpp"
 
 namespace labmouse {
 namespace {

@@ -1,4 +1,5 @@
-// What a call is asked, read strictly: what is missing or wrong is remembered, and a value in range stands in its place.
+// What a call is asked, read strictly: what is missing or wrong is remembered, and a value in range stands in its
+// place.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -50,7 +50,8 @@ class Taker {
   }
   Taker& seed() {
     take("seed", [&] {
-      if (!fields_.has("seed") || !from_["seed"].is_number_unsigned()) wrong("seed", "is not a number from 0 to 2^64 - 1");
+      if (!fields_.has("seed") || !from_["seed"].is_number_unsigned())
+        wrong("seed", "is not a number from 0 to 2^64 - 1");
     });
     return *this;
   }
@@ -59,7 +60,8 @@ class Taker {
     out_["interval"] = nullptr;
     if (is_null("interval")) return *this;
     const Json& ends = fields_.list("interval");
-    if (ends.size() != 2 || !ends[0].is_number() || !ends[1].is_number()) return wrong("interval", "is not [low, high]"), *this;
+    if (ends.size() != 2 || !ends[0].is_number() || !ends[1].is_number())
+      return wrong("interval", "is not [low, high]"), *this;
     out_["interval"] = ends;
     return *this;
   }
@@ -147,9 +149,8 @@ OrderedJson read_contest(const Json& json, const std::string& path, const Names&
 
 OrderedJson read_mouse(const Json& json, const std::string& path, const Names& mazes, std::string& error) {
   Taker taker(json, path);
-  taker.texts({"name"}).values("parameters", [](const Json& value) {
-    return value.is_string() || value.is_number() || value.is_boolean();
-  });
+  taker.texts({"name"}).values(
+      "parameters", [](const Json& value) { return value.is_string() || value.is_number() || value.is_boolean(); });
   taker.flags({"contestant"}).counts({"solved", "runs"}).numbers_or_null({"mean_score", "penalised_mean"}).interval();
   taker.numbers_or_null({"mean_ratio", "mean_exploration_steps", "mean_speed_over_optimum"}).numbers({"optimal_share"});
   taker.numbers_or_null({"mean_discovered_share", "mean_visited_share"}).numbers({"microseconds_per_decision"});
@@ -160,7 +161,11 @@ OrderedJson read_mouse(const Json& json, const std::string& path, const Names& m
 }
 
 OrderedJson read_maze(const Json& json, const std::string& path, std::string& error) {
-  return Taker(json, path).texts({"name"}).counts({"width", "height"}).numbers_or_null({"optimum", "bound"}).done(error);
+  return Taker(json, path)
+      .texts({"name"})
+      .counts({"width", "height"})
+      .numbers_or_null({"optimum", "bound"})
+      .done(error);
 }
 
 OrderedJson read_mms_result(const Json& json, const std::string& path, const Names& mazes, std::string& error) {
@@ -182,7 +187,11 @@ OrderedJson read_mms_mouse(const Json& json, const std::string& path, const Name
 }
 
 OrderedJson read_mms_maze(const Json& json, const std::string& path, std::string& error) {
-  return Taker(json, path).texts({"name"}).counts({"width", "height"}).numbers_or_null({"best_run", "best_score"}).done(error);
+  return Taker(json, path)
+      .texts({"name"})
+      .counts({"width", "height"})
+      .numbers_or_null({"best_run", "best_score"})
+      .done(error);
 }
 
 OrderedJson read_group(const Json& json, const std::string& path, std::string& error) {
@@ -204,7 +213,11 @@ OrderedJson read_skipped(const Json& json, const std::string& path, std::string&
 
 std::string read_results(const Json& json, OrderedJson& results) {
   Taker taker(json, "");
-  taker.texts({"labmouse", "compiler", "processor"}).seed().counts({"budget"}).flags({"stopped"}).list("mazes", read_maze);
+  taker.texts({"labmouse", "compiler", "processor"})
+      .seed()
+      .counts({"budget"})
+      .flags({"stopped"})
+      .list("mazes", read_maze);
   const Names mazes = names_in(taker.out()["mazes"]);
   taker.list("mice", [&](const Json& each, const std::string& path, std::string& wrong) {
     return read_mouse(each, path, mazes, wrong);

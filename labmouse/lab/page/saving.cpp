@@ -1,11 +1,11 @@
 // Mazes as files and as links.
 #include <fmt/format.h>
 
-#include "labmouse/lab/system/file_names.hpp"
 #include "labmouse/lab/mazes/maze_link.hpp"
 #include "labmouse/lab/page/answers.hpp"
 #include "labmouse/lab/page/maze_data.hpp"
 #include "labmouse/lab/page/request.hpp"
+#include "labmouse/lab/system/file_names.hpp"
 
 namespace labmouse {
 namespace {

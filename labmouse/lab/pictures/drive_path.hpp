@@ -1,22 +1,23 @@
-// The path of a contest in seconds, point by point: dense enough to be drawn as lines, and to read times and speeds from.
+// The path of a contest in seconds, point by point: dense enough to be drawn as lines, and to read times and speeds
+// from.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
 #include "labmouse/contest/drive_record.hpp"
-#include "labmouse/mouse/robot/drive_profile.hpp"
 #include "labmouse/mouse/drive/search_motion.hpp"
+#include "labmouse/mouse/robot/drive_profile.hpp"
 
 namespace labmouse {
 
 /// A moment of a path. From here to the next point of the same run the acceleration is even.
 struct DrivePathPoint {
-  double time = 0.0;     ///< microseconds on the maze's clock
-  double x = 0.0;        ///< in cells from the south-west corner
+  double time = 0.0;  ///< microseconds on the maze's clock
+  double x = 0.0;     ///< in cells from the south-west corner
   double y = 0.0;
-  double heading = 0.0;  ///< eighths of a turn clockwise from north; grows and falls beyond a whole turn
-  double speed = 0.0;    ///< mm/s
+  double heading = 0.0;       ///< eighths of a turn clockwise from north; grows and falls beyond a whole turn
+  double speed = 0.0;         ///< mm/s
   double acceleration = 0.0;  ///< mm/s² along the path, until the next point
 };
 

@@ -7,8 +7,8 @@
 
 #include "labmouse/lab/drawing/scene.hpp"
 #include "labmouse/lab/drawing/sheet.hpp"
-#include "labmouse/lab/system/file_names.hpp"
 #include "labmouse/lab/pictures/drive_path.hpp"
+#include "labmouse/lab/system/file_names.hpp"
 
 namespace labmouse {
 namespace {
@@ -17,8 +17,8 @@ using namespace drawing;
 
 constexpr int margin = 20, coordinates_room = 12, least_width = 300;
 
-/// From slow to fast: a part of "plasma" (Smith and van der Walt 2015), which grows lighter all along, so that no eye needs
-/// its hues.
+/// From slow to fast: a part of "plasma" (Smith and van der Walt 2015), which grows lighter all along, so that no eye
+/// needs its hues.
 constexpr std::array<Tone, 7> speed_tones = {{
     {"speed1", "#0d0887", "#6f7bff"},
     {"speed2", "#5302a3", "#9b6dff"},
@@ -36,7 +36,8 @@ class SpeedScale {
  public:
   explicit SpeedScale(const Path& path) {
     if (path.empty()) return;
-    const auto [slow, fast] = std::minmax_element(path.begin(), path.end(), [](const auto& a, const auto& b) { return a.speed < b.speed; });
+    const auto [slow, fast] =
+        std::minmax_element(path.begin(), path.end(), [](const auto& a, const auto& b) { return a.speed < b.speed; });
     low_ = slow->speed;
     high_ = fast->speed;
   }
@@ -98,14 +99,16 @@ struct Drives {
 std::string picture(const Maze& maze, const Drives& drives) {
   DrawingLayers layers;
   layers.coordinates = true;
-  const Scene scene = {maze, layers, Frame{maze.size(), {margin + coordinates_room, margin + 32}}, Heat(maze.size(), nullptr), {}};
+  const Scene scene = {
+      maze, layers, Frame{maze.size(), {margin + coordinates_room, margin + 32}}, Heat(maze.size(), nullptr), {}};
   const SpeedScale scale(drives.fast);
   const int width = std::max(scene.frame.right() + margin, least_width);
   Legend legend({scene.frame.origin.x, scene.frame.bottom() + 24 + margin}, width - margin);
   std::string lines;
   for (const Path& search : drives.searches)
     if (search.size() > 1) lines += line(muted, 1.5, data_of(scene.frame, search, 0, search.size() - 1));
-  if (!lines.empty()) legend.add(24, fmt::format("<path {} stroke-width=\"1.5\" d=\"M0 0h24\"/>", stroke(muted)), "searching");
+  if (!lines.empty())
+    legend.add(24, fmt::format("<path {} stroke-width=\"1.5\" d=\"M0 0h24\"/>", stroke(muted)), "searching");
   if (drives.fast.size() > 1) legend.add(70, ramp(), scale.words());
   const Sheet sheet = {width, legend.bottom() + margin / 2, drives.title, drives.description,
                        std::vector<Tone>(speed_tones.begin(), speed_tones.end())};
@@ -128,8 +131,11 @@ std::size_t coloured_run(const DriveRecordFile& file) {
 }  // namespace
 
 std::string draw_route(const Maze& maze, const DriveRoute& driven, const DriveModel& model, const std::string& title) {
-  return picture(maze, {path_of(driven, 0, model), {}, title,
-                        fmt::format("A route of {} pieces that takes {:.3f} s.", driven.segments.size(), driven.time / 1e6)});
+  return picture(maze,
+                 {path_of(driven, 0, model),
+                  {},
+                  title,
+                  fmt::format("A route of {} pieces that takes {:.3f} s.", driven.segments.size(), driven.time / 1e6)});
 }
 
 std::string draw_contest(const DriveRecordFile& file) {

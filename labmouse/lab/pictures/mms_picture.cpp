@@ -8,8 +8,8 @@ namespace labmouse {
 namespace {
 
 /// mms's colours among the 256 of terminals, in the order of mms_colours.
-constexpr std::array<int, mms_colours.size()> terminal_colours = {16, 21,  248, 51, 46, 214, 196, 231, 226,
-                                                                  18, 30, 240, 28, 130, 88, 54, 100};
+constexpr std::array<int, mms_colours.size()> terminal_colours = {16, 21, 248, 51, 46,  214, 196, 231, 226,
+                                                                  18, 30, 240, 28, 130, 88,  54,  100};
 
 int terminal_colour(char colour) {
   const auto place = mms_colours.find(colour);
@@ -36,7 +36,8 @@ DrawingLayers mms_layers(const MmsCanvas& canvas, const HalfPose& pose) {
 
 std::string place_text(const HalfPose& pose) {
   const auto in_cells = [](int halves) { return (halves - 1) / 2.0; };
-  return fmt::format("at ({:g},{:g}) heading {}", in_cells(pose.place.x), in_cells(pose.place.y), name_of(pose.heading));
+  return fmt::format("at ({:g},{:g}) heading {}", in_cells(pose.place.x), in_cells(pose.place.y),
+                     name_of(pose.heading));
 }
 
 }  // namespace labmouse

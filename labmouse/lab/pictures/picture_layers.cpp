@@ -39,15 +39,17 @@ std::string unknown_name(std::string_view name) {
   std::vector<std::string_view> names;
   for (const LayerLine& line : lines) names.push_back(line.name);
   const auto near = nearest_name(name, names);
-  return fmt::format("layer '{}' is unknown; {}", name,
-                     near.empty() ? fmt::format("there are {}", fmt::join(names, ", "))
-                                  : fmt::format("did you mean '{}'?", near));
+  return fmt::format(
+      "layer '{}' is unknown; {}", name,
+      near.empty() ? fmt::format("there are {}", fmt::join(names, ", ")) : fmt::format("did you mean '{}'?", near));
 }
 
 void add_labels(const Maze& maze, const Motion& motion, std::string meaning, DrawingLayers& layers) {
   const auto field = std::make_shared<DistanceField>(maze.size(), motion);
   field->fill(maze.open_walls(), maze.goals());
-  layers.label = [field](Cell cell) { return field->reaches(cell) ? fmt::format("{}", field->at(cell)) : std::string(); };
+  layers.label = [field](Cell cell) {
+    return field->reaches(cell) ? fmt::format("{}", field->at(cell)) : std::string();
+  };
   layers.label_meaning = std::move(meaning);
 }
 
@@ -111,9 +113,9 @@ std::string_view name_of(Layer layer) { return line_of(layer).name; }
 std::string_view meaning_of(Layer layer) { return line_of(layer).meaning; }
 
 const LayerSet& all_layers() {
-  static const LayerSet all = {Layer::heat,   Layer::path,      Layer::exploration, Layer::known,      Layer::wrong,
-                               Layer::shares, Layer::distances, Layer::cells,       Layer::coordinates,
-                               Layer::candidates};
+  static const LayerSet all = {Layer::heat,        Layer::path,      Layer::exploration, Layer::known,
+                               Layer::wrong,       Layer::shares,    Layer::distances,   Layer::cells,
+                               Layer::coordinates, Layer::candidates};
   return all;
 }
 
@@ -128,7 +130,8 @@ LayersResult read_layers(std::string_view names) {
     const auto end = std::min(names.find(',', begin), names.size());
     const auto name = names.substr(begin, end - begin);
     begin = end + 1;
-    const auto line = std::find_if(lines.begin(), lines.end(), [&](const LayerLine& each) { return each.name == name; });
+    const auto line =
+        std::find_if(lines.begin(), lines.end(), [&](const LayerLine& each) { return each.name == name; });
     if (line == lines.end()) return {{}, unknown_name(name)};
     result.layers.insert(static_cast<Layer>(line - lines.begin()));
   }

@@ -49,7 +49,8 @@ DrawingLayers layers_of(const Maze& maze, const Rules& rules, const LayerSet& ch
 /// the start, is drawn as far as it goes: up to there it counts as the exploration.
 DrawingLayers layers_of(const RecordFile& file, const LayerSet& chosen);
 
-/// The record as it was after that step (1 or more): cut there, so that the layers show what was known and chosen by then.
+/// The record as it was after that step (1 or more): cut there, so that the layers show what was known and chosen by
+/// then.
 RecordFile as_of(RecordFile file, int step);
 
 /// The layers of the picture that every contest leaves: the speed run over the visits of the exploration.

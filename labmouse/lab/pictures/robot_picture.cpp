@@ -110,9 +110,10 @@ std::string ends_svg(const Panel& panel) {
     const HalfPoint point = half_point(node);
     return place(panel, {point.x / 2.0, point.y / 2.0});
   };
-  return fmt::format("<g {}><circle r=\"5\" transform=\"translate({})\"/>"
-                     "<path d=\"M0 -9L7 6L-7 6Z\" transform=\"translate({}) rotate({})\"/></g>\n",
-                     fill(route), at(panel.room.from), at(panel.room.to), 45 * eighths(panel.room.to));
+  return fmt::format(
+      "<g {}><circle r=\"5\" transform=\"translate({})\"/>"
+      "<path d=\"M0 -9L7 6L-7 6Z\" transform=\"translate({}) rotate({})\"/></g>\n",
+      fill(route), at(panel.room.from), at(panel.room.to), 45 * eighths(panel.room.to));
 }
 
 std::string drawing_of(const Panel& panel, const Robot& robot) {
@@ -174,8 +175,11 @@ std::string draw_robot(const Robot& robot, const DriveModel& model) {
   std::string svg = heading_svg({margin, 36}, right, title);
   for (std::size_t i = 0; i < drawn_turns.size(); ++i) svg += panel_svg(panel_of(robot, model, i), robot);
   const Legend legend = legend_of(robot);
-  const Sheet sheet = {right + margin, legend.bottom() + margin / 2, title,
-                       "Each turn among its walls, with its speed, its time and the room that it needs.", {onwards}};
+  const Sheet sheet = {right + margin,
+                       legend.bottom() + margin / 2,
+                       title,
+                       "Each turn among its walls, with its speed, its time and the room that it needs.",
+                       {onwards}};
   return sheet.with(svg + legend.svg());
 }
 

@@ -43,8 +43,8 @@ void list_contests(Race& race, RunsOf runs_of) {
       }
 }
 
-/// Holds all contests that are listed: hold(result) returns the record of one, and says in `result.done` whether it came to
-/// its end. The hooks are asked before each, and told after each.
+/// Holds all contests that are listed: hold(result) returns the record of one, and says in `result.done` whether it
+/// came to its end. The hooks are asked before each, and told after each.
 template <class Race, class Hooks, class Hold>
 void hold_contests(Race& race, const Hooks& hooks, Hold hold) {
   std::mutex telling;

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "labmouse/contest/drive_score.hpp"
-#include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/bounds/drive_bound.hpp"
-#include "labmouse/lab/records/drive_record_file.hpp"
 #include "labmouse/lab/mazes/maze_files.hpp"
+#include "labmouse/lab/mice/specs.hpp"
+#include "labmouse/lab/records/drive_record_file.hpp"
 
 namespace labmouse {
 
@@ -35,10 +35,10 @@ struct DriveResult {
   bool done = false;  ///< false where the race was stopped before
   DriveScore score;
   ForfeitReason reason = ForfeitReason::none;
-  MazeTime search = 0;            ///< in the maze before the first fast run; all of the time where there is none
-  std::optional<MazeTime> best;   ///< the fastest run that counts, from rest to the centre
-  bool proven = false;            ///< whether no faster route than the known one could exist before the last fast run
-  int starts = 0;                 ///< runs from the start
+  MazeTime search = 0;           ///< in the maze before the first fast run; all of the time where there is none
+  std::optional<MazeTime> best;  ///< the fastest run that counts, from rest to the centre
+  bool proven = false;           ///< whether no faster route than the known one could exist before the last fast run
+  int starts = 0;                ///< runs from the start
   int decisions = 0;
   int replanned = 0;
 };

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "labmouse/guests/mms/run.hpp"
+#include "labmouse/lab/bounds/mms_bound.hpp"
+#include "labmouse/lab/mazes/maze_files.hpp"
 #include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/text/last_lines.hpp"
-#include "labmouse/lab/mazes/maze_files.hpp"
-#include "labmouse/lab/bounds/mms_bound.hpp"
 
 namespace labmouse {
 
@@ -29,7 +29,8 @@ struct MmsResult {
   std::size_t mouse = 0;
   std::size_t maze = 0;
   bool done = false;  ///< false where the race was stopped before its end
-  /// Without its canvas, and with the ends of its log and its errors only (see kept_log): many runs have to fit into memory.
+  /// Without its canvas, and with the ends of its log and its errors only (see kept_log): many runs have to fit into
+  /// memory.
   MmsRun run;
 };
 
@@ -47,7 +48,8 @@ struct MmsRace {
 
 /// What a race tells while it goes on.
 struct MmsRaceHooks {
-  /// Called after each run with its record (empty where none was asked for), from any thread but never from two at once.
+  /// Called after each run with its record (empty where none was asked for), from any thread but never from two at
+  /// once.
   std::function<void(const MmsRace&, const MmsResult&, const std::string& record)> finished;
   /// Once it is true no other run begins, and those under way are ended and left out.
   const std::atomic<bool>* stop = nullptr;

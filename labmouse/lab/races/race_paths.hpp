@@ -17,9 +17,9 @@ std::vector<std::string> names_of(const Things& things) {
 /// The JSON of the race in its folder.
 inline constexpr const char* results_file_name = "results.json";
 
-/// The paths of one race: FOLDER/MOUSE/MAZE-RUN.jsonl for the record of each contest, FOLDER/MOUSE/MAZE.svg for a picture of
-/// the first, and FOLDER/MOUSE/MAZE.jsonl for the record of a program for mms. MAZE is the file's name without folders and
-/// ending; where two mazes of a race share it, the later ones get a number.
+/// The paths of one race: FOLDER/MOUSE/MAZE-RUN.jsonl for the record of each contest, FOLDER/MOUSE/MAZE.svg for a
+/// picture of the first, and FOLDER/MOUSE/MAZE.jsonl for the record of a program for mms. MAZE is the file's name
+/// without folders and ending; where two mazes of a race share it, the later ones get a number.
 class RacePaths {
  public:
   /// The names of all mice of one world and of all mazes, in the order of the race, which is that of the names.

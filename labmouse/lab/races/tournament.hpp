@@ -10,8 +10,8 @@
 #include "labmouse/contest/missteps.hpp"
 #include "labmouse/contest/score.hpp"
 #include "labmouse/lab/bounds/bounds.hpp"
-#include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/mazes/maze_files.hpp"
+#include "labmouse/lab/mice/specs.hpp"
 
 namespace labmouse {
 
@@ -47,12 +47,12 @@ struct ContestResult {
 
 struct Race {
   RaceOrder order;
-  std::vector<Contestant> mice;  ///< in the order of their names
-  std::vector<NamedMaze> mazes;  ///< in the order of their names
-  std::vector<Bound> bounds;     ///< of each maze
+  std::vector<Contestant> mice;        ///< in the order of their names
+  std::vector<NamedMaze> mazes;        ///< in the order of their names
+  std::vector<Bound> bounds;           ///< of each maze
   std::vector<CellSet> reachable;      ///< the cells that can be reached in each maze
   std::vector<ContestResult> results;  ///< by mouse, maze and run
-  bool stopped = false;          ///< before all contests were done
+  bool stopped = false;                ///< before all contests were done
 };
 
 /// What a race tells while it goes on.

@@ -31,7 +31,8 @@ nlohmann::ordered_json rules_json(const DriveRules& rules);
 /// Whether the JSON of a race is that of one in seconds.
 template <class Json>
 bool is_race_in_seconds(const Json& json) {
-  if (!json.is_object() || !json.contains("groups") || !json["groups"].is_array() || json["groups"].empty()) return false;
+  if (!json.is_object() || !json.contains("groups") || !json["groups"].is_array() || json["groups"].empty())
+    return false;
   const Json& group = json["groups"].front();
   return group.is_object() && group.contains("world") && group["world"] == "seconds";
 }

@@ -5,7 +5,8 @@
 namespace labmouse {
 
 std::string notation_of(const DriveSegment& segment, const DriveTables& tables) {
-  if (segment.kind == DriveSegment::Kind::straight) return fmt::format("{}{}", segment.diagonal() ? 'D' : 'S', segment.units);
+  if (segment.kind == DriveSegment::Kind::straight)
+    return fmt::format("{}{}", segment.diagonal() ? 'D' : 'S', segment.units);
   return fmt::format("{}{}", segment.left ? 'L' : 'R', name_of(tables.turns[segment.turn].turn));
 }
 

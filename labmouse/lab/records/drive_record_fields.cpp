@@ -21,7 +21,8 @@ Heading read_heading(const Json& name, const char* key, Fields& fields) {
 CellSet rows_in(Fields& fields, const char* key, Size size) {
   CellSet cells;
   const Json& rows = fields.list(key);
-  if (rows.size() != static_cast<std::size_t>(size.height)) fields.fail(fmt::format("has {} rows where the maze has {}", rows.size(), size.height));
+  if (rows.size() != static_cast<std::size_t>(size.height))
+    fields.fail(fmt::format("has {} rows where the maze has {}", rows.size(), size.height));
   for (std::size_t y = 0; y < rows.size() && fields.error().empty(); ++y) {
     const auto bits = rows[y].is_string() ? hexadecimal(rows[y].get<std::string>()) : std::nullopt;
     if (!bits) return fields.fail("has a row that is not a hexadecimal number"), cells;
@@ -30,7 +31,8 @@ CellSet rows_in(Fields& fields, const char* key, Size size) {
   return cells;
 }
 
-std::optional<std::uint16_t> find_turn(const DriveTables& tables, const std::string& name, bool diagonal, double speed) {
+std::optional<std::uint16_t> find_turn(const DriveTables& tables, const std::string& name, bool diagonal,
+                                       double speed) {
   constexpr double tolerance = 1e-3;  // mm/s: two speeds of a turn are further apart
   const std::vector<DrivenTurn>& turns = tables.turns;
   for (std::size_t i = 0; i < turns.size(); ++i)
@@ -75,7 +77,8 @@ Pose pose_in(Fields& fields, const char* key, Size size) {
 
 DriveNode node_in(Fields& fields, const char* key, Size size) {
   const Json& node = fields.list(key);
-  if (node.size() != 4) return fields.fail(fmt::format("has a '{}' that is not [x, y, heading, place]", key)), DriveNode();
+  if (node.size() != 4)
+    return fields.fail(fmt::format("has a '{}' that is not [x, y, heading, place]", key)), DriveNode();
   DriveNode read = {{fields.whole(node[0], key, 0, size.width - 1), fields.whole(node[1], key, 0, size.height - 1)},
                     read_heading(node[2], key, fields)};
   for (const Place place : all_places)

@@ -28,7 +28,7 @@ struct DriveRecordFile {
   std::uint64_t tables_hash = 0;            ///< of the tables that the record was made with; a writer puts the model's
   DriveRules rules;
   DriveRecord record;
-  bool ended = true;                         ///< false where the last line, with the outcome, is missing
+  bool ended = true;                              ///< false where the last line, with the outcome, is missing
   std::optional<DriveRunScore> recorded_score{};  ///< what the last line gives; a writer puts the score of the record
 };
 
@@ -45,15 +45,16 @@ ReadDriveRecordResult read_drive_record(std::string_view text);
 /// Whether a text is meant to be such a record: its first line says so.
 bool is_drive_record(std::string_view text);
 
-/// Plays a record again in its maze and compares all of it: places, times, walls, what was known and hoped for, gates, and
-/// the score. Who drove, and how often it decided and planned, is taken over unchecked. Returns where the record first
-/// disagrees, or nothing.
+/// Plays a record again in its maze and compares all of it: places, times, walls, what was known and hoped for, gates,
+/// and the score. Who drove, and how often it decided and planned, is taken over unchecked. Returns where the record
+/// first disagrees, or nothing.
 std::string replay(const DriveRecordFile& file);
 
 /// The runs as a table, and the result in a line below.
 std::string summary_of(const DriveRecordFile& file);
 
-/// How a contest went, in one line without its end: the mouse, the maze, and the score with its parts or what went wrong.
+/// How a contest went, in one line without its end: the mouse, the maze, and the score with its parts or what went
+/// wrong.
 std::string result_line(const DriveRecordFile& file);
 
 }  // namespace labmouse

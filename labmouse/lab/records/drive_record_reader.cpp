@@ -1,8 +1,8 @@
-#include "labmouse/lab/records/drive_record_file.hpp"
 #include "labmouse/lab/records/drive_record_fields.hpp"
-#include "labmouse/lab/text/json_lines.hpp"
+#include "labmouse/lab/records/drive_record_file.hpp"
 #include "labmouse/lab/records/record_maze.hpp"
 #include "labmouse/lab/robots/robot_json.hpp"
+#include "labmouse/lab/text/json_lines.hpp"
 
 namespace labmouse {
 namespace {
@@ -49,7 +49,8 @@ DriveRunScore read_score(const Json& json, Fields& fields) {
   const auto time = [&](const char* key) { return fields.long_whole(key, -longest_time, longest_time); };
   DriveRunScore score;
   score.run = static_cast<std::size_t>(fields.whole("run", 1, static_cast<int>(most_runs)) - 1);
-  for (const auto& [key, part] : {std::pair("gate_to_gate", &score.gate_to_gate), std::pair("rest_to_centre", &score.rest_to_centre)})
+  for (const auto& [key, part] :
+       {std::pair("gate_to_gate", &score.gate_to_gate), std::pair("rest_to_centre", &score.rest_to_centre)})
     if (!json.is_object() || !json.contains(key) || !json[key].is_null()) *part = time(key);
   score.maze_time = time("maze_time");
   score.bonus = time("bonus");
@@ -69,7 +70,8 @@ void Reading::read_maze(const Json& json, Fields& outer) {
 std::string Reading::read_header(const Json& json) {
   Fields fields(json, "");
   if (fields.text("labmouse") != "drive record") fields.fail("is not the header of a record in seconds");
-  if (fields.whole("format", 0, 1'000'000) != 1) fields.fail("has a format other than 1, which this version does not know");
+  if (fields.whole("format", 0, 1'000'000) != 1)
+    fields.fail("has a format other than 1, which this version does not know");
   if (fields.text("world") != "seconds") fields.fail("has a world other than seconds");
   file_.version = fields.text("version");
   for (const char* key : {"maze", "mouse", "robot", "rules", "seed"})
@@ -132,7 +134,8 @@ std::string Reading::end_run(const Json& json) {
 }
 
 std::string Reading::read_move(const Json& json) {
-  if (!running_ || runs().back().kind == DriveRun::Kind::fast) return "the line has a move outside of a search or a way home";
+  if (!running_ || runs().back().kind == DriveRun::Kind::fast)
+    return "the line has a move outside of a search or a way home";
   if (++moves_ > most_moves) return fmt::format("the record has more than {} moves", most_moves);
   Fields fields(json, "");
   SearchMove move;
@@ -166,12 +169,14 @@ std::string Reading::read_segment(const Json& json) {
 
 std::string Reading::read_wall(const Json& json) {
   if (running_) return "the line has a wall inside of a run; walls stand behind all runs";
-  if (file_.record.walls.size() >= static_cast<std::size_t>(2 * size().area())) return "the record has more walls than the maze";
+  if (file_.record.walls.size() >= static_cast<std::size_t>(2 * size().area()))
+    return "the record has more walls than the maze";
   Fields fields(json, "");
   const Pose side = pose_in(fields, "wall", size());
   WallSeen seen;
   seen.wall = wall_at(side.cell, side.heading);
-  if (side.heading != seen.wall.side || on_border(seen.wall, size())) fields.fail("has a wall that is no inner one, named by its north or east side");
+  if (side.heading != seen.wall.side || on_border(seen.wall, size()))
+    fields.fail("has a wall that is no inner one, named by its north or east side");
   seen.open = fields.flag("open");
   seen.time = fields.long_whole("time", 0, longest_time);
   file_.record.walls.push_back(seen);
@@ -224,9 +229,9 @@ std::string Reading::read_line(const Json& json) {
 
 ReadDriveRecordResult read_drive_record(std::string_view text) {
   Reading reading;
-  std::vector<Problem> problems = read_json_lines(text, {[&](const Json& line) { return reading.read_header(line); },
-                                                         [&](const Json& line) { return reading.read_line(line); },
-                                                         [&] { return reading.may_break_off(); }});
+  std::vector<Problem> problems = read_json_lines(
+      text, {[&](const Json& line) { return reading.read_header(line); },
+             [&](const Json& line) { return reading.read_line(line); }, [&] { return reading.may_break_off(); }});
   if (!problems.empty()) return {std::nullopt, std::move(problems)};
   return {reading.take(), {}};
 }

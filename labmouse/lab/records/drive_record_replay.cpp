@@ -22,14 +22,12 @@ std::string pose_words(const Pose& pose) {
 class Replay {
  public:
   explicit Replay(const DriveRecordFile& file)
-      : file_(file),
-        driver_(*file.maze, *file.model, played_),
-        routes_(file.maze->size(), file.model->tables) {}
+      : file_(file), driver_(*file.maze, *file.model, played_), routes_(file.maze->size(), file.model->tables) {}
 
   std::string disagreement() {
     if (file_.tables_hash != file_.model->tables.hash)
-      return fmt::format("the tables of its robot have the hash {}; made again, they have {}", hash_text(file_.tables_hash),
-                         hash_text(file_.model->tables.hash));
+      return fmt::format("the tables of its robot have the hash {}; made again, they have {}",
+                         hash_text(file_.tables_hash), hash_text(file_.model->tables.hash));
     const auto& runs = file_.record.runs;
     for (std::size_t i = 0; i < runs.size(); ++i) {
       if (const std::string wrong = play(i); !wrong.empty())
@@ -51,10 +49,12 @@ class Replay {
     played.begin = played.end = run.begin;
     if (std::string wrong = run.kind == DriveRun::Kind::fast ? play_route(run, whole) : play_moves(run); !wrong.empty())
       return wrong;
-    if (run.kind == DriveRun::Kind::home && whole && driver_.place() != driver_.start() && driver_.clock() < file_.rules.time_limit)
+    if (run.kind == DriveRun::Kind::home && whole && driver_.place() != driver_.start() &&
+        driver_.clock() < file_.rules.time_limit)
       return "it does not end at rest at the start";
     // Unless it is given up or the time is over, a search ends in the middle of the goal.
-    const bool cut_short = last && (file_.record.outcome == DriveOutcome::forfeit || driver_.clock() >= file_.rules.time_limit);
+    const bool cut_short =
+        last && (file_.record.outcome == DriveOutcome::forfeit || driver_.clock() >= file_.rules.time_limit);
     if (run.kind == DriveRun::Kind::search && whole && !cut_short && driver_.goal_entered()) driver_.stop_search();
     return whole ? compare_gates(run) : "";
   }
@@ -63,16 +63,19 @@ class Replay {
   std::string compare_beginning(const DriveRun& run) {
     const bool search = run.kind == DriveRun::Kind::search, fast = run.kind == DriveRun::Kind::fast;
     if (played_.runs.empty() && !search) return "a contest begins with a search";
-    // Between two fast runs the mouse is carried; else only a way home goes on from where it is not at rest at the start.
+    // Between two fast runs the mouse is carried; else only a way home goes on from where it is not at rest at the
+    // start.
     if (fast && played_.runs.back().kind == DriveRun::Kind::fast) driver_.put(driver_.start(), driver_.clock());
     if ((search || fast) && driver_.place() != driver_.start()) return "it begins at the start, where the mouse is not";
     if (!search && !driver_.goal_entered()) return "it begins before a goal was entered";
     if (run.begin != driver_.clock())
       return fmt::format("recorded to begin at {}; played, at {}", seconds(run.begin), seconds(driver_.clock()));
-    if (run.begin >= file_.rules.time_limit) return fmt::format("it begins after the time of {}", seconds(file_.rules.time_limit));
+    if (run.begin >= file_.rules.time_limit)
+      return fmt::format("it begins after the time of {}", seconds(file_.rules.time_limit));
     starts_ += search || fast ? 1 : 0;
     if (starts_ <= file_.rules.most_runs) return "";
-    return fmt::format("the rules allow {} run{} from the start", file_.rules.most_runs, file_.rules.most_runs == 1 ? "" : "s");
+    return fmt::format("the rules allow {} run{} from the start", file_.rules.most_runs,
+                       file_.rules.most_runs == 1 ? "" : "s");
   }
 
   std::string compare_knowledge(const DriveRun& run) {
@@ -80,13 +83,14 @@ class Replay {
     WallSet closed = WallSet::all(file_.maze->size());
     closed -= known.possible();
     if (run.open != known.open() || run.closed != closed)
-      return fmt::format("recorded are {} open and {} closed walls at its beginning; played, {} and {}{}", run.open.count(),
-                         run.closed.count(), known.open().count(), closed.count(),
-                         run.open.count() == known.open().count() && run.closed.count() == closed.count() ? ", other ones" : "");
+      return fmt::format(
+          "recorded are {} open and {} closed walls at its beginning; played, {} and {}{}", run.open.count(),
+          run.closed.count(), known.open().count(), closed.count(),
+          run.open.count() == known.open().count() && run.closed.count() == closed.count() ? ", other ones" : "");
     const DriveTime hoped = time_over(known.possible()), best = time_over(known.open());
     if (run.hoped == hoped && run.known == best) return "";
-    return fmt::format("recorded are a known route of {} and hopes for {}; planned again, {} and {}", route_time(run.known),
-                       route_time(run.hoped), route_time(best), route_time(hoped));
+    return fmt::format("recorded are a known route of {} and hopes for {}; planned again, {} and {}",
+                       route_time(run.known), route_time(run.hoped), route_time(best), route_time(hoped));
   }
 
   DriveTime time_over(const WallSet& passages) {
@@ -114,8 +118,10 @@ class Replay {
     if (!whole) return "";
     const Maze& maze = *file_.maze;
     if (run.route.time != run.known)
-      return fmt::format("its route takes {}; the fastest known one, {}", route_time(run.route.time), route_time(run.known));
-    if (std::string wrong = check_route(run.route, driver_.start().pose, maze.size(), driver_.known().open(), maze.goals(), *file_.model);
+      return fmt::format("its route takes {}; the fastest known one, {}", route_time(run.route.time),
+                         route_time(run.known));
+    if (std::string wrong = check_route(run.route, driver_.start().pose, maze.size(), driver_.known().open(),
+                                        maze.goals(), *file_.model);
         !wrong.empty())
       return wrong;
     DriveRun& played = played_.runs.back();
@@ -123,24 +129,28 @@ class Replay {
     set_gates(played, maze, *file_.model);
     played.end = played.begin + run.route.time;
     const auto& segments = run.route.segments;
-    const Pose goal = segments.empty() ? driver_.start().pose : Pose{segments.back().to.cell, segments.back().to.heading};
+    const Pose goal =
+        segments.empty() ? driver_.start().pose : Pose{segments.back().to.cell, segments.back().to.heading};
     driver_.put({goal, true}, played.end);
     return "";
   }
 
   std::string compare_gates(const DriveRun& run) {
     const DriveRun& played = played_.runs.back();
-    if (run.end != played.end) return fmt::format("recorded to end at {}; played, at {}", seconds(run.end), seconds(played.end));
+    if (run.end != played.end)
+      return fmt::format("recorded to end at {}; played, at {}", seconds(run.end), seconds(played.end));
     if (run.gate_out == played.gate_out && run.gate_in == played.gate_in && run.centre == played.centre) return "";
-    return fmt::format("recorded to leave the start at {}, enter a goal at {} and reach its middle at {}; played, {}, {} and {}",
-                       seconds(run.gate_out), seconds(run.gate_in), seconds(run.centre), seconds(played.gate_out),
-                       seconds(played.gate_in), seconds(played.centre));
+    return fmt::format(
+        "recorded to leave the start at {}, enter a goal at {} and reach its middle at {}; played, {}, {} and {}",
+        seconds(run.gate_out), seconds(run.gate_in), seconds(run.centre), seconds(played.gate_out),
+        seconds(played.gate_in), seconds(played.centre));
   }
 
   std::string compare_walls() const {
     const std::vector<WallSeen>& was = file_.record.walls;
     const std::vector<WallSeen>& is = played_.walls;
-    if (was.size() != is.size()) return fmt::format("recorded are {} walls; played, {} were seen", was.size(), is.size());
+    if (was.size() != is.size())
+      return fmt::format("recorded are {} walls; played, {} were seen", was.size(), is.size());
     for (std::size_t i = 0; i < was.size(); ++i)
       if (was[i] != is[i])
         return fmt::format("wall {}: recorded {}; played {}", i + 1, wall_words(was[i]), wall_words(is[i]));

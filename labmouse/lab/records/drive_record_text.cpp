@@ -13,10 +13,10 @@ std::string number(DriveTime time) { return time < no_time ? fmt::format("{:.3f}
 
 std::string run_line(const DriveRun& run, std::size_t index) {
   const bool gates = run.gate_in && run.gate_out;
-  return fmt::format("{:>3}  {:<6} {:>9.3f} {:>9.3f} {:>8} {:>8} {:>8} {:>8}\n", index + 1, name_of(run.kind),
-                     seconds(run.begin), seconds(run.end), number(gates ? std::optional(*run.gate_in - *run.gate_out) : std::nullopt),
-                     number(run.centre ? std::optional(*run.centre - run.begin) : std::nullopt), number(run.known),
-                     number(run.hoped));
+  return fmt::format(
+      "{:>3}  {:<6} {:>9.3f} {:>9.3f} {:>8} {:>8} {:>8} {:>8}\n", index + 1, name_of(run.kind), seconds(run.begin),
+      seconds(run.end), number(gates ? std::optional(*run.gate_in - *run.gate_out) : std::nullopt),
+      number(run.centre ? std::optional(*run.centre - run.begin) : std::nullopt), number(run.known), number(run.hoped));
 }
 
 /// "8.123 s = 5.123 s gate to gate + 3.000 s of 90.000 s in the maze"
@@ -36,7 +36,8 @@ std::string score_words(const DriveScore& score, const DriveRecord& record, cons
 std::string result_line(const DriveRecordFile& file) {
   const DriveRecord& record = file.record;
   const DriveScore result = score(record, file.rules);
-  std::string line = fmt::format("{} in {}, {}, {}: ", file.mouse, file.maze_name, file.model->robot.name, file.rules.name);
+  std::string line =
+      fmt::format("{} in {}, {}, {}: ", file.mouse, file.maze_name, file.model->robot.name, file.rules.name);
   if (result.best)
     line += score_words(result, record, file.rules);
   else
@@ -46,8 +47,8 @@ std::string result_line(const DriveRecordFile& file) {
 }
 
 std::string summary_of(const DriveRecordFile& file) {
-  std::string text = fmt::format("{:>3}  {:<6} {:>9} {:>9} {:>8} {:>8} {:>8} {:>8}\n", "run", "", "begin s", "end s", "gates", "centre",
-                                 "known", "hoped");
+  std::string text = fmt::format("{:>3}  {:<6} {:>9} {:>9} {:>8} {:>8} {:>8} {:>8}\n", "run", "", "begin s", "end s",
+                                 "gates", "centre", "known", "hoped");
   for (std::size_t i = 0; i < file.record.runs.size(); ++i) text += run_line(file.record.runs[i], i);
   return text + result_line(file) + "\n";
 }

@@ -1,11 +1,11 @@
 #include <nlohmann/json.hpp>
 
 #include "labmouse/lab/records/drive_json.hpp"
+#include "labmouse/lab/records/drive_notation.hpp"
 #include "labmouse/lab/records/drive_record_file.hpp"
 #include "labmouse/lab/records/record_maze.hpp"
-#include "labmouse/lab/robots/robot_json.hpp"
-#include "labmouse/lab/records/drive_notation.hpp"
 #include "labmouse/lab/records/settings_json.hpp"
+#include "labmouse/lab/robots/robot_json.hpp"
 #include "labmouse/lab/system/version.hpp"
 
 namespace labmouse {
@@ -40,16 +40,16 @@ Json walls_json(const WallSet& walls, Size size) {
 }
 
 Json run_json(const DriveRun& run, Size size) {
-  return {{"run", name_of(run.kind)},
-          {"begin", run.begin},
-          {"known", time_json(run.known)},
-          {"hoped", time_json(run.hoped)},
-          {"open", walls_json(run.open, size)},
-          {"closed", walls_json(run.closed, size)}};
+  return {{"run", name_of(run.kind)},           {"begin", run.begin},
+          {"known", time_json(run.known)},      {"hoped", time_json(run.hoped)},
+          {"open", walls_json(run.open, size)}, {"closed", walls_json(run.closed, size)}};
 }
 
 Json run_end_json(const DriveRun& run) {
-  return {{"end", run.end}, {"gate_out", or_null(run.gate_out)}, {"gate_in", or_null(run.gate_in)}, {"centre", or_null(run.centre)}};
+  return {{"end", run.end},
+          {"gate_out", or_null(run.gate_out)},
+          {"gate_in", or_null(run.gate_in)},
+          {"centre", or_null(run.centre)}};
 }
 
 Json move_json(const SearchMove& move) {
@@ -88,7 +88,8 @@ std::string write_drive_record(const DriveRecordFile& file) {
   for (const DriveRun& run : file.record.runs) {
     text += record_line(run_json(run, file.maze->size()));
     for (const SearchMove& move : run.moves) text += record_line(move_json(move));
-    for (const DriveSegment& segment : run.route.segments) text += record_line(segment_json(segment, file.model->tables));
+    for (const DriveSegment& segment : run.route.segments)
+      text += record_line(segment_json(segment, file.model->tables));
     text += record_line(run_end_json(run));
   }
   for (const WallSeen& seen : file.record.walls)

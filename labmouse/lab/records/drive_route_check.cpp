@@ -32,8 +32,10 @@ class RouteCheck {
         return fmt::format("segment {} ({}): {}", index_ + 1, notation_of(here(), model_.tables), wrong);
     }
     const DriveNode& end = route_.segments.empty() ? start_ : route_.segments.back().to;
-    if (end.place != Place::centre || !goals_.contains(end.cell)) return "the route does not end in the middle of a goal";
-    if (last_is_turn() && time_of_nothing(route_.segments.size()) != 0) return "the route ends with a turn that leads on";
+    if (end.place != Place::centre || !goals_.contains(end.cell))
+      return "the route does not end in the middle of a goal";
+    if (last_is_turn() && time_of_nothing(route_.segments.size()) != 0)
+      return "the route ends with a turn that leads on";
     return "";
   }
 
@@ -62,8 +64,8 @@ class RouteCheck {
   /// Half cells ahead of its first node that are inside, at the least.
   int reach_ahead() const { return begins_diagonal(turn()) || turn() == Turn::s90 ? 1 : 2; }
 
-  /// Whether a turn of that kind begins at such a node. From diagonal to diagonal there is one side only: to the other it
-  /// would come back into the cell that it was about to leave.
+  /// Whether a turn of that kind begins at such a node. From diagonal to diagonal there is one side only: to the other
+  /// it would come back into the cell that it was about to leave.
   bool may_begin() const {
     const DriveSegment& segment = here();
     if (begins_diagonal(turn()) != segment.from.diagonal()) return false;
@@ -83,7 +85,8 @@ class RouteCheck {
     const HalfPoint end = turns ? end_of_turn() : moved(from, before, segment.units);
     if (to != end || after != (before + 8 + angle) % 8) return "it does not lead to where it is said to end";
     // A turn leads over points ahead of its ends; one of half a turn furthest.
-    for (const HalfPoint point : {from, to, moved(from, before, turns ? reach_ahead() : 0), moved(to, after, turns ? -1 : 0)})
+    for (const HalfPoint point :
+         {from, to, moved(from, before, turns ? reach_ahead() : 0), moved(to, after, turns ? -1 : 0)})
       if (!inside(point)) return "it leads out of the maze";
     return "";
   }
@@ -95,13 +98,16 @@ class RouteCheck {
   /// The time of a straight of so many units between the segments before and behind it, of which either may be missing.
   DriveTime straight_time(int units, const DriveSegment* before, const DriveSegment* behind) const {
     const DriveTables& tables = model_.tables;
-    const auto lane = [&](const DriveSegment* turn, std::uint8_t DrivenTurn::*end) -> std::size_t { return tables.turns[turn->turn].*end; };
+    const auto lane = [&](const DriveSegment* turn, std::uint8_t DrivenTurn::*end) -> std::size_t {
+      return tables.turns[turn->turn].*end;
+    };
     const bool diagonal = before != nullptr && ends_diagonal(tables.turns[before->turn].turn);
     if (diagonal != (behind != nullptr && begins_diagonal(tables.turns[behind->turn].turn))) return no_time;
     if (before == nullptr && behind == nullptr) return tables.whole[static_cast<std::size_t>(units)];
     if (before == nullptr) return tables.start_to(units, lane(behind, &DrivenTurn::from));
     if (behind == nullptr) return tables.finish_from(units, lane(before, &DrivenTurn::to));
-    return (diagonal ? tables.diagonal : tables.along).at(units, lane(before, &DrivenTurn::to), lane(behind, &DrivenTurn::from));
+    return (diagonal ? tables.diagonal : tables.along)
+        .at(units, lane(before, &DrivenTurn::to), lane(behind, &DrivenTurn::from));
   }
 
   /// Of the straight of no length that is left out between two turns.

@@ -15,7 +15,8 @@ double in_steps(double cost) { return cost / costs_a_step; }
 /// A cost as a number of steps, with decimals only where it has some.
 std::string steps_text(double cost) {
   const double steps = in_steps(cost);
-  return steps == static_cast<double>(static_cast<int>(steps)) ? fmt::format("{:.0f}", steps) : fmt::format("{:.2f}", steps);
+  return steps == static_cast<double>(static_cast<int>(steps)) ? fmt::format("{:.0f}", steps)
+                                                               : fmt::format("{:.2f}", steps);
 }
 
 std::string text_of(Cell cell) { return fmt::format("({},{})", cell.x, cell.y); }
@@ -33,12 +34,13 @@ const Candidate* chosen_of(const Reasons& reasons) {
 const Candidate* nearest_to_worth(const Reasons& reasons) {
   const Candidate* nearest = nullptr;
   for (const Candidate& candidate : reasons.candidates)
-    if (candidate.through == reasons.hope && (nearest == nullptr || candidate.travel < nearest->travel)) nearest = &candidate;
+    if (candidate.through == reasons.hope && (nearest == nullptr || candidate.travel < nearest->travel))
+      nearest = &candidate;
   return nearest;
 }
 
-/// The chosen one first (where none is, the one nearest to being worth it), then those that are worth it, the lowest score
-/// first.
+/// The chosen one first (where none is, the one nearest to being worth it), then those that are worth it, the lowest
+/// score first.
 std::vector<const Candidate*> ranked(const Reasons& reasons) {
   std::vector<const Candidate*> candidates;
   for (const Candidate& candidate : reasons.candidates) candidates.push_back(&candidate);
@@ -53,8 +55,8 @@ std::vector<const Candidate*> ranked(const Reasons& reasons) {
 std::string row_of(const Candidate& candidate, const Reasons& reasons) {
   const char mark = &candidate == chosen_of(reasons) ? '>' : candidate.worth ? ' ' : '-';
   const double through = candidate.goal ? reasons.way_here * candidate.through : candidate.through;
-  return fmt::format("  {} {:<16}{:<10}{:>8.2f}{:>8}{:>9.2f}\n", mark, label_of(candidate), text_of(candidate.seen_from),
-                     in_steps(through), candidate.travel, in_steps(candidate.score));
+  return fmt::format("  {} {:<16}{:<10}{:>8.2f}{:>8}{:>9.2f}\n", mark, label_of(candidate),
+                     text_of(candidate.seen_from), in_steps(through), candidate.travel, in_steps(candidate.score));
 }
 
 std::string table_of(const Reasons& reasons, int rows) {
@@ -81,14 +83,16 @@ int step_to_goal(const RecordFile& file) {
 
 std::string heading_of(const StepRecord& step, std::size_t candidates, bool goal_entered) {
   return fmt::format("step {} at {} heading {}, {} the goal: {} candidate{}\n", step.step, text_of(step.pose.cell),
-                     name_of(step.pose.heading), goal_entered ? "after" : "before", candidates, candidates == 1 ? "" : "s");
+                     name_of(step.pose.heading), goal_entered ? "after" : "before", candidates,
+                     candidates == 1 ? "" : "s");
 }
 
 /// The first step of a flood; those that follow it are not told of.
 std::string flood_of(const StepRecord& step) {
-  return fmt::format("\nstep {} at ({},{}): floods from here on. The budget is small for this maze, or half of it is\n"
-                     "gone without the goal, so it takes the shortest way that could be open.\n",
-                     step.step, int{step.pose.cell.x}, int{step.pose.cell.y});
+  return fmt::format(
+      "\nstep {} at ({},{}): floods from here on. The budget is small for this maze, or half of it is\n"
+      "gone without the goal, so it takes the shortest way that could be open.\n",
+      step.step, int{step.pose.cell.x}, int{step.pose.cell.y});
 }
 
 /// Why nothing was chosen after the goal.
@@ -103,12 +107,14 @@ std::string hope_of(const Reasons& reasons) {
 std::string reset_of(const RecordFile& file, const StepRecord& step) {
   const std::string left = fmt::format("with {} of {} steps left", file.rules.budget - step.step, file.rules.budget);
   const auto& all = file.run.reasons;
-  const auto why = std::find_if(all.begin(), all.end(), [&](const StepReasons& each) { return each.step == step.step; });
+  const auto why =
+      std::find_if(all.begin(), all.end(), [&](const StepReasons& each) { return each.step == step.step; });
   if (why == all.end()) return fmt::format("step {}: reset without weighing the walls anew, {}.\n", step.step, left);
   if (why->reasons.ground == Ground::no_loops)
-    return fmt::format("step {}: reset at the goal. The walls seen look like those of a maze without loops,\n"
-                       "where no other run is to be found. The known run takes {} steps.\n",
-                       step.step, steps_text(why->reasons.known));
+    return fmt::format(
+        "step {}: reset at the goal. The walls seen look like those of a maze without loops,\n"
+        "where no other run is to be found. The known run takes {} steps.\n",
+        step.step, steps_text(why->reasons.known));
   if (why->reasons.chosen < 0) return fmt::format("step {}: reset. ", step.step) + hope_of(why->reasons);
   return fmt::format("step {}: reset all the same, {}; the known run takes {}.\n", step.step, left,
                      steps_text(why->reasons.known));
@@ -117,7 +123,8 @@ std::string reset_of(const RecordFile& file, const StepRecord& step) {
 /// Why the exploration ended, where the mouse ended it itself.
 std::string ending_of(const RecordFile& file) {
   const auto& steps = file.run.steps;
-  const auto race = std::find_if(steps.begin(), steps.end(), [](const StepRecord& step) { return step.run == Run::speed; });
+  const auto race =
+      std::find_if(steps.begin(), steps.end(), [](const StepRecord& step) { return step.run == Run::speed; });
   if (race == steps.begin()) return "";
   const StepRecord& last = *(race - 1);
   if (last.action.kind == Action::Kind::reset) return reset_of(file, last);
@@ -135,7 +142,8 @@ std::string key_of(const RunRecord& run) {
   const auto least = [](const StepReasons& a, const StepReasons& b) { return a.reasons.way_here < b.reasons.way_here; };
   const double way_here = std::min_element(run.reasons.begin(), run.reasons.end(), least)->reasons.way_here;
   if (way_here >= 1) return key;
-  return key + fmt::format("T ahead: T with{} the way from the start to the wall.\n", way_here > 0 ? " less of" : "out");
+  return key +
+         fmt::format("T ahead: T with{} the way from the start to the wall.\n", way_here > 0 ? " less of" : "out");
 }
 
 }  // namespace

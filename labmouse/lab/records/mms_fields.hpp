@@ -36,7 +36,8 @@ inline nlohmann::ordered_json short_json(float value) {
 
 inline nlohmann::ordered_json statistics_json(const MmsStatistics& statistics) {
   auto json = nlohmann::ordered_json::object();
-  for (const MmsStatistic& statistic : mms_statistics) json[std::string(statistic.name)] = short_json(statistics.*statistic.value);
+  for (const MmsStatistic& statistic : mms_statistics)
+    json[std::string(statistic.name)] = short_json(statistics.*statistic.value);
   return json;
 }
 

@@ -1,9 +1,9 @@
 #include <limits>
 
-#include "labmouse/lab/text/json_lines.hpp"
 #include "labmouse/lab/records/mms_record_file.hpp"
-#include "labmouse/lab/text/json_fields.hpp"
 #include "labmouse/lab/records/record_maze.hpp"
+#include "labmouse/lab/text/json_fields.hpp"
+#include "labmouse/lab/text/json_lines.hpp"
 
 namespace labmouse {
 namespace {
@@ -31,7 +31,8 @@ std::string read_mouse_field(const Json& json, MmsRecordFile& file) {
 std::string read_header(const Json& json, MmsRecordFile& file) {
   Fields fields(json, "");
   if (fields.text("labmouse") != "mms record") fields.fail("is not the header of a record of mms");
-  if (fields.whole("format", 0, largest) != 1) fields.fail("has a format other than 1, which this version does not know");
+  if (fields.whole("format", 0, largest) != 1)
+    fields.fail("has a format other than 1, which this version does not know");
   file.version = fields.text("version");
   for (const char* key : {"maze", "mouse"})
     if (!fields.has(key)) fields.reject(fmt::format("'{}' is missing", key));
@@ -123,9 +124,9 @@ std::string read_line(const Json& json, MmsRecordFile& file) {
 
 ReadMmsRecordResult read_mms_record(std::string_view text) {
   MmsRecordFile file;
-  std::vector<Problem> problems = read_json_lines(text, {[&](const Json& line) { return read_header(line, file); },
-                                                         [&](const Json& line) { return read_line(line, file); },
-                                                         [&] { return !file.end; }});
+  std::vector<Problem> problems =
+      read_json_lines(text, {[&](const Json& line) { return read_header(line, file); },
+                             [&](const Json& line) { return read_line(line, file); }, [&] { return !file.end; }});
   if (!problems.empty()) return {std::nullopt, std::move(problems)};
   return {std::move(file), {}};
 }

@@ -4,8 +4,8 @@
 
 #include <charconv>
 
-#include "labmouse/lab/text/json_fields.hpp"
 #include "labmouse/lab/records/record_parts.hpp"
+#include "labmouse/lab/text/json_fields.hpp"
 
 namespace labmouse {
 namespace {
@@ -26,7 +26,8 @@ std::string text_of(const Action& action) {
   if (action.kind == Action::Kind::reset) return {reset_letter};
   if (action.kind == Action::Kind::forfeit) return fmt::format("!{};", name_of(action.reason));
   if (!usual(action)) return fmt::format("({},{})", action.rotation, action.movement);
-  return {static_cast<char>(first_letter + (action.rotation / 90 + 1) * usual_movements + action.movement + usual_movement)};
+  return {static_cast<char>(first_letter + (action.rotation / 90 + 1) * usual_movements + action.movement +
+                            usual_movement)};
 }
 
 Action usual_step(char letter) {

@@ -19,10 +19,10 @@
 
 namespace labmouse {
 
-/// `mouse`, `maze` (its name), `seed` (as a text where it is above 2^53, which JavaScript would round), `actions` (a text,
-/// about one character a step), `outcome` unless the record breaks off, the `rules` where they are not those of the
-/// capstone, and `last_words` and `counts` where there are any. Reasons are left out: a mouse of the roster has them again
-/// when it is run again.
+/// `mouse`, `maze` (its name), `seed` (as a text where it is above 2^53, which JavaScript would round), `actions` (a
+/// text, about one character a step), `outcome` unless the record breaks off, the `rules` where they are not those of
+/// the capstone, and `last_words` and `counts` where there are any. Reasons are left out: a mouse of the roster has
+/// them again when it is run again.
 nlohmann::ordered_json pack_record(const RecordFile& file);
 
 /// A record, or why the JSON is none: exactly one of the two is there.

@@ -25,12 +25,12 @@ struct RecordFile {
   std::string maze_name;
   std::optional<Maze> maze;  ///< always there when written
   std::string mouse;
-  Settings settings;         ///< written, not read back
+  Settings settings;  ///< written, not read back
   std::uint64_t seed = 0;
   Rules rules;
-  std::string version;       ///< of the program that wrote it; a writer puts its own
+  std::string version;  ///< of the program that wrote it; a writer puts its own
   RunRecord run;
-  bool ended = true;         ///< false where the last line, with the outcome, is missing
+  bool ended = true;               ///< false where the last line, with the outcome, is missing
   std::vector<GivenFields> given;  ///< of each step as it was read; a step beyond them has all
   GivenFields given_end;           ///< of the last line, which has only a cell and a heading of them
 };

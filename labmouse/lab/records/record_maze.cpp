@@ -45,7 +45,8 @@ std::optional<Maze> read_record_maze(RecordFields& fields) {
   const ReadResult read = drawing_format.read(drawing);
   if (!read.maze) {
     const Problem& first = read.problems.front();
-    return fields.fail(fmt::format("has a bad drawing, row {}, column {}: {}", first.line, first.column, first.reason)), std::nullopt;
+    return fields.fail(fmt::format("has a bad drawing, row {}, column {}: {}", first.line, first.column, first.reason)),
+           std::nullopt;
   }
   const Cell start = fields.has("start") ? fields.cell("start") : read.maze->start();
   const Heading heading = fields.has("heading") ? fields.heading("heading") : read.maze->start_heading();

@@ -41,8 +41,8 @@ std::string read_record_counts(const nlohmann::json& json, std::vector<Count>& c
 }
 
 std::optional<Outcome> outcome_of(std::string_view name) {
-  for (const Outcome outcome : {Outcome::solved, Outcome::out_of_steps, Outcome::never_reset,
-                                Outcome::speed_run_unfinished, Outcome::forfeit})
+  for (const Outcome outcome :
+       {Outcome::solved, Outcome::out_of_steps, Outcome::never_reset, Outcome::speed_run_unfinished, Outcome::forfeit})
     if (name_of(outcome) == name) return outcome;
   return std::nullopt;
 }

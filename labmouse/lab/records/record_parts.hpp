@@ -13,7 +13,7 @@
 namespace labmouse {
 
 // Limits on what a hostile record can make us hold.
-inline constexpr int longest_record = 1'000'000;                // steps
+inline constexpr int longest_record = 1'000'000;              // steps
 inline constexpr std::size_t longest_last_words = 1U << 16U;  // bytes
 
 /// Reads the object `rules` over those that are there; returns what is wrong, or nothing.

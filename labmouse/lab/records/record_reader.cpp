@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
-#include "labmouse/lab/text/json_lines.hpp"
-#include "labmouse/lab/text/json_fields.hpp"
 #include "labmouse/lab/records/record_file.hpp"
 #include "labmouse/lab/records/record_maze.hpp"
 #include "labmouse/lab/records/record_parts.hpp"
 #include "labmouse/lab/records/record_reasons.hpp"
+#include "labmouse/lab/text/json_fields.hpp"
+#include "labmouse/lab/text/json_lines.hpp"
 
 namespace labmouse {
 namespace {
@@ -33,9 +33,11 @@ std::string read_mouse_field(const Json& json, RecordFile& file) {
 /// Reads the header into the file; returns what is wrong, or nothing.
 std::string read_header(const Json& json, RecordFile& file) {
   Fields fields(json, "");
-  if (fields.text("labmouse") == "mms record") fields.fail("is the header of a record of mms, which is drawn but not played again");
+  if (fields.text("labmouse") == "mms record")
+    fields.fail("is the header of a record of mms, which is drawn but not played again");
   if (fields.text("labmouse") != "record") fields.fail("is not the header of a record");
-  if (fields.whole("format", 0, 1'000'000) != 1) fields.fail("has a format other than 1, which this version does not know");
+  if (fields.whole("format", 0, 1'000'000) != 1)
+    fields.fail("has a format other than 1, which this version does not know");
   if (!fields.error().empty()) return fields.error();
   if (fields.has("version")) file.version = fields.text("version");
   if (fields.has("seed") && !json["seed"].is_number_unsigned()) return "'seed' is not a number from 0 to 2^64 - 1";
@@ -136,9 +138,9 @@ ReadRecordResult read_record(std::string_view text) {
   file.maze_name = "maze";
   file.mouse = "robot";
   file.ended = false;
-  std::vector<Problem> problems = read_json_lines(text, {[&](const Json& line) { return read_header(line, file); },
-                                                         [&](const Json& line) { return read_line(line, file); },
-                                                         [&] { return !file.ended; }});
+  std::vector<Problem> problems =
+      read_json_lines(text, {[&](const Json& line) { return read_header(line, file); },
+                             [&](const Json& line) { return read_line(line, file); }, [&] { return !file.ended; }});
   if (!problems.empty()) return {std::nullopt, std::move(problems)};
   return {std::move(file), {}};
 }

@@ -33,7 +33,8 @@ Wall read_wall(RecordFields& fields, Size size) {
   const json& wall = fields.list("wall");
   const bool named = wall.size() == 3 && (wall[2] == name_of(Heading::north) || wall[2] == name_of(Heading::east));
   if (!named) return fields.fail("has a wall that is not [x, y, \"north\" or \"east\"]"), Wall();
-  const Wall read = {fields.cell(json::array({wall[0], wall[1]}), "wall"), wall[2] == "north" ? Heading::north : Heading::east};
+  const Wall read = {fields.cell(json::array({wall[0], wall[1]}), "wall"),
+                     wall[2] == "north" ? Heading::north : Heading::east};
   if (on_border(read, size)) fields.fail("has a wall that is none inside of the maze");
   return read;
 }

@@ -29,9 +29,12 @@ Json header_json(const RecordFile& file) {
 
 Json action_json(const Action& action) {
   switch (action.kind) {
-    case Action::Kind::step: return Json{action.rotation, action.movement};
-    case Action::Kind::reset: return "reset";
-    case Action::Kind::forfeit: return "forfeit: " + std::string(name_of(action.reason));
+    case Action::Kind::step:
+      return Json{action.rotation, action.movement};
+    case Action::Kind::reset:
+      return "reset";
+    case Action::Kind::forfeit:
+      return "forfeit: " + std::string(name_of(action.reason));
   }
   return nullptr;
 }
@@ -48,12 +51,10 @@ Json step_json(const StepRecord& step) {
 
 Json end_json(const RecordFile& file) {
   const Score result = score(file.run, file.rules);
-  Json end = {{"outcome", name_of(result.outcome)},
-              {"cell", cell_json(file.run.end.cell)},
-              {"heading", name_of(file.run.end.heading)},
-              {"exploration_steps", result.exploration_steps},
-              {"speed_steps", result.speed_steps},
-              {"score", result.value ? Json(*result.value) : Json(nullptr)}};
+  Json end = {
+      {"outcome", name_of(result.outcome)},       {"cell", cell_json(file.run.end.cell)},
+      {"heading", name_of(file.run.end.heading)}, {"exploration_steps", result.exploration_steps},
+      {"speed_steps", result.speed_steps},        {"score", result.value ? Json(*result.value) : Json(nullptr)}};
   if (!file.run.last_words.empty()) end["last_words"] = file.run.last_words;
   for (const Count& count : file.run.counts) end["counts"][count.name] = count.value;
   return end;
@@ -66,7 +67,8 @@ std::string write_record(const RecordFile& file) {
   auto reasons = file.run.reasons.begin();
   for (const StepRecord& step : file.run.steps) {
     Json json = step_json(step);
-    if (reasons != file.run.reasons.end() && reasons->step == step.step) json["reasons"] = reasons_json(reasons++->reasons);
+    if (reasons != file.run.reasons.end() && reasons->step == step.step)
+      json["reasons"] = reasons_json(reasons++->reasons);
     text += record_line(json);
   }
   return text + record_line(end_json(file));

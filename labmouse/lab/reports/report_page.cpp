@@ -6,15 +6,15 @@
 #include <nlohmann/json.hpp>
 
 #include "labmouse/lab/bounds/bounds.hpp"
-#include "labmouse/lab/text/counted.hpp"
-#include "labmouse/lab/system/files.hpp"
 #include "labmouse/lab/mazes/maze_files.hpp"
 #include "labmouse/lab/mazes/maze_link.hpp"
-#include "labmouse/lab/text/packing.hpp"
-#include "labmouse/lab/text/printable.hpp"
 #include "labmouse/lab/races/race_paths.hpp"
 #include "labmouse/lab/reports/report_records.hpp"
+#include "labmouse/lab/system/files.hpp"
 #include "labmouse/lab/system/version.hpp"
+#include "labmouse/lab/text/counted.hpp"
+#include "labmouse/lab/text/packing.hpp"
+#include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
 namespace {
@@ -82,7 +82,8 @@ ReportPage make_report(const std::string& path, std::string_view page) {
   const bool is_folder = fs::is_directory(path, unknown);
   const std::string file = is_folder ? (fs::path(path) / results_file_name).string() : path;
   if (is_folder && !fs::exists(file, unknown))
-    return failed(shown(fmt::format("{}: error: has no {}; `labmouse race --out DIR` leaves one in its folder", path, results_file_name)));
+    return failed(shown(fmt::format("{}: error: has no {}; `labmouse race --out DIR` leaves one in its folder", path,
+                                    results_file_name)));
   const FileContent content = read_file(file, longest_results);
   if (!content.error.empty()) return failed(shown(fmt::format("{}: error: {}", file, content.error)));
   const ReadResultsResult read = read_report_results(content.content);

@@ -23,8 +23,8 @@ struct ReportPage {
 };
 
 /// The page (which must be one) with a race: `path` is the folder that a race left, or the JSON of a race. In it go the
-/// results as they are; the records that lie in the folder or beside the JSON; and the mazes, of the records or as long as
-/// they are found under their names.
+/// results as they are; the records that lie in the folder or beside the JSON; and the mazes, of the records or as long
+/// as they are found under their names.
 ReportPage make_report(const std::string& path, std::string_view page);
 
 }  // namespace labmouse

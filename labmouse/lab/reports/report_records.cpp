@@ -6,13 +6,13 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "labmouse/lab/text/counted.hpp"
-#include "labmouse/lab/system/files.hpp"
 #include "labmouse/lab/mazes/maze_files.hpp"
-#include "labmouse/lab/records/packed_record.hpp"
-#include "labmouse/lab/system/parallel.hpp"
-#include "labmouse/lab/text/printable.hpp"
 #include "labmouse/lab/races/race_paths.hpp"
+#include "labmouse/lab/records/packed_record.hpp"
+#include "labmouse/lab/system/files.hpp"
+#include "labmouse/lab/system/parallel.hpp"
+#include "labmouse/lab/text/counted.hpp"
+#include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
 namespace {
@@ -20,7 +20,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t longest_file = std::size_t{1} << 28U;  // bytes
-constexpr std::size_t block_size = 256;  // records that are in memory at a time
+constexpr std::size_t block_size = 256;                      // records that are in memory at a time
 
 /// A record that may lie in the folder.
 struct Place {
@@ -52,7 +52,8 @@ Found pack(const Place& place, const std::string& text) {
   RecordFile& file = *read.file;
   if (!file.maze) return failed(place, "the record has no maze");
   if (file.mouse != place.mouse->name || file.maze_name != *place.maze || !place.seeds->contains(file.seed))
-    return failed(place, fmt::format("is not of this race, but of {} in {} with seed {}", file.mouse, file.maze_name, file.seed));
+    return failed(
+        place, fmt::format("is not of this race, but of {} in {} with seed {}", file.mouse, file.maze_name, file.seed));
   const ReplayResult played = replay(file, *file.maze);
   if (!played.disagreement.empty()) return failed(place, "does not agree with its maze: " + played.disagreement);
   return {packed_text(pack_record(file)), file.maze, ""};
@@ -80,7 +81,8 @@ Found pack_mms(const Place& place, const std::string& text) {
   if (!read.file) return failed(place, read.problems.front());
   if (read.file->mouse != place.mouse->name || read.file->maze_name != *place.maze)
     return failed(place, fmt::format("is not of this race, but of {} in {}", read.file->mouse, read.file->maze_name));
-  return {packed_text({{"mouse", read.file->mouse}, {"maze", read.file->maze_name}, {"mms", text}}), read.file->maze, ""};
+  return {packed_text({{"mouse", read.file->mouse}, {"maze", read.file->maze_name}, {"mms", text}}), read.file->maze,
+          ""};
 }
 
 Found read_place(const Place& place) {
@@ -91,7 +93,8 @@ Found read_place(const Place& place) {
 
 /// Where the records of a world lie that the results speak of, in the order of the results; `missing` counts those that
 /// are not there.
-void add_places(const ReportWorld& world, bool mms, const std::string& folder, std::vector<Place>& places, int& missing) {
+void add_places(const ReportWorld& world, bool mms, const std::string& folder, std::vector<Place>& places,
+                int& missing) {
   std::vector<std::string> mice = names_of(world.mice), mazes = names_of(world.mazes);
   std::sort(mice.begin(), mice.end());
   std::sort(mazes.begin(), mazes.end());
@@ -121,7 +124,8 @@ class Shelf {
   void leave_out(std::size_t count) { left_out_ += count; }
 
   void add(const Place& place, Found found) {
-    if (found.note.empty() && found.maze && !place.mms && records_.mazes.try_emplace(*place.maze, *found.maze).first->second != *found.maze)
+    if (found.note.empty() && found.maze && !place.mms &&
+        records_.mazes.try_emplace(*place.maze, *found.maze).first->second != *found.maze)
       found = failed(place, "its maze is not the one that other records of this race have under that name");
     if (!found.note.empty()) return records_.notes.push_back(std::move(found.note));
     if (full() || found.packed.size() > room_) return leave_out(1);

@@ -21,8 +21,8 @@ struct ReportRecords {
   std::vector<std::string> notes;
 };
 
-/// Reads the records that lie in the folder of a race, by the names that RacePaths gives: of each mouse and maze the first.
-/// One that cannot be read, or that is not of this race, is left out and noted.
+/// Reads the records that lie in the folder of a race, by the names that RacePaths gives: of each mouse and maze the
+/// first. One that cannot be read, or that is not of this race, is left out and noted.
 ReportRecords read_report_records(const ReportResults& results, const std::string& folder,
                                   std::size_t most_bytes = most_packed_bytes);
 

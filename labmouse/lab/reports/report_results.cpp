@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int most_depth = 32;  // a race's JSON is 7 deep
+constexpr int most_depth = 32;                                 // a race's JSON is 7 deep
 constexpr std::size_t longest_header = std::size_t{1} << 20U;  // bytes of the first line of a record
 constexpr const char* how_to_make = "make one with `labmouse race --format json` or `--out`";
 
@@ -46,7 +46,8 @@ class Reading {
     return nothing;
   }
   void wrong(const std::string& path, const char* key, const char* reason) {
-    if (error_.empty()) error_ = fmt::format("is not the JSON of a race: '{}{}' {}; {}", path, key, reason, how_to_make);
+    if (error_.empty())
+      error_ = fmt::format("is not the JSON of a race: '{}{}' {}; {}", path, key, reason, how_to_make);
   }
 
   std::string error_;
@@ -71,7 +72,8 @@ ReportMaze read_raced_maze(const Json& json, const std::string& path, Reading& r
     return static_cast<int>(std::min<std::uint64_t>(reading.number(json, key, path), max_side + 1));
   };
   maze.size = {side("width"), side("height")};
-  if (json.is_object() && json.contains("optimum") && json["optimum"].is_number_unsigned()) maze.optimum = json["optimum"].get<int>();
+  if (json.is_object() && json.contains("optimum") && json["optimum"].is_number_unsigned())
+    maze.optimum = json["optimum"].get<int>();
   return maze;
 }
 
@@ -104,7 +106,8 @@ std::string what_it_is(std::string_view text) {
   const Json first = Json::parse(text.substr(0, std::min(text.find('\n'), longest_header)), nullptr, false);
   const Json kind = first.is_object() ? first.value("labmouse", Json()) : Json();
   if (kind == "record") return "is the record of one contest, not a race; `labmouse show --record` draws it";
-  if (kind == "drive record") return "is the record of one contest in seconds, not a race; `labmouse show --record` draws it";
+  if (kind == "drive record")
+    return "is the record of one contest in seconds, not a race; `labmouse show --record` draws it";
   if (kind == "mms record") return "is the record of one run of a program for mms, not a race";
   if (text.starts_with("mouse,maze,")) return fmt::format("is the CSV of a race, which lacks much; {}", how_to_make);
   if (text.starts_with("<!doctype html")) return "is a page already";
@@ -124,7 +127,9 @@ std::optional<Problem> parse(std::string_view text, Json& json) {
   } catch (const Json::parse_error& error) {
     return problem_at(text, error.byte, "is not JSON from here on");
   }
-  if (deep) return Problem{0, 0, fmt::format("is not the JSON of a race: more than {} lists or objects in each other", most_depth)};
+  if (deep)
+    return Problem{0, 0,
+                   fmt::format("is not the JSON of a race: more than {} lists or objects in each other", most_depth)};
   return std::nullopt;
 }
 
@@ -135,7 +140,10 @@ ReadResultsResult read_report_results(std::string_view text) {
   Json json;
   if (auto problem = parse(text, json)) return {std::nullopt, std::move(problem)};
   if (is_race_in_seconds(json))
-    return {std::nullopt, Problem{0, 0, "is a race in seconds, of which there are no reports; its records can be opened in `labmouse page`"}};
+    return {
+        std::nullopt,
+        Problem{0, 0,
+                "is a race in seconds, of which there are no reports; its records can be opened in `labmouse page`"}};
   Reading reading;
   reading.text(json, "labmouse", "");
   ReportResults results;

@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include "labmouse/lab/robots/builtin_rules.hpp"
 #include "labmouse/lab/mazes/maze_files.hpp"
+#include "labmouse/lab/robots/builtin_rules.hpp"
 #include "labmouse/lab/system/named_text.hpp"
 #include "labmouse/lab/text/printable.hpp"
 #include "labmouse/lab/text/toml_text.hpp"
@@ -35,7 +35,8 @@ constexpr std::array<std::string_view, 7> keys = {"source",        "time_limit",
 constexpr std::string_view gate_to_gate = "gate to gate", rest_to_centre = "rest to centre";
 
 std::string range_of(const RulesNumber& number) {
-  return fmt::format("a {} from {:g} to {:g}", number.whole ? "whole number" : "number of seconds", number.low, number.high);
+  return fmt::format("a {} from {:g} to {:g}", number.whole ? "whole number" : "number of seconds", number.low,
+                     number.high);
 }
 
 /// Takes the values out of a table, and notes what is wrong with it.

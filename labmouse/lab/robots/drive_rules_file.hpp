@@ -26,8 +26,8 @@ struct FoundRules {
   std::vector<std::string> errors;
 };
 
-/// The built-in rules of that name, or those of a file, whose name has a slash or ends in `.toml`. Rules' own name is the one
-/// given here.
+/// The built-in rules of that name, or those of a file, whose name has a slash or ends in `.toml`. Rules' own name is
+/// the one given here.
 FoundRules find_rules(const std::string& name);
 
 }  // namespace labmouse

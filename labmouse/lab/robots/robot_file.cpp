@@ -14,7 +14,8 @@ namespace {
 
 /// A number as it stands in the file.
 std::string written(const toml::node& number) {
-  return number.is_integer() ? fmt::format("{}", number.as_integer()->get()) : fmt::format("{}", number.as_floating_point()->get());
+  return number.is_integer() ? fmt::format("{}", number.as_integer()->get())
+                             : fmt::format("{}", number.as_floating_point()->get());
 }
 
 /// The section and the rest of a key: "straight" and "speed"; no section for "cell".
@@ -58,11 +59,13 @@ class RobotReader {
     const toml::node* found = node(key.name);
     if (found == nullptr) return key.needed && forms_.has(key) ? missing(key) : void();
     if (!forms_.has(key)) return add(found->source().begin, fmt::format("'{}' {}", key.name, why_not(key, forms_)));
-    if (!found->is_number()) return add(found->source().begin, fmt::format("'{}' must be a number of {}", key.name, key.unit));
+    if (!found->is_number())
+      return add(found->source().begin, fmt::format("'{}' must be a number of {}", key.name, key.unit));
     // A whole number that a double cannot hold is far out of any range.
     const double value = found->value<double>().value_or(std::numeric_limits<double>::infinity());
     if (!(value >= key.low && value <= key.high) || (key.whole && !found->is_integer()))
-      add(found->source().begin, fmt::format("'{}' is {}; it must be {}{}", key.name, written(*found), range_of(key), hint_of(key, value)));
+      add(found->source().begin,
+          fmt::format("'{}' is {}; it must be {}{}", key.name, written(*found), range_of(key), hint_of(key, value)));
   }
 
   void missing(const RobotKey& key) {
@@ -106,8 +109,8 @@ class RobotReader {
 DriveTime time_of(const RobotReader& reader, std::string_view key) { return microseconds(reader.number(key) / 1e3); }
 
 FixedTimes fixed_times(const RobotReader& reader) {
-  return {reader.number("turns.speed"),    time_of(reader, "turns.45"),  time_of(reader, "turns.90"),
-          time_of(reader, "turns.135"),    time_of(reader, "turns.180"), time_of(reader, "turns.V90"),
+  return {reader.number("turns.speed"), time_of(reader, "turns.45"),  time_of(reader, "turns.90"),
+          time_of(reader, "turns.135"), time_of(reader, "turns.180"), time_of(reader, "turns.V90"),
           time_of(reader, "turns.S90")};
 }
 

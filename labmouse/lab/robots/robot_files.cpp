@@ -1,7 +1,7 @@
 #include "labmouse/lab/robots/robot_files.hpp"
 
-#include "labmouse/lab/robots/builtin_robots.hpp"
 #include "labmouse/lab/mazes/maze_files.hpp"
+#include "labmouse/lab/robots/builtin_robots.hpp"
 #include "labmouse/lab/system/named_text.hpp"
 
 namespace labmouse {

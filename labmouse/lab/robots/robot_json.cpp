@@ -47,7 +47,8 @@ std::string toml_of(const nlohmann::json& parameters, RecordFields& fields) {
   if (!parameters.is_object()) return fields.reject("'robot.parameters' is not an object"), "";
   for (const auto& [name, value] : parameters.items()) {
     const bool plain = name.find_first_not_of("abcdefghijklmnopqrstuvwxyzSV0123456789._") == std::string::npos;
-    if (!plain || !value.is_number()) return fields.reject("'robot.parameters' has a key or a value that no robot has"), "";
+    if (!plain || !value.is_number())
+      return fields.reject("'robot.parameters' has a key or a value that no robot has"), "";
     // One that is whole must stay so.
     text += fmt::format("{} = {}\n", name,
                         value.is_number_integer() ? value.dump() : fmt::format("{}", value.get<double>()));

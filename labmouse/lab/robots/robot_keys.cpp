@@ -58,11 +58,16 @@ std::string hint_of(const RobotKey& key, double value) {
 
 bool RobotForms::has(const RobotKey& key) const {
   switch (key.with) {
-    case With::curves: return !turns;
-    case With::turns: return turns;
-    case With::search_speed: return !search_times;
-    case With::search_times: return search_times;
-    default: return true;
+    case With::curves:
+      return !turns;
+    case With::turns:
+      return turns;
+    case With::search_speed:
+      return !search_times;
+    case With::search_times:
+      return search_times;
+    default:
+      return true;
   }
 }
 

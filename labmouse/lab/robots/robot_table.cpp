@@ -69,9 +69,9 @@ std::string robot_line(const Robot& robot, const DriveModel& model) {
   if (robot.fixed)
     return fmt::format("cells of {:g} mm, straights up to {:g} mm/s, {:g} mm/s between turns of given times",
                        robot.cell, robot.speed, robot.fixed->speed);
-  const auto [slowest, fastest] = std::minmax_element(
-      model.tables.turns.begin(), model.tables.turns.end(),
-      [](const DrivenTurn& a, const DrivenTurn& b) { return a.speed < b.speed; });
+  const auto [slowest, fastest] =
+      std::minmax_element(model.tables.turns.begin(), model.tables.turns.end(),
+                          [](const DrivenTurn& a, const DrivenTurn& b) { return a.speed < b.speed; });
   return fmt::format("cells of {:g} mm, straights up to {:g} mm/s, turns at {:.0f} to {:.0f} mm/s", robot.cell,
                      robot.speed, slowest->speed, fastest->speed);
 }

@@ -1,8 +1,8 @@
 #include <nlohmann/json.hpp>
 
 #include "labmouse/lab/records/drive_json.hpp"
-#include "labmouse/lab/standings/race_json.hpp"
 #include "labmouse/lab/routes/route_report.hpp"
+#include "labmouse/lab/standings/race_json.hpp"
 #include "labmouse/lab/system/version.hpp"
 #include "labmouse/mouse/robot/drive_profile.hpp"
 
@@ -47,7 +47,8 @@ Json report_json(const RouteReport& report, const NamedMaze& maze, const DriveMo
 
 }  // namespace
 
-std::string json_of(const std::vector<RouteReport>& reports, const std::vector<NamedMaze>& mazes, const DriveModel& model) {
+std::string json_of(const std::vector<RouteReport>& reports, const std::vector<NamedMaze>& mazes,
+                    const DriveModel& model) {
   Json json = {{"labmouse", version()},
                {"robot", model.robot.name},
                {"cell", model.tables.cell},

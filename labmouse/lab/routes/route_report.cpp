@@ -56,7 +56,8 @@ WallSet shortest_passages(const Maze& maze, const DistanceField& start, const Di
 }
 
 void add_fewest_cells(RouteReport& report, const Maze& maze, const DriveTables& tables) {
-  const DistanceField from_start = cells_from(maze, CellSet::of(maze.start())), to_goal = cells_from(maze, maze.goals());
+  const DistanceField from_start = cells_from(maze, CellSet::of(maze.start())),
+                      to_goal = cells_from(maze, maze.goals());
   report.fewest_cells = to_goal.at(maze.start());
   const DriveRoute route = fastest_route(maze, shortest_passages(maze, from_start, to_goal), tables);
   if (route.time < no_time && walls_of(route, tables).count() == report.fewest_cells)
@@ -84,8 +85,9 @@ RouteReport route_report(const Maze& maze, const DriveModel& model) {
   RouteReport report;
   report.route = fastest_route(maze, maze.open_walls(), model.tables);
   if (report.route.time >= no_time)
-    return without_route(fmt::format("no route leads {} from the start ({},{}) to a goal, and at the start a run cannot turn",
-                                     name_of(maze.start_heading()), maze.start().x, maze.start().y));
+    return without_route(
+        fmt::format("no route leads {} from the start ({},{}) to a goal, and at the start a run cannot turn",
+                    name_of(maze.start_heading()), maze.start().x, maze.start().y));
   report.cells = walls_of(report.route, model.tables).count();
   report.gate_to_gate = static_cast<DriveTime>(gate_to_gate_of(report.route, maze, model));
   report.without_diagonals = fastest_route(maze, maze.open_walls(), with_turns(model.tables, keeps_to_the_axes)).time;

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "labmouse/lab/records/drive_notation.hpp"
 #include "labmouse/lab/mazes/maze_files.hpp"
+#include "labmouse/lab/records/drive_notation.hpp"
 #include "labmouse/mouse/robot/drive_model.hpp"
 #include "labmouse/mouse/robot/route.hpp"
 
@@ -23,7 +23,8 @@ struct RouteReport {
   /// The same with the small turns of a search alone, S90.
   DriveTime small_turns = no_time;
   int fewest_cells = 0;  ///< that any route enters
-  /// The fastest route over passages that lie on routes of the fewest cells; nothing where that one enters more of them.
+  /// The fastest route over passages that lie on routes of the fewest cells; nothing where that one enters more of
+  /// them.
   std::optional<DriveTime> fewest_cells_time;
 
   /// The share of another route's time that this one saves; nothing where there is none, or no time passes.
@@ -41,6 +42,7 @@ std::string summary_of(const std::vector<RouteReport>& reports, const std::vecto
                        const DriveModel& model);
 
 /// All of the routes, with their segments.
-std::string json_of(const std::vector<RouteReport>& reports, const std::vector<NamedMaze>& mazes, const DriveModel& model);
+std::string json_of(const std::vector<RouteReport>& reports, const std::vector<NamedMaze>& mazes,
+                    const DriveModel& model);
 
 }  // namespace labmouse

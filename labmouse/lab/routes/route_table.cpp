@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 
+#include "labmouse/lab/routes/route_report.hpp"
 #include "labmouse/lab/text/counted.hpp"
 #include "labmouse/lab/text/printable.hpp"
-#include "labmouse/lab/routes/route_report.hpp"
 #include "labmouse/mouse/robot/drive_profile.hpp"
 
 namespace labmouse {
@@ -21,8 +21,8 @@ std::string place_text(const DriveNode& node) {
 }
 
 std::string segments_text(const DriveRoute& route, const DriveModel& model) {
-  std::string text = fmt::format("{:>3}  {:<6} {:<14} {:<14} {:>7} {:>5} {:>8} {:>8}\n", "", "", "from", "to", "mm/s in",
-                                 "out", "ms", "at s");
+  std::string text = fmt::format("{:>3}  {:<6} {:<14} {:<14} {:>7} {:>5} {:>8} {:>8}\n", "", "", "from", "to",
+                                 "mm/s in", "out", "ms", "at s");
   for (std::size_t i = 0; i < route.segments.size(); ++i) {
     const DriveSegment& segment = route.segments[i];
     const DriveProfile profile(model, route, i);
@@ -42,8 +42,8 @@ std::string gain_text(const RouteReport& report, DriveTime other) {
 }
 
 std::string gains_text(const RouteReport& report) {
-  return fmt::format("without diagonals: {}\nwith search turns alone, S90: {}\n", gain_text(report, report.without_diagonals),
-                     gain_text(report, report.small_turns));
+  return fmt::format("without diagonals: {}\nwith search turns alone, S90: {}\n",
+                     gain_text(report, report.without_diagonals), gain_text(report, report.small_turns));
 }
 
 /// How much slower the best route of the fewest cells is, as a share; nothing where it is unknown.
@@ -76,7 +76,8 @@ std::string percent(const std::optional<double>& share) {
   return number(share ? std::optional(100.0 * *share) : std::nullopt, 1);
 }
 
-/// Fastest route, without diagonals and gain, with small turns and gain, cells, fewest cells, and how much slower those are.
+/// Fastest route, without diagonals and gain, with small turns and gain, cells, fewest cells, and how much slower those
+/// are.
 using Numbers = std::array<std::string, 8>;
 
 std::string summary_line(const Numbers& numbers, const std::string& maze) {
@@ -85,15 +86,19 @@ std::string summary_line(const Numbers& numbers, const std::string& maze) {
   return line + (maze.empty() ? "" : "  ") + maze + "\n";
 }
 
-std::optional<double> seconds_if_any(DriveTime time) { return time < no_time ? std::optional(seconds(time)) : std::nullopt; }
+std::optional<double> seconds_if_any(DriveTime time) {
+  return time < no_time ? std::optional(seconds(time)) : std::nullopt;
+}
 
 std::string line_of(const RouteReport& report, const NamedMaze& maze) {
-  if (!report.error.empty()) return summary_line({"none", "-", "-", "-", "-", "-", "-", "-"}, shown(maze.name) + ": " + report.error);
-  return summary_line({number(seconds(report.route.time), 3), number(seconds_if_any(report.without_diagonals), 3),
-                       percent(report.gain_over(report.without_diagonals)), number(seconds_if_any(report.small_turns), 3),
-                       percent(report.gain_over(report.small_turns)), fmt::format("{}", report.cells),
-                       fmt::format("{}", report.fewest_cells), percent(loss_of(report))},
-                      shown(maze.name));
+  if (!report.error.empty())
+    return summary_line({"none", "-", "-", "-", "-", "-", "-", "-"}, shown(maze.name) + ": " + report.error);
+  return summary_line(
+      {number(seconds(report.route.time), 3), number(seconds_if_any(report.without_diagonals), 3),
+       percent(report.gain_over(report.without_diagonals)), number(seconds_if_any(report.small_turns), 3),
+       percent(report.gain_over(report.small_turns)), fmt::format("{}", report.cells),
+       fmt::format("{}", report.fewest_cells), percent(loss_of(report))},
+      shown(maze.name));
 }
 
 /// Of the routes that there are: their medians, and in how many a longer way is faster.
@@ -115,18 +120,19 @@ std::string medians_text(const std::vector<RouteReport>& reports) {
   }
   const auto count = static_cast<int>(times.size());
   if (count == 0) return "";
-  std::string text =
-      summary_line({number(median(times), 3), number(median(without), 3), percent(median(gains)), number(median(small), 3),
-                    percent(median(small_gains)), number(median(cells), 0), number(median(fewest), 0), "-"},
-                   "median of " + counted(count, "maze", "mazes"));
+  std::string text = summary_line(
+      {number(median(times), 3), number(median(without), 3), percent(median(gains)), number(median(small), 3),
+       percent(median(small_gains)), number(median(cells), 0), number(median(fewest), 0), "-"},
+      "median of " + counted(count, "maze", "mazes"));
   text += fmt::format("\nIn {} of them ({:.1f} %) the fastest route enters more cells than it must", longer,
                       100.0 * longer / count);
   if (losses.empty()) return text + ".\n";
   double sum = 0.0;
   for (const double loss : losses) sum += loss;
-  return text + fmt::format("; there the fastest of the fewest cells is {:.1f} % slower on average, {:.1f} % at most.\n",
-                            100.0 * sum / static_cast<double>(losses.size()),
-                            100.0 * *std::max_element(losses.begin(), losses.end()));
+  return text +
+         fmt::format("; there the fastest of the fewest cells is {:.1f} % slower on average, {:.1f} % at most.\n",
+                     100.0 * sum / static_cast<double>(losses.size()),
+                     100.0 * *std::max_element(losses.begin(), losses.end()));
 }
 
 std::string robot_text(const DriveModel& model) {
@@ -144,17 +150,19 @@ std::string start_text(const Robot& robot) {
 
 std::string table_of(const RouteReport& report, const NamedMaze& maze, const DriveModel& model) {
   const std::string steps = notation_of(report.route, model.tables);
-  return fmt::format("{}: the fastest route of {}\n\n{}\n{}{}{:.3f} s from {} to the centre of the goal, {:.3f} s gate to gate\n",
-                     shown(maze.name), robot_text(model), segments_text(report.route, model), steps,
-                     steps.empty() ? "" : "\n\n", seconds(report.route.time), start_text(model.robot),
-                     seconds(report.gate_to_gate)) +
+  return fmt::format(
+             "{}: the fastest route of {}\n\n{}\n{}{}{:.3f} s from {} to the centre of the goal, {:.3f} s gate to "
+             "gate\n",
+             shown(maze.name), robot_text(model), segments_text(report.route, model), steps,
+             steps.empty() ? "" : "\n\n", seconds(report.route.time), start_text(model.robot),
+             seconds(report.gate_to_gate)) +
          gains_text(report) + fewest_text(report);
 }
 
 std::string summary_of(const std::vector<RouteReport>& reports, const std::vector<NamedMaze>& mazes,
                        const DriveModel& model) {
-  std::string text = fmt::format("The fastest routes of {}: seconds from {} to the centre of the goal\n\n", robot_text(model),
-                                 start_text(model.robot));
+  std::string text = fmt::format("The fastest routes of {}: seconds from {} to the centre of the goal\n\n",
+                                 robot_text(model), start_text(model.robot));
   text += summary_line({"fastest", "without", "", "S90", "", "cells", "fewest", "fewest"}, "");
   text += summary_line({"route", "diag.", "gain %", "alone", "gain %", "entered", "cells", "+ %"}, "maze");
   for (std::size_t i = 0; i < reports.size(); ++i) text += line_of(reports[i], mazes[i]);

@@ -4,8 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "labmouse/lab/text/printable.hpp"
 #include "labmouse/lab/standings/standings.hpp"
+#include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
 namespace {
@@ -17,9 +17,11 @@ constexpr double absurd = 1e6;  // no contest takes so many steps: whoever wrote
 
 /// Reads one result of a mouse into its scores; false where it is none.
 bool read_result(const Json& result, double failure_score, Scores& scores) {
-  if (!result.is_object() || !result.contains("maze") || !result["maze"].is_string() || !result.contains("score")) return false;
+  if (!result.is_object() || !result.contains("maze") || !result["maze"].is_string() || !result.contains("score"))
+    return false;
   const Json& score = result["score"];
-  if (!score.is_null() && !(score.is_number() && score.get<double>() >= 0.0 && score.get<double>() < absurd)) return false;
+  if (!score.is_null() && !(score.is_number() && score.get<double>() >= 0.0 && score.get<double>() < absurd))
+    return false;
   scores[result["maze"].get<std::string>()].push_back(score.is_null() ? failure_score : score.get<double>());
   return true;
 }

@@ -1,12 +1,12 @@
 #include <fmt/format.h>
 
 #include "labmouse/lab/records/drive_json.hpp"
+#include "labmouse/lab/records/settings_json.hpp"
+#include "labmouse/lab/robots/robot_json.hpp"
 #include "labmouse/lab/standings/drive_report.hpp"
 #include "labmouse/lab/standings/drive_standings.hpp"
-#include "labmouse/lab/text/printable.hpp"
 #include "labmouse/lab/standings/race_json.hpp"
-#include "labmouse/lab/robots/robot_json.hpp"
-#include "labmouse/lab/records/settings_json.hpp"
+#include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
 namespace {
@@ -23,7 +23,8 @@ Json maze_json(const NamedMaze& maze, const DriveBound& bound) {
 
 std::string outcome_text(const DriveResult& result) {
   const std::string outcome(name_of(result.score.outcome));
-  return result.score.outcome == DriveOutcome::forfeit ? fmt::format("{}: {}", outcome, name_of(result.reason)) : outcome;
+  return result.score.outcome == DriveOutcome::forfeit ? fmt::format("{}: {}", outcome, name_of(result.reason))
+                                                       : outcome;
 }
 
 Json result_json(const DriveRace& race, const DriveResult& result) {
@@ -78,9 +79,12 @@ std::string csv_line(const DriveRace& race, const DriveResult& result) {
 
 Json group_json(const DriveRace& race) {
   const DriveModel& model = *race.order.model;
-  Json json = {{"world", "seconds"},          {"formula", formula_of(race.order.rules)},
-               {"rules", rules_json(race.order.rules)}, {"robot", robot_json(model.robot)},
-               {"tables", hash_text(model.tables.hash)}, {"stopped", race.stopped}};
+  Json json = {{"world", "seconds"},
+               {"formula", formula_of(race.order.rules)},
+               {"rules", rules_json(race.order.rules)},
+               {"robot", robot_json(model.robot)},
+               {"tables", hash_text(model.tables.hash)},
+               {"stopped", race.stopped}};
   json["mazes"] = Json::array();
   for (std::size_t i = 0; i < race.mazes.size(); ++i) json["mazes"].push_back(maze_json(race.mazes[i], race.bounds[i]));
   json["mice"] = Json::array();
@@ -101,7 +105,8 @@ std::string json_of(const DriveRace& race, const std::vector<SkippedFile>& skipp
 
 std::string csv_of(const DriveRace& race) {
   std::string text =
-      "mouse,maze,seed,outcome,score_us,gate_to_gate_us,rest_to_centre_us,search_us,best_us,fastest_us,bound_us,proven,starts,"
+      "mouse,maze,seed,outcome,score_us,gate_to_gate_us,rest_to_centre_us,search_us,best_us,fastest_us,bound_us,proven,"
+      "starts,"
       "decisions\n";
   for (const DriveResult& result : race.results)
     if (result.done) text += csv_line(race, result);

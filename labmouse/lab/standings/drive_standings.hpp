@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "labmouse/lab/races/drive_race.hpp"
 #include "labmouse/lab/numbers/statistics.hpp"
+#include "labmouse/lab/races/drive_race.hpp"
 
 namespace labmouse {
 
@@ -17,11 +17,11 @@ struct DriveStanding {
   int scored = 0;         ///< those in which a run counts
   /// Over the scored contests, in seconds; nothing where there is none.
   std::optional<double> mean_score;
-  Interval interval;                    ///< of the mean score over mazes
-  std::optional<double> mean_ratio;     ///< score over the bound, both before a bonus
+  Interval interval;                 ///< of the mean score over mazes
+  std::optional<double> mean_ratio;  ///< score over the bound, both before a bonus
   std::optional<double> mean_search;
-  std::optional<double> mean_best;      ///< run, from rest to the centre
-  std::optional<double> mean_excess;    ///< of the best run over the fastest possible one, as a share of that
+  std::optional<double> mean_best;    ///< run, from rest to the centre
+  std::optional<double> mean_excess;  ///< of the best run over the fastest possible one, as a share of that
   std::optional<double> mean_starts;
   int optimal = 0;  ///< contests whose best run is a fastest possible one
   int proven = 0;   ///< those in which the mouse knew that no faster route could exist
@@ -36,8 +36,8 @@ std::vector<DriveStanding> drive_standings_of(const DriveRace& race);
 /// Whether a contest enters the means: it is done, and some mouse could score in its maze.
 bool counts(const DriveRace& race, const DriveResult& result);
 
-/// How much longer the best run took than the fastest possible one, as a share; nothing without a run or where that takes no
-/// time.
+/// How much longer the best run took than the fastest possible one, as a share; nothing without a run or where that
+/// takes no time.
 std::optional<double> excess_of(const DriveRace& race, const DriveResult& result);
 
 }  // namespace labmouse

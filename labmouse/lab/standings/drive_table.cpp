@@ -4,12 +4,12 @@
 #include <array>
 #include <map>
 
-#include "labmouse/lab/text/counted.hpp"
+#include "labmouse/lab/mice/mouse_names.hpp"
 #include "labmouse/lab/standings/drive_report.hpp"
 #include "labmouse/lab/standings/drive_standings.hpp"
-#include "labmouse/lab/mice/mouse_names.hpp"
-#include "labmouse/lab/text/printable.hpp"
 #include "labmouse/lab/system/version.hpp"
+#include "labmouse/lab/text/counted.hpp"
+#include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
 namespace {
@@ -30,12 +30,13 @@ std::vector<std::string> mouse_column(const DriveRace& race) {
 using Line = std::array<std::string, 11>;
 
 std::string laid_out(const Line& line, std::size_t width) {
-  return fmt::format("{:<{}} {:>8} {:>7} {:>13} {:>6} {:>7} {:>7} {:>6} {:>5} {:>6} {:>4}", line[0], width, line[1], line[2],
-                     line[3], line[4], line[5], line[6], line[7], line[8], line[9], line[10]);
+  return fmt::format("{:<{}} {:>8} {:>7} {:>13} {:>6} {:>7} {:>7} {:>6} {:>5} {:>6} {:>4}", line[0], width, line[1],
+                     line[2], line[3], line[4], line[5], line[6], line[7], line[8], line[9], line[10]);
 }
 
 std::string interval_text(const Interval& interval) {
-  return fmt::format("{:.2f}{}{:.2f}", interval.low, interval.low < 0 || interval.high < 0 ? " to " : "-", interval.high);
+  return fmt::format("{:.2f}{}{:.2f}", interval.low, interval.low < 0 || interval.high < 0 ? " to " : "-",
+                     interval.high);
 }
 
 Line line_of(const DriveStanding& standing, const std::string& name) {
@@ -79,19 +80,23 @@ std::optional<double> mean_bound(const DriveRace& race) {
 std::string notes_of(const DriveRace& race, const std::vector<std::string>& names) {
   const DriveModel& model = *race.order.model;
   std::string notes = fmt::format(
-      "Rules {}: {}. Lower is better; most contests scored first.\nRobot {}, cells of {:g} mm. Search ends where the first fast "
-      "run begins; best runs from rest to the centre.\nBound, {} s on average: the fastest route, driven by a mouse that knows "
+      "Rules {}: {}. Lower is better; most contests scored first.\nRobot {}, cells of {:g} mm. Search ends where the "
+      "first fast "
+      "run begins; best runs from rest to the centre.\nBound, {} s on average: the fastest route, driven by a mouse "
+      "that knows "
       "the maze but has to search a way there first.\n",
       shown(race.order.rules.name), formula_of(race.order.rules), shown(model.robot.name), model.tables.cell,
       number(mean_bound(race), 3));
   const auto none = std::count_if(race.bounds.begin(), race.bounds.end(), [](const DriveBound& b) { return !b.score; });
   if (none > 0)
-    notes += fmt::format("{} in which no mouse could score: not counted.\n", counted(static_cast<int>(none), "maze", "mazes"));
+    notes += fmt::format("{} in which no mouse could score: not counted.\n",
+                         counted(static_cast<int>(none), "maze", "mazes"));
   for (std::size_t mouse = 0; mouse < race.mice.size(); ++mouse)
     if (const std::string failures = failures_of(race, mouse); !failures.empty())
       notes += fmt::format("{} without a score: {}.\n", names[mouse], failures);
   if (race.stopped) {
-    const auto done = std::count_if(race.results.begin(), race.results.end(), [](const DriveResult& r) { return r.done; });
+    const auto done =
+        std::count_if(race.results.begin(), race.results.end(), [](const DriveResult& r) { return r.done; });
     notes += fmt::format("Stopped early: {} of {} contests done.\n", done, race.results.size());
   }
   return notes;
@@ -102,9 +107,11 @@ std::string notes_of(const DriveRace& race, const std::vector<std::string>& name
 std::string formula_of(const DriveRules& rules) {
   std::string text = fmt::format("the best of at most {} in {:g} s, {}", counted(rules.most_runs, "run", "runs"),
                                  seconds(rules.time_limit), rules.gate_to_gate ? "gate to gate" : "rest to centre");
-  if (rules.maze_time_divisor > 0) text += fmt::format(", plus {}the time in the maze before it", share_of(rules.maze_time_divisor));
+  if (rules.maze_time_divisor > 0)
+    text += fmt::format(", plus {}the time in the maze before it", share_of(rules.maze_time_divisor));
   if (rules.untouched_bonus > 0) text += fmt::format(", less {:g} s untouched", seconds(rules.untouched_bonus));
-  if (rules.touch_penalty > 0) text += fmt::format(", {:g} s for a touch, which never happens here", seconds(rules.touch_penalty));
+  if (rules.touch_penalty > 0)
+    text += fmt::format(", {:g} s for a touch, which never happens here", seconds(rules.touch_penalty));
   return text;
 }
 

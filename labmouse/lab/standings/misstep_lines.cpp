@@ -25,8 +25,10 @@ std::array<std::string, all_kinds.size()> words_for(bool one, const Rules& rules
 
 /// What a race says of each kind, behind its number: of one and of several.
 constexpr std::array<std::array<std::string_view, 2>, all_kinds.size()> short_words = {
-    {{"blocked by a wall", "blocked by walls"}, {"void rotation", "void rotations"},
-     {"cut movement", "cut movements"}, {"idle reset", "idle resets"}}};
+    {{"blocked by a wall", "blocked by walls"},
+     {"void rotation", "void rotations"},
+     {"cut movement", "cut movements"},
+     {"idle reset", "idle resets"}}};
 
 /// "step 7 at (0,6) heading north: turn -90, move +1".
 std::string step_words(const RunRecord& run, int number) {
@@ -51,7 +53,8 @@ std::string counts_of(const Race& race, std::size_t mouse) {
   std::string first, words;
   for (const ContestResult& contest : race.results) {
     if (contest.mouse != mouse || !contest.done) continue;
-    for (std::size_t kind = 0; kind < all_kinds.size(); ++kind) steps[kind] += (contest.missteps.*all_kinds[kind]).steps;
+    for (std::size_t kind = 0; kind < all_kinds.size(); ++kind)
+      steps[kind] += (contest.missteps.*all_kinds[kind]).steps;
     if (const int step = first_step(contest.missteps); step > 0 && first.empty())
       first = fmt::format("; first in {}{}, step {}", shown(race.mazes[contest.maze].name),
                           contest.run > 0 ? fmt::format(", run {}", contest.run + 1) : "", step);
@@ -66,9 +69,12 @@ std::string counts_of(const Race& race, std::size_t mouse) {
 
 std::string action_words(const Action& action) {
   switch (action.kind) {
-    case Action::Kind::step: return fmt::format("turn {:+d}, move {:+d}", action.rotation, action.movement);
-    case Action::Kind::reset: return "reset";
-    case Action::Kind::forfeit: return fmt::format("forfeit: {}", name_of(action.reason));
+    case Action::Kind::step:
+      return fmt::format("turn {:+d}, move {:+d}", action.rotation, action.movement);
+    case Action::Kind::reset:
+      return "reset";
+    case Action::Kind::forfeit:
+      return fmt::format("forfeit: {}", name_of(action.reason));
   }
   return "";
 }

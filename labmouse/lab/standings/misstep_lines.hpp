@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "labmouse/lab/records/record_file.hpp"
 #include "labmouse/lab/races/tournament.hpp"
+#include "labmouse/lab/records/record_file.hpp"
 
 namespace labmouse {
 

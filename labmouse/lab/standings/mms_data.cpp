@@ -82,8 +82,11 @@ std::string csv_line(const MmsRace& race, const MmsResult& result) {
 }  // namespace
 
 Json group_json(const MmsRace& race) {
-  Json json = {{"world", "mms"}, {"formula", mms_formula}, {"strict", race.order.options.strict},
-               {"presses", race.order.options.presses}, {"stopped", race.stopped}};
+  Json json = {{"world", "mms"},
+               {"formula", mms_formula},
+               {"strict", race.order.options.strict},
+               {"presses", race.order.options.presses},
+               {"stopped", race.stopped}};
   json["mazes"] = Json::array();
   for (std::size_t i = 0; i < race.mazes.size(); ++i) json["mazes"].push_back(maze_json(race.mazes[i], race.bounds[i]));
   json["mice"] = Json::array();

@@ -11,8 +11,8 @@ std::optional<double> mean_if_any(std::span<const double> values) {
   return values.empty() ? std::nullopt : std::optional(mean(values));
 }
 
-/// The value over the best possible one. In a maze that starts in its goal that is 0, and so is the value of a mouse that
-/// does nothing more than needed.
+/// The value over the best possible one. In a maze that starts in its goal that is 0, and so is the value of a mouse
+/// that does nothing more than needed.
 std::optional<double> ratio(const std::optional<double>& value, const std::optional<double>& best) {
   if (!value || !best || *best <= 0.0) return std::nullopt;
   return *value / *best;

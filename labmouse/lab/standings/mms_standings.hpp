@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "labmouse/lab/races/mms_race.hpp"
 #include "labmouse/lab/numbers/statistics.hpp"
+#include "labmouse/lab/races/mms_race.hpp"
 
 namespace labmouse {
 

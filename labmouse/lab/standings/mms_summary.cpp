@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
-#include "labmouse/lab/text/counted.hpp"
 #include "labmouse/lab/records/mms_fields.hpp"
 #include "labmouse/lab/standings/mms_report.hpp"
+#include "labmouse/lab/text/counted.hpp"
 #include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
@@ -25,7 +25,8 @@ std::string score_line(const std::string& mouse, const NamedMaze& maze, const Mm
   const MmsBound bound = mms_bound_of(maze.maze);
   std::string line = fmt::format("{} in {}: ", mouse, maze.name);
   if (statistics.solved)
-    line += fmt::format("score {:g} = {:g} best run + {:g} total / 10", statistics.score, *best_run(statistics), total(statistics));
+    line += fmt::format("score {:g} = {:g} best run + {:g} total / 10", statistics.score, *best_run(statistics),
+                        total(statistics));
   else
     line += fmt::format("unsolved, score {:g}", statistics.score);
   line += bound.score ? fmt::format("; bound {:g}, its run {:g}", *bound.score, *bound.run)
@@ -36,7 +37,7 @@ std::string score_line(const std::string& mouse, const NamedMaze& maze, const Mm
 std::string log_text(const MmsRun& run) {
   if (run.invalid_lines == 0) return "";
   std::string text = counted(static_cast<int>(run.invalid_lines), "line that is no command, which mms does not answer",
-                                      "lines that are no command, which mms does not answer") +
+                             "lines that are no command, which mms does not answer") +
                      (run.invalid_lines > static_cast<std::int64_t>(run.log.size()) ? "; the first ones:\n" : ":\n");
   for (const std::string& sentence : run.log) text += "  " + shown(sentence) + "\n";
   return text;

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <array>
 
-#include "labmouse/lab/text/counted.hpp"
+#include "labmouse/lab/mice/mouse_names.hpp"
 #include "labmouse/lab/standings/mms_report.hpp"
 #include "labmouse/lab/standings/mms_standings.hpp"
-#include "labmouse/lab/mice/mouse_names.hpp"
-#include "labmouse/lab/text/printable.hpp"
 #include "labmouse/lab/system/version.hpp"
+#include "labmouse/lab/text/counted.hpp"
+#include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
 namespace {
@@ -65,11 +65,14 @@ const MmsResult* first_run(const MmsRace& race, std::size_t mouse, Wanted wanted
   return found == race.results.end() ? nullptr : &*found;
 }
 
-/// How many runs of each mouse ended in another way than by exit code 0, how the first of them did, and what it said last.
-std::string failures_of(const MmsRace& race, const std::vector<MmsStanding>& standings, const std::vector<std::string>& names) {
+/// How many runs of each mouse ended in another way than by exit code 0, how the first of them did, and what it said
+/// last.
+std::string failures_of(const MmsRace& race, const std::vector<MmsStanding>& standings,
+                        const std::vector<std::string>& names) {
   std::string text;
   for (const MmsStanding& standing : standings) {
-    const auto* first = first_run(race, standing.mouse, [](const MmsRun& run) { return run.outcome != MmsOutcome::complete; });
+    const auto* first =
+        first_run(race, standing.mouse, [](const MmsRun& run) { return run.outcome != MmsOutcome::complete; });
     if (first == nullptr) continue;
     text += fmt::format("  {}: {}; first in {}: {}\n", names[standing.mouse], failures_of(standing),
                         shown(race.mazes[first->maze].name), shown(first->run.end));
@@ -84,8 +87,9 @@ std::string invalid_lines_of(const MmsRace& race, const std::vector<MmsStanding>
   for (const MmsStanding& standing : standings) {
     const auto* first = first_run(race, standing.mouse, [](const MmsRun& run) { return run.invalid_lines > 0; });
     if (first == nullptr) continue;
-    text += fmt::format("  {}: {} of {}; first in {}: {}\n", names[standing.mouse], standing.invalid_lines, standing.lines,
-                        shown(race.mazes[first->maze].name), first->run.log.empty() ? "" : shown(first->run.log.front()));
+    text +=
+        fmt::format("  {}: {} of {}; first in {}: {}\n", names[standing.mouse], standing.invalid_lines, standing.lines,
+                    shown(race.mazes[first->maze].name), first->run.log.empty() ? "" : shown(first->run.log.front()));
   }
   return text.empty() ? "" : "Lines that are no command, which mms does not answer:\n" + text;
 }
@@ -99,8 +103,8 @@ std::string mazes_of(const MmsRace& race) {
   std::string text;
   const auto otherwise = static_cast<int>(std::count_if(race.mazes.begin(), race.mazes.end(), marked_otherwise));
   if (otherwise > 0)
-    text += fmt::format("mms starts at (0,0) and its goal is the centre, other than {} {}.\n", counted(otherwise, "maze", "mazes"),
-                        otherwise == 1 ? "says" : "say");
+    text += fmt::format("mms starts at (0,0) and its goal is the centre, other than {} {}.\n",
+                        counted(otherwise, "maze", "mazes"), otherwise == 1 ? "says" : "say");
   const auto closed = [&](std::size_t maze) { return !race.bounds[maze].run; };
   int routeless = 0;
   std::string first;
@@ -112,13 +116,15 @@ std::string mazes_of(const MmsRace& race) {
   return text;
 }
 
-std::string notes_of(const MmsRace& race, const std::vector<MmsStanding>& standings, const std::vector<std::string>& names) {
+std::string notes_of(const MmsRace& race, const std::vector<MmsStanding>& standings,
+                     const std::vector<std::string>& names) {
   std::string notes =
       "Score, as mms counts: effective distance + turns of the best run + a tenth of all\n"
       "effective distance and turns (total). Unsolved counts 2000. Lower is better.\n";
   notes += mazes_of(race) + failures_of(race, standings, names) + invalid_lines_of(race, standings, names);
   if (race.stopped) {
-    const auto done = std::count_if(race.results.begin(), race.results.end(), [](const MmsResult& r) { return r.done; });
+    const auto done =
+        std::count_if(race.results.begin(), race.results.end(), [](const MmsResult& r) { return r.done; });
     notes += fmt::format("Stopped early: {} of {} runs done.\n", done, race.results.size());
   }
   return notes;
@@ -139,7 +145,8 @@ std::string table_of(const MmsRace& race, bool colours) {
   const Line second = {"mouse", "solved", "all", "interval", "solved", "/bound", "run", "/bound", "total", "run"};
   for (const Line& line : {first, second}) text += fmt::format("{}{}{}\n", bold, laid_out(line, width), plain);
   const std::vector<MmsStanding> standings = mms_standings_of(race);
-  for (const MmsStanding& standing : standings) text += laid_out(line_of(standing, names[standing.mouse]), width) + "\n";
+  for (const MmsStanding& standing : standings)
+    text += laid_out(line_of(standing, names[standing.mouse]), width) + "\n";
   return text + "\n" + notes_of(race, standings, names);
 }
 

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
+#include "labmouse/lab/records/settings_json.hpp"
 #include "labmouse/lab/standings/mms_report.hpp"
-#include "labmouse/lab/text/printable.hpp"
 #include "labmouse/lab/standings/race_json.hpp"
 #include "labmouse/lab/standings/race_notes.hpp"
 #include "labmouse/lab/standings/race_report.hpp"
-#include "labmouse/lab/records/settings_json.hpp"
 #include "labmouse/lab/system/version.hpp"
+#include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
 namespace {
@@ -123,7 +123,8 @@ std::string json_of(const Race& race, const std::vector<SkippedFile>& skipped, c
 
 std::string csv_of(const Race& race) {
   std::string text =
-      "mouse,maze,seed,outcome,score,exploration_steps,speed_steps,optimum,bound,microseconds_per_decision,discovered_share,"
+      "mouse,maze,seed,outcome,score,exploration_steps,speed_steps,optimum,bound,microseconds_per_decision,discovered_"
+      "share,"
       "visited_share\n";
   for (const ContestResult& contest : race.results) {
     if (!contest.done) continue;

@@ -11,7 +11,8 @@
 namespace labmouse {
 
 /// What docs/races.md lists; `skipped` are the files that were no mazes. A race of programs for mms becomes a group.
-nlohmann::ordered_json race_json(const Race& race, const std::vector<SkippedFile>& skipped, const MmsRace* mms = nullptr);
+nlohmann::ordered_json race_json(const Race& race, const std::vector<SkippedFile>& skipped,
+                                 const MmsRace* mms = nullptr);
 
 /// The text of a JSON file. Names come from the file system and may be no UTF-8: what is none is replaced.
 std::string text_of(const nlohmann::ordered_json& json);

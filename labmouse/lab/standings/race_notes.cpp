@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <map>
 
-#include "labmouse/lab/text/counted.hpp"
-#include "labmouse/lab/text/last_lines.hpp"
 #include "labmouse/lab/standings/misstep_lines.hpp"
 #include "labmouse/lab/standings/mouse_column.hpp"
-#include "labmouse/lab/text/printable.hpp"
 #include "labmouse/lab/standings/standings.hpp"
+#include "labmouse/lab/text/counted.hpp"
+#include "labmouse/lab/text/last_lines.hpp"
+#include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
 namespace {
@@ -39,7 +39,8 @@ bool solved_different_mazes(const Race& race) {
 std::string failures_of(const Race& race, std::size_t mouse) {
   std::map<std::pair<Outcome, ForfeitReason>, int> times;
   for (const ContestResult& contest : race.results)
-    if (contest.mouse == mouse && counts(race, contest) && !contest.score.value) ++times[{contest.score.outcome, contest.reason}];
+    if (contest.mouse == mouse && counts(race, contest) && !contest.score.value)
+      ++times[{contest.score.outcome, contest.reason}];
   std::string text;
   for (const auto& [way, count] : times) {
     const std::string reason = way.first == Outcome::forfeit ? fmt::format(" ({})", name_of(way.second)) : "";
@@ -51,8 +52,8 @@ std::string failures_of(const Race& race, std::size_t mouse) {
 /// Whether a maze is as the capstone project's: square, with even sides, from the south-west corner to the centre.
 bool as_robots_expect(const Maze& maze) {
   const Size size = maze.size();
-  return size.width == size.height && size.width % 2 == 0 && maze.start() == Cell{} && maze.start_heading() == Heading::north &&
-         maze.goals() == centre_of(size);
+  return size.width == size.height && size.width % 2 == 0 && maze.start() == Cell{} &&
+         maze.start_heading() == Heading::north && maze.goals() == centre_of(size);
 }
 
 /// How the first failed contest of a mouse that had something to say ended, and its last words.
@@ -75,16 +76,18 @@ std::string last_words_of(const Race& race, std::size_t mouse) {
 
 /// Capstone robots are told the size of a maze and nothing else.
 std::string note_on_robots(const Race& race) {
-  const bool robots = std::any_of(race.mice.begin(), race.mice.end(), [](const Contestant& m) { return m.name.starts_with("capstone:"); });
+  const bool robots = std::any_of(race.mice.begin(), race.mice.end(),
+                                  [](const Contestant& m) { return m.name.starts_with("capstone:"); });
   std::vector<std::string> others;
   for (const NamedMaze& maze : race.mazes)
     if (!as_robots_expect(maze.maze)) others.push_back(shown(maze.name));
   if (!robots || others.empty()) return "";
   const bool one = others.size() == 1;
-  return fmt::format("Capstone robots are told the size alone, and {} not as they expect (a square with even sides,\n"
-                     "from (0,0) north to the centre): {}{}.\n",
-                     one ? "1 maze is" : fmt::format("{} mazes are", others.size()), others.front(),
-                     one ? "" : fmt::format(", {}{}", others[1], others.size() > 2 ? ", ..." : ""));
+  return fmt::format(
+      "Capstone robots are told the size alone, and {} not as they expect (a square with even sides,\n"
+      "from (0,0) north to the centre): {}{}.\n",
+      one ? "1 maze is" : fmt::format("{} mazes are", others.size()), others.front(),
+      one ? "" : fmt::format(", {}{}", others[1], others.size() > 2 ? ", ..." : ""));
 }
 
 /// A line for each mouse that failed, with the last words of those that are other programs.
@@ -107,8 +110,10 @@ std::string first_routeless(const Race& race) {
 
 std::string notes_of(const Race& race) {
   const Rules& rules = race.order.rules;
-  std::string notes = fmt::format("Score: speed-run steps + exploration steps / {}; lower is better.\n"
-                                  "A failed contest counts {:g} in 'all' and is left out of 'solved'.\n", rules.exploration_factor, rules.failure_score);
+  std::string notes = fmt::format(
+      "Score: speed-run steps + exploration steps / {}; lower is better.\n"
+      "A failed contest counts {:g} in 'all' and is left out of 'solved'.\n",
+      rules.exploration_factor, rules.failure_score);
   if (solved_different_mazes(race))
     notes += "Mean scores over 'solved' cover different mazes for different mice: compare 'all'.\n";
   const auto dear = std::count_if(race.results.begin(), race.results.end(), [&](const ContestResult& contest) {
@@ -126,7 +131,8 @@ std::string notes_of(const Race& race) {
   if (std::any_of(race.mice.begin(), race.mice.end(), [](const Contestant& m) { return m.reference; }))
     notes += "* knows the maze: the bound's witness, not a contestant.\n";
   if (race.stopped) {
-    const auto done = std::count_if(race.results.begin(), race.results.end(), [](const ContestResult& r) { return r.done; });
+    const auto done =
+        std::count_if(race.results.begin(), race.results.end(), [](const ContestResult& r) { return r.done; });
     notes += fmt::format("Stopped early: {} of {} contests done.\n", done, race.results.size());
   }
   return notes;

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <array>
 
-#include "labmouse/lab/text/counted.hpp"
 #include "labmouse/lab/standings/mouse_column.hpp"
-#include "labmouse/lab/text/printable.hpp"
 #include "labmouse/lab/standings/race_notes.hpp"
 #include "labmouse/lab/standings/race_report.hpp"
 #include "labmouse/lab/system/version.hpp"
+#include "labmouse/lab/text/counted.hpp"
+#include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
 namespace {
@@ -42,7 +42,9 @@ Line line_of(const std::string& name, const Standing& standing) {
           number(standing.mean_exploration, 1),
           number(standing.mean_speed_over_optimum, 2),
           ran ? fmt::format("{:.1f}", 100.0 * standing.optimal_share) : "-",
-          ran ? fmt::format("{:.{}f}", standing.microseconds_per_decision, standing.microseconds_per_decision < 100.0 ? 2 : 0) : "-"};
+          ran ? fmt::format("{:.{}f}", standing.microseconds_per_decision,
+                            standing.microseconds_per_decision < 100.0 ? 2 : 0)
+              : "-"};
 }
 
 }  // namespace
@@ -54,12 +56,13 @@ std::string table_of(const Race& race, bool colours) {
   const int budget = race.order.rules.budget;
   std::string text = fmt::format("labmouse {}: {}, {}, seed {}{}\n\n", version(),
                                  counted(static_cast<int>(race.mice.size()), "mouse", "mice"),
-                                 counted(static_cast<int>(race.mazes.size()), "maze", "mazes"),
-                                 race.order.seed, budget == Rules().budget ? "" : fmt::format(", budget {}", budget));
+                                 counted(static_cast<int>(race.mazes.size()), "maze", "mazes"), race.order.seed,
+                                 budget == Rules().budget ? "" : fmt::format(", budget {}", budget));
   const Line first = {"", "", "score", "95 %", "score", "score", "expl.", "speed", "best", "us a"};
   const Line second = {"mouse", "solved", "all", "interval", "solved", "/bound", "steps", "+steps", "runs%", "step"};
   for (const Line& line : {first, second}) text += fmt::format("{}{}{}\n", bold, laid_out(line, names.width), plain);
-  for (const Standing& standing : standings_of(race)) text += laid_out(line_of(names.of[standing.mouse], standing), names.width) + "\n";
+  for (const Standing& standing : standings_of(race))
+    text += laid_out(line_of(names.of[standing.mouse], standing), names.width) + "\n";
   return text + "\n" + notes_of(race);
 }
 
@@ -68,8 +71,9 @@ std::string shares_of(const Race& race) {
   const auto percent = [](const std::optional<double>& share) {
     return share ? fmt::format("{:.1f}", 100.0 * *share) : std::string("-");
   };
-  std::string text = fmt::format("Exploration: percent of the reachable cells, mean over all contests\n{:<{}} {:>11} {:>8}\n",
-                                 "mouse", names.width, "discovered%", "visited%");
+  std::string text =
+      fmt::format("Exploration: percent of the reachable cells, mean over all contests\n{:<{}} {:>11} {:>8}\n", "mouse",
+                  names.width, "discovered%", "visited%");
   for (const Standing& standing : standings_of(race))
     text += fmt::format("{:<{}} {:>11} {:>8}\n", names.of[standing.mouse], names.width,
                         percent(standing.mean_discovered), percent(standing.mean_visited));

@@ -17,8 +17,8 @@ struct Standing {
   int solved = 0;
   /// Over the solved contests; nothing where there is none.
   std::optional<double> mean_score;
-  std::optional<double> mean_ratio;            ///< score over the maze's bound
-  std::optional<double> mean_exploration;      ///< steps
+  std::optional<double> mean_ratio;               ///< score over the maze's bound
+  std::optional<double> mean_exploration;         ///< steps
   std::optional<double> mean_speed_over_optimum;  ///< steps
   /// Over all contests, a failed one counted as the rules' failure score, and its interval over mazes.
   std::optional<double> penalised_mean;

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "labmouse/chance/dice.hpp"
-#include "labmouse/lab/studies/parameter_range.hpp"
 #include "labmouse/lab/standings/standings.hpp"
+#include "labmouse/lab/studies/parameter_range.hpp"
 #include "labmouse/mouse/distance.hpp"
 #include "labmouse/mouse/knowledge.hpp"
 #include "labmouse/strategies/roster.hpp"

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "labmouse/lab/studies/hindsight.hpp"
-#include "labmouse/lab/text/printable.hpp"
 #include "labmouse/lab/system/version.hpp"
+#include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "labmouse/lab/studies/dropped_mazes.hpp"
 #include "labmouse/lab/mice/prior_file.hpp"
+#include "labmouse/lab/studies/dropped_mazes.hpp"
 #include "labmouse/lab/system/version.hpp"
 
 namespace labmouse {

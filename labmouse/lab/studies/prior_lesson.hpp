@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "labmouse/contest/rules.hpp"
-#include "labmouse/lab/studies/folds.hpp"
 #include "labmouse/lab/mice/prior_learning.hpp"
+#include "labmouse/lab/studies/folds.hpp"
 
 namespace labmouse {
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "labmouse/lab/studies/folds.hpp"
 #include "labmouse/lab/numbers/statistics.hpp"
 #include "labmouse/lab/races/tournament.hpp"
+#include "labmouse/lab/studies/folds.hpp"
 
 namespace labmouse {
 

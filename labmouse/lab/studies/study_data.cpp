@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
-#include "labmouse/lab/text/printable.hpp"
 #include "labmouse/lab/standings/race_json.hpp"
 #include "labmouse/lab/standings/standings.hpp"
 #include "labmouse/lab/studies/study.hpp"
+#include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
 namespace {

@@ -7,10 +7,10 @@
 #include "labmouse/lab/drawing/legend.hpp"
 #include "labmouse/lab/drawing/plot_area.hpp"
 #include "labmouse/lab/drawing/sheet.hpp"
-#include "labmouse/lab/text/counted.hpp"
-#include "labmouse/lab/text/printable.hpp"
 #include "labmouse/lab/standings/standings.hpp"
 #include "labmouse/lab/studies/study.hpp"
+#include "labmouse/lab/text/counted.hpp"
+#include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
 namespace {

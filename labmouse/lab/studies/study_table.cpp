@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 
-#include "labmouse/lab/text/counted.hpp"
-#include "labmouse/lab/studies/dropped_mazes.hpp"
 #include "labmouse/lab/standings/standings.hpp"
+#include "labmouse/lab/studies/dropped_mazes.hpp"
 #include "labmouse/lab/studies/study.hpp"
 #include "labmouse/lab/system/version.hpp"
+#include "labmouse/lab/text/counted.hpp"
 
 namespace labmouse {
 namespace {

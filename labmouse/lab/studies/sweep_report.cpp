@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "labmouse/lab/drawing/plot.hpp"
-#include "labmouse/lab/text/printable.hpp"
 #include "labmouse/lab/studies/sweep.hpp"
 #include "labmouse/lab/system/version.hpp"
+#include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
 namespace {

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "labmouse/lab/numbers/evolution.hpp"
-#include "labmouse/lab/studies/parameter_range.hpp"
 #include "labmouse/lab/numbers/statistics.hpp"
 #include "labmouse/lab/races/tournament.hpp"
+#include "labmouse/lab/studies/parameter_range.hpp"
 
 namespace labmouse {
 

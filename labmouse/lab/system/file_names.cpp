@@ -14,7 +14,8 @@ std::string file_name(std::string name) {
   constexpr std::size_t longest = 200;
   for (char& letter : name) {
     const bool plain = (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') ||
-                       (letter >= '0' && letter <= '9') || letter == '-' || letter == '_' || letter == '.' || letter == '=';
+                       (letter >= '0' && letter <= '9') || letter == '-' || letter == '_' || letter == '.' ||
+                       letter == '=';
     if (!plain) letter = '_';
   }
   name.erase(0, name.find_first_not_of('.'));

@@ -6,8 +6,8 @@
 
 namespace labmouse {
 
-/// The names as parts of paths, each different from the others: what could lead elsewhere or trouble a shell becomes `_`,
-/// and where two names become one, the later ones get a number.
+/// The names as parts of paths, each different from the others: what could lead elsewhere or trouble a shell becomes
+/// `_`, and where two names become one, the later ones get a number.
 std::vector<std::string> file_names(const std::vector<std::string>& names);
 
 /// The last part of a path, without its ending.

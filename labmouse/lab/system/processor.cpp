@@ -1,7 +1,7 @@
 #include <fstream>
 
-#include "labmouse/lab/text/printable.hpp"
 #include "labmouse/lab/system/version.hpp"
+#include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
 

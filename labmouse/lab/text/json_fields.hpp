@@ -13,8 +13,8 @@
 
 namespace labmouse {
 
-/// Reads values out of an object of a record and remembers the first that is missing or wrong. In place of that it gives
-/// some value in range.
+/// Reads values out of an object of a record and remembers the first that is missing or wrong. In place of that it
+/// gives some value in range.
 class RecordFields {
  public:
   using Json = nlohmann::json;

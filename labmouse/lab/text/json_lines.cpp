@@ -24,7 +24,8 @@ std::vector<Problem> read_json_lines(std::string_view text, const LineReader& re
     const nlohmann::json json = nlohmann::json::parse(line, nullptr, false);
     if (json.is_discarded() && !empty && text.empty() && !last_is_whole && reader.may_break_off()) break;
     if (json.is_discarded()) return {{number, 1, "the line is not JSON"}};
-    if (auto error = empty ? reader.header(json) : reader.line(json); !error.empty()) return {{number, 1, std::move(error)}};
+    if (auto error = empty ? reader.header(json) : reader.line(json); !error.empty())
+      return {{number, 1, std::move(error)}};
     empty = false;
   }
   if (empty) return {{0, 0, "the record is empty"}};

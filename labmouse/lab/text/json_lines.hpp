@@ -19,8 +19,8 @@ struct LineReader {
   std::function<bool()> may_break_off;
 };
 
-/// Hands each line to the reader, without blank ones and a byte order mark in front. Returns what is wrong with the first
-/// bad line, or with a text that has none; nothing where all is well.
+/// Hands each line to the reader, without blank ones and a byte order mark in front. Returns what is wrong with the
+/// first bad line, or with a text that has none; nothing where all is well.
 std::vector<Problem> read_json_lines(std::string_view text, const LineReader& reader);
 
 }  // namespace labmouse

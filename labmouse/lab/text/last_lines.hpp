@@ -11,8 +11,8 @@ namespace labmouse {
 inline constexpr std::size_t kept_error_lines = 5;  ///< of standard error, the last ones
 inline constexpr std::size_t kept_text = 300;       ///< bytes of each
 
-/// The last lines of what a program wrote to its standard error. Blank ones are left out, and those of nothing but ^ and ~,
-/// the marks in a traceback of Python.
+/// The last lines of what a program wrote to its standard error. Blank ones are left out, and those of nothing but ^
+/// and ~, the marks in a traceback of Python.
 std::vector<std::string> last_lines(std::string_view errors, std::size_t most = kept_error_lines);
 
 }  // namespace labmouse

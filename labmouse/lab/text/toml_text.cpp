@@ -34,7 +34,8 @@ std::vector<Problem> in_order(std::vector<Problem> problems) {
 
 std::string unknown_key(const std::string& name, std::span<const std::string_view> known) {
   const std::string_view near = nearest_name(name, known);
-  return fmt::format("unknown key {}{}", formats::quoted(name), near.empty() ? "" : fmt::format("; did you mean '{}'?", near));
+  return fmt::format("unknown key {}{}", formats::quoted(name),
+                     near.empty() ? "" : fmt::format("; did you mean '{}'?", near));
 }
 
 }  // namespace labmouse

@@ -9,10 +9,10 @@
 
 #include "labmouse/maze/formats/format.hpp"
 
-// Two things of toml++ 3.3 are undefined for text that users may write, both found by fuzz_robot. With NDEBUG it lets the
-// compiler take its assertions for true, and a header such as `[ ` shows that they are not; left out instead, they are
-// followed by checks that call such text wrong. And of letters beyond ASCII that are no blanks, such as the one of mm²,
-// it says that they cannot be where it asks whether they are one; here it answers no.
+// Two things of toml++ 3.3 are undefined for text that users may write, both found by fuzz_robot. With NDEBUG it lets
+// the compiler take its assertions for true, and a header such as `[ ` shows that they are not; left out instead, they
+// are followed by checks that call such text wrong. And of letters beyond ASCII that are no blanks, such as the one of
+// mm², it says that they cannot be where it asks whether they are one; here it answers no.
 #pragma push_macro("NDEBUG")
 #undef NDEBUG
 #define TOML_ASSERT(expression) static_cast<void>(0)

@@ -21,9 +21,11 @@ DriveNode node_at(HalfPoint point, int direction) {
   return {wall.side == first ? wall.cell : neighbour(wall.cell, wall.side), first, place};
 }
 
-/// Whether a robot has one speed at all nodes, at its start and in the goal, and each turn in one way, backwards as well.
+/// Whether a robot has one speed at all nodes, at its start and in the goal, and each turn in one way, backwards as
+/// well.
 bool one_speed(const DriveTables& tables) {
-  if (tables.along.count() != 1 || tables.diagonal.count() != 1 || tables.turns.size() != all_turns.size()) return false;
+  if (tables.along.count() != 1 || tables.diagonal.count() != 1 || tables.turns.size() != all_turns.size())
+    return false;
   for (const Turn turn : all_turns) {
     const DrivenTurn& driven = tables.turns[static_cast<std::size_t>(turn)];
     if (driven.turn != turn || driven.time != tables.turns[static_cast<std::size_t>(reversed(turn))].time) return false;
@@ -90,13 +92,14 @@ class FastestRoutes::Search {
     return point.x % 2 != 0 && point.y % 2 != 0 && goals_.contains({(point.x - 1) / 2, (point.y - 1) / 2});
   }
 
-  /// Calls visit(units, lane, time of the straight, time behind it) for each straight that a route may begin with: units up
-  /// to where a turn begins, in its lane, or one that ends in a goal, with the lane no_lane.
+  /// Calls visit(units, lane, time of the straight, time behind it) for each straight that a route may begin with:
+  /// units up to where a turn begins, in its lane, or one that ends in a goal, with the lane no_lane.
   template <class Visit>
   void each_start(Pose start, Visit visit) const {
     const int node = number({start.cell, start.heading, Place::centre});
     for (int units = 0, run = search_->run(node); units <= run; ++units) {
-      if (is_goal(search_->point(node + units))) visit(units, no_lane, tables_.whole[static_cast<std::size_t>(units)], 0);
+      if (is_goal(search_->point(node + units)))
+        visit(units, no_lane, tables_.whole[static_cast<std::size_t>(units)], 0);
       for (std::size_t lane = 0; lane < tables_.along.count(); ++lane)
         visit(units, lane, tables_.start_to(units, lane), search_->turning(node + units, lane, no_time));
     }
@@ -124,7 +127,8 @@ class FastestRoutes::Search {
     point = {point.x + units * drive::unit(direction).x, point.y + units * drive::unit(direction).y};
     const DriveNode to = node_at(point, direction);
     if (units > 0 || time > 0)
-      walk.route.segments.push_back({DriveSegment::Kind::straight, walk.here.node, to, walk.here.time, walk.here.time + time, units, 0, false});
+      walk.route.segments.push_back(
+          {DriveSegment::Kind::straight, walk.here.node, to, walk.here.time, walk.here.time + time, units, 0, false});
     walk.here.node = to;
     walk.here.time += time;
   }
@@ -138,7 +142,8 @@ class FastestRoutes::Search {
       const auto bit = static_cast<unsigned>(std::countr_zero(bits));
       const Turn turn = drive::turn_of(bit, here.diagonal(), here.place == Place::edge);
       const int to = search_->leap(node, bit);
-      for (std::size_t i = first_[static_cast<std::size_t>(turn)]; i < first_[static_cast<std::size_t>(turn) + 1]; ++i) {
+      for (std::size_t i = first_[static_cast<std::size_t>(turn)]; i < first_[static_cast<std::size_t>(turn) + 1];
+           ++i) {
         const DrivenTurn& driven = tables_.turns[i];
         if (driven.from != walk.here.lane || driven.time + search_->rolling(to, driven.to) != rest) continue;
         add_turn(walk, i, to, bit);
@@ -155,7 +160,8 @@ class FastestRoutes::Search {
     const bool left = change == 4 ? bit % 2 == 0 : change > 4;
     const DriveNode there = node_at(search_->point(to), after);
     const DriveTime end = walk.here.time + driven.time;
-    walk.route.segments.push_back({DriveSegment::Kind::turn, walk.here.node, there, walk.here.time, end, 0, static_cast<std::uint16_t>(turn), left});
+    walk.route.segments.push_back({DriveSegment::Kind::turn, walk.here.node, there, walk.here.time, end, 0,
+                                   static_cast<std::uint16_t>(turn), left});
     walk.here = {there, end, driven.to};
   }
 

@@ -29,8 +29,8 @@ class FastestRoutes {
 
   /// The time from rest in the middle of the start cell, or no_time.
   DriveTime time_from(Pose start) const;
-  /// Writes a fastest route: of those equally fast the first in a fixed order. One without segments and with no_time where
-  /// there is none; in a goal, one without segments that takes no time.
+  /// Writes a fastest route: of those equally fast the first in a fixed order. One without segments and with no_time
+  /// where there is none; in a goal, one without segments that takes no time.
   void route_from(Pose start, DriveRoute& route) const;
 
   /// The time from a node where a straight (of any length, or none) begins behind a turn that ended in that lane, or

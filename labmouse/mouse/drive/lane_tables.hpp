@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "labmouse/mouse/robot/tables.hpp"
 #include "labmouse/mouse/drive/vectors.hpp"
+#include "labmouse/mouse/robot/tables.hpp"
 
 namespace labmouse::drive {
 

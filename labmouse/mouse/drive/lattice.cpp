@@ -22,7 +22,8 @@ std::uint64_t spread(std::uint64_t bits, std::uint64_t) {
   return (word | word << 1U) & 0x5555555555555555U;
 }
 
-/// Turns a square of bits about its diagonal: bit x of word y becomes bit y of word x. By halves (Hacker's Delight, 7-3).
+/// Turns a square of bits about its diagonal: bit x of word y becomes bit y of word x. By halves (Hacker's Delight,
+/// 7-3).
 template <class Word>
 void transpose(Word* words) {
   constexpr int size = 8 * sizeof(Word);
@@ -124,7 +125,8 @@ void Lattice<Word>::find_turns_across(int direction, const Word* words) {
   for (int line = 1; line < points; line += 2) {
     const Word valid = word(line) & word(line) >> 1;
     const Word third = (word(line + aside) & ~odd_bits<Word>) | (word(line - aside) >> 2 & odd_bits<Word>);
-    const Word fourth = (word(line + 2 * aside) << 1 & ~odd_bits<Word>) | (word(line - 2 * aside) >> 3 & odd_bits<Word>);
+    const Word fourth =
+        (word(line + 2 * aside) << 1 & ~odd_bits<Word>) | (word(line - 2 * aside) >> 3 & odd_bits<Word>);
     std::array<Word, 8>& turns = turns_[direction * lines + line / 2];
     turns[diagonal_v90] = valid & third & fourth;
     turns[diagonal_out45] = valid;
@@ -157,14 +159,21 @@ int Lattice<Word>::leap(int node, unsigned bit) {
   };
   const int after = (before + 8 + side * eighths(turn)) & 7;
   switch (turn) {
-    case Turn::f45: return Lattice::node(moved(2, ahead, 1, across), after);
-    case Turn::f90: return Lattice::node(moved(2, ahead, 2, across), after);
-    case Turn::f135: return Lattice::node(moved(1, ahead, 2, across), after);
-    case Turn::f180: return Lattice::node(moved(0, ahead, 2, across), after);
+    case Turn::f45:
+      return Lattice::node(moved(2, ahead, 1, across), after);
+    case Turn::f90:
+      return Lattice::node(moved(2, ahead, 2, across), after);
+    case Turn::f135:
+      return Lattice::node(moved(1, ahead, 2, across), after);
+    case Turn::f180:
+      return Lattice::node(moved(0, ahead, 2, across), after);
     case Turn::s90:
-    case Turn::v90: return Lattice::node(moved(1, ahead, 1, across), after);
-    case Turn::out45: return Lattice::node(moved(1, first, 2, second), after);
-    case Turn::out135: return Lattice::node(moved(-1, first, 2, second), after);
+    case Turn::v90:
+      return Lattice::node(moved(1, ahead, 1, across), after);
+    case Turn::out45:
+      return Lattice::node(moved(1, first, 2, second), after);
+    case Turn::out135:
+      return Lattice::node(moved(-1, first, 2, second), after);
   }
   return node;
 }

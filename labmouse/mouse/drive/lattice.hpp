@@ -1,11 +1,11 @@
 // The lattice on which routes in seconds are searched: half cells, eight directions, and which turns fit where.
 //
-// A point is the middle of a cell (both coordinates odd) or of a wall (one is odd). Points that can be passed are bits of
-// words, along all four kinds of lines: columns, rows, and rising and falling diagonals. So the length of a corridor is a
-// count of ones, and which turns fit is found for a whole line at a time by shifts and ANDs of its neighbours.
+// A point is the middle of a cell (both coordinates odd) or of a wall (one is odd). Points that can be passed are bits
+// of words, along all four kinds of lines: columns, rows, and rising and falling diagonals. So the length of a corridor
+// is a count of ones, and which turns fit is found for a whole line at a time by shifts and ANDs of its neighbours.
 //
-// A node is a point with a direction. The nodes of one direction lie in memory line by line, each line in that direction,
-// so that the next node ahead is the next in memory:  node = direction * plane + line * points + position.
+// A node is a point with a direction. The nodes of one direction lie in memory line by line, each line in that
+// direction, so that the next node ahead is the next in memory:  node = direction * plane + line * points + position.
 //
 //   direction           line                       position (the second: points - that)
 //   0 north, 4 south    (x - 1) / 2                y
@@ -25,9 +25,18 @@
 
 namespace labmouse::drive {
 
-/// A turn that can begin at a node, as a bit of a byte. At the middle of a cell these are the first eight; on an edge S90
-/// takes the places of F90; a diagonal has the other three, each to the one side on which it is possible.
-enum class Bit : std::uint8_t { f90_left, f90_right, f45_left, f45_right, f135_left, f135_right, f180_left, f180_right };
+/// A turn that can begin at a node, as a bit of a byte. At the middle of a cell these are the first eight; on an edge
+/// S90 takes the places of F90; a diagonal has the other three, each to the one side on which it is possible.
+enum class Bit : std::uint8_t {
+  f90_left,
+  f90_right,
+  f45_left,
+  f45_right,
+  f135_left,
+  f135_right,
+  f180_left,
+  f180_right
+};
 inline constexpr unsigned diagonal_v90 = 0, diagonal_out45 = 1, diagonal_out135 = 2;
 
 /// The turn behind a bit.
@@ -58,16 +67,21 @@ class Lattice {
 
   static int node(HalfPoint point, int direction) {
     const int along = (direction & 3) == 2 ? point.x : point.y;
-    return direction * plane + (line_of(point, direction) >> 1) * points + (goes_up(direction) ? along : points - along);
+    return direction * plane + (line_of(point, direction) >> 1) * points +
+           (goes_up(direction) ? along : points - along);
   }
   static HalfPoint point(int node) {
     const int direction = node / plane, odd = 2 * (node / points % lines) + 1;
     const int along = goes_up(direction) ? node % points : points - node % points;
     switch (direction & 3) {
-      case 0: return {odd, along};
-      case 1: return {(along + odd) & (points - 1), along};
-      case 2: return {along, odd};
-      default: return {(odd - along) & (points - 1), along};
+      case 0:
+        return {odd, along};
+      case 1:
+        return {(along + odd) & (points - 1), along};
+      case 2:
+        return {along, odd};
+      default:
+        return {(odd - along) & (points - 1), along};
     }
   }
   static int direction(int node) { return node / plane; }
@@ -89,7 +103,8 @@ class Lattice {
   /// The turns that can begin at a node.
   unsigned turns_at(int node) const;
 
-  /// Where the turns lead: the node behind the turn of a bit is at [8 * node + bit], whatever is open. The same for all mazes.
+  /// Where the turns lead: the node behind the turn of a bit is at [8 * node + bit], whatever is open. The same for all
+  /// mazes.
   static std::span<const std::uint16_t> leaps();
   /// Whether the turn of a bit leads to the left.
   static bool leads_left(unsigned bit, int direction, bool even) {
@@ -106,10 +121,14 @@ class Lattice {
 
   static int line_of(HalfPoint point, int direction) {
     switch (direction & 3) {
-      case 0: return point.x;
-      case 1: return (point.x - point.y) & (points - 1);
-      case 2: return point.y;
-      default: return (point.x + point.y) & (points - 1);
+      case 0:
+        return point.x;
+      case 1:
+        return (point.x - point.y) & (points - 1);
+      case 2:
+        return point.y;
+      default:
+        return (point.x + point.y) & (points - 1);
     }
   }
   static int leap(int node, unsigned bit);

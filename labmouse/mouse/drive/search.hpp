@@ -9,13 +9,13 @@
 
 namespace labmouse::drive {
 
-/// A search over the lattice. Labels are times to the goals: of a turn that begins at a node in a lane, and of a straight
-/// that begins there behind a turn that ended in a lane. Directions are those of driving.
+/// A search over the lattice. Labels are times to the goals: of a turn that begins at a node in a lane, and of a
+/// straight that begins there behind a turn that ended in a lane. Directions are those of driving.
 class Search {
  public:
   virtual ~Search() = default;
-  /// Finds the times to the goals, of all nodes, or with a start (its node in the direction of driving) of those on fastest
-  /// routes from there; others may be too late then.
+  /// Finds the times to the goals, of all nodes, or with a start (its node in the direction of driving) of those on
+  /// fastest routes from there; others may be too late then.
   virtual void fill(const WallSet& passages, const CellSet& goals, int start) = 0;
   static constexpr int everywhere = -1;
   /// The time until the end from a turn that begins at a node; one above the limit may be told as no_time.
@@ -32,8 +32,8 @@ class Search {
   virtual int leap(int node, unsigned bit) const = 0;
 };
 
-/// How wide the buckets of a search are, as an exponent of two: about as a turn lasts, so that few labels improve behind
-/// the time at which they were spread.
+/// How wide the buckets of a search are, as an exponent of two: about as a turn lasts, so that few labels improve
+/// behind the time at which they were spread.
 int bucket_shift(const DriveTables& tables);
 
 std::unique_ptr<Search> make_fixed_search(Size size, const DriveTables& tables);

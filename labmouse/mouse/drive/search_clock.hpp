@@ -10,7 +10,8 @@
 
 namespace labmouse {
 
-/// Counts the time of a search, and says when the mouse must go home to run in time. Takes all memory that it will need.
+/// Counts the time of a search, and says when the mouse must go home to run in time. Takes all memory that it will
+/// need.
 class SearchClock {
  public:
   /// For a briefing in seconds.
@@ -18,8 +19,8 @@ class SearchClock {
 
   void count(const SearchPlace& from, const Action& step) { time_ += search_time(search_, from, step); }
 
-  /// Whether the way home and the fastest known run would no longer fit into the time after another look. Never where no
-  /// run is known.
+  /// Whether the way home and the fastest known run would no longer fit into the time after another look. Never where
+  /// no run is known.
   bool must_go_home(const Knowledge& knowledge, const SearchPlace& place);
 
  private:

@@ -1,6 +1,7 @@
 // The least search times from every place to a set of cells.
 //
-// Method: Dijkstra with a heap, backwards from the cells, over the edges by which cells are entered, one for each heading.
+// Method: Dijkstra with a heap, backwards from the cells, over the edges by which cells are entered, one for each
+// heading.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +13,8 @@
 
 namespace labmouse {
 
-/// Times in microseconds to enter any of some cells by the moves of a search; a pivot on the way is none of them, but for
-/// that of a mouse at rest. Takes all memory that it will need.
+/// Times in microseconds to enter any of some cells by the moves of a search; a pivot on the way is none of them, but
+/// for that of a mouse at rest. Takes all memory that it will need.
 class SearchField {
  public:
   /// Times of moves are more than 0.

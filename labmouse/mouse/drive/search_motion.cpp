@@ -9,7 +9,9 @@ namespace {
 int quarters_of(const Action& step) { return step.rotation / 90; }
 
 /// From rest in the middle to the first edge, or to the next rest.
-DriveTime pivot_time(const SearchDrive& drive, const Action& step) { return std::abs(quarters_of(step)) * drive.quarter; }
+DriveTime pivot_time(const SearchDrive& drive, const Action& step) {
+  return std::abs(quarters_of(step)) * drive.quarter;
+}
 
 DriveTime time_to_first_edge(const SearchDrive& drive, const Action& step) {
   if (step.rotation == 0) return drive.cell;

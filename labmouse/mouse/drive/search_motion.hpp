@@ -1,9 +1,10 @@
 // How a mouse searches in the world of seconds: cell by cell, over edges.
 //
-// Between two moves it is at the edge by which it enters a cell, heading into it, and has just read the walls of that cell;
-// or at rest in the middle of a cell, as it is in the beginning. An Action::step(rotation, cells) of it is
+// Between two moves it is at the edge by which it enters a cell, heading into it, and has just read the walls of that
+// cell; or at rest in the middle of a cell, as it is in the beginning. An Action::step(rotation, cells) of it is
 //
-//       0, k   straight on over k edges             180, k   stops in the middle, pivots, leaves where it came in, and on
+//       0, k   straight on over k edges             180, k   stops in the middle, pivots, leaves where it came in, and
+//       on
 //     ±90, k   a small turn, then straight on    any, 0   stops in the middle, pivots, and looks
 //
 // where the first of the k edges is that of the cell it is in. At rest, a rotation is a pivot.
@@ -11,8 +12,8 @@
 
 #include "labmouse/grid/wall_set.hpp"
 #include "labmouse/mouse/action.hpp"
-#include "labmouse/mouse/robot/robot.hpp"
 #include "labmouse/mouse/pose.hpp"
+#include "labmouse/mouse/robot/robot.hpp"
 
 namespace labmouse {
 

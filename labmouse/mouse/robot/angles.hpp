@@ -31,10 +31,14 @@ constexpr Direction direction_of(double angle) {
   sine = rest * (1.0 - sine);
   cosine = 1.0 - cosine;
   switch (count & 3) {
-    case 0: return {sine, cosine};
-    case 1: return {cosine, -sine};
-    case 2: return {-sine, -cosine};
-    default: return {-cosine, sine};
+    case 0:
+      return {sine, cosine};
+    case 1:
+      return {cosine, -sine};
+    case 2:
+      return {-sine, -cosine};
+    default:
+      return {-cosine, sine};
   }
 }
 

@@ -20,13 +20,19 @@ constexpr bool leads_back(Turn turn) { return turn == Turn::out45 || turn == Tur
 DriveTime fixed_time(const FixedTimes& fixed, Turn turn) {
   switch (turn) {
     case Turn::f45:
-    case Turn::out45: return fixed.f45;
-    case Turn::f90: return fixed.f90;
+    case Turn::out45:
+      return fixed.f45;
+    case Turn::f90:
+      return fixed.f90;
     case Turn::f135:
-    case Turn::out135: return fixed.f135;
-    case Turn::f180: return fixed.f180;
-    case Turn::v90: return fixed.v90;
-    case Turn::s90: return fixed.s90;
+    case Turn::out135:
+      return fixed.f135;
+    case Turn::f180:
+      return fixed.f180;
+    case Turn::v90:
+      return fixed.v90;
+    case Turn::s90:
+      return fixed.s90;
   }
   return 0;
 }
@@ -42,7 +48,8 @@ bool too_slow(double cell, double speed) { return cell * 1e6 > speed * longest_c
 /// Behind a speed that is too low.
 std::string needed_speed(double cell) {
   return "a cell of " + millimetres(cell) + " must not take more than " + milliseconds(longest_cell) +
-         ", the longest that times here are made for, so at least " + millimetres(std::ceil(cell * 1e6 / longest_cell)) + "/s are needed";
+         ", the longest that times here are made for, so at least " +
+         millimetres(std::ceil(cell * 1e6 / longest_cell)) + "/s are needed";
 }
 
 DriveModel refused(std::string why) {
@@ -62,8 +69,8 @@ DriveModel fixed_model(const Robot& robot) {
   fill_between(tables.diagonal, robot.cell / std::sqrt(2.0), limits_diagonal(robot));
   tables.start = tables.finish = tables.whole = tables.along.between;
   for (const Turn turn : all_turns) {
-    const TurnShape shape = leads_back(turn) ? backwards(plain_shape(reversed(turn), robot.cell))
-                                             : plain_shape(turn, robot.cell);
+    const TurnShape shape =
+        leads_back(turn) ? backwards(plain_shape(reversed(turn), robot.cell)) : plain_shape(turn, robot.cell);
     const DriveTime time = fixed_time(*robot.fixed, turn);
     tables.turns.push_back({turn, 0, 0, time, shape.whole() * 1e6 / time});
     model.shapes.push_back(shape);

@@ -14,8 +14,9 @@ namespace labmouse {
 struct DriveModel {
   DriveTables tables;
   /// By Turn and then by speed as in tables.turns: the shape of tables.turns[i] is shapes[i], in its first direction of
-  /// driving (a turn back from a diagonal has a shape of its own). The time of the turn is that from the lead of the lane
-  /// it begins in to whole() less the lead of the lane it ends in; what is left of the shape is part of the straights.
+  /// driving (a turn back from a diagonal has a shape of its own). The time of the turn is that from the lead of the
+  /// lane it begins in to whole() less the lead of the lane it ends in; what is left of the shape is part of the
+  /// straights.
   std::vector<TurnShape> shapes;
   SearchDrive search;
   Robot robot;  ///< the one that it was made of

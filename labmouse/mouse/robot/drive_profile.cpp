@@ -23,7 +23,8 @@ const StraightTimes& straights_of(const DriveModel& model, const DriveSegment& s
 }
 
 End first_end(const DriveModel& model, const DriveRoute& route, std::size_t i) {
-  if (i > 0) return lane_end(straights_of(model, route.segments[i]).lanes[model.tables.turns[route.segments[i - 1].turn].to]);
+  if (i > 0)
+    return lane_end(straights_of(model, route.segments[i]).lanes[model.tables.turns[route.segments[i - 1].turn].to]);
   if (model.robot.fixed) return {model.robot.fixed->speed, 0.0, false};
   return {0.0, model.robot.run_up, false};
 }
@@ -37,8 +38,9 @@ End last_end(const DriveModel& model, const DriveRoute& route, std::size_t i) {
 
 double peak_of(double length, const End& first, const End& last, const StraightLimits& limits) {
   const double up = limits.acceleration, down = limits.braking, from = first.speed * first.speed;
-  const double squared = last.free ? from + 2.0 * up * length
-                                   : (2.0 * up * down * length + down * from + up * last.speed * last.speed) / (up + down);
+  const double squared = last.free
+                             ? from + 2.0 * up * length
+                             : (2.0 * up * down * length + down * from + up * last.speed * last.speed) / (up + down);
   return std::min(limits.speed, std::max({std::sqrt(squared), first.speed, last.speed}));
 }
 

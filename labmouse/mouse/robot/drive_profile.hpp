@@ -16,8 +16,9 @@ struct DriveSpot {
   double angle = 0.0;
 };
 
-/// One segment of a route, as it is driven: a straight, with the leads of the turns about it, speeds up, stays at the limit and
-/// brakes; a turn is driven at one speed. Times are microseconds since the segment's beginning, lengths mm from there.
+/// One segment of a route, as it is driven: a straight, with the leads of the turns about it, speeds up, stays at the
+/// limit and brakes; a turn is driven at one speed. Times are microseconds since the segment's beginning, lengths mm
+/// from there.
 class DriveProfile {
  public:
   DriveProfile(const DriveModel& model, const DriveRoute& route, std::size_t segment);

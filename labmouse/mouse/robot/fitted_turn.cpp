@@ -80,8 +80,10 @@ FittedTurn fitted_turn(Turn turn, const Robot& robot) {
     if (fitted.shape.clearance > best) best = fitted.shape.clearance, best_speed = speed;
   }
   if (best >= 0.0) return {{}, 0.0, refusal_of_clearance(turn, robot, best, best_speed)};
-  return {{}, 0.0, name_with_fit(turn, robot) + ": even at " + millimetres(speed_step) +
-                       "/s its curve is too long; a larger yaw acceleration makes it shorter"};
+  return {{},
+          0.0,
+          name_with_fit(turn, robot) + ": even at " + millimetres(speed_step) +
+              "/s its curve is too long; a larger yaw acceleration makes it shorter"};
 }
 
 }  // namespace labmouse

@@ -17,8 +17,8 @@ struct FittedTurn {
   std::string error;   ///< why no speed fits, in mm and mm/s
 };
 
-/// Both leads are 0 or more, and the path keeps the robot's clearance: at the largest such speed in steps of 5 mm/s. The
-/// width of 180 leaves one curve only; its speed is what the limits allow on it.
+/// Both leads are 0 or more, and the path keeps the robot's clearance: at the largest such speed in steps of 5 mm/s.
+/// The width of 180 leaves one curve only; its speed is what the limits allow on it.
 FittedTurn fitted_turn(Turn turn, const Robot& robot);
 
 /// "12.3 mm"

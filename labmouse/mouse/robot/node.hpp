@@ -1,15 +1,16 @@
 // The places of a route that a mouse drives in seconds.
 //
-// A route passes centres of cells and middles of walls, and at each of them it has a direction: one of the four headings,
-// or at the middle of a wall one of the diagonals between two of them. So sixteen nodes belong to a cell, four to each
-// heading of it:
+// A route passes centres of cells and middles of walls, and at each of them it has a direction: one of the four
+// headings, or at the middle of a wall one of the diagonals between two of them. So sixteen nodes belong to a cell,
+// four to each heading of it:
 //
 //          o---r---o      c  centre: in the middle of the cell, heading north
 //          |  lxr  |      x  edge: on the wall between the cell and its northern neighbour, heading north
 //          |   c   |      l  left: on that wall, heading north-west: it will cross the western side of the neighbour
 //          o---o---o      r  right: on that wall, heading north-east
 //
-// A node on a wall is one only while that wall is open, and a diagonal one while the wall that it will cross is open too.
+// A node on a wall is one only while that wall is open, and a diagonal one while the wall that it will cross is open
+// too.
 #pragma once
 
 #include <array>
@@ -69,12 +70,15 @@ constexpr int eighths(const DriveNode& node) {
 /// The same place in the opposite direction: a node of the same way driven backwards.
 constexpr DriveNode reversed(const DriveNode& node) {
   switch (node.place) {
-    case Place::centre: return {node.cell, opposite(node.heading), Place::centre};
-    case Place::edge: return {neighbour(node.cell, node.heading), opposite(node.heading), Place::edge};
-    default: break;
+    case Place::centre:
+      return {node.cell, opposite(node.heading), Place::centre};
+    case Place::edge:
+      return {neighbour(node.cell, node.heading), opposite(node.heading), Place::edge};
+    default:
+      break;
   }
-  // A diagonal lies on a wall and leads into the cell behind it; backwards it comes out of that cell's other side, so it
-  // crosses first what it lies on, from behind, and then the side away from which it had come.
+  // A diagonal lies on a wall and leads into the cell behind it; backwards it comes out of that cell's other side, so
+  // it crosses first what it lies on, from behind, and then the side away from which it had come.
   const bool left = node.place == Place::left;
   return {neighbour(node.cell, node.heading), opposite(node.heading), left ? Place::left : Place::right};
 }

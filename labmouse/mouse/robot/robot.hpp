@@ -19,8 +19,8 @@ struct SearchDrive {
   friend bool operator==(const SearchDrive&, const SearchDrive&) = default;
 };
 
-/// Published times of a robot, where its limits are not known: one speed at all nodes, and the whole time of each turn from
-/// node to node.
+/// Published times of a robot, where its limits are not known: one speed at all nodes, and the whole time of each turn
+/// from node to node.
 struct FixedTimes {
   double speed = 0.0;  ///< mm/s at every node
   DriveTime f45 = 0, f90 = 0, f135 = 0, f180 = 0, v90 = 0, s90 = 0;
@@ -29,17 +29,17 @@ struct FixedTimes {
 /// Lengths in mm, times in seconds, angles in rad.
 struct Robot {
   std::string name;
-  double cell = 180.0;  ///< side of a cell
+  double cell = 180.0;                                     ///< side of a cell
   double speed = 0.0, speed_diagonal = 0.0;                ///< never faster than that on straights
   double acceleration = 0.0, acceleration_diagonal = 0.0;  ///< mm/s²
   double braking = 0.0, braking_diagonal = 0.0;            ///< mm/s², positive
   double lateral_acceleration = 0.0;                       ///< mm/s², in curves
   double yaw_acceleration = 0.0;                           ///< rad/s², where a curve begins and ends
-  double clearance = 0.0;  ///< mm that the robot's middle keeps from the middle of any post and wall that may stand
-  double run_up = 0.0;     ///< mm behind the middle of the start cell where it stands before a run
-  int sight = 1;           ///< cells that its sensors look into each direction
-  double search_speed = 0.0;        ///< mm/s
-  double pivot_speed = 0.0;         ///< rad/s, turning on the spot
+  double clearance = 0.0;     ///< mm that the robot's middle keeps from the middle of any post and wall that may stand
+  double run_up = 0.0;        ///< mm behind the middle of the start cell where it stands before a run
+  int sight = 1;              ///< cells that its sensors look into each direction
+  double search_speed = 0.0;  ///< mm/s
+  double pivot_speed = 0.0;   ///< rad/s, turning on the spot
   double pivot_acceleration = 0.0;  ///< rad/s²
   SearchDrive search;               ///< where its `cell` is 0, it follows from the three numbers before it
   std::optional<FixedTimes> fixed;  ///< then the limits on curves above have no meaning

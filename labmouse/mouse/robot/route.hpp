@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "labmouse/mouse/robot/tables.hpp"
 #include "labmouse/mouse/pose.hpp"
+#include "labmouse/mouse/robot/tables.hpp"
 
 namespace labmouse {
 

@@ -1,9 +1,9 @@
 // What a robot's turns and straights last: all that a planner needs of it, in whole microseconds.
 //
-// A turn is driven at one speed, and may come in several speeds. It begins where its curve does, which may lie behind the
-// node: so much of the straight before is longer, its lead; and the same at its end. Turns that agree in speed and lead
-// share a *lane*: a straight is known by its length and the lanes that it leads from and to. One table for straights along
-// the axes and one for diagonals.
+// A turn is driven at one speed, and may come in several speeds. It begins where its curve does, which may lie behind
+// the node: so much of the straight before is longer, its lead; and the same at its end. Turns that agree in speed and
+// lead share a *lane*: a straight is known by its length and the lanes that it leads from and to. One table for
+// straights along the axes and one for diagonals.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,8 @@ namespace labmouse {
 
 /// Microseconds.
 using DriveTime = std::int32_t;
-/// Larger than any time of a route, and safe to add to another. All its bytes are the same, so that memory is soon full of it.
+/// Larger than any time of a route, and safe to add to another. All its bytes are the same, so that memory is soon full
+/// of it.
 inline constexpr DriveTime no_time = 0x3f3f3f3f;
 
 /// How turns enter and leave straights.

@@ -1,8 +1,8 @@
 // The turns that a mouse can drive, and where each of them leads.
 //
-// Names are those of the builders: 45 and 135 lead from the middle of a cell onto a diagonal, and `out` back from it; 90
-// and 180 lead from cell to cell; V90 from diagonal to diagonal; S90 is the small turn of a search, from edge to edge
-// inside one cell. All are written for a turn to the left; those to the right are their mirror images.
+// Names are those of the builders: 45 and 135 lead from the middle of a cell onto a diagonal, and `out` back from it;
+// 90 and 180 lead from cell to cell; V90 from diagonal to diagonal; S90 is the small turn of a search, from edge to
+// edge inside one cell. All are written for a turn to the left; those to the right are their mirror images.
 #pragma once
 
 #include <array>
@@ -28,11 +28,16 @@ constexpr bool ends_diagonal(Turn turn) { return turn == Turn::v90 || turn == Tu
 /// The same curve driven backwards.
 constexpr Turn reversed(Turn turn) {
   switch (turn) {
-    case Turn::f45: return Turn::out45;
-    case Turn::f135: return Turn::out135;
-    case Turn::out45: return Turn::f45;
-    case Turn::out135: return Turn::f135;
-    default: return turn;
+    case Turn::f45:
+      return Turn::out45;
+    case Turn::f135:
+      return Turn::out135;
+    case Turn::out45:
+      return Turn::f45;
+    case Turn::out135:
+      return Turn::f135;
+    default:
+      return turn;
   }
 }
 

@@ -29,15 +29,21 @@ TurnRoom room_between(Turn turn) {
     return more;
   };
   switch (turn) {
-    case Turn::f45: return {centre, diagonal_node(next, side, ahead), with({wall_at(across, ahead)}), {}};
-    case Turn::f90: return {centre, {across, side, Place::centre}, corner, {}};
+    case Turn::f45:
+      return {centre, diagonal_node(next, side, ahead), with({wall_at(across, ahead)}), {}};
+    case Turn::f90:
+      return {centre, {across, side, Place::centre}, corner, {}};
     case Turn::f135:
       return {centre, diagonal_node(across, behind, side), with({wall_at(across, behind), wall_at(beside, side)}), {}};
-    case Turn::f180: return {centre, {beside, behind, Place::centre}, with({wall_at(across, behind)}), {}};
+    case Turn::f180:
+      return {centre, {beside, behind, Place::centre}, with({wall_at(across, behind)}), {}};
     case Turn::v90:
-      return {diagonal_node(origin, ahead, side), diagonal_node(across, behind, side),
-              with({wall_at(across, behind), wall_at(beside, side)}), {}};
-    default: return {{origin, ahead, Place::edge}, {next, side, Place::edge}, corner, {}};
+      return {diagonal_node(origin, ahead, side),
+              diagonal_node(across, behind, side),
+              with({wall_at(across, behind), wall_at(beside, side)}),
+              {}};
+    default:
+      return {{origin, ahead, Place::edge}, {next, side, Place::edge}, corner, {}};
   }
 }
 
@@ -100,8 +106,10 @@ double clearance_of(const TurnShape& shape, double cell) {
   double high = step * std::min(steps, closest + 1);
   for (int i = 0; i < 40; ++i) {
     const double third = (high - low) / 3.0;
-    if (at(low + third) < at(high - third)) high -= third;
-    else low += third;
+    if (at(low + third) < at(high - third))
+      high -= third;
+    else
+      low += third;
   }
   return std::min(nearest, at(low)) * cell;
 }

@@ -67,8 +67,10 @@ void set_leads(TurnShape& shape, const PathPoint& curve) {
 /// Puts the curve between its nodes. Around a post both leads are half a cell.
 TurnShape placed(TurnShape shape, double cell) {
   shape.end = end_of(shape.turn, cell);
-  if (shape.turn == Turn::f180) shape.lead_in = shape.lead_out = cell / 2.0;
-  else set_leads(shape, curve_end(shape));
+  if (shape.turn == Turn::f180)
+    shape.lead_in = shape.lead_out = cell / 2.0;
+  else
+    set_leads(shape, curve_end(shape));
   return shape;
 }
 
@@ -85,8 +87,14 @@ TurnShape curve_of_eighths(Turn turn, double ramp) {
 }  // namespace
 
 PathPoint end_of(Turn turn, double cell) {
-  constexpr std::array<PathPoint, 8> ends = {{{1.0, 0.5}, {1.0, 1.0}, {0.5, 1.0}, {0.0, 1.0}, {half, half}, {0.5, 0.5},
-                                              {1.5 * half, 0.5 * half}, {0.5 * half, 1.5 * half}}};
+  constexpr std::array<PathPoint, 8> ends = {{{1.0, 0.5},
+                                              {1.0, 1.0},
+                                              {0.5, 1.0},
+                                              {0.0, 1.0},
+                                              {half, half},
+                                              {0.5, 0.5},
+                                              {1.5 * half, 0.5 * half},
+                                              {0.5 * half, 1.5 * half}}};
   const PathPoint& end = ends[static_cast<unsigned>(turn)];
   return {end.ahead * cell, end.aside * cell, angle_of(turn)};
 }

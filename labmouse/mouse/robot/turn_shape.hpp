@@ -1,4 +1,5 @@
-// The curve of a turn: driven at one speed; the yaw rate rises at a steady rate (a clothoid), stays (an arc), and falls.
+// The curve of a turn: driven at one speed; the yaw rate rises at a steady rate (a clothoid), stays (an arc), and
+// falls.
 #pragma once
 
 #include <vector>
@@ -18,12 +19,12 @@ struct PathPoint {
 /// A turn to the left from its first node to its last: a straight lead-in, the curve, a straight lead-out.
 struct TurnShape {
   Turn turn = Turn::f45;
-  double lead_in = 0.0;   ///< mm
-  double lead_out = 0.0;  ///< mm
-  double length = 0.0;    ///< mm of the curve alone
-  double ramp = 0.0;      ///< mm of each of its two clothoids
-  double peak = 0.0;      ///< largest curvature, rad/mm
-  PathPoint end;          ///< the last node
+  double lead_in = 0.0;    ///< mm
+  double lead_out = 0.0;   ///< mm
+  double length = 0.0;     ///< mm of the curve alone
+  double ramp = 0.0;       ///< mm of each of its two clothoids
+  double peak = 0.0;       ///< largest curvature, rad/mm
+  PathPoint end;           ///< the last node
   double clearance = 0.0;  ///< mm from the nearest post or wall that may stand there, middle to middle
 
   /// The point after so many mm from the first node, from 0 to lead_in + length + lead_out.

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "labmouse/mouse/robot/drive_model.hpp"
 #include "labmouse/mouse/explorer.hpp"
+#include "labmouse/mouse/robot/drive_model.hpp"
 #include "labmouse/mouse/runs.hpp"
 #include "labmouse/mouse/ways.hpp"
 #include "labmouse/strategies/ariadne/outlook.hpp"
@@ -18,9 +18,9 @@ constexpr PriceTable reluctances = [] {
     table[reluctance] = static_cast<std::uint8_t>(std::min<int>(static_cast<int>(reluctance), WallPrices::highest));
   return table;
 }();
-// Tried on 260 contest mazes under a thirtieth with published times of a robot, November 2026: mean of run and a thirtieth of
-// the search 11.51 s, where flood-return has 11.62 and certify 12.00. Prices from half to twice of this do as well; a hope
-// that no wall is left out of costs 0.04 s.
+// Tried on 260 contest mazes under a thirtieth with published times of a robot, November 2026: mean of run and a
+// thirtieth of the search 11.51 s, where flood-return has 11.62 and certify 12.00. Prices from half to twice of this do
+// as well; a hope that no wall is left out of costs 0.04 s.
 /// So many units of price are worth a cell of a search.
 constexpr int prices_a_cell = 40;
 /// Walls that are rather closed than open (P(open) < 0.46) are no hope for a route.
@@ -88,7 +88,8 @@ class Driver final : public Explorer {
     return hopeful_step(ways_, knowledge(), place());
   }
 
-  /// Whether what the hoped-for route could save, by the chance that it exists, is more than the look at its next wall costs.
+  /// Whether what the hoped-for route could save, by the chance that it exists, is more than the look at its next wall
+  /// costs.
   bool pays(DriveTime known) {
     int reluctance = 0;
     hoped_.unknown_walls().for_each([&](Wall wall) { reluctance += outlook_.prices().of(wall); });

@@ -20,7 +20,8 @@ class EdgeCosts {
   /// Finds A and G over prices that stay as they are until the next plan. The weight of A is in 1/256; at 0 there is no
   /// need for it.
   void plan(const WallPrices& prices, int way_here);
-  /// The same for those cells t alone whose G is below a limit; the T of a wall may be too large where it leads to others.
+  /// The same for those cells t alone whose G is below a limit; the T of a wall may be too large where it leads to
+  /// others.
   void plan_near(int limit, const WallPrices& prices, int way_here);
   /// The same at weight 1, for those walls alone whose T is below a limit; the T of others may be too large.
   void plan_below(int limit, const WallPrices& prices);

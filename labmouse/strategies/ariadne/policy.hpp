@@ -29,10 +29,10 @@ struct Policy {
   Phase after;
   /// Prices for `before` where nothing is left to look at: no wall is taken for closed.
   PriceTable last_resort{};
-  int goal_bonus = 0;   ///< of going into the goal, once a way is known
-  int stop_travel = 0;  ///< of a step to where a wall is seen, when the mind asks whether to stop
-  int stop_margin = 0;  ///< what a look may cost more than it could save
-  bool loop_free = false;  ///< stop at the goal, always
+  int goal_bonus = 0;             ///< of going into the goal, once a way is known
+  int stop_travel = 0;            ///< of a step to where a wall is seen, when the mind asks whether to stop
+  int stop_margin = 0;            ///< what a look may cost more than it could save
+  bool loop_free = false;         ///< stop at the goal, always
   bool may_be_loop_free = false;  ///< stop at the goal where the walls seen say that there are no loops
 
   explicit Policy(const Settings& settings);

@@ -20,7 +20,8 @@ int Views::unseen_from(Cell from, const WallPrices& prices) const {
   for (const Heading direction : all_headings) {
     Cell cell = from;
     int away = 0;
-    for (; away < sight_ && knowledge_.open().contains(wall_at(cell, direction)); ++away) cell = neighbour(cell, direction);
+    for (; away < sight_ && knowledge_.open().contains(wall_at(cell, direction)); ++away)
+      cell = neighbour(cell, direction);
     if (away == sight_) continue;
     const Wall wall = wall_at(cell, direction);
     if (knowledge_.state(wall) == WallState::unknown && prices.passable(wall)) ++unseen;

@@ -23,7 +23,10 @@ class Views {
  public:
   /// Takes all memory that it will need. Briefing and knowledge must live as long.
   Views(const Briefing& briefing, const Knowledge& knowledge)
-      : sight_(briefing.sight), goals_(briefing.goals), knowledge_(knowledge), travel_(briefing.size, briefing.motion) {}
+      : sight_(briefing.sight),
+        goals_(briefing.goals),
+        knowledge_(knowledge),
+        travel_(briefing.size, briefing.motion) {}
 
   /// Finds the ways from where the mouse stands.
   void plan(Cell from) { travel_.fill(knowledge_.open(), CellSet::of(from)); }

@@ -60,10 +60,14 @@ std::optional<Cell> GoalOriented::most_promising(const CellSet& candidates, cons
 
 int GoalOriented::heuristic(const Knowledge& knowledge, Cell cell) const {
   switch (heuristic_) {
-    case Heuristic::none: return 0;
-    case Heuristic::manhattan: return manhattan_to(goals_, cell);
-    case Heuristic::edges: return manhattan_to(goals_, cell) + explored_edges(knowledge, cell);
-    case Heuristic::optimistic: return optimistic_.at(cell);
+    case Heuristic::none:
+      return 0;
+    case Heuristic::manhattan:
+      return manhattan_to(goals_, cell);
+    case Heuristic::edges:
+      return manhattan_to(goals_, cell) + explored_edges(knowledge, cell);
+    case Heuristic::optimistic:
+      return optimistic_.at(cell);
   }
   return 0;
 }

@@ -69,7 +69,8 @@ void misbehave(const std::string& how) {
   if (how == "give up") say("forfeit"), hang();
   if (how == "hang") hang();
   if (how == "hang within a line") std::cout << "move 0" << std::flush, hang();
-  if (how == "write notes") do std::cerr << "a note\n", say("move 90 0");
+  if (how == "write notes") do
+      std::cerr << "a note\n", say("move 90 0");
     while (hear("sense"));
   if (how == "late") wait_for(500), say("move 0 0"), hang();
   if (how == "die") std::cerr << "one\ntwo\nthree: no way out\n", std::exit(3);

@@ -68,8 +68,13 @@ async function watch(page: Page, places: Record<string, string>) {
 
 /** Twenty mice of the roster, among them those that throw dice, in all mazes of the folder. */
 function bigReport(mazes: string): string {
-  const roster = native('mice').split('\n').filter((line) => /^\w/.test(line));
-  const mice = roster.map((line) => line.split(' ')[0]).filter((name) => name !== 'oracle').slice(0, 20);
+  const roster = native('mice')
+    .split('\n')
+    .filter((line) => /^\w/.test(line));
+  const mice = roster
+    .map((line) => line.split(' ')[0])
+    .filter((name) => name !== 'oracle')
+    .slice(0, 20);
   const [folder, file] = [temporary('race'), temporary('report.html')];
   native('race', '--mice', mice.join(), '--mazes', mazes, '--runs', '1', '--out', folder);
   native('report', folder, '-o', file, '--page', builtPage);
@@ -89,10 +94,7 @@ test.skipIf(!manyMazes)('a large report', { timeout: 300_000 }, async () => {
   const seen: Record<string, number>[] = [];
   for (let i = 0; i < 7; ++i) {
     const page = await open('', { file, before: (fresh) => watch(fresh, places) });
-    await page.waitForFunction(
-      (names) => names.every((name) => window.seen[name] > 0),
-      Object.keys(places),
-    );
+    await page.waitForFunction((names) => names.every((name) => window.seen[name] > 0), Object.keys(places));
     seen.push(await page.evaluate(() => window.seen));
     await page.close();
   }

@@ -379,9 +379,7 @@ export interface PairedDifference {
 
 /** `open`: what a dropped file turned out to be. */
 export type Opened =
-  | { kind: 'maze'; maze: MazeData }
-  | { kind: 'record'; play: Play }
-  | { kind: 'results'; results: RaceResults };
+  { kind: 'maze'; maze: MazeData } | { kind: 'record'; play: Play } | { kind: 'results'; results: RaceResults };
 
 /**
  * What a report page carries in its first block. The records are in the second, so that the table need not wait for them.
@@ -426,7 +424,10 @@ export interface Calls {
   open: { request: { name: string; maze?: MazeData }; bytes: Uint8Array; answer: Opened };
   inspect: { request: { maze: MazeData }; answer: Inspection };
   /** The maze as a file: text, or bytes for the binary format. */
-  write_maze: { request: { maze: MazeData; format: string }; answer: { file_name: string; text?: string; bytes?: number[] } };
+  write_maze: {
+    request: { maze: MazeData; format: string };
+    answer: { file_name: string; text?: string; bytes?: number[] };
+  };
   /** A maze as a text for links: letters, digits, - _ and . only; and back. */
   link: { request: { maze: MazeData }; answer: { link: string } };
   read_link: { request: { link: string }; answer: { maze: MazeData } };

@@ -51,8 +51,7 @@ function paintHover(context: maze.Context, g: Geometry, palette: Palette, drawin
   const back = Math.floor(across / 2);
   const inset = Math.round(g.pitch * 0.3);
   context.fillStyle = palette.paper;
-  if (wall.side === 'north')
-    context.fillRect(columnAt(g, wall.x) + inset, rowAt(g, wall.y + 1) - back, along, across);
+  if (wall.side === 'north') context.fillRect(columnAt(g, wall.x) + inset, rowAt(g, wall.y + 1) - back, along, across);
   else context.fillRect(columnAt(g, wall.x + 1) - back, rowAt(g, wall.y + 1) + inset, across, along);
 }
 

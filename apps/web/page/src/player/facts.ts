@@ -213,7 +213,12 @@ export function createFacts(state: State): Panel {
   function tableRow(row: Row): HTMLElement {
     const cells = texts(row).map((text) => document.createTextNode(text));
     if (row.live) live.push({ row, cells });
-    return h('tr', {}, h('th', { scope: 'row', title: row.meaning?.(sides[0]) }, row.label), ...cells.map((cell) => h('td', {}, cell)));
+    return h(
+      'tr',
+      {},
+      h('th', { scope: 'row', title: row.meaning?.(sides[0]) }, row.label),
+      ...cells.map((cell) => h('td', {}, cell)),
+    );
   }
   function rebuild() {
     sides = state.sides;

@@ -20,7 +20,9 @@ export interface Progress {
 
 const mazesOf = (core: Core, mazes: Order['mazes']): Promise<MazeData[]> =>
   Promise.all(
-    mazes.map(async (maze) => (typeof maze === 'string' ? (await core.call('builtin_maze', { name: maze })).maze : maze)),
+    mazes.map(async (maze) =>
+      typeof maze === 'string' ? (await core.call('builtin_maze', { name: maze })).maze : maze,
+    ),
   );
 
 /** Holds the race; `wanted` is asked between mice whether to go on. Null where it was stopped before its first end. */

@@ -57,10 +57,7 @@ export function leaderboard(results: RaceResults, onOrder: (order: number[]) => 
 export function mmsLeaderboard(group: MmsGroup): Leaderboard {
   const columns = mmsColumns(group.mice, group.mazes.length);
   const caption = 'Leaderboard of mms';
-  return boxed(
-    sortedTable({ caption, columns, rows: group.mice, by: 2 }),
-    columns,
-    caption,
-    [`Mice of mms. Score: ${group.formula}; lower is better.`],
-  );
+  return boxed(sortedTable({ caption, columns, rows: group.mice, by: 2 }), columns, caption, [
+    `Mice of mms. Score: ${group.formula}; lower is better.`,
+  ]);
 }

@@ -11,7 +11,9 @@ export const root = resolve(__dirname, '../../../../..');
 export const builtPage = join(root, 'build/page/labmouse.html');
 export const program = process.env.LABMOUSE_PROGRAM ?? join(root, 'build/release/labmouse');
 /** The folder of mazes that lies beside the checkout on some machines; null on others. */
-export const manyMazes = existsSync(join(root, '../shared/mazes/classic')) ? join(root, '../shared/mazes/classic') : null;
+export const manyMazes = existsSync(join(root, '../shared/mazes/classic'))
+  ? join(root, '../shared/mazes/classic')
+  : null;
 
 /** Runs the native program and returns what it prints. */
 export function native(...words: string[]): string {

@@ -21,7 +21,8 @@ test('its policy lets no script in that is not its own, and nothing out', async 
     const directives: string[] = [];
     const next = () =>
       new Promise((done) => {
-        const note = (event: Event) => done(directives.push((event as SecurityPolicyViolationEvent).effectiveDirective));
+        const note = (event: Event) =>
+          done(directives.push((event as SecurityPolicyViolationEvent).effectiveDirective));
         addEventListener('securitypolicyviolation', note, { once: true });
       });
     const inAttribute = next();

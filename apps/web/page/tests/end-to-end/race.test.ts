@@ -137,7 +137,9 @@ test('a report is found again after other results', async () => {
   await drop(page, { name: 'results.json', content: JSON.stringify(fewer) });
   await back.click();
   await page.waitForFunction(() => document.querySelectorAll('.race table.sorted tbody th .name').length >= 4);
-  expect(await mice(page)).toEqual(results.mice.map(({ name, contestant }) => (contestant ? name : `${name}reference`)));
+  expect(await mice(page)).toEqual(
+    results.mice.map(({ name, contestant }) => (contestant ? name : `${name}reference`)),
+  );
   expect(await back.count()).toBe(0);
 });
 

@@ -263,7 +263,9 @@ test('what the mouse believed is asked of the core', async () => {
   await page.locator('.replay').getByLabel('Distances').selectOption('believed');
   await expect.poll(() => pixels(page)).not.toBe(whole);
   await page.locator('.replay .player canvas').hover({ position: { x: 30, y: 200 } });
-  expect(await page.locator('.replay .readout').textContent()).toMatch(/^\(0,\d+\): \d visits?, \d+ steps to the goal$/);
+  expect(await page.locator('.replay .readout').textContent()).toMatch(
+    /^\(0,\d+\): \d visits?, \d+ steps to the goal$/,
+  );
 });
 
 test.each([1280, 390])('a name of any length stays in its place: %i pixels', async (width) => {

@@ -116,7 +116,8 @@ describe(`a race in ${race.mazes.length} mazes`, () => {
     const old = temporary('flood.json');
     writeFileSync(old, native('race', '--mice', 'flood', '--mazes', ...race.mazes, '--format', 'json'));
     const told = native('race', '--mice', 'ariadne', '--mazes', ...race.mazes, '--baseline', old);
-    const line = /ariadne against flood: (\S+) \[(\S+), (\S+)\] over (\d+) mazes \((\d+) better, (\d+) equal, (\d+) worse\): (.+)/;
+    const line =
+      /ariadne against flood: (\S+) \[(\S+), (\S+)\] over (\d+) mazes \((\d+) better, (\d+) equal, (\d+) worse\): (.+)/;
     const [, mean, low, high, count, below, equal, above, verdict] = line.exec(told)!;
 
     const page = await opened(race.report);
@@ -128,7 +129,11 @@ describe(`a race in ${race.mazes.length} mazes`, () => {
       `${mean} steps on average (95 % interval ${low} to ${high}) over ${count} mazes: ${verdict}. ` +
         `Lower in ${below}, equal in ${equal}, higher in ${above}`,
     );
-    await page.getByRole('region', { name: 'Differences, maze by maze' }).first().getByRole('button', { name: stem(race.mazes[1]) }).click();
+    await page
+      .getByRole('region', { name: 'Differences, maze by maze' })
+      .first()
+      .getByRole('button', { name: stem(race.mazes[1]) })
+      .click();
     await expect.poll(() => replay(page).locator('.moment').textContent()).toContain('flood after 0 of');
     await picture(page, 'report-two');
   });
@@ -156,14 +161,20 @@ describe('files and links', () => {
     await drop(page, { name: 'results.json', content: results });
     await leaderboard(page).waitFor();
     await clickCell(page, 'flood', 0);
-    await expect.poll(() => alert(page).textContent()).toContain('The maze strange is not in this page. Drop its file here');
+    await expect
+      .poll(() => alert(page).textContent())
+      .toContain('The maze strange is not in this page. Drop its file here');
     await drop(page, { name: 'strange.txt', content: readFileSync(strange) });
     await page.waitForFunction(() => document.title === 'Live · labmouse');
     await page.goBack();
     await matrix(page).click({ position: { x: 3, y: 3 }, trial: true });
     await clickCell(page, 'flood', 0);
     await replay(page).locator('.player canvas').waitFor();
-    const [{ results: [contest] }] = (JSON.parse(results) as RaceResults).mice.filter(({ name }) => name === 'flood');
+    const [
+      {
+        results: [contest],
+      },
+    ] = (JSON.parse(results) as RaceResults).mice.filter(({ name }) => name === 'flood');
     expect(await score(page)).toBe(contest.score!.toFixed(3));
   });
 
@@ -176,7 +187,9 @@ describe('files and links', () => {
       await page.getByRole('region', { name: 'Live' }).getByText(`ariadne in of-${format}: solved`).waitFor();
     }
     const made = /score ([\d.]+)/.exec(native('run', 'ariadne', 'contest-03'))![1];
-    expect(await page.getByRole('region', { name: 'Live' }).locator('.verdict').textContent()).toContain(`score ${made}`);
+    expect(await page.getByRole('region', { name: 'Live' }).locator('.verdict').textContent()).toContain(
+      `score ${made}`,
+    );
   });
 
   test('what is wrong is said with its place; nothing breaks, and nothing is lost', async () => {
@@ -190,10 +203,18 @@ describe('files and links', () => {
     const hostile: [string, string | Buffer, RegExp][] = [
       ['broken.txt', 'o---o---o\n|     | |\no   o---o\n|       |\no---o---o\n', /broken\.txt.*line 2, column 7: /s],
       ['bare.jsonl', [JSON.stringify(bare), ...lines].join('\n'), /bare\.jsonl.*maze/s],
-      ['unfit.jsonl', [JSON.stringify({ ...bare, maze: wrongMaze }), ...lines].join('\n'), /unfit\.jsonl does not agree with its maze.*step 1: recorded at/s],
+      [
+        'unfit.jsonl',
+        [JSON.stringify({ ...bare, maze: wrongMaze }), ...lines].join('\n'),
+        /unfit\.jsonl does not agree with its maze.*step 1: recorded at/s,
+      ],
       ['cut.json', race.text.slice(0, race.text.length / 2), /cut\.json.*line \d+, column \d+/s],
       ['older.json', JSON.stringify(older), /older\.json.*labmouse 0\.0\.1 wrote them.*'mice\[0\]\.runs' is missing/s],
-      ['report.html', readFileSync(race.report).subarray(0, 50_000), /report\.html is a page of labmouse: open it by itself/],
+      [
+        'report.html',
+        readFileSync(race.report).subarray(0, 50_000),
+        /report\.html is a page of labmouse: open it by itself/,
+      ],
       ['noise.bin', Buffer.from(Array.from({ length: 300 }, (_, i) => (i * 151) % 256)), /noise\.bin/],
       ['empty', '', /empty is empty/],
     ];
@@ -249,12 +270,16 @@ describe('files and links', () => {
     const page = await open('', { file: cut('few.html', records + (whole.length - records) / 2) });
     await leaderboard(page).waitFor();
     await clickCell(page, 'ariadne', 0);
-    await expect.poll(() => alert(page).textContent()).toContain('The records in this page cannot be read: the file is cut');
+    await expect
+      .poll(() => alert(page).textContent())
+      .toContain('The records in this page cannot be read: the file is cut');
     await replay(page).locator('.player canvas').waitFor();
 
     const block = whole.indexOf('id="labmouse-report"');
     const other = await open('', { file: cut('none.html', (block + records) / 2) });
-    await expect.poll(() => alert(other).textContent()).toContain('The report in this page cannot be read: the file is cut');
+    await expect
+      .poll(() => alert(other).textContent())
+      .toContain('The report in this page cannot be read: the file is cut');
     await other.getByRole('button', { name: 'Hold the race' }).waitFor();
   });
 });

@@ -26,7 +26,11 @@ const fact = async (page: Page, name: string) =>
     .textContent();
 const pixels = (page: Page) =>
   page.locator('.replay .sides canvas').evaluate((canvas: HTMLCanvasElement) => canvas.toDataURL());
-const fastRun = (page: Page) => page.locator('.replay .drive-runs').getByRole('button', { name: /fast run$/ }).last();
+const fastRun = (page: Page) =>
+  page
+    .locator('.replay .drive-runs')
+    .getByRole('button', { name: /fast run$/ })
+    .last();
 
 test('a contest in seconds is played on its clock, move by move', async () => {
   const page = await driven();

@@ -21,7 +21,11 @@ describe.skipIf(!existsSync(file))('the core', () => {
   let play: Play;
   let record: string;
 
-  function answer<Name extends CallName>(name: Name, request: Calls[Name]['request'], bytes?: Uint8Array): Calls[Name]['answer'] {
+  function answer<Name extends CallName>(
+    name: Name,
+    request: Calls[Name]['request'],
+    bytes?: Uint8Array,
+  ): Calls[Name]['answer'] {
     const reply = core(name, request, bytes);
     expect(reply.failure).toBeUndefined();
     return reply.answer as Calls[Name]['answer'];
@@ -55,7 +59,8 @@ describe.skipIf(!existsSync(file))('the core', () => {
   test('measures distance fields', () => {
     const { distance_ns } = answer('speed', {});
     expect(Object.keys(distance_ns)).toEqual(['16', '32', '64']);
-    for (const ns of Object.values(distance_ns)) expect(Object.keys(ns)).toEqual(['rows', 'portable_rows', 'queue', 'plain']);
+    for (const ns of Object.values(distance_ns))
+      expect(Object.keys(ns)).toEqual(['rows', 'portable_rows', 'queue', 'plain']);
   });
 
   test('makes and inspects mazes', () => {
@@ -136,7 +141,10 @@ describe.skipIf(!existsSync(file))('the core', () => {
     expect(failure('run', { mouse: 'ariadne:prior=mine', maze, seed: 1 }).error).toContain('a page reads none');
     expect(failure('inspect', { maze: { ...maze, walls: [] } }).error).toContain('walls of 0 cells');
     expect(failure('inspect', null).error).toBe('the request is no JSON object');
-    expect(failure('open', { name: 'x' }, text('o---o\n|   x\no---o\n')).problems[0]).toMatchObject({ line: 2, column: 5 });
+    expect(failure('open', { name: 'x' }, text('o---o\n|   x\no---o\n')).problems[0]).toMatchObject({
+      line: 2,
+      column: 5,
+    });
     expect(failure('open', { name: 'x' }, text('{"mice": [\n1,}')).problems[0]).toMatchObject({ line: 2, column: 3 });
     expect(failure('read_link', { link: 'x' }).problems).toHaveLength(1);
     expect(answer('builtin_maze', { name: 'contest-01' }).maze).toEqual(maze);

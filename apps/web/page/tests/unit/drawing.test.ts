@@ -32,7 +32,12 @@ function expectSound(maze: MazeData) {
 /** Some walls that no symmetry takes to themselves. */
 function uneven(): MazeData {
   let maze = open(4, 3);
-  for (const [x, y, side] of [[0, 0, 'east'], [1, 1, 'north'], [2, 0, 'north'], [2, 2, 'east']] as const)
+  for (const [x, y, side] of [
+    [0, 0, 'east'],
+    [1, 1, 'north'],
+    [2, 0, 'north'],
+    [2, 2, 'east'],
+  ] as const)
     maze = model.withWall(maze, { x, y, side }, true);
   return model.withGoal({ ...maze, heading: 'east' }, [3, 2], true);
 }
@@ -99,10 +104,16 @@ describe('start and goals', () => {
     expect(model.withGoal(maze, [1, 1], false)).toBe(maze);
     expect(model.withGoal(maze, [1, 1], true)).toBe(maze);
     const two = model.withGoal(maze, [0, 0], true);
-    expect(two.goals).toEqual([[0, 0], [1, 1]]);
+    expect(two.goals).toEqual([
+      [0, 0],
+      [1, 1],
+    ]);
     expect(model.withGoal(two, [1, 1], false).goals).toEqual([[0, 0]]);
     expect(model.withMovedGoal(two, [0, 0], [1, 1]).goals).toEqual([[1, 1]]);
-    expect(model.withMovedGoal(two, [0, 0], [2, 0]).goals).toEqual([[2, 0], [1, 1]]);
+    expect(model.withMovedGoal(two, [0, 0], [2, 0]).goals).toEqual([
+      [2, 0],
+      [1, 1],
+    ]);
   });
 });
 
@@ -113,7 +124,10 @@ describe('mirror and turn', () => {
     expectSound(turned);
     expect(turned.start).toEqual([0, 3]);
     expect(turned.heading).toBe('south');
-    expect(turned.goals).toEqual([[2, 0], [1, 2]]);
+    expect(turned.goals).toEqual([
+      [2, 0],
+      [1, 2],
+    ]);
     expect(closed(turned, [0, 3], 'south')).toBe(true);
     const mirror = model.mirrored(uneven());
     expectSound(mirror);

@@ -138,7 +138,14 @@ export function seconds(changes: Partial<Play> = {}): Play {
     scores: [null, null, null, null, null, 1.5],
     drive: {
       robot: { name: 'hand', cell: 100, hash: '0' },
-      rules: { name: 'thirtieth', source: '', time_limit: 6e8, most_runs: 5, maze_time_divisor: 30, gate_to_gate: true },
+      rules: {
+        name: 'thirtieth',
+        source: '',
+        time_limit: 6e8,
+        most_runs: 5,
+        maze_time_divisor: 30,
+        gate_to_gate: true,
+      },
       decisions: 2,
       replanned: 1,
       runs: [

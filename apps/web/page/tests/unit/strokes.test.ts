@@ -33,14 +33,27 @@ it('carries start and goals from the middle of their cells', () => {
 });
 
 it('leaves alone the goals that another one is carried over', () => {
-  const two: MazeData = { ...maze, goals: [[1, 2], [2, 2]] };
-  expect(draw('walls', [2.5, 2.5], [0.5, 2.5], two).goals).toEqual([[0, 2], [1, 2]]);
+  const two: MazeData = {
+    ...maze,
+    goals: [
+      [1, 2],
+      [2, 2],
+    ],
+  };
+  expect(draw('walls', [2.5, 2.5], [0.5, 2.5], two).goals).toEqual([
+    [0, 2],
+    [1, 2],
+  ]);
   expect(draw('walls', [2.5, 2.5], [1.5, 2.5], two).goals).toEqual([[1, 2]]);
 });
 
 it('paints goals as the first cell becomes', () => {
   const three = draw('goals', [0.5, 2.5], [2.5, 2.5]);
-  expect(three.goals).toEqual([[0, 2], [1, 2], [2, 2]]);
+  expect(three.goals).toEqual([
+    [0, 2],
+    [1, 2],
+    [2, 2],
+  ]);
   expect(draw('goals', [0.5, 2.5], [2.5, 2.5], three).goals).toEqual([[2, 2]]);
 });
 
@@ -73,7 +86,10 @@ it('draws by keys and says what came of it', () => {
   expect(press(key('ArrowLeft', true), closed.maze, [1, 0])?.maze.walls).toEqual(maze.walls);
   expect(press(key('a'), maze, [0, 0])).toMatchObject({ maze, said: 'west of (0,0) is the border; it stays closed' });
   expect(press(key('g'), maze, [2, 2])).toMatchObject({ maze, said: 'a maze has one goal at least' });
-  expect(press(key('g'), maze, [1, 1])?.maze.goals).toEqual([[1, 1], [2, 2]]);
+  expect(press(key('g'), maze, [1, 1])?.maze.goals).toEqual([
+    [1, 1],
+    [2, 2],
+  ]);
   expect(press(key('H'), maze, [1, 1])?.maze.start).toEqual([1, 1]);
   expect(press(key('r'), maze, [1, 1])?.maze.heading).toBe('east');
 });
