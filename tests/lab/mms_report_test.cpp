@@ -6,8 +6,8 @@
 #include <sstream>
 
 #include "labmouse/lab/pictures/mms_picture.hpp"
-#include "labmouse/lab/records/mms_fields.hpp"
 #include "labmouse/lab/records/mms_record.hpp"
+#include "labmouse/lab/records/mms_statistics_json.hpp"
 #include "labmouse/lab/standings/race_report.hpp"
 #include "tests/lab/mms_fixture.hpp"
 

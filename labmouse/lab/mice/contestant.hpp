@@ -4,6 +4,7 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -31,22 +32,17 @@ struct Contestant {
   std::function<std::unique_ptr<Strategy>(const Maze&, const Rules&, std::uint64_t seed)> make;
   /// The same in seconds; empty for a mouse that does not drive in that world.
   std::function<std::unique_ptr<Strategy>(const Briefing&)> drive;
+  /// How to start a program that talks to mms; nothing for all others, which decide when they are asked.
+  std::optional<Launch> program;
   /// Only of a mouse that learns from whole mazes before it races: the same mouse with what these mazes teach in place
   /// of what it brings along. Studies call it with the mazes of all folds but one, in the order of their names; it may
   /// remember nothing from one call to the next, must give equal mice for equal mazes, and keeps uses_chance.
   std::function<Contestant(const std::vector<const Maze*>& training, const Rules&)> taught;
 };
 
-/// A program that was written for mms, which is a world of its own.
-struct MmsMouse {
-  std::string name;  ///< the SPEC, `mms:COMMAND`
-  Launch launch;
-};
-
 /// Mice, or the reason why the text is no SPEC: exactly one of the two is there.
 struct SpecResult {
   std::vector<Contestant> contestants;
-  std::vector<MmsMouse> mms;
   std::string error;
 };
 

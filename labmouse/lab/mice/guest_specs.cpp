@@ -34,6 +34,15 @@ Contestant contestant_of(std::string name, Launch launch, int runs) {
   return contestant;
 }
 
+/// A program for mms: it has one run in each maze, whatever guests have.
+Contestant program_of(std::string name, Launch launch) {
+  Contestant contestant;
+  contestant.name = std::move(name);
+  contestant.runs = 1;
+  contestant.program = std::move(launch);
+  return contestant;
+}
+
 /// A file as users name it: a shell does not see a `~` behind a colon, so it is still there.
 std::string from_home(const std::string& file) {
   const char* home = std::getenv("HOME");
@@ -118,7 +127,7 @@ void read_guest_spec(std::string_view spec, const GuestOptions& options, SpecRes
   if (!error.empty())
     result.error = fmt::format("guest '{}': {}", spec, error);
   else if (kind == "mms:")
-    result.mms.push_back({std::string(spec), std::move(launch)});
+    result.contestants.push_back(program_of(std::string(spec), std::move(launch)));
   else
     result.contestants.push_back(contestant_of(std::string(spec), std::move(launch), options.runs));
 }

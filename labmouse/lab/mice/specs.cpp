@@ -159,7 +159,7 @@ void drop_repetitions(std::vector<Mouse>& mice) {
                mice.end());
 }
 
-SpecResult refused(std::string error) { return {{}, {}, std::move(error)}; }
+SpecResult refused(std::string error) { return {{}, std::move(error)}; }
 
 /// Reads the mice of one text into the result; on failure sets its error.
 void read_into(std::string_view text, const GuestOptions& options, SpecResult& result) {
@@ -180,7 +180,6 @@ SpecResult read_specs(std::span<const std::string> texts, const GuestOptions& op
     if (result.error.empty()) read_into(text, options, result);
   if (!result.error.empty()) return refused(result.error);
   drop_repetitions(result.contestants);
-  drop_repetitions(result.mms);
   return result;
 }
 
@@ -219,7 +218,7 @@ SpecResult read_variant(const Contestant& mouse, std::span<const Setting> values
   for (const Setting& value : values)
     if (auto error = apply(*entry, fmt::format("{}={}", value.name, value.value), settings); !error.empty())
       return refused(error);
-  return {{contestant_of(*entry, std::move(settings))}, {}, ""};
+  return {{contestant_of(*entry, std::move(settings))}, ""};
 }
 
 namespace {

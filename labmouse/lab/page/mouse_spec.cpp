@@ -49,7 +49,7 @@ std::string refused(std::string_view spec) {
 
 SpecResult read_page_mice(std::span<const std::string> specs) {
   for (const std::string& spec : specs)
-    if (auto reason = refused(spec); !reason.empty()) return {{}, {}, std::move(reason)};
+    if (auto reason = refused(spec); !reason.empty()) return {{}, std::move(reason)};
   return read_specs(specs);
 }
 

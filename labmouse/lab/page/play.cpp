@@ -5,11 +5,11 @@
 #include "labmouse/contest/coverage.hpp"
 #include "labmouse/contest/score.hpp"
 #include "labmouse/lab/bounds/bounds.hpp"
-#include "labmouse/lab/galleries/race_folder.hpp"
 #include "labmouse/lab/page/fields.hpp"
 #include "labmouse/lab/page/maze_data.hpp"
 #include "labmouse/lab/page/play_frames.hpp"
 #include "labmouse/lab/records/explanation.hpp"
+#include "labmouse/lab/steps/steps_files.hpp"
 #include "labmouse/lab/text/optional_json.hpp"
 
 namespace labmouse {

@@ -9,7 +9,7 @@
 #include "labmouse/lab/page/maze_data.hpp"
 #include "labmouse/lab/page/play.hpp"
 #include "labmouse/lab/pictures/mms_picture.hpp"
-#include "labmouse/lab/records/mms_fields.hpp"
+#include "labmouse/lab/records/mms_statistics_json.hpp"
 #include "labmouse/lab/text/optional_json.hpp"
 
 namespace labmouse {

@@ -4,12 +4,14 @@
 #include <algorithm>
 
 #include "labmouse/contest/simulator.hpp"
-#include "labmouse/lab/galleries/race_folder.hpp"
 #include "labmouse/lab/page/answers.hpp"
 #include "labmouse/lab/page/mouse_spec.hpp"
+#include "labmouse/lab/page/page_world.hpp"
 #include "labmouse/lab/page/play.hpp"
 #include "labmouse/lab/page/request.hpp"
 #include "labmouse/lab/standings/race_json.hpp"
+#include "labmouse/lab/steps/steps_files.hpp"
+#include "labmouse/lab/worlds/entering.hpp"
 
 namespace labmouse {
 namespace {
@@ -18,9 +20,10 @@ namespace {
 constexpr std::size_t most_contests = 20'000;
 constexpr int most_runs = 1'000;
 
-std::vector<Contestant> read_mice(PageRequest& request) {
+std::vector<Contestant> read_mice(PageRequest& request, const World* world) {
   const nlohmann::json& list = request.list("mice");
-  if (list.empty()) return all_contestants();
+  if (world == nullptr) return {};
+  if (list.empty()) return residents_of(*world);
   std::vector<std::string> specs;
   for (const nlohmann::json& spec : list)
     if (spec.is_string())
@@ -29,16 +32,19 @@ std::vector<Contestant> read_mice(PageRequest& request) {
       request.reject("'mice' has one that is no text");
   SpecResult result = read_page_mice(specs);
   request.reject(result.error);
+  for (const Contestant& mouse : result.contestants) request.reject(world->refuse(mouse));
   return std::move(result.contestants);
 }
 
-std::vector<NamedMaze> read_mazes(PageRequest& request) {
+std::vector<NamedMaze> read_mazes(PageRequest& request, const World* world) {
   std::vector<NamedMaze> mazes;
   for (const nlohmann::json& each : request.list("mazes")) {
     mazes.push_back(request.maze_at(each, fmt::format("mazes[{}]", mazes.size())));
     const auto same = [&](const NamedMaze& maze) { return maze.name == mazes.back().name; };
     if (std::count_if(mazes.begin(), mazes.end(), same) > 1)
       request.reject(fmt::format("two mazes are called '{}'", mazes.back().name));
+    if (const std::string reason = world != nullptr ? world->refuse(mazes.back().maze) : ""; !reason.empty())
+      request.reject(fmt::format("{} {}", mazes.back().name, reason));
     if (!request.error().empty()) break;
   }
   if (mazes.empty()) request.reject("a race needs a maze");
@@ -66,10 +72,11 @@ PageReply answer_run(const nlohmann::json& json, std::string_view) {
 
 PageReply answer_race(const nlohmann::json& json, std::string_view) {
   PageRequest request(json);
-  std::vector<Contestant> mice = read_mice(request);
-  std::vector<NamedMaze> mazes = read_mazes(request);
+  const std::shared_ptr<const World> world = read_page_world(request);
+  std::vector<Contestant> mice = read_mice(request, world.get());
+  std::vector<NamedMaze> mazes = read_mazes(request, world.get());
   RaceOrder order;
-  order.rules = request.rules();
+  order.world = world;
   order.runs = request.whole("runs", 1, most_runs);
   order.seed = request.seed();
   if (!request.error().empty()) return failed(request.error());
@@ -77,7 +84,8 @@ PageReply answer_race(const nlohmann::json& json, std::string_view) {
     return failed(
         fmt::format("a race of {} contests is too long for a page, which holds {} at most; `labmouse race` holds it",
                     contests, most_contests));
-  return answered({{"results", race_json(hold_race(std::move(mice), std::move(mazes), order), {})}});
+  const Race race = hold_race(std::move(mice), std::move(mazes), order);
+  return answered({{"results", race_json({&race, 1}, {})}});
 }
 
 }  // namespace labmouse

@@ -2,16 +2,17 @@
 #include <fmt/format.h>
 
 #include "labmouse/contest/simulator.hpp"
-#include "labmouse/lab/galleries/race_folder.hpp"
 #include "labmouse/lab/page/answers.hpp"
 #include "labmouse/lab/page/mouse_spec.hpp"
 #include "labmouse/lab/page/play.hpp"
+#include "labmouse/lab/page/play_seconds.hpp"
 #include "labmouse/lab/page/played_record.hpp"
 #include "labmouse/lab/page/request.hpp"
 #include "labmouse/lab/pictures/drive_picture.hpp"
 #include "labmouse/lab/pictures/picture_layers.hpp"
 #include "labmouse/lab/records/mms_record_file.hpp"
 #include "labmouse/lab/records/packed_record.hpp"
+#include "labmouse/lab/steps/steps_files.hpp"
 
 namespace labmouse {
 namespace {
@@ -33,6 +34,15 @@ PageReply unpack_mms(const nlohmann::json& text) {
   PlayResult result = play_json(*read.file);
   if (!result.disagreement.empty()) return disagreed("the record", std::move(result.disagreement));
   return answered({{"play", std::move(result.play)}, {"record", text}});
+}
+
+/// So does a record in seconds.
+PageReply unpack_drive(const nlohmann::json& text) {
+  ReadDriveRecordResult read = read_drive_record(text.get<std::string>());
+  if (!read.file) return failed("the report has a record in seconds that cannot be read", std::move(read.problems));
+  if (std::string disagreement = replay(*read.file); !disagreement.empty())
+    return disagreed("the record", std::move(disagreement));
+  return answered({{"play", play_json(*read.file)}, {"record", text}});
 }
 
 std::string picture_of(const NamedMaze& maze) {
@@ -58,6 +68,8 @@ PageReply answer_unpack(const nlohmann::json& json, std::string_view) {
   if (!request.error().empty()) return failed(request.error());
   if (json["record"].is_object() && json["record"].value("mms", nlohmann::json()).is_string())
     return unpack_mms(json["record"]["mms"]);
+  if (json["record"].is_object() && json["record"].value("drive", nlohmann::json()).is_string())
+    return unpack_drive(json["record"]["drive"]);
   UnpackResult unpacked = unpack_record(json["record"], maze.maze);
   if (!unpacked.file) return failed("the report has a record that cannot be read", {{0, 0, std::move(unpacked.error)}});
   unpacked.file->maze = maze.maze;

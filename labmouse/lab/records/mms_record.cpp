@@ -1,7 +1,7 @@
 #include "labmouse/lab/records/mms_record.hpp"
 
 #include "labmouse/guests/mms/half_pose.hpp"
-#include "labmouse/lab/records/mms_fields.hpp"
+#include "labmouse/lab/records/mms_statistics_json.hpp"
 #include "labmouse/lab/records/record_maze.hpp"
 #include "labmouse/lab/system/version.hpp"
 

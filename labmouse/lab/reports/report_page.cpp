@@ -42,14 +42,14 @@ std::optional<Maze> find_again(const ReportMaze& wanted) {
 Json links_of(const ReportResults& results, const ReportRecords& records, std::vector<std::string>& notes) {
   Json links = Json::object();
   std::vector<std::string> lost;
-  for (const ReportWorld* world : {&results.steps, &results.mms})
-    for (const ReportMaze& wanted : world->mazes) {
+  for (const ReportWorld& world : results.worlds)
+    for (const ReportMaze& wanted : world.mazes) {
       if (links.contains(wanted.name)) continue;
       const auto recorded = records.mazes.find(wanted.name);
       const auto maze = recorded != records.mazes.end() ? recorded->second : find_again(wanted);
       if (maze)
         links[wanted.name] = link_of({wanted.name, *maze});
-      else if (world == &results.steps)
+      else if (world.entry->is_home)
         lost.push_back(wanted.name);
     }
   if (!lost.empty())

@@ -28,7 +28,7 @@ struct Place {
   const ReportMouse* mouse = nullptr;
   const std::string* maze = nullptr;
   const std::set<std::uint64_t>* seeds = nullptr;
-  bool mms = false;
+  const ReportWorld* world = nullptr;
 };
 
 /// What was found there: a packed record, or a note why there is none, or neither.
@@ -36,6 +36,7 @@ struct Found {
   std::string packed;
   std::optional<Maze> maze;
   std::string note;
+  bool own_places = true;  ///< as PackedFile has it
 };
 
 Found failed(const Place& place, std::string_view reason) {
@@ -44,61 +45,31 @@ Found failed(const Place& place, std::string_view reason) {
 
 Found failed(const Place& place, const Problem& problem) { return {"", std::nullopt, describe(place.path, problem)}; }
 
-std::string packed_text(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
-
-Found pack(const Place& place, const std::string& text) {
-  ReadRecordResult read = read_record(text);
-  if (!read.file) return failed(place, read.problems.front());
-  RecordFile& file = *read.file;
-  if (!file.maze) return failed(place, "the record has no maze");
-  if (file.mouse != place.mouse->name || file.maze_name != *place.maze || !place.seeds->contains(file.seed))
-    return failed(
-        place, fmt::format("is not of this race, but of {} in {} with seed {}", file.mouse, file.maze_name, file.seed));
-  const ReplayResult played = replay(file, *file.maze);
-  if (!played.disagreement.empty()) return failed(place, "does not agree with its maze: " + played.disagreement);
-  return {packed_text(pack_record(file)), file.maze, ""};
-}
-
-/// The first line of the text that is not JSON; 0 where all are.
-int first_bad_line(std::string_view text) {
-  for (int line = 1; !text.empty(); ++line) {
-    const auto length = std::min(text.find('\n'), text.size());
-    if (!Json::accept(text.substr(0, length))) return line;
-    text.remove_prefix(std::min(length + 1, text.size()));
-  }
-  return 0;
-}
-
-/// A record of mms goes in as it is.
-Found pack_mms(const Place& place, const std::string& text) {
-  if (const int line = first_bad_line(text); line > 0) return failed(place, {line, 1, "the line is not JSON"});
-  Json header = Json::parse(text.substr(0, text.find('\n')), nullptr, false);
-  if (!header.is_object() || header.value("labmouse", Json()) != "mms record")
-    return failed(place, {1, 1, "is not the header of a record of mms"});
-  // But for that word its header is that of a record, so that one reader serves both.
-  header["labmouse"] = "record";
-  ReadRecordResult read = read_record(packed_text(header));
-  if (!read.file) return failed(place, read.problems.front());
-  if (read.file->mouse != place.mouse->name || read.file->maze_name != *place.maze)
-    return failed(place, fmt::format("is not of this race, but of {} in {}", read.file->mouse, read.file->maze_name));
-  return {packed_text({{"mouse", read.file->mouse}, {"maze", read.file->maze_name}, {"mms", text}}), read.file->maze,
-          ""};
-}
-
 Found read_place(const Place& place) {
   const FileContent file = read_file(place.path, longest_file);
   if (!file.error.empty()) return failed(place, file.error);
-  return place.mms ? pack_mms(place, file.content) : pack(place, file.content);
+  PackedFile packed = place.world->entry->pack(file.content, {place.mouse->name, *place.maze, *place.seeds});
+  if (packed.problem) return failed(place, *packed.problem);
+  return {std::move(packed.json), std::move(packed.maze), "", packed.own_places};
+}
+
+/// Where a record lies: its file has the number of the run, or none in a world where each mouse has one run in a maze.
+std::string path_of(const RacePaths& numbered, const RacePaths& single, std::size_t mouse, std::size_t maze) {
+  for (const RacePaths* paths : {&numbered, &single}) {
+    std::string path = paths->record(mouse, maze, 0);
+    std::error_code unknown;
+    if (std::filesystem::exists(path, unknown)) return path;
+  }
+  return "";
 }
 
 /// Where the records of a world lie that the results speak of, in the order of the results; `missing` counts those that
 /// are not there.
-void add_places(const ReportWorld& world, bool mms, const std::string& folder, std::vector<Place>& places,
-                int& missing) {
+void add_places(const ReportWorld& world, const std::string& folder, std::vector<Place>& places, int& missing) {
   std::vector<std::string> mice = names_of(world.mice), mazes = names_of(world.mazes);
   std::sort(mice.begin(), mice.end());
   std::sort(mazes.begin(), mazes.end());
-  const RacePaths paths(folder, mice, mazes);
+  const RacePaths numbered(folder, mice, mazes), single(folder, mice, mazes, false);
   const auto position = [](const std::vector<std::string>& names, const std::string& name) {
     return static_cast<std::size_t>(std::lower_bound(names.begin(), names.end(), name) - names.begin());
   };
@@ -106,12 +77,11 @@ void add_places(const ReportWorld& world, bool mms, const std::string& folder, s
     for (const auto& [maze, seeds] : mouse.seeds) {
       const std::size_t row = position(mice, mouse.name), column = position(mazes, maze);
       if (column == mazes.size() || mazes[column] != maze) continue;
-      std::string path = mms ? paths.mms_record(row, column) : paths.record(row, column, 0);
-      std::error_code unknown;
-      if (std::filesystem::exists(path, unknown))
-        places.push_back({std::move(path), &mouse, &maze, &seeds, mms});
-      else
+      std::string path = path_of(numbered, single, row, column);
+      if (path.empty())
         ++missing;
+      else
+        places.push_back({std::move(path), &mouse, &maze, &seeds, &world});
     }
 }
 
@@ -124,15 +94,15 @@ class Shelf {
   void leave_out(std::size_t count) { left_out_ += count; }
 
   void add(const Place& place, Found found) {
-    if (found.note.empty() && found.maze && !place.mms &&
+    if (found.note.empty() && found.maze && found.own_places &&
         records_.mazes.try_emplace(*place.maze, *found.maze).first->second != *found.maze)
       found = failed(place, "its maze is not the one that other records of this race have under that name");
     if (!found.note.empty()) return records_.notes.push_back(std::move(found.note));
     if (full() || found.packed.size() > room_) return leave_out(1);
     room_ -= found.packed.size();
     list_ += (list_.empty() ? "" : ",") + found.packed;
-    // Mazes of mms start and end elsewhere; they are a makeshift where no other record has the maze.
-    if (place.mms && found.maze) records_.mazes.try_emplace(*place.maze, *found.maze);
+    // A maze with other places is a makeshift where no other record has it.
+    if (!found.own_places && found.maze) records_.mazes.try_emplace(*place.maze, *found.maze);
   }
 
   ReportRecords finish() {
@@ -155,8 +125,7 @@ class Shelf {
 ReportRecords read_report_records(const ReportResults& results, const std::string& folder, std::size_t most_bytes) {
   std::vector<Place> places;
   int missing = 0;
-  add_places(results.steps, false, folder, places, missing);
-  add_places(results.mms, true, folder, places, missing);
+  for (const ReportWorld& world : results.worlds) add_places(world, folder, places, missing);
   Shelf shelf(most_bytes);
   for (std::size_t begin = 0; begin < places.size(); begin += block_size) {
     const std::size_t count = std::min(block_size, places.size() - begin);

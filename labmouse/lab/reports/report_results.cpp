@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "labmouse/lab/records/drive_json.hpp"
+#include "labmouse/lab/worlds/worlds.hpp"
 
 namespace labmouse {
 namespace {
@@ -38,6 +38,8 @@ class Reading {
     return wrong(path, key, "is not a list"), none;
   }
 
+  void refuse(const std::string& path, const char* key, const char* reason) { wrong(path, key, reason); }
+
  private:
   const Json& get(const Json& json, const char* key, const std::string& path) {
     static const Json nothing;
@@ -53,14 +55,14 @@ class Reading {
   std::string error_;
 };
 
-ReportMouse read_mouse(const Json& json, bool seeds, const std::string& path, Reading& reading) {
+ReportMouse read_mouse(const Json& json, const std::string& path, Reading& reading) {
   ReportMouse mouse;
   mouse.name = reading.text(json, "name", path);
   int number = 0;
   for (const Json& result : reading.list(json, "results", path)) {
     const std::string place = fmt::format("{}results[{}].", path, number++);
     auto& known = mouse.seeds[reading.text(result, "maze", place)];
-    if (seeds) known.insert(reading.number(result, "seed", place));
+    if (result.is_object() && result.contains("seed")) known.insert(reading.number(result, "seed", place));
   }
   return mouse;
 }
@@ -77,19 +79,28 @@ ReportMaze read_raced_maze(const Json& json, const std::string& path, Reading& r
   return maze;
 }
 
-ReportWorld read_world(const Json& json, bool seeds, const std::string& path, Reading& reading) {
+ReportWorld read_world(const Json& json, const WorldEntry* entry, const std::string& path, Reading& reading) {
   ReportWorld world;
+  world.entry = entry;
   for (const Json& maze : reading.list(json, "mazes", path))
     world.mazes.push_back(read_raced_maze(maze, fmt::format("{}mazes[{}].", path, world.mazes.size()), reading));
   for (const Json& mouse : reading.list(json, "mice", path))
-    world.mice.push_back(read_mouse(mouse, seeds, fmt::format("{}mice[{}].", path, world.mice.size()), reading));
+    world.mice.push_back(read_mouse(mouse, fmt::format("{}mice[{}].", path, world.mice.size()), reading));
   return world;
 }
 
-ReportWorld read_groups(const Json& json, Reading& reading) {
-  if (!json.contains("groups")) return {};
-  const Json& groups = reading.list(json, "groups", "");
-  return groups.empty() ? ReportWorld() : read_world(groups.front(), false, "groups[0].", reading);
+/// The home world, and those of the groups.
+std::vector<ReportWorld> read_worlds(const Json& json, Reading& reading) {
+  std::vector<ReportWorld> worlds;
+  worlds.push_back(read_world(json, all_worlds().front(), "", reading));
+  if (!json.contains("groups")) return worlds;
+  for (const Json& group : reading.list(json, "groups", "")) {
+    const std::string path = fmt::format("groups[{}].", worlds.size() - 1);
+    const WorldEntry* entry = find_world(reading.text(group, "world", path));
+    if (entry == nullptr) reading.refuse(path, "world", "is a world that this version does not know");
+    worlds.push_back(read_world(group, entry, path, reading));
+  }
+  return worlds;
 }
 
 /// Line and column of a byte, which counts from 1.
@@ -139,16 +150,10 @@ ReadResultsResult read_report_results(std::string_view text) {
   if (std::string other = what_it_is(text); !other.empty()) return {std::nullopt, Problem{0, 0, std::move(other)}};
   Json json;
   if (auto problem = parse(text, json)) return {std::nullopt, std::move(problem)};
-  if (is_race_in_seconds(json))
-    return {
-        std::nullopt,
-        Problem{0, 0,
-                "is a race in seconds, of which there are no reports; its records can be opened in `labmouse page`"}};
   Reading reading;
   reading.text(json, "labmouse", "");
   ReportResults results;
-  results.steps = read_world(json, true, "", reading);
-  results.mms = read_groups(json, reading);
+  results.worlds = read_worlds(json, reading);
   results.json = json.dump();
   if (!reading.error().empty()) return {std::nullopt, Problem{0, 0, reading.error()}};
   return {std::move(results), std::nullopt};

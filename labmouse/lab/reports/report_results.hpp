@@ -9,11 +9,13 @@
 #include <string_view>
 #include <vector>
 
+#include "labmouse/lab/races/world_entry.hpp"
 #include "labmouse/maze/formats/format.hpp"
 
 namespace labmouse {
 
-/// A mouse of the race: the mazes that it ran in by their names, each with the seeds of its contests (none in mms).
+/// A mouse of the race: the mazes that it ran in by their names, each with the seeds of its contests (none in a world
+/// without dice).
 struct ReportMouse {
   std::string name;
   std::map<std::string, std::set<std::uint64_t>> seeds;
@@ -27,14 +29,14 @@ struct ReportMaze {
 
 /// One world of a race.
 struct ReportWorld {
+  const WorldEntry* entry = nullptr;
   std::vector<ReportMouse> mice;  ///< best first
   std::vector<ReportMaze> mazes;
 };
 
 struct ReportResults {
   std::string json;  ///< as it is, in one line
-  ReportWorld steps;
-  ReportWorld mms;
+  std::vector<ReportWorld> worlds;
 };
 
 /// Results, or what is wrong with the text: exactly one of the two is there.

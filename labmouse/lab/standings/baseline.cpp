@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "labmouse/lab/standings/standings.hpp"
@@ -13,16 +14,25 @@ namespace {
 using Json = nlohmann::json;
 using Scores = std::map<std::string, std::vector<double>>;
 
-constexpr double absurd = 1e6;  // no contest takes so many steps: whoever wrote this was no race
+constexpr double absurd = 1e6;  // no contest scores that much: whoever wrote this was no race
+
+/// The number at the place of a score; nothing where it is null or none; `good` is false where it is no score at all.
+std::optional<double> score_in(const Json& result, const ScorePlace& place, bool& good) {
+  const std::string key(place.key), inner(place.inner);
+  good = result.is_object() && result.contains(key);
+  if (!good || result[key].is_null()) return std::nullopt;
+  const Json& score = inner.empty() ? result[key] : result[key].is_object() ? result[key].value(inner, Json()) : Json();
+  good = score.is_number() && std::abs(score.get<double>() * place.unit) < absurd;
+  return good ? std::optional(score.get<double>() * place.unit) : std::nullopt;
+}
 
 /// Reads one result of a mouse into its scores; false where it is none.
-bool read_result(const Json& result, double failure_score, Scores& scores) {
-  if (!result.is_object() || !result.contains("maze") || !result["maze"].is_string() || !result.contains("score"))
-    return false;
-  const Json& score = result["score"];
-  if (!score.is_null() && !(score.is_number() && score.get<double>() >= 0.0 && score.get<double>() < absurd))
-    return false;
-  scores[result["maze"].get<std::string>()].push_back(score.is_null() ? failure_score : score.get<double>());
+bool read_result(const Json& result, const World& world, Scores& scores) {
+  bool good = false;
+  std::optional<double> score = score_in(result, world.score_place(), good);
+  if (!good || !result.contains("maze") || !result["maze"].is_string()) return false;
+  if (!score) score = world.failure_score();
+  if (score) scores[result["maze"].get<std::string>()].push_back(*score);
   return true;
 }
 
@@ -38,6 +48,43 @@ const std::vector<double>* find_scores(const Scores& scores, const std::string& 
     found = &values;
   }
   return found;
+}
+
+/// The part of a race's JSON that holds a world; null where there is none.
+const Json* part_of(const Json& json, const World& world) {
+  if (world.is_home()) return json["mice"].is_array() && json.contains("budget") ? &json : nullptr;
+  if (!json.contains("groups") || !json["groups"].is_array()) return nullptr;
+  for (const Json& group : json["groups"])
+    if (group.is_object() && group.contains("world") && group["world"] == world.name()) return &group;
+  return nullptr;
+}
+
+/// The worlds of a race's JSON, in words.
+std::string worlds_in(const Json& json) {
+  std::string names;
+  if (json["mice"].is_array() && !json["mice"].empty()) names = "that of steps";
+  if (json.contains("groups") && json["groups"].is_array())
+    for (const Json& group : json["groups"])
+      if (group.is_object() && group.contains("world") && group["world"].is_string())
+        names += (names.empty() ? "that of " : " and that of ") + shown(group["world"].get<std::string>());
+  return names.empty() ? "none" : names;
+}
+
+/// A condition that differs, in a line: lists and objects by their names, where they have one.
+std::string change_of(const Condition& condition, const Baseline& baseline) {
+  const auto before = baseline.conditions.find(condition.key);
+  const Json now = std::holds_alternative<JsonText>(condition.value)      ? Json::parse(text_of(condition.value))
+                   : std::holds_alternative<std::string>(condition.value) ? Json(text_of(condition.value))
+                                                                          : Json::parse(text_of(condition.value));
+  if (before == baseline.conditions.end()) return "";
+  const Json old = Json::parse(before->second);
+  if (old == now) return "";
+  const auto name = [](const Json& json) {
+    const Json& named = json.is_object() && json.contains("name") ? json["name"] : json;
+    return shown(named.is_string() ? named.get<std::string>() : named.is_object() ? "another one" : named.dump());
+  };
+  if (name(old) == name(now)) return fmt::format("Careful: {} {} has changed since.\n", condition.key, name(now));
+  return fmt::format("Careful: {} was {}, and is {} now.\n", condition.key, name(old), name(now));
 }
 
 std::string compare(const Race& race, std::size_t mouse, const std::string& old_name, const Scores& old) {
@@ -63,25 +110,32 @@ std::string compare(const Race& race, std::size_t mouse, const std::string& old_
 
 }  // namespace
 
-std::optional<Baseline> read_baseline(std::string_view json_text, const Rules& rules) {
+ReadBaselineResult read_baseline(std::string_view json_text, const World& world) {
+  const auto no_race = [] {
+    return ReadBaselineResult{std::nullopt, "is not the JSON of a race (make one with `labmouse race --format json`)"};
+  };
   const Json json = Json::parse(json_text, nullptr, false);
-  if (!json.is_object() || !json.contains("labmouse") || !json.contains("mice") || !json["mice"].is_array()) return {};
+  if (!json.is_object() || !json.contains("labmouse") || !json.contains("mice")) return no_race();
+  const Json* held = part_of(json, world);
+  if (held == nullptr)
+    return {std::nullopt, fmt::format("has no race in the world of {}; it has {}", world.name(), worlds_in(json))};
+  if (!held->contains("mice") || !(*held)["mice"].is_array()) return no_race();
   Baseline baseline;
-  if (json.contains("budget") && json["budget"].is_number_integer()) baseline.budget = json["budget"].get<int>();
-  for (const Json& mouse : json["mice"]) {
-    if (!mouse.is_object() || !mouse.contains("name") || !mouse["name"].is_string()) return {};
-    if (!mouse.contains("results") || !mouse["results"].is_array()) return {};
+  for (const Condition& condition : world.conditions())
+    if (held->contains(condition.key)) baseline.conditions[condition.key] = (*held)[condition.key].dump();
+  for (const Json& mouse : (*held)["mice"]) {
+    if (!mouse.is_object() || !mouse.contains("name") || !mouse["name"].is_string()) return no_race();
+    if (!mouse.contains("results") || !mouse["results"].is_array()) return no_race();
     Scores& scores = baseline.mice[mouse["name"].get<std::string>()];
     for (const Json& result : mouse["results"])
-      if (!read_result(result, rules.failure_score, scores)) return {};
+      if (!read_result(result, world, scores)) return no_race();
   }
-  return baseline;
+  return {std::move(baseline), ""};
 }
 
 std::string compare_with_baseline(const Race& race, const Baseline& baseline) {
   std::string text = "Change from the baseline (mean score over all, new - old, 95 % interval):\n";
-  if (baseline.budget != race.order.rules.budget)
-    text += fmt::format("Careful: the budget was {} steps, and is {} now.\n", baseline.budget, race.order.rules.budget);
+  for (const Condition& condition : race.world().conditions()) text += change_of(condition, baseline);
   for (std::size_t mouse = 0; mouse < race.mice.size(); ++mouse) {
     auto old = baseline.mice.find(race.mice[mouse].name);
     if (old == baseline.mice.end() && baseline.mice.size() == 1) old = baseline.mice.begin();

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "labmouse/lab/mice/mouse_names.hpp"
-#include "labmouse/lab/races/tournament.hpp"
+#include "labmouse/lab/races/race.hpp"
 
 namespace labmouse {
 

@@ -1,13 +1,17 @@
-// What is to be said below the leaderboard of a race.
+// What is to be said below the leaderboard of a race, in lines.
 #pragma once
 
 #include <string>
+#include <string_view>
 
-#include "labmouse/lab/races/tournament.hpp"
+#include "labmouse/lab/races/race.hpp"
 
 namespace labmouse {
 
-/// What the score means, what was left out of the means, how mice failed, and what else a reader has to know; in lines.
+/// All of it: what the world has to say, how mice failed, what was left out of the means, and whether it was stopped.
 std::string notes_of(const Race& race);
+
+/// What the score is, and what a failed contest counts, in a line.
+std::string score_note(const World& world);
 
 }  // namespace labmouse

@@ -7,17 +7,16 @@
 #include <tuple>
 
 #include "labmouse/chance/dice.hpp"
-#include "labmouse/lab/bounds/bounds.hpp"
 #include "labmouse/maze/symmetry.hpp"
 
 namespace labmouse {
 
-MazeSelection select_mazes(std::vector<NamedMaze> mazes, const Rules& rules) {
+MazeSelection select_mazes(std::vector<NamedMaze> mazes, const World& world) {
   std::stable_sort(mazes.begin(), mazes.end(), [](const NamedMaze& a, const NamedMaze& b) { return a.name < b.name; });
   MazeSelection selection;
   std::map<CanonicalWalls, std::string> first_of;
   for (NamedMaze& maze : mazes) {
-    if (!bound_of(maze.maze, rules).score) {
+    if (!world.facts(maze.maze).bound) {
       selection.routeless.push_back(maze.name);
       continue;
     }

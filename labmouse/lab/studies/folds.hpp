@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "labmouse/contest/rules.hpp"
-#include "labmouse/lab/mazes/maze_files.hpp"
+#include "labmouse/lab/races/world.hpp"
 
 namespace labmouse {
 
@@ -23,9 +22,10 @@ struct MazeSelection {
   std::vector<std::string> routeless;  ///< their goals cannot be reached
 };
 
-/// Leaves out mazes without a route and, of those with the same walls, all but the first by name: a maze that was
-/// learned from is no test, from whatever side it is seen. Start and goals make no difference there.
-MazeSelection select_mazes(std::vector<NamedMaze> mazes, const Rules& rules);
+/// Leaves out mazes in which no mouse can score in that world and, of those with the same walls, all but the first by
+/// name: a maze that was learned from is no test, from whatever side it is seen. Start and goals make no difference
+/// there.
+MazeSelection select_mazes(std::vector<NamedMaze> mazes, const World& world);
 
 /// For each of the names the fold (0 to folds - 1) of that maze. Folds differ by at most one maze. The deal depends on
 /// the seed and on the names without their folders, and not on their order (of equal ones, the folders decide).

@@ -6,7 +6,10 @@
 #include <cmath>
 
 #include "labmouse/chance/dice.hpp"
-#include "labmouse/lab/standings/standings.hpp"
+#include "labmouse/contest/score.hpp"
+#include "labmouse/lab/mice/specs.hpp"
+#include "labmouse/lab/numbers/statistics.hpp"
+#include "labmouse/lab/steps/steps_world.hpp"
 #include "labmouse/lab/studies/parameter_range.hpp"
 #include "labmouse/mouse/distance.hpp"
 #include "labmouse/mouse/knowledge.hpp"
@@ -45,23 +48,23 @@ class Collector {
   void note_stop(const Race& race, const ContestResult& contest, const RunRecord& record) {
     if (!is_own(race, contest)) return;
     stops_.resize(std::max(stops_.size(), static_cast<std::size_t>(contest.run) + 1));
-    stops_[static_cast<std::size_t>(contest.run)] = best_stop(record, maze_, race.order.rules);
+    stops_[static_cast<std::size_t>(contest.run)] = best_stop(record, maze_, hindsight_.order.rules);
   }
 
   MazeHindsight result(const Race& race) const {
     MazeHindsight found;
     found.maze = race.mazes.front().name;
-    found.bound = race.bounds.front();
+    found.bound = bound_of(maze_, hindsight_.order.rules);
     std::vector<double> own;
     const ContestResult* best = nullptr;
     for (const ContestResult& contest : race.results) {
-      if (is_own(race, contest)) own.push_back(penalised(race, contest));
-      if (best == nullptr || penalised(race, contest) < penalised(race, *best)) best = &contest;
+      if (is_own(race, contest)) own.push_back(*contest.counted);
+      if (best == nullptr || *contest.counted < *best->counted) best = &contest;
     }
     found.score = mean(own);
     found.best_stop = mean(stops_);
     if (!hindsight_.has_others) return found;
-    found.best_other = penalised(race, *best);
+    found.best_other = *best->counted;
     found.best_mouse = race.mice[best->mouse].name;
     found.best_seed = best->seed;
     return found;
@@ -95,10 +98,11 @@ void race_all(const Contestant& mouse, const std::vector<NamedMaze>& mazes, cons
               Hindsight& hindsight) {
   const std::vector<Contestant> mice = all_mice(mouse, hindsight.order);
   RaceOrder order = hindsight.order.race;
+  order.world = steps_world(hindsight.order.rules);
   order.runs = mouse.uses_chance ? order.runs + hindsight.order.others : 1;
   std::vector<const NamedMaze*> with_route;
   for (const NamedMaze& maze : mazes)
-    if (bound_of(maze.maze, order.rules).score)
+    if (bound_of(maze.maze, hindsight.order.rules).score)
       with_route.push_back(&maze);
     else
       hindsight.routeless.push_back(maze.name);
@@ -107,8 +111,8 @@ void race_all(const Contestant& mouse, const std::vector<NamedMaze>& mazes, cons
     Collector collector(hindsight, maze->maze);
     RaceHooks race_hooks;
     race_hooks.stop = hooks.stop;
-    race_hooks.finished = [&](const Race& race, const ContestResult& contest, const RunRecord& record) {
-      collector.note_stop(race, contest, record);
+    race_hooks.finished = [&](const Race& race, const ContestResult& contest, const Held& held) {
+      collector.note_stop(race, contest, std::any_cast<const RunRecord&>(held.run));
       if (hooks.finished) hooks.finished(all);
     };
     const Race race = hold_race(mice, {*maze}, order, race_hooks);

@@ -11,7 +11,8 @@
 #include <vector>
 
 #include "labmouse/contest/record.hpp"
-#include "labmouse/lab/races/tournament.hpp"
+#include "labmouse/lab/bounds/bounds.hpp"
+#include "labmouse/lab/races/race.hpp"
 
 namespace labmouse {
 
@@ -27,6 +28,8 @@ double best_stop(const RunRecord& record, const Maze& maze, const Rules& rules);
 std::vector<Contestant> perturbed(const Contestant& mouse, int count, std::uint64_t seed);
 
 struct HindsightOrder {
+  Rules rules;
+  /// Its world is always that of steps, under these rules.
   RaceOrder race;
   /// Perturbed variants or, for a mouse that throws dice, further seeds; 0 for none.
   int others = 64;

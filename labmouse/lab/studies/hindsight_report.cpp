@@ -39,12 +39,12 @@ std::string others_text(const Hindsight& hindsight) {
 /// Whether a failure is cheaper than the best that is possible in some maze.
 bool has_high_bound(const Hindsight& hindsight) {
   return std::any_of(hindsight.mazes.begin(), hindsight.mazes.end(), [&](const MazeHindsight& maze) {
-    return *maze.bound.score > hindsight.order.race.rules.failure_score;
+    return *maze.bound.score > hindsight.order.rules.failure_score;
   });
 }
 
 std::string notes_of(const Hindsight& hindsight) {
-  const Rules& rules = hindsight.order.race.rules;
+  const Rules& rules = hindsight.order.rules;
   std::string notes =
       "No mouse scores less than the bound. The columns right of the score are\n"
       "references and no bounds: they choose in hindsight, and another mouse may score\n"
@@ -113,7 +113,7 @@ std::string json_of(const Hindsight& hindsight) {
   json["mouse"] = hindsight.mouse;
   json["throws_dice"] = hindsight.throws_dice;
   json["seed"] = hindsight.order.race.seed;
-  json["budget"] = hindsight.order.race.rules.budget;
+  json["budget"] = hindsight.order.rules.budget;
   json["runs"] = hindsight.throws_dice ? hindsight.order.race.runs : 1;
   json["others"] = hindsight.has_others ? hindsight.order.others : 0;
   json["stopped"] = hindsight.stopped;

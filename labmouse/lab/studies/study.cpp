@@ -25,10 +25,7 @@ std::string complaint(const Study& study, std::size_t given) {
 bool stopping(const StudyHooks& hooks) { return hooks.stop != nullptr && hooks.stop->load(); }
 
 std::size_t contests_of(const std::vector<Contestant>& mice, const Study& study) {
-  std::size_t in_a_maze = 0;
-  for (const Contestant& mouse : mice)
-    in_a_maze += mouse.uses_chance ? static_cast<std::size_t>(study.order.race.runs) : 1;
-  return in_a_maze * study.selection.mazes.size();
+  return labmouse::contests_of(mice, study.selection.mazes.size(), study.order.race);
 }
 
 /// The mice that race in a fold: those that learn have learned from the mazes of the others.
@@ -40,7 +37,7 @@ std::vector<Contestant> taught(const std::vector<Contestant>& mice, const Study&
   std::vector<Contestant> pupils;
   for (const Contestant& mouse : mice) {
     const bool learns = mouse.taught && study.order.learning && !stopping(hooks);
-    pupils.push_back(learns ? mouse.taught(training, study.order.race.rules) : mouse);
+    pupils.push_back(learns ? mouse.taught(training, study.order.race.world->lesson_rules()) : mouse);
     // A race stands in the order of names, and all folds in the same one.
     pupils.back().name = mouse.name;
   }
@@ -65,8 +62,7 @@ void join(std::vector<Race> races, const std::vector<int>& deal, Study& study) {
     const std::size_t position = places[from].size();
     places[from].push_back(joined.mazes.size());
     joined.mazes.push_back(races[from].mazes[position]);
-    joined.bounds.push_back(races[from].bounds[position]);
-    joined.reachable.push_back(races[from].reachable[position]);
+    joined.facts.push_back(std::move(races[from].facts[position]));
     study.fold_of.push_back(fold);
   }
   for (std::size_t fold = 0; fold < races.size(); ++fold)
@@ -92,7 +88,7 @@ Study planned(const std::vector<Contestant>& mice, std::vector<NamedMaze> mazes,
   std::sort(study.race.mice.begin(), study.race.mice.end(),
             [](const Contestant& a, const Contestant& b) { return a.name < b.name; });
   const std::size_t given = mazes.size();
-  study.selection = select_mazes(std::move(mazes), order.race.rules);
+  study.selection = select_mazes(std::move(mazes), *order.race.world);
   study.error = complaint(study, given);
   return study;
 }
@@ -110,9 +106,9 @@ Comparison compare(const Study& study, const std::string& mouse, const std::stri
   comparison.against = position_of(study.race, against);
   const auto scores = scores_by_maze(study.race, comparison.mouse);
   const auto others = scores_by_maze(study.race, comparison.against);
-  // All mazes have a route and all contests were done, so that each maze has both scores.
+  // A maze that one of them failed in has no difference, in a world where failures count nothing.
   for (std::size_t maze = 0; maze < scores.size(); ++maze)
-    comparison.differences.push_back(*scores[maze] - *others[maze]);
+    if (scores[maze] && others[maze]) comparison.differences.push_back(*scores[maze] - *others[maze]);
   comparison.found = paired_difference(comparison.differences, study.order.race.seed);
   return comparison;
 }
@@ -130,7 +126,7 @@ Study hold_study(const std::vector<Contestant>& mice, std::vector<NamedMaze> maz
   RaceHooks race_hooks;
   race_hooks.stop = hooks.stop;
   if (hooks.finished)
-    race_hooks.finished = [&](const Race&, const ContestResult&, const RunRecord&) { hooks.finished(all); };
+    race_hooks.finished = [&](const Race&, const ContestResult&, const Held&) { hooks.finished(all); };
   std::vector<Race> races;
   for (int fold = 0; fold < order.folds; ++fold) {
     Race race = hold_race(taught(mice, study, deal, fold, hooks), held_out(study, deal, fold), order.race, race_hooks);

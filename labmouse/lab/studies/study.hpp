@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "labmouse/lab/numbers/statistics.hpp"
-#include "labmouse/lab/races/tournament.hpp"
+#include "labmouse/lab/races/race.hpp"
 #include "labmouse/lab/studies/folds.hpp"
 
 namespace labmouse {

@@ -38,8 +38,9 @@ Json comparison_json(const Study& study, const Comparison& comparison) {
 }  // namespace
 
 std::string json_of(const Study& study, const std::vector<SkippedFile>& skipped) {
-  Json json = race_json(study.race, skipped);
-  for (std::size_t maze = 0; maze < study.fold_of.size(); ++maze) json["mazes"][maze]["fold"] = study.fold_of[maze] + 1;
+  Json json = race_json({&study.race, 1}, skipped);
+  Json& mazes = study.race.world().is_home() ? json["mazes"] : json["groups"][0]["mazes"];
+  for (std::size_t maze = 0; maze < study.fold_of.size(); ++maze) mazes[maze]["fold"] = study.fold_of[maze] + 1;
   json["folds"] = folds_json(study);
   json["learning"] = study.order.learning;
   json["learners"] = study.learners;
@@ -63,8 +64,8 @@ std::string csv_of(const Study& study) {
   text += "\n";
   for (std::size_t maze = 0; maze < study.race.mazes.size(); ++maze) {
     text += fmt::format("{},{},{}", csv_field(study.race.mazes[maze].name), study.fold_of[maze] + 1,
-                        *study.race.bounds[maze].score);
-    for (const auto& of_mouse : scores) text += fmt::format(",{}", *of_mouse[maze]);
+                        *study.race.facts[maze].bound);
+    for (const auto& of_mouse : scores) text += "," + (of_mouse[maze] ? fmt::format("{}", *of_mouse[maze]) : "");
     text += "\n";
   }
   return text;

@@ -46,7 +46,7 @@ std::string titled(std::string_view element, const std::string& attributes, cons
 
 std::string words_of(const Study& study, std::size_t maze) {
   return fmt::format("{} (fold {}, bound {:.3f})", study.race.mazes[maze].name, study.fold_of[maze] + 1,
-                     *study.race.bounds[maze].score);
+                     *study.race.facts[maze].bound);
 }
 
 /// A bar from zero for each maze, the best for the first mouse on the left.
@@ -108,7 +108,7 @@ std::string marks_svg(const Study& study, const Scores& scores, bool ring, const
   std::string marks;
   for (std::size_t maze = 0; maze < scores.values.size(); ++maze)
     marks += titled("circle",
-                    fmt::format("cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\"", x.place(*study.race.bounds[maze].score),
+                    fmt::format("cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\"", x.place(*study.race.facts[maze].bound),
                                 y.place(scores.values[maze]), ring ? "3.5" : "2.5"),
                     fmt::format("{}: {} {:.3f}", words_of(study, maze), scores.name, scores.values[maze]));
   return fmt::format("<g {}>\n{}</g>\n", mark_attributes(ring), marks);
@@ -121,7 +121,7 @@ std::string bound_svg(double x1, double y1, double x2, double y2) {
 
 std::string scores_svg(const Study& study, const std::vector<Scores>& mice, const PlotArea& area) {
   std::vector<double> bounds, scores;
-  for (const Bound& bound : study.race.bounds) bounds.push_back(*bound.score);
+  for (const MazeFacts& facts : study.race.facts) bounds.push_back(*facts.bound);
   scores = bounds;
   for (const Scores& mouse : mice) scores.insert(scores.end(), mouse.values.begin(), mouse.values.end());
   const Axis x = axis_of(bounds, area.left, area.right, 8), y = axis_of(scores, area.bottom, area.top, 8);
@@ -154,8 +154,8 @@ void explain_scores(const Study& study, const std::vector<Scores>& mice, Legend&
     legend.add(10, sample(mark_attributes(i > 0), fmt::format(R"(circle cx="5" r="{}")", i > 0 ? "3.5" : "2.5")),
                "score of " + mice[i].name);
   legend.add(26, bound_svg(0, 0, 26, 0), "bound: a mouse that knows the maze");
-  const Rules& rules = study.order.race.rules;
-  legend.add(0, "", fmt::format("a failed contest counts {:g}", rules.failure_score));
+  if (const auto failed = study.order.race.world->failure_score())
+    legend.add(0, "", fmt::format("a failed contest counts {:g}", *failed));
 }
 
 /// SVG, and where it ends.

@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
-#include "labmouse/lab/standings/standings.hpp"
+#include "labmouse/lab/standings/race_notes.hpp"
+#include "labmouse/lab/standings/race_table.hpp"
 #include "labmouse/lab/studies/dropped_mazes.hpp"
 #include "labmouse/lab/studies/study.hpp"
 #include "labmouse/lab/system/version.hpp"
@@ -16,43 +16,8 @@ std::string counted(std::size_t count, std::string_view one, std::string_view ma
   return counted(static_cast<int>(count), one, many);
 }
 
-std::string number(const std::optional<double>& value, int digits) {
-  return value ? fmt::format("{:.{}f}", *value, digits) : "-";
-}
-
 std::string line(bool bold, const std::string& text) {
   return fmt::format("{}{}{}\n", bold ? "\x1b[1m" : "", text, bold ? "\x1b[0m" : "");
-}
-
-/// The cells of one line of the standings, mouse first.
-using Line = std::array<std::string, 8>;
-
-std::string laid_out(const Line& cells, std::size_t width) {
-  return fmt::format("{:<{}} {:>8} {:>13} {:>7} {:>6} {:>6} {:>6} {:>7}", cells[0], width, cells[1], cells[2], cells[3],
-                     cells[4], cells[5], cells[6], cells[7]);
-}
-
-std::string marked_name(const Contestant& mouse) { return mouse.name + (mouse.reference ? " *" : ""); }
-
-Line line_of(const Study& study, const Standing& standing) {
-  const bool spread = standing.mazes > 1;
-  return {marked_name(study.race.mice[standing.mouse]),
-          number(standing.penalised_mean, 3),
-          spread ? fmt::format("{:.2f}-{:.2f}", standing.interval.low, standing.interval.high) : "-",
-          number(standing.mean_ratio, 3),
-          number(standing.mean_exploration, 1),
-          number(standing.mean_speed_over_optimum, 2),
-          standing.runs > 0 ? fmt::format("{:.1f}", 100.0 * standing.optimal_share) : "-",
-          fmt::format("{}", standing.runs - standing.solved)};
-}
-
-std::string standings_text(const Study& study, bool colours) {
-  std::size_t width = 5;
-  for (const Contestant& mouse : study.race.mice) width = std::max(width, marked_name(mouse).size());
-  std::string text = line(colours, laid_out({"", "", "95 %", "score", "expl.", "speed", "best", "failed"}, width));
-  text += line(colours, laid_out({"mouse", "score", "interval", "/bound", "steps", "+steps", "runs%", "runs"}, width));
-  for (const Standing& standing : standings_of(study.race)) text += laid_out(line_of(study, standing), width) + "\n";
-  return text;
 }
 
 std::string name_of(const Study& study, const Comparison& comparison) {
@@ -93,11 +58,7 @@ std::string learning_note(const Study& study) {
 }
 
 std::string notes_of(const Study& study, std::size_t comparisons) {
-  const Rules& rules = study.order.race.rules;
-  std::string notes = fmt::format(
-      "Score: speed-run steps + exploration steps / {}; lower is better.\n"
-      "A failed contest counts {:g}, and is left out of '/bound', 'steps' and '+steps'.\n",
-      rules.exploration_factor, rules.failure_score);
+  std::string notes = score_note(*study.order.race.world);
   if (comparisons > 0) notes += "Differences maze by maze: below 0, and a win, where the first mouse is better.\n";
   if (comparisons > 1)
     notes += fmt::format("Each of the {} intervals holds by itself: of twenty, one misses by chance.\n", comparisons);
@@ -114,12 +75,12 @@ std::string notes_of(const Study& study, std::size_t comparisons) {
 }  // namespace
 
 std::string table_of(const Study& study, bool colours) {
-  const int budget = study.order.race.rules.budget;
-  std::string text = fmt::format(
-      "labmouse {}: {}, {} in {} folds, seed {}{}\n\n", version(), counted(study.mice.size(), "mouse", "mice"),
-      counted(study.selection.mazes.size(), "maze", "mazes"), study.order.folds, study.order.race.seed,
-      budget == Rules().budget ? "" : fmt::format(", budget {}", budget));
-  text += standings_text(study, colours) + "\n";
+  const World& world = *study.order.race.world;
+  std::string text =
+      fmt::format("labmouse {}: {}{}, {} in {} folds, seed {}{}\n\n", version(), world.title(),
+                  counted(study.mice.size(), "mouse", "mice"), counted(study.selection.mazes.size(), "maze", "mazes"),
+                  study.order.folds, study.order.race.seed, world.heading());
+  text += leaderboard_of(study.race, colours) + "\n";
   const std::vector<Comparison> comparisons = comparisons_of(study);
   if (!comparisons.empty()) text += comparisons_text(study, comparisons, colours) + "\n";
   return text + notes_of(study, comparisons.size());

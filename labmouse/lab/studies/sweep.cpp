@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/standings/standings.hpp"
 #include "labmouse/strategies/roster.hpp"
 
@@ -13,14 +14,14 @@ std::optional<Interval> interval_of(const Race& race, const Standing& standing) 
   if (standing.mazes > 1) return standing.interval;
   std::vector<double> scores;
   for (const ContestResult& contest : race.results)
-    if (counts(race, contest)) scores.push_back(penalised(race, contest));
+    if (counts(race, contest) && contest.counted) scores.push_back(*contest.counted);
   return scores.size() > 1 ? std::optional(bootstrap_interval(scores, race.order.seed)) : std::nullopt;
 }
 
 /// The point of a race of one mouse.
 SweepPoint point_of(const Race& race, const std::string& value) {
   const Standing standing = standings_of(race).front();
-  return {value, standing.runs, standing.runs - standing.solved, standing.penalised_mean, interval_of(race, standing)};
+  return {value, standing.runs, standing.runs - standing.solved, standing.mean_all, interval_of(race, standing)};
 }
 
 /// The parameter of that name, which the mouse of the SPEC has.
@@ -31,7 +32,7 @@ const Parameter& parameter_of(std::string_view spec, std::string_view name) {
 
 void describe_mazes(const std::vector<NamedMaze>& mazes, Sweep& sweep) {
   for (const NamedMaze& maze : mazes)
-    if (bound_of(maze.maze, sweep.order.rules).score)
+    if (sweep.order.world->facts(maze.maze).bound)
       sweep.mazes.push_back(maze.name);
     else
       ++sweep.routeless;
@@ -57,7 +58,7 @@ Sweep hold_sweep(std::string_view spec, const Variation& variation, const std::v
   RaceHooks race_hooks;
   race_hooks.stop = hooks.stop;
   if (hooks.finished)
-    race_hooks.finished = [&](const Race&, const ContestResult&, const RunRecord&) { hooks.finished(all); };
+    race_hooks.finished = [&](const Race&, const ContestResult&, const Held&) { hooks.finished(all); };
   for (const Contestant& variant : variants.contestants) {
     const Race race = hold_race({variant}, mazes, order, race_hooks);
     // Part of the mazes would make a mean that compares with no other.

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "labmouse/lab/numbers/statistics.hpp"
-#include "labmouse/lab/races/tournament.hpp"
+#include "labmouse/lab/races/race.hpp"
 
 namespace labmouse {
 

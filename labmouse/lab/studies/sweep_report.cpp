@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "labmouse/lab/drawing/plot.hpp"
+#include "labmouse/lab/standings/race_notes.hpp"
 #include "labmouse/lab/studies/sweep.hpp"
 #include "labmouse/lab/system/version.hpp"
 #include "labmouse/lab/text/printable.hpp"
@@ -62,9 +63,7 @@ std::string lowest(const Sweep& sweep) {
 }
 
 std::string notes_of(const Sweep& sweep) {
-  std::string notes =
-      fmt::format("Score: speed-run steps + exploration steps / {}; lower is better. A failed contest counts {:g}.\n",
-                  sweep.order.rules.exploration_factor, sweep.order.rules.failure_score);
+  std::string notes = score_note(*sweep.order.world);
   if (has_intervals(sweep)) notes += fmt::format("95 % interval of the mean {}.\n", spread(sweep));
   if (const std::string best = lowest(sweep); !best.empty()) notes += best + "\n";
   if (sweep.routeless > 0)
@@ -124,12 +123,14 @@ std::string picture_of(const Sweep& sweep) {
   plot.description = fmt::format("Mean score of {} at {} of {}. {}", sweep.mouse,
                                  counted(sweep.points.size(), "value", "values"), sweep.parameter, lowest(sweep));
   plot.x_label = fmt::format("{}: {}", sweep.parameter, sweep.meaning);
-  plot.y_label = "mean score (steps; lower is better)";
+  plot.y_label = fmt::format("mean score ({}; lower is better)", sweep.order.world->unit());
   for (const SweepPoint& point : sweep.points)
     if (point.mean) plot.points.push_back(plot_point(sweep, point));
   const std::string runs = runs_text(sweep), contests = runs + (runs == "1" ? " contest" : " contests");
   plot.mean_words = "mean of " + contests;
-  plot.hollow_words = fmt::format("mean of {}, failures counted {:g}", contests, sweep.order.rules.failure_score);
+  const auto failed = sweep.order.world->failure_score();
+  plot.hollow_words = failed ? fmt::format("mean of {}, failures counted {:g}", contests, *failed)
+                             : fmt::format("mean of {}, failures left out", contests);
   plot.interval_words = "95 % interval " + spread(sweep);
   return draw_plot(plot);
 }

@@ -25,10 +25,9 @@ Measured measured(const Race& race, std::size_t mouse, Objective objective) {
   const auto scores = scores_by_maze(race, mouse);
   for (std::size_t maze = 0; maze < scores.size(); ++maze)
     if (scores[maze])
-      result.by_maze.push_back(objective == Objective::ratio ? *scores[maze] / *race.bounds[maze].score
-                                                             : *scores[maze]);
+      result.by_maze.push_back(objective == Objective::ratio ? *scores[maze] / *race.facts[maze].bound : *scores[maze]);
   for (const ContestResult& contest : race.results)
-    if (contest.mouse == mouse && counts(race, contest) && !contest.score.value) ++result.failures;
+    if (contest.mouse == mouse && counts(race, contest) && !contest.score) ++result.failures;
   return result;
 }
 
@@ -38,7 +37,7 @@ class Tuner {
       : given_(std::move(given)), mazes_(mazes), hooks_(hooks), tune_(tune) {
     race_hooks_.stop = hooks.stop;
     if (hooks.finished)
-      race_hooks_.finished = [this](const Race&, const ContestResult&, const RunRecord&) { hooks_.finished(all_); };
+      race_hooks_.finished = [this](const Race&, const ContestResult&, const Held&) { hooks_.finished(all_); };
   }
 
   void search() {
@@ -138,7 +137,7 @@ Tune hold_tune(std::string_view spec, const std::vector<ParameterRange>& ranges,
   tune.order = order;
   tune.ranges = ranges;
   for (const NamedMaze& maze : mazes)
-    if (bound_of(maze.maze, order.race.rules).score)
+    if (order.race.world->facts(maze.maze).bound)
       ++tune.mazes;
     else
       ++tune.routeless;

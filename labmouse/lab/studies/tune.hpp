@@ -12,7 +12,7 @@
 
 #include "labmouse/lab/numbers/evolution.hpp"
 #include "labmouse/lab/numbers/statistics.hpp"
-#include "labmouse/lab/races/tournament.hpp"
+#include "labmouse/lab/races/race.hpp"
 #include "labmouse/lab/studies/parameter_range.hpp"
 
 namespace labmouse {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "labmouse/lab/drawing/plot.hpp"
+#include "labmouse/lab/standings/race_notes.hpp"
 #include "labmouse/lab/studies/tune.hpp"
 #include "labmouse/lab/system/version.hpp"
 
@@ -60,10 +61,7 @@ std::string result_text(const Tune& tune) {
 }
 
 std::string notes_of(const Tune& tune) {
-  const Rules& rules = tune.order.race.rules;
-  std::string notes =
-      fmt::format("Score: speed-run steps + exploration steps / {}; lower is better. A failed contest counts {:g}.\n",
-                  rules.exploration_factor, rules.failure_score);
+  std::string notes = score_note(*tune.order.race.world);
   if (tune.order.objective == Objective::ratio) notes += "What is tuned is the mean over the mazes of score / bound.\n";
   if (tune.routeless > 0)
     notes += fmt::format("Left out of all means: {} whose goal cannot be reached.\n",

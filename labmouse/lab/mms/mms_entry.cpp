@@ -1,0 +1,64 @@
+#include "labmouse/lab/mms/mms_entry.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "labmouse/lab/mms/mms_world.hpp"
+#include "labmouse/lab/records/record_file.hpp"
+
+namespace labmouse {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::array settings = {
+    WorldSetting{"strict", "", "In mms: end a run at the first line that mms would not answer",
+                 WorldSetting::Kind::flag, "false"},
+    WorldSetting{"presses", "N", "In mms: press Reset N times for a mouse that waits for it", WorldSetting::Kind::whole,
+                 "0", 0, 1'000'000}};
+
+WorldResult make(const WorldSettings& chosen) {
+  MmsOptions options;
+  options.strict = value_of(mms_entry, chosen, "strict") == "true";
+  options.presses = std::stoi(value_of(mms_entry, chosen, "presses"));
+  return {mms_world(options), ""};
+}
+
+PackedFile failed(Problem problem) { return {"", std::nullopt, std::move(problem)}; }
+
+std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+/// The first line of the text that is not JSON; 0 where all are.
+int first_bad_line(std::string_view text) {
+  for (int line = 1; !text.empty(); ++line) {
+    const auto length = std::min(text.find('\n'), text.size());
+    if (!Json::accept(text.substr(0, length))) return line;
+    text.remove_prefix(std::min(length + 1, text.size()));
+  }
+  return 0;
+}
+
+/// A record of mms goes in as it is.
+PackedFile pack(std::string_view text, const RecordOwner& owner) {
+  if (const int line = first_bad_line(text); line > 0) return failed({line, 1, "the line is not JSON"});
+  Json header = Json::parse(text.substr(0, text.find('\n')), nullptr, false);
+  if (!header.is_object() || header.value("labmouse", Json()) != "mms record")
+    return failed({1, 1, "is not the header of a record of mms"});
+  // But for that word its header is that of a record, so that one reader serves both.
+  header["labmouse"] = "record";
+  ReadRecordResult read = read_record(text_of(header));
+  if (!read.file) return failed(read.problems.front());
+  if (read.file->mouse != owner.mouse || read.file->maze_name != owner.maze)
+    return failed({0, 0, fmt::format("is not of this race, but of {} in {}", read.file->mouse, read.file->maze_name)});
+  return {text_of({{"mouse", read.file->mouse}, {"maze", read.file->maze_name}, {"mms", text}}), read.file->maze,
+          std::nullopt, false};
+}
+
+}  // namespace
+
+const WorldEntry mms_entry = {"mms", "that of the simulator mms, for programs written for it", settings, make, pack};
+
+}  // namespace labmouse

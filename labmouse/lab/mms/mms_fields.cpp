@@ -1,0 +1,157 @@
+#include "labmouse/lab/mms/mms_fields.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "labmouse/guests/mms/run.hpp"
+#include "labmouse/lab/mms/mms_world.hpp"
+#include "labmouse/lab/standings/common_fields.hpp"
+#include "labmouse/lab/standings/mouse_figures.hpp"
+
+namespace labmouse {
+namespace {
+
+using F = MmsFigure;
+using M = MmsMazeFigure;
+using fields::figure;
+
+Value figure_at(const ContestResult& contest, F figure) { return contest.figures[static_cast<std::size_t>(figure)]; }
+
+constexpr std::array<ContestField, 18> contest_fields = {{{"maze", fields::maze_name},
+                                                          {"outcome", figure<F::outcome>},
+                                                          {"end", figure<F::end>},
+                                                          {"solved", figure<F::solved>},
+                                                          {"score", figure<F::score>},
+                                                          {"possible_score", fields::of_maze<M::score>},
+                                                          {"ratio", fields::ratio},
+                                                          {"best_run", figure<F::best_run>},
+                                                          {"possible_run", fields::of_maze<M::run>},
+                                                          {"run_ratio", figure<F::run_ratio>},
+                                                          {"statistics", figure<F::statistics>},
+                                                          {"lines", figure<F::lines>},
+                                                          {"invalid_lines", figure<F::invalid_lines>},
+                                                          {"log", figure<F::log>},
+                                                          {"errors", figure<F::errors>},
+                                                          {"simulated_seconds", figure<F::simulated_seconds>},
+                                                          {"seconds", figure<F::seconds>},
+                                                          {visited_share, figure<F::visited_share>}}};
+
+/// One value of `getStat`, by its place among them.
+template <std::size_t Place>
+Value statistic(const Race&, const ContestResult& contest) {
+  const auto json = nlohmann::json::parse(std::get<JsonText>(figure_at(contest, F::statistics)).text);
+  return fmt::format("{}", json[std::string(mms_statistics[Place].name)].get<float>());
+}
+
+template <F Figure>
+Value milliseconds(const Race&, const ContestResult& contest) {
+  return fmt::format("{:.3f}", number_of(figure_at(contest, Figure)).value_or(0.0));
+}
+
+constexpr std::array<ContestField, 22> csv_fields = {{{"mouse", fields::mouse_name},
+                                                      {"maze", fields::maze_name},
+                                                      {"outcome", figure<F::outcome>},
+                                                      {"end", figure<F::end>},
+                                                      {"solved", figure<F::solved>},
+                                                      {"best_run", figure<F::best_run>},
+                                                      {"possible_run", fields::of_maze<M::run>},
+                                                      {"possible_score", fields::of_maze<M::score>},
+                                                      {mms_statistics[0].name, statistic<0>},
+                                                      {mms_statistics[1].name, statistic<1>},
+                                                      {mms_statistics[2].name, statistic<2>},
+                                                      {mms_statistics[3].name, statistic<3>},
+                                                      {mms_statistics[4].name, statistic<4>},
+                                                      {mms_statistics[5].name, statistic<5>},
+                                                      {mms_statistics[6].name, statistic<6>},
+                                                      {mms_statistics[7].name, statistic<7>},
+                                                      {mms_statistics[8].name, statistic<8>},
+                                                      {mms_statistics[9].name, statistic<9>},
+                                                      {"lines", figure<F::lines>},
+                                                      {"invalid_lines", figure<F::invalid_lines>},
+                                                      {"simulated_seconds", milliseconds<F::simulated_seconds>},
+                                                      {"seconds", milliseconds<F::seconds>}}};
+
+constexpr std::array<MazeField, 5> maze_fields = {{{"name", fields::name},
+                                                   {"width", fields::width},
+                                                   {"height", fields::height},
+                                                   {"best_run", fields::maze_figure<M::run>},
+                                                   {"best_score", fields::maze_figure<M::score>}}};
+
+std::optional<double> mean_total(const Race& race, const Standing& standing) {
+  std::vector<double> values;
+  for_each_counted(race, standing,
+                   [&](const ContestResult& contest) { values.push_back(*number_of(figure_at(contest, F::total))); });
+  return mean_if_any(values);
+}
+
+/// Over all runs, those in mazes without a way to the centre among them.
+template <F Figure>
+Value sum(const Race& race, const Standing& standing) {
+  std::int64_t all = 0;
+  for (const ContestResult& contest : race.results)
+    if (contest.mouse == standing.mouse && contest.done) all += std::get<std::int64_t>(figure_at(contest, Figure));
+  return all;
+}
+
+/// How many runs ended how, of the ways that there were.
+Value outcomes(const Race& race, const Standing& standing) {
+  auto json = nlohmann::ordered_json::object();
+  for (std::size_t outcome = 0; outcome <= static_cast<std::size_t>(MmsOutcome::interrupted); ++outcome) {
+    const std::string name(name_of(static_cast<MmsOutcome>(outcome)));
+    int count = 0;
+    for (const ContestResult& contest : race.results)
+      if (contest.mouse == standing.mouse && contest.done && figure_at(contest, F::outcome) == Value(name)) ++count;
+    if (count > 0) json[name] = count;
+  }
+  return JsonText{json.dump()};
+}
+
+constexpr std::array<MouseField, 15> mouse_fields = {
+    {{"name", fields::name},
+     {"solved", fields::solved},
+     {"runs", fields::runs},
+     {"mean_score", fields::mean_all},
+     {"interval", fields::interval},
+     {"mean_solved_score", fields::mean_solved},
+     {"mean_ratio", fields::mean_ratio},
+     {"mean_best_run",
+      [](const Race& r, const Standing& s) -> Value { return or_none(mean_solved(r, s, "best_run")); }},
+     {"mean_run_ratio",
+      [](const Race& r, const Standing& s) -> Value { return or_none(mean_solved(r, s, "run_ratio")); }},
+     {"mean_total", [](const Race& r, const Standing& s) -> Value { return or_none(mean_total(r, s)); }},
+     {"mean_seconds", [](const Race& r, const Standing& s) -> Value { return or_none(mean_of_all(r, s, "seconds")); }},
+     {"lines", sum<F::lines>},
+     {"invalid_lines", sum<F::invalid_lines>},
+     {"outcomes", outcomes},
+     {"mean_visited_share",
+      [](const Race& r, const Standing& s) -> Value { return or_none(mean_of_all(r, s, visited_share)); }}}};
+
+/// With as many digits as its column has room for.
+std::string interval(const Race&, const Standing& standing) {
+  return columns::interval(standing, standing.interval.high >= 1000 ? 0 : 1);
+}
+
+constexpr std::array<Column, 9> table = {
+    {{"", "solved", 7, columns::solved},
+     {"score", "all", 6, [](const Race&, const Standing& s) { return columns::number(s.mean_all, 1); }},
+     {"95 %", "interval", 11, interval},
+     {"score", "solved", 6, [](const Race&, const Standing& s) { return columns::number(s.mean_solved, 1); }},
+     {"score", "/bound", 6, [](const Race&, const Standing& s) { return columns::number(s.mean_ratio, 2); }},
+     {"best", "run", 6,
+      [](const Race& r, const Standing& s) { return columns::number(mean_solved(r, s, "best_run"), 1); }},
+     {"run", "/bound", 6,
+      [](const Race& r, const Standing& s) { return columns::number(mean_solved(r, s, "run_ratio"), 2); }},
+     {"", "total", 6, [](const Race& r, const Standing& s) { return columns::number(mean_total(r, s), 0); }},
+     {"s a", "run", 6,
+      [](const Race& r, const Standing& s) { return columns::number(mean_of_all(r, s, "seconds"), 2); }}}};
+
+}  // namespace
+
+const WorldFields& mms_fields() {
+  static constexpr WorldFields all = {contest_fields, csv_fields, mouse_fields, maze_fields, table};
+  return all;
+}
+
+}  // namespace labmouse

@@ -1,0 +1,110 @@
+#include "labmouse/lab/mms/mms_notes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "labmouse/guests/mms/run.hpp"
+#include "labmouse/lab/mms/mms_world.hpp"
+#include "labmouse/lab/standings/mouse_column.hpp"
+#include "labmouse/lab/text/counted.hpp"
+#include "labmouse/lab/text/printable.hpp"
+
+namespace labmouse {
+namespace {
+
+using F = MmsFigure;
+
+const Value& figure_at(const ContestResult& contest, F figure) {
+  return contest.figures[static_cast<std::size_t>(figure)];
+}
+const std::string& text_at(const ContestResult& contest, F figure) {
+  return std::get<std::string>(figure_at(contest, figure));
+}
+std::vector<std::string> lines_at(const ContestResult& contest, F figure) {
+  return nlohmann::json::parse(std::get<JsonText>(figure_at(contest, figure)).text).get<std::vector<std::string>>();
+}
+
+bool is_complete(const ContestResult& contest) { return text_at(contest, F::outcome) == name_of(MmsOutcome::complete); }
+
+/// The first of a mouse's runs that is as asked; null where none is.
+template <class Wanted>
+const ContestResult* first_run(const Race& race, std::size_t mouse, Wanted wanted) {
+  for (const ContestResult& contest : race.results)
+    if (contest.mouse == mouse && contest.done && wanted(contest)) return &contest;
+  return nullptr;
+}
+
+/// How often a mouse ended otherwise than by exit code 0: "failed 1, hung 3".
+std::string ends_of(const Race& race, std::size_t mouse) {
+  std::string text;
+  for (std::size_t outcome = 1; outcome <= static_cast<std::size_t>(MmsOutcome::interrupted); ++outcome) {
+    const std::string_view name = name_of(static_cast<MmsOutcome>(outcome));
+    const auto times = std::count_if(race.results.begin(), race.results.end(), [&](const ContestResult& contest) {
+      return contest.mouse == mouse && contest.done && text_at(contest, F::outcome) == name;
+    });
+    if (times > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name, times);
+  }
+  return text;
+}
+
+/// How the first of them did, and what it said last.
+std::string ends_of(const Race& race, const MouseColumn& names) {
+  std::string text;
+  for (std::size_t mouse = 0; mouse < race.mice.size(); ++mouse) {
+    const auto* first = first_run(race, mouse, [](const ContestResult& contest) { return !is_complete(contest); });
+    if (first == nullptr) continue;
+    text += fmt::format("  {}: {}; first in {}: {}\n", names.of[mouse], ends_of(race, mouse),
+                        shown(race.mazes[first->maze].name), shown(text_at(*first, F::end)));
+    for (const std::string& line : lines_at(*first, F::errors)) text += "    | " + shown(line) + "\n";
+  }
+  return text.empty() ? "" : "Ended otherwise than by exit code 0 (the score counts all the same):\n" + text;
+}
+
+std::int64_t sum_of_lines(const Race& race, std::size_t mouse, F figure) {
+  std::int64_t all = 0;
+  for (const ContestResult& contest : race.results)
+    if (contest.mouse == mouse && contest.done) all += std::get<std::int64_t>(figure_at(contest, figure));
+  return all;
+}
+
+std::string invalid_lines_of(const Race& race, const MouseColumn& names) {
+  std::string text;
+  for (std::size_t mouse = 0; mouse < race.mice.size(); ++mouse) {
+    const auto* first = first_run(race, mouse, [](const ContestResult& contest) {
+      return std::get<std::int64_t>(figure_at(contest, F::invalid_lines)) > 0;
+    });
+    if (first == nullptr) continue;
+    const std::vector<std::string> log = lines_at(*first, F::log);
+    text += fmt::format("  {}: {} of {}; first in {}: {}\n", names.of[mouse],
+                        sum_of_lines(race, mouse, F::invalid_lines), sum_of_lines(race, mouse, F::lines),
+                        shown(race.mazes[first->maze].name), log.empty() ? "" : shown(log.front()));
+  }
+  return text.empty() ? "" : "Lines that are no command, which mms does not answer:\n" + text;
+}
+
+/// Whether mms starts or ends elsewhere than the file says.
+bool marked_otherwise(const NamedMaze& maze) {
+  return maze.maze.start() != Cell(0, 0) || maze.maze.goals() != mms_goals(maze.maze.size());
+}
+
+}  // namespace
+
+std::string mms_notes(const Race& race) {
+  std::string notes =
+      "Score, as mms counts: effective distance + turns of the best run + a tenth of all\n"
+      "effective distance and turns (total). Unsolved counts 2000. Lower is better.\n";
+  const auto otherwise = static_cast<int>(std::count_if(race.mazes.begin(), race.mazes.end(), marked_otherwise));
+  if (otherwise > 0)
+    notes += fmt::format("mms starts at (0,0) and its goal is the centre, other than {} {}.\n",
+                         counted(otherwise, "maze", "mazes"), otherwise == 1 ? "says" : "say");
+  return notes;
+}
+
+std::string mms_remarks(const Race& race) {
+  const MouseColumn names(race);
+  return ends_of(race, names) + invalid_lines_of(race, names);
+}
+
+}  // namespace labmouse

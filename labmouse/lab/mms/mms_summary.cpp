@@ -1,0 +1,67 @@
+#include "labmouse/lab/mms/mms_summary.hpp"
+
+#include <fmt/format.h>
+
+#include "labmouse/lab/bounds/mms_bound.hpp"
+#include "labmouse/lab/records/mms_statistics_json.hpp"
+#include "labmouse/lab/text/counted.hpp"
+#include "labmouse/lab/text/last_lines.hpp"
+#include "labmouse/lab/text/printable.hpp"
+
+namespace labmouse {
+namespace {
+
+/// Distance, effective distance and turns of one count, as mms prints them.
+std::string count_line(std::string_view name, float distance, float effective, float turns) {
+  const auto text = [](float value) { return value < 0 ? std::string("-") : fmt::format("{}", value); };
+  return fmt::format("{:<11}{:>11}{:>11}{:>7}\n", name, text(distance), text(effective), text(turns));
+}
+
+std::string statistics_text(const MmsStatistics& s) {
+  std::string text = fmt::format("{:<11}{:>11}{:>11}{:>7}\n", "", "half steps", "effective", "turns");
+  text += count_line("best run", s.best_run_distance, s.best_run_effective_distance, s.best_run_turns);
+  text += count_line("current run", s.current_run_distance, s.current_run_effective_distance, s.current_run_turns);
+  return text + count_line("total", s.total_distance, s.total_effective_distance, s.total_turns);
+}
+
+std::string score_line(const std::string& mouse, const NamedMaze& maze, const MmsStatistics& statistics) {
+  const MmsBound bound = mms_bound_of(maze.maze);
+  std::string line = fmt::format("{} in {}: ", mouse, maze.name);
+  if (statistics.solved)
+    line += fmt::format("score {:g} = {:g} best run + {:g} total / 10", statistics.score, *best_run(statistics),
+                        total(statistics));
+  else
+    line += fmt::format("unsolved, score {:g}", statistics.score);
+  line += bound.score ? fmt::format("; bound {:g}, its run {:g}", *bound.score, *bound.run)
+                      : "; the centre cannot be reached";
+  return shown(line) + "\n";
+}
+
+std::string log_text(const MmsRun& run) {
+  if (run.invalid_lines == 0) return "";
+  std::string text = counted(static_cast<int>(run.invalid_lines), "line that is no command, which mms does not answer",
+                             "lines that are no command, which mms does not answer") +
+                     (run.invalid_lines > static_cast<std::int64_t>(run.log.size()) ? "; the first ones:\n" : ":\n");
+  for (const std::string& sentence : run.log) text += "  " + shown(sentence) + "\n";
+  return text;
+}
+
+std::string errors_text(const MmsRun& run) {
+  const std::vector<std::string> lines = last_lines(run.errors);
+  if (lines.empty()) return "";
+  std::string text = "Last on its standard error:\n";
+  for (const std::string& line : lines) text += "  | " + shown(line) + "\n";
+  return text;
+}
+
+}  // namespace
+
+std::string report_of(const std::string& mouse, const NamedMaze& maze, const MmsRun& run) {
+  return statistics_text(run.statistics) + log_text(run) + errors_text(run) +
+         shown(fmt::format("{}: {}{}; {}, {:.1f} s in mms", name_of(run.outcome), run.end,
+                           run.outcome == MmsOutcome::waiting ? " (--presses N presses it N times)" : "",
+                           counted(static_cast<int>(run.lines), "line", "lines"), run.clock)) +
+         "\n" + score_line(mouse, maze, run.statistics);
+}
+
+}  // namespace labmouse

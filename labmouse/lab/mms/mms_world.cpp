@@ -1,0 +1,155 @@
+#include "labmouse/lab/mms/mms_world.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "labmouse/lab/bounds/mms_bound.hpp"
+#include "labmouse/lab/mms/mms_fields.hpp"
+#include "labmouse/lab/mms/mms_notes.hpp"
+#include "labmouse/lab/mms/mms_walk.hpp"
+#include "labmouse/lab/pictures/mms_picture.hpp"
+#include "labmouse/lab/records/mms_record.hpp"
+#include "labmouse/lab/records/mms_statistics_json.hpp"
+#include "labmouse/lab/text/last_lines.hpp"
+#include "labmouse/maze/routes.hpp"
+
+namespace labmouse {
+namespace {
+
+/// What is found out about a maze once.
+struct Prepared {
+  MmsBound bound;
+  CellSet reachable;
+};
+
+/// Takes away what a race does not keep of a run.
+void trim(MmsRun& run) {
+  run.canvas = {};
+  run.log.resize(std::min(run.log.size(), kept_log));
+  for (std::string& sentence : run.log) sentence.resize(std::min(sentence.size(), kept_text));
+  run.log.shrink_to_fit();
+  std::string errors;
+  for (const std::string& line : last_lines(run.errors)) errors += line + '\n';
+  run.errors = std::move(errors);
+}
+
+/// The value over the best possible one. In a maze that starts in its goal that is 0, and so is the value of a mouse
+/// that does nothing more than needed.
+std::optional<double> ratio(const std::optional<double>& value, const std::optional<double>& best) {
+  if (!value || !best || *best <= 0.0) return std::nullopt;
+  return *value / *best;
+}
+
+double visited_share_of(CellSet visited, const CellSet& reachable) {
+  visited &= reachable;
+  return visited.count() / static_cast<double>(reachable.count());
+}
+
+Value list_of(const std::vector<std::string>& lines) {
+  using Json = nlohmann::ordered_json;
+  return JsonText{Json(lines).dump(-1, ' ', false, Json::error_handler_t::replace)};
+}
+
+/// In the order of MmsFigure.
+std::vector<Value> figures_of(const MmsRun& run, const MmsBound& bound, double visited) {
+  const MmsStatistics& statistics = run.statistics;
+  const auto best = best_run(statistics);
+  return {std::string(name_of(run.outcome)),
+          run.end,
+          statistics.solved,
+          JsonText{short_json(statistics.score).dump()},
+          or_none(best),
+          or_none(ratio(best, bound.run)),
+          JsonText{statistics_json(statistics).dump()},
+          total(statistics),
+          run.lines,
+          run.invalid_lines,
+          list_of(run.log),
+          list_of(last_lines(run.errors)),
+          run.clock,
+          run.seconds,
+          visited};
+}
+
+/// The last drawing that a mouse left, over its way.
+std::string picture_of(const std::string& mouse, const NamedMaze& maze, const MmsRun& run, const MmsWalk& walk) {
+  DrawingLayers layers = mms_layers(run.canvas, run.pose);
+  layers.route = walk.poses();
+  layers.title = run.statistics.solved
+                     ? fmt::format("{} in {}: score {:g}", mouse, maze.name, decimal(run.statistics.score))
+                     : fmt::format("{} in {}: unsolved, {}", mouse, maze.name, run.end);
+  return draw_svg(as_in_mms(maze.maze), layers);
+}
+
+class MmsWorld final : public World {
+ public:
+  explicit MmsWorld(const MmsOptions& options) : options_(options) {}
+
+  std::string_view name() const override { return "mms"; }
+  std::string formula() const override { return mms_formula; }
+  std::vector<Condition> conditions() const override {
+    return {{"strict", options_.strict}, {"presses", std::int64_t{options_.presses}}};
+  }
+
+  std::string refuse(const Contestant& mouse) const override {
+    return mouse.program ? "" : fmt::format("mouse '{}' is no program for mms; write mms:COMMAND", mouse.name);
+  }
+
+  std::string_view unit() const override { return "mms's points"; }
+
+  MazeFacts facts(const Maze& maze) const override {
+    const MmsBound bound = mms_bound_of(maze);
+    return {bound.score, {or_none(bound.run), or_none(bound.score)}, Prepared{bound, reachable_cells(as_in_mms(maze))}};
+  }
+
+  Held hold(const Race& race, ContestResult& result, Keep keep, const std::atomic<bool>* stop) const override {
+    const NamedMaze& maze = race.mazes[result.maze];
+    const Contestant& mouse = race.mice[result.mouse];
+    const auto& prepared = std::any_cast<const Prepared&>(race.facts[result.maze].prepared);
+    Launch launch = *mouse.program;
+    launch.stop = stop;
+    MmsWalk walk{HalfPose()};
+    std::optional<MmsRecorder> recorder;
+    if (keep.record) recorder.emplace(mouse.name, maze);
+    MmsRun run = run_mms(launch, maze.maze, options_, [&](const MmsEvent& event, const MmsHost&) {
+      walk.add(event);
+      if (recorder) recorder->add(event);
+    });
+    Held held;
+    if (recorder) held.record = recorder->finish(run);
+    if (keep.picture) held.picture = picture_of(mouse.name, maze, run, walk);
+    trim(run);
+    score(run, prepared.bound, result);
+    result.figures = figures_of(run, prepared.bound, visited_share_of(walk.visited(), prepared.reachable));
+    result.done = run.outcome != MmsOutcome::interrupted;
+    held.run = std::move(run);
+    return held;
+  }
+
+  bool numbers_runs() const override { return false; }
+  std::optional<double> failure_score() const override { return decimal(MmsStatistics().score); }
+  const WorldFields& fields() const override { return mms_fields(); }
+  std::string notes(const Race& race) const override { return mms_notes(race); }
+  std::string remarks(const Race& race) const override { return mms_remarks(race); }
+  std::string_view why_no_bound() const override { return "whose centre cannot be reached"; }
+
+ private:
+  static void score(const MmsRun& run, const MmsBound& bound, ContestResult& result) {
+    const MmsStatistics& statistics = run.statistics;
+    result.outcome = statistics.solved ? "solved" : fmt::format("unsolved: {}", name_of(run.outcome));
+    result.counted = decimal(statistics.score);
+    if (!statistics.solved) return;
+    result.score = result.counted;
+    result.ratio = ratio(result.score, bound.score);
+  }
+
+  MmsOptions options_;
+};
+
+}  // namespace
+
+std::shared_ptr<const World> mms_world(const MmsOptions& options) { return std::make_shared<MmsWorld>(options); }
+
+}  // namespace labmouse

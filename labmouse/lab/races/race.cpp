@@ -1,0 +1,79 @@
+#include "labmouse/lab/races/race.hpp"
+
+#include <algorithm>
+#include <mutex>
+
+#include "labmouse/chance/dice.hpp"
+#include "labmouse/lab/system/parallel.hpp"
+
+namespace labmouse {
+namespace {
+
+int runs_of(const Contestant& mouse, const RaceOrder& order) {
+  if (mouse.runs > 0) return mouse.runs;
+  return mouse.uses_chance ? order.runs : 1;
+}
+
+void list_contests(Race& race) {
+  for (std::size_t mouse = 0; mouse < race.mice.size(); ++mouse)
+    for (std::size_t maze = 0; maze < race.mazes.size(); ++maze)
+      for (int run = 0, runs = runs_of(race.mice[mouse], race.order); run < runs; ++run) {
+        ContestResult& contest = race.results.emplace_back();
+        contest.mouse = mouse;
+        contest.maze = maze;
+        contest.run = run;
+        contest.seed = contest_seed(race.order.seed, race.mazes[maze].name, run);
+      }
+}
+
+}  // namespace
+
+std::uint64_t contest_seed(std::uint64_t seed, std::string_view maze_name, int run) {
+  // 53 bits: a JSON reader that keeps numbers as doubles gets them whole.
+  return seed_for(seed, maze_name.substr(maze_name.rfind('/') + 1), static_cast<std::uint64_t>(run)) >> 11U;
+}
+
+std::size_t contests_of(const std::vector<Contestant>& mice, std::size_t mazes, const RaceOrder& order) {
+  std::size_t all = 0;
+  for (const Contestant& mouse : mice) all += mazes * static_cast<std::size_t>(runs_of(mouse, order));
+  return all;
+}
+
+Race hold_race(std::vector<Contestant> mice, std::vector<NamedMaze> mazes, const RaceOrder& order,
+               const RaceHooks& hooks) {
+  Race race;
+  race.order = order;
+  race.mice = std::move(mice);
+  race.mazes = std::move(mazes);
+  const auto by_name = [](const auto& a, const auto& b) { return a.name < b.name; };
+  std::sort(race.mice.begin(), race.mice.end(), by_name);
+  std::sort(race.mazes.begin(), race.mazes.end(), by_name);
+  race.facts.resize(race.mazes.size());
+  for_each_parallel(race.mazes.size(), order.jobs,
+                    [&](std::size_t i) { race.facts[i] = race.world().facts(race.mazes[i].maze); });
+  list_contests(race);
+  std::mutex telling;
+  for_each_parallel(race.results.size(), order.jobs, [&](std::size_t i) {
+    if (hooks.stop != nullptr && hooks.stop->load()) return;
+    ContestResult& result = race.results[i];
+    const Held held = race.world().hold(race, result, hooks.keep ? hooks.keep(result) : Keep(), hooks.stop);
+    if (!hooks.finished || !result.done) return;
+    const std::lock_guard lock(telling);
+    hooks.finished(race, result, held);
+  });
+  const auto is_done = [](const ContestResult& result) { return result.done; };
+  race.stopped = !std::all_of(race.results.begin(), race.results.end(), is_done);
+  return race;
+}
+
+bool counts(const Race& race, const ContestResult& contest) {
+  return contest.done && race.facts[contest.maze].bound.has_value();
+}
+
+Value figure_of(const Race& race, const ContestResult& contest, std::string_view key) {
+  for (const ContestField& field : race.world().fields().contest)
+    if (field.key == key) return field.of(race, contest);
+  return {};
+}
+
+}  // namespace labmouse

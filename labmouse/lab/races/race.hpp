@@ -1,0 +1,77 @@
+// Many mice on many mazes, in any world.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "labmouse/lab/races/world.hpp"
+
+namespace labmouse {
+
+struct RaceOrder {
+  std::shared_ptr<const World> world;
+  /// Contests of each mouse that throws dice in each maze; the others need one.
+  int runs = 20;
+  std::uint64_t seed = 1;
+  /// Threads; 0 takes as many as there are processors. Results do not depend on it.
+  int jobs = 0;
+};
+
+/// One contest and how it went. `mouse` and `maze` are positions in the race's lists.
+struct ContestResult {
+  std::size_t mouse = 0;
+  std::size_t maze = 0;
+  int run = 0;
+  std::uint64_t seed = 0;
+  bool done = false;    ///< false where the race was stopped before
+  std::string outcome;  ///< "solved", "forfeit: hit a wall"
+  /// In the world's own unit; lower is better. Nothing where the contest has none.
+  std::optional<double> score;
+  /// What enters the mean over all contests: the score, or what the world counts for a failure, if anything.
+  std::optional<double> counted;
+  std::optional<double> ratio;  ///< score over the maze's bound, as the world compares them
+  /// By the world's own list.
+  std::vector<Value> figures;
+};
+
+struct Race {
+  RaceOrder order;
+  std::vector<Contestant> mice;        ///< in the order of their names
+  std::vector<NamedMaze> mazes;        ///< in the order of their names
+  std::vector<MazeFacts> facts;        ///< of each maze
+  std::vector<ContestResult> results;  ///< by mouse, maze and run
+  bool stopped = false;                ///< before all contests were done
+
+  const World& world() const { return *order.world; }
+};
+
+/// What a race tells while it goes on.
+struct RaceHooks {
+  /// What is to be kept of a contest, for `finished`; asked from any thread. Nothing, where it is empty.
+  std::function<Keep(const ContestResult&)> keep;
+  /// Called after each contest, from any thread but never from two at once.
+  std::function<void(const Race&, const ContestResult&, const Held&)> finished;
+  /// Asked before each contest; once it is true no other begins.
+  const std::atomic<bool>* stop = nullptr;
+};
+
+/// Races every contestant on every maze. The world must refuse none of them.
+Race hold_race(std::vector<Contestant> mice, std::vector<NamedMaze> mazes, const RaceOrder& order,
+               const RaceHooks& hooks = {});
+
+/// How many contests such a race has.
+std::size_t contests_of(const std::vector<Contestant>& mice, std::size_t mazes, const RaceOrder& order);
+
+/// The seed of a contest: from the race's seed, the maze's name without its folders, and the number of the run.
+std::uint64_t contest_seed(std::uint64_t seed, std::string_view maze_name, int run);
+
+/// Whether a contest enters the means: it is done, and some mouse could score in its maze.
+bool counts(const Race& race, const ContestResult& contest);
+
+/// The figure of that name of a contest, as JSON has it; std::monostate where there is none.
+Value figure_of(const Race& race, const ContestResult& contest, std::string_view key);
+
+}  // namespace labmouse

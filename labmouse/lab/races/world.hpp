@@ -1,0 +1,149 @@
+// A world, as a value: what one contest is, what it is scored by, which figures it has, what bounds it, and what of it
+// is kept. Races, standings, tables, JSON, CSV, studies, reports and the page know no more of any world than this.
+// docs/adding-a-world.md builds one.
+#pragma once
+
+#include <any>
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "labmouse/contest/rules.hpp"
+#include "labmouse/lab/mazes/maze_files.hpp"
+#include "labmouse/lab/mice/contestant.hpp"
+#include "labmouse/lab/races/value.hpp"
+
+namespace labmouse {
+
+/// Names of figures that a world may have, and that have one meaning in all: the shares of the reachable cells that the
+/// mouse came to know and stood in while it searched, 0 to 1; and what the mouse had to say.
+inline constexpr std::string_view discovered_share = "discovered_share";
+inline constexpr std::string_view visited_share = "visited_share";
+inline constexpr std::string_view last_words = "last_words";
+
+struct Race;
+struct ContestResult;
+struct Standing;
+
+/// What a world knows of a maze before any contest.
+struct MazeFacts {
+  /// The best possible score; nothing where no mouse can score, and then the maze counts nowhere.
+  std::optional<double> bound;
+  /// By the world's own list.
+  std::vector<Value> figures;
+  /// For the world alone: what it would otherwise find out again for each contest.
+  std::any prepared;
+};
+
+/// What is to be kept of a contest, besides its result.
+struct Keep {
+  bool record = false;
+  bool picture = false;
+};
+
+/// A contest that was held, for those who look closer than its result.
+struct Held {
+  std::any run;         ///< the world's own record of it
+  std::string record;   ///< the text of its file, where it was to be kept
+  std::string picture;  ///< SVG, where it was to be kept
+};
+
+/// A field of JSON or CSV: its name, and what stands there.
+struct ContestField {
+  std::string_view key;
+  Value (*of)(const Race&, const ContestResult&);
+};
+struct MouseField {
+  std::string_view key;
+  Value (*of)(const Race&, const Standing&);
+};
+struct MazeField {
+  std::string_view key;
+  Value (*of)(const Race&, std::size_t maze);
+};
+
+/// A column of the leaderboard: two lines of heading, its width in characters, and its text in the line of a mouse.
+struct Column {
+  std::string_view first, second;
+  int width = 0;
+  std::string (*text)(const Race&, const Standing&);
+};
+
+/// All lists in the order in which they are shown.
+struct WorldFields {
+  std::span<const ContestField> contest;  ///< of a result in JSON
+  std::span<const ContestField> csv;      ///< of a line of CSV
+  std::span<const MouseField> mouse;      ///< of a mouse in JSON, before its results
+  std::span<const MazeField> maze;        ///< of a maze in JSON
+  std::span<const Column> columns;
+};
+
+/// Something that results depend on besides mice, mazes and seed: the budget, the robot. A truth, a number, a text or
+/// JSON.
+struct Condition {
+  std::string key;
+  Value value;
+};
+
+/// Where the score of a contest stands in the JSON of its result, as this world writes it.
+struct ScorePlace {
+  std::string_view key = "score";
+  std::string_view inner;  ///< where the score is an object, its field
+  double unit = 1.0;       ///< what a number there is to be multiplied by
+};
+
+class World {
+ public:
+  virtual ~World() = default;
+
+  /// As in --world and in JSON.
+  virtual std::string_view name() const = 0;
+  /// Whether its race stands at the top of the JSON of races; all others are groups. One world is so, for the sake of
+  /// those who read what was there before others were.
+  virtual bool is_home() const { return false; }
+  /// How it scores, in one line without its end.
+  virtual std::string formula() const = 0;
+  virtual std::vector<Condition> conditions() const = 0;
+  /// What the heading of the leaderboard begins with, such as "world of mms, "; and what it ends with, such as
+  /// ", budget 500". Empty where nothing has to be said.
+  virtual std::string title() const { return "world of " + std::string(name()) + ", "; }
+  virtual std::string heading() const { return ""; }
+
+  /// Why a mouse cannot enter; empty where it can.
+  virtual std::string refuse(const Contestant& mouse) const = 0;
+  /// Why it holds no contests in a maze, whatever mice; empty where it does.
+  virtual std::string refuse(const Maze&) const { return ""; }
+  /// The parameters of a mouse that count here.
+  virtual Settings settings(const Contestant& mouse) const { return mouse.settings; }
+
+  /// The rules in steps by which mice learn from whole mazes.
+  virtual Rules lesson_rules() const { return {}; }
+  /// The unit of scores, for axes: "steps".
+  virtual std::string_view unit() const = 0;
+
+  virtual MazeFacts facts(const Maze& maze) const = 0;
+  /// Holds the contest of `result.mouse` in `result.maze` with `result.seed`, and fills in what is left of the result.
+  /// It is not done where `stop`, which may be null, ended it. Called from several threads at once.
+  virtual Held hold(const Race& race, ContestResult& result, Keep keep, const std::atomic<bool>* stop) const = 0;
+  /// Whether a mouse may have several contests in a maze; then their files are numbered.
+  virtual bool numbers_runs() const { return true; }
+  /// What a contest without a score counts in means over all; nothing where it has no place there.
+  virtual std::optional<double> failure_score() const { return std::nullopt; }
+  /// The figure of a contest whose mean over the solved ones tells mice with equal means apart; empty without one.
+  virtual std::string_view tie_breaker() const { return ""; }
+  virtual ScorePlace score_place() const { return {}; }
+
+  virtual const WorldFields& fields() const = 0;
+  /// Below the leaderboard, in lines: what the score means; and, below the failures, what else a reader has to know.
+  virtual std::string notes(const Race& race) const = 0;
+  virtual std::string remarks(const Race&) const { return ""; }
+  /// What a maze without a bound is like, behind "1 maze": "whose goal cannot be reached".
+  virtual std::string_view why_no_bound() const { return "whose goal cannot be reached"; }
+};
+
+}  // namespace labmouse

@@ -1,0 +1,67 @@
+// A world before its settings are known: what can be set of it, and how it is made.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "labmouse/lab/races/world.hpp"
+
+namespace labmouse {
+
+/// Something that can be set of a world: an option of every command that holds contests.
+struct WorldSetting {
+  enum class Kind : std::uint8_t { text, whole, flag };
+
+  std::string_view name;         ///< "robot" is --robot
+  std::string_view placeholder;  ///< "FILE"; empty for a flag
+  std::string_view meaning;
+  Kind kind = Kind::text;
+  std::string_view default_value;  ///< "true" or "false" for a flag
+  std::int64_t low = 0, high = 0;  ///< of a whole number
+};
+
+/// Settings by name; those that are not there have their defaults.
+using WorldSettings = std::map<std::string, std::string, std::less<>>;
+
+/// A world, or why the settings make none, in lines: exactly one of the two is there.
+struct WorldResult {
+  std::shared_ptr<const World> world;
+  std::string error;
+};
+
+/// A record as reports have it, or why it cannot be had: JSON and the maze, or the error with its place.
+struct PackedFile {
+  std::string json;
+  std::optional<Maze> maze;
+  std::optional<Problem> problem;
+  /// Whether the maze starts and ends where its file says; some worlds have places of their own.
+  bool own_places = true;
+};
+
+/// Whose record a file has to be: no seeds where the world has none.
+struct RecordOwner {
+  std::string mouse, maze;
+  std::set<std::uint64_t> seeds;
+};
+
+/// What is known of a world before its settings are.
+struct WorldEntry {
+  std::string_view name;
+  std::string_view summary;
+  std::span<const WorldSetting> settings;
+  WorldResult (*make)(const WorldSettings& settings);
+  /// Checks a record's text and packs it for a report.
+  PackedFile (*pack)(std::string_view text, const RecordOwner& owner);
+  bool is_home = false;
+};
+
+/// The value of a setting, or its default.
+std::string value_of(const WorldEntry& entry, const WorldSettings& settings, std::string_view name);
+
+}  // namespace labmouse

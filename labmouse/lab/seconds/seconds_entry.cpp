@@ -1,0 +1,51 @@
+#include "labmouse/lab/seconds/seconds_entry.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "labmouse/lab/robots/drive_rules_file.hpp"
+#include "labmouse/lab/robots/robot_files.hpp"
+#include "labmouse/lab/seconds/seconds_world.hpp"
+
+namespace labmouse {
+namespace {
+
+constexpr std::array settings = {
+    WorldSetting{"robot", "ROBOT", "Name of a built-in robot, or a file with a slash or .toml in its name",
+                 WorldSetting::Kind::text, "classic"},
+    WorldSetting{"rules", "RULES", "Name of built-in rules in seconds, or a file with a slash or .toml in its name",
+                 WorldSetting::Kind::text, "all-japan"}};
+
+WorldResult make(const WorldSettings& chosen) {
+  FoundRobot robot = find_robot(value_of(seconds_entry, chosen, "robot"));
+  if (!robot.errors.empty()) return {nullptr, fmt::format("{}", fmt::join(robot.errors, "\n"))};
+  FoundRules rules = find_rules(value_of(seconds_entry, chosen, "rules"));
+  if (!rules.errors.empty()) return {nullptr, fmt::format("{}", fmt::join(rules.errors, "\n"))};
+  return {seconds_world(rules.rules, std::make_shared<DriveModel>(std::move(robot.model))), ""};
+}
+
+PackedFile failed(Problem problem) { return {"", std::nullopt, std::move(problem)}; }
+
+/// A record in seconds goes in as it is.
+PackedFile pack(std::string_view text, const RecordOwner& owner) {
+  ReadDriveRecordResult read = read_drive_record(text);
+  if (!read.file) return failed(read.problems.front());
+  const DriveRecordFile& file = *read.file;
+  if (file.mouse != owner.mouse || file.maze_name != owner.maze || !owner.seeds.contains(file.seed))
+    return failed(
+        {0, 0,
+         fmt::format("is not of this race, but of {} in {} with seed {}", file.mouse, file.maze_name, file.seed)});
+  if (const std::string wrong = replay(file); !wrong.empty())
+    return failed({0, 0, "does not agree with its maze: " + wrong});
+  const nlohmann::ordered_json json = {{"mouse", file.mouse}, {"maze", file.maze_name}, {"drive", text}};
+  return {json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace), file.maze, std::nullopt};
+}
+
+}  // namespace
+
+const WorldEntry seconds_entry = {"seconds", "a robot with curves and diagonals, by the rules of real contests",
+                                  settings, make, pack};
+
+}  // namespace labmouse

@@ -1,0 +1,211 @@
+#include "labmouse/lab/seconds/seconds_world.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "labmouse/contest/drive.hpp"
+#include "labmouse/contest/drive_coverage.hpp"
+#include "labmouse/contest/drive_score.hpp"
+#include "labmouse/lab/bounds/drive_bound.hpp"
+#include "labmouse/lab/mice/specs.hpp"
+#include "labmouse/lab/pictures/drive_picture.hpp"
+#include "labmouse/lab/records/drive_json.hpp"
+#include "labmouse/lab/robots/robot_json.hpp"
+#include "labmouse/lab/seconds/seconds_fields.hpp"
+#include "labmouse/lab/standings/common_fields.hpp"
+#include "labmouse/lab/text/counted.hpp"
+#include "labmouse/lab/text/printable.hpp"
+#include "labmouse/maze/routes.hpp"
+
+namespace labmouse {
+namespace {
+
+double seconds(MazeTime time) { return static_cast<double>(time) / 1e6; }
+
+/// What is found out about a maze once.
+struct Prepared {
+  DriveBound bound;
+  CellSet reachable;
+};
+
+std::string outcome_of(const DriveRecord& record, const DriveScore& score) {
+  const std::string outcome(name_of(score.outcome));
+  return score.outcome == DriveOutcome::forfeit ? fmt::format("{}: {}", outcome, name_of(record.reason)) : outcome;
+}
+
+/// The fastest of the runs that count.
+std::optional<MazeTime> best_of(const DriveScore& score) {
+  std::optional<MazeTime> best;
+  for (const DriveRunScore& run : score.runs)
+    if (run.rest_to_centre && (!best || *run.rest_to_centre < *best)) best = run.rest_to_centre;
+  return best;
+}
+
+/// How much longer the best run took than the fastest possible one, as a share; nothing without a run or where that
+/// takes no time.
+std::optional<double> excess_of(const std::optional<MazeTime>& best, const DriveBound& bound) {
+  if (!best || !bound.fastest || *bound.fastest == 0) return std::nullopt;
+  return static_cast<double>(*best) / *bound.fastest - 1.0;
+}
+
+/// In the order of SecondsFigure.
+std::vector<Value> figures_of(const DriveRecord& record, const DriveScore& score, const DriveBound& bound,
+                              const Coverage& coverage) {
+  bool driven = false, proven = false;
+  MazeTime search = 0;
+  std::int64_t starts = 0;
+  for (const DriveRun& run : record.runs) {
+    const bool fast = run.kind == DriveRun::Kind::fast;
+    if (!driven) search = fast ? run.begin : run.end;
+    driven = driven || fast;
+    if (fast) proven = run.known == run.hoped;
+    if (run.kind != DriveRun::Kind::home) ++starts;
+  }
+  const auto best = best_of(score);
+  const DriveRunScore* counting = score.best ? &score.runs[*score.best] : nullptr;
+  return {score.best ? Value(JsonText{score_json(score).dump()}) : Value(nullptr),
+          std::int64_t{search},
+          or_none(best),
+          or_none(excess_of(best, bound)),
+          proven,
+          starts,
+          std::int64_t{record.decisions},
+          std::int64_t{record.replanned},
+          coverage.discovered,
+          coverage.visited,
+          or_none(score.value()),
+          counting != nullptr ? or_none(counting->gate_to_gate) : Value(nullptr),
+          counting != nullptr ? or_none(counting->rest_to_centre) : Value(nullptr)};
+}
+
+/// "1/30 of "
+std::string share_of(int divisor) { return divisor == 1 ? "" : fmt::format("1/{} of ", divisor); }
+
+/// The mean of the bounds.
+std::optional<double> mean_bound(const Race& race) {
+  std::vector<double> bounds;
+  for (const MazeFacts& facts : race.facts)
+    if (facts.bound) bounds.push_back(*facts.bound);
+  return bounds.empty() ? std::nullopt : std::optional(mean(bounds));
+}
+
+class SecondsWorld final : public World {
+ public:
+  SecondsWorld(const DriveRules& rules, std::shared_ptr<const DriveModel> model)
+      : rules_(rules), model_(std::move(model)) {}
+
+  std::string_view name() const override { return "seconds"; }
+  std::string formula() const override { return formula_of(rules_); }
+  std::vector<Condition> conditions() const override {
+    return {{"rules", JsonText{rules_json(rules_).dump()}},
+            {"robot", JsonText{robot_json(model_->robot).dump()}},
+            {"tables", hash_text(model_->tables.hash)}};
+  }
+
+  std::string refuse(const Contestant& mouse) const override { return refuse_to_drive({&mouse, 1}); }
+  std::string refuse(const Maze& maze) const override {
+    const Size size = maze.size();
+    if (size.width <= max_drive_side && size.height <= max_drive_side) return "";
+    return fmt::format("is {}x{}; the world of seconds takes mazes up to {}x{}", size.width, size.height,
+                       max_drive_side, max_drive_side);
+  }
+  Settings settings(const Contestant& mouse) const override { return settings_in_seconds(mouse); }
+
+  std::string_view unit() const override { return "s"; }
+
+  MazeFacts facts(const Maze& maze) const override {
+    const DriveBound bound = drive_bound_of(maze, rules_, *model_);
+    return {bound.score ? std::optional(seconds(*bound.score)) : std::nullopt,
+            {or_none(bound.fastest), or_none(bound.score)},
+            Prepared{bound, reachable_cells(maze)}};
+  }
+
+  Held hold(const Race& race, ContestResult& result, Keep keep, const std::atomic<bool>*) const override {
+    const Contestant& mouse = race.mice[result.mouse];
+    const NamedMaze& maze = race.mazes[result.maze];
+    const auto& prepared = std::any_cast<const Prepared&>(race.facts[result.maze].prepared);
+    const auto mind = mouse.drive(brief(maze.maze, rules_, *model_, result.seed));
+    DriveRecord record = drive(maze.maze, rules_, *model_, *mind);
+    const DriveScore score = labmouse::score(record, rules_);
+    result.outcome = outcome_of(record, score);
+    result.figures = figures_of(record, score, prepared.bound, coverage_of(record, maze.maze, prepared.reachable));
+    if (score.value() && best_of(score)) add_score(*score.value(), prepared.bound, result);
+    result.done = true;
+    return kept(mouse, maze, result.seed, std::move(record), keep);
+  }
+
+  std::string_view tie_breaker() const override { return "search_us"; }
+  ScorePlace score_place() const override { return {"score", "value", 1e-6}; }
+  const WorldFields& fields() const override { return seconds_fields(); }
+  std::string_view why_no_bound() const override { return "in which no mouse could score"; }
+
+  std::string notes(const Race& race) const override {
+    return fmt::format(
+        "Rules {}: {}. Lower is better; most contests scored first.\nRobot {}, cells of {:g} mm. Search ends where the "
+        "first fast run begins; best runs from rest to the centre.\nBound, {} s on average: the fastest route, driven "
+        "by "
+        "a mouse that knows the maze but has to search a way there first.\n",
+        shown(rules_.name), formula(), shown(model_->robot.name), model_->tables.cell,
+        columns::number(mean_bound(race), 3));
+  }
+
+ private:
+  void add_score(MazeTime value, const DriveBound& bound, ContestResult& result) const {
+    result.score = result.counted = seconds(value);
+    // A bonus would leave little or nothing to compare; all have it.
+    const MazeTime bonus = rules_.untouched_bonus;
+    if (const MazeTime best = bound.score.value_or(0) + bonus; bound.score && best > 0)
+      result.ratio = static_cast<double>(value + bonus) / static_cast<double>(best);
+  }
+
+  Held kept(const Contestant& mouse, const NamedMaze& maze, std::uint64_t seed, DriveRecord record, Keep keep) const {
+    Held held;
+    if (keep.record || keep.picture) {
+      const DriveRecordFile file = drive_record_file_of(mouse, maze, rules_, model_, seed, record);
+      if (keep.record) held.record = write_drive_record(file);
+      if (keep.picture) held.picture = draw_contest(file);
+    }
+    held.run = std::move(record);
+    return held;
+  }
+
+  DriveRules rules_;
+  std::shared_ptr<const DriveModel> model_;
+};
+
+}  // namespace
+
+std::shared_ptr<const World> seconds_world(const DriveRules& rules, std::shared_ptr<const DriveModel> model) {
+  return std::make_shared<SecondsWorld>(rules, std::move(model));
+}
+
+DriveRecordFile drive_record_file_of(const Contestant& mouse, const NamedMaze& maze, const DriveRules& rules,
+                                     std::shared_ptr<const DriveModel> model, std::uint64_t seed, DriveRecord record) {
+  DriveRecordFile file;
+  file.maze_name = maze.name;
+  file.maze = maze.maze;
+  file.mouse = mouse.name;
+  file.settings = settings_in_seconds(mouse);
+  file.seed = seed;
+  file.tables_hash = model->tables.hash;
+  file.model = std::move(model);
+  file.rules = rules;
+  file.record = std::move(record);
+  const DriveScore scored = score(file.record, rules);
+  if (scored.best) file.recorded_score = scored.runs[*scored.best];
+  return file;
+}
+
+std::string formula_of(const DriveRules& rules) {
+  std::string text = fmt::format("the best of at most {} in {:g} s, {}", counted(rules.most_runs, "run", "runs"),
+                                 seconds(rules.time_limit), rules.gate_to_gate ? "gate to gate" : "rest to centre");
+  if (rules.maze_time_divisor > 0)
+    text += fmt::format(", plus {}the time in the maze before it", share_of(rules.maze_time_divisor));
+  if (rules.untouched_bonus > 0) text += fmt::format(", less {:g} s untouched", seconds(rules.untouched_bonus));
+  if (rules.touch_penalty > 0)
+    text += fmt::format(", {:g} s for a touch, which never happens here", seconds(rules.touch_penalty));
+  return text;
+}
+
+}  // namespace labmouse

@@ -1,0 +1,59 @@
+#include "labmouse/lab/standings/common_fields.hpp"
+
+#include <fmt/format.h>
+
+#include "labmouse/lab/records/settings_json.hpp"
+
+namespace labmouse::fields {
+
+Value mouse_name(const Race& race, const ContestResult& contest) { return race.mice[contest.mouse].name; }
+Value maze_name(const Race& race, const ContestResult& contest) { return race.mazes[contest.maze].name; }
+Value seed(const Race&, const ContestResult& contest) { return static_cast<std::int64_t>(contest.seed); }
+Value outcome(const Race&, const ContestResult& contest) { return contest.outcome; }
+Value score(const Race&, const ContestResult& contest) { return or_none(contest.score); }
+Value ratio(const Race&, const ContestResult& contest) { return or_none(contest.ratio); }
+Value bound(const Race& race, const ContestResult& contest) { return bound(race, contest.maze); }
+
+Value name(const Race& race, const Standing& standing) { return race.mice[standing.mouse].name; }
+Value parameters(const Race& race, const Standing& standing) {
+  return JsonText{settings_json(race.world().settings(race.mice[standing.mouse])).dump()};
+}
+Value contestant(const Race& race, const Standing& standing) { return !race.mice[standing.mouse].reference; }
+Value solved(const Race&, const Standing& standing) { return std::int64_t{standing.solved}; }
+Value runs(const Race&, const Standing& standing) { return std::int64_t{standing.runs}; }
+Value mean_all(const Race&, const Standing& standing) { return or_none(standing.mean_all); }
+Value mean_solved(const Race&, const Standing& standing) { return or_none(standing.mean_solved); }
+Value interval(const Race&, const Standing& standing) {
+  if (!standing.mean_all) return nullptr;
+  return JsonText{nlohmann::json{standing.interval.low, standing.interval.high}.dump()};
+}
+Value mean_ratio(const Race&, const Standing& standing) { return or_none(standing.mean_ratio); }
+
+Value name(const Race& race, std::size_t maze) { return race.mazes[maze].name; }
+Value width(const Race& race, std::size_t maze) { return std::int64_t{race.mazes[maze].maze.size().width}; }
+Value height(const Race& race, std::size_t maze) { return std::int64_t{race.mazes[maze].maze.size().height}; }
+Value bound(const Race& race, std::size_t maze) { return or_none(race.facts[maze].bound); }
+
+}  // namespace labmouse::fields
+
+namespace labmouse::columns {
+
+std::string number(const std::optional<double>& value, int digits) {
+  return value ? fmt::format("{:.{}f}", *value, digits) : "-";
+}
+
+std::string solved(const Race&, const Standing& standing) {
+  return fmt::format("{}/{}", standing.solved, standing.runs);
+}
+std::string mean_all(const Race&, const Standing& standing) { return number(standing.mean_all, 3); }
+std::string mean_solved(const Race&, const Standing& standing) { return number(standing.mean_solved, 3); }
+std::string mean_ratio(const Race&, const Standing& standing) { return number(standing.mean_ratio, 3); }
+
+std::string interval(const Standing& standing, int digits) {
+  const Interval& found = standing.interval;
+  if (!standing.mean_all || standing.mazes < 2) return "-";
+  return fmt::format("{:.{}f}{}{:.{}f}", found.low, digits, found.low < 0 || found.high < 0 ? " to " : "-", found.high,
+                     digits);
+}
+
+}  // namespace labmouse::columns

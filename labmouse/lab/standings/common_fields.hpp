@@ -1,0 +1,66 @@
+// The fields of contests, mice and mazes that most worlds have, for their lists.
+#pragma once
+
+#include <string>
+
+#include "labmouse/lab/races/race.hpp"
+#include "labmouse/lab/standings/standing.hpp"
+
+namespace labmouse::fields {
+
+// Of a contest.
+Value mouse_name(const Race& race, const ContestResult& contest);
+Value maze_name(const Race& race, const ContestResult& contest);
+Value seed(const Race& race, const ContestResult& contest);
+Value outcome(const Race& race, const ContestResult& contest);
+Value score(const Race& race, const ContestResult& contest);
+Value bound(const Race& race, const ContestResult& contest);
+Value ratio(const Race& race, const ContestResult& contest);
+/// The figure at that place of the world's own list.
+template <auto Place>
+Value figure(const Race&, const ContestResult& contest) {
+  return contest.figures[static_cast<std::size_t>(Place)];
+}
+/// The same of the contest's maze.
+template <auto Place>
+Value of_maze(const Race& race, const ContestResult& contest) {
+  return race.facts[contest.maze].figures[static_cast<std::size_t>(Place)];
+}
+
+// Of a mouse.
+Value name(const Race& race, const Standing& standing);
+Value parameters(const Race& race, const Standing& standing);
+Value contestant(const Race& race, const Standing& standing);
+Value solved(const Race& race, const Standing& standing);
+Value runs(const Race& race, const Standing& standing);
+Value mean_all(const Race& race, const Standing& standing);
+Value mean_solved(const Race& race, const Standing& standing);
+Value interval(const Race& race, const Standing& standing);
+Value mean_ratio(const Race& race, const Standing& standing);
+
+// Of a maze.
+Value name(const Race& race, std::size_t maze);
+Value width(const Race& race, std::size_t maze);
+Value height(const Race& race, std::size_t maze);
+Value bound(const Race& race, std::size_t maze);
+template <auto Place>
+Value maze_figure(const Race& race, std::size_t maze) {
+  return race.facts[maze].figures[static_cast<std::size_t>(Place)];
+}
+
+}  // namespace labmouse::fields
+
+namespace labmouse::columns {
+
+/// A number with so many digits behind the point, or "-".
+std::string number(const std::optional<double>& value, int digits);
+
+/// "12/15": contests with a score of all.
+std::string solved(const Race& race, const Standing& standing);
+std::string mean_all(const Race& race, const Standing& standing);
+std::string mean_solved(const Race& race, const Standing& standing);
+std::string mean_ratio(const Race& race, const Standing& standing);
+/// "38.1-39.4" with so many digits, "-" where one maze says nothing of others.
+std::string interval(const Standing& standing, int digits);
+
+}  // namespace labmouse::columns

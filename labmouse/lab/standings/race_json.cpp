@@ -1,0 +1,137 @@
+#include "labmouse/lab/standings/race_json.hpp"
+
+#include <algorithm>
+
+#include "labmouse/lab/standings/race_notes.hpp"
+#include "labmouse/lab/standings/standings.hpp"
+#include "labmouse/lab/system/version.hpp"
+#include "labmouse/lab/text/printable.hpp"
+
+namespace labmouse {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const Value& value) {
+  return std::visit(
+      [](const auto& held) -> Json {
+        using Held = std::decay_t<decltype(held)>;
+        if constexpr (std::is_same_v<Held, std::monostate>)
+          return nullptr;
+        else if constexpr (std::is_same_v<Held, JsonText>)
+          return Json::parse(held.text);
+        else
+          return held;
+      },
+      value);
+}
+
+/// Sets the field, where the value says anything.
+void set(Json& json, std::string_view key, const Value& value) {
+  if (!std::holds_alternative<std::monostate>(value)) json[std::string(key)] = json_of(value);
+}
+
+Json mazes_json(const Race& race) {
+  Json mazes = Json::array();
+  for (std::size_t maze = 0; maze < race.mazes.size(); ++maze) {
+    Json& json = mazes.emplace_back(Json::object());
+    for (const MazeField& field : race.world().fields().maze) set(json, field.key, field.of(race, maze));
+  }
+  return mazes;
+}
+
+Json results_json(const Race& race, std::size_t mouse) {
+  Json results = Json::array();
+  for (const ContestResult& contest : race.results) {
+    if (contest.mouse != mouse || !contest.done) continue;
+    Json& json = results.emplace_back(Json::object());
+    for (const ContestField& field : race.world().fields().contest) set(json, field.key, field.of(race, contest));
+  }
+  return results;
+}
+
+Json mice_json(const Race& race) {
+  Json mice = Json::array();
+  for (const Standing& standing : standings_of(race)) {
+    Json& json = mice.emplace_back(Json::object());
+    for (const MouseField& field : race.world().fields().mouse) set(json, field.key, field.of(race, standing));
+    json["results"] = results_json(race, standing.mouse);
+  }
+  return mice;
+}
+
+void set_conditions(const Race& race, Json& json) {
+  for (const Condition& condition : race.world().conditions()) set(json, condition.key, condition.value);
+}
+
+Json group_json(const Race& race) {
+  Json json = {{"world", race.world().name()}, {"formula", race.world().formula()}};
+  set_conditions(race, json);
+  json["stopped"] = race.stopped;
+  json["mazes"] = mazes_json(race);
+  json["mice"] = mice_json(race);
+  return json;
+}
+
+Json lines_of(std::string_view text) {
+  Json lines = Json::array();
+  for (std::size_t end = 0; !text.empty(); text.remove_prefix(end + 1)) {
+    end = text.find('\n');
+    lines.push_back(text.substr(0, end));
+  }
+  return lines;
+}
+
+Json skipped_json(const std::vector<SkippedFile>& skipped) {
+  Json files = Json::array();
+  for (const SkippedFile& file : skipped) {
+    Json reasons = Json::array();
+    for (const Problem& problem : file.problems) reasons.push_back(describe(file.path, problem));
+    files.push_back({{"path", file.path}, {"reasons", std::move(reasons)}});
+  }
+  return files;
+}
+
+}  // namespace
+
+Json race_json(std::span<const Race> races, const std::vector<SkippedFile>& skipped) {
+  const Race* home = races.front().world().is_home() ? &races.front() : nullptr;
+  Json json;
+  json["labmouse"] = version();
+  json["compiler"] = compiler();
+  json["processor"] = processor();
+  json["seed"] = races.front().order.seed;
+  if (home != nullptr) set_conditions(*home, json);
+  json["stopped"] = std::any_of(races.begin(), races.end(), [](const Race& race) { return race.stopped; });
+  json["mazes"] = home != nullptr ? mazes_json(*home) : Json::array();
+  json["mice"] = home != nullptr ? mice_json(*home) : Json::array();
+  json["notes"] = home != nullptr ? lines_of(notes_of(*home)) : Json::array();
+  for (const Race& race : races)
+    if (&race != home) json["groups"].push_back(group_json(race));
+  json["skipped"] = skipped_json(skipped);
+  return json;
+}
+
+std::string json_of(std::span<const Race> races, const std::vector<SkippedFile>& skipped) {
+  return text_of(race_json(races, skipped));
+}
+
+std::string json_of(const Race& race, const std::vector<SkippedFile>& skipped) { return json_of({&race, 1}, skipped); }
+
+std::string text_of(const Json& json) { return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n"; }
+
+std::string csv_of(const Race& race) {
+  const auto fields = race.world().fields().csv;
+  std::string text;
+  for (const ContestField& field : fields) text += (text.empty() ? "" : ",") + std::string(field.key);
+  text += "\n";
+  for (const ContestResult& contest : race.results) {
+    if (!contest.done) continue;
+    for (std::size_t i = 0; i < fields.size(); ++i)
+      text += (i > 0 ? "," : "") + csv_field(text_of(fields[i].of(race, contest)));
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace labmouse

@@ -1,0 +1,23 @@
+// A race for a terminal. docs/races.md describes all of it.
+#pragma once
+
+#include <string>
+
+#include "labmouse/lab/races/race.hpp"
+
+namespace labmouse {
+
+/// A heading, the leaderboard, and notes below.
+std::string table_of(const Race& race, bool colours);
+
+/// The leaderboard alone: two lines of headings and a line a mouse.
+std::string leaderboard_of(const Race& race, bool colours);
+
+/// How much of the mazes each mouse discovered and visited while it searched, as a table in the order of the
+/// leaderboard.
+std::string shares_of(const Race& race);
+
+/// For each mouse the mazes that cost it most above the bound, `count` of each.
+std::string worst_of(const Race& race, int count);
+
+}  // namespace labmouse

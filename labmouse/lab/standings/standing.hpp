@@ -1,0 +1,25 @@
+// One mouse's line in the leaderboard.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "labmouse/lab/numbers/statistics.hpp"
+
+namespace labmouse {
+
+/// Only mazes in which a mouse can score count, and only contests that were done.
+struct Standing {
+  std::size_t mouse = 0;  ///< position in Race::mice
+  int mazes = 0;          ///< in which a contest enters the mean over all
+  int runs = 0;           ///< contests
+  int solved = 0;         ///< those with a score
+  /// Over all contests that the world counts, failed ones as it counts them, and its interval over mazes.
+  std::optional<double> mean_all;
+  Interval interval;
+  /// Over the contests with a score; nothing where there is none.
+  std::optional<double> mean_solved;
+  std::optional<double> mean_ratio;  ///< score over the maze's bound
+};
+
+}  // namespace labmouse

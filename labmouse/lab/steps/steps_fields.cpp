@@ -1,0 +1,142 @@
+#include "labmouse/lab/steps/steps_fields.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "labmouse/lab/standings/common_fields.hpp"
+#include "labmouse/lab/standings/mouse_figures.hpp"
+#include "labmouse/lab/steps/steps_world.hpp"
+
+namespace labmouse {
+namespace {
+
+using F = StepsFigure;
+using fields::figure;
+
+double microseconds_per_decision(const ContestResult& contest) {
+  return number_of(contest, F::microseconds) / std::max(1.0, number_of(contest, F::decisions));
+}
+
+Value microseconds(const Race&, const ContestResult& contest) { return microseconds_per_decision(contest); }
+Value rounded_microseconds(const Race&, const ContestResult& contest) {
+  return fmt::format("{:.3f}", microseconds_per_decision(contest));
+}
+
+constexpr std::array<ContestField, 15> contest_fields = {{{"maze", fields::maze_name},
+                                                          {"seed", fields::seed},
+                                                          {"outcome", fields::outcome},
+                                                          {"score", fields::score},
+                                                          {"exploration_steps", figure<F::exploration_steps>},
+                                                          {"speed_steps", figure<F::speed_steps>},
+                                                          {discovered_share, figure<F::discovered_share>},
+                                                          {visited_share, figure<F::visited_share>},
+                                                          {"microseconds_per_decision", microseconds},
+                                                          {"blocked_steps", figure<F::blocked_steps>},
+                                                          {"void_rotations", figure<F::void_rotations>},
+                                                          {"cut_movements", figure<F::cut_movements>},
+                                                          {"idle_resets", figure<F::idle_resets>},
+                                                          {last_words, figure<F::last_words>},
+                                                          {"counts", figure<F::counts>}}};
+
+constexpr std::array<ContestField, 12> csv_fields = {{{"mouse", fields::mouse_name},
+                                                      {"maze", fields::maze_name},
+                                                      {"seed", fields::seed},
+                                                      {"outcome", fields::outcome},
+                                                      {"score", fields::score},
+                                                      {"exploration_steps", figure<F::exploration_steps>},
+                                                      {"speed_steps", figure<F::speed_steps>},
+                                                      {"optimum", fields::of_maze<StepsMazeFigure::optimum>},
+                                                      {"bound", fields::bound},
+                                                      {"microseconds_per_decision", rounded_microseconds},
+                                                      {discovered_share, figure<F::discovered_share>},
+                                                      {visited_share, figure<F::visited_share>}}};
+
+constexpr std::array<MazeField, 5> maze_fields = {{{"name", fields::name},
+                                                   {"width", fields::width},
+                                                   {"height", fields::height},
+                                                   {"optimum", fields::maze_figure<StepsMazeFigure::optimum>},
+                                                   {"bound", fields::bound}}};
+
+/// Steps of a solved contest's speed run above the shortest one.
+double over_optimum(const Race& race, const ContestResult& contest) {
+  return number_of(contest, F::speed_steps) - *number_of(race.facts[contest.maze].figures.front());
+}
+
+std::optional<double> mean_over_optimum(const Race& race, const Standing& standing) {
+  std::vector<double> values;
+  for_each_solved(race, standing, [&](const ContestResult& contest) { values.push_back(over_optimum(race, contest)); });
+  return mean_if_any(values);
+}
+
+/// Share of all contests whose speed run was a shortest one.
+double optimal_share(const Race& race, const Standing& standing) {
+  int optimal = 0;
+  for_each_solved(race, standing,
+                  [&](const ContestResult& contest) { optimal += over_optimum(race, contest) == 0.0 ? 1 : 0; });
+  return standing.runs > 0 ? optimal / static_cast<double>(standing.runs) : 0.0;
+}
+
+double microseconds_per_decision(const Race& race, const Standing& standing) {
+  double spent = 0.0, decisions = 0.0;
+  for_each_counted(race, standing, [&](const ContestResult& contest) {
+    spent += number_of(contest, F::microseconds);
+    decisions += number_of(contest, F::decisions);
+  });
+  return decisions > 0 ? spent / decisions : 0.0;
+}
+
+constexpr std::array<MouseField, 15> mouse_fields = {
+    {{"name", fields::name},
+     {"parameters", fields::parameters},
+     {"contestant", fields::contestant},
+     {"solved", fields::solved},
+     {"runs", fields::runs},
+     {"mean_score", fields::mean_solved},
+     {"penalised_mean", fields::mean_all},
+     {"interval", fields::interval},
+     {"mean_ratio", fields::mean_ratio},
+     {"mean_exploration_steps",
+      [](const Race& r, const Standing& s) -> Value { return or_none(mean_solved(r, s, "exploration_steps")); }},
+     {"mean_speed_over_optimum",
+      [](const Race& r, const Standing& s) -> Value { return or_none(mean_over_optimum(r, s)); }},
+     {"optimal_share", [](const Race& r, const Standing& s) -> Value { return optimal_share(r, s); }},
+     {"mean_discovered_share",
+      [](const Race& r, const Standing& s) -> Value { return or_none(mean_of_all(r, s, discovered_share)); }},
+     {"mean_visited_share",
+      [](const Race& r, const Standing& s) -> Value { return or_none(mean_of_all(r, s, visited_share)); }},
+     {"microseconds_per_decision",
+      [](const Race& r, const Standing& s) -> Value { return microseconds_per_decision(r, s); }}}};
+
+std::string best_runs(const Race& race, const Standing& standing) {
+  return standing.runs > 0 ? fmt::format("{:.1f}", 100.0 * optimal_share(race, standing)) : "-";
+}
+
+std::string us_a_step(const Race& race, const Standing& standing) {
+  const double microseconds = microseconds_per_decision(race, standing);
+  return standing.runs > 0 ? fmt::format("{:.{}f}", microseconds, microseconds < 100.0 ? 2 : 0) : "-";
+}
+
+// With the built-in mice a line fits into 90 columns.
+constexpr std::array<Column, 9> table = {
+    {{"", "solved", 8, columns::solved},
+     {"score", "all", 7, columns::mean_all},
+     {"95 %", "interval", 11, [](const Race&, const Standing& s) { return columns::interval(s, 1); }},
+     {"score", "solved", 7, columns::mean_solved},
+     {"score", "/bound", 6, columns::mean_ratio},
+     {"expl.", "steps", 5,
+      [](const Race& r, const Standing& s) { return columns::number(mean_solved(r, s, "exploration_steps"), 1); }},
+     {"speed", "+steps", 6,
+      [](const Race& r, const Standing& s) { return columns::number(mean_over_optimum(r, s), 2); }},
+     {"best", "runs%", 5, best_runs},
+     {"us a", "step", 5, us_a_step}}};
+
+}  // namespace
+
+const WorldFields& steps_fields() {
+  static constexpr WorldFields all = {contest_fields, csv_fields, mouse_fields, maze_fields, table};
+  return all;
+}
+
+}  // namespace labmouse

@@ -1,0 +1,10 @@
+// The fields and columns of a race in steps. docs/races.md describes them.
+#pragma once
+
+#include "labmouse/lab/races/world.hpp"
+
+namespace labmouse {
+
+const WorldFields& steps_fields();
+
+}  // namespace labmouse

@@ -1,0 +1,153 @@
+#include "labmouse/lab/steps/steps_world.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+
+#include "labmouse/contest/coverage.hpp"
+#include "labmouse/contest/missteps.hpp"
+#include "labmouse/contest/score.hpp"
+#include "labmouse/contest/simulator.hpp"
+#include "labmouse/lab/bounds/bounds.hpp"
+#include "labmouse/lab/steps/steps_fields.hpp"
+#include "labmouse/lab/steps/steps_files.hpp"
+#include "labmouse/lab/steps/steps_notes.hpp"
+#include "labmouse/maze/routes.hpp"
+
+namespace labmouse {
+namespace {
+
+/// A mouse with a stopwatch, which minds themselves may not have.
+class Timed final : public Strategy {
+ public:
+  explicit Timed(Strategy& mouse) : mouse_(mouse) {}
+
+  Action decide(const Sighting& seen) override {
+    const auto begin = std::chrono::steady_clock::now();
+    const Action action = mouse_.decide(seen);
+    spent_ += std::chrono::steady_clock::now() - begin;
+    return action;
+  }
+  const Knowledge& knowledge() const override { return mouse_.knowledge(); }
+  std::span<const Counter> counters() const override { return mouse_.counters(); }
+  std::string_view last_words() override { return mouse_.last_words(); }
+  double microseconds() const { return std::chrono::duration<double, std::micro>(spent_).count(); }
+
+ private:
+  Strategy& mouse_;
+  std::chrono::steady_clock::duration spent_{};
+};
+
+ForfeitReason reason_of(const RunRecord& record) {
+  return record.outcome == Outcome::forfeit ? record.steps.back().action.reason : ForfeitReason::none;
+}
+
+std::string outcome_of(const RunRecord& record) {
+  const std::string outcome(name_of(record.outcome));
+  return record.outcome == Outcome::forfeit ? fmt::format("{}: {}", outcome, name_of(reason_of(record))) : outcome;
+}
+
+Value counts_of(const RunRecord& record) {
+  if (record.counts.empty()) return {};
+  nlohmann::ordered_json json;
+  for (const Count& count : record.counts) json[count.name] = count.value;
+  return JsonText{json.dump()};
+}
+
+Value last_words_of(const RunRecord& record) { return record.last_words.empty() ? Value() : Value(record.last_words); }
+
+std::int64_t first_of(const Missteps& missteps) {
+  int first = 0;
+  for (const MisstepCount& count :
+       {missteps.blocked, missteps.void_rotations, missteps.cut_movements, missteps.idle_resets})
+    if (count.first > 0 && (first == 0 || count.first < first)) first = count.first;
+  return first;
+}
+
+/// In the order of StepsFigure.
+std::vector<Value> figures_of(const RunRecord& record, const Score& score, const Coverage& coverage,
+                              const Missteps& missteps, double microseconds) {
+  const auto misstep = [&](const MisstepCount& count) {
+    return missteps == Missteps() ? Value() : Value(std::int64_t{count.steps});
+  };
+  return {std::int64_t{score.exploration_steps},
+          score.value ? Value(std::int64_t{score.speed_steps}) : Value(nullptr),
+          coverage.discovered,
+          coverage.visited,
+          misstep(missteps.blocked),
+          misstep(missteps.void_rotations),
+          misstep(missteps.cut_movements),
+          misstep(missteps.idle_resets),
+          first_of(missteps),
+          last_words_of(record),
+          counts_of(record),
+          static_cast<std::int64_t>(record.steps.size()),
+          microseconds};
+}
+
+class StepsWorld final : public World {
+ public:
+  explicit StepsWorld(const Rules& rules) : rules_(rules) {}
+
+  std::string_view name() const override { return "strides"; }
+  bool is_home() const override { return true; }
+  std::string formula() const override {
+    return fmt::format("speed-run steps + exploration steps / {}", rules_.exploration_factor);
+  }
+  std::vector<Condition> conditions() const override { return {{"budget", std::int64_t{rules_.budget}}}; }
+  std::string title() const override { return ""; }
+  std::string heading() const override {
+    return rules_.budget == Rules().budget ? "" : fmt::format(", budget {}", rules_.budget);
+  }
+
+  std::string refuse(const Contestant& mouse) const override {
+    return mouse.make ? "" : fmt::format("mouse '{}' makes no steps", mouse.name);
+  }
+
+  Rules lesson_rules() const override { return rules_; }
+  std::string_view unit() const override { return "steps"; }
+
+  MazeFacts facts(const Maze& maze) const override {
+    const Bound bound = bound_of(maze, rules_);
+    return {bound.score, {or_none(bound.optimum)}, reachable_cells(maze)};
+  }
+
+  Held hold(const Race& race, ContestResult& result, Keep keep, const std::atomic<bool>*) const override {
+    const Contestant& mouse = race.mice[result.mouse];
+    const NamedMaze& maze = race.mazes[result.maze];
+    const MazeFacts& facts = race.facts[result.maze];
+    const auto mind = mouse.make(maze.maze, rules_, result.seed);
+    Timed timed(*mind);
+    RunRecord record = run(maze.maze, rules_, timed);
+    const Score score = labmouse::score(record, rules_);
+    const auto& reachable = std::any_cast<const CellSet&>(facts.prepared);
+    result.outcome = outcome_of(record);
+    result.score = score.value;
+    result.counted = score.value.value_or(rules_.failure_score);
+    if (score.value && facts.bound) result.ratio = *score.value / *facts.bound;
+    result.figures = figures_of(record, score, coverage_of(record, maze.maze.size(), reachable),
+                                missteps_of(record, rules_), timed.microseconds());
+    result.done = reason_of(record) != ForfeitReason::interrupted;
+    return kept(mouse, maze, rules_, result.seed, std::move(record), keep);
+  }
+
+  std::optional<double> failure_score() const override { return rules_.failure_score; }
+  const WorldFields& fields() const override { return steps_fields(); }
+  std::string notes(const Race& race) const override { return steps_notes(race, rules_); }
+  std::string remarks(const Race& race) const override { return steps_remarks(race); }
+
+ private:
+  Rules rules_;
+};
+
+}  // namespace
+
+std::shared_ptr<const World> steps_world(const Rules& rules) { return std::make_shared<StepsWorld>(rules); }
+
+double number_of(const ContestResult& contest, StepsFigure figure) {
+  const auto place = static_cast<std::size_t>(figure);
+  return place < contest.figures.size() ? number_of(contest.figures[place]).value_or(0.0) : 0.0;
+}
+
+}  // namespace labmouse

@@ -1,0 +1,68 @@
+#include "labmouse/lab/worlds/entering.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "labmouse/lab/mice/specs.hpp"
+
+namespace labmouse {
+namespace {
+
+/// The place on the list of the first world that takes a mouse; the list's length where none does.
+std::size_t home_of(const Contestant& mouse) {
+  std::size_t place = 0;
+  while (place < all_worlds().size() && !all_worlds()[place]->make({}).world->refuse(mouse).empty()) ++place;
+  return place;
+}
+
+EntriesResult enter_one(std::vector<Contestant> mice, const WorldEntry& entry, const WorldSettings& settings) {
+  WorldResult made = entry.make(settings);
+  if (!made.error.empty()) return {{}, made.error};
+  for (const Contestant& mouse : mice)
+    if (std::string reason = made.world->refuse(mouse); !reason.empty()) return {{}, "error: " + reason};
+  EntriesResult result;
+  result.entries.push_back({std::move(made.world), std::move(mice)});
+  return result;
+}
+
+}  // namespace
+
+EntriesResult enter(std::vector<Contestant> mice, std::string_view world, const WorldSettings& settings) {
+  if (!world.empty()) return enter_one(std::move(mice), *find_world(world), settings);
+  std::vector<std::vector<Contestant>> by_world(all_worlds().size());
+  for (Contestant& mouse : mice) {
+    const std::size_t home = home_of(mouse);
+    if (home == by_world.size()) return {{}, fmt::format("error: no world takes mouse '{}'", mouse.name)};
+    by_world[home].push_back(std::move(mouse));
+  }
+  EntriesResult result;
+  for (std::size_t i = 0; i < by_world.size(); ++i) {
+    if (i > 0 && by_world[i].empty()) continue;
+    EntriesResult one = enter_one(std::move(by_world[i]), *all_worlds()[i], settings);
+    if (!one.error.empty()) return one;
+    result.entries.push_back(std::move(one.entries.front()));
+  }
+  return result;
+}
+
+std::vector<Contestant> residents_of(const World& world) {
+  std::vector<Contestant> mice = all_contestants();
+  std::erase_if(mice, [&](const Contestant& mouse) { return !world.refuse(mouse).empty(); });
+  return mice;
+}
+
+std::string leave_out(const World& world, const std::vector<std::string>& named, MazeCollection& mazes) {
+  std::string error;
+  std::erase_if(mazes.mazes, [&](const NamedMaze& maze) {
+    const std::string reason = world.refuse(maze.maze);
+    if (reason.empty()) return false;
+    if (error.empty() && std::find(named.begin(), named.end(), maze.name) != named.end())
+      error = fmt::format("{}: error: {}", maze.name, reason);
+    mazes.skipped.push_back({maze.name, {{no_place, no_place, reason}}});
+    return true;
+  });
+  return error;
+}
+
+}  // namespace labmouse

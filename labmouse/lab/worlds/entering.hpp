@@ -1,0 +1,34 @@
+// Which mouse races in which world.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "labmouse/lab/worlds/worlds.hpp"
+
+namespace labmouse {
+
+/// The mice that race in one world.
+struct Entry {
+  std::shared_ptr<const World> world;
+  std::vector<Contestant> mice;
+};
+
+/// Where the mice race, or why they cannot: exactly one of the two is there.
+struct EntriesResult {
+  std::vector<Entry> entries;
+  std::string error;
+};
+
+/// All mice race in the world of that name. Where it is empty, each races in the first world on the list that takes it;
+/// the home world has an entry then, even if nobody does.
+EntriesResult enter(std::vector<Contestant> mice, std::string_view world, const WorldSettings& settings);
+
+/// The mice of the roster that the world takes.
+std::vector<Contestant> residents_of(const World& world);
+
+/// Takes the mazes away in which the world holds no contests, and adds them to those that were skipped. Returns why one
+/// that was named directly is among them, with its name; or nothing.
+std::string leave_out(const World& world, const std::vector<std::string>& named, MazeCollection& mazes);
+
+}  // namespace labmouse

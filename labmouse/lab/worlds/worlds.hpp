@@ -1,0 +1,21 @@
+// All worlds: the one list of them. docs/adding-a-world.md shows what another one takes.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "labmouse/lab/races/world_entry.hpp"
+
+namespace labmouse {
+
+/// The world that is meant where none is named comes first.
+std::span<const WorldEntry* const> all_worlds();
+/// The world of that name, or null.
+const WorldEntry* find_world(std::string_view name);
+/// The world of that name with its defaults; the name must be that of one.
+std::shared_ptr<const World> default_world(std::string_view name);
+/// The home world with its defaults.
+std::shared_ptr<const World> home_world();
+
+}  // namespace labmouse
