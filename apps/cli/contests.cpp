@@ -6,6 +6,8 @@
 #include <csignal>
 #include <cstdio>
 
+#include "labmouse/lab/mice/specs.hpp"
+
 namespace labmouse::cli {
 namespace {
 
@@ -13,7 +15,7 @@ std::atomic<bool> stop_flag{false};
 
 }  // namespace
 
-void add_contests(CLI::App& command, Contests& contests) {
+void add_contests(Command& command, Contests& contests) {
   command
       .add_option("--mazes", contests.mazes,
                   "Maze files, folders, patterns or names of built-in mazes; default: all built-in mazes")
@@ -22,25 +24,50 @@ void add_contests(CLI::App& command, Contests& contests) {
       ->take_all();
   add_places(command, contests.places);
   command.add_option("--runs", contests.order.runs, "Contests of each mouse that throws dice, in each maze")
-      ->check(CLI::Range(1, 1'000'000))
+      ->check(in_range(1, 1'000'000))
       ->capture_default_str();
-  add_budget(command, contests.order.rules);
+  contests.world.add_to(command);
   command.add_option("--seed", contests.order.seed, "Seed of all chance")->check(seed_number())->capture_default_str();
   command.add_option("--jobs", contests.order.jobs, "Threads; 0 takes all processors")
-      ->check(CLI::Range(0, 1024))
+      ->check(in_range(0, 1024))
       ->capture_default_str();
 }
 
+RaceOrder Contests::order_in(std::shared_ptr<const World> chosen) const {
+  RaceOrder held = order;
+  held.world = std::move(chosen);
+  return held;
+}
+
+std::vector<Contestant> find_contestants(const std::vector<std::string>& specs, const WorldChoice& world,
+                                         GuestOptions options) {
+  if (!specs.empty()) return find_contestants(specs, std::move(options));
+  std::vector<Contestant> mice = residents_of(*world.world());
+  if (mice.empty())
+    throw UsageError(fmt::format("error: labmouse brings no mouse for the world of {}; name yours with --mice",
+                                 world.world()->name()));
+  return mice;
+}
+
 std::vector<Contestant> find_contestants(const std::vector<std::string>& specs, GuestOptions options) {
-  if (specs.empty()) return all_contestants();
   options.stop = &stop_flag;
   SpecResult result = read_specs(specs, options);
   if (!result.error.empty()) throw UsageError("error: " + result.error);
-  if (!result.mms.empty())
-    throw UsageError(fmt::format(
-        "error: '{}' lives in the world of mms; `labmouse race` races it, `labmouse mms` hosts it in one maze",
-        result.mms.front().name));
   return std::move(result.contestants);
+}
+
+MazeCollection find_mazes_of(const World& world, const Contests& contests) {
+  const Places& places = contests.places;
+  if (const auto fixed = world.fixed_places(); !fixed.empty() && (!places.start.empty() || !places.goals.empty()))
+    throw UsageError(
+        fmt::format("error: --start and --goal are not for the world of {}, which {}", world.name(), fixed));
+  MazeCollection mazes = find_mazes(contests.mazes, places);
+  const auto before = static_cast<std::ptrdiff_t>(mazes.skipped.size());
+  if (const std::string refused = leave_out(world, contests.mazes, mazes); !refused.empty()) throw UsageError(refused);
+  tell_skipped({mazes.skipped.begin() + before, mazes.skipped.end()});
+  if (mazes.mazes.empty())
+    throw UsageError(fmt::format("error: no maze to race on: the world of {} takes none of these", world.name()));
+  return mazes;
 }
 
 Progress::Progress() : shown_(isatty(STDERR_FILENO) != 0) {}

@@ -6,20 +6,30 @@
 #include <vector>
 
 #include "command.hpp"
-#include "labmouse/lab/races/tournament.hpp"
+#include "labmouse/lab/races/race.hpp"
+#include "worlds.hpp"
 
 namespace labmouse::cli {
 
 struct Contests {
   std::vector<std::string> mazes;
   Places places;
+  WorldChoice world;
+  /// Without its world, which depends on the mice.
   RaceOrder order;
-};
-void add_contests(CLI::App& command, Contests& contests);
 
-/// The mice of the SPECs, all of the roster where there is none; throws UsageError, also where one lives in another
-/// world. While an Interruptible lives, Ctrl-C ends the guests among them.
+  RaceOrder order_in(std::shared_ptr<const World> chosen) const;
+};
+void add_contests(Command& command, Contests& contests);
+
+/// The mice of the SPECs; throws UsageError. While an Interruptible lives, Ctrl-C ends the guests among them.
 std::vector<Contestant> find_contestants(const std::vector<std::string>& specs, GuestOptions options = {});
+/// The same; where there is no SPEC, all of the roster that race in that world.
+std::vector<Contestant> find_contestants(const std::vector<std::string>& specs, const WorldChoice& world,
+                                         GuestOptions options = {});
+
+/// The mazes in which that world holds contests; of those that were named directly none may be refused.
+MazeCollection find_mazes_of(const World& world, const Contests& contests);
 
 /// A bar on standard error, where that is a terminal.
 class Progress {

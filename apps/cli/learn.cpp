@@ -4,6 +4,7 @@
 #include "command.hpp"
 #include "contests.hpp"
 #include "labmouse/lab/studies/prior_lesson.hpp"
+#include "labmouse/lab/worlds/worlds.hpp"
 
 namespace labmouse::cli {
 namespace {
@@ -20,7 +21,7 @@ Lesson hold(std::vector<NamedMaze> mazes) {
   LessonHooks hooks;
   hooks.stop = &interruptible.stopped();
   hooks.finished = [&](std::size_t all) { progress.advance(all); };
-  return hold_lesson(std::move(mazes), Rules(), hooks);
+  return hold_lesson(std::move(mazes), *home_world(), hooks);
 }
 
 int learn(const LearnOptions& options) {
@@ -37,9 +38,9 @@ int learn(const LearnOptions& options) {
 
 }  // namespace
 
-void add_learn(CLI::App& app, int& exit) {
+void add_learn(Command& app, int& exit) {
   auto options = std::make_shared<LearnOptions>();
-  CLI::App* command =
+  Command* command =
       app.add_subcommand("learn", "Learn from mazes which walls to expect, for mice with a parameter 'prior'");
   command
       ->add_option("mazes", options->mazes,

@@ -11,9 +11,9 @@
 #include "frames.hpp"
 #include "guests.hpp"
 #include "labmouse/guests/mms/run.hpp"
+#include "labmouse/lab/mms/mms_summary.hpp"
 #include "labmouse/lab/pictures/mms_picture.hpp"
 #include "labmouse/lab/records/mms_record.hpp"
-#include "labmouse/lab/standings/mms_report.hpp"
 #include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse::cli {
@@ -72,7 +72,7 @@ MmsRun host(const MmsCommandOptions& options, const NamedMaze& maze) {
   const Interruptible interruptible;
   GuestOptions guests = options.guests;
   guests.stop = &interruptible.stopped();
-  const MmsMouse mouse = find_mice({"mms:" + options.command}, guests).mms.front();
+  const Contestant mouse = find_contestants({"mms:" + options.command}, guests).front();
   std::optional<MmsRecorder> recorder;
   std::optional<Watching> watching;
   if (!options.record.empty()) recorder.emplace(mouse.name, maze);
@@ -83,7 +83,7 @@ MmsRun host(const MmsCommandOptions& options, const NamedMaze& maze) {
       if (recorder) recorder->add(event);
       if (watching) watching->tell(event, now);
     };
-  MmsRun run = run_mms(mouse.launch, maze.maze, options.mms, listener);
+  MmsRun run = run_mms(*mouse.program, maze.maze, options.mms, listener);
   if (recorder) save(options.record, recorder->finish(run));
   const std::string drawing = drawing_of(maze.maze, run.canvas, run.pose);
   if (watching)
@@ -102,23 +102,30 @@ int mms(const MmsCommandOptions& options) {
   return run.outcome == MmsOutcome::complete ? exit_good : exit_finding;
 }
 
+void add_mms_options(Command& command, MmsOptions& options) {
+  command.add_flag("--strict", options.strict, "End a run at the first line that mms would not answer");
+  command.add_option("--presses", options.presses, "Press Reset N times for a mouse that waits for it")
+      ->type_name("N")
+      ->check(in_range(0, 1'000'000))
+      ->capture_default_str();
+}
+
 }  // namespace
 
-void add_mms(CLI::App& app, int& exit) {
+void add_mms(Command& app, int& exit) {
   auto options = std::make_shared<MmsCommandOptions>();
-  CLI::App* command = app.add_subcommand("mms", "Host a program that was written for mms in one maze");
+  Command* command = app.add_subcommand("mms", "Host a program that was written for mms in one maze");
   command->add_option("command", options->command, "Command that starts the program; words as in mms, no shell")
       ->required()
       ->type_name("COMMAND");
   command->add_option("--maze", options->maze, "Maze file or name of a built-in maze")->required()->type_name("MAZE");
   add_mms_options(*command, options->mms);
   command->add_flag("--watch", options->watch, "Draw it move by move");
-  CLI::Option* speed =
-      command->add_option("--speed", options->speed, "Watch it at so many times the default speed of mms")
-          ->type_name("TIMES")
-          ->check(finite_number())
-          ->check(CLI::Range(0.01, 1e6))
-          ->capture_default_str();
+  Option* speed = command->add_option("--speed", options->speed, "Watch it at so many times the default speed of mms")
+                      ->type_name("TIMES")
+                      ->check(finite_number())
+                      ->check(in_range(0.01, 1e6))
+                      ->capture_default_str();
   command->add_option("--record", options->record, "Save what it did, line by line")->type_name("FILE");
   add_guest_options(*command, options->guests);
   command->footer("Example: labmouse mms 'python3 mouse.py' --maze contest-05 --speed 10");

@@ -2,22 +2,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <memory>
 #include <optional>
 
 #include "command.hpp"
 #include "contests.hpp"
 #include "guests.hpp"
-#include "labmouse/lab/galleries/mms_folder.hpp"
 #include "labmouse/lab/galleries/race_folder.hpp"
 #include "labmouse/lab/standings/baseline.hpp"
-#include "labmouse/lab/standings/mms_report.hpp"
-#include "labmouse/lab/standings/mms_standings.hpp"
-#include "labmouse/lab/standings/race_report.hpp"
+#include "labmouse/lab/standings/race_json.hpp"
+#include "labmouse/lab/standings/race_table.hpp"
+#include "labmouse/lab/standings/standings.hpp"
 #include "labmouse/lab/system/files.hpp"
 #include "labmouse/lab/text/printable.hpp"
-#include "race_seconds.hpp"
 
 namespace labmouse::cli {
 namespace {
@@ -25,7 +22,6 @@ namespace {
 struct RaceOptions {
   std::vector<std::string> mice;
   Contests contests;
-  MmsOptions mms;
   GuestOptions guests;
   std::string format = "table";
   std::string out;
@@ -34,35 +30,27 @@ struct RaceOptions {
   bool has_limit = false;
   int worst = 0;
   bool shares = false;
-  std::string world = "strides", robot = "classic", rules = "all-japan";
 };
 
-/// The races of both worlds; that of mms is there where it has mice.
-struct Races {
-  Race race;
-  std::optional<MmsRace> mms;
-
-  bool stopped() const { return race.stopped || (mms && mms->stopped); }
+/// Mice in their world, and the mazes that it takes.
+struct Field {
+  Entry entry;
+  std::vector<NamedMaze> mazes;
 };
 
-/// Holds the races and saves what --out asks for.
+/// Holds the races, a world after another, and saves what --out asks for.
 class Holding {
  public:
   explicit Holding(const RaceOptions& options) : options_(options) {}
 
-  /// How guests are started, so that Ctrl-C ends them.
-  GuestOptions guests() const {
-    GuestOptions guests = options_.guests;
-    guests.stop = &interruptible_.stopped();
-    return guests;
-  }
-
-  Races hold(SpecResult mice, const std::vector<NamedMaze>& mazes) {
-    all_ = contests_of(mice.contestants, mazes.size(), options_.contests.order) + mice.mms.size() * mazes.size();
-    Races races;
-    const bool mms = !mice.mms.empty();
-    races.race = hold_race(std::move(mice.contestants), mazes, options_.contests.order, race_hooks());
-    if (mms) races.mms = hold_mms_race(std::move(mice.mms), mazes, mms_order(), mms_hooks());
+  std::vector<Race> hold(std::vector<Field> fields) {
+    for (const Field& field : fields) all_ += contests_of(field.entry.mice, field.mazes.size(), order_of(field));
+    std::vector<Race> races;
+    for (Field& field : fields) {
+      folder_.reset();
+      const RaceOrder order = order_of(field);
+      races.push_back(hold_race(std::move(field.entry.mice), std::move(field.mazes), order, hooks()));
+    }
     return races;
   }
 
@@ -70,37 +58,19 @@ class Holding {
   const std::string& failed_write() const { return failed_write_; }
 
  private:
-  RaceHooks race_hooks() {
+  RaceOrder order_of(const Field& field) const { return options_.contests.order_in(field.entry.world); }
+
+  RaceHooks hooks() {
     RaceHooks hooks;
     hooks.stop = &interruptible_.stopped();
-    hooks.finished = [this](const Race& race, const ContestResult& contest, const RunRecord& record) {
+    if (!options_.out.empty()) hooks.keep = RaceFolder::keep;
+    hooks.finished = [this](const Race& race, const ContestResult& contest, const Held& held) {
       progress_.advance(all_);
       if (options_.out.empty() || !failed_write_.empty()) return;
       if (!folder_) folder_.emplace(options_.out, race);
-      note(folder_->save(race, contest, record));
+      if (failed_write_ = folder_->save(contest, held); !failed_write_.empty()) interruptible_.stop();
     };
     return hooks;
-  }
-
-  MmsRaceHooks mms_hooks() {
-    MmsRaceHooks hooks;
-    hooks.stop = &interruptible_.stopped();
-    hooks.finished = [this](const MmsRace& race, const MmsResult& result, const std::string& record) {
-      progress_.advance(all_);
-      if (options_.out.empty() || !failed_write_.empty()) return;
-      if (!mms_folder_) mms_folder_.emplace(options_.out, race);
-      note(mms_folder_->save(result, record));
-    };
-    return hooks;
-  }
-
-  MmsRaceOrder mms_order() const {
-    return {options_.mms, options_.contests.order.seed, options_.contests.order.jobs, !options_.out.empty()};
-  }
-
-  void note(const std::string& failed_write) {
-    failed_write_ = failed_write;
-    if (!failed_write.empty()) interruptible_.stop();
   }
 
   const RaceOptions& options_;
@@ -108,37 +78,34 @@ class Holding {
   Interruptible interruptible_;
   std::size_t all_ = 0;
   std::optional<RaceFolder> folder_;
-  std::optional<MmsRaceFolder> mms_folder_;
   std::string failed_write_;
 };
 
-std::string report(const RaceOptions& options, const Races& races, const std::vector<SkippedFile>& skipped) {
-  const MmsRace* mms = races.mms ? &*races.mms : nullptr;
-  const bool only_mms = mms != nullptr && races.race.mice.empty();
-  if (options.format == "json") return json_of(races.race, skipped, mms);
-  if (options.format == "csv") return only_mms ? csv_of(*mms) : csv_of(races.race);
-  if (only_mms) return table_of(*mms, colours());
-  return table_of(races.race, colours()) + (mms != nullptr ? "\n" + table_of(*mms, colours()) : "");
+/// The races in which there is a mouse; the first where there is none in any.
+std::vector<const Race*> with_mice(const std::vector<Race>& races) {
+  std::vector<const Race*> some;
+  for (const Race& race : races)
+    if (!race.mice.empty()) some.push_back(&race);
+  if (some.empty()) some.push_back(&races.front());
+  return some;
+}
+
+std::string report(const RaceOptions& options, const std::vector<Race>& races,
+                   const std::vector<SkippedFile>& skipped) {
+  if (options.format == "json") return json_of(races, skipped);
+  std::string text;
+  for (const Race* race : with_mice(races))
+    text += options.format == "csv" ? csv_of(*race) : (text.empty() ? "" : "\n") + table_of(*race, colours());
+  return text;
 }
 
 /// Saves the results beside the records. Returns what went wrong, or nothing.
-std::string save_results(const RaceOptions& options, const Races& races, const std::vector<SkippedFile>& skipped) {
+std::string save_results(const RaceOptions& options, const std::vector<Race>& races,
+                         const std::vector<SkippedFile>& skipped) {
   if (options.out.empty()) return "";
   const std::string path = fmt::format("{}/{}", options.out, results_file_name);
-  const std::string error = write_file(path, json_of(races.race, skipped, races.mms ? &*races.mms : nullptr));
+  const std::string error = write_file(path, json_of(races, skipped));
   return error.empty() ? "" : fmt::format("{}: error: {}", path, error);
-}
-
-/// Throws UsageError for what the mice of mms cannot have.
-void require_sense(const RaceOptions& options, const SpecResult& mice) {
-  if (mice.mms.empty()) return;
-  const Places& places = options.contests.places;
-  if (!places.start.empty() || !places.goals.empty())
-    throw UsageError("error: --start and --goal are not for mms, which starts at (0,0) and has its goal in the centre");
-  if (options.format == "csv" && !mice.contestants.empty())
-    throw UsageError("error: --format csv holds one world; race the mice of mms alone, or take --format json");
-  if (mice.contestants.empty() && (options.shares || options.worst > 0 || !options.baseline.empty()))
-    throw UsageError("error: --baseline, --shares and --worst are not for mms, and all of the mice are mice of mms");
 }
 
 /// What is more than the results goes beside them: below a table, to standard error where a program reads the output.
@@ -149,100 +116,85 @@ void add(const RaceOptions& options, const std::string& text) {
     tell(text);
 }
 
-std::optional<Baseline> load_baseline(const RaceOptions& options) {
-  if (options.baseline.empty()) return std::nullopt;
+/// The baseline of each race, in their order; throws UsageError where the file has none of a world with mice.
+std::vector<std::optional<Baseline>> load_baselines(const RaceOptions& options, const std::vector<Entry>& entries) {
+  std::vector<std::optional<Baseline>> baselines(entries.size());
+  if (options.baseline.empty()) return baselines;
   const FileContent file = read_file(options.baseline, std::size_t{1} << 30U);
   if (!file.error.empty()) throw UsageError(fmt::format("{}: error: {}", options.baseline, file.error));
-  auto baseline = read_baseline(file.content, options.contests.order.rules);
-  if (baseline) return baseline;
-  throw UsageError(fmt::format("{}: error: is not the JSON of a race (make one with `labmouse race --format json`)",
-                               options.baseline));
-}
-
-std::string above_limit(const RaceOptions& options, const std::string& mouse, const std::optional<double>& mean) {
-  if (!mean || *mean <= options.fail_above) return "";
-  return fmt::format("{} scores {:.3f}, above the limit of {:g}\n", mouse, *mean, options.fail_above);
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    if (entries[i].mice.empty()) continue;
+    ReadBaselineResult read = read_baseline(file.content, *entries[i].world);
+    if (!read.error.empty()) throw UsageError(fmt::format("{}: error: {}", options.baseline, read.error));
+    baselines[i] = std::move(read.baseline);
+  }
+  return baselines;
 }
 
 /// The mice whose mean over all contests is above the limit.
-std::string above_limit(const RaceOptions& options, const Races& races) {
+std::string above_limit(const RaceOptions& options, const Race& race) {
   std::string text;
-  for (const Standing& standing : standings_of(races.race))
-    if (const Contestant& mouse = races.race.mice[standing.mouse]; !mouse.reference)
-      text += above_limit(options, mouse.name, standing.penalised_mean);
-  if (!races.mms) return text;
-  for (const MmsStanding& standing : mms_standings_of(*races.mms))
-    text += above_limit(options, shown(races.mms->mice[standing.mouse].name), standing.mean_score);
+  for (const Standing& standing : standings_of(race)) {
+    const Contestant& mouse = race.mice[standing.mouse];
+    if (!mouse.reference && standing.mean_all && *standing.mean_all > options.fail_above)
+      text += fmt::format("{} scores {:.3f}, above the limit of {:g}\n", shown(mouse.name), *standing.mean_all,
+                          options.fail_above);
+  }
   return text;
 }
 
+/// The mice with the mazes of their worlds; all that was skipped is added to the list. Where nobody races in the home
+/// world its mazes and their bounds are in the results all the same.
+std::vector<Field> fields_of(const RaceOptions& options, std::vector<Entry> entries,
+                             std::vector<SkippedFile>& skipped) {
+  std::vector<Field> fields;
+  for (Entry& entry : entries) {
+    if (entry.mice.empty() && !entry.world->is_home()) continue;
+    MazeCollection mazes =
+        entry.mice.empty() ? find_mazes(options.contests.mazes, {}) : find_mazes_of(*entry.world, options.contests);
+    skipped = std::move(mazes.skipped);
+    fields.push_back({std::move(entry), std::move(mazes.mazes)});
+  }
+  return fields;
+}
+
 int race(const RaceOptions& options) {
+  std::vector<Entry> entries =
+      options.contests.world.enter(find_contestants(options.mice, options.contests.world, options.guests));
+  const auto baselines = load_baselines(options, entries);
+  const auto worlds =
+      std::count_if(entries.begin(), entries.end(), [](const Entry& entry) { return !entry.mice.empty(); });
+  if (options.format == "csv" && worlds > 1)
+    throw UsageError("error: --format csv holds one world; race the mice of each world alone, or take --format json");
+  std::vector<SkippedFile> skipped;
+  std::vector<Field> fields = fields_of(options, std::move(entries), skipped);
   std::optional<Holding> holding(options);
-  SpecResult mice = find_mice(options.mice, holding->guests());
-  require_sense(options, mice);
-  const auto baseline = load_baseline(options);
-  const MazeCollection mazes = find_mazes(options.contests.mazes, options.contests.places);
-  const Races races = holding->hold(std::move(mice), mazes.mazes);
+  const std::vector<Race> races = holding->hold(std::move(fields));
   std::string failed_write = holding->failed_write();
   holding.reset();  // the bar, and what Ctrl-C does
   // Before anything is printed: a reader of the table may leave early.
-  if (failed_write.empty()) failed_write = save_results(options, races, mazes.skipped);
-  print(report(options, races, mazes.skipped));
-  if (options.shares) add(options, shares_of(races.race));
-  if (options.worst > 0) add(options, worst_of(races.race, options.worst));
-  if (baseline) add(options, compare_with_baseline(races.race, *baseline));
+  if (failed_write.empty()) failed_write = save_results(options, races, skipped);
+  print(report(options, races, skipped));
+  for (std::size_t i = 0; i < races.size(); ++i) {
+    if (races[i].mice.empty()) continue;
+    if (options.shares) add(options, shares_of(races[i]));
+    if (options.worst > 0) add(options, worst_of(races[i], options.worst));
+    if (baselines[i]) add(options, compare_with_baseline(races[i], *baselines[i]));
+  }
   if (!failed_write.empty()) throw UsageError(failed_write);
-  if (races.stopped()) return exit_interrupted;
-  const std::string above = options.has_limit ? above_limit(options, races) : "";
+  if (std::any_of(races.begin(), races.end(), [](const Race& each) { return each.stopped; })) return exit_interrupted;
+  std::string above;
+  for (const Race& each : races)
+    if (options.has_limit) above += above_limit(options, each);
   tell(above);
   return above.empty() ? exit_good : exit_finding;
 }
 
-SecondsRace in_seconds(const RaceOptions& options) {
-  SecondsRace race;
-  race.mice = options.mice;
-  race.contests = options.contests;
-  race.robot = options.robot;
-  race.rules = options.rules;
-  race.format = options.format;
-  race.out = options.out;
-  if (options.has_limit) race.fail_above = options.fail_above;
-  return race;
-}
-
-/// Throws UsageError for an option of another world than that of the race.
-void require_world(const CLI::App& command, const RaceOptions& options) {
-  const bool seconds = options.world == "seconds";
-  for (const CLI::Option* option : command.get_options()) {
-    if (option->count() == 0) continue;
-    const std::string name = option->get_name();
-    if (!seconds && (name == "--robot" || name == "--rules"))
-      throw UsageError(fmt::format("error: {} is for the world of seconds; add --world seconds", name));
-    constexpr std::array<std::string_view, 12> shared = {"--world", "--robot", "--rules",  "--mice",
-                                                         "--mazes", "--start", "--goal",   "--runs",
-                                                         "--seed",  "--jobs",  "--format", "--out"};
-    if (seconds && name != "--fail-above" && std::find(shared.begin(), shared.end(), name) == shared.end())
-      throw UsageError(fmt::format("error: {} is not for the world of seconds", name));
-  }
-}
-
-void add_world(CLI::App& command, RaceOptions& options) {
-  command.add_option("--world", options.world, "What moves cost: strides or seconds")
-      ->check(CLI::IsMember({"strides", "seconds"}))
-      ->capture_default_str();
-  add_robot_option(command, options.robot);
-  command
-      .add_option("--rules", options.rules,
-                  "Name of built-in rules in seconds, or a file with a slash or .toml in its name")
-      ->type_name("RULES")
-      ->capture_default_str();
-}
-
 }  // namespace
 
-void add_race(CLI::App& app, int& exit) {
+void add_race(Command& app, int& exit) {
   auto options = std::make_shared<RaceOptions>();
-  CLI::App* command = app.add_subcommand("race", "Race many mice on many mazes and print the leaderboard");
+  Command* command = app.add_subcommand("race", "Race many mice on many mazes and print the leaderboard");
   command
       ->add_option("--mice", options->mice,
                    "Mice: name[:key=value]..., several separated by commas, or capstone:FILE, guest:COMMAND, "
@@ -250,10 +202,9 @@ void add_race(CLI::App& app, int& exit) {
       ->type_name("SPEC")
       ->expected(1)
       ->take_all();
-  add_world(*command, *options);
   add_contests(*command, options->contests);
   command->add_option("--format", options->format, "Output")
-      ->check(CLI::IsMember({"table", "json", "csv"}))
+      ->check(one_of({"table", "json", "csv"}))
       ->capture_default_str();
   command->add_option("--out", options->out, "Folder for records, one SVG a maze and mouse, and the results as JSON")
       ->type_name("DIR");
@@ -266,25 +217,23 @@ void add_race(CLI::App& app, int& exit) {
                     ->check(finite_number());
   command->add_option("--worst", options->worst, "Print the N mazes that cost each mouse most")
       ->type_name("N")
-      ->check(CLI::Range(1, 1'000'000));
+      ->check(in_range(1, 1'000'000));
   command->add_flag("--shares", options->shares, "Print how much of the mazes each mouse discovered and visited");
-  add_mms_options(*command, options->mms);
   add_python(*command, options->guests);
   add_guest_options(*command, options->guests);
   command
       ->add_option("--guest-runs", options->guests.runs,
                    "Contests of each guest in each maze, for those that throw dice")
       ->type_name("N")
-      ->check(CLI::Range(1, 1'000'000))
+      ->check(in_range(1, 1'000'000))
       ->capture_default_str();
   command->footer(
       "Example: labmouse race --mice flood:stride=1,certify --mazes my-mazes/ --format json > today.json\n"
       "         labmouse race --mazes my-mazes/ --baseline today.json\n"
       "         labmouse race --world seconds --robot half --rules thirtieth");
-  command->callback([options, command, limit, &exit] {
+  command->callback([options, limit, &exit] {
     options->has_limit = limit->count() > 0;
-    require_world(*command, *options);
-    exit = options->world == "seconds" ? race_in_seconds(in_seconds(*options)) : race(*options);
+    exit = race(*options);
   });
 }
 

@@ -8,8 +8,8 @@
 #include "explain.hpp"
 #include "guests.hpp"
 #include "labmouse/contest/simulator.hpp"
-#include "labmouse/lab/galleries/race_folder.hpp"
 #include "labmouse/lab/mice/specs.hpp"
+#include "labmouse/lab/steps/steps_files.hpp"
 #include "walk.hpp"
 
 namespace labmouse::cli {
@@ -28,6 +28,11 @@ struct RunOptions {
 
 void run_contest(const RunOptions& options) {
   const std::vector<Contestant> mice = find_contestants({options.mouse}, options.guests);
+  if (!mice.front().make)
+    throw UsageError(
+        fmt::format("error: '{}' makes no steps; `labmouse race` races it, and `labmouse mms` hosts a "
+                    "program for mms in one maze",
+                    mice.front().name));
   if (mice.size() != 1) throw UsageError("error: `run` takes one mouse; `labmouse race` takes several");
   const Contestant& mouse = mice.front();
   const NamedMaze maze = find_maze(options.maze, options.places);
@@ -46,9 +51,9 @@ void run_contest(const RunOptions& options) {
 
 }  // namespace
 
-void add_run(CLI::App& app, int& exit) {
+void add_run(Command& app, int& exit) {
   auto options = std::make_shared<RunOptions>();
-  CLI::App* command = app.add_subcommand("run", "Run one mouse in one maze");
+  Command* command = app.add_subcommand("run", "Run one mouse in one maze");
   command->add_option("mouse", options->mouse, "Mouse: name[:key=value]..., capstone:FILE or guest:COMMAND")
       ->required()
       ->type_name("MOUSE");
@@ -61,7 +66,7 @@ void add_run(CLI::App& app, int& exit) {
   add_explain(*command, options->explain);
   command->add_flag("--watch", options->watch, "Draw it step by step");
   command->add_option("--delay", options->delay, "Milliseconds a step stays on the screen")
-      ->check(CLI::Range(0, 60'000))
+      ->check(in_range(0, 60'000))
       ->capture_default_str();
   command->add_option("--svg", options->svg, "Save a picture")->type_name("FILE");
   command->add_option("--record", options->record, "Save the record, with --explain also the reasons")

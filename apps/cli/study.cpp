@@ -18,22 +18,24 @@ struct StudyOptions {
   std::string format = "table";
 };
 
-Study hold(const StudyOptions& options, const std::vector<Contestant>& mice, std::vector<NamedMaze> mazes) {
+Study hold(const StudyOptions& options, const std::vector<Contestant>& mice, const RaceOrder& order,
+           std::vector<NamedMaze> mazes) {
   Progress progress;
   const Interruptible interruptible;
   StudyHooks hooks;
   hooks.stop = &interruptible.stopped();
   hooks.finished = [&](std::size_t all) { progress.advance(all); };
-  return hold_study(mice, std::move(mazes), {options.contests.order, options.folds, !options.no_learning}, hooks);
+  return hold_study(mice, std::move(mazes), {order, options.folds, !options.no_learning}, hooks);
 }
 
 int study(const StudyOptions& options) {
   if (!options.csv.empty() && options.csv == options.svg)
     throw UsageError("error: --csv and --svg name one file; name two");
-  const std::vector<Contestant> mice = find_contestants(options.mice);
-  MazeCollection mazes = find_mazes(options.contests.mazes, options.contests.places);
+  const std::vector<Contestant> mice = find_contestants(options.mice, options.contests.world);
+  const RaceOrder order = options.contests.order_in(options.contests.world.enter_one(mice));
+  MazeCollection mazes = find_mazes_of(*order.world, options.contests);
   for (const std::string& path : {options.csv, options.svg}) require_writable(path);
-  const Study result = hold(options, mice, std::move(mazes.mazes));
+  const Study result = hold(options, mice, order, std::move(mazes.mazes));
   if (!result.error.empty()) throw UsageError("error: " + result.error);
   print(options.format == "json" ? json_of(result, mazes.skipped) : table_of(result, colours()));
   // A study that was stopped at once has nothing that is worth an earlier file.
@@ -45,9 +47,9 @@ int study(const StudyOptions& options) {
 
 }  // namespace
 
-void add_study(CLI::App& app, int& exit) {
+void add_study(Command& app, int& exit) {
   auto options = std::make_shared<StudyOptions>();
-  CLI::App* command =
+  Command* command =
       app.add_subcommand("study", "Compare mice, pair by pair, on mazes that they have not learned from");
   command
       ->add_option(
@@ -60,15 +62,13 @@ void add_study(CLI::App& app, int& exit) {
       ->take_all();
   add_contests(*command, options->contests);
   command->add_option("--folds", options->folds, "Parts of the mazes, of which each is held out once")
-      ->check(CLI::Range(2, 1'000'000))
+      ->check(in_range(2, 1'000'000))
       ->capture_default_str();
   command->add_flag("--no-learning", options->no_learning,
                     "Race mice that learn with what they bring along, whatever mazes it is from");
   command->add_option("--csv", options->csv, "Save the scores, one line a maze")->type_name("FILE");
   command->add_option("--svg", options->svg, "Save a picture of the differences and scores")->type_name("FILE");
-  command->add_option("--format", options->format, "Output")
-      ->check(CLI::IsMember({"table", "json"}))
-      ->capture_default_str();
+  command->add_option("--format", options->format, "Output")->check(one_of({"table", "json"}))->capture_default_str();
   command->footer("Example: labmouse study --mice flood,certify --mazes my-mazes/ --folds 5 --svg study.svg");
   command->callback([options, &exit] { exit = study(*options); });
 }

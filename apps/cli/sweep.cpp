@@ -5,6 +5,7 @@
 
 #include "command.hpp"
 #include "contests.hpp"
+#include "labmouse/lab/mice/specs.hpp"
 
 namespace labmouse::cli {
 namespace {
@@ -14,13 +15,14 @@ struct SweepOptions {
   Contests contests;
 };
 
-Sweep hold(const SweepOptions& options, const Variation& variation, const std::vector<NamedMaze>& mazes) {
+Sweep hold(const SweepOptions& options, const Variation& variation, const std::vector<NamedMaze>& mazes,
+           const RaceOrder& order) {
   Progress progress;
   const Interruptible interruptible;
   SweepHooks hooks;
   hooks.stop = &interruptible.stopped();
   hooks.finished = [&](std::size_t all) { progress.advance(all); };
-  return hold_sweep(options.mouse, variation, mazes, options.contests.order, hooks);
+  return hold_sweep(options.mouse, variation, mazes, order, hooks);
 }
 
 int sweep(const SweepOptions& options) {
@@ -28,10 +30,11 @@ int sweep(const SweepOptions& options) {
     throw UsageError("error: --csv and --svg name one file; name two");
   const Variation variation = read_variation(options.vary);
   if (!variation.error.empty()) throw UsageError("error: " + variation.error);
-  if (const auto error = read_variants(options.mouse, variation.parameter, variation.values).error; !error.empty())
-    throw UsageError("error: " + error);
-  const MazeCollection mazes = find_mazes(options.contests.mazes, options.contests.places);
-  const Sweep result = hold(options, variation, mazes.mazes);
+  const SpecResult variants = read_variants(options.mouse, variation.parameter, variation.values);
+  if (!variants.error.empty()) throw UsageError("error: " + variants.error);
+  const RaceOrder order = options.contests.order_in(options.contests.world.enter_one(variants.contestants));
+  const MazeCollection mazes = find_mazes_of(*order.world, options.contests);
+  const Sweep result = hold(options, variation, mazes.mazes, order);
   print(table_of(result, colours()));
   // A sweep that was stopped at once has nothing that is worth an earlier file.
   const bool any = !result.points.empty();
@@ -42,9 +45,9 @@ int sweep(const SweepOptions& options) {
 
 }  // namespace
 
-void add_sweep(CLI::App& app, int& exit) {
+void add_sweep(Command& app, int& exit) {
   auto options = std::make_shared<SweepOptions>();
-  CLI::App* command = app.add_subcommand("sweep", "Race one mouse at many values of one parameter");
+  Command* command = app.add_subcommand("sweep", "Race one mouse at many values of one parameter");
   command->add_option("mouse", options->mouse, "Mouse, name[:key=value]...")->required()->type_name("MOUSE");
   command->add_option("--vary", options->vary, "Parameter and its values: a range with its step, or a list")
       ->required()

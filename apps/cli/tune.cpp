@@ -5,6 +5,7 @@
 
 #include "command.hpp"
 #include "contests.hpp"
+#include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/system/files.hpp"
 
 namespace labmouse::cli {
@@ -25,7 +26,7 @@ std::vector<ParameterRange> find_ranges(const TuneOptions& options) {
 
 /// Holds the search and writes its log; `failed_write` takes what went wrong with that, which ends it early.
 Tune hold(const TuneOptions& options, const std::vector<ParameterRange>& ranges, const std::vector<NamedMaze>& mazes,
-          std::string& failed_write) {
+          const RaceOrder& race, std::string& failed_write) {
   Progress progress;
   Interruptible interruptible;
   TuneHooks hooks;
@@ -39,7 +40,7 @@ Tune hold(const TuneOptions& options, const std::vector<ParameterRange>& ranges,
     }
   };
   TuneOrder order = options.order;
-  order.race = options.contests.order;
+  order.race = race;
   order.objective = options.objective == "ratio" ? Objective::ratio : Objective::score;
   return hold_tune(options.mouse, ranges, mazes, order, hooks);
 }
@@ -48,9 +49,12 @@ int tune(const TuneOptions& options) {
   if (!options.log.empty() && options.log == options.svg)
     throw UsageError("error: --log and --svg name one file; name two");
   const std::vector<ParameterRange> ranges = find_ranges(options);
-  const MazeCollection mazes = find_mazes(options.contests.mazes, options.contests.places);
+  const SpecResult mouse = read_specs(options.mouse);
+  if (!mouse.error.empty()) throw UsageError("error: " + mouse.error);
+  const RaceOrder order = options.contests.order_in(options.contests.world.enter_one(mouse.contestants));
+  const MazeCollection mazes = find_mazes_of(*order.world, options.contests);
   std::string failed_write;
-  const Tune result = hold(options, ranges, mazes.mazes, failed_write);
+  const Tune result = hold(options, ranges, mazes.mazes, order, failed_write);
   if (!result.error.empty()) throw UsageError("error: " + result.error);
   print(table_of(result, colours()));
   if (!failed_write.empty()) throw UsageError(failed_write);
@@ -61,9 +65,9 @@ int tune(const TuneOptions& options) {
 
 }  // namespace
 
-void add_tune(CLI::App& app, int& exit) {
+void add_tune(Command& app, int& exit) {
   auto options = std::make_shared<TuneOptions>();
-  CLI::App* command = app.add_subcommand("tune", "Search for better values of several parameters of a mouse");
+  Command* command = app.add_subcommand("tune", "Search for better values of several parameters of a mouse");
   command->add_option("mouse", options->mouse, "Mouse, name[:key=value]..., where the search begins")
       ->required()
       ->type_name("MOUSE");
@@ -72,16 +76,16 @@ void add_tune(CLI::App& app, int& exit) {
       ->type_name("NAME[=LOW:HIGH],...");
   command->add_option("--evaluations", options->order.evaluations, "Candidates in all, the mouse as given among them")
       ->required()
-      ->check(CLI::Range(1, 1'000'000));
+      ->check(in_range(1, 1'000'000));
   command
       ->add_option("--population", options->order.population, "Candidates a generation; default: 4 + 3 ln(parameters)")
-      ->check(CLI::Range(4, 10'000));
+      ->check(in_range(4, 10'000));
   command->add_option("--sigma", options->order.step, "First step of each parameter, as a share of its range")
       ->check(finite_number())
-      ->check(CLI::Range(0.0001, 1.0))
+      ->check(in_range(0.0001, 1.0))
       ->capture_default_str();
   command->add_option("--objective", options->objective, "Make the mean score low, or the mean of score / bound")
-      ->check(CLI::IsMember({"score", "ratio"}))
+      ->check(one_of({"score", "ratio"}))
       ->capture_default_str();
   add_contests(*command, options->contests);
   command->add_option("--log", options->log, "Save every evaluation as CSV, after each generation")->type_name("FILE");

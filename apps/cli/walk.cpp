@@ -9,9 +9,9 @@
 #include "frames.hpp"
 #include "labmouse/contest/missteps.hpp"
 #include "labmouse/lab/drawing/drawing.hpp"
-#include "labmouse/lab/galleries/race_folder.hpp"
 #include "labmouse/lab/pictures/picture_layers.hpp"
-#include "labmouse/lab/standings/misstep_lines.hpp"
+#include "labmouse/lab/steps/misstep_lines.hpp"
+#include "labmouse/lab/steps/steps_files.hpp"
 
 namespace labmouse::cli {
 namespace {

@@ -17,6 +17,12 @@ BANNED_HEADERS = ("chrono", "filesystem", "fstream", "iostream", "random", "rege
 # A wing with more files than that has a second purpose.
 MOST_FILES_IN_A_WING = 40
 
+# What serves all worlds names none of them: they are values there, and stand in one list.
+WORLDLESS_WINGS = ("races", "standings", "galleries", "studies", "reports")
+WORLDLESS_COMMANDS = ("race", "study", "sweep", "tune", "contests", "worlds")
+WORLD_WINGS = ("steps", "seconds", "mms")
+WORLD_NAME = re.compile(r'"(strides|steps|seconds|mms)"')
+
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
 
@@ -114,6 +120,20 @@ def wing_violations(root, wings):
             yield page, 1, f"{wing} has {files[wing]} files; {MOST_FILES_IN_A_WING} are the most"
 
 
+def world_violations(root):
+    """The wings and commands that serve all worlds include none and say none's name."""
+    paths = [path for wing in WORLDLESS_WINGS for path in sources(root / "labmouse/lab" / wing)]
+    paths += [path for path in sources(root / "apps/cli") if path.stem in WORLDLESS_COMMANDS]
+    paths += [path for path in sources(root / "labmouse/lab/worlds") if path.stem != "list"]
+    for path in paths:
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+            match = INCLUDE.match(line)
+            if match and wing_of(match[2]) in {f"lab/{wing}" for wing in WORLD_WINGS}:
+                yield path, number, f"what serves all worlds must not include {match[2]}"
+            elif name := WORLD_NAME.search(line):
+                yield path, number, f"what serves all worlds must not name that of {name[1]}"
+
+
 def cycle_violations(root):
     """No file needs itself: X.hpp and X.cpp are one, and includes lead from it to no other that leads back."""
     includes = {}
@@ -171,8 +191,8 @@ def violations(root):
     root = Path(root)
     page = (root / "ARCHITECTURE.md").read_text(encoding="utf-8")
     rooms, wings = rooms_of(page), wings_of(page)
-    found = [*include_violations(root, rooms), *wing_violations(root, wings), *cycle_violations(root),
-             *link_violations(root, rooms), *roster_violations(root)]
+    found = [*include_violations(root, rooms), *wing_violations(root, wings), *world_violations(root),
+             *cycle_violations(root),              *link_violations(root, rooms), *roster_violations(root)]
     return [f"{path.relative_to(root)}:{number}: error: {reason}" for path, number, reason in found]
 
 

@@ -118,6 +118,16 @@ class Architecture(unittest.TestCase):
         self.assertEqual(violations_of(files, PAGE + WINGS),
                          ["ARCHITECTURE.md:1: error: lab/text has 41 files; 40 are the most"])
 
+    def test_what_serves_all_worlds_and_names_one(self):
+        self.assertEqual(violations_of({
+            "labmouse/lab/races/race.cpp": 'if (world.name() == "mms") return;\n',
+            "apps/cli/race.cpp": '#include "labmouse/lab/seconds/seconds_world.hpp"\n',
+            "labmouse/lab/worlds/list.cpp": '#include "labmouse/lab/steps/steps_entry.hpp"\n',
+            "apps/cli/bound.cpp": '#include "labmouse/lab/steps/steps_world.hpp"\n',
+        }), ["labmouse/lab/races/race.cpp:1: error: what serves all worlds must not name that of mms",
+             "apps/cli/race.cpp:1: error: what serves all worlds must not include "
+             "labmouse/lab/seconds/seconds_world.hpp"])
+
     def test_files_that_need_each_other(self):
         self.assertEqual(violations_of({
             "labmouse/maze/a.cpp": '#include "labmouse/maze/a.hpp"\n#include "labmouse/maze/b.hpp"\n',

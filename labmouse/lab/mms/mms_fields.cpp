@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "labmouse/guests/mms/run.hpp"
-#include "labmouse/lab/mms/mms_world.hpp"
+#include "labmouse/lab/mms/mms_figures.hpp"
 #include "labmouse/lab/standings/common_fields.hpp"
 #include "labmouse/lab/standings/mouse_figures.hpp"
 

@@ -7,6 +7,7 @@
 
 #include "labmouse/lab/bounds/mms_bound.hpp"
 #include "labmouse/lab/mms/mms_fields.hpp"
+#include "labmouse/lab/mms/mms_figures.hpp"
 #include "labmouse/lab/mms/mms_notes.hpp"
 #include "labmouse/lab/mms/mms_walk.hpp"
 #include "labmouse/lab/pictures/mms_picture.hpp"
@@ -128,6 +129,7 @@ class MmsWorld final : public World {
     return held;
   }
 
+  std::string_view fixed_places() const override { return "starts at (0,0) and has its goal in the centre"; }
   bool numbers_runs() const override { return false; }
   std::optional<double> failure_score() const override { return decimal(MmsStatistics().score); }
   const WorldFields& fields() const override { return mms_fields(); }

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "labmouse/guests/mms/run.hpp"
+#include "labmouse/lab/mms/mms_figures.hpp"
 #include "labmouse/lab/races/race.hpp"
 
 namespace labmouse {
@@ -19,27 +20,5 @@ inline constexpr std::size_t kept_log = 3;
 /// Hosts each program once in each maze. Of what it holds, Held::run is a MmsRun without its canvas, and with the ends
 /// of its log and its errors only: many runs have to fit into memory.
 std::shared_ptr<const World> mms_world(const MmsOptions& options = {});
-
-/// The figures of a run, by their places in ContestResult::figures.
-enum class MmsFigure : std::uint8_t {
-  outcome,
-  end,
-  solved,
-  score,
-  best_run,  ///< effective distance + turns; null while unsolved
-  run_ratio,
-  statistics,  ///< an object of all values of `getStat`
-  total,       ///< effective distance + turns of all that was done
-  lines,
-  invalid_lines,
-  log,
-  errors,
-  simulated_seconds,
-  seconds,  ///< of real time: the one figure that differs from race to race
-  visited_share,
-};
-
-/// The figures of a maze: the least run and the least score, null where the centre cannot be reached.
-enum class MmsMazeFigure : std::uint8_t { run, score };
 
 }  // namespace labmouse

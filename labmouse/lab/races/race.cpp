@@ -11,7 +11,7 @@ namespace {
 
 int runs_of(const Contestant& mouse, const RaceOrder& order) {
   if (mouse.runs > 0) return mouse.runs;
-  return mouse.uses_chance ? order.runs : 1;
+  return mouse.uses_chance || order.world->throws_dice() ? order.runs : 1;
 }
 
 void list_contests(Race& race) {

@@ -13,7 +13,7 @@ namespace labmouse {
 
 struct RaceOrder {
   std::shared_ptr<const World> world;
-  /// Contests of each mouse that throws dice in each maze; the others need one.
+  /// Contests in each maze where the mouse or the world throws dice; others need one.
   int runs = 20;
   std::uint64_t seed = 1;
   /// Threads; 0 takes as many as there are processors. Results do not depend on it.
@@ -26,8 +26,9 @@ struct ContestResult {
   std::size_t maze = 0;
   int run = 0;
   std::uint64_t seed = 0;
-  bool done = false;    ///< false where the race was stopped before
-  std::string outcome;  ///< "solved", "forfeit: hit a wall"
+  bool done = false;      ///< false where the race was stopped before
+  std::string outcome;    ///< "solved", "forfeit: hit a wall"
+  int outcome_order = 0;  ///< in which lists of outcomes have it
   /// In the world's own unit; lower is better. Nothing where the contest has none.
   std::optional<double> score;
   /// What enters the mean over all contests: the score, or what the world counts for a failure, if anything.

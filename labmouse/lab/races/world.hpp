@@ -24,7 +24,7 @@ namespace labmouse {
 /// mouse came to know and stood in while it searched, 0 to 1; and what the mouse had to say.
 inline constexpr std::string_view discovered_share = "discovered_share";
 inline constexpr std::string_view visited_share = "visited_share";
-inline constexpr std::string_view last_words = "last_words";
+inline constexpr std::string_view said_last = "last_words";
 
 struct Race;
 struct ContestResult;
@@ -118,18 +118,22 @@ class World {
   virtual std::string refuse(const Contestant& mouse) const = 0;
   /// Why it holds no contests in a maze, whatever mice; empty where it does.
   virtual std::string refuse(const Maze&) const { return ""; }
+  /// Where its contests start and end, whatever a maze says: "starts at (0,0) ..."; empty where they keep to the maze.
+  virtual std::string_view fixed_places() const { return ""; }
   /// The parameters of a mouse that count here.
   virtual Settings settings(const Contestant& mouse) const { return mouse.settings; }
 
   /// The rules in steps by which mice learn from whole mazes.
   virtual Rules lesson_rules() const { return {}; }
-  /// The unit of scores, for axes: "steps".
+  /// The unit of scores, for axes.
   virtual std::string_view unit() const = 0;
 
   virtual MazeFacts facts(const Maze& maze) const = 0;
   /// Holds the contest of `result.mouse` in `result.maze` with `result.seed`, and fills in what is left of the result.
   /// It is not done where `stop`, which may be null, ended it. Called from several threads at once.
   virtual Held hold(const Race& race, ContestResult& result, Keep keep, const std::atomic<bool>* stop) const = 0;
+  /// Whether contests differ by their seeds for mice, too, that throw no dice themselves.
+  virtual bool throws_dice() const { return false; }
   /// Whether a mouse may have several contests in a maze; then their files are numbered.
   virtual bool numbers_runs() const { return true; }
   /// What a contest without a score counts in means over all; nothing where it has no place there.

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "labmouse/lab/seconds/seconds_world.hpp"
+#include "labmouse/lab/seconds/seconds_figures.hpp"
 #include "labmouse/lab/standings/common_fields.hpp"
 #include "labmouse/lab/standings/mouse_figures.hpp"
 

@@ -13,6 +13,7 @@
 #include "labmouse/lab/records/drive_json.hpp"
 #include "labmouse/lab/robots/robot_json.hpp"
 #include "labmouse/lab/seconds/seconds_fields.hpp"
+#include "labmouse/lab/seconds/seconds_figures.hpp"
 #include "labmouse/lab/standings/common_fields.hpp"
 #include "labmouse/lab/text/counted.hpp"
 #include "labmouse/lab/text/printable.hpp"

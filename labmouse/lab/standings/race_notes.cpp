@@ -20,13 +20,14 @@ std::string in_a_list(const std::string& outcome) {
                                     : fmt::format("{} ({})", outcome.substr(0, colon), outcome.substr(colon + 2));
 }
 
-/// How a mouse failed, and how often: "forfeit (died) 1, out of steps 3"; empty where it did not.
+/// How a mouse failed, and how often: "out of steps 3, forfeit (died) 1"; empty where it did not.
 std::string failures_of(const Race& race, std::size_t mouse) {
-  std::map<std::string, int> times;
+  std::map<std::pair<int, std::string>, int> times;
   for (const ContestResult& contest : race.results)
-    if (contest.mouse == mouse && counts(race, contest) && !contest.score) ++times[in_a_list(contest.outcome)];
+    if (contest.mouse == mouse && counts(race, contest) && !contest.score)
+      ++times[{contest.outcome_order, in_a_list(contest.outcome)}];
   std::string text;
-  for (const auto& [way, count] : times) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", way, count);
+  for (const auto& [way, count] : times) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", way.second, count);
   return text;
 }
 
@@ -34,7 +35,7 @@ std::string failures_of(const Race& race, std::size_t mouse) {
 std::string last_words_of(const Race& race, std::size_t mouse) {
   for (const ContestResult& contest : race.results) {
     if (contest.mouse != mouse || !contest.done || contest.score) continue;
-    const Value said = figure_of(race, contest, last_words);
+    const Value said = figure_of(race, contest, said_last);
     if (!std::holds_alternative<std::string>(said)) continue;
     std::string_view words = std::get<std::string>(said);
     std::string how = contest.outcome;

@@ -7,7 +7,7 @@
 
 #include "labmouse/contest/missteps.hpp"
 #include "labmouse/lab/mice/mouse_names.hpp"
-#include "labmouse/lab/steps/steps_world.hpp"
+#include "labmouse/lab/steps/steps_figures.hpp"
 #include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {

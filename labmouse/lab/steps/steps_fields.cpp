@@ -7,7 +7,7 @@
 
 #include "labmouse/lab/standings/common_fields.hpp"
 #include "labmouse/lab/standings/mouse_figures.hpp"
-#include "labmouse/lab/steps/steps_world.hpp"
+#include "labmouse/lab/steps/steps_figures.hpp"
 
 namespace labmouse {
 namespace {
@@ -37,7 +37,7 @@ constexpr std::array<ContestField, 15> contest_fields = {{{"maze", fields::maze_
                                                           {"void_rotations", figure<F::void_rotations>},
                                                           {"cut_movements", figure<F::cut_movements>},
                                                           {"idle_resets", figure<F::idle_resets>},
-                                                          {last_words, figure<F::last_words>},
+                                                          {said_last, figure<F::last_words>},
                                                           {"counts", figure<F::counts>}}};
 
 constexpr std::array<ContestField, 12> csv_fields = {{{"mouse", fields::mouse_name},

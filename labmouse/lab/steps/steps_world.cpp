@@ -11,6 +11,7 @@
 #include "labmouse/contest/simulator.hpp"
 #include "labmouse/lab/bounds/bounds.hpp"
 #include "labmouse/lab/steps/steps_fields.hpp"
+#include "labmouse/lab/steps/steps_figures.hpp"
 #include "labmouse/lab/steps/steps_files.hpp"
 #include "labmouse/lab/steps/steps_notes.hpp"
 #include "labmouse/maze/routes.hpp"
@@ -123,6 +124,7 @@ class StepsWorld final : public World {
     const Score score = labmouse::score(record, rules_);
     const auto& reachable = std::any_cast<const CellSet&>(facts.prepared);
     result.outcome = outcome_of(record);
+    result.outcome_order = static_cast<int>(record.outcome) * 100 + static_cast<int>(reason_of(record));
     result.score = score.value;
     result.counted = score.value.value_or(rules_.failure_score);
     if (score.value && facts.bound) result.ratio = *score.value / *facts.bound;
@@ -144,10 +146,5 @@ class StepsWorld final : public World {
 }  // namespace
 
 std::shared_ptr<const World> steps_world(const Rules& rules) { return std::make_shared<StepsWorld>(rules); }
-
-double number_of(const ContestResult& contest, StepsFigure figure) {
-  const auto place = static_cast<std::size_t>(figure);
-  return place < contest.figures.size() ? number_of(contest.figures[place]).value_or(0.0) : 0.0;
-}
 
 }  // namespace labmouse

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "labmouse/lab/mice/prior_file.hpp"
-#include "labmouse/lab/steps/steps_world.hpp"
 #include "labmouse/lab/studies/dropped_mazes.hpp"
 #include "labmouse/lab/system/version.hpp"
 
@@ -21,15 +20,15 @@ std::string words_of(const Lesson& lesson) {
 
 }  // namespace
 
-Lesson hold_lesson(std::vector<NamedMaze> mazes, const Rules& rules, const LessonHooks& hooks) {
+Lesson hold_lesson(std::vector<NamedMaze> mazes, const World& world, const LessonHooks& hooks) {
   Lesson lesson;
   const std::size_t given = mazes.size();
-  lesson.selection = select_mazes(std::move(mazes), *steps_world(rules));
+  lesson.selection = select_mazes(std::move(mazes), world);
   const std::size_t all = lesson.selection.mazes.size();
   if (all == 0) lesson.error = fmt::format("no maze with a route (of {} given), so nothing to learn from", given);
   for (const NamedMaze& maze : lesson.selection.mazes) {
     if (hooks.stop != nullptr && hooks.stop->load()) break;
-    lesson.counts.explore(maze.maze, rules);
+    lesson.counts.explore(maze.maze, world.lesson_rules());
     ++lesson.done;
     if (hooks.finished) hooks.finished(all);
   }

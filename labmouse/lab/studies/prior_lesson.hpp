@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "labmouse/contest/rules.hpp"
 #include "labmouse/lab/mice/prior_learning.hpp"
 #include "labmouse/lab/studies/folds.hpp"
 
@@ -28,8 +27,9 @@ struct Lesson {
   std::string error;  ///< why there is nothing to learn from, or nothing
 };
 
-/// Learns from mazes; their order makes no difference.
-Lesson hold_lesson(std::vector<NamedMaze> mazes, const Rules& rules, const LessonHooks& hooks = {});
+/// Learns from mazes in which a mouse can score in that world, by its rules of lessons; their order makes no
+/// difference.
+Lesson hold_lesson(std::vector<NamedMaze> mazes, const World& world, const LessonHooks& hooks = {});
 
 /// The prior of a lesson as a file (see write_prior) by this version of the program.
 std::string file_of(const Lesson& lesson);

@@ -1,4 +1,4 @@
-#include "labmouse/lab/studies/hindsight.hpp"
+#include "labmouse/lab/hindsight/hindsight.hpp"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "labmouse/lab/studies/hindsight.hpp"
+#include "labmouse/lab/hindsight/hindsight.hpp"
 #include "labmouse/lab/system/version.hpp"
 #include "labmouse/lab/text/printable.hpp"
 

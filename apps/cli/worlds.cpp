@@ -1,0 +1,113 @@
+#include "worlds.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "command.hpp"
+
+namespace labmouse::cli {
+namespace {
+
+std::vector<std::string> world_names() {
+  std::vector<std::string> names;
+  for (const WorldEntry* entry : all_worlds()) names.emplace_back(entry->name);
+  return names;
+}
+
+/// Each setting with the first world that has it; where two share one, they share its option.
+std::vector<std::pair<const WorldSetting*, const WorldEntry*>> all_settings() {
+  std::vector<std::pair<const WorldSetting*, const WorldEntry*>> settings;
+  for (const WorldEntry* entry : all_worlds())
+    for (const WorldSetting& setting : entry->settings)
+      if (std::none_of(settings.begin(), settings.end(),
+                       [&](const auto& other) { return other.first->name == setting.name; }))
+        settings.emplace_back(&setting, entry);
+  return settings;
+}
+
+bool has(const World& world, std::string_view setting) {
+  const auto settings = find_world(world.name())->settings;
+  return std::any_of(settings.begin(), settings.end(), [&](const WorldSetting& each) { return each.name == setting; });
+}
+
+std::vector<Entry> taken(EntriesResult result) {
+  if (!result.error.empty()) throw UsageError(result.error);
+  return std::move(result.entries);
+}
+
+}  // namespace
+
+void WorldChoice::add_to(Command& command) {
+  command_ = &command;
+  std::string worlds = "What contests are held in; default: what fits the mice";
+  for (const WorldEntry* entry : all_worlds()) worlds += fmt::format("\n{}: {}", entry->name, entry->summary);
+  command.add_option("--world", world_, worlds)->check(one_of(world_names()));
+  for (const auto& [setting, entry] : all_settings()) {
+    const std::string name(setting->name), option = "--" + name, meaning(setting->meaning);
+    switch (setting->kind) {
+      case WorldSetting::Kind::flag:
+        command.add_flag(option, flags_[name], meaning);
+        break;
+      case WorldSetting::Kind::whole:
+        command
+            .add_integer(
+                option, [this, name](std::uint64_t value) { texts_[name] = fmt::format("{}", value); }, meaning)
+            ->type_name(std::string(setting->placeholder))
+            ->check(in_range(static_cast<int>(setting->low), static_cast<int>(setting->high)))
+            ->default_str(std::string(setting->default_value));
+        break;
+      case WorldSetting::Kind::text:
+        texts_[name] = setting->default_value;
+        command.add_option(option, texts_[name], meaning)
+            ->type_name(std::string(setting->placeholder))
+            ->capture_default_str();
+        break;
+    }
+  }
+}
+
+WorldSettings WorldChoice::given() const {
+  WorldSettings settings;
+  for (const auto& [setting, entry] : all_settings()) {
+    const std::string name(setting->name);
+    if (command_->count("--" + name) == 0) continue;
+    settings[name] = setting->kind == WorldSetting::Kind::flag ? "true" : texts_.at(name);
+  }
+  return settings;
+}
+
+void WorldChoice::require_settings_of(const std::vector<Entry>& entries) const {
+  for (const auto& [setting, owner] : all_settings()) {
+    if (command_->count("--" + std::string(setting->name)) == 0) continue;
+    const bool used = std::any_of(entries.begin(), entries.end(),
+                                  [&](const Entry& entry) { return has(*entry.world, setting->name); });
+    if (!used)
+      throw UsageError(fmt::format("error: --{} is for the world of {}, in which no mouse races; add --world {}",
+                                   setting->name, owner->name, owner->name));
+  }
+}
+
+std::vector<Entry> WorldChoice::enter(std::vector<Contestant> mice) const {
+  std::vector<Entry> entries = taken(labmouse::enter(std::move(mice), world_, given()));
+  require_settings_of(entries);
+  return entries;
+}
+
+std::shared_ptr<const World> WorldChoice::enter_one(const std::vector<Contestant>& mice) const {
+  std::vector<Entry> entries = enter(mice);
+  std::erase_if(entries, [](const Entry& entry) { return entry.mice.empty(); });
+  if (entries.size() > 1)
+    throw UsageError(fmt::format("error: '{}' races in the world of {} and '{}' in that of {}; name mice of one world",
+                                 entries[0].mice.front().name, entries[0].world->name(), entries[1].mice.front().name,
+                                 entries[1].world->name()));
+  return entries.empty() ? world() : entries.front().world;
+}
+
+std::shared_ptr<const World> WorldChoice::world() const {
+  return taken(labmouse::enter({}, world_.empty() ? all_worlds().front()->name : std::string_view(world_), given()))
+      .front()
+      .world;
+}
+
+}  // namespace labmouse::cli

@@ -1,0 +1,30 @@
+// The figures of the world of mms, by their places in the lists of contests and mazes.
+#pragma once
+
+#include <cstdint>
+
+namespace labmouse {
+
+/// The figures of a run, by their places in ContestResult::figures.
+enum class MmsFigure : std::uint8_t {
+  outcome,
+  end,
+  solved,
+  score,
+  best_run,  ///< effective distance + turns; null while unsolved
+  run_ratio,
+  statistics,  ///< an object of all values of `getStat`
+  total,       ///< effective distance + turns of all that was done
+  lines,
+  invalid_lines,
+  log,
+  errors,
+  simulated_seconds,
+  seconds,  ///< of real time: the one figure that differs from race to race
+  visited_share,
+};
+
+/// The figures of a maze: the least run and the least score, null where the centre cannot be reached.
+enum class MmsMazeFigure : std::uint8_t { run, score };
+
+}  // namespace labmouse

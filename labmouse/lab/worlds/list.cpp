@@ -1,0 +1,16 @@
+// The one list of all worlds. A new one stands here, and nowhere else outside of its own folder.
+#include <array>
+
+#include "labmouse/lab/mms/mms_entry.hpp"
+#include "labmouse/lab/seconds/seconds_entry.hpp"
+#include "labmouse/lab/steps/steps_entry.hpp"
+#include "labmouse/lab/worlds/worlds.hpp"
+
+namespace labmouse {
+
+std::span<const WorldEntry* const> all_worlds() {
+  static constexpr std::array<const WorldEntry*, 3> worlds = {&steps_entry, &seconds_entry, &mms_entry};
+  return worlds;
+}
+
+}  // namespace labmouse

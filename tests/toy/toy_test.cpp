@@ -1,0 +1,147 @@
+// A world that nothing but its own folder and one list knows is raced by everything that holds contests.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "labmouse/lab/galleries/race_folder.hpp"
+#include "labmouse/lab/mice/specs.hpp"
+#include "labmouse/lab/reports/report_results.hpp"
+#include "labmouse/lab/standings/baseline.hpp"
+#include "labmouse/lab/standings/race_json.hpp"
+#include "labmouse/lab/standings/race_table.hpp"
+#include "labmouse/lab/standings/standings.hpp"
+#include "labmouse/lab/studies/study.hpp"
+#include "labmouse/lab/studies/sweep.hpp"
+#include "labmouse/lab/worlds/entering.hpp"
+
+namespace labmouse {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr int runs = 12;
+
+RaceOrder order_with(const std::string& clumsiness) {
+  RaceOrder order;
+  order.world = find_world("toy")->make({{"clumsiness", clumsiness}}).world;
+  order.runs = runs;
+  return order;
+}
+
+std::vector<NamedMaze> some_mazes() { return load_mazes({"contest-01", "contest-02", "contest-03"}).mazes; }
+
+Race toy_race(const std::string& clumsiness = "70") {
+  return hold_race(read_specs("flood,certify").contestants, some_mazes(), order_with(clumsiness));
+}
+
+bool has_score(const ContestResult& contest) { return contest.score.has_value(); }
+
+TEST(ToyWorld, ThrowsDiceForMiceThatThrowNone) {
+  const Race race = toy_race();
+  EXPECT_EQ(race.results.size(), 2U * 3U * runs);
+  EXPECT_TRUE(std::any_of(race.results.begin(), race.results.end(), has_score));
+  EXPECT_FALSE(std::all_of(race.results.begin(), race.results.end(), has_score));
+}
+
+TEST(ToyWorld, LeavesContestsWithoutAScoreOutOfAllMeans) {
+  const Race race = toy_race();
+  for (const Standing& standing : standings_of(race)) {
+    EXPECT_EQ(standing.runs, 3 * runs);
+    EXPECT_LT(standing.solved, standing.runs);
+    EXPECT_EQ(standing.mean_all, standing.mean_solved);
+  }
+  EXPECT_FALSE(standings_of(toy_race("100")).front().mean_all.has_value());
+}
+
+TEST(ToyWorld, HasATableWithItsOwnColumns) {
+  const std::string table = table_of(toy_race(), false);
+  EXPECT_THAT(table, HasSubstr("world of toy"));
+  EXPECT_THAT(table, HasSubstr("a contest"));
+  EXPECT_THAT(table, HasSubstr("stumbled"));
+}
+
+TEST(ToyWorld, IsAGroupOfTheJsonOfARace) {
+  const auto json = nlohmann::json::parse(json_of(toy_race(), {}));
+  ASSERT_EQ(json["groups"].size(), 1U);
+  const auto& group = json["groups"][0];
+  EXPECT_EQ(group["world"], "toy");
+  EXPECT_EQ(group["clumsiness"], 70);
+  EXPECT_EQ(group["mice"].size(), 2U);
+  EXPECT_EQ(group["mice"][0]["results"].size(), 3U * runs);
+  EXPECT_TRUE(group["mice"][0]["results"][0].contains("stumbles"));
+}
+
+TEST(ToyWorld, HasALineOfCsvForEachContest) {
+  const std::string csv = csv_of(toy_race());
+  EXPECT_TRUE(csv.starts_with("mouse,maze,score,stumbles\n"));
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 2 * 3 * runs);
+}
+
+TEST(ToyWorld, IsItsOwnBaseline) {
+  const Race race = toy_race();
+  const ReadBaselineResult read = read_baseline(json_of(race, {}), race.world());
+  ASSERT_TRUE(read.baseline) << read.error;
+  const std::string same = compare_with_baseline(race, *read.baseline);
+  EXPECT_THAT(same, HasSubstr("+0.000"));
+  EXPECT_THAT(same, testing::Not(HasSubstr("Careful")));
+  EXPECT_THAT(compare_with_baseline(toy_race("30"), *read.baseline), HasSubstr("Careful: clumsiness was 70"));
+  EXPECT_FALSE(read_baseline(json_of(race, {}), *find_world("seconds")->make({}).world).baseline);
+}
+
+TEST(ToyWorld, SaysWhichMazesCostMost) { EXPECT_THAT(worst_of(toy_race(), 1), HasSubstr("= bound")); }
+
+TEST(ToyWorld, LeavesRecordsInAFolderAndResultsForAReport) {
+  const std::string folder = testing::TempDir() + "toy-race";
+  std::filesystem::remove_all(folder);
+  const Race race = toy_race();
+  const RaceFolder gallery(folder, race);
+  EXPECT_EQ(gallery.save(race.results.front(), {{}, "{\"run\":1}\n", ""}), "");
+  EXPECT_TRUE(std::filesystem::exists(folder + "/certify/contest-01-1.jsonl"));
+  const ReadResultsResult read = read_report_results(json_of(race, {}));
+  ASSERT_TRUE(read.results);
+  EXPECT_EQ(read.results->worlds.back().entry->name, "toy");
+  EXPECT_EQ(read.results->worlds.back().mice.front().seeds.begin()->second.size(), static_cast<std::size_t>(runs));
+  std::filesystem::remove_all(folder);
+}
+
+TEST(ToyWorld, IsStudied) {
+  StudyOrder order;
+  order.race = order_with("20");
+  order.folds = 3;
+  const Study study = hold_study(read_specs("flood,certify").contestants, some_mazes(), order);
+  ASSERT_EQ(study.error, "");
+  EXPECT_EQ(study.folds_done, 3);
+  EXPECT_THAT(table_of(study, false), HasSubstr("a contest"));
+  EXPECT_EQ(nlohmann::json::parse(json_of(study, {}))["groups"][0]["mazes"][0]["fold"].is_number(), true);
+}
+
+TEST(ToyWorld, IsSwept) {
+  const Variation variation = read_variation("stride=1:3:1");
+  const Sweep sweep = hold_sweep("flood", variation, some_mazes(), order_with("20"));
+  ASSERT_EQ(sweep.error, "");
+  EXPECT_EQ(sweep.points.size(), 3U);
+  EXPECT_TRUE(sweep.points.front().mean && sweep.points.back().mean &&
+              *sweep.points.front().mean > *sweep.points.back().mean);
+}
+
+TEST(ToyWorld, IsEnteredByNameAndRefusesWhoCannotWalk) {
+  const EntriesResult entered = enter(read_specs("flood").contestants, "toy", {});
+  ASSERT_EQ(entered.error, "");
+  EXPECT_EQ(entered.entries.front().world->name(), "toy");
+  EXPECT_THAT(enter(read_specs("mms:true").contestants, "toy", {}).error, HasSubstr("cannot walk"));
+  EXPECT_EQ(enter(read_specs("flood").contestants, "", {}).entries.front().world->name(), all_worlds().front()->name);
+}
+
+TEST(ToyWorld, StopsWhereItIsToldTo) {
+  const std::atomic<bool> stop = true;
+  RaceHooks hooks;
+  hooks.stop = &stop;
+  EXPECT_TRUE(hold_race(read_specs("flood").contestants, some_mazes(), order_with("50"), hooks).stopped);
+}
+
+}  // namespace
+}  // namespace labmouse

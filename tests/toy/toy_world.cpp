@@ -1,0 +1,107 @@
+// A world of one file: mice that stumble. Each contest is three runs of the capstone's; dice decide before each whether
+// the mouse stumbles in it, and the best of the others counts. Where it stumbles in all three, the contest has no
+// score.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "labmouse/chance/dice.hpp"
+#include "labmouse/contest/score.hpp"
+#include "labmouse/contest/simulator.hpp"
+#include "labmouse/lab/bounds/bounds.hpp"
+#include "labmouse/lab/standings/common_fields.hpp"
+#include "labmouse/lab/standings/mouse_figures.hpp"
+#include "labmouse/lab/standings/race_notes.hpp"
+#include "tests/toy/toy_entry.hpp"
+
+namespace labmouse {
+namespace {
+
+// 1. Its fields: what stands in JSON, in CSV and in the leaderboard. The figures of a contest are those of one list.
+enum class Figure { stumbles };
+
+constexpr std::array<ContestField, 5> contest_fields = {{{"maze", fields::maze_name},
+                                                         {"seed", fields::seed},
+                                                         {"outcome", fields::outcome},
+                                                         {"score", fields::score},
+                                                         {"stumbles", fields::figure<Figure::stumbles>}}};
+constexpr std::array<ContestField, 4> csv_fields = {{{"mouse", fields::mouse_name},
+                                                     {"maze", fields::maze_name},
+                                                     {"score", fields::score},
+                                                     {"stumbles", fields::figure<Figure::stumbles>}}};
+constexpr std::array<MouseField, 5> mouse_fields = {{{"name", fields::name},
+                                                     {"solved", fields::solved},
+                                                     {"runs", fields::runs},
+                                                     {"mean_score", fields::mean_all},
+                                                     {"interval", fields::interval}}};
+constexpr std::array<MazeField, 4> maze_fields = {
+    {{"name", fields::name}, {"width", fields::width}, {"height", fields::height}, {"bound", fields::bound}}};
+constexpr std::array<Column, 3> columns_of_table = {
+    {{"", "finished", 9, columns::solved},
+     {"mean", "score", 7, columns::mean_all},
+     {"stumbles", "a contest", 9, [](const Race& race, const Standing& standing) {
+        return columns::number(mean_of_all(race, standing, "stumbles"), 2);
+      }}}};
+constexpr WorldFields all_fields = {contest_fields, csv_fields, mouse_fields, maze_fields, columns_of_table};
+
+// 2. The world: who may enter, what a maze allows, what one contest is, and what it comes to.
+class ToyWorld final : public World {
+ public:
+  explicit ToyWorld(int percent) : percent_(percent) {}
+
+  std::string_view name() const override { return "toy"; }
+  std::string formula() const override { return "the best of three runs in which the mouse did not stumble"; }
+  std::string_view unit() const override { return "steps"; }
+  std::vector<Condition> conditions() const override { return {{"clumsiness", std::int64_t{percent_}}}; }
+  std::string refuse(const Contestant& mouse) const override {
+    return mouse.make ? "" : fmt::format("mouse '{}' cannot walk", mouse.name);
+  }
+  bool throws_dice() const override { return true; }
+  MazeFacts facts(const Maze& maze) const override { return {bound_of(maze, Rules()).score, {}, {}}; }
+
+  Held hold(const Race& race, ContestResult& result, Keep keep, const std::atomic<bool>*) const override {
+    Dice dice(result.seed);
+    const Maze& maze = race.mazes[result.maze].maze;
+    Held held;
+    std::int64_t stumbles = 0;
+    for (std::uint64_t run = 0; run < 3; ++run) {
+      const bool stumbled = dice.below(100) < percent_;
+      if (keep.record) held.record += fmt::format("{{\"run\":{},\"stumbled\":{}}}\n", run + 1, stumbled);
+      if (stumbled && ++stumbles > 0) continue;
+      const auto mind = race.mice[result.mouse].make(maze, Rules(), result.seed + run);
+      const auto value = score(labmouse::run(maze, Rules(), *mind), Rules()).value;
+      if (value && (!result.score || *value < *result.score)) result.score = value;
+    }
+    result.outcome = result.score ? "finished" : "stumbled";
+    result.counted = result.score;
+    if (const auto& bound = race.facts[result.maze].bound; result.score && bound) result.ratio = *result.score / *bound;
+    result.figures = {stumbles};
+    result.done = true;
+    return held;
+  }
+
+  const WorldFields& fields() const override { return all_fields; }
+  std::string notes(const Race&) const override { return score_note(*this); }
+
+ private:
+  int percent_;
+};
+
+// 3. Its entry on the list: its name, what can be set of it, and how reports take its records.
+constexpr std::array settings = {
+    WorldSetting{"clumsiness", "PERCENT", "How often a mouse stumbles", WorldSetting::Kind::whole, "50", 0, 100}};
+
+WorldResult make(const WorldSettings& chosen) {
+  return {std::make_shared<ToyWorld>(std::stoi(value_of(toy_entry, chosen, "clumsiness"))), ""};
+}
+
+PackedFile pack(std::string_view, const RecordOwner& owner) {
+  return {fmt::format("{{\"mouse\":\"{}\",\"maze\":\"{}\"}}", owner.mouse, owner.maze), std::nullopt, std::nullopt};
+}
+
+}  // namespace
+
+const WorldEntry toy_entry = {"toy", "mice that stumble", settings, make, pack};
+
+}  // namespace labmouse
