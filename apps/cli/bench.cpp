@@ -38,11 +38,11 @@ std::string bench_json(const std::string& signature, const Speed& speed) {
 
 }  // namespace
 
-void add_bench(CLI::App& app, int& exit) {
+void add_bench(Command& app, int& exit) {
   auto format = std::make_shared<std::string>("table");
   auto signature_only = std::make_shared<bool>(false);
-  CLI::App* command = app.add_subcommand("bench", "Print the behaviour signature and the speeds");
-  command->add_option("--format", *format, "Output")->check(CLI::IsMember({"table", "json"}))->capture_default_str();
+  Command* command = app.add_subcommand("bench", "Print the behaviour signature and the speeds");
+  command->add_option("--format", *format, "Output")->check(one_of({"table", "json"}))->capture_default_str();
   command->add_flag("--signature", *signature_only, "Print the behaviour signature alone");
   command->footer("Example: labmouse bench --format json");
   command->callback([format, signature_only, &exit] {

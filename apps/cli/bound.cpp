@@ -66,25 +66,24 @@ int bound(const BoundOptions& options) {
   return hindsight.stopped ? exit_interrupted : exit_good;
 }
 
-void add_hindsight(CLI::App& command, BoundOptions& options) {
-  CLI::Option* hindsight =
-      command
-          .add_option("--hindsight", options.mouse,
-                      "Beside the bounds: this mouse's score, and references that it could have had")
-          ->type_name("MOUSE");
+void add_hindsight(Command& command, BoundOptions& options) {
+  Option* hindsight = command
+                          .add_option("--hindsight", options.mouse,
+                                      "Beside the bounds: this mouse's score, and references that it could have had")
+                          ->type_name("MOUSE");
   RaceOrder& race = options.order.race;
   command
       .add_option("--perturbed", options.order.others,
                   "Variants of the mouse (for one that throws dice: seeds) to take the best of; 0 for none")
-      ->check(CLI::Range(0, 100'000))
+      ->check(in_range(0, 100'000))
       ->capture_default_str()
       ->needs(hindsight);
   command.add_option("--runs", race.runs, "Contests of a mouse that throws dice, in each maze")
-      ->check(CLI::Range(1, 1'000'000))
+      ->check(in_range(1, 1'000'000))
       ->capture_default_str()
       ->needs(hindsight);
   command.add_option("--budget", race.rules.budget, "Steps of a contest, over both runs")
-      ->check(CLI::Range(1, 1'000'000))
+      ->check(in_range(1, 1'000'000))
       ->capture_default_str()
       ->needs(hindsight);
   command.add_option("--seed", race.seed, "Seed of all chance")
@@ -92,24 +91,22 @@ void add_hindsight(CLI::App& command, BoundOptions& options) {
       ->capture_default_str()
       ->needs(hindsight);
   command.add_option("--jobs", race.jobs, "Threads; 0 takes all processors")
-      ->check(CLI::Range(0, 1024))
+      ->check(in_range(0, 1024))
       ->capture_default_str()
       ->needs(hindsight);
 }
 
 }  // namespace
 
-void add_bound(CLI::App& app, int& exit) {
+void add_bound(Command& app, int& exit) {
   auto options = std::make_shared<BoundOptions>();
-  CLI::App* command = app.add_subcommand("bound", "The best possible score of mazes: that of a mouse which knows them");
+  Command* command = app.add_subcommand("bound", "The best possible score of mazes: that of a mouse which knows them");
   command
       ->add_option("mazes", options->mazes,
                    "Maze files, folders, patterns or names of built-in mazes; default: all built-in mazes")
       ->type_name("MAZE");
   add_places(*command, options->places);
-  command->add_option("--format", options->format, "Output")
-      ->check(CLI::IsMember({"table", "json"}))
-      ->capture_default_str();
+  command->add_option("--format", options->format, "Output")->check(one_of({"table", "json"}))->capture_default_str();
   add_hindsight(*command, *options);
   command->footer("Example: labmouse bound capstone-1\n         labmouse bound --hindsight certify my-mazes/");
   command->callback([options, &exit] { exit = bound(*options); });

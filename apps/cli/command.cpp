@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <cstdio>
 #include <cstdlib>
 
@@ -81,7 +80,7 @@ void tell_skipped(const std::vector<SkippedFile>& skipped) {
   if (skipped.size() > told) tell(fmt::format("... and {} more files skipped\n", skipped.size() - told));
 }
 
-void add_places(CLI::App& command, Places& places) {
+void add_places(Command& command, Places& places) {
   command.add_option("--start", places.start, "Start cell, X,Y or X,Y,HEADING, in place of the file's")
       ->type_name("X,Y[,HEADING]");
   command.add_option("--goal", places.goals, "Goal cell in place of the file's (may repeat)")
@@ -95,9 +94,9 @@ void tell(const std::string& text) {
   std::fwrite(text.data(), 1, text.size(), stderr);
 }
 
-void add_budget(CLI::App& command, Rules& rules) {
+void add_budget(Command& command, Rules& rules) {
   command.add_option("--budget", rules.budget, "Steps of a contest, over both runs")
-      ->check(CLI::Range(1, 1'000'000))
+      ->check(in_range(1, 1'000'000))
       ->capture_default_str();
 }
 
@@ -133,26 +132,6 @@ void require_writable(const std::string& path) {
   if (path.empty()) return;
   if (const auto error = check_writable(path); !error.empty())
     throw UsageError(fmt::format("{}: error: {}", path, error));
-}
-
-CLI::Validator seed_number() {
-  return CLI::Validator(
-      [](const std::string& text) {
-        std::uint64_t seed = 0;
-        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
-        const bool good = error == std::errc() && end == text.data() + text.size();
-        return good ? std::string() : fmt::format("'{}' is not a whole number from 0 to 2^64 - 1", text);
-      },
-      "");
-}
-
-CLI::Validator finite_number() {
-  return CLI::Validator(
-      [](const std::string& text) {
-        double number = 0.0;
-        return parse_number(text, number) ? std::string() : fmt::format("'{}' is not a number such as 0.25", text);
-      },
-      "");
 }
 
 bool colours() {

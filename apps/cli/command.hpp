@@ -1,7 +1,6 @@
 // What the subcommands share: how they end, how they find mazes, and how they speak.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -11,6 +10,7 @@
 #include "labmouse/contest/rules.hpp"
 #include "labmouse/lab/mazes/maze_files.hpp"
 #include "labmouse/lab/robots/robot_files.hpp"
+#include "options.hpp"
 
 namespace labmouse::cli {
 
@@ -26,7 +26,7 @@ struct Places {
   std::string start;
   std::vector<std::string> goals;
 };
-void add_places(CLI::App& command, Places& places);
+void add_places(Command& command, Places& places);
 
 /// The mazes of the paths (the built-in ones where there is none), with the places applied. What was skipped is told on
 /// standard error; a path named directly that is no maze throws UsageError.
@@ -41,7 +41,7 @@ FoundRobot find_robot_or_refuse(const std::string& name);
 /// Built-in rules or those of a file; throws UsageError with all that is wrong with them.
 DriveRules find_rules_or_refuse(const std::string& name);
 /// --robot, which has its default.
-void add_robot_option(CLI::App& command, std::string& robot);
+void add_robot_option(Command& command, std::string& robot);
 
 /// Writes to standard output, or throws UsageError when it cannot.
 void print(const std::string& text);
@@ -54,36 +54,32 @@ void save(const std::string& path, const std::string& content);
 void require_writable(const std::string& path);
 
 /// --budget, the steps of a contest.
-void add_budget(CLI::App& command, Rules& rules);
-
-/// Checks of options that CLI11's own would let through: a seed is 0 to 2^64 - 1, a number is finite and plain.
-CLI::Validator seed_number();
-CLI::Validator finite_number();
+void add_budget(Command& command, Rules& rules);
 
 /// Whether to colour what goes to standard output: it is a terminal and NO_COLOR is not set.
 bool colours();
 
 /// Adds each subcommand; its callback leaves the exit code in `exit`.
-void add_race(CLI::App& app, int& exit);
-void add_sweep(CLI::App& app, int& exit);
-void add_learn(CLI::App& app, int& exit);
-void add_study(CLI::App& app, int& exit);
-void add_tune(CLI::App& app, int& exit);
-void add_run(CLI::App& app, int& exit);
-void add_mms(CLI::App& app, int& exit);
-void add_show(CLI::App& app, int& exit);
-void add_inspect(CLI::App& app, int& exit);
-void add_make(CLI::App& app, int& exit);
-void add_convert(CLI::App& app, int& exit);
-void add_mice(CLI::App& app, int& exit);
-void add_robot(CLI::App& app, int& exit);
-void add_rules(CLI::App& app, int& exit);
-void add_bound(CLI::App& app, int& exit);
-void add_route(CLI::App& app, int& exit);
-void add_replay(CLI::App& app, int& exit);
-void add_score(CLI::App& app, int& exit);
-void add_page(CLI::App& app, int& exit);
-void add_report(CLI::App& app, int& exit);
-void add_bench(CLI::App& app, int& exit);
+void add_race(Command& app, int& exit);
+void add_sweep(Command& app, int& exit);
+void add_learn(Command& app, int& exit);
+void add_study(Command& app, int& exit);
+void add_tune(Command& app, int& exit);
+void add_run(Command& app, int& exit);
+void add_mms(Command& app, int& exit);
+void add_show(Command& app, int& exit);
+void add_inspect(Command& app, int& exit);
+void add_make(Command& app, int& exit);
+void add_convert(Command& app, int& exit);
+void add_mice(Command& app, int& exit);
+void add_robot(Command& app, int& exit);
+void add_rules(Command& app, int& exit);
+void add_bound(Command& app, int& exit);
+void add_route(Command& app, int& exit);
+void add_replay(Command& app, int& exit);
+void add_score(Command& app, int& exit);
+void add_page(Command& app, int& exit);
+void add_report(Command& app, int& exit);
+void add_bench(Command& app, int& exit);
 
 }  // namespace labmouse::cli

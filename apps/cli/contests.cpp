@@ -13,7 +13,7 @@ std::atomic<bool> stop_flag{false};
 
 }  // namespace
 
-void add_contests(CLI::App& command, Contests& contests) {
+void add_contests(Command& command, Contests& contests) {
   command
       .add_option("--mazes", contests.mazes,
                   "Maze files, folders, patterns or names of built-in mazes; default: all built-in mazes")
@@ -22,12 +22,12 @@ void add_contests(CLI::App& command, Contests& contests) {
       ->take_all();
   add_places(command, contests.places);
   command.add_option("--runs", contests.order.runs, "Contests of each mouse that throws dice, in each maze")
-      ->check(CLI::Range(1, 1'000'000))
+      ->check(in_range(1, 1'000'000))
       ->capture_default_str();
   add_budget(command, contests.order.rules);
   command.add_option("--seed", contests.order.seed, "Seed of all chance")->check(seed_number())->capture_default_str();
   command.add_option("--jobs", contests.order.jobs, "Threads; 0 takes all processors")
-      ->check(CLI::Range(0, 1024))
+      ->check(in_range(0, 1024))
       ->capture_default_str();
 }
 

@@ -15,7 +15,7 @@ struct Contests {
   Places places;
   RaceOrder order;
 };
-void add_contests(CLI::App& command, Contests& contests);
+void add_contests(Command& command, Contests& contests);
 
 /// The mice of the SPECs, all of the roster where there is none; throws UsageError, also where one lives in another
 /// world. While an Interruptible lives, Ctrl-C ends the guests among them.

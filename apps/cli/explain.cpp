@@ -5,12 +5,11 @@
 
 namespace labmouse::cli {
 
-void add_explain(CLI::App& command, ExplainOptions& options) {
-  CLI::Option* flag =
-      command.add_flag("--explain", options.wanted, "Tell among which walls it chose, and why it stopped");
+void add_explain(Command& command, ExplainOptions& options) {
+  Option* flag = command.add_flag("--explain", options.wanted, "Tell among which walls it chose, and why it stopped");
   command.add_option("--candidates", options.candidates, "Candidates that --explain shows of each choice")
       ->needs(flag)
-      ->check(CLI::Range(1, 10'000))
+      ->check(in_range(1, 10'000))
       ->capture_default_str();
 }
 

@@ -9,53 +9,53 @@
 namespace labmouse::cli {
 namespace {
 
-void add_seconds(CLI::App& command, const std::string& name, std::chrono::milliseconds& limit,
+void add_seconds(Command& command, const std::string& name, std::chrono::milliseconds& limit,
                  const std::string& meaning) {
   command
-      .add_option_function<double>(
+      .add_number(
           name, [&limit](double seconds) { limit = std::chrono::milliseconds(std::llround(1000.0 * seconds)); },
           meaning)
       ->type_name("SECONDS")
       ->check(finite_number())
-      ->check(CLI::Range(0.001, 1e6))
+      ->check(in_range(0.001, 1e6))
       ->default_str(fmt::format("{:g}", std::chrono::duration<double>(limit).count()));
 }
 
 }  // namespace
 
-void add_python(CLI::App& command, GuestOptions& guests) {
+void add_python(Command& command, GuestOptions& guests) {
   command
       .add_option("--python", guests.python, "Python that plays capstone robots; default: the newest python3 of PATH")
       ->type_name("INTERPRETER");
 }
 
-void add_guest_options(CLI::App& command, GuestOptions& guests) {
+void add_guest_options(Command& command, GuestOptions& guests) {
   constexpr int mib_bits = 20;
   GuestLimits& limits = guests.limits;
   command.add_option("--directory", guests.directory, "Where programs run; default: here")
       ->type_name("DIR")
-      ->check(CLI::ExistingDirectory);
+      ->check(existing_directory());
   add_seconds(command, "--start-limit", limits.start, "How long a program may take to its first word");
   add_seconds(command, "--decision-limit", limits.decision, "How long a program may say nothing");
   add_seconds(command, "--contest-limit", limits.contest, "How long a program may run in one maze");
   command
-      .add_option_function<std::uint64_t>(
+      .add_integer(
           "--memory", [&limits](std::uint64_t mib) { limits.memory = mib << mib_bits; },
           "Memory of each process of a program")
       ->type_name("MIB")
-      ->check(CLI::Range(std::uint64_t{16}, std::uint64_t{1} << mib_bits))
+      ->check(in_range(std::uint64_t{16}, std::uint64_t{1} << mib_bits))
       ->default_str(fmt::format("{}", limits.memory >> mib_bits));
   command.add_option("--cpu", limits.processor_seconds, "Processor time of each process of a program")
       ->type_name("SECONDS")
-      ->check(CLI::Range(1, 1'000'000))
+      ->check(in_range(1, 1'000'000))
       ->capture_default_str();
 }
 
-void add_mms_options(CLI::App& command, MmsOptions& options) {
+void add_mms_options(Command& command, MmsOptions& options) {
   command.add_flag("--strict", options.strict, "In mms: end a run at the first line that mms would not answer");
   command.add_option("--presses", options.presses, "In mms: press Reset N times for a mouse that waits for it")
       ->type_name("N")
-      ->check(CLI::Range(0, 1'000'000))
+      ->check(in_range(0, 1'000'000))
       ->capture_default_str();
 }
 

@@ -52,9 +52,9 @@ int inspect_all(const InspectOptions& options) {
 
 }  // namespace
 
-void add_inspect(CLI::App& app, int& exit) {
+void add_inspect(Command& app, int& exit) {
   auto options = std::make_shared<InspectOptions>();
-  CLI::App* command = app.add_subcommand("inspect", "Describe mazes and check them against the contest rules");
+  Command* command = app.add_subcommand("inspect", "Describe mazes and check them against the contest rules");
   command
       ->add_option("mazes", options->mazes,
                    "Maze files, folders, patterns or names of built-in mazes; default: all built-in mazes")

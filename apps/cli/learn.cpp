@@ -37,9 +37,9 @@ int learn(const LearnOptions& options) {
 
 }  // namespace
 
-void add_learn(CLI::App& app, int& exit) {
+void add_learn(Command& app, int& exit) {
   auto options = std::make_shared<LearnOptions>();
-  CLI::App* command =
+  Command* command =
       app.add_subcommand("learn", "Learn from mazes which walls to expect, for mice with a parameter 'prior'");
   command
       ->add_option("mazes", options->mazes,

@@ -42,10 +42,10 @@ std::string describe_mice() {
 
 }  // namespace
 
-void add_mice(CLI::App& app, int& exit) {
+void add_mice(Command& app, int& exit) {
   auto format = std::make_shared<std::string>("table");
-  CLI::App* command = app.add_subcommand("mice", "List the mice and their parameters with defaults and ranges");
-  command->add_option("--format", *format, "Output")->check(CLI::IsMember({"table", "json"}))->capture_default_str();
+  Command* command = app.add_subcommand("mice", "List the mice and their parameters with defaults and ranges");
+  command->add_option("--format", *format, "Output")->check(one_of({"table", "json"}))->capture_default_str();
   command->footer("Example: labmouse mice --format json");
   command->callback([format, &exit] {
     print(*format == "json" ? mice_json().dump(1) + "\n" : describe_mice());

@@ -77,15 +77,15 @@ struct ConvertOptions {
 
 }  // namespace
 
-void add_make(CLI::App& app, int& exit) {
+void add_make(Command& app, int& exit) {
   auto options = std::make_shared<MakeOptions>();
-  CLI::App* command = app.add_subcommand("make", "Make a maze");
+  Command* command = app.add_subcommand("make", "Make a maze");
   command->add_option("kind", options->kind, "Generator: " + names_of(all_generators()))->required()->type_name("KIND");
   command->add_option("--size", options->size, "Width and height in cells")->type_name("WxH")->capture_default_str();
   command->add_option("--seed", options->seed, "Seed of all chance")->check(seed_number())->capture_default_str();
   command->add_option("--loops", options->loops, "Share of the remaining inner walls to take away, which makes loops")
       ->check(finite_number())
-      ->check(CLI::Range(0.0, 1.0))
+      ->check(in_range(0.0, 1.0))
       ->capture_default_str();
   command->add_option("-o,--out", options->out, "File to write; - is standard output")
       ->type_name("FILE")
@@ -99,9 +99,9 @@ void add_make(CLI::App& app, int& exit) {
   });
 }
 
-void add_convert(CLI::App& app, int& exit) {
+void add_convert(Command& app, int& exit) {
   auto options = std::make_shared<ConvertOptions>();
-  CLI::App* command = app.add_subcommand("convert", "Convert a maze into another format");
+  Command* command = app.add_subcommand("convert", "Convert a maze into another format");
   command->add_option("in", options->in, "Maze file or name of a built-in maze")->required()->type_name("IN");
   command->add_option("out", options->out, "File to write; - is standard output")->required()->type_name("OUT");
   command->add_option("--format", options->format,

@@ -104,21 +104,20 @@ int mms(const MmsCommandOptions& options) {
 
 }  // namespace
 
-void add_mms(CLI::App& app, int& exit) {
+void add_mms(Command& app, int& exit) {
   auto options = std::make_shared<MmsCommandOptions>();
-  CLI::App* command = app.add_subcommand("mms", "Host a program that was written for mms in one maze");
+  Command* command = app.add_subcommand("mms", "Host a program that was written for mms in one maze");
   command->add_option("command", options->command, "Command that starts the program; words as in mms, no shell")
       ->required()
       ->type_name("COMMAND");
   command->add_option("--maze", options->maze, "Maze file or name of a built-in maze")->required()->type_name("MAZE");
   add_mms_options(*command, options->mms);
   command->add_flag("--watch", options->watch, "Draw it move by move");
-  CLI::Option* speed =
-      command->add_option("--speed", options->speed, "Watch it at so many times the default speed of mms")
-          ->type_name("TIMES")
-          ->check(finite_number())
-          ->check(CLI::Range(0.01, 1e6))
-          ->capture_default_str();
+  Option* speed = command->add_option("--speed", options->speed, "Watch it at so many times the default speed of mms")
+                      ->type_name("TIMES")
+                      ->check(finite_number())
+                      ->check(in_range(0.01, 1e6))
+                      ->capture_default_str();
   command->add_option("--record", options->record, "Save what it did, line by line")->type_name("FILE");
   add_guest_options(*command, options->guests);
   command->footer("Example: labmouse mms 'python3 mouse.py' --maze contest-05 --speed 10");

@@ -52,7 +52,7 @@ void report(const PageOptions& options) {
   write(options, report.page);
 }
 
-void add_page_options(CLI::App& command, PageOptions& options) {
+void add_page_options(Command& command, PageOptions& options) {
   command.add_option("-o,--out", options.out, "File to write; - is standard output")->required()->type_name("FILE");
   command.add_option("--page", options.page, "Take this page in place of the one that the program has")
       ->type_name("FILE");
@@ -60,9 +60,9 @@ void add_page_options(CLI::App& command, PageOptions& options) {
 
 }  // namespace
 
-void add_page(CLI::App& app, int& exit) {
+void add_page(Command& app, int& exit) {
   auto options = std::make_shared<PageOptions>();
-  CLI::App* command = app.add_subcommand("page", "Write the page that watches, compares and edits in a browser");
+  Command* command = app.add_subcommand("page", "Write the page that watches, compares and edits in a browser");
   add_page_options(*command, *options);
   command->footer("Example: labmouse page -o labmouse.html");
   command->callback([options, &exit] {
@@ -71,9 +71,9 @@ void add_page(CLI::App& app, int& exit) {
   });
 }
 
-void add_report(CLI::App& app, int& exit) {
+void add_report(Command& app, int& exit) {
   auto options = std::make_shared<PageOptions>();
-  CLI::App* command = app.add_subcommand("report", "Write the page with a race in it: results, mazes and records");
+  Command* command = app.add_subcommand("report", "Write the page with a race in it: results, mazes and records");
   command
       ->add_option("results", options->results,
                    "Folder of `labmouse race --out`, or a JSON file of `labmouse race --format json`")

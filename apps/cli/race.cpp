@@ -211,11 +211,11 @@ SecondsRace in_seconds(const RaceOptions& options) {
 }
 
 /// Throws UsageError for an option of another world than that of the race.
-void require_world(const CLI::App& command, const RaceOptions& options) {
+void require_world(const Command& command, const RaceOptions& options) {
   const bool seconds = options.world == "seconds";
-  for (const CLI::Option* option : command.get_options()) {
-    if (option->count() == 0) continue;
-    const std::string name = option->get_name();
+  for (const Option& option : command.options()) {
+    if (option.count() == 0) continue;
+    const std::string name = option.name();
     if (!seconds && (name == "--robot" || name == "--rules"))
       throw UsageError(fmt::format("error: {} is for the world of seconds; add --world seconds", name));
     constexpr std::array<std::string_view, 12> shared = {"--world", "--robot", "--rules",  "--mice",
@@ -226,9 +226,9 @@ void require_world(const CLI::App& command, const RaceOptions& options) {
   }
 }
 
-void add_world(CLI::App& command, RaceOptions& options) {
+void add_world(Command& command, RaceOptions& options) {
   command.add_option("--world", options.world, "What moves cost: strides or seconds")
-      ->check(CLI::IsMember({"strides", "seconds"}))
+      ->check(one_of({"strides", "seconds"}))
       ->capture_default_str();
   add_robot_option(command, options.robot);
   command
@@ -240,9 +240,9 @@ void add_world(CLI::App& command, RaceOptions& options) {
 
 }  // namespace
 
-void add_race(CLI::App& app, int& exit) {
+void add_race(Command& app, int& exit) {
   auto options = std::make_shared<RaceOptions>();
-  CLI::App* command = app.add_subcommand("race", "Race many mice on many mazes and print the leaderboard");
+  Command* command = app.add_subcommand("race", "Race many mice on many mazes and print the leaderboard");
   command
       ->add_option("--mice", options->mice,
                    "Mice: name[:key=value]..., several separated by commas, or capstone:FILE, guest:COMMAND, "
@@ -253,7 +253,7 @@ void add_race(CLI::App& app, int& exit) {
   add_world(*command, *options);
   add_contests(*command, options->contests);
   command->add_option("--format", options->format, "Output")
-      ->check(CLI::IsMember({"table", "json", "csv"}))
+      ->check(one_of({"table", "json", "csv"}))
       ->capture_default_str();
   command->add_option("--out", options->out, "Folder for records, one SVG a maze and mouse, and the results as JSON")
       ->type_name("DIR");
@@ -266,7 +266,7 @@ void add_race(CLI::App& app, int& exit) {
                     ->check(finite_number());
   command->add_option("--worst", options->worst, "Print the N mazes that cost each mouse most")
       ->type_name("N")
-      ->check(CLI::Range(1, 1'000'000));
+      ->check(in_range(1, 1'000'000));
   command->add_flag("--shares", options->shares, "Print how much of the mazes each mouse discovered and visited");
   add_mms_options(*command, options->mms);
   add_python(*command, options->guests);
@@ -275,7 +275,7 @@ void add_race(CLI::App& app, int& exit) {
       ->add_option("--guest-runs", options->guests.runs,
                    "Contests of each guest in each maze, for those that throw dice")
       ->type_name("N")
-      ->check(CLI::Range(1, 1'000'000))
+      ->check(in_range(1, 1'000'000))
       ->capture_default_str();
   command->footer(
       "Example: labmouse race --mice flood:stride=1,certify --mazes my-mazes/ --format json > today.json\n"

@@ -8,7 +8,7 @@
 
 namespace labmouse::cli {
 
-CLI::Option* add_record_maze(CLI::App& command, std::string& maze) {
+Option* add_record_maze(Command& command, std::string& maze) {
   return command.add_option("--maze", maze, "Play it in this maze in place of the record's own")->type_name("MAZE");
 }
 
@@ -27,7 +27,7 @@ std::optional<DriveRecordFile> load_drive_record(const std::string& path, const 
   return std::nullopt;
 }
 
-void refuse_in_seconds(const CLI::App& command, const std::vector<std::string>& options) {
+void refuse_in_seconds(const Command& command, const std::vector<std::string>& options) {
   for (const std::string& name : options)
     if (command.count(name) > 0) throw UsageError(fmt::format("error: {} is not for records in seconds", name));
 }

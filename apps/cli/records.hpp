@@ -1,16 +1,16 @@
 // Records as the commands take them: from a file, and only if they could have happened.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 
 #include "labmouse/lab/records/drive_record_file.hpp"
 #include "labmouse/lab/records/record_file.hpp"
+#include "options.hpp"
 
 namespace labmouse::cli {
 
 /// Adds --maze, the maze to play a record in. Returns the option.
-CLI::Option* add_record_maze(CLI::App& command, std::string& maze);
+Option* add_record_maze(Command& command, std::string& maze);
 
 /// The text of a record's file. Throws UsageError.
 std::string load_record_text(const std::string& path);
@@ -20,7 +20,7 @@ std::string load_record_text(const std::string& path);
 std::optional<DriveRecordFile> load_drive_record(const std::string& path, const std::string& text);
 
 /// Throws UsageError where one of the options was given, which records in seconds do not take.
-void refuse_in_seconds(const CLI::App& command, const std::vector<std::string>& options);
+void refuse_in_seconds(const Command& command, const std::vector<std::string>& options);
 
 /// The record of a file's text, with the maze of that name or file, or its own where that is empty. Throws UsageError
 /// where there is no record or no maze.

@@ -14,12 +14,12 @@ namespace labmouse::cli {
 namespace {
 
 struct ScoreOptions {
-  const CLI::App* command = nullptr;
+  const Command* command = nullptr;
   std::string file, maze;
 };
 
 struct ReplayOptions {
-  const CLI::App* command = nullptr;
+  const Command* command = nullptr;
   std::string file, maze, svg;
   ExplainOptions explain;
   bool watch = false;
@@ -67,25 +67,25 @@ int score_file(const ScoreOptions& options) {
 
 }  // namespace
 
-void add_replay(CLI::App& app, int& exit) {
+void add_replay(Command& app, int& exit) {
   auto options = std::make_shared<ReplayOptions>();
-  CLI::App* command = app.add_subcommand("replay", "Play a record again and check that it agrees with its maze");
+  Command* command = app.add_subcommand("replay", "Play a record again and check that it agrees with its maze");
   options->command = command;
   command->add_option("file", options->file, "Record")->required()->type_name("FILE");
   add_record_maze(*command, options->maze);
   add_explain(*command, options->explain);
   command->add_flag("--watch", options->watch, "Draw it step by step");
   command->add_option("--delay", options->delay, "Milliseconds a step stays on the screen")
-      ->check(CLI::Range(0, 60'000))
+      ->check(in_range(0, 60'000))
       ->capture_default_str();
   command->add_option("--svg", options->svg, "Save a picture")->type_name("FILE");
   command->footer("Example: labmouse run certify capstone-1 --record walk.jsonl && labmouse replay walk.jsonl --watch");
   command->callback([options, &exit] { exit = replay_file(*options); });
 }
 
-void add_score(CLI::App& app, int& exit) {
+void add_score(Command& app, int& exit) {
   auto options = std::make_shared<ScoreOptions>();
-  CLI::App* command = app.add_subcommand("score", "Score a record, after checking that it agrees with its maze");
+  Command* command = app.add_subcommand("score", "Score a record, after checking that it agrees with its maze");
   options->command = command;
   command->add_option("file", options->file, "Record")->required()->type_name("FILE");
   add_record_maze(*command, options->maze);

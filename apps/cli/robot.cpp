@@ -42,19 +42,19 @@ FoundRobot find_robot_or_refuse(const std::string& name) {
   return found;
 }
 
-void add_robot_option(CLI::App& command, std::string& robot) {
+void add_robot_option(Command& command, std::string& robot) {
   command.add_option("--robot", robot, "Name of a built-in robot, or a file with a slash or .toml in its name")
       ->type_name("ROBOT")
       ->capture_default_str();
 }
 
-void add_robot(CLI::App& app, int& exit) {
-  CLI::App* command = app.add_subcommand("robot", "The robots of the world in seconds: their turns and times");
-  command->require_subcommand(1);
+void add_robot(Command& app, int& exit) {
+  Command* command = app.add_subcommand("robot", "The robots of the world in seconds: their turns and times");
+  command->require_subcommand();
   command->footer("Example: labmouse robot show classic");
 
   auto options = std::make_shared<RobotOptions>();
-  CLI::App* shown = command->add_subcommand("show", "What follows from the limits of a robot");
+  Command* shown = command->add_subcommand("show", "What follows from the limits of a robot");
   shown->add_option("robot", options->robot, "Name of a built-in robot, or a file with a slash or .toml in its name")
       ->type_name("ROBOT")
       ->capture_default_str();

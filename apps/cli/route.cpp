@@ -43,9 +43,9 @@ int route(const RouteOptions& options) {
 
 }  // namespace
 
-void add_route(CLI::App& app, int& exit) {
+void add_route(Command& app, int& exit) {
   auto options = std::make_shared<RouteOptions>();
-  CLI::App* command = app.add_subcommand("route", "The fastest route of a maze in seconds, with curves and diagonals");
+  Command* command = app.add_subcommand("route", "The fastest route of a maze in seconds, with curves and diagonals");
   command
       ->add_option("mazes", options->mazes,
                    "Maze file or name of a built-in maze; several, folders and patterns get a line for each maze")
@@ -53,9 +53,7 @@ void add_route(CLI::App& app, int& exit) {
       ->required();
   add_places(*command, options->places);
   add_robot_option(*command, options->robot);
-  command->add_option("--format", options->format, "Output")
-      ->check(CLI::IsMember({"table", "json"}))
-      ->capture_default_str();
+  command->add_option("--format", options->format, "Output")->check(one_of({"table", "json"}))->capture_default_str();
   command->add_option("--svg", options->svg, "Save a picture of it, too")->type_name("FILE");
   command->footer("Example: labmouse route contest-01 --robot mm2021");
   command->callback([options, &exit] { exit = route(*options); });

@@ -42,13 +42,13 @@ DriveRules find_rules_or_refuse(const std::string& name) {
   return std::move(found.rules);
 }
 
-void add_rules(CLI::App& app, int& exit) {
-  CLI::App* command = app.add_subcommand("rules", "The rules of contests in seconds");
-  command->require_subcommand(1);
+void add_rules(Command& app, int& exit) {
+  Command* command = app.add_subcommand("rules", "The rules of contests in seconds");
+  command->require_subcommand();
   command->footer("Example: labmouse rules show thirtieth > mine.toml");
 
   auto name = std::make_shared<std::string>("all-japan");
-  CLI::App* shown = command->add_subcommand("show", "The file of some rules, as a beginning of your own");
+  Command* shown = command->add_subcommand("show", "The file of some rules, as a beginning of your own");
   shown->add_option("rules", *name, "Name of built-in rules, or a file with a slash or .toml in its name")
       ->type_name("RULES")
       ->capture_default_str();

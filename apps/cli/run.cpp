@@ -46,9 +46,9 @@ void run_contest(const RunOptions& options) {
 
 }  // namespace
 
-void add_run(CLI::App& app, int& exit) {
+void add_run(Command& app, int& exit) {
   auto options = std::make_shared<RunOptions>();
-  CLI::App* command = app.add_subcommand("run", "Run one mouse in one maze");
+  Command* command = app.add_subcommand("run", "Run one mouse in one maze");
   command->add_option("mouse", options->mouse, "Mouse: name[:key=value]..., capstone:FILE or guest:COMMAND")
       ->required()
       ->type_name("MOUSE");
@@ -61,7 +61,7 @@ void add_run(CLI::App& app, int& exit) {
   add_explain(*command, options->explain);
   command->add_flag("--watch", options->watch, "Draw it step by step");
   command->add_option("--delay", options->delay, "Milliseconds a step stays on the screen")
-      ->check(CLI::Range(0, 60'000))
+      ->check(in_range(0, 60'000))
       ->capture_default_str();
   command->add_option("--svg", options->svg, "Save a picture")->type_name("FILE");
   command->add_option("--record", options->record, "Save the record, with --explain also the reasons")

@@ -17,7 +17,7 @@ namespace labmouse::cli {
 namespace {
 
 struct ShowOptions {
-  const CLI::App* command = nullptr;
+  const Command* command = nullptr;
   std::string maze, record, record_maze, svg;
   std::vector<std::string> layers;
   Places places;
@@ -147,9 +147,9 @@ std::string layer_lines() {
 
 }  // namespace
 
-void add_show(CLI::App& app, int& exit) {
+void add_show(Command& app, int& exit) {
   auto options = std::make_shared<ShowOptions>();
-  CLI::App* command = app.add_subcommand("show", "Draw a maze with its best route, or a record in layers");
+  Command* command = app.add_subcommand("show", "Draw a maze with its best route, or a record in layers");
   options->command = command;
   command->add_option("maze", options->maze, "Maze file or name of a built-in maze")->type_name("MAZE");
   add_places(*command, options->places);
@@ -160,7 +160,7 @@ void add_show(CLI::App& app, int& exit) {
       ->type_name("NAME,...")
       ->expected(1)
       ->take_all();
-  command->add_option("--step", options->step, "Draw the record as far as this step")->check(CLI::Range(1, 1'000'000));
+  command->add_option("--step", options->step, "Draw the record as far as this step")->check(in_range(1, 1'000'000));
   command->add_option("--svg", options->svg, "Save a picture in place of drawing in the terminal")->type_name("FILE");
   command->add_flag("--distances", options->distances, "Steps from each cell to the goal");
   command->add_flag("--no-route", options->no_route, "Leave the path out");

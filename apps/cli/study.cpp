@@ -45,9 +45,9 @@ int study(const StudyOptions& options) {
 
 }  // namespace
 
-void add_study(CLI::App& app, int& exit) {
+void add_study(Command& app, int& exit) {
   auto options = std::make_shared<StudyOptions>();
-  CLI::App* command =
+  Command* command =
       app.add_subcommand("study", "Compare mice, pair by pair, on mazes that they have not learned from");
   command
       ->add_option(
@@ -60,15 +60,13 @@ void add_study(CLI::App& app, int& exit) {
       ->take_all();
   add_contests(*command, options->contests);
   command->add_option("--folds", options->folds, "Parts of the mazes, of which each is held out once")
-      ->check(CLI::Range(2, 1'000'000))
+      ->check(in_range(2, 1'000'000))
       ->capture_default_str();
   command->add_flag("--no-learning", options->no_learning,
                     "Race mice that learn with what they bring along, whatever mazes it is from");
   command->add_option("--csv", options->csv, "Save the scores, one line a maze")->type_name("FILE");
   command->add_option("--svg", options->svg, "Save a picture of the differences and scores")->type_name("FILE");
-  command->add_option("--format", options->format, "Output")
-      ->check(CLI::IsMember({"table", "json"}))
-      ->capture_default_str();
+  command->add_option("--format", options->format, "Output")->check(one_of({"table", "json"}))->capture_default_str();
   command->footer("Example: labmouse study --mice flood,certify --mazes my-mazes/ --folds 5 --svg study.svg");
   command->callback([options, &exit] { exit = study(*options); });
 }

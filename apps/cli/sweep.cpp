@@ -42,9 +42,9 @@ int sweep(const SweepOptions& options) {
 
 }  // namespace
 
-void add_sweep(CLI::App& app, int& exit) {
+void add_sweep(Command& app, int& exit) {
   auto options = std::make_shared<SweepOptions>();
-  CLI::App* command = app.add_subcommand("sweep", "Race one mouse at many values of one parameter");
+  Command* command = app.add_subcommand("sweep", "Race one mouse at many values of one parameter");
   command->add_option("mouse", options->mouse, "Mouse, name[:key=value]...")->required()->type_name("MOUSE");
   command->add_option("--vary", options->vary, "Parameter and its values: a range with its step, or a list")
       ->required()

@@ -61,9 +61,9 @@ int tune(const TuneOptions& options) {
 
 }  // namespace
 
-void add_tune(CLI::App& app, int& exit) {
+void add_tune(Command& app, int& exit) {
   auto options = std::make_shared<TuneOptions>();
-  CLI::App* command = app.add_subcommand("tune", "Search for better values of several parameters of a mouse");
+  Command* command = app.add_subcommand("tune", "Search for better values of several parameters of a mouse");
   command->add_option("mouse", options->mouse, "Mouse, name[:key=value]..., where the search begins")
       ->required()
       ->type_name("MOUSE");
@@ -72,16 +72,16 @@ void add_tune(CLI::App& app, int& exit) {
       ->type_name("NAME[=LOW:HIGH],...");
   command->add_option("--evaluations", options->order.evaluations, "Candidates in all, the mouse as given among them")
       ->required()
-      ->check(CLI::Range(1, 1'000'000));
+      ->check(in_range(1, 1'000'000));
   command
       ->add_option("--population", options->order.population, "Candidates a generation; default: 4 + 3 ln(parameters)")
-      ->check(CLI::Range(4, 10'000));
+      ->check(in_range(4, 10'000));
   command->add_option("--sigma", options->order.step, "First step of each parameter, as a share of its range")
       ->check(finite_number())
-      ->check(CLI::Range(0.0001, 1.0))
+      ->check(in_range(0.0001, 1.0))
       ->capture_default_str();
   command->add_option("--objective", options->objective, "Make the mean score low, or the mean of score / bound")
-      ->check(CLI::IsMember({"score", "ratio"}))
+      ->check(one_of({"score", "ratio"}))
       ->capture_default_str();
   add_contests(*command, options->contests);
   command->add_option("--log", options->log, "Save every evaluation as CSV, after each generation")->type_name("FILE");

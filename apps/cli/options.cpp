@@ -1,0 +1,181 @@
+#include "options.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+
+#include "command.hpp"
+#include "labmouse/strategies/parameter.hpp"
+
+namespace labmouse::cli {
+namespace {
+
+/// The first word that a command did not expect, with the option that it may have been meant to be.
+std::string describe_unexpected(const CLI::App& command, const std::vector<std::string>& words) {
+  auto word = std::find_if(words.begin(), words.end(), [](const std::string& w) { return w.starts_with("-"); });
+  if (word == words.end()) return fmt::format("'{}' was not expected", words.front());
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options())
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  const auto near = nearest_name(*word, std::vector<std::string_view>(names.begin(), names.end()));
+  return fmt::format("option '{}' is unknown{}", *word, near.empty() ? "" : fmt::format("; did you mean '{}'?", near));
+}
+
+/// Bad usage: one line that says what is wrong and where help is.
+UsageError usage_error(const CLI::App& app, const CLI::ParseError& error) {
+  const CLI::App* command = &app;
+  std::string name = app.get_name();
+  while (!command->get_subcommands().empty()) {
+    command = command->get_subcommands().front();
+    name += " " + command->get_name();
+  }
+  // A word in the place of a command's own commands is only called a missing one.
+  const bool unexpected = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr ||
+                          (command != &app && !command->get_subcommands({}).empty());
+  const std::vector<std::string> words = app.remaining(true);
+  return UsageError(fmt::format("error: {} (see `{} --help`)",
+                                unexpected && !words.empty() ? describe_unexpected(*command, words) : error.what(),
+                                name));
+}
+
+/// A first word that is no command, which CLI11 would only call a missing one.
+void refuse_unknown_command(const CLI::App& app, const std::string& word) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  if (word.starts_with('-') || std::find(names.begin(), names.end(), word) != names.end()) return;
+  const std::vector<std::string_view> candidates(names.begin(), names.end());
+  const auto near = nearest_name(word, candidates);
+  throw UsageError(fmt::format(
+      "error: command '{}' is unknown; {} (see `{} --help`)", word,
+      near.empty() ? fmt::format("there are {}", fmt::join(names, ", ")) : fmt::format("did you mean '{}'?", near),
+      app.get_name()));
+}
+
+}  // namespace
+
+Check::Check(const CLI::Validator& validator) : validator_(std::make_shared<CLI::Validator>(validator)) {}
+Check::Check(const std::function<std::string(const std::string&)>& problem)
+    : Check(CLI::Validator([problem](const std::string& text) { return problem(text); }, "")) {}
+
+Check in_range(int low, int high) { return Check(CLI::Range(low, high)); }
+Check in_range(std::uint64_t low, std::uint64_t high) { return Check(CLI::Range(low, high)); }
+Check in_range(double low, double high) { return Check(CLI::Range(low, high)); }
+Check one_of(std::initializer_list<std::string> words) { return Check(CLI::IsMember(words)); }
+Check existing_directory() { return Check(CLI::ExistingDirectory); }
+
+Check seed_number() {
+  return Check([](const std::string& text) {
+    std::uint64_t seed = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
+    const bool good = error == std::errc() && end == text.data() + text.size();
+    return good ? std::string() : fmt::format("'{}' is not a whole number from 0 to 2^64 - 1", text);
+  });
+}
+
+Check finite_number() {
+  return Check([](const std::string& text) {
+    double number = 0.0;
+    return parse_number(text, number) ? std::string() : fmt::format("'{}' is not a number such as 0.25", text);
+  });
+}
+
+Option* Option::type_name(const std::string& name) {
+  option_->type_name(name);
+  return this;
+}
+Option* Option::required() {
+  option_->required();
+  return this;
+}
+Option* Option::needs(const Option* other) {
+  option_->needs(other->option_);
+  return this;
+}
+Option* Option::expected(int count) {
+  option_->expected(count);
+  return this;
+}
+Option* Option::expected(int low, int high) {
+  option_->expected(low, high);
+  return this;
+}
+Option* Option::take_all() {
+  option_->take_all();
+  return this;
+}
+Option* Option::check(const Check& check) {
+  option_->check(check.validator());
+  return this;
+}
+Option* Option::capture_default_str() {
+  option_->capture_default_str();
+  return this;
+}
+Option* Option::default_str(const std::string& text) {
+  option_->default_str(text);
+  return this;
+}
+std::size_t Option::count() const { return option_->count(); }
+std::string Option::name() const { return option_->get_name(); }
+
+Command* Command::add_subcommand(const std::string& name, const std::string& meaning) {
+  return &subcommands_.emplace_back(*app_->add_subcommand(name, meaning));
+}
+void Command::require_subcommand() { app_->require_subcommand(1); }
+
+Option* Command::add(CLI::Option* option) { return &options_.emplace_back(*option); }
+Option* Command::add_option(const std::string& name, std::string& value, const std::string& meaning) {
+  return add(app_->add_option(name, value, meaning));
+}
+Option* Command::add_option(const std::string& name, std::vector<std::string>& value, const std::string& meaning) {
+  return add(app_->add_option(name, value, meaning));
+}
+Option* Command::add_option(const std::string& name, int& value, const std::string& meaning) {
+  return add(app_->add_option(name, value, meaning));
+}
+Option* Command::add_option(const std::string& name, std::uint64_t& value, const std::string& meaning) {
+  return add(app_->add_option(name, value, meaning));
+}
+Option* Command::add_option(const std::string& name, double& value, const std::string& meaning) {
+  return add(app_->add_option(name, value, meaning));
+}
+Option* Command::add_integer(const std::string& name, const std::function<void(std::uint64_t)>& take,
+                             const std::string& meaning) {
+  return add(app_->add_option_function<std::uint64_t>(name, take, meaning));
+}
+Option* Command::add_number(const std::string& name, const std::function<void(double)>& take,
+                            const std::string& meaning) {
+  return add(app_->add_option_function<double>(name, take, meaning));
+}
+Option* Command::add_flag(const std::string& name, bool& value, const std::string& meaning) {
+  return add(app_->add_flag(name, value, meaning));
+}
+
+void Command::footer(const std::string& text) { app_->footer(text); }
+void Command::callback(const std::function<void()>& action) { app_->callback(action); }
+std::size_t Command::count(const std::string& option) const { return app_->count(option); }
+
+CommandLine::CommandLine(const std::string& program, const std::string& meaning, const std::string& version)
+    : app_(std::make_unique<CLI::App>(meaning, program)), root_(*app_) {
+  app_->set_version_flag("--version", version);
+  app_->require_subcommand(1);
+}
+
+CommandLine::~CommandLine() = default;
+
+bool CommandLine::run(int argc, char** argv) {
+  if (argc > 1) refuse_unknown_command(*app_, argv[1]);
+  try {
+    app_->parse(argc, argv);
+    return false;
+  } catch (const CLI::Success& asked) {  // for the help or the version
+    app_->exit(asked);
+    return true;
+  } catch (const CLI::ParseError& error) {
+    throw usage_error(*app_, error);
+  }
+}
+
+}  // namespace labmouse::cli

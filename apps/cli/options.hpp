@@ -1,0 +1,136 @@
+// Commands and their options. The library behind them, CLI11, takes seconds to compile wherever it is included: that is
+// options.cpp alone.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <initializer_list>
+#include <list>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+class Option;
+class Validator;
+}  // namespace CLI
+
+namespace labmouse::cli {
+
+/// What the value of an option has to be. Where it has a description, that stands behind the option in the help.
+class Check {
+ public:
+  explicit Check(const CLI::Validator& validator);
+  /// `problem` says what is wrong with a value, or nothing.
+  explicit Check(const std::function<std::string(const std::string&)>& problem);
+
+  const CLI::Validator& validator() const { return *validator_; }
+
+ private:
+  std::shared_ptr<const CLI::Validator> validator_;
+};
+
+/// From `low` to `high`, both included.
+Check in_range(int low, int high);
+Check in_range(std::uint64_t low, std::uint64_t high);
+Check in_range(double low, double high);
+Check one_of(std::initializer_list<std::string> words);
+Check existing_directory();
+/// 0 to 2^64 - 1, in digits.
+Check seed_number();
+/// Finite, and written plainly.
+Check finite_number();
+
+/// One option, flag or positional argument of a command. Each of its setters returns it.
+class Option {
+ public:
+  explicit Option(CLI::Option& option) : option_(&option) {}
+
+  /// What its value is called in the help.
+  Option* type_name(const std::string& name);
+  Option* required();
+  /// Only together with that one.
+  Option* needs(const Option* other);
+  /// How many values stand behind the option each time that it is given.
+  Option* expected(int count);
+  Option* expected(int low, int high);
+  /// It may be given several times, and every value counts.
+  Option* take_all();
+  /// Checks are made in the order in which they were added.
+  Option* check(const Check& check);
+  /// Shows the variable's present value as the default; to be called last.
+  Option* capture_default_str();
+  /// Shows `text` as the default.
+  Option* default_str(const std::string& text);
+
+  /// How often it was given.
+  std::size_t count() const;
+  /// With its dashes.
+  std::string name() const;
+
+ private:
+  CLI::Option* option_;
+};
+
+/// A command, or one of its own commands. It gives out pointers that live as long as it does.
+class Command {
+ public:
+  explicit Command(CLI::App& app) : app_(&app) {}
+  Command(const Command&) = delete;
+  Command& operator=(const Command&) = delete;
+
+  Command* add_subcommand(const std::string& name, const std::string& meaning);
+  /// One of its own commands has to be named.
+  void require_subcommand();
+
+  /// `name` begins with dashes, or it is a positional argument; `value` has to outlive the command.
+  Option* add_option(const std::string& name, std::string& value, const std::string& meaning);
+  Option* add_option(const std::string& name, std::vector<std::string>& value, const std::string& meaning);
+  Option* add_option(const std::string& name, int& value, const std::string& meaning);
+  Option* add_option(const std::string& name, std::uint64_t& value, const std::string& meaning);
+  Option* add_option(const std::string& name, double& value, const std::string& meaning);
+  /// Calls `take` with the number that was given.
+  Option* add_integer(const std::string& name, const std::function<void(std::uint64_t)>& take,
+                      const std::string& meaning);
+  Option* add_number(const std::string& name, const std::function<void(double)>& take, const std::string& meaning);
+  Option* add_flag(const std::string& name, bool& value, const std::string& meaning);
+
+  /// Stands below its help.
+  void footer(const std::string& text);
+  /// What the command does once its options are read.
+  void callback(const std::function<void()>& action);
+
+  /// How often the option of that name was given.
+  std::size_t count(const std::string& option) const;
+  const std::list<Option>& options() const { return options_; }
+
+ private:
+  Option* add(CLI::Option* option);
+
+  CLI::App* app_;
+  std::list<Option> options_;
+  std::list<Command> subcommands_;
+};
+
+/// The command line of a program that has commands.
+class CommandLine {
+ public:
+  CommandLine(const std::string& program, const std::string& meaning, const std::string& version);
+  CommandLine(const CommandLine&) = delete;
+  CommandLine& operator=(const CommandLine&) = delete;
+  ~CommandLine();
+
+  Command& root() { return root_; }
+
+  /// Reads the words and does what the command named there does. Returns true where the help or the version was asked
+  /// for and printed instead. Throws UsageError with one line that says what is wrong and where the help is.
+  bool run(int argc, char** argv);
+
+ private:
+  std::unique_ptr<CLI::App> app_;
+  Command root_;
+};
+
+}  // namespace labmouse::cli
