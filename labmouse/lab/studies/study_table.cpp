@@ -12,10 +12,6 @@
 namespace labmouse {
 namespace {
 
-std::string counted(std::size_t count, std::string_view one, std::string_view many) {
-  return counted(static_cast<int>(count), one, many);
-}
-
 std::string number(const std::optional<double>& value, int digits) {
   return value ? fmt::format("{:.{}f}", *value, digits) : "-";
 }
