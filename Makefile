@@ -1,4 +1,5 @@
-# The two commands. They install what is missing, build what has changed, and stay quiet about it unless it fails.
+# The two commands. They install what is missing, build what has changed, say how far that is, and show what the compiler
+# said only if it fails.
 #   make race    races the mice on the built-in mazes and prints the leaderboard
 #   make check   builds and runs all tests
 # The page, in a browser:
@@ -12,7 +13,7 @@
 race:
 	@scripts/install race
 	@test -e build/release/build.ninja || scripts/quietly cmake --preset release
-	@test -e build/release/labmouse || echo "building labmouse: some minutes" >&2
+	@test -e build/release/labmouse || echo "building labmouse: four minutes of one processor, less of several" >&2
 	@scripts/quietly cmake --build --preset release --target labmouse
 	@build/release/labmouse race
 
@@ -23,7 +24,7 @@ check:
 	@scripts/install check
 	@scripts/page --if-installed
 	@scripts/quietly cmake --preset release -DLABMOUSE_TESTS=ON -DLABMOUSE_BENCH=ON $(CHECK_OPTIONS)
-	@test -e build/release/tests/lab_test || echo "building labmouse and its tests: some minutes" >&2
+	@test -e build/release/tests/lab_test || echo "building labmouse and its tests: a quarter of an hour of one processor" >&2
 	@scripts/quietly cmake --build --preset release
 	@scripts/run-tests release
 
@@ -31,7 +32,7 @@ page:
 	@scripts/install page
 	@scripts/page
 	@test -e build/release/build.ninja || scripts/quietly cmake --preset release
-	@test -e build/release/labmouse || echo "building labmouse: some minutes" >&2
+	@test -e build/release/labmouse || echo "building labmouse: four minutes of one processor, less of several" >&2
 	@scripts/quietly cmake --build --preset release --target labmouse
 	@echo "build/page/labmouse.html"
 

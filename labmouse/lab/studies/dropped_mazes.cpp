@@ -10,10 +10,6 @@
 namespace labmouse {
 namespace {
 
-std::string counted(std::size_t count, std::string_view one, std::string_view many) {
-  return counted(static_cast<int>(count), one, many);
-}
-
 std::string listed(const std::vector<std::string>& names, std::string_view elsewhere) {
   constexpr std::size_t most = 10;
   std::string text;

@@ -12,10 +12,6 @@
 namespace labmouse {
 namespace {
 
-std::string counted(std::size_t count, std::string_view one, std::string_view many) {
-  return labmouse::counted(static_cast<int>(count), one, many);
-}
-
 std::string line(bool bold, const std::string& text) {
   return fmt::format("{}{}{}\n", bold ? "\x1b[1m" : "", text, bold ? "\x1b[0m" : "");
 }

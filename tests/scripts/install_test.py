@@ -1,0 +1,126 @@
+"""scripts/install on machines that small programs pretend: with and without dpkg, with and without what the build needs.
+
+usage: install_test.py SOURCE_DIR
+"""
+
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+INSTALL = pathlib.Path(sys.argv.pop(1)).resolve() / "scripts" / "install"
+SYSTEMS = ("Debian", "Fedora", "Arch", "Homebrew")
+
+
+class Machine:
+    """A PATH of its own: the usual small tools, and programs that write down how they were called."""
+
+    def __init__(self, folder):
+        self.folder = pathlib.Path(folder)
+        self.calls = self.folder / "calls"
+        self.calls.touch()
+        for tool in ("sh", "cat", "cmp", "dirname", "env", "grep", "head", "mktemp", "rm", "sed", "tail"):
+            (self.folder / tool).symlink_to(shutil.which(tool))
+        self.add("id", "echo 0")
+
+    def add(self, name, script="exit 0"):
+        program = self.folder / name
+        program.unlink(missing_ok=True)
+        program.write_text(f"#!/bin/sh\necho {name} \"$@\" >>'{self.calls}'\n{script}\n")
+        program.chmod(0o755)
+
+    def add_build(self, found):
+        for name in ("ninja", "python3"):
+            self.add(name)
+        self.add("cmake", "exit 0" if found else "echo 'CMake Error: Could not find CLI11'; exit 1")
+
+    def add_dpkg(self, missing=()):
+        self.add("dpkg-query", "\n".join(f'[ "$3" = {name} ] && exit 1' for name in missing) + "\nprintf installed")
+        self.add("apt-get")
+
+    def install(self, part="race"):
+        environment = {**os.environ, "PATH": str(self.folder)}
+        return subprocess.run([INSTALL, part], env=environment, capture_output=True, text=True)
+
+    def called(self, name):
+        return [line for line in self.calls.read_text().splitlines() if line.startswith(name + " ")]
+
+
+class Install(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.machine = Machine(folder.name)
+
+    def assert_quiet(self, result):
+        self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "", ""))
+
+    def test_without_dpkg_it_is_content_where_cmake_finds_everything(self):
+        self.machine.add_build(found=True)
+        self.assert_quiet(self.machine.install())
+
+    def test_without_dpkg_it_names_the_packages_of_each_system_and_what_cmake_misses(self):
+        self.machine.add_build(found=False)
+        result = self.machine.install()
+        self.assertEqual(result.returncode, 2)
+        lines = result.stderr.splitlines()
+        for system in SYSTEMS:
+            (line,) = [line for line in lines if line.lstrip().startswith(system)]
+            self.assertIn("cmake", line)
+            self.assertEqual(f"{system} (not tried)" in line, system != "Debian", line)
+        self.assertIn("Could not find CLI11", result.stderr)
+
+    def test_a_program_of_readmes_first_screen_is_asked_for_too(self):
+        self.machine.add_build(found=True)
+        (self.machine.folder / "python3").unlink()
+        result = self.machine.install()
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("python3 is not in PATH", result.stderr)
+
+    def test_with_dpkg_and_all_packages_nothing_else_is_asked(self):
+        self.machine.add_build(found=False)
+        self.machine.add_dpkg()
+        self.assert_quiet(self.machine.install())
+        self.assertEqual(self.machine.called("cmake") + self.machine.called("apt-get"), [])
+
+    def test_with_dpkg_nothing_is_installed_where_cmake_finds_it_elsewhere(self):
+        self.machine.add_build(found=True)
+        self.machine.add_dpkg(missing=["libcli11-dev"])
+        self.assert_quiet(self.machine.install())
+        self.assertEqual(self.machine.called("apt-get"), [])
+
+    def test_with_dpkg_only_what_is_missing_is_installed(self):
+        self.machine.add_build(found=False)
+        self.machine.add_dpkg(missing=["libcli11-dev", "python3"])
+        result = self.machine.install()
+        self.assertEqual(result.returncode, 0)
+        words = self.machine.called("apt-get")[-1].split()
+        self.assertIn("install", words)
+        self.assertEqual([word for word in words if word in ("libcli11-dev", "python3", "cmake")],
+                         ["libcli11-dev", "python3"])
+
+    def test_who_is_not_root_installs_through_sudo(self):
+        self.machine.add_dpkg(missing=["g++"])
+        self.machine.add("id", "echo 1000")
+        result = self.machine.install()
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("sudo", result.stderr)
+        self.machine.add("sudo", 'exec "$@"')
+        self.assertEqual(self.machine.install().returncode, 0)
+        self.assertTrue(self.machine.called("sudo"))
+
+    def test_the_tests_need_more_than_the_program(self):
+        self.machine.add_build(found=True)
+        self.machine.install("check")
+        self.assertIn("-DLABMOUSE_TESTS=ON", self.machine.called("cmake")[-1])
+        self.machine.add_build(found=False)
+        self.assertIn("rapidcheck", self.machine.install("check").stderr)
+
+    def test_an_unknown_set_is_refused(self):
+        self.assertEqual(self.machine.install("everything").returncode, 2)
+
+
+unittest.main()
