@@ -10,10 +10,6 @@
 namespace labmouse {
 namespace {
 
-std::string counted(std::size_t count, std::string_view one, std::string_view many) {
-  return counted(static_cast<int>(count), one, many);
-}
-
 std::string listed(const std::vector<std::string>& names, std::string_view elsewhere) {
   constexpr std::size_t most = 10;
   std::string text;
@@ -31,11 +27,11 @@ std::string left_out_notes(const MazeSelection& selection, std::string_view else
     duplicates.push_back(duplicate.name + " = " + duplicate.same_as);
   if (!duplicates.empty())
     notes += fmt::format("{} left out (the same walls, maybe turned or mirrored):\n{}",
-                         counted(duplicates.size(), "duplicate", "duplicates"), listed(duplicates, elsewhere));
+                         counted(std::ssize(duplicates), "duplicate", "duplicates"), listed(duplicates, elsewhere));
   const std::vector<std::string>& routeless = selection.routeless;
   if (!routeless.empty())
-    notes += fmt::format("{} left out whose goal cannot be reached:\n{}", counted(routeless.size(), "maze", "mazes"),
-                         listed(routeless, elsewhere));
+    notes += fmt::format("{} left out whose goal cannot be reached:\n{}",
+                         counted(std::ssize(routeless), "maze", "mazes"), listed(routeless, elsewhere));
   return notes;
 }
 

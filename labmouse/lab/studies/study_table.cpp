@@ -12,10 +12,6 @@
 namespace labmouse {
 namespace {
 
-std::string counted(std::size_t count, std::string_view one, std::string_view many) {
-  return counted(static_cast<int>(count), one, many);
-}
-
 std::string number(const std::optional<double>& value, int digits) {
   return value ? fmt::format("{:.{}f}", *value, digits) : "-";
 }
@@ -116,8 +112,8 @@ std::string notes_of(const Study& study, std::size_t comparisons) {
 std::string table_of(const Study& study, bool colours) {
   const int budget = study.order.race.rules.budget;
   std::string text = fmt::format(
-      "labmouse {}: {}, {} in {} folds, seed {}{}\n\n", version(), counted(study.mice.size(), "mouse", "mice"),
-      counted(study.selection.mazes.size(), "maze", "mazes"), study.order.folds, study.order.race.seed,
+      "labmouse {}: {}, {} in {} folds, seed {}{}\n\n", version(), counted(std::ssize(study.mice), "mouse", "mice"),
+      counted(std::ssize(study.selection.mazes), "maze", "mazes"), study.order.folds, study.order.race.seed,
       budget == Rules().budget ? "" : fmt::format(", budget {}", budget));
   text += standings_text(study, colours) + "\n";
   const std::vector<Comparison> comparisons = comparisons_of(study);
