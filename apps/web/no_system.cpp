@@ -8,6 +8,8 @@ namespace labmouse {
 
 FileContent read_file(const std::string&, std::size_t) { return {"", "a page reads no files"}; }
 
+FileContent read_found_file(const std::string&, std::size_t) { return {"", "a page reads no files"}; }
+
 void read_guest_spec(std::string_view, const GuestOptions&, SpecResult& result) {
   result.error = "a page starts no programs";
 }

@@ -86,7 +86,7 @@ Found pack_mms(const Place& place, const std::string& text) {
 }
 
 Found read_place(const Place& place) {
-  const FileContent file = read_file(place.path, longest_file);
+  const FileContent file = read_found_file(place.path, longest_file);
   if (!file.error.empty()) return failed(place, file.error);
   return place.mms ? pack_mms(place, file.content) : pack(place, file.content);
 }
