@@ -44,6 +44,7 @@ RunRecord hold_contest(const Race& race, ContestResult& contest) {
   contest.coverage = coverage_of(record, maze.size(), race.reachable[contest.maze]);
   contest.missteps = missteps_of(record, race.order.rules);
   if (record.outcome == Outcome::forfeit) contest.reason = record.steps.back().action.reason;
+  contest.started = mouse->started();
   contest.decisions = static_cast<int>(record.steps.size());
   contest.counts = record.counts;
   contest.last_words = record.last_words;

@@ -30,7 +30,8 @@ struct ContestResult {
   std::size_t maze = 0;
   int run = 0;
   std::uint64_t seed = 0;
-  bool done = false;  ///< false where the race was stopped before
+  bool done = false;    ///< false where the race was stopped before
+  bool started = true;  ///< false where a guest's program did not, see Strategy::started
   Score score;
   Coverage coverage;
   /// Steps that were not performed as the mouse asked for them.
