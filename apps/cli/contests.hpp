@@ -1,11 +1,13 @@
-// What the subcommands that hold many contests share: where and how often, a bar, and Ctrl-C.
+// What the subcommands that hold many contests share: where and how often, a bar, and what ends them early.
 #pragma once
 
 #include <atomic>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "command.hpp"
+#include "labmouse/lab/galleries/results_folder.hpp"
 #include "labmouse/lab/races/tournament.hpp"
 
 namespace labmouse::cli {
@@ -20,6 +22,9 @@ void add_contests(CLI::App& command, Contests& contests);
 /// The mice of the SPECs, all of the roster where there is none; throws UsageError, also where one lives in another
 /// world. While an Interruptible lives, Ctrl-C ends the guests among them.
 std::vector<Contestant> find_contestants(const std::vector<std::string>& specs, GuestOptions options = {});
+
+/// Takes the folder of --out for one race, until the pointer goes; nothing where none was asked for. Throws UsageError.
+std::unique_ptr<ResultsFolder> take_folder(const std::string& out, bool overwrite);
 
 /// A bar on standard error, where that is a terminal.
 class Progress {
@@ -37,7 +42,8 @@ class Progress {
   std::size_t percent_ = 101;
 };
 
-/// While one of these lives, Ctrl-C ends no program but raises a flag; one at a time.
+/// While one of these lives, Ctrl-C and the signals SIGTERM and SIGHUP do not end the program but raise a flag; another
+/// one, a second later or more, ends it all the same. One at a time.
 class Interruptible {
  public:
   Interruptible();
@@ -45,9 +51,12 @@ class Interruptible {
   Interruptible& operator=(const Interruptible&) = delete;
   ~Interruptible();
 
-  /// Raised by Ctrl-C and by stop(): no further contest begins.
+  /// Raised by a signal and by stop(): no further contest begins.
   const std::atomic<bool>& stopped() const;
   void stop();
 };
+
+/// The exit code of a command that a signal stopped: 128 and the signal, 130 for Ctrl-C.
+ExitCode exit_interrupted();
 
 }  // namespace labmouse::cli

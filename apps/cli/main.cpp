@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <csignal>
 #include <cstdio>
 #include <exception>
@@ -63,18 +64,35 @@ void refuse_unknown_command(const CLI::App& app, const std::string& word) {
       near.empty() ? fmt::format("there are {}", fmt::join(names, ", ")) : fmt::format("did you mean '{}'?", near)));
 }
 
+/// An empty path, which a shell makes of a variable that is not set: it would be taken for an option left out.
+void refuse_empty_paths(const CLI::App& command) {
+  constexpr std::array<std::string_view, 10> paths = {"FILE", "DIR",     "PATH",  "MAZE",  "IN",
+                                                      "OUT",  "RESULTS", "ROBOT", "RULES", "INTERPRETER"};
+  for (const CLI::Option* option : command.get_options()) {
+    const std::string type = option->get_type_name();
+    if (std::find(paths.begin(), paths.end(), type.substr(0, type.find(':'))) == paths.end()) continue;
+    const std::vector<std::string>& words = option->results();
+    if (std::find(words.begin(), words.end(), "") != words.end())
+      throw labmouse::cli::UsageError(fmt::format("error: {} is empty; it takes a {} (see `labmouse {} --help`)",
+                                                  option->get_name(), type, command.get_name()));
+  }
+  for (const CLI::App* inner : command.get_subcommands()) refuse_empty_paths(*inner);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   using namespace labmouse::cli;
   // A reader that leaves early (`| head`) shows as a failed write; see print.
   std::signal(SIGPIPE, SIG_IGN);
+  // A file that grows beyond `ulimit -f` shows as a failed write, too.
+  std::signal(SIGXFSZ, SIG_IGN);
   CLI::App app{"labmouse: a laboratory for mice that explore mazes they have never seen", "labmouse"};
   app.set_version_flag("--version", "labmouse " + std::string(labmouse::version()));
   app.require_subcommand(1);
   app.footer(
       "Example: labmouse race --mice flood,certify --worst 3\nExit codes: 0 good, 1 a check found something, 2 bad "
-      "usage or input, 130 interrupted.");
+      "usage or input, 128 and the signal when interrupted, 130 for Ctrl-C.");
   int exit = exit_good;
   add_race(app, exit);
   add_sweep(app, exit);
@@ -98,6 +116,7 @@ int main(int argc, char** argv) {
   add_report(app, exit);
   add_bench(app, exit);
   try {
+    app.parse_complete_callback([&app] { refuse_empty_paths(app); });
     if (argc > 1) refuse_unknown_command(app, argv[1]);
     app.parse(argc, argv);
     return exit;

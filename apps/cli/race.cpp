@@ -11,6 +11,7 @@
 #include "guests.hpp"
 #include "labmouse/lab/galleries/mms_folder.hpp"
 #include "labmouse/lab/galleries/race_folder.hpp"
+#include "labmouse/lab/races/never_started.hpp"
 #include "labmouse/lab/standings/baseline.hpp"
 #include "labmouse/lab/standings/mms_report.hpp"
 #include "labmouse/lab/standings/mms_standings.hpp"
@@ -29,6 +30,7 @@ struct RaceOptions {
   GuestOptions guests;
   std::string format = "table";
   std::string out;
+  bool overwrite = false;
   std::string baseline;
   double fail_above = 0.0;
   bool has_limit = false;
@@ -182,20 +184,23 @@ int race(const RaceOptions& options) {
   require_sense(options, mice);
   const auto baseline = load_baseline(options);
   const MazeCollection mazes = find_mazes(options.contests.mazes, options.contests.places);
+  auto folder = take_folder(options.out, options.overwrite);
   const Races races = holding->hold(std::move(mice), mazes.mazes);
   std::string failed_write = holding->failed_write();
   holding.reset();  // the bar, and what Ctrl-C does
   // Before anything is printed: a reader of the table may leave early.
   if (failed_write.empty()) failed_write = save_results(options, races, mazes.skipped);
+  folder.reset();
   print(report(options, races, mazes.skipped));
   if (options.shares) add(options, shares_of(races.race));
   if (options.worst > 0) add(options, worst_of(races.race, options.worst));
   if (baseline) add(options, compare_with_baseline(races.race, *baseline));
   if (!failed_write.empty()) throw UsageError(failed_write);
-  if (races.stopped()) return exit_interrupted;
-  const std::string above = options.has_limit ? above_limit(options, races) : "";
-  tell(above);
-  return above.empty() ? exit_good : exit_finding;
+  if (races.stopped()) return exit_interrupted();
+  const std::string findings = never_started_lines(races.race) + (races.mms ? never_started_lines(*races.mms) : "") +
+                               (options.has_limit ? above_limit(options, races) : "");
+  tell(findings);
+  return findings.empty() ? exit_good : exit_finding;
 }
 
 SecondsRace in_seconds(const RaceOptions& options) {
@@ -206,6 +211,7 @@ SecondsRace in_seconds(const RaceOptions& options) {
   race.rules = options.rules;
   race.format = options.format;
   race.out = options.out;
+  race.overwrite = options.overwrite;
   if (options.has_limit) race.fail_above = options.fail_above;
   return race;
 }
@@ -218,9 +224,9 @@ void require_world(const CLI::App& command, const RaceOptions& options) {
     const std::string name = option->get_name();
     if (!seconds && (name == "--robot" || name == "--rules"))
       throw UsageError(fmt::format("error: {} is for the world of seconds; add --world seconds", name));
-    constexpr std::array<std::string_view, 12> shared = {"--world", "--robot", "--rules",  "--mice",
-                                                         "--mazes", "--start", "--goal",   "--runs",
-                                                         "--seed",  "--jobs",  "--format", "--out"};
+    constexpr std::array<std::string_view, 13> shared = {"--overwrite", "--world",  "--robot", "--rules", "--mice",
+                                                         "--mazes",     "--start",  "--goal",  "--runs",  "--seed",
+                                                         "--jobs",      "--format", "--out"};
     if (seconds && name != "--fail-above" && std::find(shared.begin(), shared.end(), name) == shared.end())
       throw UsageError(fmt::format("error: {} is not for the world of seconds", name));
   }
@@ -255,8 +261,11 @@ void add_race(CLI::App& app, int& exit) {
   command->add_option("--format", options->format, "Output")
       ->check(CLI::IsMember({"table", "json", "csv"}))
       ->capture_default_str();
-  command->add_option("--out", options->out, "Folder for records, one SVG a maze and mouse, and the results as JSON")
-      ->type_name("DIR");
+  auto* out =
+      command
+          ->add_option("--out", options->out, "Folder for records, one SVG a maze and mouse, and the results as JSON")
+          ->type_name("DIR");
+  command->add_flag("--overwrite", options->overwrite, "Replace what an earlier race left in --out DIR")->needs(out);
   command->add_option("--baseline", options->baseline, "JSON of an earlier race: prints the paired difference")
       ->type_name("FILE");
   auto* limit = command

@@ -53,10 +53,13 @@ DriveRaceOrder order_of(const SecondsRace& options) {
   return order;
 }
 
-/// Holds the race and saves its contests. What went wrong with that is in `failed_write`, and ends the race early.
-DriveRace hold(const SecondsRace& options, std::vector<NamedMaze> mazes, std::string& failed_write) {
+/// Holds the race and saves its contests in the folder of --out, which it takes. What went wrong with that is in
+/// `failed_write`, and ends the race early.
+DriveRace hold(const SecondsRace& options, std::vector<NamedMaze> mazes, std::unique_ptr<ResultsFolder>& taken,
+               std::string& failed_write) {
   std::vector<Contestant> mice = find_drivers(options);
   const DriveRaceOrder order = order_of(options);
+  taken = take_folder(options.out, options.overwrite);
   const std::size_t all = drive_contests_of(mice, mazes.size(), order);
   Progress progress;
   Interruptible interruptible;
@@ -99,12 +102,14 @@ std::string above_limit(const DriveRace& race, double limit) {
 int race_in_seconds(const SecondsRace& options) {
   MazeCollection mazes = find_small_mazes(options);
   std::string failed_write;
-  const DriveRace race = hold(options, std::move(mazes.mazes), failed_write);
+  std::unique_ptr<ResultsFolder> taken;
+  const DriveRace race = hold(options, std::move(mazes.mazes), taken, failed_write);
   const std::string json = json_of(race, mazes.skipped);
   if (failed_write.empty()) failed_write = save_results(options, json);
+  taken.reset();
   print(options.format == "json" ? json : options.format == "csv" ? csv_of(race) : table_of(race, colours()));
   if (!failed_write.empty()) throw UsageError(failed_write);
-  if (race.stopped) return exit_interrupted;
+  if (race.stopped) return exit_interrupted();
   const std::string above = options.fail_above ? above_limit(race, *options.fail_above) : "";
   tell(above);
   return above.empty() ? exit_good : exit_finding;

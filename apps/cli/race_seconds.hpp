@@ -14,6 +14,7 @@ struct SecondsRace {
   Contests contests;
   std::string robot = "classic", rules = "all-japan";
   std::string format, out;
+  bool overwrite = false;
   std::optional<double> fail_above;  ///< seconds
 };
 

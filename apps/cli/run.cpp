@@ -27,6 +27,7 @@ struct RunOptions {
 };
 
 void run_contest(const RunOptions& options) {
+  expect_outputs({{"--record", options.record}, {"--svg", options.svg}});
   const std::vector<Contestant> mice = find_contestants({options.mouse}, options.guests);
   if (mice.size() != 1) throw UsageError("error: `run` takes one mouse; `labmouse race` takes several");
   const Contestant& mouse = mice.front();

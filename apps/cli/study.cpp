@@ -28,11 +28,9 @@ Study hold(const StudyOptions& options, const std::vector<Contestant>& mice, std
 }
 
 int study(const StudyOptions& options) {
-  if (!options.csv.empty() && options.csv == options.svg)
-    throw UsageError("error: --csv and --svg name one file; name two");
   const std::vector<Contestant> mice = find_contestants(options.mice);
   MazeCollection mazes = find_mazes(options.contests.mazes, options.contests.places);
-  for (const std::string& path : {options.csv, options.svg}) require_writable(path);
+  expect_outputs({{"--csv", options.csv}, {"--svg", options.svg}});
   const Study result = hold(options, mice, std::move(mazes.mazes));
   if (!result.error.empty()) throw UsageError("error: " + result.error);
   print(options.format == "json" ? json_of(result, mazes.skipped) : table_of(result, colours()));
@@ -40,7 +38,7 @@ int study(const StudyOptions& options) {
   const bool any = result.folds_done > 0;
   if (any && !options.csv.empty()) save(options.csv, csv_of(result));
   if (any && !options.svg.empty()) save(options.svg, picture_of(result));
-  return result.race.stopped ? exit_interrupted : exit_good;
+  return result.race.stopped ? exit_interrupted() : exit_good;
 }
 
 }  // namespace
