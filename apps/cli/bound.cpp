@@ -63,7 +63,7 @@ int bound(const BoundOptions& options) {
   const Hindsight hindsight = look_back(options, mazes);
   if (!hindsight.error.empty()) throw UsageError("error: " + hindsight.error);
   print(json ? json_of(hindsight) : table_of(hindsight, colours()));
-  return hindsight.stopped ? exit_interrupted : exit_good;
+  return hindsight.stopped ? exit_interrupted() : exit_good;
 }
 
 void add_hindsight(Command& command, BoundOptions& options) {

@@ -8,7 +8,9 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "labmouse/lab/system/file_problems.hpp"
 #include "labmouse/lab/system/files.hpp"
+#include "labmouse/lab/system/streams.hpp"
 #include "labmouse/mouse/pose.hpp"
 #include "labmouse/strategies/parameter.hpp"
 
@@ -23,9 +25,13 @@ Pose read_place(const std::string& text, bool with_heading) {
     parts.push_back(text.substr(begin, comma - begin));
     begin = comma + 1;
   }
+  std::vector<std::string_view> headings;
+  for (const Heading heading : all_headings) headings.push_back(name_of(heading));
   const auto bad = [&] {
-    return UsageError(
-        fmt::format("error: '{}' is no place; write X,Y{}, as in 0,0", text, with_heading ? " or X,Y,HEADING" : ""));
+    const auto form = with_heading
+                          ? fmt::format(" or X,Y,HEADING, where HEADING is one of {}", fmt::join(headings, ", "))
+                          : std::string();
+    return UsageError(fmt::format("error: '{}' is no place; write X,Y, as in 0,0{}", text, form));
   };
   double x = 0.0, y = 0.0;
   if (parts.size() < 2 || parts.size() > (with_heading ? 3U : 2U)) throw bad();
@@ -36,7 +42,10 @@ Pose read_place(const std::string& text, bool with_heading) {
   if (parts.size() == 2) return pose;
   for (const Heading heading : all_headings)
     if (parts[2] == name_of(heading)) return {pose.cell, heading};
-  throw bad();
+  const auto near = nearest_name(parts[2], headings);
+  throw UsageError(fmt::format(
+      "error: heading '{}' in '{}' is unknown; {}", parts[2], text,
+      near.empty() ? fmt::format("there are {}", fmt::join(headings, ", ")) : fmt::format("did you mean '{}'?", near)));
 }
 
 void require_inside(const NamedMaze& maze, Cell cell, const char* what) {
@@ -60,6 +69,16 @@ void apply(const Places& places, NamedMaze& maze) {
     goals.insert(goal);
   }
   maze.maze = maze.maze.with_goals(goals);
+}
+
+/// Where print writes: to standard error once a file that is asked for takes standard output.
+std::FILE* printed = stdout;
+
+void write_out(const std::string& text, std::FILE* stream) {
+  if (std::fwrite(text.data(), 1, text.size(), stream) == text.size() && std::fflush(stream) == 0) return;
+  // A reader that has seen enough (`| head`) is no error, but there is nothing more to do.
+  if (errno == EPIPE) std::exit(exit_good);
+  throw UsageError(fmt::format("error: standard output cannot be written: {}", cause_of(errno)));
 }
 
 std::string describe_all(const std::vector<SkippedFile>& files) {
@@ -116,14 +135,10 @@ NamedMaze find_maze(const std::string& path, const Places& places) {
   throw UsageError(fmt::format("{}: error: holds {} mazes; name one", path, collection.mazes.size()));
 }
 
-void print(const std::string& text) {
-  if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) return;
-  // A reader that has seen enough (`| head`) is no error, but there is nothing more to do.
-  if (errno == EPIPE) std::exit(exit_good);
-  throw UsageError("error: cannot write to standard output");
-}
+void print(const std::string& text) { write_out(text, printed); }
 
 void save(const std::string& path, const std::string& content) {
+  if (descriptor_to_write(path) == STDOUT_FILENO) return write_out(content, stdout);
   if (const auto error = write_file(path, content); !error.empty())
     throw UsageError(fmt::format("{}: error: {}", path, error));
 }
@@ -134,9 +149,21 @@ void require_writable(const std::string& path) {
     throw UsageError(fmt::format("{}: error: {}", path, error));
 }
 
+void expect_outputs(std::initializer_list<Output> outputs) {
+  for (const auto* one = outputs.begin(); one != outputs.end(); ++one) {
+    if (one->path.empty()) continue;
+    const bool streams = descriptor_to_write(one->path).has_value();
+    for (const auto* other = outputs.begin(); other != one; ++other)
+      if (other->path == one->path || (streams && descriptor_to_write(other->path) == descriptor_to_write(one->path)))
+        throw UsageError(fmt::format("error: {} and {} name one file; name two", other->option, one->option));
+    require_writable(one->path);
+    if (descriptor_to_write(one->path) == STDOUT_FILENO) printed = stderr;
+  }
+}
+
 bool colours() {
   const char* no_colour = std::getenv("NO_COLOR");
-  return isatty(STDOUT_FILENO) != 0 && (no_colour == nullptr || *no_colour == '\0');
+  return isatty(fileno(printed)) != 0 && (no_colour == nullptr || *no_colour == '\0');
 }
 
 }  // namespace labmouse::cli

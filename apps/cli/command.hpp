@@ -1,9 +1,11 @@
 // What the subcommands share: how they end, how they find mazes, and how they speak.
 #pragma once
 
+#include <initializer_list>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "labmouse/contest/drive_rules.hpp"
@@ -14,7 +16,8 @@
 
 namespace labmouse::cli {
 
-enum ExitCode { exit_good = 0, exit_finding = 1, exit_usage = 2, exit_interrupted = 130 };
+/// exit_interrupted() is the one of a command that a signal stopped.
+enum ExitCode { exit_good = 0, exit_finding = 1, exit_usage = 2, exit_signal = 128 };
 
 /// Bad usage or input: one line or several for standard error; ends the program with exit code 2.
 struct UsageError : std::runtime_error {
@@ -43,15 +46,24 @@ DriveRules find_rules_or_refuse(const std::string& name);
 /// --robot, which has its default.
 void add_robot_option(Command& command, std::string& robot);
 
-/// Writes to standard output, or throws UsageError when it cannot.
+/// Writes to standard output, or throws UsageError when it cannot; to standard error where a file takes its place.
 void print(const std::string& text);
 /// Writes to standard error as far as that can be written.
 void tell(const std::string& text);
-/// Writes a file whole or throws UsageError.
+/// Writes a file whole or throws UsageError; `-` is standard output.
 void save(const std::string& path, const std::string& content);
 
 /// Throws UsageError where save would fail now: to be asked before long work. No path is fine.
 void require_writable(const std::string& path);
+
+/// A file that a command will write: the option that names it, and its path; empty where it was not asked for.
+struct Output {
+  std::string_view option;
+  const std::string& path;
+};
+/// To be asked before long work: throws UsageError where one of them cannot be written now, or two are one. Where one
+/// is standard output, what the command prints goes to standard error from now on, so that a program can read it.
+void expect_outputs(std::initializer_list<Output> outputs);
 
 /// --budget, the steps of a contest.
 void add_budget(Command& command, Rules& rules);

@@ -4,7 +4,9 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
+#include <ctime>
 
 #include "labmouse/lab/mice/specs.hpp"
 
@@ -12,6 +14,28 @@ namespace labmouse::cli {
 namespace {
 
 std::atomic<bool> stop_flag{false};
+std::atomic<int> caught_signal{0};
+std::atomic<std::int64_t> caught_at{0};
+
+std::int64_t milliseconds_now() {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return std::int64_t{now.tv_sec} * 1000 + now.tv_nsec / 1'000'000;
+}
+
+/// Raises the flag. A terminal that closes and `timeout` send their signal twice at once, so only a later one says that
+/// waiting has no use.
+void stop_or_end(int number) {
+  constexpr std::int64_t patience = 1000;
+  if (stop_flag.exchange(true) && caught_signal != 0) {
+    if (milliseconds_now() - caught_at < patience) return;
+    std::signal(number, SIG_DFL);
+    raise(number);
+    return;
+  }
+  caught_at = milliseconds_now();
+  caught_signal = number;
+}
 
 }  // namespace
 
@@ -70,6 +94,13 @@ MazeCollection find_mazes_of(const World& world, const Contests& contests) {
   return mazes;
 }
 
+std::unique_ptr<ResultsFolder> take_folder(const std::string& out, bool overwrite) {
+  if (out.empty()) return nullptr;
+  auto folder = std::make_unique<ResultsFolder>(out, overwrite);
+  if (!folder->error().empty()) throw UsageError(folder->error());
+  return folder;
+}
+
 Progress::Progress() : shown_(isatty(STDERR_FILENO) != 0) {}
 
 Progress::~Progress() {
@@ -86,13 +117,25 @@ void Progress::advance(std::size_t all) {
 
 Interruptible::Interruptible() {
   stop_flag = false;
-  std::signal(SIGINT, [](int) { stop_flag = true; });
+  caught_signal = 0;
+  for (const int number : {SIGHUP, SIGTERM, SIGINT})
+    // `nohup` has the hangup ignored, and so it stays.
+    if (std::signal(number, stop_or_end) == SIG_IGN && number == SIGHUP) std::signal(number, SIG_IGN);
 }
 
-Interruptible::~Interruptible() { std::signal(SIGINT, SIG_DFL); }
+Interruptible::~Interruptible() {
+  // What is done has still to be printed, and the first signal may come twice.
+  if (caught_signal != 0) return;
+  for (const int number : {SIGHUP, SIGTERM, SIGINT})
+    if (std::signal(number, SIG_DFL) == SIG_IGN) std::signal(number, SIG_IGN);
+}
 
 const std::atomic<bool>& Interruptible::stopped() const { return stop_flag; }
 
 void Interruptible::stop() { stop_flag = true; }
+
+ExitCode exit_interrupted() {
+  return static_cast<ExitCode>(exit_signal + (caught_signal != 0 ? caught_signal.load() : SIGINT));
+}
 
 }  // namespace labmouse::cli

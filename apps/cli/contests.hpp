@@ -1,11 +1,13 @@
-// What the subcommands that hold many contests share: where and how often, a bar, and Ctrl-C.
+// What the subcommands that hold many contests share: where and how often, a bar, and what ends them early.
 #pragma once
 
 #include <atomic>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "command.hpp"
+#include "labmouse/lab/galleries/results_folder.hpp"
 #include "labmouse/lab/races/race.hpp"
 #include "worlds.hpp"
 
@@ -31,6 +33,9 @@ std::vector<Contestant> find_contestants(const std::vector<std::string>& specs, 
 /// The mazes in which that world holds contests; of those that were named directly none may be refused.
 MazeCollection find_mazes_of(const World& world, const Contests& contests);
 
+/// Takes the folder of --out for one race, until the pointer goes; nothing where none was asked for. Throws UsageError.
+std::unique_ptr<ResultsFolder> take_folder(const std::string& out, bool overwrite);
+
 /// A bar on standard error, where that is a terminal.
 class Progress {
  public:
@@ -47,7 +52,8 @@ class Progress {
   std::size_t percent_ = 101;
 };
 
-/// While one of these lives, Ctrl-C ends no program but raises a flag; one at a time.
+/// While one of these lives, Ctrl-C and the signals SIGTERM and SIGHUP do not end the program but raise a flag; another
+/// one, a second later or more, ends it all the same. One at a time.
 class Interruptible {
  public:
   Interruptible();
@@ -55,9 +61,12 @@ class Interruptible {
   Interruptible& operator=(const Interruptible&) = delete;
   ~Interruptible();
 
-  /// Raised by Ctrl-C and by stop(): no further contest begins.
+  /// Raised by a signal and by stop(): no further contest begins.
   const std::atomic<bool>& stopped() const;
   void stop();
 };
+
+/// The exit code of a command that a signal stopped: 128 and the signal, 130 for Ctrl-C.
+ExitCode exit_interrupted();
 
 }  // namespace labmouse::cli

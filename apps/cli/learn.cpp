@@ -26,14 +26,14 @@ Lesson hold(std::vector<NamedMaze> mazes) {
 
 int learn(const LearnOptions& options) {
   MazeCollection mazes = find_mazes(options.mazes, options.places);
-  require_writable(options.out);
+  expect_outputs({{"-o", options.out}});
   const Lesson lesson = hold(std::move(mazes.mazes));
   if (!lesson.error.empty()) throw UsageError("error: " + lesson.error);
   // A prior of the first few mazes is not worth an earlier file.
   const bool stopped = lesson.done < lesson.selection.mazes.size();
   if (!stopped) save(options.out, file_of(lesson));
   print(summary_of(lesson));
-  return stopped ? exit_interrupted : exit_good;
+  return stopped ? exit_interrupted() : exit_good;
 }
 
 }  // namespace

@@ -1,54 +1,39 @@
 // labmouse mice: the roster.
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <memory>
 
 #include "command.hpp"
 #include "labmouse/lab/mice/mice_json.hpp"
-#include "labmouse/mouse/tie_order.hpp"
-#include "labmouse/strategies/roster.hpp"
+#include "labmouse/lab/mice/mouse_list.hpp"
+#include "labmouse/lab/mice/specs.hpp"
 
 namespace labmouse::cli {
 namespace {
 
-std::string range_of(const Parameter& parameter) {
-  switch (parameter.type) {
-    case ParameterType::flag:
-      return "yes or no";
-    case ParameterType::choice:
-      // Orders to break ties by are too many to read.
-      return parameter.choices == TieOrder::all ? "an order such as nesw or alrb" : std::string(parameter.choices);
-    case ParameterType::prior:
-      return fmt::format("{} or a file of `labmouse learn`", parameter.choices);
-    default:
-      return fmt::format("{:g} to {:g}", parameter.low, parameter.high);
-  }
+std::string sheet_of(const std::string& name) {
+  const NamedText sheet = mouse_sheet(name);
+  if (!sheet.error.empty()) throw UsageError(sheet.error);
+  return sheet.text;
 }
 
-std::string describe_mice() {
-  std::size_t width = 0;
-  for (const RosterEntry* mouse : roster()) width = std::max(width, mouse->name.size());
-  std::string text;
-  for (const RosterEntry* mouse : roster()) {
-    text += fmt::format("{:<{}}  {}{}\n", mouse->name, width, mouse->summary,
-                        mouse->uses_chance(Settings(mouse->parameters)) ? " (throws dice)" : "");
-    for (const Parameter& parameter : mouse->parameters)
-      text += fmt::format("    {}={}  {}, {}: {}\n", parameter.name, parameter.default_value, name_of(parameter.type),
-                          range_of(parameter), parameter.meaning);
-  }
-  return text + fmt::format("{:<{}}  {}\n", "oracle", width, "knows the maze: the bound's witness, not a contestant");
+std::string json_of(const std::string& name) {
+  nlohmann::ordered_json mice = mice_json();
+  if (name.empty()) return mice.dump(1) + "\n";
+  for (nlohmann::ordered_json& mouse : mice)
+    if (mouse["name"] == name) return mouse.dump(1) + "\n";
+  throw UsageError("error: " + unknown_mouse(name));
 }
 
 }  // namespace
 
 void add_mice(Command& app, int& exit) {
+  auto name = std::make_shared<std::string>();
   auto format = std::make_shared<std::string>("table");
   Command* command = app.add_subcommand("mice", "List the mice and their parameters with defaults and ranges");
+  command->add_option("name", *name, "Show this one, with its method and source")->type_name("NAME");
   command->add_option("--format", *format, "Output")->check(one_of({"table", "json"}))->capture_default_str();
-  command->footer("Example: labmouse mice --format json");
-  command->callback([format, &exit] {
-    print(*format == "json" ? mice_json().dump(1) + "\n" : describe_mice());
+  command->footer("Example: labmouse mice ariadne\n         labmouse mice --format json");
+  command->callback([name, format, &exit] {
+    print(*format == "json" ? json_of(*name) : name->empty() ? mouse_list() : sheet_of(*name));
     exit = exit_good;
   });
 }

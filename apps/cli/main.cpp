@@ -27,12 +27,14 @@ int main(int argc, char** argv) {
   using namespace labmouse::cli;
   // A reader that leaves early (`| head`) shows as a failed write; see print.
   std::signal(SIGPIPE, SIG_IGN);
+  // A file that grows beyond `ulimit -f` shows as a failed write, too.
+  std::signal(SIGXFSZ, SIG_IGN);
   CommandLine line("labmouse", "labmouse: a laboratory for mice that explore mazes they have never seen",
                    "labmouse " + std::string(labmouse::version()));
   Command& app = line.root();
   app.footer(
       "Example: labmouse race --mice flood,certify --worst 3\nExit codes: 0 good, 1 a check found something, 2 bad "
-      "usage or input, 130 interrupted.");
+      "usage or input, 128 and the signal when interrupted, 130 for Ctrl-C.");
   int exit = exit_good;
   add_race(app, exit);
   add_sweep(app, exit);

@@ -37,10 +37,7 @@ void write(const Maze& maze, const std::string& path, const std::string& format_
   const WriteResult result = format.write(maze);
   if (!result.content)
     throw UsageError(fmt::format("{}: error: format {} cannot hold this maze: {}", path, format.name, result.reason));
-  if (path == "-")
-    print(*result.content);
-  else
-    save(path, *result.content);
+  save(path, *result.content);
 }
 
 struct MakeOptions {

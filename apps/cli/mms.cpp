@@ -95,10 +95,10 @@ MmsRun host(const MmsCommandOptions& options, const NamedMaze& maze) {
 
 int mms(const MmsCommandOptions& options) {
   const NamedMaze maze = find_maze(options.maze, {});
-  require_writable(options.record);
+  expect_outputs({{"--record", options.record}});
   const MmsRun run = host(options, maze);
   print(report_of(options.command, maze, run));
-  if (run.outcome == MmsOutcome::interrupted) return exit_interrupted;
+  if (run.outcome == MmsOutcome::interrupted) return exit_interrupted();
   return run.outcome == MmsOutcome::complete ? exit_good : exit_finding;
 }
 

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <charconv>
 
 #include "command.hpp"
@@ -51,6 +52,21 @@ void refuse_unknown_command(const CLI::App& app, const std::string& word) {
       "error: command '{}' is unknown; {} (see `{} --help`)", word,
       near.empty() ? fmt::format("there are {}", fmt::join(names, ", ")) : fmt::format("did you mean '{}'?", near),
       app.get_name()));
+}
+
+/// An empty path, which a shell makes of a variable that is not set: it would be taken for an option left out.
+void refuse_empty_paths(const CLI::App& command) {
+  constexpr std::array<std::string_view, 10> paths = {"FILE", "DIR",     "PATH",  "MAZE",  "IN",
+                                                      "OUT",  "RESULTS", "ROBOT", "RULES", "INTERPRETER"};
+  for (const CLI::Option* option : command.get_options()) {
+    const std::string type = option->get_type_name();
+    if (std::find(paths.begin(), paths.end(), type.substr(0, type.find(':'))) == paths.end()) continue;
+    const std::vector<std::string>& words = option->results();
+    if (std::find(words.begin(), words.end(), "") != words.end())
+      throw UsageError(fmt::format("error: {} is empty; it takes a {} (see `labmouse {} --help`)",
+                                                  option->get_name(), type, command.get_name()));
+  }
+  for (const CLI::App* inner : command.get_subcommands()) refuse_empty_paths(*inner);
 }
 
 }  // namespace
@@ -167,6 +183,7 @@ CommandLine::~CommandLine() = default;
 
 bool CommandLine::run(int argc, char** argv) {
   if (argc > 1) refuse_unknown_command(*app_, argv[1]);
+  app_->parse_complete_callback([this] { refuse_empty_paths(*app_); });
   try {
     app_->parse(argc, argv);
     return false;

@@ -29,13 +29,6 @@ std::string find_page(const PageOptions& options) {
   return std::move(file.content);
 }
 
-void write(const PageOptions& options, const std::string& page) {
-  if (options.out == "-")
-    print(page);
-  else
-    save(options.out, page);
-}
-
 /// Names the first that was left out and counts the others.
 void tell_notes(const std::vector<std::string>& notes) {
   constexpr std::size_t told = 10;
@@ -45,11 +38,11 @@ void tell_notes(const std::vector<std::string>& notes) {
 
 void report(const PageOptions& options) {
   const std::string page = find_page(options);
-  if (options.out != "-") require_writable(options.out);
+  expect_outputs({{"-o", options.out}});
   const ReportPage report = make_report(options.results, page);
   if (!report.error.empty()) throw UsageError(report.error);
   tell_notes(report.notes);
-  write(options, report.page);
+  save(options.out, report.page);
 }
 
 void add_page_options(Command& command, PageOptions& options) {
@@ -66,7 +59,7 @@ void add_page(Command& app, int& exit) {
   add_page_options(*command, *options);
   command->footer("Example: labmouse page -o labmouse.html");
   command->callback([options, &exit] {
-    write(*options, find_page(*options));
+    save(options->out, find_page(*options));
     exit = exit_good;
   });
 }

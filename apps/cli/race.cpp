@@ -9,6 +9,7 @@
 #include "contests.hpp"
 #include "guests.hpp"
 #include "labmouse/lab/galleries/race_folder.hpp"
+#include "labmouse/lab/races/never_started.hpp"
 #include "labmouse/lab/standings/baseline.hpp"
 #include "labmouse/lab/standings/race_json.hpp"
 #include "labmouse/lab/standings/race_table.hpp"
@@ -25,6 +26,7 @@ struct RaceOptions {
   GuestOptions guests;
   std::string format = "table";
   std::string out;
+  bool overwrite = false;
   std::string baseline;
   double fail_above = 0.0;
   bool has_limit = false;
@@ -169,11 +171,13 @@ int race(const RaceOptions& options) {
   std::vector<SkippedFile> skipped;
   std::vector<Field> fields = fields_of(options, std::move(entries), skipped);
   std::optional<Holding> holding(options);
+  auto folder = take_folder(options.out, options.overwrite);
   const std::vector<Race> races = holding->hold(std::move(fields));
   std::string failed_write = holding->failed_write();
   holding.reset();  // the bar, and what Ctrl-C does
   // Before anything is printed: a reader of the table may leave early.
   if (failed_write.empty()) failed_write = save_results(options, races, skipped);
+  folder.reset();
   print(report(options, races, skipped));
   for (std::size_t i = 0; i < races.size(); ++i) {
     if (races[i].mice.empty()) continue;
@@ -182,12 +186,14 @@ int race(const RaceOptions& options) {
     if (baselines[i]) add(options, compare_with_baseline(races[i], *baselines[i]));
   }
   if (!failed_write.empty()) throw UsageError(failed_write);
-  if (std::any_of(races.begin(), races.end(), [](const Race& each) { return each.stopped; })) return exit_interrupted;
-  std::string above;
-  for (const Race& each : races)
-    if (options.has_limit) above += above_limit(options, each);
-  tell(above);
-  return above.empty() ? exit_good : exit_finding;
+  if (std::any_of(races.begin(), races.end(), [](const Race& each) { return each.stopped; })) return exit_interrupted();
+  std::string findings;
+  for (const Race& each : races) {
+    findings += never_started_lines(each);
+    if (options.has_limit) findings += above_limit(options, each);
+  }
+  tell(findings);
+  return findings.empty() ? exit_good : exit_finding;
 }
 
 }  // namespace
@@ -206,8 +212,11 @@ void add_race(Command& app, int& exit) {
   command->add_option("--format", options->format, "Output")
       ->check(one_of({"table", "json", "csv"}))
       ->capture_default_str();
-  command->add_option("--out", options->out, "Folder for records, one SVG a maze and mouse, and the results as JSON")
-      ->type_name("DIR");
+  auto* out =
+      command
+          ->add_option("--out", options->out, "Folder for records, one SVG a maze and mouse, and the results as JSON")
+          ->type_name("DIR");
+  command->add_flag("--overwrite", options->overwrite, "Replace what an earlier race left in --out DIR")->needs(out);
   command->add_option("--baseline", options->baseline, "JSON of an earlier race: prints the paired difference")
       ->type_name("FILE");
   auto* limit = command

@@ -36,6 +36,7 @@ int replay_in_seconds(const ReplayOptions& options, const std::string& text) {
 }
 
 int replay_file(const ReplayOptions& options) {
+  expect_outputs({{"--svg", options.svg}});
   const std::string text = load_record_text(options.file);
   if (is_drive_record(text)) return replay_in_seconds(options, text);
   RecordFile file = load_record(options.file, text, options.maze);

@@ -27,6 +27,7 @@ struct RunOptions {
 };
 
 void run_contest(const RunOptions& options) {
+  expect_outputs({{"--record", options.record}, {"--svg", options.svg}});
   const std::vector<Contestant> mice = find_contestants({options.mouse}, options.guests);
   if (!mice.front().make)
     throw UsageError(

@@ -29,12 +29,10 @@ Study hold(const StudyOptions& options, const std::vector<Contestant>& mice, con
 }
 
 int study(const StudyOptions& options) {
-  if (!options.csv.empty() && options.csv == options.svg)
-    throw UsageError("error: --csv and --svg name one file; name two");
   const std::vector<Contestant> mice = find_contestants(options.mice, options.contests.world);
   const RaceOrder order = options.contests.order_in(options.contests.world.enter_one(mice));
   MazeCollection mazes = find_mazes_of(*order.world, options.contests);
-  for (const std::string& path : {options.csv, options.svg}) require_writable(path);
+  expect_outputs({{"--csv", options.csv}, {"--svg", options.svg}});
   const Study result = hold(options, mice, order, std::move(mazes.mazes));
   if (!result.error.empty()) throw UsageError("error: " + result.error);
   print(options.format == "json" ? json_of(result, mazes.skipped) : table_of(result, colours()));
@@ -42,7 +40,7 @@ int study(const StudyOptions& options) {
   const bool any = result.folds_done > 0;
   if (any && !options.csv.empty()) save(options.csv, csv_of(result));
   if (any && !options.svg.empty()) save(options.svg, picture_of(result));
-  return result.race.stopped ? exit_interrupted : exit_good;
+  return result.race.stopped ? exit_interrupted() : exit_good;
 }
 
 }  // namespace

@@ -26,8 +26,7 @@ Sweep hold(const SweepOptions& options, const Variation& variation, const std::v
 }
 
 int sweep(const SweepOptions& options) {
-  if (!options.csv.empty() && options.csv == options.svg)
-    throw UsageError("error: --csv and --svg name one file; name two");
+  expect_outputs({{"--csv", options.csv}, {"--svg", options.svg}});
   const Variation variation = read_variation(options.vary);
   if (!variation.error.empty()) throw UsageError("error: " + variation.error);
   const SpecResult variants = read_variants(options.mouse, variation.parameter, variation.values);
@@ -40,7 +39,7 @@ int sweep(const SweepOptions& options) {
   const bool any = !result.points.empty();
   if (any && !options.csv.empty()) save(options.csv, csv_of(result));
   if (any && !options.svg.empty()) save(options.svg, picture_of(result));
-  return result.points.size() < result.values ? exit_interrupted : exit_good;
+  return result.points.size() < result.values ? exit_interrupted() : exit_good;
 }
 
 }  // namespace

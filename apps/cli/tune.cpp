@@ -7,6 +7,7 @@
 #include "contests.hpp"
 #include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/system/files.hpp"
+#include "labmouse/lab/system/streams.hpp"
 
 namespace labmouse::cli {
 namespace {
@@ -33,7 +34,7 @@ Tune hold(const TuneOptions& options, const std::vector<ParameterRange>& ranges,
   hooks.stop = &interruptible.stopped();
   hooks.finished = [&](std::size_t all) { progress.advance(all); };
   hooks.generation = [&](const Tune& tune) {
-    if (options.log.empty() || tune.evaluations.empty() || !failed_write.empty()) return;
+    if (options.log.empty() || is_stream(options.log) || tune.evaluations.empty() || !failed_write.empty()) return;
     if (const auto error = write_file(options.log, csv_of(tune)); !error.empty()) {
       failed_write = options.log + ": error: " + error;
       interruptible.stop();
@@ -46,8 +47,7 @@ Tune hold(const TuneOptions& options, const std::vector<ParameterRange>& ranges,
 }
 
 int tune(const TuneOptions& options) {
-  if (!options.log.empty() && options.log == options.svg)
-    throw UsageError("error: --log and --svg name one file; name two");
+  expect_outputs({{"--log", options.log}, {"--svg", options.svg}});
   const std::vector<ParameterRange> ranges = find_ranges(options);
   const SpecResult mouse = read_specs(options.mouse);
   if (!mouse.error.empty()) throw UsageError("error: " + mouse.error);
@@ -59,8 +59,9 @@ int tune(const TuneOptions& options) {
   print(table_of(result, colours()));
   if (!failed_write.empty()) throw UsageError(failed_write);
   // A search that was stopped at once has nothing that is worth an earlier file.
+  if (is_stream(options.log) && !result.evaluations.empty()) save(options.log, csv_of(result));
   if (!options.svg.empty() && !result.evaluations.empty()) save(options.svg, picture_of(result));
-  return result.stopped ? exit_interrupted : exit_good;
+  return result.stopped ? exit_interrupted() : exit_good;
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 // What the lab does otherwise where it has no system: a page has no files, starts no programs, and has one thread.
+#include "labmouse/guests/mms/run.hpp"
 #include "labmouse/lab/mice/guest_specs.hpp"
 #include "labmouse/lab/system/files.hpp"
 #include "labmouse/lab/system/parallel.hpp"
@@ -8,8 +9,18 @@ namespace labmouse {
 
 FileContent read_file(const std::string&, std::size_t) { return {"", "a page reads no files"}; }
 
+FileContent read_found_file(const std::string&, std::size_t) { return {"", "a page reads no files"}; }
+
 void read_guest_spec(std::string_view, const GuestOptions&, SpecResult& result) {
   result.error = "a page starts no programs";
+}
+
+MmsRun run_mms(const Launch&, const Maze&, const MmsOptions&,
+               const std::function<void(const MmsEvent&, const MmsHost&)>&) {
+  MmsRun run;
+  run.outcome = MmsOutcome::not_started;
+  run.end = "a page starts no programs";
+  return run;
 }
 
 std::string processor() { return "WebAssembly"; }

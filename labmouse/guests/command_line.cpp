@@ -46,6 +46,16 @@ std::vector<std::string> split_command(std::string_view text) {
   return words;
 }
 
+bool has_open_quote(std::string_view text) {
+  bool quoted = false;
+  for (auto at = text.find('"'); at != std::string_view::npos; at = text.find('"', at)) {
+    const bool letter = text.substr(at).starts_with("\"\"\"");
+    if (!letter) quoted = !quoted;
+    at += letter ? 3 : 1;
+  }
+  return quoted;
+}
+
 std::string program_path(std::string_view name, std::string_view directory) {
   namespace fs = std::filesystem;
   if (name.empty()) return "";

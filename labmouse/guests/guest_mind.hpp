@@ -19,6 +19,7 @@ class GuestMind final : public Strategy {
   Action decide(const Sighting& seen) override;
   /// Nothing: what a guest believes nobody sees.
   const Knowledge& knowledge() const override { return knowledge_; }
+  bool started() const override { return greeted_; }
   std::string_view last_words() override { return reason_ == ForfeitReason::none ? process_.errors() : last_words_; }
 
  private:

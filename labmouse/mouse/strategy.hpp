@@ -40,6 +40,9 @@ class Strategy {
   /// the last lines that it wrote to its standard error.
   virtual std::string_view last_words() { return {}; }
 
+  /// Whether it can be asked at all: false of a guest whose program did not start, or ended before it greeted.
+  virtual bool started() const { return true; }
+
   /// Asks it to keep its reasons, before the first decision. Most minds have none to tell.
   virtual void keep_reasons() {}
   /// The reasons of the last decision, where it chose anew and was asked to keep them; else null.

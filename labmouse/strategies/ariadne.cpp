@@ -1,14 +1,8 @@
 // ariadne: looks at the walls through which a good run could lead, and stops when none is worth the way to it.
 //
-// Method: every unseen wall has a price, by how likely it is closed; how likely, was counted in other mazes for each
-// state of its eight neighbours (`labmouse learn`). Over these prices T(e) is the cheapest run from start to goal
-// through the unseen wall e (EdgeCosts). Before the goal has been entered, only what lies ahead counts: the mouse goes
-// to see the wall for which T(e) and the price of the way there are least, until the goal itself is the best of them.
-// Afterwards a wall is worth a look while T(e), and something for the way, is less than the shortest known run costs.
-// When none is, the mouse resets at once, wherever it stands. It decides anew when it has seen something new. Where the
-// walls seen so far look like those of a maze without loops, it stops at the goal: there is no second route. In
-// seconds: ariadne/driver.hpp. Limits: one wall at a time; what a look at the next could be worth for the one after is
-// not asked. Its prior is that of contest mazes. Source: our own.
+// In seconds: ariadne/driver.hpp. Over the prices of walls T(e) is what EdgeCosts has.
+// Limits: one wall at a time; what a look at the next could be worth for the one after is not asked. Its prior is that
+// of contest mazes.
 #include <algorithm>
 #include <optional>
 
@@ -21,6 +15,18 @@
 
 namespace labmouse {
 namespace {
+
+constexpr std::string_view method =
+    "Every unseen wall has a price, by how likely it is closed; how likely, was counted in other mazes for each "
+    "state of its eight neighbours (`labmouse learn`). Over these prices T(e) is the cheapest run from start to "
+    "goal through the unseen wall e. Before the goal has been entered, only what lies ahead counts: "
+    "the mouse goes to see the wall for which T(e) and the price of the way there are least, until the goal "
+    "itself is the best of them. Afterwards a wall is worth a look while T(e), and something for the way, is "
+    "less than the shortest known run costs. When none is, the mouse resets at once, wherever it stands. It "
+    "decides anew when it has seen something new. Where the walls seen so far look like those of a maze without "
+    "loops, it stops at the goal: there is no second route.";
+
+constexpr std::string_view source = "Our own.";
 
 using ariadne::EdgeCosts;
 using ariadne::one;
@@ -299,16 +305,21 @@ std::unique_ptr<Strategy> make(const Briefing& briefing, const Settings& setting
 
 }  // namespace
 
-const RosterEntry ariadne_mouse = {
+constinit const RosterEntry ariadne_mouse = {
     "ariadne",
     "looks at the walls through which a good run could lead, by what contest mazes are like",
-    ariadne::fast_parameters(),
+    method,
+    source,
+    ariadne::fast_parameters,
     make,
     RosterEntry::never,
     true};
 
-const RosterEntry ariadne_deep_mouse = {"ariadne-deep",
-                                        "the same, and on the way to the goal it thinks of the way back, too",
-                                        ariadne::deep_parameters(), make};
+constinit const RosterEntry ariadne_deep_mouse = {"ariadne-deep",
+                                                  "the same, and on the way to the goal it thinks of the way back, too",
+                                                  method,
+                                                  source,
+                                                  ariadne::deep_parameters,
+                                                  make};
 
 }  // namespace labmouse

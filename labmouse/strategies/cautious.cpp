@@ -1,11 +1,7 @@
 // cautious: one cell at a time, where it has been least.
 //
-// Method: moves by one cell, so that it passes nothing unseen: to a neighbour that it has not visited, by chance among
-// several; where it has visited all of them, to one that it has visited least, again by chance. Once it has entered the
-// goal and visited a share of all cells it resets and takes the shortest route that it has seen.
 // Limits: does not care where the goal is. Most of a share near 1 is spent on the search for the last cells; where
 // cells are walled off such a share is never reached, and the budget ends.
-// Source: CautiousBot in Edward Kish, section 4.3 (the third report).
 // Choices: a visit is a step that ended in the cell, and the start is one; a neighbour behind is as good as any other
 // and is entered backwards; the share counts all cells of the maze, also those never seen.
 #include <array>
@@ -18,6 +14,14 @@
 
 namespace labmouse {
 namespace {
+
+constexpr std::string_view method =
+    "Moves by one cell, so that it passes nothing unseen: to a neighbour that it has not visited, by chance "
+    "among several; where it has visited all of them, to one that it has visited least, again by chance. Once it "
+    "has entered the goal and visited a share of all cells it resets and takes the shortest route that it has "
+    "seen.";
+
+constexpr std::string_view source = "CautiousBot in Edward Kish, section 4.3 (the third report).";
 
 class Cautious final : public Explorer {
  public:
@@ -64,8 +68,12 @@ constexpr std::array parameters = {
 
 }  // namespace
 
-const RosterEntry cautious_mouse = {
-    "cautious", "one cell a step, by chance among the neighbours that it has visited least", parameters,
+constinit const RosterEntry cautious_mouse = {
+    "cautious",
+    "one cell a step, by chance among the neighbours that it has visited least",
+    method,
+    source,
+    parameters,
     [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
       return std::make_unique<Cautious>(briefing, settings);
     },

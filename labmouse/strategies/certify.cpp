@@ -1,14 +1,6 @@
 // certify: explores until its route is proven shortest, and no further.
 //
-// Method: flood fill to the goal, because the reset needs it entered and the way there is worth seeing. From then on
-// the shortest optimistic route, which takes unknown walls for open, is compared with the shortest known one. While it
-// is shorter, some wall on it is unknown: the mouse goes to the nearest cell from which it can see such a wall (any on
-// any shortest optimistic route), looks, and plans again. When both lengths agree, nothing unseen can make the route
-// shorter: it is proven, and the mouse resets. Where the budget ends before the proof, it resets while it still can.
-// In seconds the same on search times: one fastest optimistic route, the nearest unknown wall of it, until it is all
-// known. Limits: buys the proof at any price; a point of score is 30 steps of exploration, and the proof often costs
-// more. Source: contest mice explore so before they dare the fast run; as a walk that plans anew on optimistic costs it
-// is kin to D* Lite (Koenig and Likhachev 2002).
+// Limits: buys the proof at any price; a point of score is 30 steps of exploration, and the proof often costs more.
 #include "labmouse/mouse/explorer.hpp"
 #include "labmouse/mouse/runs.hpp"
 #include "labmouse/mouse/ways.hpp"
@@ -16,6 +8,19 @@
 
 namespace labmouse {
 namespace {
+
+constexpr std::string_view method =
+    "Flood fill to the goal, because the reset needs it entered and the way there is worth seeing. From then on "
+    "the shortest optimistic route, which takes unknown walls for open, is compared with the shortest known one. "
+    "While it is shorter, some wall on it is unknown: the mouse goes to the nearest cell from which it can see "
+    "such a wall (any on any shortest optimistic route), looks, and plans again. When both lengths agree, "
+    "nothing unseen can make the route shorter: it is proven, and the mouse resets. Where the budget ends before "
+    "the proof, it resets while it still can. In seconds the same on search times: one fastest optimistic route, "
+    "the nearest unknown wall of it, until it is all known.";
+
+constexpr std::string_view source =
+    "Contest mice explore so before they dare the fast run; as a walk that plans anew on optimistic costs it is "
+    "kin to D* Lite (Koenig and Likhachev 2002).";
 
 template <class Ways, class Runs>
 class Certify final : public Explorer {
@@ -55,11 +60,14 @@ std::unique_ptr<Strategy> make(const Briefing& briefing, const Settings&) {
 
 }  // namespace
 
-const RosterEntry certify_mouse = {"certify",
-                                   "explores until its route is proven shortest, or the budget only just allows it",
-                                   {},
-                                   make,
-                                   RosterEntry::never,
-                                   true};
+constinit const RosterEntry certify_mouse = {
+    "certify",
+    "explores until its route is proven shortest, or the budget only just allows it",
+    method,
+    source,
+    {},
+    make,
+    RosterEntry::never,
+    true};
 
 }  // namespace labmouse

@@ -1,11 +1,6 @@
 // dead-end: chance, but no time lost in dead ends.
 //
-// Method: as random-move, but where walls stand to the left, ahead and to the right it turns right on the spot;
-// after that only the way out is open.
-// Limits: a corridor or a loop holds it as long as chance will. Where the share cannot be reached it wanders for
-// ever.
-// Source: random move with dead end detection, in the fifth report, "Plot and Navigate a Virtual Maze", Algorithms
-// and Techniques; its benchmark among explorers.
+// Limits: a corridor or a loop holds it as long as chance will. Where the share cannot be reached it wanders for ever.
 // Choices: as for random-move.
 #include <array>
 
@@ -14,6 +9,14 @@
 
 namespace labmouse {
 namespace {
+
+constexpr std::string_view method =
+    "As random-move, but where walls stand to the left, ahead and to the right it turns right on the spot; after "
+    "that only the way out is open.";
+
+constexpr std::string_view source =
+    "Random move with dead end detection, in the fifth report, \"Plot and Navigate a Virtual Maze\", Algorithms "
+    "and Techniques; its benchmark among explorers.";
 
 class DeadEnd final : public Wanderer {
  public:
@@ -28,8 +31,12 @@ constexpr std::array parameters = {half_coverage};
 
 }  // namespace
 
-const RosterEntry dead_end_mouse = {
-    "dead-end", "random turns and movements, but turns out of dead ends", parameters,
+constinit const RosterEntry dead_end_mouse = {
+    "dead-end",
+    "random turns and movements, but turns out of dead ends",
+    method,
+    source,
+    parameters,
     [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
       return std::make_unique<DeadEnd>(briefing, settings);
     },

@@ -1,11 +1,6 @@
 // flood, flood-return: the classic of the contests.
 //
-// Method: distances to the goal over all walls not known to be closed; go where they fall, look, fill again. `flood`
-// resets as soon as it has entered the goal. `flood-return` floods back to the start in the same way first: the way
-// back shows walls that the way there did not, for two or three steps of a run's score, and often a shorter route. Both
-// then take the shortest known route. In seconds the same on search times and the fastest known route. Limits: neither
-// knows whether a shorter route is left. Source: the flood fill of the micromouse contests of the 1980s; the first
-// report describes it for this world.
+// Limits: neither knows whether a shorter route is left.
 #include <algorithm>
 #include <array>
 
@@ -15,6 +10,16 @@
 
 namespace labmouse {
 namespace {
+
+constexpr std::string_view method =
+    "Distances to the goal over all walls not known to be closed; go where they fall, look, fill again. `flood` "
+    "resets as soon as it has entered the goal. `flood-return` floods back to the start in the same way first: "
+    "the way back shows walls that the way there did not, for two or three steps of a run's score, and often a "
+    "shorter route. Both then take the shortest known route. In seconds the same on search times and the fastest "
+    "known route.";
+
+constexpr std::string_view source =
+    "The flood fill of the micromouse contests of the 1980s; the first report describes it for this world.";
 
 template <class Ways>
 class Flood final : public Explorer {
@@ -63,9 +68,16 @@ std::unique_ptr<Strategy> make(const Briefing& briefing, const Settings& setting
 
 }  // namespace
 
-const RosterEntry flood_mouse = {"flood", "flood fill to the goal", parameters, make<false>, RosterEntry::never, true};
+constinit const RosterEntry flood_mouse = {"flood",     "flood fill to the goal", method, source, parameters,
+                                           make<false>, RosterEntry::never,       true};
 
-const RosterEntry flood_return_mouse = {
-    "flood-return", "flood fill to the goal and back to the start", parameters, make<true>, RosterEntry::never, true};
+constinit const RosterEntry flood_return_mouse = {"flood-return",
+                                                  "flood fill to the goal and back to the start",
+                                                  method,
+                                                  source,
+                                                  parameters,
+                                                  make<true>,
+                                                  RosterEntry::never,
+                                                  true};
 
 }  // namespace labmouse

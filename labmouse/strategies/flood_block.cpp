@@ -1,10 +1,7 @@
 // flood-block: floods to the goal and closes off every cell that it has not visited.
 //
-// Method: flood fill cell by cell (cell_flood.hpp) until the goal is found, then the reset. For the speed run only the
-// passages between visited cells are left on the map: a mouse that trusts no cell that it has not stood in.
 // Limits: races along what it has walked, detours that loop back to visited cells cut off, however near a shorter way
 // lies; counts cells, not steps, so it prefers a crooked way to a straight one of two cells more.
-// Source: Method 2, "block out", in Jonathan Lee, "Plot and Navigate a Virtual Maze", 2016 (the first report).
 // Choices: The tie order wsen is the only one of the 48 that gives the reported score in all three mazes (25.4 as 42
 // steps and 24, 48 as 90 and 45, 40.767 as 83 and 38), and only where the flood starts from the north-western cell of
 // the goal and the exploration ends in that cell alone. Which moves the speed run prefers, and whether the turn on the
@@ -19,6 +16,13 @@
 namespace labmouse {
 namespace {
 
+constexpr std::string_view method =
+    "Flood fill cell by cell until the goal is found, then the reset. For the speed run only the passages "
+    "between visited cells are left on the map: a mouse that trusts no cell that it has not stood in.";
+
+constexpr std::string_view source =
+    "Method 2, \"block out\", in Jonathan Lee, \"Plot and Navigate a Virtual Maze\", 2016 (the first report).";
+
 class FloodBlock final : public CellFlood {
  public:
   using CellFlood::CellFlood;
@@ -32,8 +36,12 @@ constexpr std::array parameters = {cell_flood_ties};
 
 }  // namespace
 
-const RosterEntry flood_block_mouse = {
-    "flood-block", "flood fill cell by cell to the goal; races through visited cells only", parameters,
+constinit const RosterEntry flood_block_mouse = {
+    "flood-block",
+    "flood fill cell by cell to the goal; races through visited cells only",
+    method,
+    source,
+    parameters,
     [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
       return std::make_unique<FloodBlock>(briefing, TieOrder(settings.choice("ties")));
     }};

@@ -1,12 +1,8 @@
 // flood-explore: floods to the goal, then to every cell that it has not visited.
 //
-// Method: flood fill cell by cell (cell_flood.hpp) until the goal is found; then in the same way to each unvisited
-// cell, the farthest first; reset when none is left. The speed run is a shortest way in cells, cut into strides.
 // Limits: buys the whole map at any price and does not watch the budget: in large mazes it never resets, and in mazes
 // with a cell that cannot be reached it looks for that one for ever. Counts cells, not steps, so even on the whole map
 // its way is seldom the fastest.
-// Source: Method 1, "exploration of maze after goal", in Jonathan Lee, "Plot and Navigate a Virtual Maze", 2016 (the
-// first report).
 // Choices: What is farthest? Distances to the mouse, the goal or the start, in cells, straight or as Manhattan's,
 // sorted once or anew at each cell or step, miss the reported scores; a list of points [column, row] sorted backwards
 // gives all three exactly (33.733 as 412 steps and 20, 43.367 as 551 and 25, 52.4 as 822 and 25). So the easternmost
@@ -22,6 +18,14 @@
 
 namespace labmouse {
 namespace {
+
+constexpr std::string_view method =
+    "Flood fill cell by cell until the goal is found; then in the same way to each unvisited cell, the farthest "
+    "first; reset when none is left. The speed run is a shortest way in cells, cut into strides.";
+
+constexpr std::string_view source =
+    "Method 1, \"exploration of maze after goal\", in Jonathan Lee, \"Plot and Navigate a Virtual Maze\", 2016 (the "
+    "first report).";
 
 class FloodExplore final : public CellFlood {
  public:
@@ -47,8 +51,12 @@ constexpr std::array parameters = {cell_flood_ties};
 
 }  // namespace
 
-const RosterEntry flood_explore_mouse = {
-    "flood-explore", "flood fill cell by cell to the goal and then to every cell", parameters,
+constinit const RosterEntry flood_explore_mouse = {
+    "flood-explore",
+    "flood fill cell by cell to the goal and then to every cell",
+    method,
+    source,
+    parameters,
     [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
       return std::make_unique<FloodExplore>(briefing, TieOrder(settings.choice("ties")));
     }};

@@ -1,10 +1,6 @@
 // frontier: to the nearest cell that it has not visited.
 //
-// Method: among the cells that it has seen and not visited the one that takes the fewest moves to reach, by the whole
-// shortest route; then it chooses again. When it enters the goal it resets and takes the shortest route that it has
-// seen.
 // Limits: does not care where the goal is; follows long dead ends to their end, and takes wide rooms cell by cell.
-// Source: FrontierBot in Edward Kish, section 4.5 (the third report).
 // Choices: what it shares with the report's other seeker, see Seeker. The report does not say in which order equally
 // near cells are listed. In the order of a map of Python 3.5 its scores in all three mazes and in the empty one come
 // out, whatever `ties` is; with the maps of 2.7 and 3.6 they do not. Were corridors joined that were seen in two
@@ -16,6 +12,13 @@
 
 namespace labmouse {
 namespace {
+
+constexpr std::string_view method =
+    "Among the cells that it has seen and not visited the one that takes the fewest moves to reach, by the whole "
+    "shortest route; then it chooses again. When it enters the goal it resets and takes the shortest route that "
+    "it has seen.";
+
+constexpr std::string_view source = "FrontierBot in Edward Kish, section 4.5 (the third report).";
 
 class Frontier final : public Seeker {
  public:
@@ -33,8 +36,12 @@ constexpr std::array parameters = {
 
 }  // namespace
 
-const RosterEntry frontier_mouse = {
-    "frontier", "goes to the nearest cell that it has seen and not visited", parameters,
+constinit const RosterEntry frontier_mouse = {
+    "frontier",
+    "goes to the nearest cell that it has seen and not visited",
+    method,
+    source,
+    parameters,
     [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
       return std::make_unique<Frontier>(briefing, settings);
     }};

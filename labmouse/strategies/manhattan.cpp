@@ -1,15 +1,11 @@
 // manhattan: to the cell that looks nearest to the goal.
 //
-// Method: among the cells that it has seen and not visited the one with the smallest Manhattan distance to a goal
-// cell, by the whole shortest route; then it chooses again. When it enters the goal it resets and takes the shortest
-// route that it has seen.
-// Limits: keeps crossing the maze where two regions near the goal are both closed to it, and seldom looks at the
-// edge, where many a maze has its way in.
-// Source: ManhattanBot in Edward Kish, section 4.4 (the third report).
+// Limits: keeps crossing the maze where two regions near the goal are both closed to it, and seldom looks at the edge,
+// where many a maze has its way in.
 // Choices: what it shares with the report's other seeker, see Seeker; with that, frontier has all its scores. This
-// mouse has not, and no order, metric or end of the exploration that was tried gives them: here they are 1.4 below,
-// 0.2 above, 2.0 above and, in the empty maze, 0.1 below. There the report's takes three steps more, as if it had to
-// stand in all four goal cells; but then the others still do not all come out.
+// mouse has not, and no order, metric or end of the exploration that was tried gives them: here they are 1.4 below, 0.2
+// above, 2.0 above and, in the empty maze, 0.1 below. There the report's takes three steps more, as if it had to stand
+// in all four goal cells; but then the others still do not all come out.
 #include "labmouse/mouse/manhattan.hpp"
 
 #include <array>
@@ -19,6 +15,13 @@
 
 namespace labmouse {
 namespace {
+
+constexpr std::string_view method =
+    "Among the cells that it has seen and not visited the one with the smallest Manhattan distance to a goal "
+    "cell, by the whole shortest route; then it chooses again. When it enters the goal it resets and takes the "
+    "shortest route that it has seen.";
+
+constexpr std::string_view source = "ManhattanBot in Edward Kish, section 4.4 (the third report).";
 
 class Manhattan final : public Seeker {
  public:
@@ -36,8 +39,12 @@ constexpr std::array parameters = {
 
 }  // namespace
 
-const RosterEntry manhattan_mouse = {
-    "manhattan", "goes to the unvisited cell that looks nearest to the goal", parameters,
+constinit const RosterEntry manhattan_mouse = {
+    "manhattan",
+    "goes to the unvisited cell that looks nearest to the goal",
+    method,
+    source,
+    parameters,
     [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
       return std::make_unique<Manhattan>(briefing, settings);
     }};

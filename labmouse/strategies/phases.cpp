@@ -1,16 +1,6 @@
 // phases: three exchangeable phases, each with methods to choose from.
 //
-// Method: searching until a goal is entered, continuing until enough is known, the speed run.
-//   Searching. random, weighted: one cell to the left, ahead or to the right, by chance; in a dead end a turn in place.
-//   unexplored-cell, unexplored-space: the same, weighted by what is unexplored next door, or by all that can be
-//   reached through that door. wall-follower: the left hand. goal-oriented: the unexplored cell with the least
-//   steps + heuristic among all that can be reached, chosen anew at every step.
-//   Continuing. none; all-goals: into every goal cell; coverage: the search goes on until a share of the cells is
-//   explored; worthwhile: the same choice among what can still shorten the speed run, until nothing can.
-//   Speed run. One cell a step or strides, planned at the reset; or strides planned anew at every step.
 // Limits: searches by chance and the left hand may not arrive. None watches the budget before a goal is entered.
-// Source: Frank Ding, "Machine Learning Engineer Nanodegree, Capstone Project", 2018 (the fourth report), sections II
-// and III; `coverage` is described there but was not written, `worthwhile` and `optimistic` are its wishes.
 // Choices: a cell is explored once all four sides are known, the border from birth, even if it was only seen.
 //   heuristic: the text adds the Manhattan distance to the goal, with or without the number of explored edges. Read so,
 //   the mouse is at the goal of the third maze after 75 or 85 steps and runs 31, where 228 and 25 are reported. Only
@@ -35,6 +25,21 @@
 
 namespace labmouse {
 namespace {
+
+constexpr std::string_view method =
+    "Searching until a goal is entered, continuing until enough is known, the speed run. For the search: random and "
+    "weighted go one cell to the left, ahead or to the right, by chance, and turn in place in a dead end; "
+    "unexplored-cell and unexplored-space do the same, weighted by what is unexplored next door, or by all that can be "
+    "reached through that door; wall-follower keeps its left hand on the wall; goal-oriented goes to the unexplored "
+    "cell with the least steps + heuristic among all that can be reached, chosen anew at every step. To continue: "
+    "none; "
+    "all-goals goes into every goal cell; with coverage the search goes on until a share of the cells is explored; "
+    "worthwhile makes the same choice among what can still shorten the speed run, until nothing can. The speed run "
+    "takes one cell a step or strides, planned at the reset, or strides planned anew at every step.";
+
+constexpr std::string_view source =
+    "Frank Ding, \"Machine Learning Engineer Nanodegree, Capstone Project\", 2018 (the fourth report), sections II "
+    "and III; `coverage` is described there but was not written, `worthwhile` and `optimistic` are its wishes.";
 
 class Phases final : public Explorer {
  public:
@@ -88,10 +93,15 @@ constexpr std::array parameters = {
 
 }  // namespace
 
-const RosterEntry phases_mouse = {"phases", "three exchangeable phases: search the goal, continue, run", parameters,
-                                  [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
-                                    return std::make_unique<Phases>(briefing, settings);
-                                  },
-                                  searches_by_chance};
+constinit const RosterEntry phases_mouse = {
+    "phases",
+    "three exchangeable phases: search the goal, continue, run",
+    method,
+    source,
+    parameters,
+    [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
+      return std::make_unique<Phases>(briefing, settings);
+    },
+    searches_by_chance};
 
 }  // namespace labmouse

@@ -1,11 +1,6 @@
 // potential: rolls downhill to the goal and raises the ground behind it.
 //
-// Method: each cell has a potential, at first its Manhattan distance to the goal. A dead end takes the largest one. A
-// cell with several free directions is raised by its first potential at each visit, so that the first visit doubles it.
-// At each step the mouse moves to the cell of lowest potential that it sees within one move. When it enters the goal it
-// resets and takes the shortest route that it has seen.
 // Limits: it never gives up, also where no way leads to the goal; nothing tells it which routes are left to see.
-// Source: PotentialBot in Edward Kish, section 4.6 (the third report), after Wyard-Scott and Meng 1995.
 // Choices: the goal is its first cell, row by row from the south-west; a dead end is where the mouse sees no way, and
 // then it turns on the spot, to the right; otherwise it looks at the cells to the left, ahead and to the right, never
 // behind; free directions count the one that it came from; among equals the first in the tie order, in one direction
@@ -24,6 +19,15 @@
 
 namespace labmouse {
 namespace {
+
+constexpr std::string_view method =
+    "Each cell has a potential, at first its Manhattan distance to the goal. A dead end takes the largest one. A "
+    "cell with several free directions is raised by its first potential at each visit, so that the first visit "
+    "doubles it. At each step the mouse moves to the cell of lowest potential that it sees within one move. When "
+    "it enters the goal it resets and takes the shortest route that it has seen.";
+
+constexpr std::string_view source =
+    "PotentialBot in Edward Kish, section 4.6 (the third report), after Wyard-Scott and Meng 1995.";
 
 class Potential final : public Explorer {
  public:
@@ -106,8 +110,12 @@ constexpr std::array parameters = {
 
 }  // namespace
 
-const RosterEntry potential_mouse = {
-    "potential", "goes where the potential is lowest; visits and dead ends raise it", parameters,
+constinit const RosterEntry potential_mouse = {
+    "potential",
+    "goes where the potential is lowest; visits and dead ends raise it",
+    method,
+    source,
+    parameters,
     [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
       return std::make_unique<Potential>(briefing, settings);
     }};

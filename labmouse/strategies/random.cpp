@@ -1,9 +1,6 @@
 // random: the benchmark that every other mouse should beat.
 //
-// Method: at each step one of the cells that can be reached by one move through walls known to be open, all equally
-// likely; at the first entry of the goal it resets and goes on in the same way.
 // Limits: the second run is left to chance too, so it seldom ends within the budget.
-// Source: BenchmarkBot in Edward Kish, "Plot and Navigate a Virtual Maze", section 4.1 (the third report).
 // Choices: a move may go backwards, and a cell within range is any that one move can reach through known passages.
 #include <array>
 
@@ -13,6 +10,13 @@
 
 namespace labmouse {
 namespace {
+
+constexpr std::string_view method =
+    "At each step one of the cells that can be reached by one move through walls known to be open, all equally "
+    "likely; at the first entry of the goal it resets and goes on in the same way.";
+
+constexpr std::string_view source =
+    "BenchmarkBot in Edward Kish, \"Plot and Navigate a Virtual Maze\", section 4.1 (the third report).";
 
 class RandomMouse final : public Explorer {
  public:
@@ -30,10 +34,15 @@ constexpr std::array parameters = {random_walk_stride};
 
 }  // namespace
 
-const RosterEntry random_mouse = {"random", "random moves through known passages, in both runs", parameters,
-                                  [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
-                                    return std::make_unique<RandomMouse>(briefing, settings);
-                                  },
-                                  RosterEntry::always};
+constinit const RosterEntry random_mouse = {
+    "random",
+    "random moves through known passages, in both runs",
+    method,
+    source,
+    parameters,
+    [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
+      return std::make_unique<RandomMouse>(briefing, settings);
+    },
+    RosterEntry::always};
 
 }  // namespace labmouse

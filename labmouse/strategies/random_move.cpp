@@ -1,12 +1,7 @@
 // random-move: chance alone.
 //
-// Method: a random turn by -90, 0 or 90 degrees and a random movement of no to the most cells, drawn again while a
-// wall is in the way; what else it sees does not matter. Once it has entered a goal and stood in a share of all
-// cells it resets and runs the way that a breadth-first search finds among the walls about the cells in which it
-// stood.
 // Limits: leaves a dead end only by two turns that happen to point the same way; seldom reaches the goal of a large
 // maze within the budget. Where the share cannot be reached it wanders for ever.
-// Source: random move, in the fifth report, "Plot and Navigate a Virtual Maze", Algorithms and Techniques.
 // Choices: half of the cells have to be visited, as the text says of all its explorers; with the five sixths of its
 // code this mouse hardly ever ends in time. The rest as for visit-counter.
 #include <array>
@@ -16,6 +11,15 @@
 
 namespace labmouse {
 namespace {
+
+constexpr std::string_view method =
+    "A random turn by -90, 0 or 90 degrees and a random movement of no to the most cells, drawn again while a "
+    "wall is in the way; what else it sees does not matter. Once it has entered a goal and stood in a share of "
+    "all cells it resets and runs the way that a breadth-first search finds among the walls about the cells in "
+    "which it stood.";
+
+constexpr std::string_view source =
+    "Random move, in the fifth report, \"Plot and Navigate a Virtual Maze\", Algorithms and Techniques.";
 
 class RandomMove final : public Wanderer {
  public:
@@ -30,8 +34,12 @@ constexpr std::array parameters = {half_coverage};
 
 }  // namespace
 
-const RosterEntry random_move_mouse = {
-    "random-move", "random turns and movements, whatever it sees", parameters,
+constinit const RosterEntry random_move_mouse = {
+    "random-move",
+    "random turns and movements, whatever it sees",
+    method,
+    source,
+    parameters,
     [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
       return std::make_unique<RandomMove>(briefing, settings);
     },

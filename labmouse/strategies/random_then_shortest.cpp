@@ -1,9 +1,6 @@
 // random-then-shortest: explores by chance, races by what it has seen.
 //
-// Method: at each step of the exploration one of the cells that can be reached by one move through walls known to be
-// open, all equally likely; at the first entry of the goal it resets and takes the shortest route that it has seen.
 // Limits: in larger mazes the walk often does not find the goal within the budget.
-// Source: BetterBenchmarkBot in Edward Kish, section 4.2 (the third report).
 // Choices: a cell "within range" is any that one move can reach, also backwards; none is ruled out for having been
 // there.
 #include <array>
@@ -14,6 +11,13 @@
 
 namespace labmouse {
 namespace {
+
+constexpr std::string_view method =
+    "At each step of the exploration one of the cells that can be reached by one move through walls known to be "
+    "open, all equally likely; at the first entry of the goal it resets and takes the shortest route that it has "
+    "seen.";
+
+constexpr std::string_view source = "BetterBenchmarkBot in Edward Kish, section 4.2 (the third report).";
 
 class RandomThenShortest final : public Explorer {
  public:
@@ -30,8 +34,12 @@ constexpr std::array parameters = {random_walk_stride};
 
 }  // namespace
 
-const RosterEntry random_then_shortest_mouse = {
-    "random-then-shortest", "random moves to the goal, then the shortest route that it has seen", parameters,
+constinit const RosterEntry random_then_shortest_mouse = {
+    "random-then-shortest",
+    "random moves to the goal, then the shortest route that it has seen",
+    method,
+    source,
+    parameters,
     [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
       return std::make_unique<RandomThenShortest>(briefing, settings);
     },

@@ -14,10 +14,13 @@ namespace labmouse {
 
 using MouseFactory = std::unique_ptr<Strategy> (*)(const Briefing& briefing, const Settings& settings);
 
-/// One mouse: its name, what it does in a line, its parameters, and how it is made. Each mind's file defines its own.
+/// One mouse: its name, what it does in a line, how it does that in sentences, where the idea comes from, its
+/// parameters, and how it is made. Each mind's file defines its own.
 struct RosterEntry {
   std::string_view name;
   std::string_view summary;
+  std::string_view method;
+  std::string_view source;
   std::span<const Parameter> parameters;
   MouseFactory make;
   /// Whether it throws dice under these settings: then one run says little, and races give it several.

@@ -1,23 +1,14 @@
 // two-way: A* to the goal and, with the start as the goal, back again.
 //
-// Method: a list holds the cells that were discovered (they have an open wall to a visited cell) and not yet visited.
-// The mouse goes to the one with the least sum of steps there, through visited cells, and bias times its Manhattan
-// distance to the goal, cell by cell, and looks again. A cell's parent is the visited neighbour that was cheapest to
-// reach from the beginning of the way, so parents lead from the goal back to the start. Who sees no open wall is in a
-// dead end: the cell and its parents, up to one with three open walls, are not listed again. In the goal the list, the
-// visits, the costs and the parents are cleared, the walls and dead ends are not, and the same search leads to the
-// start. The speed run follows the shorter of the two paths or (join_legs) the shorter leg between each two of their
-// crossings, one cell a step or (merge_strides) in strides.
 // Limits: no path is shown to be shortest, and legs are compared in cells, not in strides. It does not watch the
-// budget: in a large maze the way back may not fit. Source: report 2 (Kapustin 2016), Implementation and Refinement;
-// its first stage is bias=1:join_legs=no:merge_strides=no. Choices: the report does not say in which order equally good
-// cells are listed. Its list is a map of its language's, and in the order of that map (HashedCells) the scores of all
-// its stages come out; in orders of directions they did not. `ties` orders only the looks at the neighbours. The mouse
-// leaves the goal by the way it came, and lists no other neighbour of that goal: so 36 steps lead back in maze 1. A
-// dead end that it backs into shows an open way ahead and is not marked; the rank within a dead end decides nothing. Of
-// equally long legs and paths, those of the way there. The first stride is one cell shorter than others, as if the
-// start were a cell to go to: so maze 3 takes 30 steps, not 29. A start whose rear is not the border is looked at from
-// a second side first.
+// budget: in a large maze the way back may not fit.
+// Choices: the report does not say in which order equally good cells are listed. Its list is a map of its language's,
+// and in the order of that map (HashedCells) the scores of all its stages come out; in orders of directions they did
+// not. `ties` orders only the looks at the neighbours. The mouse leaves the goal by the way it came, and lists no other
+// neighbour of that goal: so 36 steps lead back in maze 1. A dead end that it backs into shows an open way ahead and is
+// not marked; the rank within a dead end decides nothing. Of equally long legs and paths, those of the way there. The
+// first stride is one cell shorter than others, as if the start were a cell to go to: so maze 3 takes 30 steps, not 29.
+// A start whose rear is not the border is looked at from a second side first.
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -30,6 +21,21 @@
 
 namespace labmouse {
 namespace {
+
+constexpr std::string_view method =
+    "A list holds the cells that were discovered (they have an open wall to a visited cell) and not yet visited. "
+    "The mouse goes to the one with the least sum of steps there, through visited cells, and bias times its "
+    "Manhattan distance to the goal, cell by cell, and looks again. A cell's parent is the visited neighbour "
+    "that was cheapest to reach from the beginning of the way, so parents lead from the goal back to the start. "
+    "Who sees no open wall is in a dead end: the cell and its parents, up to one with three open walls, are not "
+    "listed again. In the goal the list, the visits, the costs and the parents are cleared, the walls and dead "
+    "ends are not, and the same search leads to the start. The speed run follows the shorter of the two paths or "
+    "(join_legs) the shorter leg between each two of their crossings, one cell a step or (merge_strides) in "
+    "strides.";
+
+constexpr std::string_view source =
+    "Report 2 (Kapustin 2016), Implementation and Refinement; its first stage is "
+    "bias=1:join_legs=no:merge_strides=no.";
 
 class TwoWay final : public Explorer {
  public:
@@ -241,9 +247,14 @@ constexpr std::array parameters = {
 
 }  // namespace
 
-const RosterEntry two_way_mouse = {"two-way", "A* to the goal and back, the shorter legs of both paths", parameters,
-                                   [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
-                                     return std::make_unique<TwoWay>(briefing, settings);
-                                   }};
+constinit const RosterEntry two_way_mouse = {
+    "two-way",
+    "A* to the goal and back, the shorter legs of both paths",
+    method,
+    source,
+    parameters,
+    [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
+      return std::make_unique<TwoWay>(briefing, settings);
+    }};
 
 }  // namespace labmouse

@@ -1,20 +1,13 @@
 // visit-counter: to where it was least often.
 //
-// Method: counts how often it stood in each cell. Most steps lead one cell on, to the left, ahead or to the right,
-// whichever was visited least; with a fixed probability the step is a random one instead, so that no loop holds it
-// for ever; from a dead end it turns right on the spot. Once it has entered a goal and stood in a share of all cells
-// it resets, plans its way by a textbook's search over the walls about those cells, and runs it in the longest
-// strides.
-// Limits: no care for where the goal is; sees far and learns only near. The search counts cells, not steps, so the
-// way may take more steps than another does. Where the share cannot be reached it wanders for ever.
-// Source: the final explorer of the fifth report, "Plot and Navigate a Virtual Maze", Algorithms and Techniques,
-// Refinement.
+// Limits: no care for where the goal is; sees far and learns only near. The search counts cells, not steps, so the way
+// may take more steps than another does. Where the share cannot be reached it wanders for ever.
 // Choices: the text ends the exploration with half of the cells, the code in it with five sixths; the default is the
 // code's, which on the test mazes comes nearer to the reported numbers of steps. A cell counts where a step ends;
-// passages that a stride went through are known, as the way that it came. Of cells only one step away, the one
-// behind is not asked for, because no step turns round; each step counts as a visit, one on the spot too. `ties`
-// orders both the neighbours visited equally often and the search; of the orders with which A* finds as many cells
-// as reported on test mazes 1 and 3, the default is the first by the compass (east, south, north, west).
+// passages that a stride went through are known, as the way that it came. Of cells only one step away, the one behind
+// is not asked for, because no step turns round; each step counts as a visit, one on the spot too. `ties` orders both
+// the neighbours visited equally often and the search; of the orders with which A* finds as many cells as reported on
+// test mazes 1 and 3, the default is the first by the compass (east, south, north, west).
 #include <array>
 
 #include "labmouse/mouse/visits.hpp"
@@ -23,6 +16,17 @@
 
 namespace labmouse {
 namespace {
+
+constexpr std::string_view method =
+    "Counts how often it stood in each cell. Most steps lead one cell on, to the left, ahead or to the right, "
+    "whichever was visited least; with a fixed probability the step is a random one instead, so that no loop "
+    "holds it for ever; from a dead end it turns right on the spot. Once it has entered a goal and stood in a "
+    "share of all cells it resets, plans its way by a textbook's search over the walls about those cells, and "
+    "runs it in the longest strides.";
+
+constexpr std::string_view source =
+    "The final explorer of the fifth report, \"Plot and Navigate a Virtual Maze\", Algorithms and Techniques, "
+    "Refinement.";
 
 class VisitCounter final : public Wanderer {
  public:
@@ -73,8 +77,12 @@ constexpr std::array parameters = {
 
 }  // namespace
 
-const RosterEntry visit_counter_mouse = {
-    "visit-counter", "to the least visited neighbour, sometimes at random", parameters,
+constinit const RosterEntry visit_counter_mouse = {
+    "visit-counter",
+    "to the least visited neighbour, sometimes at random",
+    method,
+    source,
+    parameters,
     [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
       return std::make_unique<VisitCounter>(briefing, settings);
     },

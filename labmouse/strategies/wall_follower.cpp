@@ -1,14 +1,18 @@
 // wall-left, wall-right: one hand on the wall.
 //
-// Method: at each cell the first open side in the order hand side, ahead, other side; in a dead end it turns on the
-// spot, away from the hand. After the goal it resets and takes the shortest route that it has seen.
 // Limits: walks for ever around a goal that hangs on no wall of the outside ("island"), as contest mazes ensure.
-// Source: folklore, older than the contests; the maze is a graph drawn in the plane, and its hand traces one face.
 #include "labmouse/mouse/explorer.hpp"
 #include "labmouse/strategies/roster.hpp"
 
 namespace labmouse {
 namespace {
+
+constexpr std::string_view method =
+    "At each cell the first open side in the order hand side, ahead, other side; in a dead end it turns on the "
+    "spot, away from the hand. After the goal it resets and takes the shortest route that it has seen.";
+
+constexpr std::string_view source =
+    "Folklore, older than the contests; the maze is a graph drawn in the plane, and its hand traces one face.";
 
 class WallFollower final : public Explorer {
  public:
@@ -28,18 +32,24 @@ class WallFollower final : public Explorer {
 
 }  // namespace
 
-const RosterEntry wall_left_mouse = {"wall-left",
-                                     "keeps its left hand on the wall until the goal",
-                                     {},
-                                     [](const Briefing& briefing, const Settings&) -> std::unique_ptr<Strategy> {
-                                       return std::make_unique<WallFollower>(briefing, -1);
-                                     }};
+constinit const RosterEntry wall_left_mouse = {
+    "wall-left",
+    "keeps its left hand on the wall until the goal",
+    method,
+    source,
+    {},
+    [](const Briefing& briefing, const Settings&) -> std::unique_ptr<Strategy> {
+      return std::make_unique<WallFollower>(briefing, -1);
+    }};
 
-const RosterEntry wall_right_mouse = {"wall-right",
-                                      "keeps its right hand on the wall until the goal",
-                                      {},
-                                      [](const Briefing& briefing, const Settings&) -> std::unique_ptr<Strategy> {
-                                        return std::make_unique<WallFollower>(briefing, 1);
-                                      }};
+constinit const RosterEntry wall_right_mouse = {
+    "wall-right",
+    "keeps its right hand on the wall until the goal",
+    method,
+    source,
+    {},
+    [](const Briefing& briefing, const Settings&) -> std::unique_ptr<Strategy> {
+      return std::make_unique<WallFollower>(briefing, 1);
+    }};
 
 }  // namespace labmouse

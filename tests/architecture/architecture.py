@@ -22,6 +22,16 @@ WORLDLESS_WINGS = ("races", "standings", "galleries", "studies", "reports")
 WORLDLESS_COMMANDS = ("race", "study", "sweep", "tune", "contests", "worlds")
 WORLD_WINGS = ("steps", "seconds", "mms")
 WORLD_NAME = re.compile(r'"(strides|steps|seconds|mms)"')
+# A variable that outlives its function: one that the compiler has not fixed is state that minds could share, and often
+# takes memory when it is first met. A function has a parenthesis before any of `=;{`, and no values in it.
+FIXED = r"(?:constexpr|constinit const)\b"
+NO_VALUES = r"(?!\s*(?:[\d\"'&]|(?!int|bool|char|float|double|unsigned|auto)[a-z]\w*\s*[,)]))"
+STATIC = re.compile(rf"^\s*(?:inline\s+)?static\s+(?!{FIXED})(?![^(=;{{]*\({NO_VALUES})")
+WORDS_OF_NO_VARIABLE = ("namespace|using|template|class|struct|enum|union|static_assert|friend|typedef|return|public"
+                        "|private|protected|extern (?:const|template|\"C)")
+# What stands at the beginning of a line is in no function and no class.
+GLOBAL = re.compile(rf"^(?!(?:{WORDS_OF_NO_VARIABLE})\b|(?:inline )?{FIXED})"
+                    r"[A-Za-z_][^()]*[\w>&*\]]\s+\w+(?:\[[^]]*\])*\s*(?:=[^=]|=$|;|\{)")
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
@@ -162,6 +172,16 @@ def cycle_violations(root):
             return
 
 
+def static_violations(root):
+    """The portable rooms have no variables outside of functions and objects but those that the compiler has fixed."""
+    for room in PORTABLE_ROOMS:
+        for path in sources(root / "labmouse" / room):
+            for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+                code = line.split("//")[0]
+                if re.search(r"\bthread_local\b", code) or STATIC.match(code) or GLOBAL.match(code):
+                    yield path, number, f"{room} has no variables that last: constexpr, constinit const, or a member"
+
+
 def link_violations(root, rooms):
     """labmouse_room(NAME ROOM...) links what the table allows: no less, so that the table is not wider than it has to be."""
     path = root / "CMakeLists.txt"
@@ -173,6 +193,22 @@ def link_violations(root, rooms):
                 yield path, number, f"{name} links {' '.join(sorted(linked))}, but ARCHITECTURE.md says: {wanted}"
 
 
+def public_header_violations(root):
+    """docs/library.md describes the headers of cmake/LabmousePublicHeaders.cmake and no others, and all are there."""
+    listing, page = root / "cmake/LabmousePublicHeaders.cmake", root / "docs/library.md"
+    if not listing.exists():
+        return
+    public = re.search(r"set\(LABMOUSE_PUBLIC_HEADERS\s+([^)]*)\)", listing.read_text(encoding="utf-8"))[1].split()
+    described = re.findall(r"`(labmouse/[\w/]+\.hpp)`", page.read_text(encoding="utf-8"))
+    for header in public:
+        if not (root / header).exists():
+            yield listing, 1, f"{header} is not there"
+        if header not in described:
+            yield page, 1, f"{header} is public, and not described"
+    for header in sorted(set(described) - set(public)):
+        yield page, 1, f"{header} is described, and not public"
+
+
 def roster_violations(root):
     """Every RosterEntry that a mind's file defines is on the roster."""
     roster = root / "labmouse/strategies/roster.cpp"
@@ -181,7 +217,7 @@ def roster_violations(root):
     listed = set(re.findall(r"&(\w+_mouse)\b", roster.read_text(encoding="utf-8")))
     for path in sources(roster.parent):
         for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
-            match = re.match(r"\s*const RosterEntry (\w+_mouse)\b", line)
+            match = re.match(r"\s*(?:constinit )?const RosterEntry (\w+_mouse)\b", line)
             if match and match[1] not in listed:
                 yield path, number, f"{match[1]} is not on the roster"
 
@@ -192,7 +228,8 @@ def violations(root):
     page = (root / "ARCHITECTURE.md").read_text(encoding="utf-8")
     rooms, wings = rooms_of(page), wings_of(page)
     found = [*include_violations(root, rooms), *wing_violations(root, wings), *world_violations(root),
-             *cycle_violations(root),              *link_violations(root, rooms), *roster_violations(root)]
+             *cycle_violations(root), *static_violations(root), *link_violations(root, rooms),
+             *roster_violations(root), *public_header_violations(root)]
     return [f"{path.relative_to(root)}:{number}: error: {reason}" for path, number, reason in found]
 
 

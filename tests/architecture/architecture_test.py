@@ -86,8 +86,8 @@ class Architecture(unittest.TestCase):
     def test_a_mind_that_is_not_on_the_roster(self):
         self.assertEqual(violations_of({
             "labmouse/strategies/roster.cpp": "constexpr std::array entries = {&flood_mouse};\n",
-            "labmouse/strategies/flood.cpp": "const RosterEntry flood_mouse = {};\n",
-            "labmouse/strategies/shy.cpp": "const RosterEntry shy_mouse = {};\n",
+            "labmouse/strategies/flood.cpp": "constinit const RosterEntry flood_mouse = {};\n",
+            "labmouse/strategies/shy.cpp": "constinit const RosterEntry shy_mouse = {};\n",
         }), ["labmouse/strategies/shy.cpp:1: error: shy_mouse is not on the roster"])
 
     def test_wings_that_keep_to_the_page(self):
@@ -133,6 +133,42 @@ class Architecture(unittest.TestCase):
             "labmouse/maze/a.cpp": '#include "labmouse/maze/a.hpp"\n#include "labmouse/maze/b.hpp"\n',
             "labmouse/maze/b.cpp": '#include "labmouse/maze/a.hpp"\n',
         }), ["labmouse/maze/a:1: error: includes itself: labmouse/maze/a -> labmouse/maze/b -> labmouse/maze/a"])
+
+    def test_variables_that_last(self):
+        for line in ("static int calls = 0;", "  static const std::vector<int> table = [] {", "  static Knowledge known;",
+                     "  static std::vector<int> table(100);", "  static std::vector<int> table(size);",
+                     "inline static int calls;", "thread_local int depth = 0;", "std::atomic<int> calls{0};",
+                     "const std::string name = \"flood\";", "int calls;", "extern int calls;", "int table[3] = {",
+                     "const std::vector<std::pair<int, int>> list ="):
+            with self.subTest(line):
+                self.assertEqual(violations_of({"labmouse/mouse/a.cpp": f"\n{line}\n"}),
+                                 ["labmouse/mouse/a.cpp:2: error: mouse has no variables that last: "
+                                  "constexpr, constinit const, or a member"])
+
+    def test_what_is_no_variable_that_lasts(self):
+        for line in ("  static constexpr std::array deep = [] {", "constinit const Format maz_format = {",
+                     "inline constexpr int no_place = -1;", "extern const RosterEntry flood_mouse;", "  int calls = 0;",
+                     "  static int leap(int node, unsigned bit) const;", "  static bool never(const Settings&) { return 0; }",
+                     "static int twice(int) {", "using Motion = int;", "struct Cell {", "enum class Run : std::uint8_t {",
+                     "template class Lattice<int>;", "Lattice<Word>::Lattice(Size size) : size_{size} {",
+                     "// static int calls = 0;", "int twice(int number) {", "namespace labmouse {"):
+            with self.subTest(line):
+                self.assertEqual(violations_of({"labmouse/mouse/a.cpp": f"\n{line}\n"}), [])
+
+    def test_the_lab_may_have_variables_that_last(self):
+        self.assertEqual(violations_of({"labmouse/lab/a.cpp": "static int calls = 0;\n"}), [])
+
+    def test_public_headers_and_their_page(self):
+        found = violations_of({
+            "cmake/LabmousePublicHeaders.cmake": "set(LABMOUSE_PUBLIC_HEADERS\n  labmouse/grid/cell.hpp\n"
+                                                 "  labmouse/grid/wall.hpp\n)\n",
+            "labmouse/grid/cell.hpp": "",
+            "docs/library.md": "| `labmouse/grid/cell.hpp` | cells |\n| `labmouse/grid/size.hpp` | sizes |\n",
+        })
+        self.assertEqual(found, [
+            "cmake/LabmousePublicHeaders.cmake:1: error: labmouse/grid/wall.hpp is not there",
+            "docs/library.md:1: error: labmouse/grid/wall.hpp is public, and not described",
+            "docs/library.md:1: error: labmouse/grid/size.hpp is described, and not public"])
 
     def test_a_table_out_of_order(self):
         with self.assertRaisesRegex(ValueError, "room grid may include maze, which the table does not list above it"):

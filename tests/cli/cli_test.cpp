@@ -218,12 +218,9 @@ TEST_F(AUser, WritesIntoADeviceWithoutReplacingIt) {
   EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
 }
 
-TEST_F(AUser, SeesWhatWasDoneWhenTheFolderCannotBeWritten) {
+TEST_F(AUser, LearnsBeforeTheRaceThatTheFolderCannotBeWritten) {
   file("occupied", "a file where a folder should be");
-  const Ended ended = labmouse({"race", "--mice", "flood", "--out", "occupied/out"});
-  EXPECT_EQ(ended.code, 2);
-  EXPECT_THAT(ended.out, HasSubstr("flood"));
-  EXPECT_THAT(ended.err, HasSubstr("occupied/out"));
+  is_refused({"race", "--mice", "flood", "--out", "occupied/out"}, "occupied/out: error: cannot be made");
 }
 
 TEST_F(AUser, RacesOnPastLinksThatLeadNowhere) {
@@ -292,7 +289,7 @@ TEST_F(AUser, KeepsTheResultsOfARaceWhateverIsPrinted) {
   std::filesystem::create_directories(folder_ / "blocked/results.json");
   const Ended blocked = labmouse({"race", "--mice", "flood", "--mazes", "corridor.txt", "--out", "blocked"});
   EXPECT_EQ(blocked.code, 2);
-  EXPECT_EQ(blocked.err, "blocked/results.json: error: is a folder\n");
+  EXPECT_THAT(blocked.err, HasSubstr("blocked/results.json: error: cannot be written: it is a folder"));
   EXPECT_THAT(blocked.out, HasSubstr("flood"));
 }
 
@@ -311,11 +308,14 @@ TEST_F(AUser, SweepsAParameter) {
 
 TEST_F(AUser, SeesTheSweepWhoseFilesCannotBeWritten) {
   file("corridor.txt", corridor);
-  const Ended ended =
-      labmouse({"sweep", "flood", "--vary", "stride=1,2", "--mazes", "corridor.txt", "--csv", "corridor.txt/a.csv"});
+  std::vector<std::string> sweep = {"sweep", "flood", "--vary", "stride=1,2", "--mazes", "corridor.txt", "--csv"};
+  sweep.emplace_back("/dev/full");
+  const Ended ended = labmouse(sweep);
   EXPECT_EQ(ended.code, 2);
   EXPECT_THAT(ended.out, HasSubstr("Lowest mean"));
-  EXPECT_THAT(ended.err, HasSubstr("corridor.txt/a.csv: error: cannot"));
+  EXPECT_THAT(ended.err, HasSubstr("/dev/full: error: cannot be written: no space"));
+  sweep.back() = "corridor.txt/a.csv";
+  is_refused(sweep, "corridor.txt/a.csv: error: cannot");
 }
 
 TEST_F(AUser, WhoInterruptsASweepAtOnceLosesNoFile) {

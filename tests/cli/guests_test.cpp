@@ -42,6 +42,15 @@ TEST_F(AHostOfGuests, TellsHowTheyFailedInTheTable) {
                                    "    | one\n    | two\n    | three: no way out\n"));
 }
 
+TEST_F(AHostOfGuests, FailsARaceInWhichOneNeverStarted) {
+  file("mute.py", "raise SystemExit(2)\n");
+  const Ended ended = race_in_the_corridor({"--mice", "flood,guest:python3 mute.py", "--guest-runs", "2"});
+  EXPECT_EQ(ended.code, 1);
+  EXPECT_THAT(ended.out, HasSubstr("flood"));
+  EXPECT_THAT(ended.err, HasSubstr("guest:python3 mute.py failed to start in every contest"));
+  EXPECT_EQ(race_in_the_corridor({"--mice", "flood,mms:python3 mute.py"}).code, 1);
+}
+
 TEST_F(AHostOfGuests, ShowsTheirLastWordsAfterARun) {
   const Ended ended = labmouse({"run", bad("die"), "corridor.txt", "--record", "died.jsonl"});
   EXPECT_THAT(ended.out, HasSubstr("it ended with exit code 3\n| one\n| two\n| three: no way out\n"));
@@ -109,6 +118,7 @@ TEST_F(AHostOfGuests, StartsThemInTheirFolder) {
 
 TEST_F(AHostOfGuests, RefusesWhatIsNoGuest) {
   is_refused({"race", "--mice", "guest:"}, "it names no program");
+  is_refused({"race", "--mice", "guest:python3 \"my mouse.py"}, "not closed");
   is_refused({"race", "--mice", "guest:no-such-program-anywhere"}, "a path of your own has a slash, as in ./mouse");
   is_refused({"race", "--mice", "flood,capstone:nowhere.py"}, "there is no file 'nowhere.py'");
   file("robot.py", "");

@@ -93,8 +93,8 @@ TEST_F(AReader, IsRefusedWhatIsNoRace) {
     EXPECT_FALSE(std::filesystem::exists(folder_ / "report.html"));
   };
   refused("bad.json", "bad.json:2:2: error: is not JSON from here on");
-  refused("corridor.txt", "corridor.txt:0:0: error: is a maze, not a race");
-  refused("out/flood/corridor-1.jsonl", "corridor-1.jsonl:0:0: error: is the record of one contest");
+  refused("corridor.txt", "corridor.txt: error: is a maze, not a race");
+  refused("out/flood/corridor-1.jsonl", "corridor-1.jsonl: error: is the record of one contest");
   refused("out/flood", "out/flood: error: has no results.json");
   refused("nowhere", "nowhere: error: no such file");
   refused("no\x1b[31mwhere", "no[31mwhere: error: no such file");
@@ -108,7 +108,7 @@ TEST_F(AReader, IsRefusedWhatIsNoPage) {
   is_refused({"report", "out", "--page", "page.html"}, "--out is required");
   is_refused({"report", "--page", "page.html", "-o", "-"}, "results is required");
   is_refused({"report", "out", "--page", "page.html", "-o", "page.html/report.html"},
-             "page.html/report.html: error: cannot make its folder");
+             "page.html/report.html: error: cannot be written");
   EXPECT_EQ(report({"out", "-o", "report.html"}).code, 0);
   is_refused({"report", "out", "--page", "report.html", "-o", "-"}, "report.html: error: is not the page of labmouse");
 }

@@ -51,7 +51,8 @@ class Program {
     _exit(127);
   }
 
-  void interrupt() const { ::kill(child_, SIGINT); }
+  void interrupt() const { signal(SIGINT); }
+  void signal(int number) const { ::kill(child_, number); }
   void kill() const { ::kill(child_, SIGKILL); }
 
   /// Whether the program has come so far that an interrupt does not simply end it.
@@ -60,6 +61,12 @@ class Program {
     const auto caught = status.find("SigCgt:");
     return caught != std::string::npos &&
            (std::stoull(status.substr(caught + 7), nullptr, 16) >> (SIGINT - 1) & 1U) != 0;
+  }
+
+  /// Whether it has not ended yet; wait() says how it did.
+  bool runs() const {
+    siginfo_t ended{};
+    return waitid(P_PID, static_cast<id_t>(child_), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 && ended.si_pid == 0;
   }
 
   Ended wait() const {

@@ -58,6 +58,13 @@ TEST_F(Programs, AreLookedForInPath) {
   EXPECT_EQ(program_path("", ""), "");
 }
 
+TEST(OpenQuotes, AreFound) {
+  for (const char* open : {"a \"b", "\"", "a \"b c\" \"", "\"\"\"\"", "a\"\"\" \"b"})
+    EXPECT_TRUE(has_open_quote(open)) << open;
+  for (const char* closed : {"", "a b", "a \"b c\"", "\"\"", "\"\"\"", "a \"\"\"b", "\"a \"\"\" b\""})
+    EXPECT_FALSE(has_open_quote(closed)) << closed;
+}
+
 TEST_F(Programs, WithASlashAreSeenFromTheirFolder) {
   EXPECT_EQ(program_path("./mouse", folder_.string()), "./mouse");
   EXPECT_EQ(program_path("bin/mouse", folder_.string()), "bin/mouse");

@@ -60,10 +60,10 @@ TEST(DriveRulesFile, MayLeaveOutWhatDoesNotCount) {
 
 TEST(DriveRulesFile, SaysWhatIsMissing) {
   EXPECT_EQ(complaint(""),
-            "my.toml:0:0: error: missing key 'source': where and when the rules were in force, in words\n"
-            "my.toml:0:0: error: missing key 'time_limit': a number of seconds from 1 to 7200\n"
-            "my.toml:0:0: error: missing key 'runs': a whole number from 1 to 100\n"
-            "my.toml:0:0: error: missing key 'clock': \"gate to gate\" or \"rest to centre\"\n");
+            "my.toml: error: missing key 'source': where and when the rules were in force, in words\n"
+            "my.toml: error: missing key 'time_limit': a number of seconds from 1 to 7200\n"
+            "my.toml: error: missing key 'runs': a whole number from 1 to 100\n"
+            "my.toml: error: missing key 'clock': \"gate to gate\" or \"rest to centre\"\n");
 }
 
 TEST(DriveRulesFile, SaysWhatIsWrong) {
@@ -94,7 +94,7 @@ TEST(DriveRulesFile, SaysWhatItDoesNotKnow) {
 
 TEST(DriveRulesFile, PassesOnWhatIsNoToml) {
   EXPECT_EQ(complaint("runs 5\n").substr(0, 14), "my.toml:1:6: e");
-  EXPECT_EQ(complaint(std::string(70'000, '#')), "my.toml:0:0: error: has 70000 bytes; more than 65536 is too large\n");
+  EXPECT_EQ(complaint(std::string(70'000, '#')), "my.toml: error: has 70000 bytes; more than 65536 is too large\n");
 }
 
 TEST(Rules, ComeWithTheProgram) {

@@ -111,7 +111,7 @@ TEST_F(LearnedMice, AreNoneWhereTheFileIsBad) {
   EXPECT_EQ(error("ariadne:prior=" + path("no.prior")),
             "prior file " + path("no.prior") + ": no such file; a SPEC ends a path at ':' and ','");
   EXPECT_EQ(error("ariadne:prior=" + folder_.string()),
-            "prior file " + folder_.string() + ": is not a file; a SPEC ends a path at ':' and ','");
+            "prior file " + folder_.string() + ": cannot be read: it is a folder; a SPEC ends a path at ':' and ','");
   EXPECT_EQ(error("ariadne:prior=contst"), "prior file contst: no such file; did you mean 'contest'?");
   EXPECT_EQ(error("ariadne:prior="),
             "value '' of parameter 'prior' of mouse 'ariadne' is neither contest/uniform nor a file");

@@ -142,7 +142,7 @@ TEST(BuiltinMazes, AreAllThoseOfTheFolder) {
 
 TEST(Describe, NamesFileLineAndColumn) {
   EXPECT_EQ(describe("a.txt", {2, 5, "is odd"}), "a.txt:2:5: error: is odd");
-  EXPECT_EQ(describe("a.txt", {0, 0, "is odd as a whole"}), "a.txt:0:0: error: is odd as a whole");
+  EXPECT_EQ(describe("a.txt", {0, 0, "is odd as a whole"}), "a.txt: error: is odd as a whole");
 }
 
 TEST(Describe, NamesNoPlaceInAFileThatWasNotRead) {

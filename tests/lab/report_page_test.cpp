@@ -245,7 +245,7 @@ TEST_F(AReport, SaysWhatIsWrongWithItsInput) {
   save("bad.json", "{\"labmouse\": \"1\",\n oops}");
   EXPECT_EQ(error("bad.json"), path("bad.json") + ":2:2: error: is not JSON from here on");
   save("record.jsonl", write_record(test::recorded("flood")));
-  EXPECT_THAT(error("record.jsonl"), HasSubstr("record.jsonl:0:0: error: is the record of one contest, not a race"));
+  EXPECT_THAT(error("record.jsonl"), HasSubstr("record.jsonl: error: is the record of one contest, not a race"));
 }
 
 TEST(ThePage, HasOnePlaceForAReport) {

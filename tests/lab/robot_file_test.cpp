@@ -124,7 +124,7 @@ TEST(RobotFile, TakesWhatIsLeftOutFromWhatIsThere) {
 
 TEST(RobotFile, SaysWhatIsMissingAndWhereItBelongs) {
   EXPECT_EQ(complaint(changed(by_limits, "clearance = 45\n", "")),
-            "my.toml:0:0: error: missing key 'clearance': 0 to 500 mm\n");
+            "my.toml: error: missing key 'clearance': 0 to 500 mm\n");
   EXPECT_EQ(complaint(changed(by_limits, "yaw_acceleration = 300\n", "")),
             "my.toml:13:1: error: missing key 'curve.yaw_acceleration': 1 to 100000 rad/s²\n");
   EXPECT_EQ(complaint(changed(by_times, "V90 = 388\n", "")),
@@ -180,7 +180,7 @@ TEST(RobotFile, PassesOnWhatIsNoToml) {
   EXPECT_NE(complaint("\xff\xfe"), "");
   EXPECT_EQ(complaint("[    \n").substr(0, 15), "my.toml:1:6: er");
   EXPECT_EQ(complaint(changed(by_limits, "sight = 3", "sight = ²")).substr(0, 15), "my.toml:4:9: er");
-  EXPECT_EQ(complaint(std::string(70'000, '#')), "my.toml:0:0: error: has 70000 bytes; more than 65536 is too large\n");
+  EXPECT_EQ(complaint(std::string(70'000, '#')), "my.toml: error: has 70000 bytes; more than 65536 is too large\n");
 }
 
 TEST(RobotFile, ListsAtMostTenProblems) {
@@ -190,13 +190,12 @@ TEST(RobotFile, ListsAtMostTenProblems) {
 }
 
 TEST(RobotFile, PassesOnWhatItsModelRefuses) {
-  EXPECT_EQ(
-      complaint(changed(by_limits, "clearance = 45", "clearance = 70")),
-      "my.toml:0:0: error: a clearance of 70 mm is more than diagonals leave in cells of 180 mm: 63.6 mm from their "
-      "middle to a post\n");
+  EXPECT_EQ(complaint(changed(by_limits, "clearance = 45", "clearance = 70")),
+            "my.toml: error: a clearance of 70 mm is more than diagonals leave in cells of 180 mm: 63.6 mm from their "
+            "middle to a post\n");
   EXPECT_EQ(
       complaint(changed(by_limits, "yaw_acceleration = 300", "yaw_acceleration = 30")),
-      "my.toml:0:0: error: its turn S90 fits into cells of 180 mm only up to 330 mm/s: a cell of 180 mm must not take "
+      "my.toml: error: its turn S90 fits into cells of 180 mm only up to 330 mm/s: a cell of 180 mm must not take "
       "more than 500 ms, the longest that times here are made for, so at least 360 mm/s are needed; a larger lateral "
       "or yaw acceleration makes it faster\n");
 }

@@ -8,6 +8,7 @@
 
 #include "labmouse/lab/mazes/builtin_mazes.hpp"
 #include "labmouse/lab/system/files.hpp"
+#include "labmouse/lab/system/streams.hpp"
 #include "labmouse/lab/text/printable.hpp"
 #include "labmouse/strategies/parameter.hpp"
 
@@ -16,9 +17,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Reads one file into the collection, or notes in `failures` what is wrong with it.
-void add_file(const std::string& path, MazeCollection& collection, std::vector<SkippedFile>& failures) {
-  const FileContent file = read_file(path);
+/// Takes the maze of a file into the collection, or notes in `failures` what is wrong with it.
+void add_file(const std::string& path, const FileContent& file, MazeCollection& collection,
+              std::vector<SkippedFile>& failures) {
   if (!file.error.empty()) {
     failures.push_back({path, {{no_place, no_place, file.error}}});
     return;
@@ -51,7 +52,7 @@ void add_folder(const std::string& folder, MazeCollection& collection, std::vect
     if (entry.is_directory(unknown))
       add_folder(entry.path().string(), collection, collection.skipped);
     else
-      add_file(entry.path().string(), collection, collection.skipped);
+      add_file(entry.path().string(), read_found_file(entry.path().string()), collection, collection.skipped);
   }
   if (error) failures.push_back({folder, {{no_place, no_place, "cannot read the folder: " + error.message()}}});
 }
@@ -66,7 +67,7 @@ bool add_matches(const std::string& pattern, MazeCollection& collection) {
     if (fs::is_directory(path, unknown))
       add_folder(path, collection, collection.skipped);
     else
-      add_file(path, collection, collection.skipped);
+      add_file(path, read_found_file(path), collection, collection.skipped);
   }
   globfree(&matches);
   return found;
@@ -93,7 +94,8 @@ void add_path(const std::string& path, MazeCollection& collection) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (fs::is_directory(status)) return add_folder(path, collection, collection.errors);
-  if (status.type() != fs::file_type::not_found) return add_file(path, collection, collection.errors);
+  if (status.type() != fs::file_type::not_found || descriptor_to_read(path))
+    return add_file(path, read_file(path), collection, collection.errors);
   if (path.find_first_of("*?[") != std::string::npos && add_matches(path, collection)) return;
   if (!add_builtin(path, collection)) collection.errors.push_back({path, {{no_place, no_place, no_such_maze(path)}}});
 }
@@ -109,7 +111,7 @@ void sort_by(std::vector<Named>& list, Name name) {
 }  // namespace
 
 std::string describe(const std::string& path, const Problem& problem) {
-  const std::string place = problem.line == no_place ? "" : fmt::format(":{}:{}", problem.line, problem.column);
+  const std::string place = problem.line <= 0 ? "" : fmt::format(":{}:{}", problem.line, problem.column);
   // Paths and contents are foreign: neither may break the line or steer a terminal.
   return shown(fmt::format("{}{}: error: {}", path, place, problem.reason));
 }
@@ -127,7 +129,7 @@ std::optional<Maze> maze_named(const std::string& name) {
   MazeCollection collection;
   std::error_code error;
   if (fs::exists(name, error))
-    add_file(name, collection, collection.errors);
+    add_file(name, read_found_file(name), collection, collection.errors);
   else
     add_builtin(name, collection);
   if (collection.mazes.empty()) return std::nullopt;

@@ -34,12 +34,12 @@ struct MazeCollection {
   std::vector<SkippedFile> errors;
 };
 
-/// `FILE:LINE:COLUMN: error: REASON`; 0:0 is the content as a whole, and `FILE: error: REASON` a file that was not
+/// `FILE:LINE:COLUMN: error: REASON`; `FILE: error: REASON` where it is the content as a whole, or a file that was not
 /// read.
 std::string describe(const std::string& path, const Problem& problem);
 
 /// Reads each path: a file, a folder (with all that is in it, but nothing hidden), a pattern with `*` and `?`, or the
-/// name of a built-in maze where no such file is.
+/// name of a built-in maze where no such file is; `-` is standard input.
 MazeCollection load_mazes(std::span<const std::string> paths);
 
 /// The maze of that name as results give it: a file's, or a built-in one where there is no such file. Nothing where the

@@ -103,7 +103,9 @@ Launch command_launch(const std::string& command, const GuestOptions& options, s
   Launch launch;
   launch.words = split_command(command);
   launch.directory = options.directory;
-  if (launch.words.empty())
+  if (has_open_quote(command))
+    error = "its command has a quotation mark that is not closed; three of them, \"\"\", are one as a letter";
+  else if (launch.words.empty())
     error = "it names no program";
   else if (program_path(launch.words.front(), launch.directory).empty())
     error = no_program(launch.words.front(), launch.directory);

@@ -35,7 +35,9 @@ Json mice_json() {
     mice.push_back({{"name", mouse->name},
                     {"summary", mouse->summary},
                     {"throws_dice", mouse->uses_chance(Settings(mouse->parameters))},
-                    {"parameters", std::move(parameters)}});
+                    {"parameters", std::move(parameters)},
+                    {"method", mouse->method},
+                    {"source", mouse->source}});
   }
   return mice;
 }

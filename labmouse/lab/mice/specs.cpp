@@ -60,18 +60,6 @@ bool looks_like_a_program(std::string_view name) {
   return name.find_first_of("/ ~") != std::string_view::npos || name.ends_with(".py") || name.ends_with(".js");
 }
 
-std::string unknown_mouse(std::string_view name) {
-  if (looks_like_a_program(name))
-    return fmt::format(
-        "mouse '{}' is unknown; a program of yours is 'capstone:FILE', 'guest:COMMAND' or 'mms:COMMAND', in quotes",
-        name);
-  std::vector<std::string_view> names = {oracle_name, "capstone", "guest", "mms"};
-  for (const RosterEntry* entry : roster()) names.push_back(entry->name);
-  const auto near = nearest_name(name, names);
-  const auto hint = near.empty() ? std::string() : fmt::format("did you mean '{}'? ", near);
-  return fmt::format("mouse '{}' is unknown; {}`labmouse mice` lists all", name, hint);
-}
-
 std::string unknown_parameter(const RosterEntry& entry, std::string_view key) {
   if (entry.parameters.empty())
     return fmt::format("mouse '{}' has no parameters, so none called '{}'", entry.name, key);
@@ -101,7 +89,8 @@ std::string attach_prior(const Parameter& parameter, const std::string& value, S
   const ReadPriorResult read = read_prior(file.content);
   if (!read.prior) {
     const Problem& first = read.problems.front();
-    return fmt::format("prior file {}:{}:{}: {}", value, first.line, first.column, first.reason);
+    const std::string place = first.line > 0 ? fmt::format(":{}:{}", first.line, first.column) : "";
+    return fmt::format("prior file {}{}: {}", value, place, first.reason);
   }
   settings.attach(std::make_shared<const WallPrior>(*read.prior));
   return "";
@@ -173,6 +162,18 @@ void read_into(std::string_view text, const GuestOptions& options, SpecResult& r
 }
 
 }  // namespace
+
+std::string unknown_mouse(std::string_view name) {
+  if (looks_like_a_program(name))
+    return fmt::format(
+        "mouse '{}' is unknown; a program of yours is 'capstone:FILE', 'guest:COMMAND' or 'mms:COMMAND', in quotes",
+        name);
+  std::vector<std::string_view> names = {oracle_name, "capstone", "guest", "mms"};
+  for (const RosterEntry* entry : roster()) names.push_back(entry->name);
+  const auto near = nearest_name(name, names);
+  const auto hint = near.empty() ? std::string() : fmt::format("did you mean '{}'? ", near);
+  return fmt::format("mouse '{}' is unknown; {}`labmouse mice` lists all", name, hint);
+}
 
 SpecResult read_specs(std::span<const std::string> texts, const GuestOptions& options) {
   SpecResult result;

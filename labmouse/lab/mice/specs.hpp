@@ -17,6 +17,9 @@ SpecResult read_specs(std::string_view text, const GuestOptions& options = {});
 /// The same of several texts.
 SpecResult read_specs(std::span<const std::string> texts, const GuestOptions& options = {});
 
+/// Why there is no mouse of that name, with the one that may have been meant.
+std::string unknown_mouse(std::string_view name);
+
 /// The mouse of a SPEC once for each value of one of its parameters, in the order of the values; what the SPEC says of
 /// that parameter is overridden. Values that are spelled differently and are equal count once.
 SpecResult read_variants(std::string_view spec, std::string_view parameter, std::span<const std::string> values);

@@ -141,6 +141,8 @@ class MmsWorld final : public World {
   static void score(const MmsRun& run, const MmsBound& bound, ContestResult& result) {
     const MmsStatistics& statistics = run.statistics;
     result.outcome = statistics.solved ? "solved" : fmt::format("unsolved: {}", name_of(run.outcome));
+    if (run.outcome != MmsOutcome::complete && run.outcome != MmsOutcome::interrupted && run.lines == 0)
+      result.never_started = run.end.empty() ? std::string(name_of(run.outcome)) : run.end;
     result.counted = decimal(statistics.score);
     if (!statistics.solved) return;
     result.score = result.counted;

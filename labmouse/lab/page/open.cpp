@@ -14,6 +14,7 @@
 #include "labmouse/lab/page/results.hpp"
 #include "labmouse/lab/records/drive_json.hpp"
 #include "labmouse/lab/system/version.hpp"
+#include "labmouse/lab/text/encoding.hpp"
 
 namespace labmouse {
 namespace {
@@ -120,6 +121,8 @@ PageReply answer_open(const nlohmann::json& json, std::string_view bytes) {
   if (!request.error().empty()) return failed(request.error());
   const std::string_view text = trimmed(bytes);
   if (text.empty()) return failed(fmt::format("{} is empty", name));
+  if (const auto foreign = foreign_encoding(bytes); !foreign.empty())
+    return failed(fmt::format("{} {}", name, foreign));
   if (is_markup(text)) return open_markup(name, text);
   if (text.front() != '{' && text.front() != '[') return open_maze(name, bytes);
   if (is_too_deep(text))

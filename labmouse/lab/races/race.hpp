@@ -28,6 +28,8 @@ struct ContestResult {
   std::uint64_t seed = 0;
   bool done = false;      ///< false where the race was stopped before
   std::string outcome;    ///< "solved", "forfeit: hit a wall"
+  /// Why a guest's program did not get as far as its first word; empty where it did, and for all other mice.
+  std::string never_started;
   int outcome_order = 0;  ///< in which lists of outcomes have it
   /// In the world's own unit; lower is better. Nothing where the contest has none.
   std::optional<double> score;

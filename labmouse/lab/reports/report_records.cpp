@@ -46,7 +46,7 @@ Found failed(const Place& place, std::string_view reason) {
 Found failed(const Place& place, const Problem& problem) { return {"", std::nullopt, describe(place.path, problem)}; }
 
 Found read_place(const Place& place) {
-  const FileContent file = read_file(place.path, longest_file);
+  const FileContent file = read_found_file(place.path, longest_file);
   if (!file.error.empty()) return failed(place, file.error);
   PackedFile packed = place.world->entry->pack(file.content, {place.mouse->name, *place.maze, *place.seeds});
   if (packed.problem) return failed(place, *packed.problem);

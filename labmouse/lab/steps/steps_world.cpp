@@ -125,6 +125,8 @@ class StepsWorld final : public World {
     const auto& reachable = std::any_cast<const CellSet&>(facts.prepared);
     result.outcome = outcome_of(record);
     result.outcome_order = static_cast<int>(record.outcome) * 100 + static_cast<int>(reason_of(record));
+    if (!mind->started()) result.never_started = record.last_words.substr(0, record.last_words.find('\n'));
+    if (!mind->started() && result.never_started.empty()) result.never_started = result.outcome;
     result.score = score.value;
     result.counted = score.value.value_or(rules_.failure_score);
     if (score.value && facts.bound) result.ratio = *score.value / *facts.bound;

@@ -14,8 +14,8 @@ struct NamedText {
   std::string error;
 };
 
-/// The built-in text of that name, or that of a file, whose name has a slash or ends in `.toml`. `kind` is what such a
-/// thing is called: "robot".
+/// The built-in text of that name, or that of a file, whose name has a slash or ends in `.toml`, or is `-`. `kind` is
+/// what such a thing is called: "robot".
 template <class Builtin>
 NamedText find_text(std::string_view kind, const Builtin& builtins, const std::string& name);
 

@@ -4,11 +4,7 @@
 
 namespace labmouse {
 
-std::string counted(int count, std::string_view one, std::string_view many) {
-  return fmt::format("{} {}", count, count == 1 ? one : many);
-}
-
-std::string counted(std::size_t count, std::string_view one, std::string_view many) {
+std::string counted(std::int64_t count, std::string_view one, std::string_view many) {
   return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 

@@ -171,7 +171,7 @@ class FixedSearch final : public Search {
 
   Size size_;
   L lattice_;
-  std::span<const std::uint16_t> leaps_ = L::leaps();
+  const std::vector<std::uint16_t> leaps_ = L::leaps();
   Straight straights_[2];
   /// By kind of line, parity of the position and bit.
   DriveTime turn_times_[2][16]{};

@@ -220,7 +220,7 @@ class LaneSearch final : public Search {
   Size size_;
   const LaneTables onwards_, backwards_;
   L lattice_;
-  std::span<const std::uint16_t> leaps_ = L::leaps();
+  const std::vector<std::uint16_t> leaps_ = L::leaps();
   std::vector<DriveTime> rolling_;  ///< by label: node, turned round, and slot
   std::vector<DriveTime> turning_;
   /// From the start to a node, turned round, at least.

@@ -1,7 +1,5 @@
 #include "labmouse/mouse/drive/lattice.hpp"
 
-#include <vector>
-
 namespace labmouse::drive {
 namespace {
 
@@ -179,14 +177,11 @@ int Lattice<Word>::leap(int node, unsigned bit) {
 }
 
 template <class Word>
-std::span<const std::uint16_t> Lattice<Word>::leaps() {
-  static const std::vector<std::uint16_t> leaps = [] {
-    std::vector<std::uint16_t> made(8 * static_cast<std::size_t>(nodes));
-    for (int node = 0; node < nodes; ++node)
-      for (unsigned bit = 0; bit < (direction(node) % 2 == 0 ? 8U : 3U); ++bit)
-        made[8 * static_cast<std::size_t>(node) + bit] = static_cast<std::uint16_t>(leap(node, bit));
-    return made;
-  }();
+std::vector<std::uint16_t> Lattice<Word>::leaps() {
+  std::vector<std::uint16_t> leaps(8 * static_cast<std::size_t>(nodes));
+  for (int node = 0; node < nodes; ++node)
+    for (unsigned bit = 0; bit < (direction(node) % 2 == 0 ? 8U : 3U); ++bit)
+      leaps[8 * static_cast<std::size_t>(node) + bit] = static_cast<std::uint16_t>(leap(node, bit));
   return leaps;
 }
 

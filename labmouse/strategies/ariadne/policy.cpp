@@ -101,16 +101,13 @@ void Policy::take_model(std::string_view model) {
   before.travel = after.travel = step_price * one;
 }
 
-std::span<const Parameter> fast_parameters() { return parameters; }
+constinit const PolicyParameters fast_parameters = parameters;
 
-std::span<const Parameter> deep_parameters() {
-  static constexpr std::array deep = [] {
-    auto table = parameters;
-    for (Parameter& parameter : table)
-      if (parameter.name == "way_here") parameter.default_value = "0.131";
-    return table;
-  }();
-  return deep;
-}
+constinit const PolicyParameters deep_parameters = [] {
+  auto table = parameters;
+  for (Parameter& parameter : table)
+    if (parameter.name == "way_here") parameter.default_value = "0.131";
+  return table;
+}();
 
 }  // namespace labmouse::ariadne

@@ -1,8 +1,8 @@
 // What ariadne weighs against what: its parameters, in integers.
 #pragma once
 
+#include <array>
 #include <cstdint>
-#include <span>
 #include <string_view>
 
 #include "labmouse/mouse/reasons.hpp"
@@ -43,7 +43,8 @@ struct Policy {
 };
 
 /// The parameters that Policy reads, with the defaults of `ariadne` and of `ariadne-deep`.
-std::span<const Parameter> fast_parameters();
-std::span<const Parameter> deep_parameters();
+using PolicyParameters = std::array<Parameter, 17>;
+extern const PolicyParameters fast_parameters;
+extern const PolicyParameters deep_parameters;
 
 }  // namespace labmouse::ariadne

@@ -1,0 +1,44 @@
+// An open file of the system.
+#pragma once
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <utility>
+
+namespace labmouse {
+
+/// Closes the descriptor when it goes, unless it was only borrowed.
+class Descriptor {
+ public:
+  static Descriptor opened(int number) { return {number, true}; }
+  static Descriptor borrowed(int number) { return {number, false}; }
+
+  Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)), owned_(other.owned_) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  Descriptor& operator=(Descriptor&& other) noexcept {
+    close();
+    number_ = std::exchange(other.number_, -1);
+    owned_ = other.owned_;
+    return *this;
+  }
+  ~Descriptor() { close(); }
+
+  /// -1 where it could not be opened.
+  int number() const { return number_; }
+
+  /// Closes it now. Returns the error number of a system that only now says that it could not write, or 0.
+  int close() {
+    const int number = std::exchange(number_, -1);
+    return number >= 0 && owned_ && ::close(number) != 0 ? errno : 0;
+  }
+
+ private:
+  Descriptor(int number, bool owned) : number_(number), owned_(owned) {}
+
+  int number_;
+  bool owned_;
+};
+
+}  // namespace labmouse

@@ -1,0 +1,93 @@
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <map>
+#include <mutex>
+
+#include "labmouse/lab/system/descriptor.hpp"
+#include "labmouse/lab/system/file_problems.hpp"
+#include "labmouse/lab/system/files.hpp"
+#include "labmouse/lab/system/streams.hpp"
+#include "labmouse/lab/text/encoding.hpp"
+
+namespace labmouse {
+namespace {
+
+FileContent unreadable(int error_number) {
+  if (error_number == ENOENT) return {"", "no such file"};
+  return {"", "cannot be read: " + cause_of(error_number)};
+}
+
+FileContent too_large(std::size_t bytes, std::size_t most_bytes) {
+  return {"", fmt::format("has {} bytes; more than {} is too large", bytes, most_bytes)};
+}
+
+/// All that is left to read. `expected` is a guess.
+FileContent read_all(int descriptor, std::size_t expected, std::size_t most_bytes) {
+  constexpr std::size_t least = std::size_t{1} << 12U;
+  std::string content(std::min(expected, most_bytes) + least, '\0');
+  std::size_t size = 0;
+  while (true) {
+    const ssize_t count = read(descriptor, content.data() + size, content.size() - size);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return unreadable(errno);
+    size += static_cast<std::size_t>(count);
+    if (size > most_bytes) return {"", fmt::format("has more than {} bytes, which is too large", most_bytes)};
+    if (count == 0) break;
+    if (size == content.size()) content.resize(2 * size);
+  }
+  content.resize(size);
+  if (const std::string_view foreign = foreign_encoding(content); !foreign.empty()) return {"", std::string(foreign)};
+  return {std::move(content), ""};
+}
+
+/// What streams held, by their paths: they can be read once, but a command may ask for one more often.
+struct Streams {
+  std::mutex mutex;
+  std::map<std::string, FileContent> contents;
+};
+
+FileContent read_stream(const std::string& path, int descriptor, std::size_t most_bytes) {
+  static Streams streams;
+  const std::lock_guard lock(streams.mutex);
+  const std::string name = descriptor == STDIN_FILENO ? "-" : path;
+  auto known = streams.contents.find(name);
+  if (known == streams.contents.end()) {
+    // A pipe that has a name waits here for somebody who writes.
+    const Descriptor opened = descriptor >= 0 ? Descriptor::borrowed(descriptor)
+                                              : Descriptor::opened(open(path.c_str(), O_RDONLY | O_CLOEXEC));
+    if (opened.number() < 0) return unreadable(errno);
+    known = streams.contents.emplace(name, read_all(opened.number(), 0, most_bytes)).first;
+  }
+  const std::size_t size = known->second.content.size();
+  return size > most_bytes ? too_large(size, most_bytes) : known->second;
+}
+
+FileContent read_regular(const std::string& path, std::size_t bytes, std::size_t most_bytes) {
+  if (bytes > most_bytes) return too_large(bytes, most_bytes);
+  const Descriptor opened = Descriptor::opened(open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  return opened.number() < 0 ? unreadable(errno) : read_all(opened.number(), bytes, most_bytes);
+}
+
+FileContent read_path(const std::string& path, std::size_t most_bytes, bool streams) {
+  if (path.empty()) return {"", "an empty path names no file"};
+  if (const auto descriptor = descriptor_to_read(path); descriptor && streams)
+    return read_stream(path, *descriptor, most_bytes);
+  struct stat status {};
+  if (stat(path.c_str(), &status) != 0) return unreadable(errno);
+  if (S_ISDIR(status.st_mode)) return unreadable(EISDIR);
+  if (S_ISREG(status.st_mode)) return read_regular(path, static_cast<std::size_t>(status.st_size), most_bytes);
+  return streams ? read_stream(path, -1, most_bytes) : FileContent{"", "is not a file, but a pipe or a device"};
+}
+
+}  // namespace
+
+FileContent read_file(const std::string& path, std::size_t most_bytes) { return read_path(path, most_bytes, true); }
+
+FileContent read_found_file(const std::string& path, std::size_t most_bytes) {
+  return read_path(path, most_bytes, false);
+}
+
+}  // namespace labmouse

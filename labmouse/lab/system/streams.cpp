@@ -1,0 +1,43 @@
+#include "labmouse/lab/system/streams.hpp"
+
+#include <unistd.h>
+
+#include <charconv>
+#include <filesystem>
+#include <string_view>
+
+namespace labmouse {
+namespace {
+
+/// N of `/dev/fd/N` and `/proc/self/fd/N`.
+std::optional<int> numbered(std::string_view path) {
+  for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"}) {
+    if (!path.starts_with(folder)) continue;
+    const std::string_view digits = path.substr(folder.size());
+    int number = -1;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    if (error == std::errc() && end == digits.data() + digits.size() && number >= 0) return number;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<int> descriptor_to_read(const std::string& path) {
+  if (path == "-" || path == "/dev/stdin") return STDIN_FILENO;
+  return numbered(path);
+}
+
+std::optional<int> descriptor_to_write(const std::string& path) {
+  if (path == "-" || path == "/dev/stdout") return STDOUT_FILENO;
+  if (path == "/dev/stderr") return STDERR_FILENO;
+  return numbered(path);
+}
+
+bool is_stream(const std::string& path) {
+  if (descriptor_to_write(path)) return true;
+  std::error_code unknown;
+  return std::filesystem::is_other(path, unknown);
+}
+
+}  // namespace labmouse

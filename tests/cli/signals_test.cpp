@@ -1,0 +1,88 @@
+// What ends the program early.
+#include <chrono>
+#include <functional>
+#include <thread>
+
+#include "tests/cli/user.hpp"
+
+namespace labmouse {
+namespace {
+
+using test::corridor;
+using test::Ended;
+using test::Program;
+
+bool patiently(const std::function<bool()>& done) {
+  const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  while (!done() && std::chrono::steady_clock::now() < patience) std::this_thread::yield();
+  return done();
+}
+
+class AnImpatientUser : public test::AUser, public testing::WithParamInterface<int> {
+ protected:
+  bool has_files(const std::string& folder) const {
+    std::error_code none;
+    return std::filesystem::exists(folder_ / folder, none) && !std::filesystem::is_empty(folder_ / folder, none);
+  }
+};
+
+TEST_P(AnImpatientUser, KeepsTheResultsOfARace) {
+  file("corridor.txt", corridor);
+  // Far more contests than a minute holds; the first record shows that the race is under way.
+  const Program program(folder_, {"race", "--mazes", "corridor.txt", "--mice", "random", "--runs", "500000", "--jobs",
+                                  "1", "--format", "json", "--out", "out"});
+  ASSERT_TRUE(patiently([&] { return has_files("out/random"); }));
+  program.signal(GetParam());
+  const Ended ended = program.wait();
+  EXPECT_EQ(ended.code, 128 + GetParam());
+  const auto json = nlohmann::json::parse(ended.out, nullptr, false);
+  ASSERT_FALSE(json.is_discarded()) << ended.err;
+  EXPECT_EQ(json.at("stopped"), true);
+  EXPECT_EQ(nlohmann::json::parse(content("out/results.json"), nullptr, false), json);
+  const std::size_t done = json.at("mice").at(0).at("results").size();
+  std::size_t records = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder_ / "out" / "random"))
+    records += entry.path().extension() == ".jsonl" ? 1 : 0;
+  EXPECT_EQ(records, done);
+}
+
+TEST_P(AnImpatientUser, StopsASearch) {
+  file("corridor.txt", corridor);
+  const Program program(folder_, {"sweep", "random", "--vary", "stride=1:8:1", "--mazes", "corridor.txt", "--runs",
+                                  "500000", "--jobs", "1"});
+  ASSERT_TRUE(patiently([&] { return program.handles_interrupts(); }));
+  program.signal(GetParam());
+  EXPECT_EQ(program.wait().code, 128 + GetParam());
+}
+
+TEST_P(AnImpatientUser, EndsARaceThatHangs) {
+  // Nobody ever writes the earlier results.
+  ASSERT_EQ(mkfifo((folder_ / "pipe").c_str(), 0600), 0);
+  const Program program(folder_, {"race", "--mice", "flood", "--baseline", "pipe"});
+  ASSERT_TRUE(patiently([&] { return program.handles_interrupts(); }));
+  EXPECT_TRUE(patiently([&] {
+    program.signal(GetParam());
+    return !program.runs();
+  }));
+  program.kill();
+  EXPECT_EQ(program.wait().code, -GetParam());
+}
+
+INSTANTIATE_TEST_SUITE_P(Signals, AnImpatientUser, testing::Values(SIGINT, SIGTERM, SIGHUP));
+
+class AUserOfNohup : public test::AUser {};
+
+TEST_F(AUserOfNohup, GetsNoHangup) {
+  file("corridor.txt", corridor);
+  const auto before = std::signal(SIGHUP, SIG_IGN);  // as nohup does, for its child
+  const Program program(folder_, {"sweep", "random", "--vary", "stride=1:8:1", "--mazes", "corridor.txt", "--runs",
+                                  "500000", "--jobs", "1"});
+  std::signal(SIGHUP, before);
+  ASSERT_TRUE(patiently([&] { return program.handles_interrupts(); }));
+  program.signal(SIGHUP);
+  program.signal(SIGTERM);
+  EXPECT_EQ(program.wait().code, 128 + SIGTERM);
+}
+
+}  // namespace
+}  // namespace labmouse

@@ -1,0 +1,124 @@
+// Pipes in place of files, and files that cannot be written.
+#include "tests/cli/user.hpp"
+
+namespace labmouse {
+namespace {
+
+using test::corridor;
+using test::Ended;
+using ::testing::HasSubstr;
+
+/// A user of a shell.
+class AShellUser : public test::AUser {
+ protected:
+  /// Runs a line of bash in which `labmouse` is the program.
+  Ended shell(const std::string& line) const {
+    file(".line", "labmouse() { '" LABMOUSE_PROGRAM "' \"$@\"; }\n" + line + "\n");
+    const int status = std::system(("cd '" + folder_.string() + "' && bash .line > .out 2> .err").c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status), content(".out"), content(".err")};
+  }
+  /// The line prints just that and ends well.
+  void prints(const std::string& line, const std::string& text) const {
+    const Ended ended = shell(line);
+    EXPECT_EQ(ended.code, 0) << line;
+    EXPECT_EQ(ended.out, text) << line << "\n" << ended.err;
+  }
+};
+
+TEST_F(AShellUser, PipesAMazeIn) {
+  const std::string maze = file("corridor.txt", corridor);
+  const std::string shown = labmouse({"show", maze}).out;
+  for (const char* path : {"-", "/dev/stdin", "/dev/fd/0"})
+    prints("cat corridor.txt | labmouse convert " + std::string(path) + " -", corridor);
+  prints("labmouse convert - /dev/stdout < corridor.txt", corridor);
+  prints("labmouse convert <(cat corridor.txt) -", corridor);
+  prints("labmouse race --mice flood --mazes - --format csv < corridor.txt | cut -d, -f1-2 | tail -n 1", "flood,-\n");
+}
+
+TEST_F(AShellUser, PipesRecordsOn) {
+  file("corridor.txt", corridor);
+  const std::string score = shell("labmouse run flood corridor.txt | tail -n 1").out;
+  prints("labmouse run flood corridor.txt --record - 2> /dev/null | labmouse score -", score);
+  prints("labmouse run flood corridor.txt --record /dev/stdout 2> summary | labmouse score /dev/stdin", score);
+  EXPECT_THAT(content("summary"), HasSubstr(score));
+  prints("labmouse run flood corridor.txt --record >(labmouse score - > told) > /dev/null; wait $!; cat told", score);
+  prints("labmouse run flood corridor.txt --record walk.jsonl > /dev/null; labmouse replay - < walk.jsonl | tail -n 1",
+         score);
+  prints("labmouse show --record - --svg - < walk.jsonl | head -c 4", "<svg");
+}
+
+TEST_F(AShellUser, PipesResultsOn) {
+  file("corridor.txt", corridor);
+  const Ended compared = shell(
+      "labmouse race --mice flood --mazes corridor.txt --format json |"
+      "labmouse race --mice flood --mazes corridor.txt --baseline - | tail -n 1");
+  EXPECT_THAT(compared.out, HasSubstr("flood")) << compared.err;
+  prints("labmouse sweep flood --vary stride=1,2 --mazes corridor.txt --csv - 2> /dev/null | wc -l", "3\n");
+  prints(
+      "labmouse study --mice flood,random --mazes corridor.txt corridor.txt island-8 --folds 2 --csv - 2> table |"
+      "grep -c corridor.txt",
+      "1\n");
+  EXPECT_NE(content("table"), "");
+}
+
+TEST_F(AShellUser, PipesTheLogOfASearchOnce) {
+  file("corridor.txt", corridor);
+  const std::string tune = "labmouse tune visit-counter --params coverage --mazes corridor.txt --evaluations 12 ";
+  ASSERT_EQ(shell(tune + "--log tune.csv").code, 0);
+  prints(tune + "--log - 2> /dev/null", content("tune.csv"));
+  prints(tune + "--log >(cat > told) > /dev/null; wait $!; cat told", content("tune.csv"));
+}
+
+TEST_F(AShellUser, PipesWhatMiceAreMadeOf) {
+  file("corridor.txt", corridor);
+  const std::string robots = "labmouse route corridor.txt --robot ", rules = "labmouse rules show ";
+  prints(robots + "- < " LABMOUSE_SOURCE_DIR "/robots/half.toml | tail -n 1",
+         shell(robots + LABMOUSE_SOURCE_DIR "/robots/half.toml | tail -n 1").out);
+  prints("labmouse rules show uk | labmouse rules show - | head -n 5", shell("labmouse rules show uk | head -n 5").out);
+  EXPECT_EQ(shell("labmouse learn corridor.txt -o - 2> /dev/null |"
+                  "labmouse race --mice ariadne:prior=- --mazes corridor.txt")
+                .code,
+            0);
+  // Each value makes a mouse, and each mouse asks for the prior.
+  EXPECT_EQ(shell("labmouse learn corridor.txt -o - 2> /dev/null |"
+                  "labmouse sweep ariadne:prior=- --vary speed_share=0,1 --mazes corridor.txt")
+                .code,
+            0);
+}
+
+TEST_F(AShellUser, CannotHaveTwoFilesInOnePlace) {
+  file("corridor.txt", corridor);
+  is_refused({"run", "flood", "corridor.txt", "--record", "-", "--svg", "/dev/stdout"}, "--record and --svg");
+  is_refused({"sweep", "flood", "--vary", "stride=1,2", "--csv", "a", "--svg", "a"}, "--csv and --svg");
+}
+
+TEST_F(AShellUser, ReplacesNoPipeAndNoDevice) {
+  file("corridor.txt", corridor);
+  prints("mkfifo pipe; cat pipe > told & labmouse convert corridor.txt pipe; wait; cat told", corridor);
+  EXPECT_TRUE(std::filesystem::is_fifo(folder_ / "pipe"));
+}
+
+TEST_F(AShellUser, IsToldWhyAFileCannotBeWritten) {
+  file("corridor.txt", corridor);
+  file("kept.svg", "kept");
+  is_refused({"convert", "corridor.txt", "/dev/full"}, "/dev/full: error: cannot be written: no space");
+  const Ended limited = shell("ulimit -f 1; labmouse show contest-01 --svg kept.svg");
+  EXPECT_EQ(limited.code, 2);
+  EXPECT_THAT(limited.err, HasSubstr("ulimit"));
+  EXPECT_EQ(content("kept.svg"), "kept");
+  const Ended tuned = shell(
+      "ulimit -f 1; labmouse tune visit-counter --params coverage --mazes corridor.txt --evaluations 1000000 "
+      "--log kept.csv | tail -c 400");
+  EXPECT_THAT(tuned.err, HasSubstr("kept.csv: error: cannot be written"));
+  EXPECT_THAT(content("kept.csv"), HasSubstr("\n"));  // as of an earlier generation, and whole
+  EXPECT_EQ(content("kept.csv").back(), '\n');
+  const Ended printed = shell("ulimit -f 1; labmouse show contest-01 --svg - > new.svg");
+  EXPECT_EQ(printed.code, 2);
+  EXPECT_THAT(printed.err, HasSubstr("ulimit"));
+  EXPECT_EQ(shell("labmouse mice > /dev/full").err,
+            "error: standard output cannot be written: no space is left on the device\n");
+  EXPECT_EQ(shell("ls -A | grep part").out, "");
+}
+
+}  // namespace
+}  // namespace labmouse

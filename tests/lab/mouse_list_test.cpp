@@ -1,0 +1,44 @@
+#include "labmouse/lab/mice/mouse_list.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "labmouse/strategies/roster.hpp"
+
+namespace labmouse {
+namespace {
+
+using ::testing::HasSubstr;
+
+TEST(MouseList, HasEveryMouseAndEveryParameter) {
+  const std::string list = mouse_list();
+  for (const RosterEntry* mouse : roster()) {
+    EXPECT_THAT(list, HasSubstr(std::string(mouse->name) + "  "));
+    for (const Parameter& parameter : mouse->parameters)
+      EXPECT_THAT(list, HasSubstr("    " + std::string(parameter.name) + "=" + std::string(parameter.default_value)));
+  }
+}
+
+TEST(MouseSheet, SaysHowAMouseWorksAndWhoseIdeaItIs) {
+  for (const RosterEntry* mouse : roster()) {
+    const NamedText sheet = mouse_sheet(std::string(mouse->name));
+    EXPECT_EQ(sheet.error, "");
+    // Both are whole sentences.
+    EXPECT_GT(mouse->method.size(), 100U) << mouse->name;
+    EXPECT_EQ(mouse->method.back(), '.') << mouse->name;
+    EXPECT_EQ(mouse->source.back(), '.') << mouse->name;
+    EXPECT_THAT(sheet.text, HasSubstr(std::string(mouse->method.substr(0, 20))));
+    EXPECT_THAT(sheet.text, HasSubstr(std::string(mouse->source.substr(0, 8))));
+    for (const Parameter& parameter : mouse->parameters)
+      EXPECT_THAT(sheet.text, HasSubstr(std::string(parameter.meaning)));
+    for (std::size_t at = 0, end = 0; mouse->parameters.empty() && at < sheet.text.size(); at = end + 1) {
+      end = sheet.text.find('\n', at);
+      EXPECT_LE(end - at, 120U) << sheet.text.substr(at, end - at);
+    }
+  }
+}
+
+TEST(MouseSheet, SuggestsAMouse) { EXPECT_THAT(mouse_sheet("flod").error, HasSubstr("did you mean 'flood'?")); }
+
+}  // namespace
+}  // namespace labmouse

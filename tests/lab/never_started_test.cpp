@@ -1,0 +1,54 @@
+#include "labmouse/lab/races/never_started.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/lab/mms_fixture.hpp"
+#include "tests/lab/race_fixture.hpp"
+
+namespace labmouse {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// A race of one guest with a contest for each of these, in which it started or did not.
+Race race_of(const std::vector<bool>& contests) {
+  Race race;
+  race.mice.emplace_back().name = "guest:mouse";
+  for (const bool started : contests) {
+    ContestResult& result = race.results.emplace_back();
+    result.done = true;
+    result.started = started;
+    result.last_words = "it ended with exit code 2\nTraceback";
+  }
+  return race;
+}
+
+TEST(NeverStarted, IsAGuestThatStartedInNoContest) {
+  EXPECT_EQ(never_started_lines(race_of({false, false})),
+            "guest:mouse failed to start in every contest: it ended with exit code 2\n");
+  EXPECT_EQ(never_started_lines(race_of({false, true})), "");
+  EXPECT_EQ(never_started_lines(race_of({true})), "");
+}
+
+TEST(NeverStarted, CountsJustTheContestsThatWereHeld) {
+  Race stopped = race_of({false, true});
+  stopped.results.back().done = false;
+  EXPECT_THAT(never_started_lines(stopped), HasSubstr("failed to start"));
+  stopped.results.front().done = false;
+  EXPECT_EQ(never_started_lines(stopped), "");
+}
+
+TEST(NeverStarted, IsNoMouseOfTheRoster) {
+  EXPECT_EQ(never_started_lines(hold_race(test::mice("flood"), {test::loop(), test::without_route()}, {})), "");
+}
+
+TEST(NeverStarted, IsAProgramForMmsWithoutALine) {
+  const MmsRace race = hold_mms_race({test::mms_mouse("mute", {"exit:2"}), test::mms_mouse("talker", {"ask:mazeWidth"}),
+                                      test::mms_mouse("idle", {"exit:0"})},
+                                     {test::plank(), test::loop()}, {});
+  EXPECT_EQ(never_started_lines(race), "mms:mute failed to start in every contest: exit code 2\n");
+}
+
+}  // namespace
+}  // namespace labmouse
