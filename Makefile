@@ -6,8 +6,10 @@
 #   make page    builds build/page/labmouse.html, and the program with it inside
 # And, when a mouse has changed:
 #   make reports runs every system of the five reports and writes docs/reports.md
+# And, before a release:
+#   make proof   the checks that take too long for .ci/run: docs/checks.md
 # One build tree, build/release, serves both: a race builds the program alone, so that it never waits for tests.
-.PHONY: race check page reports
+.PHONY: race check page reports proof
 
 # Configured once: from then on the build does it by itself, where it has to.
 race:
@@ -41,3 +43,6 @@ reports:
 	@test -e build/release/build.ninja || scripts/quietly cmake --preset release
 	@scripts/quietly cmake --build --preset release --target labmouse
 	@scripts/reports
+
+proof:
+	@scripts/proof

@@ -19,7 +19,7 @@ struct Inspection {
   /// Cells of a shortest way from the start to a goal; nothing where there is none.
   std::optional<int> shortest_cells;
   /// The shortest runs in strides; nothing where there is none.
-  std::optional<StrideRuns> shortest_strides;
+  std::optional<ShortestStrides> shortest_strides;
   bool left_follower_arrives = false;
   bool right_follower_arrives = false;
   /// Each official contest rule, kept or not.

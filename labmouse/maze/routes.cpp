@@ -132,14 +132,14 @@ std::optional<int> shortest_in_cells(const Maze& maze) {
   return search.distance[*goal];
 }
 
-std::optional<StrideRuns> shortest_in_strides(const Maze& maze, int longest) {
+std::optional<ShortestStrides> shortest_in_strides(const Maze& maze, int longest) {
   assert(longest >= 1);
-  if (maze.is_goal(maze.start())) return StrideRuns{1, 1};
+  if (maze.is_goal(maze.start())) return ShortestStrides{1, 1};
   Search search = search_from_start(maze, longest);
   const auto goal = first_goal(maze, search);
   if (!goal) return std::nullopt;
   const int strides = search.distance[*goal];
-  return StrideRuns{strides, count_runs(maze, search, longest, strides)};
+  return ShortestStrides{strides, count_runs(maze, search, longest, strides)};
 }
 
 bool has_several_routes(const Maze& maze) {

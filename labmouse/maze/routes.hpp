@@ -21,7 +21,7 @@ std::optional<int> shortest_in_cells(const Maze& maze);
 std::vector<Cell> shortest_way(const Maze& maze);
 
 /// What a shortest run costs in strides, and how many such runs there are.
-struct StrideRuns {
+struct ShortestStrides {
   int strides = 0;
   /// Different sequences of strides of that length; stops counting at the largest number that fits.
   std::uint64_t count = 0;
@@ -30,7 +30,7 @@ struct StrideRuns {
 /// The shortest runs in strides: one stride goes 1 to `longest` (at least 1) cells straight in any of the four
 /// headings, and the last one must end in a goal; passing through does not count. Where the start is a goal, a run is
 /// one step that stays there. Nothing where no goal can be reached.
-std::optional<StrideRuns> shortest_in_strides(const Maze& maze, int longest = 3);
+std::optional<ShortestStrides> shortest_in_strides(const Maze& maze, int longest = 3);
 
 /// Whether there are at least two routes to the goal that visit no cell twice. All goal cells count as one place, so
 /// walking differently inside a goal room makes no second route.
