@@ -133,12 +133,16 @@ std::vector<std::optional<Baseline>> load_baselines(const RaceOptions& options, 
   return baselines;
 }
 
-/// The mice whose mean over all contests is above the limit.
+/// The mice whose mean over all contests is above the limit. A failure that no mean counts is above any.
 std::string above_limit(const RaceOptions& options, const Race& race) {
   std::string text;
   for (const Standing& standing : standings_of(race)) {
     const Contestant& mouse = race.mice[standing.mouse];
-    if (!mouse.reference && standing.mean_all && *standing.mean_all > options.fail_above)
+    const bool counted = race.world().failure_score().has_value();
+    if (!counted && !mouse.reference && standing.solved < standing.runs)
+      text += fmt::format("{} has no score in {} of {} contests, which is above any limit\n", shown(mouse.name),
+                          standing.runs - standing.solved, standing.runs);
+    else if (!mouse.reference && standing.mean_all && *standing.mean_all > options.fail_above)
       text += fmt::format("{} scores {:.3f}, above the limit of {:g}\n", shown(mouse.name), *standing.mean_all,
                           options.fail_above);
   }
