@@ -63,8 +63,8 @@ void refuse_empty_paths(const CLI::App& command) {
     if (std::find(paths.begin(), paths.end(), type.substr(0, type.find(':'))) == paths.end()) continue;
     const std::vector<std::string>& words = option->results();
     if (std::find(words.begin(), words.end(), "") != words.end())
-      throw UsageError(fmt::format("error: {} is empty; it takes a {} (see `labmouse {} --help`)",
-                                                  option->get_name(), type, command.get_name()));
+      throw UsageError(fmt::format("error: {} is empty; it takes a {} (see `labmouse {} --help`)", option->get_name(),
+                                   type, command.get_name()));
   }
   for (const CLI::App* inner : command.get_subcommands()) refuse_empty_paths(*inner);
 }

@@ -15,19 +15,19 @@ using ::testing::Each;
 using ::testing::Ge;
 using ::testing::Le;
 
-using Function = std::function<double(const Point&)>;
+using Function = std::function<double(const UnitPoint&)>;
 
 EvolutionOrder order_of(std::size_t dimension, std::uint64_t seed = 1) {
   EvolutionOrder order;
-  order.start = Point(dimension, 0.5);
+  order.start = UnitPoint(dimension, 0.5);
   order.seed = seed;
   return order;
 }
 
 /// Measures the function at each point.
-std::vector<double> measured(const Function& function, const std::vector<Point>& points) {
+std::vector<double> measured(const Function& function, const std::vector<UnitPoint>& points) {
   std::vector<double> values;
-  for (const Point& point : points) values.push_back(function(point));
+  for (const UnitPoint& point : points) values.push_back(function(point));
   return values;
 }
 
@@ -46,21 +46,21 @@ int evaluations_to(double target, const Function& function, const EvolutionOrder
 }
 
 /// The numbers of the cube on -4 to 6, so that no function below has its lowest point where a search begins.
-Point spread(const Point& point) {
-  Point numbers;
+UnitPoint spread(const UnitPoint& point) {
+  UnitPoint numbers;
   for (const double share : point) numbers.push_back(10.0 * share - 4.0);
   return numbers;
 }
 
-double sphere(const Point& point) {
+double sphere(const UnitPoint& point) {
   double sum = 0.0;
   for (const double number : spread(point)) sum += number * number;
   return sum;
 }
 
 /// A thousand times as narrow along its last axis as along its first.
-double ellipsoid(const Point& point) {
-  const Point numbers = spread(point);
+double ellipsoid(const UnitPoint& point) {
+  const UnitPoint numbers = spread(point);
   double sum = 0.0;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const double axis = std::pow(1000.0, static_cast<double>(i) / static_cast<double>(numbers.size() - 1));
@@ -70,8 +70,8 @@ double ellipsoid(const Point& point) {
 }
 
 /// A narrow bent valley.
-double rosenbrock(const Point& point) {
-  const Point numbers = spread(point);
+double rosenbrock(const UnitPoint& point) {
+  const UnitPoint numbers = spread(point);
   double sum = 0.0;
   for (std::size_t i = 0; i + 1 < numbers.size(); ++i) {
     const double off = numbers[i + 1] - numbers[i] * numbers[i], from_one = 1.0 - numbers[i];
@@ -81,8 +81,8 @@ double rosenbrock(const Point& point) {
 }
 
 /// The same along axes that are turned by 45 degrees.
-double turned_ellipsoid(const Point& point) {
-  const Point numbers = spread(point);
+double turned_ellipsoid(const UnitPoint& point) {
+  const UnitPoint numbers = spread(point);
   const double along = numbers[0] + numbers[1], across = numbers[0] - numbers[1];
   return along * along + 1e6 * across * across;
 }
@@ -126,15 +126,15 @@ TEST(Evolution, StaysInTheCube) {
   order.step = 1.0;
   Evolution evolution(order);
   for (int generation = 0; generation < 200; ++generation) {
-    const std::vector<Point> points = evolution.ask();
-    for (const Point& point : points) EXPECT_THAT(point, Each(AllOf(Ge(0.0), Le(1.0))));
-    evolution.tell(measured([](const Point& point) { return -std::abs(point[0] - 0.5); }, points));
+    const std::vector<UnitPoint> points = evolution.ask();
+    for (const UnitPoint& point : points) EXPECT_THAT(point, Each(AllOf(Ge(0.0), Le(1.0))));
+    evolution.tell(measured([](const UnitPoint& point) { return -std::abs(point[0] - 0.5); }, points));
     EXPECT_LE(evolution.step(), 1.0);
   }
 }
 
 TEST(Evolution, FindsACorner) {
-  const auto to_corner = [](const Point& point) { return point[0] + 2.0 * point[1] + 3.0 * (1.0 - point[2]); };
+  const auto to_corner = [](const UnitPoint& point) { return point[0] + 2.0 * point[1] + 3.0 * (1.0 - point[2]); };
   EXPECT_LE(evaluations_to(1e-3, to_corner, order_of(3)), 500);
 }
 
@@ -145,7 +145,7 @@ TEST(Evolution, ThrowsAroundItsStartByItsStep) {
   order.population = 4000;
   double mean = 0.0, variance = 0.0;
   int beyond = 0;
-  for (const Point& point : Evolution(order).ask()) {
+  for (const UnitPoint& point : Evolution(order).ask()) {
     mean += point[0] / 4000.0;
     variance += (point[0] - 0.3) * (point[0] - 0.3) / 4000.0;
     beyond += std::abs(point[1] - 0.6) > 0.1 ? 1 : 0;  // two deviations
@@ -158,10 +158,10 @@ TEST(Evolution, ThrowsAroundItsStartByItsStep) {
 TEST(Evolution, CountsTheOrderOfTheValuesAlone) {
   Evolution plain(order_of(4)), bent(order_of(4));
   for (int generation = 0; generation < 60; ++generation) {
-    const std::vector<Point> points = plain.ask();
+    const std::vector<UnitPoint> points = plain.ask();
     ASSERT_EQ(bent.ask(), points);
     plain.tell(measured(rosenbrock, points));
-    bent.tell(measured([](const Point& point) { return std::sqrt(rosenbrock(point)) - 7.0; }, points));
+    bent.tell(measured([](const UnitPoint& point) { return std::sqrt(rosenbrock(point)) - 7.0; }, points));
   }
 }
 
@@ -192,7 +192,7 @@ TEST(Evolution, KeepsItsStepWhereChanceRanks) {
   const double before = evolution.step();
   Dice dice(1);
   for (int generation = 0; generation < 60; ++generation)
-    evolution.tell(measured([&](const Point&) { return dice.below(1000); }, evolution.ask()));
+    evolution.tell(measured([&](const UnitPoint&) { return dice.below(1000); }, evolution.ask()));
   EXPECT_GT(evolution.step(), before / 20.0);
   EXPECT_LT(evolution.step(), before * 20.0);
 }

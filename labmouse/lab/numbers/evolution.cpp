@@ -26,7 +26,7 @@ double reflected(double number) {
   return std::min(1.0, in_period <= 1.0 ? in_period : 2.0 - in_period);
 }
 
-double length_of(const Point& vector) {
+double length_of(const UnitPoint& vector) {
   return std::sqrt(std::inner_product(vector.begin(), vector.end(), vector.begin(), 0.0));
 }
 
@@ -73,12 +73,12 @@ Evolution::Evolution(const EvolutionOrder& order)
   assert(dimension_ >= 1 && population_ >= 2 && step_ > 0.0);
 }
 
-std::vector<Point> Evolution::ask() {
+std::vector<UnitPoint> Evolution::ask() {
   steps_.clear();
-  std::vector<Point> points;
+  std::vector<UnitPoint> points;
   for (int i = 0; i < population_; ++i) {
     steps_.push_back(thrown_step());
-    Point point(dimension_);
+    UnitPoint point(dimension_);
     for (std::size_t d = 0; d < dimension_; ++d) point[d] = reflected(mean_[d] + step_ * steps_.back()[d]);
     points.push_back(std::move(point));
   }
@@ -86,8 +86,8 @@ std::vector<Point> Evolution::ask() {
 }
 
 /// A deviate along each axis of the shape.
-Point Evolution::thrown_step() {
-  Point step(dimension_, 0.0);
+UnitPoint Evolution::thrown_step() {
+  UnitPoint step(dimension_, 0.0);
   for (std::size_t axis = 0; axis < dimension_; ++axis) {
     const double along = axes_.values[axis] * deviate(dice_);
     for (std::size_t d = 0; d < dimension_; ++d) step[d] += along * axes_.vectors(d, axis);
@@ -100,7 +100,7 @@ void Evolution::tell(std::span<const double> values) {
   std::vector<std::size_t> ranked(values.size());
   std::iota(ranked.begin(), ranked.end(), std::size_t{0});
   std::stable_sort(ranked.begin(), ranked.end(), [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
-  const Point move = weighted_sum(ranked);
+  const UnitPoint move = weighted_sum(ranked);
   for (std::size_t d = 0; d < dimension_; ++d) mean_[d] += step_ * move[d];
   const bool path_runs = advance_paths(move);
   learn_shape(ranked, path_runs);
@@ -110,16 +110,16 @@ void Evolution::tell(std::span<const double> values) {
 }
 
 /// The step to the weighted mean of the better half.
-Point Evolution::weighted_sum(std::span<const std::size_t> ranked) const {
-  Point sum(dimension_, 0.0);
+UnitPoint Evolution::weighted_sum(std::span<const std::size_t> ranked) const {
+  UnitPoint sum(dimension_, 0.0);
   for (std::size_t rank = 0; rank < constants_.weights.size(); ++rank)
     for (std::size_t d = 0; d < dimension_; ++d) sum[d] += constants_.weights[rank] * steps_[ranked[rank]][d];
   return sum;
 }
 
 /// The step as it would have been thrown were the shape a sphere: covariance^(-1/2) step.
-Point Evolution::whitened(const Point& step) const {
-  Point white(dimension_, 0.0);
+UnitPoint Evolution::whitened(const UnitPoint& step) const {
+  UnitPoint white(dimension_, 0.0);
   for (std::size_t axis = 0; axis < dimension_; ++axis) {
     double along = 0.0;
     for (std::size_t d = 0; d < dimension_; ++d) along += axes_.vectors(d, axis) * step[d];
@@ -130,8 +130,8 @@ Point Evolution::whitened(const Point& step) const {
 
 /// Adds the mean's move to both paths. False where the path of the step size is so long that the step size has to grow
 /// first: then the shape's path stands still, so that the shape is not drawn out in its place.
-bool Evolution::advance_paths(const Point& move) {
-  const Point white = whitened(move);
+bool Evolution::advance_paths(const UnitPoint& move) {
+  const UnitPoint white = whitened(move);
   const double rate = constants_.path_rate, shape_rate = constants_.shape_path_rate;
   for (std::size_t d = 0; d < dimension_; ++d)
     path_[d] = (1.0 - rate) * path_[d] + std::sqrt(rate * (2.0 - rate) * constants_.effective) * white[d];
@@ -150,7 +150,7 @@ void Evolution::learn_shape(std::span<const std::size_t> ranked, bool path_runs)
     for (std::size_t column = 0; column <= row; ++column) {
       double of_steps = 0.0;
       for (std::size_t rank = 0; rank < constants_.weights.size(); ++rank) {
-        const Point& step = steps_[ranked[rank]];
+        const UnitPoint& step = steps_[ranked[rank]];
         of_steps += constants_.weights[rank] * step[row] * step[column];
       }
       covariance_(row, column) =

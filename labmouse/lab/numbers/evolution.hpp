@@ -21,10 +21,10 @@
 
 namespace labmouse {
 
-using Point = std::vector<double>;
+using UnitPoint = std::vector<double>;
 
 struct EvolutionOrder {
-  Point start;         ///< in the unit cube; 1 to 20 numbers
+  UnitPoint start;     ///< in the unit cube; 1 to 20 numbers
   double step = 0.2;   ///< first standard deviation of each number, as a share of its range
   int population = 0;  ///< points a generation, at least 2; 0 takes usual_population
   std::uint64_t seed = 1;
@@ -39,7 +39,7 @@ class Evolution {
   explicit Evolution(const EvolutionOrder& order);
 
   /// The points of the next generation. Until they are told, asking again throws others.
-  std::vector<Point> ask();
+  std::vector<UnitPoint> ask();
   /// What was measured at the points of the last ask, in their order; lower is better, and equal ones rank as they
   /// stand.
   void tell(std::span<const double> values);
@@ -62,23 +62,23 @@ class Evolution {
   };
   static Constants constants_of(std::size_t dimension, int population);
 
-  Point thrown_step();
-  Point weighted_sum(std::span<const std::size_t> ranked) const;
-  Point whitened(const Point& step) const;
-  bool advance_paths(const Point& move);
+  UnitPoint thrown_step();
+  UnitPoint weighted_sum(std::span<const std::size_t> ranked) const;
+  UnitPoint whitened(const UnitPoint& step) const;
+  bool advance_paths(const UnitPoint& move);
   void learn_shape(std::span<const std::size_t> ranked, bool path_runs);
 
   std::size_t dimension_;
   int population_;
   Constants constants_;
   Dice dice_;
-  Point mean_;  ///< not reflected: the distribution lives in the mirrored continuation of the cube
+  UnitPoint mean_;  ///< not reflected: the distribution lives in the mirrored continuation of the cube
   double step_;
-  Point path_, shape_path_;
+  UnitPoint path_, shape_path_;
   double path_age_ = 1.0;  ///< (1 - c_sigma)^(2 generations): what is left of the paths' beginning at zero
   SquareMatrix covariance_;
-  Eigenvectors axes_;         ///< of the covariance; the values are standard deviations
-  std::vector<Point> steps_;  ///< of the last ask, before step size and mean
+  Eigenvectors axes_;             ///< of the covariance; the values are standard deviations
+  std::vector<UnitPoint> steps_;  ///< of the last ask, before step size and mean
 };
 
 }  // namespace labmouse

@@ -26,8 +26,8 @@ struct ContestResult {
   std::size_t maze = 0;
   int run = 0;
   std::uint64_t seed = 0;
-  bool done = false;      ///< false where the race was stopped before
-  std::string outcome;    ///< "solved", "forfeit: hit a wall"
+  bool done = false;    ///< false where the race was stopped before
+  std::string outcome;  ///< "solved", "forfeit: hit a wall"
   /// Why a guest's program did not get as far as its first word; empty where it did, and for all other mice.
   std::string never_started;
   int outcome_order = 0;  ///< in which lists of outcomes have it

@@ -22,8 +22,8 @@ namespace labmouse {
 
 /// Names of figures that a world may have, and that have one meaning in all: the shares of the reachable cells that the
 /// mouse came to know and stood in while it searched, 0 to 1; and what the mouse had to say.
-inline constexpr std::string_view discovered_share = "discovered_share";
-inline constexpr std::string_view visited_share = "visited_share";
+inline constexpr std::string_view discovered_figure = "discovered_share";
+inline constexpr std::string_view visited_figure = "visited_share";
 inline constexpr std::string_view said_last = "last_words";
 
 struct Race;

@@ -23,7 +23,7 @@ constexpr std::size_t longest_file = std::size_t{1} << 28U;  // bytes
 constexpr std::size_t block_size = 256;                      // records that are in memory at a time
 
 /// A record that may lie in the folder.
-struct Place {
+struct RecordPlace {
   std::string path;
   const ReportMouse* mouse = nullptr;
   const std::string* maze = nullptr;
@@ -39,13 +39,15 @@ struct Found {
   bool own_places = true;  ///< as PackedFile has it
 };
 
-Found failed(const Place& place, std::string_view reason) {
+Found failed(const RecordPlace& place, std::string_view reason) {
   return {"", std::nullopt, shown(fmt::format("{}: error: {}", place.path, reason))};
 }
 
-Found failed(const Place& place, const Problem& problem) { return {"", std::nullopt, describe(place.path, problem)}; }
+Found failed(const RecordPlace& place, const Problem& problem) {
+  return {"", std::nullopt, describe(place.path, problem)};
+}
 
-Found read_place(const Place& place) {
+Found read_place(const RecordPlace& place) {
   const FileContent file = read_found_file(place.path, longest_file);
   if (!file.error.empty()) return failed(place, file.error);
   PackedFile packed = place.world->entry->pack(file.content, {place.mouse->name, *place.maze, *place.seeds});
@@ -65,7 +67,7 @@ std::string path_of(const RacePaths& numbered, const RacePaths& single, std::siz
 
 /// Where the records of a world lie that the results speak of, in the order of the results; `missing` counts those that
 /// are not there.
-void add_places(const ReportWorld& world, const std::string& folder, std::vector<Place>& places, int& missing) {
+void add_places(const ReportWorld& world, const std::string& folder, std::vector<RecordPlace>& places, int& missing) {
   std::vector<std::string> mice = names_of(world.mice), mazes = names_of(world.mazes);
   std::sort(mice.begin(), mice.end());
   std::sort(mazes.begin(), mazes.end());
@@ -93,7 +95,7 @@ class Shelf {
   bool full() const { return left_out_ > 0; }
   void leave_out(std::size_t count) { left_out_ += count; }
 
-  void add(const Place& place, Found found) {
+  void add(const RecordPlace& place, Found found) {
     if (found.note.empty() && found.maze && found.own_places &&
         records_.mazes.try_emplace(*place.maze, *found.maze).first->second != *found.maze)
       found = failed(place, "its maze is not the one that other records of this race have under that name");
@@ -123,7 +125,7 @@ class Shelf {
 }  // namespace
 
 ReportRecords read_report_records(const ReportResults& results, const std::string& folder, std::size_t most_bytes) {
-  std::vector<Place> places;
+  std::vector<RecordPlace> places;
   int missing = 0;
   for (const ReportWorld& world : results.worlds) add_places(world, folder, places, missing);
   Shelf shelf(most_bytes);

@@ -44,7 +44,7 @@ class Tuner {
     evaluate({given_}, 0.0);
     Evolution evolution(first_order());
     while (!tune_.stopped && left() > 0) {
-      std::vector<Point> points = evolution.ask();
+      std::vector<UnitPoint> points = evolution.ask();
       points.resize(std::min(points.size(), left()));
       const std::size_t before = tune_.evaluations.size();
       evaluate(candidates_at(points), evolution.step());
@@ -68,9 +68,9 @@ class Tuner {
     return order;
   }
 
-  std::vector<Contestant> candidates_at(const std::vector<Point>& points) const {
+  std::vector<Contestant> candidates_at(const std::vector<UnitPoint>& points) const {
     std::vector<Contestant> candidates;
-    for (const Point& point : points) {
+    for (const UnitPoint& point : points) {
       std::vector<Setting> values;
       for (std::size_t i = 0; i < point.size(); ++i)
         values.push_back({std::string(tune_.ranges[i].parameter.name), value_at(tune_.ranges[i], point[i])});
