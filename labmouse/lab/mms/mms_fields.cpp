@@ -36,7 +36,7 @@ constexpr std::array<ContestField, 18> contest_fields = {{{"maze", fields::maze_
                                                           {"errors", figure<F::errors>},
                                                           {"simulated_seconds", figure<F::simulated_seconds>},
                                                           {"seconds", figure<F::seconds>},
-                                                          {visited_share, figure<F::visited_share>}}};
+                                                          {visited_share, figure<F::visited>}}};
 
 /// One value of `getStat`, by its place among them.
 template <std::size_t Place>

@@ -20,6 +20,10 @@ inline constexpr std::size_t kept_log = 3;
 /// of its log and its errors only: many runs have to fit into memory.
 std::shared_ptr<const World> mms_world(const MmsOptions& options = {});
 
+/// Fills in what is left of the result of a contest that went so: a run that visited those cells, in a maze with the
+/// facts that the world has of it.
+void sum_up(const MmsRun& run, const CellSet& visited, const MazeFacts& facts, ContestResult& result);
+
 /// The figures of a run, by their places in ContestResult::figures.
 enum class MmsFigure : std::uint8_t {
   outcome,
@@ -36,7 +40,7 @@ enum class MmsFigure : std::uint8_t {
   errors,
   simulated_seconds,
   seconds,  ///< of real time: the one figure that differs from race to race
-  visited_share,
+  visited,
 };
 
 /// The figures of a maze: the least run and the least score, null where the centre cannot be reached.

@@ -95,6 +95,7 @@ struct ScorePlace {
   std::string_view key = "score";
   std::string_view inner;  ///< where the score is an object, its field
   double unit = 1.0;       ///< what a number there is to be multiplied by
+  double least = 0.0;      ///< no score is below
 };
 
 class World {

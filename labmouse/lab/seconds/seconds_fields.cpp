@@ -26,8 +26,8 @@ constexpr std::array<ContestField, 13> contest_fields = {{{"maze", fields::maze_
                                                           {"starts", figure<F::starts>},
                                                           {"decisions", figure<F::decisions>},
                                                           {"replanned", figure<F::replanned>},
-                                                          {discovered_share, figure<F::discovered_share>},
-                                                          {visited_share, figure<F::visited_share>}}};
+                                                          {discovered_share, figure<F::discovered>},
+                                                          {visited_share, figure<F::visited>}}};
 
 constexpr std::array<ContestField, 14> csv_fields = {{{"mouse", fields::mouse_name},
                                                       {"maze", fields::maze_name},

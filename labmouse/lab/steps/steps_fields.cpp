@@ -30,14 +30,14 @@ constexpr std::array<ContestField, 15> contest_fields = {{{"maze", fields::maze_
                                                           {"score", fields::score},
                                                           {"exploration_steps", figure<F::exploration_steps>},
                                                           {"speed_steps", figure<F::speed_steps>},
-                                                          {discovered_share, figure<F::discovered_share>},
-                                                          {visited_share, figure<F::visited_share>},
+                                                          {discovered_share, figure<F::discovered>},
+                                                          {visited_share, figure<F::visited>},
                                                           {"microseconds_per_decision", microseconds},
                                                           {"blocked_steps", figure<F::blocked_steps>},
                                                           {"void_rotations", figure<F::void_rotations>},
                                                           {"cut_movements", figure<F::cut_movements>},
                                                           {"idle_resets", figure<F::idle_resets>},
-                                                          {last_words, figure<F::last_words>},
+                                                          {last_words, figure<F::words>},
                                                           {"counts", figure<F::counts>}}};
 
 constexpr std::array<ContestField, 12> csv_fields = {{{"mouse", fields::mouse_name},
@@ -50,8 +50,8 @@ constexpr std::array<ContestField, 12> csv_fields = {{{"mouse", fields::mouse_na
                                                       {"optimum", fields::of_maze<StepsMazeFigure::optimum>},
                                                       {"bound", fields::bound},
                                                       {"microseconds_per_decision", rounded_microseconds},
-                                                      {discovered_share, figure<F::discovered_share>},
-                                                      {visited_share, figure<F::visited_share>}}};
+                                                      {discovered_share, figure<F::discovered>},
+                                                      {visited_share, figure<F::visited>}}};
 
 constexpr std::array<MazeField, 5> maze_fields = {{{"name", fields::name},
                                                    {"width", fields::width},
