@@ -4,7 +4,9 @@
 
 #include <map>
 
-#include "labmouse/lab/races/tournament.hpp"
+#include "labmouse/lab/bounds/bounds.hpp"
+#include "labmouse/lab/mice/specs.hpp"
+#include "labmouse/lab/steps/steps_world.hpp"
 #include "tests/capstone_mazes.hpp"
 #include "tests/guests/capstone_fixture.hpp"
 #include "tests/slowness.hpp"
@@ -35,10 +37,12 @@ void expect_equal_records(const std::vector<NamedMaze>& mazes, const std::string
   ASSERT_EQ(mice.error, "");
   std::map<std::size_t, std::map<std::size_t, RunRecord>> records;  // by maze and mouse
   RaceHooks hooks;
-  hooks.finished = [&](const Race&, const ContestResult& contest, const RunRecord& record) {
-    records[contest.maze][contest.mouse] = record;
+  hooks.finished = [&](const Race&, const ContestResult& contest, const Held& held) {
+    records[contest.maze][contest.mouse] = std::any_cast<const RunRecord&>(held.run);
   };
-  const Race race = hold_race(std::move(mice.contestants), mazes, {}, hooks);
+  RaceOrder order;
+  order.world = steps_world();
+  const Race race = hold_race(std::move(mice.contestants), mazes, order, hooks);
   ASSERT_EQ(records.size(), mazes.size());
   for (const auto& [maze, of] : records) {
     SCOPED_TRACE(race.mazes[maze].name);

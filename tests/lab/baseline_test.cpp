@@ -3,8 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "labmouse/lab/standings/race_report.hpp"
-#include "tests/lab/race_fixture.hpp"
+#include "labmouse/lab/standings/race_json.hpp"
+#include "labmouse/lab/worlds/worlds.hpp"
+#include "tests/lab/record_fixture.hpp"
 
 namespace labmouse {
 namespace {
@@ -12,9 +13,9 @@ namespace {
 using ::testing::HasSubstr;
 
 std::string compared(const Race& now, std::string_view earlier_json) {
-  const auto baseline = read_baseline(earlier_json, Rules());
-  EXPECT_TRUE(baseline.has_value());
-  return baseline ? compare_with_baseline(now, *baseline) : "";
+  const auto read = read_baseline(earlier_json, now.world());
+  EXPECT_EQ(read.error, "");
+  return read.baseline ? compare_with_baseline(now, *read.baseline) : "";
 }
 
 /// What a race of the new mice says of an earlier one.
@@ -48,8 +49,9 @@ TEST(Baseline, MazesMayHaveMovedToAnotherFolder) {
   NamedMaze before = test::loop(), now = test::loop();
   before.name = "there/loop.txt";
   now.name = "here/loop.txt";
-  const Race earlier = hold_race(test::mice("flood"), {before}, {});
-  EXPECT_THAT(compared(hold_race(test::mice("flood"), {now}, {}), json_of(earlier, {})), HasSubstr("over 1 maze ("));
+  const Race earlier = hold_race(test::mice("flood"), {before}, test::in_steps());
+  EXPECT_THAT(compared(hold_race(test::mice("flood"), {now}, test::in_steps()), json_of(earlier, {})),
+              HasSubstr("over 1 maze ("));
 }
 
 TEST(Baseline, AMouseThatWasNotThereIsSaidToBeNew) {
@@ -65,15 +67,27 @@ TEST(Baseline, AFailureCountsAsTheFailureScore) {
 }
 
 TEST(Baseline, MazesInCommonAreCompared) {
-  const Race earlier = hold_race(test::mice("flood"), {test::loop()}, {});
+  const Race earlier = hold_race(test::mice("flood"), {test::loop()}, test::in_steps());
   EXPECT_THAT(compared(test::race_of("flood"), json_of(earlier, {})), HasSubstr("over 1 maze ("));
 }
 
 TEST(Baseline, WithoutACommonMazeItSaysSo) {
   NamedMaze other = test::loop();
   other.name = "another";
-  const Race earlier = hold_race(test::mice("flood"), {other}, {});
+  const Race earlier = hold_race(test::mice("flood"), {other}, test::in_steps());
   EXPECT_THAT(compared(test::race_of("flood"), json_of(earlier, {})), HasSubstr("no maze in common"));
+}
+
+TEST(Baseline, AFailureThatCountsNothingIsLeftOut) {
+  const auto world = default_world("seconds");
+  const std::string json =
+      R"({"labmouse":"x","mice":[],"groups":[{"world":"seconds","mice":[{"name":"flood","results":[)"
+      R"({"maze":"loop","score":null},{"maze":"loop","score":{"value":2500000}},{"maze":"hook","score":null}]}]}]})";
+  const ReadBaselineResult read = read_baseline(json, *world);
+  ASSERT_TRUE(read.baseline) << read.error;
+  EXPECT_EQ(read.baseline->mice.at("flood"), (std::map<std::string, std::vector<double>>{{"loop", {2.5}}}));
+  EXPECT_NE(read_baseline(test::changed(json, "2500000", "-2500000"), *world).error, "");
+  EXPECT_NE(read_baseline(test::changed(json, "\"value\"", "\"other\""), *world).error, "");
 }
 
 TEST(Baseline, WhatIsNoRaceIsRefused) {
@@ -86,7 +100,7 @@ TEST(Baseline, WhatIsNoRaceIsRefused) {
         R"({"labmouse":"x","mice":[{"name":"flood","results":[{"maze":"loop","score":"1"}]}]})",
         R"({"labmouse":"x","mice":[{"name":"flood","results":[{"maze":"loop","score":1e308}]}]})",
         R"({"labmouse":"x","mice":[{"name":"flood","results":[{"maze":"loop","score":-1}]}]})"})
-    EXPECT_FALSE(read_baseline(bad, Rules()).has_value()) << bad;
+    EXPECT_THAT(read_baseline(bad, *steps_world()).error, HasSubstr("is not the JSON of a race")) << bad;
 }
 
 }  // namespace

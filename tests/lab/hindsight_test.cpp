@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "labmouse/chance/dice.hpp"
+#include "labmouse/contest/score.hpp"
 #include "labmouse/contest/script.hpp"
 #include "labmouse/contest/simulator.hpp"
-#include "labmouse/lab/races/contest_list.hpp"
 #include "labmouse/lab/standings/standings.hpp"
 #include "labmouse/maze/generators/generator.hpp"
 #include "tests/lab/race_fixture.hpp"
@@ -179,18 +179,18 @@ TEST(Hindsight, ScoresAsInARaceInTheOrderOfTheMazes) {
   ASSERT_EQ(found.mazes.size(), 2U);
   EXPECT_EQ(found.mazes[0].maze, "loop");
   EXPECT_THAT(found.routeless, ElementsAre("without-route"));
-  const Race race = hold_race(test::mice("flood:stride=2"), {test::loop()}, {});
-  EXPECT_EQ(found.mazes[0].score, race.results[0].score.value);
-  EXPECT_EQ(found.mazes[0].bound.score, race.bounds[0].score);
+  const Race race = hold_race(test::mice("flood:stride=2"), {test::loop()}, test::in_steps());
+  EXPECT_EQ(found.mazes[0].score, race.results[0].score);
+  EXPECT_EQ(found.mazes[0].bound.score, race.facts[0].bound);
   EXPECT_FALSE(found.has_others);
   EXPECT_EQ(found.mazes[0].best_other, std::nullopt);
 }
 
 TEST(Hindsight, TakesTheBestOfTheMouseAndItsVariants) {
   const Hindsight found = look_back("flood", {test::loop()}, order_of(64));
-  const Race race = hold_race(test::mice("flood,flood:stride=2,flood:stride=4"), {test::loop()}, {});
+  const Race race = hold_race(test::mice("flood,flood:stride=2,flood:stride=4"), {test::loop()}, test::in_steps());
   const Standing best = standings_of(race).front();
-  EXPECT_EQ(found.mazes[0].best_other, best.penalised_mean);
+  EXPECT_EQ(found.mazes[0].best_other, best.mean_all);
   EXPECT_EQ(found.mazes[0].best_mouse, race.mice[best.mouse].name);
 }
 
@@ -198,15 +198,15 @@ TEST(Hindsight, OfAMouseThatThrowsDiceTakesFurtherSeeds) {
   const HindsightOrder order = order_of(10);
   const Hindsight found = look_back("random", {test::loop()}, order);
   EXPECT_TRUE(found.throws_dice);
-  RaceOrder race_order = order.race;
+  RaceOrder race_order = test::in_steps();
+  race_order.runs = order.race.runs;
   EXPECT_DOUBLE_EQ(found.mazes[0].score,
-                   *standings_of(hold_race(test::mice("random"), {test::loop()}, race_order)).front().penalised_mean);
+                   *standings_of(hold_race(test::mice("random"), {test::loop()}, race_order)).front().mean_all);
   race_order.runs = 3 + 10;
   const Race race = hold_race(test::mice("random"), {test::loop()}, race_order);
-  const auto best = std::min_element(race.results.begin(), race.results.end(), [&](const auto& a, const auto& b) {
-    return penalised(race, a) < penalised(race, b);
-  });
-  EXPECT_DOUBLE_EQ(*found.mazes[0].best_other, penalised(race, *best));
+  const auto best = std::min_element(race.results.begin(), race.results.end(),
+                                     [&](const auto& a, const auto& b) { return a.counted < b.counted; });
+  EXPECT_DOUBLE_EQ(*found.mazes[0].best_other, *best->counted);
   EXPECT_EQ(found.mazes[0].best_seed, best->seed);
   double stops = 0.0;
   for (int run = 0; run < 3; ++run) {

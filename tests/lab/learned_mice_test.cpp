@@ -155,6 +155,7 @@ TEST_F(LearnedMice, RaceAsIfTheyHadAFileOfTheMazesThatTheyAreTaughtWith) {
 
 TEST_F(LearnedMice, AreTaughtAnewForEachFoldOfAStudy) {
   StudyOrder order;
+  order.race = test::in_steps();
   order.folds = 3;
   const Study study = hold_study({mouse("ariadne"), mouse("flood")}, mazes(6), order);
   EXPECT_THAT(study.learners, ElementsAre("ariadne"));
@@ -166,11 +167,11 @@ TEST_F(LearnedMice, AreTaughtAnewForEachFoldOfAStudy) {
     for (std::size_t i = 0; i < study.race.mazes.size(); ++i)
       (study.fold_of[i] == fold ? held_out : training).push_back(study.race.mazes[i]);
     const std::string learned = file("fold.prior", file_of(hold_lesson(training, Rules())));
-    const Race race = hold_race({mouse("ariadne:prior=" + learned)}, held_out, {});
+    const Race race = hold_race({mouse("ariadne:prior=" + learned)}, held_out, test::in_steps());
     std::vector<std::optional<double>> expected, scores;
-    for (const ContestResult& contest : race.results) expected.push_back(contest.score.value);
+    for (const ContestResult& contest : race.results) expected.push_back(contest.score);
     for (std::size_t i = 0; i < study.race.mazes.size(); ++i)
-      if (study.fold_of[i] == fold) scores.push_back(study.race.results[i].score.value);
+      if (study.fold_of[i] == fold) scores.push_back(study.race.results[i].score);
     EXPECT_EQ(scores, expected);
   }
 }

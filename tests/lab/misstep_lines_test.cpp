@@ -1,4 +1,4 @@
-#include "labmouse/lab/standings/misstep_lines.hpp"
+#include "labmouse/lab/steps/misstep_lines.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "labmouse/contest/script.hpp"
-#include "labmouse/lab/races/contest_list.hpp"
-#include "labmouse/lab/standings/race_report.hpp"
+#include "labmouse/lab/standings/race_json.hpp"
+#include "labmouse/lab/standings/race_table.hpp"
 #include "tests/lab/record_fixture.hpp"
 
 namespace labmouse {
@@ -60,13 +60,13 @@ TEST(MisstepLines, OfSeveralAreInThePlural) {
 TEST(MisstepLines, OfAMouseWithoutMisstepsThereAreNone) { EXPECT_EQ(misstep_lines(played(solution)), ""); }
 
 TEST(MisstepLines, OfOurMiceThereAreNone) {
-  EXPECT_EQ(misstep_lines(hold_race(all_contestants(), {test::loop(), test::hook()}, {})), "");
+  EXPECT_EQ(misstep_lines(hold_race(all_contestants(), {test::loop(), test::hook()}, test::in_steps())), "");
 }
 
 TEST(MisstepLines, OfARaceAreTotalsWithTheFirstStep) {
   const Race race =
       hold_race({player("guest:./a", clumsy), player("guest:./b", solution), player("guest:./c", {Action::step(0, 1)})},
-                {test::corridor(), test::without_route()}, {});
+                {test::corridor(), test::without_route()}, test::in_steps());
   EXPECT_THAT(misstep_lines(race),
               HasSubstr("Steps that were not performed as asked:\n"
                         "  guest:./a: 6 blocked by walls, 2 void rotations, 2 cut movements, 2 idle resets; first in "
@@ -79,7 +79,7 @@ TEST(MisstepLines, OfARaceAreTotalsWithTheFirstStep) {
 TEST(MisstepLines, OfARaceSayOneOfEachInTheSingular) {
   const Race race =
       hold_race({player("clumsy", {Action::step(180, 0), Action::step(90, 4), Action::step(0, 1), Action::reset()})},
-                {test::corridor()}, {});
+                {test::corridor()}, test::in_steps());
   EXPECT_THAT(
       misstep_lines(race),
       EndsWith(": 1 blocked by a wall, 1 void rotation, 1 cut movement, 1 idle reset; first in corridor, step 1\n"));
@@ -91,25 +91,26 @@ TEST(MisstepLines, OfALaterRunSayWhichItIs) {
   mouse.make = [](const Maze& maze, const Rules&, std::uint64_t seed) {
     return std::make_unique<Script>(maze.size(), seed == contest_seed(1, "corridor", 0) ? solution : clumsy);
   };
-  const std::string lines = misstep_lines(hold_race({mouse}, {test::corridor()}, {}));
+  const std::string lines = misstep_lines(hold_race({mouse}, {test::corridor()}, test::in_steps()));
   EXPECT_THAT(lines, HasSubstr("clumsy: 4 blocked by walls, 2 void"));
   EXPECT_THAT(lines, HasSubstr("; first in corridor, run 2, step 2\n"));
 }
 
 TEST(MisstepLines, OfContestsThatWereNotDoneThereAreNone) {
-  Race race = hold_race({player("clumsy", clumsy)}, {test::corridor()}, {});
+  Race race = hold_race({player("clumsy", clumsy)}, {test::corridor()}, test::in_steps());
   race.results[0].done = false;
   EXPECT_EQ(misstep_lines(race), "");
 }
 
 TEST(MisstepLines, ShortenALongCommand) {
-  const Race race = hold_race({player("guest:python3 /home/somebody/mice/robot.py", clumsy)}, {test::corridor()}, {});
+  const Race race =
+      hold_race({player("guest:python3 /home/somebody/mice/robot.py", clumsy)}, {test::corridor()}, test::in_steps());
   EXPECT_THAT(misstep_lines(race), HasSubstr("\n  ... /home/somebody/mice/robot.py: 2 blocked"));
 }
 
 TEST(MisstepFields, StandWhereAnyIsNotZero) {
   const Race race = hold_race({player("a", clumsy), player("b", solution), player("c", {Action::step(0, 1)})},
-                              {test::corridor()}, {});
+                              {test::corridor()}, test::in_steps());
   const auto json = nlohmann::json::parse(json_of(race, {}));
   for (const auto& mouse : json.at("mice")) {
     const auto& result = mouse.at("results").at(0);
@@ -127,10 +128,11 @@ TEST(MisstepFields, StandWhereAnyIsNotZero) {
 }
 
 TEST(MisstepFields, CountByTheRulesOfTheRace) {
-  RaceOrder order;
-  order.rules.stride = 2;
-  const Race race = hold_race({player("a", solution)}, {test::corridor()}, order);
-  EXPECT_EQ(race.results[0].missteps.cut_movements, (MisstepCount{4, 1}));
+  Rules rules;
+  rules.stride = 2;
+  const Race race = hold_race({player("a", solution)}, {test::corridor()}, test::in_steps(rules));
+  EXPECT_EQ(number_of(race.results[0], StepsFigure::cut_movements), 4);
+  EXPECT_EQ(number_of(race.results[0], StepsFigure::first_misstep), 1);
 }
 
 }  // namespace

@@ -4,19 +4,28 @@
 #include <string>
 #include <vector>
 
-#include "labmouse/lab/races/mms_race.hpp"
+#include "labmouse/lab/mms/mms_world.hpp"
 #include "tests/lab/race_fixture.hpp"
 
 namespace labmouse::test {
 
 /// A mouse that does what the words say; see tests/guests/mms/mms_guest.cpp.
-inline MmsMouse mms_mouse(std::string name, std::vector<std::string> words) {
-  MmsMouse mouse;
-  mouse.name = "mms:" + std::move(name);
+inline Contestant mms_mouse(const std::string& name, std::vector<std::string> words) {
+  Contestant mouse;
+  mouse.name = "mms:" + name;
+  mouse.runs = 1;
   words.insert(words.begin(), LABMOUSE_MMS_GUEST);
-  mouse.launch.words = std::move(words);
-  mouse.launch.limits.decision = std::chrono::seconds(20);  // on a busy machine
+  mouse.program.emplace();
+  mouse.program->words = std::move(words);
+  mouse.program->limits.decision = std::chrono::seconds(20);  // on a busy machine
   return mouse;
+}
+
+/// The order of a race in the world of mms.
+inline RaceOrder in_mms(const MmsOptions& options = {}) {
+  RaceOrder order;
+  order.world = mms_world(options);
+  return order;
 }
 
 /// 3×1 cells: two moves from the start to the goal in the middle, the first one a turn.
@@ -57,12 +66,21 @@ inline MmsRun imagined_run(float best_effective, float best_turns, float total_e
 }
 
 /// A race that was never held, without results.
-inline MmsRace imagined_race(const std::vector<std::string>& mice, std::vector<NamedMaze> mazes) {
-  MmsRace race;
-  for (const std::string& mouse : mice) race.mice.push_back({"mms:" + mouse, {}});
+inline Race imagined_race(const std::vector<std::string>& mice, std::vector<NamedMaze> mazes) {
+  Race race;
+  race.order = in_mms();
+  for (const std::string& mouse : mice) race.mice.push_back(mms_mouse(mouse, {}));
   race.mazes = std::move(mazes);
-  for (const NamedMaze& maze : race.mazes) race.bounds.push_back(mms_bound_of(maze.maze));
+  for (const NamedMaze& maze : race.mazes) race.facts.push_back(race.world().facts(maze.maze));
   return race;
+}
+
+/// Adds a result to it: that of a run that was never held.
+inline void imagine(Race& race, std::size_t mouse, std::size_t maze, const MmsRun& run) {
+  ContestResult& result = race.results.emplace_back();
+  result.mouse = mouse;
+  result.maze = maze;
+  sum_up(run, {}, race.facts[maze], result);
 }
 
 }  // namespace labmouse::test

@@ -134,11 +134,11 @@ json timeless(json results) {
 }
 
 TEST(PageCalls, HoldARaceAsTheLabDoes) {
-  RaceOrder order;
+  RaceOrder order = test::in_steps();
   order.seed = 3;
   order.runs = 2;
   const Race held = hold_race(test::mice("flood,random"), {test::loop(), test::corridor()}, order);
-  EXPECT_EQ(timeless(answer("race", race())["results"]), timeless(json::parse(race_json(held, {}).dump())));
+  EXPECT_EQ(timeless(answer("race", race())["results"]), timeless(json::parse(json_of(held, {}))));
 }
 
 TEST(PageCalls, RaceTheRosterWhereNoMouseIsNamed) {

@@ -162,8 +162,8 @@ TEST(PageOpens, Pages) {
 }
 
 json results() {
-  const Race race = test::race_of("flood,random", {{}, 2, 7, 1});
-  return json::parse(race_json(race, {{"bad.txt", {{1, 2, "no maze"}}}}).dump());
+  const Race race = test::race_of("flood,random", {steps_world(), 2, 7, 1});
+  return json::parse(json_of(race, {{"bad.txt", {{1, 2, "no maze"}}}}));
 }
 
 TEST(PageOpens, Results) {
@@ -180,10 +180,9 @@ TEST(PageOpens, ResultsWithoutFieldsThatItDoesNotKnow) {
 }
 
 TEST(PageOpens, ResultsOfMms) {
-  const Race race = test::race_of("flood");
-  MmsRace mms = test::imagined_race({"mms:a"}, {test::plank()});
-  mms.results.push_back({0, 0, true, test::imagined_run(4, 1, 10, 2)});
-  json whole = json::parse(race_json(race, {}, &mms).dump());
+  std::vector<Race> races = {test::race_of("flood"), test::imagined_race({"mms:a"}, {test::plank()})};
+  test::imagine(races[1], 0, 0, test::imagined_run(4, 1, 10, 2));
+  json whole = json::parse(json_of(races, {}));
   const json group = opened(whole.dump())["results"]["groups"][0];
   EXPECT_EQ(group["world"], "mms");
   EXPECT_EQ(group["mazes"], whole["groups"][0]["mazes"]);

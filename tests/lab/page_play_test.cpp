@@ -2,7 +2,6 @@
 #include <gmock/gmock.h>
 
 #include "labmouse/contest/coverage.hpp"
-#include "labmouse/lab/galleries/race_folder.hpp"
 #include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/page/play_frames.hpp"
 #include "tests/lab/page_fixture.hpp"

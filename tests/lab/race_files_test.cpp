@@ -1,7 +1,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "labmouse/lab/galleries/race_folder.hpp"
 #include "tests/lab/record_fixture.hpp"
 
 namespace labmouse {

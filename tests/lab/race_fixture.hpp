@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "labmouse/lab/races/tournament.hpp"
+#include "labmouse/lab/mice/specs.hpp"
+#include "labmouse/lab/steps/steps_world.hpp"
 #include "tests/drawn_maze.hpp"
 
 namespace labmouse::test {
@@ -59,8 +60,15 @@ inline NamedMaze without_route() {
 
 inline std::vector<Contestant> mice(std::string_view specs) { return read_specs(specs).contestants; }
 
+/// The order of a race in steps.
+inline RaceOrder in_steps(const Rules& rules = {}) {
+  RaceOrder order;
+  order.world = steps_world(rules);
+  return order;
+}
+
 /// A race in the three mazes.
-inline Race race_of(std::string_view specs, const RaceOrder& order = {}) {
+inline Race race_of(std::string_view specs, const RaceOrder& order = in_steps()) {
   return hold_race(mice(specs), {loop(), corridor(), without_route()}, order);
 }
 

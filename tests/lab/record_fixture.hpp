@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "labmouse/contest/simulator.hpp"
-#include "labmouse/lab/galleries/race_folder.hpp"
+#include "labmouse/lab/steps/steps_files.hpp"
 #include "tests/lab/race_fixture.hpp"
 
 namespace labmouse::test {

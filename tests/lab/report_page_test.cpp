@@ -5,13 +5,12 @@
 
 #include <fstream>
 
-#include "labmouse/lab/galleries/mms_folder.hpp"
+#include "labmouse/lab/galleries/race_folder.hpp"
 #include "labmouse/lab/mazes/maze_link.hpp"
-#include "labmouse/lab/races/contest_list.hpp"
 #include "labmouse/lab/records/mms_record.hpp"
 #include "labmouse/lab/records/packed_record.hpp"
 #include "labmouse/lab/reports/report_records.hpp"
-#include "labmouse/lab/standings/race_report.hpp"
+#include "labmouse/lab/standings/race_json.hpp"
 #include "labmouse/lab/system/files.hpp"
 #include "tests/lab/mms_fixture.hpp"
 #include "tests/lab/record_fixture.hpp"
@@ -33,21 +32,21 @@ constexpr const char* page = "<html><body><!-- labmouse:report --><script>code</
 /// A race whose files lie in a folder.
 class AReport : public testing::Test {
  protected:
-  void hold(std::vector<Contestant> mice, std::vector<NamedMaze> mazes, const RaceOrder& order = {},
-            const MmsRace* mms = nullptr) {
+  void hold(std::vector<Contestant> mice, std::vector<NamedMaze> mazes, const RaceOrder& order = test::in_steps()) {
     std::optional<RaceFolder> kept;
     RaceHooks hooks;
-    hooks.finished = [&](const Race& race, const ContestResult& contest, const RunRecord& record) {
+    hooks.keep = RaceFolder::keep;
+    hooks.finished = [&](const Race& race, const ContestResult& contest, const Held& held) {
       if (!kept) kept.emplace(folder_.path(), race);
-      EXPECT_EQ(kept->save(race, contest, record), "");
+      EXPECT_EQ(kept->save(contest, held), "");
     };
     race_ = hold_race(std::move(mice), std::move(mazes), order, hooks);
-    json_ = json_of(race_, {}, mms);
+    json_ = json_of(race_, {});
     save("results.json", json_);
   }
   /// The same as `labmouse race --mice flood,random --runs 3 --out`.
   void hold_small() {
-    RaceOrder order;
+    RaceOrder order = test::in_steps();
     order.runs = 3;
     hold(test::mice("flood,random"), {test::loop(), test::corridor()}, order);
   }
@@ -255,41 +254,30 @@ TEST(ThePage, HasOnePlaceForAReport) {
   EXPECT_THAT(wrong_page(with_report(page, "{}", "{}")), HasSubstr("it has no"));
 }
 
-/// A race with a mouse of mms whose record lies in the folder.
-class AReportOfMms : public AReport {
- protected:
-  void hold_mms(const std::string& record_of = "mms:left", const NamedMaze& recorded_in = test::plank()) {
-    MmsRace race = test::imagined_race({"left"}, {test::plank()});
-    race.results.push_back({0, 0, true, test::imagined_run(3, 1, 3, 1)});
-    MmsRecorder recorder(record_of, recorded_in);
-    record_ = recorder.finish(test::imagined_run(3, 1, 3, 1));
-    EXPECT_EQ(MmsRaceFolder(folder_.path(), race).save(race.results.front(), record_), "");
-    hold({}, {test::plank()}, {}, &race);
-  }
-
-  std::string record_;
-};
-
-TEST_F(AReportOfMms, HoldsRecordsAsTheyAre) {
-  hold_mms();
+TEST_F(AReport, HoldsRecordsOfMmsAsTheyAre) {
+  hold({test::mms_mouse("left", {"ask:turnLeft"})}, {test::plank()}, test::in_mms());
   const ReportPage report = made();
   EXPECT_THAT(report.notes, IsEmpty());
   const Json list = block_of(report.page, "labmouse-records")["records"];
   ASSERT_EQ(list.size(), 1U);
   EXPECT_EQ(list[0]["mouse"], "mms:left");
   EXPECT_EQ(list[0]["maze"], "plank");
-  EXPECT_EQ(list[0]["mms"], record_);
+  EXPECT_EQ(list[0]["mms"], content("mms_left/plank.jsonl"));
   EXPECT_TRUE(block_of(report.page, "labmouse-report")["mazes"].contains("plank"));
 }
 
-TEST_F(AReportOfMms, LeavesOutBadRecords) {
-  hold_mms("mms:right");
-  EXPECT_THAT(made().notes, testing::Contains(HasSubstr("is not of this race, but of mms:right in plank")));
-  hold_mms();
-  save("mms_left/plank.jsonl", record_ + "{oops\n");
-  EXPECT_THAT(made().notes, testing::Contains(HasSubstr("plank.jsonl:3:1: error: the line is not JSON")));
-  save("mms_left/plank.jsonl", write_record(test::recorded("flood")));
-  EXPECT_THAT(made().notes,
+TEST_F(AReport, LeavesOutBadRecordsOfMms) {
+  hold({test::mms_mouse("left", {"ask:turnLeft"})}, {test::plank()}, test::in_mms());
+  const auto notes_of = [&](const std::string& record) {
+    save("mms_left/plank.jsonl", record);
+    return made().notes;
+  };
+  const std::string record = content("mms_left/plank.jsonl");
+  EXPECT_THAT(notes_of(MmsRecorder("mms:right", test::plank()).finish({})),
+              testing::Contains(HasSubstr("is not of this race, but of mms:right in plank")));
+  EXPECT_THAT(notes_of(record + "{oops\n"),
+              testing::Contains(HasSubstr("plank.jsonl:4:1: error: the line is not JSON")));
+  EXPECT_THAT(notes_of(write_record(test::recorded("flood"))),
               testing::Contains(HasSubstr("plank.jsonl:1:1: error: is not the header of a record of mms")));
 }
 

@@ -3,9 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "labmouse/lab/races/contest_list.hpp"
+#include "labmouse/lab/bounds/bounds.hpp"
 #include "labmouse/lab/standings/race_json.hpp"
-#include "labmouse/lab/standings/race_report.hpp"
 #include "tests/lab/mms_fixture.hpp"
 #include "tests/lab/record_fixture.hpp"
 
@@ -22,12 +21,14 @@ Problem problem_of(const std::string& text) {
 }
 
 TEST(ReportResults, KnowWhoRanWhereWithWhichSeeds) {
-  RaceOrder order;
+  RaceOrder order = test::in_steps();
   order.runs = 3;
   const Race race = test::race_of("flood,random", order);
   const ReadResultsResult read = read_report_results(json_of(race, {}));
   ASSERT_TRUE(read.results);
-  const ReportWorld& world = read.results->steps;
+  ASSERT_EQ(read.results->worlds.size(), 1U);
+  const ReportWorld& world = read.results->worlds.front();
+  EXPECT_EQ(world.entry->name, steps_world()->name());
   ASSERT_EQ(world.mice.size(), 2U);
   EXPECT_EQ(world.mice[0].name, "flood");
   EXPECT_EQ(world.mice[0].seeds.at("loop").size(), 1U);
@@ -38,7 +39,6 @@ TEST(ReportResults, KnowWhoRanWhereWithWhichSeeds) {
   EXPECT_EQ(world.mazes[1].size, test::loop().maze.size());
   EXPECT_EQ(world.mazes[1].optimum, bound_of(test::loop().maze, Rules()).optimum);
   EXPECT_EQ(world.mazes[2].optimum, std::nullopt);
-  EXPECT_TRUE(read.results->mms.mice.empty());
 }
 
 TEST(ReportResults, StayAsTheyAre) {
@@ -48,14 +48,18 @@ TEST(ReportResults, StayAsTheyAre) {
 }
 
 TEST(ReportResults, KnowTheWorldOfMms) {
-  MmsRace mms = test::imagined_race({"left", "right"}, {test::plank()});
-  mms.results.push_back({1, 0, true, test::imagined_run(3, 1, 3, 1)});
-  const ReadResultsResult read = read_report_results(json_of(test::race_of("flood"), {}, &mms));
+  Race mms = test::imagined_race({"left", "right"}, {test::plank()});
+  test::imagine(mms, 1, 0, test::imagined_run(3, 1, 3, 1));
+  const std::vector<Race> races = {test::race_of("flood"), std::move(mms)};
+  const ReadResultsResult read = read_report_results(json_of(races, {}));
   ASSERT_TRUE(read.results);
-  ASSERT_EQ(read.results->mms.mice.size(), 2U);
-  const ReportMouse& right = read.results->mms.mice[read.results->mms.mice[0].name == "mms:right" ? 0 : 1];
+  ASSERT_EQ(read.results->worlds.size(), 2U);
+  const ReportWorld& world = read.results->worlds[1];
+  EXPECT_EQ(world.entry->name, "mms");
+  ASSERT_EQ(world.mice.size(), 2U);
+  const ReportMouse& right = world.mice[world.mice[0].name == "mms:right" ? 0 : 1];
   EXPECT_TRUE(right.seeds.contains("plank"));
-  EXPECT_EQ(read.results->mms.mazes.front().size, (Size{3, 1}));
+  EXPECT_EQ(world.mazes.front().size, (Size{3, 1}));
 }
 
 TEST(ReportResults, ThatAreNoJsonSayFromWhere) {
@@ -74,8 +78,6 @@ TEST(ReportResults, ThatAreSomethingElseSayWhat) {
               StartsWith("is the record of one run of a program for mms"));
   EXPECT_THAT(problem_of("{\"labmouse\":\"drive record\",\"format\":1}\n{}\n").reason,
               StartsWith("is the record of one contest in seconds"));
-  EXPECT_THAT(problem_of(R"({"labmouse":"0.1.0","mazes":[],"mice":[],"groups":[{"world":"seconds"}]})").reason,
-              StartsWith("is a race in seconds"));
   EXPECT_THAT(problem_of(csv_of(test::race_of("flood"))).reason, StartsWith("is the CSV of a race"));
   EXPECT_THAT(problem_of(*drawing_format.write(test::corridor().maze).content).reason, StartsWith("is a maze"));
   EXPECT_THAT(problem_of("<!doctype html>\n<html></html>").reason, "is a page already");
@@ -95,7 +97,11 @@ TEST(ReportResults, ThatLackAFieldSayWhich) {
   EXPECT_THAT(wrong(R"({"labmouse":"1","mazes":[],"mice":[{"name":"a","results":[{"maze":"b","seed":-1}]}]})"),
               HasSubstr("'mice[0].results[0].seed' is not a whole number"));
   EXPECT_THAT(wrong(R"({"labmouse":"1","mazes":[],"mice":[],"groups":[{}]})"),
+              HasSubstr("'groups[0].world' is missing"));
+  EXPECT_THAT(wrong(R"({"labmouse":"1","mazes":[],"mice":[],"groups":[{"world":"seconds"}]})"),
               HasSubstr("'groups[0].mazes' is missing"));
+  EXPECT_THAT(wrong(R"({"labmouse":"1","mazes":[],"mice":[],"groups":[{"world":"moon","mazes":[],"mice":[]}]})"),
+              HasSubstr("'groups[0].world' is a world that this version does not know"));
   EXPECT_EQ(wrong(R"({"labmouse":"1","mazes":[],"mice":[],"groups":[]})"), "");
 }
 

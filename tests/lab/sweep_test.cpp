@@ -97,8 +97,25 @@ TEST(Variants, AreRefusedAsASpecIs) {
   EXPECT_EQ(refusal("oracle", "stride", "1"), "the oracle has no parameters");
 }
 
+TEST(Variants, OfAGuestStandInItsCommand) {
+  const std::vector<std::string> values = {"4", "04", "4"};
+  const SpecResult result = read_variants("guest:sh -c 'x={a}; y={a}{b}'", "a", values);
+  ASSERT_EQ(result.contestants.size(), 2U) << result.error;
+  EXPECT_EQ(result.contestants[0].name, "guest:sh -c 'x=4; y=4{b}'");
+  EXPECT_EQ(result.contestants[1].name, "guest:sh -c 'x=04; y=04{b}'");
+  EXPECT_EQ(read_variants("mms:sh -c {a}", "a", values).contestants[0].program->words,
+            (std::vector<std::string>{"sh", "-c", "4"}));
+  GuestOptions options;
+  options.runs = 7;
+  EXPECT_EQ(read_variants("guest:sh {a}", "a", values, options).contestants[0].runs, 7);
+  EXPECT_THAT(refusal("guest:sh -c {b}", "a", "1"), HasSubstr("write {a} in its command"));
+  EXPECT_THAT(refusal("guest:{a}", "a", "./nothing"), HasSubstr("there is no program './nothing'"));
+  EXPECT_EQ(read_variants("guest:sh {a}", "a", std::vector<std::string>{"{a}{a}"}).contestants[0].name,
+            "guest:sh {a}{a}");
+}
+
 Sweep sweep(std::string_view spec, std::string_view vary, const std::vector<NamedMaze>& mazes,
-            const RaceOrder& order = {}) {
+            const RaceOrder& order = test::in_steps()) {
   return hold_sweep(spec, read_variation(vary), mazes, order);
 }
 
@@ -110,9 +127,9 @@ TEST(Sweep, FindsAtEachValueWhatARaceFinds) {
   const Sweep found = sweep("flood", "stride=1:3:1", mazes);
   ASSERT_EQ(found.points.size(), 3U);
   for (const SweepPoint& point : found.points) {
-    const Race race = hold_race(test::mice("flood:stride=" + point.value), mazes, {});
+    const Race race = hold_race(test::mice("flood:stride=" + point.value), mazes, test::in_steps());
     const Standing standing = standings_of(race).front();
-    EXPECT_EQ(point.mean, standing.penalised_mean);
+    EXPECT_EQ(point.mean, standing.mean_all);
     EXPECT_EQ(point.interval, standing.interval);
     EXPECT_EQ(point.runs, 2);
     EXPECT_EQ(point.failures, 0);
@@ -127,16 +144,16 @@ TEST(Sweep, NamesTheMouseWithoutTheParameter) {
 }
 
 TEST(Sweep, CountsAFailureAsTheRulesSay) {
-  RaceOrder order;
-  order.rules.budget = 15;  // enough for the corridor, and too little for a flood of the loop
-  const Sweep found = sweep("flood", "stride=1", {test::corridor(), test::loop()}, order);
+  Rules rules;
+  rules.budget = 15;  // enough for the corridor, and too little for a flood of the loop
+  const Sweep found = sweep("flood", "stride=1", {test::corridor(), test::loop()}, test::in_steps(rules));
   EXPECT_EQ(found.points[0].failures, 1);
   EXPECT_EQ(found.points[0].runs, 2);
   EXPECT_GT(found.points[0].mean.value(), 50.0);
 }
 
 TEST(Sweep, InOneMazeHasItsIntervalOverTheRuns) {
-  RaceOrder order;
+  RaceOrder order = test::in_steps();
   order.runs = 8;
   const SweepPoint point = sweep("random", "stride=2", {test::loop(), test::without_route()}, order).points.front();
   ASSERT_TRUE(point.interval.has_value());
@@ -158,7 +175,7 @@ TEST(Sweep, WithoutARouteHasNoMeans) {
 }
 
 TEST(Sweep, DoesNotDependOnTheNumberOfThreads) {
-  RaceOrder order;
+  RaceOrder order = test::in_steps();
   order.jobs = 1;
   const std::string alone = digest(sweep("random", "stride=1:3:1", {test::loop(), test::corridor()}, order));
   for (const int jobs : {0, 2, 5}) {
@@ -186,7 +203,7 @@ TEST(Sweep, LeavesOutTheValueAtWhichItIsStopped) {
     EXPECT_EQ(all, 3U * 2U);
     stop = ++told == 3;
   };
-  RaceOrder order;
+  RaceOrder order = test::in_steps();
   order.jobs = 1;
   const Sweep found =
       hold_sweep("flood", read_variation("stride=1:3:1"), {test::loop(), test::corridor()}, order, hooks);
@@ -199,6 +216,7 @@ TEST(Sweep, LeavesOutTheValueAtWhichItIsStopped) {
 /// Made up: one value that fails, one without an interval, and a tie.
 Sweep made_up() {
   Sweep sweep;
+  sweep.order = test::in_steps();
   sweep.mouse = "cautious";
   sweep.parameter = "share";
   sweep.meaning = "of the cells";

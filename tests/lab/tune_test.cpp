@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "labmouse/lab/bounds/bounds.hpp"
 #include "labmouse/lab/standings/standings.hpp"
 #include "tests/lab/drawing_samples.hpp"
 #include "tests/lab/race_fixture.hpp"
@@ -26,6 +27,7 @@ TEST(Variant, TakesSeveralValuesAtOnce) {
 
 TuneOrder order_of(int evaluations, int population = 5) {
   TuneOrder order;
+  order.race = test::in_steps();
   order.race.runs = 3;
   order.evaluations = evaluations;
   order.population = population;
@@ -62,7 +64,7 @@ TEST(Tune, EvaluatesEachCandidateAsItIsWritten) {
   for (const Evaluation& evaluation : found.evaluations) {
     const Race race = hold_race(test::mice(evaluation.mouse), mazes(), order.race);
     const Standing standing = standings_of(race).front();
-    EXPECT_DOUBLE_EQ(evaluation.value, standing.penalised_mean.value()) << evaluation.mouse;
+    EXPECT_DOUBLE_EQ(evaluation.value, standing.mean_all.value()) << evaluation.mouse;
     EXPECT_EQ(evaluation.failures, standing.runs - standing.solved);
     EXPECT_EQ(race.mice.front().settings.choice("random_share"), evaluation.values[0]);
     EXPECT_EQ(race.mice.front().settings.choice("coverage"), evaluation.values[1]);
@@ -148,7 +150,9 @@ TEST(Tune, MayTuneTheRatioToTheBound) {
 
 TEST(Tune, CountsAFailureAsTheRulesSay) {
   TuneOrder order = order_of(1);
-  order.race.rules.budget = 15;
+  Rules rules;
+  rules.budget = 15;
+  order.race.world = steps_world(rules);
   const Tune found = tune("flood", "stride", order);
   EXPECT_EQ(found.evaluations[0].failures, 1);
   EXPECT_DOUBLE_EQ(found.evaluations[0].by_maze[1], 100.0);

@@ -66,9 +66,14 @@ class AFolder {
   std::string path() const { return path_.string(); }
 
  private:
+  static std::string name_of_test() {
+    std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
+    std::replace(name.begin(), name.end(), '/', '-');
+    return name;
+  }
+
   std::filesystem::path path_ =
-      std::filesystem::temp_directory_path() / ("labmouse-lab-" + std::to_string(getpid()) + "-" +
-                                                testing::UnitTest::GetInstance()->current_test_info()->name());
+      std::filesystem::temp_directory_path() / ("labmouse-lab-" + std::to_string(getpid()) + "-" + name_of_test());
 };
 
 }  // namespace labmouse::test

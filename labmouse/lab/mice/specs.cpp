@@ -150,6 +150,17 @@ void drop_repetitions(std::vector<Mouse>& mice) {
 
 SpecResult refused(std::string error) { return {{}, std::move(error)}; }
 
+SpecResult read_guest_variant(std::string_view spec, const Setting& setting, const GuestOptions& options) {
+  const std::string place = "{" + setting.name + "}";
+  std::string text(spec);
+  if (text.find(place) == std::string::npos)
+    return refused(
+        fmt::format("guest '{}' has no place for a value; write {} in its command where it belongs", spec, place));
+  for (auto at = text.find(place); at != std::string::npos; at = text.find(place, at + setting.value.size()))
+    text.replace(at, place.size(), setting.value);
+  return read_specs(text, options);
+}
+
 /// Reads the mice of one text into the result; on failure sets its error.
 void read_into(std::string_view text, const GuestOptions& options, SpecResult& result) {
   for (bool more = true; more && result.error.empty();) {
@@ -189,11 +200,13 @@ SpecResult read_specs(std::string_view text, const GuestOptions& options) {
   return read_specs({&whole, 1}, options);
 }
 
-SpecResult read_variants(std::string_view spec, std::string_view parameter, std::span<const std::string> values) {
+SpecResult read_variants(std::string_view spec, std::string_view parameter, std::span<const std::string> values,
+                         const GuestOptions& options) {
   SpecResult result;
   for (const std::string& value : values) {
     const Setting setting = {std::string(parameter), value};
-    SpecResult variant = read_variant(spec, {&setting, 1});
+    SpecResult variant =
+        is_guest_spec(spec) ? read_guest_variant(spec, setting, options) : read_variant(spec, {&setting, 1});
     if (!variant.error.empty()) return variant;
     result.contestants.push_back(std::move(variant.contestants.front()));
   }

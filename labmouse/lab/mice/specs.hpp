@@ -21,8 +21,10 @@ SpecResult read_specs(std::span<const std::string> texts, const GuestOptions& op
 std::string unknown_mouse(std::string_view name);
 
 /// The mouse of a SPEC once for each value of one of its parameters, in the order of the values; what the SPEC says of
-/// that parameter is overridden. Values that are spelled differently and are equal count once.
-SpecResult read_variants(std::string_view spec, std::string_view parameter, std::span<const std::string> values);
+/// that parameter is overridden. Values that are spelled differently and are equal count once. A guest has the
+/// parameters that its SPEC leaves room for: each `{parameter}` there becomes the value as it is spelled.
+SpecResult read_variants(std::string_view spec, std::string_view parameter, std::span<const std::string> values,
+                         const GuestOptions& options = {});
 
 /// The one mouse of a SPEC with values for some of its parameters; what the SPEC says of those is overridden.
 SpecResult read_variant(std::string_view spec, std::span<const Setting> values);

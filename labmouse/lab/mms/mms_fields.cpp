@@ -36,7 +36,7 @@ constexpr std::array<ContestField, 18> contest_fields = {{{"maze", fields::maze_
                                                           {"errors", figure<F::errors>},
                                                           {"simulated_seconds", figure<F::simulated_seconds>},
                                                           {"seconds", figure<F::seconds>},
-                                                          {visited_figure, figure<F::visited_share>}}};
+                                                          {visited_share, figure<F::visited>}}};
 
 /// One value of `getStat`, by its place among them.
 template <std::size_t Place>
@@ -126,7 +126,7 @@ constexpr std::array<MouseField, 15> mouse_fields = {
      {"invalid_lines", sum<F::invalid_lines>},
      {"outcomes", outcomes},
      {"mean_visited_share",
-      [](const Race& r, const Standing& s) -> Value { return or_none(mean_of_all(r, s, visited_figure)); }}}};
+      [](const Race& r, const Standing& s) -> Value { return or_none(mean_of_all(r, s, visited_share)); }}}};
 
 /// With as many digits as its column has room for.
 std::string interval(const Race&, const Standing& standing) {

@@ -21,7 +21,7 @@ enum class MmsFigure : std::uint8_t {
   errors,
   simulated_seconds,
   seconds,  ///< of real time: the one figure that differs from race to race
-  visited_share,
+  visited,
 };
 
 /// The figures of a maze: the least run and the least score, null where the centre cannot be reached.

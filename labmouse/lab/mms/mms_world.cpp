@@ -98,7 +98,7 @@ class MmsWorld final : public World {
     return mouse.program ? "" : fmt::format("mouse '{}' is no program for mms; write mms:COMMAND", mouse.name);
   }
 
-  std::string_view unit() const override { return "mms's points"; }
+  std::string_view unit() const override { return "points"; }
 
   MazeFacts facts(const Maze& maze) const override {
     const MmsBound bound = mms_bound_of(maze);
@@ -108,7 +108,6 @@ class MmsWorld final : public World {
   Held hold(const Race& race, ContestResult& result, Keep keep, const std::atomic<bool>* stop) const override {
     const NamedMaze& maze = race.mazes[result.maze];
     const Contestant& mouse = race.mice[result.mouse];
-    const auto& prepared = std::any_cast<const Prepared&>(race.facts[result.maze].prepared);
     Launch launch = *mouse.program;
     launch.stop = stop;
     MmsWalk walk{HalfPose()};
@@ -122,9 +121,7 @@ class MmsWorld final : public World {
     if (recorder) held.record = recorder->finish(run);
     if (keep.picture) held.picture = picture_of(mouse.name, maze, run, walk);
     trim(run);
-    score(run, prepared.bound, result);
-    result.figures = figures_of(run, prepared.bound, visited_share_of(walk.visited(), prepared.reachable));
-    result.done = run.outcome != MmsOutcome::interrupted;
+    sum_up(run, walk.visited(), race.facts[result.maze], result);
     held.run = std::move(run);
     return held;
   }
@@ -138,21 +135,25 @@ class MmsWorld final : public World {
   std::string_view why_no_bound() const override { return "whose centre cannot be reached"; }
 
  private:
-  static void score(const MmsRun& run, const MmsBound& bound, ContestResult& result) {
-    const MmsStatistics& statistics = run.statistics;
-    result.outcome = statistics.solved ? "solved" : fmt::format("unsolved: {}", name_of(run.outcome));
-    if (run.outcome != MmsOutcome::complete && run.outcome != MmsOutcome::interrupted && run.lines == 0)
-      result.never_started = run.end.empty() ? std::string(name_of(run.outcome)) : run.end;
-    result.counted = decimal(statistics.score);
-    if (!statistics.solved) return;
-    result.score = result.counted;
-    result.ratio = ratio(result.score, bound.score);
-  }
-
   MmsOptions options_;
 };
 
 }  // namespace
+
+void sum_up(const MmsRun& run, const CellSet& visited, const MazeFacts& facts, ContestResult& result) {
+  const auto& prepared = std::any_cast<const Prepared&>(facts.prepared);
+  const MmsStatistics& statistics = run.statistics;
+  result.outcome = statistics.solved ? "solved" : fmt::format("unsolved: {}", name_of(run.outcome));
+  if (run.outcome != MmsOutcome::complete && run.outcome != MmsOutcome::interrupted && run.lines == 0)
+    result.never_started = run.end.empty() ? std::string(name_of(run.outcome)) : run.end;
+  result.counted = decimal(statistics.score);
+  if (statistics.solved) {
+    result.score = result.counted;
+    result.ratio = ratio(result.score, prepared.bound.score);
+  }
+  result.figures = figures_of(run, prepared.bound, visited_share_of(visited, prepared.reachable));
+  result.done = run.outcome != MmsOutcome::interrupted;
+}
 
 std::shared_ptr<const World> mms_world(const MmsOptions& options) { return std::make_shared<MmsWorld>(options); }
 

@@ -21,4 +21,8 @@ inline constexpr std::size_t kept_log = 3;
 /// of its log and its errors only: many runs have to fit into memory.
 std::shared_ptr<const World> mms_world(const MmsOptions& options = {});
 
+/// Fills in what is left of the result of a contest that went so: a run that visited those cells, in a maze with the
+/// facts that the world has of it.
+void sum_up(const MmsRun& run, const CellSet& visited, const MazeFacts& facts, ContestResult& result);
+
 }  // namespace labmouse

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <type_traits>
 #include <variant>
 
 namespace labmouse {
@@ -21,12 +20,9 @@ struct JsonText {
 using Value = std::variant<std::monostate, std::nullptr_t, bool, std::int64_t, double, std::string, JsonText>;
 
 /// A number, or that there is none.
-template <class T>
-Value or_none(const std::optional<T>& value) {
-  using Number = std::conditional_t<std::is_integral_v<T>, std::int64_t, double>;
-  if (!value) return nullptr;
-  return static_cast<Number>(*value);
-}
+Value or_none(const std::optional<double>& value);
+Value or_none(const std::optional<std::int64_t>& value);
+Value or_none(const std::optional<int>& value);
 
 /// The number of a value, a truth counting 0 or 1; nothing where it is none.
 std::optional<double> number_of(const Value& value);

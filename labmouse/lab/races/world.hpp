@@ -22,8 +22,8 @@ namespace labmouse {
 
 /// Names of figures that a world may have, and that have one meaning in all: the shares of the reachable cells that the
 /// mouse came to know and stood in while it searched, 0 to 1; and what the mouse had to say.
-inline constexpr std::string_view discovered_figure = "discovered_share";
-inline constexpr std::string_view visited_figure = "visited_share";
+inline constexpr std::string_view discovered_share = "discovered_share";
+inline constexpr std::string_view visited_share = "visited_share";
 inline constexpr std::string_view said_last = "last_words";
 
 struct Race;
@@ -95,6 +95,7 @@ struct ScorePlace {
   std::string_view key = "score";
   std::string_view inner;  ///< where the score is an object, its field
   double unit = 1.0;       ///< what a number there is to be multiplied by
+  double least = 0.0;      ///< no score is below
 };
 
 class World {

@@ -26,8 +26,8 @@ constexpr std::array<ContestField, 13> contest_fields = {{{"maze", fields::maze_
                                                           {"starts", figure<F::starts>},
                                                           {"decisions", figure<F::decisions>},
                                                           {"replanned", figure<F::replanned>},
-                                                          {discovered_figure, figure<F::discovered_share>},
-                                                          {visited_figure, figure<F::visited_share>}}};
+                                                          {discovered_share, figure<F::discovered>},
+                                                          {visited_share, figure<F::visited>}}};
 
 constexpr std::array<ContestField, 14> csv_fields = {{{"mouse", fields::mouse_name},
                                                       {"maze", fields::maze_name},
@@ -111,9 +111,9 @@ constexpr std::array<MouseField, 17> mouse_fields = {
      {"decisions", sum<F::decisions>},
      {"replanned", sum<F::replanned>},
      {"mean_discovered_share",
-      [](const Race& r, const Standing& s) -> Value { return or_none(mean_of_all(r, s, discovered_figure)); }},
+      [](const Race& r, const Standing& s) -> Value { return or_none(mean_of_all(r, s, discovered_share)); }},
      {"mean_visited_share",
-      [](const Race& r, const Standing& s) -> Value { return or_none(mean_of_all(r, s, visited_figure)); }}}};
+      [](const Race& r, const Standing& s) -> Value { return or_none(mean_of_all(r, s, visited_share)); }}}};
 
 std::string above_best(const Race& race, const Standing& standing) {
   const auto excess = mean_solved(race, standing, "excess");

@@ -15,8 +15,8 @@ enum class SecondsFigure : std::uint8_t {
   starts,  ///< runs from the start
   decisions,
   replanned,
-  discovered_share,
-  visited_share,
+  discovered,
+  visited,
   score_us,  ///< of the best run by the rules, and its two times
   gate_to_gate,
   rest_to_centre,

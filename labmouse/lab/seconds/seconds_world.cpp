@@ -137,7 +137,7 @@ class SecondsWorld final : public World {
   }
 
   std::string_view tie_breaker() const override { return "search_us"; }
-  ScorePlace score_place() const override { return {"score", "value", 1e-6}; }
+  ScorePlace score_place() const override { return {"score", "value", 1e-6, -seconds(rules_.untouched_bonus)}; }
   const WorldFields& fields() const override { return seconds_fields(); }
   std::string_view why_no_bound() const override { return "in which no mouse could score"; }
 

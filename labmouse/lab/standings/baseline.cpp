@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "labmouse/lab/standings/standings.hpp"
@@ -22,8 +21,9 @@ std::optional<double> score_in(const Json& result, const ScorePlace& place, bool
   good = result.is_object() && result.contains(key);
   if (!good || result[key].is_null()) return std::nullopt;
   const Json& score = inner.empty() ? result[key] : result[key].is_object() ? result[key].value(inner, Json()) : Json();
-  good = score.is_number() && std::abs(score.get<double>() * place.unit) < absurd;
-  return good ? std::optional(score.get<double>() * place.unit) : std::nullopt;
+  const double value = score.is_number() ? score.get<double>() * place.unit : absurd;
+  good = value >= place.least && value < absurd;
+  return good ? std::optional(value) : std::nullopt;
 }
 
 /// Reads one result of a mouse into its scores; false where it is none.
@@ -52,7 +52,8 @@ const std::vector<double>* find_scores(const Scores& scores, const std::string& 
 
 /// The part of a race's JSON that holds a world; null where there is none.
 const Json* part_of(const Json& json, const World& world) {
-  if (world.is_home()) return json["mice"].is_array() && json.contains("budget") ? &json : nullptr;
+  if (world.is_home())
+    return json["mice"].is_array() && json["mice"].empty() && json.contains("groups") ? nullptr : &json;
   if (!json.contains("groups") || !json["groups"].is_array()) return nullptr;
   for (const Json& group : json["groups"])
     if (group.is_object() && group.contains("world") && group["world"] == world.name()) return &group;

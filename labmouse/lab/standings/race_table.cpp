@@ -64,8 +64,8 @@ std::string shares_of(const Race& race) {
                   names.width, "discovered%", "visited%");
   for (const Standing& standing : standings_of(race))
     text += fmt::format("{:<{}} {:>11} {:>8}\n", names.of[standing.mouse], names.width,
-                        percent(mean_of_all(race, standing, discovered_figure)),
-                        percent(mean_of_all(race, standing, visited_figure)));
+                        percent(mean_of_all(race, standing, discovered_share)),
+                        percent(mean_of_all(race, standing, visited_share)));
   return text;
 }
 

@@ -30,14 +30,14 @@ constexpr std::array<ContestField, 15> contest_fields = {{{"maze", fields::maze_
                                                           {"score", fields::score},
                                                           {"exploration_steps", figure<F::exploration_steps>},
                                                           {"speed_steps", figure<F::speed_steps>},
-                                                          {discovered_figure, figure<F::discovered_share>},
-                                                          {visited_figure, figure<F::visited_share>},
+                                                          {discovered_share, figure<F::discovered>},
+                                                          {visited_share, figure<F::visited>},
                                                           {"microseconds_per_decision", microseconds},
                                                           {"blocked_steps", figure<F::blocked_steps>},
                                                           {"void_rotations", figure<F::void_rotations>},
                                                           {"cut_movements", figure<F::cut_movements>},
                                                           {"idle_resets", figure<F::idle_resets>},
-                                                          {said_last, figure<F::last_words>},
+                                                          {said_last, figure<F::words>},
                                                           {"counts", figure<F::counts>}}};
 
 constexpr std::array<ContestField, 12> csv_fields = {{{"mouse", fields::mouse_name},
@@ -50,8 +50,8 @@ constexpr std::array<ContestField, 12> csv_fields = {{{"mouse", fields::mouse_na
                                                       {"optimum", fields::of_maze<StepsMazeFigure::optimum>},
                                                       {"bound", fields::bound},
                                                       {"microseconds_per_decision", rounded_microseconds},
-                                                      {discovered_figure, figure<F::discovered_share>},
-                                                      {visited_figure, figure<F::visited_share>}}};
+                                                      {discovered_share, figure<F::discovered>},
+                                                      {visited_share, figure<F::visited>}}};
 
 constexpr std::array<MazeField, 5> maze_fields = {{{"name", fields::name},
                                                    {"width", fields::width},
@@ -103,9 +103,9 @@ constexpr std::array<MouseField, 15> mouse_fields = {
       [](const Race& r, const Standing& s) -> Value { return or_none(mean_over_optimum(r, s)); }},
      {"optimal_share", [](const Race& r, const Standing& s) -> Value { return optimal_share(r, s); }},
      {"mean_discovered_share",
-      [](const Race& r, const Standing& s) -> Value { return or_none(mean_of_all(r, s, discovered_figure)); }},
+      [](const Race& r, const Standing& s) -> Value { return or_none(mean_of_all(r, s, discovered_share)); }},
      {"mean_visited_share",
-      [](const Race& r, const Standing& s) -> Value { return or_none(mean_of_all(r, s, visited_figure)); }},
+      [](const Race& r, const Standing& s) -> Value { return or_none(mean_of_all(r, s, visited_share)); }},
      {"microseconds_per_decision",
       [](const Race& r, const Standing& s) -> Value { return microseconds_per_decision(r, s); }}}};
 

@@ -11,14 +11,14 @@ namespace labmouse {
 enum class StepsFigure : std::uint8_t {
   exploration_steps,
   speed_steps,  ///< null where the contest was not solved
-  discovered_share,
-  visited_share,
+  discovered,
+  visited,
   blocked_steps,  ///< this and the next three are there where one of them is not 0
   void_rotations,
   cut_movements,
   idle_resets,
   first_misstep,  ///< as a count of the clock, 0 where there is none
-  last_words,     ///< nothing where the mouse had nothing to say
+  words,          ///< nothing where the mouse had nothing to say
   counts,         ///< an object; nothing where the mouse counted nothing
   decisions,
   microseconds,  ///< spent in them: the one figure that differs from race to race

@@ -91,7 +91,7 @@ std::string differences_svg(const Study& study, const Comparison& comparison, co
   const Axis y = axis_of(values, area.bottom, area.top, 8);
   const PairedDifference& found = comparison.found;
   std::string svg = axes_svg(area, x, y, "mazes, sorted by their difference",
-                             fmt::format("{} - {} (steps)", mouse.name, against.name));
+                             fmt::format("{} - {} ({})", mouse.name, against.name, study.race.world().unit()));
   if (found.count > 1)
     svg += band_svg(area.left, area.right, y.place(found.interval.low), y.place(found.interval.high));
   svg += bars_svg(study, comparison, mouse, against, x, y);

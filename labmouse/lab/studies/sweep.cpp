@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "labmouse/lab/mice/guest_specs.hpp"
 #include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/standings/standings.hpp"
 #include "labmouse/strategies/roster.hpp"
@@ -24,10 +25,29 @@ SweepPoint point_of(const Race& race, const std::string& value) {
   return {value, standing.runs, standing.runs - standing.solved, standing.mean_all, interval_of(race, standing)};
 }
 
-/// The parameter of that name, which the mouse of the SPEC has.
-const Parameter& parameter_of(std::string_view spec, std::string_view name) {
-  const auto parameters = find_mouse(spec.substr(0, spec.find_first_of(":,")))->parameters;
-  return *std::find_if(parameters.begin(), parameters.end(), [&](const Parameter& p) { return p.name == name; });
+/// Sets what the sweep says of the mouse and of the parameter, which it has. A guest's is known to the guest alone.
+void describe_parameter(std::string_view spec, Sweep& sweep) {
+  sweep.mouse = spec;
+  if (is_guest_spec(spec)) return;
+  const auto parameters = find_mouse(spec.substr(0, spec.find(':')))->parameters;
+  const auto found = std::find_if(parameters.begin(), parameters.end(),
+                                  [&](const Parameter& parameter) { return parameter.name == sweep.parameter; });
+  const std::string usual(found->default_value);
+  sweep.mouse = read_variants(spec, sweep.parameter, {&usual, 1}).contestants.front().name;
+  sweep.meaning = found->meaning;
+}
+
+/// The value of each variant, in its one spelling where it has one.
+std::vector<std::string> values_of(std::string_view spec, const Variation& variation,
+                                   const std::vector<Contestant>& variants) {
+  std::vector<std::string> values;
+  if (is_guest_spec(spec)) {
+    for (const std::string& value : variation.values)
+      if (std::find(values.begin(), values.end(), value) == values.end()) values.push_back(value);
+  } else {
+    for (const Contestant& variant : variants) values.emplace_back(variant.settings.choice(variation.parameter));
+  }
+  return values;
 }
 
 void describe_mazes(const std::vector<NamedMaze>& mazes, Sweep& sweep) {
@@ -41,17 +61,15 @@ void describe_mazes(const std::vector<NamedMaze>& mazes, Sweep& sweep) {
 }  // namespace
 
 Sweep hold_sweep(std::string_view spec, const Variation& variation, const std::vector<NamedMaze>& mazes,
-                 const RaceOrder& order, const SweepHooks& hooks) {
+                 const RaceOrder& order, const SweepHooks& hooks, const GuestOptions& guests) {
   Sweep sweep;
   sweep.order = order;
-  const SpecResult variants = read_variants(spec, variation.parameter, variation.values);
+  sweep.parameter = variation.parameter;
+  const SpecResult variants = read_variants(spec, variation.parameter, variation.values, guests);
   if (sweep.error = !variation.error.empty() ? variation.error : variants.error; !sweep.error.empty()) return sweep;
-  const Parameter& parameter = parameter_of(spec, variation.parameter);
-  const std::vector<std::string> usual = {std::string(parameter.default_value)};
-  sweep.mouse = read_variants(spec, parameter.name, usual).contestants.front().name;
-  sweep.parameter = parameter.name;
-  sweep.meaning = parameter.meaning;
-  sweep.values = variants.contestants.size();
+  const std::vector<std::string> values = values_of(spec, variation, variants.contestants);
+  describe_parameter(spec, sweep);
+  sweep.values = values.size();
   describe_mazes(mazes, sweep);
 
   const std::size_t all = contests_of(variants.contestants, mazes.size(), order);
@@ -59,11 +77,11 @@ Sweep hold_sweep(std::string_view spec, const Variation& variation, const std::v
   race_hooks.stop = hooks.stop;
   if (hooks.finished)
     race_hooks.finished = [&](const Race&, const ContestResult&, const Held&) { hooks.finished(all); };
-  for (const Contestant& variant : variants.contestants) {
-    const Race race = hold_race({variant}, mazes, order, race_hooks);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const Race race = hold_race({variants.contestants[i]}, mazes, order, race_hooks);
     // Part of the mazes would make a mean that compares with no other.
     if (race.stopped) break;
-    sweep.points.push_back(point_of(race, std::string(variant.settings.choice(parameter.name))));
+    sweep.points.push_back(point_of(race, values[i]));
   }
   return sweep;
 }

@@ -67,8 +67,9 @@ std::string notes_of(const Sweep& sweep) {
   if (has_intervals(sweep)) notes += fmt::format("95 % interval of the mean {}.\n", spread(sweep));
   if (const std::string best = lowest(sweep); !best.empty()) notes += best + "\n";
   if (sweep.routeless > 0)
-    notes += fmt::format("Left out of all means: {} whose goal cannot be reached.\n",
-                         counted(static_cast<std::size_t>(sweep.routeless), "maze", "mazes"));
+    notes += fmt::format("Left out of all means: {} {}.\n",
+                         counted(static_cast<std::size_t>(sweep.routeless), "maze", "mazes"),
+                         sweep.order.world->why_no_bound());
   if (sweep.points.size() < sweep.values)
     notes += fmt::format("Stopped early: {} of {} values done.\n", sweep.points.size(), sweep.values);
   return notes;
@@ -122,7 +123,7 @@ std::string picture_of(const Sweep& sweep) {
   plot.title = fmt::format("{} in {}: score by {}", sweep.mouse, place_of(sweep), sweep.parameter);
   plot.description = fmt::format("Mean score of {} at {} of {}. {}", sweep.mouse,
                                  counted(sweep.points.size(), "value", "values"), sweep.parameter, lowest(sweep));
-  plot.x_label = fmt::format("{}: {}", sweep.parameter, sweep.meaning);
+  plot.x_label = sweep.parameter + (sweep.meaning.empty() ? "" : ": " + sweep.meaning);
   plot.y_label = fmt::format("mean score ({}; lower is better)", sweep.order.world->unit());
   for (const SweepPoint& point : sweep.points)
     if (point.mean) plot.points.push_back(plot_point(sweep, point));

@@ -1,10 +1,14 @@
+#include "labmouse/lab/steps/steps_world.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "labmouse/lab/standings/race_report.hpp"
+#include "labmouse/lab/standings/race_json.hpp"
+#include "labmouse/lab/standings/race_table.hpp"
+#include "labmouse/lab/standings/standings.hpp"
 #include "labmouse/lab/system/version.hpp"
 #include "tests/lab/race_fixture.hpp"
 
@@ -130,7 +134,7 @@ TEST_F(RaceAsJson, HasTheNotesOfTheTable) {
 }
 
 TEST(RaceAsJsonToo, AMouseWithoutARouteAnywhereHasNullMeans) {
-  const Json json = Json::parse(json_of(hold_race(test::mice("flood"), {test::without_route()}, {}), {}));
+  const Json json = Json::parse(json_of(hold_race(test::mice("flood"), {test::without_route()}, test::in_steps()), {}));
   for (const char* field :
        {"mean_score", "penalised_mean", "interval", "mean_ratio", "mean_discovered_share", "mean_visited_share"})
     EXPECT_TRUE(json.at("mice")[0].at(field).is_null()) << field;
@@ -140,7 +144,8 @@ TEST(RaceAsJsonToo, AMouseWithoutARouteAnywhereHasNullMeans) {
 TEST(RaceAsJsonToo, NamesThatAreNoUtf8DoNoHarm) {
   NamedMaze maze = test::corridor();
   maze.name = "caf\xe9.txt";
-  EXPECT_NO_THROW(Json::parse(json_of(hold_race(test::mice("flood"), {maze}, {}), {{"b\xff", {{0, 0, "is b\xff"}}}})));
+  EXPECT_NO_THROW(Json::parse(
+      json_of(hold_race(test::mice("flood"), {maze}, test::in_steps()), {{"b\xff", {{0, 0, "is b\xff"}}}})));
 }
 
 std::vector<std::string> lines(const std::string& text) {
@@ -162,12 +167,12 @@ TEST(RaceAsCsv, HasALineForEachContest) {
 }
 
 TEST(RaceAsCsv, EndsWithTheShares) {
-  const auto list = lines(csv_of(hold_race(test::mice("oracle"), {test::hook()}, {})));
+  const auto list = lines(csv_of(hold_race(test::mice("oracle"), {test::hook()}, test::in_steps())));
   EXPECT_TRUE(list[1].ends_with(",0.75,0.5")) << list[1];
 }
 
 TEST(RaceAsCsv, LeavesEmptyWhatAFailedContestLacks) {
-  const auto list = lines(csv_of(hold_race(test::mice("flood"), {test::without_route()}, {})));
+  const auto list = lines(csv_of(hold_race(test::mice("flood"), {test::without_route()}, test::in_steps())));
   EXPECT_THAT(list[1], HasSubstr(",forfeit: no way,,"));
   EXPECT_THAT(list[1], HasSubstr(",,,,"));
 }
@@ -175,7 +180,8 @@ TEST(RaceAsCsv, LeavesEmptyWhatAFailedContestLacks) {
 TEST(RaceAsCsv, QuotesNamesWithCommasAndQuotes) {
   NamedMaze maze = test::corridor();
   maze.name = "a \"big\", long one";
-  EXPECT_THAT(csv_of(hold_race(test::mice("flood"), {maze}, {})), HasSubstr(",\"a \"\"big\"\", long one\","));
+  EXPECT_THAT(csv_of(hold_race(test::mice("flood"), {maze}, test::in_steps())),
+              HasSubstr(",\"a \"\"big\"\", long one\","));
 }
 
 TEST(RaceAsTable, ShowsEveryMouseBestFirst) {
@@ -187,7 +193,7 @@ TEST(RaceAsTable, ShowsEveryMouseBestFirst) {
 TEST(RaceAsTable, OneMazeHasNoInterval) {
   constexpr const char* interval = "[0-9]\\.[0-9]-[0-9]+\\.[0-9]";
   EXPECT_THAT(table_of(test::race_of("flood"), false), ::testing::ContainsRegex(interval));
-  const Race race = hold_race(test::mice("flood"), {test::corridor()}, {});
+  const Race race = hold_race(test::mice("flood"), {test::corridor()}, test::in_steps());
   EXPECT_THAT(table_of(race, false), ::testing::Not(::testing::ContainsRegex(interval)));
 }
 
@@ -198,9 +204,9 @@ TEST(RaceAsTable, ColoursOnlyWhereAsked) {
 }
 
 TEST(RaceAsTable, SaysWhereSolvedMeansCoverDifferentMazes) {
-  RaceOrder order;
-  order.rules.budget = 15;  // too little for a flood of the loop
-  const Race race = hold_race(test::mice("oracle,flood"), {test::loop(), test::corridor()}, order);
+  Rules rules;
+  rules.budget = 15;  // too little for a flood of the loop
+  const Race race = hold_race(test::mice("oracle,flood"), {test::loop(), test::corridor()}, test::in_steps(rules));
   EXPECT_THAT(table_of(race, false), HasSubstr("cover different mazes"));
   EXPECT_THAT(table_of(test::race_of("oracle,flood"), false), Not(HasSubstr("cover different mazes")));
 }
@@ -210,14 +216,14 @@ TEST(RaceAsTable, MarksTheOracle) {
 }
 
 TEST(Shares, ArePercentInTheOrderOfTheLeaderboard) {
-  const Race race = hold_race(test::mice("oracle,flood"), {test::loop(), test::without_route()}, {});
+  const Race race = hold_race(test::mice("oracle,flood"), {test::loop(), test::without_route()}, test::in_steps());
   const auto list = lines(shares_of(race));
   ASSERT_EQ(list.size(), 4U);
   EXPECT_EQ(list[2].find("oracle *"), 0U);
   EXPECT_EQ(list[3].find("flood "), 0U);
-  EXPECT_THAT(shares_of(hold_race(test::mice("oracle"), {test::hook(), test::without_route()}, {})),
+  EXPECT_THAT(shares_of(hold_race(test::mice("oracle"), {test::hook(), test::without_route()}, test::in_steps())),
               HasSubstr("\noracle *        75.0     50.0\n"));
-  EXPECT_THAT(shares_of(hold_race(test::mice("flood"), {test::without_route()}, {})),
+  EXPECT_THAT(shares_of(hold_race(test::mice("flood"), {test::without_route()}, test::in_steps())),
               HasSubstr("flood           -        -"));
 }
 
@@ -228,8 +234,110 @@ TEST(Worst, ListsTheCostliestMazesFirst) {
 }
 
 TEST(Worst, CountsFromTheBound) {
-  EXPECT_THAT(worst_of(hold_race(test::mice("oracle"), {test::corridor()}, {}), 5),
+  EXPECT_THAT(worst_of(hold_race(test::mice("oracle"), {test::corridor()}, test::in_steps()), 5),
               HasSubstr("3.133 = bound 3.133 + 0.000"));
+}
+
+Standing standing_of(const Race& race, std::string_view mouse) {
+  for (const Standing& standing : standings_of(race))
+    if (race.mice[standing.mouse].name == mouse) return standing;
+  ADD_FAILURE() << "no standing of " << mouse;
+  return {};
+}
+
+double figure(const Race& race, std::string_view mouse, std::string_view key) {
+  return number_of(figure_of(race, standing_of(race, mouse), key)).value();
+}
+
+TEST(Standings, LeaveMazesWithoutARouteOut) {
+  const Race race = test::race_of("flood");
+  const Standing standing = standing_of(race, "flood");
+  EXPECT_EQ(race.results.size(), 3U);
+  EXPECT_EQ(standing.runs, 2);
+  EXPECT_EQ(standing.solved, 2);
+  EXPECT_EQ(standing.mean_all, standing.mean_solved);
+}
+
+TEST(Standings, WithoutAnyRouteHaveNoMeans) {
+  const Race race = hold_race(test::mice("flood"), {test::without_route()}, test::in_steps());
+  const Standing standing = standing_of(race, "flood");
+  EXPECT_EQ(standing.runs, 0);
+  EXPECT_EQ(standing.mean_solved, std::nullopt);
+  EXPECT_EQ(standing.mean_all, std::nullopt);
+}
+
+TEST(Standings, OfTheOracleAreTheBound) {
+  const Race race = test::race_of("oracle");
+  EXPECT_DOUBLE_EQ(standing_of(race, "oracle").mean_ratio.value(), 1.0);
+  EXPECT_DOUBLE_EQ(figure(race, "oracle", "mean_speed_over_optimum"), 0.0);
+  EXPECT_DOUBLE_EQ(figure(race, "oracle", "optimal_share"), 1.0);
+}
+
+/// A race made up: two mice in two mazes, the second maze unsolved by the first mouse.
+Race made_up() {
+  Race race;
+  race.order = test::in_steps();
+  race.mice = test::mice("certify,flood");
+  race.mazes = {test::corridor(), test::loop()};
+  race.facts = {{3.0, {3}, {}}, {8.0, {4}, {}}};
+  const auto add = [&](std::size_t mouse, std::size_t maze, std::int64_t exploration, std::int64_t speed,
+                       std::optional<double> score) {
+    ContestResult result;
+    result.mouse = mouse;
+    result.maze = maze;
+    result.done = true;
+    result.outcome = score ? "solved" : "out of steps";
+    result.score = score;
+    result.counted = score.value_or(100);
+    if (score) result.ratio = *score / *race.facts[maze].bound;
+    const std::int64_t decisions = exploration + speed;
+    result.figures = {exploration, speed, 0.0, 0.0, {}, {}, {}, {}, 0, {}, {}, decisions, 2.0 * decisions};
+    race.results.push_back(result);
+  };
+  add(0, 0, 30, 3, 4.0);
+  add(0, 1, 1000, 0, {});
+  add(1, 0, 60, 4, 6.0);
+  add(1, 1, 120, 4, 8.0);
+  return race;
+}
+
+TEST(Standings, CountAFailureAsAHundred) {
+  const Standing standing = standing_of(made_up(), "certify");
+  EXPECT_EQ(standing.solved, 1);
+  EXPECT_DOUBLE_EQ(standing.mean_solved.value(), 4.0);
+  EXPECT_DOUBLE_EQ(standing.mean_all.value(), 52.0);
+}
+
+TEST(Standings, AreSortedByTheMeanOverAll) {
+  const Race race = made_up();
+  const auto standings = standings_of(race);
+  EXPECT_EQ(race.mice[standings[0].mouse].name, "flood");
+  EXPECT_EQ(race.mice[standings[1].mouse].name, "certify");
+}
+
+TEST(Standings, CountWhatTheTableShows) {
+  const Standing standing = standing_of(made_up(), "flood");
+  EXPECT_DOUBLE_EQ(standing.mean_ratio.value(), (6.0 / 3.0 + 8.0 / 8.0) / 2);
+  EXPECT_DOUBLE_EQ(figure(made_up(), "flood", "mean_exploration_steps"), 90.0);
+  EXPECT_DOUBLE_EQ(figure(made_up(), "flood", "mean_speed_over_optimum"), 0.5);
+  EXPECT_DOUBLE_EQ(figure(made_up(), "flood", "optimal_share"), 0.5);
+  EXPECT_DOUBLE_EQ(figure(made_up(), "flood", "microseconds_per_decision"), 2.0);
+}
+
+TEST(Standings, TheShareOfOptimalRunsIsOfAllContests) {
+  EXPECT_DOUBLE_EQ(figure(made_up(), "certify", "optimal_share"), 0.5);
+}
+
+TEST(Standings, TheIntervalHoldsTheMean) {
+  const Standing standing = standing_of(made_up(), "flood");
+  EXPECT_LE(standing.interval.low, 7.0);
+  EXPECT_GE(standing.interval.high, 7.0);
+}
+
+TEST(Standings, ContestsThatWereNotHeldCountNothing) {
+  Race race = made_up();
+  race.results[1].done = false;
+  EXPECT_DOUBLE_EQ(standing_of(race, "certify").mean_all.value(), 4.0);
 }
 
 }  // namespace
