@@ -91,7 +91,8 @@ class FileSizeLimit {
 class SomebodyElse {
  public:
   SomebodyElse() {
-    if (before_ == 0) EXPECT_EQ(seteuid(65534), 0);
+    if (before_ != 0) return;
+    EXPECT_EQ(seteuid(65534), 0);
   }
   SomebodyElse(const SomebodyElse&) = delete;
   SomebodyElse& operator=(const SomebodyElse&) = delete;

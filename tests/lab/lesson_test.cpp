@@ -3,6 +3,7 @@
 
 #include "labmouse/lab/mice/prior_file.hpp"
 #include "labmouse/lab/studies/prior_lesson.hpp"
+#include "labmouse/lab/worlds/worlds.hpp"
 #include "labmouse/maze/symmetry.hpp"
 #include "tests/lab/race_fixture.hpp"
 
@@ -11,7 +12,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-Lesson lesson_of(std::vector<NamedMaze> mazes) { return hold_lesson(std::move(mazes), Rules()); }
+Lesson lesson_of(std::vector<NamedMaze> mazes) { return hold_lesson(std::move(mazes), *home_world()); }
 
 NamedMaze mirrored_loop() { return {"mirrored", transformed(test::loop().maze, {true, 1})}; }
 
@@ -66,7 +67,7 @@ TEST(ALesson, MayBeStopped) {
                                stop = told.size() == 2;
                              },
                              &stop};
-  const Lesson lesson = hold_lesson({test::loop(), test::hook(), test::corridor()}, Rules(), hooks);
+  const Lesson lesson = hold_lesson({test::loop(), test::hook(), test::corridor()}, *home_world(), hooks);
   EXPECT_THAT(told, testing::ElementsAre(3U, 3U));
   EXPECT_EQ(lesson.done, 2U);
   EXPECT_EQ(summary_of(lesson), "Stopped early: 2 of 3 mazes explored, no prior made.\n");

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "labmouse/lab/worlds/worlds.hpp"
 #include "tests/lab/mms_fixture.hpp"
 #include "tests/lab/race_fixture.hpp"
 
@@ -18,8 +19,7 @@ Race race_of(const std::vector<bool>& contests) {
   for (const bool started : contests) {
     ContestResult& result = race.results.emplace_back();
     result.done = true;
-    result.started = started;
-    result.last_words = "it ended with exit code 2\nTraceback";
+    if (!started) result.never_started = "it ended with exit code 2";
   }
   return race;
 }
@@ -40,13 +40,17 @@ TEST(NeverStarted, CountsJustTheContestsThatWereHeld) {
 }
 
 TEST(NeverStarted, IsNoMouseOfTheRoster) {
-  EXPECT_EQ(never_started_lines(hold_race(test::mice("flood"), {test::loop(), test::without_route()}, {})), "");
+  RaceOrder order;
+  order.world = home_world();
+  EXPECT_EQ(never_started_lines(hold_race(test::mice("flood"), {test::loop(), test::without_route()}, order)), "");
 }
 
 TEST(NeverStarted, IsAProgramForMmsWithoutALine) {
-  const MmsRace race = hold_mms_race({test::mms_mouse("mute", {"exit:2"}), test::mms_mouse("talker", {"ask:mazeWidth"}),
-                                      test::mms_mouse("idle", {"exit:0"})},
-                                     {test::plank(), test::loop()}, {});
+  RaceOrder order;
+  order.world = default_world("mms");
+  const Race race = hold_race({test::mms_mouse("mute", {"exit:2"}), test::mms_mouse("talker", {"ask:mazeWidth"}),
+                               test::mms_mouse("idle", {"exit:0"})},
+                              {test::plank(), test::loop()}, order);
   EXPECT_EQ(never_started_lines(race), "mms:mute failed to start in every contest: exit code 2\n");
 }
 

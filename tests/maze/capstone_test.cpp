@@ -6,12 +6,12 @@
 namespace labmouse {
 namespace {
 
-using test::drawn;
+using test::content_of;
 using test::Lines;
 using testing::ElementsAre;
 using testing::SizeIs;
 
-Lines problems_of(std::string_view content) { return test::problems_of(capstone_format, drawn(content)); }
+Lines problems_of(std::string_view content) { return test::problems_of(capstone_format, content_of(content)); }
 Maze read(std::string_view content) { return test::maze_of(capstone_format, content); }
 Maze drawing(std::string_view content) { return test::maze_of(drawing_format, content); }
 
@@ -81,8 +81,8 @@ o---o---o---o
 
 TEST(Capstone, ReadsAndWritesTestMaze1) {
   const Maze maze = read(maze_1);
-  EXPECT_EQ(capstone_format.write(maze).content, drawn(maze_1));
-  EXPECT_EQ(drawing_format.write(maze).content, drawn(maze_1_drawn));
+  EXPECT_EQ(capstone_format.write(maze).content, content_of(maze_1));
+  EXPECT_EQ(drawing_format.write(maze).content, content_of(maze_1_drawn));
 }
 
 TEST(Capstone, TakesAnyLineEndsAndBlanks) {

@@ -6,12 +6,12 @@
 namespace labmouse {
 namespace {
 
-using test::drawn;
+using test::content_of;
 using test::Lines;
 using testing::ElementsAre;
 using testing::SizeIs;
 
-Lines problems_of(std::string_view drawing) { return test::problems_of(drawing_format, drawn(drawing)); }
+Lines problems_of(std::string_view drawing) { return test::problems_of(drawing_format, content_of(drawing)); }
 Maze read(std::string_view drawing) { return test::maze_of(drawing_format, drawing); }
 std::string write(const Maze& maze) { return drawing_format.write(maze).content.value_or("(not written)"); }
 
@@ -41,7 +41,7 @@ TEST(Drawing, HoldsStartAndGoal) {
   EXPECT_TRUE(maze.is_goal({0, 1}));
 }
 
-TEST(Drawing, IsWrittenAsItIsRead) { EXPECT_EQ(write(read(small)), drawn(small)); }
+TEST(Drawing, IsWrittenAsItIsRead) { EXPECT_EQ(write(read(small)), content_of(small)); }
 
 TEST(Drawing, WithoutMarksStartsInTheCornerAndEndsInTheCentre) {
   const Maze maze = read(R"(

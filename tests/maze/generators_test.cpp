@@ -140,7 +140,7 @@ TEST(Contest, KeepsTheRulesWithMoreLoops) {
 }
 
 TEST(Golden, Drawings) {
-  EXPECT_EQ(drawing_of(depth_first_generator.make({{6, 4}, 1, 0})), test::drawn(R"(
+  EXPECT_EQ(drawing_of(depth_first_generator.make({{6, 4}, 1, 0})), test::content_of(R"(
 o---o---o---o---o---o---o
 |           |           |
 o---o   o---o   o   o---o
@@ -151,7 +151,7 @@ o---o---o---o   o   o   o
 | S             |       |
 o---o---o---o---o---o---o
 )"));
-  EXPECT_EQ(drawing_of(prim_generator.make({{6, 4}, 1, 0})), test::drawn(R"(
+  EXPECT_EQ(drawing_of(prim_generator.make({{6, 4}, 1, 0})), test::content_of(R"(
 o---o---o---o---o---o---o
 |       |   |           |
 o---o   o   o   o---o---o
@@ -162,7 +162,7 @@ o   o---o   o   o---o   o
 | S                 |   |
 o---o---o---o---o---o---o
 )"));
-  EXPECT_EQ(drawing_of(kruskal_generator.make({{6, 4}, 1, 0})), test::drawn(R"(
+  EXPECT_EQ(drawing_of(kruskal_generator.make({{6, 4}, 1, 0})), test::content_of(R"(
 o---o---o---o---o---o---o
 |                   |   |
 o---o   o---o   o   o   o
@@ -173,7 +173,7 @@ o---o   o---o   o---o   o
 | S     |           |   |
 o---o---o---o---o---o---o
 )"));
-  EXPECT_EQ(drawing_of(wilson_generator.make({{6, 4}, 1, 0})), test::drawn(R"(
+  EXPECT_EQ(drawing_of(wilson_generator.make({{6, 4}, 1, 0})), test::content_of(R"(
 o---o---o---o---o---o---o
 |   |                   |
 o   o   o---o---o   o   o
@@ -184,7 +184,7 @@ o   o   o   o---o   o   o
 | S         |       |   |
 o---o---o---o---o---o---o
 )"));
-  EXPECT_EQ(drawing_of(division_generator.make({{6, 4}, 1, 0})), test::drawn(R"(
+  EXPECT_EQ(drawing_of(division_generator.make({{6, 4}, 1, 0})), test::content_of(R"(
 o---o---o---o---o---o---o
 |   |       |           |
 o   o---o   o---o   o---o

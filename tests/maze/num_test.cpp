@@ -6,12 +6,12 @@
 namespace labmouse {
 namespace {
 
-using test::drawn;
+using test::content_of;
 using test::Lines;
 using testing::ElementsAre;
 using testing::SizeIs;
 
-Lines problems_of(std::string_view content) { return test::problems_of(num_format, drawn(content)); }
+Lines problems_of(std::string_view content) { return test::problems_of(num_format, content_of(content)); }
 Maze read(std::string_view content) { return test::maze_of(num_format, content); }
 
 constexpr std::string_view corner = R"(
@@ -31,7 +31,7 @@ o---o---o
 
 TEST(Num, HasOneForAWall) { EXPECT_EQ(read(corner), test::maze_of(drawing_format, corner_drawn)); }
 
-TEST(Num, IsWrittenColumnByColumn) { EXPECT_EQ(num_format.write(read(corner)).content, drawn(corner)); }
+TEST(Num, IsWrittenColumnByColumn) { EXPECT_EQ(num_format.write(read(corner)).content, content_of(corner)); }
 
 TEST(Num, TakesCellsInAnyOrder) {
   EXPECT_EQ(read("1 1 1 1 1 0\n0 0 0 1 1 1\n1 0 1 1 1 1\n0 1 1 0 0 1\n"), read(corner));

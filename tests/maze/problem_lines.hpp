@@ -27,12 +27,14 @@ inline Lines problems_of(const Format& format, std::string_view content) {
 }
 
 /// A drawing as raw strings have it: without the line end behind R"(.
-inline std::string_view drawn(std::string_view text) {
+inline std::string_view content_of(std::string_view text) {
   if (text.starts_with('\n')) text.remove_prefix(1);
   return text;
 }
 
 /// The maze of a content that must be right.
-inline Maze maze_of(const Format& format, std::string_view content) { return format.read(drawn(content)).maze.value(); }
+inline Maze maze_of(const Format& format, std::string_view content) {
+  return format.read(content_of(content)).maze.value();
+}
 
 }  // namespace labmouse::test

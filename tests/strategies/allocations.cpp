@@ -19,6 +19,11 @@ void* allocate(std::size_t bytes, std::size_t alignment = alignof(std::max_align
 
 }  // namespace
 
+// Both halves stand below, which g++ does not see where it inlines one of them.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wmismatched-new-delete"
+#endif
+
 void* operator new(std::size_t bytes) { return allocate(bytes); }
 void* operator new[](std::size_t bytes) { return allocate(bytes); }
 void* operator new(std::size_t bytes, std::align_val_t alignment) {

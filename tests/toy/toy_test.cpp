@@ -32,7 +32,10 @@ RaceOrder order_with(const std::string& clumsiness) {
   return order;
 }
 
-std::vector<NamedMaze> some_mazes() { return load_mazes({"contest-01", "contest-02", "contest-03"}).mazes; }
+std::vector<NamedMaze> some_mazes() {
+  const std::vector<std::string> names = {"contest-01", "contest-02", "contest-03"};
+  return load_mazes(names).mazes;
+}
 
 Race toy_race(const std::string& clumsiness = "70") {
   return hold_race(read_specs("flood,certify").contestants, some_mazes(), order_with(clumsiness));
