@@ -165,6 +165,7 @@ std::vector<Field> fields_of(const RaceOptions& options, std::vector<Entry> entr
 }
 
 int race(const RaceOptions& options) {
+  std::optional<Holding> holding(options);
   std::vector<Entry> entries =
       options.contests.world.enter(find_contestants(options.mice, options.contests.world, options.guests));
   const auto baselines = load_baselines(options, entries);
@@ -174,7 +175,6 @@ int race(const RaceOptions& options) {
     throw UsageError("error: --format csv holds one world; race the mice of each world alone, or take --format json");
   std::vector<SkippedFile> skipped;
   std::vector<Field> fields = fields_of(options, std::move(entries), skipped);
-  std::optional<Holding> holding(options);
   auto folder = take_folder(options.out, options.overwrite);
   const std::vector<Race> races = holding->hold(std::move(fields));
   std::string failed_write = holding->failed_write();

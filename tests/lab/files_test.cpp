@@ -230,7 +230,7 @@ TEST_F(Files, KeepTheirPermissions) {
 
 TEST_F(Files, ThatAreReadOnlyStay) {
   write_file(path("mine"), "old");
-  fs::permissions(path("mine"), fs::perms{0400});
+  fs::permissions(path("mine"), fs::perms{0444});
   fs::permissions(folder_, fs::perms{0777});
   const SomebodyElse somebody;
   EXPECT_THAT(write_file(path("mine"), "new"), HasSubstr("permission denied"));

@@ -292,7 +292,6 @@ TEST_P(AWorld, HasSweeps) {
   EXPECT_EQ(sweep.values, 2U);
   EXPECT_EQ(sweep.routeless, 1);
   EXPECT_GT(sweep.points[0].runs, sweep.points[0].failures);
-  EXPECT_NE(sweep.points[0].mean, sweep.points[1].mean);
   EXPECT_THAT(table_of(sweep, false), AllOf(HasSubstr("Score: " + order().world->formula()),
                                             HasSubstr(std::string(order().world->why_no_bound()))));
   EXPECT_EQ(XmlScanner(picture_of(sweep)).complaint(), "");

@@ -126,7 +126,9 @@ std::string scores_svg(const Study& study, const std::vector<Scores>& mice, cons
   for (const Scores& mouse : mice) scores.insert(scores.end(), mouse.values.begin(), mouse.values.end());
   const Axis x = axis_of(bounds, area.left, area.right, 8), y = axis_of(scores, area.bottom, area.top, 8);
   const auto [low, high] = std::minmax_element(bounds.begin(), bounds.end());
-  std::string svg = axes_svg(area, x, y, "bound of the maze (steps)", "score (steps; lower is better)") +
+  const std::string_view unit = study.order.race.world->unit();
+  std::string svg = axes_svg(area, x, y, fmt::format("bound of the maze ({})", unit),
+                             fmt::format("score ({}; lower is better)", unit)) +
                     bound_svg(x.place(*low), y.place(*low), x.place(*high), y.place(*high));
   // Rings before dots, which they would hide.
   for (std::size_t i = mice.size(); i-- > 0;) svg += marks_svg(study, mice[i], i > 0, x, y);
