@@ -1,6 +1,7 @@
 #include "labmouse/contest/drive_coverage.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace labmouse {
 namespace {

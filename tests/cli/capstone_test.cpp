@@ -32,7 +32,10 @@ TEST_F(ARobotsOwner, RacesItBesideABuiltinMouse) {
 }
 
 TEST_F(ARobotsOwner, GoesOnWhereOneDies) {
-  const auto race = AUser::race({"--mice", "capstone:broken.py", "capstone:robot.py", "--mazes", "corridor.txt"});
+  const Ended ended = labmouse({"race", "--mice", "capstone:broken.py", "--mice", "capstone:robot.py", "--mazes",
+                                "corridor.txt", "--format", "json"});
+  EXPECT_EQ(ended.code, 1);  // one of them never started
+  const auto race = nlohmann::json::parse(ended.out);
   EXPECT_EQ(race.at("mice").at(0).at("name"), "capstone:robot.py");
   EXPECT_EQ(race.at("mice").at(1).at("results").at(0).at("outcome"), "forfeit: died");
 }

@@ -135,7 +135,7 @@ TEST_F(AHostOfGuests, RefusesWhatIsNoGuest) {
   is_refused({"race", "--mice", "Capstone"}, "did you mean 'capstone'?");
   is_refused({"race", "--mice", "guest:a\tb"}, "cannot be printed");
   is_refused({"run", "mms:ls", "corridor.txt"}, "`labmouse race` races it");
-  is_refused({"sweep", bad("end"), "--vary", "stride=1:2:1"}, "has no parameters");
+  is_refused({"sweep", bad("end"), "--vary", "stride=1:2:1"}, "{stride}");
 }
 
 TEST_F(AHostOfGuests, FindsRobotsInTheFolderOfTheUser) {

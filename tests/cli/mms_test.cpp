@@ -155,7 +155,6 @@ TEST_F(AnMmsUser, GetsOneWorldAsCsv) {
 
 TEST_F(AnMmsUser, IsToldWhatIsNotForMms) {
   is_refused({"race", "--mice", to_the_goal_, "--mazes", "plank.txt", "--goal", "2,0"}, "--goal");
-  is_refused({"race", "--mice", to_the_goal_, "--mazes", "plank.txt", "--shares"}, "--shares");
   is_refused({"race", "--mice", "mms:", "--mazes", "plank.txt"}, "mms:");
   is_refused({"race", "--mice", "mms:/no/such/mouse", "--mazes", "plank.txt"}, "/no/such/mouse");
 }
@@ -198,7 +197,7 @@ TEST_F(AnMmsUser, AnInterruptedRacePrintsWhatIsDone) {
   program.interrupt();
   const Ended ended = program.wait();
   EXPECT_EQ(ended.code, 130);
-  EXPECT_THAT(ended.out, HasSubstr("Stopped early: 0 of 1 runs done."));
+  EXPECT_THAT(ended.out, HasSubstr("Stopped early: 0 of 1 contests done."));
 }
 
 }  // namespace

@@ -55,10 +55,10 @@ TEST_F(ADriver, RacesInSeconds) {
 }
 
 TEST_F(ADriver, IsToldWhichOptionsMakeNoSense) {
-  is_refused({"race", "--robot", "half"}, "--robot is for the world of seconds; add --world seconds");
-  is_refused({"race", "--rules", "uk"}, "--rules is for the world of seconds; add --world seconds");
-  is_refused({"race", "--world", "seconds", "--budget", "5"}, "--budget is not for the world of seconds");
-  is_refused({"race", "--world", "seconds", "--shares"}, "--shares is not for the world of seconds");
+  is_refused({"race", "--robot", "half"}, "--robot is for the world of seconds, in which no mouse races");
+  is_refused({"race", "--rules", "uk"}, "--rules is for the world of seconds, in which no mouse races");
+  is_refused({"race", "--world", "seconds", "--budget", "5"},
+             "--budget is for the world of strides, in which no mouse races");
   is_refused({"race", "--world", "seconds", "--mice", "manhattan"},
              "mouse 'manhattan' does not drive in seconds; those that do are ");
   is_refused({"race", "--world", "seconds", "--rules", "all-japam"}, "did you mean 'all-japan'?");

@@ -81,7 +81,7 @@ TEST_F(AShellUser, PipesWhatMiceAreMadeOf) {
             0);
   // Each value makes a mouse, and each mouse asks for the prior.
   EXPECT_EQ(shell("labmouse learn corridor.txt -o - 2> /dev/null |"
-                  "labmouse sweep ariadne:prior=- --vary speed_share=0,1 --mazes corridor.txt")
+                  "labmouse sweep ariadne:prior=- --vary travel=20,30 --mazes corridor.txt")
                 .code,
             0);
 }

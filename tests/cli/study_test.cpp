@@ -116,7 +116,8 @@ TEST_F(AStudent, IsToldOfUnwritableFilesBeforeTheWork) {
   for (const char* option : {"--csv", "--svg"}) {
     is_refused({"--mice", "flood", "--mazes", "mazes", "--folds", "2", option, "occupied/file"},
                "occupied/file: error: cannot");
-    is_refused({"--mice", "flood", "--mazes", "mazes", "--folds", "2", option, "mazes"}, "mazes: error: is a folder");
+    is_refused({"--mice", "flood", "--mazes", "mazes", "--folds", "2", option, "mazes"},
+               "mazes: error: cannot be written: it is a folder");
   }
 }
 

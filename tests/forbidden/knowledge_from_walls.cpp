@@ -1,6 +1,5 @@
 // room: contest
-// error: no matching (function for call to|constructor for initialization of|conversion for functional-style
-// cast).*Knowledge
+// error: no matching (function for call to|constructor for initialization of|conversion for functional-style cast).*Knowledge
 //
 // Knowledge told wall by wall, past any reading.
 #include "labmouse/maze/maze.hpp"

@@ -1,6 +1,5 @@
 // room: contest
-// error: no matching (function for call to|constructor for initialization of|conversion for functional-style
-// cast).*Maze
+// error: no matching (function for call to|constructor for initialization of|conversion for functional-style cast).*Maze
 //
 // What a mouse believes is not a maze.
 #include "labmouse/maze/maze.hpp"
