@@ -1,9 +1,11 @@
 // Any bytes as the JSON of a race, for the readers that take it. A report has results or a problem, and those that it
 // keeps are read as the same again; an earlier race has finite scores.
 #include <cmath>
+#include <map>
 
 #include "labmouse/lab/reports/report_results.hpp"
 #include "labmouse/lab/standings/baseline.hpp"
+#include "labmouse/lab/worlds/worlds.hpp"
 #include "tests/fuzz/check_reader.hpp"
 
 namespace {
@@ -16,13 +18,14 @@ void check_report(std::string_view text) {
   if (!read.results) return;
   const labmouse::ReadResultsResult again = labmouse::read_report_results(read.results->json);
   require(again.results && again.results->json == read.results->json);
-  require(again.results->steps.mice.size() == read.results->steps.mice.size());
+  require(again.results->worlds.size() == read.results->worlds.size());
 }
 
-void check_baseline(std::string_view text) {
-  const auto baseline = labmouse::read_baseline(text, {});
-  if (!baseline) return;
-  for (const auto& [mouse, mazes] : baseline->mice)
+void check_baseline(std::string_view text, const labmouse::World& world) {
+  const labmouse::ReadBaselineResult read = labmouse::read_baseline(text, world);
+  require(read.baseline.has_value() == read.error.empty());
+  if (!read.baseline) return;
+  for (const auto& [mouse, mazes] : read.baseline->mice)
     for (const auto& [maze, scores] : mazes)
       for (const double score : scores) require(std::isfinite(score));
 }
@@ -32,6 +35,13 @@ void check_baseline(std::string_view text) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(bytes), size);
   check_report(text);
-  check_baseline(text);
+  for (const labmouse::WorldEntry* entry : labmouse::all_worlds()) {
+    static const std::map<const labmouse::WorldEntry*, std::shared_ptr<const labmouse::World>> worlds = [] {
+      std::map<const labmouse::WorldEntry*, std::shared_ptr<const labmouse::World>> made;
+      for (const labmouse::WorldEntry* each : labmouse::all_worlds()) made[each] = each->make({}).world;
+      return made;
+    }();
+    check_baseline(text, *worlds.at(entry));
+  }
   return 0;
 }

@@ -8,14 +8,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   labmouse::GuestOptions options;
   options.python = "/bin/sh";
   const auto result = labmouse::read_specs({reinterpret_cast<const char*>(bytes), size}, options);
-  if ((result.contestants.empty() && result.mms.empty()) == result.error.empty()) std::abort();
+  if (result.contestants.empty() == result.error.empty()) std::abort();
   for (const auto& mouse : result.contestants) {
     const auto again = labmouse::read_specs(mouse.name, options);
     if (again.contestants.size() != 1 || again.contestants.front().name != mouse.name) std::abort();
-  }
-  for (const auto& mouse : result.mms) {
-    const auto again = labmouse::read_specs(mouse.name, options);
-    if (again.mms.size() != 1 || again.mms.front().launch.words != mouse.launch.words) std::abort();
+    const auto& program = again.contestants.front().program;
+    if (program.has_value() != mouse.program.has_value()) std::abort();
+    if (program && program->words != mouse.program->words) std::abort();
   }
   return 0;
 }
