@@ -52,7 +52,7 @@ Found read_place(const RecordPlace& place) {
   if (!file.error.empty()) return failed(place, file.error);
   PackedFile packed = place.world->entry->pack(file.content, {place.mouse->name, *place.maze, *place.seeds});
   if (packed.problem) return failed(place, *packed.problem);
-  return {std::move(packed.json), std::move(packed.maze), "", packed.own_places};
+  return {std::move(packed.json), packed.maze, "", packed.own_places};
 }
 
 /// Where a record lies: its file has the number of the run, or none in a world where each mouse has one run in a maze.
