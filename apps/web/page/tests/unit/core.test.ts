@@ -52,9 +52,13 @@ describe.skipIf(!existsSync(file))('the core', () => {
     expect(about.rules).toEqual({ budget: 1000, exploration_factor: 30, stride: 3, failure_score: 100 });
   });
 
-  test.skipIf(!signature)('has the signature of the native program', () => {
-    expect(answer('signature', {}).signature).toBe(signature);
-  }, 60_000); // seconds where the machine has others to serve
+  test.skipIf(!signature)(
+    'has the signature of the native program',
+    () => {
+      expect(answer('signature', {}).signature).toBe(signature);
+    },
+    60_000,
+  ); // seconds where the machine has others to serve
 
   test('measures distance fields', () => {
     const { distance_ns } = answer('speed', {});
