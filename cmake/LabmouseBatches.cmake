@@ -1,47 +1,11 @@
-# Compiling several files at once takes a third of the time: most of it goes into reading headers and into instantiating
-# what stands in them. Within a batch no name may stand for two things, so files that share one in their anonymous
-# namespaces are kept apart. docs/building.md has the figures.
-set(LABMOUSE_BATCH_SIZE 5)  # files: more save little and make a developer wait
-
-# labmouse_names(FILE OUT): what FILE declares for itself, as a list: names in its anonymous namespace, and NAME=TYPE for
-# an alias.
-function(labmouse_names file out)
-  set(names)
-  file(READ ${file} text)
-  string(REGEX REPLACE "[][;\\]" "_" text "${text}")  # what a list of CMake cannot hold
-  string(REGEX MATCHALL "\nusing [^\n]*" aliases "${text}")
-  foreach(alias IN LISTS aliases)
-    string(REGEX REPLACE "^\nusing ([A-Za-z0-9_]+) = (.*)$" "\\1=\\2" name "${alias}")
-    list(APPEND names ${name})
-  endforeach()
-  string(REGEX REPLACE "\nusing [^\n]*" "" text "${text}")
-  set(opening "\nnamespace {\n")
-  string(LENGTH "${opening}" skipped)
-  string(FIND "${text}" "${opening}" begin)
-  string(FIND "${text}" "\n}  // namespace\n" end)
-  if(begin GREATER_EQUAL 0 AND end GREATER begin)
-    math(EXPR begin "${begin} + ${skipped} - 1")
-    math(EXPR length "${end} - ${begin}")
-    string(SUBSTRING "${text}" ${begin} ${length} text)
-    string(REGEX MATCHALL "\n([A-Za-z][^\n({=]*[ *&>])?[A-Za-z][A-Za-z0-9_]* ?[({=]" declarations "${text}")
-    foreach(declaration IN LISTS declarations)
-      string(REGEX REPLACE "^.*[^A-Za-z0-9_]([A-Za-z][A-Za-z0-9_]*) ?[({=]$" "\\1" name "${declaration}")
-      list(APPEND names ${name})
-    endforeach()
-  endif()
-  set(${out} ${names} PARENT_SCOPE)
-endfunction()
-
-# labmouse_clash(OUT BATCH NAME...): whether one of these names stands for something else in the list BATCH.
-function(labmouse_clash out batch)
-  set(${out} FALSE PARENT_SCOPE)
-  foreach(name IN LISTS ARGN)
-    string(REGEX REPLACE "=.*" "" word "${name}")
-    if(word IN_LIST ${batch} AND (word STREQUAL name OR NOT name IN_LIST ${batch}))
-      set(${out} TRUE PARENT_SCOPE)
-    endif()
-  endforeach()
-endfunction()
+# Compiling several files at once, with the largest headers compiled before, takes a third of the time: most of it goes
+# into reading headers and into instantiating what stands in them. docs/building.md has the figures.
+#
+# A batch holds whole folders, small ones together, or an even part of one that is larger. Two files of a batch may not
+# declare the same name for themselves, unless as overloads: the compiler says where they do. Where every file of a
+# folder has the same names, because each fills in the same table, the files stay alone.
+set(LABMOUSE_BATCH_SIZE 12)  # files: more save little and make a developer wait
+set(LABMOUSE_ALONE labmouse/maze/formats labmouse/maze/generators labmouse/strategies)
 
 # labmouse_batch(TARGET FILE...): compiles these files of the target in batches, where the build asks for it. Files with
 # compiler options of their own stay alone.
@@ -49,36 +13,44 @@ function(labmouse_batch target)
   if(NOT LABMOUSE_BATCHES)
     return()
   endif()
-  # A change may bring a name that another file of the batch has.
-  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${ARGN})
-  set(open)  # batches that are not full
-  set(count 0)
+  set(folders)
   foreach(file IN LISTS ARGN)
-    labmouse_names(${file} names)
-    set(chosen ${count})
-    foreach(batch IN LISTS open)
-      labmouse_clash(clash names_${batch} ${names})
-      if(NOT clash)
-        set(chosen ${batch})
-        break()
-      endif()
-    endforeach()
-    if(chosen EQUAL count)
-      list(APPEND open ${count})
-      math(EXPR count "${count} + 1")
+    cmake_path(GET file PARENT_PATH folder)
+    cmake_path(RELATIVE_PATH folder BASE_DIRECTORY ${PROJECT_SOURCE_DIR})
+    get_source_file_property(options ${file} COMPILE_OPTIONS)
+    if(NOT folder IN_LIST LABMOUSE_ALONE AND NOT options)
+      list(APPEND folders ${folder})
+      list(APPEND files_${folder} ${file})
     endif()
-    list(APPEND files_${chosen} ${file})
-    list(LENGTH files_${chosen} size)
-    if(size EQUAL LABMOUSE_BATCH_SIZE)
-      list(REMOVE_ITEM open ${chosen})
+  endforeach()
+  list(REMOVE_DUPLICATES folders)
+  set(batch 0)
+  set(held 0)  # files in the batch
+  foreach(folder IN LISTS folders)
+    list(LENGTH files_${folder} count)
+    math(EXPR parts "(${count} + ${LABMOUSE_BATCH_SIZE} - 1) / ${LABMOUSE_BATCH_SIZE}")
+    math(EXPR together "${held} + ${count}")
+    if(together GREATER LABMOUSE_BATCH_SIZE)
+      math(EXPR batch "${batch} + 1")
+      set(together ${count})
     endif()
-    foreach(name IN LISTS names)
-      string(REGEX REPLACE "=.*" "" word "${name}")
-      list(APPEND names_${chosen} ${word} ${name})
+    set(index 0)
+    foreach(file IN LISTS files_${folder})
+      math(EXPR group "${batch} + ${index} * ${parts} / ${count}")
+      set_source_files_properties(${file} PROPERTIES UNITY_GROUP ${group})
+      math(EXPR index "${index} + 1")
     endforeach()
-    set_source_files_properties(${file} PROPERTIES UNITY_GROUP ${chosen})
+    math(EXPR batch "${batch} + ${parts} - 1")
+    set(held ${together})
   endforeach()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
   # Names of one file may be shadowed in another; without batches this warns as ever.
   target_compile_options(${target} PRIVATE -Wno-shadow)
+endfunction()
+
+# labmouse_precompile(TARGET HEADER...): compiles these headers once for the whole target, where the build has batches.
+function(labmouse_precompile target)
+  if(LABMOUSE_BATCHES)
+    target_precompile_headers(${target} PRIVATE ${ARGN})
+  endif()
 endfunction()

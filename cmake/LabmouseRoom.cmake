@@ -29,10 +29,3 @@ function(labmouse_room name)
   endforeach()
   set_property(GLOBAL APPEND PROPERTY LABMOUSE_ROOMS ${target})
 endfunction()
-
-# labmouse_precompile(TARGET HEADER...): compiles these headers once for the whole target, where the build asks for it.
-function(labmouse_precompile target)
-  if(LABMOUSE_PRECOMPILE)
-    target_precompile_headers(${target} PRIVATE ${ARGN})
-  endif()
-endfunction()

@@ -2,12 +2,13 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "command.hpp"
 #include "labmouse/lab/bench/distance_speed.hpp"
 #include "labmouse/lab/bench/signature.hpp"
+#include "labmouse/lab/bench/speed_json.hpp"
 #include "labmouse/lab/system/version.hpp"
+#include "labmouse/lab/text/json.hpp"
 
 namespace labmouse::cli {
 namespace {
@@ -26,7 +27,7 @@ std::string bench_table(const std::string& signature, const Speed& speed) {
 }
 
 std::string bench_json(const std::string& signature, const Speed& speed) {
-  nlohmann::ordered_json json;
+  Json json;
   json["signature"] = signature;
   json["labmouse"] = version();
   json["compiler"] = compiler();

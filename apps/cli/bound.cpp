@@ -2,12 +2,12 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "command.hpp"
 #include "contests.hpp"
 #include "labmouse/lab/bounds/bounds.hpp"
 #include "labmouse/lab/hindsight/hindsight.hpp"
+#include "labmouse/lab/text/json.hpp"
 #include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse::cli {
@@ -33,7 +33,6 @@ std::string bounds_table(const std::vector<NamedMaze>& mazes) {
 }
 
 std::string bounds_json(const std::vector<NamedMaze>& mazes) {
-  using Json = nlohmann::ordered_json;
   Json json = Json::array();
   for (const NamedMaze& maze : mazes) {
     const Bound bound = bound_of(maze.maze, Rules());

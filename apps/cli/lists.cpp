@@ -16,9 +16,9 @@ std::string sheet_of(const std::string& name) {
 }
 
 std::string json_of(const std::string& name) {
-  nlohmann::ordered_json mice = mice_json();
+  Json mice = mice_json();
   if (name.empty()) return mice.dump(1) + "\n";
-  for (nlohmann::ordered_json& mouse : mice)
+  for (Json& mouse : mice)
     if (mouse["name"] == name) return mouse.dump(1) + "\n";
   throw UsageError("error: " + unknown_mouse(name));
 }

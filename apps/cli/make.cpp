@@ -11,7 +11,7 @@ namespace labmouse::cli {
 namespace {
 
 template <class Things>
-std::string names_of(const Things& things) {
+std::string list_of(const Things& things) {
   std::string names;
   for (const auto* thing : things) names += (names.empty() ? "" : ", ") + std::string(thing->name);
   return names;
@@ -22,7 +22,7 @@ std::string suggestion(std::string_view word, const Things& things) {
   std::vector<std::string_view> names;
   for (const auto* thing : things) names.push_back(thing->name);
   const auto near = nearest_name(word, names);
-  return near.empty() ? "there are " + names_of(things) : fmt::format("did you mean '{}'?", near);
+  return near.empty() ? "there are " + list_of(things) : fmt::format("did you mean '{}'?", near);
 }
 
 /// The format of that name; without a name the one that the path's ending suggests, or the drawing.
@@ -77,7 +77,7 @@ struct ConvertOptions {
 void add_make(Command& app, int& exit) {
   auto options = std::make_shared<MakeOptions>();
   Command* command = app.add_subcommand("make", "Make a maze");
-  command->add_option("kind", options->kind, "Generator: " + names_of(all_generators()))->required()->type_name("KIND");
+  command->add_option("kind", options->kind, "Generator: " + list_of(all_generators()))->required()->type_name("KIND");
   command->add_option("--size", options->size, "Width and height in cells")->type_name("WxH")->capture_default_str();
   command->add_option("--seed", options->seed, "Seed of all chance")->check(seed_number())->capture_default_str();
   command->add_option("--loops", options->loops, "Share of the remaining inner walls to take away, which makes loops")
@@ -88,7 +88,7 @@ void add_make(Command& app, int& exit) {
       ->type_name("FILE")
       ->capture_default_str();
   command->add_option("--format", options->format,
-                      "Format: " + names_of(all_formats()) + "; default by the file's ending, or drawing");
+                      "Format: " + list_of(all_formats()) + "; default by the file's ending, or drawing");
   command->footer("Example: labmouse make contest --size 32x32 --seed 7 -o my-maze.txt");
   command->callback([options, &exit] {
     make(*options);
@@ -102,7 +102,7 @@ void add_convert(Command& app, int& exit) {
   command->add_option("in", options->in, "Maze file or name of a built-in maze")->required()->type_name("IN");
   command->add_option("out", options->out, "File to write; - is standard output")->required()->type_name("OUT");
   command->add_option("--format", options->format,
-                      "Format: " + names_of(all_formats()) + "; default by the ending of OUT, or drawing");
+                      "Format: " + list_of(all_formats()) + "; default by the ending of OUT, or drawing");
   command->footer("Example: labmouse convert maze.txt maze.maz");
   command->callback([options, &exit] {
     write(find_maze(options->in, {}).maze, options->out, options->format);

@@ -56,9 +56,12 @@ std::vector<Cell> explored_way(const RunRecord& record, Size size) {
   return way;
 }
 
+Coverage coverage_of(const ExploredCells& cells) {
+  return {share(cells.discovered, cells.reachable), share(cells.visited, cells.reachable)};
+}
+
 Coverage coverage_of(const RunRecord& record, Size size, const CellSet& reachable) {
-  const ExploredCells cells = explored_cells(record, size, reachable);
-  return {share(cells.discovered, reachable), share(cells.visited, reachable)};
+  return coverage_of(explored_cells(record, size, reachable));
 }
 
 ExploredCells explored_cells(const RunRecord& record, const Maze& maze) {

@@ -40,7 +40,8 @@ std::vector<Cell> explored_way(const RunRecord& record, Size size);
 /// none.
 ExploredCells explored_cells(const RunRecord& record, const Maze& maze);
 
-/// Their shares.
+/// Their shares; at least one cell must be reachable.
+Coverage coverage_of(const ExploredCells& cells);
 Coverage coverage_of(const RunRecord& record, const Maze& maze);
 /// The same, where the reachable cells (at least one) of the maze are known already.
 Coverage coverage_of(const RunRecord& record, Size size, const CellSet& reachable);

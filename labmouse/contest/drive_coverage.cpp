@@ -6,11 +6,6 @@
 namespace labmouse {
 namespace {
 
-double share(CellSet part, const CellSet& whole) {
-  part &= whole;
-  return part.count() / static_cast<double>(whole.count());
-}
-
 /// The cells from one to the other in a straight line, the first one left out.
 void insert_way(Cell from, Cell to, CellSet& cells) {
   const auto sign = [](int value) { return (value > 0) - (value < 0); };
@@ -38,7 +33,7 @@ Coverage coverage_of(const DriveRecord& record, const Maze& maze, const CellSet&
     discovered.insert(seen.wall.cell);
     discovered.insert(neighbour(seen.wall.cell, seen.wall.side));
   }
-  return {share(discovered, reachable), share(visited, reachable)};
+  return coverage_of({discovered, visited, reachable});
 }
 
 }  // namespace labmouse

@@ -278,7 +278,8 @@ TEST_P(AWorld, HasStudies) {
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 3);
   const Json json = Json::parse(json_of(study, {}));
   EXPECT_THAT(json.at("folds"), SizeIs(3));
-  for (const Json& maze : part_of(json.dump()).at("mazes")) EXPECT_TRUE(maze.contains("fold"));
+  const Json whole = part_of(json.dump());
+  for (const Json& maze : whole.at("mazes")) EXPECT_TRUE(maze.contains("fold"));
   EXPECT_EQ(XmlScanner(picture_of(study)).complaint(), "");
   EXPECT_THAT(picture_of(study), HasSubstr(fmt::format("({})", order.race.world->unit())));
 }

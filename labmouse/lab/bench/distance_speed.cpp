@@ -65,14 +65,6 @@ DistanceSpeeds measure_distances() {
   return speeds;
 }
 
-nlohmann::ordered_json distance_json(const DistanceSpeeds& speeds) {
-  nlohmann::ordered_json json;
-  for (const auto& [side, ns] : speeds)
-    json[std::to_string(side)] = {
-        {"rows", ns.rows}, {"portable_rows", ns.portable_rows}, {"queue", ns.queue}, {"plain", ns.plain}};
-  return json;
-}
-
 Speed measure_speed() {
   Speed speed;
   speed.distance_ns = measure_distances();

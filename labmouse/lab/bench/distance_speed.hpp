@@ -2,7 +2,6 @@
 #pragma once
 
 #include <map>
-#include <nlohmann/json.hpp>
 #include <string>
 
 namespace labmouse {
@@ -28,8 +27,5 @@ Speed measure_speed();
 
 /// The distance fields alone.
 DistanceSpeeds measure_distances();
-
-/// `rows`, `portable_rows`, `queue` and `plain` for each side.
-nlohmann::ordered_json distance_json(const DistanceSpeeds& speeds);
 
 }  // namespace labmouse

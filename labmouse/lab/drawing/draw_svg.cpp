@@ -16,16 +16,13 @@ namespace {
 
 using namespace drawing;
 
-constexpr int margin = 20;
-constexpr int least_width = 300;  // pixels; small mazes have titles and legends, too
-
 Scene scene_of(const Maze& maze, const DrawingLayers& layers) {
-  const int left = margin + (layers.coordinates ? 12 : 0);
-  const int top = margin + (layers.title.empty() ? 0 : 32);
+  const int left = sheet_margin + (layers.coordinates ? 12 : 0);
+  const int top = sheet_margin + (layers.title.empty() ? 0 : 32);
   return {maze, layers, Frame{maze.size(), {left, top}}, Heat(maze.size(), layers.visits), legs_of(maze, layers.route)};
 }
 
-int width_of(const Scene& scene) { return std::max(scene.frame.right() + margin, least_width); }
+int width_of(const Scene& scene) { return std::max(scene.frame.right() + sheet_margin, least_sheet_width); }
 
 /// What the picture shows, in words, for those who cannot see it.
 std::string description_of(const Scene& scene) {
@@ -50,8 +47,8 @@ std::string description_of(const Scene& scene) {
 }
 
 Legend legend_below(const Scene& scene) {
-  const int top = scene.frame.bottom() + (scene.layers.coordinates ? 24 : 4) + margin;
-  return legend_of(scene, {scene.frame.origin.x, top}, width_of(scene) - margin);
+  const int top = scene.frame.bottom() + (scene.layers.coordinates ? 24 : 4) + sheet_margin;
+  return legend_of(scene, {scene.frame.origin.x, top}, width_of(scene) - sheet_margin);
 }
 
 /// The tones that only these layers need.
@@ -69,10 +66,10 @@ std::vector<Tone> tones_of(const DrawingLayers& layers) {
 std::string draw_svg(const Maze& maze, const DrawingLayers& layers) {
   const Scene scene = scene_of(maze, layers);
   const Legend legend = legend_below(scene);
-  const int right = width_of(scene) - margin;
-  const Sheet sheet = {width_of(scene), legend.bottom() + margin / 2, layers.title.empty() ? "Maze" : layers.title,
-                       description_of(scene), tones_of(layers)};
-  return sheet.with(heading_svg({scene.frame.origin.x, margin + 14}, right, layers.title) + floor_svg(scene) +
+  const int right = width_of(scene) - sheet_margin;
+  const Sheet sheet = {width_of(scene), legend.bottom() + sheet_margin / 2,
+                       layers.title.empty() ? "Maze" : layers.title, description_of(scene), tones_of(layers)};
+  return sheet.with(heading_svg({scene.frame.origin.x, sheet_margin + 14}, right, layers.title) + floor_svg(scene) +
                     walls_svg(scene) + exploration_svg(scene) + labels_svg(scene) + route_svg(scene) +
                     candidates_svg(scene) + mouse_svg(scene) + coordinates_svg(scene) + legend.svg());
 }

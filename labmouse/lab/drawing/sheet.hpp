@@ -10,6 +10,9 @@
 
 namespace labmouse::drawing {
 
+/// Pixels, of a sheet with one maze; small mazes have titles and legends, too.
+inline constexpr int sheet_margin = 20, least_sheet_width = 300;
+
 struct Sheet {
   int width = 0;
   int height = 0;

@@ -7,13 +7,13 @@
 
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "labmouse/lab/races/race_paths.hpp"
 #include "labmouse/lab/system/file_names.hpp"
 #include "labmouse/lab/system/file_problems.hpp"
 #include "labmouse/lab/system/streams.hpp"
+#include "labmouse/lab/text/json.hpp"
 #include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
@@ -30,7 +30,7 @@ std::string mouse_of(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   stream.read(line.data(), static_cast<std::streamsize>(line.size()));
   line.resize(static_cast<std::size_t>(stream.gcount()));
-  const nlohmann::json header = nlohmann::json::parse(line.substr(0, line.find('\n')), nullptr, false);
+  const ReadJson header = ReadJson::parse(line.substr(0, line.find('\n')), nullptr, false);
   const auto mouse = header.is_object() && header.contains("labmouse") ? header.find("mouse") : header.end();
   if (mouse == header.end() || !mouse->is_object() || !mouse->contains("name")) return "";
   return mouse->at("name").is_string() ? mouse->at("name").get<std::string>() : "";

@@ -1,16 +1,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "labmouse/lab/hindsight/hindsight.hpp"
 #include "labmouse/lab/system/version.hpp"
+#include "labmouse/lab/text/json.hpp"
 #include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::string mazes_text(std::size_t count) { return fmt::format("{} maze{}", count, count == 1 ? "" : "s"); }
 

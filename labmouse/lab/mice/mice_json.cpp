@@ -5,8 +5,6 @@
 namespace labmouse {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 Json parameter_json(const Parameter& parameter) {
   Json json = {{"name", parameter.name},
                {"type", name_of(parameter.type)},

@@ -4,15 +4,13 @@
 
 #include <algorithm>
 #include <array>
-#include <nlohmann/json.hpp>
 
 #include "labmouse/lab/mms/mms_world.hpp"
 #include "labmouse/lab/records/record_file.hpp"
+#include "labmouse/lab/text/json.hpp"
 
 namespace labmouse {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::array settings = {
     WorldSetting{"strict", "", "In mms: end a run at the first line that mms would not answer",

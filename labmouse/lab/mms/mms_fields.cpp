@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <nlohmann/json.hpp>
 
 #include "labmouse/guests/mms/run.hpp"
 #include "labmouse/lab/mms/mms_figures.hpp"
 #include "labmouse/lab/standings/common_fields.hpp"
 #include "labmouse/lab/standings/mouse_figures.hpp"
+#include "labmouse/lab/text/json.hpp"
 
 namespace labmouse {
 namespace {
@@ -16,8 +16,6 @@ namespace {
 using F = MmsFigure;
 using M = MmsMazeFigure;
 using fields::figure;
-
-Value figure_at(const ContestResult& contest, F figure) { return contest.figures[static_cast<std::size_t>(figure)]; }
 
 constexpr std::array<ContestField, 18> contest_fields = {{{"maze", fields::maze_name},
                                                           {"outcome", figure<F::outcome>},
@@ -41,7 +39,7 @@ constexpr std::array<ContestField, 18> contest_fields = {{{"maze", fields::maze_
 /// One value of `getStat`, by its place among them.
 template <std::size_t Place>
 Value statistic(const Race&, const ContestResult& contest) {
-  const auto json = nlohmann::json::parse(std::get<JsonText>(figure_at(contest, F::statistics)).text);
+  const auto json = ReadJson::parse(std::get<JsonText>(figure_at(contest, F::statistics)).text);
   return fmt::format("{}", json[std::string(mms_statistics[Place].name)].get<float>());
 }
 
@@ -97,7 +95,7 @@ Value sum(const Race& race, const Standing& standing) {
 
 /// How many runs ended how, of the ways that there were.
 Value outcomes(const Race& race, const Standing& standing) {
-  auto json = nlohmann::ordered_json::object();
+  auto json = Json::object();
   for (std::size_t outcome = 0; outcome <= static_cast<std::size_t>(MmsOutcome::interrupted); ++outcome) {
     const std::string name(name_of(static_cast<MmsOutcome>(outcome)));
     int count = 0;

@@ -1,7 +1,10 @@
 // The figures of the world of mms, by their places in the lists of contests and mazes.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+
+#include "labmouse/lab/races/race.hpp"
 
 namespace labmouse {
 
@@ -23,6 +26,10 @@ enum class MmsFigure : std::uint8_t {
   seconds,  ///< of real time: the one figure that differs from race to race
   visited,
 };
+
+inline const Value& figure_at(const ContestResult& contest, MmsFigure figure) {
+  return contest.figures[static_cast<std::size_t>(figure)];
+}
 
 /// The figures of a maze: the least run and the least score, null where the centre cannot be reached.
 enum class MmsMazeFigure : std::uint8_t { run, score };

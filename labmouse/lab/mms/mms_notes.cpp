@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "labmouse/guests/mms/run.hpp"
 #include "labmouse/lab/mms/mms_figures.hpp"
 #include "labmouse/lab/standings/mouse_column.hpp"
 #include "labmouse/lab/text/counted.hpp"
+#include "labmouse/lab/text/json.hpp"
 #include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
@@ -16,14 +16,11 @@ namespace {
 
 using F = MmsFigure;
 
-const Value& figure_at(const ContestResult& contest, F figure) {
-  return contest.figures[static_cast<std::size_t>(figure)];
-}
 const std::string& text_at(const ContestResult& contest, F figure) {
   return std::get<std::string>(figure_at(contest, figure));
 }
 std::vector<std::string> lines_at(const ContestResult& contest, F figure) {
-  return nlohmann::json::parse(std::get<JsonText>(figure_at(contest, figure)).text).get<std::vector<std::string>>();
+  return ReadJson::parse(std::get<JsonText>(figure_at(contest, figure)).text).get<std::vector<std::string>>();
 }
 
 bool is_complete(const ContestResult& contest) { return text_at(contest, F::outcome) == name_of(MmsOutcome::complete); }

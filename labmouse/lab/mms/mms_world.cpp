@@ -49,7 +49,6 @@ double visited_share_of(CellSet visited, const CellSet& reachable) {
 }
 
 Value list_of(const std::vector<std::string>& lines) {
-  using Json = nlohmann::ordered_json;
   return JsonText{Json(lines).dump(-1, ' ', false, Json::error_handler_t::replace)};
 }
 

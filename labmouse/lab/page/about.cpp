@@ -6,6 +6,7 @@
 #include "labmouse/contest/rules.hpp"
 #include "labmouse/lab/bench/distance_speed.hpp"
 #include "labmouse/lab/bench/signature.hpp"
+#include "labmouse/lab/bench/speed_json.hpp"
 #include "labmouse/lab/mazes/builtin_mazes.hpp"
 #include "labmouse/lab/mice/mice_json.hpp"
 #include "labmouse/lab/page/answers.hpp"
@@ -16,8 +17,6 @@
 
 namespace labmouse {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 template <class Things>
 Json named(const Things& things) {
@@ -58,7 +57,7 @@ Json rules_of_capstone() {
 
 }  // namespace
 
-PageReply answer_about(const nlohmann::json&, std::string_view) {
+PageReply answer_about(const ReadJson&, std::string_view) {
   return answered({{"version", version()},
                    {"compiler", compiler()},
                    {"mice", mice()},
@@ -71,9 +70,9 @@ PageReply answer_about(const nlohmann::json&, std::string_view) {
                    {"drive_rules", page_rules_json()}});
 }
 
-PageReply answer_signature(const nlohmann::json&, std::string_view) { return answered({{"signature", signature()}}); }
+PageReply answer_signature(const ReadJson&, std::string_view) { return answered({{"signature", signature()}}); }
 
-PageReply answer_speed(const nlohmann::json&, std::string_view) {
+PageReply answer_speed(const ReadJson&, std::string_view) {
   return answered({{"distance_ns", distance_json(measure_distances())}});
 }
 

@@ -2,11 +2,11 @@
 // what it answers.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "labmouse/lab/text/json.hpp"
 #include "labmouse/maze/formats/format.hpp"
 
 namespace labmouse {
@@ -19,32 +19,32 @@ struct PageFailure {
 
 /// An answer, or a failure where its error is not empty.
 struct PageReply {
-  nlohmann::ordered_json answer;
+  Json answer;
   std::string bytes;
   PageFailure failure;
 };
 
-inline PageReply answered(nlohmann::ordered_json answer) { return {std::move(answer), "", {}}; }
+inline PageReply answered(Json answer) { return {std::move(answer), "", {}}; }
 inline PageReply failed(std::string error, std::vector<Problem> problems = {}) {
   return {nullptr, "", {std::move(error), std::move(problems)}};
 }
 
-PageReply answer_about(const nlohmann::json& request, std::string_view bytes);
-PageReply answer_signature(const nlohmann::json& request, std::string_view bytes);
-PageReply answer_speed(const nlohmann::json& request, std::string_view bytes);
-PageReply answer_builtin_maze(const nlohmann::json& request, std::string_view bytes);
-PageReply answer_make_maze(const nlohmann::json& request, std::string_view bytes);
-PageReply answer_open(const nlohmann::json& request, std::string_view bytes);
-PageReply answer_inspect(const nlohmann::json& request, std::string_view bytes);
-PageReply answer_write_maze(const nlohmann::json& request, std::string_view bytes);
-PageReply answer_link(const nlohmann::json& request, std::string_view bytes);
-PageReply answer_read_link(const nlohmann::json& request, std::string_view bytes);
-PageReply answer_run(const nlohmann::json& request, std::string_view bytes);
-PageReply answer_drive(const nlohmann::json& request, std::string_view bytes);
-PageReply answer_unpack(const nlohmann::json& request, std::string_view bytes);
-PageReply answer_race(const nlohmann::json& request, std::string_view bytes);
-PageReply answer_compare(const nlohmann::json& request, std::string_view bytes);
-PageReply answer_beliefs(const nlohmann::json& request, std::string_view bytes);
-PageReply answer_picture(const nlohmann::json& request, std::string_view bytes);
+PageReply answer_about(const ReadJson& request, std::string_view bytes);
+PageReply answer_signature(const ReadJson& request, std::string_view bytes);
+PageReply answer_speed(const ReadJson& request, std::string_view bytes);
+PageReply answer_builtin_maze(const ReadJson& request, std::string_view bytes);
+PageReply answer_make_maze(const ReadJson& request, std::string_view bytes);
+PageReply answer_open(const ReadJson& request, std::string_view bytes);
+PageReply answer_inspect(const ReadJson& request, std::string_view bytes);
+PageReply answer_write_maze(const ReadJson& request, std::string_view bytes);
+PageReply answer_link(const ReadJson& request, std::string_view bytes);
+PageReply answer_read_link(const ReadJson& request, std::string_view bytes);
+PageReply answer_run(const ReadJson& request, std::string_view bytes);
+PageReply answer_drive(const ReadJson& request, std::string_view bytes);
+PageReply answer_unpack(const ReadJson& request, std::string_view bytes);
+PageReply answer_race(const ReadJson& request, std::string_view bytes);
+PageReply answer_compare(const ReadJson& request, std::string_view bytes);
+PageReply answer_beliefs(const ReadJson& request, std::string_view bytes);
+PageReply answer_picture(const ReadJson& request, std::string_view bytes);
 
 }  // namespace labmouse

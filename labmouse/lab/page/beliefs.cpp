@@ -20,7 +20,7 @@ using Discoveries = std::vector<std::vector<Wall>>;
 /// Reads the list of frames by wall, as Play has it.
 Discoveries read_discoveries(PageRequest& request, const Maze& maze, int frames) {
   const Size size = maze.size();
-  const nlohmann::json& known = request.list("known");
+  const ReadJson& known = request.list("known");
   if (known.size() != 2 * static_cast<std::size_t>(size.area()))
     request.reject(fmt::format("'known' is of {} walls where {} are due", known.size(), 2 * size.area()));
   Discoveries discoveries(static_cast<std::size_t>(frames));
@@ -66,7 +66,7 @@ std::string beliefs_of(const Maze& maze, int stride, const Discoveries& discover
 
 }  // namespace
 
-PageReply answer_beliefs(const nlohmann::json& json, std::string_view) {
+PageReply answer_beliefs(const ReadJson& json, std::string_view) {
   PageRequest request(json);
   const NamedMaze maze = request.maze();
   const int frames = request.whole("frames", 1, std::numeric_limits<int>::max());
@@ -76,13 +76,13 @@ PageReply answer_beliefs(const nlohmann::json& json, std::string_view) {
   if (bytes > most_bytes) return failed(fmt::format("what was believed in {} frames is too much for a page", frames));
   const Discoveries discoveries = read_discoveries(request, maze.maze, frames);
   if (!request.error().empty()) return failed(request.error());
-  return {nlohmann::ordered_json::object(), beliefs_of(maze.maze, stride, discoveries), {}};
+  return {Json::object(), beliefs_of(maze.maze, stride, discoveries), {}};
 }
 
-PageReply answer_compare(const nlohmann::json& json, std::string_view) {
+PageReply answer_compare(const ReadJson& json, std::string_view) {
   PageRequest request(json);
   std::vector<double> differences;
-  for (const nlohmann::json& each : request.list("differences"))
+  for (const ReadJson& each : request.list("differences"))
     if (each.is_number())
       differences.push_back(each.get<double>());
     else

@@ -4,14 +4,14 @@
 
 #include <algorithm>
 #include <array>
-#include <nlohmann/json.hpp>
 
 #include "labmouse/lab/page/answers.hpp"
+#include "labmouse/lab/text/json.hpp"
 
 namespace labmouse {
 namespace {
 
-using Answering = PageReply (*)(const nlohmann::json& request, std::string_view bytes);
+using Answering = PageReply (*)(const ReadJson& request, std::string_view bytes);
 
 struct Call {
   std::string_view name;
@@ -45,11 +45,11 @@ constexpr auto names = [] {
 }();
 
 PageAnswer failure(const PageFailure& failure) {
-  nlohmann::ordered_json problems = nlohmann::ordered_json::array();
+  Json problems = Json::array();
   for (const Problem& problem : failure.problems)
     problems.push_back({{"line", problem.line}, {"column", problem.column}, {"reason", problem.reason}});
-  const nlohmann::ordered_json json = {{"failure", {{"error", failure.error}, {"problems", std::move(problems)}}}};
-  return {json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace), ""};
+  const Json json = {{"failure", {{"error", failure.error}, {"problems", std::move(problems)}}}};
+  return {json.dump(-1, ' ', false, Json::error_handler_t::replace), ""};
 }
 
 }  // namespace
@@ -57,11 +57,11 @@ PageAnswer failure(const PageFailure& failure) {
 PageAnswer answer_page(std::string_view call, std::string_view request, std::string_view bytes) {
   const auto found = std::find_if(calls.begin(), calls.end(), [&](const Call& c) { return c.name == call; });
   if (found == calls.end()) return failure({fmt::format("the page has no call '{}'", call), {}});
-  const nlohmann::json json = nlohmann::json::parse(request, nullptr, false);
+  const ReadJson json = ReadJson::parse(request, nullptr, false);
   if (!json.is_object()) return failure({"the request is no JSON object", {}});
   PageReply reply = found->answer(json, bytes);
   if (!reply.failure.error.empty()) return failure(reply.failure);
-  const std::string answer = reply.answer.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  const std::string answer = reply.answer.dump(-1, ' ', false, Json::error_handler_t::replace);
   return {"{\"answer\":" + answer + "}", std::move(reply.bytes)};
 }
 

@@ -24,7 +24,7 @@ std::string too_large(const NamedMaze& maze) {
 
 }  // namespace
 
-PageReply answer_drive(const nlohmann::json& json, std::string_view) {
+PageReply answer_drive(const ReadJson& json, std::string_view) {
   PageRequest request(json);
   const std::string spec = request.text("mouse");
   const NamedMaze maze = request.maze();

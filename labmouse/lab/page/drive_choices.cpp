@@ -7,8 +7,6 @@
 
 namespace labmouse {
 
-using Json = nlohmann::ordered_json;
-
 std::optional<DriveModel> page_robot(std::string_view name) {
   for (const BuiltinRobot& robot : builtin_robots())
     if (robot.name == name) return read_robot(robot.text, robot.name).model;

@@ -15,8 +15,6 @@
 namespace labmouse {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// Where a mouse is in a frame, on half cells and eighths of a turn.
 struct FramePlace {
   HalfPoint point;

@@ -1,16 +1,16 @@
 // The lists of a play in seconds: a frame where each move or segment begins, and one at the end.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "labmouse/lab/records/drive_record_file.hpp"
+#include "labmouse/lab/text/json.hpp"
 
 namespace labmouse {
 
 /// Adds the lists of frames, steps and walls, and `goal_frame` and `reset_frame`. The frame with which each run begins,
 /// and then the last frame.
-std::vector<std::size_t> add_drive_frames(const DriveRecordFile& contest, nlohmann::ordered_json& play);
+std::vector<std::size_t> add_drive_frames(const DriveRecordFile& contest, Json& play);
 
 /// A segment in words: "ahead 2.5", "diagonal 3", "left 45", "right V90"; lengths in cells, of a diagonal in half
 /// diagonals.

@@ -6,8 +6,6 @@
 
 namespace labmouse {
 
-using Json = nlohmann::ordered_json;
-
 Json route_json(const Maze& maze, const Rules& rules) {
   Pose pose = {maze.start(), maze.start_heading()};
   const std::vector<Action> actions = shortest_run(maze, rules);

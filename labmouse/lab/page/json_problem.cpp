@@ -1,15 +1,14 @@
 #include "labmouse/lab/page/json_problem.hpp"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
+
+#include "labmouse/lab/text/json.hpp"
 
 namespace labmouse {
 namespace {
 
-using Json = nlohmann::json;
-
 /// Lets everything pass but a mistake, of which it keeps the place and the parser's words.
-class Mistake final : public nlohmann::json_sax<Json> {
+class Mistake final : public nlohmann::json_sax<ReadJson> {
  public:
   bool null() override { return true; }
   bool boolean(bool) override { return true; }
@@ -46,7 +45,7 @@ std::string without_place(const std::string& words) {
 
 Problem json_problem(std::string_view text) {
   Mistake mistake;
-  if (Json::sax_parse(text, &mistake)) return {0, 0, "it is JSON"};
+  if (ReadJson::sax_parse(text, &mistake)) return {0, 0, "it is JSON"};
   const std::string_view before = text.substr(0, mistake.bytes == 0 ? 0 : std::min(mistake.bytes - 1, text.size()));
   const auto line_begin = before.rfind('\n') == std::string_view::npos ? 0 : before.rfind('\n') + 1;
   return {static_cast<int>(std::count(before.begin(), before.end(), '\n')) + 1,

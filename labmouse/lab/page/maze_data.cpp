@@ -9,8 +9,6 @@
 namespace labmouse {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 unsigned bit_of(Heading side) { return 1U << static_cast<unsigned>(side); }
 
 unsigned closed_sides(const Maze& maze, Cell cell) {
@@ -21,8 +19,8 @@ unsigned closed_sides(const Maze& maze, Cell cell) {
 }
 
 /// The closed sides of each cell, as many as the maze has cells.
-std::vector<unsigned> read_walls(RecordFields& fields, Size size) {
-  const nlohmann::json& list = fields.list("walls");
+std::vector<unsigned> read_walls(JsonFields& fields, Size size) {
+  const ReadJson& list = fields.list("walls");
   if (list.size() != static_cast<std::size_t>(size.area()))
     fields.fail(fmt::format("has walls of {} cells where {}x{} are due", list.size(), size.width, size.height));
   std::vector<unsigned> walls;
@@ -32,7 +30,7 @@ std::vector<unsigned> read_walls(RecordFields& fields, Size size) {
 }
 
 /// Opens what both neighbours call open; what only one of them does is wrong, and so is an open border.
-void open_walls(const std::vector<unsigned>& walls, MazeDraft& draft, RecordFields& fields) {
+void open_walls(const std::vector<unsigned>& walls, MazeDraft& draft, JsonFields& fields) {
   const Size size = draft.size();
   const auto is_open = [&](Cell cell, Heading side) {
     return size.contains(cell) && (walls[static_cast<std::size_t>(size.index(cell))] & bit_of(side)) == 0;
@@ -49,9 +47,9 @@ void open_walls(const std::vector<unsigned>& walls, MazeDraft& draft, RecordFiel
     }
 }
 
-CellSet read_goals(RecordFields& fields, Size size) {
+CellSet read_goals(JsonFields& fields, Size size) {
   CellSet goals;
-  for (const nlohmann::json& goal : fields.list("goals"))
+  for (const ReadJson& goal : fields.list("goals"))
     if (const Cell cell = fields.cell(goal, "goals"); size.contains(cell))
       goals.insert(cell);
     else
@@ -77,8 +75,8 @@ Json maze_data(const std::string& name, const Maze& maze) {
           {"goals", std::move(goals)}};
 }
 
-MazeDataResult read_maze_data(const nlohmann::json& json, const std::string& path) {
-  RecordFields fields(json, path);
+MazeDataResult read_maze_data(const ReadJson& json, const std::string& path) {
+  JsonFields fields(json, path);
   const std::string name = fields.text("name");
   const Size size{fields.whole("width", 1, max_side), fields.whole("height", 1, max_side)};
   const std::vector<unsigned> walls = read_walls(fields, size);

@@ -18,8 +18,6 @@
 namespace labmouse {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// "contest-16x16-seed-7", and the share of loops in thousandths where there are any.
 std::string name_of_made(const Generator& generator, const GeneratorOrder& order) {
   std::string name = fmt::format("{}-{}x{}-seed-{}", generator.name, order.size.width, order.size.height, order.seed);
@@ -59,7 +57,7 @@ Json inspection_json(const Maze& maze) {
 
 }  // namespace
 
-PageReply answer_builtin_maze(const nlohmann::json& json, std::string_view) {
+PageReply answer_builtin_maze(const ReadJson& json, std::string_view) {
   PageRequest request(json);
   const std::string name = request.text("name");
   if (!request.error().empty()) return failed(request.error());
@@ -68,7 +66,7 @@ PageReply answer_builtin_maze(const nlohmann::json& json, std::string_view) {
   return failed(fmt::format("there is no built-in maze '{}'", name));
 }
 
-PageReply answer_make_maze(const nlohmann::json& json, std::string_view) {
+PageReply answer_make_maze(const ReadJson& json, std::string_view) {
   PageRequest request(json);
   const std::string name = request.text("generator");
   const Size size{request.whole("width", 1, max_side), request.whole("height", 1, max_side)};
@@ -81,7 +79,7 @@ PageReply answer_make_maze(const nlohmann::json& json, std::string_view) {
   return answered({{"maze", maze_data(name_of_made(*generator, order), generator->make(order))}});
 }
 
-PageReply answer_inspect(const nlohmann::json& json, std::string_view) {
+PageReply answer_inspect(const ReadJson& json, std::string_view) {
   PageRequest request(json);
   const NamedMaze maze = request.maze();
   if (!request.error().empty()) return failed(request.error());

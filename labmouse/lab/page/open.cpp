@@ -39,7 +39,7 @@ std::string gist(std::string_view text) {
 
 /// What stands in the field `labmouse` of a record's first line, or of the JSON as a whole where it is one line.
 std::string kind_of_first_line(std::string_view text) {
-  const nlohmann::json json = nlohmann::json::parse(text.substr(0, text.find('\n')), nullptr, false);
+  const ReadJson json = ReadJson::parse(text.substr(0, text.find('\n')), nullptr, false);
   if (json.is_object() && json.contains("labmouse") && json["labmouse"].is_string())
     return json["labmouse"].get<std::string>();
   const std::string begin = gist(text);
@@ -84,20 +84,20 @@ PageReply open_drive_record(const std::string& name, std::string_view text) {
 }
 
 /// Who wrote results that this version cannot read, where they say so.
-std::string writer_of(const nlohmann::json& json) {
+std::string writer_of(const ReadJson& json) {
   if (!json.contains("labmouse") || !json["labmouse"].is_string() || json["labmouse"] == version()) return "";
   return fmt::format("; labmouse {} wrote them, and this is {}", json["labmouse"].get<std::string>(), version());
 }
 
 PageReply open_results(const std::string& name, std::string_view text) {
-  const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
+  const ReadJson json = ReadJson::parse(text, nullptr, false);
   if (json.is_discarded()) return failed(fmt::format("{} is no JSON that can be read", name), {json_problem(text)});
   if (!json.is_object() || !json.contains("mice"))
     return failed(fmt::format("{} is JSON, but neither a record nor the results of a race", name));
   if (is_race_in_seconds(json))
     return failed(
         fmt::format("{} is a race in seconds, which is not shown here: open records that it saved, --out DIR", name));
-  nlohmann::ordered_json results;
+  Json results;
   std::string error = read_results(json, results);
   if (!error.empty())
     return failed(fmt::format("{} has results of a race that cannot be read{}", name, writer_of(json)),
@@ -113,7 +113,7 @@ PageReply open_maze(const std::string& name, std::string_view content) {
 
 }  // namespace
 
-PageReply answer_open(const nlohmann::json& json, std::string_view bytes) {
+PageReply answer_open(const ReadJson& json, std::string_view bytes) {
   PageRequest request(json);
   const std::string name = request.text("name");
   std::optional<NamedMaze> maze;

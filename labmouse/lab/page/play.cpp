@@ -15,8 +15,6 @@
 namespace labmouse {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 std::string outcome_words(const RecordFile& file) {
   if (!file.ended && file.run.outcome != Outcome::solved)
     return fmt::format("the record breaks off after step {}", file.run.steps.size());

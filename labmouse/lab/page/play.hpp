@@ -1,20 +1,20 @@
 // One contest, frame by frame: `Play` in apps/web/page/src/core/types.ts.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "labmouse/lab/records/mms_record_file.hpp"
 #include "labmouse/lab/records/record_file.hpp"
+#include "labmouse/lab/text/json.hpp"
 
 namespace labmouse {
 
 /// Of a record that has a maze and agrees with it. Costs of candidates become steps, grounds become words.
-nlohmann::ordered_json play_json(const RecordFile& file);
+Json play_json(const RecordFile& file);
 
 /// A play, or where the record disagrees with its maze: exactly one of the two is there.
 struct PlayResult {
-  nlohmann::ordered_json play;
+  Json play;
   std::string disagreement;
 };
 

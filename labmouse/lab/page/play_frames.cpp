@@ -15,8 +15,6 @@
 namespace labmouse {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 const Pose& pose_in(const RunRecord& run, std::size_t frame) {
   return frame < run.steps.size() ? run.steps[frame].pose : run.end;
 }

@@ -2,18 +2,18 @@
 // step i; the reading of a step is taken in the frame before it.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "labmouse/lab/records/record_file.hpp"
+#include "labmouse/lab/text/json.hpp"
 
 namespace labmouse {
 
 /// Adds `clock`, `x`, `y`, `heading`, `run`, and the frames `goal_frame` and `reset_frame`.
-void add_frames(const RecordFile& file, nlohmann::ordered_json& play);
+void add_frames(const RecordFile& file, Json& play);
 
 /// Adds `action`, `blocked`, `left`, `ahead`, `right`, `entered`, and `known`.
-void add_steps(const RecordFile& file, nlohmann::ordered_json& play);
+void add_steps(const RecordFile& file, Json& play);
 
 /// An action in words: "right, 3", "ahead 2", "back 1", "reset", "forfeit: no way".
 std::string short_words(const Action& action);

@@ -15,8 +15,6 @@
 namespace labmouse {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// The cell in which half a step between two places lies.
 Cell cell_between(HalfPlace from, HalfPlace to) { return {(from.x + to.x) / 4, (from.y + to.y) / 4}; }
 

@@ -19,8 +19,6 @@
 namespace labmouse {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 Json seconds_json(const std::optional<MazeTime>& time) {
   return time ? Json(static_cast<double>(*time) / 1e6) : Json(nullptr);
 }
@@ -146,7 +144,7 @@ Json header_json(const DriveRecordFile& contest, const DriveRun& best) {
 }
 
 /// The share of cells that were come into, of those that can be.
-double visited_share(const DriveRecordFile& contest, const Json& play, const Json& distances) {
+double share_visited(const DriveRecordFile& contest, const Json& play, const Json& distances) {
   std::set<int> cells = {contest.maze->size().index(contest.maze->start())};
   for (const Json& entered : play["entered"])
     for (const Json& cell : entered) cells.insert(cell.get<int>());
@@ -163,7 +161,7 @@ Json play_json(const DriveRecordFile& contest) {
   const std::vector<std::size_t> first_frames = add_drive_frames(contest, play);
   play["route"] = Json::array();
   play["distances"] = distances_json(*contest.maze, 1);
-  play["visited"] = visited_share(contest, play, play["distances"]);
+  play["visited"] = share_visited(contest, play, play["distances"]);
   play["reasons"] = Json::array();
   play["events"] = Json::array();
   play["drive"] = drive_json(contest, best, first_frames);

@@ -21,11 +21,11 @@ constexpr std::size_t most_contests = 20'000;
 constexpr int most_runs = 1'000;
 
 std::vector<Contestant> read_mice(PageRequest& request, const World* world) {
-  const nlohmann::json& list = request.list("mice");
+  const ReadJson& list = request.list("mice");
   if (world == nullptr) return {};
   if (list.empty()) return residents_of(*world);
   std::vector<std::string> specs;
-  for (const nlohmann::json& spec : list)
+  for (const ReadJson& spec : list)
     if (spec.is_string())
       specs.push_back(spec.get<std::string>());
     else
@@ -38,7 +38,7 @@ std::vector<Contestant> read_mice(PageRequest& request, const World* world) {
 
 std::vector<NamedMaze> read_mazes(PageRequest& request, const World* world) {
   std::vector<NamedMaze> mazes;
-  for (const nlohmann::json& each : request.list("mazes")) {
+  for (const ReadJson& each : request.list("mazes")) {
     mazes.push_back(request.maze_at(each, fmt::format("mazes[{}]", mazes.size())));
     const auto same = [&](const NamedMaze& maze) { return maze.name == mazes.back().name; };
     if (std::count_if(mazes.begin(), mazes.end(), same) > 1)
@@ -53,7 +53,7 @@ std::vector<NamedMaze> read_mazes(PageRequest& request, const World* world) {
 
 }  // namespace
 
-PageReply answer_run(const nlohmann::json& json, std::string_view) {
+PageReply answer_run(const ReadJson& json, std::string_view) {
   PageRequest request(json);
   const std::string spec = request.text("mouse");
   const NamedMaze maze = request.maze();
@@ -70,7 +70,7 @@ PageReply answer_run(const nlohmann::json& json, std::string_view) {
   return answered({{"play", play_json(file)}, {"record", write_record(file)}});
 }
 
-PageReply answer_race(const nlohmann::json& json, std::string_view) {
+PageReply answer_race(const ReadJson& json, std::string_view) {
   PageRequest request(json);
   const std::shared_ptr<const World> world = read_page_world(request);
   std::vector<Contestant> mice = read_mice(request, world.get());

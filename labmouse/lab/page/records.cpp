@@ -28,7 +28,7 @@ std::vector<StepReasons> reasons_again(const RecordFile& file) {
 }
 
 /// A record of mms stands in a report as it is.
-PageReply unpack_mms(const nlohmann::json& text) {
+PageReply unpack_mms(const ReadJson& text) {
   ReadMmsRecordResult read = read_mms_record(text.get<std::string>());
   if (!read.file) return failed("the report has a record of mms that cannot be read", std::move(read.problems));
   PlayResult result = play_json(*read.file);
@@ -37,7 +37,7 @@ PageReply unpack_mms(const nlohmann::json& text) {
 }
 
 /// So does a record in seconds.
-PageReply unpack_drive(const nlohmann::json& text) {
+PageReply unpack_drive(const ReadJson& text) {
   ReadDriveRecordResult read = read_drive_record(text.get<std::string>());
   if (!read.file) return failed("the report has a record in seconds that cannot be read", std::move(read.problems));
   if (std::string disagreement = replay(*read.file); !disagreement.empty())
@@ -61,14 +61,14 @@ PageReply drive_picture(std::string_view text) {
 
 }  // namespace
 
-PageReply answer_unpack(const nlohmann::json& json, std::string_view) {
+PageReply answer_unpack(const ReadJson& json, std::string_view) {
   PageRequest request(json);
   const NamedMaze maze = request.maze();
   if (!request.has("record")) request.reject("'record' is missing");
   if (!request.error().empty()) return failed(request.error());
-  if (json["record"].is_object() && json["record"].value("mms", nlohmann::json()).is_string())
+  if (json["record"].is_object() && json["record"].value("mms", ReadJson()).is_string())
     return unpack_mms(json["record"]["mms"]);
-  if (json["record"].is_object() && json["record"].value("drive", nlohmann::json()).is_string())
+  if (json["record"].is_object() && json["record"].value("drive", ReadJson()).is_string())
     return unpack_drive(json["record"]["drive"]);
   UnpackResult unpacked = unpack_record(json["record"], maze.maze);
   if (!unpacked.file) return failed("the report has a record that cannot be read", {{0, 0, std::move(unpacked.error)}});
@@ -84,7 +84,7 @@ PageReply answer_unpack(const nlohmann::json& json, std::string_view) {
   return answered({{"play", play_json(*record.file)}, {"record", write_record(*record.file)}});
 }
 
-PageReply answer_picture(const nlohmann::json& json, std::string_view bytes) {
+PageReply answer_picture(const ReadJson& json, std::string_view bytes) {
   PageRequest request(json);
   if (bytes.empty()) {
     const NamedMaze maze = request.maze();

@@ -5,12 +5,12 @@
 namespace labmouse {
 
 NamedMaze PageRequest::maze(const char* key) {
-  static const nlohmann::json nothing;
+  static const ReadJson nothing;
   if (!has(key)) reject(fmt::format("'{}' is missing", key));
   return maze_at(has(key) ? request_[key] : nothing, key);
 }
 
-NamedMaze PageRequest::maze_at(const nlohmann::json& json, const std::string& path) {
+NamedMaze PageRequest::maze_at(const ReadJson& json, const std::string& path) {
   MazeDataResult read = read_maze_data(json, path);
   if (read.maze) return std::move(*read.maze);
   reject(read.error);

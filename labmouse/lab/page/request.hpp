@@ -2,11 +2,11 @@
 // place.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "labmouse/contest/rules.hpp"
 #include "labmouse/lab/mazes/maze_files.hpp"
+#include "labmouse/lab/text/json.hpp"
 #include "labmouse/lab/text/json_fields.hpp"
 
 namespace labmouse {
@@ -15,23 +15,23 @@ namespace labmouse {
 inline constexpr int most_page_steps = 100'000;
 
 /// The fields of a request. Where its error is not empty, nothing that it gave may be used.
-class PageRequest : public RecordFields {
+class PageRequest : public JsonFields {
  public:
-  explicit PageRequest(const nlohmann::json& json) : RecordFields(json, ""), request_(json) {}
+  explicit PageRequest(const ReadJson& json) : JsonFields(json, ""), request_(json) {}
 
   /// The request as it came.
-  const nlohmann::json& json() const { return request_; }
+  const ReadJson& json() const { return request_; }
   /// The maze in the field `maze`, or in another one.
   NamedMaze maze(const char* key = "maze");
   /// The same for a value that stands at that path.
-  NamedMaze maze_at(const nlohmann::json& json, const std::string& path);
+  NamedMaze maze_at(const ReadJson& json, const std::string& path);
   /// `seed`: 0 to 2^64 - 1.
   std::uint64_t seed();
   /// The rules of the capstone, with `budget` where there is one.
   Rules rules();
 
  private:
-  const nlohmann::json& request_;
+  const ReadJson& request_;
 };
 
 }  // namespace labmouse

@@ -9,13 +9,10 @@
 namespace labmouse {
 namespace {
 
-using Json = nlohmann::json;
-using OrderedJson = nlohmann::ordered_json;
-
 /// Takes an object of results over, field by field.
 class Taker {
  public:
-  Taker(const Json& from, std::string path) : from_(from), path_(path), fields_(from, std::move(path)) {}
+  Taker(const ReadJson& from, std::string path) : from_(from), path_(path), fields_(from, std::move(path)) {}
 
   Taker& texts(std::initializer_list<const char*> keys) {
     for (const char* key : keys) out_[key] = fields_.text(key);
@@ -59,15 +56,15 @@ class Taker {
   Taker& interval() {
     out_["interval"] = nullptr;
     if (is_null("interval")) return *this;
-    const Json& ends = fields_.list("interval");
+    const ReadJson& ends = fields_.list("interval");
     if (ends.size() != 2 || !ends[0].is_number() || !ends[1].is_number())
       return wrong("interval", "is not [low, high]"), *this;
     out_["interval"] = ends;
     return *this;
   }
   /// An object of plain values, each of which has to be as asked.
-  Taker& values(const char* key, bool (*good)(const Json&)) {
-    out_[key] = OrderedJson::object();
+  Taker& values(const char* key, bool (*good)(const ReadJson&)) {
+    out_[key] = Json::object();
     if (!fields_.has(key)) return wrong(key, "is missing"), *this;
     if (!from_[key].is_object()) return wrong(key, "is not an object"), *this;
     for (const auto& [name, value] : from_[key].items())
@@ -78,15 +75,15 @@ class Taker {
     return *this;
   }
   Taker& text_list(const char* key) {
-    return list(key, [](const Json& text, const std::string& path, std::string& error) {
+    return list(key, [](const ReadJson& text, const std::string& path, std::string& error) {
       if (!text.is_string()) error = fmt::format("'{}' is not a text", path);
-      return OrderedJson(text);
+      return Json(text);
     });
   }
   /// A list of objects, each read by `read`, which sets the error of what is wrong with it.
-  Taker& list(const char* key, const std::function<OrderedJson(const Json&, const std::string&, std::string&)>& read) {
-    OrderedJson list = OrderedJson::array();
-    for (const Json& each : fields_.list(key)) {
+  Taker& list(const char* key, const std::function<Json(const ReadJson&, const std::string&, std::string&)>& read) {
+    Json list = Json::array();
+    for (const ReadJson& each : fields_.list(key)) {
       std::string error;
       list.push_back(read(each, fmt::format("{}{}{}[{}]", path_, path_.empty() ? "" : ".", key, list.size()), error));
       fields_.reject(error);
@@ -97,11 +94,11 @@ class Taker {
   }
   bool has(const char* key) const { return fields_.has(key); }
   /// Hands over what was taken, and in `error` what is wrong.
-  OrderedJson done(std::string& error) {
+  Json done(std::string& error) {
     error = fields_.error();
     return std::move(out_);
   }
-  OrderedJson& out() { return out_; }
+  Json& out() { return out_; }
   void wrong(const char* key, const std::string& reason) {
     fields_.reject(fmt::format("'{}{}{}' {}", path_, path_.empty() ? "" : ".", key, reason));
   }
@@ -116,18 +113,18 @@ class Taker {
     if (fields_.error().empty()) out_[key] = from_[key];
   }
 
-  const Json& from_;
+  const ReadJson& from_;
   std::string path_;
-  RecordFields fields_;
-  OrderedJson out_ = OrderedJson::object();
+  JsonFields fields_;
+  Json out_ = Json::object();
 };
 
 /// The mazes of a race, which its results name.
 using Names = std::set<std::string>;
 
-Names names_in(const OrderedJson& mazes) {
+Names names_in(const Json& mazes) {
   Names names;
-  for (const OrderedJson& maze : mazes)
+  for (const Json& maze : mazes)
     if (maze.contains("name")) names.insert(maze["name"].get<std::string>());
   return names;
 }
@@ -136,31 +133,31 @@ void check_maze(const Names& mazes, Taker& taker) {
   if (!mazes.contains(taker.out()["maze"].get<std::string>())) taker.wrong("maze", "is none of the race's mazes");
 }
 
-OrderedJson read_contest(const Json& json, const std::string& path, const Names& mazes, std::string& error) {
+Json take_contest(const ReadJson& json, const std::string& path, const Names& mazes, std::string& error) {
   Taker taker(json, path);
   taker.texts({"maze"}).seed().texts({"outcome"}).numbers_or_null({"score"}).counts({"exploration_steps"});
   taker.numbers_or_null({"speed_steps"}).numbers({"discovered_share", "visited_share", "microseconds_per_decision"});
   taker.optional_counts({"blocked_steps", "void_rotations", "cut_movements", "idle_resets"});
   if (taker.has("last_words")) taker.texts({"last_words"});
-  if (taker.has("counts")) taker.values("counts", [](const Json& value) { return value.is_number(); });
+  if (taker.has("counts")) taker.values("counts", [](const ReadJson& value) { return value.is_number(); });
   check_maze(mazes, taker);
   return taker.done(error);
 }
 
-OrderedJson read_mouse(const Json& json, const std::string& path, const Names& mazes, std::string& error) {
+Json take_mouse(const ReadJson& json, const std::string& path, const Names& mazes, std::string& error) {
   Taker taker(json, path);
   taker.texts({"name"}).values(
-      "parameters", [](const Json& value) { return value.is_string() || value.is_number() || value.is_boolean(); });
+      "parameters", [](const ReadJson& value) { return value.is_string() || value.is_number() || value.is_boolean(); });
   taker.flags({"contestant"}).counts({"solved", "runs"}).numbers_or_null({"mean_score", "penalised_mean"}).interval();
   taker.numbers_or_null({"mean_ratio", "mean_exploration_steps", "mean_speed_over_optimum"}).numbers({"optimal_share"});
   taker.numbers_or_null({"mean_discovered_share", "mean_visited_share"}).numbers({"microseconds_per_decision"});
-  taker.list("results", [&](const Json& each, const std::string& at, std::string& wrong) {
-    return read_contest(each, at, mazes, wrong);
+  taker.list("results", [&](const ReadJson& each, const std::string& at, std::string& wrong) {
+    return take_contest(each, at, mazes, wrong);
   });
   return taker.done(error);
 }
 
-OrderedJson read_maze(const Json& json, const std::string& path, std::string& error) {
+Json take_maze(const ReadJson& json, const std::string& path, std::string& error) {
   return Taker(json, path)
       .texts({"name"})
       .counts({"width", "height"})
@@ -168,7 +165,7 @@ OrderedJson read_maze(const Json& json, const std::string& path, std::string& er
       .done(error);
 }
 
-OrderedJson read_mms_result(const Json& json, const std::string& path, const Names& mazes, std::string& error) {
+Json take_mms_result(const ReadJson& json, const std::string& path, const Names& mazes, std::string& error) {
   Taker taker(json, path);
   taker.texts({"maze", "outcome", "end"}).flags({"solved"}).numbers({"score"});
   taker.numbers_or_null({"possible_score", "ratio"}).text_list("errors");
@@ -176,17 +173,17 @@ OrderedJson read_mms_result(const Json& json, const std::string& path, const Nam
   return taker.done(error);
 }
 
-OrderedJson read_mms_mouse(const Json& json, const std::string& path, const Names& mazes, std::string& error) {
+Json take_mms_mouse(const ReadJson& json, const std::string& path, const Names& mazes, std::string& error) {
   Taker taker(json, path);
   taker.texts({"name"}).counts({"solved", "runs"}).numbers_or_null({"mean_score"}).interval();
   taker.numbers_or_null({"mean_ratio", "mean_best_run"});
-  taker.list("results", [&](const Json& each, const std::string& at, std::string& wrong) {
-    return read_mms_result(each, at, mazes, wrong);
+  taker.list("results", [&](const ReadJson& each, const std::string& at, std::string& wrong) {
+    return take_mms_result(each, at, mazes, wrong);
   });
   return taker.done(error);
 }
 
-OrderedJson read_mms_maze(const Json& json, const std::string& path, std::string& error) {
+Json take_mms_maze(const ReadJson& json, const std::string& path, std::string& error) {
   return Taker(json, path)
       .texts({"name"})
       .counts({"width", "height"})
@@ -194,37 +191,37 @@ OrderedJson read_mms_maze(const Json& json, const std::string& path, std::string
       .done(error);
 }
 
-OrderedJson read_group(const Json& json, const std::string& path, std::string& error) {
+Json take_group(const ReadJson& json, const std::string& path, std::string& error) {
   Taker taker(json, path);
-  taker.texts({"world", "formula"}).list("mazes", read_mms_maze);
+  taker.texts({"world", "formula"}).list("mazes", take_mms_maze);
   if (taker.out()["world"] != "mms") taker.wrong("world", "is not mms");
   const Names mazes = names_in(taker.out()["mazes"]);
-  taker.list("mice", [&](const Json& each, const std::string& at, std::string& wrong) {
-    return read_mms_mouse(each, at, mazes, wrong);
+  taker.list("mice", [&](const ReadJson& each, const std::string& at, std::string& wrong) {
+    return take_mms_mouse(each, at, mazes, wrong);
   });
   return taker.done(error);
 }
 
-OrderedJson read_skipped(const Json& json, const std::string& path, std::string& error) {
+Json take_skipped(const ReadJson& json, const std::string& path, std::string& error) {
   return Taker(json, path).texts({"path"}).text_list("reasons").done(error);
 }
 
 }  // namespace
 
-std::string read_results(const Json& json, OrderedJson& results) {
+std::string read_results(const ReadJson& json, Json& results) {
   Taker taker(json, "");
   taker.texts({"labmouse", "compiler", "processor"})
       .seed()
       .counts({"budget"})
       .flags({"stopped"})
-      .list("mazes", read_maze);
+      .list("mazes", take_maze);
   const Names mazes = names_in(taker.out()["mazes"]);
-  taker.list("mice", [&](const Json& each, const std::string& path, std::string& wrong) {
-    return read_mouse(each, path, mazes, wrong);
+  taker.list("mice", [&](const ReadJson& each, const std::string& path, std::string& wrong) {
+    return take_mouse(each, path, mazes, wrong);
   });
   if (taker.has("notes")) taker.text_list("notes");
-  if (taker.has("groups")) taker.list("groups", read_group);
-  taker.list("skipped", read_skipped);
+  if (taker.has("groups")) taker.list("groups", take_group);
+  taker.list("skipped", take_skipped);
   std::string error;
   results = taker.done(error);
   return error;

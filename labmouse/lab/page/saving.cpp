@@ -16,15 +16,15 @@ std::string file_name(const std::string& maze, const Format& format) {
 }
 
 /// A binary file as a list of its bytes.
-nlohmann::ordered_json bytes_json(std::string_view content) {
-  auto bytes = nlohmann::ordered_json::array();
+Json bytes_json(std::string_view content) {
+  auto bytes = Json::array();
   for (const char byte : content) bytes.push_back(static_cast<unsigned char>(byte));
   return bytes;
 }
 
 }  // namespace
 
-PageReply answer_write_maze(const nlohmann::json& json, std::string_view) {
+PageReply answer_write_maze(const ReadJson& json, std::string_view) {
   PageRequest request(json);
   const NamedMaze maze = request.maze();
   const std::string name = request.text("format");
@@ -33,7 +33,7 @@ PageReply answer_write_maze(const nlohmann::json& json, std::string_view) {
   if (format == nullptr) return failed(fmt::format("there is no format '{}'", name));
   const WriteResult written = format->write(maze.maze);
   if (!written.content) return failed(fmt::format("format {} cannot hold this maze: {}", name, written.reason));
-  nlohmann::ordered_json answer = {{"file_name", file_name(maze.name, *format)}};
+  Json answer = {{"file_name", file_name(maze.name, *format)}};
   if (format->name == maz_format.name)
     answer["bytes"] = bytes_json(*written.content);
   else
@@ -41,14 +41,14 @@ PageReply answer_write_maze(const nlohmann::json& json, std::string_view) {
   return answered(std::move(answer));
 }
 
-PageReply answer_link(const nlohmann::json& json, std::string_view) {
+PageReply answer_link(const ReadJson& json, std::string_view) {
   PageRequest request(json);
   const NamedMaze maze = request.maze();
   if (!request.error().empty()) return failed(request.error());
   return answered({{"link", link_of(maze)}});
 }
 
-PageReply answer_read_link(const nlohmann::json& json, std::string_view) {
+PageReply answer_read_link(const ReadJson& json, std::string_view) {
   PageRequest request(json);
   const std::string link = request.text("link");
   if (!request.error().empty()) return failed(request.error());

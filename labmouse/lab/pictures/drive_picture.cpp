@@ -15,7 +15,7 @@ namespace {
 
 using namespace drawing;
 
-constexpr int margin = 20, coordinates_room = 12, least_width = 300;
+constexpr int coordinates_room = 12;  // pixels
 
 /// From slow to fast: a part of "plasma" (Smith and van der Walt 2015), which grows lighter all along, so that no eye
 /// needs its hues.
@@ -57,7 +57,7 @@ std::string place(const Frame& frame, const DrivePathPoint& point) {
                      frame.origin.y + (frame.size.height - point.y) * Frame::cell);
 }
 
-std::string line(const Tone& tone, double width, const std::string& data) {
+std::string curve_svg(const Tone& tone, double width, const std::string& data) {
   return fmt::format("<path {} stroke-width=\"{:.1f}\" stroke-linejoin=\"round\" stroke-linecap=\"round\" d=\"{}\"/>\n",
                      stroke(tone), width, data);
 }
@@ -75,7 +75,7 @@ std::string coloured(const Frame& frame, const Path& path, const SpeedScale& sca
   for (std::size_t first = 0; first + 1 < path.size();) {
     std::size_t last = first + 1;
     while (last + 1 < path.size() && level(last) == level(first)) ++last;
-    svg += line(speed_tones[level(first)], 4.0, data_of(frame, path, first, last));
+    svg += curve_svg(speed_tones[level(first)], 4.0, data_of(frame, path, first, last));
     first = last;
   }
   return svg;
@@ -99,22 +99,25 @@ struct Drives {
 std::string picture(const Maze& maze, const Drives& drives) {
   DrawingLayers layers;
   layers.coordinates = true;
-  const Scene scene = {
-      maze, layers, Frame{maze.size(), {margin + coordinates_room, margin + 32}}, Heat(maze.size(), nullptr), {}};
+  const Scene scene = {maze,
+                       layers,
+                       Frame{maze.size(), {sheet_margin + coordinates_room, sheet_margin + 32}},
+                       Heat(maze.size(), nullptr),
+                       {}};
   const SpeedScale scale(drives.fast);
-  const int width = std::max(scene.frame.right() + margin, least_width);
-  Legend legend({scene.frame.origin.x, scene.frame.bottom() + 24 + margin}, width - margin);
+  const int width = std::max(scene.frame.right() + sheet_margin, least_sheet_width);
+  Legend legend({scene.frame.origin.x, scene.frame.bottom() + 24 + sheet_margin}, width - sheet_margin);
   std::string lines;
   for (const Path& search : drives.searches)
-    if (search.size() > 1) lines += line(muted, 1.5, data_of(scene.frame, search, 0, search.size() - 1));
+    if (search.size() > 1) lines += curve_svg(muted, 1.5, data_of(scene.frame, search, 0, search.size() - 1));
   if (!lines.empty())
     legend.add(24, fmt::format("<path {} stroke-width=\"1.5\" d=\"M0 0h24\"/>", stroke(muted)), "searching");
   if (drives.fast.size() > 1) legend.add(70, ramp(), scale.words());
-  const Sheet sheet = {width, legend.bottom() + margin / 2, drives.title, drives.description,
+  const Sheet sheet = {width, legend.bottom() + sheet_margin / 2, drives.title, drives.description,
                        std::vector<Tone>(speed_tones.begin(), speed_tones.end())};
-  return sheet.with(heading_svg({scene.frame.origin.x, margin + 14}, width - margin, drives.title) + floor_svg(scene) +
-                    lines + coloured(scene.frame, drives.fast, scale) + walls_svg(scene) + labels_svg(scene) +
-                    coordinates_svg(scene) + legend.svg());
+  return sheet.with(heading_svg({scene.frame.origin.x, sheet_margin + 14}, width - sheet_margin, drives.title) +
+                    floor_svg(scene) + lines + coloured(scene.frame, drives.fast, scale) + walls_svg(scene) +
+                    labels_svg(scene) + coordinates_svg(scene) + legend.svg());
 }
 
 /// The place of the run that is drawn in colours; past the end where none is.

@@ -92,7 +92,7 @@ std::string driven_path(const Panel& panel, double cell_side, double from, doubl
   return path;
 }
 
-std::string line(const Tone& tone, double width, std::string_view path) {
+std::string path_svg(const Tone& tone, double width, std::string_view path) {
   return fmt::format("<path {} stroke-width=\"{:.1f}\" stroke-linejoin=\"round\" d=\"{}\"/>\n", stroke(tone), width,
                      path);
 }
@@ -124,12 +124,12 @@ std::string drawing_of(const Panel& panel, const Robot& robot) {
   const double end = robot.fixed ? shape.whole() : shape.lead_in + shape.length;
   std::string svg;
   if (robot.clearance > 0.0)
-    svg += line(heat_tones[0], 2.0 * robot.clearance / robot.cell * cell, path(0.0, shape.whole()));
+    svg += path_svg(heat_tones[0], 2.0 * robot.clearance / robot.cell * cell, path(0.0, shape.whole()));
   svg += open_wall(walls_path(panel, panel.room.open)) + wall(ink, walls_path(panel, panel.room.standing)) +
          wall(post, posts_path(panel));
-  if (begin > 0.0) svg += line(onwards, 3, path(0.0, begin));
-  if (end < shape.whole()) svg += line(onwards, 3, path(end, shape.whole()));
-  return svg + line(route, 3, path(begin, end)) + ends_svg(panel);
+  if (begin > 0.0) svg += path_svg(onwards, 3, path(0.0, begin));
+  if (end < shape.whole()) svg += path_svg(onwards, 3, path(end, shape.whole()));
+  return svg + path_svg(route, 3, path(begin, end)) + ends_svg(panel);
 }
 
 std::vector<std::string> figures(const Panel& panel, const Robot& robot) {
@@ -159,11 +159,11 @@ Legend legend_of(const Robot& robot) {
   Legend legend({margin, bottom(robot) + 14}, right);
   legend.add(28, wall(ink, "M3 0h22"), "may stand");
   legend.add(28, open_wall("M0 0h28"), "must be open");
-  legend.add(28, line(route, 3, "M0 0h28"),
+  legend.add(28, path_svg(route, 3, "M0 0h28"),
              robot.fixed ? "a curve from node to node; the real one is not known" : "curve");
-  if (!robot.fixed) legend.add(28, line(onwards, 3, "M0 0h28"), "lead: straight");
+  if (!robot.fixed) legend.add(28, path_svg(onwards, 3, "M0 0h28"), "lead: straight");
   if (robot.clearance > 0.0)
-    legend.add(28, line(heat_tones[0], 18, "M0 0h28"),
+    legend.add(28, path_svg(heat_tones[0], 18, "M0 0h28"),
                fmt::format("{:g} mm on both sides, which stay free", robot.clearance));
   return legend;
 }

@@ -2,8 +2,6 @@
 
 namespace labmouse {
 
-using Json = nlohmann::ordered_json;
-
 Json rules_json(const DriveRules& rules) {
   return {{"name", rules.name},
           {"source", rules.source},

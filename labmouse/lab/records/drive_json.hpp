@@ -3,41 +3,39 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "labmouse/contest/drive_rules.hpp"
 #include "labmouse/contest/drive_score.hpp"
+#include "labmouse/lab/text/json.hpp"
 #include "labmouse/lab/text/optional_json.hpp"
 #include "labmouse/mouse/robot/tables.hpp"
 
 namespace labmouse {
 
 /// [x, y, heading, place]: [0, 3, "north", "edge"].
-inline nlohmann::ordered_json node_json(const DriveNode& node) {
+inline Json node_json(const DriveNode& node) {
   return {node.cell.x, node.cell.y, name_of(node.heading), name_of(node.place)};
 }
 
 /// Microseconds, null for no_time.
-inline nlohmann::ordered_json time_json(DriveTime time) {
-  return time < no_time ? nlohmann::ordered_json(time) : nlohmann::ordered_json(nullptr);
-}
+inline Json time_json(DriveTime time) { return time < no_time ? Json(time) : Json(nullptr); }
 
 /// Sixteen hexadecimal digits.
 inline std::string hash_text(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
 
-nlohmann::ordered_json rules_json(const DriveRules& rules);
+Json rules_json(const DriveRules& rules);
 
 /// Whether the JSON of a race is that of one in seconds.
-template <class Json>
-bool is_race_in_seconds(const Json& json) {
+template <class AnyJson>
+bool is_race_in_seconds(const AnyJson& json) {
   if (!json.is_object() || !json.contains("groups") || !json["groups"].is_array() || json["groups"].empty())
     return false;
-  const Json& group = json["groups"].front();
+  const AnyJson& group = json["groups"].front();
   return group.is_object() && group.contains("world") && group["world"] == "seconds";
 }
 
 /// The best run by the rules, counted from 1, with the parts of its score; null where none counts.
-nlohmann::ordered_json score_json(const DriveScore& score);
+Json score_json(const DriveScore& score);
 
 }  // namespace labmouse

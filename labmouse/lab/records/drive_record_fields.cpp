@@ -6,21 +6,18 @@
 namespace labmouse {
 namespace {
 
-using Json = nlohmann::json;
-using Fields = RecordFields;
-
 constexpr std::size_t longest_source = 4096;  // bytes
 
-Heading read_heading(const Json& name, const char* key, Fields& fields) {
+Heading read_heading(const ReadJson& name, const char* key, JsonFields& fields) {
   for (const Heading heading : all_headings)
     if (name == name_of(heading)) return heading;
   fields.fail(fmt::format("has a '{}' whose heading is none of north, east, south, west", key));
   return Heading::north;
 }
 
-CellSet rows_in(Fields& fields, const char* key, Size size) {
+CellSet rows_in(JsonFields& fields, const char* key, Size size) {
   CellSet cells;
-  const Json& rows = fields.list(key);
+  const ReadJson& rows = fields.list(key);
   if (rows.size() != static_cast<std::size_t>(size.height))
     fields.fail(fmt::format("has {} rows where the maze has {}", rows.size(), size.height));
   for (std::size_t y = 0; y < rows.size() && fields.error().empty(); ++y) {
@@ -51,9 +48,9 @@ std::optional<std::uint64_t> hexadecimal(const std::string& text) {
   return number;
 }
 
-WallSet walls_in(const Json& json, const char* key, Size size, Fields& outer) {
+WallSet walls_in(const ReadJson& json, const char* key, Size size, JsonFields& outer) {
   if (!outer.has(key)) return outer.reject(fmt::format("'{}' is missing", key)), WallSet();
-  Fields fields(json[key], key);
+  JsonFields fields(json[key], key);
   const CellSet north = rows_in(fields, "north", size), east = rows_in(fields, "east", size);
   const WallSet all = WallSet::all(size);
   CellSet outside = north, outside_east = east;
@@ -68,15 +65,15 @@ WallSet walls_in(const Json& json, const char* key, Size size, Fields& outer) {
   return walls;
 }
 
-Pose pose_in(Fields& fields, const char* key, Size size) {
-  const Json& pose = fields.list(key);
+Pose pose_in(JsonFields& fields, const char* key, Size size) {
+  const ReadJson& pose = fields.list(key);
   if (pose.size() != 3) return fields.fail(fmt::format("has a '{}' that is not [x, y, heading]", key)), Pose();
   return {{fields.whole(pose[0], key, 0, size.width - 1), fields.whole(pose[1], key, 0, size.height - 1)},
           read_heading(pose[2], key, fields)};
 }
 
-DriveNode node_in(Fields& fields, const char* key, Size size) {
-  const Json& node = fields.list(key);
+DriveNode node_in(JsonFields& fields, const char* key, Size size) {
+  const ReadJson& node = fields.list(key);
   if (node.size() != 4)
     return fields.fail(fmt::format("has a '{}' that is not [x, y, heading, place]", key)), DriveNode();
   DriveNode read = {{fields.whole(node[0], key, 0, size.width - 1), fields.whole(node[1], key, 0, size.height - 1)},
@@ -86,7 +83,7 @@ DriveNode node_in(Fields& fields, const char* key, Size size) {
   return fields.fail(fmt::format("has a '{}' whose place is none of centre, edge, left, right", key)), read;
 }
 
-void read_piece(const Json& json, Fields& fields, const DriveTables& tables, DriveSegment& segment) {
+void read_piece(const ReadJson& json, JsonFields& fields, const DriveTables& tables, DriveSegment& segment) {
   const std::string piece = fields.text("piece");
   if (piece.starts_with('S') || piece.starts_with('D')) {
     const auto [end, error] = std::from_chars(piece.data() + 1, piece.data() + piece.size(), segment.units);
@@ -105,8 +102,8 @@ void read_piece(const Json& json, Fields& fields, const DriveTables& tables, Dri
   segment.turn = turn.value_or(0);
 }
 
-void read_drive_rules_json(const Json& json, DriveRules& rules, Fields& outer) {
-  Fields fields(json, "rules");
+void read_drive_rules_json(const ReadJson& json, DriveRules& rules, JsonFields& outer) {
+  JsonFields fields(json, "rules");
   rules.name = fields.text("name");
   rules.source = fields.text("source").substr(0, longest_source);
   rules.time_limit = fields.long_whole("time_limit", 1, longest_time);

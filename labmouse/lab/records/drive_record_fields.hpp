@@ -21,12 +21,12 @@ std::optional<std::uint64_t> hexadecimal(const std::string& text);
 // All of these give the fields, or the outer ones, what is wrong; `size` is that of the maze.
 
 /// [x, y, heading] and [x, y, heading, place].
-Pose pose_in(RecordFields& fields, const char* key, Size size);
-DriveNode node_in(RecordFields& fields, const char* key, Size size);
+Pose pose_in(JsonFields& fields, const char* key, Size size);
+DriveNode node_in(JsonFields& fields, const char* key, Size size);
 /// Inner walls, as rows of hexadecimal digits.
-WallSet walls_in(const nlohmann::json& json, const char* key, Size size, RecordFields& outer);
+WallSet walls_in(const ReadJson& json, const char* key, Size size, JsonFields& outer);
 /// S3, D4, L45 and so on, from the segment's first node, which is there already; a turn has its speed beside it.
-void read_piece(const nlohmann::json& json, RecordFields& fields, const DriveTables& tables, DriveSegment& segment);
-void read_drive_rules_json(const nlohmann::json& json, DriveRules& rules, RecordFields& outer);
+void read_piece(const ReadJson& json, JsonFields& fields, const DriveTables& tables, DriveSegment& segment);
+void read_drive_rules_json(const ReadJson& json, DriveRules& rules, JsonFields& outer);
 
 }  // namespace labmouse

@@ -7,17 +7,14 @@
 namespace labmouse {
 namespace {
 
-using Json = nlohmann::json;
-using Fields = RecordFields;
-
 // Limits on what a hostile record can make us hold.
 constexpr std::size_t most_runs = 1000, most_moves = 1'000'000, most_segments = 10'000;
 
 /// A file that is being read: where in it we are.
 class Reading {
  public:
-  std::string read_header(const Json& json);
-  std::string read_line(const Json& json);
+  std::string read_header(const ReadJson& json);
+  std::string read_line(const ReadJson& json);
   bool may_break_off() const { return !file_.ended; }
   DriveRecordFile take() { return std::move(file_); }
 
@@ -25,13 +22,13 @@ class Reading {
   Size size() const { return file_.maze->size(); }
   std::vector<DriveRun>& runs() { return file_.record.runs; }
 
-  void read_maze(const Json& json, Fields& outer);
-  std::string begin_run(const Json& json);
-  std::string end_run(const Json& json);
-  std::string read_move(const Json& json);
-  std::string read_segment(const Json& json);
-  std::string read_wall(const Json& json);
-  std::string read_end(const Json& json);
+  void read_maze(const ReadJson& json, JsonFields& outer);
+  std::string begin_run(const ReadJson& json);
+  std::string end_run(const ReadJson& json);
+  std::string read_move(const ReadJson& json);
+  std::string read_segment(const ReadJson& json);
+  std::string read_wall(const ReadJson& json);
+  std::string read_end(const ReadJson& json);
 
   DriveRecordFile file_;
   bool running_ = false;
@@ -40,12 +37,12 @@ class Reading {
 
 /// A time or null.
 template <class Read>
-auto optional_of(const Json& json, const char* key, Read read) -> std::optional<decltype(read())> {
+auto optional_of(const ReadJson& json, const char* key, Read read) -> std::optional<decltype(read())> {
   if (json.contains(key) && json[key].is_null()) return std::nullopt;
   return read();
 }
 
-DriveRunScore read_score(const Json& json, Fields& fields) {
+DriveRunScore read_score(const ReadJson& json, JsonFields& fields) {
   const auto time = [&](const char* key) { return fields.long_whole(key, -longest_time, longest_time); };
   DriveRunScore score;
   score.run = static_cast<std::size_t>(fields.whole("run", 1, static_cast<int>(most_runs)) - 1);
@@ -58,8 +55,8 @@ DriveRunScore read_score(const Json& json, Fields& fields) {
   return score;
 }
 
-void Reading::read_maze(const Json& json, Fields& outer) {
-  Fields fields(json, "maze");
+void Reading::read_maze(const ReadJson& json, JsonFields& outer) {
+  JsonFields fields(json, "maze");
   file_.maze_name = fields.text("name");
   file_.maze = read_record_maze(fields);
   if (file_.maze && (size().width > max_drive_side || size().height > max_drive_side))
@@ -67,8 +64,8 @@ void Reading::read_maze(const Json& json, Fields& outer) {
   outer.reject(fields.error());
 }
 
-std::string Reading::read_header(const Json& json) {
-  Fields fields(json, "");
+std::string Reading::read_header(const ReadJson& json) {
+  JsonFields fields(json, "");
   if (fields.text("labmouse") != "drive record") fields.fail("is not the header of a record in seconds");
   if (fields.whole("format", 0, 1'000'000) != 1)
     fields.fail("has a format other than 1, which this version does not know");
@@ -79,7 +76,7 @@ std::string Reading::read_header(const Json& json) {
   if (!fields.error().empty()) return fields.error();
   if (!json["seed"].is_number_unsigned()) return "'seed' is not a number from 0 to 2^64 - 1";
   file_.seed = json["seed"].get<std::uint64_t>();
-  Fields mouse(json["mouse"], "mouse");
+  JsonFields mouse(json["mouse"], "mouse");
   file_.mouse = mouse.text("name");
   fields.reject(mouse.error());
   const auto hash = hexadecimal(fields.text("tables"));
@@ -94,10 +91,10 @@ std::string Reading::read_header(const Json& json) {
   return fields.error();
 }
 
-std::string Reading::begin_run(const Json& json) {
+std::string Reading::begin_run(const ReadJson& json) {
   if (running_) return "the line begins a run before the one before it has ended";
   if (runs().size() >= most_runs) return fmt::format("the record has more than {} runs", most_runs);
-  Fields fields(json, "");
+  JsonFields fields(json, "");
   DriveRun run;
   const std::string kind = fields.text("run");
   bool known = false;
@@ -118,9 +115,9 @@ std::string Reading::begin_run(const Json& json) {
   return fields.error();
 }
 
-std::string Reading::end_run(const Json& json) {
+std::string Reading::end_run(const ReadJson& json) {
   if (!running_) return "the line ends a run that has not begun";
-  Fields fields(json, "");
+  JsonFields fields(json, "");
   DriveRun& run = runs().back();
   run.end = fields.long_whole("end", 0, longest_time);
   const auto moment = [&](const char* key) {
@@ -133,13 +130,13 @@ std::string Reading::end_run(const Json& json) {
   return fields.error();
 }
 
-std::string Reading::read_move(const Json& json) {
+std::string Reading::read_move(const ReadJson& json) {
   if (!running_ || runs().back().kind == DriveRun::Kind::fast)
     return "the line has a move outside of a search or a way home";
   if (++moves_ > most_moves) return fmt::format("the record has more than {} moves", most_moves);
-  Fields fields(json, "");
+  JsonFields fields(json, "");
   SearchMove move;
-  const Json& action = fields.list("move");
+  const ReadJson& action = fields.list("move");
   if (action.size() != 2) return "the line has a move that is not [rotation, cells]";
   move.action = Action::step(fields.whole(action[0], "move", -180, 180), fields.whole(action[1], "move", 0, 1));
   move.from = pose_in(fields, "from", size());
@@ -151,11 +148,11 @@ std::string Reading::read_move(const Json& json) {
   return fields.error();
 }
 
-std::string Reading::read_segment(const Json& json) {
+std::string Reading::read_segment(const ReadJson& json) {
   if (!running_ || runs().back().kind != DriveRun::Kind::fast) return "the line has a segment outside of a fast run";
   DriveRoute& route = runs().back().route;
   if (route.segments.size() >= most_segments) return fmt::format("the run has more than {} segments", most_segments);
-  Fields fields(json, "");
+  JsonFields fields(json, "");
   DriveSegment segment;
   segment.from = node_in(fields, "from", size());
   segment.to = node_in(fields, "to", size());
@@ -167,11 +164,11 @@ std::string Reading::read_segment(const Json& json) {
   return fields.error();
 }
 
-std::string Reading::read_wall(const Json& json) {
+std::string Reading::read_wall(const ReadJson& json) {
   if (running_) return "the line has a wall inside of a run; walls stand behind all runs";
   if (file_.record.walls.size() >= static_cast<std::size_t>(2 * size().area()))
     return "the record has more walls than the maze";
-  Fields fields(json, "");
+  JsonFields fields(json, "");
   const Pose side = pose_in(fields, "wall", size());
   WallSeen seen;
   seen.wall = wall_at(side.cell, side.heading);
@@ -183,9 +180,9 @@ std::string Reading::read_wall(const Json& json) {
   return fields.error();
 }
 
-std::string Reading::read_end(const Json& json) {
+std::string Reading::read_end(const ReadJson& json) {
   if (running_) return "the line ends the record before the last run has ended";
-  Fields fields(json, "");
+  JsonFields fields(json, "");
   DriveRecord& record = file_.record;
   const std::string name = fields.text("outcome");
   bool known = false;
@@ -204,7 +201,7 @@ std::string Reading::read_end(const Json& json) {
   if (!fields.has("score")) fields.reject("'score' is missing");
   if (!fields.error().empty()) return fields.error();
   if (!json["score"].is_null()) {
-    Fields score(json["score"], "score");
+    JsonFields score(json["score"], "score");
     file_.recorded_score = read_score(json["score"], score);
     fields.reject(score.error());
   }
@@ -212,7 +209,7 @@ std::string Reading::read_end(const Json& json) {
   return fields.error();
 }
 
-std::string Reading::read_line(const Json& json) {
+std::string Reading::read_line(const ReadJson& json) {
   if (file_.ended) return "the line stands behind the end of the record";
   if (!json.is_object()) return "the line is not an object";
   if (json.contains("labmouse")) return "the line is a second header; a file holds one record";
@@ -230,14 +227,14 @@ std::string Reading::read_line(const Json& json) {
 ReadDriveRecordResult read_drive_record(std::string_view text) {
   Reading reading;
   std::vector<Problem> problems = read_json_lines(
-      text, {[&](const Json& line) { return reading.read_header(line); },
-             [&](const Json& line) { return reading.read_line(line); }, [&] { return reading.may_break_off(); }});
+      text, {[&](const ReadJson& line) { return reading.read_header(line); },
+             [&](const ReadJson& line) { return reading.read_line(line); }, [&] { return reading.may_break_off(); }});
   if (!problems.empty()) return {std::nullopt, std::move(problems)};
   return {reading.take(), {}};
 }
 
 bool is_drive_record(std::string_view text) {
-  const Json header = Json::parse(text.substr(0, text.find('\n')), nullptr, false);
+  const ReadJson header = ReadJson::parse(text.substr(0, text.find('\n')), nullptr, false);
   return header.is_object() && header.contains("labmouse") && header["labmouse"] == "drive record";
 }
 

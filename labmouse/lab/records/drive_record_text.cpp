@@ -6,16 +6,18 @@
 namespace labmouse {
 namespace {
 
-double seconds(MazeTime time) { return static_cast<double>(time) / 1e6; }
+double in_seconds(MazeTime time) { return static_cast<double>(time) / 1e6; }
 
-std::string number(const std::optional<MazeTime>& time) { return time ? fmt::format("{:.3f}", seconds(*time)) : "-"; }
-std::string number(DriveTime time) { return time < no_time ? fmt::format("{:.3f}", seconds(time)) : "-"; }
+std::string number(const std::optional<MazeTime>& time) {
+  return time ? fmt::format("{:.3f}", in_seconds(*time)) : "-";
+}
+std::string number(DriveTime time) { return time < no_time ? fmt::format("{:.3f}", in_seconds(time)) : "-"; }
 
 std::string run_line(const DriveRun& run, std::size_t index) {
   const bool gates = run.gate_in && run.gate_out;
   return fmt::format(
-      "{:>3}  {:<6} {:>9.3f} {:>9.3f} {:>8} {:>8} {:>8} {:>8}\n", index + 1, name_of(run.kind), seconds(run.begin),
-      seconds(run.end), number(gates ? std::optional(*run.gate_in - *run.gate_out) : std::nullopt),
+      "{:>3}  {:<6} {:>9.3f} {:>9.3f} {:>8} {:>8} {:>8} {:>8}\n", index + 1, name_of(run.kind), in_seconds(run.begin),
+      in_seconds(run.end), number(gates ? std::optional(*run.gate_in - *run.gate_out) : std::nullopt),
       number(run.centre ? std::optional(*run.centre - run.begin) : std::nullopt), number(run.known), number(run.hoped));
 }
 
@@ -23,11 +25,11 @@ std::string run_line(const DriveRun& run, std::size_t index) {
 std::string score_words(const DriveScore& score, const DriveRecord& record, const DriveRules& rules) {
   const DriveRunScore& best = score.runs[*score.best];
   const auto time = rules.gate_to_gate ? best.gate_to_gate : best.rest_to_centre;
-  std::string words = fmt::format("{:.3f} s = {:.3f} s {}", seconds(best.value), seconds(*time),
+  std::string words = fmt::format("{:.3f} s = {:.3f} s {}", in_seconds(best.value), in_seconds(*time),
                                   rules.gate_to_gate ? "gate to gate" : "rest to centre");
   if (rules.maze_time_divisor > 0)
-    words += fmt::format(" + {:.3f} s / {}", seconds(record.runs[best.run].begin), rules.maze_time_divisor);
-  if (best.bonus > 0) words += fmt::format(" - {:.3f} s untouched", seconds(best.bonus));
+    words += fmt::format(" + {:.3f} s / {}", in_seconds(record.runs[best.run].begin), rules.maze_time_divisor);
+  if (best.bonus > 0) words += fmt::format(" - {:.3f} s untouched", in_seconds(best.bonus));
   return words + fmt::format(" in run {}", best.run + 1);
 }
 

@@ -1,4 +1,3 @@
-#include <nlohmann/json.hpp>
 
 #include "labmouse/lab/records/drive_json.hpp"
 #include "labmouse/lab/records/drive_notation.hpp"
@@ -7,11 +6,10 @@
 #include "labmouse/lab/records/settings_json.hpp"
 #include "labmouse/lab/robots/robot_json.hpp"
 #include "labmouse/lab/system/version.hpp"
+#include "labmouse/lab/text/json.hpp"
 
 namespace labmouse {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json header_json(const DriveRecordFile& file) {
   return {{"labmouse", "drive record"},

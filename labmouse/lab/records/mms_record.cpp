@@ -8,8 +8,6 @@
 namespace labmouse {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 Json event_json(const MmsEvent& event) {
   Json json = {{"line", event.line}};
   if (!event.reply.empty()) json["reply"] = event.reply;

@@ -8,28 +8,25 @@
 namespace labmouse {
 namespace {
 
-using Json = nlohmann::json;
-using Fields = RecordFields;
-
 constexpr double no_limit = std::numeric_limits<double>::max();
 constexpr int largest = std::numeric_limits<int>::max();
 constexpr std::size_t most_events = 1'000'000;
 
-std::string read_maze_field(const Json& json, MmsRecordFile& file) {
-  Fields fields(json, "maze");
+std::string read_maze_field(const ReadJson& json, MmsRecordFile& file) {
+  JsonFields fields(json, "maze");
   file.maze_name = fields.text("name");
   file.maze = read_record_maze(fields);
   return fields.error();
 }
 
-std::string read_mouse_field(const Json& json, MmsRecordFile& file) {
-  Fields fields(json, "mouse");
+std::string read_mouse_field(const ReadJson& json, MmsRecordFile& file) {
+  JsonFields fields(json, "mouse");
   file.mouse = fields.text("name");
   return fields.error();
 }
 
-std::string read_header(const Json& json, MmsRecordFile& file) {
-  Fields fields(json, "");
+std::string read_header(const ReadJson& json, MmsRecordFile& file) {
+  JsonFields fields(json, "");
   if (fields.text("labmouse") != "mms record") fields.fail("is not the header of a record of mms");
   if (fields.whole("format", 0, largest) != 1)
     fields.fail("has a format other than 1, which this version does not know");
@@ -41,7 +38,7 @@ std::string read_header(const Json& json, MmsRecordFile& file) {
   return error.empty() ? read_mouse_field(json["mouse"], file) : error;
 }
 
-Compass read_compass(Fields& fields) {
+Compass read_compass(JsonFields& fields) {
   const std::string name = fields.text("heading");
   for (int eighths = 0; eighths < 8; ++eighths)
     if (const Compass heading = turned(Compass::north, eighths); name_of(heading) == name) return heading;
@@ -49,16 +46,16 @@ Compass read_compass(Fields& fields) {
   return Compass::north;
 }
 
-HalfPlace read_place(Fields& fields, Size size) {
-  const Json& place = fields.list("place");
+HalfPlace read_place(JsonFields& fields, Size size) {
+  const ReadJson& place = fields.list("place");
   if (place.size() != 2) return fields.fail("has a place that is not [x, y]"), HalfPlace();
   return {fields.whole(place[0], "place", 0, 2 * size.width), fields.whole(place[1], "place", 0, 2 * size.height)};
 }
 
-std::string read_event(const Json& json, MmsRecordFile& file) {
+std::string read_event(const ReadJson& json, MmsRecordFile& file) {
   if (file.left_out > 0) return "the line stands behind those that were left out";
   if (file.events.size() >= most_events) return fmt::format("the record has more than {} events", most_events);
-  Fields fields(json, "");
+  JsonFields fields(json, "");
   RecordedMmsEvent event;
   event.line = fields.text("line");
   if (fields.has("reply")) event.reply = fields.text("reply");
@@ -69,8 +66,8 @@ std::string read_event(const Json& json, MmsRecordFile& file) {
   return fields.error();
 }
 
-MmsStatistics read_statistics(const Json& json, Fields& outer) {
-  Fields fields(json, "statistics");
+MmsStatistics read_statistics(const ReadJson& json, JsonFields& outer) {
+  JsonFields fields(json, "statistics");
   MmsStatistics statistics;
   constexpr double most = std::numeric_limits<float>::max();
   for (const MmsStatistic& statistic : mms_statistics)
@@ -80,14 +77,14 @@ MmsStatistics read_statistics(const Json& json, Fields& outer) {
 }
 
 /// A count of lines, which can be more than an int holds.
-std::int64_t read_count(Fields& fields, const Json& json, const char* key) {
+std::int64_t read_count(JsonFields& fields, const ReadJson& json, const char* key) {
   constexpr double exact = 9007199254740992.0;  // 2^53
   if (fields.has(key) && !json[key].is_number_integer()) fields.reject(fmt::format("'{}' is not a whole number", key));
   return static_cast<std::int64_t>(fields.number(key, 0, exact));
 }
 
-std::string read_end(const Json& json, MmsRecordFile& file) {
-  Fields fields(json, "");
+std::string read_end(const ReadJson& json, MmsRecordFile& file) {
+  JsonFields fields(json, "");
   MmsRecordEnd end;
   end.outcome = fields.text("outcome");
   end.end = fields.text("end");
@@ -96,7 +93,7 @@ std::string read_end(const Json& json, MmsRecordFile& file) {
   end.statistics.solved = fields.flag("solved");
   end.lines = read_count(fields, json, "lines");
   end.invalid_lines = read_count(fields, json, "invalid_lines");
-  for (const Json& sentence : fields.list("log"))
+  for (const ReadJson& sentence : fields.list("log"))
     if (sentence.is_string())
       end.log.push_back(sentence.get<std::string>());
     else
@@ -108,13 +105,13 @@ std::string read_end(const Json& json, MmsRecordFile& file) {
 }
 
 /// Reads one line after the header; returns what is wrong, or nothing.
-std::string read_line(const Json& json, MmsRecordFile& file) {
+std::string read_line(const ReadJson& json, MmsRecordFile& file) {
   if (file.end) return "the line stands behind the end of the record";
   const auto has = [&](const char* key) { return json.is_object() && json.contains(key); };
   if (has("outcome")) return read_end(json, file);
   if (has("labmouse")) return "the line is a second header; a file holds one record";
   if (!has("left_out")) return read_event(json, file);
-  Fields fields(json, "");
+  JsonFields fields(json, "");
   if (file.left_out > 0) fields.fail("says a second time what was left out");
   file.left_out = read_count(fields, json, "left_out");
   return fields.error();
@@ -125,8 +122,8 @@ std::string read_line(const Json& json, MmsRecordFile& file) {
 ReadMmsRecordResult read_mms_record(std::string_view text) {
   MmsRecordFile file;
   std::vector<Problem> problems =
-      read_json_lines(text, {[&](const Json& line) { return read_header(line, file); },
-                             [&](const Json& line) { return read_line(line, file); }, [&] { return !file.end; }});
+      read_json_lines(text, {[&](const ReadJson& line) { return read_header(line, file); },
+                             [&](const ReadJson& line) { return read_line(line, file); }, [&] { return !file.end; }});
   if (!problems.empty()) return {std::nullopt, std::move(problems)};
   return {std::move(file), {}};
 }

@@ -5,11 +5,11 @@
 
 #include <cstdint>
 #include <cstdlib>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string_view>
 
 #include "labmouse/guests/mms/statistics.hpp"
+#include "labmouse/lab/text/json.hpp"
 
 namespace labmouse {
 
@@ -28,14 +28,14 @@ inline double total(const MmsStatistics& statistics) {
 }
 
 /// The number with as few decimals as it takes, whole ones without: 265.2, 12.
-inline nlohmann::ordered_json short_json(float value) {
+inline Json short_json(float value) {
   const auto whole = static_cast<std::int64_t>(value);
   if (value == static_cast<float>(whole)) return whole;
   return decimal(value);
 }
 
-inline nlohmann::ordered_json statistics_json(const MmsStatistics& statistics) {
-  auto json = nlohmann::ordered_json::object();
+inline Json statistics_json(const MmsStatistics& statistics) {
+  auto json = Json::object();
   for (const MmsStatistic& statistic : mms_statistics)
     json[std::string(statistic.name)] = short_json(statistics.*statistic.value);
   return json;

@@ -65,7 +65,7 @@ std::optional<Action> read_action(std::string_view text) {
   return std::nullopt;
 }
 
-void read_actions(std::string_view text, RecordFields& fields, RunRecord& run) {
+void read_actions(std::string_view text, JsonFields& fields, RunRecord& run) {
   for (std::size_t at = 0; at < text.size(); at += text_of(run.steps.back().action).size()) {
     if (run.steps.size() == longest_record) return fields.fail(fmt::format("has more than {} actions", longest_record));
     const auto action = read_action(text.substr(at));
@@ -77,7 +77,7 @@ void read_actions(std::string_view text, RecordFields& fields, RunRecord& run) {
   }
 }
 
-std::uint64_t read_seed(const nlohmann::json& seed, RecordFields& fields) {
+std::uint64_t read_seed(const ReadJson& seed, JsonFields& fields) {
   if (seed.is_number_unsigned()) return seed.get<std::uint64_t>();
   std::uint64_t number = 0;
   const std::string text = seed.is_string() ? seed.get<std::string>() : "";
@@ -87,7 +87,7 @@ std::uint64_t read_seed(const nlohmann::json& seed, RecordFields& fields) {
   return number;
 }
 
-void read_outcome(const std::string& name, RecordFields& fields, RecordFile& file) {
+void read_outcome(const std::string& name, JsonFields& fields, RecordFile& file) {
   file.ended = true;
   if (const auto outcome = outcome_of(name))
     file.run.outcome = *outcome;
@@ -96,7 +96,7 @@ void read_outcome(const std::string& name, RecordFields& fields, RecordFile& fil
 }
 
 /// Reads the fields that may be missing; returns what is wrong, or nothing.
-std::string read_rest(const nlohmann::json& json, RecordFields& fields, RecordFile& file) {
+std::string read_rest(const ReadJson& json, JsonFields& fields, RecordFile& file) {
   file.ended = false;
   if (fields.has("seed")) file.seed = read_seed(json["seed"], fields);
   if (fields.has("outcome")) read_outcome(fields.text("outcome"), fields, file);
@@ -109,8 +109,8 @@ std::string read_rest(const nlohmann::json& json, RecordFields& fields, RecordFi
 
 }  // namespace
 
-nlohmann::ordered_json pack_record(const RecordFile& file) {
-  nlohmann::ordered_json json = {{"mouse", file.mouse}, {"maze", file.maze_name}};
+Json pack_record(const RecordFile& file) {
+  Json json = {{"mouse", file.mouse}, {"maze", file.maze_name}};
   if (file.seed <= largest_number)
     json["seed"] = file.seed;
   else
@@ -128,9 +128,9 @@ nlohmann::ordered_json pack_record(const RecordFile& file) {
   return json;
 }
 
-UnpackResult unpack_record(const nlohmann::json& json, const Maze& maze) {
+UnpackResult unpack_record(const ReadJson& json, const Maze& maze) {
   RecordFile file;
-  RecordFields fields(json, "record");
+  JsonFields fields(json, "record");
   file.maze = maze;
   file.mouse = fields.text("mouse");
   file.maze_name = fields.text("maze");

@@ -11,11 +11,11 @@
 // Any other is (ROTATION,MOVEMENT), a reset is R, and a forfeit is !REASON; with the reason's name.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
 #include "labmouse/lab/records/record_file.hpp"
+#include "labmouse/lab/text/json.hpp"
 
 namespace labmouse {
 
@@ -23,7 +23,7 @@ namespace labmouse {
 /// text, about one character a step), `outcome` unless the record breaks off, the `rules` where they are not those of
 /// the capstone, and `last_words` and `counts` where there are any. Reasons are left out: a mouse of the roster has
 /// them again when it is run again.
-nlohmann::ordered_json pack_record(const RecordFile& file);
+Json pack_record(const RecordFile& file);
 
 /// A record, or why the JSON is none: exactly one of the two is there.
 struct UnpackResult {
@@ -33,6 +33,6 @@ struct UnpackResult {
 
 /// The record as it was packed, for its maze. Only the actions, the outcome, the last words and the counts are given:
 /// `replay` fills in the rest, and tells where the record does not fit the maze. Never throws, whatever the JSON.
-UnpackResult unpack_record(const nlohmann::json& json, const Maze& maze);
+UnpackResult unpack_record(const ReadJson& json, const Maze& maze);
 
 }  // namespace labmouse

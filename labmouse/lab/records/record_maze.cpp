@@ -5,8 +5,6 @@
 namespace labmouse {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// The drawing for human eyes: with S and G where it can hold both, which it cannot on one cell.
 std::string drawing_of(const Maze& maze) {
   const WriteResult marked = drawing_format.write(maze.with_start(maze.start(), Heading::north));
@@ -14,9 +12,9 @@ std::string drawing_of(const Maze& maze) {
   return *drawing_format.write(maze.with_start({0, 0}, Heading::north).with_goals(centre_of(maze.size()))).content;
 }
 
-CellSet read_goals(RecordFields& fields) {
+CellSet read_goals(JsonFields& fields) {
   CellSet goals;
-  for (const nlohmann::json& goal : fields.list("goals")) goals.insert(fields.cell(goal, "goals"));
+  for (const ReadJson& goal : fields.list("goals")) goals.insert(fields.cell(goal, "goals"));
   return goals;
 }
 
@@ -36,9 +34,9 @@ Json record_maze_json(const std::string& name, const Maze& maze) {
           {"drawing", std::move(drawing)}};
 }
 
-std::optional<Maze> read_record_maze(RecordFields& fields) {
+std::optional<Maze> read_record_maze(JsonFields& fields) {
   std::string drawing;
-  for (const nlohmann::json& row : fields.list("drawing")) {
+  for (const ReadJson& row : fields.list("drawing")) {
     if (!row.is_string()) return fields.fail("has a drawing with a line that is no text"), std::nullopt;
     drawing += row.get<std::string>() + "\n";
   }

@@ -12,15 +12,15 @@ constexpr std::size_t most_counts = 64;
 constexpr std::size_t longest_count_name = 64;
 constexpr std::int64_t largest_count = std::int64_t{1} << 53U;  // what every JSON reader keeps exactly
 
-bool is_count(const nlohmann::json& value) {
+bool is_count(const ReadJson& value) {
   if (value.is_number_unsigned()) return value.get<std::uint64_t>() <= static_cast<std::uint64_t>(largest_count);
   return value.is_number_integer() && value.get<std::int64_t>() >= -largest_count;
 }
 
 }  // namespace
 
-std::string read_record_rules(const nlohmann::json& json, Rules& rules) {
-  RecordFields fields(json, "rules");
+std::string read_record_rules(const ReadJson& json, Rules& rules) {
+  JsonFields fields(json, "rules");
   if (fields.has("budget")) rules.budget = fields.whole("budget", 1, longest_record);
   if (fields.has("exploration_factor"))
     rules.exploration_factor = fields.whole("exploration_factor", 1, longest_record);
@@ -28,7 +28,7 @@ std::string read_record_rules(const nlohmann::json& json, Rules& rules) {
   return fields.error();
 }
 
-std::string read_record_counts(const nlohmann::json& json, std::vector<Count>& counts) {
+std::string read_record_counts(const ReadJson& json, std::vector<Count>& counts) {
   if (!json.is_object()) return "'counts' is not an object";
   if (json.size() > most_counts) return fmt::format("'counts' has more than {} names", most_counts);
   for (const auto& [name, value] : json.items()) {

@@ -1,7 +1,6 @@
 // What records have in common, as lines of JSON or packed, read strictly.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -9,6 +8,7 @@
 
 #include "labmouse/contest/record.hpp"
 #include "labmouse/contest/rules.hpp"
+#include "labmouse/lab/text/json.hpp"
 
 namespace labmouse {
 
@@ -17,10 +17,10 @@ inline constexpr int longest_record = 1'000'000;              // steps
 inline constexpr std::size_t longest_last_words = 1U << 16U;  // bytes
 
 /// Reads the object `rules` over those that are there; returns what is wrong, or nothing.
-std::string read_record_rules(const nlohmann::json& json, Rules& rules);
+std::string read_record_rules(const ReadJson& json, Rules& rules);
 
 /// Reads the object `counts`, what the mouse counted; returns what is wrong, or nothing.
-std::string read_record_counts(const nlohmann::json& json, std::vector<Count>& counts);
+std::string read_record_counts(const ReadJson& json, std::vector<Count>& counts);
 
 /// The outcome of that name.
 std::optional<Outcome> outcome_of(std::string_view name);

@@ -10,12 +10,9 @@
 namespace labmouse {
 namespace {
 
-using Json = nlohmann::json;
-using Fields = RecordFields;
-
 /// Reads what the header says of the maze, which need not be its drawing; returns what is wrong, or nothing.
-std::string read_maze_field(const Json& json, RecordFile& file) {
-  Fields fields(json, "maze");
+std::string read_maze_field(const ReadJson& json, RecordFile& file) {
+  JsonFields fields(json, "maze");
   if (fields.has("name")) file.maze_name = fields.text("name");
   if (fields.has("drawing"))
     file.maze = read_record_maze(fields);
@@ -24,15 +21,15 @@ std::string read_maze_field(const Json& json, RecordFile& file) {
   return fields.error();
 }
 
-std::string read_mouse_field(const Json& json, RecordFile& file) {
-  Fields fields(json, "mouse");
+std::string read_mouse_field(const ReadJson& json, RecordFile& file) {
+  JsonFields fields(json, "mouse");
   if (fields.has("name")) file.mouse = fields.text("name");
   return fields.error();
 }
 
 /// Reads the header into the file; returns what is wrong, or nothing.
-std::string read_header(const Json& json, RecordFile& file) {
-  Fields fields(json, "");
+std::string read_header(const ReadJson& json, RecordFile& file) {
+  JsonFields fields(json, "");
   if (fields.text("labmouse") == "mms record")
     fields.fail("is the header of a record of mms, which is drawn but not played again");
   if (fields.text("labmouse") != "record") fields.fail("is not the header of a record");
@@ -49,7 +46,7 @@ std::string read_header(const Json& json, RecordFile& file) {
   return error;
 }
 
-Action read_action(const Json& json, Fields& fields) {
+Action read_action(const ReadJson& json, JsonFields& fields) {
   constexpr int far = 1'000'000;  // wrong rotations and movements are part of a record, within reason
   if (json.is_array() && json.size() == 2)
     return Action::step(fields.whole(json[0], "action", -far, far), fields.whole(json[1], "action", -far, far));
@@ -59,21 +56,21 @@ Action read_action(const Json& json, Fields& fields) {
   return fields.fail("has an action that is neither [rotation, movement] nor reset nor forfeit"), Action();
 }
 
-Run read_run(Fields& fields) {
+Run read_run(JsonFields& fields) {
   const std::string run = fields.text("run");
   if (run != "exploration" && run != "speed") fields.fail("has a run that is neither exploration nor speed");
   return run == "speed" ? Run::speed : Run::exploration;
 }
 
-Sighting read_reading(Fields& fields) {
-  const Json& reading = fields.list("reading");
+Sighting read_reading(JsonFields& fields) {
+  const ReadJson& reading = fields.list("reading");
   if (reading.size() != 3) return fields.fail("has a reading that is not [left, ahead, right]"), Sighting();
   const auto cells = [&](std::size_t direction) { return fields.whole(reading[direction], "reading", 0, max_side); };
   return {cells(0), cells(1), cells(2)};
 }
 
 /// Reads what a step gives besides its action and its number.
-StepRecord read_given(Fields& fields, const GivenFields& given) {
+StepRecord read_given(JsonFields& fields, const GivenFields& given) {
   StepRecord step;
   if (given.run) step.run = read_run(fields);
   if (given.cell) step.pose.cell = fields.cell("cell");
@@ -83,14 +80,14 @@ StepRecord read_given(Fields& fields, const GivenFields& given) {
   return step;
 }
 
-GivenFields given_in(const Fields& fields) {
+GivenFields given_in(const JsonFields& fields) {
   return {fields.has("run"), fields.has("cell"), fields.has("heading"), fields.has("reading"), fields.has("blocked")};
 }
 
-std::string read_step(const Json& json, RecordFile& file) {
+std::string read_step(const ReadJson& json, RecordFile& file) {
   const auto due = static_cast<int>(file.run.steps.size()) + 1;
   if (due > longest_record) return fmt::format("the record has more than {} steps", longest_record);
-  Fields fields(json, "");
+  JsonFields fields(json, "");
   const GivenFields given = given_in(fields);
   StepRecord step = read_given(fields, given);
   step.step = fields.has("step") ? fields.whole("step", 1, longest_record) : due;
@@ -103,8 +100,8 @@ std::string read_step(const Json& json, RecordFile& file) {
   return read_reasons(json["reasons"], size, file.run.reasons.emplace_back(StepReasons{step.step, {}}).reasons);
 }
 
-std::string read_end(const Json& json, RecordFile& file) {
-  Fields fields(json, "");
+std::string read_end(const ReadJson& json, RecordFile& file) {
+  JsonFields fields(json, "");
   if (fields.has("last_words")) file.run.last_words = fields.text("last_words").substr(0, longest_last_words);
   if (fields.has("counts"))
     if (auto error = read_record_counts(json["counts"], file.run.counts); !error.empty()) return error;
@@ -123,7 +120,7 @@ std::string read_end(const Json& json, RecordFile& file) {
 }
 
 /// Reads one line after the header; returns what is wrong, or nothing.
-std::string read_line(const Json& json, RecordFile& file) {
+std::string read_line(const ReadJson& json, RecordFile& file) {
   if (file.ended) return "the line stands behind the end of the record";
   const auto has = [&](const char* key) { return json.is_object() && json.contains(key); };
   if (has("outcome")) return read_end(json, file);
@@ -139,8 +136,8 @@ ReadRecordResult read_record(std::string_view text) {
   file.mouse = "robot";
   file.ended = false;
   std::vector<Problem> problems =
-      read_json_lines(text, {[&](const Json& line) { return read_header(line, file); },
-                             [&](const Json& line) { return read_line(line, file); }, [&] { return !file.ended; }});
+      read_json_lines(text, {[&](const ReadJson& line) { return read_header(line, file); },
+                             [&](const ReadJson& line) { return read_line(line, file); }, [&] { return !file.ended; }});
   if (!problems.empty()) return {std::nullopt, std::move(problems)};
   return {std::move(file), {}};
 }

@@ -8,14 +8,11 @@
 namespace labmouse {
 namespace {
 
-using nlohmann::json;
-using nlohmann::ordered_json;
-
 constexpr int largest_cost = std::numeric_limits<int>::max();
 
-ordered_json candidate_json(const Candidate& candidate) {
-  const auto cell = [](Cell at) { return ordered_json{at.x, at.y}; };
-  ordered_json line;
+Json candidate_json(const Candidate& candidate) {
+  const auto cell = [](Cell at) { return Json{at.x, at.y}; };
+  Json line;
   if (candidate.goal)
     line["goal"] = true;
   else
@@ -29,17 +26,17 @@ ordered_json candidate_json(const Candidate& candidate) {
 }
 
 /// A wall [x, y, side], which must lie between two cells of the maze.
-Wall read_wall(RecordFields& fields, Size size) {
-  const json& wall = fields.list("wall");
+Wall read_wall(JsonFields& fields, Size size) {
+  const ReadJson& wall = fields.list("wall");
   const bool named = wall.size() == 3 && (wall[2] == name_of(Heading::north) || wall[2] == name_of(Heading::east));
   if (!named) return fields.fail("has a wall that is not [x, y, \"north\" or \"east\"]"), Wall();
-  const Wall read = {fields.cell(json::array({wall[0], wall[1]}), "wall"),
+  const Wall read = {fields.cell(ReadJson::array({wall[0], wall[1]}), "wall"),
                      wall[2] == "north" ? Heading::north : Heading::east};
   if (on_border(read, size)) fields.fail("has a wall that is none inside of the maze");
   return read;
 }
 
-Candidate read_candidate(RecordFields& fields, Size size) {
+Candidate read_candidate(JsonFields& fields, Size size) {
   Candidate candidate;
   candidate.goal = fields.has("goal") && fields.flag("goal");
   if (!candidate.goal)
@@ -55,7 +52,7 @@ Candidate read_candidate(RecordFields& fields, Size size) {
   return candidate;
 }
 
-Ground read_ground(RecordFields& fields) {
+Ground read_ground(JsonFields& fields) {
   const std::string name = fields.text("ground");
   for (const Ground ground : {Ground::candidates, Ground::flood, Ground::no_loops})
     if (name == name_of(ground)) return ground;
@@ -64,13 +61,13 @@ Ground read_ground(RecordFields& fields) {
 }
 
 /// Reads the candidates; returns what is wrong, or nothing.
-std::string read_candidates(const json& list, Size size, std::vector<Candidate>& candidates) {
+std::string read_candidates(const ReadJson& list, Size size, std::vector<Candidate>& candidates) {
   const int most = 2 * size.area();
   if (list.size() > static_cast<std::size_t>(most))
     return fmt::format("'reasons.candidates' has more than {} of them", most);
   candidates.reserve(list.size());
-  for (const json& each : list) {
-    RecordFields fields(each, fmt::format("reasons.candidates[{}]", candidates.size()));
+  for (const ReadJson& each : list) {
+    JsonFields fields(each, fmt::format("reasons.candidates[{}]", candidates.size()));
     candidates.push_back(read_candidate(fields, size));
     if (!fields.error().empty()) return fields.error();
   }
@@ -79,10 +76,10 @@ std::string read_candidates(const json& list, Size size, std::vector<Candidate>&
 
 }  // namespace
 
-ordered_json reasons_json(const Reasons& reasons) {
-  auto candidates = ordered_json::array();
+Json reasons_json(const Reasons& reasons) {
+  auto candidates = Json::array();
   for (const Candidate& candidate : reasons.candidates) candidates.push_back(candidate_json(candidate));
-  ordered_json line;
+  Json line;
   if (reasons.ground != Ground::candidates) line["ground"] = name_of(reasons.ground);
   line["candidates"] = std::move(candidates);
   line["chosen"] = reasons.chosen;
@@ -93,9 +90,9 @@ ordered_json reasons_json(const Reasons& reasons) {
   return line;
 }
 
-std::string read_reasons(const json& object, Size size, Reasons& reasons) {
-  RecordFields fields(object, "reasons");
-  const json& candidates = fields.list("candidates");
+std::string read_reasons(const ReadJson& object, Size size, Reasons& reasons) {
+  JsonFields fields(object, "reasons");
+  const ReadJson& candidates = fields.list("candidates");
   if (!fields.error().empty()) return fields.error();
   if (auto error = read_candidates(candidates, size, reasons.candidates); !error.empty()) return error;
   if (fields.has("ground")) reasons.ground = read_ground(fields);

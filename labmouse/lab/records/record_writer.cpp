@@ -1,4 +1,3 @@
-#include <nlohmann/json.hpp>
 
 #include "labmouse/contest/score.hpp"
 #include "labmouse/lab/records/record_file.hpp"
@@ -6,11 +5,10 @@
 #include "labmouse/lab/records/record_reasons.hpp"
 #include "labmouse/lab/records/settings_json.hpp"
 #include "labmouse/lab/system/version.hpp"
+#include "labmouse/lab/text/json.hpp"
 
 namespace labmouse {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json cell_json(Cell cell) { return {cell.x, cell.y}; }
 

@@ -1,15 +1,14 @@
 // Parameters of a mouse as a JSON object.
 #pragma once
 
-#include <nlohmann/json.hpp>
-
+#include "labmouse/lab/text/json.hpp"
 #include "labmouse/strategies/parameter.hpp"
 
 namespace labmouse {
 
 /// Name to value. Numbers stand as numbers, everything else as in a SPEC.
-inline nlohmann::ordered_json settings_json(const Settings& settings) {
-  auto json = nlohmann::ordered_json::object();
+inline Json settings_json(const Settings& settings) {
+  auto json = Json::object();
   for (const Setting& setting : settings.all()) {
     double number = 0.0;
     if (!parse_number(setting.value, number))

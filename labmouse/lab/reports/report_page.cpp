@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "labmouse/lab/bounds/bounds.hpp"
 #include "labmouse/lab/mazes/maze_files.hpp"
@@ -13,13 +12,13 @@
 #include "labmouse/lab/system/files.hpp"
 #include "labmouse/lab/system/version.hpp"
 #include "labmouse/lab/text/counted.hpp"
+#include "labmouse/lab/text/json.hpp"
 #include "labmouse/lab/text/packing.hpp"
 #include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
 namespace {
 
-using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
 constexpr std::string_view place = "<!-- labmouse:report -->";

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "labmouse/lab/mazes/maze_files.hpp"
 #include "labmouse/lab/races/race_paths.hpp"
@@ -12,12 +11,11 @@
 #include "labmouse/lab/system/files.hpp"
 #include "labmouse/lab/system/parallel.hpp"
 #include "labmouse/lab/text/counted.hpp"
+#include "labmouse/lab/text/json.hpp"
 #include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::size_t longest_file = std::size_t{1} << 28U;  // bytes
 constexpr std::size_t block_size = 256;                      // records that are in memory at a time

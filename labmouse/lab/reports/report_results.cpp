@@ -3,14 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
+#include "labmouse/lab/text/json.hpp"
 #include "labmouse/lab/worlds/worlds.hpp"
 
 namespace labmouse {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr int most_depth = 32;                                 // a race's JSON is 7 deep
 constexpr std::size_t longest_header = std::size_t{1} << 20U;  // bytes of the first line of a record
@@ -104,7 +102,7 @@ std::vector<ReportWorld> read_worlds(const Json& json, Reading& reading) {
 }
 
 /// Line and column of a byte, which counts from 1.
-Problem problem_at(std::string_view text, std::size_t byte, std::string reason) {
+Problem problem_at_byte(std::string_view text, std::size_t byte, std::string reason) {
   const std::string_view before = text.substr(0, std::min(text.size(), byte > 0 ? byte - 1 : 0));
   const auto line = std::count(before.begin(), before.end(), '\n') + 1;
   const auto begin = before.rfind('\n');
@@ -136,7 +134,7 @@ std::optional<Problem> parse(std::string_view text, Json& json) {
   try {
     json = Json::parse(text.begin(), text.end(), watch);
   } catch (const Json::parse_error& error) {
-    return problem_at(text, error.byte, "is not JSON from here on");
+    return problem_at_byte(text, error.byte, "is not JSON from here on");
   }
   if (deep)
     return Problem{0, 0,

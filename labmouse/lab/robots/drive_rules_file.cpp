@@ -30,8 +30,8 @@ constexpr RulesNumber maze_time_divisor = {"maze_time_divisor", 1, 1000, true, f
 constexpr RulesNumber touch_penalty = {"touch_penalty", 0, 600, false, false};
 constexpr RulesNumber untouched_bonus = {"untouched_bonus", 0, 600, false, false};
 
-constexpr std::array<std::string_view, 7> keys = {"source",        "time_limit",      "runs", "maze_time_divisor",
-                                                  "touch_penalty", "untouched_bonus", "clock"};
+constexpr std::array<std::string_view, 7> rule_keys = {"source",        "time_limit",      "runs", "maze_time_divisor",
+                                                       "touch_penalty", "untouched_bonus", "clock"};
 constexpr std::string_view gate_to_gate = "gate to gate", rest_to_centre = "rest to centre";
 
 std::string range_of(const RulesNumber& number) {
@@ -44,8 +44,8 @@ class RulesReader {
  public:
   explicit RulesReader(const toml::table& table) : table_(table) {
     for (const auto& [key, value] : table)
-      if (std::find(keys.begin(), keys.end(), key.str()) == keys.end())
-        add(key.source().begin, unknown_key(std::string(key.str()), keys));
+      if (std::find(rule_keys.begin(), rule_keys.end(), key.str()) == rule_keys.end())
+        add(key.source().begin, unknown_key(std::string(key.str()), rule_keys));
   }
 
   /// The number of a key; 0 where it is left out, or wrong.

@@ -5,8 +5,6 @@
 namespace labmouse {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 double milliseconds(DriveTime time) { return time / 1e3; }
 
 void add_turns(Json& json, const Robot& robot) {
@@ -42,7 +40,7 @@ void add_search(Json& json, const Robot& robot) {
 }
 
 /// The text of a robot file; nothing, with the reason in the fields, where the JSON cannot be one.
-std::string toml_of(const nlohmann::json& parameters, RecordFields& fields) {
+std::string toml_of(const ReadJson& parameters, JsonFields& fields) {
   std::string text;
   if (!parameters.is_object()) return fields.reject("'robot.parameters' is not an object"), "";
   for (const auto& [name, value] : parameters.items()) {
@@ -72,10 +70,10 @@ Json robot_json(const Robot& robot) {
   return {{"name", robot.name}, {"parameters", std::move(parameters)}};
 }
 
-DriveModel read_robot_json(RecordFields& outer, const nlohmann::json& json) {
+DriveModel read_robot_json(JsonFields& outer, const ReadJson& json) {
   DriveModel none;
   none.error = "no robot";
-  RecordFields fields(json, "robot");
+  JsonFields fields(json, "robot");
   const std::string name = fields.text("name");
   if (!fields.has("parameters")) fields.reject("'robot.parameters' is missing");
   const std::string text = fields.error().empty() ? toml_of(json["parameters"], fields) : "";

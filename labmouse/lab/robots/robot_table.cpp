@@ -10,7 +10,7 @@ namespace labmouse {
 namespace {
 
 /// Thousandths only where there are any: "300 ms", "295.54 ms".
-std::string milliseconds(DriveTime time) { return fmt::format("{} ms", time / 1e3); }
+std::string milliseconds_text(DriveTime time) { return fmt::format("{} ms", time / 1e3); }
 
 /// Where the times of turns are given, only they and what follows from them is known.
 std::string turn_line(const Robot& robot, const DrivenTurn& turn, const TurnShape& shape, bool first) {
@@ -49,8 +49,8 @@ std::string ends_line(const Robot& robot) {
 
 std::string search_line(const SearchDrive& search) {
   return fmt::format("{:<9} cell {}, turn {}, back {}, quarter on the spot {}, half a cell from rest {}\n", "search",
-                     milliseconds(search.cell), milliseconds(search.turn), milliseconds(search.back),
-                     milliseconds(search.quarter), milliseconds(search.half_cell));
+                     milliseconds_text(search.cell), milliseconds_text(search.turn), milliseconds_text(search.back),
+                     milliseconds_text(search.quarter), milliseconds_text(search.half_cell));
 }
 
 }  // namespace

@@ -1,15 +1,13 @@
-#include <nlohmann/json.hpp>
 
 #include "labmouse/lab/records/drive_json.hpp"
 #include "labmouse/lab/routes/route_report.hpp"
 #include "labmouse/lab/standings/race_json.hpp"
 #include "labmouse/lab/system/version.hpp"
+#include "labmouse/lab/text/json.hpp"
 #include "labmouse/mouse/robot/drive_profile.hpp"
 
 namespace labmouse {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json segment_json(const DriveRoute& route, std::size_t i, const DriveModel& model) {
   const DriveSegment& segment = route.segments[i];

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <nlohmann/json.hpp>
 
 #include "labmouse/lab/robots/drive_rules_file.hpp"
 #include "labmouse/lab/robots/robot_files.hpp"
 #include "labmouse/lab/seconds/seconds_world.hpp"
+#include "labmouse/lab/text/json.hpp"
 
 namespace labmouse {
 namespace {
@@ -39,8 +39,8 @@ PackedFile pack(std::string_view text, const RecordOwner& owner) {
          fmt::format("is not of this race, but of {} in {} with seed {}", file.mouse, file.maze_name, file.seed)});
   if (const std::string wrong = replay(file); !wrong.empty())
     return failed({0, 0, "does not agree with its maze: " + wrong});
-  const nlohmann::ordered_json json = {{"mouse", file.mouse}, {"maze", file.maze_name}, {"drive", text}};
-  return {json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace), file.maze, std::nullopt};
+  const Json json = {{"mouse", file.mouse}, {"maze", file.maze_name}, {"drive", text}};
+  return {json.dump(-1, ' ', false, Json::error_handler_t::replace), file.maze, std::nullopt};
 }
 
 }  // namespace

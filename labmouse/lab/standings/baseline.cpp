@@ -2,32 +2,32 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "labmouse/lab/standings/standings.hpp"
+#include "labmouse/lab/text/json.hpp"
 #include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
 namespace {
 
-using Json = nlohmann::json;
 using Scores = std::map<std::string, std::vector<double>>;
 
 constexpr double absurd = 1e6;  // no contest scores that much: whoever wrote this was no race
 
 /// The number at the place of a score; nothing where it is null or none; `good` is false where it is no score at all.
-std::optional<double> score_in(const Json& result, const ScorePlace& place, bool& good) {
+std::optional<double> score_in(const ReadJson& result, const ScorePlace& place, bool& good) {
   const std::string key(place.key), inner(place.inner);
   good = result.is_object() && result.contains(key);
   if (!good || result[key].is_null()) return std::nullopt;
-  const Json& score = inner.empty() ? result[key] : result[key].is_object() ? result[key].value(inner, Json()) : Json();
+  const ReadJson& score = inner.empty()             ? result[key]
+                          : result[key].is_object() ? result[key].value(inner, ReadJson())
+                                                    : ReadJson();
   const double value = score.is_number() ? score.get<double>() * place.unit : absurd;
   good = value >= place.least && value < absurd;
   return good ? std::optional(value) : std::nullopt;
 }
 
 /// Reads one result of a mouse into its scores; false where it is none.
-bool read_result(const Json& result, const World& world, Scores& scores) {
+bool read_result(const ReadJson& result, const World& world, Scores& scores) {
   bool good = false;
   std::optional<double> score = score_in(result, world.score_place(), good);
   if (!good || !result.contains("maze") || !result["maze"].is_string()) return false;
@@ -51,21 +51,21 @@ const std::vector<double>* find_scores(const Scores& scores, const std::string& 
 }
 
 /// The part of a race's JSON that holds a world; null where there is none.
-const Json* part_of(const Json& json, const World& world) {
+const ReadJson* part_of(const ReadJson& json, const World& world) {
   if (world.is_home())
     return json["mice"].is_array() && json["mice"].empty() && json.contains("groups") ? nullptr : &json;
   if (!json.contains("groups") || !json["groups"].is_array()) return nullptr;
-  for (const Json& group : json["groups"])
+  for (const ReadJson& group : json["groups"])
     if (group.is_object() && group.contains("world") && group["world"] == world.name()) return &group;
   return nullptr;
 }
 
 /// The worlds of a race's JSON, in words.
-std::string worlds_in(const Json& json) {
+std::string worlds_in(const ReadJson& json) {
   std::string names;
   if (json["mice"].is_array() && !json["mice"].empty()) names = "that of steps";
   if (json.contains("groups") && json["groups"].is_array())
-    for (const Json& group : json["groups"])
+    for (const ReadJson& group : json["groups"])
       if (group.is_object() && group.contains("world") && group["world"].is_string())
         names += (names.empty() ? "that of " : " and that of ") + shown(group["world"].get<std::string>());
   return names.empty() ? "none" : names;
@@ -74,14 +74,15 @@ std::string worlds_in(const Json& json) {
 /// A condition that differs, in a line: lists and objects by their names, where they have one.
 std::string change_of(const Condition& condition, const Baseline& baseline) {
   const auto before = baseline.conditions.find(condition.key);
-  const Json now = std::holds_alternative<JsonText>(condition.value)      ? Json::parse(text_of(condition.value))
-                   : std::holds_alternative<std::string>(condition.value) ? Json(text_of(condition.value))
-                                                                          : Json::parse(text_of(condition.value));
+  const ReadJson now = std::holds_alternative<JsonText>(condition.value) ? ReadJson::parse(text_of(condition.value))
+                       : std::holds_alternative<std::string>(condition.value)
+                           ? ReadJson(text_of(condition.value))
+                           : ReadJson::parse(text_of(condition.value));
   if (before == baseline.conditions.end()) return "";
-  const Json old = Json::parse(before->second);
+  const ReadJson old = ReadJson::parse(before->second);
   if (old == now) return "";
-  const auto name = [](const Json& json) {
-    const Json& named = json.is_object() && json.contains("name") ? json["name"] : json;
+  const auto name = [](const ReadJson& json) {
+    const ReadJson& named = json.is_object() && json.contains("name") ? json["name"] : json;
     return shown(named.is_string() ? named.get<std::string>() : named.is_object() ? "another one" : named.dump());
   };
   if (name(old) == name(now)) return fmt::format("Careful: {} {} has changed since.\n", condition.key, name(now));
@@ -115,20 +116,20 @@ ReadBaselineResult read_baseline(std::string_view json_text, const World& world)
   const auto no_race = [] {
     return ReadBaselineResult{std::nullopt, "is not the JSON of a race (make one with `labmouse race --format json`)"};
   };
-  const Json json = Json::parse(json_text, nullptr, false);
+  const ReadJson json = ReadJson::parse(json_text, nullptr, false);
   if (!json.is_object() || !json.contains("labmouse") || !json.contains("mice")) return no_race();
-  const Json* held = part_of(json, world);
+  const ReadJson* held = part_of(json, world);
   if (held == nullptr)
     return {std::nullopt, fmt::format("has no race in the world of {}; it has {}", world.name(), worlds_in(json))};
   if (!held->contains("mice") || !(*held)["mice"].is_array()) return no_race();
   Baseline baseline;
   for (const Condition& condition : world.conditions())
     if (held->contains(condition.key)) baseline.conditions[condition.key] = (*held)[condition.key].dump();
-  for (const Json& mouse : (*held)["mice"]) {
+  for (const ReadJson& mouse : (*held)["mice"]) {
     if (!mouse.is_object() || !mouse.contains("name") || !mouse["name"].is_string()) return no_race();
     if (!mouse.contains("results") || !mouse["results"].is_array()) return no_race();
     Scores& scores = baseline.mice[mouse["name"].get<std::string>()];
-    for (const Json& result : mouse["results"])
+    for (const ReadJson& result : mouse["results"])
       if (!read_result(result, world, scores)) return no_race();
   }
   return {std::move(baseline), ""};

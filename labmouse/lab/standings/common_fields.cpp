@@ -25,7 +25,7 @@ Value mean_all(const Race&, const Standing& standing) { return or_none(standing.
 Value mean_solved(const Race&, const Standing& standing) { return or_none(standing.mean_solved); }
 Value interval(const Race&, const Standing& standing) {
   if (!standing.mean_all) return nullptr;
-  return JsonText{nlohmann::json{standing.interval.low, standing.interval.high}.dump()};
+  return JsonText{ReadJson{standing.interval.low, standing.interval.high}.dump()};
 }
 Value mean_ratio(const Race&, const Standing& standing) { return or_none(standing.mean_ratio); }
 

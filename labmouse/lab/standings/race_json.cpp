@@ -10,8 +10,6 @@
 namespace labmouse {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 Json json_of(const Value& value) {
   return std::visit(
       [](const auto& held) -> Json {

@@ -1,25 +1,25 @@
 // Races as JSON and CSV. docs/races.md lists all fields.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "labmouse/lab/races/race.hpp"
+#include "labmouse/lab/text/json.hpp"
 
 namespace labmouse {
 
 /// The races of one command in their worlds; the first one stands at the top where its world is `home`, all others in a
 /// group each. `skipped` are the files that were no mazes.
-nlohmann::ordered_json race_json(std::span<const Race> races, const std::vector<SkippedFile>& skipped);
+Json race_json(std::span<const Race> races, const std::vector<SkippedFile>& skipped);
 
 /// The same as text.
 std::string json_of(std::span<const Race> races, const std::vector<SkippedFile>& skipped);
 std::string json_of(const Race& race, const std::vector<SkippedFile>& skipped);
 
 /// The text of a JSON file. Names come from the file system and may be no UTF-8: what is none is replaced.
-std::string text_of(const nlohmann::ordered_json& json);
+std::string text_of(const Json& json);
 
 /// One line a contest, with a header.
 std::string csv_of(const Race& race);

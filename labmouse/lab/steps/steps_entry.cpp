@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <nlohmann/json.hpp>
 
 #include "labmouse/lab/records/packed_record.hpp"
 #include "labmouse/lab/steps/steps_world.hpp"
+#include "labmouse/lab/text/json.hpp"
 
 namespace labmouse {
 namespace {
@@ -33,8 +33,7 @@ PackedFile pack(std::string_view text, const RecordOwner& owner) {
          fmt::format("is not of this race, but of {} in {} with seed {}", file.mouse, file.maze_name, file.seed)});
   const ReplayResult played = replay(file, *file.maze);
   if (!played.disagreement.empty()) return failed({0, 0, "does not agree with its maze: " + played.disagreement});
-  return {pack_record(file).dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace), file.maze,
-          std::nullopt};
+  return {pack_record(file).dump(-1, ' ', false, Json::error_handler_t::replace), file.maze, std::nullopt};
 }
 
 }  // namespace

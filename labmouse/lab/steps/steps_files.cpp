@@ -17,7 +17,7 @@ namespace labmouse {
 namespace {
 
 /// The reason of a forfeit in brackets, or nothing.
-std::string reason_of(const RunRecord& run) {
+std::string reason_in_brackets(const RunRecord& run) {
   if (run.outcome != Outcome::forfeit || run.steps.empty()) return "";
   return fmt::format(" ({})", name_of(run.steps.back().action.reason));
 }
@@ -81,8 +81,8 @@ std::string result_line(const RecordFile& file) {
                         result.exploration_steps, file.rules.exploration_factor);
   else
     line += fmt::format("{}{} at ({},{}) heading {} after {} exploration and {} speed steps", name_of(result.outcome),
-                        reason_of(file.run), file.run.end.cell.x, file.run.end.cell.y, name_of(file.run.end.heading),
-                        result.exploration_steps, result.speed_steps);
+                        reason_in_brackets(file.run), file.run.end.cell.x, file.run.end.cell.y,
+                        name_of(file.run.end.heading), result.exploration_steps, result.speed_steps);
   line += bound.score ? fmt::format("; bound {:.3f}", *bound.score) : "; the goal cannot be reached";
   return shown(line);
 }

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <nlohmann/json.hpp>
 
 #include "labmouse/contest/coverage.hpp"
 #include "labmouse/contest/missteps.hpp"
@@ -14,6 +13,7 @@
 #include "labmouse/lab/steps/steps_figures.hpp"
 #include "labmouse/lab/steps/steps_files.hpp"
 #include "labmouse/lab/steps/steps_notes.hpp"
+#include "labmouse/lab/text/json.hpp"
 #include "labmouse/maze/routes.hpp"
 
 namespace labmouse {
@@ -51,7 +51,7 @@ std::string outcome_of(const RunRecord& record) {
 
 Value counts_of(const RunRecord& record) {
   if (record.counts.empty()) return {};
-  nlohmann::ordered_json json;
+  Json json;
   for (const Count& count : record.counts) json[count.name] = count.value;
   return JsonText{json.dump()};
 }

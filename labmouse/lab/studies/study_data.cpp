@@ -8,8 +8,6 @@
 namespace labmouse {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 Json folds_json(const Study& study) {
   std::size_t mazes = 0;
   for (const std::size_t size : study.fold_sizes) mazes += size;

@@ -4,23 +4,21 @@
 #include <fmt/format.h>
 
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 
 #include "labmouse/grid/cell.hpp"
 #include "labmouse/grid/heading.hpp"
+#include "labmouse/lab/text/json.hpp"
 
 namespace labmouse {
 
 /// Reads values out of an object of a record and remembers the first that is missing or wrong. In place of that it
 /// gives some value in range.
-class RecordFields {
+class JsonFields {
  public:
-  using Json = nlohmann::json;
-
   /// The object must outlive it. `path` is where it stands in its line, empty for the line itself.
-  RecordFields(const Json& json, std::string path) : json_(json), path_(std::move(path)) {
+  JsonFields(const ReadJson& json, std::string path) : json_(json), path_(std::move(path)) {
     if (!json.is_object()) fail("is not an object");
   }
 
@@ -36,28 +34,28 @@ class RecordFields {
   }
 
   std::string text(const char* key) {
-    const Json& value = get(key);
+    const ReadJson& value = get(key);
     if (value.is_string()) return value.get<std::string>();
     return wrong(key, "is not a text"), "";
   }
   int whole(const char* key, int low, int high) { return whole(get(key), key, low, high); }
   /// The same for numbers that an int may not hold, up to 2^53, which every reader of JSON keeps exactly.
   std::int64_t long_whole(const char* key, std::int64_t low, std::int64_t high) {
-    const Json& value = get(key);
+    const ReadJson& value = get(key);
     if (!value.is_number_integer()) return wrong(key, "is not a whole number"), low;
     const bool fits = !value.is_number_unsigned() || value.get<std::uint64_t>() <= std::uint64_t{1} << 53U;
     if (fits && value.get<std::int64_t>() >= low && value.get<std::int64_t>() <= high) return value.get<std::int64_t>();
     return wrong(key, fmt::format("is outside of {} to {}", low, high)), low;
   }
   double number(const char* key, double low, double high) {
-    const Json& value = get(key);
+    const ReadJson& value = get(key);
     if (!value.is_number()) return wrong(key, "is not a number"), low;
     const double number = value.get<double>();
     if (number >= low && number <= high) return number;
     return wrong(key, fmt::format("is outside of {} to {}", low, high)), low;
   }
   bool flag(const char* key) {
-    const Json& value = get(key);
+    const ReadJson& value = get(key);
     if (value.is_boolean()) return value.get<bool>();
     return wrong(key, "is neither true nor false"), false;
   }
@@ -68,13 +66,13 @@ class RecordFields {
       if (name_of(heading) == name) return heading;
     return wrong(key, "is none of north, east, south, west"), Heading::north;
   }
-  const Json& list(const char* key) {
-    static const Json none = Json::array();
-    const Json& value = get(key);
+  const ReadJson& list(const char* key) {
+    static const ReadJson none = ReadJson::array();
+    const ReadJson& value = get(key);
     if (value.is_array()) return value;
     return wrong(key, "is not a list"), none;
   }
-  int whole(const Json& value, const char* key, int low, int high) {
+  int whole(const ReadJson& value, const char* key, int low, int high) {
     if (!value.is_number_integer()) return wrong(key, "is not a whole number"), low;
     const bool fits = value.is_number_unsigned()
                           ? value.get<std::uint64_t>() <= static_cast<std::uint64_t>(std::numeric_limits<int>::max())
@@ -82,14 +80,14 @@ class RecordFields {
     if (fits && value.get<std::int64_t>() >= low && value.get<std::int64_t>() <= high) return value.get<int>();
     return wrong(key, fmt::format("is outside of {} to {}", low, high)), low;
   }
-  Cell cell(const Json& value, const char* key) {
+  Cell cell(const ReadJson& value, const char* key) {
     if (!value.is_array() || value.size() != 2) return wrong(key, "is not a cell [x, y]"), Cell();
     return {whole(value[0], key, 0, max_side - 1), whole(value[1], key, 0, max_side - 1)};
   }
 
  private:
-  const Json& get(const char* key) {
-    static const Json nothing;
+  const ReadJson& get(const char* key) {
+    static const ReadJson nothing;
     if (has(key)) return json_[key];
     return wrong(key, "is missing"), nothing;
   }
@@ -97,7 +95,7 @@ class RecordFields {
     if (error_.empty()) error_ = fmt::format("'{}{}{}' {}", path_, path_.empty() ? "" : ".", key, reason);
   }
 
-  const Json& json_;
+  const ReadJson& json_;
   std::string path_;
   std::string error_;
 };

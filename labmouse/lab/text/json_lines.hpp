@@ -2,11 +2,11 @@
 #pragma once
 
 #include <functional>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "labmouse/lab/text/json.hpp"
 #include "labmouse/maze/formats/format.hpp"
 
 namespace labmouse {
@@ -14,7 +14,7 @@ namespace labmouse {
 /// What reads the lines of a text.
 struct LineReader {
   /// Take the first line, and each of the others; return what is wrong with it, or nothing.
-  std::function<std::string(const nlohmann::json&)> header, line;
+  std::function<std::string(const ReadJson&)> header, line;
   /// Whether the text may break off: then a last line that was cut, say when the power went off, counts for nothing.
   std::function<bool()> may_break_off;
 };

@@ -1,14 +1,15 @@
 // Values that may be missing, as JSON.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <optional>
+
+#include "labmouse/lab/text/json.hpp"
 
 namespace labmouse {
 
 template <class Value>
-nlohmann::ordered_json or_null(const std::optional<Value>& value) {
-  return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
+Json or_null(const std::optional<Value>& value) {
+  return value ? Json(*value) : Json(nullptr);
 }
 
 }  // namespace labmouse

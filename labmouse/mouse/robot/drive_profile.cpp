@@ -44,16 +44,16 @@ double peak_of(double length, const End& first, const End& last, const StraightL
   return std::min(limits.speed, std::max({std::sqrt(squared), first.speed, last.speed}));
 }
 
-struct Direction {
+struct Step {
   double x, y;
 };
 
-/// Of so many eighths of a turn clockwise from north.
-Direction direction_of(int eighth) {
+/// One unit long, so many eighths of a turn clockwise from north.
+Step step_in(int eighth) {
   constexpr double half = 0.70710678118654752440;
-  constexpr std::array<Direction, 8> directions = {
+  constexpr std::array<Step, 8> steps = {
       {{0, 1}, {half, half}, {1, 0}, {half, -half}, {0, -1}, {-half, -half}, {-1, 0}, {-half, half}}};
-  return directions[static_cast<unsigned>(eighth)];
+  return steps[static_cast<unsigned>(eighth)];
 }
 
 }  // namespace
@@ -136,7 +136,7 @@ double DriveProfile::time_at(double distance) const {
 
 DriveSpot DriveProfile::spot(double distance) const {
   constexpr double eighth = 0.78539816339744830962;
-  const Direction ahead = direction_of(eighths(segment_.from)), left = direction_of((eighths(segment_.from) + 6) % 8);
+  const Step ahead = step_in(eighths(segment_.from)), left = step_in((eighths(segment_.from) + 6) % 8);
   PathPoint point;
   if (shape_ != nullptr) {
     point = shape_->at(offset_ + distance);

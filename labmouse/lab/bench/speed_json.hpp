@@ -1,0 +1,12 @@
+// Speeds as JSON, for the page and for `labmouse bench --format json`.
+#pragma once
+
+#include "labmouse/lab/bench/distance_speed.hpp"
+#include "labmouse/lab/text/json.hpp"
+
+namespace labmouse {
+
+/// `rows`, `portable_rows`, `queue` and `plain` for each side.
+Json distance_json(const DistanceSpeeds& speeds);
+
+}  // namespace labmouse
