@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "labmouse/lab/galleries/race_folder.hpp"
+#include "labmouse/lab/page/calls.hpp"
 #include "labmouse/lab/reports/report_page.hpp"
 #include "labmouse/lab/standings/baseline.hpp"
 #include "labmouse/lab/standings/race_json.hpp"
@@ -234,6 +235,20 @@ TEST_P(AWorld, LeavesRecordsAndPicturesForAReport) {
   EXPECT_EQ(report.error, "");
   EXPECT_THAT(report.notes, IsEmpty());
   EXPECT_THAT(test::block_of(report.page, "labmouse-records")["records"], SizeIs(2 * mazes().size()));
+}
+
+TEST_P(AWorld, IsOpenedByThePage) {
+  const std::string text = json_of(race(), {});
+  const Json reply = Json::parse(answer_page("open", R"({"name": "race.json"})", text).json);
+  ASSERT_TRUE(reply.contains("answer")) << reply.dump();
+  const Json opened = part_of(reply.at("answer").at("results").dump()), written = part_of(text);
+  EXPECT_EQ(opened.at("mazes"), written.at("mazes"));
+  ASSERT_THAT(opened.at("mice"), SizeIs(written.at("mice").size()));
+  for (std::size_t mouse = 0; mouse < opened.at("mice").size(); ++mouse)
+    for (const char* key : {"name", "runs", "mean_score", "interval", "mean_ratio"})
+      EXPECT_EQ(opened.at("mice").at(mouse).at(key), written.at("mice").at(mouse).at(key)) << key;
+  EXPECT_EQ(opened.at("mice").at(0).at("results").at(0).at("score"),
+            written.at("mice").at(0).at("results").at(0).at("score"));
 }
 
 TEST_P(AWorld, KeepsNothingThatIsNotAskedFor) {

@@ -12,7 +12,6 @@
 #include "labmouse/lab/page/played_record.hpp"
 #include "labmouse/lab/page/request.hpp"
 #include "labmouse/lab/page/results.hpp"
-#include "labmouse/lab/records/drive_json.hpp"
 #include "labmouse/lab/system/version.hpp"
 #include "labmouse/lab/text/encoding.hpp"
 
@@ -94,9 +93,6 @@ PageReply open_results(const std::string& name, std::string_view text) {
   if (json.is_discarded()) return failed(fmt::format("{} is no JSON that can be read", name), {json_problem(text)});
   if (!json.is_object() || !json.contains("mice"))
     return failed(fmt::format("{} is JSON, but neither a record nor the results of a race", name));
-  if (is_race_in_seconds(json))
-    return failed(
-        fmt::format("{} is a race in seconds, which is not shown here: open records that it saved, --out DIR", name));
   Json results;
   std::string error = read_results(json, results);
   if (!error.empty())

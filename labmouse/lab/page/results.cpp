@@ -1,5 +1,6 @@
 #include "labmouse/lab/page/results.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <limits>
 #include <set>
@@ -92,6 +93,25 @@ class Taker {
     out_[key] = std::move(list);
     return *this;
   }
+  /// All fields that were not taken and are plain values, lists of texts or objects of plain values. What goes deeper
+  /// is left out.
+  Taker& others() {
+    if (!from_.is_object()) return *this;
+    const auto plain = [](const ReadJson& value) { return value.is_primitive(); };
+    const auto text = [](const ReadJson& value) { return value.is_string(); };
+    for (const auto& [key, value] : from_.items()) {
+      const bool texts = value.is_array() && std::all_of(value.begin(), value.end(), text);
+      if (out_.contains(key) || !(plain(value) || texts || value.is_object())) continue;
+      if (!value.is_object()) {
+        out_[key] = value;
+        continue;
+      }
+      Json& object = out_[key] = Json::object();
+      for (const auto& [name, inner] : value.items())
+        if (plain(inner)) object[name] = inner;
+    }
+    return *this;
+  }
   bool has(const char* key) const { return fields_.has(key); }
   /// Hands over what was taken, and in `error` what is wrong.
   Json done(std::string& error) {
@@ -165,41 +185,36 @@ Json take_maze(const ReadJson& json, const std::string& path, std::string& error
       .done(error);
 }
 
-Json take_mms_result(const ReadJson& json, const std::string& path, const Names& mazes, std::string& error) {
+Json take_other_contest(const ReadJson& json, const std::string& path, const Names& mazes, std::string& error) {
   Taker taker(json, path);
-  taker.texts({"maze", "outcome", "end"}).flags({"solved"}).numbers({"score"});
-  taker.numbers_or_null({"possible_score", "ratio"}).text_list("errors");
+  taker.texts({"maze", "outcome"}).others();
   check_maze(mazes, taker);
   return taker.done(error);
 }
 
-Json take_mms_mouse(const ReadJson& json, const std::string& path, const Names& mazes, std::string& error) {
+Json take_other_mouse(const ReadJson& json, const std::string& path, const Names& mazes, std::string& error) {
   Taker taker(json, path);
-  taker.texts({"name"}).counts({"solved", "runs"}).numbers_or_null({"mean_score"}).interval();
-  taker.numbers_or_null({"mean_ratio", "mean_best_run"});
+  taker.texts({"name"}).counts({"runs"}).numbers_or_null({"mean_score", "mean_ratio"}).interval();
   taker.list("results", [&](const ReadJson& each, const std::string& at, std::string& wrong) {
-    return take_mms_result(each, at, mazes, wrong);
+    return take_other_contest(each, at, mazes, wrong);
   });
-  return taker.done(error);
+  return taker.others().done(error);
 }
 
-Json take_mms_maze(const ReadJson& json, const std::string& path, std::string& error) {
-  return Taker(json, path)
-      .texts({"name"})
-      .counts({"width", "height"})
-      .numbers_or_null({"best_run", "best_score"})
-      .done(error);
+Json take_other_maze(const ReadJson& json, const std::string& path, std::string& error) {
+  return Taker(json, path).texts({"name"}).counts({"width", "height"}).others().done(error);
 }
 
+/// A race in another world: what all worlds have, and what else there is in plain values, of which the page takes what
+/// it knows.
 Json take_group(const ReadJson& json, const std::string& path, std::string& error) {
   Taker taker(json, path);
-  taker.texts({"world", "formula"}).list("mazes", take_mms_maze);
-  if (taker.out()["world"] != "mms") taker.wrong("world", "is not mms");
+  taker.texts({"world", "formula"}).list("mazes", take_other_maze);
   const Names mazes = names_in(taker.out()["mazes"]);
   taker.list("mice", [&](const ReadJson& each, const std::string& at, std::string& wrong) {
-    return take_mms_mouse(each, at, mazes, wrong);
+    return take_other_mouse(each, at, mazes, wrong);
   });
-  return taker.done(error);
+  return taker.others().done(error);
 }
 
 Json take_skipped(const ReadJson& json, const std::string& path, std::string& error) {
@@ -212,7 +227,7 @@ std::string read_results(const ReadJson& json, Json& results) {
   Taker taker(json, "");
   taker.texts({"labmouse", "compiler", "processor"})
       .seed()
-      .counts({"budget"})
+      .optional_counts({"budget"})
       .flags({"stopped"})
       .list("mazes", take_maze);
   const Names mazes = names_in(taker.out()["mazes"]);

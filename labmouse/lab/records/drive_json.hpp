@@ -26,15 +26,6 @@ inline std::string hash_text(std::uint64_t hash) { return fmt::format("{:016x}",
 
 Json rules_json(const DriveRules& rules);
 
-/// Whether the JSON of a race is that of one in seconds.
-template <class AnyJson>
-bool is_race_in_seconds(const AnyJson& json) {
-  if (!json.is_object() || !json.contains("groups") || !json["groups"].is_array() || json["groups"].empty())
-    return false;
-  const AnyJson& group = json["groups"].front();
-  return group.is_object() && group.contains("world") && group["world"] == "seconds";
-}
-
 /// The best run by the rules, counted from 1, with the parts of its score; null where none counts.
 Json score_json(const DriveScore& score);
 

@@ -330,40 +330,34 @@ export interface RaceResults {
   compiler: string;
   processor: string;
   seed: number;
-  budget: number;
+  /** Missing where no mouse raced by steps. */
+  budget?: number;
   stopped: boolean;
   mazes: RacedMaze[];
   mice: RacedMouse[];
   /** What `labmouse race` says below its table, line by line; missing in results of older versions. */
   notes?: string[];
-  /** The world of mms, where programs for it raced. */
-  groups?: MmsGroup[];
+  /** Races in other worlds. */
+  groups?: RaceGroup[];
   skipped: { path: string; reasons: string[] }[];
 }
 
-export interface MmsGroup {
-  world: 'mms';
+/** What else stands in results, by its key: figures that one world has, or what may be missing. */
+export type Fields = Record<string, unknown>;
+
+/** A race in one world; `race/worlds.ts` knows what else stands in it. */
+export interface RaceGroup extends Fields {
+  world: string;
+  /** How its mice are scored, in one line. */
   formula: string;
-  mazes: { name: string; width: number; height: number; best_run: number | null; best_score: number | null }[];
-  mice: {
+  mazes: ({ name: string; width: number; height: number } & Fields)[];
+  mice: ({
     name: string;
-    solved: number;
     runs: number;
-    mean_score: number | null;
     interval: [number, number] | null;
     mean_ratio: number | null;
-    mean_best_run: number | null;
-    results: {
-      maze: string;
-      outcome: string;
-      end: string;
-      solved: boolean;
-      score: number;
-      possible_score: number | null;
-      ratio: number | null;
-      errors: string[];
-    }[];
-  }[];
+    results: ({ maze: string; outcome: string } & Fields)[];
+  } & Fields)[];
 }
 
 /** `compare`: what the differences of two mice in the same mazes show. */
@@ -445,7 +439,16 @@ export interface Calls {
   unpack: { request: { record: PackedRecord; maze: MazeData }; answer: { play: Play; record: string } };
   /** A race in the one thread that the page has: keep it small. Without mice: all of the roster. */
   race: {
-    request: { mice: string[]; mazes: MazeData[]; seed: number; runs: number; budget?: number };
+    request: {
+      mice: string[];
+      mazes: MazeData[];
+      seed: number;
+      runs: number;
+      budget?: number;
+      world?: string;
+      robot?: string;
+      rules?: string;
+    };
     answer: { results: RaceResults };
   };
   /** Means of a mouse in the same mazes as another. */

@@ -2,6 +2,7 @@
 import { isNumber, number, scoreText } from './format';
 import type { Board, Cell, Contest } from './contests';
 import { meanOf } from './contests';
+import { worldOf } from './worlds';
 
 /** One contest: "solved, score 39.100 = exploration 117, speed 35 (1 beyond the shortest)". */
 export function contestText(contest: Contest, optimum: number | null): string {
@@ -34,7 +35,7 @@ export function cellText(board: Board, mouse: number, maze: number): string {
     cell.contests.length === 1
       ? contestText(cell.contests[0], board.world === 'steps' ? optimum : null)
       : several(cell);
-  const best = board.world === 'mms' ? 'best' : 'bound';
+  const { best } = worldOf(board.world);
   const ratio = cell.ratio === null ? '' : `, score / ${best} ${number(cell.ratio, 3)}`;
   return `${where}: ${what}; ${best} ${scoreText(bound)}${ratio}`;
 }

@@ -3,6 +3,7 @@ import type { MazeData, PackedRecord, Play } from '../core/types';
 import type { EarlyPage, LoadedRace } from '../views/view';
 import type { Board, Contest } from './contests';
 import { isNumber, scoreText } from './format';
+import { worldOf } from './worlds';
 
 export interface ContestPlay {
   play: Play;
@@ -33,14 +34,14 @@ async function isOurs(page: EarlyPage, mouse: string) {
 
 async function runAgain(
   page: EarlyPage,
-  race: LoadedRace,
+  board: Board,
   mouse: string,
   maze: MazeData,
   contest: Contest,
 ): Promise<Found | null> {
-  if (contest.seed === null || !(await isOurs(page, mouse))) return null;
-  const { budget } = race.results;
-  return page.core.call('run', { mouse, maze, seed: contest.seed, ...(isNumber(budget) && { budget }) });
+  const { again } = worldOf(board.world);
+  if (!again || contest.seed === null || !(await isOurs(page, mouse))) return null;
+  return again(page.core, board.conditions, { mouse, maze, seed: contest.seed });
 }
 
 const differs = (mouse: string) =>
@@ -74,9 +75,9 @@ export async function contestPlay(
   const contest = board.cells[at.mouse][at.maze].contests[at.position];
   const records = await race.records(mouse, name).catch((error) => (page.complain(error), []));
   const packed = recordOf(records, contest, at.position);
-  if (!packed && board.world === 'mms')
+  if (!packed && !worldOf(board.world).again)
     throw new Error(
-      `There is no record of ${mouse} in ${short}: runs of mms are replayed from their records. Drop the record here.`,
+      `There is no record of ${mouse} in ${short}: runs of ${board.world} are replayed from their records. Drop the record here.`,
     );
   if (!packed && !(await isOurs(page, mouse)))
     throw new Error(
@@ -86,10 +87,9 @@ export async function contestPlay(
   if (!maze)
     throw new Error(`The maze ${short} is not in this page. Drop its file here, then choose the contest again.`);
 
-  const again =
-    board.world === 'mms'
-      ? null
-      : await runAgain(page, race, mouse, maze, contest).catch((error) => (packed ? null : Promise.reject(error)));
+  const again = await runAgain(page, board, mouse, maze, contest).catch((error) =>
+    packed ? null : Promise.reject(error),
+  );
   if (packed) return better(await page.core.call('unpack', { record: packed, maze }), again, mouse);
   if (!again) throw new Error(`The results lack the seed of ${mouse} in ${short}.`);
   return { ...again, remark: scoreRemark(again.play, contest) };

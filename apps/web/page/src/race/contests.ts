@@ -1,7 +1,8 @@
-// The contests of a race as rows (mice) and columns (mazes), the same for both worlds.
-import type { ContestResult, MmsGroup, RacedMouse, RaceResults } from '../core/types';
+// The contests of a race as rows (mice) and columns (mazes), the same for all worlds.
+import type { Fields, RaceGroup, RaceResults } from '../core/types';
 import { shortNames } from '../report/names';
-import { isNumber } from './format';
+import { orNull } from './format';
+import { stepsGroup, worldOf, type RacedWorld } from './worlds';
 
 export interface Contest {
   outcome: string;
@@ -46,7 +47,9 @@ export interface BoardMaze {
 }
 
 export interface Board {
-  world: 'steps' | 'mms';
+  world: string;
+  /** What its results depend on, such as the budget. */
+  conditions: Fields;
   mice: BoardMouse[];
   mazes: BoardMaze[];
   /** By the positions of mouse and maze. */
@@ -69,8 +72,6 @@ const mouseOf = (name: string, index: number, reference = false): BoardMouse => 
   index,
   reference,
 });
-
-const orNull = (value: unknown) => (isNumber(value) ? value : null);
 
 export const meanOf = (values: number[]) =>
   values.length === 0 ? null : values.reduce((sum, value) => sum + value, 0) / values.length;
@@ -95,76 +96,49 @@ function row<Result extends { maze: string }>(
   return contests.map(cellOf);
 }
 
-function mazesOf(
-  mazes: { name: string; width: number; height: number }[],
-  best: (index: number) => Pick<BoardMaze, 'bound' | 'optimum'>,
-) {
+function mazesOf({ mazes, world }: RaceGroup): BoardMaze[] {
   const short = shortNames(mazes.map(({ name }) => name));
-  return mazes.map(({ name, width, height }, index) => ({
-    name,
+  const { bound, optimum } = worldOf(world);
+  return mazes.map((maze, index) => ({
+    name: maze.name,
     short: short[index],
-    width,
-    height,
+    width: maze.width,
+    height: maze.height,
     index,
-    ...best(index),
+    bound: bound(maze),
+    optimum: optimum(maze),
   }));
 }
 
-function ourContest(result: ContestResult, maze: BoardMaze): Contest {
-  const score = orNull(result.score);
+function contestOf(world: RacedWorld, result: RaceGroup['mice'][number]['results'][number], maze: BoardMaze): Contest {
+  const { score, solved = score !== null, exploration, speed, outcome, words } = world.contest(result);
   return {
-    outcome: result.outcome,
-    solved: score !== null,
+    outcome: outcome ?? result.outcome,
+    solved,
     score,
-    ratio: score !== null && maze.bound ? score / maze.bound : null,
+    ratio: solved && score !== null && maze.bound ? score / maze.bound : null,
     seed: orNull(result.seed),
-    exploration: orNull(result.exploration_steps),
-    speed: orNull(result.speed_steps),
-    words: String(result.last_words ?? ''),
+    exploration: exploration ?? null,
+    speed: speed ?? null,
+    words: words ?? '',
   };
 }
 
-/** Our own rules. */
-export function stepsBoard(results: RaceResults): Board {
-  const mazes = mazesOf(results.mazes, (index) => ({
-    bound: orNull(results.mazes[index].bound),
-    optimum: orNull(results.mazes[index].optimum),
-  }));
+/** One race. */
+export function boardOf(group: RaceGroup): Board {
+  const world = worldOf(group.world);
+  const mazes = mazesOf(group);
   return {
-    world: 'steps',
-    mice: results.mice.map((mouse: RacedMouse, index) => mouseOf(mouse.name, index, mouse.contestant === false)),
+    world: group.world,
+    conditions: group,
+    mice: group.mice.map((mouse, index) => mouseOf(mouse.name, index, mouse.contestant === false)),
     mazes,
-    cells: results.mice.map((mouse) => row(mouse.results, mazes, ourContest)),
+    cells: group.mice.map((mouse) => row(mouse.results, mazes, (result, maze) => contestOf(world, result, maze))),
   };
 }
 
-function mmsContest(result: MmsGroup['mice'][number]['results'][number]): Contest {
-  return {
-    outcome: result.end || result.outcome,
-    solved: result.solved === true,
-    score: orNull(result.score),
-    ratio: orNull(result.ratio),
-    seed: null,
-    exploration: null,
-    speed: null,
-    words: Array.isArray(result.errors) ? result.errors.join('\n') : '',
-  };
-}
+/** All races of these results that have mice, each world's by itself. */
+export const groupsOf = (results: RaceResults): RaceGroup[] =>
+  [stepsGroup({ ...results }), ...(results.groups ?? [])].filter(({ mice }) => mice.length > 0);
 
-/** The world of mms. */
-export function mmsBoard(group: MmsGroup): Board {
-  const mazes = mazesOf(group.mazes, (index) => ({
-    bound: orNull(group.mazes[index].best_score),
-    optimum: orNull(group.mazes[index].best_run),
-  }));
-  return {
-    world: 'mms',
-    mice: group.mice.map(({ name }, index) => mouseOf(name, index)),
-    mazes,
-    cells: group.mice.map((mouse) => row(mouse.results, mazes, mmsContest)),
-  };
-}
-
-/** One board for each world in which mice raced. */
-export const boardsOf = (results: RaceResults): Board[] =>
-  [stepsBoard(results), ...(results.groups ?? []).map(mmsBoard)].filter(({ mice }) => mice.length > 0);
+export const boardsOf = (results: RaceResults): Board[] => groupsOf(results).map(boardOf);

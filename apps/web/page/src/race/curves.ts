@@ -6,6 +6,7 @@ import { paperWidth, tone } from '../ui/tones';
 import type { Board } from './contests';
 import { grid, ratiosOf, shares } from './curves-data';
 import { number } from './format';
+import { worldOf } from './worlds';
 
 const hues = ['to-goal', 'route', 'onwards', 'wrong', 'candidate', 'ink'];
 const dashes = [[], [7, 4], [2, 3], [12, 4, 2, 4]];
@@ -80,7 +81,7 @@ function asTable(board: Board, data: ReturnType<typeof ratiosOf>[], best: string
 }
 
 export function curves(board: Board): Curves {
-  const best = board.world === 'mms' ? 'best' : 'bound';
+  const { best } = worldOf(board.world);
   const data = board.mice.map(({ index }) => ratiosOf(board, index));
   const chosen = new Set(board.mice.slice(0, shownAtFirst).map(({ index }) => index));
   let log = true;

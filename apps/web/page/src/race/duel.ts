@@ -9,6 +9,7 @@ import { pairsOf, type Pair } from './duel-data';
 import { duelWords } from './duel-words';
 import { number, scoreText, signed } from './format';
 import { sortedTable } from './sorted-table';
+import { worldOf } from './worlds';
 
 export interface Duel {
   element: HTMLElement;
@@ -36,7 +37,7 @@ export function duel(page: EarlyPage, board: Board, open: (a: number, b: number,
   const picture = h('div', { class: 'bars' }, canvas);
 
   const name = (mouse: number) => board.mice[mouse].shown;
-  const unit = board.world === 'mms' ? 'points' : 'steps';
+  const { unit } = worldOf(board.world);
   const mazeName = (maze: number) => board.mazes[maze].short;
   const pairText = (pair: Pair) =>
     `${mazeName(pair.maze)}: ${name(a)} ${scoreText(pair.a)}, ${name(b)} ${scoreText(pair.b)}, difference ${signed(pair.difference, 3)}`;

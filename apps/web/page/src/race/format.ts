@@ -2,6 +2,8 @@
 
 export const isNumber = (value: unknown): value is number => typeof value === 'number' && Number.isFinite(value);
 
+export const orNull = (value: unknown) => (isNumber(value) ? value : null);
+
 /** With that many digits behind the point; a dash for what is no number. */
 export function number(value: unknown, digits: number): string {
   if (!isNumber(value)) return '–';

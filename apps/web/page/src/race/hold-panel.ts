@@ -1,7 +1,9 @@
 // The form that holds a race in the page.
 import type { About, MazeData } from '../core/types';
 import { h } from '../ui/dom';
+import { createWorldChoice } from '../live/world-choice';
 import type { EarlyPage } from '../views/view';
+import { groupsOf } from './contests';
 import { counted } from './format';
 import { holdRace, type Order } from './holding';
 
@@ -97,10 +99,12 @@ export interface HoldPanel {
 
 /** The form, once it is known what the core brings. */
 export function holdPanel(page: EarlyPage, about: About): HoldPanel {
-  const mice = picks(
-    'Mice',
-    about.mice.map(({ name, summary }) => ({ name, about: summary, on: usual.includes(name) })),
-  );
+  const world = createWorldChoice(about, () => mice.offer(entrants()));
+  const entrants = () =>
+    about.mice
+      .filter(({ drives }) => drives || world.drive() === null)
+      .map(({ name, summary }) => ({ name, about: summary, on: usual.includes(name) }));
+  const mice = picks('Mice', entrants());
   const builtin = about.mazes.map(({ name, width, height }) => ({ name, about: `${width}×${height}`, on: true }));
   const mazes = picks('Mazes', builtin);
   /** Those of the user, by the names under which they are offered. */
@@ -150,7 +154,7 @@ export function holdPanel(page: EarlyPage, about: About): HoldPanel {
       );
       if (!held) return page.tell('The race was stopped.');
       const { results, mazes: raced } = held;
-      const entries = `${counted(results.mice.length, 'mouse', 'mice')}, ${counted(results.mazes.length, 'maze')}`;
+      const entries = `${counted(groupsOf(results).flatMap((group) => group.mice).length, 'mouse', 'mice')}, ${counted(raced.length, 'maze')}`;
       page.hold(results, raced, `The race is over: ${entries}.`);
     } catch (error) {
       page.complain(error);
@@ -161,11 +165,13 @@ export function holdPanel(page: EarlyPage, about: About): HoldPanel {
   }
   function submit(event: Event) {
     event.preventDefault();
+    const drive = world.drive();
     const order: Order = {
       mice: mice.chosen(),
       mazes: mazes.chosen().map((name) => own.get(name) ?? name),
       runs: runs.read(),
       seed: seed.read(),
+      ...(drive && { world: { world: 'seconds', ...drive } }),
     };
     if (order.mice.length === 0 || order.mazes.length === 0)
       return page.complain('Choose at least one mouse and one maze.');
@@ -174,6 +180,7 @@ export function holdPanel(page: EarlyPage, about: About): HoldPanel {
   const element = h(
     'form',
     { class: 'hold', onsubmit: submit },
+    world.element,
     h('div', { class: 'sides' }, mice.element, mazes.element),
     h('div', { class: 'row' }, runs.element, seed.element, start),
     running,

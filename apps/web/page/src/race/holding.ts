@@ -10,6 +10,8 @@ export interface Order {
   /** Contests of each mouse that throws dice, in each maze. */
   runs: number;
   seed: number;
+  /** The world, with what it has to be told; steps where it is missing. */
+  world?: { world: string; robot: string; rules: string };
 }
 
 export interface Progress {
@@ -39,7 +41,13 @@ export async function holdRace(
   for (const [done, mouse] of order.mice.entries()) {
     if (!wanted()) break;
     report({ done, all, doing: mouse });
-    const { results } = await core.call('race', { mice: [mouse], mazes, seed: order.seed, runs: order.runs });
+    const { results } = await core.call('race', {
+      mice: [mouse],
+      mazes,
+      seed: order.seed,
+      runs: order.runs,
+      ...order.world,
+    });
     pieces.push(results);
   }
   const results = joined(pieces, pieces.length < all);

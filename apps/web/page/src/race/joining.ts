@@ -1,16 +1,33 @@
 // The pieces of a race that was held in the page, one mouse each, as one race.
-import type { RacedMouse, RaceResults } from '../core/types';
+import type { RaceResults } from '../core/types';
+import { orNull } from './format';
 import { sorted } from './sorting';
+import { worldOf } from './worlds';
 
 /** All mice of those races in the same mazes, best first; null where there is no race. */
 export function joined(pieces: RaceResults[], stopped: boolean): RaceResults | null {
   if (pieces.length === 0) return null;
+  const [first] = pieces;
   const mice = sorted(
     pieces.flatMap((piece) => piece.mice),
-    (mouse: RacedMouse) => mouse.penalised_mean,
+    (mouse) => mouse.penalised_mean,
     'ascending',
   );
+  const groups = first.groups?.map((group, index) => ({
+    ...group,
+    mice: sorted(
+      pieces.flatMap((piece) => piece.groups?.[index]?.mice ?? []),
+      (mouse) => orNull(mouse[worldOf(group.world).mean]),
+      'ascending',
+    ),
+  }));
   // The notes speak of the race as a whole, so those of pieces cannot be put together.
-  const notes = pieces.length === 1 ? pieces[0].notes : undefined;
-  return { ...pieces[0], notes, stopped: stopped || pieces.some((piece) => piece.stopped), mice };
+  const notes = pieces.length === 1 ? first.notes : undefined;
+  return {
+    ...first,
+    notes,
+    stopped: stopped || pieces.some((piece) => piece.stopped),
+    mice,
+    ...(groups && { groups }),
+  };
 }

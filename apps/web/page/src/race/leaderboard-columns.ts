@@ -1,13 +1,12 @@
 // The columns of the leaderboards, and what they mean.
-import type { MmsGroup, RacedMouse } from '../core/types';
+import type { RaceGroup } from '../core/types';
 import { h } from '../ui/dom';
-import { isNumber, number } from './format';
+import { number, orNull } from './format';
 import type { Column } from './sorted-table';
 import { whiskers } from './whisker';
+import { worldOf } from './worlds';
 
-export type MmsMouse = MmsGroup['mice'][number];
-
-const orNull = (value: unknown) => (isNumber(value) ? value : null);
+type RacedMouse = RaceGroup['mice'][number];
 
 function nameColumn<Row extends { name: string }>(reference: (row: Row) => boolean): Column<Row> {
   return {
@@ -21,11 +20,11 @@ function nameColumn<Row extends { name: string }>(reference: (row: Row) => boole
   };
 }
 
-const solvedColumn = <Row extends { solved: number; runs: number }>(): Column<Row> => ({
-  title: 'solved',
-  meaning: 'Contests that ended in the goal, of all contests in mazes with a route.',
-  value: (row) => orNull(row.solved / row.runs),
-  show: (row) => `${number(row.solved, 0)} of ${number(row.runs, 0)}`,
+const solvedColumn = (key: string): Column<RacedMouse> => ({
+  title: key,
+  meaning: 'Contests that ended with a score, of all contests in mazes with a route.',
+  value: (row) => orNull(Number(row[key]) / row.runs),
+  show: (row) => `${number(row[key], 0)} of ${number(row.runs, 0)}`,
   best: 'descending',
 });
 
@@ -68,83 +67,15 @@ function intervalColumn<Row>(
   };
 }
 
-/** Those of our own rules. */
-export function columnsOf(mice: RacedMouse[], mazes: number): Column<RacedMouse>[] {
+/** Those of a race; the figures of its world stand behind those that all have. */
+export function columnsOf({ world: name, mice }: RaceGroup, mazes: number): Column<RacedMouse>[] {
+  const world = worldOf(name);
+  const mean = (mouse: RacedMouse) => mouse[world.mean];
   return [
     nameColumn<RacedMouse>((mouse) => mouse.contestant === false),
-    solvedColumn(),
-    figure(
-      'score, all',
-      'Mean score over all contests, in steps: speed run plus a thirtieth of the exploration; a failed one counts 100.',
-      (m) => m.penalised_mean,
-      3,
-    ),
-    intervalColumn(
-      mice,
-      (m) => m.penalised_mean,
-      (m) => m.interval,
-      mazes,
-      'steps',
-    ),
-    figure('score, solved', 'Mean score over the solved contests, in steps.', (m) => m.mean_score, 3),
-    figure(
-      'score / bound',
-      'Mean over the solved contests of the score over the best possible one in that maze.',
-      (m) => m.mean_ratio,
-      3,
-    ),
-    figure(
-      'explor. steps',
-      'Mean exploration steps of the solved contests, the reset included.',
-      (m) => m.mean_exploration_steps,
-      1,
-    ),
-    figure(
-      'speed + steps',
-      "Mean steps of the solved contests' speed runs beyond the shortest.",
-      (m) => m.mean_speed_over_optimum,
-      2,
-    ),
-    figure(
-      'best runs, %',
-      'Percent of all contests whose speed run was a shortest one.',
-      (m) => isNumber(m.optimal_share) && 100 * m.optimal_share,
-      1,
-      'descending',
-    ),
-    figure(
-      'µs a step',
-      'Mean time of a decision, in microseconds: the one figure that differs from race to race.',
-      (m) => m.microseconds_per_decision,
-      2,
-    ),
-  ];
-}
-
-/** Those of mms. */
-export function mmsColumns(mice: MmsMouse[], mazes: number): Column<MmsMouse>[] {
-  return [
-    nameColumn<MmsMouse>(() => false),
-    solvedColumn(),
-    figure(
-      'score, all',
-      'Mean score of mms over all runs; an unsolved one counts 2000, as in mms.',
-      (m) => m.mean_score,
-      3,
-    ),
-    intervalColumn(
-      mice,
-      (m) => m.mean_score,
-      (m) => m.interval,
-      mazes,
-      'score of mms',
-    ),
-    figure(
-      'score / best',
-      'Mean over the solved runs of the score over the best possible one in that maze.',
-      (m) => m.mean_ratio,
-      3,
-    ),
-    figure('best run', 'Mean of the best runs from start to goal, in steps of mms.', (m) => m.mean_best_run, 1),
+    solvedColumn(world.solved),
+    figure('score, all', world.meanMeaning, mean, 3),
+    intervalColumn(mice, mean, (mouse) => mouse.interval, mazes, world.unit),
+    ...world.columns.map(({ title, meaning, value, digits, best }) => figure(title, meaning, value, digits, best)),
   ];
 }

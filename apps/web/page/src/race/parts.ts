@@ -1,18 +1,21 @@
 // What the parts of the view of a race have in common.
-import type { MmsGroup, RaceResults } from '../core/types';
+import type { RaceResults } from '../core/types';
 import { h } from '../ui/dom';
+import { groupsOf } from './contests';
 import { counted } from './format';
 
 /** What the race was, in one line. */
-export function facts({ mice, mazes, groups, seed, budget, labmouse, stopped, skipped }: RaceResults): string {
-  const guests = (groups ?? []).reduce((sum: number, group: MmsGroup) => sum + group.mice.length, 0);
+export function facts(results: RaceResults): string {
+  const { seed, budget, labmouse, stopped, skipped } = results;
+  const groups = groupsOf(results);
+  const mice = groups.flatMap((group) => group.mice);
   const contests = mice.reduce((sum, mouse) => sum + mouse.results.length, 0);
   return [
-    counted(mice.length + guests, 'mouse', 'mice'),
-    counted(Math.max(mazes.length, ...(groups ?? []).map((group) => group.mazes.length)), 'maze'),
+    counted(mice.length, 'mouse', 'mice'),
+    counted(Math.max(results.mazes.length, ...groups.map((group) => group.mazes.length)), 'maze'),
     counted(contests, 'contest'),
     `seed ${seed}`,
-    `budget ${budget} steps`,
+    budget !== undefined && `budget ${budget} steps`,
     `labmouse ${labmouse}`,
     stopped && 'stopped early',
     skipped?.length > 0 && `${counted(skipped.length, 'file')} skipped`,

@@ -1,13 +1,14 @@
 // The view of a race: who is best, where, by how much, and each contest a click away from its replay.
 import { contestPlay } from '../race/contest-play';
-import { boardsOf, type Board } from '../race/contests';
+import { boardOf, groupsOf, type Board } from '../race/contests';
 import { curves } from '../race/curves';
 import { duel } from '../race/duel';
 import { holdPanel, type HoldPanel } from '../race/hold-panel';
-import { leaderboard, mmsLeaderboard } from '../race/leaderboard';
+import { leaderboard } from '../race/leaderboard';
 import { matrix } from '../race/matrix';
 import { facts, part } from '../race/parts';
 import { welcome } from '../race/welcome';
+import { worldOf } from '../race/worlds';
 import { h } from '../ui/dom';
 import { onTones } from '../ui/tones';
 import type { EarlyPage, LoadedRace, View } from './view';
@@ -58,8 +59,8 @@ export function createRace(page: EarlyPage): View {
           )
         : null;
     parts.push(cells, lines, ...(pair ? [pair] : []));
-    const world = board.world === 'mms' ? ', mms' : '';
-    const best = board.world === 'mms' ? 'best possible score' : 'bound, the score of a mouse that knows the maze';
+    const world = board.world === 'steps' ? '' : `, ${board.world}`;
+    const best = worldOf(board.world).bestMeaning;
     return {
       board,
       cells,
@@ -82,15 +83,17 @@ export function createRace(page: EarlyPage): View {
   /** The tables at once, the pictures after the next frame: they take longer, and need the contests sorted. */
   function shownRaceParts(race: LoadedRace): HTMLElement[] {
     const { results } = race;
+    const groups = groupsOf(results);
     let boards: ReturnType<typeof boardParts>[] = [];
-    let order: number[] = [];
-    const tables = [
-      ...(results.mice.length > 0 ? [leaderboard(results, (now) => arrangeRows((order = now)))] : []),
-      ...(results.groups ?? []).map(mmsLeaderboard),
-    ];
-    function arrangeRows(rows: number[]) {
-      for (const { board, cells } of boards) if (board.world === 'steps') cells.order(rows);
-    }
+    /** The positions of the mice of each group. */
+    const orders = new Map<number, number[]>();
+    const arrangeRows = () => orders.forEach((order, group) => boards[group]?.cells.order(order));
+    const tables = groups.map((group, index) =>
+      leaderboard(group, (order) => {
+        orders.set(index, order);
+        arrangeRows();
+      }),
+    );
     const search = h('input', { type: 'search', placeholder: 'Search mice', 'aria-label': 'Search mice by name' });
     search.addEventListener('input', () =>
       [...tables, ...boards.map(({ cells }) => cells)].forEach((one) => one.filter(search.value)),
@@ -105,9 +108,9 @@ export function createRace(page: EarlyPage): View {
     const pictures = h('div', { class: 'race pictures' });
     afterFrame(() => {
       if (race !== shownRace) return;
-      boards = boardsOf(results).map((board) => boardParts(race, board));
+      boards = groups.map((group) => boardParts(race, boardOf(group)));
       pictures.append(...boards.flatMap(({ elements }) => elements));
-      arrangeRows(order);
+      arrangeRows();
       arrange();
     });
     return [

@@ -84,7 +84,7 @@ describe(`a race in ${race.mazes.length} mazes`, () => {
         digits(mouse.mean_ratio, 3),
       ]),
     );
-    expect(await leaderboard(page, 'Leaderboard of mms').locator('tbody tr').count()).toBe(1);
+    expect(await leaderboard(page, 'Leaderboard, mms').locator('tbody tr').count()).toBe(1);
   });
 
   test('has a record behind each cell', async () => {

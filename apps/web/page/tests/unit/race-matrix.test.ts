@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { RaceResults } from '../../src/core/types';
 import { cellText } from '../../src/race/cell-text';
-import { boardsOf, stepsBoard } from '../../src/race/contests';
+import { boardsOf } from '../../src/race/contests';
 import { cellAt, matrixLayout, moved, widthFor } from '../../src/race/matrix-layout';
 import { hardness, orderedMazes } from '../../src/race/maze-order';
 import { toneLabels, toneOf } from '../../src/race/scale';
@@ -85,7 +85,7 @@ const results = {
 } as unknown as RaceResults;
 
 describe('the contests of a race', () => {
-  const board = stepsBoard(results);
+  const [board] = boardsOf(results);
 
   it('are sorted into cells, with the mean ratio of the solved ones', () => {
     expect(board.cells[1][0]).toMatchObject({ solved: 2, ratio: 1.25 });

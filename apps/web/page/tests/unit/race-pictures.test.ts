@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { RaceResults } from '../../src/core/types';
 import { tickDigits, ticks } from '../../src/race/axis';
-import { stepsBoard } from '../../src/race/contests';
+import { boardsOf } from '../../src/race/contests';
 import { grid, ratiosOf, shares } from '../../src/race/curves-data';
 import { pairsOf } from '../../src/race/duel-data';
 import { duelWords, verdictOf } from '../../src/race/duel-words';
@@ -26,7 +26,7 @@ describe('ticks', () => {
 });
 
 const contest = (maze: string, score: number | null) => ({ maze, seed: 1, outcome: 'x', score });
-const board = stepsBoard({
+const [board] = boardsOf({
   mazes: [
     { name: 'a', width: 8, height: 8, optimum: 9, bound: 10 },
     { name: 'b', width: 8, height: 8, optimum: 9, bound: 10 },

@@ -1,0 +1,216 @@
+// What the page knows of each world in which mice race: where its figures stand in results, in which unit they are, and
+// how a contest is run again. A world that is not listed is shown by the fields that all have.
+import type { Core } from '../core/client';
+import type { Fields, MazeData, Play, RaceGroup } from '../core/types';
+import { isNumber, orNull } from './format';
+
+/** A column of a leaderboard: a figure of a mouse. */
+export interface FigureColumn {
+  title: string;
+  meaning: string;
+  value: (mouse: Fields) => unknown;
+  digits: number;
+  best?: 'ascending' | 'descending';
+}
+
+/** What stands in the result of one contest. */
+export interface Figures {
+  score: number | null;
+  /** Where it is not the score that says so. */
+  solved?: boolean;
+  exploration?: number | null;
+  speed?: number | null;
+  /** In place of the outcome. */
+  outcome?: string;
+  /** What the mouse wrote last. */
+  words?: string;
+}
+
+export interface RacedWorld {
+  /** Of scores and their differences. */
+  unit: string;
+  /** What the best possible score is called, and what it is. */
+  best: string;
+  bestMeaning: string;
+  /** The key of the mean score over all contests, and what it counts. */
+  mean: string;
+  meanMeaning: string;
+  /** The key of how many contests were scored. */
+  solved: string;
+  bound: (maze: Fields) => number | null;
+  optimum: (maze: Fields) => number | null;
+  contest: (result: Fields) => Figures;
+  columns: FigureColumn[];
+  /** Runs a contest again under the conditions of the race; null where the page cannot. */
+  again?: (
+    core: Core,
+    conditions: Fields,
+    contest: { mouse: string; maze: MazeData; seed: number },
+  ) => Promise<{ play: Play; record: string }>;
+}
+
+const seconds = (microseconds: unknown) => (isNumber(microseconds) ? microseconds / 1e6 : null);
+const percent = (share: unknown) => isNumber(share) && 100 * share;
+const inner = (value: unknown, key: string): unknown =>
+  typeof value === 'object' && value !== null ? (value as Fields)[key] : undefined;
+
+const ratioColumn = (best: string): FigureColumn => ({
+  title: `score / ${best}`,
+  meaning: 'Mean over the solved contests of the score over the best possible one in that maze.',
+  value: (mouse) => mouse.mean_ratio,
+  digits: 3,
+});
+
+const steps: RacedWorld = {
+  unit: 'steps',
+  best: 'bound',
+  bestMeaning: 'bound, the score of a mouse that knows the maze',
+  mean: 'penalised_mean',
+  meanMeaning:
+    'Mean score over all contests, in steps: speed run plus a thirtieth of the exploration; a failed one counts 100.',
+  solved: 'solved',
+  bound: ({ bound }) => orNull(bound),
+  optimum: ({ optimum }) => orNull(optimum),
+  contest: (result) => ({
+    score: orNull(result.score),
+    exploration: orNull(result.exploration_steps),
+    speed: orNull(result.speed_steps),
+    words: String(result.last_words ?? ''),
+  }),
+  columns: [
+    {
+      title: 'score, solved',
+      meaning: 'Mean score over the solved contests, in steps.',
+      value: (mouse) => mouse.mean_score,
+      digits: 3,
+    },
+    ratioColumn('bound'),
+    {
+      title: 'explor. steps',
+      meaning: 'Mean exploration steps of the solved contests, the reset included.',
+      value: (mouse) => mouse.mean_exploration_steps,
+      digits: 1,
+    },
+    {
+      title: 'speed + steps',
+      meaning: "Mean steps of the solved contests' speed runs beyond the shortest.",
+      value: (mouse) => mouse.mean_speed_over_optimum,
+      digits: 2,
+    },
+    {
+      title: 'best runs, %',
+      meaning: 'Percent of all contests whose speed run was a shortest one.',
+      value: (mouse) => percent(mouse.optimal_share),
+      digits: 1,
+      best: 'descending',
+    },
+    {
+      title: 'µs a step',
+      meaning: 'Mean time of a decision, in microseconds: the one figure that differs from race to race.',
+      value: (mouse) => mouse.microseconds_per_decision,
+      digits: 2,
+    },
+  ],
+  again: (core, { budget }, contest) => core.call('run', { ...contest, ...(isNumber(budget) && { budget }) }),
+};
+
+const inSeconds: RacedWorld = {
+  unit: 's',
+  best: 'bound',
+  bestMeaning: 'bound, the score of the fastest route driven at once',
+  mean: 'mean_score',
+  meanMeaning: 'Mean score in seconds, over the contests that have one.',
+  solved: 'scored',
+  bound: ({ bound_us }) => seconds(bound_us),
+  optimum: ({ fastest_us }) => seconds(fastest_us),
+  contest: (result) => ({ score: seconds(inner(result.score, 'value')) }),
+  columns: [
+    ratioColumn('bound'),
+    {
+      title: 'search, s',
+      meaning: 'Mean time of the contests until the first fast run began, in seconds.',
+      value: (mouse) => mouse.mean_search,
+      digits: 1,
+    },
+    {
+      title: 'best run, s',
+      meaning: 'Mean time of the best runs from rest at the start to the goal, in seconds.',
+      value: (mouse) => mouse.mean_best,
+      digits: 3,
+    },
+    {
+      title: 'above fastest, %',
+      meaning: "How much longer the best runs' routes take than the fastest one, in percent.",
+      value: (mouse) => percent(mouse.mean_excess),
+      digits: 2,
+    },
+    {
+      title: 'best runs',
+      meaning: 'Contests whose best run took the fastest route.',
+      value: (mouse) => mouse.optimal,
+      digits: 0,
+      best: 'descending',
+    },
+    {
+      title: 'proven',
+      meaning: 'Contests in which the mouse knew that no route could be faster.',
+      value: (mouse) => mouse.proven,
+      digits: 0,
+      best: 'descending',
+    },
+    { title: 'runs', meaning: 'Mean number of starts in a contest.', value: (mouse) => mouse.mean_starts, digits: 1 },
+  ],
+  again: (core, { robot, rules }, contest) =>
+    core.call('drive', {
+      ...contest,
+      robot: String(inner(robot, 'name') ?? ''),
+      rules: String(inner(rules, 'name') ?? ''),
+    }),
+};
+
+const mms: RacedWorld = {
+  unit: 'points',
+  best: 'best',
+  bestMeaning: 'best possible score',
+  mean: 'mean_score',
+  meanMeaning: 'Mean score of mms over all runs; an unsolved one counts 2000, as in mms.',
+  solved: 'solved',
+  bound: ({ best_score }) => orNull(best_score),
+  optimum: ({ best_run }) => orNull(best_run),
+  contest: (result) => ({
+    score: orNull(result.score),
+    solved: result.solved === true,
+    outcome: String(result.end || result.outcome),
+    words: Array.isArray(result.errors) ? result.errors.join('\n') : '',
+  }),
+  columns: [
+    ratioColumn('best'),
+    {
+      title: 'best run',
+      meaning: 'Mean of the best runs from start to goal, in steps of mms.',
+      value: (mouse) => mouse.mean_best_run,
+      digits: 1,
+    },
+  ],
+};
+
+/** Of a world that this page does not know. */
+const other: RacedWorld = {
+  unit: 'points',
+  best: 'bound',
+  bestMeaning: 'best possible score',
+  mean: 'mean_score',
+  meanMeaning: 'Mean score over all contests.',
+  solved: 'solved',
+  bound: ({ bound }) => orNull(bound),
+  optimum: () => null,
+  contest: (result) => ({ score: orNull(result.score) }),
+  columns: [ratioColumn('bound')],
+};
+
+const worlds = new Map(Object.entries({ steps, seconds: inSeconds, mms }));
+
+export const worldOf = (name: string): RacedWorld => worlds.get(name) ?? other;
+
+/** The race at the top of results, as the groups are. */
+export const stepsGroup = (fields: Fields): RaceGroup => ({ ...fields, world: 'steps' }) as RaceGroup;
