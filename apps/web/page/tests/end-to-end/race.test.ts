@@ -93,6 +93,36 @@ test('a race that ends leaves its user in the view where they are, and offers to
   expect([await page.title(), await page.evaluate(() => location.hash)]).toEqual(['Race · labmouse', '#race']);
 });
 
+test('a race in seconds is held, and its contests are driven again', async () => {
+  const page = await open();
+  await page.getByRole('button', { name: 'Hold the race' }).waitFor();
+  await page.getByRole('region', { name: 'Race', exact: true }).getByLabel('World').selectOption('seconds');
+  const mazes = page.getByRole('group', { name: 'Mazes', exact: true });
+  await page.getByText('Mazes, 43 of').click();
+  await mazes.getByRole('button', { name: 'None' }).click();
+  await mazes.getByLabel('contest-05').check();
+  await page.getByRole('button', { name: 'Hold the race' }).click();
+  const table = page.getByRole('region', { name: 'Leaderboard, seconds, table' });
+  await table.waitFor();
+  const names = await table.locator('tbody tr:visible th .name').allTextContents();
+  expect(names[0]).toBe('ariadne');
+  expect([...names].sort()).toEqual(['ariadne', 'certify', 'flood', 'flood-return']);
+  await page.getByRole('application').focus();
+  await page.keyboard.press('Enter');
+  await page.waitForFunction(() => document.title === 'Replay · labmouse');
+  expect(await page.getByRole('status').first().textContent()).not.toContain('behaves differently');
+});
+
+test('results of a race in seconds are shown', async () => {
+  const page = await open();
+  const results = ['race', '--world', 'seconds', '--mice', 'flood,ariadne', '--mazes', 'contest-05', 'contest-06'];
+  await drop(page, { name: 'seconds.json', content: native(...results, '--format', 'json') });
+  const table = page.getByRole('region', { name: 'Leaderboard, seconds, table' });
+  await table.waitFor();
+  expect(await table.locator('tbody tr:visible th .name').allTextContents()).toEqual(['ariadne', 'flood']);
+  expect(await page.getByText('Distributions, seconds').count()).toBe(1);
+});
+
 test('a maze that was opened can race, and is replayed as it was', async () => {
   const page = await open();
   await page.getByRole('button', { name: 'Hold the race' }).waitFor();

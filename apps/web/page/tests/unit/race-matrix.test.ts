@@ -119,6 +119,37 @@ describe('the contests of a race', () => {
     expect(board.cells[0][2].contests).toHaveLength(2);
     expect(board.cells[0][2].solved).toBe(0);
   });
+  it('have boards for seconds and for worlds that nobody knows', () => {
+    const maze = { name: 'a', width: 16, height: 16, bound_us: 5_000_000, bound: 5, fastest_us: 5_500_000 };
+    const result = { maze: 'a', seed: 3, outcome: 'finished' };
+    const group = (world: string, score: unknown, none: unknown) => ({
+      world,
+      formula: 'f',
+      mazes: [maze],
+      mice: [
+        {
+          name: 'm',
+          runs: 2,
+          mean_score: 6,
+          results: [
+            { ...result, score },
+            { ...result, score: none },
+          ],
+        },
+      ],
+    });
+    const groups = [group('seconds', { value: 6_000_000, run: 2 }, null), group('toy', 6, 'lost')];
+    const boards = boardsOf({ ...results, mice: [], groups } as unknown as RaceResults);
+    expect(boards.map(({ world }) => world)).toEqual(['seconds', 'toy']);
+    for (const { mazes, cells } of boards) {
+      expect(mazes[0].bound).toBe(5);
+      expect(cells[0][0]).toMatchObject({ solved: 1, ratio: 1.2 });
+      expect(cells[0][0].contests.map(({ score, seed }) => [score, seed])).toEqual([
+        [6, 3],
+        [null, 3],
+      ]);
+    }
+  });
   it('have a board for mms too, and none where no mice raced', () => {
     const group = {
       world: 'mms' as const,

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import type { RacedMouse, RaceResults } from '../../src/core/types';
+import type { RacedMouse, RaceGroup, RaceResults } from '../../src/core/types';
 import { joined } from '../../src/race/joining';
 import { sorted } from '../../src/race/sorting';
 
@@ -42,6 +42,14 @@ describe('joined', () => {
   it('was stopped when a piece was, or when pieces are missing', () => {
     expect(joined([race('a', 1)], true)!.stopped).toBe(true);
     expect(joined([race('a', 1), race('b', 2, true)], false)!.stopped).toBe(true);
+  });
+  it('joins the mice of other worlds, too', () => {
+    const piece = (name: string, mean: number | null) => {
+      const group = { world: 'seconds', mazes: [], mice: [{ name, mean_score: mean }] } as unknown as RaceGroup;
+      return { ...race(name, null), mice: [], groups: [group] };
+    };
+    const all = joined([piece('slow', 9), piece('none', null), piece('fast', 5)], false)!;
+    expect(all.groups![0].mice.map(({ name }) => name)).toEqual(['fast', 'slow', 'none']);
   });
   it('is no race without pieces', () => expect(joined([], true)).toBeNull());
 });
