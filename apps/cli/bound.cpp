@@ -85,7 +85,7 @@ void add_hindsight(Command& command, BoundOptions& options) {
       ->check(in_range(1, 1'000'000))
       ->capture_default_str()
       ->needs(hindsight);
-  command.add_option("--seed", race.seed, "Seed of all chance")
+  command.add_option("--seed", race.seed, "Seed of all random choices")
       ->check(seed_number())
       ->capture_default_str()
       ->needs(hindsight);

@@ -31,7 +31,7 @@ Pose read_place(const std::string& text, bool with_heading) {
     const auto form = with_heading
                           ? fmt::format(" or X,Y,HEADING, where HEADING is one of {}", fmt::join(headings, ", "))
                           : std::string();
-    return UsageError(fmt::format("error: '{}' is no place; write X,Y, as in 0,0{}", text, form));
+    return UsageError(fmt::format("error: '{}' is not a position; write X,Y, as in 0,0{}", text, form));
   };
   double x = 0.0, y = 0.0;
   if (parts.size() < 2 || parts.size() > (with_heading ? 3U : 2U)) throw bad();

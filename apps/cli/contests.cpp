@@ -51,7 +51,9 @@ void add_contests(Command& command, Contests& contests) {
       ->check(in_range(1, 1'000'000))
       ->capture_default_str();
   contests.world.add_to(command);
-  command.add_option("--seed", contests.order.seed, "Seed of all chance")->check(seed_number())->capture_default_str();
+  command.add_option("--seed", contests.order.seed, "Seed of all random choices")
+      ->check(seed_number())
+      ->capture_default_str();
   command.add_option("--jobs", contests.order.jobs, "Threads; 0 takes all processors")
       ->check(in_range(0, 1024))
       ->capture_default_str();

@@ -6,7 +6,7 @@
 namespace labmouse::cli {
 
 void add_explain(Command& command, ExplainOptions& options) {
-  Option* flag = command.add_flag("--explain", options.wanted, "Tell among which walls it chose, and why it stopped");
+  Option* flag = command.add_flag("--explain", options.wanted, "Show which walls it chose among, and why it stopped");
   command.add_option("--candidates", options.candidates, "Candidates that --explain shows of each choice")
       ->needs(flag)
       ->check(in_range(1, 10'000))

@@ -35,7 +35,7 @@ void add_guest_options(Command& command, GuestOptions& guests) {
   command.add_option("--directory", guests.directory, "Where programs run; default: here")
       ->type_name("DIR")
       ->check(existing_directory());
-  add_seconds(command, "--start-limit", limits.start, "How long a program may take to its first word");
+  add_seconds(command, "--start-limit", limits.start, "How long a program may take until its first word");
   add_seconds(command, "--decision-limit", limits.decision, "How long a program may say nothing");
   add_seconds(command, "--contest-limit", limits.contest, "How long a program may run in one maze");
   command
@@ -47,6 +47,15 @@ void add_guest_options(Command& command, GuestOptions& guests) {
       ->default_str(fmt::format("{}", limits.memory >> mib_bits));
   command.add_option("--cpu", limits.processor_seconds, "Processor time of each process of a program")
       ->type_name("SECONDS")
+      ->check(in_range(1, 1'000'000))
+      ->capture_default_str();
+}
+
+void add_racing_guests(Command& command, GuestOptions& guests) {
+  add_python(command, guests);
+  add_guest_options(command, guests);
+  command.add_option("--guest-runs", guests.runs, "Contests of each guest in each maze, for those that throw dice")
+      ->type_name("N")
       ->check(in_range(1, 1'000'000))
       ->capture_default_str();
 }

@@ -12,4 +12,7 @@ void add_guest_options(Command& command, GuestOptions& guests);
 /// Adds --python.
 void add_python(Command& command, GuestOptions& guests);
 
+/// All of these, and --guest-runs, for commands that hold many contests.
+void add_racing_guests(Command& command, GuestOptions& guests);
+
 }  // namespace labmouse::cli

@@ -79,7 +79,9 @@ void add_make(Command& app, int& exit) {
   Command* command = app.add_subcommand("make", "Make a maze");
   command->add_option("kind", options->kind, "Generator: " + list_of(all_generators()))->required()->type_name("KIND");
   command->add_option("--size", options->size, "Width and height in cells")->type_name("WxH")->capture_default_str();
-  command->add_option("--seed", options->seed, "Seed of all chance")->check(seed_number())->capture_default_str();
+  command->add_option("--seed", options->seed, "Seed of all random choices")
+      ->check(seed_number())
+      ->capture_default_str();
   command->add_option("--loops", options->loops, "Share of the remaining inner walls to take away, which makes loops")
       ->check(finite_number())
       ->check(in_range(0.0, 1.0))

@@ -232,14 +232,7 @@ void add_race(Command& app, int& exit) {
       ->type_name("N")
       ->check(in_range(1, 1'000'000));
   command->add_flag("--shares", options->shares, "Print how much of the mazes each mouse discovered and visited");
-  add_python(*command, options->guests);
-  add_guest_options(*command, options->guests);
-  command
-      ->add_option("--guest-runs", options->guests.runs,
-                   "Contests of each guest in each maze, for those that throw dice")
-      ->type_name("N")
-      ->check(in_range(1, 1'000'000))
-      ->capture_default_str();
+  add_racing_guests(*command, options->guests);
   command->footer(
       "Example: labmouse race --mice flood:stride=1,certify --mazes my-mazes/ --format json > today.json\n"
       "         labmouse race --mazes my-mazes/ --baseline today.json\n"

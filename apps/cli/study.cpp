@@ -5,6 +5,7 @@
 
 #include "command.hpp"
 #include "contests.hpp"
+#include "guests.hpp"
 
 namespace labmouse::cli {
 namespace {
@@ -12,6 +13,7 @@ namespace {
 struct StudyOptions {
   std::vector<std::string> mice;
   Contests contests;
+  GuestOptions guests;
   int folds = StudyOrder().folds;
   bool no_learning = false;
   std::string svg, csv;
@@ -29,7 +31,7 @@ Study hold(const StudyOptions& options, const std::vector<Contestant>& mice, con
 }
 
 int study(const StudyOptions& options) {
-  const std::vector<Contestant> mice = find_contestants(options.mice, options.contests.world);
+  const std::vector<Contestant> mice = find_contestants(options.mice, options.contests.world, options.guests);
   const RaceOrder order = options.contests.order_in(options.contests.world.enter_one(mice));
   MazeCollection mazes = find_mazes_of(*order.world, options.contests);
   expect_outputs({{"--csv", options.csv}, {"--svg", options.svg}});
@@ -52,13 +54,14 @@ void add_study(Command& app, int& exit) {
   command
       ->add_option(
           "--mice", options->mice,
-          "Mice: name[:key=value]..., several separated by commas (may repeat); name first what the others are "
-          "compared with")
+          "Mice: name[:key=value]..., several separated by commas, or capstone:FILE, guest:COMMAND, mms:COMMAND (may "
+          "repeat); name first what the others are compared with")
       ->required()
       ->type_name("SPEC")
       ->expected(1)
       ->take_all();
   add_contests(*command, options->contests);
+  add_racing_guests(*command, options->guests);
   command->add_option("--folds", options->folds, "Parts of the mazes, of which each is held out once")
       ->check(in_range(2, 1'000'000))
       ->capture_default_str();

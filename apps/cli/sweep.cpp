@@ -5,6 +5,7 @@
 
 #include "command.hpp"
 #include "contests.hpp"
+#include "guests.hpp"
 #include "labmouse/lab/mice/specs.hpp"
 
 namespace labmouse::cli {
@@ -13,6 +14,7 @@ namespace {
 struct SweepOptions {
   std::string mouse, vary, svg, csv;
   Contests contests;
+  GuestOptions guests;
 };
 
 Sweep hold(const SweepOptions& options, const Variation& variation, const std::vector<NamedMaze>& mazes,
@@ -22,14 +24,16 @@ Sweep hold(const SweepOptions& options, const Variation& variation, const std::v
   SweepHooks hooks;
   hooks.stop = &interruptible.stopped();
   hooks.finished = [&](std::size_t all) { progress.advance(all); };
-  return hold_sweep(options.mouse, variation, mazes, order, hooks);
+  GuestOptions guests = options.guests;
+  guests.stop = &interruptible.stopped();
+  return hold_sweep(options.mouse, variation, mazes, order, hooks, guests);
 }
 
 int sweep(const SweepOptions& options) {
   expect_outputs({{"--csv", options.csv}, {"--svg", options.svg}});
   const Variation variation = read_variation(options.vary);
   if (!variation.error.empty()) throw UsageError("error: " + variation.error);
-  const SpecResult variants = read_variants(options.mouse, variation.parameter, variation.values);
+  const SpecResult variants = read_variants(options.mouse, variation.parameter, variation.values, options.guests);
   if (!variants.error.empty()) throw UsageError("error: " + variants.error);
   const RaceOrder order = options.contests.order_in(options.contests.world.enter_one(variants.contestants));
   const MazeCollection mazes = find_mazes_of(*order.world, options.contests);
@@ -47,11 +51,16 @@ int sweep(const SweepOptions& options) {
 void add_sweep(Command& app, int& exit) {
   auto options = std::make_shared<SweepOptions>();
   Command* command = app.add_subcommand("sweep", "Race one mouse at many values of one parameter");
-  command->add_option("mouse", options->mouse, "Mouse, name[:key=value]...")->required()->type_name("MOUSE");
+  command
+      ->add_option("mouse", options->mouse,
+                   "Mouse, name[:key=value]..., or a guest with {NAME} in its command where the value belongs")
+      ->required()
+      ->type_name("MOUSE");
   command->add_option("--vary", options->vary, "Parameter and its values: a range with its step, or a list")
       ->required()
       ->type_name("NAME=LOW:HIGH:STEP|NAME=VALUE,VALUE,...");
   add_contests(*command, options->contests);
+  add_racing_guests(*command, options->guests);
   command->add_option("--csv", options->csv, "Save the numbers, one line a value")->type_name("FILE");
   command->add_option("--svg", options->svg, "Save a plot of the mean score against the value")->type_name("FILE");
   command->footer("Example: labmouse sweep flood --vary stride=1:3:1 --mazes my-mazes/ --svg strides.svg");

@@ -58,8 +58,8 @@ std::string check_choice(const Parameter& parameter, std::string_view value) {
   if (std::find(choices.begin(), choices.end(), value) != choices.end()) return "";
   const auto near = nearest_name(value, choices);
   if (!near.empty()) return "is unknown; did you mean '" + std::string(near) + "'?";
-  if (choices.size() <= 12) return "is none of " + std::string(parameter.choices);
-  return "is none of its " + std::to_string(choices.size()) + " choices, such as " + std::string(choices.front());
+  if (choices.size() <= 12) return "is not one of " + std::string(parameter.choices);
+  return "is not one of its " + std::to_string(choices.size()) + " choices, such as " + std::string(choices.front());
 }
 
 /// Edits (insert, delete, replace a letter) that lead from one word to another (Levenshtein 1966).

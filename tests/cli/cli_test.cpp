@@ -61,7 +61,7 @@ TEST_F(AUser, IsToldInOneLineWhatIsWrong) {
   is_refused({"race", "--baseline", "nothing.json"}, "nothing.json: error: no such file");
   is_refused({"run", "flood"}, "required");
   is_refused({"run", "flood,certify", "capstone-1"}, "one mouse");
-  is_refused({"run", "flood", "capstone-1", "--start", "99,0"}, "'99,0' is no place");
+  is_refused({"run", "flood", "capstone-1", "--start", "99,0"}, "'99,0' is not a position");
   is_refused({"run", "flood", "capstone-1", "--goal", "12,0"}, "outside of the maze");
   is_refused({"replay", "nothing.jsonl"}, "nothing.jsonl: error: no such file");
   is_refused({"make", "castle"}, "castle");

@@ -123,7 +123,7 @@ TEST_F(AHostOfGuests, RefusesWhatIsNoGuest) {
   is_refused({"race", "--mice", "flood,capstone:nowhere.py"}, "there is no file 'nowhere.py'");
   file("robot.py", "");
   is_refused({"race", "--mice", "capstone:robot.py", "--python", "no-such-python"}, "no Python 'no-such-python'");
-  is_refused({"race", "--mice", "capstone:robot.py", "--python", LABMOUSE_BAD_GUEST}, "is no Python that runs");
+  is_refused({"race", "--mice", "capstone:robot.py", "--python", LABMOUSE_BAD_GUEST}, "is not a Python that runs");
   is_refused({"race", "--mice", "capstone:robot.py,flood"}, "a guest takes all behind its colon");
   is_refused({"race", "--mice", "capstone:."}, "'.' is a folder; name the Python file");
   is_refused({"race", "--mice", "guest:./robot.py"}, "'./robot.py' cannot be executed; write 'python3 ./robot.py'");

@@ -59,7 +59,7 @@ TEST_F(AnMmsUser, ExitCodesSayHowAProgramEnded) {
 TEST_F(AnMmsUser, TellsOfLinesThatAreNoCommands) {
   const Ended ended = mms({"say:turnright", "say:what", "ask:turnRight"});
   EXPECT_EQ(ended.code, 0);
-  EXPECT_THAT(ended.out, HasSubstr("2 lines that are no command"));
+  EXPECT_THAT(ended.out, HasSubstr("2 lines that are not commands"));
   EXPECT_THAT(ended.out, HasSubstr("line 1: 'turnright'"));
   const Ended strict = mms({"say:turnright", "hang"}, {"--strict"});
   EXPECT_EQ(strict.code, 1);

@@ -96,20 +96,20 @@ TEST(DriveRecordFile, ThatIsNoneIsRefusedWithItsLine) {
             "'rules.most_runs' is outside of 1 to 1000");
   EXPECT_EQ(problem(good() + good()).reason, "the line stands behind the end of the record");
   EXPECT_EQ(problem(changed(good(), "\"run\":\"search\"", "\"run\":\"stroll\"")),
-            (Problem{2, 1, "the line has a run that is none of search, home, fast"}));
+            (Problem{2, 1, "the line has a run that is not one of search, home, fast"}));
   EXPECT_EQ(problem(changed(good(), "{\"move\":[0,1]", "{\"move\":[0,2]")),
             (Problem{3, 1, "'move' is outside of 0 to 1"}));
   EXPECT_THAT(problem(changed(good(), "{\"move\"", "{\"love\"")).reason,
-              StartsWith("the line is none of a record in seconds"));
+              StartsWith("the line does not belong to a record in seconds"));
   EXPECT_EQ(problem(changed(good(), "\"piece\":\"R90\"", "\"piece\":\"R91\"")).reason,
-            "the line has a piece that is no straight, and no turn that this robot makes there at that speed");
+            "the line has a piece that is neither a straight nor a turn that this robot makes there at that speed");
   EXPECT_EQ(problem(changed(good(), "\"outcome\":\"finished\"", "\"outcome\":\"lost\"")).reason,
             "'outcome' is 'lost', which this version does not know");
 }
 
 TEST(DriveRecordFile, WithWallsOfAnotherMazeIsRefused) {
   EXPECT_EQ(problem(changed(good(), "{\"wall\":[0,0,\"north\"]", "{\"wall\":[0,2,\"north\"]")).reason,
-            "the line has a wall that is no inner one, named by its north or east side");
+            "the line has a wall that is not an inner one, named by its north or east side");
   EXPECT_EQ(problem(changed(good(), "\"north\":[\"1\",\"0\",\"0\"]", "\"north\":[\"1\",\"0\",\"1\"]")).reason,
             "'open' has walls that the maze does not have");
   EXPECT_EQ(problem(changed(good(), "\"north\":[\"1\",\"0\",\"0\"]", "\"north\":[\"1\",\"0\"]")).reason,

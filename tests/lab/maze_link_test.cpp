@@ -74,8 +74,8 @@ TEST(MazeLink, WithOneOtherCharacterIsRefused) {
 TEST(MazeLink, SaysWhatItIsInPlaceOfALink) {
   const std::string link = link_of(test::loop());
   EXPECT_EQ(error_of("2" + link.substr(1)), "the link is of a later version (2); this program knows version 1");
-  EXPECT_EQ(error_of("https://example.org"), "this is no link to a maze");
-  EXPECT_EQ(error_of("."), "this is no link to a maze");
+  EXPECT_EQ(error_of("https://example.org"), "this is not a link to a maze");
+  EXPECT_EQ(error_of("."), "this is not a link to a maze");
   EXPECT_EQ(error_of(link + "A"), "the link is mistyped: it goes on behind its checksum");
   std::string other = link;
   std::swap(other[14], other[15]);

@@ -83,7 +83,7 @@ TEST(MmsRecordFile, ThatIsNoneIsRefusedWithItsLine) {
             "'statistics.total-turns' is not a number");
   EXPECT_EQ(problem(changed(good, "\"lines\":5", "\"lines\":5.5")).reason, "'lines' is not a whole number");
   EXPECT_EQ(problem(changed(good, "\"log\":[]", "\"log\":[1]")).reason,
-            "the line has a log with a line that is no text");
+            "the line has a log with a line that is not text");
 }
 
 TEST(MmsRecordFile, WithAWrongEventIsRefusedWithItsLine) {
@@ -93,7 +93,7 @@ TEST(MmsRecordFile, WithAWrongEventIsRefusedWithItsLine) {
   EXPECT_EQ(problem(changed(good, "[3,1]", "[3]")), (Problem{4, 1, "the line has a place that is not [x, y]"}));
   EXPECT_EQ(problem(changed(good, "[3,1]", "[7,1]")).reason, "'place' is outside of 0 to 6");
   EXPECT_EQ(problem(changed(good, "\"heading\":\"east\"", "\"heading\":\"up\"")).reason,
-            "the line has a heading that is none of the eight");
+            "the line has a heading that is not one of the eight");
   EXPECT_EQ(problem(changed(good, "\"clock\":0.0", "\"clock\":-1")).reason.substr(0, 19), "'clock' is outside ");
 }
 

@@ -48,7 +48,7 @@ TEST(MmsReport, SaysWhatWasWrong) {
   const std::string text = report_of("./mouse", loop(), run);
   EXPECT_THAT(
       text,
-      HasSubstr("2 lines that are no command, which mms does not answer:\n  line 3: 'turnright' is no command\n"));
+      HasSubstr("2 lines that are not commands, which mms does not answer:\n  line 3: 'turnright' is no command\n"));
   EXPECT_THAT(text, HasSubstr("  | KeyError: 'north'\n"));
   EXPECT_THAT(text, Not(HasSubstr("\x1b")));
 }

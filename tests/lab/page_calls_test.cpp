@@ -55,7 +55,7 @@ TEST(PageCalls, RefuseWhatIsNoRequest) {
   };
   EXPECT_EQ(error("fly", "{}"), "the page has no call 'fly'");
   for (const char* bad : {"", "{", "[]", "3", "null", "{\"maze\":\"\xff\"}"})
-    EXPECT_EQ(error("inspect", bad), "the request is no JSON object") << bad;
+    EXPECT_EQ(error("inspect", bad), "the request is not a JSON object") << bad;
 }
 
 /// Whatever stands in a field, there is an answer or a failure in words.
@@ -151,7 +151,7 @@ TEST(PageCalls, RefuseRacesThatCannotBe) {
   EXPECT_EQ(error_of("race", race({{"mazes", {data_of(test::loop()), data_of(test::loop())}}})),
             "two mazes are called 'loop'");
   EXPECT_EQ(error_of("race", race({{"mazes", {data_of(test::loop()), 3}}})), "'mazes[1]' is not an object");
-  EXPECT_EQ(error_of("race", race({{"mice", {"flood", 3}}})), "'mice' has one that is no text");
+  EXPECT_EQ(error_of("race", race({{"mice", {"flood", 3}}})), "'mice' has an entry that is not text");
   EXPECT_EQ(error_of("race", race({{"runs", 0}})), "'runs' is outside of 1 to 1000");
   EXPECT_THAT(error_of("race", race({{"mice", {"guest:ls"}}})), ::testing::HasSubstr("a page starts none"));
   json many = json::array();

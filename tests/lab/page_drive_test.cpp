@@ -187,7 +187,7 @@ TEST(PageDrive, OpensNoRecordThatCannotHaveHappened) {
                 HasSubstr("run 1 (search): move 1: recorded"))
         << call;
   const json cut = failure("open", {{"name", "cut.jsonl"}}, record.substr(0, 100));
-  EXPECT_EQ(cut["error"], "cut.jsonl is no record that can be read");
+  EXPECT_EQ(cut["error"], "cut.jsonl is not a readable record");
   EXPECT_THAT(cut["problems"][0]["reason"].get<std::string>(), HasSubstr("not JSON"));
 }
 

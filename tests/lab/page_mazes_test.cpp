@@ -52,7 +52,7 @@ TEST(PageMazes, WithWrongFieldsAreRefused) {
   EXPECT_EQ(error_of("inspect", inspecting("walls", "open")), "'maze.walls' is not a list");
   EXPECT_EQ(error_of("inspect", inspecting("walls/2", 16)), "'maze.walls' is outside of 0 to 15");
   EXPECT_EQ(error_of("inspect", inspecting("start", json::array({2, 0}))), "'maze' has its start outside");
-  EXPECT_EQ(error_of("inspect", inspecting("heading", "up")), "'maze.heading' is none of north, east, south, west");
+  EXPECT_EQ(error_of("inspect", inspecting("heading", "up")), "'maze.heading' is not one of north, east, south, west");
   EXPECT_EQ(error_of("inspect", inspecting("goals", json::array())), "'maze' has no goal");
   EXPECT_EQ(error_of("inspect", inspecting("goals", json::array({json::array({0, 2})}))), "'maze' has a goal outside");
   EXPECT_EQ(error_of("inspect", inspecting("name", nullptr)), "'maze.name' is not a text");

@@ -41,7 +41,7 @@ TEST(PageOpens, MazesOfEveryFormat) {
 
 TEST(PageOpens, NoMazeThatIsNone) {
   const json said = refused("o---o\n|   x\no---o\n", "bad.txt");
-  EXPECT_EQ(said["error"], "bad.txt is no maze that can be read");
+  EXPECT_EQ(said["error"], "bad.txt is not a readable maze");
   ASSERT_FALSE(said["problems"].empty());
   EXPECT_EQ(said["problems"][0]["line"], 2);
   EXPECT_EQ(said["problems"][0]["column"], 5);
@@ -82,7 +82,7 @@ TEST(PageOpens, RecordsWithoutAMazeInTheOneOfThePage) {
 TEST(PageOpens, NoRecordThatIsNone) {
   const std::string good = write_record(recorded("flood"));
   const json said = refused(changed(good, "\"step\":2", "\"step\":3"), "walk.jsonl");
-  EXPECT_EQ(said["error"], "walk.jsonl is no record that can be read");
+  EXPECT_EQ(said["error"], "walk.jsonl is not a readable record");
   EXPECT_EQ(said["problems"], json::array({problem(3, 1, "the line has step 3 where step 2 is due")}));
   EXPECT_EQ(refused("{\"labmouse\":\"record\",\"for")["problems"],
             json::array({problem(1, 1, "the line is not JSON")}));
@@ -210,7 +210,7 @@ TEST(PageOpens, ResultsOfMms) {
   EXPECT_EQ(group["mice"][0]["results"][0]["score"], whole["groups"][0]["mice"][0]["results"][0]["score"]);
   whole["groups"][0]["mice"][0]["results"][0]["maze"] = "other";
   EXPECT_EQ(refused(whole.dump())["problems"][0]["reason"],
-            "'groups[0].mice[0].results[0].maze' is none of the race's mazes");
+            "'groups[0].mice[0].results[0].maze' is not one of the race's mazes");
 }
 
 json refused_with(const char* field, const json& value) {
@@ -238,7 +238,7 @@ TEST(PageOpens, NoResultsWithWrongFields) {
   EXPECT_EQ(reason("/mice/0/interval", {1}), "'mice[0].interval' is not [low, high]");
   EXPECT_EQ(reason("/mice/0/parameters/stride", {1}), "'mice[0].parameters' has a wrong value of 'stride'");
   EXPECT_EQ(reason("/mice/1/results/2/score", "low"), "'mice[1].results[2].score' is not a number");
-  EXPECT_EQ(reason("/mice/1/results/2/maze", "other"), "'mice[1].results[2].maze' is none of the race's mazes");
+  EXPECT_EQ(reason("/mice/1/results/2/maze", "other"), "'mice[1].results[2].maze' is not one of the race's mazes");
   EXPECT_EQ(reason("/mice/1/results/2", 3), "'mice[1].results[2]' is not an object");
   EXPECT_EQ(reason("/mazes/0/width", 1.5), "'mazes[0].width' is not a whole number");
   EXPECT_EQ(reason("/skipped/0/reasons", {1}), "'skipped[0].reasons[0]' is not a text");
@@ -260,7 +260,7 @@ TEST(PageOpens, ResultsOfAnEarlierVersionWhereTheyHaveWhatIsNeeded) {
 
 TEST(PageOpens, NoJsonThatIsNone) {
   const json said = refused("{\n  \"mice\": [1,\n  }\n", "race.json");
-  EXPECT_EQ(said["error"], "race.json is no JSON that can be read");
+  EXPECT_EQ(said["error"], "race.json is not readable JSON");
   ASSERT_EQ(said["problems"].size(), 1U);
   EXPECT_EQ(said["problems"][0]["line"], 3);
   EXPECT_EQ(said["problems"][0]["column"], 3);

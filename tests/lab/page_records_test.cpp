@@ -70,7 +70,7 @@ TEST(PagePicture, IsOfAMazeOrOfARecord) {
   EXPECT_THAT(answer("picture", of_maze(test::loop()))["svg"].get<std::string>(), HasSubstr("<svg"));
   const RecordFile file = recorded("flood");
   EXPECT_EQ(answer("picture", json::object(), write_record(file))["svg"], picture_of(file));
-  EXPECT_EQ(error_of("picture", json::object(), "{}"), "the record is no record that can be read");
+  EXPECT_EQ(error_of("picture", json::object(), "{}"), "the record is not a readable record");
   EXPECT_EQ(error_of("picture", json::object()), "'maze' is missing");
 }
 
@@ -126,7 +126,7 @@ TEST(PageCompares, AsTheLabDoes) {
   EXPECT_EQ(answer("compare", {{"differences", differences}, {"seed", 7}})["interval"], json({other.low, other.high}));
   EXPECT_NE(other, found.interval);
   EXPECT_EQ(answer("compare", {{"differences", json::array()}})["count"], 0);
-  EXPECT_EQ(error_of("compare", {{"differences", {1, nullptr}}}), "'differences' has one that is no number");
+  EXPECT_EQ(error_of("compare", {{"differences", {1, nullptr}}}), "'differences' has an entry that is not a number");
 }
 
 TEST(PageLinks, HoldMazes) {

@@ -101,7 +101,7 @@ TEST(Ranges, AreRefusedWhereTheyAreNone) {
   EXPECT_EQ(refusal("flood", "stride=3:3"), "the range '3:3' does not end above its begin");
   EXPECT_EQ(refusal("flood", "stride,stride=1:2"), "parameter 'stride' is named twice");
   for (const char* bad : {"stride=", "stride=1", "stride=1:", "stride=1:2:3", "stride=a:2", "stride=0.0000001:2"})
-    EXPECT_THAT(refusal("flood", bad), HasSubstr("is no range; write LOW:HIGH")) << bad;
+    EXPECT_THAT(refusal("flood", bad), HasSubstr("is not a range; write LOW:HIGH")) << bad;
   for (const char* bad : {"", "=1:2", "stride,"})
     EXPECT_THAT(refusal("flood", bad), HasSubstr("is not of the form NAME")) << bad;
 }

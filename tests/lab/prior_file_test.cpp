@@ -87,7 +87,7 @@ std::string reason(std::string_view text) {
 }
 
 TEST(BadPriorFile, HasAnotherFirstLine) {
-  const char* expected = "1:1: is no prior: its first line is not '// labmouse prior 1'";
+  const char* expected = "1:1: is not a prior: its first line is not '// labmouse prior 1'";
   EXPECT_EQ(reason(""), expected);
   EXPECT_EQ(reason("\n" + any_file()), expected);
   EXPECT_EQ(reason("// labmouse prior 2\n0,\n"), expected);

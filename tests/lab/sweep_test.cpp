@@ -60,7 +60,7 @@ TEST(SweepValues, AreRefusedWhereTheyAreNone) {
     EXPECT_THAT(error(bad), HasSubstr("is not of the form NAME=LOW:HIGH:STEP")) << bad;
   for (const char* bad :
        {"p=1:2", "p=1:2:3:4", "p=a:2:1", "p=1:2:", "p=0:1:0.0000001", "p=0:1e3:1", "p=0:2000000000:1000000000"})
-    EXPECT_THAT(error(bad), HasSubstr("is no range; write LOW:HIGH:STEP")) << bad;
+    EXPECT_THAT(error(bad), HasSubstr("is not a range; write LOW:HIGH:STEP")) << bad;
   for (const char* bad : {"p=0:1:0", "p=0:1:-1"}) EXPECT_THAT(error(bad), HasSubstr("is not above 0")) << bad;
   EXPECT_THAT(error("p=1:0:0.1"), HasSubstr("ends below its begin"));
   for (const char* bad : {"p=", "p=1,", "p=1,,2"}) EXPECT_THAT(error(bad), HasSubstr("has an empty value")) << bad;

@@ -100,7 +100,7 @@ Descriptor locked(const std::string& path, int& error) {
 /// Makes the folder. Returns what went wrong, or nothing.
 std::string make(const std::string& path) {
   if (path.empty()) return "an empty path names no folder";
-  if (descriptor_to_write(path)) return "is no folder; results, records and pictures need one";
+  if (descriptor_to_write(path)) return "is not a folder; results, records and pictures need one";
   std::error_code error;
   fs::create_directories(path, error);
   if (error) return "cannot be made: " + cause_of(error.value());

@@ -167,7 +167,7 @@ std::string wrong_form(std::string_view link) {
   const auto found = parts_of(link, count);
   const std::string_view first = found[version_part];
   if (first.empty() || first.find_first_not_of("0123456789") != std::string_view::npos)
-    return "this is no link to a maze";
+    return "this is not a link to a maze";
   if (first != link_version)
     return fmt::format("the link is of a later version ({}); this program knows version {}", first.substr(0, 9),
                        link_version);

@@ -95,7 +95,7 @@ Launch robot_launch(const std::string& named, const GuestOptions& options, std::
   else if (program_path(python, "").empty())
     error = fmt::format("there is no Python '{}' that can be executed", python);
   else if (!options.python.empty() && !python_runs(python))
-    error = fmt::format("'{}' is no Python that runs", python);
+    error = fmt::format("'{}' is not a Python that runs", python);
   return capstone_launch(fs::absolute(file, failure).string(), python);
 }
 

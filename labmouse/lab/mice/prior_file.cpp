@@ -115,7 +115,7 @@ ReadPriorResult read_prior(std::string_view text) {
     return failure(0, 0, fmt::format("has {} bytes; more than {} is too large", text.size(), most_bytes));
   const auto lines = formats::lines_of(text, text.size());
   if (lines.empty() || lines.front().text != headline)
-    return failure(1, 1, fmt::format("is no prior: its first line is not '{}'", headline));
+    return failure(1, 1, fmt::format("is not a prior: its first line is not '{}'", headline));
   PriorReader reader;
   for (const formats::Line& line : lines)
     if (!reader.full()) reader.read(line);

@@ -78,7 +78,7 @@ std::string invalid_lines_of(const Race& race, const MouseColumn& names) {
                         sum_of_lines(race, mouse, F::invalid_lines), sum_of_lines(race, mouse, F::lines),
                         shown(race.mazes[first->maze].name), log.empty() ? "" : shown(log.front()));
   }
-  return text.empty() ? "" : "Lines that are no command, which mms does not answer:\n" + text;
+  return text.empty() ? "" : "Lines that are not commands, which mms does not answer:\n" + text;
 }
 
 /// Whether mms starts or ends elsewhere than the file says.

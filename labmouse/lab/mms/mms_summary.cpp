@@ -39,9 +39,10 @@ std::string score_line(const std::string& mouse, const NamedMaze& maze, const Mm
 
 std::string log_text(const MmsRun& run) {
   if (run.invalid_lines == 0) return "";
-  std::string text = counted(static_cast<int>(run.invalid_lines), "line that is no command, which mms does not answer",
-                             "lines that are no command, which mms does not answer") +
-                     (run.invalid_lines > static_cast<std::int64_t>(run.log.size()) ? "; the first ones:\n" : ":\n");
+  std::string text =
+      counted(static_cast<int>(run.invalid_lines), "line that is not a command, which mms does not answer",
+              "lines that are not commands, which mms does not answer") +
+      (run.invalid_lines > static_cast<std::int64_t>(run.log.size()) ? "; the first ones:\n" : ":\n");
   for (const std::string& sentence : run.log) text += "  " + shown(sentence) + "\n";
   return text;
 }

@@ -94,7 +94,7 @@ class MmsWorld final : public World {
   }
 
   std::string refuse(const Contestant& mouse) const override {
-    return mouse.program ? "" : fmt::format("mouse '{}' is no program for mms; write mms:COMMAND", mouse.name);
+    return mouse.program ? "" : fmt::format("mouse '{}' is not a program for mms; write mms:COMMAND", mouse.name);
   }
 
   std::string_view unit() const override { return "points"; }

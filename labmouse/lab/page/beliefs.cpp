@@ -86,7 +86,7 @@ PageReply answer_compare(const ReadJson& json, std::string_view) {
     if (each.is_number())
       differences.push_back(each.get<double>());
     else
-      request.reject("'differences' has one that is no number");
+      request.reject("'differences' has an entry that is not a number");
   const std::uint64_t seed = request.has("seed") ? request.seed() : 1;
   if (!request.error().empty()) return failed(request.error());
   const PairedDifference found = paired_difference(differences, seed);

@@ -58,7 +58,7 @@ PageAnswer answer_page(std::string_view call, std::string_view request, std::str
   const auto found = std::find_if(calls.begin(), calls.end(), [&](const Call& c) { return c.name == call; });
   if (found == calls.end()) return failure({fmt::format("the page has no call '{}'", call), {}});
   const ReadJson json = ReadJson::parse(request, nullptr, false);
-  if (!json.is_object()) return failure({"the request is no JSON object", {}});
+  if (!json.is_object()) return failure({"the request is not a JSON object", {}});
   PageReply reply = found->answer(json, bytes);
   if (!reply.failure.error.empty()) return failure(reply.failure);
   const std::string answer = reply.answer.dump(-1, ' ', false, Json::error_handler_t::replace);

@@ -68,7 +68,7 @@ PageReply open_record(const std::string& name, std::string_view text, std::optio
 
 PageReply open_mms_record(const std::string& name, std::string_view text) {
   ReadMmsRecordResult read = read_mms_record(text);
-  if (!read.file) return failed(fmt::format("{} is no record that can be read", name), std::move(read.problems));
+  if (!read.file) return failed(fmt::format("{} is not a readable record", name), std::move(read.problems));
   PlayResult result = play_json(*read.file);
   if (!result.disagreement.empty()) return disagreed(name, std::move(result.disagreement));
   return answered({{"kind", "record"}, {"play", std::move(result.play)}});
@@ -76,7 +76,7 @@ PageReply open_mms_record(const std::string& name, std::string_view text) {
 
 PageReply open_drive_record(const std::string& name, std::string_view text) {
   ReadDriveRecordResult read = read_drive_record(text);
-  if (!read.file) return failed(fmt::format("{} is no record that can be read", name), std::move(read.problems));
+  if (!read.file) return failed(fmt::format("{} is not a readable record", name), std::move(read.problems));
   if (std::string disagreement = replay(*read.file); !disagreement.empty())
     return disagreed(name, std::move(disagreement));
   return answered({{"kind", "record"}, {"play", play_json(*read.file)}});
@@ -90,7 +90,7 @@ std::string writer_of(const ReadJson& json) {
 
 PageReply open_results(const std::string& name, std::string_view text) {
   const ReadJson json = ReadJson::parse(text, nullptr, false);
-  if (json.is_discarded()) return failed(fmt::format("{} is no JSON that can be read", name), {json_problem(text)});
+  if (json.is_discarded()) return failed(fmt::format("{} is not readable JSON", name), {json_problem(text)});
   if (!json.is_object() || !json.contains("mice"))
     return failed(fmt::format("{} is JSON, but neither a record nor the results of a race", name));
   Json results;
@@ -103,7 +103,7 @@ PageReply open_results(const std::string& name, std::string_view text) {
 
 PageReply open_maze(const std::string& name, std::string_view content) {
   ReadResult read = read_maze(content);
-  if (!read.maze) return failed(fmt::format("{} is no maze that can be read", name), std::move(read.problems));
+  if (!read.maze) return failed(fmt::format("{} is not a readable maze", name), std::move(read.problems));
   return answered({{"kind", "maze"}, {"maze", maze_data(name, *read.maze)}});
 }
 

@@ -17,8 +17,7 @@ PlayedRecord played(const std::string& name, RecordFile file) {
 
 PlayedRecord read_played(const std::string& name, std::string_view text, std::optional<NamedMaze> maze) {
   ReadRecordResult read = read_record(text);
-  if (!read.file)
-    return {std::nullopt, {fmt::format("{} is no record that can be read", name), std::move(read.problems)}};
+  if (!read.file) return {std::nullopt, {fmt::format("{} is not a readable record", name), std::move(read.problems)}};
   if (!read.file->maze && !maze)
     return {std::nullopt,
             {fmt::format("{} is a record without its maze: open the maze first, then the record again", name), {}}};

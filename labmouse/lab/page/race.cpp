@@ -29,7 +29,7 @@ std::vector<Contestant> read_mice(PageRequest& request, const World* world) {
     if (spec.is_string())
       specs.push_back(spec.get<std::string>());
     else
-      request.reject("'mice' has one that is no text");
+      request.reject("'mice' has an entry that is not text");
   SpecResult result = read_page_mice(specs);
   request.reject(result.error);
   for (const Contestant& mouse : result.contestants) request.reject(world->refuse(mouse));

@@ -150,7 +150,7 @@ Names names_in(const Json& mazes) {
 }
 
 void check_maze(const Names& mazes, Taker& taker) {
-  if (!mazes.contains(taker.out()["maze"].get<std::string>())) taker.wrong("maze", "is none of the race's mazes");
+  if (!mazes.contains(taker.out()["maze"].get<std::string>())) taker.wrong("maze", "is not one of the race's mazes");
 }
 
 Json take_contest(const ReadJson& json, const std::string& path, const Names& mazes, std::string& error) {

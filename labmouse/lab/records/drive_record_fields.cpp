@@ -11,7 +11,7 @@ constexpr std::size_t longest_source = 4096;  // bytes
 Heading read_heading(const ReadJson& name, const char* key, JsonFields& fields) {
   for (const Heading heading : all_headings)
     if (name == name_of(heading)) return heading;
-  fields.fail(fmt::format("has a '{}' whose heading is none of north, east, south, west", key));
+  fields.fail(fmt::format("has a '{}' whose heading is not one of north, east, south, west", key));
   return Heading::north;
 }
 
@@ -80,7 +80,7 @@ DriveNode node_in(JsonFields& fields, const char* key, Size size) {
                     read_heading(node[2], key, fields)};
   for (const Place place : all_places)
     if (node[3] == name_of(place)) return read.place = place, read;
-  return fields.fail(fmt::format("has a '{}' whose place is none of centre, edge, left, right", key)), read;
+  return fields.fail(fmt::format("has a '{}' whose place is not one of centre, edge, left, right", key)), read;
 }
 
 void read_piece(const ReadJson& json, JsonFields& fields, const DriveTables& tables, DriveSegment& segment) {
@@ -89,7 +89,7 @@ void read_piece(const ReadJson& json, JsonFields& fields, const DriveTables& tab
     const auto [end, error] = std::from_chars(piece.data() + 1, piece.data() + piece.size(), segment.units);
     const bool good = error == std::errc() && end == piece.data() + piece.size() && segment.units >= 0 &&
                       segment.units <= StraightTimes::longest && segment.from.diagonal() == piece.starts_with('D');
-    if (!good) fields.fail("has a piece that is no straight from there");
+    if (!good) fields.fail("has a piece that is not a straight from there");
     return;
   }
   segment.kind = DriveSegment::Kind::turn;
@@ -98,7 +98,7 @@ void read_piece(const ReadJson& json, JsonFields& fields, const DriveTables& tab
   const auto turn = sided && json.contains("speed") && json["speed"].is_number()
                         ? find_turn(tables, piece.substr(1), segment.from.diagonal(), json["speed"].get<double>())
                         : std::nullopt;
-  if (!turn) fields.fail("has a piece that is no straight, and no turn that this robot makes there at that speed");
+  if (!turn) fields.fail("has a piece that is neither a straight nor a turn that this robot makes there at that speed");
   segment.turn = turn.value_or(0);
 }
 

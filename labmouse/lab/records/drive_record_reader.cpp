@@ -100,7 +100,7 @@ std::string Reading::begin_run(const ReadJson& json) {
   bool known = false;
   for (const auto each : {DriveRun::Kind::search, DriveRun::Kind::home, DriveRun::Kind::fast})
     if (kind == name_of(each)) run.kind = each, known = true;
-  if (!known) fields.fail("has a run that is none of search, home, fast");
+  if (!known) fields.fail("has a run that is not one of search, home, fast");
   run.begin = run.end = fields.long_whole("begin", 0, longest_time);
   const auto hope = [&](const char* key) {
     return optional_of(json, key, [&] { return fields.whole(key, 0, no_time - 1); }).value_or(no_time);
@@ -173,7 +173,7 @@ std::string Reading::read_wall(const ReadJson& json) {
   WallSeen seen;
   seen.wall = wall_at(side.cell, side.heading);
   if (side.heading != seen.wall.side || on_border(seen.wall, size()))
-    fields.fail("has a wall that is no inner one, named by its north or east side");
+    fields.fail("has a wall that is not an inner one, named by its north or east side");
   seen.open = fields.flag("open");
   seen.time = fields.long_whole("time", 0, longest_time);
   file_.record.walls.push_back(seen);
@@ -219,7 +219,7 @@ std::string Reading::read_line(const ReadJson& json) {
   if (json.contains("wall")) return read_wall(json);
   if (json.contains("outcome")) return read_end(json);
   if (json.contains("end")) return end_run(json);
-  return "the line is none of a record in seconds: it has no run, move, piece, end, wall or outcome";
+  return "the line does not belong to a record in seconds: it has no run, move, piece, end, wall or outcome";
 }
 
 }  // namespace

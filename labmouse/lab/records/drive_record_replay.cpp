@@ -104,7 +104,7 @@ class Replay {
       if (driver_.clock() >= file_.rules.time_limit)
         return fmt::format("move {}: it begins after the time of {}", i + 1, seconds(file_.rules.time_limit));
       if (!driver_.move(move.action, move.replanned, [](const Pose&, const Sighting&) {}))
-        return fmt::format("move {}: it is none, or leads through a wall that was not seen to be open", i + 1);
+        return fmt::format("move {}: it is not a move, or leads through a wall that was not seen to be open", i + 1);
       const SearchMove& made = played_.runs.back().moves.back();
       if (made == move) continue;
       return fmt::format("move {}: recorded from {} to {}, {} to {}; played from {} to {}, {} to {}", i + 1,

@@ -42,7 +42,7 @@ Compass read_compass(JsonFields& fields) {
   const std::string name = fields.text("heading");
   for (int eighths = 0; eighths < 8; ++eighths)
     if (const Compass heading = turned(Compass::north, eighths); name_of(heading) == name) return heading;
-  fields.fail("has a heading that is none of the eight");
+  fields.fail("has a heading that is not one of the eight");
   return Compass::north;
 }
 
@@ -97,7 +97,7 @@ std::string read_end(const ReadJson& json, MmsRecordFile& file) {
     if (sentence.is_string())
       end.log.push_back(sentence.get<std::string>());
     else
-      fields.fail("has a log with a line that is no text");
+      fields.fail("has a log with a line that is not text");
   end.errors = fields.text("errors");
   end.clock = fields.number("clock", 0, no_limit);
   file.end = std::move(end);

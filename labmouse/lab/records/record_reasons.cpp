@@ -32,7 +32,7 @@ Wall read_wall(JsonFields& fields, Size size) {
   if (!named) return fields.fail("has a wall that is not [x, y, \"north\" or \"east\"]"), Wall();
   const Wall read = {fields.cell(ReadJson::array({wall[0], wall[1]}), "wall"),
                      wall[2] == "north" ? Heading::north : Heading::east};
-  if (on_border(read, size)) fields.fail("has a wall that is none inside of the maze");
+  if (on_border(read, size)) fields.fail("has a wall that is not inside the maze");
   return read;
 }
 
@@ -56,7 +56,7 @@ Ground read_ground(JsonFields& fields) {
   const std::string name = fields.text("ground");
   for (const Ground ground : {Ground::candidates, Ground::flood, Ground::no_loops})
     if (name == name_of(ground)) return ground;
-  fields.fail("has a ground that is none");
+  fields.fail("has an unknown ground");
   return Ground::candidates;
 }
 

@@ -58,7 +58,7 @@ std::string read_ends(std::string_view spec, std::string_view text, ParameterRan
   const auto low = text.substr(0, colon), high = colon == std::string_view::npos ? "" : text.substr(colon + 1);
   double number = 0.0;
   if (!parse_number(low, number) || !parse_number(high, number) || !has_few_decimals(low) || !has_few_decimals(high))
-    return fmt::format("'{}' is no range; write LOW:HIGH, numbers with at most {} decimals, as in 0.2:0.8", text,
+    return fmt::format("'{}' is not a range; write LOW:HIGH, numbers with at most {} decimals, as in 0.2:0.8", text,
                        most_decimals);
   if (auto error = read_end(spec, range.parameter, low, range.low); !error.empty()) return error;
   if (auto error = read_end(spec, range.parameter, high, range.high); !error.empty()) return error;

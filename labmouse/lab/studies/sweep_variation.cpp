@@ -45,8 +45,8 @@ std::string read_range(std::string_view text, std::vector<std::string>& values) 
   for (const std::string& part : split(text, ':'))
     if (const auto number = millionths(part)) numbers.push_back(*number);
   if (numbers.size() != 3 || std::count(text.begin(), text.end(), ':') != 2)
-    return fmt::format("'{}' is no range; write LOW:HIGH:STEP, numbers with at most {} decimals, as in 0:1:0.1", text,
-                       most_decimals);
+    return fmt::format("'{}' is not a range; write LOW:HIGH:STEP, numbers with at most {} decimals, as in 0:1:0.1",
+                       text, most_decimals);
   const long long low = numbers[0], high = numbers[1], step = numbers[2];
   if (step <= 0) return fmt::format("the step of '{}' is not above 0", text);
   if (high < low) return fmt::format("the range '{}' ends below its begin", text);

@@ -64,7 +64,7 @@ class JsonFields {
     const std::string name = text(key);
     for (const Heading heading : all_headings)
       if (name_of(heading) == name) return heading;
-    return wrong(key, "is none of north, east, south, west"), Heading::north;
+    return wrong(key, "is not one of north, east, south, west"), Heading::north;
   }
   const ReadJson& list(const char* key) {
     static const ReadJson none = ReadJson::array();

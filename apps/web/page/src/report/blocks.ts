@@ -40,7 +40,7 @@ export function isResults(value: unknown): value is RaceResults {
 export async function readReport(text: string): Promise<Report> {
   const json = await readJson(text, 'report');
   if (!isObject(json) || json.labmouse !== 'report')
-    throw new Error('This page carries something that is no report of labmouse');
+    throw new Error('This page carries something that is not a report of labmouse');
   if (json.format !== format) {
     const version = typeof json.version === 'string' ? `, made by labmouse ${json.version}` : '';
     throw new Error(
