@@ -2,8 +2,9 @@
 # into reading headers and into instantiating what stands in them. docs/building.md has the figures.
 #
 # A batch holds whole folders, small ones together, or an even part of one that is larger. Two files of a batch may not
-# declare the same name for themselves, unless as overloads: the compiler says where they do. Where every file of a
-# folder has the same names, because each fills in the same table, the files stay alone.
+# declare the same name for themselves, unless as overloads: the compiler says where they do. What fills in the same table as
+# its neighbours has the same names as they: a world's folder is a batch of its own, and minds, generators and formats stay
+# alone.
 set(LABMOUSE_BATCH_SIZE 12)  # files: more save little and make a developer wait
 set(LABMOUSE_ALONE labmouse/maze/formats labmouse/maze/generators labmouse/strategies)
 
@@ -26,11 +27,16 @@ function(labmouse_batch target)
   list(REMOVE_DUPLICATES folders)
   set(batch 0)
   set(held 0)  # files in the batch
+  set(world_before FALSE)
   foreach(folder IN LISTS folders)
     list(LENGTH files_${folder} count)
     math(EXPR parts "(${count} + ${LABMOUSE_BATCH_SIZE} - 1) / ${LABMOUSE_BATCH_SIZE}")
     math(EXPR together "${held} + ${count}")
-    if(together GREATER LABMOUSE_BATCH_SIZE)
+    set(world FALSE)
+    if("${files_${folder}}" MATCHES "_world[.]cpp")
+      set(world TRUE)
+    endif()
+    if(together GREATER LABMOUSE_BATCH_SIZE OR world OR world_before)
       math(EXPR batch "${batch} + 1")
       set(together ${count})
     endif()
@@ -42,6 +48,7 @@ function(labmouse_batch target)
     endforeach()
     math(EXPR batch "${batch} + ${parts} - 1")
     set(held ${together})
+    set(world_before ${world})
   endforeach()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
   # Names of one file may be shadowed in another; without batches this warns as ever.

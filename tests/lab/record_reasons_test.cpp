@@ -112,7 +112,7 @@ TEST(RecordedReasons, WithoutAFieldAreRefused) {
 }
 
 TEST(RecordedReasons, WithAGroundThatIsNoneAreRefused) {
-  EXPECT_THAT(problem(with_candidates(candidate(), R"(,"ground":"a whim")")).reason, HasSubstr("ground that is none"));
+  EXPECT_THAT(problem(with_candidates(candidate(), R"(,"ground":"a whim")")).reason, HasSubstr("unknown ground"));
 }
 
 TEST(RecordedReasons, WithAWrongWallAreRefused) {

@@ -89,7 +89,7 @@ void add_drives(const Maze& maze, const DriveModel& model, Hash& hash) {
 }
 
 /// Sixteen hexadecimal digits.
-std::string digits(std::uint64_t number) {
+std::string hexadecimal(std::uint64_t number) {
   std::string text;
   for (int shift = 60; shift >= 0; shift -= 4) text += "0123456789abcdef"[number >> shift & 0xfU];
   return text;
@@ -125,6 +125,6 @@ std::uint64_t seconds_signature() {
   return hash.value();
 }
 
-std::string signature() { return digits(behaviour_signature()) + "-" + digits(seconds_signature()); }
+std::string signature() { return hexadecimal(behaviour_signature()) + "-" + hexadecimal(seconds_signature()); }
 
 }  // namespace labmouse

@@ -34,7 +34,7 @@ describe('the report of a page', () => {
     ['a list', [1]],
     ['null', null],
   ])('is refused where it is %s', async (_, json) => {
-    await expect(readReport(pack(json))).rejects.toThrow(/no report/);
+    await expect(readReport(pack(json))).rejects.toThrow(/not a report/);
   });
   it.each([
     ['no results', undefined],
