@@ -2,14 +2,6 @@
 # public. The others are details that these include.
 include(CMakePackageConfigHelpers)
 include(LabmousePublicHeaders)
-if(NOT LABMOUSE_LAB)
-  list(FILTER LABMOUSE_PUBLIC_HEADERS EXCLUDE REGEX "^labmouse/lab/")
-endif()
-set(no_headers "")
-foreach(header IN LISTS LABMOUSE_HEADERS_OF_ONE_FILE)
-  cmake_path(GET header FILENAME name)
-  list(APPEND no_headers PATTERN ${name} EXCLUDE)
-endforeach()
 get_property(rooms GLOBAL PROPERTY LABMOUSE_ROOMS)
 
 # labmouse::labmouse is everything at once.
@@ -19,8 +11,10 @@ set_target_properties(labmouse_all PROPERTIES EXPORT_NAME labmouse)
 target_link_libraries(labmouse_all INTERFACE ${rooms})
 
 install(TARGETS ${rooms} labmouse_all EXPORT labmouse ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/labmouse DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-        FILES_MATCHING PATTERN "*.hpp" ${no_headers})
+foreach(header IN LISTS LABMOUSE_INSTALLED_HEADERS)
+  cmake_path(GET header PARENT_PATH folder)
+  install(FILES ${PROJECT_SOURCE_DIR}/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/${folder})
+endforeach()
 install(EXPORT labmouse NAMESPACE labmouse:: FILE labmouse-targets.cmake
         DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/labmouse)
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/labmouse-config.cmake.in

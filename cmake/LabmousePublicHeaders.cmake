@@ -1,5 +1,5 @@
 # The headers that other projects may include: what they declare is documented and kept, docs/library.md describes them,
-# and tests/consumer uses them. All others are details: installed because these include them, and free to change.
+# and tests/consumer uses them.
 set(LABMOUSE_PUBLIC_HEADERS
   labmouse/grid/cell.hpp
   labmouse/grid/cell_set.hpp
@@ -34,10 +34,23 @@ set(LABMOUSE_PUBLIC_HEADERS
   labmouse/lab/records/record_file.hpp
   labmouse/lab/system/files.hpp
 )
+if(NOT LABMOUSE_LAB)
+  list(FILTER LABMOUSE_PUBLIC_HEADERS EXCLUDE REGEX "^labmouse/lab/")
+endif()
 
-# Parts of one source file, which compiles them twice with different settings: nobody else can include them.
-set(LABMOUSE_HEADERS_OF_ONE_FILE
-  labmouse/mouse/distance_rows.hpp
-  labmouse/mouse/distance_searches.hpp
-  labmouse/mouse/distance_strips.hpp
-)
+# What is installed: these, and what they include. Those others are details, free to change.
+set(LABMOUSE_INSTALLED_HEADERS)
+set(unread ${LABMOUSE_PUBLIC_HEADERS})
+while(unread)
+  list(POP_FRONT unread header)
+  if(header IN_LIST LABMOUSE_INSTALLED_HEADERS)
+    continue()
+  endif()
+  list(APPEND LABMOUSE_INSTALLED_HEADERS ${header})
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${header})
+  file(STRINGS ${PROJECT_SOURCE_DIR}/${header} lines REGEX "^#include \"labmouse/")
+  foreach(line IN LISTS lines)
+    string(REGEX REPLACE "^#include \"([^\"]+)\".*" "\\1" included "${line}")
+    list(APPEND unread ${included})
+  endforeach()
+endwhile()

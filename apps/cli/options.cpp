@@ -55,7 +55,7 @@ void refuse_unknown_command(const CLI::App& app, const std::string& word) {
 }
 
 /// An empty path, which a shell makes of a variable that is not set: it would be taken for an option left out.
-void refuse_empty_paths(const CLI::App& command) {
+void refuse_empty_paths(const CLI::App& command, const std::string& name) {
   constexpr std::array<std::string_view, 10> paths = {"FILE", "DIR",     "PATH",  "MAZE",  "IN",
                                                       "OUT",  "RESULTS", "ROBOT", "RULES", "INTERPRETER"};
   for (const CLI::Option* option : command.get_options()) {
@@ -63,10 +63,9 @@ void refuse_empty_paths(const CLI::App& command) {
     if (std::find(paths.begin(), paths.end(), type.substr(0, type.find(':'))) == paths.end()) continue;
     const std::vector<std::string>& words = option->results();
     if (std::find(words.begin(), words.end(), "") != words.end())
-      throw UsageError(fmt::format("error: {} is empty; it takes a {} (see `labmouse {} --help`)", option->get_name(),
-                                   type, command.get_name()));
+      throw UsageError(fmt::format("error: {} is empty and names nothing (see `{} --help`)", option->get_name(), name));
   }
-  for (const CLI::App* inner : command.get_subcommands()) refuse_empty_paths(*inner);
+  for (const CLI::App* inner : command.get_subcommands()) refuse_empty_paths(*inner, name + " " + inner->get_name());
 }
 
 }  // namespace
@@ -183,7 +182,7 @@ CommandLine::~CommandLine() = default;
 
 bool CommandLine::run(int argc, char** argv) {
   if (argc > 1) refuse_unknown_command(*app_, argv[1]);
-  app_->parse_complete_callback([this] { refuse_empty_paths(*app_); });
+  app_->parse_complete_callback([this] { refuse_empty_paths(*app_, app_->get_name()); });
   try {
     app_->parse(argc, argv);
     return false;

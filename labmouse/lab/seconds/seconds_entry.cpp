@@ -39,7 +39,7 @@ PackedFile pack(std::string_view text, const RecordOwner& owner) {
          fmt::format("is not of this race, but of {} in {} with seed {}", file.mouse, file.maze_name, file.seed)});
   if (const std::string wrong = replay(file); !wrong.empty())
     return failed({0, 0, "does not agree with its maze: " + wrong});
-  const Json json = {{"mouse", file.mouse}, {"maze", file.maze_name}, {"drive", text}};
+  const Json json = {{"mouse", file.mouse}, {"maze", file.maze_name}, {"seed", file.seed}, {"drive", text}};
   return {json.dump(-1, ' ', false, Json::error_handler_t::replace), file.maze, std::nullopt};
 }
 

@@ -151,6 +151,18 @@ describe(`a race in ${race.mazes.length} mazes`, () => {
   });
 });
 
+test('a race in seconds replays its records', async () => {
+  const [folder, report] = [temporary('drives'), temporary('drives.html')];
+  native('race', '--world', 'seconds', '--mice', 'flood,ariadne', '--mazes', 'contest-05', '--out', folder);
+  native('report', folder, '-o', report, '--page', builtPage);
+  const page = await opened(report);
+  expect(await leaderboard(page, 'Leaderboard, seconds').locator('tbody tr').count()).toBe(2);
+  await matrix(page).focus();
+  await page.keyboard.press('Enter');
+  await page.waitForFunction(() => document.title === 'Replay · labmouse');
+  expect(await page.getByRole('status').first().textContent()).not.toContain('behaves differently');
+});
+
 describe('files and links', () => {
   test('dropped results are a race; what they lack can be dropped, too', async () => {
     const strange = temporary('strange.txt');
