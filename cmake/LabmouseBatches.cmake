@@ -5,7 +5,7 @@
 # declare the same name for themselves, unless as overloads: the compiler says where they do. What fills in the same table as
 # its neighbours has the same names as they: a world's folder is a batch of its own, and minds, generators and formats stay
 # alone.
-set(LABMOUSE_BATCH_SIZE 12)  # files: more save little and make a developer wait
+set(LABMOUSE_BATCH_SIZE 12 CACHE STRING "Files that compile as one: more save little and make a developer wait")
 set(LABMOUSE_ALONE labmouse/maze/formats labmouse/maze/generators labmouse/strategies)
 
 # labmouse_batch(TARGET FILE...): compiles these files of the target in batches, where the build asks for it. Files with

@@ -77,7 +77,6 @@ TEST(TheRobotFlood, DoesWhatTheMouseDoesInRealMazes) {
     GTEST_SKIP() << "no maze files in " << test::folder_of_mazes() << "; set LABMOUSE_MAZES";
   if (test::python3().empty()) GTEST_SKIP() << "no python3 that runs is in PATH";
   std::vector<NamedMaze> mazes;
-  // Every fourth: most of the time goes into the robot.
   const auto files = test::maze_files();
   for (std::size_t i = 0; i < files.size(); i += 4 * test::slowness)
     if (auto maze = test::maze_in_file(files[i]); maze && as_in_the_project(*maze))

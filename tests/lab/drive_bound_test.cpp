@@ -5,6 +5,7 @@
 #include "labmouse/contest/drive_gates.hpp"
 #include "labmouse/mouse/drive/fastest.hpp"
 #include "tests/lab/drive_record_fixture.hpp"
+#include "tests/slowness.hpp"
 #include "tests/strategies/random_mazes.hpp"
 
 namespace labmouse {
@@ -117,7 +118,7 @@ TEST(DriveBound, IsNoneWithoutARoute) {
 TEST(DriveBound, HoldsForEveryMouse) {
   Dice dice(5);
   for (const char* rules : {"all-japan", "thirtieth"})
-    for (int i = 0; i < 30; ++i) {
+    for (int i = 0; i < 40 / test::slowness; ++i) {
       SCOPED_TRACE(i);
       const Maze maze = test::any_maze(dice, 9);
       for (const char* mouse : {"flood", "certify"}) {

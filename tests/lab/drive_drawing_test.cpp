@@ -10,6 +10,7 @@
 #include "tests/capstone_mazes.hpp"
 #include "tests/lab/drive_record_fixture.hpp"
 #include "tests/lab/xml_scanner.hpp"
+#include "tests/slowness.hpp"
 #include "tests/strategies/random_mazes.hpp"
 
 namespace labmouse {
@@ -50,10 +51,10 @@ TEST(DriveDrawing, JoinsTheSegmentsOfRoutesInRealMazes) {
   if (files.empty()) GTEST_SKIP() << "no maze files in " << test::folder_of_mazes() << "; set LABMOUSE_MAZES";
   for (const char* robot : {"mm2021", "classic", "half"}) {
     const auto model = test::drive_model(robot);
-    for (const auto& file : files)
-      if (const auto maze = test::maze_in_file(file);
+    for (std::size_t i = 0; i < files.size(); i += test::slowness)
+      if (const auto maze = test::maze_in_file(files[i]);
           maze && maze->size().width <= max_drive_side && maze->size().height <= max_drive_side) {
-        SCOPED_TRACE(file);
+        SCOPED_TRACE(files[i]);
         expect_joined(fastest_route(*maze, *model), *model);
         if (HasFailure()) return;
       }
@@ -63,7 +64,7 @@ TEST(DriveDrawing, JoinsTheSegmentsOfRoutesInRealMazes) {
 TEST(DriveDrawing, JoinsTheSegmentsOfRoutesInMazesByDice) {
   const auto model = test::drive_model("classic");
   Dice dice(21);
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < 200 / test::slowness; ++i) {
     SCOPED_TRACE(i);
     expect_joined(fastest_route(test::any_maze(dice, 12), *model), *model);
     if (HasFailure()) return;

@@ -117,7 +117,7 @@ TEST_P(AnyRobot, IsPlannedForExactlyInEmptyMazes) {
     expect_exact(Maze(MazeDraft(size, MazeDraft::Inside::open)));
 }
 
-TEST_P(AnyRobot, IsPlannedForExactlyInTwoThousandMazesByDice) {
+TEST_P(AnyRobot, IsPlannedForExactlyInMazesByDice) {
   Dice dice(7);
   for (int i = 0; i < 2000 / test::slowness; ++i) {
     SCOPED_TRACE(i);

@@ -65,7 +65,7 @@ Settings any_settings(Dice& dice) {
   return settings_of(dice.chance(1, 2) ? Values{} : several[dice.below(static_cast<int>(std::size(several)))]);
 }
 
-TEST(Ariadne, DecidesAsItsDefinitionSaysInAThousandMazes) {
+TEST(Ariadne, DecidesAsItsDefinitionSaysInMazesByDice) {
   Dice dice(1000);
   for (int i = 0; i < 1000 / test::slowness; ++i) {
     const Maze maze = any_maze(dice, i % 8 == 0 ? 16 : 9);

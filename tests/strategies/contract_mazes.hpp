@@ -20,7 +20,7 @@ struct ContractMaze {
 inline void add_generated(std::vector<ContractMaze>& mazes) {
   const auto add = [&](const Generator& generator, Size size, int loops) {
     const GeneratorOrder order{size, 7, loops};
-    if (slowness > 1 && size.area() > 16 * 16 && &generator != &depth_first_generator) return;
+    if (sanitized && size.area() > 16 * 16 && &generator != &depth_first_generator) return;
     if (generator.refuses(order).empty())
       mazes.push_back({std::string(generator.name) + " " + std::to_string(size.width) + "x" +
                            std::to_string(size.height) + " loops " + std::to_string(loops),

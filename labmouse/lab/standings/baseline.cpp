@@ -60,25 +60,12 @@ const ReadJson* part_of(const ReadJson& json, const World& world) {
   return nullptr;
 }
 
-/// The worlds of a race's JSON, in words.
-std::string worlds_in(const ReadJson& json) {
-  std::string names;
-  if (json["mice"].is_array() && !json["mice"].empty()) names = "that of steps";
-  if (json.contains("groups") && json["groups"].is_array())
-    for (const ReadJson& group : json["groups"])
-      if (group.is_object() && group.contains("world") && group["world"].is_string())
-        names += (names.empty() ? "that of " : " and that of ") + shown(group["world"].get<std::string>());
-  return names.empty() ? "none" : names;
-}
-
 /// A condition that differs, in a line: lists and objects by their names, where they have one.
 std::string change_of(const Condition& condition, const Baseline& baseline) {
   const auto before = baseline.conditions.find(condition.key);
-  const ReadJson now = std::holds_alternative<JsonText>(condition.value) ? ReadJson::parse(text_of(condition.value))
-                       : std::holds_alternative<std::string>(condition.value)
-                           ? ReadJson(text_of(condition.value))
-                           : ReadJson::parse(text_of(condition.value));
   if (before == baseline.conditions.end()) return "";
+  const auto* text = std::get_if<std::string>(&condition.value);
+  const ReadJson now = text != nullptr ? ReadJson(*text) : ReadJson::parse(text_of(condition.value));
   const ReadJson old = ReadJson::parse(before->second);
   if (old == now) return "";
   const auto name = [](const ReadJson& json) {
@@ -120,7 +107,8 @@ ReadBaselineResult read_baseline(std::string_view json_text, const World& world)
   if (!json.is_object() || !json.contains("labmouse") || !json.contains("mice")) return no_race();
   const ReadJson* held = part_of(json, world);
   if (held == nullptr)
-    return {std::nullopt, fmt::format("has no race in the world of {}; it has {}", world.name(), worlds_in(json))};
+    return {std::nullopt,
+            fmt::format("has no race in the world of {}; make one with --world {}", world.name(), world.name())};
   if (!held->contains("mice") || !(*held)["mice"].is_array()) return no_race();
   Baseline baseline;
   for (const Condition& condition : world.conditions())

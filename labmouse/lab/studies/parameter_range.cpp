@@ -6,12 +6,11 @@
 #include <cmath>
 
 #include "labmouse/lab/mice/specs.hpp"
+#include "labmouse/lab/studies/decimals.hpp"
 #include "labmouse/strategies/roster.hpp"
 
 namespace labmouse {
 namespace {
-
-constexpr std::size_t most_decimals = 6;  ///< of the ends of a range, as in a sweep
 
 /// Decimals that show four significant digits: 3 for 2.345, 0 for 2345 and for more. At most 9, so that with the digits
 /// before the point a value is never longer than parse_number reads.
@@ -37,11 +36,6 @@ std::string no_number(const RosterEntry& mouse, const Parameter& parameter) {
   return fmt::format("parameter '{}' of mouse '{}' is a {}, and only numbers are tuned{}", parameter.name, mouse.name,
                      name_of(parameter.type),
                      numbers.empty() ? ", of which it has none" : fmt::format(": {}", fmt::join(numbers, ", ")));
-}
-
-bool has_few_decimals(std::string_view number) {
-  const auto point = number.find('.');
-  return point == std::string_view::npos || number.size() - point - 1 <= most_decimals;
 }
 
 /// Reads one end of a range; returns what is wrong with it, or nothing.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "labmouse/lab/studies/decimals.hpp"
 #include "labmouse/lab/studies/sweep.hpp"
 #include "labmouse/strategies/parameter.hpp"
 
@@ -11,7 +12,6 @@ namespace {
 
 // Ranges count in millionths, as whole numbers, so that no value is ever 0.30000000000000004.
 constexpr long long one = 1'000'000;
-constexpr std::size_t most_decimals = 6;
 constexpr double largest = 1e9;
 
 std::vector<std::string> split(std::string_view text, char separator) {
@@ -26,9 +26,7 @@ std::vector<std::string> split(std::string_view text, char separator) {
 
 std::optional<long long> millionths(std::string_view text) {
   double number = 0.0;
-  const auto point = text.find('.');
-  const bool fine = point == std::string_view::npos || text.size() - point - 1 <= most_decimals;
-  if (!fine || !parse_number(text, number) || std::abs(number) > largest) return std::nullopt;
+  if (!has_few_decimals(text) || !parse_number(text, number) || std::abs(number) > largest) return std::nullopt;
   return std::llround(number * static_cast<double>(one));
 }
 
