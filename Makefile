@@ -15,7 +15,7 @@
 race:
 	@scripts/install race
 	@test -e build/release/build.ninja || scripts/quietly cmake --preset release
-	@test -e build/release/labmouse || echo "building labmouse: four minutes of processor time" >&2
+	@test -e build/release/labmouse || echo "building labmouse; this takes about 4 minutes of processor time" >&2
 	@scripts/quietly cmake --build --preset release --target labmouse
 	@build/release/labmouse race
 
@@ -26,7 +26,7 @@ check:
 	@scripts/install check
 	@scripts/page --if-installed
 	@scripts/quietly cmake --preset release -DLABMOUSE_TESTS=ON -DLABMOUSE_BENCH=ON $(CHECK_OPTIONS)
-	@test -e build/release/tests/lab_test || echo "building labmouse and its tests: a quarter of an hour of processor time" >&2
+	@test -e build/release/tests/lab_test || echo "building labmouse and its tests; this takes about 15 minutes of processor time" >&2
 	@scripts/quietly cmake --build --preset release
 	@scripts/run-tests release
 
@@ -34,7 +34,7 @@ page:
 	@scripts/install page
 	@scripts/page
 	@test -e build/release/build.ninja || scripts/quietly cmake --preset release
-	@test -e build/release/labmouse || echo "building labmouse: four minutes of processor time" >&2
+	@test -e build/release/labmouse || echo "building labmouse; this takes about 4 minutes of processor time" >&2
 	@scripts/quietly cmake --build --preset release --target labmouse
 	@echo "build/page/labmouse.html"
 

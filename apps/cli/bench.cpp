@@ -42,9 +42,9 @@ std::string bench_json(const std::string& signature, const Speed& speed) {
 void add_bench(Command& app, int& exit) {
   auto format = std::make_shared<std::string>("table");
   auto signature_only = std::make_shared<bool>(false);
-  Command* command = app.add_subcommand("bench", "Print the behaviour signature and the speeds");
+  Command* command = app.add_subcommand("bench", "Print the behaviour signature and measure speeds");
   command->add_option("--format", *format, "Output")->check(one_of({"table", "json"}))->capture_default_str();
-  command->add_flag("--signature", *signature_only, "Print the behaviour signature alone");
+  command->add_flag("--signature", *signature_only, "Print only the behaviour signature");
   command->footer("Example: labmouse bench --format json");
   command->callback([format, signature_only, &exit] {
     const std::string signature = labmouse::signature();

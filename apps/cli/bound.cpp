@@ -68,28 +68,28 @@ int bound(const BoundOptions& options) {
 void add_hindsight(Command& command, BoundOptions& options) {
   Option* hindsight = command
                           .add_option("--hindsight", options.mouse,
-                                      "Beside the bounds: this mouse's score, and references that it could have had")
+                                      "Also show this mouse's score, and what it could have scored in hindsight")
                           ->type_name("MOUSE");
   RaceOrder& race = options.order.race;
   command
       .add_option("--perturbed", options.order.others,
-                  "Variants of the mouse (for one that throws dice: seeds) to take the best of; 0 for none")
+                  "Number of variants (or, for a mouse that throws dice, seeds) to take the best of; 0 for none")
       ->check(in_range(0, 100'000))
       ->capture_default_str()
       ->needs(hindsight);
-  command.add_option("--runs", race.runs, "Contests of a mouse that throws dice, in each maze")
+  command.add_option("--runs", race.runs, "Contests in each maze for a mouse that throws dice")
       ->check(in_range(1, 1'000'000))
       ->capture_default_str()
       ->needs(hindsight);
-  command.add_option("--budget", options.order.rules.budget, "Steps of a contest, over both runs")
+  command.add_option("--budget", options.order.rules.budget, "Step limit of a contest, for both runs together")
       ->check(in_range(1, 1'000'000))
       ->capture_default_str()
       ->needs(hindsight);
-  command.add_option("--seed", race.seed, "Seed of all random choices")
+  command.add_option("--seed", race.seed, "Seed for all random choices")
       ->check(seed_number())
       ->capture_default_str()
       ->needs(hindsight);
-  command.add_option("--jobs", race.jobs, "Threads; 0 takes all processors")
+  command.add_option("--jobs", race.jobs, "Number of threads; 0 uses all processors")
       ->check(in_range(0, 1024))
       ->capture_default_str()
       ->needs(hindsight);
@@ -99,10 +99,11 @@ void add_hindsight(Command& command, BoundOptions& options) {
 
 void add_bound(Command& app, int& exit) {
   auto options = std::make_shared<BoundOptions>();
-  Command* command = app.add_subcommand("bound", "The best possible score of mazes: that of a mouse which knows them");
+  Command* command =
+      app.add_subcommand("bound", "Print the best possible score of each maze: that of a mouse that knows it");
   command
       ->add_option("mazes", options->mazes,
-                   "Maze files, folders, patterns or names of built-in mazes; default: all built-in mazes")
+                   "Maze files, folders, patterns or built-in mazes; default: all built-in mazes")
       ->type_name("MAZE");
   add_places(*command, options->places);
   command->add_option("--format", options->format, "Output")->check(one_of({"table", "json"}))->capture_default_str();

@@ -29,9 +29,9 @@ Pose read_place(const std::string& text, bool with_heading) {
   for (const Heading heading : all_headings) headings.push_back(name_of(heading));
   const auto bad = [&] {
     const auto form = with_heading
-                          ? fmt::format(" or X,Y,HEADING, where HEADING is one of {}", fmt::join(headings, ", "))
+                          ? fmt::format(" or X,Y,HEADING with one of the headings {}", fmt::join(headings, ", "))
                           : std::string();
-    return UsageError(fmt::format("error: '{}' is not a position; write X,Y, as in 0,0{}", text, form));
+    return UsageError(fmt::format("error: '{}' is not a position; write X,Y (such as 0,0){}", text, form));
   };
   double x = 0.0, y = 0.0;
   if (parts.size() < 2 || parts.size() > (with_heading ? 3U : 2U)) throw bad();
@@ -43,16 +43,16 @@ Pose read_place(const std::string& text, bool with_heading) {
   for (const Heading heading : all_headings)
     if (parts[2] == name_of(heading)) return {pose.cell, heading};
   const auto near = nearest_name(parts[2], headings);
-  throw UsageError(fmt::format(
-      "error: heading '{}' in '{}' is unknown; {}", parts[2], text,
-      near.empty() ? fmt::format("there are {}", fmt::join(headings, ", ")) : fmt::format("did you mean '{}'?", near)));
+  throw UsageError(fmt::format("error: unknown heading '{}' in '{}'; {}", parts[2], text,
+                               near.empty() ? fmt::format("the headings are {}", fmt::join(headings, ", "))
+                                            : fmt::format("did you mean '{}'?", near)));
 }
 
 void require_inside(const NamedMaze& maze, Cell cell, const char* what) {
   const Size size = maze.maze.size();
   if (size.contains(cell)) return;
-  throw UsageError(fmt::format("{}: error: the {} ({},{}) lies outside of the maze, which is {}x{}", maze.name, what,
-                               cell.x, cell.y, size.width, size.height));
+  throw UsageError(fmt::format("{}: error: the {} ({},{}) is outside the maze, which is {}x{}", maze.name, what, cell.x,
+                               cell.y, size.width, size.height));
 }
 
 void apply(const Places& places, NamedMaze& maze) {
@@ -78,7 +78,7 @@ void write_out(const std::string& text, std::FILE* stream) {
   if (std::fwrite(text.data(), 1, text.size(), stream) == text.size() && std::fflush(stream) == 0) return;
   // A reader that has seen enough (`| head`) is no error, but there is nothing more to do.
   if (errno == EPIPE) std::exit(exit_good);
-  throw UsageError(fmt::format("error: standard output cannot be written: {}", cause_of(errno)));
+  throw UsageError(fmt::format("error: cannot write to standard output: {}", cause_of(errno)));
 }
 
 std::string describe_all(const std::vector<SkippedFile>& files) {
@@ -100,9 +100,9 @@ void tell_skipped(const std::vector<SkippedFile>& skipped) {
 }
 
 void add_places(Command& command, Places& places) {
-  command.add_option("--start", places.start, "Start cell, X,Y or X,Y,HEADING, in place of the file's")
+  command.add_option("--start", places.start, "Start at X,Y or X,Y,HEADING instead of where the file says")
       ->type_name("X,Y[,HEADING]");
-  command.add_option("--goal", places.goals, "Goal cell in place of the file's (may repeat)")
+  command.add_option("--goal", places.goals, "Goal cell, replacing those of the file (repeatable)")
       ->type_name("X,Y")
       ->expected(1)
       ->take_all();
@@ -114,7 +114,7 @@ void tell(const std::string& text) {
 }
 
 void add_budget(Command& command, Rules& rules) {
-  command.add_option("--budget", rules.budget, "Steps of a contest, over both runs")
+  command.add_option("--budget", rules.budget, "Step limit of a contest, for both runs together")
       ->check(in_range(1, 1'000'000))
       ->capture_default_str();
 }
@@ -124,7 +124,7 @@ MazeCollection find_mazes(const std::vector<std::string>& paths, const Places& p
   if (!collection.errors.empty()) throw UsageError(describe_all(collection.errors));
   tell_skipped(collection.skipped);
   if (collection.mazes.empty())
-    throw UsageError("error: no maze to work on; name a maze file, or leave the paths out for the built-in ones");
+    throw UsageError("error: no mazes found; name a maze file, or omit the paths to use the built-in mazes");
   for (NamedMaze& maze : collection.mazes) apply(places, maze);
   return collection;
 }
@@ -132,7 +132,7 @@ MazeCollection find_mazes(const std::vector<std::string>& paths, const Places& p
 NamedMaze find_maze(const std::string& path, const Places& places) {
   MazeCollection collection = find_mazes({path}, places);
   if (collection.mazes.size() == 1) return collection.mazes.front();
-  throw UsageError(fmt::format("{}: error: holds {} mazes; name one", path, collection.mazes.size()));
+  throw UsageError(fmt::format("{}: error: this names {} mazes; name exactly one", path, collection.mazes.size()));
 }
 
 void print(const std::string& text) { write_out(text, printed); }
@@ -155,7 +155,8 @@ void expect_outputs(std::initializer_list<Output> outputs) {
     const bool streams = descriptor_to_write(one->path).has_value();
     for (const auto* other = outputs.begin(); other != one; ++other)
       if (other->path == one->path || (streams && descriptor_to_write(other->path) == descriptor_to_write(one->path)))
-        throw UsageError(fmt::format("error: {} and {} name one file; name two", other->option, one->option));
+        throw UsageError(
+            fmt::format("error: {} and {} name the same file; use two different files", other->option, one->option));
     require_writable(one->path);
     if (descriptor_to_write(one->path) == STDOUT_FILENO) printed = stderr;
   }

@@ -42,19 +42,19 @@ void stop_or_end(int number) {
 void add_contests(Command& command, Contests& contests) {
   command
       .add_option("--mazes", contests.mazes,
-                  "Maze files, folders, patterns or names of built-in mazes; default: all built-in mazes")
+                  "Maze files, folders, patterns or built-in mazes; default: all built-in mazes")
       ->type_name("PATH")
       ->expected(1, 1 << 20)
       ->take_all();
   add_places(command, contests.places);
-  command.add_option("--runs", contests.order.runs, "Contests of each mouse that throws dice, in each maze")
+  command.add_option("--runs", contests.order.runs, "Contests in each maze for each mouse that throws dice")
       ->check(in_range(1, 1'000'000))
       ->capture_default_str();
   contests.world.add_to(command);
-  command.add_option("--seed", contests.order.seed, "Seed of all random choices")
+  command.add_option("--seed", contests.order.seed, "Seed for all random choices")
       ->check(seed_number())
       ->capture_default_str();
-  command.add_option("--jobs", contests.order.jobs, "Threads; 0 takes all processors")
+  command.add_option("--jobs", contests.order.jobs, "Number of threads; 0 uses all processors")
       ->check(in_range(0, 1024))
       ->capture_default_str();
 }
@@ -70,7 +70,7 @@ std::vector<Contestant> find_contestants(const std::vector<std::string>& specs, 
   if (!specs.empty()) return find_contestants(specs, std::move(options));
   std::vector<Contestant> mice = residents_of(*world.world());
   if (mice.empty())
-    throw UsageError(fmt::format("error: labmouse brings no mouse for the world of {}; name yours with --mice",
+    throw UsageError(fmt::format("error: labmouse has no built-in mice for the world {}; name your own with --mice",
                                  world.world()->name()));
   return mice;
 }
@@ -86,13 +86,14 @@ MazeCollection find_mazes_of(const World& world, const Contests& contests) {
   const Places& places = contests.places;
   if (const auto fixed = world.fixed_places(); !fixed.empty() && (!places.start.empty() || !places.goals.empty()))
     throw UsageError(
-        fmt::format("error: --start and --goal are not for the world of {}, which {}", world.name(), fixed));
+        fmt::format("error: --start and --goal cannot be used in the world {}, which {}", world.name(), fixed));
   MazeCollection mazes = find_mazes(contests.mazes, places);
   const auto before = static_cast<std::ptrdiff_t>(mazes.skipped.size());
   if (const std::string refused = leave_out(world, contests.mazes, mazes); !refused.empty()) throw UsageError(refused);
   tell_skipped({mazes.skipped.begin() + before, mazes.skipped.end()});
   if (mazes.mazes.empty())
-    throw UsageError(fmt::format("error: no maze to race on: the world of {} takes none of these", world.name()));
+    throw UsageError(
+        fmt::format("error: no mazes to race on: none of these can be used in the world {}", world.name()));
   return mazes;
 }
 

@@ -23,8 +23,8 @@ void require_room(Size size, int lines) {
   const int columns = 4 * size.width + 4, rows = 2 * size.height + 3 + lines;
   if (window.ws_col >= columns && window.ws_row >= rows) return;
   throw UsageError(
-      fmt::format("error: to watch a maze of {}x{} takes a terminal of {}x{}, and this one has {}x{}; make it larger "
-                  "or its letters smaller, or pipe the frames into a pager",
+      fmt::format("error: watching a {}x{} maze needs a terminal of {}x{}, but this one is {}x{}; enlarge the window, "
+                  "use a smaller font, or pipe the output into a pager",
                   size.width, size.height, columns, rows, window.ws_col, window.ws_row));
 }
 

@@ -25,27 +25,28 @@ void add_seconds(Command& command, const std::string& name, std::chrono::millise
 
 void add_python(Command& command, GuestOptions& guests) {
   command
-      .add_option("--python", guests.python, "Python that plays capstone robots; default: the newest python3 of PATH")
+      .add_option("--python", guests.python,
+                  "Python interpreter for capstone robots; default: the newest python3 in PATH")
       ->type_name("INTERPRETER");
 }
 
 void add_guest_options(Command& command, GuestOptions& guests) {
   constexpr int mib_bits = 20;
   GuestLimits& limits = guests.limits;
-  command.add_option("--directory", guests.directory, "Where programs run; default: here")
+  command.add_option("--directory", guests.directory, "Working directory of the programs; default: the current one")
       ->type_name("DIR")
       ->check(existing_directory());
-  add_seconds(command, "--start-limit", limits.start, "How long a program may take until its first word");
-  add_seconds(command, "--decision-limit", limits.decision, "How long a program may say nothing");
+  add_seconds(command, "--start-limit", limits.start, "How long a program may take to write its first line");
+  add_seconds(command, "--decision-limit", limits.decision, "How long a program may stay silent");
   add_seconds(command, "--contest-limit", limits.contest, "How long a program may run in one maze");
   command
       .add_integer(
           "--memory", [&limits](std::uint64_t mib) { limits.memory = mib << mib_bits; },
-          "Memory of each process of a program")
+          "Memory limit for each process of a program")
       ->type_name("MIB")
       ->check(in_range(std::uint64_t{16}, std::uint64_t{1} << mib_bits))
       ->default_str(fmt::format("{}", limits.memory >> mib_bits));
-  command.add_option("--cpu", limits.processor_seconds, "Processor time of each process of a program")
+  command.add_option("--cpu", limits.processor_seconds, "Processor time limit for each process of a program")
       ->type_name("SECONDS")
       ->check(in_range(1, 1'000'000))
       ->capture_default_str();
@@ -54,7 +55,7 @@ void add_guest_options(Command& command, GuestOptions& guests) {
 void add_racing_guests(Command& command, GuestOptions& guests) {
   add_python(command, guests);
   add_guest_options(command, guests);
-  command.add_option("--guest-runs", guests.runs, "Contests of each guest in each maze, for those that throw dice")
+  command.add_option("--guest-runs", guests.runs, "Contests in each maze for each guest; for guests that throw dice")
       ->type_name("N")
       ->check(in_range(1, 1'000'000))
       ->capture_default_str();

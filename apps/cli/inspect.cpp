@@ -54,10 +54,10 @@ int inspect_all(const InspectOptions& options) {
 
 void add_inspect(Command& app, int& exit) {
   auto options = std::make_shared<InspectOptions>();
-  Command* command = app.add_subcommand("inspect", "Describe mazes and check them against the contest rules");
+  Command* command = app.add_subcommand("inspect", "Describe mazes and check whether they follow the contest rules");
   command
       ->add_option("mazes", options->mazes,
-                   "Maze files, folders, patterns or names of built-in mazes; default: all built-in mazes")
+                   "Maze files, folders, patterns or built-in mazes; default: all built-in mazes")
       ->type_name("MAZE");
   add_places(*command, options->places);
   command->add_flag("--check", options->check, "Exit with 1 if a maze breaks a contest rule");

@@ -41,10 +41,10 @@ int learn(const LearnOptions& options) {
 void add_learn(Command& app, int& exit) {
   auto options = std::make_shared<LearnOptions>();
   Command* command =
-      app.add_subcommand("learn", "Learn from mazes which walls to expect, for mice with a parameter 'prior'");
+      app.add_subcommand("learn", "Learn from mazes which walls to expect, for mice with the parameter 'prior'");
   command
       ->add_option("mazes", options->mazes,
-                   "Maze files, folders, patterns or names of built-in mazes; default: all built-in mazes")
+                   "Maze files, folders, patterns or built-in mazes; default: all built-in mazes")
       ->type_name("MAZE");
   add_places(*command, options->places);
   command->add_option("-o,--out", options->out, "File to write, for ariadne:prior=FILE")->required()->type_name("FILE");

@@ -28,8 +28,8 @@ std::string json_of(const std::string& name) {
 void add_mice(Command& app, int& exit) {
   auto name = std::make_shared<std::string>();
   auto format = std::make_shared<std::string>("table");
-  Command* command = app.add_subcommand("mice", "List the mice and their parameters with defaults and ranges");
-  command->add_option("name", *name, "Show this one, with its method and source")->type_name("NAME");
+  Command* command = app.add_subcommand("mice", "List the mice with their parameters, defaults and ranges");
+  command->add_option("name", *name, "Show only this mouse, with its method and source")->type_name("NAME");
   command->add_option("--format", *format, "Output")->check(one_of({"table", "json"}))->capture_default_str();
   command->footer("Example: labmouse mice ariadne\n         labmouse mice --format json");
   command->callback([name, format, &exit] {

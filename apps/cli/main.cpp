@@ -33,8 +33,8 @@ int main(int argc, char** argv) {
                    "labmouse " + std::string(labmouse::version()));
   Command& app = line.root();
   app.footer(
-      "Example: labmouse race --mice flood,certify --worst 3\nExit codes: 0 good, 1 a check found something, 2 bad "
-      "usage or input, 128 and the signal when interrupted, 130 for Ctrl-C.");
+      "Example: labmouse race --mice flood,certify --worst 3\nExit codes: 0 success, 1 a check failed, 2 bad usage or "
+      "input, 128 plus the signal number when interrupted (130 for Ctrl-C).");
   int exit = exit_good;
   add_race(app, exit);
   add_sweep(app, exit);

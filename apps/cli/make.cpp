@@ -22,21 +22,22 @@ std::string suggestion(std::string_view word, const Things& things) {
   std::vector<std::string_view> names;
   for (const auto* thing : things) names.push_back(thing->name);
   const auto near = nearest_name(word, names);
-  return near.empty() ? "there are " + list_of(things) : fmt::format("did you mean '{}'?", near);
+  return near.empty() ? "expected one of " + list_of(things) : fmt::format("did you mean '{}'?", near);
 }
 
 /// The format of that name; without a name the one that the path's ending suggests, or the drawing.
 const Format& choose_format(const std::string& name, const std::string& path) {
   if (name.empty()) return path.ends_with(".maz") ? maz_format : path.ends_with(".num") ? num_format : drawing_format;
   if (const Format* format = find_format(name)) return *format;
-  throw UsageError(fmt::format("error: format '{}' is unknown; {}", name, suggestion(name, all_formats())));
+  throw UsageError(fmt::format("error: unknown format '{}'; {}", name, suggestion(name, all_formats())));
 }
 
 void write(const Maze& maze, const std::string& path, const std::string& format_name) {
   const Format& format = choose_format(format_name, path);
   const WriteResult result = format.write(maze);
   if (!result.content)
-    throw UsageError(fmt::format("{}: error: format {} cannot hold this maze: {}", path, format.name, result.reason));
+    throw UsageError(
+        fmt::format("{}: error: the format {} cannot hold this maze: {}", path, format.name, result.reason));
   save(path, *result.content);
 }
 
@@ -54,14 +55,15 @@ Size read_size(const std::string& text) {
                     height >= 1 && width <= max_side && height <= max_side;
   const Size size{static_cast<int>(width), static_cast<int>(height)};
   if (good && size.width == width && size.height == height) return size;
-  throw UsageError(fmt::format("error: size '{}' is not WIDTHxHEIGHT with sides of 1 to {}", text, max_side));
+  throw UsageError(fmt::format("error: '{}' is not a size; write WIDTHxHEIGHT with sides from 1 to {}, such as 16x16",
+                               text, max_side));
 }
 
 void make(const MakeOptions& options) {
   const Generator* generator = find_generator(options.kind);
   if (generator == nullptr)
     throw UsageError(
-        fmt::format("error: kind '{}' is unknown; {}", options.kind, suggestion(options.kind, all_generators())));
+        fmt::format("error: unknown kind '{}'; {}", options.kind, suggestion(options.kind, all_generators())));
   const GeneratorOrder order{read_size(options.size), options.seed, static_cast<int>(options.loops * 1000.0 + 0.5)};
   if (const auto reason = generator->refuses(order); !reason.empty())
     throw UsageError(fmt::format("error: {}", reason));
@@ -76,13 +78,13 @@ struct ConvertOptions {
 
 void add_make(Command& app, int& exit) {
   auto options = std::make_shared<MakeOptions>();
-  Command* command = app.add_subcommand("make", "Make a maze");
+  Command* command = app.add_subcommand("make", "Generate a maze");
   command->add_option("kind", options->kind, "Generator: " + list_of(all_generators()))->required()->type_name("KIND");
   command->add_option("--size", options->size, "Width and height in cells")->type_name("WxH")->capture_default_str();
-  command->add_option("--seed", options->seed, "Seed of all random choices")
+  command->add_option("--seed", options->seed, "Seed for all random choices")
       ->check(seed_number())
       ->capture_default_str();
-  command->add_option("--loops", options->loops, "Share of the remaining inner walls to take away, which makes loops")
+  command->add_option("--loops", options->loops, "Share of the remaining inner walls to remove, to make loops")
       ->check(finite_number())
       ->check(in_range(0.0, 1.0))
       ->capture_default_str();
@@ -90,7 +92,7 @@ void add_make(Command& app, int& exit) {
       ->type_name("FILE")
       ->capture_default_str();
   command->add_option("--format", options->format,
-                      "Format: " + list_of(all_formats()) + "; default by the file's ending, or drawing");
+                      "Format: " + list_of(all_formats()) + "; default: by the file's extension, otherwise drawing");
   command->footer("Example: labmouse make contest --size 32x32 --seed 7 -o my-maze.txt");
   command->callback([options, &exit] {
     make(*options);
@@ -100,11 +102,11 @@ void add_make(Command& app, int& exit) {
 
 void add_convert(Command& app, int& exit) {
   auto options = std::make_shared<ConvertOptions>();
-  Command* command = app.add_subcommand("convert", "Convert a maze into another format");
-  command->add_option("in", options->in, "Maze file or name of a built-in maze")->required()->type_name("IN");
+  Command* command = app.add_subcommand("convert", "Convert a maze to another format");
+  command->add_option("in", options->in, "Maze file or built-in maze")->required()->type_name("IN");
   command->add_option("out", options->out, "File to write; - is standard output")->required()->type_name("OUT");
   command->add_option("--format", options->format,
-                      "Format: " + list_of(all_formats()) + "; default by the ending of OUT, or drawing");
+                      "Format: " + list_of(all_formats()) + "; default: by the extension of OUT, otherwise drawing");
   command->footer("Example: labmouse convert maze.txt maze.maz");
   command->callback([options, &exit] {
     write(find_maze(options->in, {}).maze, options->out, options->format);

@@ -104,7 +104,7 @@ int mms(const MmsCommandOptions& options) {
 
 void add_mms_options(Command& command, MmsOptions& options) {
   command.add_flag("--strict", options.strict, "End a run at the first line that mms would not answer");
-  command.add_option("--presses", options.presses, "Press Reset N times for a mouse that waits for it")
+  command.add_option("--presses", options.presses, "Press Reset N times when the mouse waits for it")
       ->type_name("N")
       ->check(in_range(0, 1'000'000))
       ->capture_default_str();
@@ -114,19 +114,21 @@ void add_mms_options(Command& command, MmsOptions& options) {
 
 void add_mms(Command& app, int& exit) {
   auto options = std::make_shared<MmsCommandOptions>();
-  Command* command = app.add_subcommand("mms", "Host a program that was written for mms in one maze");
-  command->add_option("command", options->command, "Command that starts the program; words as in mms, no shell")
+  Command* command = app.add_subcommand("mms", "Run a program written for mms in one maze");
+  command
+      ->add_option("command", options->command,
+                   "Command that starts the program, split into words as in mms; no shell is used")
       ->required()
       ->type_name("COMMAND");
-  command->add_option("--maze", options->maze, "Maze file or name of a built-in maze")->required()->type_name("MAZE");
+  command->add_option("--maze", options->maze, "Maze file or built-in maze")->required()->type_name("MAZE");
   add_mms_options(*command, options->mms);
-  command->add_flag("--watch", options->watch, "Draw it move by move");
-  Option* speed = command->add_option("--speed", options->speed, "Watch it at so many times the default speed of mms")
+  command->add_flag("--watch", options->watch, "Draw the mouse after each move");
+  Option* speed = command->add_option("--speed", options->speed, "Watch it at this multiple of mms's default speed")
                       ->type_name("TIMES")
                       ->check(finite_number())
                       ->check(in_range(0.01, 1e6))
                       ->capture_default_str();
-  command->add_option("--record", options->record, "Save what it did, line by line")->type_name("FILE");
+  command->add_option("--record", options->record, "Save a record of what the program did")->type_name("FILE");
   add_guest_options(*command, options->guests);
   command->footer("Example: labmouse mms 'python3 mouse.py' --maze contest-05 --speed 10");
   command->callback([options, speed, &exit] {

@@ -16,12 +16,12 @@ namespace {
 /// The first word that a command did not expect, with the option that it may have been meant to be.
 std::string describe_unexpected(const CLI::App& command, const std::vector<std::string>& words) {
   auto word = std::find_if(words.begin(), words.end(), [](const std::string& w) { return w.starts_with("-"); });
-  if (word == words.end()) return fmt::format("'{}' was not expected", words.front());
+  if (word == words.end()) return fmt::format("unexpected argument '{}'", words.front());
   std::vector<std::string> names;
   for (const CLI::Option* option : command.get_options())
     for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
   const auto near = nearest_name(*word, std::vector<std::string_view>(names.begin(), names.end()));
-  return fmt::format("option '{}' is unknown{}", *word, near.empty() ? "" : fmt::format("; did you mean '{}'?", near));
+  return fmt::format("unknown option '{}'{}", *word, near.empty() ? "" : fmt::format("; did you mean '{}'?", near));
 }
 
 /// Bad usage: one line that says what is wrong and where help is.
@@ -48,10 +48,10 @@ void refuse_unknown_command(const CLI::App& app, const std::string& word) {
   if (word.starts_with('-') || std::find(names.begin(), names.end(), word) != names.end()) return;
   const std::vector<std::string_view> candidates(names.begin(), names.end());
   const auto near = nearest_name(word, candidates);
-  throw UsageError(fmt::format(
-      "error: command '{}' is unknown; {} (see `{} --help`)", word,
-      near.empty() ? fmt::format("there are {}", fmt::join(names, ", ")) : fmt::format("did you mean '{}'?", near),
-      app.get_name()));
+  throw UsageError(fmt::format("error: unknown command '{}'; {} (see `{} --help`)", word,
+                               near.empty() ? fmt::format("the commands are {}", fmt::join(names, ", "))
+                                            : fmt::format("did you mean '{}'?", near),
+                               app.get_name()));
 }
 
 /// An empty path, which a shell makes of a variable that is not set: it would be taken for an option left out.
@@ -63,7 +63,7 @@ void refuse_empty_paths(const CLI::App& command, const std::string& name) {
     if (std::find(paths.begin(), paths.end(), type.substr(0, type.find(':'))) == paths.end()) continue;
     const std::vector<std::string>& words = option->results();
     if (std::find(words.begin(), words.end(), "") != words.end())
-      throw UsageError(fmt::format("error: {} is empty and names nothing (see `{} --help`)", option->get_name(), name));
+      throw UsageError(fmt::format("error: the value of {} is empty (see `{} --help`)", option->get_name(), name));
   }
   for (const CLI::App* inner : command.get_subcommands()) refuse_empty_paths(*inner, name + " " + inner->get_name());
 }
@@ -92,7 +92,7 @@ Check seed_number() {
 Check finite_number() {
   return Check([](const std::string& text) {
     double number = 0.0;
-    return parse_number(text, number) ? std::string() : fmt::format("'{}' is not a number such as 0.25", text);
+    return parse_number(text, number) ? std::string() : fmt::format("'{}' is not a number (such as 0.25)", text);
   });
 }
 

@@ -20,8 +20,8 @@ struct PageOptions {
 std::string find_page(const PageOptions& options) {
   if (options.page.empty() && embedded_page().empty())
     throw UsageError(
-        "error: this program was built without its page; `make page` builds it and the program with it, or name one "
-        "with --page FILE");
+        "error: this program was built without the page; run `make page` to build both, or name a page with --page "
+        "FILE");
   if (options.page.empty()) return std::string(embedded_page());
   FileContent file = read_file(options.page, std::size_t{1} << 26U);
   if (file.error.empty()) file.error = wrong_page(file.content);
@@ -47,15 +47,14 @@ void report(const PageOptions& options) {
 
 void add_page_options(Command& command, PageOptions& options) {
   command.add_option("-o,--out", options.out, "File to write; - is standard output")->required()->type_name("FILE");
-  command.add_option("--page", options.page, "Take this page in place of the one that the program has")
-      ->type_name("FILE");
+  command.add_option("--page", options.page, "Use this page instead of the built-in one")->type_name("FILE");
 }
 
 }  // namespace
 
 void add_page(Command& app, int& exit) {
   auto options = std::make_shared<PageOptions>();
-  Command* command = app.add_subcommand("page", "Write the page that watches, compares and edits in a browser");
+  Command* command = app.add_subcommand("page", "Write the page for a browser: replays, comparisons and a maze editor");
   add_page_options(*command, *options);
   command->footer("Example: labmouse page -o labmouse.html");
   command->callback([options, &exit] {
@@ -66,7 +65,7 @@ void add_page(Command& app, int& exit) {
 
 void add_report(Command& app, int& exit) {
   auto options = std::make_shared<PageOptions>();
-  Command* command = app.add_subcommand("report", "Write the page with a race in it: results, mazes and records");
+  Command* command = app.add_subcommand("report", "Write the page with a race inside: results, mazes and records");
   command
       ->add_option("results", options->results,
                    "Folder of `labmouse race --out`, or a JSON file of `labmouse race --format json`")

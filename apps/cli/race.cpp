@@ -140,7 +140,7 @@ std::string above_limit(const RaceOptions& options, const Race& race) {
     const Contestant& mouse = race.mice[standing.mouse];
     const bool counted = race.world().failure_score().has_value();
     if (!counted && !mouse.reference && standing.solved < standing.runs)
-      text += fmt::format("{} has no score in {} of {} contests, which is above any limit\n", shown(mouse.name),
+      text += fmt::format("{} has no score in {} of {} contests, which exceeds any limit\n", shown(mouse.name),
                           standing.runs - standing.solved, standing.runs);
     else if (!mouse.reference && standing.mean_all && *standing.mean_all > options.fail_above)
       text += fmt::format("{} scores {:.3f}, above the limit of {:g}\n", shown(mouse.name), *standing.mean_all,
@@ -172,7 +172,8 @@ int race(const RaceOptions& options) {
   const auto worlds =
       std::count_if(entries.begin(), entries.end(), [](const Entry& entry) { return !entry.mice.empty(); });
   if (options.format == "csv" && worlds > 1)
-    throw UsageError("error: --format csv holds one world; race the mice of each world alone, or take --format json");
+    throw UsageError(
+        "error: --format csv can hold only one world; race the mice of each world separately, or use --format json");
   std::vector<SkippedFile> skipped;
   std::vector<Field> fields = fields_of(options, std::move(entries), skipped);
   auto folder = take_folder(options.out, options.overwrite);
@@ -204,11 +205,11 @@ int race(const RaceOptions& options) {
 
 void add_race(Command& app, int& exit) {
   auto options = std::make_shared<RaceOptions>();
-  Command* command = app.add_subcommand("race", "Race many mice on many mazes and print the leaderboard");
+  Command* command = app.add_subcommand("race", "Race mice on many mazes and print a leaderboard");
   command
       ->add_option("--mice", options->mice,
-                   "Mice: name[:key=value]..., several separated by commas, or capstone:FILE, guest:COMMAND, "
-                   "mms:COMMAND (may repeat); default: all")
+                   "Mice: name[:key=value]..., separated by commas, or capstone:FILE, guest:COMMAND, mms:COMMAND "
+                   "(repeatable); default: all")
       ->type_name("SPEC")
       ->expected(1)
       ->take_all();
@@ -216,19 +217,19 @@ void add_race(Command& app, int& exit) {
   command->add_option("--format", options->format, "Output")
       ->check(one_of({"table", "json", "csv"}))
       ->capture_default_str();
-  auto* out =
-      command
-          ->add_option("--out", options->out, "Folder for records, one SVG a maze and mouse, and the results as JSON")
-          ->type_name("DIR");
-  command->add_flag("--overwrite", options->overwrite, "Replace what an earlier race left in --out DIR")->needs(out);
-  command->add_option("--baseline", options->baseline, "JSON of an earlier race: prints the paired difference")
+  auto* out = command
+                  ->add_option("--out", options->out,
+                               "Folder for the records, one SVG per mouse and maze, and the results as JSON")
+                  ->type_name("DIR");
+  command->add_flag("--overwrite", options->overwrite, "Replace the files of an earlier race in --out DIR")->needs(out);
+  command->add_option("--baseline", options->baseline, "Compare with the JSON of an earlier race, maze by maze")
       ->type_name("FILE");
   auto* limit = command
                     ->add_option("--fail-above", options->fail_above,
-                                 "Exit with 1 if a mouse's mean score over all is above this")
+                                 "Exit with 1 if a mouse's mean score over all contests is above this")
                     ->type_name("SCORE")
                     ->check(finite_number());
-  command->add_option("--worst", options->worst, "Print the N mazes that cost each mouse most")
+  command->add_option("--worst", options->worst, "Print the N mazes in which each mouse lost most")
       ->type_name("N")
       ->check(in_range(1, 1'000'000));
   command->add_flag("--shares", options->shares, "Print how much of the mazes each mouse discovered and visited");

@@ -9,7 +9,7 @@
 namespace labmouse::cli {
 
 Option* add_record_maze(Command& command, std::string& maze) {
-  return command.add_option("--maze", maze, "Play it in this maze in place of the record's own")->type_name("MAZE");
+  return command.add_option("--maze", maze, "Play the record in this maze instead of its own")->type_name("MAZE");
 }
 
 std::string load_record_text(const std::string& path) {
@@ -23,13 +23,14 @@ std::optional<DriveRecordFile> load_drive_record(const std::string& path, const 
   if (!result.file) throw UsageError(describe(path, result.problems.front()));
   const std::string disagreement = replay(*result.file);
   if (disagreement.empty()) return std::move(result.file);
-  tell(fmt::format("{}: error: does not agree with its maze: {}\n", shown(path), disagreement));
+  tell(fmt::format("{}: error: the record does not match its maze: {}\n", shown(path), disagreement));
   return std::nullopt;
 }
 
 void refuse_in_seconds(const Command& command, const std::vector<std::string>& options) {
   for (const std::string& name : options)
-    if (command.count(name) > 0) throw UsageError(fmt::format("error: {} is not for records in seconds", name));
+    if (command.count(name) > 0)
+      throw UsageError(fmt::format("error: {} cannot be used with a record in seconds", name));
 }
 
 RecordFile load_record(const std::string& path, const std::string& text, const std::string& maze) {
@@ -42,14 +43,14 @@ RecordFile load_record(const std::string& path, const std::string& text, const s
     record.maze_name = std::move(named.name);
   }
   if (!record.maze)
-    throw UsageError(fmt::format("{}: error: the record has no maze; name its maze with --maze MAZE", path));
+    throw UsageError(fmt::format("{}: error: the record does not contain its maze; name it with --maze MAZE", path));
   return std::move(record);
 }
 
 bool re_enact(const std::string& path, RecordFile& file) {
   ReplayResult result = replay(file, *file.maze);
   if (!result.disagreement.empty()) {
-    tell(fmt::format("{}: error: does not agree with its maze: {}\n", shown(path), result.disagreement));
+    tell(fmt::format("{}: error: the record does not match its maze: {}\n", shown(path), result.disagreement));
     return false;
   }
   file.run = std::move(result.run);

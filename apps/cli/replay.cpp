@@ -46,7 +46,8 @@ int replay_file(const ReplayOptions& options) {
   else
     print(summary_of(file));
   if (const std::string checked = checked_line(file); !checked.empty()) print(checked + "\n");
-  explain(file, options.explain, "The record has no reasons; `labmouse run` with --explain and --record keeps them.");
+  explain(file, options.explain,
+          "The record has no reasons; to keep them, use `labmouse run` with --explain and --record.");
   if (!options.svg.empty()) save(options.svg, picture_of(file));
   return exit_good;
 }
@@ -70,13 +71,13 @@ int score_file(const ScoreOptions& options) {
 
 void add_replay(Command& app, int& exit) {
   auto options = std::make_shared<ReplayOptions>();
-  Command* command = app.add_subcommand("replay", "Play a record again and check that it agrees with its maze");
+  Command* command = app.add_subcommand("replay", "Replay a record and check that it matches its maze");
   options->command = command;
   command->add_option("file", options->file, "Record")->required()->type_name("FILE");
   add_record_maze(*command, options->maze);
   add_explain(*command, options->explain);
-  command->add_flag("--watch", options->watch, "Draw it step by step");
-  command->add_option("--delay", options->delay, "Milliseconds a step stays on the screen")
+  command->add_flag("--watch", options->watch, "Draw every step");
+  command->add_option("--delay", options->delay, "Milliseconds to show each step")
       ->check(in_range(0, 60'000))
       ->capture_default_str();
   command->add_option("--svg", options->svg, "Save a picture")->type_name("FILE");
@@ -86,7 +87,7 @@ void add_replay(Command& app, int& exit) {
 
 void add_score(Command& app, int& exit) {
   auto options = std::make_shared<ScoreOptions>();
-  Command* command = app.add_subcommand("score", "Score a record, after checking that it agrees with its maze");
+  Command* command = app.add_subcommand("score", "Check that a record matches its maze, and print its score");
   options->command = command;
   command->add_option("file", options->file, "Record")->required()->type_name("FILE");
   add_record_maze(*command, options->maze);

@@ -43,29 +43,30 @@ FoundRobot find_robot_or_refuse(const std::string& name) {
 }
 
 void add_robot_option(Command& command, std::string& robot) {
-  command.add_option("--robot", robot, "Name of a built-in robot, or a file with a slash or .toml in its name")
+  command.add_option("--robot", robot, "Built-in robot, or a file whose name contains a slash or ends in .toml")
       ->type_name("ROBOT")
       ->capture_default_str();
 }
 
 void add_robot(Command& app, int& exit) {
-  Command* command = app.add_subcommand("robot", "The robots of the world in seconds: their turns and times");
+  Command* command = app.add_subcommand("robot", "Show the robots of the world in seconds: their turns and times");
   command->require_subcommand();
   command->footer("Example: labmouse robot show classic");
 
   auto options = std::make_shared<RobotOptions>();
-  Command* shown = command->add_subcommand("show", "What follows from the limits of a robot");
+  Command* shown = command->add_subcommand("show", "Show what follows from the limits of a robot");
   shown->add_option("robot", options->robot, "Name of a built-in robot, or a file with a slash or .toml in its name")
       ->type_name("ROBOT")
       ->capture_default_str();
-  shown->add_option("--svg", options->svg, "Save a picture of its turns in place of the table")->type_name("FILE");
+  shown->add_option("--svg", options->svg, "Save a picture of its turns instead of printing the table")
+      ->type_name("FILE");
   shown->footer("Example: labmouse robot show half --svg half.svg\n         labmouse robot show ./my-mouse.toml");
   shown->callback([options, &exit] {
     show(*options);
     exit = exit_good;
   });
 
-  command->add_subcommand("list", "The robots that come with the program")->callback([&exit] {
+  command->add_subcommand("list", "List the built-in robots")->callback([&exit] {
     list();
     exit = exit_good;
   });

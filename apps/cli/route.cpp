@@ -29,7 +29,7 @@ int route(const RouteOptions& options) {
   if (one && !reports.front().error.empty())
     throw UsageError(fmt::format("{}: error: {}", mazes.front().name, reports.front().error));
   if (!options.svg.empty()) {
-    if (!one) throw UsageError(fmt::format("error: --svg draws one maze; these are {}", mazes.size()));
+    if (!one) throw UsageError(fmt::format("error: --svg can draw only one maze, but {} are named", mazes.size()));
     const DriveRoute& drawn = reports.front().route;
     const std::string title =
         fmt::format("{}: {}, {:.3f} s", stem_of(mazes.front().name), model.robot.name, drawn.time / 1e6);
@@ -46,16 +46,17 @@ int route(const RouteOptions& options) {
 
 void add_route(Command& app, int& exit) {
   auto options = std::make_shared<RouteOptions>();
-  Command* command = app.add_subcommand("route", "The fastest route of a maze in seconds, with curves and diagonals");
+  Command* command =
+      app.add_subcommand("route", "Find the fastest route through a maze in seconds, with curves and diagonals");
   command
       ->add_option("mazes", options->mazes,
-                   "Maze file or name of a built-in maze; several, folders and patterns get a line for each maze")
+                   "Maze file or built-in maze; for several, or for folders and patterns, one line per maze")
       ->type_name("MAZE")
       ->required();
   add_places(*command, options->places);
   add_robot_option(*command, options->robot);
   command->add_option("--format", options->format, "Output")->check(one_of({"table", "json"}))->capture_default_str();
-  command->add_option("--svg", options->svg, "Save a picture of it, too")->type_name("FILE");
+  command->add_option("--svg", options->svg, "Also save a picture of the route")->type_name("FILE");
   command->footer("Example: labmouse route contest-01 --robot mm2021");
   command->callback([options, &exit] { exit = route(*options); });
 }

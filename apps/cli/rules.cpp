@@ -43,13 +43,13 @@ DriveRules find_rules_or_refuse(const std::string& name) {
 }
 
 void add_rules(Command& app, int& exit) {
-  Command* command = app.add_subcommand("rules", "The rules of contests in seconds");
+  Command* command = app.add_subcommand("rules", "Show the rules of contests in seconds");
   command->require_subcommand();
   command->footer("Example: labmouse rules show thirtieth > mine.toml");
 
   auto name = std::make_shared<std::string>("all-japan");
-  Command* shown = command->add_subcommand("show", "The file of some rules, as a beginning of your own");
-  shown->add_option("rules", *name, "Name of built-in rules, or a file with a slash or .toml in its name")
+  Command* shown = command->add_subcommand("show", "Print a rules file, as a starting point for your own");
+  shown->add_option("rules", *name, "Built-in rules, or a file whose name contains a slash or ends in .toml")
       ->type_name("RULES")
       ->capture_default_str();
   shown->callback([name, &exit] {
@@ -57,7 +57,7 @@ void add_rules(Command& app, int& exit) {
     exit = exit_good;
   });
 
-  command->add_subcommand("list", "The rules that come with the program")->callback([&exit] {
+  command->add_subcommand("list", "List the built-in rules")->callback([&exit] {
     list();
     exit = exit_good;
   });

@@ -31,10 +31,10 @@ void run_contest(const RunOptions& options) {
   const std::vector<Contestant> mice = find_contestants({options.mouse}, options.guests);
   if (!mice.front().make)
     throw UsageError(
-        fmt::format("error: '{}' makes no steps; `labmouse race` races it, and `labmouse mms` hosts a "
+        fmt::format("error: '{}' cannot be run in steps; use `labmouse race` to race it, or `labmouse mms` to run a "
                     "program for mms in one maze",
                     mice.front().name));
-  if (mice.size() != 1) throw UsageError("error: `run` takes one mouse; `labmouse race` takes several");
+  if (mice.size() != 1) throw UsageError("error: `labmouse run` takes one mouse; to run several, use `labmouse race`");
   const Contestant& mouse = mice.front();
   const NamedMaze maze = find_maze(options.maze, options.places);
   const Rules& rules = options.rules;
@@ -58,19 +58,19 @@ void add_run(Command& app, int& exit) {
   command->add_option("mouse", options->mouse, "Mouse: name[:key=value]..., capstone:FILE or guest:COMMAND")
       ->required()
       ->type_name("MOUSE");
-  command->add_option("maze", options->maze, "Maze file or name of a built-in maze")->required()->type_name("MAZE");
+  command->add_option("maze", options->maze, "Maze file or built-in maze")->required()->type_name("MAZE");
   add_places(*command, options->places);
   add_budget(*command, options->rules);
-  command->add_option("--seed", options->seed, "Seed of a mouse that throws dice")
+  command->add_option("--seed", options->seed, "Seed for a mouse that throws dice")
       ->check(seed_number())
       ->capture_default_str();
   add_explain(*command, options->explain);
-  command->add_flag("--watch", options->watch, "Draw it step by step");
-  command->add_option("--delay", options->delay, "Milliseconds a step stays on the screen")
+  command->add_flag("--watch", options->watch, "Draw every step");
+  command->add_option("--delay", options->delay, "Milliseconds to show each step")
       ->check(in_range(0, 60'000))
       ->capture_default_str();
   command->add_option("--svg", options->svg, "Save a picture")->type_name("FILE");
-  command->add_option("--record", options->record, "Save the record, with --explain also the reasons")
+  command->add_option("--record", options->record, "Save the record; with --explain, include the reasons")
       ->type_name("FILE");
   add_python(*command, options->guests);
   add_guest_options(*command, options->guests);

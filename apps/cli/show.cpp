@@ -31,7 +31,7 @@ LayerSet chosen_layers(const ShowOptions& options, const LayerSet& usual) {
   if (!options.layers.empty() && !result.error.empty()) throw UsageError("error: " + result.error);
   LayerSet layers = options.layers.empty() ? usual : std::move(result.layers);
   if (options.distances && layers.contains(Layer::cells))
-    throw UsageError("error: --distances and layer cells write into the same places; choose one");
+    throw UsageError("error: --distances and the layer cells write in the same places; choose one");
   if (options.distances) layers.insert(Layer::distances);
   if (options.no_route) layers.erase(Layer::path);
   if (options.no_coordinates) layers.erase(Layer::coordinates);
@@ -67,7 +67,7 @@ void show_maze(const ShowOptions& options) {
   const LayerSet chosen = chosen_layers(options, {Layer::path, Layer::coordinates});
   for (const Layer layer : chosen)
     if (needs_record(layer))
-      throw UsageError(fmt::format("error: layer {} needs a record; name one with --record FILE in place of the maze",
+      throw UsageError(fmt::format("error: layer {} needs a record; name one with --record FILE instead of the maze",
                                    name_of(layer)));
   const NamedMaze maze = find_maze(options.maze, options.places);
   const Rules rules;
@@ -80,7 +80,7 @@ void show_maze(const ShowOptions& options) {
 std::string cut_at(RecordFile& file, int step) {
   const auto steps = file.run.steps.size();
   if (step > static_cast<int>(steps))
-    throw UsageError(fmt::format("error: the record has {} steps, so no step {}", steps, step));
+    throw UsageError(fmt::format("error: the record has only {} steps; there is no step {}", steps, step));
   file = as_of(std::move(file), step);
   return fmt::format("{} in {}: step {} of {}", file.mouse, file.maze_name, step, steps);
 }
@@ -89,12 +89,12 @@ std::string cut_at(RecordFile& file, int step) {
 void drop_missing(const ShowOptions& options, const DrawingLayers& layers, LayerSet& chosen) {
   const auto drop = [&](Layer layer, bool there, const char* why) {
     if (there || chosen.erase(layer) == 0 || options.layers.empty()) return;
-    tell(fmt::format("not drawn: layer {}, since the record has {}\n", name_of(layer), why));
+    tell(fmt::format("not drawn: layer {}, because the record has {}\n", name_of(layer), why));
   };
   drop(Layer::path, !layers.route.empty(), "no speed run");
   drop(Layer::candidates, layers.candidates.has_value(),
-       options.step > 0 ? "no reasons up to there"
-                        : "no reasons; `labmouse run` with --explain and --record keeps them");
+       options.step > 0 ? "no reasons up to that step"
+                        : "no reasons; to keep them, use `labmouse run` with --explain and --record");
 }
 
 int show_in_seconds(const ShowOptions& options, const std::string& text) {
@@ -102,7 +102,7 @@ int show_in_seconds(const ShowOptions& options, const std::string& text) {
   const auto file = load_drive_record(options.record, text);
   if (!file) return exit_finding;
   if (options.svg.empty())
-    throw UsageError("error: a record in seconds is drawn as a picture only; name its file with --svg FILE");
+    throw UsageError("error: a record in seconds can only be drawn as a picture; add --svg FILE");
   save(options.svg, draw_contest(*file));
   return exit_good;
 }
@@ -126,11 +126,11 @@ int show_record(const ShowOptions& options) {
 int show(const ShowOptions& options) {
   const bool places = !options.places.start.empty() || !options.places.goals.empty();
   if (options.maze.empty() == options.record.empty())
-    throw UsageError("error: `show` takes either a maze or --record FILE");
+    throw UsageError("error: `labmouse show` takes either a maze or --record FILE");
   if (!options.record.empty() && places)
-    throw UsageError("error: --start and --goal are for mazes; a record has its own");
+    throw UsageError("error: --start and --goal cannot be used with --record; a record has its own start and goal");
   if (options.record.empty() && options.step > 0)
-    throw UsageError("error: --step is for records; name one with --record FILE");
+    throw UsageError("error: --step needs a record; name one with --record FILE");
   if (!options.record.empty()) return show_record(options);
   show_maze(options);
   return exit_good;
@@ -141,7 +141,7 @@ std::string layer_lines() {
   std::string lines = "Layers:\n";
   for (const Layer layer : all_layers())
     lines +=
-        fmt::format("  {:<12} {}{}\n", name_of(layer), meaning_of(layer), needs_record(layer) ? " (of a record)" : "");
+        fmt::format("  {:<12} {}{}\n", name_of(layer), meaning_of(layer), needs_record(layer) ? " (records only)" : "");
   return lines;
 }
 
@@ -149,22 +149,22 @@ std::string layer_lines() {
 
 void add_show(Command& app, int& exit) {
   auto options = std::make_shared<ShowOptions>();
-  Command* command = app.add_subcommand("show", "Draw a maze with its best route, or a record in layers");
+  Command* command = app.add_subcommand("show", "Draw a maze with its best route, or the layers of a record");
   options->command = command;
-  command->add_option("maze", options->maze, "Maze file or name of a built-in maze")->type_name("MAZE");
+  command->add_option("maze", options->maze, "Maze file or built-in maze")->type_name("MAZE");
   add_places(*command, options->places);
-  auto* record = command->add_option("--record", options->record, "Draw this record in place of a maze");
+  auto* record = command->add_option("--record", options->record, "Draw this record instead of a maze");
   record->type_name("FILE");
   add_record_maze(*command, options->record_maze)->needs(record);
-  command->add_option("--layer", options->layers, "Draw these layers in place of the usual ones")
+  command->add_option("--layer", options->layers, "Draw these layers instead of the default ones")
       ->type_name("NAME,...")
       ->expected(1)
       ->take_all();
-  command->add_option("--step", options->step, "Draw the record as far as this step")->check(in_range(1, 1'000'000));
-  command->add_option("--svg", options->svg, "Save a picture in place of drawing in the terminal")->type_name("FILE");
-  command->add_flag("--distances", options->distances, "Steps from each cell to the goal");
-  command->add_flag("--no-route", options->no_route, "Leave the path out");
-  command->add_flag("--no-coordinates", options->no_coordinates, "Leave the coordinates out");
+  command->add_option("--step", options->step, "Draw the record up to this step")->check(in_range(1, 1'000'000));
+  command->add_option("--svg", options->svg, "Save a picture instead of drawing in the terminal")->type_name("FILE");
+  command->add_flag("--distances", options->distances, "Write the number of steps to the goal in each cell");
+  command->add_flag("--no-route", options->no_route, "Omit the path");
+  command->add_flag("--no-coordinates", options->no_coordinates, "Omit the coordinates");
   command->footer(layer_lines() +
                   "\nExample: labmouse show capstone-1 --distances --svg maze.svg\n"
                   "Example: labmouse show --record walk.jsonl --layer heat,path,known --svg walk.svg");

@@ -49,25 +49,23 @@ int study(const StudyOptions& options) {
 
 void add_study(Command& app, int& exit) {
   auto options = std::make_shared<StudyOptions>();
-  Command* command =
-      app.add_subcommand("study", "Compare mice, pair by pair, on mazes that they have not learned from");
+  Command* command = app.add_subcommand("study", "Compare mice in pairs on mazes they have not learned from");
   command
-      ->add_option(
-          "--mice", options->mice,
-          "Mice: name[:key=value]..., several separated by commas, or capstone:FILE, guest:COMMAND, mms:COMMAND (may "
-          "repeat); name first what the others are compared with")
+      ->add_option("--mice", options->mice,
+                   "Mice: name[:key=value]..., separated by commas, or capstone:FILE, guest:COMMAND, mms:COMMAND "
+                   "(repeatable); the first is the one that others are compared with")
       ->required()
       ->type_name("SPEC")
       ->expected(1)
       ->take_all();
   add_contests(*command, options->contests);
   add_racing_guests(*command, options->guests);
-  command->add_option("--folds", options->folds, "Parts of the mazes, of which each is held out once")
+  command->add_option("--folds", options->folds, "Number of parts to divide the mazes into; each is held out once")
       ->check(in_range(2, 1'000'000))
       ->capture_default_str();
   command->add_flag("--no-learning", options->no_learning,
-                    "Race mice that learn with what they bring along, whatever mazes it is from");
-  command->add_option("--csv", options->csv, "Save the scores, one line a maze")->type_name("FILE");
+                    "Do not teach mice that learn; race them with what they already know");
+  command->add_option("--csv", options->csv, "Save the scores as CSV, one line per maze")->type_name("FILE");
   command->add_option("--svg", options->svg, "Save a picture of the differences and scores")->type_name("FILE");
   command->add_option("--format", options->format, "Output")->check(one_of({"table", "json"}))->capture_default_str();
   command->footer("Example: labmouse study --mice flood,certify --mazes my-mazes/ --folds 5 --svg study.svg");

@@ -53,15 +53,15 @@ void add_sweep(Command& app, int& exit) {
   Command* command = app.add_subcommand("sweep", "Race one mouse at many values of one parameter");
   command
       ->add_option("mouse", options->mouse,
-                   "Mouse, name[:key=value]..., or a guest with {NAME} in its command where the value belongs")
+                   "Mouse: name[:key=value]..., or a guest whose command has {NAME} in place of the value")
       ->required()
       ->type_name("MOUSE");
-  command->add_option("--vary", options->vary, "Parameter and its values: a range with its step, or a list")
+  command->add_option("--vary", options->vary, "Parameter and its values: a range with a step, or a list")
       ->required()
       ->type_name("NAME=LOW:HIGH:STEP|NAME=VALUE,VALUE,...");
   add_contests(*command, options->contests);
   add_racing_guests(*command, options->guests);
-  command->add_option("--csv", options->csv, "Save the numbers, one line a value")->type_name("FILE");
+  command->add_option("--csv", options->csv, "Save the numbers as CSV, one line per value")->type_name("FILE");
   command->add_option("--svg", options->svg, "Save a plot of the mean score against the value")->type_name("FILE");
   command->footer("Example: labmouse sweep flood --vary stride=1:3:1 --mazes my-mazes/ --svg strides.svg");
   command->callback([options, &exit] { exit = sweep(*options); });

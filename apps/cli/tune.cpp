@@ -69,27 +69,33 @@ int tune(const TuneOptions& options) {
 void add_tune(Command& app, int& exit) {
   auto options = std::make_shared<TuneOptions>();
   Command* command = app.add_subcommand("tune", "Search for better values of several parameters of a mouse");
-  command->add_option("mouse", options->mouse, "Mouse, name[:key=value]..., where the search begins")
+  command->add_option("mouse", options->mouse, "Mouse: name[:key=value]...; the search starts from its values")
       ->required()
       ->type_name("MOUSE");
-  command->add_option("--params", options->parameters, "Parameters to change, in all of their ranges or in a part")
+  command
+      ->add_option("--params", options->parameters,
+                   "Parameters to change, within their whole ranges or the ranges given")
       ->required()
       ->type_name("NAME[=LOW:HIGH],...");
-  command->add_option("--evaluations", options->order.evaluations, "Candidates in all, the mouse as given among them")
+  command
+      ->add_option("--evaluations", options->order.evaluations,
+                   "Total number of candidates, including the mouse as given")
       ->required()
       ->check(in_range(1, 1'000'000));
   command
-      ->add_option("--population", options->order.population, "Candidates a generation; default: 4 + 3 ln(parameters)")
+      ->add_option("--population", options->order.population,
+                   "Candidates per generation; default: 4 + 3 ln(parameters)")
       ->check(in_range(4, 10'000));
-  command->add_option("--sigma", options->order.step, "First step of each parameter, as a share of its range")
+  command->add_option("--sigma", options->order.step, "Initial step of each parameter, as a share of its range")
       ->check(finite_number())
       ->check(in_range(0.0001, 1.0))
       ->capture_default_str();
-  command->add_option("--objective", options->objective, "Make the mean score low, or the mean of score / bound")
+  command->add_option("--objective", options->objective, "Minimise the mean score, or the mean of score / bound")
       ->check(one_of({"score", "ratio"}))
       ->capture_default_str();
   add_contests(*command, options->contests);
-  command->add_option("--log", options->log, "Save every evaluation as CSV, after each generation")->type_name("FILE");
+  command->add_option("--log", options->log, "Save every evaluation as CSV, updated after each generation")
+      ->type_name("FILE");
   command->add_option("--svg", options->svg, "Save a plot of the generations")->type_name("FILE");
   command->footer(
       "Example: labmouse tune visit-counter --params random_share,coverage=0.2:0.9 --mazes my-mazes/ "

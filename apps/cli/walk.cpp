@@ -25,7 +25,7 @@ std::string frame_of(const RecordFile& file, const StepRecord& step, const Knowl
                      draw_text(*file.maze, layers, colours()), step.step,
                      step.run == Run::speed ? "speed" : "exploration", step.pose.cell.x, step.pose.cell.y,
                      name_of(step.pose.heading), step.sighting.left, step.sighting.ahead, step.sighting.right,
-                     action_words(step.action), has_void_rotation(step.action) ? " (no such turn)" : "",
+                     action_words(step.action), has_void_rotation(step.action) ? " (invalid turn)" : "",
                      step.blocked ? "  blocked" : "");
 }
 

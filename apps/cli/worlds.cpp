@@ -40,7 +40,7 @@ std::vector<Entry> taken(EntriesResult result) {
 
 void WorldChoice::add_to(Command& command) {
   command_ = &command;
-  std::string worlds = "What contests are held in; default: what fits the mice";
+  std::string worlds = "World in which to hold the contests; default: the one that suits the mice";
   for (const WorldEntry* entry : all_worlds()) worlds += fmt::format("\n{}: {}", entry->name, entry->summary);
   command.add_option("--world", world_, worlds)->check(one_of(world_names()));
   for (const auto& [setting, entry] : all_settings()) {
@@ -83,7 +83,7 @@ void WorldChoice::require_settings_of(const std::vector<Entry>& entries) const {
     const bool used = std::any_of(entries.begin(), entries.end(),
                                   [&](const Entry& entry) { return has(*entry.world, setting->name); });
     if (!used)
-      throw UsageError(fmt::format("error: --{} is for the world of {}, in which no mouse races; add --world {}",
+      throw UsageError(fmt::format("error: --{} applies to the world {}, but no mouse races in it; add --world {}",
                                    setting->name, owner->name, owner->name));
   }
 }
@@ -98,7 +98,7 @@ std::shared_ptr<const World> WorldChoice::enter_one(const std::vector<Contestant
   std::vector<Entry> entries = enter(mice);
   std::erase_if(entries, [](const Entry& entry) { return entry.mice.empty(); });
   if (entries.size() > 1)
-    throw UsageError(fmt::format("error: '{}' races in the world of {} and '{}' in that of {}; name mice of one world",
+    throw UsageError(fmt::format("error: '{}' races in the world {}, but '{}' in the world {}; name mice of one world",
                                  entries[0].mice.front().name, entries[0].world->name(), entries[1].mice.front().name,
                                  entries[1].world->name()));
   return entries.empty() ? world() : entries.front().world;

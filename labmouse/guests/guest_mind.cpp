@@ -56,15 +56,15 @@ Action GuestMind::decide(const Sighting& seen) {
   const auto action = read_answer(*line);
   if (!action) {
     give_up(ForfeitReason::rubbish,
-            fmt::format("it said {} where `move ROTATION MOVEMENT`, `reset` or `forfeit` is due", quote(*line)));
+            fmt::format("it answered {} instead of `move ROTATION MOVEMENT`, `reset` or `forfeit`", quote(*line)));
     return Action::forfeit(reason_);
   }
   if (const auto more = process_.lines().rest(); !more.empty()) {
     give_up(ForfeitReason::flooded,
-            fmt::format("behind its answer {} it went on: {}", quote(*line), quote(more.substr(0, more.find('\n')))));
+            fmt::format("after its answer {} it wrote more: {}", quote(*line), quote(more.substr(0, more.find('\n')))));
     return Action::forfeit(reason_);
   }
-  if (action->kind == Action::Kind::forfeit) give_up(action->reason, "it said `forfeit`");
+  if (action->kind == Action::Kind::forfeit) give_up(action->reason, "it answered `forfeit`");
   return *action;
 }
 
@@ -73,10 +73,10 @@ void GuestMind::greet() {
   greeted_ = line == guest_greeting;
   if (!line || greeted_) return;
   const char* hint = *line == "mazeWidth" || *line == "mazeHeight" || line->starts_with("wall")
-                         ? "; it seems to be written for mms: race it as mms:COMMAND"
+                         ? "; it seems to be written for mms; race it as mms:COMMAND"
                          : "";
   give_up(ForfeitReason::rubbish,
-          fmt::format("its first line is {} and not '{}'{}", quote(*line), guest_greeting, hint));
+          fmt::format("its first line is {} instead of '{}'{}", quote(*line), guest_greeting, hint));
 }
 
 std::optional<std::string_view> GuestMind::hear(std::chrono::milliseconds limit) {
@@ -86,14 +86,14 @@ std::optional<std::string_view> GuestMind::hear(std::chrono::milliseconds limit)
   for (;;) {
     if (const auto line = process_.lines().next()) {
       if (const auto taken = Clock::now() - asked; taken > limit) {
-        give_up(ForfeitReason::late, fmt::format("its answer {} took {}, and {} are allowed", quote(*line),
+        give_up(ForfeitReason::late, fmt::format("its answer {} took {}; the limit is {}", quote(*line),
                                                  in_seconds(taken), in_seconds(limit)));
         return std::nullopt;
       }
       return line;
     }
     if (process_.lines().too_long()) {
-      give_up(ForfeitReason::flooded, fmt::format("it said a line of more than {} bytes: {}", limits_.longest_line,
+      give_up(ForfeitReason::flooded, fmt::format("it wrote a line of more than {} bytes: {}", limits_.longest_line,
                                                   quote(process_.lines().rest())));
       return std::nullopt;
     }
@@ -109,27 +109,27 @@ void GuestMind::give_up(GuestEvent event, std::chrono::milliseconds limit) {
     case GuestEvent::ended:
       return give_up(ForfeitReason::died,
                      fmt::format("it ended with {}{}", describe(process_.status().value_or(ExitStatus())),
-                                 greeted_ ? "" : fmt::format(" before it said '{}'", guest_greeting)));
+                                 greeted_ ? "" : fmt::format(" before it wrote '{}'", guest_greeting)));
     case GuestEvent::left:
-      return give_up(ForfeitReason::left, "it ended, and what it had started held its output open");
+      return give_up(ForfeitReason::left, "it ended, but a process that it had started kept its output open");
     case GuestEvent::closed:
       return give_up(ForfeitReason::closed, "it closed its standard output");
     case GuestEvent::interrupted:
-      return give_up(ForfeitReason::interrupted, "it was stopped");
+      return give_up(ForfeitReason::interrupted, "it was interrupted");
     case GuestEvent::output:
     case GuestEvent::timeout:
       break;
   }
   if (Clock::now() >= contest_end_)
     return give_up(ForfeitReason::out_of_time,
-                   fmt::format("its contest took more than {}", in_seconds(limits_.contest)));
+                   fmt::format("its contest took longer than {}", in_seconds(limits_.contest)));
   if (process_.deaf()) return give_up(ForfeitReason::closed, "it closed its standard input");
   const std::string_view begun = process_.lines().rest();
-  const std::string hint = !begun.empty() ? fmt::format("; it wrote {} without the line's end", quote(begun))
+  const std::string hint = !begun.empty() ? fmt::format("; it wrote {} without ending the line", quote(begun))
                            : greeted_     ? std::string()
                                           : std::string("; does it flush after each line?");
-  give_up(ForfeitReason::hung,
-          fmt::format("it gave no answer in {}; {} are allowed{}", in_seconds(2 * limit), in_seconds(limit), hint));
+  give_up(ForfeitReason::hung, fmt::format("it did not answer within {}; the limit is {}{}", in_seconds(2 * limit),
+                                           in_seconds(limit), hint));
 }
 
 void GuestMind::give_up(ForfeitReason reason, std::string sentence) {

@@ -83,9 +83,9 @@ GuestProcess::GuestProcess(const Launch& launch)
   ignore_broken_pipes();
   Pipes pipes;
   if (launch.words.empty())
-    error_ = "no program is named";
+    error_ = "the command is empty";
   else if (!pipes.open())
-    error_ = fmt::format("no pipe could be made: {}", std::strerror(errno));
+    error_ = fmt::format("cannot create a pipe: {}", std::strerror(errno));
   else
     start(launch, pipes);
   if (!error_.empty()) end(0ms);
@@ -94,7 +94,7 @@ GuestProcess::GuestProcess(const Launch& launch)
 void GuestProcess::start(const Launch& launch, Pipes& pipes) {
   const std::string path = program_path(launch.words.front(), launch.directory);
   if (path.empty()) {
-    error_ = fmt::format("there is no program '{}'", launch.words.front());
+    error_ = fmt::format("program '{}' not found", launch.words.front());
     return;
   }
   std::vector<char*> words;
@@ -105,7 +105,7 @@ void GuestProcess::start(const Launch& launch, Pipes& pipes) {
   keeper_ = fork();
   if (keeper_ == 0) keep_guest(path.c_str(), words.data(), launch.directory.c_str(), launch.limits, ends);
   if (keeper_ < 0) {
-    error_ = fmt::format("no process could be made: {}", std::strerror(errno));
+    error_ = fmt::format("cannot create a process: {}", std::strerror(errno));
     return;
   }
   input_ = std::exchange(pipes.input.write, -1);
@@ -121,7 +121,7 @@ void GuestProcess::start(const Launch& launch, Pipes& pipes) {
   int reason = 0;
   while (read(pipes.failure.read, &reason, sizeof reason) < 0 && errno == EINTR) {
   }
-  if (reason != 0) error_ = fmt::format("'{}' could not be started: {}", launch.words.front(), std::strerror(reason));
+  if (reason != 0) error_ = fmt::format("cannot start '{}': {}", launch.words.front(), std::strerror(reason));
 }
 
 void GuestProcess::send(std::string_view bytes) {

@@ -87,7 +87,7 @@ std::string unreachable_goal(const Maze& maze) {
 }
 
 std::string followed_by(const Maze& maze, Hand hand) {
-  return wall_follower_arrives(maze, hand) ? "arrives in the goal" : "";
+  return wall_follower_arrives(maze, hand) ? "reaches the goal" : "";
 }
 
 std::string too_few_routes(const Maze& maze) {

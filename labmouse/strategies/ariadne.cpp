@@ -17,14 +17,14 @@ namespace labmouse {
 namespace {
 
 constexpr std::string_view method =
-    "Every unseen wall has a price, by how likely it is closed; how likely, was counted in other mazes for each "
-    "state of its eight neighbours (`labmouse learn`). Over these prices T(e) is the cheapest run from start to "
-    "goal through the unseen wall e. Before the goal has been entered, only what lies ahead counts: "
-    "the mouse goes to see the wall for which T(e) and the price of the way there are least, until the goal "
-    "itself is the best of them. Afterwards a wall is worth a look while T(e), and something for the way, is "
-    "less than the shortest known run costs. When none is, the mouse resets at once, wherever it stands. It "
-    "decides anew when it has seen something new. Where the walls seen so far look like those of a maze without "
-    "loops, it stops at the goal: there is no second route.";
+    "Every unseen wall has a price that depends on how likely it is to be closed; that likelihood was counted in other "
+    "mazes for each state of its eight neighbours (`labmouse learn`). With these prices, T(e) is the cheapest run from "
+    "start to goal through the unseen wall e. Before the goal has been entered, only what lies ahead counts: the mouse "
+    "goes to look at the wall with the lowest sum of T(e) and the price of the way there, until the goal itself is the "
+    "best choice. Afterwards a wall is worth a look as long as T(e), plus something for the way, is less than the cost "
+    "of the shortest known run. When no wall is, the mouse resets at once, wherever it stands. It decides again "
+    "whenever it has seen something new. If the walls seen so far look like those of a maze without loops, it stops at "
+    "the goal: there is no second route.";
 
 constexpr std::string_view source = "Our own.";
 
@@ -307,7 +307,7 @@ std::unique_ptr<Strategy> make(const Briefing& briefing, const Settings& setting
 
 constinit const RosterEntry ariadne_mouse = {
     "ariadne",
-    "looks at the walls through which a good run could lead, by what contest mazes are like",
+    "looks at walls that a good run could pass, judging by what contest mazes are like",
     method,
     source,
     ariadne::fast_parameters,
@@ -316,7 +316,7 @@ constinit const RosterEntry ariadne_mouse = {
     true};
 
 constinit const RosterEntry ariadne_deep_mouse = {"ariadne-deep",
-                                                  "the same, and on the way to the goal it thinks of the way back, too",
+                                                  "the same, but on the way to the goal it also considers the way back",
                                                   method,
                                                   source,
                                                   ariadne::deep_parameters,

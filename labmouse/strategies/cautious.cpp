@@ -16,10 +16,9 @@ namespace labmouse {
 namespace {
 
 constexpr std::string_view method =
-    "Moves by one cell, so that it passes nothing unseen: to a neighbour that it has not visited, by chance "
-    "among several; where it has visited all of them, to one that it has visited least, again by chance. Once it "
-    "has entered the goal and visited a share of all cells it resets and takes the shortest route that it has "
-    "seen.";
+    "Moves one cell at a time, so that it passes nothing unseen: to a random unvisited neighbour, or, if it has "
+    "visited all of them, to a random one of the least visited. Once it has entered the goal and visited a share of "
+    "all cells, it resets and takes the shortest route that it has seen.";
 
 constexpr std::string_view source = "CautiousBot in Edward Kish, section 4.3 (the third report).";
 
@@ -70,7 +69,7 @@ constexpr std::array parameters = {
 
 constinit const RosterEntry cautious_mouse = {
     "cautious",
-    "one cell a step, by chance among the neighbours that it has visited least",
+    "one cell a step, to a random one of the least visited neighbours",
     method,
     source,
     parameters,

@@ -60,6 +60,6 @@ inline constexpr Parameter cell_flood_ties = {
     0,
     0,
     TieOrder::all,
-    "order of the directions, by compass (nesw) or as the mouse faces (alrb); the speed run prefers its end"};
+    "order of the directions, by compass (nesw) or as the mouse faces (alrb); the speed run prefers the last"};
 
 }  // namespace labmouse

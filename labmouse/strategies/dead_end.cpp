@@ -11,8 +11,8 @@ namespace labmouse {
 namespace {
 
 constexpr std::string_view method =
-    "As random-move, but where walls stand to the left, ahead and to the right it turns right on the spot; after "
-    "that only the way out is open.";
+    "Like random-move, but with walls to the left, ahead and to the right, it turns right on the spot; after that only "
+    "the way out is open.";
 
 constexpr std::string_view source =
     "Random move with dead end detection, in the fifth report, \"Plot and Navigate a Virtual Maze\", Algorithms "

@@ -12,11 +12,11 @@ namespace labmouse {
 namespace {
 
 constexpr std::string_view method =
-    "Distances to the goal over all walls not known to be closed; go where they fall, look, fill again. `flood` "
-    "resets as soon as it has entered the goal. `flood-return` floods back to the start in the same way first: "
-    "the way back shows walls that the way there did not, for two or three steps of a run's score, and often a "
-    "shorter route. Both then take the shortest known route. In seconds the same on search times and the fastest "
-    "known route.";
+    "Computes distances to the goal through all walls not known to be closed, moves to lower distances, looks, and "
+    "fills again. `flood` resets as soon as it has entered the goal. `flood-return` first floods back to the start in "
+    "the same way: for two or three steps' worth of score, the way back shows walls that the way there did not, and "
+    "often a shorter route. Both then take the shortest known route. In seconds they do the same with search times and "
+    "the fastest known route.";
 
 constexpr std::string_view source =
     "The flood fill of the micromouse contests of the 1980s; the first report describes it for this world.";
@@ -57,7 +57,7 @@ class Flood final : public Explorer {
 
 constexpr std::array parameters = {
     Parameter{"stride", ParameterType::whole, "3", 1, Motion::max_longest, "",
-              "longest move while exploring, in cells; the rules' own limit holds too"},
+              "longest move while exploring, in cells, within the limit of the rules"},
 };
 
 template <bool Returns>

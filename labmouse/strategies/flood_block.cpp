@@ -17,8 +17,8 @@ namespace labmouse {
 namespace {
 
 constexpr std::string_view method =
-    "Flood fill cell by cell until the goal is found, then the reset. For the speed run only the passages "
-    "between visited cells are left on the map: a mouse that trusts no cell that it has not stood in.";
+    "Flood fill cell by cell until the goal is found, then the reset. For the speed run, only the passages between "
+    "visited cells stay on the map: the mouse trusts no cell that it has not stood in.";
 
 constexpr std::string_view source =
     "Method 2, \"block out\", in Jonathan Lee, \"Plot and Navigate a Virtual Maze\", 2016 (the first report).";
@@ -38,7 +38,7 @@ constexpr std::array parameters = {cell_flood_ties};
 
 constinit const RosterEntry flood_block_mouse = {
     "flood-block",
-    "flood fill cell by cell to the goal; races through visited cells only",
+    "flood fill cell by cell to the goal; the speed run uses only visited cells",
     method,
     source,
     parameters,

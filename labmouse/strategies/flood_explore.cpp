@@ -20,8 +20,8 @@ namespace labmouse {
 namespace {
 
 constexpr std::string_view method =
-    "Flood fill cell by cell until the goal is found; then in the same way to each unvisited cell, the farthest "
-    "first; reset when none is left. The speed run is a shortest way in cells, cut into strides.";
+    "Flood fill cell by cell until the goal is found, then in the same way to each unvisited cell, the farthest first; "
+    "reset when none is left. The speed run is a shortest path in cells, divided into strides.";
 
 constexpr std::string_view source =
     "Method 1, \"exploration of maze after goal\", in Jonathan Lee, \"Plot and Navigate a Virtual Maze\", 2016 (the "

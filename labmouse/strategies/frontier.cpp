@@ -14,9 +14,8 @@ namespace labmouse {
 namespace {
 
 constexpr std::string_view method =
-    "Among the cells that it has seen and not visited the one that takes the fewest moves to reach, by the whole "
-    "shortest route; then it chooses again. When it enters the goal it resets and takes the shortest route that "
-    "it has seen.";
+    "Goes by the shortest route to the cell, among those seen but not visited, that takes the fewest moves to reach, "
+    "and chooses again. When it enters the goal, it resets and takes the shortest route that it has seen.";
 
 constexpr std::string_view source = "FrontierBot in Edward Kish, section 4.5 (the third report).";
 
@@ -38,7 +37,7 @@ constexpr std::array parameters = {
 
 constinit const RosterEntry frontier_mouse = {
     "frontier",
-    "goes to the nearest cell that it has seen and not visited",
+    "goes to the nearest cell that it has seen but not visited",
     method,
     source,
     parameters,

@@ -17,9 +17,8 @@ namespace labmouse {
 namespace {
 
 constexpr std::string_view method =
-    "Among the cells that it has seen and not visited the one with the smallest Manhattan distance to a goal "
-    "cell, by the whole shortest route; then it chooses again. When it enters the goal it resets and takes the "
-    "shortest route that it has seen.";
+    "Goes by the shortest route to the cell, among those seen but not visited, with the smallest Manhattan distance to "
+    "a goal cell, and chooses again. When it enters the goal, it resets and takes the shortest route that it has seen.";
 
 constexpr std::string_view source = "ManhattanBot in Edward Kish, section 4.4 (the third report).";
 

@@ -48,7 +48,7 @@ std::string check_number(const Parameter& parameter, std::string_view value) {
   if (!parse_number(value, number)) return "is not a number";
   if (parameter.type == ParameterType::whole && number != std::floor(number)) return "is not a whole number";
   if (number < parameter.low || number > parameter.high)
-    return "is outside of " + plain(parameter.low) + " to " + plain(parameter.high) + "; the nearest is " +
+    return "is outside the range " + plain(parameter.low) + " to " + plain(parameter.high) + "; the nearest value is " +
            plain(number < parameter.low ? parameter.low : parameter.high);
   return "";
 }
@@ -142,19 +142,19 @@ std::string check_value(const Parameter& parameter, std::string_view value) {
     case ParameterType::real:
       return check_number(parameter, value);
     case ParameterType::flag:
-      return is_one_of(value, yes) || is_one_of(value, no) ? "" : "is neither yes nor no";
+      return is_one_of(value, yes) || is_one_of(value, no) ? "" : "must be yes or no";
     case ParameterType::choice:
       return check_choice(parameter, value);
     case ParameterType::list: {
       const auto parts = split(value, '/');
       const auto length = split(parameter.default_value, '/').size();
-      if (parts.size() != length) return "has not " + std::to_string(length) + " elements separated by '/'";
+      if (parts.size() != length) return "must have " + std::to_string(length) + " elements separated by '/'";
       for (const auto part : parts)
         if (const auto reason = check_number(parameter, part); !reason.empty()) return "has an element that " + reason;
       return "";
     }
     case ParameterType::prior:
-      return value.empty() ? "is neither " + std::string(parameter.choices) + " nor a file" : "";
+      return value.empty() ? "must be " + std::string(parameter.choices) + " or a file" : "";
   }
   return "";
 }

@@ -27,15 +27,14 @@ namespace labmouse {
 namespace {
 
 constexpr std::string_view method =
-    "Searching until a goal is entered, continuing until enough is known, the speed run. For the search: random and "
-    "weighted go one cell to the left, ahead or to the right, by chance, and turn in place in a dead end; "
-    "unexplored-cell and unexplored-space do the same, weighted by what is unexplored next door, or by all that can be "
-    "reached through that door; wall-follower keeps its left hand on the wall; goal-oriented goes to the unexplored "
-    "cell with the least steps + heuristic among all that can be reached, chosen anew at every step. To continue: "
-    "none; "
-    "all-goals goes into every goal cell; with coverage the search goes on until a share of the cells is explored; "
-    "worthwhile makes the same choice among what can still shorten the speed run, until nothing can. The speed run "
-    "takes one cell a step or strides, planned at the reset, or strides planned anew at every step.";
+    "Three phases: searching until a goal is entered, continuing until enough is known, and the speed run. Searching: "
+    "random and weighted go one cell to the left, ahead or to the right at random, and turn in place in a dead end; "
+    "unexplored-cell and unexplored-space do the same, weighted by what is unexplored in the next cell, or by "
+    "everything that can be reached through it; wall-follower keeps its left hand on the wall; goal-oriented goes to "
+    "the reachable unexplored cell with the lowest steps + heuristic, chosen again at every step. Continuing: none; "
+    "all-goals enters every goal cell; coverage continues the search until a share of the cells is explored; "
+    "worthwhile makes the same choice among cells that can still shorten the speed run, until none can. The speed run "
+    "takes one cell a step, or strides planned at the reset, or strides planned again at every step.";
 
 constexpr std::string_view source =
     "Frank Ding, \"Machine Learning Engineer Nanodegree, Capstone Project\", 2018 (the fourth report), sections II "
@@ -76,18 +75,18 @@ class Phases final : public Explorer {
 
 constexpr std::array parameters = {
     Parameter{"searching", ParameterType::choice, "goal-oriented", 0, 0,
-              "random/weighted/unexplored-cell/unexplored-space/wall-follower/goal-oriented", "the way to the goal"},
+              "random/weighted/unexplored-cell/unexplored-space/wall-follower/goal-oriented", "how to find the goal"},
     Parameter{"weights", ParameterType::list, "2/5/2", 0, 100, "",
-              "how likely `weighted` goes left, ahead and to the right (searching=weighted)"},
+              "probabilities of going left, ahead and right (searching=weighted)"},
     Parameter{"heuristic", ParameterType::choice, "none", 0, 0, "none/manhattan/edges/optimistic",
-              "added to the steps to a cell: nothing, its Manhattan distance to the goal, that and its explored edges, "
-              "or its shortest route through all that is not known to be closed"},
+              "added to the steps to a cell: nothing, its Manhattan distance to the goal, that plus its explored "
+              "edges, or its shortest route through everything not known to be closed"},
     Parameter{"continuing", ParameterType::choice, "none", 0, 0, "none/all-goals/coverage/worthwhile",
-              "what is explored between the goal and the reset"},
+              "what to explore between the goal and the reset"},
     Parameter{"coverage", ParameterType::real, "0.9", 0, 1, "",
               "share of the cells to explore before the reset (continuing=coverage)"},
     Parameter{"speed", ParameterType::choice, "strides", 0, 0, "one-cell/strides/strides-updating",
-              "the speed run: one cell a step, strides, or strides planned anew at every step"},
+              "the speed run: one cell a step, strides, or strides planned again at every step"},
     Parameter{"ties", ParameterType::choice, "arbl", 0, 0, TieOrder::all, "order of the headings among equal choices"},
 };
 
@@ -95,7 +94,7 @@ constexpr std::array parameters = {
 
 constinit const RosterEntry phases_mouse = {
     "phases",
-    "three exchangeable phases: search the goal, continue, run",
+    "three interchangeable phases: find the goal, continue, run",
     method,
     source,
     parameters,

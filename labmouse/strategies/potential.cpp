@@ -21,10 +21,10 @@ namespace labmouse {
 namespace {
 
 constexpr std::string_view method =
-    "Each cell has a potential, at first its Manhattan distance to the goal. A dead end takes the largest one. A "
-    "cell with several free directions is raised by its first potential at each visit, so that the first visit "
-    "doubles it. At each step the mouse moves to the cell of lowest potential that it sees within one move. When "
-    "it enters the goal it resets and takes the shortest route that it has seen.";
+    "Each cell has a potential, initially its Manhattan distance to the goal. A dead end gets the largest one. Each "
+    "visit to a cell with several free directions raises its potential by its initial value, so the first visit "
+    "doubles it. At each step the mouse moves to the cell of lowest potential that it sees within one move. When it "
+    "enters the goal, it resets and takes the shortest route that it has seen.";
 
 constexpr std::string_view source =
     "PotentialBot in Edward Kish, section 4.6 (the third report), after Wyard-Scott and Meng 1995.";

@@ -12,8 +12,8 @@ namespace labmouse {
 namespace {
 
 constexpr std::string_view method =
-    "At each step one of the cells that can be reached by one move through walls known to be open, all equally "
-    "likely; at the first entry of the goal it resets and goes on in the same way.";
+    "At each step it goes to one of the cells that it can reach in one move through walls known to be open, all "
+    "equally likely. When it first enters the goal, it resets and continues in the same way.";
 
 constexpr std::string_view source =
     "BenchmarkBot in Edward Kish, \"Plot and Navigate a Virtual Maze\", section 4.1 (the third report).";

@@ -13,9 +13,9 @@ namespace labmouse {
 namespace {
 
 constexpr std::string_view method =
-    "A random turn by -90, 0 or 90 degrees and a random movement of no to the most cells, drawn again while a "
-    "wall is in the way; what else it sees does not matter. Once it has entered a goal and stood in a share of "
-    "all cells it resets and runs the way that a breadth-first search finds among the walls about the cells in "
+    "A random turn of -90, 0 or 90 degrees and a random movement from 0 to the largest number of cells, drawn again "
+    "while a wall is in the way; it ignores whatever else it sees. Once it has entered a goal and stood in a share of "
+    "all cells, it resets and runs the path that a breadth-first search finds among the walls around the cells in "
     "which it stood.";
 
 constexpr std::string_view source =

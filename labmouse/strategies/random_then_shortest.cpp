@@ -13,8 +13,8 @@ namespace labmouse {
 namespace {
 
 constexpr std::string_view method =
-    "At each step of the exploration one of the cells that can be reached by one move through walls known to be "
-    "open, all equally likely; at the first entry of the goal it resets and takes the shortest route that it has "
+    "At each step of the exploration it goes to one of the cells that it can reach in one move through walls known to "
+    "be open, all equally likely. When it first enters the goal, it resets and takes the shortest route that it has "
     "seen.";
 
 constexpr std::string_view source = "BetterBenchmarkBot in Edward Kish, section 4.2 (the third report).";

@@ -36,6 +36,6 @@ inline constexpr Parameter random_walk_stride = {"stride",
                                                  1,
                                                  Motion::max_longest,
                                                  "",
-                                                 "longest move, in cells; the rules' own limit holds too"};
+                                                 "longest move, in cells, within the limit of the rules"};
 
 }  // namespace labmouse

@@ -23,15 +23,14 @@ namespace labmouse {
 namespace {
 
 constexpr std::string_view method =
-    "A list holds the cells that were discovered (they have an open wall to a visited cell) and not yet visited. "
-    "The mouse goes to the one with the least sum of steps there, through visited cells, and bias times its "
-    "Manhattan distance to the goal, cell by cell, and looks again. A cell's parent is the visited neighbour "
-    "that was cheapest to reach from the beginning of the way, so parents lead from the goal back to the start. "
-    "Who sees no open wall is in a dead end: the cell and its parents, up to one with three open walls, are not "
-    "listed again. In the goal the list, the visits, the costs and the parents are cleared, the walls and dead "
-    "ends are not, and the same search leads to the start. The speed run follows the shorter of the two paths or "
-    "(join_legs) the shorter leg between each two of their crossings, one cell a step or (merge_strides) in "
-    "strides.";
+    "A list holds the cells that have been discovered (they have an open wall to a visited cell) but not yet visited. "
+    "The mouse goes, cell by cell, to the one with the lowest sum of the steps there, through visited cells, and bias "
+    "times its Manhattan distance to the goal, and looks again. A cell's parent is the visited neighbour that was "
+    "cheapest to reach from the beginning of the way, so parents lead from the goal back to the start. A cell from "
+    "which no open wall is seen is a dead end: it and its parents, up to one with three open walls, are not listed "
+    "again. In the goal, the list, the visits, the costs and the parents are cleared, but not the walls and dead ends, "
+    "and the same search leads to the start. The speed run follows the shorter of the two paths or (join_legs) the "
+    "shorter leg between each two of their crossings, one cell a step or (merge_strides) in strides.";
 
 constexpr std::string_view source =
     "Report 2 (Kapustin 2016), Implementation and Refinement; its first stage is "
@@ -241,7 +240,8 @@ constexpr std::array parameters = {
     Parameter{"bias", ParameterType::real, "1.5", 0, 100, "", "weight of the Manhattan distance against steps"},
     Parameter{"join_legs", ParameterType::flag, "yes", 0, 0, "",
               "take the shorter leg between crossings of both paths"},
-    Parameter{"merge_strides", ParameterType::flag, "yes", 0, 0, "", "run straight legs in strides, not cell by cell"},
+    Parameter{"merge_strides", ParameterType::flag, "yes", 0, 0, "",
+              "run straight legs in strides instead of cell by cell"},
     Parameter{"ties", ParameterType::choice, "nesw", 0, 0, TieOrder::all, "order of the directions"},
 };
 
@@ -249,7 +249,7 @@ constexpr std::array parameters = {
 
 constinit const RosterEntry two_way_mouse = {
     "two-way",
-    "A* to the goal and back, the shorter legs of both paths",
+    "A* to the goal and back; joins the shorter legs of both paths",
     method,
     source,
     parameters,

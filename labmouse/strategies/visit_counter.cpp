@@ -18,11 +18,10 @@ namespace labmouse {
 namespace {
 
 constexpr std::string_view method =
-    "Counts how often it stood in each cell. Most steps lead one cell on, to the left, ahead or to the right, "
-    "whichever was visited least; with a fixed probability the step is a random one instead, so that no loop "
-    "holds it for ever; from a dead end it turns right on the spot. Once it has entered a goal and stood in a "
-    "share of all cells it resets, plans its way by a textbook's search over the walls about those cells, and "
-    "runs it in the longest strides.";
+    "Counts how often it has stood in each cell. Most steps go one cell to the left, ahead or to the right, whichever "
+    "was visited least; with a fixed probability the step is random instead, so that no loop traps it for ever; in a "
+    "dead end it turns right on the spot. Once it has entered a goal and stood in a share of all cells, it resets, "
+    "plans its path by a textbook search over the walls around those cells, and runs it in the longest strides.";
 
 constexpr std::string_view source =
     "The final explorer of the fifth report, \"Plot and Navigate a Virtual Maze\", Algorithms and Techniques, "
@@ -70,7 +69,7 @@ constexpr std::array parameters = {
     Parameter{"random_share", ParameterType::real, "0.2", 0, 1, "", "probability of a random step"},
     Parameter{"coverage", ParameterType::real, "0.8333", 0, 1, "", "share of all cells to stand in before the reset"},
     Parameter{"search", ParameterType::choice, "a-star", 0, 0, "breadth-first/a-star/dijkstra",
-              "how the speed run is planned"},
+              "how to plan the speed run"},
     Parameter{"ties", ParameterType::choice, "esnw", 0, 0, TieOrder::all,
               "order of the directions, among cells visited equally often and in the search"},
 };
@@ -79,7 +78,7 @@ constexpr std::array parameters = {
 
 constinit const RosterEntry visit_counter_mouse = {
     "visit-counter",
-    "to the least visited neighbour, sometimes at random",
+    "goes to the least visited neighbour, sometimes at random",
     method,
     source,
     parameters,

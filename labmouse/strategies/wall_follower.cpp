@@ -8,8 +8,8 @@ namespace labmouse {
 namespace {
 
 constexpr std::string_view method =
-    "At each cell the first open side in the order hand side, ahead, other side; in a dead end it turns on the "
-    "spot, away from the hand. After the goal it resets and takes the shortest route that it has seen.";
+    "In each cell it takes the first open side in the order hand side, ahead, other side; in a dead end it turns on "
+    "the spot, away from the hand. At the goal it resets and takes the shortest route that it has seen.";
 
 constexpr std::string_view source =
     "Folklore, older than the contests; the maze is a graph drawn in the plane, and its hand traces one face.";

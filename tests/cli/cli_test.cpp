@@ -16,6 +16,8 @@ using test::AUser;
 using test::content_of;
 using test::corridor;
 using test::Ended;
+using test::Says;
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -49,43 +51,42 @@ TEST_F(AUser, AsksForTheVersion) {
 }
 
 TEST_F(AUser, IsToldInOneLineWhatIsWrong) {
-  is_refused({}, "subcommand is required");
-  is_refused({"rase"}, "rase");
-  is_refused({"race", "--mise", "flood"}, "labmouse race --help");
-  is_refused({"race", "--mice", "flod"}, "did you mean 'flood'?");
-  is_refused({"race", "--mice", "flood:stride=99"}, "value '99' of parameter 'stride'");
-  is_refused({"race", "--mazes", "capston-1"}, "did you mean 'capstone-1'?");
+  is_refused({}, "subcommand");
+  is_refused({"rase"}, "'rase'", "'race'");
+  is_refused({"race", "--mise", "flood"}, "'--mise'", "'--mice'", "labmouse race --help");
+  is_refused({"race", "--mice", "flod"}, "'flod'", "'flood'");
+  is_refused({"race", "--mice", "flood:stride=99"}, "'99'", "'stride'", "'flood'");
+  is_refused({"race", "--mazes", "capston-1"}, "capston-1", "'capstone-1'");
   is_refused({"race", "--runs", "0"}, "--runs");
   is_refused({"race", "--jobs", "many"}, "--jobs");
   is_refused({"race", "--format", "xml"}, "--format");
-  is_refused({"race", "--baseline", "nothing.json"}, "nothing.json: error: no such file");
-  is_refused({"run", "flood"}, "required");
+  is_refused({"race", "--baseline", "nothing.json"}, "nothing.json: ", "no such");
+  is_refused({"run", "flood"}, "error: maze ", "required");
   is_refused({"run", "flood,certify", "capstone-1"}, "one mouse");
-  is_refused({"run", "flood", "capstone-1", "--start", "99,0"}, "'99,0' is not a position");
-  is_refused({"run", "flood", "capstone-1", "--goal", "12,0"}, "outside of the maze");
-  is_refused({"replay", "nothing.jsonl"}, "nothing.jsonl: error: no such file");
-  is_refused({"make", "castle"}, "castle");
-  is_refused({"make", "Prim"}, "did you mean 'prim'?");
-  is_refused({"make", "empty", "--seed", "-1"}, "'-1' is not a whole number");
-  is_refused({"make", "empty", "--seed", "18446744073709551616"}, "is not a whole number from 0 to 2^64 - 1");
-  is_refused({"make", "empty", "--loops", "nan"}, "'nan' is not a number");
-  is_refused({"race", "--fail-above", "nan"}, "'nan' is not a number");
-  is_refused({"race", "--formt", "json"}, "option '--formt' is unknown; did you mean '--format'?");
-  is_refused({"score", "a", "b", "c"}, "'b' was not expected");
+  is_refused({"run", "flood", "capstone-1", "--start", "99,0"}, "'99,0'", "X,Y");
+  is_refused({"run", "flood", "capstone-1", "--goal", "12,0"}, "(12,0)", "12x12");
+  is_refused({"replay", "nothing.jsonl"}, "nothing.jsonl: ", "no such");
+  is_refused({"make", "castle"}, "'castle'", "wilson");
+  is_refused({"make", "Prim"}, "'Prim'", "'prim'");
+  is_refused({"make", "empty", "--seed", "-1"}, "--seed", "'-1'", "2^64 - 1");
+  is_refused({"make", "empty", "--seed", "18446744073709551616"}, "--seed", "'18446744073709551616'", "2^64 - 1");
+  is_refused({"make", "empty", "--loops", "nan"}, "--loops", "'nan'");
+  is_refused({"race", "--fail-above", "nan"}, "--fail-above", "'nan'");
+  is_refused({"race", "--formt", "json"}, "'--formt'", "'--format'");
+  is_refused({"score", "a", "b", "c"}, "'b'", "labmouse score --help");
 }
 
 TEST_F(AUser, IsToldWhatIsWrongWithASweep) {
-  is_refused({"sweep", "flood"}, "--vary is required");
-  is_refused({"sweep", "--vary", "stride=1,2"}, "mouse is required");
-  is_refused({"sweep", "flod", "--vary", "stride=1,2"}, "did you mean 'flood'?");
-  is_refused({"sweep", "flood,certify", "--vary", "stride=1,2"}, "names 2 mice; name one");
-  is_refused({"sweep", "flood", "--vary", "strid=1,2"}, "did you mean 'stride'?");
-  is_refused({"sweep", "flood", "--vary", "stride=7:9:1"},
-             "value '9' of parameter 'stride' of mouse 'flood' is outside of 1 to 8; the nearest is 8");
-  is_refused({"sweep", "flood", "--vary", "stride=1:3"}, "write LOW:HIGH:STEP");
-  is_refused({"sweep", "flood", "--vary", "stride"}, "is not of the form");
-  is_refused({"sweep", "flood", "--vary", "stride=0:1:0.0001"}, "at most 1000");
-  is_refused({"sweep", "flood", "--vary", "stride=1", "--mazes", "capston-1"}, "did you mean 'capstone-1'?");
+  is_refused({"sweep", "flood"}, "--vary", "required");
+  is_refused({"sweep", "--vary", "stride=1,2"}, "error: mouse ", "required");
+  is_refused({"sweep", "flod", "--vary", "stride=1,2"}, "'flod'", "'flood'");
+  is_refused({"sweep", "flood,certify", "--vary", "stride=1,2"}, "'flood,certify'", "2 mice");
+  is_refused({"sweep", "flood", "--vary", "strid=1,2"}, "'strid'", "'stride'");
+  is_refused({"sweep", "flood", "--vary", "stride=7:9:1"}, "'9'", "'stride'", "'flood'", "1 to 8");
+  is_refused({"sweep", "flood", "--vary", "stride=1:3"}, "'1:3'", "LOW:HIGH:STEP");
+  is_refused({"sweep", "flood", "--vary", "stride"}, "'stride'", "NAME=");
+  is_refused({"sweep", "flood", "--vary", "stride=0:1:0.0001"}, "10001", "1000");
+  is_refused({"sweep", "flood", "--vary", "stride=1", "--mazes", "capston-1"}, "capston-1", "'capstone-1'");
 }
 
 TEST_F(AUser, IsToldWhereAMazeFileIsBad) {
@@ -183,7 +184,7 @@ TEST_F(AUser, SeesColoursOnATerminalUnlessNotWanted) {
 TEST_F(AUser, CannotWatchInATerminalThatIsTooSmall) {
   const auto printed = test::on_a_terminal({"run", "flood", "capstone-1", "--watch"}, "NO_COLOR=1");
   if (!printed) GTEST_SKIP() << "this system lends no terminals";
-  EXPECT_THAT(*printed, HasSubstr("takes a terminal of 52x29"));
+  EXPECT_THAT(*printed, Says("terminal", "52x29"));
 }
 
 TEST_F(AUser, IsNotToldNamesThatSteerTheTerminal) {
@@ -220,7 +221,7 @@ TEST_F(AUser, WritesIntoADeviceWithoutReplacingIt) {
 
 TEST_F(AUser, LearnsBeforeTheRaceThatTheFolderCannotBeWritten) {
   file("occupied", "a file where a folder should be");
-  is_refused({"race", "--mice", "flood", "--out", "occupied/out"}, "occupied/out: error: cannot be made");
+  is_refused({"race", "--mice", "flood", "--out", "occupied/out"}, "occupied/out: error: ", "not a folder");
 }
 
 TEST_F(AUser, RacesOnPastLinksThatLeadNowhere) {
@@ -247,7 +248,7 @@ TEST_F(AUser, FailsABuildAboveAScore) {
   EXPECT_EQ(labmouse({"race", "--mice", "flood", "--mazes", "corridor.txt", "--fail-above", "1.07"}).code, 0);
   const Ended above = labmouse({"race", "--mice", "flood", "--mazes", "corridor.txt", "--fail-above", "1.06"});
   EXPECT_EQ(above.code, 1);
-  EXPECT_THAT(above.err, HasSubstr("flood scores 1.067, above the limit of 1.06"));
+  EXPECT_THAT(above.err, Says("flood", "1.067", "1.06"));
 }
 
 TEST_F(AUser, ComparesWithAnEarlierRace) {
@@ -255,9 +256,8 @@ TEST_F(AUser, ComparesWithAnEarlierRace) {
   const Ended same = labmouse({"race", "--mice", "flood", "--baseline", "earlier.json"});
   EXPECT_EQ(same.code, 0);
   EXPECT_THAT(same.out, HasSubstr("flood: +0.000 [+0.000, +0.000]"));
-  is_refused({"race", "--mice", "flood", "--baseline", file("bad.json", "{}")},
-             "bad.json: error: is not the JSON of a race");
-  is_refused({"race", "--mice", "flod", "--baseline", "bad.json"}, "did you mean 'flood'?");
+  is_refused({"race", "--mice", "flood", "--baseline", file("bad.json", "{}")}, "bad.json: error: ", "JSON of a race");
+  is_refused({"race", "--mice", "flod", "--baseline", "bad.json"}, "'flod'", "'flood'");
 }
 
 TEST_F(AUser, KeepsRecordsAndPicturesOfARace) {
@@ -289,7 +289,7 @@ TEST_F(AUser, KeepsTheResultsOfARaceWhateverIsPrinted) {
   std::filesystem::create_directories(folder_ / "blocked/results.json");
   const Ended blocked = labmouse({"race", "--mice", "flood", "--mazes", "corridor.txt", "--out", "blocked"});
   EXPECT_EQ(blocked.code, 2);
-  EXPECT_THAT(blocked.err, HasSubstr("blocked/results.json: error: cannot be written: it is a folder"));
+  EXPECT_THAT(blocked.err, Says("blocked/results.json: error: ", "is a folder"));
   EXPECT_THAT(blocked.out, HasSubstr("flood"));
 }
 
@@ -299,7 +299,7 @@ TEST_F(AUser, SweepsAParameter) {
                                 "--csv", "out/strides.csv", "--svg", "out/strides.svg"});
   EXPECT_EQ(ended.code, 0);
   EXPECT_EQ(ended.err, "");
-  EXPECT_THAT(ended.out, HasSubstr("over the 5 runs in the one maze"));
+  EXPECT_THAT(ended.out, Says("interval", "5 runs"));
   const std::string csv = content("out/strides.csv");
   EXPECT_THAT(csv, HasSubstr("value,mean,low,high,failures,runs\n1,"));
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 3);
@@ -313,9 +313,9 @@ TEST_F(AUser, SeesTheSweepWhoseFilesCannotBeWritten) {
   const Ended ended = labmouse(sweep);
   EXPECT_EQ(ended.code, 2);
   EXPECT_THAT(ended.out, HasSubstr("Lowest mean"));
-  EXPECT_THAT(ended.err, HasSubstr("/dev/full: error: cannot be written: no space"));
+  EXPECT_THAT(ended.err, Says("/dev/full: error: ", "no space"));
   sweep.back() = "corridor.txt/a.csv";
-  is_refused(sweep, "corridor.txt/a.csv: error: cannot");
+  is_refused(sweep, "corridor.txt/a.csv: error: ", "not a folder");
 }
 
 TEST_F(AUser, WhoInterruptsASweepAtOnceLosesNoFile) {
@@ -328,7 +328,7 @@ TEST_F(AUser, WhoInterruptsASweepAtOnceLosesNoFile) {
   program.interrupt();
   const Ended ended = program.wait();
   EXPECT_EQ(ended.code, 130) << ended.err;
-  EXPECT_THAT(ended.out, HasSubstr("Stopped early: 0 of 8 values done."));
+  EXPECT_THAT(ended.out, Says("Stopped", "0 of 8 values"));
   EXPECT_EQ(content("strides.csv"), "kept");
 }
 
@@ -339,10 +339,8 @@ TEST_F(AUser, SeesHowMuchOfTheMazesWasSeen) {
   const Ended as_data = labmouse({"race", "--mice", "flood", "--mazes", "corridor.txt", "--shares", "--format", "csv"});
   EXPECT_THAT(as_data.out, Not(HasSubstr("discovered%")));
   EXPECT_THAT(as_data.err, HasSubstr("discovered%"));
-  EXPECT_THAT(
-      labmouse({"run", "flood", "corridor.txt"}).out,
-      HasSubstr(
-          "exploration: discovered 100.0 %, visited 100.0 % of 3 reachable cells\nflood in corridor.txt: solved"));
+  EXPECT_THAT(labmouse({"run", "flood", "corridor.txt"}).out,
+              Says("discovered 100.0 %", "visited 100.0 %", "3 reachable cells", "\nflood in corridor.txt: solved"));
 }
 
 TEST_F(AUser, LearnsTheBound) {
@@ -386,10 +384,10 @@ TEST_F(AUser, SeesARecordInLayers) {
 
 TEST_F(AUser, IsToldWhichLayersTheTerminalLeavesOut) {
   ASSERT_EQ(labmouse({"run", "flood", "capstone-1", "--record", "walk.jsonl"}).code, 0);
-  EXPECT_EQ(labmouse({"show", "--record", "walk.jsonl", "--layer", "heat,path"}).err,
-            "not drawn here: layer heat needs --svg FILE or a terminal with colours\n");
+  EXPECT_THAT(labmouse({"show", "--record", "walk.jsonl", "--layer", "heat,path"}).err,
+              AllOf(Says("heat", "--svg", "colours"), Not(HasSubstr("path"))));
   const Ended shares = labmouse({"show", "--record", "walk.jsonl", "--layer", "shares"});
-  EXPECT_EQ(shares.err, "not drawn here: layer shares needs --svg FILE\n");
+  EXPECT_THAT(shares.err, AllOf(Says("shares", "--svg"), Not(HasSubstr("colours"))));
   EXPECT_THAT(shares.out, HasSubstr(" of 144 cells visited ("));
   const Ended picture = labmouse({"show", "--record", "walk.jsonl", "--layer", "heat,shares", "--svg", "walk.svg"});
   EXPECT_EQ(picture.err + picture.out, "");
@@ -406,18 +404,16 @@ TEST_F(AUser, SeesAMazeInLayers) {
 
 TEST_F(AUser, IsToldWhatCannotBeShown) {
   ASSERT_EQ(labmouse({"run", "flood", "capstone-1", "--record", "walk.jsonl"}).code, 0);
-  is_refused({"show"}, "error: `show` takes either a maze or --record FILE");
-  is_refused({"show", "capstone-1", "--record", "walk.jsonl"}, "error: `show` takes either a maze or --record FILE");
-  is_refused({"show", "--record", "walk.jsonl", "--layer", "heat,pth"},
-             "error: layer 'pth' is unknown; did you mean 'path'?");
-  is_refused({"show", "--record", "walk.jsonl", "--layer", ""}, "error: layer '' is unknown; there are heat, ");
-  is_refused({"show", "--record", "walk.jsonl", "--layer", "cells", "--distances"}, "choose one");
-  is_refused({"show", "--record", "walk.jsonl", "--goal", "1,1"}, "a record has its own");
-  is_refused({"show", "capstone-1", "--layer", "heat"}, "error: layer heat needs a record");
-  is_refused({"show", "--record", "nothing.jsonl"}, "nothing.jsonl: error: no such file");
+  is_refused({"show"}, "either", "--record");
+  is_refused({"show", "capstone-1", "--record", "walk.jsonl"}, "either", "--record");
+  is_refused({"show", "--record", "walk.jsonl", "--layer", "heat,pth"}, "'pth'", "'path'");
+  is_refused({"show", "--record", "walk.jsonl", "--layer", ""}, "layer ''", "heat, ");
+  is_refused({"show", "--record", "walk.jsonl", "--layer", "cells", "--distances"}, "--distances", "layer cells");
+  is_refused({"show", "--record", "walk.jsonl", "--goal", "1,1"}, "--goal", "record");
+  is_refused({"show", "capstone-1", "--layer", "heat"}, "layer heat", "--record");
+  is_refused({"show", "--record", "nothing.jsonl"}, "nothing.jsonl: ", "no such");
   file("bare.jsonl", R"({"labmouse":"record","format":1,"mouse":{"name":"flood"}})");
-  is_refused({"show", "--record", "bare.jsonl"},
-             "bare.jsonl: error: the record has no maze; name its maze with --maze MAZE");
+  is_refused({"show", "--record", "bare.jsonl"}, "bare.jsonl: error: ", "--maze");
 }
 
 TEST_F(AUser, SeesHowFarARecordWithoutAnEndGoes) {
@@ -428,9 +424,8 @@ TEST_F(AUser, SeesHowFarARecordWithoutAnEndGoes) {
   file("cut.jsonl", whole.substr(0, end));
   const Ended cut = labmouse({"show", "--record", "cut.jsonl", "--layer", "exploration,path"});
   EXPECT_EQ(cut.code, 0);
-  EXPECT_EQ(cut.err, "not drawn: layer path, since the record has no speed run\n");
-  EXPECT_THAT(cut.out,
-              HasSubstr("+ 19 steps, no goal entered\nflood in capstone-1: the record breaks off after step 19"));
+  EXPECT_THAT(cut.err, Says("layer path", "no speed run"));
+  EXPECT_THAT(cut.out, Says("+ 19 steps", "no goal", "\nflood in capstone-1: ", "breaks off after step 19"));
   EXPECT_EQ(labmouse({"show", "--record", "cut.jsonl", "--svg", "cut.svg"}).code, 0);
   EXPECT_THAT(content("cut.svg"), HasSubstr("<title>flood in capstone-1: breaks off after step 19</title>"));
 }
@@ -444,7 +439,7 @@ TEST_F(AUser, CannotReplayATamperedRecord) {
   const Ended ended = labmouse({"replay", "tampered.jsonl"});
   EXPECT_EQ(ended.code, 1);
   EXPECT_EQ(ended.out, "");
-  EXPECT_THAT(ended.err, HasSubstr("tampered.jsonl: error: does not agree with its maze: step 1"));
+  EXPECT_THAT(ended.err, Says("tampered.jsonl: error: ", "step 1:", "0 10 0", "0 11 0"));
   const Ended shown = labmouse({"show", "--record", "tampered.jsonl"});
   EXPECT_EQ(shown.code, 1);
   EXPECT_EQ(shown.err, ended.err);
@@ -468,7 +463,7 @@ TEST_F(AUser, MakesConvertsAndShowsAMaze) {
 
 TEST_F(AUser, IsToldWhatCannotBeWritten) {
   file("corridor.txt", corridor);
-  is_refused({"make", "prim", "-o", "corridor.txt/maze.txt"}, "corridor.txt/maze.txt: error: cannot");
+  is_refused({"make", "prim", "-o", "corridor.txt/maze.txt"}, "corridor.txt/maze.txt: error: ", "not a folder");
 }
 
 TEST_F(AUser, WhoInterruptsARaceSeesWhatIsDone) {

@@ -8,6 +8,7 @@ namespace {
 
 using test::AUser;
 using test::Ended;
+using test::Says;
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -23,7 +24,7 @@ TEST_F(AUser, IsToldWhyAMouseWentWhereItWent) {
   EXPECT_EQ(told.err, "");
   EXPECT_THAT(told.out, StartsWith(plain.out));
   const std::string explanation = explanation_in(told.out);
-  EXPECT_THAT(explanation, HasSubstr("\nstep 1 at (0,0) heading north, before the goal: "));
+  EXPECT_THAT(explanation, HasSubstr("\nstep 1 at (0,0) heading north"));
   EXPECT_THAT(explanation, HasSubstr(": reset"));
   std::istringstream lines(explanation);
   int rows = 0;
@@ -47,7 +48,9 @@ TEST_F(AUser, ChoosesHowManyCandidatesAreShown) {
 TEST_F(AUser, IsToldThatAMouseHasNoReasons) {
   const Ended told = labmouse({"run", "flood", "capstone-1", "--explain"});
   EXPECT_EQ(told.code, 0);
-  EXPECT_EQ(told.out, labmouse({"run", "flood", "capstone-1"}).out + "\nflood kept no reasons.\n");
+  const std::string plain = labmouse({"run", "flood", "capstone-1"}).out;
+  ASSERT_THAT(told.out, StartsWith(plain));
+  EXPECT_THAT(told.out.substr(plain.size()), Says("flood", "no reasons"));
 }
 
 TEST_F(AUser, FindsReasonsInARecordOnlyWhereTheyWereAskedFor) {
@@ -59,8 +62,7 @@ TEST_F(AUser, FindsReasonsInARecordOnlyWhereTheyWereAskedFor) {
   EXPECT_EQ(labmouse({"replay", "told.jsonl"}).out, labmouse({"replay", "plain.jsonl"}).out);
   const Ended nothing = labmouse({"replay", "plain.jsonl", "--explain"});
   EXPECT_EQ(nothing.code, 0);
-  EXPECT_THAT(nothing.out,
-              EndsWith("\nThe record has no reasons; `labmouse run` with --explain and --record keeps them.\n"));
+  EXPECT_THAT(nothing.out, Says("no reasons", "--explain", "--record"));
 }
 
 TEST_F(AUser, SeesTheCandidatesOfAStep) {
@@ -80,24 +82,23 @@ TEST_F(AUser, SeesARecordAsFarAsAStep) {
   ASSERT_EQ(labmouse({"run", "flood", "capstone-1", "--record", "walk.jsonl"}).code, 0);
   const Ended shown = labmouse({"show", "--record", "walk.jsonl", "--layer", "exploration", "--step", "19"});
   EXPECT_EQ(shown.err, "");
-  EXPECT_THAT(shown.out, EndsWith("+ 19 steps, no goal entered\nflood in capstone-1: step 19 of 52\n"));
+  EXPECT_THAT(shown.out,
+              testing::AllOf(Says("+ 19 steps", "no goal"), EndsWith("\nflood in capstone-1: step 19 of 52\n")));
   EXPECT_THAT(labmouse({"show", "--record", "walk.jsonl", "--step", "52"}).out, EndsWith(": step 52 of 52\n"));
-  is_refused({"show", "--record", "walk.jsonl", "--step", "53"}, "error: the record has 52 steps, so no step 53");
+  is_refused({"show", "--record", "walk.jsonl", "--step", "53"}, "52 steps", "step 53");
   is_refused({"show", "--record", "walk.jsonl", "--step", "0"}, "--step");
-  is_refused({"show", "capstone-1", "--step", "3"}, "error: --step is for records; name one with --record FILE");
+  is_refused({"show", "capstone-1", "--step", "3"}, "--step", "--record");
 }
 
 TEST_F(AUser, IsToldWhyThereAreNoCandidatesToSee) {
   ASSERT_EQ(labmouse({"run", "flood", "capstone-1", "--record", "flood.jsonl"}).code, 0);
   const Ended none = labmouse({"show", "--record", "flood.jsonl", "--layer", "candidates"});
   EXPECT_EQ(none.code, 0);
-  EXPECT_EQ(none.err,
-            "not drawn: layer candidates, since the record has no reasons; `labmouse run` with --explain and --record "
-            "keeps them\n");
+  EXPECT_THAT(none.err, Says("layer candidates", "no reasons", "--explain", "--record"));
   ASSERT_EQ(labmouse({"run", "ariadne", "capstone-1", "--explain", "--record", "walk.jsonl"}).code, 0);
-  EXPECT_EQ(labmouse({"show", "--record", "walk.jsonl", "--layer", "candidates"}).err,
-            "not drawn here: layer candidates needs --svg FILE\n");
-  is_refused({"show", "capstone-1", "--layer", "candidates"}, "error: layer candidates needs a record");
+  EXPECT_THAT(labmouse({"show", "--record", "walk.jsonl", "--layer", "candidates"}).err,
+              Says("layer candidates", "--svg"));
+  is_refused({"show", "capstone-1", "--layer", "candidates"}, "layer candidates", "--record");
 }
 
 }  // namespace

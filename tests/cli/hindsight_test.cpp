@@ -17,7 +17,7 @@ TEST_F(AUser, LooksBack) {
   EXPECT_EQ(ended.err, "");
   EXPECT_THAT(ended.out, HasSubstr("\n   bound    score best stop best of 64  maze\n  17.600 "));
   EXPECT_THAT(ended.out, HasSubstr("mean of 2 mazes\n"));
-  EXPECT_THAT(ended.out, HasSubstr("\nreferences and no bounds"));
+  EXPECT_THAT(ended.out, HasSubstr("references"));
   EXPECT_THAT(labmouse({"bound", "--hindsight", "two-way", "capstone-1", "--perturbed", "0"}).out,
               Not(HasSubstr("best of")));
 }
@@ -56,12 +56,12 @@ TEST_F(AUser, LearnsTheBoundsAsData) {
 }
 
 TEST_F(AUser, IsToldWhatIsWrongWithHindsight) {
-  is_refused({"bound", "--hindsight", "flod"}, "did you mean 'flood'?");
-  is_refused({"bound", "--hindsight", "flood,certify"}, "names 2 mice; name one");
-  is_refused({"bound", "capstone-1", "--perturbed", "9"}, "--perturbed requires --hindsight");
-  is_refused({"bound", "capstone-1", "--seed", "9"}, "--seed requires --hindsight");
+  is_refused({"bound", "--hindsight", "flod"}, "'flod'", "'flood'");
+  is_refused({"bound", "--hindsight", "flood,certify"}, "'flood,certify'", "2 mice");
+  is_refused({"bound", "capstone-1", "--perturbed", "9"}, "--perturbed", "--hindsight");
+  is_refused({"bound", "capstone-1", "--seed", "9"}, "--seed", "--hindsight");
   is_refused({"bound", "--hindsight", "flood", "--perturbed", "-1"}, "--perturbed");
-  is_refused({"bound", "--hindsight", "flood", "capston-1"}, "did you mean 'capstone-1'?");
+  is_refused({"bound", "--hindsight", "flood", "capston-1"}, "capston-1", "'capstone-1'");
 }
 
 }  // namespace

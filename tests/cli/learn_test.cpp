@@ -10,6 +10,7 @@ namespace {
 using test::AUser;
 using test::corridor;
 using test::Ended;
+using test::Says;
 using ::testing::HasSubstr;
 using ::testing::MatchesRegex;
 using ::testing::Not;
@@ -19,8 +20,7 @@ TEST_F(AUser, LearnsAPriorAndRacesWithIt) {
   const Ended learned = labmouse({"learn", "contest-01", "contest-02", "-o", "out/my.prior"});
   EXPECT_EQ(learned.code, 0) << learned.err;
   EXPECT_EQ(learned.err, "");
-  EXPECT_THAT(learned.out,
-              MatchesRegex("2 mazes, [0-9]+ walls counted: log loss 0[.][0-9]+, entropy 0[.][0-9]+ nats a wall\n"));
+  EXPECT_THAT(learned.out, MatchesRegex("2 mazes, [0-9]+ walls[^\n]* 0[.][0-9]+[^\n]* 0[.][0-9]+[^\n]*\n"));
   EXPECT_THAT(content("out/my.prior"), StartsWith("// labmouse prior 1\n// Learned by labmouse "));
   const nlohmann::json json = race({"--mice", "ariadne,ariadne:prior=out/my.prior", "--mazes", "contest-03"});
   EXPECT_EQ(json.at("mice").size(), 2U);
@@ -54,12 +54,11 @@ TEST_F(AUser, StudiesAMouseThatLearns) {
   const Ended ended = labmouse({"study", "--mice", "ariadne,flood-return", "--folds", "2", "--mazes", "contest-01",
                                 "contest-02", "spiral-9", "island-8"});
   EXPECT_EQ(ended.code, 0) << ended.err;
-  EXPECT_THAT(ended.out, HasSubstr("Taught anew for each fold, from the 2 mazes of the others: ariadne.\n"));
+  EXPECT_THAT(ended.out, Says("Taught", "2 mazes", ": ariadne.\n"));
 }
 
 TEST_F(AUser, SeesThatAPriorMayBeAFile) {
-  EXPECT_THAT(labmouse({"mice"}).out,
-              HasSubstr("    prior=contest  prior, contest/uniform or a file of `labmouse learn`: "));
+  EXPECT_THAT(labmouse({"mice"}).out, Says("    prior=contest  prior, contest/uniform ", "`labmouse learn`"));
   const auto mice = nlohmann::json::parse(labmouse({"mice", "--format", "json"}).out);
   for (const auto& mouse : mice)
     if (mouse["name"] == "ariadne") {
@@ -71,25 +70,23 @@ TEST_F(AUser, SeesThatAPriorMayBeAFile) {
 TEST_F(AUser, IsToldWhatIsWrongWithLearning) {
   file("closed.txt", "o---o---o\n| S | G |\no---o---o\n");
   file("occupied", "a file where a folder should be");
-  is_refused({"learn", "contest-01"}, "--out is required");
-  is_refused({"learn", "contest-00", "-o", "my.prior"}, "did you mean 'contest-01'?");
-  is_refused({"learn", "closed.txt", "-o", "my.prior"}, "no maze with a route (of 1 given), so nothing to learn from");
-  is_refused({"learn", "contest-01", "-o", "occupied/my.prior"}, "occupied/my.prior: error: cannot");
+  is_refused({"learn", "contest-01"}, "--out", "required");
+  is_refused({"learn", "contest-00", "-o", "my.prior"}, "contest-00", "'contest-01'");
+  is_refused({"learn", "closed.txt", "-o", "my.prior"}, "route", "1 given");
+  is_refused({"learn", "contest-01", "-o", "occupied/my.prior"}, "occupied/my.prior: error: ", "not a folder");
   EXPECT_FALSE(std::filesystem::exists(folder_ / "my.prior"));
   std::filesystem::create_directories(folder_ / "empty");
-  is_refused({"learn", "empty", "-o", "my.prior"}, "no maze to work on");
+  is_refused({"learn", "empty", "-o", "my.prior"}, "no maze", "built-in");
 }
 
 TEST_F(AUser, IsToldWhatIsWrongWithAPrior) {
   file("bad.prior", "// labmouse prior 1\n1,2,\n3,1000,\n");
-  is_refused({"race", "--mice", "ariadne:prior=bad.prior"},
-             "prior file bad.prior:3:3: expected a number from 0 to 255, found '1000'");
-  is_refused({"race", "--mice", "ariadne:prior=my.prior"},
-             "prior file my.prior: no such file; a SPEC ends a path at ':' and ','");
-  is_refused({"race", "--mice", "ariadne:prior=contes"}, "did you mean 'contest'?");
-  is_refused({"run", "ariadne:prior=", "spiral-9"}, "is neither contest/uniform nor a file");
-  is_refused({"sweep", "ariadne", "--vary", "prior=contest,my.prior"}, "prior file my.prior: no such file");
-  is_refused({"tune", "ariadne", "--params", "prior", "--evaluations", "5"}, "is a prior, and only numbers are tuned");
+  is_refused({"race", "--mice", "ariadne:prior=bad.prior"}, "bad.prior:3:3: ", "0 to 255", "'1000'");
+  is_refused({"race", "--mice", "ariadne:prior=my.prior"}, "my.prior: ", "no such", "':' and ','");
+  is_refused({"race", "--mice", "ariadne:prior=contes"}, "contes: ", "'contest'");
+  is_refused({"run", "ariadne:prior=", "spiral-9"}, "'prior'", "'ariadne'", "contest/uniform");
+  is_refused({"sweep", "ariadne", "--vary", "prior=contest,my.prior"}, "my.prior: ", "no such");
+  is_refused({"tune", "ariadne", "--params", "prior", "--evaluations", "5"}, "'prior'", "'ariadne'", "numbers");
 }
 
 TEST_F(AUser, IsToldWhatLearningLeavesOut) {
@@ -122,7 +119,7 @@ TEST_F(AUser, WhoInterruptsLearningKeepsAnEarlierPrior) {
   program.interrupt();
   const Ended ended = program.wait();
   EXPECT_EQ(ended.code, 130) << ended.err << ended.out;
-  EXPECT_THAT(ended.out, HasSubstr(" mazes explored, no prior made.\n"));
+  EXPECT_THAT(ended.out, Says("Stopped", "no prior"));
   EXPECT_EQ(content("my.prior"), "kept");
 }
 

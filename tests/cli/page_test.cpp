@@ -8,6 +8,8 @@ namespace {
 using test::AUser;
 using test::corridor;
 using test::Ended;
+using test::Says;
+using test::SaysAt;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -38,7 +40,7 @@ TEST_F(AUser, GetsThePageOrIsToldHowToBuildIt) {
     EXPECT_EQ(content("new/labmouse.html"), page.out);
     return;
   }
-  is_refused({"page", "-o", "-"}, "error: this program was built without its page; `make page` builds it");
+  is_refused({"page", "-o", "-"}, "`make page`", "--page");
   is_refused({"report", ".", "-o", "-"}, "`make page`");
 }
 
@@ -69,14 +71,14 @@ TEST_F(AReader, GetsAReportOfJsonAlone) {
   std::filesystem::remove(folder_ / "corridor.txt");
   const Ended lost = report({"today.json", "-o", "-"});
   EXPECT_EQ(lost.code, 0);
-  EXPECT_EQ(lost.err, "left out: 1 maze not found by name as in the race, such as corridor.txt\n");
+  EXPECT_THAT(lost.err, Says("1 maze", "not found", "corridor.txt"));
 }
 
 TEST_F(AReader, IsToldOfRecordsThatAreLeftOut) {
   file("out/flood/capstone-1-1.jsonl", "oops\n");
   const Ended one = report({"out", "-o", "report.html"});
   EXPECT_EQ(one.code, 0);
-  EXPECT_EQ(one.err, "out/flood/capstone-1-1.jsonl:1:1: error: the line is not JSON\n");
+  EXPECT_THAT(one.err, SaysAt("out/flood/capstone-1-1.jsonl:1:1", "JSON"));
   std::vector<std::string> mice = {"race", "--mazes", "corridor.txt", "--runs", "1", "--out", "many"};
   EXPECT_EQ(labmouse(mice).code, 0);
   for (const auto& mouse : std::filesystem::directory_iterator(folder_ / "many"))
@@ -88,29 +90,28 @@ TEST_F(AReader, IsToldOfRecordsThatAreLeftOut) {
 
 TEST_F(AReader, IsRefusedWhatIsNoRace) {
   file("bad.json", "{\"labmouse\": \"1\",\n oops}");
-  const auto refused = [&](const std::string& results, std::string_view reason) {
-    is_refused({"report", results, "--page", "page.html", "-o", "report.html"}, reason);
+  const auto refused = [&](const std::string& results, auto... parts) {
+    is_refused({"report", results, "--page", "page.html", "-o", "report.html"}, parts...);
     EXPECT_FALSE(std::filesystem::exists(folder_ / "report.html"));
   };
-  refused("bad.json", "bad.json:2:2: error: is not JSON from here on");
-  refused("corridor.txt", "corridor.txt: error: is a maze, not a race");
-  refused("out/flood/corridor-1.jsonl", "corridor-1.jsonl: error: is the record of one contest");
-  refused("out/flood", "out/flood: error: has no results.json");
-  refused("nowhere", "nowhere: error: no such file");
-  refused("no\x1b[31mwhere", "no[31mwhere: error: no such file");
+  refused("bad.json", "bad.json:2:2: error: ", "JSON");
+  refused("corridor.txt", "corridor.txt: error: ", "is a maze");
+  refused("out/flood/corridor-1.jsonl", "corridor-1.jsonl: error: ", "record", "race");
+  refused("out/flood", "out/flood: error: ", "results.json");
+  refused("nowhere", "nowhere: error: ", "no such");
+  refused("no\x1b[31mwhere", "no[31mwhere: error: ", "no such");
 }
 
 TEST_F(AReader, IsRefusedWhatIsNoPage) {
-  is_refused({"page", "--page", "corridor.txt", "-o", "-"},
-             "corridor.txt: error: is not the page of labmouse: it has no <!-- labmouse:report -->");
-  is_refused({"page", "--page", "nowhere.html", "-o", "-"}, "nowhere.html: error: no such file");
-  is_refused({"page"}, "--out is required");
-  is_refused({"report", "out", "--page", "page.html"}, "--out is required");
-  is_refused({"report", "--page", "page.html", "-o", "-"}, "results is required");
+  is_refused({"page", "--page", "corridor.txt", "-o", "-"}, "corridor.txt: error: ", "<!-- labmouse:report -->");
+  is_refused({"page", "--page", "nowhere.html", "-o", "-"}, "nowhere.html: error: ", "no such");
+  is_refused({"page"}, "--out", "required");
+  is_refused({"report", "out", "--page", "page.html"}, "--out", "required");
+  is_refused({"report", "--page", "page.html", "-o", "-"}, "error: results ", "required");
   is_refused({"report", "out", "--page", "page.html", "-o", "page.html/report.html"},
-             "page.html/report.html: error: cannot be written");
+             "page.html/report.html: error: ", "not a folder");
   EXPECT_EQ(report({"out", "-o", "report.html"}).code, 0);
-  is_refused({"report", "out", "--page", "report.html", "-o", "-"}, "report.html: error: is not the page of labmouse");
+  is_refused({"report", "out", "--page", "report.html", "-o", "-"}, "report.html: error: ", "<!-- labmouse:report -->");
 }
 
 TEST_F(AReader, MaySendItsNamesWithoutHarm) {

@@ -27,18 +27,17 @@ class ARobot : public AUser {
 TEST_F(ARobot, IsReplayedAndScoredInTheMazeThatIsNamed) {
   const Ended replayed = labmouse({"replay", "robot.jsonl", "--maze", "corridor.txt"});
   EXPECT_EQ(replayed.code, 0) << replayed.err;
-  EXPECT_THAT(replayed.out, HasSubstr(std::string(result) + "checked in 4 steps: 4 readings, the outcome\n"));
+  EXPECT_THAT(replayed.out, Says(result, "4 steps", "4 readings", "outcome"));
   const Ended scored = labmouse({"score", "robot.jsonl", "--maze", "corridor.txt"});
   EXPECT_EQ(scored.code, 0);
   EXPECT_EQ(scored.out, result);
 }
 
 TEST_F(ARobot, NeedsAMaze) {
-  constexpr const char* reason = "robot.jsonl: error: the record has no maze; name its maze with --maze MAZE";
-  is_refused({"replay", "robot.jsonl"}, reason);
-  is_refused({"score", "robot.jsonl"}, reason);
-  is_refused({"show", "--record", "robot.jsonl"}, reason);
-  is_refused({"score", "robot.jsonl", "--maze", "nowhere.txt"}, "nowhere.txt: error: no such file");
+  is_refused({"replay", "robot.jsonl"}, "robot.jsonl: error: ", "no maze", "--maze");
+  is_refused({"score", "robot.jsonl"}, "robot.jsonl: error: ", "no maze", "--maze");
+  is_refused({"show", "--record", "robot.jsonl"}, "robot.jsonl: error: ", "no maze", "--maze");
+  is_refused({"score", "robot.jsonl", "--maze", "nowhere.txt"}, "nowhere.txt: error: ", "no such");
 }
 
 TEST_F(ARobot, IsToldWhichWallItMisread) {
@@ -47,9 +46,8 @@ TEST_F(ARobot, IsToldWhichWallItMisread) {
   const Ended scored = labmouse({"score", "robot.jsonl", "--maze", "corridor.txt"});
   EXPECT_EQ(scored.code, 1);
   EXPECT_EQ(scored.out, "");
-  EXPECT_EQ(scored.err,
-            "robot.jsonl: error: does not agree with its maze: step 2: recorded reading 0 2 0; "
-            "played at (1,0) heading east, reading 0 1 0; the maze has a wall east of (2,0)\n");
+  EXPECT_THAT(scored.err,
+              Says("robot.jsonl: error: ", "step 2: ", "0 2 0", "(1,0) heading east", "0 1 0", "wall east of (2,0)\n"));
 }
 
 TEST_F(ARobot, IsDrawnAndWatched) {
@@ -63,7 +61,7 @@ TEST_F(ARobot, IsDrawnAndWatched) {
   const Ended watched = labmouse({"replay", "robot.jsonl", "--maze", "corridor.txt", "--watch", "--svg", "robot.svg"});
   EXPECT_EQ(watched.code, 0) << watched.err;
   EXPECT_THAT(watched.out, HasSubstr("step    4  speed run  at (0,0) heading north  sees 0 0 2  turn +90, move +2"));
-  EXPECT_THAT(watched.out, HasSubstr("checked in 4 steps"));
+  EXPECT_THAT(watched.out, Says("checked", "4 steps"));
   EXPECT_THAT(content("robot.svg"), HasSubstr("robot in corridor: score 1.100"));
 }
 
@@ -72,7 +70,7 @@ TEST_F(ARobot, BreaksOffWhereItsPowerWentOff) {
   file("cut.jsonl", text.substr(0, text.find("\"reset\"")));
   const Ended scored = labmouse({"score", "cut.jsonl", "--maze", "corridor.txt"});
   EXPECT_EQ(scored.code, 0) << scored.err;
-  EXPECT_THAT(scored.out, HasSubstr("robot in corridor.txt: the record breaks off after step 2"));
+  EXPECT_THAT(scored.out, Says("robot in corridor.txt: ", "breaks off", "step 2"));
 }
 
 TEST_F(ARobot, OnlyARecordIsPlayedInAnotherMaze) {

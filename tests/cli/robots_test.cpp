@@ -4,7 +4,6 @@
 namespace labmouse::test {
 namespace {
 
-using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
 using ABuilder = AUser;
@@ -35,21 +34,19 @@ TEST_F(ABuilder, IsToldAllThatIsWrongWithAFile) {
   const Ended ended = labmouse({"robot", "show", "my.toml"});
   EXPECT_EQ(ended.code, 2);
   EXPECT_EQ(ended.out, "");
-  EXPECT_THAT(ended.err, HasSubstr("my.toml:1:8: error: 'cell' is 9; it must be 20 to 1000 mm\n"
-                                   "my.toml:2:1: error: unknown key 'speed'"));
-  EXPECT_THAT(ended.err, HasSubstr("missing key 'turns.45': 1 to 10000 ms\n"));
+  EXPECT_THAT(ended.err,
+              Says("my.toml:1:8: error: ", "'cell'", "9", "20 to 1000 mm", "\nmy.toml:2:1: error: ", "'speed'"));
+  EXPECT_THAT(ended.err, Says("missing", "'turns.45'", "1 to 10000 ms"));
 }
 
 TEST_F(ABuilder, IsRefused) {
-  is_refused({"robot", "show", "hovercraft"},
-             "error: unknown robot 'hovercraft'; there are classic, half, mm2021, and");
-  is_refused({"robot", "show", "./none"}, "./none: error: no such file");
-  is_refused({"robot", "show", "."}, "error: unknown robot '.'");
+  is_refused({"robot", "show", "hovercraft"}, "'hovercraft'", "classic, half, mm2021");
+  is_refused({"robot", "show", "./none"}, "./none: error: ", "no such");
+  is_refused({"robot", "show", "."}, "robot '.'");
   is_refused({"robot", "show", "--svg", "none/"}, "none");
-  is_refused({"robot", "shoe"}, "error: 'shoe' was not expected (see `labmouse robot --help`)");
-  is_refused({"robot"}, "(see `labmouse robot --help`)");
-  is_refused({"robot", "show", "--svgg"},
-             "option '--svgg' is unknown; did you mean '--svg'? (see `labmouse robot show --help`)");
+  is_refused({"robot", "shoe"}, "'shoe'", "`labmouse robot --help`");
+  is_refused({"robot"}, "`labmouse robot --help`");
+  is_refused({"robot", "show", "--svgg"}, "'--svgg'", "'--svg'", "`labmouse robot show --help`");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@ namespace {
 
 using test::corridor;
 using test::Ended;
+using test::Says;
 using ::testing::HasSubstr;
 
 /// A user of a shell.
@@ -88,8 +89,8 @@ TEST_F(AShellUser, PipesWhatMiceAreMadeOf) {
 
 TEST_F(AShellUser, CannotHaveTwoFilesInOnePlace) {
   file("corridor.txt", corridor);
-  is_refused({"run", "flood", "corridor.txt", "--record", "-", "--svg", "/dev/stdout"}, "--record and --svg");
-  is_refused({"sweep", "flood", "--vary", "stride=1,2", "--csv", "a", "--svg", "a"}, "--csv and --svg");
+  is_refused({"run", "flood", "corridor.txt", "--record", "-", "--svg", "/dev/stdout"}, "--record", "--svg");
+  is_refused({"sweep", "flood", "--vary", "stride=1,2", "--csv", "a", "--svg", "a"}, "--csv", "--svg");
 }
 
 TEST_F(AShellUser, ReplacesNoPipeAndNoDevice) {
@@ -101,7 +102,7 @@ TEST_F(AShellUser, ReplacesNoPipeAndNoDevice) {
 TEST_F(AShellUser, IsToldWhyAFileCannotBeWritten) {
   file("corridor.txt", corridor);
   file("kept.svg", "kept");
-  is_refused({"convert", "corridor.txt", "/dev/full"}, "/dev/full: error: cannot be written: no space");
+  is_refused({"convert", "corridor.txt", "/dev/full"}, "/dev/full: error: ", "no space");
   const Ended limited = shell("ulimit -f 1; labmouse show contest-01 --svg kept.svg");
   EXPECT_EQ(limited.code, 2);
   EXPECT_THAT(limited.err, HasSubstr("ulimit"));
@@ -109,14 +110,13 @@ TEST_F(AShellUser, IsToldWhyAFileCannotBeWritten) {
   const Ended tuned = shell(
       "ulimit -f 1; labmouse tune visit-counter --params coverage --mazes corridor.txt --evaluations 1000000 "
       "--log kept.csv | tail -c 400");
-  EXPECT_THAT(tuned.err, HasSubstr("kept.csv: error: cannot be written"));
+  EXPECT_THAT(tuned.err, Says("kept.csv: error: ", "ulimit"));
   EXPECT_THAT(content("kept.csv"), HasSubstr("\n"));  // as of an earlier generation, and whole
   EXPECT_EQ(content("kept.csv").back(), '\n');
   const Ended printed = shell("ulimit -f 1; labmouse show contest-01 --svg - > new.svg");
   EXPECT_EQ(printed.code, 2);
   EXPECT_THAT(printed.err, HasSubstr("ulimit"));
-  EXPECT_EQ(shell("labmouse mice > /dev/full").err,
-            "error: standard output cannot be written: no space is left on the device\n");
+  EXPECT_THAT(shell("labmouse mice > /dev/full").err, Says("standard output", "no space"));
   EXPECT_EQ(shell("ls -A | grep part").out, "");
 }
 

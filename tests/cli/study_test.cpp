@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "tests/cli/program.hpp"
+#include "tests/says.hpp"
 
 namespace labmouse {
 namespace {
@@ -15,6 +16,7 @@ namespace {
 using Json = nlohmann::json;
 using test::content_of;
 using test::Ended;
+using test::Says;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -47,13 +49,14 @@ class AStudent : public testing::Test {
     arguments.insert(arguments.begin(), "study");
     return test::Program(folder_, std::move(arguments)).wait();
   }
-  /// Bad usage or input: exit code 2, one line on standard error, nothing on standard output.
-  void is_refused(std::vector<std::string> arguments, std::string_view reason) const {
+  /// Bad usage or input: exit code 2, one line on standard error, which has these parts, nothing on standard output.
+  template <typename... Parts>
+  void is_refused(std::vector<std::string> arguments, Parts... parts) const {
     const Ended ended = study(std::move(arguments));
     EXPECT_EQ(ended.code, 2);
     EXPECT_EQ(ended.out, "");
     EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
-    EXPECT_THAT(ended.err, HasSubstr(reason));
+    EXPECT_THAT(ended.err, Says(parts...));
   }
 
   std::filesystem::path folder_ =
@@ -66,11 +69,10 @@ TEST_F(AStudent, ComparesTwoMice) {
                              "--svg", "out/study.svg"});
   EXPECT_EQ(ended.code, 0);
   EXPECT_EQ(ended.err, "");
-  EXPECT_THAT(ended.out, HasSubstr("2 mice, 5 mazes in 2 folds, seed 1"));
+  EXPECT_THAT(ended.out, Says("2 mice", "5 mazes", "2 folds", "seed 1"));
   EXPECT_THAT(ended.out, HasSubstr("\ncertify - flood "));
-  EXPECT_THAT(ended.out, HasSubstr("1 duplicate left out (the same walls, maybe turned or mirrored):\n"
-                                   "  mazes/mirrored.txt = mazes/hall-4.txt\n"));
-  EXPECT_THAT(ended.out, HasSubstr("1 maze left out whose goal cannot be reached:\n  mazes/shut.txt\n"));
+  EXPECT_THAT(ended.out, Says("1 duplicate", "\n  mazes/mirrored.txt = mazes/hall-4.txt\n"));
+  EXPECT_THAT(ended.out, Says("1 maze", "goal", "\n  mazes/shut.txt\n"));
   const std::string csv = content("out/study.csv");
   EXPECT_THAT(csv, HasSubstr("maze,fold,bound,flood,certify\nmazes/hall-2.txt,"));
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 5);
@@ -101,23 +103,23 @@ TEST_F(AStudent, DealsOtherFoldsWithAnotherSeed) {
 }
 
 TEST_F(AStudent, IsToldInOneLineWhatIsWrong) {
-  is_refused({}, "--mice is required");
-  is_refused({"--mice", "flod"}, "did you mean 'flood'?");
+  is_refused({}, "--mice", "required");
+  is_refused({"--mice", "flod"}, "'flod'", "'flood'");
   is_refused({"--mice", "flood", "--folds", "1"}, "--folds");
-  is_refused({"--mice", "flood", "--mazes", "mazes", "--folds", "6"},
-             "5 different mazes with a route (of 7 given) for 6 folds; take 5 folds at most, or more mazes");
-  is_refused({"--mice", "flood", "--mazes", "mazes/shut.txt"}, "a study takes at least 2");
+  is_refused({"--mice", "flood", "--mazes", "mazes", "--folds", "6"}, "5 different mazes", "7 given", "6 folds",
+             "5 folds");
+  is_refused({"--mice", "flood", "--mazes", "mazes/shut.txt"}, "0 different mazes", "1 given", "at least 2");
   is_refused({"--mice", "flood", "--format", "csv"}, "--format");
-  is_refused({"--mice", "flood", "--csv", "one", "--svg", "one"}, "--csv and --svg name one file");
+  is_refused({"--mice", "flood", "--csv", "one", "--svg", "one"}, "--csv", "--svg");
 }
 
 TEST_F(AStudent, IsToldOfUnwritableFilesBeforeTheWork) {
   file("occupied", "a file where a folder should be");
   for (const char* option : {"--csv", "--svg"}) {
     is_refused({"--mice", "flood", "--mazes", "mazes", "--folds", "2", option, "occupied/file"},
-               "occupied/file: error: cannot");
+               "occupied/file: error: ", "not a folder");
     is_refused({"--mice", "flood", "--mazes", "mazes", "--folds", "2", option, "mazes"},
-               "mazes: error: cannot be written: it is a folder");
+               "mazes: error: ", "is a folder");
   }
 }
 
@@ -130,7 +132,7 @@ TEST_F(AStudent, WhoInterruptsAtOnceLosesNoFile) {
   program.interrupt();
   const Ended ended = program.wait();
   EXPECT_EQ(ended.code, 130) << ended.err;
-  EXPECT_THAT(ended.out, HasSubstr("Stopped early: 0 of 2 folds done, 0 of "));
+  EXPECT_THAT(ended.out, Says("Stopped", "0 of 2 folds"));
   EXPECT_EQ(content("study.csv"), "kept");
   for (const auto& entry : std::filesystem::directory_iterator(folder_))
     EXPECT_THAT(entry.path().filename().string(), Not(testing::EndsWith(".part")));

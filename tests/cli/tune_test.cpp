@@ -10,6 +10,7 @@ namespace {
 using test::AUser;
 using test::corridor;
 using test::Ended;
+using test::Says;
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
@@ -50,31 +51,31 @@ TEST_F(AUser, TunesToTheSameForAnyNumberOfJobs) {
 TEST_F(AUser, IsToldWhatIsWrongWithTuning) {
   file("corridor.txt", corridor);
   file("closed.txt", "o---o---o\n| S | G |\no---o---o\n");
-  const auto refused = [&](const char* mouse, const char* parameters, std::string_view reason) {
-    is_refused({"tune", mouse, "--params", parameters, "--evaluations", "5", "--mazes", "corridor.txt"}, reason);
+  const auto refused = [&](const char* mouse, const char* parameters, auto... parts) {
+    is_refused({"tune", mouse, "--params", parameters, "--evaluations", "5", "--mazes", "corridor.txt"}, parts...);
   };
-  refused("flod", "stride", "did you mean 'flood'?");
-  refused("flood", "strid", "did you mean 'stride'?");
-  refused("two-way", "join_legs", "is a yes/no, and only numbers are tuned: bias");
-  refused("two-way", "bias=3", "write LOW:HIGH");
-  refused("two-way", "bias=3:300", "is outside of 0 to 100");
-  is_refused({"tune", "flood", "--params", "stride"}, "--evaluations is required");
-  is_refused({"tune", "flood", "--evaluations", "5"}, "--params is required");
+  refused("flod", "stride", "'flod'", "'flood'");
+  refused("flood", "strid", "'strid'", "'stride'");
+  refused("two-way", "join_legs", "'join_legs'", "'two-way'", "numbers", "bias");
+  refused("two-way", "bias=3", "'3'", "LOW:HIGH");
+  refused("two-way", "bias=3:300", "'300'", "'bias'", "0 to 100");
+  is_refused({"tune", "flood", "--params", "stride"}, "--evaluations", "required");
+  is_refused({"tune", "flood", "--evaluations", "5"}, "--params", "required");
   is_refused({"tune", "flood", "--params", "stride", "--evaluations", "0"}, "--evaluations");
   is_refused({"tune", "flood", "--params", "stride", "--evaluations", "5", "--population", "3"}, "--population");
   is_refused({"tune", "flood", "--params", "stride", "--evaluations", "5", "--sigma", "0"}, "--sigma");
   is_refused({"tune", "flood", "--params", "stride", "--evaluations", "5", "--sigma", "nan"}, "--sigma");
   is_refused({"tune", "flood", "--params", "stride", "--evaluations", "5", "--objective", "time"}, "--objective");
-  is_refused({"tune", "flood", "--params", "stride", "--evaluations", "5", "--log", "a", "--svg", "a"}, "name two");
-  is_refused({"tune", "flood", "--params", "stride", "--evaluations", "5", "--mazes", "closed.txt"},
-             "nothing to tune on");
+  is_refused({"tune", "flood", "--params", "stride", "--evaluations", "5", "--log", "a", "--svg", "a"}, "--log",
+             "--svg");
+  is_refused({"tune", "flood", "--params", "stride", "--evaluations", "5", "--mazes", "closed.txt"}, "goal", "to tune");
 }
 
 TEST_F(AUser, IsToldAtOnceThatALogCannotBeWritten) {
   file("corridor.txt", corridor);
   is_refused({"tune", "flood", "--params", "stride", "--evaluations", "1000000", "--mazes", "corridor.txt", "--log",
               "corridor.txt/log.csv"},
-             "corridor.txt/log.csv: error: cannot");
+             "corridor.txt/log.csv: error: ", "not a folder");
 }
 
 TEST_F(AUser, WhoInterruptsATuningKeepsItsLog) {
@@ -87,7 +88,7 @@ TEST_F(AUser, WhoInterruptsATuningKeepsItsLog) {
   const Ended ended = program.wait();
   EXPECT_EQ(ended.code, 130) << ended.err;
   const std::string count = std::to_string(lines(content("log.csv")) - 1);
-  EXPECT_THAT(ended.out, HasSubstr("Stopped early: " + count + " of 1000000 evaluations done."));
+  EXPECT_THAT(ended.out, Says("Stopped", count + " of 1000000 evaluations"));
   EXPECT_THAT(ended.out, HasSubstr("\n\nrandom"));
 }
 

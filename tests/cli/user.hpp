@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/program.hpp"
+#include "tests/says.hpp"
 
 namespace labmouse::test {
 
@@ -20,13 +21,14 @@ class AUser : public testing::Test {
   Ended labmouse(std::vector<std::string> arguments, const char* variable = nullptr) const {
     return Program(folder_, std::move(arguments), variable).wait();
   }
-  /// Bad usage or input: exit code 2, one line on standard error, nothing on standard output.
-  void is_refused(std::vector<std::string> arguments, std::string_view reason) const {
+  /// Bad usage or input: exit code 2, one line on standard error, which has these parts, nothing on standard output.
+  template <typename... Parts>
+  void is_refused(std::vector<std::string> arguments, Parts... parts) const {
     const Ended ended = labmouse(std::move(arguments));
     EXPECT_EQ(ended.code, 2);
     EXPECT_EQ(ended.out, "");
     EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
-    EXPECT_THAT(ended.err, ::testing::HasSubstr(reason));
+    EXPECT_THAT(ended.err, Says(parts...));
   }
   nlohmann::json race(std::vector<std::string> arguments) const {
     arguments.insert(arguments.begin(), {"race", "--format", "json"});

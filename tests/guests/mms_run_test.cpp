@@ -5,11 +5,13 @@
 
 #include "labmouse/guests/mms/run.hpp"
 #include "tests/guests/mms_fixture.hpp"
+#include "tests/says.hpp"
 
 namespace labmouse {
 namespace {
 
 using namespace std::chrono_literals;
+using test::Says;
 using ::testing::HasSubstr;
 
 Launch guest(std::vector<std::string> words) {
@@ -52,7 +54,7 @@ TEST(MmsRun, OtherExitCodesAreFailuresWhoseStatisticsCount) {
 TEST(MmsRun, SignalsAreFailuresWithTheirNames) {
   const MmsRun run = hosted({"signal:" + std::to_string(SIGTERM)});
   EXPECT_EQ(run.outcome, MmsOutcome::failed);
-  EXPECT_EQ(run.end, "signal 15 (Terminated)");
+  EXPECT_THAT(run.end, Says("signal 15"));
 }
 
 TEST(MmsRun, SilenceAtTheStartEndsIt) {
@@ -60,7 +62,7 @@ TEST(MmsRun, SilenceAtTheStartEndsIt) {
   silent.limits.start = 60ms;
   const MmsRun run = hosted(silent);
   EXPECT_EQ(run.outcome, MmsOutcome::hung);
-  EXPECT_EQ(run.end, "wrote no line in its first 0.06 s; does it flush after each line?");
+  EXPECT_THAT(run.end, Says("first 0.06 s", "flush"));
 }
 
 TEST(MmsRun, WhatAProgramSaysOfItsEndHidesNothing) {
@@ -76,7 +78,7 @@ TEST(MmsRun, SilenceLaterEndsItByALimitOfItsOwn) {
   silent.limits.decision = 60ms;
   const MmsRun run = hosted(silent);
   EXPECT_EQ(run.outcome, MmsOutcome::hung);
-  EXPECT_EQ(run.end, "wrote no line for 0.06 s");
+  EXPECT_THAT(run.end, Says("no line", "0.06 s"));
   EXPECT_EQ(run.statistics.total_distance, 2);
 }
 
@@ -91,7 +93,7 @@ TEST(MmsRun, AWholeContestHasItsLimit) {
   endless.limits.contest = 150ms;
   const MmsRun run = hosted(endless);
   EXPECT_EQ(run.outcome, MmsOutcome::out_of_time);
-  EXPECT_EQ(run.end, "ran for more than 0.15 s");
+  EXPECT_THAT(run.end, Says("0.15 s"));
 }
 
 TEST(MmsRun, ALineThatIsTooLongIsAFlood) {
@@ -99,7 +101,7 @@ TEST(MmsRun, ALineThatIsTooLongIsAFlood) {
   rambling.limits.longest_line = 100;
   const MmsRun run = hosted(rambling);
   EXPECT_EQ(run.outcome, MmsOutcome::flooded);
-  EXPECT_EQ(run.end, "wrote a line of more than 100 bytes");
+  EXPECT_THAT(run.end, Says("line", "100 bytes"));
 }
 
 TEST(MmsRun, RepliesThatNobodyReadsAreAFlood) {
@@ -107,7 +109,7 @@ TEST(MmsRun, RepliesThatNobodyReadsAreAFlood) {
   deaf.limits.most_unread = 100'000;
   const MmsRun run = hosted(deaf);
   EXPECT_EQ(run.outcome, MmsOutcome::flooded);
-  EXPECT_EQ(run.end, "left more than 100000 bytes of replies unread");
+  EXPECT_THAT(run.end, Says("100000 bytes", "replies"));
 }
 
 TEST(MmsRun, LinesInOneWriteGetTheirRepliesInOrder) {
@@ -169,7 +171,7 @@ TEST(MmsRun, AClosedOutputEndsIt) {
 TEST(MmsRun, WhoLeavesOthersBehindIsNotWaitedFor) {
   const MmsRun run = hosted({"ask:moveForward", "leave"});
   EXPECT_EQ(run.outcome, MmsOutcome::left);
-  EXPECT_EQ(run.end, "exit code 0, but what it started goes on");
+  EXPECT_THAT(run.end, Says("exit code 0", "what it started"));
 }
 
 TEST(MmsRun, WhatCannotBeStartedSaysWhy) {

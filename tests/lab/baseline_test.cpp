@@ -6,10 +6,12 @@
 #include "labmouse/lab/standings/race_json.hpp"
 #include "labmouse/lab/worlds/worlds.hpp"
 #include "tests/lab/record_fixture.hpp"
+#include "tests/says.hpp"
 
 namespace labmouse {
 namespace {
 
+using test::Says;
 using ::testing::HasSubstr;
 
 std::string compared(const Race& now, std::string_view earlier_json) {
@@ -25,7 +27,7 @@ std::string compared(std::string_view now, std::string_view earlier) {
 
 TEST(Baseline, ItselfShowsNoDifference) {
   EXPECT_THAT(compared("flood", "flood"),
-              HasSubstr("flood: +0.000 [+0.000, +0.000] over 2 mazes (0 better, 2 equal, 0 worse)"));
+              Says("flood: +0.000 [+0.000, +0.000] ", "2 mazes", "0 better, 2 equal, 0 worse"));
 }
 
 TEST(Baseline, PairsMiceByTheirNames) {
@@ -36,7 +38,7 @@ TEST(Baseline, PairsMiceByTheirNames) {
 TEST(Baseline, TheOnlyMouseIsComparedWithTheOnlyMouse) {
   const std::string text = compared("oracle", "flood:stride=1");
   EXPECT_THAT(text, HasSubstr("oracle against flood:stride=1: -"));
-  EXPECT_THAT(text, HasSubstr("2 better, 0 equal, 0 worse): better"));
+  EXPECT_THAT(text, Says("2 better, 0 equal, 0 worse", ": better"));
 }
 
 TEST(Baseline, VariantsAreComparedWithTheOnlyMouse) {
@@ -51,11 +53,11 @@ TEST(Baseline, MazesMayHaveMovedToAnotherFolder) {
   now.name = "here/loop.txt";
   const Race earlier = hold_race(test::mice("flood"), {before}, test::in_steps());
   EXPECT_THAT(compared(hold_race(test::mice("flood"), {now}, test::in_steps()), json_of(earlier, {})),
-              HasSubstr("over 1 maze ("));
+              HasSubstr("1 maze ("));
 }
 
 TEST(Baseline, AMouseThatWasNotThereIsSaidToBeNew) {
-  EXPECT_THAT(compared("flood,certify", "flood,random"), HasSubstr("certify: not in the baseline"));
+  EXPECT_THAT(compared("flood,certify", "flood,random"), HasSubstr("certify: not in"));
 }
 
 TEST(Baseline, AFailureCountsAsTheFailureScore) {
@@ -68,14 +70,14 @@ TEST(Baseline, AFailureCountsAsTheFailureScore) {
 
 TEST(Baseline, MazesInCommonAreCompared) {
   const Race earlier = hold_race(test::mice("flood"), {test::loop()}, test::in_steps());
-  EXPECT_THAT(compared(test::race_of("flood"), json_of(earlier, {})), HasSubstr("over 1 maze ("));
+  EXPECT_THAT(compared(test::race_of("flood"), json_of(earlier, {})), HasSubstr("1 maze ("));
 }
 
 TEST(Baseline, WithoutACommonMazeItSaysSo) {
   NamedMaze other = test::loop();
   other.name = "another";
   const Race earlier = hold_race(test::mice("flood"), {other}, test::in_steps());
-  EXPECT_THAT(compared(test::race_of("flood"), json_of(earlier, {})), HasSubstr("no maze in common"));
+  EXPECT_THAT(compared(test::race_of("flood"), json_of(earlier, {})), HasSubstr("no mazes in common"));
 }
 
 TEST(Baseline, AFailureThatCountsNothingIsLeftOut) {
@@ -100,7 +102,7 @@ TEST(Baseline, WhatIsNoRaceIsRefused) {
         R"({"labmouse":"x","mice":[{"name":"flood","results":[{"maze":"loop","score":"1"}]}]})",
         R"({"labmouse":"x","mice":[{"name":"flood","results":[{"maze":"loop","score":1e308}]}]})",
         R"({"labmouse":"x","mice":[{"name":"flood","results":[{"maze":"loop","score":-1}]}]})"})
-    EXPECT_THAT(read_baseline(bad, *steps_world()).error, HasSubstr("is not the JSON of a race")) << bad;
+    EXPECT_THAT(read_baseline(bad, *steps_world()).error, HasSubstr("JSON of a race")) << bad;
 }
 
 }  // namespace

@@ -10,10 +10,14 @@
 #include "labmouse/contest/simulator.hpp"
 #include "tests/lab/drawing_samples.hpp"
 #include "tests/lab/record_fixture.hpp"
+#include "tests/says.hpp"
 
 namespace labmouse {
 namespace {
 
+using test::Says;
+using test::SaysAt;
+using ::testing::AllOf;
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -63,12 +67,13 @@ RecordFile explained() {
   return file;
 }
 
+/// What is said of the last step.
+std::string end_of(const std::string& explanation) { return explanation.substr(explanation.rfind("\nstep ") + 1); }
+
 TEST(Explanation, TellsEachChoiceAndWhyItStopped) {
-  EXPECT_EQ(explanation_of(explained(), 5),
-            R"(T: steps of the run through that wall, with a guess for walls not yet seen.
-travel: steps to the cell from which it is seen. score: in steps; the lowest is
-chosen (>) among those that are worth the way (others: -).
-T ahead: T without the way from the start to the wall.
+  const std::string text = explanation_of(explained(), 5);
+  EXPECT_THAT(text, SaysAt("T", "\ntravel: ", "score: ", "(>)", "\nT ahead: "));
+  EXPECT_THAT(text, HasSubstr(R"(
 
 step 1 at (0,0) heading north, before the goal: 3 candidates
     wall            seen from  T ahead  travel    score
@@ -85,9 +90,8 @@ step 4 at (1,1) heading south, after the goal: 2 candidates
   - (2,0) north     (2,0)         3.07       1     4.33
   - (1,0) east      (1,0)         3.20       1     4.00
 
-step 4: reset. The known run takes 3 steps.
-The best hope: 3.07 through (2,0) north; a look at it counts 0.05. Not worth it.
-)");
+step 4: )"));
+  EXPECT_THAT(end_of(text), SaysAt("step 4", "reset", "3 steps", "3.07 through (2,0) north", "0.05"));
 }
 
 TEST(Explanation, ShowsTheBestCandidatesAndCountsTheOthers) {
@@ -104,7 +108,7 @@ TEST(Explanation, SaysNothingOfAheadWhereTheWholeRunCounts) {
   file.run.reasons.erase(file.run.reasons.begin(), file.run.reasons.begin() + 2);
   EXPECT_THAT(explanation_of(file, 5), Not(HasSubstr("ahead")));
   file.run.reasons[0].reasons.way_here = 0.25;
-  EXPECT_THAT(explanation_of(file, 5), HasSubstr("T ahead: T with less of the way from the start to the wall."));
+  EXPECT_THAT(explanation_of(file, 5), Says("\nT ahead: ", "less of the way"));
 }
 
 TEST(Explanation, CountsTheWayToTheGoalAsMuchAsItWasWeighed) {
@@ -116,15 +120,14 @@ TEST(Explanation, CountsTheWayToTheGoalAsMuchAsItWasWeighed) {
 TEST(Explanation, TellsOfAResetWithoutNewReasons) {
   RecordFile file = explained();
   file.run.reasons.pop_back();
-  EXPECT_THAT(explanation_of(file, 5),
-              EndsWith("\nstep 4: reset without weighing the walls anew, with 96 of 100 steps left.\n"));
+  EXPECT_THAT(end_of(explanation_of(file, 5)),
+              AllOf(SaysAt("step 4", "reset without", "96 of 100 steps"), Not(HasSubstr("known run"))));
 }
 
 TEST(Explanation, TellsOfAResetAgainstTheChoice) {
   RecordFile file = explained();
   file.run.reasons.back().reasons.chosen = 0;
-  EXPECT_THAT(explanation_of(file, 5),
-              EndsWith("\nstep 4: reset all the same, with 96 of 100 steps left; the known run takes 3.\n"));
+  EXPECT_THAT(end_of(explanation_of(file, 5)), SaysAt("step 4", "reset", "96 of 100 steps", "known run takes 3"));
 }
 
 TEST(Explanation, TellsWhereNoWallIsLeft) {
@@ -132,9 +135,9 @@ TEST(Explanation, TellsWhereNoWallIsLeft) {
   Reasons& last = file.run.reasons.back().reasons;
   last.candidates.clear();
   last.hope = last.price = 0;
-  EXPECT_THAT(explanation_of(file, 5),
-              EndsWith(", after the goal: 0 candidates\n\nstep 4: reset. The known run takes 3 steps.\n"
-                       "No unseen wall is left through which another could lead.\n"));
+  const std::string text = explanation_of(file, 5);
+  EXPECT_THAT(text, HasSubstr("0 candidates\n\nstep 4: "));
+  EXPECT_THAT(end_of(text), SaysAt("step 4", "reset", "3 steps", "No unseen wall"));
 }
 
 TEST(Explanation, OfEqualHopesNamesTheNearest) {
@@ -144,7 +147,7 @@ TEST(Explanation, OfEqualHopesNamesTheNearest) {
   far.worth = false;
   auto& candidates = file.run.reasons.back().reasons.candidates;
   candidates.insert(candidates.begin(), far);
-  EXPECT_THAT(explanation_of(file, 5), HasSubstr("The best hope: 3.07 through (2,0) north; "));
+  EXPECT_THAT(end_of(explanation_of(file, 5)), SaysAt("step 4", "3.07 through (2,0) north"));
 }
 
 TEST(Explanation, TellsOfAStopForWantOfLoops) {
@@ -153,9 +156,7 @@ TEST(Explanation, TellsOfAStopForWantOfLoops) {
   last = Reasons();
   last.ground = Ground::no_loops;
   last.known = 90;
-  EXPECT_THAT(explanation_of(file, 5),
-              EndsWith("\nstep 4: reset at the goal. The walls seen look like those of a maze without loops,\n"
-                       "where no other run is to be found. The known run takes 3 steps.\n"));
+  EXPECT_THAT(end_of(explanation_of(file, 5)), SaysAt("step 4", "reset", "without loops", "3 steps"));
 }
 
 TEST(Explanation, TellsOnceWhereItBeginsToFlood) {
@@ -166,7 +167,7 @@ TEST(Explanation, TellsOnceWhereItBeginsToFlood) {
     file.run.reasons[i].step = static_cast<int>(i) + 1;
   }
   const std::string text = explanation_of(file, 5);
-  EXPECT_THAT(text, HasSubstr("\nstep 1 at (0,0): floods from here on."));
+  EXPECT_THAT(text, HasSubstr("\nstep 1 at (0,0): floods"));
   EXPECT_THAT(text, ::testing::Not(HasSubstr("step 2")));
 }
 
@@ -174,7 +175,7 @@ TEST(Explanation, TellsOfAForfeit) {
   RecordFile file = explained();
   file.run.steps.resize(4);
   file.run.steps.back().action = Action::forfeit(ForfeitReason::no_way);
-  EXPECT_THAT(explanation_of(file, 5), EndsWith("\nstep 4: forfeit, no way.\n"));
+  EXPECT_THAT(end_of(explanation_of(file, 5)), SaysAt("step 4", "forfeit", "no way"));
 }
 
 TEST(Explanation, OfARecordThatBreaksOffHasNoEnd) {
@@ -186,7 +187,7 @@ TEST(Explanation, OfARecordThatBreaksOffHasNoEnd) {
 
 TEST(Explanation, OfAMouseStaysWithinEightyColumns) {
   const std::string text = explanation_of(test::recorded("ariadne", test::loop(), 1, true), 5);
-  EXPECT_THAT(text, HasSubstr("\nstep 1 at (0,0) heading north, before the goal: "));
+  EXPECT_THAT(text, HasSubstr("\nstep 1 at (0,0) heading north"));
   EXPECT_THAT(text, HasSubstr(": reset"));
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80U) << line;

@@ -12,10 +12,12 @@
 #include "labmouse/lab/standings/standings.hpp"
 #include "labmouse/maze/generators/generator.hpp"
 #include "tests/lab/race_fixture.hpp"
+#include "tests/says.hpp"
 
 namespace labmouse {
 namespace {
 
+using test::Says;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -244,12 +246,12 @@ TEST(Hindsight, LeavesOutTheMazeAtWhichItIsStopped) {
   const Hindsight found = look_back("random", mazes(), order_of(10, 1), hooks);
   EXPECT_TRUE(found.stopped);
   EXPECT_EQ(found.mazes.size(), 1U);
-  EXPECT_THAT(table_of(found, false), HasSubstr("Stopped early: 1 maze done."));
+  EXPECT_THAT(table_of(found, false), Says("Stopped", "1 maze done"));
 }
 
 TEST(Hindsight, RefusesWhatIsNoMouse) {
-  EXPECT_THAT(look_back("flod", mazes(), {}).error, HasSubstr("did you mean 'flood'?"));
-  EXPECT_EQ(look_back("flood,certify", mazes(), {}).error, "'flood,certify' names 2 mice; name one");
+  EXPECT_THAT(look_back("flod", mazes(), {}).error, Says("'flod'", "'flood'"));
+  EXPECT_THAT(look_back("flood,certify", mazes(), {}).error, Says("'flood,certify'", "2 mice"));
 }
 
 /// Made up.
@@ -269,26 +271,23 @@ TEST(HindsightAsTable, CallsReferencesWhatTheyAre) {
                                "  10.500   20.000    18.000     16.000  one\n"
                                "  12.500   30.000    30.000     22.500  two\n"
                                "\n  11.500   25.000    24.000     19.250  mean of 2 mazes\n"));
-  EXPECT_THAT(table, HasSubstr("\nreferences and no bounds"));
-  EXPECT_THAT(table, HasSubstr("the lowest of it and of 64 variants"));
-  EXPECT_THAT(table, HasSubstr("Left out: three, whose goal cannot be reached."));
-  EXPECT_THAT(table, HasSubstr("A failed contest counts 100.\n"));
+  EXPECT_THAT(table, Says("references", "no bounds", "64 variants"));
+  EXPECT_THAT(table, Says("Left out: three,", "counts 100.\n"));
   EXPECT_THAT(table_of(made_up(), true), HasSubstr("\x1b[1m"));
 }
 
 TEST(HindsightAsTable, SaysWhyThereIsNoBestOfSeveral) {
   const std::string table = table_of(look_back("certify", mazes(), order_of(9)), false);
-  EXPECT_THAT(table, HasSubstr("certify has no numbers to perturb and throws no dice"));
+  EXPECT_THAT(table, Says("certify", "no numbers", "no dice"));
   EXPECT_THAT(table, Not(HasSubstr("best of 9")));
   EXPECT_THAT(table_of(look_back("two-way", mazes(), order_of(0)), false), Not(HasSubstr("best of")));
-  EXPECT_THAT(table_of(look_back("random", mazes(), order_of(9)), false), HasSubstr("of 9 more seeds"));
+  EXPECT_THAT(table_of(look_back("random", mazes(), order_of(9)), false), HasSubstr("9 more seeds"));
 }
 
 TEST(HindsightAsTable, WarnsWhereAFailureIsCheaperThanTheBound) {
   Hindsight hindsight = made_up();
   hindsight.mazes[0].bound.score = 100.5;
-  EXPECT_THAT(table_of(hindsight, false),
-              HasSubstr("counts 100, which in some of these mazes is less than the bound."));
+  EXPECT_THAT(table_of(hindsight, false), Says("counts 100,", "less than the bound"));
 }
 
 TEST(HindsightAsJson, HasAllNumbers) {

@@ -6,10 +6,12 @@
 #include "labmouse/contest/simulator.hpp"
 #include "labmouse/lab/pictures/picture_layers.hpp"
 #include "tests/lab/drawing_samples.hpp"
+#include "tests/says.hpp"
 
 namespace labmouse {
 namespace {
 
+using test::Says;
 using ::testing::HasSubstr;
 
 TEST(Layers, AreReadFromTheirNames) {
@@ -22,10 +24,10 @@ TEST(Layers, AreReadFromTheirNames) {
 }
 
 TEST(Layers, AreRefusedWithTheNearestName) {
-  EXPECT_EQ(read_layers("heat,pth").error, "layer 'pth' is unknown; did you mean 'path'?");
-  EXPECT_THAT(read_layers("heat,").error, HasSubstr("layer '' is unknown; there are heat, path, exploration, "));
-  EXPECT_THAT(read_layers("").error, HasSubstr("layer '' is unknown"));
-  EXPECT_THAT(read_layers("cells,distances").error, HasSubstr("choose one"));
+  EXPECT_THAT(read_layers("heat,pth").error, Says("'pth'", "'path'"));
+  EXPECT_THAT(read_layers("heat,").error, Says("layer ''", "heat, path, exploration, "));
+  EXPECT_THAT(read_layers("").error, HasSubstr("layer ''"));
+  EXPECT_THAT(read_layers("cells,distances").error, Says("distances and cells", "choose one"));
 }
 
 /// A walk through a maze of three by three cells as a record.

@@ -6,10 +6,12 @@
 #include "labmouse/lab/worlds/worlds.hpp"
 #include "labmouse/maze/symmetry.hpp"
 #include "tests/lab/race_fixture.hpp"
+#include "tests/says.hpp"
 
 namespace labmouse {
 namespace {
 
+using test::Says;
 using ::testing::HasSubstr;
 
 Lesson lesson_of(std::vector<NamedMaze> mazes) { return hold_lesson(std::move(mazes), *home_world()); }
@@ -34,10 +36,8 @@ TEST(ALesson, CountsTheSameWallsOnceAndLeavesOutWhatHasNoRoute) {
   const Lesson lesson = lesson_of({mirrored_loop(), test::loop(), test::without_route()});
   EXPECT_EQ(file_of(lesson), file_of(lesson_of({test::loop()})));
   EXPECT_EQ(lesson.error, "");
-  EXPECT_THAT(summary_of(lesson), HasSubstr("1 duplicate left out (the same walls, maybe turned or mirrored):\n"
-                                            "  mirrored = loop\n"
-                                            "1 maze left out whose goal cannot be reached:\n"
-                                            "  without-route\n"));
+  EXPECT_THAT(summary_of(lesson),
+              Says("1 duplicate", ":\n  mirrored = loop\n", "1 maze left out", ":\n  without-route\n"));
 }
 
 TEST(ALesson, SaysWhatItCounted) {
@@ -45,9 +45,8 @@ TEST(ALesson, SaysWhatItCounted) {
   const PriorFit fit = fit_of(lesson.counts);
   EXPECT_GT(fit.walls, 50);
   EXPECT_LT(fit.log_loss, fit.entropy);
-  EXPECT_THAT(summary_of(lesson),
-              testing::MatchesRegex("2 mazes, " + std::to_string(fit.walls) +
-                                    " walls counted: log loss 0[.][0-9]+, entropy 0[.][0-9]+ nats a wall\n"));
+  EXPECT_THAT(summary_of(lesson), testing::MatchesRegex("2 mazes, " + std::to_string(fit.walls) +
+                                                        " walls[^\n]* 0[.][0-9]+[^\n]* 0[.][0-9]+[^\n]*\n"));
 }
 
 TEST(ALesson, NamesNoMaze) {
@@ -55,8 +54,8 @@ TEST(ALesson, NamesNoMaze) {
 }
 
 TEST(ALesson, TakesAMazeWithARoute) {
-  EXPECT_EQ(lesson_of({}).error, "no maze with a route (of 0 given), so nothing to learn from");
-  EXPECT_EQ(lesson_of({test::without_route()}).error, "no maze with a route (of 1 given), so nothing to learn from");
+  EXPECT_THAT(lesson_of({}).error, Says("no maze with a route", "0 given"));
+  EXPECT_THAT(lesson_of({test::without_route()}).error, Says("no maze with a route", "1 given"));
 }
 
 TEST(ALesson, MayBeStopped) {
@@ -70,7 +69,7 @@ TEST(ALesson, MayBeStopped) {
   const Lesson lesson = hold_lesson({test::loop(), test::hook(), test::corridor()}, *home_world(), hooks);
   EXPECT_THAT(told, testing::ElementsAre(3U, 3U));
   EXPECT_EQ(lesson.done, 2U);
-  EXPECT_EQ(summary_of(lesson), "Stopped early: 2 of 3 mazes explored, no prior made.\n");
+  EXPECT_THAT(summary_of(lesson), Says("Stopped", "2 of 3 mazes", "no prior"));
 }
 
 }  // namespace

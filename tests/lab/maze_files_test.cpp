@@ -8,10 +8,12 @@
 #include <fstream>
 
 #include "labmouse/lab/mazes/builtin_mazes.hpp"
+#include "tests/says.hpp"
 
 namespace labmouse {
 namespace {
 
+using test::SaysAt;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -129,7 +131,7 @@ TEST(BuiltinMazes, AreFoundByTheirNames) {
 
 TEST(BuiltinMazes, AMistypedNameIsAnErrorWithAHint) {
   const std::vector<std::string> name = {"capston-1"};
-  EXPECT_THAT(load_mazes(name).errors.at(0).problems.at(0).reason, HasSubstr("did you mean 'capstone-1'?"));
+  EXPECT_THAT(load_mazes(name).errors.at(0).problems.at(0).reason, HasSubstr("'capstone-1'"));
 }
 
 TEST(BuiltinMazes, AreAllThoseOfTheFolder) {
@@ -148,7 +150,7 @@ TEST(Describe, NamesFileLineAndColumn) {
 TEST(Describe, NamesNoPlaceInAFileThatWasNotRead) {
   const std::vector<std::string> nothing = {"no-such-file.txt"};
   EXPECT_THAT(describe("no-such-file.txt", load_mazes(nothing).errors.at(0).problems.at(0)),
-              ::testing::StartsWith("no-such-file.txt: error: no such file"));
+              SaysAt("no-such-file.txt", "no such"));
 }
 
 TEST(Describe, KeepsForeignNamesFromSteeringATerminal) {

@@ -7,12 +7,13 @@
 #include "labmouse/lab/mazes/builtin_mazes.hpp"
 #include "tests/lab/race_fixture.hpp"
 #include "tests/maze/random_maze.hpp"
+#include "tests/says.hpp"
 
 namespace labmouse {
 namespace {
 
+using test::Says;
 using ::testing::HasSubstr;
-using ::testing::StartsWith;
 
 constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_.";
 
@@ -54,9 +55,9 @@ TEST(MazeLink, OfAContestMazeIsShort) {
 
 TEST(MazeLink, ThatIsCutSaysSoWhereverItIsCut) {
   const std::string link = link_of(test::loop());
-  EXPECT_EQ(error_of(""), "the link holds no maze: it is empty");
+  EXPECT_THAT(error_of(""), HasSubstr("empty"));
   for (std::size_t length = 1; length < link.size(); ++length)
-    EXPECT_THAT(error_of(link.substr(0, length)), StartsWith("the link is cut: it breaks off in its ")) << length;
+    EXPECT_THAT(error_of(link.substr(0, length)), HasSubstr("link is cut")) << length;
   EXPECT_THAT(error_of(link.substr(0, link.size() - 1)), HasSubstr("checksum"));
   EXPECT_THAT(error_of(link.substr(0, 4)), HasSubstr("size"));
 }
@@ -73,13 +74,13 @@ TEST(MazeLink, WithOneOtherCharacterIsRefused) {
 
 TEST(MazeLink, SaysWhatItIsInPlaceOfALink) {
   const std::string link = link_of(test::loop());
-  EXPECT_EQ(error_of("2" + link.substr(1)), "the link is of a later version (2); this program knows version 1");
-  EXPECT_EQ(error_of("https://example.org"), "this is not a link to a maze");
-  EXPECT_EQ(error_of("."), "this is not a link to a maze");
-  EXPECT_EQ(error_of(link + "A"), "the link is mistyped: it goes on behind its checksum");
+  EXPECT_THAT(error_of("2" + link.substr(1)), Says("version", "(2)", "1"));
+  EXPECT_THAT(error_of("https://example.org"), HasSubstr("not a link"));
+  EXPECT_THAT(error_of("."), HasSubstr("not a link"));
+  EXPECT_THAT(error_of(link + "A"), Says("mistyped", "behind its checksum"));
   std::string other = link;
   std::swap(other[14], other[15]);
-  EXPECT_EQ(error_of(other), "the link is mistyped: its checksum is not that of the rest");
+  EXPECT_THAT(error_of(other), Says("mistyped", "checksum is not"));
 }
 
 /// The link with another part and the checksum that belongs to it.
@@ -97,7 +98,7 @@ TEST(MazeLink, IsRefusedWhereItIsRightButNoMaze) {
   EXPECT_EQ(error_of(forged("AAn")), "");
   EXPECT_EQ(error_of(forged("BBw", "AA", "8", "")), "");
   const auto refused = [](const std::string& link) {
-    EXPECT_EQ(error_of(link), "the link holds no maze that this program would write so") << link;
+    EXPECT_THAT(error_of(link), HasSubstr("no maze that this program")) << link;
   };
   for (const char* size : {"", "2", "2x", "x2", "02x2", "2x2x", "2x2 ", "-2x2", "0x2", "65x2", "2X2", "99999999999x2"})
     refused(forged("AAn", "c", "A", "x", size));

@@ -6,12 +6,16 @@
 #include "labmouse/lab/records/mms_record.hpp"
 #include "tests/lab/mms_record_fixture.hpp"
 #include "tests/lab/record_fixture.hpp"
+#include "tests/says.hpp"
 
 namespace labmouse {
 namespace {
 
 using test::changed;
 using test::mms_recorded;
+using test::ProblemAt;
+using test::Says;
+using test::SaysAt;
 using ::testing::HasSubstr;
 
 const std::vector<std::string> walk = {"setColor 0 0 G", "turnRight", "moveForward", "setText 1 0 goal", "ackReset"};
@@ -69,45 +73,41 @@ TEST(MmsRecordFile, MayLeaveEventsOut) {
 
 TEST(MmsRecordFile, ThatIsNoneIsRefusedWithItsLine) {
   const std::string good = mms_recorded(walk);
-  EXPECT_EQ(problem("").reason, "the record is empty");
-  EXPECT_EQ(problem("{").reason, "the line is not JSON");
-  EXPECT_EQ(problem("[]").reason, "the line is not an object");
-  EXPECT_EQ(problem(changed(good, "mms record", "record")).reason, "the line is not the header of a record of mms");
-  EXPECT_EQ(problem(changed(good, "\"format\":1", "\"format\":2")).reason,
-            "the line has a format other than 1, which this version does not know");
-  EXPECT_EQ(problem(changed(good, "\"maze\"", "\"labyrinth\"")).reason, "'maze' is missing");
-  EXPECT_EQ(problem(changed(good, "\"drawing\"", "\"draft\"")).reason, "'maze.drawing' is missing");
-  EXPECT_EQ(problem(good + good).reason, "the line stands behind the end of the record");
-  EXPECT_EQ(problem(changed(good, "\"statistics\"", "\"sums\"")), (Problem{7, 1, "'statistics' is missing"}));
-  EXPECT_EQ(problem(changed(good, "\"total-turns\":1", "\"total-turns\":\"1\"")).reason,
-            "'statistics.total-turns' is not a number");
-  EXPECT_EQ(problem(changed(good, "\"lines\":5", "\"lines\":5.5")).reason, "'lines' is not a whole number");
-  EXPECT_EQ(problem(changed(good, "\"log\":[]", "\"log\":[1]")).reason,
-            "the line has a log with a line that is not text");
+  EXPECT_THAT(problem("").reason, HasSubstr("empty"));
+  EXPECT_THAT(problem("{").reason, HasSubstr("JSON"));
+  EXPECT_THAT(problem("[]").reason, HasSubstr("object"));
+  EXPECT_THAT(problem(changed(good, "mms record", "record")).reason, Says("header", "mms"));
+  EXPECT_THAT(problem(changed(good, "\"format\":1", "\"format\":2")).reason, Says("format", "1", "version"));
+  EXPECT_THAT(problem(changed(good, "\"maze\"", "\"labyrinth\"")).reason, Says("'maze'", "missing"));
+  EXPECT_THAT(problem(changed(good, "\"drawing\"", "\"draft\"")).reason, Says("'maze.drawing'", "missing"));
+  EXPECT_THAT(problem(good + good).reason, HasSubstr("end of the record"));
+  EXPECT_THAT(problem(changed(good, "\"statistics\"", "\"sums\"")), ProblemAt(7, 1, "'statistics'", "missing"));
+  EXPECT_THAT(problem(changed(good, "\"total-turns\":1", "\"total-turns\":\"1\"")).reason,
+              Says("'statistics.total-turns'", "number"));
+  EXPECT_THAT(problem(changed(good, "\"lines\":5", "\"lines\":5.5")).reason, Says("'lines'", "whole number"));
+  EXPECT_THAT(problem(changed(good, "\"log\":[]", "\"log\":[1]")).reason, Says("log", "not text"));
 }
 
 TEST(MmsRecordFile, WithAWrongEventIsRefusedWithItsLine) {
   const std::string good = mms_recorded(walk);
-  EXPECT_EQ(problem(changed(good, "\"line\":\"turnRight\"", "\"lime\":\"turnRight\"")),
-            (Problem{3, 1, "'line' is missing"}));
-  EXPECT_EQ(problem(changed(good, "[3,1]", "[3]")), (Problem{4, 1, "the line has a place that is not [x, y]"}));
-  EXPECT_EQ(problem(changed(good, "[3,1]", "[7,1]")).reason, "'place' is outside of 0 to 6");
-  EXPECT_EQ(problem(changed(good, "\"heading\":\"east\"", "\"heading\":\"up\"")).reason,
-            "the line has a heading that is not one of the eight");
-  EXPECT_EQ(problem(changed(good, "\"clock\":0.0", "\"clock\":-1")).reason.substr(0, 19), "'clock' is outside ");
+  EXPECT_THAT(problem(changed(good, "\"line\":\"turnRight\"", "\"lime\":\"turnRight\"")),
+              ProblemAt(3, 1, "'line'", "missing"));
+  EXPECT_THAT(problem(changed(good, "[3,1]", "[3]")), ProblemAt(4, 1, "place", "[x, y]"));
+  EXPECT_THAT(problem(changed(good, "[3,1]", "[7,1]")).reason, Says("'place'", "0 to 6"));
+  EXPECT_THAT(problem(changed(good, "\"heading\":\"east\"", "\"heading\":\"up\"")).reason, Says("heading", "eight"));
+  EXPECT_THAT(problem(changed(good, "\"clock\":0.0", "\"clock\":-1")).reason, Says("'clock'", " of 0 to "));
 }
 
 TEST(MmsRecordFile, ThatDoesNotFitItsMazeIsToldOf) {
   const std::string good = mms_recorded(walk);
-  EXPECT_EQ(disagreement(changed(good, "[3,1]", "[5,1]")),
-            "event 3: recorded ack at [5,1] heading east; played ack at [3,1] heading east");
-  EXPECT_EQ(disagreement(changed(good, "\"moveForward\"", "\"moveForward 3\"")),
-            "event 3: recorded ack at [3,1] heading east; played crash at [5,1] heading east");
-  EXPECT_EQ(disagreement(changed(good, "\"turnRight\"", "\"wallFront\"")),
-            "event 2: its line neither moves nor draws anything in this maze");
-  EXPECT_EQ(disagreement(changed(good, "\"total-turns\":1", "\"total-turns\":2")),
-            "the record ends with total-turns 2; played, it is 1");
-  EXPECT_THAT(disagreement(changed(good, "\"solved\":true", "\"solved\":false")), HasSubstr("disagree"));
+  EXPECT_THAT(disagreement(changed(good, "[3,1]", "[5,1]")),
+              SaysAt("event 3", "ack at [5,1] heading east", "ack at [3,1] heading east"));
+  EXPECT_THAT(disagreement(changed(good, "\"moveForward\"", "\"moveForward 3\"")),
+              SaysAt("event 3", "ack at [3,1] heading east", "crash at [5,1] heading east"));
+  EXPECT_THAT(disagreement(changed(good, "\"turnRight\"", "\"wallFront\"")),
+              SaysAt("event 2", "neither moves nor draws"));
+  EXPECT_THAT(disagreement(changed(good, "\"total-turns\":1", "\"total-turns\":2")), Says("total-turns 2", "1"));
+  EXPECT_THAT(disagreement(changed(good, "\"solved\":true", "\"solved\":false")), Says("disagree", "goal"));
 }
 
 }  // namespace

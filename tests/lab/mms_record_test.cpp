@@ -11,6 +11,7 @@
 #include "labmouse/lab/mms/mms_summary.hpp"
 #include "labmouse/lab/pictures/mms_picture.hpp"
 #include "tests/lab/mms_fixture.hpp"
+#include "tests/says.hpp"
 
 namespace labmouse {
 namespace {
@@ -19,6 +20,7 @@ using Json = nlohmann::ordered_json;
 using test::imagined_run;
 using test::loop;
 using test::plank;
+using test::Says;
 using test::shaft;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -34,10 +36,10 @@ std::vector<std::string> lines(const std::string& text) {
 TEST(MmsReport, PutsTheScoreBesideTheBound) {
   const std::string text = report_of("./mouse", plank(), imagined_run(2, 0, 24, 9));
   const MmsBound bound = mms_bound_of(plank().maze);
-  EXPECT_THAT(text, HasSubstr("./mouse in plank: score 5.3 = 2 best run + 33 total / 10; bound " +
-                              fmt::format("{:g}", *bound.score)));
-  EXPECT_THAT(text, HasSubstr("complete: exit code 0; 20 lines, 12.5 s in mms"));
-  EXPECT_THAT(report_of("./mouse", shaft(), {}), HasSubstr("unsolved, score 2000; the centre cannot be reached"));
+  EXPECT_THAT(text, Says("./mouse in plank: score 5.3", "2 best run", "33 total / 10",
+                         fmt::format("bound {:g}", *bound.score)));
+  EXPECT_THAT(text, Says("complete", "exit code 0", "20 lines", "12.5 s"));
+  EXPECT_THAT(report_of("./mouse", shaft(), {}), Says("unsolved", "2000", "centre"));
 }
 
 TEST(MmsReport, SaysWhatWasWrong) {
@@ -46,9 +48,7 @@ TEST(MmsReport, SaysWhatWasWrong) {
   run.log = {"line 3: 'turnright' is no command", "line 4: '' is no command"};
   run.errors = "Traceback\n  File \x1b[31m\nKeyError: 'north'\n";
   const std::string text = report_of("./mouse", loop(), run);
-  EXPECT_THAT(
-      text,
-      HasSubstr("2 lines that are not commands, which mms does not answer:\n  line 3: 'turnright' is no command\n"));
+  EXPECT_THAT(text, Says("2 lines", ":\n  line 3: 'turnright' is no command\n"));
   EXPECT_THAT(text, HasSubstr("  | KeyError: 'north'\n"));
   EXPECT_THAT(text, Not(HasSubstr("\x1b")));
 }

@@ -14,6 +14,7 @@
 #include "labmouse/lab/standings/standings.hpp"
 #include "labmouse/lab/text/last_lines.hpp"
 #include "tests/lab/mms_fixture.hpp"
+#include "tests/says.hpp"
 
 namespace labmouse {
 namespace {
@@ -27,6 +28,7 @@ using test::in_mms;
 using test::loop;
 using test::mms_mouse;
 using test::plank;
+using test::Says;
 using test::shaft;
 using ::testing::ContainsRegex;
 using ::testing::ElementsAre;
@@ -223,7 +225,7 @@ Json group_json(const Race& race) { return Json::parse(json_of(race, {})).at("gr
 
 TEST(MmsTable, ShowsEveryMouseBestFirst) {
   const std::string table = table_of(two_mice(), false);
-  EXPECT_THAT(table, HasSubstr("world of mms, 2 mice, 2 mazes"));
+  EXPECT_THAT(table, Says("world of mms", "2 mice", "2 mazes"));
   EXPECT_THAT(table, ContainsRegex("\n./good +2/2 +22\\.6 +2\\.3-43\\.0 "));
   EXPECT_THAT(table, ContainsRegex("\npython3 bad.py +1/2 +1002\\.7 +5-2000 +5\\.4 "));
   EXPECT_LT(table.find("\n./good"), table.find("\npython3 bad.py"));
@@ -234,29 +236,30 @@ TEST(MmsTable, FitsIntoNinetyColumns) {
 }
 
 TEST(MmsTable, SaysWhatTheScoreIs) {
-  EXPECT_THAT(table_of(two_mice(), false), HasSubstr("effective distance + turns of the best run + a tenth of all"));
+  EXPECT_THAT(table_of(two_mice(), false), Says("effective distance + turns", "best run", "a tenth"));
 }
 
 TEST(MmsTable, SaysHowRunsFailedAndWhatTheyWroteLast) {
   const std::string table = table_of(two_mice(), false);
-  EXPECT_THAT(table, HasSubstr("  python3 bad.py: hung 1; first in loop: wrote no line for 1 s\n"
-                               "    | Traceback\n    |   File [31m\n    | KeyError: 'north'\n"));
+  EXPECT_THAT(table, Says("\n  python3 bad.py: hung 1;",
+                          "loop: wrote no line for 1 s\n"
+                          "    | Traceback\n    |   File [31m\n    | KeyError: 'north'\n"));
   MmsRun complete = hung();
   complete.outcome = MmsOutcome::complete;
-  EXPECT_THAT(table_of(two_mice(complete), false), Not(HasSubstr("Ended otherwise")));
+  EXPECT_THAT(table_of(two_mice(complete), false), Not(HasSubstr("Traceback")));
 }
 
 TEST(MmsTable, SaysWhichLinesAreNoCommands) {
   EXPECT_THAT(table_of(two_mice(), false),
-              HasSubstr("  python3 bad.py: 2 of 30; first in loop: line 3: 'turnright' is no command\n"));
+              Says("\n  python3 bad.py: 2 of 30;", "loop: line 3: 'turnright' is no command\n"));
 }
 
 TEST(MmsTable, SaysWhereItWasStopped) {
   Race race = two_mice();
-  EXPECT_THAT(table_of(race, false), Not(HasSubstr("Stopped early")));
+  EXPECT_THAT(table_of(race, false), Not(HasSubstr("Stopped")));
   race.stopped = true;
   race.results[0].done = false;
-  EXPECT_THAT(table_of(race, false), HasSubstr("Stopped early: 3 of 4 contests done.\n"));
+  EXPECT_THAT(table_of(race, false), Says("Stopped", "3 of 4 contests"));
 }
 
 TEST(MmsTable, SaysWhichMazesAreOtherInMms) {
@@ -264,8 +267,8 @@ TEST(MmsTable, SaysWhichMazesAreOtherInMms) {
   imagine(race, 0, 0, {});
   imagine(race, 0, 1, imagined_run(2, 1, 2, 1));
   const std::string table = table_of(race, false);
-  EXPECT_THAT(table, HasSubstr("Left out of all means: 1 maze whose centre cannot be reached (shaft)."));
-  EXPECT_THAT(table, HasSubstr("its goal is the centre, other than 1 maze says"));
+  EXPECT_THAT(table, Says("Left out", "1 maze whose centre", "(shaft)"));
+  EXPECT_THAT(table, Says("goal is the centre", "other than 1 maze "));
   EXPECT_THAT(table, ContainsRegex("\na +1/1 "));
 }
 

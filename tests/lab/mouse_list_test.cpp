@@ -4,10 +4,12 @@
 #include <gtest/gtest.h>
 
 #include "labmouse/strategies/roster.hpp"
+#include "tests/says.hpp"
 
 namespace labmouse {
 namespace {
 
+using test::Says;
 using ::testing::HasSubstr;
 
 TEST(MouseList, HasEveryMouseAndEveryParameter) {
@@ -38,7 +40,7 @@ TEST(MouseSheet, SaysHowAMouseWorksAndWhoseIdeaItIs) {
   }
 }
 
-TEST(MouseSheet, SuggestsAMouse) { EXPECT_THAT(mouse_sheet("flod").error, HasSubstr("did you mean 'flood'?")); }
+TEST(MouseSheet, SuggestsAMouse) { EXPECT_THAT(mouse_sheet("flod").error, Says("'flod'", "'flood'")); }
 
 }  // namespace
 }  // namespace labmouse

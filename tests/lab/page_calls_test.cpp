@@ -10,6 +10,7 @@
 #include "labmouse/lab/mice/mice_json.hpp"
 #include "labmouse/lab/standings/race_json.hpp"
 #include "tests/lab/page_fixture.hpp"
+#include "tests/says.hpp"
 #include "tests/slowness.hpp"
 
 namespace labmouse {
@@ -19,6 +20,7 @@ using test::answer;
 using test::data_of;
 using test::error_of;
 using test::json;
+using test::Says;
 
 std::string source(const std::string& path) {
   std::ifstream file(std::string(LABMOUSE_SOURCE_DIR) + "/" + path);
@@ -54,9 +56,9 @@ TEST(PageCalls, RefuseWhatIsNoRequest) {
   const auto error = [](std::string_view call, std::string_view request) -> std::string {
     return json::parse(answer_page(call, request, "").json)["failure"]["error"];
   };
-  EXPECT_EQ(error("fly", "{}"), "the page has no call 'fly'");
+  EXPECT_THAT(error("fly", "{}"), Says("no call", "'fly'"));
   for (const char* bad : {"", "{", "[]", "3", "null", "{\"maze\":\"\xff\"}"})
-    EXPECT_EQ(error("inspect", bad), "the request is not a JSON object") << bad;
+    EXPECT_THAT(error("inspect", bad), Says("request", "JSON object")) << bad;
 }
 
 /// Whatever stands in a field, there is an answer or a failure in words.
@@ -151,17 +153,17 @@ TEST(PageCalls, RaceTheRosterWhereNoMouseIsNamed) {
 }
 
 TEST(PageCalls, RefuseRacesThatCannotBe) {
-  EXPECT_EQ(error_of("race", race({{"mazes", json::array()}})), "a race needs a maze");
-  EXPECT_EQ(error_of("race", race({{"mazes", {data_of(test::loop()), data_of(test::loop())}}})),
-            "two mazes are called 'loop'");
-  EXPECT_EQ(error_of("race", race({{"mazes", {data_of(test::loop()), 3}}})), "'mazes[1]' is not an object");
-  EXPECT_EQ(error_of("race", race({{"mice", {"flood", 3}}})), "'mice' has an entry that is not text");
-  EXPECT_EQ(error_of("race", race({{"runs", 0}})), "'runs' is outside of 1 to 1000");
-  EXPECT_THAT(error_of("race", race({{"mice", {"guest:ls"}}})), ::testing::HasSubstr("a page starts none"));
+  EXPECT_THAT(error_of("race", race({{"mazes", json::array()}})), Says("needs a maze"));
+  EXPECT_THAT(error_of("race", race({{"mazes", {data_of(test::loop()), data_of(test::loop())}}})),
+              Says("two mazes", "'loop'"));
+  EXPECT_THAT(error_of("race", race({{"mazes", {data_of(test::loop()), 3}}})), Says("'mazes[1]'", "object"));
+  EXPECT_THAT(error_of("race", race({{"mice", {"flood", 3}}})), Says("'mice'", "text"));
+  EXPECT_THAT(error_of("race", race({{"runs", 0}})), Says("'runs'", "1 to 1000"));
+  EXPECT_THAT(error_of("race", race({{"mice", {"guest:ls"}}})), Says("'guest:ls'", "program"));
   json many = json::array();
   for (int i = 0; i < 21; ++i) many.push_back(data_of({std::to_string(i), test::hook().maze}));
   EXPECT_THAT(error_of("race", race({{"mice", {"random"}}, {"mazes", many}, {"runs", 1000}})),
-              ::testing::HasSubstr("a race of 21000 contests is too long for a page"));
+              Says("21000 contests", "too long"));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "labmouse/maze/formats/format.hpp"
 #include "labmouse/maze/generators/generator.hpp"
 #include "tests/lab/page_fixture.hpp"
+#include "tests/says.hpp"
 
 namespace labmouse {
 namespace {
@@ -14,6 +15,7 @@ using test::data_of;
 using test::error_of;
 using test::hook;
 using test::json;
+using test::Says;
 using test::with;
 using ::testing::HasSubstr;
 
@@ -36,26 +38,24 @@ TEST(PageMazes, AreReadAsTheyWereWritten) {
 }
 
 TEST(PageMazes, ThatContradictThemselvesAreRefused) {
-  EXPECT_EQ(error_of("inspect", inspecting("walls/0", 13)),
-            "'maze' has cell (0,1) open to the south, where its neighbour is closed");
-  EXPECT_EQ(error_of("inspect", inspecting("walls/0", 8)),
-            "'maze' has cell (0,0) open to the south, where the border is");
-  EXPECT_EQ(error_of("inspect", inspecting("walls", json::array({1, 2, 3}))),
-            "'maze' has walls of 3 cells where 2x2 are due");
+  EXPECT_THAT(error_of("inspect", inspecting("walls/0", 13)), Says("'maze'", "(0,1)", "south", "neighbour"));
+  EXPECT_THAT(error_of("inspect", inspecting("walls/0", 8)), Says("'maze'", "(0,0)", "south", "border"));
+  EXPECT_THAT(error_of("inspect", inspecting("walls", json::array({1, 2, 3}))), Says("'maze'", "3 cells", "2x2"));
 }
 
 TEST(PageMazes, WithWrongFieldsAreRefused) {
-  EXPECT_EQ(error_of("inspect", json::object()), "'maze' is missing");
-  EXPECT_EQ(error_of("inspect", json{{"maze", 3}}), "'maze' is not an object");
-  EXPECT_EQ(error_of("inspect", inspecting("width", 65)), "'maze.width' is outside of 1 to 64");
-  EXPECT_EQ(error_of("inspect", inspecting("height", "2")), "'maze.height' is not a whole number");
-  EXPECT_EQ(error_of("inspect", inspecting("walls", "open")), "'maze.walls' is not a list");
-  EXPECT_EQ(error_of("inspect", inspecting("walls/2", 16)), "'maze.walls' is outside of 0 to 15");
-  EXPECT_EQ(error_of("inspect", inspecting("start", json::array({2, 0}))), "'maze' has its start outside");
-  EXPECT_EQ(error_of("inspect", inspecting("heading", "up")), "'maze.heading' is not one of north, east, south, west");
-  EXPECT_EQ(error_of("inspect", inspecting("goals", json::array())), "'maze' has no goal");
-  EXPECT_EQ(error_of("inspect", inspecting("goals", json::array({json::array({0, 2})}))), "'maze' has a goal outside");
-  EXPECT_EQ(error_of("inspect", inspecting("name", nullptr)), "'maze.name' is not a text");
+  EXPECT_THAT(error_of("inspect", json::object()), Says("'maze'", "missing"));
+  EXPECT_THAT(error_of("inspect", json{{"maze", 3}}), Says("'maze'", "object"));
+  EXPECT_THAT(error_of("inspect", inspecting("width", 65)), Says("'maze.width'", "1 to 64"));
+  EXPECT_THAT(error_of("inspect", inspecting("height", "2")), Says("'maze.height'", "whole number"));
+  EXPECT_THAT(error_of("inspect", inspecting("walls", "open")), Says("'maze.walls'", "list"));
+  EXPECT_THAT(error_of("inspect", inspecting("walls/2", 16)), Says("'maze.walls'", "0 to 15"));
+  EXPECT_THAT(error_of("inspect", inspecting("start", json::array({2, 0}))), Says("'maze'", "start", "outside"));
+  EXPECT_THAT(error_of("inspect", inspecting("heading", "up")), Says("'maze.heading'", "north, east, south, west"));
+  EXPECT_THAT(error_of("inspect", inspecting("goals", json::array())), Says("'maze'", "no goal"));
+  EXPECT_THAT(error_of("inspect", inspecting("goals", json::array({json::array({0, 2})}))),
+              Says("'maze'", "goal", "outside"));
+  EXPECT_THAT(error_of("inspect", inspecting("name", nullptr)), Says("'maze.name'", "text"));
 }
 
 TEST(PageMazes, BuiltIn) {
@@ -63,8 +63,8 @@ TEST(PageMazes, BuiltIn) {
     const json maze = answer("builtin_maze", {{"name", builtin.name}})["maze"];
     EXPECT_EQ(maze, data_of({std::string(builtin.name), *read_maze(builtin.text).maze}));
   }
-  EXPECT_EQ(error_of("builtin_maze", {{"name", "capstone-9"}}), "there is no built-in maze 'capstone-9'");
-  EXPECT_EQ(error_of("builtin_maze", {{"name", 3}}), "'name' is not a text");
+  EXPECT_THAT(error_of("builtin_maze", {{"name", "capstone-9"}}), Says("built-in maze", "'capstone-9'"));
+  EXPECT_THAT(error_of("builtin_maze", {{"name", 3}}), Says("'name'", "text"));
 }
 
 json order(const json& more = json::object()) {
@@ -81,11 +81,11 @@ TEST(PageMazes, Made) {
 }
 
 TEST(PageMazes, ThatNoGeneratorMakesAreRefused) {
-  EXPECT_EQ(error_of("make_maze", order({{"generator", "magic"}})), "there is no generator 'magic'");
-  EXPECT_EQ(error_of("make_maze", order({{"width", 0}})), "'width' is outside of 1 to 64");
-  EXPECT_EQ(error_of("make_maze", order({{"loops", 1.5}})), "'loops' is outside of 0 to 1");
-  EXPECT_EQ(error_of("make_maze", order({{"seed", -1}})), "'seed' is not a number from 0 to 2^64 - 1");
-  EXPECT_EQ(error_of("make_maze", order({{"seed", 1e21}})), "'seed' is not a number from 0 to 2^64 - 1");
+  EXPECT_THAT(error_of("make_maze", order({{"generator", "magic"}})), Says("no generator", "'magic'"));
+  EXPECT_THAT(error_of("make_maze", order({{"width", 0}})), Says("'width'", "1 to 64"));
+  EXPECT_THAT(error_of("make_maze", order({{"loops", 1.5}})), Says("'loops'", "0 to 1"));
+  EXPECT_THAT(error_of("make_maze", order({{"seed", -1}})), Says("'seed'", "2^64 - 1"));
+  EXPECT_THAT(error_of("make_maze", order({{"seed", 1e21}})), Says("'seed'", "2^64 - 1"));
   EXPECT_THAT(error_of("make_maze", order({{"width", 3}})), HasSubstr("contest"));
 }
 

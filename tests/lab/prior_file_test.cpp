@@ -9,10 +9,13 @@
 
 #include "labmouse/chance/dice.hpp"
 #include "labmouse/strategies/ariadne/priors.hpp"
+#include "tests/says.hpp"
 
 namespace labmouse {
 namespace {
 
+using test::Says;
+using test::SaysAt;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
@@ -44,12 +47,10 @@ TEST(PriorFile, SurvivesBeingWrittenAndRead) {
 TEST(PriorFile, SaysWhereItComesFrom) {
   const std::string text =
       write_prior(any_prior(), {"1.2.3", {{16, 16}, {9, 5}, {16, 16}, {5, 9}}, {12345, 0.51249, 0.69}});
-  EXPECT_THAT(
-      text, StartsWith("// labmouse prior 1\n"
-                       "// Learned by labmouse 1.2.3 from 4 mazes.\n"
-                       "// Sizes: 1 of 5x9, 1 of 9x5, 2 of 16x16.\n"
-                       "// 12345 walls counted, each once for each state of its surroundings in which it was unseen.\n"
-                       "// Log loss on these walls: 0.512 nats each, 0.690 with their common share for all"));
+  EXPECT_THAT(text, StartsWith("// labmouse prior 1\n"
+                               "// Learned by labmouse 1.2.3 from 4 mazes.\n"
+                               "// Sizes: 1 of 5x9, 1 of 9x5, 2 of 16x16.\n"));
+  EXPECT_THAT(text, Says("\n// 12345 walls", "0.512 nats", "0.690 "));
   EXPECT_THAT(any_file(), HasSubstr(" from 1 maze.\n"));
 }
 
@@ -87,52 +88,52 @@ std::string reason(std::string_view text) {
 }
 
 TEST(BadPriorFile, HasAnotherFirstLine) {
-  const char* expected = "1:1: is not a prior: its first line is not '// labmouse prior 1'";
-  EXPECT_EQ(reason(""), expected);
-  EXPECT_EQ(reason("\n" + any_file()), expected);
-  EXPECT_EQ(reason("// labmouse prior 2\n0,\n"), expected);
-  EXPECT_EQ(reason("// labmouse prior 1 or so\n0,\n"), expected);
-  EXPECT_EQ(reason("0,0,\n"), expected);
+  const auto expected = SaysAt("1:1", "not a prior", "'// labmouse prior 1'");
+  EXPECT_THAT(reason(""), expected);
+  EXPECT_THAT(reason("\n" + any_file()), expected);
+  EXPECT_THAT(reason("// labmouse prior 2\n0,\n"), expected);
+  EXPECT_THAT(reason("// labmouse prior 1 or so\n0,\n"), expected);
+  EXPECT_THAT(reason("0,0,\n"), expected);
 }
 
 TEST(BadPriorFile, HasSomethingElseWhereANumberShouldBe) {
   const auto with = [](const std::string& line) { return zeros(10) + line + "\n" + zeros(all_numbers).substr(20); };
-  EXPECT_EQ(reason(with("1,256,")), "12:3: expected a number from 0 to 255, found '256'");
-  EXPECT_EQ(reason(with("1, -1,")), "12:4: expected a number from 0 to 255, found '-1'");
-  EXPECT_EQ(reason(with("07,")), "12:1: expected a number from 0 to 255, found '07'");
-  EXPECT_EQ(reason(with("1.5,")), "12:1: expected a number from 0 to 255, found '1.5'");
-  EXPECT_EQ(reason(with("1 2,")), "12:1: expected a number from 0 to 255, found '1 2'");
-  EXPECT_EQ(reason(with("1,,2,")), "12:3: expected a number from 0 to 255, found ''");
-  EXPECT_EQ(reason(with("")), "12:1: expected a number from 0 to 255, found ''");
-  EXPECT_EQ(reason(with(",")), "12:1: expected a number from 0 to 255, found ''");
-  EXPECT_EQ(reason(with("1, // one")), "12:4: expected a number from 0 to 255, found '// one'");
-  EXPECT_EQ(reason(with("\x1b[31m,")), "12:1: expected a number from 0 to 255, found '\\x1b[31m'");
+  EXPECT_THAT(reason(with("1,256,")), SaysAt("12:3", "0 to 255", "'256'"));
+  EXPECT_THAT(reason(with("1, -1,")), SaysAt("12:4", "0 to 255", "'-1'"));
+  EXPECT_THAT(reason(with("07,")), SaysAt("12:1", "0 to 255", "'07'"));
+  EXPECT_THAT(reason(with("1.5,")), SaysAt("12:1", "0 to 255", "'1.5'"));
+  EXPECT_THAT(reason(with("1 2,")), SaysAt("12:1", "0 to 255", "'1 2'"));
+  EXPECT_THAT(reason(with("1,,2,")), SaysAt("12:3", "0 to 255", "''"));
+  EXPECT_THAT(reason(with("")), SaysAt("12:1", "0 to 255", "''"));
+  EXPECT_THAT(reason(with(",")), SaysAt("12:1", "0 to 255", "''"));
+  EXPECT_THAT(reason(with("1, // one")), SaysAt("12:4", "0 to 255", "'// one'"));
+  EXPECT_THAT(reason(with("\x1b[31m,")), SaysAt("12:1", "0 to 255", "'\\x1b[31m'"));
 }
 
 TEST(BadPriorFile, HasNoCommaAtTheEndOfALine) {
-  EXPECT_EQ(reason("// labmouse prior 1\n1,2,3\n4,"), "2:6: expected a comma behind the number");
+  EXPECT_THAT(reason("// labmouse prior 1\n1,2,3\n4,"), SaysAt("2:6", "comma"));
   std::string text = any_file();
   text.resize(text.size() - 2);
-  EXPECT_THAT(reason(text), HasSubstr(": expected a comma behind the number"));
+  EXPECT_THAT(reason(text), HasSubstr("comma"));
 }
 
 TEST(BadPriorFile, HasTooFewOrTooManyNumbers) {
   EXPECT_TRUE(read_prior(zeros(all_numbers)).prior.has_value());
-  EXPECT_EQ(reason(zeros(all_numbers - 1)), "6585:3: expected 6585 numbers, found 6584");
-  EXPECT_EQ(reason(zeros(all_numbers + 1)), "6587:1: expected 6585 numbers, found more");
-  EXPECT_EQ(reason("// labmouse prior 1\n"), "1:20: expected 6585 numbers, found 0");
+  EXPECT_THAT(reason(zeros(all_numbers - 1)), SaysAt("6585:3", "6585 numbers", "6584"));
+  EXPECT_THAT(reason(zeros(all_numbers + 1)), SaysAt("6587:1", "6585 numbers", "more"));
+  EXPECT_THAT(reason("// labmouse prior 1\n"), SaysAt("1:20", "6585 numbers", "0"));
   EXPECT_EQ(read_prior(zeros(2 * all_numbers)).problems.size(), 1U);
   std::string in_one_line = zeros(3 * all_numbers);
   std::erase(in_one_line, '\n');
   in_one_line.insert(19, "\n");
-  EXPECT_THAT(reason(in_one_line), HasSubstr("expected 6585 numbers, found more"));
+  EXPECT_THAT(reason(in_one_line), Says("6585 numbers", "more"));
 }
 
 TEST(BadPriorFile, IsTooLarge) {
   const std::string text = zeros(all_numbers);
   EXPECT_TRUE(read_prior(text + std::string((1U << 20U) - text.size(), ' ')).prior.has_value());
-  EXPECT_EQ(reason(text + std::string((1U << 20U) - text.size() + 1, ' ')),
-            "0:0: has 1048577 bytes; more than 1048576 is too large");
+  EXPECT_THAT(reason(text + std::string((1U << 20U) - text.size() + 1, ' ')),
+              SaysAt("0:0", "1048577 bytes", "1048576"));
 }
 
 TEST(BadPriorFile, HasAFewOfItsProblemsListed) {

@@ -7,14 +7,18 @@
 
 #include "labmouse/contest/script.hpp"
 #include "tests/lab/record_fixture.hpp"
+#include "tests/says.hpp"
 
 namespace labmouse {
 namespace {
 
 using test::changed;
 using test::problem;
+using test::ProblemAt;
 using test::read;
 using test::recorded;
+using test::Says;
+using test::SaysAt;
 using ::testing::HasSubstr;
 
 std::string disagreement(const std::string& text) {
@@ -161,7 +165,7 @@ TEST(Record, CutAtAnyByteNeverCrashes) {
 }
 
 TEST(Record, RubbishIsRefused) {
-  EXPECT_EQ(problem(""), (Problem{0, 0, "the record is empty"}));
+  EXPECT_THAT(problem(""), ProblemAt(0, 0, "empty"));
   EXPECT_EQ(problem("rubbish\n").line, 1);
   for (const char* bad :
        {"\x00\xff\xfe", "[]", "3", "null", "\"record\"", "{}", "{\"format\":1}", "{\"format\":\"1\"}",
@@ -223,7 +227,7 @@ TEST(Record, UnknownWordsAreRefused) {
 TEST(Replay, RefusesAnotherMaze) {
   const RecordFile file = read(write_record(recorded("flood")));
   const Maze open(MazeDraft(file.maze->size(), MazeDraft::Inside::open));
-  EXPECT_THAT(replay(file, open).disagreement, HasSubstr("step 1: recorded at (0,0)"));
+  EXPECT_THAT(replay(file, open).disagreement, SaysAt("step 1", "(0,0)"));
 }
 
 TEST(Replay, RefusesAMazeOfAnotherSize) {
@@ -250,7 +254,7 @@ TEST(Replay, RefusesStepsBehindTheContestsEnd) {
   StepRecord more = file.run.steps.back();
   ++more.step;
   file.run.steps.push_back(more);
-  EXPECT_THAT(disagreement(write_record(file)), HasSubstr("the contest had ended"));
+  EXPECT_THAT(disagreement(write_record(file)), Says("step " + std::to_string(file.run.steps.size()), "ended"));
 }
 
 TEST(Replay, RefusesARecordThatEndsTooEarly) {
@@ -262,7 +266,7 @@ TEST(Replay, RefusesARecordThatEndsTooEarly) {
 TEST(Replay, RefusesAnEndWithoutAContest) {
   const std::string text = write_record(recorded("flood"));
   const std::string end = text.substr(text.rfind('\n', text.size() - 2) + 1);
-  EXPECT_THAT(disagreement(head(text, 1) + end), HasSubstr("the record ends after step 0"));
+  EXPECT_THAT(disagreement(head(text, 1) + end), HasSubstr("after step 0"));
 }
 
 TEST(Record, AForfeitAtTheEndNeedsAStepThatForfeits) {

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "tests/lab/record_fixture.hpp"
+#include "tests/says.hpp"
 
 namespace labmouse {
 namespace {
@@ -11,6 +12,7 @@ using test::changed;
 using test::problem;
 using test::read;
 using test::recorded;
+using test::Says;
 using ::testing::HasSubstr;
 
 /// Candidates with numbers of every kind, the goal the chosen one.
@@ -95,24 +97,24 @@ TEST(RecordedReasons, MayLeaveOutWhatIsUsual) {
 TEST(RecordedReasons, OfAnotherShapeAreRefusedWithTheirLine) {
   EXPECT_EQ(problem(reasoned("[]")).line, 3);
   EXPECT_EQ(problem(reasoned("[]")).column, 1);
-  EXPECT_EQ(problem(reasoned("3")).reason, "'reasons' is not an object");
-  EXPECT_EQ(problem(reasoned("null")).reason, "'reasons' is not an object");
-  EXPECT_EQ(problem(reasoned("{}")).reason, "'reasons.candidates' is missing");
-  EXPECT_EQ(problem(reasoned(R"({"candidates":{}})")).reason, "'reasons.candidates' is not a list");
-  EXPECT_EQ(problem(with_candidates(goal() + ",3")).reason, "'reasons.candidates[1]' is not an object");
+  EXPECT_THAT(problem(reasoned("3")).reason, Says("'reasons'", "object"));
+  EXPECT_THAT(problem(reasoned("null")).reason, Says("'reasons'", "object"));
+  EXPECT_THAT(problem(reasoned("{}")).reason, Says("'reasons.candidates'", "missing"));
+  EXPECT_THAT(problem(reasoned(R"({"candidates":{}})")).reason, Says("'reasons.candidates'", "list"));
+  EXPECT_THAT(problem(with_candidates(goal() + ",3")).reason, Says("'reasons.candidates[1]'", "object"));
 }
 
 TEST(RecordedReasons, WithoutAFieldAreRefused) {
   for (const char* field : {"chosen", "known", "way_here", "hope", "price"})
-    EXPECT_EQ(problem(changed(with_candidates(""), fmt::format("\"{}\"", field), "\"other\"")).reason,
-              fmt::format("'reasons.{}' is missing", field));
+    EXPECT_THAT(problem(changed(with_candidates(""), fmt::format("\"{}\"", field), "\"other\"")).reason,
+                Says(fmt::format("'reasons.{}'", field), "missing"));
   for (const char* field : {"wall", "seen_from", "through", "travel", "score"})
-    EXPECT_EQ(problem(changed(with_candidates(candidate()), fmt::format("\"{}\"", field), "\"other\"")).reason,
-              fmt::format("'reasons.candidates[0].{}' is missing", field));
+    EXPECT_THAT(problem(changed(with_candidates(candidate()), fmt::format("\"{}\"", field), "\"other\"")).reason,
+                Says(fmt::format("'reasons.candidates[0].{}'", field), "missing"));
 }
 
 TEST(RecordedReasons, WithAGroundThatIsNoneAreRefused) {
-  EXPECT_THAT(problem(with_candidates(candidate(), R"(,"ground":"a whim")")).reason, HasSubstr("unknown ground"));
+  EXPECT_THAT(problem(with_candidates(candidate(), R"(,"ground":"a whim")")).reason, HasSubstr("unknown 'ground'"));
 }
 
 TEST(RecordedReasons, WithAWrongWallAreRefused) {
@@ -120,7 +122,7 @@ TEST(RecordedReasons, WithAWrongWallAreRefused) {
        {"3", "[0,0]", R"([0,0,"south"])", R"([0,0,"north",1])", R"([0,99,"north"])", R"([4,0,"east"])",
         R"([0,4,"north"])", R"([0.5,0,"north"])", R"([["a",1],["b",1],"north"])", R"([20,20,"north"])"})
     EXPECT_THAT(problem(with_candidates(candidate(",\"wall\":" + std::string(bad)))).reason, HasSubstr("wall")) << bad;
-  EXPECT_THAT(problem(with_candidates(goal("," + std::string(wall)))).reason, HasSubstr("both a goal and a wall"));
+  EXPECT_THAT(problem(with_candidates(goal("," + std::string(wall)))).reason, Says("both", "goal", "wall"));
 }
 
 TEST(RecordedReasons, WithValuesOutOfRangeAreRefused) {
@@ -143,7 +145,7 @@ TEST(RecordedReasons, OfMoreCandidatesThanThereAreWallsAreRefused) {
     return with_candidates(candidates);
   };
   EXPECT_EQ(read(many(50)).run.reasons.at(0).reasons.candidates.size(), 50U);
-  EXPECT_EQ(problem(many(51)).reason, "'reasons.candidates' has more than 50 of them");
+  EXPECT_THAT(problem(many(51)).reason, Says("'reasons.candidates'", "50"));
 }
 
 }  // namespace

@@ -116,8 +116,8 @@ TEST_F(AResultsFolder, IsFreeOnceTheProcessThatHadItWasKilled) {
 
 TEST_F(AResultsFolder, IsAFolder) {
   leave("file", "mine");
-  EXPECT_THAT(ResultsFolder(path("file"), true).error(), HasSubstr("cannot be made"));
-  EXPECT_THAT(ResultsFolder("", true).error(), HasSubstr("empty path"));
+  EXPECT_THAT(ResultsFolder(path("file"), true).error(), HasSubstr("cannot create the folder"));
+  EXPECT_THAT(ResultsFolder("", true).error(), HasSubstr("is empty"));
   for (const char* stream : {"-", "/dev/stdout"}) EXPECT_THAT(ResultsFolder(stream, true).error(), HasSubstr("folder"));
   EXPECT_FALSE(fs::exists("-"));
 }

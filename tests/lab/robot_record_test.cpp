@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "tests/lab/record_fixture.hpp"
+#include "tests/says.hpp"
 #include "tests/slowness.hpp"
 
 namespace labmouse {
@@ -12,8 +13,13 @@ namespace {
 
 using test::changed;
 using test::problem;
+using test::ProblemAt;
 using test::read;
 using test::recorded;
+using test::Says;
+using test::SaysAt;
+using ::testing::AllOf;
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -84,7 +90,7 @@ TEST(RobotRecord, OfAMouseIsTheSameRunWithoutWhatFollows) {
 }
 
 TEST(RobotRecord, IsRefusedWithoutAnAction) {
-  EXPECT_EQ(problem(header + "{\"reading\":[0,0,3]}\n"), (Problem{2, 1, "the line has no action"}));
+  EXPECT_THAT(problem(header + "{\"reading\":[0,0,3]}\n"), ProblemAt(2, 1, "no action"));
 }
 
 TEST(RobotRecord, ReadsWhatItGivesAsStrictlyAsEver) {
@@ -129,51 +135,51 @@ TEST(RobotRecord, IsComparedInEachFieldThatItGives) {
   for (const char* good : {"\"run\":\"exploration\"", "\"step\":2", "\"cell\":[3,0]", "\"heading\":\"east\"",
                            "\"reading\":[1,0,0]", "\"blocked\":false"})
     EXPECT_EQ(told(good), "") << good;
-  EXPECT_THAT(told("\"run\":\"speed\""), HasSubstr("recorded in the speed run; played in the exploration, at (3,0)"));
-  EXPECT_THAT(told("\"cell\":[2,0]"), HasSubstr("recorded at (2,0); played at (3,0) heading east, reading 1 0 0"));
-  EXPECT_THAT(told("\"heading\":\"west\""), HasSubstr("step 2: recorded heading west; played at (3,0) heading east"));
-  EXPECT_THAT(told("\"reading\":[1,0,1]"), HasSubstr("step 2: recorded reading 1 0 1; played at (3,0) heading east"));
+  EXPECT_THAT(told("\"run\":\"speed\""), Says("speed run", "exploration", "(3,0)"));
+  EXPECT_THAT(told("\"cell\":[2,0]"), Says("at (2,0)", "at (3,0) heading east", "reading 1 0 0"));
+  EXPECT_THAT(told("\"heading\":\"west\""), SaysAt("step 2", "heading west", "at (3,0) heading east"));
+  EXPECT_THAT(told("\"reading\":[1,0,1]"), SaysAt("step 2", "reading 1 0 1", "at (3,0) heading east"));
   EXPECT_THAT(told("\"blocked\":true"),
-              HasSubstr("recorded blocked; played at (3,0) heading east, reading 1 0 0, not"));
+              Says("recorded blocked", "at (3,0) heading east", "reading 1 0 0", "not blocked"));
 }
 
 TEST(RobotRecord, NamesTheWallThatAReadingContradicts) {
   const auto told = [](const std::string& reading) { return disagreement(with_step("\"reading\":" + reading)); };
-  EXPECT_THAT(told("[0,0,0]"), HasSubstr("; the maze has no wall north of (3,0)"));
-  EXPECT_THAT(told("[1,2,0]"), HasSubstr("; the maze has a wall east of (3,0)"));
-  EXPECT_THAT(told("[2,0,1]"), HasSubstr("; the maze has a wall north of (3,1), a wall south of (3,0)"));
+  EXPECT_THAT(told("[0,0,0]"), HasSubstr("no wall north of (3,0)"));
+  EXPECT_THAT(told("[1,2,0]"), HasSubstr("a wall east of (3,0)"));
+  EXPECT_THAT(told("[2,0,1]"), Says("a wall north of (3,1)", "a wall south of (3,0)"));
   const std::string first = disagreement(changed(header + walk, "[0,0,3]", "[0,0,4]"));
-  EXPECT_THAT(first, HasSubstr("; the maze has a wall east of (3,0)"));
+  EXPECT_THAT(first, HasSubstr("a wall east of (3,0)"));
 }
 
 TEST(RobotRecord, SpeaksOfRunAndBlocksOnlyWhereTheyDiffer) {
-  EXPECT_EQ(
-      disagreement(with_step("\"run\":\"exploration\",\"blocked\":false,\"reading\":[1,1,0]")),
-      "step 2: recorded reading 1 1 0; played at (3,0) heading east, reading 1 0 0; the maze has a wall east of (3,0)");
+  EXPECT_THAT(disagreement(with_step("\"run\":\"exploration\",\"blocked\":false,\"reading\":[1,1,0]")),
+              AllOf(SaysAt("step 2", "reading 1 1 0", "at (3,0) heading east", "reading 1 0 0", "a wall east of (3,0)"),
+                    Not(HasSubstr("exploration")), Not(HasSubstr("blocked"))));
 }
 
 TEST(RobotRecord, NamesNoWallWhereItStoodElsewhere) {
-  EXPECT_THAT(disagreement(with_step("\"cell\":[2,0],\"reading\":[0,1,0]")), Not(HasSubstr("the maze has")));
-  EXPECT_THAT(disagreement(with_step("\"heading\":\"north\",\"reading\":[0,1,0]")), Not(HasSubstr("the maze has")));
+  EXPECT_THAT(disagreement(with_step("\"cell\":[2,0],\"reading\":[0,1,0]")), Not(HasSubstr("wall")));
+  EXPECT_THAT(disagreement(with_step("\"heading\":\"north\",\"reading\":[0,1,0]")), Not(HasSubstr("wall")));
   EXPECT_THAT(disagreement(with_step("\"cell\":[3,0],\"heading\":\"east\",\"reading\":[0,0,0]")),
-              HasSubstr("; played at (3,0) heading east, reading 1 0 0; the maze has no wall north of (3,0)"));
+              Says("at (3,0) heading east", "reading 1 0 0", "no wall north of (3,0)"));
 }
 
 TEST(RobotRecord, EndsWithAsMuchAsItGives) {
   const auto told = [](const std::string& last) { return disagreement(header + walk + last); };
   for (const char* good : {"", R"({"outcome":"solved","cell":[0,1]})", R"({"outcome":"solved","heading":"west"})"})
     EXPECT_EQ(told(good), "");
-  EXPECT_EQ(told(R"({"outcome":"never reset"})"),
-            "the record ends 'never reset'; played, it ends 'solved' at (0,1) heading west");
-  EXPECT_THAT(told(R"({"outcome":"solved","cell":[0,0]})"), HasSubstr("the record ends 'solved' at (0,0); played"));
-  EXPECT_THAT(told(R"({"outcome":"solved","heading":"east"})"), HasSubstr("ends 'solved' heading east; played"));
+  EXPECT_THAT(told(R"({"outcome":"never reset"})"), Says("'never reset'", "'solved' at (0,1) heading west"));
+  EXPECT_THAT(told(R"({"outcome":"solved","cell":[0,0]})"),
+              Says("'solved' at (0,0)", "'solved' at (0,1) heading west"));
+  EXPECT_THAT(told(R"({"outcome":"solved","heading":"east"})"),
+              Says("'solved' heading east", "'solved' at (0,1) heading west"));
 }
 
 TEST(RobotRecord, SaysHowTheContestEndedBeforeItsLastStep) {
-  EXPECT_EQ(disagreement(header + walk + "{\"action\":[0,1]}\n"),
-            "step 8 is recorded, but the contest had ended (solved)");
+  EXPECT_THAT(disagreement(header + walk + "{\"action\":[0,1]}\n"), Says("step 8", "ended", "(solved)"));
   const std::string short_of_time = with_header("\"rules\":{\"budget\":2}");
-  EXPECT_EQ(disagreement(short_of_time + walk), "step 3 is recorded, but the contest had ended (out of steps)");
+  EXPECT_THAT(disagreement(short_of_time + walk), Says("step 3", "ended", "(out of steps)"));
 }
 
 TEST(RobotRecord, MayComeOverASerialLine) {
@@ -199,7 +205,7 @@ TEST(RobotRecord, BreaksOffWhereItsLastLineWasCut) {
 }
 
 TEST(RobotRecord, OnlyALastLineWithoutItsEndCountsAsCut) {
-  EXPECT_EQ(problem(header + "{\"action\":[0,\n"), (Problem{2, 1, "the line is not JSON"}));
+  EXPECT_THAT(problem(header + "{\"action\":[0,\n"), ProblemAt(2, 1, "JSON"));
   EXPECT_EQ(problem(header + "{\"action\":[0,\n" + walk).line, 2);
   EXPECT_EQ(problem(header + walk + end + "{\"act").line, 10);
   EXPECT_EQ(problem(header.substr(0, 20)).line, 1);
@@ -215,7 +221,7 @@ TEST(RobotRecord, OfTooManyStepsIsRefused) {
   if (test::sanitized) GTEST_SKIP() << "a million steps are the same step";
   std::string text = header;
   for (int step = 0; step <= 1'000'000; ++step) text += "{\"action\":[0,0]}\n";
-  EXPECT_EQ(problem(text).reason, "the record has more than 1000000 steps");
+  EXPECT_THAT(problem(text).reason, Says("1000000 steps"));
 }
 
 TEST(RobotRecord, WithReasonsNeedsAMazeThatHasTheirWalls) {
@@ -230,17 +236,17 @@ TEST(RobotRecord, WithReasonsNeedsAMazeThatHasTheirWalls) {
   EXPECT_EQ(played(of_a_goal, Maze(MazeDraft({4, 1}, MazeDraft::Inside::open))).disagreement, "");
   for (const char* bad : {R"("wall":[3,0,"east"],"seen_from":[0,0])", R"("wall":[0,0,"north"],"seen_from":[4,0])",
                           R"("goal":true,"seen_from":[0,2])"})
-    EXPECT_EQ(disagreement(reasoned(bad)), "step 1: its reasons are of walls that the maze does not have");
+    EXPECT_THAT(disagreement(reasoned(bad)), SaysAt("step 1", "reasons", "walls"));
 }
 
 TEST(CheckedLine, CountsWhatAReplayCompares) {
-  EXPECT_EQ(checked_line(read(header + walk)), "checked in 7 steps: 7 readings");
-  EXPECT_EQ(checked_line(read(header + walk + end)), "checked in 7 steps: 7 readings, the outcome");
-  EXPECT_EQ(checked_line(read(header + "{\"action\":[0,0]}\n")), "checked in 1 step: no readings");
+  EXPECT_THAT(checked_line(read(header + walk)), AllOf(Says("7 steps"), EndsWith(": 7 readings")));
+  EXPECT_THAT(checked_line(read(header + walk + end)), AllOf(Says("7 steps: 7 readings"), EndsWith("outcome")));
+  EXPECT_THAT(checked_line(read(header + "{\"action\":[0,0]}\n")), EndsWith("1 step: no readings"));
   const std::string all_but_reading =
       R"({"action":[0,0],"cell":[0,0],"heading":"north","run":"exploration","blocked":false})";
-  EXPECT_EQ(checked_line(read(header + all_but_reading + "\n" + R"({"action":[0,0],"cell":[0,0]})" + "\n")),
-            "checked in 2 steps: no readings, 2 cells, 1 heading, 1 run, 1 blocked flag");
+  EXPECT_THAT(checked_line(read(header + all_but_reading + "\n" + R"({"action":[0,0],"cell":[0,0]})" + "\n")),
+              EndsWith("2 steps: no readings, 2 cells, 1 heading, 1 run, 1 blocked flag"));
 }
 
 TEST(CheckedLine, SaysNothingOfAWholeRecord) {

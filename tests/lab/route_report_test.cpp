@@ -8,11 +8,13 @@
 #include "labmouse/lab/robots/robot_files.hpp"
 #include "labmouse/mouse/drive/fastest.hpp"
 #include "tests/drawn_maze.hpp"
+#include "tests/says.hpp"
 #include "tests/strategies/random_mazes.hpp"
 
 namespace labmouse {
 namespace {
 
+using test::Says;
 using ::testing::HasSubstr;
 
 const DriveModel& mm2021() {
@@ -73,15 +75,13 @@ TEST(RouteReport, LeavesStraightsOutThatAreOnlyLeads) {
 }
 
 TEST(RouteReport, SaysWhyThereIsNoRoute) {
-  EXPECT_EQ(route_report(Maze(MazeDraft({33, 2}, MazeDraft::Inside::open)), mm2021()).error,
-            "is 33x2; the world of seconds takes mazes up to 32x32");
-  EXPECT_EQ(report_of(R"(
+  EXPECT_THAT(route_report(Maze(MazeDraft({33, 2}, MazeDraft::Inside::open)), mm2021()).error, Says("33x2", "32x32"));
+  const RouteReport closed = report_of(R"(
       o---o---o
       | S   G |
       o---o---o
-  )")
-                .error,
-            "no route leads north from the start (0,0) to a goal, and at the start a run cannot turn");
+  )");
+  EXPECT_THAT(closed.error, Says("no route", "north", "start (0,0)"));
 }
 
 TEST(RouteReport, OfAStartInAGoalTakesNoTime) {
@@ -143,10 +143,9 @@ TEST(RouteReport, FindsTheFastestRouteOfTheFewestCells) {
 TEST(RouteReport, IsATable) {
   const NamedMaze maze = {"corner", test::drawn(corner)};
   const std::string table = table_of(route_report(maze.maze, mm2021()), maze, mm2021());
-  EXPECT_THAT(table, HasSubstr("corner: the fastest route of mm2021, cells of 90 mm\n"));
+  EXPECT_THAT(table, Says("corner: ", "mm2021", "90 mm\n"));
   EXPECT_THAT(table, HasSubstr("  1  R90    (0,0) N        (1,1) E            387   387    375.0    0.375\n"));
-  EXPECT_THAT(table,
-              HasSubstr("\nR90\n\n0.375 s from 420 mm/s in the centre of the start to the centre of the goal, "));
+  EXPECT_THAT(table, Says("\nR90\n\n0.375 s ", "420 mm/s"));
   EXPECT_THAT(table, HasSubstr("\nwithout diagonals: 0.375 s, 0.0 % gained\nwith search turns alone, S90: 0.456 s, "
                                "17.7 % gained\nfewest cells: 2, as this route\n"));
 }
@@ -158,12 +157,11 @@ TEST(RouteReport, SumsUpManyMazes) {
   for (const NamedMaze& maze : mazes) reports.push_back(route_report(maze.maze, mm2021()));
   const std::string text = summary_of(reports, mazes, mm2021());
   EXPECT_THAT(text, HasSubstr("   0.375    0.375      0.0    0.456     17.7        2        2      0.0  corner\n"));
-  EXPECT_THAT(
-      text,
-      HasSubstr("    none        -        -        -        -        -        -        -  large: is 33x2; the world"));
+  EXPECT_THAT(text,
+              HasSubstr("    none        -        -        -        -        -        -        -  large: is 33x2"));
   EXPECT_THAT(text,
               HasSubstr("   0.375    0.375      0.0    0.456     17.7        2        2        -  median of 1 maze\n"));
-  EXPECT_THAT(text, HasSubstr("In 0 of them (0.0 %) the fastest route enters more cells than it must.\n"));
+  EXPECT_THAT(text, HasSubstr("0 of them (0.0 %)"));
   const auto json = nlohmann::json::parse(json_of(reports, mazes, mm2021()));
   EXPECT_EQ(json["mazes"][0]["time_us"], 375'000);
   EXPECT_EQ(json["mazes"][0]["segments"][0]["piece"], "R90");

@@ -11,11 +11,13 @@
 #include "labmouse/lab/standings/standings.hpp"
 #include "labmouse/lab/system/version.hpp"
 #include "tests/lab/race_fixture.hpp"
+#include "tests/says.hpp"
 
 namespace labmouse {
 namespace {
 
 using Json = nlohmann::json;
+using test::Says;
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -187,7 +189,7 @@ TEST(RaceAsCsv, QuotesNamesWithCommasAndQuotes) {
 TEST(RaceAsTable, ShowsEveryMouseBestFirst) {
   const std::string table = table_of(test::race_of("random,flood"), false);
   EXPECT_LT(table.find("\nflood "), table.find("\nrandom "));
-  EXPECT_THAT(table, HasSubstr("Left out of all means: 1 maze whose goal cannot be reached (without-route)."));
+  EXPECT_THAT(table, Says("Left out", "1 maze whose goal", "(without-route)"));
 }
 
 TEST(RaceAsTable, OneMazeHasNoInterval) {
@@ -207,8 +209,8 @@ TEST(RaceAsTable, SaysWhereSolvedMeansCoverDifferentMazes) {
   Rules rules;
   rules.budget = 15;  // too little for a flood of the loop
   const Race race = hold_race(test::mice("oracle,flood"), {test::loop(), test::corridor()}, test::in_steps(rules));
-  EXPECT_THAT(table_of(race, false), HasSubstr("cover different mazes"));
-  EXPECT_THAT(table_of(test::race_of("oracle,flood"), false), Not(HasSubstr("cover different mazes")));
+  EXPECT_THAT(table_of(race, false), HasSubstr("different mazes"));
+  EXPECT_THAT(table_of(test::race_of("oracle,flood"), false), Not(HasSubstr("different mazes")));
 }
 
 TEST(RaceAsTable, MarksTheOracle) {

@@ -15,10 +15,12 @@
 #include "tests/lab/drawing_samples.hpp"
 #include "tests/lab/race_fixture.hpp"
 #include "tests/lab/xml_scanner.hpp"
+#include "tests/says.hpp"
 
 namespace labmouse {
 namespace {
 
+using test::Says;
 using ::testing::Each;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -151,8 +153,7 @@ TEST(Study, TeachesFromTheOtherFoldsOnly) {
   EXPECT_THAT(pupil.lessons(), ElementsAre(4, 5, 5));
   EXPECT_THAT(study.fold_sizes, ElementsAre(3, 2, 2));
   EXPECT_THAT(study.learners, ElementsAre("pupil"));
-  EXPECT_THAT(table_of(study, false),
-              HasSubstr("Taught anew for each fold, from the 4 or 5 mazes of the others: pupil.\n"));
+  EXPECT_THAT(table_of(study, false), Says("Taught", "4 or 5 mazes", ": pupil.\n"));
 }
 
 TEST(Study, RacesTheTaughtMouseUnderItsOwnName) {
@@ -172,7 +173,7 @@ TEST(Study, WithoutLearningRacesWhatTheMiceBringAlong) {
   const Study study = hold_study({pupil.contestant(), test::mice("flood").front()}, halls(6), order);
   EXPECT_THAT(pupil.lessons(), IsEmpty());
   EXPECT_THAT(comparisons_of(study)[0].differences, Each(0.0));
-  EXPECT_THAT(table_of(study, false), HasSubstr("Not taught here: pupil, "));
+  EXPECT_THAT(table_of(study, false), Says("Not taught", ": pupil,"));
 }
 
 TEST(Study, DependsNeitherOnThreadsNorOnTheOrderOfMazes) {
@@ -191,12 +192,11 @@ TEST(Study, DependsNeitherOnThreadsNorOnTheOrderOfMazes) {
 }
 
 TEST(Study, NeedsTwoFoldsAndAsManyMazes) {
-  EXPECT_EQ(study_of("flood", halls(3), 1).error, "1 folds hold nothing out; take at least 2");
-  EXPECT_EQ(study_of("flood", {hall(2), hall(3), {"same", hall(3).maze}, test::without_route()}, 3).error,
-            "2 different mazes with a route (of 4 given) for 3 folds; take 2 folds at most, or more mazes");
-  EXPECT_EQ(study_of("flood", {hall(2)}, 2).error,
-            "1 different maze with a route (of 1 given); a study takes at least 2");
-  EXPECT_EQ(study_of("flood", {}, 2).error, "0 different mazes with a route (of 0 given); a study takes at least 2");
+  EXPECT_THAT(study_of("flood", halls(3), 1).error, Says("1 folds", "at least 2"));
+  EXPECT_THAT(study_of("flood", {hall(2), hall(3), {"same", hall(3).maze}, test::without_route()}, 3).error,
+              Says("2 different mazes", "4 given", "3 folds", "2 folds"));
+  EXPECT_THAT(study_of("flood", {hall(2)}, 2).error, Says("1 different maze ", "1 given", "at least 2"));
+  EXPECT_THAT(study_of("flood", {}, 2).error, Says("0 different mazes", "0 given", "at least 2"));
   EXPECT_EQ(study_of("flood", halls(3), 3).error, "");
 }
 
@@ -224,7 +224,7 @@ TEST(Study, ThatIsStoppedKeepsWholeFolds) {
   EXPECT_THAT(study.fold_of, ElementsAre(0, 0, 0));
   EXPECT_THAT(study.race.results, SizeIs(2 * 3));
   EXPECT_THAT(pupil.lessons(), SizeIs(2));
-  EXPECT_THAT(table_of(study, false), HasSubstr("Stopped early: 1 of 3 folds done, 3 of 7 mazes.\n"));
+  EXPECT_THAT(table_of(study, false), Says("Stopped", "1 of 3 folds", "3 of 7 mazes"));
   EXPECT_THAT(picture_of(study), HasSubstr(", stopped early: 3 mazes in 1 fold<"));
 }
 
@@ -232,7 +232,7 @@ TEST(Study, ThatIsStoppedAtOnceSaysSo) {
   const Pupil pupil;
   const Study study = stopped_after(0, pupil);
   EXPECT_THAT(pupil.lessons(), IsEmpty());
-  EXPECT_THAT(table_of(study, false), HasSubstr("Stopped early: 0 of 3 folds done, 0 of 7 mazes.\n"));
+  EXPECT_THAT(table_of(study, false), Says("Stopped", "0 of 3 folds", "0 of 7 mazes"));
   EXPECT_EQ(csv_of(study), "maze,fold,bound,pupil,flood\n");
   EXPECT_EQ(XmlScanner(picture_of(study)).complaint(), "");
   const auto json = nlohmann::json::parse(json_of(study, {}));
@@ -254,7 +254,7 @@ TEST(Comparisons, AreOfEachPairOrWithTheFirst) {
   EXPECT_THAT(pairs_of(study_of("flood,certify,random,frontier", halls(2))), SizeIs(6));
   const Study many = study_of("flood,certify,random,frontier,cautious", halls(2));
   EXPECT_THAT(pairs_of(many), ElementsAre("certify-flood", "random-flood", "frontier-flood", "cautious-flood"));
-  EXPECT_THAT(table_of(many, false), HasSubstr("Compared with the first mouse named only."));
+  EXPECT_THAT(table_of(many, false), HasSubstr("Compared with the first"));
 }
 
 TEST(Comparisons, AreOfScoresMazeByMaze) {
@@ -284,15 +284,13 @@ Study made_up() {
 
 TEST(StudyAsTable, HasStandingsDifferencesAndNotes) {
   const std::string table = table_of(made_up(), false);
-  EXPECT_THAT(table, HasSubstr("2 mice, 2 mazes in 2 folds, seed 1\n"));
+  EXPECT_THAT(table, Says("2 mice", "2 mazes", "2 folds", "seed 1\n"));
   EXPECT_THAT(table, HasSubstr(leaderboard_of(made_up().race, false).substr(0, 150)));
   EXPECT_THAT(table, HasSubstr("\nflood               2/2   1.583     1.1-2.1   1.583  1.000   2.5   0.00 100.0 "));
   EXPECT_THAT(table, HasSubstr("\nflood:stride=1      1/2  50.567   1.1-100.0   1.133  1.062   4.0   0.00  50.0 "));
   EXPECT_THAT(table, HasSubstr("\nflood:stride=1 - flood  +48.983  +0.067 to +97.900     0     0      2  0.500\n"));
-  EXPECT_THAT(table,
-              HasSubstr("12 duplicates left out (the same walls, maybe turned or mirrored):\n  twin = hall-4\n"));
-  EXPECT_THAT(table, HasSubstr("  ... and 2 more, all of them in --format json\n"));
-  EXPECT_THAT(table, HasSubstr("None of these mice learns"));
+  EXPECT_THAT(table, Says("12 duplicates", ":\n  twin = hall-4\n", "  ... and 2 more", "--format json"));
+  EXPECT_THAT(table, Says("None of these mice", "learns"));
   EXPECT_THAT(table, Not(HasSubstr("Stopped")));
   EXPECT_THAT(table, Not(HasSubstr("\x1b")));
   EXPECT_THAT(table_of(made_up(), true), HasSubstr("\x1b[1m"));

@@ -9,10 +9,12 @@
 #include "tests/lab/drawing_samples.hpp"
 #include "tests/lab/race_fixture.hpp"
 #include "tests/lab/xml_scanner.hpp"
+#include "tests/says.hpp"
 
 namespace labmouse {
 namespace {
 
+using test::Says;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -47,23 +49,24 @@ TEST(SweepValues, OfAListStandAsGiven) {
 
 TEST(SweepValues, AreAtMostAThousand) {
   EXPECT_EQ(values("p=1:1000:1").size(), 1000U);
-  EXPECT_EQ(error("p=0:1000:1"), "the range '0:1000:1' has 1001 values; at most 1000 are raced");
-  EXPECT_THAT(error("p=0:1000000000:0.000001"), HasSubstr("at most 1000"));
+  EXPECT_THAT(error("p=0:1000:1"), Says("'0:1000:1'", "1001 values", "1000 "));
+  EXPECT_THAT(error("p=0:1000000000:0.000001"), Says("'0:1000000000:0.000001'", " values", "1000 "));
   EXPECT_THAT(error("p=" + std::string(2000, ',')), HasSubstr("empty value"));
   std::string many = "p=1";
   for (int i = 0; i < 1000; ++i) many += ",1";
-  EXPECT_EQ(error(many), "the list has 1001 values; at most 1000 are raced");
+  EXPECT_THAT(error(many), Says("1001 values", "1000 "));
 }
 
 TEST(SweepValues, AreRefusedWhereTheyAreNone) {
-  for (const char* bad : {"", "p", "=1:2:1"})
-    EXPECT_THAT(error(bad), HasSubstr("is not of the form NAME=LOW:HIGH:STEP")) << bad;
-  for (const char* bad :
-       {"p=1:2", "p=1:2:3:4", "p=a:2:1", "p=1:2:", "p=0:1:0.0000001", "p=0:1e3:1", "p=0:2000000000:1000000000"})
-    EXPECT_THAT(error(bad), HasSubstr("is not a range; write LOW:HIGH:STEP")) << bad;
-  for (const char* bad : {"p=0:1:0", "p=0:1:-1"}) EXPECT_THAT(error(bad), HasSubstr("is not above 0")) << bad;
-  EXPECT_THAT(error("p=1:0:0.1"), HasSubstr("ends below its begin"));
-  for (const char* bad : {"p=", "p=1,", "p=1,,2"}) EXPECT_THAT(error(bad), HasSubstr("has an empty value")) << bad;
+  const auto quoted = [](const std::string& text) { return "'" + text + "'"; };
+  for (const char* bad : {"", "p", "=1:2:1"}) EXPECT_THAT(error(bad), Says(quoted(bad), "NAME=LOW:HIGH:STEP"));
+  for (const char* bad : {"1:2", "1:2:3:4", "a:2:1", "1:2:", "0:1:0.0000001", "0:1e3:1", "0:2000000000:1000000000"})
+    EXPECT_THAT(error("p=" + std::string(bad)), Says(quoted(bad), " LOW:HIGH:STEP"));
+  for (const char* bad : {"0:1:0", "0:1:-1"})
+    EXPECT_THAT(error("p=" + std::string(bad)), Says("step", quoted(bad), "above 0"));
+  EXPECT_THAT(error("p=1:0:0.1"), Says("'1:0:0.1'", "below"));
+  for (const char* bad : {"", "1,", "1,,2"})
+    EXPECT_THAT(error("p=" + std::string(bad)), Says(quoted(bad), "empty value"));
 }
 
 TEST(Variants, TakeEachValueInItsOrder) {
@@ -88,13 +91,12 @@ std::string refusal(std::string_view spec, std::string_view parameter, const std
 }
 
 TEST(Variants, AreRefusedAsASpecIs) {
-  EXPECT_THAT(refusal("flod", "stride", "1"), HasSubstr("did you mean 'flood'?"));
-  EXPECT_THAT(refusal("flood", "strid", "1"), HasSubstr("did you mean 'stride'?"));
-  EXPECT_EQ(refusal("flood", "stride", "9"),
-            "value '9' of parameter 'stride' of mouse 'flood' is outside of 1 to 8; the nearest is 8");
-  EXPECT_THAT(refusal("flood", "stride", "1.5"), HasSubstr("is not a whole number"));
-  EXPECT_EQ(refusal("flood,certify", "stride", "1"), "'flood,certify' names 2 mice; name one");
-  EXPECT_EQ(refusal("oracle", "stride", "1"), "the oracle has no parameters");
+  EXPECT_THAT(refusal("flod", "stride", "1"), Says("'flod'", "'flood'"));
+  EXPECT_THAT(refusal("flood", "strid", "1"), Says("'strid'", "'stride'"));
+  EXPECT_THAT(refusal("flood", "stride", "9"), Says("'9'", "'stride'", "'flood'", "1 to 8", "is 8"));
+  EXPECT_THAT(refusal("flood", "stride", "1.5"), Says("'1.5'", "'stride'", "whole number"));
+  EXPECT_THAT(refusal("flood,certify", "stride", "1"), Says("'flood,certify'", "2 mice"));
+  EXPECT_THAT(refusal("oracle", "stride", "1"), Says("oracle", "no parameters"));
 }
 
 TEST(Variants, OfAGuestStandInItsCommand) {
@@ -108,8 +110,8 @@ TEST(Variants, OfAGuestStandInItsCommand) {
   GuestOptions options;
   options.runs = 7;
   EXPECT_EQ(read_variants("guest:sh {a}", "a", values, options).contestants[0].runs, 7);
-  EXPECT_THAT(refusal("guest:sh -c {b}", "a", "1"), HasSubstr("write {a} in its command"));
-  EXPECT_THAT(refusal("guest:{a}", "a", "./nothing"), HasSubstr("there is no program './nothing'"));
+  EXPECT_THAT(refusal("guest:sh -c {b}", "a", "1"), Says("'guest:sh -c {b}'", "{a}"));
+  EXPECT_THAT(refusal("guest:{a}", "a", "./nothing"), Says("no program", "'./nothing'"));
   EXPECT_EQ(read_variants("guest:sh {a}", "a", std::vector<std::string>{"{a}{a}"}).contestants[0].name,
             "guest:sh {a}{a}");
 }
@@ -170,7 +172,7 @@ TEST(Sweep, WithoutARouteHasNoMeans) {
   const Sweep found = sweep("flood", "stride=1,2", {test::without_route()});
   EXPECT_EQ(found.points[1].mean, std::nullopt);
   EXPECT_EQ(found.points[1].runs, 0);
-  EXPECT_THAT(table_of(found, false), HasSubstr("1 maze whose goal cannot be reached"));
+  EXPECT_THAT(table_of(found, false), Says("Left out", "1 maze whose goal"));
   EXPECT_EQ(XmlScanner(picture_of(found)).complaint(), "");
 }
 
@@ -210,7 +212,7 @@ TEST(Sweep, LeavesOutTheValueAtWhichItIsStopped) {
   EXPECT_EQ(told, 3);
   ASSERT_EQ(found.points.size(), 1U);
   EXPECT_EQ(found.points[0].value, "1");
-  EXPECT_THAT(table_of(found, false), HasSubstr("Stopped early: 1 of 3 values done."));
+  EXPECT_THAT(table_of(found, false), Says("Stopped", "1 of 3 values"));
 }
 
 /// Made up: one value that fails, one without an interval, and a tie.
@@ -233,8 +235,8 @@ TEST(SweepAsTable, HasALineForEachValue) {
   EXPECT_THAT(table, HasSubstr("\nshare     mean    95 % interval  failed  contests\n"
                                "    0   30.500    20.250-40.000       1         4\n"
                                "  0.5   20.000                -       0         4\n"));
-  EXPECT_THAT(table, HasSubstr("95 % interval of the mean over the 2 mazes."));
-  EXPECT_THAT(table, HasSubstr("Lowest mean: 20.000 at share=0.5 and 1 other value."));
+  EXPECT_THAT(table, HasSubstr("over the 2 mazes"));
+  EXPECT_THAT(table, Says("Lowest mean", "20.000 at share=0.5", "1 other"));
   EXPECT_THAT(table, Not(HasSubstr("\x1b")));
   EXPECT_THAT(table, Not(HasSubstr("Stopped")));
   EXPECT_THAT(table_of(made_up(), true), HasSubstr("\x1b[1m"));

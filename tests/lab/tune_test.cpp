@@ -8,10 +8,12 @@
 #include "tests/lab/drawing_samples.hpp"
 #include "tests/lab/race_fixture.hpp"
 #include "tests/lab/xml_scanner.hpp"
+#include "tests/says.hpp"
 
 namespace labmouse {
 namespace {
 
+using test::Says;
 using ::testing::ElementsAre;
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
@@ -191,7 +193,7 @@ TEST(Tune, KeepsWhatWasDoneBeforeItWasStopped) {
         std::any_of(whole.evaluations.begin() + 1, whole.evaluations.begin() + 6, [&](const Evaluation& evaluation) {
           return evaluation.mouse == found.evaluations[i].mouse && evaluation.value == found.evaluations[i].value;
         }));
-  EXPECT_THAT(table_of(found, false), HasSubstr("Stopped early: 3 of 30 evaluations done."));
+  EXPECT_THAT(table_of(found, false), Says("Stopped", "3 of 30 evaluations"));
 }
 
 TEST(Tune, StoppedAtOnceHasNothing) {
@@ -201,15 +203,14 @@ TEST(Tune, StoppedAtOnceHasNothing) {
   const Tune found = tune("flood", "stride", order_of(9), hooks);
   EXPECT_TRUE(found.stopped);
   EXPECT_THAT(found.evaluations, IsEmpty());
-  EXPECT_THAT(table_of(found, false), HasSubstr("Stopped early: 0 of 9 evaluations done."));
+  EXPECT_THAT(table_of(found, false), Says("Stopped", "0 of 9 evaluations"));
   EXPECT_EQ(XmlScanner(picture_of(found)).complaint(), "");
 }
 
 TEST(Tune, RacesNothingWhereNothingCanBeTuned) {
   const auto ranges = read_ranges("flood", "stride").ranges;
-  EXPECT_THAT(hold_tune("flood", ranges, {test::without_route()}, order_of(5)).error,
-              HasSubstr("cannot be reached in any"));
-  EXPECT_THAT(hold_tune("flod", ranges, mazes(), order_of(5)).error, HasSubstr("did you mean 'flood'?"));
+  EXPECT_THAT(hold_tune("flood", ranges, {test::without_route()}, order_of(5)).error, Says("goal", "tune"));
+  EXPECT_THAT(hold_tune("flod", ranges, mazes(), order_of(5)).error, Says("'flod'", "'flood'"));
   EXPECT_THAT(hold_tune("flood", {}, mazes(), order_of(5)).error, HasSubstr("no parameter"));
 }
 
@@ -250,7 +251,7 @@ TEST(TuneAsTable, ShowsGivenAndBestAndTheSpec) {
   EXPECT_THAT(
       table,
       HasSubstr("as given   30.000, 1 contest failed\nbest       28.000, evaluation 3 of 4\ndifference -2.000 ["));
-  EXPECT_THAT(table, HasSubstr("] over 3 mazes (2 better, 0 equal, 1 worse)\n"));
+  EXPECT_THAT(table, Says("3 mazes", "2 better, 0 equal, 1 worse"));
   EXPECT_THAT(table, HasSubstr("`labmouse study`"));
   EXPECT_THAT(table, EndsWith("\n\nvisit-counter:random_share=0.1\n"));
   EXPECT_THAT(table, Not(HasSubstr("\x1b")));
@@ -261,9 +262,9 @@ TEST(TuneAsTable, SaysWhereNothingIsBetter) {
   Tune tune = made_up();
   tune.evaluations.resize(2);
   const std::string table = table_of(tune, false);
-  EXPECT_THAT(table, HasSubstr("No better values in 2 evaluations."));
+  EXPECT_THAT(table, Says("No better", "2 evaluations"));
   EXPECT_THAT(table, Not(HasSubstr("difference")));
-  EXPECT_THAT(table, Not(HasSubstr("In-sample")));
+  EXPECT_THAT(table, Not(HasSubstr("`labmouse study`")));
   EXPECT_THAT(table, EndsWith("\nvisit-counter\n"));
 }
 

@@ -2,12 +2,15 @@
 #include <gtest/gtest.h>
 
 #include "tests/maze/problem_lines.hpp"
+#include "tests/says.hpp"
 
 namespace labmouse {
 namespace {
 
 using test::content_of;
 using test::Lines;
+using test::Says;
+using test::SaysAt;
 using testing::ElementsAre;
 using testing::SizeIs;
 
@@ -96,64 +99,58 @@ TEST(Capstone, TakesAnyLineEndsAndBlanks) {
 
 TEST(Capstone, HoldsOnlySquaresWithTheDefaultMarks) {
   const Maze square = read("2\n1,4\n1,4\n");
-  EXPECT_EQ(capstone_format.write(drawing("o---o---o\n|       |\no---o---o\n")).reason,
-            "the maze is not square; the capstone format has only squares");
-  EXPECT_EQ(capstone_format.write(square.with_start({1, 0}, Heading::west)).reason,
-            "the start is (1,0) heading west; this format has only (0,0) heading north");
+  EXPECT_THAT(capstone_format.write(drawing("o---o---o\n|       |\no---o---o\n")).reason, Says("not square"));
+  EXPECT_THAT(capstone_format.write(square.with_start({1, 0}, Heading::west)).reason,
+              Says("start", "(1,0) heading west", "(0,0) heading north"));
   CellSet corner;
   corner.insert({1, 1});
-  EXPECT_EQ(capstone_format.write(square.with_goals(corner)).reason,
-            "the goal is not the centre; this format has no other");
+  EXPECT_THAT(capstone_format.write(square.with_goals(corner)).reason, Says("goal", "centre"));
 }
 
 TEST(CapstoneProblem, NeighboursDisagree) {
   EXPECT_THAT(problems_of("2\n3,4\n1,4\n"),
-              ElementsAre("2:1: cell (0,0) is open to the east but its neighbour (1,0) is closed to the west"));
+              ElementsAre(SaysAt("2:1", "cell (0,0)", "east", "neighbour (1,0)", "west")));
   EXPECT_THAT(problems_of("2\n0, 4\n8,0\n"),
-              ElementsAre("2:4: cell (0,1) is open to the south but its neighbour (0,0) is closed to the north",
-                          "3:1: cell (1,0) is open to the west but its neighbour (0,0) is closed to the east"));
+              ElementsAre(SaysAt("2:4", "cell (0,1)", "south", "neighbour (0,0)", "north"),
+                          SaysAt("3:1", "cell (1,0)", "west", "neighbour (0,0)", "east")));
 }
 
 TEST(CapstoneProblem, OpenBorderOnEachSide) {
   EXPECT_THAT(problems_of("1\n15\n"),
-              ElementsAre("2:1: cell (0,0) is open to the north but the border of a maze is closed",
-                          "2:1: cell (0,0) is open to the east but the border of a maze is closed",
-                          "2:1: cell (0,0) is open to the south but the border of a maze is closed",
-                          "2:1: cell (0,0) is open to the west but the border of a maze is closed"));
+              ElementsAre(SaysAt("2:1", "(0,0)", "north", "border"), SaysAt("2:1", "(0,0)", "east", "border"),
+                          SaysAt("2:1", "(0,0)", "south", "border"), SaysAt("2:1", "(0,0)", "west", "border")));
 }
 
 TEST(CapstoneProblem, Size) {
-  EXPECT_THAT(problems_of("0\n"), ElementsAre("1:1: expected the size, a number from 1 to 64, found '0'"));
-  EXPECT_THAT(problems_of(" 65\n"), ElementsAre("1:2: expected the size, a number from 1 to 64, found '65'"));
+  EXPECT_THAT(problems_of("0\n"), ElementsAre(SaysAt("1:1", "size", "1 to 64", "'0'")));
+  EXPECT_THAT(problems_of(" 65\n"), ElementsAre(SaysAt("1:2", "size", "1 to 64", "'65'")));
   EXPECT_THAT(problems_of("99999999999999999999999\n0\n"),
-              ElementsAre("1:1: expected the size, a number from 1 to 64, found '99999999999999999999...'"));
-  EXPECT_THAT(problems_of("1,5,7\n"), ElementsAre("1:1: expected the size, a number from 1 to 64, found '1,5,7'"));
+              ElementsAre(SaysAt("1:1", "size", "1 to 64", "'99999999999999999999...'")));
+  EXPECT_THAT(problems_of("1,5,7\n"), ElementsAre(SaysAt("1:1", "size", "1 to 64", "'1,5,7'")));
 }
 
 TEST(CapstoneProblem, WrongNumbers) {
-  EXPECT_THAT(
-      problems_of("2\n16,x\n-1,\n"),
-      ElementsAre("2:1: expected a number from 0 to 15, found '16'", "2:4: expected a number from 0 to 15, found 'x'",
-                  "3:1: expected a number from 0 to 15, found '-1'", "3:4: expected a number from 0 to 15, found ''"));
+  EXPECT_THAT(problems_of("2\n16,x\n-1,\n"),
+              ElementsAre(SaysAt("2:1", "0 to 15", "'16'"), SaysAt("2:4", "0 to 15", "'x'"),
+                          SaysAt("3:1", "0 to 15", "'-1'"), SaysAt("3:4", "0 to 15", "''")));
 }
 
 TEST(CapstoneProblem, WrongNumberOfNumbers) {
   EXPECT_THAT(problems_of("2\n1\n1,4,0,0\n"),
-              ElementsAre("2:2: column x=0 has 1 numbers, expected 2", "3:5: column x=1 has more than 2 numbers"));
+              ElementsAre(SaysAt("2:2", "x=0", "1 numbers", "2"), SaysAt("3:5", "x=1", "more than 2 numbers")));
 }
 
 TEST(CapstoneProblem, WrongNumberOfLines) {
-  EXPECT_THAT(problems_of("2\n1,4\n"), ElementsAre("3:1: expected 2 lines of numbers, found 1"));
-  EXPECT_THAT(problems_of("64"), ElementsAre("2:1: expected 64 lines of numbers, found 0"));
-  EXPECT_THAT(problems_of("2\n1,4\n1,4\n\n1,4\n1,4"),
-              ElementsAre("4:1: expected only 2 lines of numbers, found one more"));
+  EXPECT_THAT(problems_of("2\n1,4\n"), ElementsAre(SaysAt("3:1", "2 lines", "1")));
+  EXPECT_THAT(problems_of("64"), ElementsAre(SaysAt("2:1", "64 lines", "0")));
+  EXPECT_THAT(problems_of("2\n1,4\n1,4\n\n1,4\n1,4"), ElementsAre(SaysAt("4:1", "2 lines", "more")));
 }
 
 TEST(CapstoneProblem, PlacesDoNotDependOnLineEndsOrMark) {
   EXPECT_THAT(problems_of("\xEF\xBB\xBF"
                           "2x\r\n"),
-              ElementsAre("1:1: expected the size, a number from 1 to 64, found '2x'"));
-  EXPECT_THAT(problems_of("2\r\n1,4\r\n1,99\r\n"), ElementsAre("3:3: expected a number from 0 to 15, found '99'"));
+              ElementsAre(SaysAt("1:1", "size", "1 to 64", "'2x'")));
+  EXPECT_THAT(problems_of("2\r\n1,4\r\n1,99\r\n"), ElementsAre(SaysAt("3:3", "0 to 15", "'99'")));
 }
 
 TEST(CapstoneProblem, AtMostTenAreListed) {
@@ -161,7 +158,7 @@ TEST(CapstoneProblem, AtMostTenAreListed) {
   EXPECT_THAT(problems_of("12\nx,x,x,x,x,x,x,x,x,x,x,x\n"), SizeIs(10));
 }
 
-TEST(CapstoneProblem, EmptyFile) { EXPECT_THAT(problems_of(""), ElementsAre("0:0: the file is empty")); }
+TEST(CapstoneProblem, EmptyFile) { EXPECT_THAT(problems_of(""), ElementsAre(SaysAt("0:0", "empty"))); }
 
 }  // namespace
 }  // namespace labmouse

@@ -2,12 +2,15 @@
 #include <gtest/gtest.h>
 
 #include "tests/maze/problem_lines.hpp"
+#include "tests/says.hpp"
 
 namespace labmouse {
 namespace {
 
 using test::content_of;
 using test::Lines;
+using test::Says;
+using test::SaysAt;
 using testing::ElementsAre;
 using testing::SizeIs;
 
@@ -81,13 +84,13 @@ TEST(Drawing, LeavesOutTheGoalsUnderAStartInTheCentre) {
 }
 
 TEST(Drawing, CannotHoldAnotherHeading) {
-  EXPECT_EQ(drawing_format.write(read(small).with_start({0, 0}, Heading::east)).reason,
-            "the start heading is east; in a drawing it is always north");
+  EXPECT_THAT(drawing_format.write(read(small).with_start({0, 0}, Heading::east)).reason,
+              Says("start heading", "east", "north"));
 }
 
 TEST(Drawing, CannotHoldTwoLettersInACell) {
-  EXPECT_EQ(drawing_format.write(read(small).with_start({0, 1}, Heading::north)).reason,
-            "the start is also a goal; a drawing has room for one letter in a cell");
+  EXPECT_THAT(drawing_format.write(read(small).with_start({0, 1}, Heading::north)).reason,
+              Says("start", "goal", "one letter"));
 }
 
 TEST(DrawingProblem, OpenBorderOnEachSide) {
@@ -98,77 +101,66 @@ o   o   o   o
             |
 o---o---o   o
 )"),
-              ElementsAre("1:6: cell (1,1) is open to the north but the border of a maze is closed",
-                          "2:13: cell (2,1) is open to the east but the border of a maze is closed",
-                          "4:1: cell (0,0) is open to the west but the border of a maze is closed",
-                          "5:10: cell (2,0) is open to the south but the border of a maze is closed"));
+              ElementsAre(SaysAt("1:6", "(1,1)", "north", "border"), SaysAt("2:13", "(2,1)", "east", "border"),
+                          SaysAt("4:1", "(0,0)", "west", "border"), SaysAt("5:10", "(2,0)", "south", "border")));
 }
 
 TEST(DrawingProblem, UnknownLettersInCells) {
   EXPECT_THAT(problems_of("o---o---o\n| X  S  |\no---o---o\n"),
-              ElementsAre("2:3: cell (0,0) may hold only S or G in its middle, found 'X'",
-                          "2:6: cell (1,0) may hold only S or G in its middle, found 'S'"));
+              ElementsAre(SaysAt("2:3", "(0,0)", "S or G", "'X'"), SaysAt("2:6", "(1,0)", "S or G", "'S'")));
   EXPECT_THAT(problems_of("o---o---o\n|G g    |\no---o---o\n"),
-              ElementsAre("2:2: cell (0,0) may hold only S or G in its middle, found 'G'",
-                          "2:4: cell (0,0) may hold only S or G in its middle, found 'g'"));
+              ElementsAre(SaysAt("2:2", "(0,0)", "S or G", "'G'"), SaysAt("2:4", "(0,0)", "S or G", "'g'")));
   EXPECT_THAT(problems_of(std::string_view("o---o\n| \0 |\no---o\n", 18)),
-              ElementsAre("2:3: cell (0,0) may hold only S or G in its middle, found '\\x00'"));
+              ElementsAre(SaysAt("2:3", "(0,0)", "S or G", "'\\x00'")));
 }
 
 TEST(DrawingProblem, SecondStart) {
   EXPECT_THAT(problems_of("o---o---o\n| S   S |\no---o---o\n"),
-              ElementsAre("2:7: cell (1,0) is a second start; the first is (0,0)"));
+              ElementsAre(SaysAt("2:7", "(1,0)", "second start", "(0,0)")));
 }
 
 TEST(DrawingProblem, BrokenWallsAndPosts) {
-  EXPECT_THAT(
-      problems_of(R"(
+  EXPECT_THAT(problems_of(R"(
 o---o---o
 |   I   |
 o- -o --x
 |       |
 o---o---o
 )"),
-      ElementsAre("2:5: expected a wall (|) or a blank, found 'I'",
-                  "3:3: expected a wall (---) or three blanks, found ' '",
-                  "3:7: expected a wall (---) or three blanks, found '-'", "3:9: expected a post (o or +), found 'x'"));
+              ElementsAre(SaysAt("2:5", "(|)", "'I'"), SaysAt("3:3", "(---)", "' '"), SaysAt("3:7", "(---)", "'-'"),
+                          SaysAt("3:9", "post", "'x'")));
   EXPECT_THAT(problems_of("o===o\n|   |\no--~o\n"),
-              ElementsAre("1:2: expected a wall (---) or three blanks, found '='",
-                          "3:4: expected a wall (---) or three blanks, found '~'"));
+              ElementsAre(SaysAt("1:2", "(---)", "'='"), SaysAt("3:4", "(---)", "'~'")));
 }
 
 TEST(DrawingProblem, LinesTooShortOrTooLong) {
   EXPECT_THAT(problems_of("o---o---o\n|       |x\no---o\n|       |\no---o---o\n"),
-              ElementsAre("2:10: the line is longer than the top line",
-                          "3:6: the line is shorter than the top line; a post is missing"));
+              ElementsAre(SaysAt("2:10", "longer"), SaysAt("3:6", "shorter")));
 }
 
 TEST(DrawingProblem, Size) {
   EXPECT_THAT(problems_of("o---o--\n|   |\no---o\n"),
-              ElementsAre("1:8: the top line has 7 characters; it has 4 for each cell and 1 more, for 1 to 64 cells"));
-  EXPECT_THAT(problems_of("o---o\n|   |\n"),
-              ElementsAre("3:1: the drawing has 2 lines; it has 2 for each row of cells and 1 more"));
-  EXPECT_THAT(problems_of("o"),
-              ElementsAre("1:2: the top line has 1 characters; it has 4 for each cell and 1 more, for 1 to 64 cells",
-                          "2:1: the drawing has 1 line; it has 2 for each row of cells and 1 more"));
+              ElementsAre(SaysAt("1:8", "top line", "7 characters", "1 to 64 cells")));
+  EXPECT_THAT(problems_of("o---o\n|   |\n"), ElementsAre(SaysAt("3:1", "2 lines", "2 for each row")));
+  EXPECT_THAT(problems_of("o"), ElementsAre(SaysAt("1:2", "top line", "1 characters", "1 to 64 cells"),
+                                            SaysAt("2:1", "1 line", "2 for each row")));
 }
 
 TEST(DrawingProblem, TooLarge) {
   std::string wide = "o";
   for (int x = 0; x < 65; ++x) wide += "---o";
-  EXPECT_THAT(
-      problems_of(wide + "\n|\n" + wide),
-      ElementsAre("1:262: the top line has 261 characters; it has 4 for each cell and 1 more, for 1 to 64 cells"));
+  EXPECT_THAT(problems_of(wide + "\n|\n" + wide),
+              ElementsAre(SaysAt("1:262", "top line", "261 characters", "1 to 64 cells")));
   std::string high = "o---o\n";
   for (int y = 0; y < 100'000; ++y) high += "|   |\no---o\n";
-  EXPECT_THAT(problems_of(high), ElementsAre("130:1: a drawing has at most 129 lines, for 64 rows of cells"));
+  EXPECT_THAT(problems_of(high), ElementsAre(SaysAt("130:1", "129 lines", "64 rows")));
 }
 
 TEST(DrawingProblem, AtMostTenAreListed) {
   EXPECT_THAT(problems_of("o---o---o---o---o\n|xxx|xxx|xxx|xxx|\no---o---o---o---o\n"), SizeIs(10));
 }
 
-TEST(DrawingProblem, EmptyFile) { EXPECT_THAT(problems_of("\r\n \n"), ElementsAre("0:0: the file is empty")); }
+TEST(DrawingProblem, EmptyFile) { EXPECT_THAT(problems_of("\r\n \n"), ElementsAre(SaysAt("0:0", "empty"))); }
 
 }  // namespace
 }  // namespace labmouse

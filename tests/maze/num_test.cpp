@@ -2,12 +2,15 @@
 #include <gtest/gtest.h>
 
 #include "tests/maze/problem_lines.hpp"
+#include "tests/says.hpp"
 
 namespace labmouse {
 namespace {
 
 using test::content_of;
 using test::Lines;
+using test::Says;
+using test::SaysAt;
 using testing::ElementsAre;
 using testing::SizeIs;
 
@@ -45,52 +48,46 @@ TEST(Num, TakesAnyLineEndsAndBlanks) {
 TEST(Num, MayBeARectangle) { EXPECT_EQ(read("0 0 1 0 1 1\n1 0 1 1 1 0\n").size(), (Size{2, 1})); }
 
 TEST(Num, HoldsOnlyTheDefaultMarks) {
-  EXPECT_EQ(num_format.write(read(corner).with_start({0, 1}, Heading::south)).reason,
-            "the start is (0,1) heading south; this format has only (0,0) heading north");
+  EXPECT_THAT(num_format.write(read(corner).with_start({0, 1}, Heading::south)).reason,
+              Says("start", "(0,1) heading south", "(0,0) heading north"));
 }
 
 TEST(NumProblem, NeighboursDisagree) {
   EXPECT_THAT(problems_of("1 0 1 1 1 0\n0 0 1 1 1 1\n"),
-              ElementsAre("1:1: cell (1,0) is open to the west but its neighbour (0,0) is closed to the east"));
+              ElementsAre(SaysAt("1:1", "cell (1,0)", "west", "neighbour (0,0)", "east")));
 }
 
 TEST(NumProblem, OpenBorder) {
-  EXPECT_THAT(problems_of("0 0 1 1 0 1\n"),
-              ElementsAre("1:1: cell (0,0) is open to the south but the border of a maze is closed"));
+  EXPECT_THAT(problems_of("0 0 1 1 0 1\n"), ElementsAre(SaysAt("1:1", "(0,0)", "south", "border")));
 }
 
 TEST(NumProblem, SameCellTwice) {
-  EXPECT_THAT(problems_of("0 0 1 1 1 1\n0 0 1 1 1 1\n"), ElementsAre("2:1: cell (0,0) is already on line 1"));
+  EXPECT_THAT(problems_of("0 0 1 1 1 1\n0 0 1 1 1 1\n"), ElementsAre(SaysAt("2:1", "(0,0)", "line 1")));
 }
 
 TEST(NumProblem, MissingCells) {
   EXPECT_THAT(problems_of("0 0 1 1 1 1\n1 2 1 1 1 1\n"),
-              ElementsAre("0:0: cell (1,0) is missing in a maze of 2x3 cells",
-                          "0:0: cell (0,1) is missing in a maze of 2x3 cells",
-                          "0:0: cell (1,1) is missing in a maze of 2x3 cells",
-                          "0:0: cell (0,2) is missing in a maze of 2x3 cells"));
+              ElementsAre(SaysAt("0:0", "(1,0)", "missing", "2x3"), SaysAt("0:0", "(0,1)", "missing", "2x3"),
+                          SaysAt("0:0", "(1,1)", "missing", "2x3"), SaysAt("0:0", "(0,2)", "missing", "2x3")));
   EXPECT_THAT(problems_of("63 63 1 1 1 1\n"), SizeIs(10));
 }
 
 TEST(NumProblem, WrongNumbers) {
   EXPECT_THAT(
       problems_of("0 64 1 1 1 1\n-1 0 1 1 2 1\n2147483648 a 1 1 1 1\n"),
-      ElementsAre("1:3: expected a number from 0 to 63, found '64'", "2:1: expected a number from 0 to 63, found '-1'",
-                  "2:10: expected a number from 0 to 1, found '2'",
-                  "3:1: expected a number from 0 to 63, found '2147483648'",
-                  "3:12: expected a number from 0 to 63, found 'a'"));
+      ElementsAre(SaysAt("1:3", "0 to 63", "'64'"), SaysAt("2:1", "0 to 63", "'-1'"), SaysAt("2:10", "0 to 1", "'2'"),
+                  SaysAt("3:1", "0 to 63", "'2147483648'"), SaysAt("3:12", "0 to 63", "'a'")));
 }
 
 TEST(NumProblem, SignsAreNoDigits) {
-  EXPECT_THAT(problems_of("-0 +0 1 1 1 1\n"), ElementsAre("1:1: expected a number from 0 to 63, found '-0'",
-                                                          "1:4: expected a number from 0 to 63, found '+0'"));
+  EXPECT_THAT(problems_of("-0 +0 1 1 1 1\n"),
+              ElementsAre(SaysAt("1:1", "0 to 63", "'-0'"), SaysAt("1:4", "0 to 63", "'+0'")));
 }
 
 TEST(NumProblem, WrongNumberOfNumbers) {
   EXPECT_THAT(problems_of("0 0 1 1 1\n\n0 0 1 1 1 1 0 0\n"),
-              ElementsAre("1:10: expected six numbers (x y n e s w), found 5",
-                          "2:1: expected six numbers (x y n e s w), found 0",
-                          "3:13: expected only six numbers (x y n e s w), found more"));
+              ElementsAre(SaysAt("1:10", "six numbers", "5"), SaysAt("2:1", "six numbers", "0"),
+                          SaysAt("3:13", "six numbers", "more")));
 }
 
 TEST(NumProblem, AtMostTenAreListed) {
@@ -99,7 +96,7 @@ TEST(NumProblem, AtMostTenAreListed) {
   EXPECT_THAT(problems_of(content), SizeIs(10));
 }
 
-TEST(NumProblem, EmptyFile) { EXPECT_THAT(problems_of("\xEF\xBB\xBF\n"), ElementsAre("0:0: the file is empty")); }
+TEST(NumProblem, EmptyFile) { EXPECT_THAT(problems_of("\xEF\xBB\xBF\n"), ElementsAre(SaysAt("0:0", "empty"))); }
 
 }  // namespace
 }  // namespace labmouse

@@ -1,12 +1,16 @@
 // A robot's tables of whole microseconds.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "labmouse/mouse/robot/drive_model.hpp"
 #include "labmouse/mouse/robot/robot.hpp"
 #include "tests/mouse/drive_robots.hpp"
+#include "tests/says.hpp"
 
 namespace labmouse {
 namespace {
+
+using test::Says;
 
 void expect_no_gain_by_splitting(const DriveTables& tables) {
   for (const StraightTimes* straights : {&tables.along, &tables.diagonal}) {
@@ -78,19 +82,14 @@ TEST(FixedRobot, IsRefusedWhereTimesWouldLeaveTheirRange) {
     change(robot);
     return make_drive_model(robot).error;
   };
-  EXPECT_EQ(error([](Robot& robot) { robot.fixed->speed = 179.5; }),
-            "its speed at nodes, 179.5 mm/s, is too low: a cell of 90 mm must not take more than 500 ms, the longest "
-            "that times here are made for, so at least 180 mm/s are needed");
+  EXPECT_THAT(error([](Robot& robot) { robot.fixed->speed = 179.5; }),
+              Says("speed at nodes", "179.5 mm/s", "180 mm/s"));
   EXPECT_EQ(error([](Robot& robot) { robot.fixed->speed = 180.0; }), "");
-  EXPECT_EQ(error([](Robot& robot) { robot.fixed->v90 = 999; }),
-            "its turn V90 takes 0.999 ms: a turn takes at least 1 ms");
-  EXPECT_EQ(error([](Robot& robot) { robot.fixed->s90 = 500'001; }),
-            "its turn S90 takes 500.001 ms: at most 500 ms are allowed");
-  EXPECT_EQ(error([](Robot& robot) { robot.fixed->speed = 1201.0; }),
-            "its speed at nodes, 1201 mm/s, must be more than 0 and at most that of its straights, 1500 mm/s, and "
-            "diagonals, 1200 mm/s");
-  EXPECT_EQ(error([](Robot& robot) { robot.braking = 0.0; }),
-            "its cell side, speeds, accelerations and brakings must be greater than 0");
+  EXPECT_THAT(error([](Robot& robot) { robot.fixed->v90 = 999; }), Says("V90", "0.999 ms", "1 ms"));
+  EXPECT_THAT(error([](Robot& robot) { robot.fixed->s90 = 500'001; }), Says("S90", "500.001 ms", "500 ms"));
+  EXPECT_THAT(error([](Robot& robot) { robot.fixed->speed = 1201.0; }),
+              Says("speed at nodes", "1201 mm/s", "1500 mm/s", "1200 mm/s"));
+  EXPECT_THAT(error([](Robot& robot) { robot.braking = 0.0; }), Says("brakings", "greater than 0"));
 }
 
 }  // namespace

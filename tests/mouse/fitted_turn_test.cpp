@@ -1,6 +1,7 @@
 // The fastest way to drive a turn: that it keeps away from walls, and cannot be driven faster.
 #include "labmouse/mouse/robot/fitted_turn.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,9 +11,12 @@
 #include <tuple>
 
 #include "tests/mouse/drive_robots.hpp"
+#include "tests/says.hpp"
 
 namespace labmouse {
 namespace {
+
+using test::Says;
 
 constexpr std::array forward_turns = {Turn::f45, Turn::f90, Turn::f135, Turn::f180, Turn::v90, Turn::s90};
 
@@ -166,15 +170,9 @@ TEST(FittedTurn, ShortensTheLeadsAroundAPostWhereTheWallAheadIsNear) {
 TEST(FittedTurn, SaysInMillimetresWhatDoesNotFit) {
   Robot robot = large_robot();
   robot.clearance = 70.0;
-  EXPECT_EQ(
-      fitted_turn(Turn::f45, robot).error,
-      "its turn 45 does not fit into cells of 180 mm with a clearance of 70 mm: at 80 mm/s it comes within 63.6 mm of "
-      "a post or a wall, and that is its best");
+  EXPECT_THAT(fitted_turn(Turn::f45, robot).error, Says("turn 45 ", "180 mm", "70 mm", "80 mm/s", "63.6 mm"));
   robot.clearance = 100.0;
-  EXPECT_EQ(
-      fitted_turn(Turn::f180, robot).error,
-      "its turn 180 does not fit into cells of 180 mm with a clearance of 100 mm: at 946 mm/s it comes within 79.1 mm "
-      "of a post or a wall, and that is its best");
+  EXPECT_THAT(fitted_turn(Turn::f180, robot).error, Says("turn 180 ", "180 mm", "100 mm", "946 mm/s", "79.1 mm"));
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 // Robots whose turns follow from their limits: each at its own speed and at the slowest.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,9 +10,12 @@
 #include "labmouse/mouse/robot/robot.hpp"
 #include "labmouse/mouse/robot/straights.hpp"
 #include "tests/mouse/drive_robots.hpp"
+#include "tests/says.hpp"
 
 namespace labmouse {
 namespace {
+
+using test::Says;
 
 const TurnShape& shape_of(const DriveModel& model, Turn turn) {
   return *std::find_if(model.shapes.begin(), model.shapes.end(), [=](const auto& it) { return it.turn == turn; });
@@ -141,35 +145,25 @@ TEST(RobotOfSpeeds, IsRefusedInItsOwnUnits) {
     change(robot);
     return make_drive_model(robot).error;
   };
-  EXPECT_EQ(
-      error([](Robot& robot) { robot.clearance = 64.0; }),
-      "a clearance of 64 mm is more than diagonals leave in cells of 180 mm: 63.6 mm from their middle to a post");
+  EXPECT_THAT(error([](Robot& robot) { robot.clearance = 64.0; }), Says("clearance of 64 mm", "180 mm", "63.6 mm"));
   EXPECT_EQ(error([](Robot& robot) { robot.clearance = 63.63; }), "");
-  EXPECT_EQ(error([](Robot& robot) { robot.yaw_acceleration = 20.0; }),
-            "its turn S90 fits into cells of 180 mm only up to 265 mm/s: a cell of 180 mm must not take more than 500 "
-            "ms, the longest "
-            "that times here are made for, so at least 360 mm/s are needed; a larger lateral or yaw acceleration makes "
-            "it faster");
+  EXPECT_THAT(error([](Robot& robot) { robot.yaw_acceleration = 20.0; }),
+              Says("turn S90 ", "180 mm", "265 mm/s", "360 mm/s", "yaw acceleration"));
   EXPECT_EQ(error([](Robot& robot) { robot.yaw_acceleration = 100.0; }), "");
-  EXPECT_EQ(error([](Robot& robot) { robot.yaw_acceleration = 0.0001; }),
-            "its turn 45 does not fit into cells of 180 mm: even at 5 mm/s its curve is too long; a larger yaw "
-            "acceleration makes it shorter");
-  EXPECT_EQ(
-      error([](Robot& robot) { robot.acceleration = 2500.0; }),
-      "from rest in the start cell it does not reach the speed of its slowest turns, 850 mm/s, by the first wall: a "
-      "larger acceleration or run-up is needed");
+  EXPECT_THAT(error([](Robot& robot) { robot.yaw_acceleration = 0.0001; }),
+              Says("turn 45 ", "180 mm", "5 mm/s", "yaw acceleration"));
+  EXPECT_THAT(error([](Robot& robot) { robot.acceleration = 2500.0; }),
+              Says("start cell", "850 mm/s", "acceleration", "run-up"));
   EXPECT_EQ(error([](Robot& robot) { robot.acceleration = 2600.0; }), "");
-  EXPECT_EQ(error([](Robot& robot) { robot.search_speed = 900.0; }),
-            "its search speed, 900 mm/s, is above that of its turn S90, 850 mm/s");
-  EXPECT_EQ(error([](Robot& robot) { robot.braking = 1000.0; }),
-            "its search speed, 500 mm/s, cannot be reached and stopped within half a cell: at most 424 mm/s");
-  EXPECT_EQ(error([](Robot& robot) { robot.pivot_speed = 0.0; }),
-            "its search speed, pivot speed and pivot acceleration must be greater than 0");
-  EXPECT_EQ(error([](Robot& robot) { robot.lateral_acceleration = 0.0; }),
-            "its lateral acceleration and yaw acceleration must be greater than 0");
-  EXPECT_EQ(error([](Robot& robot) { robot.run_up = -1.0; }), "its clearance and run-up must be 0 or more");
-  EXPECT_EQ(error([](Robot& robot) { robot.run_up = 90.0; }),
-            "a run-up of 90 mm begins behind the wall of the start cell, 90 mm from its middle");
+  EXPECT_THAT(error([](Robot& robot) { robot.search_speed = 900.0; }),
+              Says("search speed", "900 mm/s", "S90", "850 mm/s"));
+  EXPECT_THAT(error([](Robot& robot) { robot.braking = 1000.0; }),
+              Says("search speed", "500 mm/s", "half a cell", "424 mm/s"));
+  EXPECT_THAT(error([](Robot& robot) { robot.pivot_speed = 0.0; }), Says("pivot speed", "greater than 0"));
+  EXPECT_THAT(error([](Robot& robot) { robot.lateral_acceleration = 0.0; }),
+              Says("lateral acceleration", "greater than 0"));
+  EXPECT_THAT(error([](Robot& robot) { robot.run_up = -1.0; }), Says("run-up", "0 or more"));
+  EXPECT_THAT(error([](Robot& robot) { robot.run_up = 90.0; }), Says("run-up of 90 mm", "start cell"));
 }
 
 TEST(RobotOfSpeeds, HasTheSameNumbersOnEveryPlatform) {

@@ -70,7 +70,7 @@ class Install(unittest.TestCase):
         for system in SYSTEMS:
             (line,) = [line for line in lines if line.lstrip().startswith(system)]
             self.assertIn("cmake", line)
-            self.assertEqual(f"{system} (not tried)" in line, system != "Debian", line)
+            self.assertEqual(f"{system} (not tested)" in line, system != "Debian", line)
         self.assertIn("Could not find CLI11", result.stderr)
 
     def test_a_program_of_readmes_first_screen_is_asked_for_too(self):

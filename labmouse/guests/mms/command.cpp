@@ -129,7 +129,7 @@ std::string read_nothing(const Entry& entry, const Words& words) {
 }
 
 std::string read_number(const Entry& entry, const Words& words, MmsCommand& command) {
-  if (words.count > 2) return std::string(entry.name) + " takes one number at most";
+  if (words.count > 2) return std::string(entry.name) + " takes at most one number";
   // As in mms: what is no number is 0.
   const std::int64_t number = words.count == 2 ? whole_number(words.word[1]).value_or(0) : 1;
   command.half_steps = entry.form == Form::cells ? 2 * number : number;
@@ -137,7 +137,7 @@ std::string read_number(const Entry& entry, const Words& words, MmsCommand& comm
 }
 
 std::string read_statistic(const Words& words, MmsCommand& command) {
-  if (words.count != 2) return "getStat takes the name of one statistic";
+  if (words.count != 2) return "getStat takes the name of a statistic";
   command.text = words.word[1];
   const auto names = statistic_names();
   if (std::find(names.begin(), names.end(), command.text) != names.end()) return {};
@@ -146,7 +146,7 @@ std::string read_statistic(const Words& words, MmsCommand& command) {
 
 std::string read_cell(std::string_view x, std::string_view y, MmsCommand& command) {
   const auto column = whole_number(x), row = whole_number(y);
-  if (!column || !row) return "X and Y have to be whole numbers";
+  if (!column || !row) return "X and Y must be whole numbers";
   command.x = *column;
   command.y = *row;
   return {};
@@ -161,7 +161,7 @@ std::string read_drawing(const Entry& entry, const Words& words, MmsCommand& com
   const std::string_view letter = words.word[3];
   const std::size_t place = letter.size() == 1 ? letters.find(letter) : std::string_view::npos;
   if (place == std::string_view::npos)
-    return std::string(third.substr(1)) + " is one letter of " + std::string(letters);
+    return std::string(third.substr(1)) + " must be one of the letters " + std::string(letters);
   command.side = static_cast<Heading>(place & 3U);
   command.colour = letter[0];
   return {};
@@ -169,7 +169,7 @@ std::string read_drawing(const Entry& entry, const Words& words, MmsCommand& com
 
 /// The text is the rest of the line after three single blanks; where there are only two, mms takes the whole line.
 std::string read_text(std::string_view line, MmsCommand& command) {
-  constexpr const char* form = "setText takes X Y TEXT, with one blank before each";
+  constexpr const char* form = "setText takes X Y TEXT, each after a single space";
   const std::size_t first = line.find(' '), second = line.find(' ', first + 1);
   if (line.substr(0, first) != "setText" || first == std::string_view::npos || second == std::string_view::npos)
     return form;

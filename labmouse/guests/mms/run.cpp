@@ -63,9 +63,10 @@ class Hosting {
       case GuestEvent::ended:
         return finish_ended();
       case GuestEvent::left:
-        return finish(MmsOutcome::left, describe(*guest_.status()) + ", but what it started goes on");
+        return finish(MmsOutcome::left,
+                      describe(*guest_.status()) + ", but a process that it started is still running");
       case GuestEvent::closed:
-        return finish(MmsOutcome::closed, "closed its standard output and ran on");
+        return finish(MmsOutcome::closed, "closed its standard output and kept running");
       case GuestEvent::timeout:
         return finish_late();
       case GuestEvent::interrupted:
@@ -114,11 +115,11 @@ class Hosting {
   void finish_late() {
     const GuestLimits& limits = launch_.limits;
     if (Clock::now() >= contest_end())
-      finish(MmsOutcome::out_of_time, fmt::format("ran for more than {}", in_seconds(limits.contest)));
+      finish(MmsOutcome::out_of_time, fmt::format("ran for longer than {}", in_seconds(limits.contest)));
     else if (guest_.deaf())
       finish(MmsOutcome::closed, "closed its standard input");
     else if (host_.lines() == 0)
-      finish(MmsOutcome::hung, fmt::format("wrote no line in its first {}{}", in_seconds(limits.start), hint()));
+      finish(MmsOutcome::hung, fmt::format("wrote no line within {} of starting{}", in_seconds(limits.start), hint()));
     else
       finish(MmsOutcome::hung, fmt::format("wrote no line for {}{}", in_seconds(limits.decision), hint()));
   }
@@ -127,7 +128,7 @@ class Hosting {
   std::string hint() {
     constexpr std::size_t quoted = 60;
     const std::string_view begun = guest_.lines().rest();
-    if (!begun.empty()) return fmt::format("; it wrote '{}' without the line's end", begun.substr(0, quoted));
+    if (!begun.empty()) return fmt::format("; it wrote '{}' without ending the line", begun.substr(0, quoted));
     return host_.lines() == 0 ? "; does it flush after each line?" : "";
   }
 

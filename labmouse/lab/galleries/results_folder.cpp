@@ -80,7 +80,7 @@ std::string remove_all(const fs::path& folder, const std::vector<fs::path>& file
   std::error_code error;
   for (const fs::path& file : files) {
     fs::remove(file, error);
-    if (error) return fmt::format("{} cannot be removed: {}", file.string(), cause_of(error.value()));
+    if (error) return fmt::format("cannot remove {}: {}", file.string(), cause_of(error.value()));
     if (file.parent_path() != folder) fs::remove(file.parent_path(), error);  // which fails while there is more in it
   }
   return "";
@@ -99,11 +99,11 @@ Descriptor locked(const std::string& path, int& error) {
 
 /// Makes the folder. Returns what went wrong, or nothing.
 std::string make(const std::string& path) {
-  if (path.empty()) return "an empty path names no folder";
-  if (descriptor_to_write(path)) return "is not a folder; results, records and pictures need one";
+  if (path.empty()) return "the path of the folder is empty";
+  if (descriptor_to_write(path)) return "is not a folder, which the results, records and pictures need";
   std::error_code error;
   fs::create_directories(path, error);
-  if (error) return "cannot be made: " + cause_of(error.value());
+  if (error) return "cannot create the folder: " + cause_of(error.value());
   return fs::is_directory(path, error) ? "" : "is not a folder";
 }
 
@@ -119,12 +119,12 @@ std::string ResultsFolder::take(const std::string& path, bool overwrite) {
   const std::string lock_path = (fs::path(path) / lock_name).string();
   int error = 0;
   lock_ = locked(lock_path, error);
-  if (error == EWOULDBLOCK) return "another race is writing into this folder; choose another one, or wait";
-  if (error != 0) return "cannot be written: " + cause_of(error);
+  if (error == EWOULDBLOCK) return "another race is writing to this folder; wait, or choose another folder";
+  if (error != 0) return "cannot write: " + cause_of(error);
   lock_path_ = lock_path;
   const auto files = remains_of_a_race(path, overwrite ? std::size_t(-1) : 1);
   if (!files.empty() && !overwrite)
-    return "has the results of an earlier race; choose another folder, or replace them with --overwrite";
+    return "holds the results of an earlier race; choose another folder, or replace them with --overwrite";
   return remove_all(path, files);
 }
 

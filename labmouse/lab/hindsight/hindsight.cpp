@@ -166,7 +166,7 @@ Hindsight look_back(std::string_view spec, const std::vector<NamedMaze>& mazes, 
   const SpecResult read = read_specs(spec);
   if (hindsight.error = read.error; !hindsight.error.empty()) return hindsight;
   if (read.contestants.size() != 1) {
-    hindsight.error = fmt::format("'{}' names {} mice; name one", spec, read.contestants.size());
+    hindsight.error = fmt::format("'{}' names {} mice; name exactly one", spec, read.contestants.size());
     return hindsight;
   }
   const Contestant& mouse = read.contestants.front();

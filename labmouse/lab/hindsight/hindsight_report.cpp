@@ -23,14 +23,14 @@ std::string line_of(double bound, double score, double best_stop, const std::opt
 std::string others_text(const Hindsight& hindsight) {
   if (hindsight.order.others == 0) return "";
   if (!hindsight.has_others)
-    return fmt::format("{} has no numbers to perturb and throws no dice, so it has no best of several.\n",
+    return fmt::format("{} has no numeric parameters to vary and throws no dice, so it has no best of several.\n",
                        hindsight.mouse);
   if (hindsight.throws_dice)
-    return fmt::format("{}: in each maze the lowest of its contests and of {} more seeds.\n", best_of(hindsight),
+    return fmt::format("{}: in each maze, the lowest score of its contests and of {} more seeds.\n", best_of(hindsight),
                        hindsight.order.others);
   return fmt::format(
-      "{}: in each maze the lowest of it and of {} variants, each number\n"
-      "shifted by up to a quarter.\n",
+      "{}: in each maze, the lowest score of the mouse and of {} variants, with each\n"
+      "number shifted by up to a quarter.\n",
       best_of(hindsight), hindsight.order.others);
 }
 
@@ -44,10 +44,10 @@ bool has_high_bound(const Hindsight& hindsight) {
 std::string notes_of(const Hindsight& hindsight) {
   const Rules& rules = hindsight.order.rules;
   std::string notes =
-      "No mouse scores less than the bound. The columns right of the score are\n"
-      "references and no bounds: they choose in hindsight, and another mouse may score\n"
+      "No mouse can score less than the bound. The columns right of the score are\n"
+      "references, not bounds: they choose in hindsight, and another mouse may score\n"
       "less.\n"
-      "best stop: its own walk, reset after the best step once the goal was entered,\n"
+      "best stop: the mouse's own walk, reset at the best step after entering the goal,\n"
       "and the shortest route known by then; what that run would see is ignored.\n";
   notes += others_text(hindsight);
   if (hindsight.throws_dice)

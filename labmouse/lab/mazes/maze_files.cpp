@@ -86,7 +86,7 @@ std::string no_such_maze(const std::string& path) {
   std::vector<std::string_view> names;
   for (const BuiltinMaze& builtin : builtin_mazes()) names.push_back(builtin.name);
   const auto near = nearest_name(path, names);
-  return near.empty() ? "no such file, folder, match or built-in maze"
+  return near.empty() ? "no such file, folder or built-in maze"
                       : fmt::format("no such file or built-in maze; did you mean '{}'?", near);
 }
 

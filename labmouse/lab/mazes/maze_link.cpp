@@ -162,21 +162,21 @@ std::array<std::string_view, parts> parts_of(std::string_view link, std::size_t&
 
 /// What is wrong with a link before its parts are read, or nothing.
 std::string wrong_form(std::string_view link) {
-  if (link.empty()) return "the link holds no maze: it is empty";
+  if (link.empty()) return "the link is empty";
   std::size_t count = 0;
   const auto found = parts_of(link, count);
   const std::string_view first = found[version_part];
   if (first.empty() || first.find_first_not_of("0123456789") != std::string_view::npos)
     return "this is not a link to a maze";
   if (first != link_version)
-    return fmt::format("the link is of a later version ({}); this program knows version {}", first.substr(0, 9),
+    return fmt::format("the link has version {}, but this program knows only version {}", first.substr(0, 9),
                        link_version);
-  if (count < parts) return fmt::format("the link is cut: it breaks off in its {}", part_names[count - 1]);
+  if (count < parts) return fmt::format("the link is incomplete: it breaks off in its {}", part_names[count - 1]);
   const std::string_view sum = found[checksum_part];
-  if (sum.size() < checksum_digits) return "the link is cut: it breaks off in its checksum";
-  if (sum.size() > checksum_digits) return "the link is mistyped: it goes on behind its checksum";
+  if (sum.size() < checksum_digits) return "the link is incomplete: it breaks off in its checksum";
+  if (sum.size() > checksum_digits) return "the link is damaged: it continues after its checksum";
   if (sum != checksum_of(link.substr(0, link.size() - sum.size())))
-    return "the link is mistyped: its checksum is not that of the rest";
+    return "the link is damaged: its checksum does not match";
   return "";
 }
 
@@ -212,7 +212,7 @@ ReadLinkResult read_link(std::string_view link) {
   std::size_t count = 0;
   auto maze = maze_of(parts_of(link, count));
   // Each maze has one link: what is written otherwise is none, although its checksum is right.
-  if (!maze || link_of(*maze) != link) return {std::nullopt, "the link holds no maze that this program would write so"};
+  if (!maze || link_of(*maze) != link) return {std::nullopt, "the link does not hold a valid maze"};
   return {std::move(maze), ""};
 }
 

@@ -53,14 +53,14 @@ std::string from_home(const std::string& file) {
 std::string no_robot(const std::string& file) {
   std::error_code failure;
   if (fs::is_directory(file, failure))
-    return fmt::format("'{}' is a folder; name the Python file with the class Robot", file);
+    return fmt::format("'{}' is a folder; name the Python file that defines the class Robot", file);
   const auto comma = file.find(',');
   if (comma != std::string::npos && fs::exists(file.substr(0, comma), failure))
     return fmt::format(
-        "there is no file '{}'; a guest takes all behind its colon, so name other mice before it or with another "
+        "no such file '{}'; a guest takes everything after its colon, so name other mice before it or with another "
         "--mice",
         file);
-  return fmt::format("there is no file '{}'; write capstone:FILE, the Python file with the class Robot", file);
+  return fmt::format("no such file '{}'; write capstone:FILE, with the Python file that defines the class Robot", file);
 }
 
 /// Why a command's first word is no program.
@@ -69,16 +69,16 @@ std::string no_program(const std::string& name, const std::string& directory) {
   const fs::path path = fs::path(directory) / name;
   const std::string ending = fs::path(name).extension().string();
   if (!fs::exists(path, failure)) {
-    const char* hint = name.find('/') == std::string::npos ? " in PATH; a path of your own has a slash, as in ./mouse"
-                       : name.starts_with('~') ? "; no shell sees the command, so write the whole path for ~"
-                                               : "";
-    return fmt::format("there is no program '{}' that can be executed{}", name, hint);
+    const char* hint = name.find('/') == std::string::npos ? " in PATH; to run a file, include a slash, as in ./mouse"
+                       : name.starts_with('~')             ? "; no shell expands ~, so write the full path"
+                                                           : "";
+    return fmt::format("no executable program '{}'{}", name, hint);
   }
-  if (ending == ".py") return fmt::format("'{}' cannot be executed; write 'python3 {}'", name, name);
-  if (ending == ".js") return fmt::format("'{}' cannot be executed; write 'node {}'", name, name);
+  if (ending == ".py") return fmt::format("'{}' is not executable; write 'python3 {}'", name, name);
+  if (ending == ".js") return fmt::format("'{}' is not executable; write 'node {}'", name, name);
   if (name.find('/') == std::string::npos && access(path.c_str(), X_OK) == 0)
-    return fmt::format("'{}' is not in PATH; a path of your own has a slash: ./{}", name, name);
-  return fmt::format("'{}' cannot be executed; is it a program, and compiled?", name);
+    return fmt::format("'{}' is not in PATH; to run the file, write ./{}", name, name);
+  return fmt::format("'{}' is not executable; is it a compiled program?", name);
 }
 
 /// How to start what stands behind the colon of `capstone:`; on failure sets the error.
@@ -93,9 +93,9 @@ Launch robot_launch(const std::string& named, const GuestOptions& options, std::
   if (python.empty())
     error = "no python3 was found in PATH; name one with --python";
   else if (program_path(python, "").empty())
-    error = fmt::format("there is no Python '{}' that can be executed", python);
+    error = fmt::format("no executable Python '{}'", python);
   else if (!options.python.empty() && !python_runs(python))
-    error = fmt::format("'{}' is not a Python that runs", python);
+    error = fmt::format("'{}' is not a working Python interpreter", python);
   return capstone_launch(fs::absolute(file, failure).string(), python);
 }
 
@@ -104,9 +104,9 @@ Launch command_launch(const std::string& command, const GuestOptions& options, s
   launch.words = split_command(command);
   launch.directory = options.directory;
   if (has_open_quote(command))
-    error = "its command has a quotation mark that is not closed; three of them, \"\"\", are one as a letter";
+    error = "its command has an unclosed quotation mark; for a literal quotation mark write \"\"\"";
   else if (launch.words.empty())
-    error = "it names no program";
+    error = "its command is empty";
   else if (program_path(launch.words.front(), launch.directory).empty())
     error = no_program(launch.words.front(), launch.directory);
   return launch;
@@ -120,7 +120,7 @@ void read_guest_spec(std::string_view spec, const GuestOptions& options, SpecRes
   std::string error;
   // What is accepted here is printed as the mouse's name, and handed on as words that end with a zero.
   if (shown(spec) != spec) {
-    result.error = fmt::format("guest '{}': its SPEC has characters that cannot be printed", shown(spec));
+    result.error = fmt::format("guest '{}': its SPEC contains unprintable characters", shown(spec));
     return;
   }
   Launch launch = kind == "capstone:" ? robot_launch(rest, options, error) : command_launch(rest, options, error);

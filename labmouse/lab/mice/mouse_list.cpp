@@ -11,7 +11,7 @@
 namespace labmouse {
 namespace {
 
-constexpr std::string_view oracle_summary = "knows the maze: the bound's witness, not a contestant";
+constexpr std::string_view oracle_summary = "knows the maze; attains the bound, and is not a contestant";
 
 std::string range_of(const Parameter& parameter) {
   switch (parameter.type) {
@@ -71,7 +71,7 @@ NamedText mouse_sheet(const std::string& name) {
   return {fmt::format("{}: {}\n\nMethod\n{}\nParameters\n{}\nSource\n{}", mouse->name, summary_of(*mouse),
                       in_lines(mouse->method, "    "), parameters.empty() ? "    none\n" : parameters,
                       in_lines(mouse->source, "    ")) +
-              (mouse->drives ? "\nIt drives in the world of seconds, too.\n" : ""),
+              (mouse->drives ? "\nIt can also drive in the world in seconds.\n" : ""),
           ""};
 }
 

@@ -61,7 +61,7 @@ class PriorReader {
     const bool ended = words.back().text.empty() && words.size() > 1;
     if (ended) words.pop_back();
     for (const formats::Word& word : words) read(line, word);
-    if (!ended && problems_.empty()) problems_.add(line.number, line.end(), "expected a comma behind the number");
+    if (!ended && problems_.empty()) problems_.add(line.number, line.end(), "expected a comma after the number");
   }
 
   void finish(const formats::Line& last) {
@@ -112,7 +112,7 @@ ReadPriorResult read_prior(std::string_view text) {
     return ReadPriorResult{std::nullopt, {{line, column, std::move(reason)}}};
   };
   if (text.size() > most_bytes)
-    return failure(0, 0, fmt::format("has {} bytes; more than {} is too large", text.size(), most_bytes));
+    return failure(0, 0, fmt::format("is too large: {} bytes, where at most {} are allowed", text.size(), most_bytes));
   const auto lines = formats::lines_of(text, text.size());
   if (lines.empty() || lines.front().text != headline)
     return failure(1, 1, fmt::format("is not a prior: its first line is not '{}'", headline));

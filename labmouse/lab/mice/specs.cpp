@@ -62,19 +62,19 @@ bool looks_like_a_program(std::string_view name) {
 
 std::string unknown_parameter(const RosterEntry& entry, std::string_view key) {
   if (entry.parameters.empty())
-    return fmt::format("mouse '{}' has no parameters, so none called '{}'", entry.name, key);
+    return fmt::format("mouse '{}' has no parameters, so '{}' cannot be set", entry.name, key);
   std::vector<std::string_view> names;
   for (const Parameter& parameter : entry.parameters) names.push_back(parameter.name);
   const auto near = nearest_name(key, names);
-  return fmt::format(
-      "mouse '{}' has no parameter '{}'; {}", entry.name, key,
-      near.empty() ? fmt::format("it has {}", fmt::join(names, ", ")) : fmt::format("did you mean '{}'?", near));
+  return fmt::format("mouse '{}' has no parameter '{}'; {}", entry.name, key,
+                     near.empty() ? fmt::format("its parameters are {}", fmt::join(names, ", "))
+                                  : fmt::format("did you mean '{}'?", near));
 }
 
 /// What a value that is no file may have been meant for.
 std::string hint_for(const Parameter& parameter, std::string_view value) {
   const auto near = value.find_first_of("./") == std::string::npos ? nearest_name(value, choices_of(parameter)) : "";
-  return near.empty() ? "a SPEC ends a path at ':' and ','" : fmt::format("did you mean '{}'?", near);
+  return near.empty() ? "note that ':' and ',' end a path here" : fmt::format("did you mean '{}'?", near);
 }
 
 /// Attaches the prior of a file, or none where the value is a choice; returns what is wrong with it, or nothing.
@@ -83,7 +83,8 @@ std::string attach_prior(const Parameter& parameter, const std::string& value, S
   settings.attach(nullptr);
   if (std::find(choices.begin(), choices.end(), value) != choices.end()) return "";
   // What is accepted here is printed as part of the mouse's name.
-  if (shown(value) != value) return fmt::format("prior file '{}' has a name that cannot be printed", shown(value));
+  if (shown(value) != value)
+    return fmt::format("the name of prior file '{}' contains unprintable characters", shown(value));
   const FileContent file = read_file(value);
   if (!file.error.empty()) return fmt::format("prior file {}: {}; {}", value, file.error, hint_for(parameter, value));
   const ReadPriorResult read = read_prior(file.content);
@@ -115,7 +116,7 @@ std::string apply(const RosterEntry& entry, std::string_view assignment, Setting
 std::string read_spec(std::string_view spec, std::vector<Contestant>& contestants) {
   const auto colon = spec.find(':');
   const auto name = spec.substr(0, colon);
-  if (name.empty()) return "a mouse without a name; write name[:key=value]..., several separated by commas";
+  if (name.empty()) return "a mouse has no name; write name[:key=value]..., separated by commas";
   if (name == oracle_name) {
     if (colon != std::string_view::npos) return "the oracle has no parameters";
     contestants.push_back(oracle());
@@ -154,8 +155,8 @@ SpecResult read_guest_variant(std::string_view spec, const Setting& setting, con
   const std::string place = "{" + setting.name + "}";
   std::string text(spec);
   if (text.find(place) == std::string::npos)
-    return refused(
-        fmt::format("guest '{}' has no place for a value; write {} in its command where it belongs", spec, place));
+    return refused(fmt::format("guest '{}' has no place for the value; write {} in its command where the value belongs",
+                               spec, place));
   for (auto at = text.find(place); at != std::string::npos; at = text.find(place, at + setting.value.size()))
     text.replace(at, place.size(), setting.value);
   return read_specs(text, options);
@@ -177,13 +178,14 @@ void read_into(std::string_view text, const GuestOptions& options, SpecResult& r
 std::string unknown_mouse(std::string_view name) {
   if (looks_like_a_program(name))
     return fmt::format(
-        "mouse '{}' is unknown; a program of yours is 'capstone:FILE', 'guest:COMMAND' or 'mms:COMMAND', in quotes",
+        "unknown mouse '{}'; to race your own program, write 'capstone:FILE', 'guest:COMMAND' or 'mms:COMMAND', in "
+        "quotes",
         name);
   std::vector<std::string_view> names = {oracle_name, "capstone", "guest", "mms"};
   for (const RosterEntry* entry : roster()) names.push_back(entry->name);
   const auto near = nearest_name(name, names);
   const auto hint = near.empty() ? std::string() : fmt::format("did you mean '{}'? ", near);
-  return fmt::format("mouse '{}' is unknown; {}`labmouse mice` lists all", name, hint);
+  return fmt::format("unknown mouse '{}'; {}`labmouse mice` lists all mice", name, hint);
 }
 
 SpecResult read_specs(std::span<const std::string> texts, const GuestOptions& options) {
@@ -219,7 +221,7 @@ SpecResult read_variant(std::string_view spec, std::span<const Setting> values) 
   if (!result.error.empty()) return result;
   if (is_guest_spec(spec)) return refused(fmt::format("guest '{}' has no parameters", spec));
   if (result.contestants.size() != 1)
-    return refused(fmt::format("'{}' names {} mice; name one", spec, result.contestants.size()));
+    return refused(fmt::format("'{}' names {} mice; name exactly one", spec, result.contestants.size()));
   return read_variant(result.contestants.front(), values);
 }
 
@@ -249,8 +251,8 @@ std::string refuse_idle_settings(std::span<const Contestant> mice) {
       const Parameter& parameter = entry->parameters[i];
       if (counts_in_seconds(parameter) || mouse.settings.all()[i].value == parameter.default_value) continue;
       const auto counting = std::find_if(entry->parameters.begin(), entry->parameters.end(), counts_in_seconds);
-      return fmt::format("parameter '{}' of mouse '{}' has no meaning in seconds; it has {} there", parameter.name,
-                         entry->name,
+      return fmt::format("parameter '{}' of mouse '{}' has no effect in seconds; parameters that do: {}",
+                         parameter.name, entry->name,
                          counting == entry->parameters.end() ? "none" : fmt::format("'{}'", counting->name));
     }
   }
@@ -265,8 +267,7 @@ std::string refuse_to_drive(std::span<const Contestant> mice) {
   std::vector<std::string_view> drivers;
   for (const RosterEntry* entry : roster())
     if (entry->drives) drivers.push_back(entry->name);
-  return fmt::format("mouse '{}' does not drive in seconds; those that do are {}", stays->name,
-                     fmt::join(drivers, ", "));
+  return fmt::format("mouse '{}' cannot drive in seconds; mice that can are {}", stays->name, fmt::join(drivers, ", "));
 }
 
 Settings settings_in_seconds(const Contestant& mouse) {

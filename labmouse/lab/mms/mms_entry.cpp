@@ -15,7 +15,7 @@ namespace {
 constexpr std::array settings = {
     WorldSetting{"strict", "", "In mms: end a run at the first line that mms would not answer",
                  WorldSetting::Kind::flag, "false"},
-    WorldSetting{"presses", "N", "In mms: press Reset N times for a mouse that waits for it", WorldSetting::Kind::whole,
+    WorldSetting{"presses", "N", "In mms: press Reset N times when a mouse waits for it", WorldSetting::Kind::whole,
                  "0", 0, 1'000'000}};
 
 WorldResult make(const WorldSettings& chosen) {
@@ -44,19 +44,20 @@ PackedFile pack(std::string_view text, const RecordOwner& owner) {
   if (const int line = first_bad_line(text); line > 0) return failed({line, 1, "the line is not JSON"});
   Json header = Json::parse(text.substr(0, text.find('\n')), nullptr, false);
   if (!header.is_object() || header.value("labmouse", Json()) != "mms record")
-    return failed({1, 1, "is not the header of a record of mms"});
+    return failed({1, 1, "is not the header of an mms record"});
   // But for that word its header is that of a record, so that one reader serves both.
   header["labmouse"] = "record";
   ReadRecordResult read = read_record(text_of(header));
   if (!read.file) return failed(read.problems.front());
   if (read.file->mouse != owner.mouse || read.file->maze_name != owner.maze)
-    return failed({0, 0, fmt::format("is not of this race, but of {} in {}", read.file->mouse, read.file->maze_name)});
+    return failed(
+        {0, 0, fmt::format("does not belong to this race: it is of {} in {}", read.file->mouse, read.file->maze_name)});
   return {text_of({{"mouse", read.file->mouse}, {"maze", read.file->maze_name}, {"mms", text}}), read.file->maze,
           std::nullopt, false};
 }
 
 }  // namespace
 
-const WorldEntry mms_entry = {"mms", "that of the simulator mms, for programs written for it", settings, make, pack};
+const WorldEntry mms_entry = {"mms", "the simulator mms, for programs written for it", settings, make, pack};
 
 }  // namespace labmouse

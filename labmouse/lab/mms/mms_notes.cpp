@@ -56,7 +56,7 @@ std::string ends_of(const Race& race, const MouseColumn& names) {
                         shown(race.mazes[first->maze].name), shown(text_at(*first, F::end)));
     for (const std::string& line : lines_at(*first, F::errors)) text += "    | " + shown(line) + "\n";
   }
-  return text.empty() ? "" : "Ended otherwise than by exit code 0 (the score counts all the same):\n" + text;
+  return text.empty() ? "" : "Runs that did not end with exit code 0 (their scores still count):\n" + text;
 }
 
 std::int64_t sum_of_lines(const Race& race, std::size_t mouse, F figure) {
@@ -90,11 +90,11 @@ bool marked_otherwise(const NamedMaze& maze) {
 
 std::string mms_notes(const Race& race) {
   std::string notes =
-      "Score, as mms counts: effective distance + turns of the best run + a tenth of all\n"
-      "effective distance and turns (total). Unsolved counts 2000. Lower is better.\n";
+      "Score, as in mms: effective distance + turns of the best run + a tenth of all\neffective distance and turns "
+      "(total). Unsolved counts 2000. Lower is better.\n";
   const auto otherwise = static_cast<int>(std::count_if(race.mazes.begin(), race.mazes.end(), marked_otherwise));
   if (otherwise > 0)
-    notes += fmt::format("mms starts at (0,0) and its goal is the centre, other than {} {}.\n",
+    notes += fmt::format("mms starts at (0,0) and its goal is the centre, unlike what {} {}.\n",
                          counted(otherwise, "maze", "mazes"), otherwise == 1 ? "says" : "say");
   return notes;
 }

@@ -42,7 +42,7 @@ std::string log_text(const MmsRun& run) {
   std::string text =
       counted(static_cast<int>(run.invalid_lines), "line that is not a command, which mms does not answer",
               "lines that are not commands, which mms does not answer") +
-      (run.invalid_lines > static_cast<std::int64_t>(run.log.size()) ? "; the first ones:\n" : ":\n");
+      (run.invalid_lines > static_cast<std::int64_t>(run.log.size()) ? "; the first ones are:\n" : ":\n");
   for (const std::string& sentence : run.log) text += "  " + shown(sentence) + "\n";
   return text;
 }
@@ -50,7 +50,7 @@ std::string log_text(const MmsRun& run) {
 std::string errors_text(const MmsRun& run) {
   const std::vector<std::string> lines = last_lines(run.errors);
   if (lines.empty()) return "";
-  std::string text = "Last on its standard error:\n";
+  std::string text = "Last lines on its standard error:\n";
   for (const std::string& line : lines) text += "  | " + shown(line) + "\n";
   return text;
 }
@@ -60,7 +60,7 @@ std::string errors_text(const MmsRun& run) {
 std::string report_of(const std::string& mouse, const NamedMaze& maze, const MmsRun& run) {
   return statistics_text(run.statistics) + log_text(run) + errors_text(run) +
          shown(fmt::format("{}: {}{}; {}, {:.1f} s in mms", name_of(run.outcome), run.end,
-                           run.outcome == MmsOutcome::waiting ? " (--presses N presses it N times)" : "",
+                           run.outcome == MmsOutcome::waiting ? " (use --presses N to press it N times)" : "",
                            counted(static_cast<int>(run.lines), "line", "lines"), run.clock)) +
          "\n" + score_line(mouse, maze, run.statistics);
 }

@@ -22,7 +22,7 @@ Discoveries read_discoveries(PageRequest& request, const Maze& maze, int frames)
   const Size size = maze.size();
   const ReadJson& known = request.list("known");
   if (known.size() != 2 * static_cast<std::size_t>(size.area()))
-    request.reject(fmt::format("'known' is of {} walls where {} are due", known.size(), 2 * size.area()));
+    request.reject(fmt::format("'known' has {} walls instead of {}", known.size(), 2 * size.area()));
   Discoveries discoveries(static_cast<std::size_t>(frames));
   if (!request.error().empty()) return discoveries;
   WallSet closed = WallSet::all(size);
@@ -73,7 +73,7 @@ PageReply answer_beliefs(const ReadJson& json, std::string_view) {
   const int stride = request.whole("stride", 1, Motion::max_longest);
   if (!request.error().empty()) return failed(request.error());
   const std::size_t bytes = 2 * static_cast<std::size_t>(maze.maze.size().area()) * static_cast<std::size_t>(frames);
-  if (bytes > most_bytes) return failed(fmt::format("what was believed in {} frames is too much for a page", frames));
+  if (bytes > most_bytes) return failed(fmt::format("{} frames are too many for the page", frames));
   const Discoveries discoveries = read_discoveries(request, maze.maze, frames);
   if (!request.error().empty()) return failed(request.error());
   return {Json::object(), beliefs_of(maze.maze, stride, discoveries), {}};

@@ -18,7 +18,7 @@ namespace {
 std::string too_large(const NamedMaze& maze) {
   const Size size = maze.maze.size();
   if (std::max(size.width, size.height) <= max_drive_side) return "";
-  return fmt::format("{} has {}x{} cells; in seconds mazes have up to {}x{}", maze.name, size.width, size.height,
+  return fmt::format("{} is {}x{}; the world in seconds takes mazes up to {}x{}", maze.name, size.width, size.height,
                      max_drive_side, max_drive_side);
 }
 
@@ -34,13 +34,13 @@ PageReply answer_drive(const ReadJson& json, std::string_view) {
   if (!request.error().empty()) return failed(request.error());
   const SpecResult mice = read_page_mice({&spec, 1});
   if (!mice.error.empty()) return failed(mice.error);
-  if (mice.contestants.size() != 1) return failed(fmt::format("'{}' names several mice; one drives here", spec));
+  if (mice.contestants.size() != 1) return failed(fmt::format("'{}' names several mice; name exactly one", spec));
   const Contestant& mouse = mice.contestants.front();
   if (auto reason = refuse_to_drive(mice.contestants); !reason.empty()) return failed(std::move(reason));
   std::optional<DriveModel> model = page_robot(robot_name);
-  if (!model) return failed(fmt::format("there is no robot '{}' in the page", robot_name));
+  if (!model) return failed(fmt::format("the page has no robot '{}'", robot_name));
   std::optional<DriveRules> rules = page_rules(rules_name);
-  if (!rules) return failed(fmt::format("there are no rules '{}' in the page", rules_name));
+  if (!rules) return failed(fmt::format("the page has no rules '{}'", rules_name));
   DriveRecordFile file;
   file.maze_name = maze.name;
   file.maze = maze.maze;

@@ -49,7 +49,7 @@ Problem json_problem(std::string_view text) {
   const std::string_view before = text.substr(0, mistake.bytes == 0 ? 0 : std::min(mistake.bytes - 1, text.size()));
   const auto line_begin = before.rfind('\n') == std::string_view::npos ? 0 : before.rfind('\n') + 1;
   return {static_cast<int>(std::count(before.begin(), before.end(), '\n')) + 1,
-          static_cast<int>(before.size() - line_begin) + 1, "no JSON: " + without_place(mistake.words)};
+          static_cast<int>(before.size() - line_begin) + 1, "not valid JSON: " + without_place(mistake.words)};
 }
 
 bool is_too_deep(std::string_view text) {

@@ -22,7 +22,7 @@ unsigned closed_sides(const Maze& maze, Cell cell) {
 std::vector<unsigned> read_walls(JsonFields& fields, Size size) {
   const ReadJson& list = fields.list("walls");
   if (list.size() != static_cast<std::size_t>(size.area()))
-    fields.fail(fmt::format("has walls of {} cells where {}x{} are due", list.size(), size.width, size.height));
+    fields.fail(fmt::format("has walls for {} cells instead of {}x{}", list.size(), size.width, size.height));
   std::vector<unsigned> walls;
   for (std::size_t i = 0; i < static_cast<std::size_t>(size.area()); ++i)
     walls.push_back(i < list.size() ? static_cast<unsigned>(fields.whole(list[i], "walls", 0, 15)) : 0);
@@ -53,7 +53,7 @@ CellSet read_goals(JsonFields& fields, Size size) {
     if (const Cell cell = fields.cell(goal, "goals"); size.contains(cell))
       goals.insert(cell);
     else
-      fields.fail("has a goal outside");
+      fields.fail("has a goal outside the maze");
   if (goals.empty()) fields.fail("has no goal");
   return goals;
 }
@@ -82,7 +82,7 @@ MazeDataResult read_maze_data(const ReadJson& json, const std::string& path) {
   const std::vector<unsigned> walls = read_walls(fields, size);
   const Cell start = fields.cell("start");
   const Heading heading = fields.heading("heading");
-  if (!size.contains(start)) fields.fail("has its start outside");
+  if (!size.contains(start)) fields.fail("has its start outside the maze");
   const CellSet goals = read_goals(fields, size);
   MazeDraft draft(size, MazeDraft::Inside::closed);
   open_walls(walls, draft, fields);

@@ -63,7 +63,7 @@ PageReply answer_builtin_maze(const ReadJson& json, std::string_view) {
   if (!request.error().empty()) return failed(request.error());
   for (const BuiltinMaze& builtin : builtin_mazes())
     if (builtin.name == name) return answered({{"maze", maze_data(name, *read_maze(builtin.text).maze)}});
-  return failed(fmt::format("there is no built-in maze '{}'", name));
+  return failed(fmt::format("unknown built-in maze '{}'", name));
 }
 
 PageReply answer_make_maze(const ReadJson& json, std::string_view) {
@@ -74,7 +74,7 @@ PageReply answer_make_maze(const ReadJson& json, std::string_view) {
   const GeneratorOrder order{size, request.seed(), static_cast<int>(std::lround(loops * 1000.0))};
   if (!request.error().empty()) return failed(request.error());
   const Generator* generator = find_generator(name);
-  if (generator == nullptr) return failed(fmt::format("there is no generator '{}'", name));
+  if (generator == nullptr) return failed(fmt::format("unknown generator '{}'", name));
   if (const auto reason = generator->refuses(order); !reason.empty()) return failed(std::string(reason));
   return answered({{"maze", maze_data(name_of_made(*generator, order), generator->make(order))}});
 }

@@ -27,7 +27,7 @@ std::string needs_file(const RosterEntry& mouse, std::string_view assignment) {
     if (parameter.name != key || parameter.type != ParameterType::prior) continue;
     const auto choices = choices_of(parameter);
     if (std::find(choices.begin(), choices.end(), value) == choices.end())
-      return fmt::format("prior '{}' of mouse '{}' is a file, and a page reads none; it has {}", value, mouse.name,
+      return fmt::format("prior '{}' of mouse '{}' is a file, which the page cannot read; it has {}", value, mouse.name,
                          fmt::join(choices, ", "));
   }
   return "";
@@ -36,7 +36,7 @@ std::string needs_file(const RosterEntry& mouse, std::string_view assignment) {
 std::string refused(std::string_view spec) {
   while (!spec.empty()) {
     if (is_guest_spec(spec))
-      return fmt::format("guest '{}' is a program, and a page starts none; `labmouse race` does", spec);
+      return fmt::format("guest '{}' is a program, which the page cannot start; use `labmouse race`", spec);
     std::string_view mouse = next_piece(spec, ',');
     const RosterEntry* entry = find_mouse(next_piece(mouse, ':'));
     while (entry != nullptr && !mouse.empty())

@@ -56,8 +56,8 @@ bool is_markup(std::string_view text) {
 
 PageReply open_markup(const std::string& name, std::string_view text) {
   const bool ours = text.find("labmouse") != std::string_view::npos && !gist(text).starts_with("<svg");
-  return failed(ours ? fmt::format("{} is a page of labmouse: open it by itself, as any page", name)
-                     : fmt::format("{} is a page or a picture; here go mazes, records and results of races", name));
+  return failed(ours ? fmt::format("{} is a labmouse page; open it in the browser, like any web page", name)
+                     : fmt::format("{} is a web page or a picture; open mazes, records or race results here", name));
 }
 
 PageReply open_record(const std::string& name, std::string_view text, std::optional<NamedMaze> maze) {
@@ -85,18 +85,19 @@ PageReply open_drive_record(const std::string& name, std::string_view text) {
 /// Who wrote results that this version cannot read, where they say so.
 std::string writer_of(const ReadJson& json) {
   if (!json.contains("labmouse") || !json["labmouse"].is_string() || json["labmouse"] == version()) return "";
-  return fmt::format("; labmouse {} wrote them, and this is {}", json["labmouse"].get<std::string>(), version());
+  return fmt::format("; they were written by labmouse {}, and this is {}", json["labmouse"].get<std::string>(),
+                     version());
 }
 
 PageReply open_results(const std::string& name, std::string_view text) {
   const ReadJson json = ReadJson::parse(text, nullptr, false);
-  if (json.is_discarded()) return failed(fmt::format("{} is not readable JSON", name), {json_problem(text)});
+  if (json.is_discarded()) return failed(fmt::format("{} is not valid JSON", name), {json_problem(text)});
   if (!json.is_object() || !json.contains("mice"))
     return failed(fmt::format("{} is JSON, but neither a record nor the results of a race", name));
   Json results;
   std::string error = read_results(json, results);
   if (!error.empty())
-    return failed(fmt::format("{} has results of a race that cannot be read{}", name, writer_of(json)),
+    return failed(fmt::format("{} holds race results that cannot be read{}", name, writer_of(json)),
                   {{0, 0, std::move(error)}});
   return answered({{"kind", "results"}, {"results", std::move(results)}});
 }
@@ -122,7 +123,7 @@ PageReply answer_open(const ReadJson& json, std::string_view bytes) {
   if (is_markup(text)) return open_markup(name, text);
   if (text.front() != '{' && text.front() != '[') return open_maze(name, bytes);
   if (is_too_deep(text))
-    return failed(fmt::format("{} is JSON, but has more lists and objects in each other than any of ours", name));
+    return failed(fmt::format("{} is JSON, but its lists and objects are nested too deeply", name));
   const std::string kind = kind_of_first_line(text);
   if (kind == "record") return open_record(name, bytes, std::move(maze));
   if (kind == "mms record") return open_mms_record(name, bytes);

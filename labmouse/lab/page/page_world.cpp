@@ -17,7 +17,7 @@ std::string setting_in(PageRequest& request, const WorldSetting& setting) {
   }
   std::string text = request.text(key.c_str());
   if (text.find('/') != std::string::npos || text.ends_with(".toml"))
-    request.reject(fmt::format("'{}' is a file, and a page reads none", key));
+    request.reject(fmt::format("'{}' is a file, which the page cannot read", key));
   return text;
 }
 
@@ -27,7 +27,7 @@ std::shared_ptr<const World> read_page_world(PageRequest& request) {
   const std::string name = request.has("world") ? request.text("world") : std::string(all_worlds().front()->name);
   const WorldEntry* entry = find_world(name);
   if (entry == nullptr) {
-    request.reject(fmt::format("there is no world '{}'", name));
+    request.reject(fmt::format("unknown world '{}'", name));
     return nullptr;
   }
   WorldSettings settings;

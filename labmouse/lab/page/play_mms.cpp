@@ -164,7 +164,7 @@ Json header_json(const MmsRecordFile& file) {
           {"visited", nullptr},
           {"last_words", file.end ? file.end->errors : ""},
           {"counts", Json::array()},
-          {"checked", file.left_out == 0 ? "" : fmt::format("{} more events were not written down", file.left_out)},
+          {"checked", file.left_out == 0 ? "" : fmt::format("{} more events were not recorded", file.left_out)},
           {"ended", file.end.has_value()}};
 }
 

@@ -5,7 +5,7 @@
 namespace labmouse {
 
 PageReply disagreed(const std::string& name, std::string disagreement) {
-  return failed(fmt::format("{} does not agree with its maze", name), {{0, 0, std::move(disagreement)}});
+  return failed(fmt::format("{} does not match its maze", name), {{0, 0, std::move(disagreement)}});
 }
 
 PlayedRecord played(const std::string& name, RecordFile file) {
@@ -20,7 +20,7 @@ PlayedRecord read_played(const std::string& name, std::string_view text, std::op
   if (!read.file) return {std::nullopt, {fmt::format("{} is not a readable record", name), std::move(read.problems)}};
   if (!read.file->maze && !maze)
     return {std::nullopt,
-            {fmt::format("{} is a record without its maze: open the maze first, then the record again", name), {}}};
+            {fmt::format("{} is a record without its maze; open the maze first, then the record again", name), {}}};
   if (!read.file->maze) {
     read.file->maze = maze->maze;
     read.file->maze_name = std::move(maze->name);

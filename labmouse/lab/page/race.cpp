@@ -29,7 +29,7 @@ std::vector<Contestant> read_mice(PageRequest& request, const World* world) {
     if (spec.is_string())
       specs.push_back(spec.get<std::string>());
     else
-      request.reject("'mice' has an entry that is not text");
+      request.reject("'mice' has an entry that is not a string");
   SpecResult result = read_page_mice(specs);
   request.reject(result.error);
   for (const Contestant& mouse : result.contestants) request.reject(world->refuse(mouse));
@@ -42,12 +42,12 @@ std::vector<NamedMaze> read_mazes(PageRequest& request, const World* world) {
     mazes.push_back(request.maze_at(each, fmt::format("mazes[{}]", mazes.size())));
     const auto same = [&](const NamedMaze& maze) { return maze.name == mazes.back().name; };
     if (std::count_if(mazes.begin(), mazes.end(), same) > 1)
-      request.reject(fmt::format("two mazes are called '{}'", mazes.back().name));
+      request.reject(fmt::format("two mazes are named '{}'", mazes.back().name));
     if (const std::string reason = world != nullptr ? world->refuse(mazes.back().maze) : ""; !reason.empty())
       request.reject(fmt::format("{} {}", mazes.back().name, reason));
     if (!request.error().empty()) break;
   }
-  if (mazes.empty()) request.reject("a race needs a maze");
+  if (mazes.empty()) request.reject("a race needs at least one maze");
   return mazes;
 }
 
@@ -62,7 +62,7 @@ PageReply answer_run(const ReadJson& json, std::string_view) {
   if (!request.error().empty()) return failed(request.error());
   const SpecResult mice = read_page_mice({&spec, 1});
   if (!mice.error.empty()) return failed(mice.error);
-  if (mice.contestants.size() != 1) return failed(fmt::format("'{}' names several mice; one runs here", spec));
+  if (mice.contestants.size() != 1) return failed(fmt::format("'{}' names several mice; name exactly one", spec));
   const Contestant& mouse = mice.contestants.front();
   const auto mind = mouse.make(maze.maze, rules, seed);
   mind->keep_reasons();
@@ -81,9 +81,8 @@ PageReply answer_race(const ReadJson& json, std::string_view) {
   order.seed = request.seed();
   if (!request.error().empty()) return failed(request.error());
   if (const auto contests = contests_of(mice, mazes.size(), order); contests > most_contests)
-    return failed(
-        fmt::format("a race of {} contests is too long for a page, which holds {} at most; `labmouse race` holds it",
-                    contests, most_contests));
+    return failed(fmt::format("{} contests are too many for the page, whose limit is {}; use `labmouse race`", contests,
+                              most_contests));
   const Race race = hold_race(std::move(mice), std::move(mazes), order);
   return answered({{"results", race_json({&race, 1}, {})}});
 }

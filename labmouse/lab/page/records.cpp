@@ -30,7 +30,7 @@ std::vector<StepReasons> reasons_again(const RecordFile& file) {
 /// A record of mms stands in a report as it is.
 PageReply unpack_mms(const ReadJson& text) {
   ReadMmsRecordResult read = read_mms_record(text.get<std::string>());
-  if (!read.file) return failed("the report has a record of mms that cannot be read", std::move(read.problems));
+  if (!read.file) return failed("the report has an mms record that cannot be read", std::move(read.problems));
   PlayResult result = play_json(*read.file);
   if (!result.disagreement.empty()) return disagreed("the record", std::move(result.disagreement));
   return answered({{"play", std::move(result.play)}, {"record", text}});

@@ -72,12 +72,12 @@ class Taker {
       if (good(value))
         out_[key][name] = value;
       else
-        wrong(key, fmt::format("has a wrong value of '{}'", name));
+        wrong(key, fmt::format("has an invalid value for '{}'", name));
     return *this;
   }
   Taker& text_list(const char* key) {
     return list(key, [](const ReadJson& text, const std::string& path, std::string& error) {
-      if (!text.is_string()) error = fmt::format("'{}' is not a text", path);
+      if (!text.is_string()) error = fmt::format("'{}' is not a string", path);
       return Json(text);
     });
   }

@@ -30,9 +30,9 @@ PageReply answer_write_maze(const ReadJson& json, std::string_view) {
   const std::string name = request.text("format");
   if (!request.error().empty()) return failed(request.error());
   const Format* format = find_format(name);
-  if (format == nullptr) return failed(fmt::format("there is no format '{}'", name));
+  if (format == nullptr) return failed(fmt::format("unknown format '{}'", name));
   const WriteResult written = format->write(maze.maze);
-  if (!written.content) return failed(fmt::format("format {} cannot hold this maze: {}", name, written.reason));
+  if (!written.content) return failed(fmt::format("the format {} cannot hold this maze: {}", name, written.reason));
   Json answer = {{"file_name", file_name(maze.name, *format)}};
   if (format->name == maz_format.name)
     answer["bytes"] = bytes_json(*written.content);
@@ -53,7 +53,7 @@ PageReply answer_read_link(const ReadJson& json, std::string_view) {
   const std::string link = request.text("link");
   if (!request.error().empty()) return failed(request.error());
   ReadLinkResult read = read_link(link);
-  if (!read.maze) return failed("the link holds no maze", {{0, 0, std::move(read.error)}});
+  if (!read.maze) return failed("the link does not contain a maze", {{0, 0, std::move(read.error)}});
   return answered({{"maze", maze_data(read.maze->name, read.maze->maze)}});
 }
 

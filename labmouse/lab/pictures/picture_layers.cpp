@@ -21,16 +21,16 @@ struct LayerLine {
 };
 
 constexpr std::array<LayerLine, 10> lines = {{
-    {"heat", "how often the exploration came into each cell", true},
-    {"path", "the speed run with its steps numbered; of a maze alone a shortest run", false},
-    {"exploration", "the way of the exploration: to the goal, and from there to the reset", true},
-    {"known", "walls not known at the end of the exploration, drawn faintly", true},
-    {"wrong", "closed walls among them, which an optimist takes for open", true},
+    {"heat", "how often the exploration entered each cell", true},
+    {"path", "the speed run with its steps numbered; for a maze alone, a shortest run", false},
+    {"exploration", "the path of the exploration: to the goal, and from there to the reset", true},
+    {"known", "walls still unknown at the end of the exploration, drawn faintly", true},
+    {"wrong", "those of them that are closed, though an optimist assumes they are open", true},
     {"shares", "the cells visited and discovered, and their shares", true},
     {"distances", "steps from each cell to the goal", false},
-    {"cells", "cells walked from each cell to the goal", false},
+    {"cells", "cells to walk from each cell to the goal", false},
     {"coordinates", "the numbers of columns and rows", false},
-    {"candidates", "unseen walls among which it chose last, if it kept its reasons", true},
+    {"candidates", "the unseen walls it last chose from, if the record has reasons", true},
 }};
 
 const LayerLine& line_of(Layer layer) { return lines[static_cast<std::size_t>(layer)]; }
@@ -39,9 +39,9 @@ std::string unknown_name(std::string_view name) {
   std::vector<std::string_view> names;
   for (const LayerLine& line : lines) names.push_back(line.name);
   const auto near = nearest_name(name, names);
-  return fmt::format(
-      "layer '{}' is unknown; {}", name,
-      near.empty() ? fmt::format("there are {}", fmt::join(names, ", ")) : fmt::format("did you mean '{}'?", near));
+  return fmt::format("unknown layer '{}'; {}", name,
+                     near.empty() ? fmt::format("the layers are {}", fmt::join(names, ", "))
+                                  : fmt::format("did you mean '{}'?", near));
 }
 
 void add_labels(const Maze& maze, const Motion& motion, std::string meaning, DrawingLayers& layers) {
@@ -136,7 +136,7 @@ LayersResult read_layers(std::string_view names) {
     result.layers.insert(static_cast<Layer>(line - lines.begin()));
   }
   if (result.layers.contains(Layer::distances) && result.layers.contains(Layer::cells))
-    return {{}, "layers distances and cells write into the same places; choose one"};
+    return {{}, "the layers distances and cells write in the same places; choose one"};
   return result;
 }
 

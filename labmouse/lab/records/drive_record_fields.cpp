@@ -19,7 +19,7 @@ CellSet rows_in(JsonFields& fields, const char* key, Size size) {
   CellSet cells;
   const ReadJson& rows = fields.list(key);
   if (rows.size() != static_cast<std::size_t>(size.height))
-    fields.fail(fmt::format("has {} rows where the maze has {}", rows.size(), size.height));
+    fields.fail(fmt::format("has {} rows, but the maze has {}", rows.size(), size.height));
   for (std::size_t y = 0; y < rows.size() && fields.error().empty(); ++y) {
     const auto bits = rows[y].is_string() ? hexadecimal(rows[y].get<std::string>()) : std::nullopt;
     if (!bits) return fields.fail("has a row that is not a hexadecimal number"), cells;
@@ -89,7 +89,7 @@ void read_piece(const ReadJson& json, JsonFields& fields, const DriveTables& tab
     const auto [end, error] = std::from_chars(piece.data() + 1, piece.data() + piece.size(), segment.units);
     const bool good = error == std::errc() && end == piece.data() + piece.size() && segment.units >= 0 &&
                       segment.units <= StraightTimes::longest && segment.from.diagonal() == piece.starts_with('D');
-    if (!good) fields.fail("has a piece that is not a straight from there");
+    if (!good) fields.fail("has a piece that is not a valid straight there");
     return;
   }
   segment.kind = DriveSegment::Kind::turn;
@@ -98,7 +98,8 @@ void read_piece(const ReadJson& json, JsonFields& fields, const DriveTables& tab
   const auto turn = sided && json.contains("speed") && json["speed"].is_number()
                         ? find_turn(tables, piece.substr(1), segment.from.diagonal(), json["speed"].get<double>())
                         : std::nullopt;
-  if (!turn) fields.fail("has a piece that is neither a straight nor a turn that this robot makes there at that speed");
+  if (!turn)
+    fields.fail("has a piece that is neither a straight nor a turn that this robot can make there at that speed");
   segment.turn = turn.value_or(0);
 }
 

@@ -60,7 +60,7 @@ void Reading::read_maze(const ReadJson& json, JsonFields& outer) {
   file_.maze_name = fields.text("name");
   file_.maze = read_record_maze(fields);
   if (file_.maze && (size().width > max_drive_side || size().height > max_drive_side))
-    fields.fail(fmt::format("is larger than {}x{}, which the world of seconds takes", max_drive_side, max_drive_side));
+    fields.fail(fmt::format("is larger than {}x{}, the limit of the world in seconds", max_drive_side, max_drive_side));
   outer.reject(fields.error());
 }
 
@@ -68,7 +68,7 @@ std::string Reading::read_header(const ReadJson& json) {
   JsonFields fields(json, "");
   if (fields.text("labmouse") != "drive record") fields.fail("is not the header of a record in seconds");
   if (fields.whole("format", 0, 1'000'000) != 1)
-    fields.fail("has a format other than 1, which this version does not know");
+    fields.fail("has a format other than 1, which this version cannot read");
   if (fields.text("world") != "seconds") fields.fail("has a world other than seconds");
   file_.version = fields.text("version");
   for (const char* key : {"maze", "mouse", "robot", "rules", "seed"})
@@ -92,7 +92,7 @@ std::string Reading::read_header(const ReadJson& json) {
 }
 
 std::string Reading::begin_run(const ReadJson& json) {
-  if (running_) return "the line begins a run before the one before it has ended";
+  if (running_) return "the line begins a run before the previous one has ended";
   if (runs().size() >= most_runs) return fmt::format("the record has more than {} runs", most_runs);
   JsonFields fields(json, "");
   DriveRun run;
@@ -116,7 +116,7 @@ std::string Reading::begin_run(const ReadJson& json) {
 }
 
 std::string Reading::end_run(const ReadJson& json) {
-  if (!running_) return "the line ends a run that has not begun";
+  if (!running_) return "the line ends a run that was not begun";
   JsonFields fields(json, "");
   DriveRun& run = runs().back();
   run.end = fields.long_whole("end", 0, longest_time);
@@ -132,7 +132,7 @@ std::string Reading::end_run(const ReadJson& json) {
 
 std::string Reading::read_move(const ReadJson& json) {
   if (!running_ || runs().back().kind == DriveRun::Kind::fast)
-    return "the line has a move outside of a search or a way home";
+    return "the line has a move outside a search or a way home";
   if (++moves_ > most_moves) return fmt::format("the record has more than {} moves", most_moves);
   JsonFields fields(json, "");
   SearchMove move;
@@ -149,7 +149,7 @@ std::string Reading::read_move(const ReadJson& json) {
 }
 
 std::string Reading::read_segment(const ReadJson& json) {
-  if (!running_ || runs().back().kind != DriveRun::Kind::fast) return "the line has a segment outside of a fast run";
+  if (!running_ || runs().back().kind != DriveRun::Kind::fast) return "the line has a segment outside a fast run";
   DriveRoute& route = runs().back().route;
   if (route.segments.size() >= most_segments) return fmt::format("the run has more than {} segments", most_segments);
   JsonFields fields(json, "");
@@ -165,7 +165,7 @@ std::string Reading::read_segment(const ReadJson& json) {
 }
 
 std::string Reading::read_wall(const ReadJson& json) {
-  if (running_) return "the line has a wall inside of a run; walls stand behind all runs";
+  if (running_) return "the line has a wall inside a run; walls come after all runs";
   if (file_.record.walls.size() >= static_cast<std::size_t>(2 * size().area()))
     return "the record has more walls than the maze";
   JsonFields fields(json, "");
@@ -173,7 +173,7 @@ std::string Reading::read_wall(const ReadJson& json) {
   WallSeen seen;
   seen.wall = wall_at(side.cell, side.heading);
   if (side.heading != seen.wall.side || on_border(seen.wall, size()))
-    fields.fail("has a wall that is not an inner one, named by its north or east side");
+    fields.fail("has a wall that is not an inner wall named as the north or east side of a cell");
   seen.open = fields.flag("open");
   seen.time = fields.long_whole("time", 0, longest_time);
   file_.record.walls.push_back(seen);
@@ -210,9 +210,9 @@ std::string Reading::read_end(const ReadJson& json) {
 }
 
 std::string Reading::read_line(const ReadJson& json) {
-  if (file_.ended) return "the line stands behind the end of the record";
+  if (file_.ended) return "the line comes after the end of the record";
   if (!json.is_object()) return "the line is not an object";
-  if (json.contains("labmouse")) return "the line is a second header; a file holds one record";
+  if (json.contains("labmouse")) return "the line is a second header; a file must hold only one record";
   if (json.contains("run")) return begin_run(json);
   if (json.contains("move")) return read_move(json);
   if (json.contains("piece")) return read_segment(json);

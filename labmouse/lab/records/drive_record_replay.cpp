@@ -26,8 +26,8 @@ class Replay {
 
   std::string disagreement() {
     if (file_.tables_hash != file_.model->tables.hash)
-      return fmt::format("the tables of its robot have the hash {}; made again, they have {}",
-                         hash_text(file_.tables_hash), hash_text(file_.model->tables.hash));
+      return fmt::format("the hash of the robot's tables is {}; recomputed, it is {}", hash_text(file_.tables_hash),
+                         hash_text(file_.model->tables.hash));
     const auto& runs = file_.record.runs;
     for (std::size_t i = 0; i < runs.size(); ++i) {
       if (const std::string wrong = play(i); !wrong.empty())
@@ -62,19 +62,21 @@ class Replay {
   /// Whether the contest allows such a run then and there.
   std::string compare_beginning(const DriveRun& run) {
     const bool search = run.kind == DriveRun::Kind::search, fast = run.kind == DriveRun::Kind::fast;
-    if (played_.runs.empty() && !search) return "a contest begins with a search";
+    if (played_.runs.empty() && !search) return "the first run of a contest must be a search";
     // Between two fast runs the mouse is carried; else only a way home goes on from where it is not at rest at the
     // start.
     if (fast && played_.runs.back().kind == DriveRun::Kind::fast) driver_.put(driver_.start(), driver_.clock());
-    if ((search || fast) && driver_.place() != driver_.start()) return "it begins at the start, where the mouse is not";
+    if ((search || fast) && driver_.place() != driver_.start())
+      return "it begins at the start, but the mouse is elsewhere";
     if (!search && !driver_.goal_entered()) return "it begins before a goal was entered";
     if (run.begin != driver_.clock())
-      return fmt::format("recorded to begin at {}; played, at {}", seconds(run.begin), seconds(driver_.clock()));
+      return fmt::format("recorded as beginning at {}; replayed, it begins at {}", seconds(run.begin),
+                         seconds(driver_.clock()));
     if (run.begin >= file_.rules.time_limit)
-      return fmt::format("it begins after the time of {}", seconds(file_.rules.time_limit));
+      return fmt::format("it begins after the time limit of {}", seconds(file_.rules.time_limit));
     starts_ += search || fast ? 1 : 0;
     if (starts_ <= file_.rules.most_runs) return "";
-    return fmt::format("the rules allow {} run{} from the start", file_.rules.most_runs,
+    return fmt::format("the rules allow only {} run{} from the start", file_.rules.most_runs,
                        file_.rules.most_runs == 1 ? "" : "s");
   }
 
@@ -83,13 +85,14 @@ class Replay {
     WallSet closed = WallSet::all(file_.maze->size());
     closed -= known.possible();
     if (run.open != known.open() || run.closed != closed)
-      return fmt::format(
-          "recorded are {} open and {} closed walls at its beginning; played, {} and {}{}", run.open.count(),
-          run.closed.count(), known.open().count(), closed.count(),
-          run.open.count() == known.open().count() && run.closed.count() == closed.count() ? ", other ones" : "");
+      return fmt::format("recorded as beginning with {} open and {} closed walls known; replayed, {} and {}{}",
+                         run.open.count(), run.closed.count(), known.open().count(), closed.count(),
+                         run.open.count() == known.open().count() && run.closed.count() == closed.count()
+                             ? ", but different ones"
+                             : "");
     const DriveTime hoped = time_over(known.possible()), best = time_over(known.open());
     if (run.hoped == hoped && run.known == best) return "";
-    return fmt::format("recorded are a known route of {} and hopes for {}; planned again, {} and {}",
+    return fmt::format("recorded with a known route of {} and a hoped-for one of {}; replayed, {} and {}",
                        route_time(run.known), route_time(run.hoped), route_time(best), route_time(hoped));
   }
 
@@ -102,12 +105,12 @@ class Replay {
     for (std::size_t i = 0; i < run.moves.size(); ++i) {
       const SearchMove& move = run.moves[i];
       if (driver_.clock() >= file_.rules.time_limit)
-        return fmt::format("move {}: it begins after the time of {}", i + 1, seconds(file_.rules.time_limit));
+        return fmt::format("move {}: it begins after the time limit of {}", i + 1, seconds(file_.rules.time_limit));
       if (!driver_.move(move.action, move.replanned, [](const Pose&, const Sighting&) {}))
-        return fmt::format("move {}: it is not a move, or leads through a wall that was not seen to be open", i + 1);
+        return fmt::format("move {}: it is not a valid move, or passes a wall that was not seen to be open", i + 1);
       const SearchMove& made = played_.runs.back().moves.back();
       if (made == move) continue;
-      return fmt::format("move {}: recorded from {} to {}, {} to {}; played from {} to {}, {} to {}", i + 1,
+      return fmt::format("move {}: recorded from {} to {}, {} to {}; replayed from {} to {}, {} to {}", i + 1,
                          pose_words(move.from), pose_words(move.to), seconds(move.begin), seconds(move.end),
                          pose_words(made.from), pose_words(made.to), seconds(made.begin), seconds(made.end));
     }
@@ -118,7 +121,7 @@ class Replay {
     if (!whole) return "";
     const Maze& maze = *file_.maze;
     if (run.route.time != run.known)
-      return fmt::format("its route takes {}; the fastest known one, {}", route_time(run.route.time),
+      return fmt::format("its route takes {}, but the fastest known one takes {}", route_time(run.route.time),
                          route_time(run.known));
     if (std::string wrong = check_route(run.route, driver_.start().pose, maze.size(), driver_.known().open(),
                                         maze.goals(), *file_.model);
@@ -138,10 +141,11 @@ class Replay {
   std::string compare_gates(const DriveRun& run) {
     const DriveRun& played = played_.runs.back();
     if (run.end != played.end)
-      return fmt::format("recorded to end at {}; played, at {}", seconds(run.end), seconds(played.end));
+      return fmt::format("recorded as ending at {}; replayed, it ends at {}", seconds(run.end), seconds(played.end));
     if (run.gate_out == played.gate_out && run.gate_in == played.gate_in && run.centre == played.centre) return "";
     return fmt::format(
-        "recorded to leave the start at {}, enter a goal at {} and reach its middle at {}; played, {}, {} and {}",
+        "recorded as leaving the start at {}, entering a goal at {} and reaching its centre at {}; replayed, at {}, {} "
+        "and {}",
         seconds(run.gate_out), seconds(run.gate_in), seconds(run.centre), seconds(played.gate_out),
         seconds(played.gate_in), seconds(played.centre));
   }
@@ -150,10 +154,10 @@ class Replay {
     const std::vector<WallSeen>& was = file_.record.walls;
     const std::vector<WallSeen>& is = played_.walls;
     if (was.size() != is.size())
-      return fmt::format("recorded are {} walls; played, {} were seen", was.size(), is.size());
+      return fmt::format("{} walls are recorded; replayed, {} are seen", was.size(), is.size());
     for (std::size_t i = 0; i < was.size(); ++i)
       if (was[i] != is[i])
-        return fmt::format("wall {}: recorded {}; played {}", i + 1, wall_words(was[i]), wall_words(is[i]));
+        return fmt::format("wall {}: recorded {}; replayed {}", i + 1, wall_words(was[i]), wall_words(is[i]));
     return "";
   }
 
@@ -167,12 +171,12 @@ class Replay {
     const auto best = played.best ? std::optional(played.runs[*played.best]) : std::nullopt;
     if (best != file_.recorded_score) {
       const auto recorded = file_.recorded_score ? std::optional(file_.recorded_score->value) : std::nullopt;
-      return fmt::format("recorded is a score of {}; played, it is {}{}", seconds(recorded), seconds(played.value()),
-                         recorded == played.value() ? ", of other parts" : "");
+      return fmt::format("the recorded score is {}; replayed, it is {}{}", seconds(recorded), seconds(played.value()),
+                         recorded == played.value() ? ", with different parts" : "");
     }
     const bool in_time = best.has_value();
     if (file_.record.outcome != DriveOutcome::forfeit && in_time != (file_.record.outcome == DriveOutcome::finished))
-      return fmt::format("the record ends '{}'; played, {} run came to a goal in time", name_of(file_.record.outcome),
+      return fmt::format("the record ends '{}'; replayed, {} run reached a goal in time", name_of(file_.record.outcome),
                          in_time ? "a" : "no");
     return "";
   }

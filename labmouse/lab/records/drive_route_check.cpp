@@ -33,9 +33,9 @@ class RouteCheck {
     }
     const DriveNode& end = route_.segments.empty() ? start_ : route_.segments.back().to;
     if (end.place != Place::centre || !goals_.contains(end.cell))
-      return "the route does not end in the middle of a goal";
+      return "the route does not end in the centre of a goal";
     if (last_is_turn() && time_of_nothing(route_.segments.size()) != 0)
-      return "the route ends with a turn that leads on";
+      return "the route ends with a turn that leads further";
     return "";
   }
 
@@ -76,18 +76,18 @@ class RouteCheck {
   std::string wrong_place() const {
     const DriveSegment& segment = here();
     const DriveNode& due = index_ == 0 ? start_ : route_.segments[index_ - 1].to;
-    if (segment.from != due) return "it does not begin where the one before it ends";
-    if (is_turn(segment) && !may_begin()) return "that turn does not begin there";
+    if (segment.from != due) return "it does not begin where the previous segment ends";
+    if (is_turn(segment) && !may_begin()) return "that turn cannot begin there";
     const HalfPoint from = half_point(segment.from), to = half_point(segment.to);
     const int before = eighths(segment.from), after = eighths(segment.to);
     const bool turns = is_turn(segment);
     const int angle = turns ? (segment.left ? -1 : 1) * eighths(turn()) : 0;
     const HalfPoint end = turns ? end_of_turn() : moved(from, before, segment.units);
-    if (to != end || after != (before + 8 + angle) % 8) return "it does not lead to where it is said to end";
+    if (to != end || after != (before + 8 + angle) % 8) return "it does not lead to its recorded end";
     // A turn leads over points ahead of its ends; one of half a turn furthest.
     for (const HalfPoint point :
          {from, to, moved(from, before, turns ? reach_ahead() : 0), moved(to, after, turns ? -1 : 0)})
-      if (!inside(point)) return "it leads out of the maze";
+      if (!inside(point)) return "it leaves the maze";
     return "";
   }
 
@@ -118,16 +118,16 @@ class RouteCheck {
   std::string wrong_time() const {
     const DriveSegment& segment = here();
     const DriveTime begin = index_ == 0 ? 0 : route_.segments[index_ - 1].end;
-    if (segment.begin != begin) return "it does not begin when the one before it ends";
+    if (segment.begin != begin) return "it does not begin when the previous segment ends";
     const DriveSegment* before = index_ > 0 ? turn_at(index_ - 1) : nullptr;
     if (!is_turn(segment) && index_ > 0 && before == nullptr) return "it follows another straight";
     if (is_turn(segment) && (index_ == 0 || before != nullptr) && time_of_nothing(index_) != 0)
-      return "the robot cannot begin it right there";
+      return "the robot cannot begin it there";
     const DriveTime time = is_turn(segment) ? model_.tables.turns[segment.turn].time
                                             : straight_time(segment.units, before, turn_at(index_ + 1));
-    if (time >= no_time) return "the robot cannot change its speed so fast";
+    if (time >= no_time) return "the robot cannot change its speed that fast";
     if (segment.end - segment.begin == time) return "";
-    return fmt::format("recorded {:.6f} s; driven it takes {:.6f} s", (segment.end - segment.begin) / 1e6, time / 1e6);
+    return fmt::format("recorded as {:.6f} s, but it takes {:.6f} s", (segment.end - segment.begin) / 1e6, time / 1e6);
   }
 
   const DriveRoute& route_;

@@ -90,8 +90,8 @@ std::string heading_of(const StepRecord& step, std::size_t candidates, bool goal
 /// The first step of a flood; those that follow it are not told of.
 std::string flood_of(const StepRecord& step) {
   return fmt::format(
-      "\nstep {} at ({},{}): floods from here on. The budget is small for this maze, or half of it is\n"
-      "gone without the goal, so it takes the shortest way that could be open.\n",
+      "\nstep {} at ({},{}): floods from here on. The budget is small for this maze, or half of it was\n"
+      "used without reaching the goal, so it takes the shortest way that could be open.\n",
       step.step, int{step.pose.cell.x}, int{step.pose.cell.y});
 }
 
@@ -99,8 +99,8 @@ std::string flood_of(const StepRecord& step) {
 std::string hope_of(const Reasons& reasons) {
   const std::string known = fmt::format("The known run takes {} steps.\n", steps_text(reasons.known));
   const Candidate* nearest = nearest_to_worth(reasons);
-  if (nearest == nullptr) return known + "No unseen wall is left through which another could lead.\n";
-  return known + fmt::format("The best hope: {} through {}; a look at it counts {}. Not worth it.\n",
+  if (nearest == nullptr) return known + "No unseen wall is left that a better run could pass.\n";
+  return known + fmt::format("The best hope: {} through {}; looking at it costs {}. Not worth it.\n",
                              steps_text(reasons.hope), label_of(*nearest), steps_text(reasons.price));
 }
 
@@ -109,14 +109,14 @@ std::string reset_of(const RecordFile& file, const StepRecord& step) {
   const auto& all = file.run.reasons;
   const auto why =
       std::find_if(all.begin(), all.end(), [&](const StepReasons& each) { return each.step == step.step; });
-  if (why == all.end()) return fmt::format("step {}: reset without weighing the walls anew, {}.\n", step.step, left);
+  if (why == all.end()) return fmt::format("step {}: reset without reconsidering the walls, {}.\n", step.step, left);
   if (why->reasons.ground == Ground::no_loops)
     return fmt::format(
         "step {}: reset at the goal. The walls seen look like those of a maze without loops,\n"
-        "where no other run is to be found. The known run takes {} steps.\n",
+        "where there is no other run. The known run takes {} steps.\n",
         step.step, steps_text(why->reasons.known));
   if (why->reasons.chosen < 0) return fmt::format("step {}: reset. ", step.step) + hope_of(why->reasons);
-  return fmt::format("step {}: reset all the same, {}; the known run takes {}.\n", step.step, left,
+  return fmt::format("step {}: reset anyway, {}; the known run takes {}.\n", step.step, left,
                      steps_text(why->reasons.known));
 }
 
@@ -136,9 +136,9 @@ std::string ending_of(const RecordFile& file) {
 /// What the columns are.
 std::string key_of(const RunRecord& run) {
   std::string key =
-      "T: steps of the run through that wall, with a guess for walls not yet seen.\n"
-      "travel: steps to the cell from which it is seen. score: in steps; the lowest is\n"
-      "chosen (>) among those that are worth the way (others: -).\n";
+      "T: steps of the best run through that wall, guessing at walls not yet seen.\n"
+      "travel: steps to the cell from which it can be seen. score: in steps; the lowest\n"
+      "is chosen (>) among those worth the trip (the others are marked -).\n";
   const auto least = [](const StepReasons& a, const StepReasons& b) { return a.reasons.way_here < b.reasons.way_here; };
   const double way_here = std::min_element(run.reasons.begin(), run.reasons.end(), least)->reasons.way_here;
   if (way_here >= 1) return key;
@@ -166,9 +166,9 @@ std::string explanation_of(const RecordFile& file, int candidates) {
 }
 
 std::string ground_words(const Reasons& reasons) {
-  if (reasons.ground == Ground::flood) return "a flood, for want of time to weigh candidates";
+  if (reasons.ground == Ground::flood) return "a flood, for lack of time to weigh candidates";
   if (reasons.ground == Ground::no_loops) return "the walls seen look like those of a maze without loops";
-  if (reasons.candidates.empty()) return "no unseen wall is left through which a better run could lead";
+  if (reasons.candidates.empty()) return "no unseen wall is left that a better run could pass";
   const std::string all = counted(static_cast<int>(reasons.candidates.size()), "candidate", "candidates");
   return (reasons.chosen < 0 ? "none is worth its price, of " : "the lowest score, of ") + all;
 }

@@ -27,9 +27,8 @@ std::string read_mouse_field(const ReadJson& json, MmsRecordFile& file) {
 
 std::string read_header(const ReadJson& json, MmsRecordFile& file) {
   JsonFields fields(json, "");
-  if (fields.text("labmouse") != "mms record") fields.fail("is not the header of a record of mms");
-  if (fields.whole("format", 0, largest) != 1)
-    fields.fail("has a format other than 1, which this version does not know");
+  if (fields.text("labmouse") != "mms record") fields.fail("is not the header of an mms record");
+  if (fields.whole("format", 0, largest) != 1) fields.fail("has a format other than 1, which this version cannot read");
   file.version = fields.text("version");
   for (const char* key : {"maze", "mouse"})
     if (!fields.has(key)) fields.reject(fmt::format("'{}' is missing", key));
@@ -53,7 +52,7 @@ HalfPlace read_place(JsonFields& fields, Size size) {
 }
 
 std::string read_event(const ReadJson& json, MmsRecordFile& file) {
-  if (file.left_out > 0) return "the line stands behind those that were left out";
+  if (file.left_out > 0) return "the line comes after the one that counts omitted events";
   if (file.events.size() >= most_events) return fmt::format("the record has more than {} events", most_events);
   JsonFields fields(json, "");
   RecordedMmsEvent event;
@@ -97,7 +96,7 @@ std::string read_end(const ReadJson& json, MmsRecordFile& file) {
     if (sentence.is_string())
       end.log.push_back(sentence.get<std::string>());
     else
-      fields.fail("has a log with a line that is not text");
+      fields.fail("has a log entry that is not a string");
   end.errors = fields.text("errors");
   end.clock = fields.number("clock", 0, no_limit);
   file.end = std::move(end);
@@ -106,13 +105,13 @@ std::string read_end(const ReadJson& json, MmsRecordFile& file) {
 
 /// Reads one line after the header; returns what is wrong, or nothing.
 std::string read_line(const ReadJson& json, MmsRecordFile& file) {
-  if (file.end) return "the line stands behind the end of the record";
+  if (file.end) return "the line comes after the end of the record";
   const auto has = [&](const char* key) { return json.is_object() && json.contains(key); };
   if (has("outcome")) return read_end(json, file);
-  if (has("labmouse")) return "the line is a second header; a file holds one record";
+  if (has("labmouse")) return "the line is a second header; a file must hold only one record";
   if (!has("left_out")) return read_event(json, file);
   JsonFields fields(json, "");
-  if (file.left_out > 0) fields.fail("says a second time what was left out");
+  if (file.left_out > 0) fields.fail("counts the omitted events a second time");
   file.left_out = read_count(fields, json, "left_out");
   return fields.error();
 }

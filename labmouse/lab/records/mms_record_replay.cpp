@@ -15,7 +15,7 @@ std::string words_of(std::string_view reply, const HalfPose& pose) {
 std::string compare(const MmsStatistics& was, const MmsStatistics& is) {
   for (const MmsStatistic& statistic : mms_statistics)
     if (const float recorded = was.*statistic.value, played = is.*statistic.value; recorded != played)
-      return fmt::format("the record ends with {} {}; played, it is {}", statistic.name, recorded, played);
+      return fmt::format("the record ends with {} {}; replayed, it is {}", statistic.name, recorded, played);
   return was.solved == is.solved ? "" : "the record and the simulator disagree on whether the mouse was in the goal";
 }
 
@@ -38,9 +38,10 @@ std::string replay(const MmsRecordFile& file, const std::function<void(std::size
     played = {};
     replies.clear();
     host.obey(event.line, replies);
-    if (!played.any) return fmt::format("event {}: its line neither moves nor draws anything in this maze", i + 1);
+    if (!played.any)
+      return fmt::format("event {}: in this maze its line neither moves the mouse nor draws anything", i + 1);
     if (played.reply != event.reply || played.pose != event.pose)
-      return fmt::format("event {}: recorded {}; played {}", i + 1, words_of(event.reply, event.pose),
+      return fmt::format("event {}: recorded {}; replayed {}", i + 1, words_of(event.reply, event.pose),
                          words_of(played.reply, played.pose));
     after(i, host);
   }

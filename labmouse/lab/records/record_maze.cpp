@@ -37,7 +37,7 @@ Json record_maze_json(const std::string& name, const Maze& maze) {
 std::optional<Maze> read_record_maze(JsonFields& fields) {
   std::string drawing;
   for (const ReadJson& row : fields.list("drawing")) {
-    if (!row.is_string()) return fields.fail("has a drawing with a line that is not text"), std::nullopt;
+    if (!row.is_string()) return fields.fail("has a drawing with a line that is not a string"), std::nullopt;
     drawing += row.get<std::string>() + "\n";
   }
   const ReadResult read = drawing_format.read(drawing);
@@ -52,7 +52,7 @@ std::optional<Maze> read_record_maze(JsonFields& fields) {
   CellSet outside = goals;
   outside -= CellSet::all(read.maze->size());
   if (goals.empty() || !outside.empty() || !read.maze->size().contains(start))
-    fields.fail("has a start or goals outside of the maze, or no goal");
+    fields.fail("has a start or a goal outside the maze, or no goal");
   if (!fields.error().empty()) return std::nullopt;
   return read.maze->with_goals(goals).with_start(start, heading);
 }

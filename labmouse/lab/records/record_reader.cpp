@@ -31,10 +31,10 @@ std::string read_mouse_field(const ReadJson& json, RecordFile& file) {
 std::string read_header(const ReadJson& json, RecordFile& file) {
   JsonFields fields(json, "");
   if (fields.text("labmouse") == "mms record")
-    fields.fail("is the header of a record of mms, which is drawn but not played again");
+    fields.fail("is the header of an mms record, which can be drawn but not replayed");
   if (fields.text("labmouse") != "record") fields.fail("is not the header of a record");
   if (fields.whole("format", 0, 1'000'000) != 1)
-    fields.fail("has a format other than 1, which this version does not know");
+    fields.fail("has a format other than 1, which this version cannot read");
   if (!fields.error().empty()) return fields.error();
   if (fields.has("version")) file.version = fields.text("version");
   if (fields.has("seed") && !json["seed"].is_number_unsigned()) return "'seed' is not a number from 0 to 2^64 - 1";
@@ -92,7 +92,7 @@ std::string read_step(const ReadJson& json, RecordFile& file) {
   StepRecord step = read_given(fields, given);
   step.step = fields.has("step") ? fields.whole("step", 1, longest_record) : due;
   step.action = fields.has("action") ? read_action(json["action"], fields) : (fields.fail("has no action"), Action());
-  if (step.step != due) fields.fail(fmt::format("has step {} where step {} is due", step.step, due));
+  if (step.step != due) fields.fail(fmt::format("has step {} instead of step {}", step.step, due));
   file.run.steps.push_back(step);
   file.given.push_back(given);
   if (!fields.has("reasons") || !fields.error().empty()) return fields.error();
@@ -110,7 +110,7 @@ std::string read_end(const ReadJson& json, RecordFile& file) {
   if (file.given_end.cell) file.run.end.cell = fields.cell("cell");
   if (file.given_end.heading) file.run.end.heading = fields.heading("heading");
   const bool gave_up = !file.run.steps.empty() && file.run.steps.back().action.kind == Action::Kind::forfeit;
-  if (gave_up != (name == name_of(Outcome::forfeit))) fields.fail("and the last step disagree on a forfeit");
+  if (gave_up != (name == name_of(Outcome::forfeit))) fields.fail("and the last step disagree about a forfeit");
   if (const auto outcome = outcome_of(name)) {
     file.run.outcome = *outcome;
     file.ended = true;
@@ -121,10 +121,10 @@ std::string read_end(const ReadJson& json, RecordFile& file) {
 
 /// Reads one line after the header; returns what is wrong, or nothing.
 std::string read_line(const ReadJson& json, RecordFile& file) {
-  if (file.ended) return "the line stands behind the end of the record";
+  if (file.ended) return "the line comes after the end of the record";
   const auto has = [&](const char* key) { return json.is_object() && json.contains(key); };
   if (has("outcome")) return read_end(json, file);
-  if (has("labmouse") && !has("action")) return "the line is a second header; a file holds one record";
+  if (has("labmouse") && !has("action")) return "the line is a second header; a file must hold only one record";
   return read_step(json, file);
 }
 

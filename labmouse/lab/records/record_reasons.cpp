@@ -44,7 +44,7 @@ Candidate read_candidate(JsonFields& fields, Size size) {
   else if (fields.has("wall"))
     fields.fail("has both a goal and a wall");
   candidate.seen_from = fields.cell("seen_from");
-  if (!size.contains(candidate.seen_from)) fields.fail("is seen from outside of the maze");
+  if (!size.contains(candidate.seen_from)) fields.fail("is seen from outside the maze");
   candidate.through = fields.whole("through", 0, largest_cost);
   candidate.travel = fields.whole("travel", 0, largest_cost);
   candidate.worth = !fields.has("worth") || fields.flag("worth");
@@ -56,7 +56,7 @@ Ground read_ground(JsonFields& fields) {
   const std::string name = fields.text("ground");
   for (const Ground ground : {Ground::candidates, Ground::flood, Ground::no_loops})
     if (name == name_of(ground)) return ground;
-  fields.fail("has an unknown ground");
+  fields.fail("has an unknown 'ground'");
   return Ground::candidates;
 }
 
@@ -64,7 +64,7 @@ Ground read_ground(JsonFields& fields) {
 std::string read_candidates(const ReadJson& list, Size size, std::vector<Candidate>& candidates) {
   const int most = 2 * size.area();
   if (list.size() > static_cast<std::size_t>(most))
-    return fmt::format("'reasons.candidates' has more than {} of them", most);
+    return fmt::format("'reasons.candidates' has more than {} entries", most);
   candidates.reserve(list.size());
   for (const ReadJson& each : list) {
     JsonFields fields(each, fmt::format("reasons.candidates[{}]", candidates.size()));

@@ -68,7 +68,7 @@ std::string difference(const StepRecord& was, const StepRecord& is, GivenFields 
   given.run = given.run && was.run != is.run;
   given.blocked = given.blocked && was.blocked != is.blocked;
   const GivenFields all = {given.run, true, true, true, given.blocked};
-  std::string words = fmt::format("recorded {}; played {}", step_words(was, given), step_words(is, all));
+  std::string words = fmt::format("recorded {}; replayed {}", step_words(was, given), step_words(is, all));
   // A reading in another place says nothing of the walls of this one.
   if (given.reading && was.sighting != is.sighting && same_pose(was.pose, is.pose, given))
     words += fmt::format("; the maze has {}", wall_words(was.sighting, is));
@@ -79,7 +79,7 @@ std::string difference(const StepRecord& was, const StepRecord& is, GivenFields 
 std::string compare_steps(const RecordFile& file, const RunRecord& played) {
   for (std::size_t i = 0; i < file.run.steps.size(); ++i) {
     if (i >= played.steps.size())
-      return fmt::format("step {} is recorded, but the contest had ended ({})", i + 1, name_of(played.outcome));
+      return fmt::format("step {} is recorded, but the contest ended before it ({})", i + 1, name_of(played.outcome));
     const GivenFields given = i < file.given.size() ? file.given[i] : GivenFields();
     if (!agree(file.run.steps[i], played.steps[i], given))
       return fmt::format("step {}: {}", i + 1, difference(file.run.steps[i], played.steps[i], given));
@@ -96,9 +96,9 @@ std::string end_words(const RunRecord& run, const GivenFields& given) {
 std::string compare_ends(const RecordFile& file, const RunRecord& played) {
   if (!file.ended) return "";
   if (played.steps.size() != file.run.steps.size())
-    return fmt::format("the record ends after step {}, but the contest had not", file.run.steps.size());
+    return fmt::format("the record ends after step {}, but the contest continues", file.run.steps.size());
   if (played.outcome == file.run.outcome && same_pose(file.run.end, played.end, file.given_end)) return "";
-  return fmt::format("the record ends {}; played, it ends {}", end_words(file.run, file.given_end),
+  return fmt::format("the record ends {}; replayed, it ends {}", end_words(file.run, file.given_end),
                      end_words(played, GivenFields()));
 }
 
@@ -106,7 +106,7 @@ std::string compare_ends(const RecordFile& file, const RunRecord& played) {
 std::string compare_reasons(const RecordFile& file, Size size) {
   for (const StepReasons& each : file.run.reasons)
     if (!fit(each.reasons, size))
-      return fmt::format("step {}: its reasons are of walls that the maze does not have", each.step);
+      return fmt::format("step {}: its reasons refer to walls that the maze does not have", each.step);
   return "";
 }
 

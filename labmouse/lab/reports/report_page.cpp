@@ -52,7 +52,7 @@ Json links_of(const ReportResults& results, const ReportRecords& records, std::v
         lost.push_back(wanted.name);
     }
   if (!lost.empty())
-    notes.push_back(shown(fmt::format("left out: {} not found by name as in the race, such as {}",
+    notes.push_back(shown(fmt::format("left out: {} that cannot be found again as raced, such as {}",
                                       counted(static_cast<int>(lost.size()), "maze", "mazes"), lost.front())));
   return links;
 }
@@ -63,9 +63,9 @@ ReportPage failed(std::string error) { return {"", std::move(error), {}}; }
 
 std::string wrong_page(std::string_view page) {
   const auto first = page.find(place);
-  if (first == std::string_view::npos) return fmt::format("is not the page of labmouse: it has no {}", place);
+  if (first == std::string_view::npos) return fmt::format("is not the labmouse page: it has no {}", place);
   if (page.find(place, first + 1) != std::string_view::npos)
-    return fmt::format("is not the page of labmouse: it has more than one {}", place);
+    return fmt::format("is not the labmouse page: it has more than one {}", place);
   return "";
 }
 
@@ -81,8 +81,8 @@ ReportPage make_report(const std::string& path, std::string_view page) {
   const bool is_folder = fs::is_directory(path, unknown);
   const std::string file = is_folder ? (fs::path(path) / results_file_name).string() : path;
   if (is_folder && !fs::exists(file, unknown))
-    return failed(shown(fmt::format("{}: error: has no {}; `labmouse race --out DIR` leaves one in its folder", path,
-                                    results_file_name)));
+    return failed(
+        shown(fmt::format("{}: error: has no {}; `labmouse race --out DIR` creates one", path, results_file_name)));
   const FileContent content = read_file(file, longest_results);
   if (!content.error.empty()) return failed(shown(fmt::format("{}: error: {}", file, content.error)));
   const ReadResultsResult read = read_report_results(content.content);

@@ -96,7 +96,7 @@ class Shelf {
   void add(const RecordPlace& place, Found found) {
     if (found.note.empty() && found.maze && found.own_places &&
         records_.mazes.try_emplace(*place.maze, *found.maze).first->second != *found.maze)
-      found = failed(place, "its maze is not the one that other records of this race have under that name");
+      found = failed(place, "its maze differs from the one that other records of this race have under that name");
     if (!found.note.empty()) return records_.notes.push_back(std::move(found.note));
     if (full() || found.packed.size() > room_) return leave_out(1);
     room_ -= found.packed.size();
@@ -138,10 +138,10 @@ ReportRecords read_report_records(const ReportResults& results, const std::strin
     for (std::size_t i = 0; i < count; ++i) shelf.add(places[begin + i], std::move(found[i]));
   }
   if (shelf.full())
-    shelf.note(fmt::format("left out: {} of {} records, since together they have more than {} bytes", shelf.left_out(),
+    shelf.note(fmt::format("left out: {} of {} records, because together they exceed {} bytes", shelf.left_out(),
                            places.size(), most_bytes));
   if (missing > 0 && !places.empty())
-    shelf.note(fmt::format("left out: {} that should lie in {}", counted(missing, "record", "records"), shown(folder)));
+    shelf.note(fmt::format("left out: {} missing from {}", counted(missing, "record", "records"), shown(folder)));
   return shelf.finish();
 }
 

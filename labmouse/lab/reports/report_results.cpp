@@ -12,7 +12,7 @@ namespace {
 
 constexpr int most_depth = 32;                                 // a race's JSON is 7 deep
 constexpr std::size_t longest_header = std::size_t{1} << 20U;  // bytes of the first line of a record
-constexpr const char* how_to_make = "make one with `labmouse race --format json` or `--out`";
+constexpr const char* how_to_make = "create one with `labmouse race --format json` or `--out`";
 
 /// Reads values and remembers the first that is missing or wrong. In place of that it gives an empty one.
 class Reading {
@@ -22,12 +22,12 @@ class Reading {
   std::string text(const Json& json, const char* key, const std::string& path) {
     const Json& value = get(json, key, path);
     if (value.is_string()) return value.get<std::string>();
-    return wrong(path, key, "is not a text"), "";
+    return wrong(path, key, "is not a string"), "";
   }
   std::uint64_t number(const Json& json, const char* key, const std::string& path) {
     const Json& value = get(json, key, path);
     if (value.is_number_unsigned()) return value.get<std::uint64_t>();
-    return wrong(path, key, "is not a whole number from 0 on"), 0;
+    return wrong(path, key, "is not a whole number of 0 or more"), 0;
   }
   const Json& list(const Json& json, const char* key, const std::string& path) {
     static const Json none = Json::array();
@@ -118,8 +118,9 @@ std::string what_it_is(std::string_view text) {
   if (kind == "drive record")
     return "is the record of one contest in seconds, not a race; `labmouse show --record` draws it";
   if (kind == "mms record") return "is the record of one run of a program for mms, not a race";
-  if (text.starts_with("mouse,maze,")) return fmt::format("is the CSV of a race, which lacks much; {}", how_to_make);
-  if (text.starts_with("<!doctype html")) return "is a page already";
+  if (text.starts_with("mouse,maze,"))
+    return fmt::format("is the CSV of a race, which does not hold enough; {}", how_to_make);
+  if (text.starts_with("<!doctype html")) return "is already a page";
   if (read_maze(text).maze) return "is a maze, not a race; `labmouse show` draws it";
   return "";
 }
@@ -134,11 +135,11 @@ std::optional<Problem> parse(std::string_view text, Json& json) {
   try {
     json = Json::parse(text.begin(), text.end(), watch);
   } catch (const Json::parse_error& error) {
-    return problem_at_byte(text, error.byte, "is not JSON from here on");
+    return problem_at_byte(text, error.byte, "is not valid JSON from here on");
   }
   if (deep)
-    return Problem{0, 0,
-                   fmt::format("is not the JSON of a race: more than {} lists or objects in each other", most_depth)};
+    return Problem{
+        0, 0, fmt::format("is not the JSON of a race: lists and objects are nested more than {} deep", most_depth)};
   return std::nullopt;
 }
 

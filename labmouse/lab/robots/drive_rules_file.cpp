@@ -102,7 +102,7 @@ DriveRulesResult read_drive_rules(std::string_view text, std::string_view name) 
   RulesReader reader(toml.table);
   DriveRules rules;
   rules.name = name;
-  rules.source = shown(reader.text("source", "where and when the rules were in force, in words"));
+  rules.source = shown(reader.text("source", "where and when the rules apply, in words"));
   rules.time_limit = whole_microseconds(reader.number(time_limit));
   rules.most_runs = static_cast<int>(reader.number(runs));
   rules.maze_time_divisor = static_cast<int>(reader.number(maze_time_divisor));

@@ -60,7 +60,7 @@ class RobotReader {
     if (found == nullptr) return key.needed && forms_.has(key) ? missing(key) : void();
     if (!forms_.has(key)) return add(found->source().begin, fmt::format("'{}' {}", key.name, why_not(key, forms_)));
     if (!found->is_number())
-      return add(found->source().begin, fmt::format("'{}' must be a number of {}", key.name, key.unit));
+      return add(found->source().begin, fmt::format("'{}' must be a number, in {}", key.name, key.unit));
     // A whole number that a double cannot hold is far out of any range.
     const double value = found->value<double>().value_or(std::numeric_limits<double>::infinity());
     if (!(value >= key.low && value <= key.high) || (key.whole && !found->is_integer()))

@@ -53,7 +53,7 @@ std::string hint_of(const RobotKey& key, double value) {
   const std::string_view unit = key.unit;
   const bool thousandths = unit.starts_with("mm") || unit == "ms";
   if (!thousandths || !(value * 1e3 >= key.low && value * 1e3 <= key.high)) return "";
-  return fmt::format("; if that is in {}, write {:g}", unit.substr(1), value * 1e3);
+  return fmt::format("; if the value is in {}, write {:g}", unit.substr(1), value * 1e3);
 }
 
 bool RobotForms::has(const RobotKey& key) const {
@@ -72,9 +72,9 @@ bool RobotForms::has(const RobotKey& key) const {
 }
 
 std::string_view why_not(const RobotKey& key, const RobotForms& forms) {
-  if (key.with == With::curves) return "has no meaning beside [turns], which has the times of all turns";
-  return forms.search_times ? "has no meaning beside 'search.cell', which begins a table of times"
-                            : "belongs to a table of times, which needs 'search.cell'";
+  if (key.with == With::curves) return "has no effect together with [turns], which gives the times of all turns";
+  return forms.search_times ? "has no effect together with 'search.cell', which begins a table of times"
+                            : "belongs to a table of times, which also needs 'search.cell'";
 }
 
 }  // namespace labmouse

@@ -41,7 +41,7 @@ std::string straight_line(std::string_view name, double speed, double accelerati
 
 std::string ends_line(const Robot& robot) {
   if (robot.fixed)
-    return fmt::format("{:<9} {:g} mm/s, at the start and the end too; turns from node to node\n", "nodes",
+    return fmt::format("{:<9} {:g} mm/s, also at the start and the end; turns lead from node to node\n", "nodes",
                        robot.fixed->speed);
   return fmt::format("{:<9} at rest, {:g} mm behind the middle of the start cell; at any speed in the goal\n", "runs",
                      robot.run_up);

@@ -80,13 +80,13 @@ std::optional<double> RouteReport::gain_over(DriveTime other) const {
 RouteReport route_report(const Maze& maze, const DriveModel& model) {
   const Size size = maze.size();
   if (size.width > max_drive_side || size.height > max_drive_side)
-    return without_route(fmt::format("is {}x{}; the world of seconds takes mazes up to {}x{}", size.width, size.height,
+    return without_route(fmt::format("is {}x{}; the world in seconds takes mazes up to {}x{}", size.width, size.height,
                                      max_drive_side, max_drive_side));
   RouteReport report;
   report.route = fastest_route(maze, maze.open_walls(), model.tables);
   if (report.route.time >= no_time)
     return without_route(
-        fmt::format("no route leads {} from the start ({},{}) to a goal, and at the start a run cannot turn",
+        fmt::format("no route leads {} from the start ({},{}) to a goal, and a run cannot turn at the start",
                     name_of(maze.start_heading()), maze.start().x, maze.start().y));
   report.cells = walls_of(report.route, model.tables).count();
   report.gate_to_gate = static_cast<DriveTime>(gate_to_gate_of(report.route, maze, model));

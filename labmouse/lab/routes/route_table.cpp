@@ -42,7 +42,7 @@ std::string gain_text(const RouteReport& report, DriveTime other) {
 }
 
 std::string gains_text(const RouteReport& report) {
-  return fmt::format("without diagonals: {}\nwith search turns alone, S90: {}\n",
+  return fmt::format("without diagonals: {}\nwith search turns (S90) only: {}\n",
                      gain_text(report, report.without_diagonals), gain_text(report, report.small_turns));
 }
 
@@ -57,7 +57,7 @@ std::string fewest_text(const RouteReport& report) {
   if (report.cells == report.fewest_cells) return text + "as this route\n";
   const auto loss = loss_of(report);
   text += loss ? fmt::format("at best {:.3f} s, {:.1f} % slower", seconds(*report.fewest_cells_time), 100.0 * *loss)
-               : "their best time not known";
+               : "their best time is unknown";
   return text + fmt::format("; this route enters {}\n", report.cells);
 }
 
@@ -124,15 +124,15 @@ std::string medians_text(const std::vector<RouteReport>& reports) {
       {number(median(times), 3), number(median(without), 3), percent(median(gains)), number(median(small), 3),
        percent(median(small_gains)), number(median(cells), 0), number(median(fewest), 0), "-"},
       "median of " + counted(count, "maze", "mazes"));
-  text += fmt::format("\nIn {} of them ({:.1f} %) the fastest route enters more cells than it must", longer,
+  text += fmt::format("\nIn {} of them ({:.1f} %) the fastest route enters more cells than necessary", longer,
                       100.0 * longer / count);
   if (losses.empty()) return text + ".\n";
   double sum = 0.0;
   for (const double loss : losses) sum += loss;
   return text +
-         fmt::format("; there the fastest of the fewest cells is {:.1f} % slower on average, {:.1f} % at most.\n",
-                     100.0 * sum / static_cast<double>(losses.size()),
-                     100.0 * *std::max_element(losses.begin(), losses.end()));
+         fmt::format(
+             "; there, the fastest route through the fewest cells is {:.1f} % slower on average, {:.1f} % at most.\n",
+             100.0 * sum / static_cast<double>(losses.size()), 100.0 * *std::max_element(losses.begin(), losses.end()));
 }
 
 std::string robot_text(const DriveModel& model) {

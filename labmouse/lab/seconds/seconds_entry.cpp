@@ -13,9 +13,9 @@ namespace labmouse {
 namespace {
 
 constexpr std::array settings = {
-    WorldSetting{"robot", "ROBOT", "Name of a built-in robot, or a file with a slash or .toml in its name",
+    WorldSetting{"robot", "ROBOT", "Built-in robot, or a file whose name contains a slash or ends in .toml",
                  WorldSetting::Kind::text, "classic"},
-    WorldSetting{"rules", "RULES", "Name of built-in rules in seconds, or a file with a slash or .toml in its name",
+    WorldSetting{"rules", "RULES", "Built-in rules in seconds, or a file whose name contains a slash or ends in .toml",
                  WorldSetting::Kind::text, "all-japan"}};
 
 WorldResult make(const WorldSettings& chosen) {
@@ -34,18 +34,18 @@ PackedFile pack(std::string_view text, const RecordOwner& owner) {
   if (!read.file) return failed(read.problems.front());
   const DriveRecordFile& file = *read.file;
   if (file.mouse != owner.mouse || file.maze_name != owner.maze || !owner.seeds.contains(file.seed))
-    return failed(
-        {0, 0,
-         fmt::format("is not of this race, but of {} in {} with seed {}", file.mouse, file.maze_name, file.seed)});
+    return failed({0, 0,
+                   fmt::format("does not belong to this race: it is of {} in {} with seed {}", file.mouse,
+                               file.maze_name, file.seed)});
   if (const std::string wrong = replay(file); !wrong.empty())
-    return failed({0, 0, "does not agree with its maze: " + wrong});
+    return failed({0, 0, "the record does not match its maze: " + wrong});
   const Json json = {{"mouse", file.mouse}, {"maze", file.maze_name}, {"seed", file.seed}, {"drive", text}};
   return {json.dump(-1, ' ', false, Json::error_handler_t::replace), file.maze, std::nullopt};
 }
 
 }  // namespace
 
-const WorldEntry seconds_entry = {"seconds", "a robot with curves and diagonals, by the rules of real contests",
+const WorldEntry seconds_entry = {"seconds", "a robot that drives curves and diagonals, by the rules of real contests",
                                   settings, make, pack};
 
 }  // namespace labmouse

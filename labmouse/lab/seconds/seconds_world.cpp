@@ -108,7 +108,7 @@ class SecondsWorld final : public World {
   std::string refuse(const Maze& maze) const override {
     const Size size = maze.size();
     if (size.width <= max_drive_side && size.height <= max_drive_side) return "";
-    return fmt::format("is {}x{}; the world of seconds takes mazes up to {}x{}", size.width, size.height,
+    return fmt::format("is {}x{}; the world in seconds takes mazes up to {}x{}", size.width, size.height,
                        max_drive_side, max_drive_side);
   }
   Settings settings(const Contestant& mouse) const override { return settings_in_seconds(mouse); }
@@ -143,10 +143,9 @@ class SecondsWorld final : public World {
 
   std::string notes(const Race& race) const override {
     return fmt::format(
-        "Rules {}: {}. Lower is better; most contests scored first.\nRobot {}, cells of {:g} mm. Search ends where the "
-        "first fast run begins; best runs from rest to the centre.\nBound, {} s on average: the fastest route, driven "
-        "by "
-        "a mouse that knows the maze but has to search a way there first.\n",
+        "Rules {}: {}. Lower is better; mice that scored in more contests come first.\nRobot {}, cells of {:g} mm. "
+        "Search ends when the first fast run begins; best runs are timed from rest to the centre.\nBound, {} s on "
+        "average: the fastest route, driven by a mouse that knows the maze but must first search a way there.\n",
         shown(rules_.name), formula(), shown(model_->robot.name), model_->tables.cell,
         columns::number(mean_bound(race), 3));
   }
@@ -203,9 +202,9 @@ std::string formula_of(const DriveRules& rules) {
                                  seconds(rules.time_limit), rules.gate_to_gate ? "gate to gate" : "rest to centre");
   if (rules.maze_time_divisor > 0)
     text += fmt::format(", plus {}the time in the maze before it", share_of(rules.maze_time_divisor));
-  if (rules.untouched_bonus > 0) text += fmt::format(", less {:g} s untouched", seconds(rules.untouched_bonus));
+  if (rules.untouched_bonus > 0) text += fmt::format(", minus {:g} s if untouched", seconds(rules.untouched_bonus));
   if (rules.touch_penalty > 0)
-    text += fmt::format(", {:g} s for a touch, which never happens here", seconds(rules.touch_penalty));
+    text += fmt::format(", plus {:g} s if touched, which never happens here", seconds(rules.touch_penalty));
   return text;
 }
 

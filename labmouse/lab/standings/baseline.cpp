@@ -72,8 +72,8 @@ std::string change_of(const Condition& condition, const Baseline& baseline) {
     const ReadJson& named = json.is_object() && json.contains("name") ? json["name"] : json;
     return shown(named.is_string() ? named.get<std::string>() : named.is_object() ? "another one" : named.dump());
   };
-  if (name(old) == name(now)) return fmt::format("Careful: {} {} has changed since.\n", condition.key, name(now));
-  return fmt::format("Careful: {} was {}, and is {} now.\n", condition.key, name(old), name(now));
+  if (name(old) == name(now)) return fmt::format("Warning: {} {} has changed since then.\n", condition.key, name(now));
+  return fmt::format("Warning: {} was {} and is now {}.\n", condition.key, name(old), name(now));
 }
 
 std::string compare(const Race& race, std::size_t mouse, const std::string& old_name, const Scores& old) {
@@ -87,7 +87,7 @@ std::string compare(const Race& race, std::size_t mouse, const std::string& old_
   const std::string& new_name = race.mice[mouse].name;
   const std::string name = new_name == old_name ? new_name : new_name + " against " + shown(old_name);
   if (differences.empty())
-    return fmt::format("{}: no maze in common with the baseline (here {}, there {})\n", name,
+    return fmt::format("{}: no mazes in common with the baseline (for example, {} here and {} there)\n", name,
                        shown(race.mazes.front().name), old.empty() ? "none" : shown(old.begin()->first));
   const PairedDifference found = paired_difference(differences, race.order.seed);
   const Interval& interval = found.interval;
@@ -101,14 +101,14 @@ std::string compare(const Race& race, std::size_t mouse, const std::string& old_
 
 ReadBaselineResult read_baseline(std::string_view json_text, const World& world) {
   const auto no_race = [] {
-    return ReadBaselineResult{std::nullopt, "is not the JSON of a race (make one with `labmouse race --format json`)"};
+    return ReadBaselineResult{std::nullopt, "is not the JSON of a race; create one with `labmouse race --format json`"};
   };
   const ReadJson json = ReadJson::parse(json_text, nullptr, false);
   if (!json.is_object() || !json.contains("labmouse") || !json.contains("mice")) return no_race();
   const ReadJson* held = part_of(json, world);
   if (held == nullptr)
     return {std::nullopt,
-            fmt::format("has no race in the world of {}; make one with --world {}", world.name(), world.name())};
+            fmt::format("has no race in the world {}; make one with --world {}", world.name(), world.name())};
   if (!held->contains("mice") || !(*held)["mice"].is_array()) return no_race();
   Baseline baseline;
   for (const Condition& condition : world.conditions())

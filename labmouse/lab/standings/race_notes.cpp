@@ -79,13 +79,13 @@ std::string score_note(const World& world) {
   const auto failed = world.failure_score();
   return fmt::format(
       "Score: {}; lower is better. {}\n", world.formula(),
-      failed ? fmt::format("A failed contest counts {:g}.", *failed) : "A failed contest counts in no mean.");
+      failed ? fmt::format("A failed contest counts {:g}.", *failed) : "Failed contests are left out of all means.");
 }
 
 std::string notes_of(const Race& race) {
   std::string notes = race.world().notes(race) + failures_of(race) + race.world().remarks(race) + left_out_of(race);
   if (std::any_of(race.mice.begin(), race.mice.end(), [](const Contestant& mouse) { return mouse.reference; }))
-    notes += "* knows the maze: the bound's witness, not a contestant.\n";
+    notes += "* knows the maze: attains the bound, and is not a contestant.\n";
   if (race.stopped) {
     const auto done = std::count_if(race.results.begin(), race.results.end(),
                                     [](const ContestResult& contest) { return contest.done; });

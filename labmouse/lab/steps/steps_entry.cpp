@@ -11,7 +11,7 @@
 namespace labmouse {
 namespace {
 
-constexpr std::array settings = {WorldSetting{"budget", "INT", "Steps of a contest, over both runs",
+constexpr std::array settings = {WorldSetting{"budget", "INT", "Step limit of a contest, for both runs together",
                                               WorldSetting::Kind::whole, "1000", 1, 1'000'000}};
 
 WorldResult make(const WorldSettings& chosen) {
@@ -26,19 +26,20 @@ PackedFile pack(std::string_view text, const RecordOwner& owner) {
   ReadRecordResult read = read_record(text);
   if (!read.file) return failed(read.problems.front());
   RecordFile& file = *read.file;
-  if (!file.maze) return failed({0, 0, "the record has no maze"});
+  if (!file.maze) return failed({0, 0, "the record does not contain its maze"});
   if (file.mouse != owner.mouse || file.maze_name != owner.maze || !owner.seeds.contains(file.seed))
-    return failed(
-        {0, 0,
-         fmt::format("is not of this race, but of {} in {} with seed {}", file.mouse, file.maze_name, file.seed)});
+    return failed({0, 0,
+                   fmt::format("does not belong to this race: it is of {} in {} with seed {}", file.mouse,
+                               file.maze_name, file.seed)});
   const ReplayResult played = replay(file, *file.maze);
-  if (!played.disagreement.empty()) return failed({0, 0, "does not agree with its maze: " + played.disagreement});
+  if (!played.disagreement.empty()) return failed({0, 0, "the record does not match its maze: " + played.disagreement});
   return {pack_record(file).dump(-1, ' ', false, Json::error_handler_t::replace), file.maze, std::nullopt};
 }
 
 }  // namespace
 
 const WorldEntry steps_entry = {
-    "strides", "the capstone project's: a step turns, then moves up to three cells", settings, make, pack, true};
+    "strides", "the rules of the capstone project: a step turns, then moves up to three cells", settings, make, pack,
+    true};
 
 }  // namespace labmouse

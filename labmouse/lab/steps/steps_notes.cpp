@@ -48,7 +48,7 @@ std::string note_on_robots(const Race& race) {
   if (!robots || others.empty()) return "";
   const bool one = others.size() == 1;
   return fmt::format(
-      "Capstone robots are told the size alone, and {} not as they expect (a square with even sides,\n"
+      "Capstone robots are told only the size, and {} not as they expect (a square with even sides,\n"
       "from (0,0) north to the centre): {}{}.\n",
       one ? "1 maze is" : fmt::format("{} mazes are", others.size()), others.front(),
       one ? "" : fmt::format(", {}{}", others[1], others.size() > 2 ? ", ..." : ""));
@@ -62,12 +62,12 @@ std::string steps_notes(const Race& race, const Rules& rules) {
       "A failed contest counts {:g} in 'all' and is left out of 'solved'.\n",
       race.world().formula(), rules.failure_score);
   if (solved_different_mazes(race))
-    notes += "Mean scores over 'solved' cover different mazes for different mice: compare 'all'.\n";
+    notes += "Different mice solved different mazes, so compare their scores over 'all', not 'solved'.\n";
   const auto dear = std::count_if(race.results.begin(), race.results.end(), [&](const ContestResult& contest) {
     return counts(race, contest) && contest.score.value_or(0.0) > rules.failure_score;
   });
   if (dear > 0)
-    notes += fmt::format("{} solved with a score above {:g}, so that failing would have counted less.\n",
+    notes += fmt::format("{} solved with a score above {:g}; failing would have counted less.\n",
                          counted(static_cast<int>(dear), "contest was", "contests were"), rules.failure_score);
   return notes;
 }

@@ -103,7 +103,7 @@ class StepsWorld final : public World {
   }
 
   std::string refuse(const Contestant& mouse) const override {
-    return mouse.make ? "" : fmt::format("mouse '{}' makes no steps", mouse.name);
+    return mouse.make ? "" : fmt::format("mouse '{}' cannot race in steps", mouse.name);
   }
 
   Rules lesson_rules() const override { return rules_; }

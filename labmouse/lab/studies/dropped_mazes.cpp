@@ -26,11 +26,11 @@ std::string left_out_notes(const MazeSelection& selection, std::string_view else
   for (const Duplicate& duplicate : selection.duplicates)
     duplicates.push_back(duplicate.name + " = " + duplicate.same_as);
   if (!duplicates.empty())
-    notes += fmt::format("{} left out (the same walls, maybe turned or mirrored):\n{}",
+    notes += fmt::format("{} left out (the same walls, possibly rotated or mirrored):\n{}",
                          counted(std::ssize(duplicates), "duplicate", "duplicates"), listed(duplicates, elsewhere));
   const std::vector<std::string>& routeless = selection.routeless;
   if (!routeless.empty())
-    notes += fmt::format("{} left out whose goal cannot be reached:\n{}",
+    notes += fmt::format("{} left out because the goal cannot be reached:\n{}",
                          counted(std::ssize(routeless), "maze", "mazes"), listed(routeless, elsewhere));
   return notes;
 }

@@ -33,9 +33,9 @@ std::string no_number(const RosterEntry& mouse, const Parameter& parameter) {
   std::vector<std::string_view> numbers;
   for (const Parameter& other : mouse.parameters)
     if (is_number(other)) numbers.push_back(other.name);
-  return fmt::format("parameter '{}' of mouse '{}' is a {}, and only numbers are tuned{}", parameter.name, mouse.name,
+  return fmt::format("parameter '{}' of mouse '{}' is a {}; only numbers can be tuned{}", parameter.name, mouse.name,
                      name_of(parameter.type),
-                     numbers.empty() ? ", of which it has none" : fmt::format(": {}", fmt::join(numbers, ", ")));
+                     numbers.empty() ? ", and it has none" : fmt::format(": {}", fmt::join(numbers, ", ")));
 }
 
 /// Reads one end of a range; returns what is wrong with it, or nothing.
@@ -52,11 +52,11 @@ std::string read_ends(std::string_view spec, std::string_view text, ParameterRan
   const auto low = text.substr(0, colon), high = colon == std::string_view::npos ? "" : text.substr(colon + 1);
   double number = 0.0;
   if (!parse_number(low, number) || !parse_number(high, number) || !has_few_decimals(low) || !has_few_decimals(high))
-    return fmt::format("'{}' is not a range; write LOW:HIGH, numbers with at most {} decimals, as in 0.2:0.8", text,
+    return fmt::format("'{}' is not a range; write LOW:HIGH with at most {} decimals, such as 0.2:0.8", text,
                        most_decimals);
   if (auto error = read_end(spec, range.parameter, low, range.low); !error.empty()) return error;
   if (auto error = read_end(spec, range.parameter, high, range.high); !error.empty()) return error;
-  if (range.low >= range.high) return fmt::format("the range '{}' does not end above its begin", text);
+  if (range.low >= range.high) return fmt::format("the upper end of the range '{}' must be above its lower end", text);
   return "";
 }
 
@@ -65,8 +65,7 @@ std::string read_one(std::string_view spec, const RosterEntry& mouse, std::strin
                      std::vector<ParameterRange>& ranges) {
   const auto equals = text.find('=');
   const auto name = text.substr(0, equals);
-  if (name.empty())
-    return fmt::format("'{}' is not of the form NAME or NAME=LOW:HIGH, several separated by commas", text);
+  if (name.empty()) return fmt::format("'{}' is not of the form NAME or NAME=LOW:HIGH, separated by commas", text);
   const Parameter* parameter = find_number(mouse, name);
   if (parameter == nullptr) {
     const Setting unknown = {std::string(name), ""};
@@ -121,7 +120,7 @@ RangesResult read_ranges(std::string_view spec, std::string_view text) {
   }
   if (result.ranges.size() > most_ranges)
     return {{},
-            fmt::format("{} parameters are named; at most {} are tuned at once", result.ranges.size(), most_ranges)};
+            fmt::format("{} parameters are named; at most {} can be tuned at once", result.ranges.size(), most_ranges)};
   return result;
 }
 

@@ -12,9 +12,9 @@ namespace {
 std::string words_of(const Lesson& lesson) {
   const std::size_t all = lesson.selection.mazes.size();
   if (lesson.done < all)
-    return fmt::format("Stopped early: {} of {} mazes explored, no prior made.\n", lesson.done, all);
+    return fmt::format("Stopped early: {} of {} mazes explored, no prior written.\n", lesson.done, all);
   const PriorFit fit = fit_of(lesson.counts);
-  return fmt::format("{} {}, {} walls counted: log loss {:.3f}, entropy {:.3f} nats a wall\n", all,
+  return fmt::format("{} {}, {} walls counted: log loss {:.3f}, entropy {:.3f} nats per wall\n", all,
                      all == 1 ? "maze" : "mazes", fit.walls, fit.log_loss, fit.entropy);
 }
 
@@ -25,7 +25,7 @@ Lesson hold_lesson(std::vector<NamedMaze> mazes, const World& world, const Lesso
   const std::size_t given = mazes.size();
   lesson.selection = select_mazes(std::move(mazes), world);
   const std::size_t all = lesson.selection.mazes.size();
-  if (all == 0) lesson.error = fmt::format("no maze with a route (of {} given), so nothing to learn from", given);
+  if (all == 0) lesson.error = fmt::format("nothing to learn from: none of the {} mazes given has a route", given);
   for (const NamedMaze& maze : lesson.selection.mazes) {
     if (hooks.stop != nullptr && hooks.stop->load()) break;
     lesson.counts.explore(maze.maze, world.lesson_rules());

@@ -14,12 +14,12 @@ namespace {
 std::string complaint(const Study& study, std::size_t given) {
   const std::size_t mazes = study.selection.mazes.size();
   const int folds = study.order.folds;
-  if (folds < 2) return fmt::format("{} folds hold nothing out; take at least 2", folds);
+  if (folds < 2) return fmt::format("{} folds are too few; use at least 2", folds);
   if (mazes >= static_cast<std::size_t>(folds)) return "";
   const std::string counted =
       fmt::format("{} different {} with a route (of {} given)", mazes, mazes == 1 ? "maze" : "mazes", given);
-  if (mazes < 2) return counted + "; a study takes at least 2";
-  return fmt::format("{} for {} folds; take {} folds at most, or more mazes", counted, folds, mazes);
+  if (mazes < 2) return counted + "; a study needs at least 2";
+  return fmt::format("{} are too few for {} folds; use at most {} folds, or more mazes", counted, folds, mazes);
 }
 
 bool stopping(const StudyHooks& hooks) { return hooks.stop != nullptr && hooks.stop->load(); }

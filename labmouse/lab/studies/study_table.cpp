@@ -42,26 +42,27 @@ std::string comparisons_text(const Study& study, const std::vector<Comparison>& 
 
 /// Which mice were taught from what.
 std::string learning_note(const Study& study) {
-  if (study.learners.empty()) return "None of these mice learns: each is raced as it is.\n";
+  if (study.learners.empty()) return "None of these mice learns; each races as it is.\n";
   const std::string names = fmt::format("{}", fmt::join(study.learners, ", "));
   if (!study.order.learning)
-    return fmt::format("Not taught here: {}, with what it knows, maybe from these mazes.\n", names);
+    return fmt::format("Not taught here: {}; what it knows may come from these very mazes.\n", names);
   const auto [least, most] = std::minmax_element(study.fold_sizes.begin(), study.fold_sizes.end());
   const std::size_t all = study.selection.mazes.size();
   const std::string sizes =
       *least == *most ? fmt::format("{}", all - *most) : fmt::format("{} or {}", all - *most, all - *least);
-  return fmt::format("Taught anew for each fold, from the {} mazes of the others: {}.\n", sizes, names);
+  return fmt::format("Taught anew for each fold, from the {} mazes of the other folds: {}.\n", sizes, names);
 }
 
 std::string notes_of(const Study& study, std::size_t comparisons) {
   std::string notes = score_note(*study.order.race.world);
-  if (comparisons > 0) notes += "Differences maze by maze: below 0, and a win, where the first mouse is better.\n";
+  if (comparisons > 0)
+    notes += "Differences are maze by maze: below 0, and a win, means that the first mouse is better.\n";
   if (comparisons > 1)
-    notes += fmt::format("Each of the {} intervals holds by itself: of twenty, one misses by chance.\n", comparisons);
-  if (study.mice.size() > most_in_all_pairs) notes += "Compared with the first mouse named only.\n";
+    notes += fmt::format("Each of the {} intervals holds on its own: one in twenty misses by chance.\n", comparisons);
+  if (study.mice.size() > most_in_all_pairs) notes += "Mice are compared only with the first one named.\n";
   notes += learning_note(study) + left_out_notes(study.selection, ", all of them in --format json");
   if (std::any_of(study.race.mice.begin(), study.race.mice.end(), [](const Contestant& m) { return m.reference; }))
-    notes += "* knows the maze: the bound's witness, not a contestant.\n";
+    notes += "* knows the maze: attains the bound, and is not a contestant.\n";
   if (study.race.stopped)
     notes += fmt::format("Stopped early: {} of {} folds done, {} of {} mazes.\n", study.folds_done, study.order.folds,
                          study.race.mazes.size(), study.selection.mazes.size());

@@ -43,7 +43,7 @@ bool has_intervals(const Sweep& sweep) {
 /// What the intervals run over.
 std::string spread(const Sweep& sweep) {
   if (sweep.mazes.size() > 1) return fmt::format("over the {} mazes", sweep.mazes.size());
-  return fmt::format("over the {} runs in the one maze", runs_text(sweep));
+  return fmt::format("over the {} runs in one maze", runs_text(sweep));
 }
 
 /// The lowest mean and where it is; nothing where there is no mean.

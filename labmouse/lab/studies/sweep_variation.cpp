@@ -43,14 +43,14 @@ std::string read_range(std::string_view text, std::vector<std::string>& values) 
   for (const std::string& part : split(text, ':'))
     if (const auto number = millionths(part)) numbers.push_back(*number);
   if (numbers.size() != 3 || std::count(text.begin(), text.end(), ':') != 2)
-    return fmt::format("'{}' is not a range; write LOW:HIGH:STEP, numbers with at most {} decimals, as in 0:1:0.1",
-                       text, most_decimals);
+    return fmt::format("'{}' is not a range; write LOW:HIGH:STEP with at most {} decimals, such as 0:1:0.1", text,
+                       most_decimals);
   const long long low = numbers[0], high = numbers[1], step = numbers[2];
-  if (step <= 0) return fmt::format("the step of '{}' is not above 0", text);
-  if (high < low) return fmt::format("the range '{}' ends below its begin", text);
+  if (step <= 0) return fmt::format("the step of the range '{}' must be above 0", text);
+  if (high < low) return fmt::format("the upper end of the range '{}' is below its lower end", text);
   const long long count = (high - low) / step + 1;
   if (count > most_values)
-    return fmt::format("the range '{}' has {} values; at most {} are raced", text, count, most_values);
+    return fmt::format("the range '{}' has {} values; the limit is {}", text, count, most_values);
   for (long long i = 0; i < count; ++i) values.push_back(decimal(low + i * step));
   return "";
 }
@@ -60,7 +60,7 @@ std::string read_list(std::string_view text, std::vector<std::string>& values) {
   if (std::find(values.begin(), values.end(), "") != values.end())
     return fmt::format("the list '{}' has an empty value", text);
   if (values.size() <= most_values) return "";
-  return fmt::format("the list has {} values; at most {} are raced", values.size(), most_values);
+  return fmt::format("the list has {} values; the limit is {}", values.size(), most_values);
 }
 
 }  // namespace

@@ -143,8 +143,8 @@ Tune hold_tune(std::string_view spec, const std::vector<ParameterRange>& ranges,
       ++tune.routeless;
   SpecResult mouse = read_variant(spec, {});
   if (tune.error = mouse.error; !tune.error.empty()) return tune;
-  if (ranges.empty()) tune.error = "no parameter to tune is named";
-  if (tune.mazes == 0) tune.error = "the goal cannot be reached in any of the mazes, so there is nothing to tune on";
+  if (ranges.empty()) tune.error = "no parameters to tune are named";
+  if (tune.mazes == 0) tune.error = "nothing to tune on: the goal cannot be reached in any of the mazes";
   if (tune.error.empty()) Tuner(std::move(mouse.contestants.front()), mazes, hooks, tune).search();
   return tune;
 }

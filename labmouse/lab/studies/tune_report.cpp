@@ -62,7 +62,7 @@ std::string result_text(const Tune& tune) {
 
 std::string notes_of(const Tune& tune) {
   std::string notes = score_note(*tune.order.race.world);
-  if (tune.order.objective == Objective::ratio) notes += "What is tuned is the mean over the mazes of score / bound.\n";
+  if (tune.order.objective == Objective::ratio) notes += "Tuned for the mean of score / bound over the mazes.\n";
   if (tune.routeless > 0)
     notes += fmt::format("Left out of all means: {} whose goal cannot be reached.\n",
                          counted(static_cast<std::size_t>(tune.routeless), "maze"));
@@ -71,8 +71,8 @@ std::string notes_of(const Tune& tune) {
         fmt::format("Stopped early: {} of {} evaluations done.\n", tune.evaluations.size(), tune.order.evaluations);
   if (!tune.evaluations.empty() && &best_of(tune) != &tune.evaluations.front())
     notes +=
-        "In-sample: the best was chosen on these very mazes, which flatters difference and\n"
-        "interval. Confirm it on mazes that it has not seen, with `labmouse study`.\n";
+        "In-sample: the best was chosen on these very mazes, so the difference and interval\n"
+        "are optimistic. Confirm it on mazes it has not seen, with `labmouse study`.\n";
   return notes;
 }
 

@@ -8,11 +8,11 @@ namespace labmouse {
 std::string cause_of(int error_number) {
   switch (error_number) {
     case ENOSPC:
-      return "no space is left on the device";
+      return "no space left on the device";
     case EDQUOT:
-      return "the disk quota is used up";
+      return "the disk quota is exceeded";
     case EFBIG:
-      return "the file would be larger than `ulimit -f` or the file system allows";
+      return "the file would exceed the limit of `ulimit -f` or of the file system";
     case EROFS:
       return "the file system is read-only";
     case EACCES:
@@ -21,15 +21,15 @@ std::string cause_of(int error_number) {
     case ENOENT:
       return "no such folder";
     case ENOTDIR:
-      return "a part of the path is not a folder";
+      return "part of the path is not a folder";
     case EISDIR:
       return "it is a folder";
     case ENAMETOOLONG:
       return "the name is too long";
     case ELOOP:
-      return "its symbolic links lead in a circle";
+      return "its symbolic links form a loop";
     case EPIPE:
-      return "its reader has gone";
+      return "its reader has closed it";
     case EBADF:
       return "it is not open";
     default:

@@ -17,11 +17,11 @@ namespace {
 
 FileContent unreadable(int error_number) {
   if (error_number == ENOENT) return {"", "no such file"};
-  return {"", "cannot be read: " + cause_of(error_number)};
+  return {"", "cannot read: " + cause_of(error_number)};
 }
 
 FileContent too_large(std::size_t bytes, std::size_t most_bytes) {
-  return {"", fmt::format("has {} bytes; more than {} is too large", bytes, most_bytes)};
+  return {"", fmt::format("is too large: {} bytes, where at most {} are allowed", bytes, most_bytes)};
 }
 
 /// All that is left to read. `expected` is a guess.
@@ -34,7 +34,7 @@ FileContent read_all(int descriptor, std::size_t expected, std::size_t most_byte
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) return unreadable(errno);
     size += static_cast<std::size_t>(count);
-    if (size > most_bytes) return {"", fmt::format("has more than {} bytes, which is too large", most_bytes)};
+    if (size > most_bytes) return {"", fmt::format("is too large: more than {} bytes", most_bytes)};
     if (count == 0) break;
     if (size == content.size()) content.resize(2 * size);
   }
@@ -72,14 +72,14 @@ FileContent read_regular(const std::string& path, std::size_t bytes, std::size_t
 }
 
 FileContent read_path(const std::string& path, std::size_t most_bytes, bool streams) {
-  if (path.empty()) return {"", "an empty path names no file"};
+  if (path.empty()) return {"", "the path of the file is empty"};
   if (const auto descriptor = descriptor_to_read(path); descriptor && streams)
     return read_stream(path, *descriptor, most_bytes);
   struct stat status {};
   if (stat(path.c_str(), &status) != 0) return unreadable(errno);
   if (S_ISDIR(status.st_mode)) return unreadable(EISDIR);
   if (S_ISREG(status.st_mode)) return read_regular(path, static_cast<std::size_t>(status.st_size), most_bytes);
-  return streams ? read_stream(path, -1, most_bytes) : FileContent{"", "is not a file, but a pipe or a device"};
+  return streams ? read_stream(path, -1, most_bytes) : FileContent{"", "is a pipe or a device, not a regular file"};
 }
 
 }  // namespace

@@ -19,9 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string unwritable(int error_number) {
-  return error_number == 0 ? "" : "cannot be written: " + cause_of(error_number);
-}
+std::string unwritable(int error_number) { return error_number == 0 ? "" : "cannot write: " + cause_of(error_number); }
 
 /// Where a path leads, or why nothing can be written there.
 struct Target {
@@ -41,7 +39,7 @@ fs::path end_of_links(fs::path path) {
 }
 
 Target target_of(const std::string& path) {
-  if (path.empty()) return {{}, std::nullopt, false, "an empty path names no file"};
+  if (path.empty()) return {{}, std::nullopt, false, "the path of the file is empty"};
   if (path.back() == '/') return refused(EISDIR);
   if (descriptor_to_write(path)) return {path, std::nullopt, true, {}};
   std::error_code error;

@@ -21,9 +21,10 @@ NamedText find_text(std::string_view kind, const std::vector<std::pair<std::stri
   }
   const auto near = nearest_name(name, names);
   return {"", fmt::format("error: unknown {} '{}'; {}", kind, shown(name),
-                          near.empty() ? fmt::format("there are {}, and files with a slash or .toml in their name",
-                                                     fmt::join(names, ", "))
-                                       : fmt::format("did you mean '{}'?", near))};
+                          near.empty()
+                              ? fmt::format("choose one of {}, or a file whose name contains a slash or ends in .toml",
+                                            fmt::join(names, ", "))
+                              : fmt::format("did you mean '{}'?", near))};
 }
 
 }  // namespace labmouse

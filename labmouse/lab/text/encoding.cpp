@@ -24,10 +24,10 @@ bool alternates(std::string_view bytes, std::size_t zero) {
 
 std::string_view foreign_encoding(std::string_view bytes) {
   using namespace std::string_view_literals;
-  if (bytes.starts_with("\x1F\x8B"sv)) return "is compressed with gzip; unpack it first with `gunzip`";
+  if (bytes.starts_with("\x1F\x8B"sv)) return "is compressed with gzip; unpack it with `gunzip` first";
   if (bytes.starts_with("\xFF\xFE"sv) || bytes.starts_with("\xFE\xFF"sv) || alternates(bytes, 0) ||
       alternates(bytes, 1))
-    return "is in UTF-16; save it as UTF-8";
+    return "is encoded in UTF-16; save it as UTF-8";
   return "";
 }
 

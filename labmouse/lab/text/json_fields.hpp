@@ -36,7 +36,7 @@ class JsonFields {
   std::string text(const char* key) {
     const ReadJson& value = get(key);
     if (value.is_string()) return value.get<std::string>();
-    return wrong(key, "is not a text"), "";
+    return wrong(key, "is not a string"), "";
   }
   int whole(const char* key, int low, int high) { return whole(get(key), key, low, high); }
   /// The same for numbers that an int may not hold, up to 2^53, which every reader of JSON keeps exactly.
@@ -45,14 +45,14 @@ class JsonFields {
     if (!value.is_number_integer()) return wrong(key, "is not a whole number"), low;
     const bool fits = !value.is_number_unsigned() || value.get<std::uint64_t>() <= std::uint64_t{1} << 53U;
     if (fits && value.get<std::int64_t>() >= low && value.get<std::int64_t>() <= high) return value.get<std::int64_t>();
-    return wrong(key, fmt::format("is outside of {} to {}", low, high)), low;
+    return wrong(key, fmt::format("is outside the range {} to {}", low, high)), low;
   }
   double number(const char* key, double low, double high) {
     const ReadJson& value = get(key);
     if (!value.is_number()) return wrong(key, "is not a number"), low;
     const double number = value.get<double>();
     if (number >= low && number <= high) return number;
-    return wrong(key, fmt::format("is outside of {} to {}", low, high)), low;
+    return wrong(key, fmt::format("is outside the range {} to {}", low, high)), low;
   }
   bool flag(const char* key) {
     const ReadJson& value = get(key);
@@ -78,7 +78,7 @@ class JsonFields {
                           ? value.get<std::uint64_t>() <= static_cast<std::uint64_t>(std::numeric_limits<int>::max())
                           : value.get<std::int64_t>() >= std::numeric_limits<int>::min();
     if (fits && value.get<std::int64_t>() >= low && value.get<std::int64_t>() <= high) return value.get<int>();
-    return wrong(key, fmt::format("is outside of {} to {}", low, high)), low;
+    return wrong(key, fmt::format("is outside the range {} to {}", low, high)), low;
   }
   Cell cell(const ReadJson& value, const char* key) {
     if (!value.is_array() || value.size() != 2) return wrong(key, "is not a cell [x, y]"), Cell();

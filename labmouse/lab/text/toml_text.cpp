@@ -14,7 +14,7 @@ namespace labmouse {
 TomlText parse_toml(std::string_view text) {
   constexpr std::size_t most_bytes = std::size_t{1} << 16U;
   if (text.size() > most_bytes)
-    return {{}, {{0, 0, fmt::format("has {} bytes; more than {} is too large", text.size(), most_bytes)}}};
+    return {{}, {{0, 0, fmt::format("is too large: {} bytes, where at most {} are allowed", text.size(), most_bytes)}}};
   toml::parse_result parsed = toml::parse(text);
   if (!parsed) return {{}, {problem_at(parsed.error().source().begin, shown(parsed.error().description()))}};
   return {std::move(parsed).table(), {}};

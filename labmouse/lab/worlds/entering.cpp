@@ -33,7 +33,7 @@ EntriesResult enter(std::vector<Contestant> mice, std::string_view world, const 
   std::vector<std::vector<Contestant>> by_world(all_worlds().size());
   for (Contestant& mouse : mice) {
     const std::size_t home = home_of(mouse);
-    if (home == by_world.size()) return {{}, fmt::format("error: no world takes mouse '{}'", mouse.name)};
+    if (home == by_world.size()) return {{}, fmt::format("error: mouse '{}' cannot race in any world", mouse.name)};
     by_world[home].push_back(std::move(mouse));
   }
   EntriesResult result;

@@ -70,7 +70,7 @@ ReadResult read(std::string_view content) {
 
 WriteResult write(const Maze& maze) {
   const auto [width, height] = maze.size();
-  if (width != height) return {std::nullopt, "the maze is not square; the capstone format has only squares"};
+  if (width != height) return {std::nullopt, "the maze is not square; the capstone format holds only square mazes"};
   if (std::string reason = refused_marks(maze); !reason.empty()) return {std::nullopt, std::move(reason)};
   std::string content = std::to_string(width) + '\n';
   for (int x = 0; x < width; ++x)

@@ -54,8 +54,8 @@ Sides open_sides(const Maze& maze, Cell cell) {
 std::string refused_marks(const Maze& maze) {
   if (maze.start() != Cell{0, 0} || maze.start_heading() != Heading::north)
     return "the start is " + name_of(maze.start()) + " heading " +
-           std::string(labmouse::name_of(maze.start_heading())) + "; this format has only (0,0) heading north";
-  if (maze.goals() != centre_of(maze.size())) return "the goal is not the centre; this format has no other";
+           std::string(labmouse::name_of(maze.start_heading())) + "; this format requires (0,0) heading north";
+  if (maze.goals() != centre_of(maze.size())) return "the goal is not the centre, as this format requires";
   return {};
 }
 

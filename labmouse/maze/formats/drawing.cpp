@@ -56,9 +56,9 @@ std::string cell_line(const Maze& maze, int y, Marks marks) {
 WriteResult write(const Maze& maze) {
   if (maze.start_heading() != Heading::north)
     return {std::nullopt, "the start heading is " + std::string(labmouse::name_of(maze.start_heading())) +
-                              "; in a drawing it is always north"};
+                              "; a drawing always starts heading north"};
   const auto marks = marks_of(maze);
-  if (!marks) return {std::nullopt, "the start is also a goal; a drawing has room for one letter in a cell"};
+  if (!marks) return {std::nullopt, "the start is also a goal; a drawing has room for only one letter in a cell"};
   std::string content;
   for (int y = maze.size().height - 1; y >= 0; --y) content += wall_line(maze, y) + cell_line(maze, y, *marks);
   return {content + wall_line(maze, -1), {}};
@@ -66,7 +66,6 @@ WriteResult write(const Maze& maze) {
 
 }  // namespace
 
-constinit const Format drawing_format = {"drawing", "posts, walls, S and G, as one would draw them", recognises,
-                                         read_drawing, write};
+constinit const Format drawing_format = {"drawing", "posts, walls, S and G as text", recognises, read_drawing, write};
 
 }  // namespace labmouse

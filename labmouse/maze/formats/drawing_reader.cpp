@@ -14,15 +14,15 @@ constexpr std::size_t text_width(Size size) { return 4 * static_cast<std::size_t
 Size size_of(const std::vector<Line>& lines, ProblemList& problems) {
   const std::size_t width = lines.front().text.size();
   if (width % 4 != 1 || width < 5 || width > text_width({max_side, max_side}))
-    problems.add(1, lines.front().end(),
-                 "the top line has " + std::to_string(width) +
-                     " characters; it has 4 for each cell and 1 more, for 1 to 64 cells");
+    problems.add(
+        1, lines.front().end(),
+        "the top line has " + std::to_string(width) + " characters; it must have 4 for each of 1 to 64 cells, plus 1");
   if (lines.size() > most_lines)
-    problems.add(lines.back().number, 1, "a drawing has at most 129 lines, for 64 rows of cells");
+    problems.add(lines.back().number, 1, "too many lines; a drawing has at most 129, for 64 rows of cells");
   else if (lines.size() % 2 != 1 || lines.size() < 3)
     problems.add(lines.back().number + 1, 1,
                  "the drawing has " + std::to_string(lines.size()) + (lines.size() == 1 ? " line" : " lines") +
-                     "; it has 2 for each row of cells and 1 more");
+                     "; it must have 2 for each row of cells, plus 1");
   if (!problems.empty()) return {};
   return {static_cast<int>(width / 4), static_cast<int>(lines.size() / 2)};
 }
@@ -67,7 +67,7 @@ class DrawingReader {
     if (first == '-' || first == ' ')
       while (wrong < column + 3 && letter(line, wrong) == first) ++wrong;
     if (wrong < column + 3)
-      unexpected(line, wrong, "expected a wall (---) or three blanks");
+      unexpected(line, wrong, "expected a wall (---) or three spaces");
     else if (first == ' ')
       open(line, column, wall);
   }
@@ -80,7 +80,7 @@ class DrawingReader {
       if (const char side = letter(line, column); side == ' ')
         open(line, column, wall);
       else if (side != '|')
-        unexpected(line, column, "expected a wall (|) or a blank");
+        unexpected(line, column, "expected a wall (|) or a space");
       if (x < size_.width) read_cell(line, column + 1, {x, y});
     }
   }
@@ -94,7 +94,7 @@ class DrawingReader {
       else if (i == 1 && mark == 'G')
         draft_.add_goal(cell);
       else
-        unexpected(line, column + i, "cell " + name_of(cell) + " may hold only S or G in its middle");
+        unexpected(line, column + i, "cell " + name_of(cell) + " may contain only S or G, in the middle");
     }
   }
 

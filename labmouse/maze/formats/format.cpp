@@ -26,7 +26,7 @@ ReadResult read_maze(std::string_view content) {
   if (formats::is_blank(content)) return formats::failure(0, 0, "the file is empty");
   for (const Format* format : all_formats())
     if (format->recognises(content)) return format->read(content);
-  return formats::failure(0, 0, "not a maze: neither a drawing (o---o), nor capstone, num or maz");
+  return formats::failure(0, 0, "not a maze in any known format: drawing (o---o), capstone, num or maz");
 }
 
 }  // namespace labmouse

@@ -46,7 +46,7 @@ WriteResult write(const Maze& maze) {
   const auto [width, height] = maze.size();
   if (width != height || side_of(static_cast<std::size_t>(maze.size().area())) == 0)
     return {std::nullopt, "the maze has " + std::to_string(width) + "x" + std::to_string(height) +
-                              " cells; the maz format has only 16x16 and 32x32"};
+                              " cells; the maz format holds only 16x16 and 32x32"};
   if (std::string reason = refused_marks(maze); !reason.empty()) return {std::nullopt, std::move(reason)};
   std::string content;
   for (int x = 0; x < width; ++x)

@@ -35,7 +35,7 @@ std::string quoted(std::string_view text) {
 
 std::string open_border(Cell cell, Heading side) {
   return "cell " + name_of(cell) + " is open to the " + std::string(labmouse::name_of(side)) +
-         " but the border of a maze is closed";
+         " but the border of a maze must be closed";
 }
 
 }  // namespace labmouse::formats

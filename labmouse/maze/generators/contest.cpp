@@ -39,8 +39,8 @@ std::string_view refuses(const GeneratorOrder& order) {
   if (order.size.width == order.size.height && order.size.width % 2 == 0 && order.size.width >= least_side &&
       order.size.width <= largest_side)
     return {};
-  return "a contest maze is a square of 12x12, 14x14, 16x16 up to 62x62: ask for one of these, or for another kind of "
-         "maze";
+  return "a contest maze must be a square with an even side from 12x12 to 62x62; choose such a size, or another kind "
+         "of maze";
 }
 
 // The walls around the goal room, each on its goal cell's side.
@@ -112,7 +112,7 @@ Maze make(const GeneratorOrder& order) {
 
 constinit const Generator contest_generator = {
     .name = "contest",
-    .summary = "to the official contest rules (16x16, 32x32), or like them on other even squares",
+    .summary = "follows the official contest rules (16x16, 32x32), or the same pattern on other even squares",
     .refuses = refuses,
     .make = make};
 

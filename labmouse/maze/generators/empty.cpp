@@ -9,6 +9,6 @@ Maze make(const GeneratorOrder& order) { return Maze(MazeDraft(order.size, MazeD
 }  // namespace
 
 constinit const Generator empty_generator = {
-    .name = "empty", .summary = "no inner wall", .refuses = refuses_out_of_range, .make = make};
+    .name = "empty", .summary = "no inner walls", .refuses = refuses_out_of_range, .make = make};
 
 }  // namespace labmouse

@@ -5,8 +5,8 @@
 namespace labmouse {
 
 std::string_view refuses_out_of_range(const GeneratorOrder& order) {
-  if (!order.size.valid()) return "a maze has 1 to 64 cells a side";
-  if (order.loops < 0 || order.loops > 1000) return "loops is a share in thousandths: 0 to 1000";
+  if (!order.size.valid()) return "the sides of a maze must be 1 to 64 cells";
+  if (order.loops < 0 || order.loops > 1000) return "loops must be a share in thousandths, from 0 to 1000";
   return {};
 }
 

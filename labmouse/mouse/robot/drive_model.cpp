@@ -47,9 +47,8 @@ bool too_slow(double cell, double speed) { return cell * 1e6 > speed * longest_c
 
 /// Behind a speed that is too low.
 std::string needed_speed(double cell) {
-  return "a cell of " + millimetres(cell) + " must not take more than " + milliseconds(longest_cell) +
-         ", the longest that times here are made for, so at least " +
-         millimetres(std::ceil(cell * 1e6 / longest_cell)) + "/s are needed";
+  return "a cell of " + millimetres(cell) + " must not take longer than " + milliseconds(longest_cell) +
+         ", so the speed must be at least " + millimetres(std::ceil(cell * 1e6 / longest_cell)) + "/s";
 }
 
 DriveModel refused(std::string why) {
@@ -99,7 +98,7 @@ void add_turn(DriveModel& model, const TurnShape& shape, double speed) {
 std::string refusal_of_slowest(const Robot& robot, const FittedTurn& slowest) {
   return "its turn " + std::string(name_of(slowest.shape.turn)) + " fits into cells of " + millimetres(robot.cell) +
          " only up to " + millimetres(slowest.speed) + "/s: " + needed_speed(robot.cell) +
-         "; a larger lateral or yaw acceleration makes it faster";
+         "; increase the lateral or yaw acceleration";
 }
 
 /// Each turn at its own largest speed, and on the same path at that of the slowest: a fast turn cannot be followed at
@@ -142,7 +141,7 @@ std::string refusal_of_fixed(const Robot& robot) {
   if (too_slow(robot.cell, fixed.speed))
     return "its speed at nodes, " + millimetres(fixed.speed) + "/s, is too low: " + needed_speed(robot.cell);
   if (fixed.s90 > longest_cell)
-    return "its turn S90 takes " + milliseconds(fixed.s90) + ": at most " + milliseconds(longest_cell) + " are allowed";
+    return "its turn S90 takes " + milliseconds(fixed.s90) + "; the limit is " + milliseconds(longest_cell);
   return "";
 }
 
@@ -151,12 +150,12 @@ std::string refusal_of_curves(const Robot& robot) {
     return "its lateral acceleration and yaw acceleration must be greater than 0";
   if (!(robot.clearance >= 0.0 && robot.run_up >= 0.0)) return "its clearance and run-up must be 0 or more";
   if (robot.run_up >= robot.cell / 2.0)
-    return "a run-up of " + millimetres(robot.run_up) + " begins behind the wall of the start cell, " +
-           millimetres(robot.cell / 2.0) + " from its middle";
+    return "a run-up of " + millimetres(robot.run_up) + " begins behind the wall of the start cell, which is " +
+           millimetres(robot.cell / 2.0) + " from the middle";
   // Half a diagonal from wall to wall leads between two posts half a cell away.
   if (const double room = robot.cell / std::sqrt(8.0); robot.clearance > room)
-    return "a clearance of " + millimetres(robot.clearance) + " is more than diagonals leave in cells of " +
-           millimetres(robot.cell) + ": " + millimetres(room) + " from their middle to a post";
+    return "a clearance of " + millimetres(robot.clearance) + " does not fit diagonals in cells of " +
+           millimetres(robot.cell) + ", which pass posts at " + millimetres(room);
   return "";
 }
 
@@ -164,7 +163,7 @@ std::string refusal_of_turn_times(const DriveTables& tables) {
   for (const DrivenTurn& turn : tables.turns)
     if (turn.time < shortest_allowed_turn)
       return "its turn " + std::string(name_of(turn.turn)) + " takes " + milliseconds(turn.time) +
-             ": a turn takes at least 1 ms";
+             "; a turn must take at least 1 ms";
   return "";
 }
 
@@ -175,7 +174,7 @@ std::string refusal_of_start(const DriveTables& tables) {
                                     [](const DrivenTurn& turn) { return turn.turn == Turn::s90; });
   if (tables.start_to(1, slowest->from) < no_time) return "";
   return "from rest in the start cell it does not reach the speed of its slowest turns, " +
-         millimetres(slowest->speed) + "/s, by the first wall: a larger acceleration or run-up is needed";
+         millimetres(slowest->speed) + "/s, by the first wall; increase the acceleration or run-up";
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ std::string name_with_fit(Turn turn, const Robot& robot) {
 
 std::string refusal_of_clearance(Turn turn, const Robot& robot, double best, double speed) {
   return name_with_fit(turn, robot) + " with a clearance of " + millimetres(robot.clearance) + ": at " +
-         millimetres(speed) + "/s it comes within " + millimetres(best) + " of a post or a wall, and that is its best";
+         millimetres(speed) + "/s, its best, it comes within " + millimetres(best) + " of a post or a wall";
 }
 
 /// At which speed the curve of a half turn is as wide as a cell: wider the faster.
@@ -83,7 +83,7 @@ FittedTurn fitted_turn(Turn turn, const Robot& robot) {
   return {{},
           0.0,
           name_with_fit(turn, robot) + ": even at " + millimetres(speed_step) +
-              "/s its curve is too long; a larger yaw acceleration makes it shorter"};
+              "/s its curve is too long; increase the yaw acceleration"};
 }
 
 }  // namespace labmouse

@@ -21,7 +21,8 @@ std::string refusal(const Robot& robot, double small_turn_speed) {
     return it + "is above that of its turn S90, " + millimetres(small_turn_speed) + "/s";
   const double stopping = std::sqrt(robot.cell * std::min(robot.acceleration, robot.braking));
   if (robot.search_speed > stopping)
-    return it + "cannot be reached and stopped within half a cell: at most " + millimetres(std::floor(stopping)) + "/s";
+    return it + "cannot be reached or stopped from within half a cell; the limit is " +
+           millimetres(std::floor(stopping)) + "/s";
   return "";
 }
 

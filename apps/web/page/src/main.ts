@@ -108,7 +108,8 @@ function follow() {
 async function openLink(link: string) {
   notices.clear();
   stage.show('draw');
-  if (link === '') return notices.complain('This link is cut: nothing stands behind its maze=. Copy it again, whole.');
+  if (link === '')
+    return notices.complain('This link is incomplete: nothing follows maze=. Copy the whole link again.');
   try {
     const { maze } = await core.call('read_link', { link });
     // The link stays in the address, so that the page can be loaded again.

@@ -14,7 +14,7 @@ self.onmessage = async ({ data }: MessageEvent<{ id: number; name: string; reque
     // What a core leaves behind that stopped in the middle is worth nothing.
     started = compiled.then(startModule);
     const reason = error instanceof Error ? error.message : String(error);
-    const failure = { error: `the core stopped at this, and was started again (${reason})`, problems: [] };
+    const failure = { error: `the core crashed on this request and was restarted (${reason})`, problems: [] };
     self.postMessage({ id: data.id, failure });
   }
 };

@@ -26,8 +26,8 @@ const reachOf = (event: PointerEvent) => (event.pointerType === 'touch' ? 0.4 : 
 const above = 220;
 
 const help =
-  'Arrow keys go from cell to cell. W, A, S, D, or Shift with an arrow, close or open the wall on that side. ' +
-  'G: goal. H: the start is here. R: turn the start. Ctrl+Z and Ctrl+Shift+Z: undo and redo.';
+  'Arrow keys move from cell to cell. W, A, S, D, or Shift with an arrow, close or open the wall on that side. ' +
+  'G: goal. H: put the start here. R: turn the start. Ctrl+Z and Ctrl+Shift+Z: undo and redo.';
 
 export function createBoard(editor: Editor): Board {
   /** What was done, or why it was not: to be read and to be heard. */
@@ -79,7 +79,7 @@ export function createBoard(editor: Editor): Board {
     overlay.hover = null;
     say('');
     const next = begun(editor.maze(), ...at);
-    if (next === editor.maze() && tool === 'goals') say('a maze has one goal at least');
+    if (next === editor.maze() && tool === 'goals') say('a maze must have at least one goal');
     editor.sketch(next);
   }
 

@@ -55,9 +55,10 @@ export function createDesk(page: Page, first: MazeData): Desk {
   async function open(fileName: string, content: Uint8Array) {
     try {
       const opened = await page.core.call('open', { name: fileName }, content);
-      if (opened.kind === 'results') return page.tell(`${fileName} holds the results of a race: drop it on the page.`);
+      if (opened.kind === 'results')
+        return page.tell(`${fileName} holds the results of a race; drop it on the page instead.`);
       load(opened.kind === 'maze' ? opened.maze : opened.play.maze);
-      page.tell(`${fileName} is opened; undo brings back what was drawn before.`);
+      page.tell(`${fileName} is open; undo restores the previous drawing.`);
     } catch (error) {
       page.complain(error);
     }

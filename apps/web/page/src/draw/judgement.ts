@@ -24,11 +24,11 @@ function figures(found: Inspection, cells: number): [string, string, string][] {
     ['Shortest run', counted(found.optimum, 'step'), optimumMeaning],
     ['Bound', number(found.bound, 3), boundMeaning],
     ['mms bound', number(found.mms_score, 3), `${mmsBoundMeaning}: a run of ${number(found.mms_run)}`],
-    ['Shortest way', counted(found.shortest_cells, 'cell'), 'from the start to the nearest goal'],
+    ['Shortest path', counted(found.shortest_cells, 'cell'), 'from the start to the nearest goal'],
     ['Reachable', `${found.reachable} of ${cells} cells`, 'from the start'],
-    ['Dead ends', number(found.dead_ends), 'cells with one way in'],
+    ['Dead ends', number(found.dead_ends), 'cells with only one way in'],
     ['Junctions', number(found.junctions), 'cells with three or four ways'],
-    ['Loops', number(found.loops), 'walls that could be closed and every cell be reached still'],
+    ['Loops', number(found.loops), 'walls that could be closed without cutting off any cell'],
     ['Left hand', arrives(found.left_follower_arrives), 'a mouse with its left hand on the wall'],
     ['Right hand', arrives(found.right_follower_arrives), 'a mouse with its right hand on the wall'],
   ];
@@ -39,8 +39,8 @@ function verdict(found: Inspection): { words: string; good: boolean } {
   if (found.optimum === null) return { words: 'No goal can be reached from the start.', good: false };
   const broken = found.contest_rules.filter((rule) => !rule.passed).length;
   const all = found.contest_rules.length;
-  if (broken === 0) return { words: `A contest maze: it keeps all ${all} rules.`, good: true };
-  return { words: `The goal can be reached; ${broken} of ${all} contest rules are not kept.`, good: true };
+  if (broken === 0) return { words: `A contest maze: it follows all ${all} rules.`, good: true };
+  return { words: `The goal can be reached; ${broken} of ${all} contest rules are broken.`, good: true };
 }
 
 /** Rules that forbid something say so, or they seem to contradict the figures. */

@@ -17,7 +17,7 @@ export function createKey(): Key {
     'ul',
     { class: 'draw-key', 'aria-label': 'Legend' },
     entry('walls', 'wall'),
-    entry('start', 'start, its arrow the first heading'),
+    entry('start', 'start; the arrow is the start heading'),
     entry('goal', 'goal'),
     route,
   );

@@ -36,7 +36,7 @@ export function cellInWords(maze: MazeData, cell: Cell): string {
 
 function toggled(maze: MazeData, cursor: Cell, side: HeadingName): Pressed {
   const wall = model.wallOf(maze, cursor, side);
-  if (!wall) return { maze, cursor, said: `${side} of ${named(cursor)} is the border; it stays closed` };
+  if (!wall) return { maze, cursor, said: `${side} of ${named(cursor)} is the border, which stays closed` };
   const closed = !model.isClosed(maze, wall);
   const said = `${side} of ${named(cursor)} ${closed ? 'closed' : 'open'}`;
   return { maze: model.withWall(maze, wall, closed), cursor, said };
@@ -51,8 +51,8 @@ function moved(maze: MazeData, cursor: Cell, side: HeadingName): Pressed {
 function goal(maze: MazeData, cursor: Cell): Pressed {
   const on = !model.isGoal(maze, cursor);
   const next = model.withGoal(maze, cursor, on);
-  const done = on ? `${named(cursor)} is a goal` : `${named(cursor)} is no goal any more`;
-  return { maze: next, cursor, said: next === maze ? 'a maze has one goal at least' : done };
+  const done = on ? `${named(cursor)} is a goal` : `${named(cursor)} is no longer a goal`;
+  return { maze: next, cursor, said: next === maze ? 'a maze must have at least one goal' : done };
 }
 
 /** What a key does; null where it does nothing here. */

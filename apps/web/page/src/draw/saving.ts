@@ -17,7 +17,7 @@ export interface Saving {
 
 export function createSaving(page: Page, drawing: () => MazeData): Saving {
   const refusal = h('p', { class: 'field-error', role: 'alert' });
-  const link = createCopyable('Link with the maze', 'Copy again');
+  const link = createCopyable('Link containing the maze', 'Copy again');
   link.element.hidden = true;
 
   /** Does it, and says in the core's words why it could not be done. */
@@ -44,7 +44,7 @@ export function createSaving(page: Page, drawing: () => MazeData): Saving {
   const items = [
     ...page.about.formats.map(({ name, summary }) => item(name, summary, () => saveAs(name))),
     item('picture', 'an SVG file', savePicture),
-    item('link', 'to this page with the maze in it', copyLink),
+    item('link', 'to this page, containing the maze', copyLink),
   ];
   return {
     element: h(

@@ -7,8 +7,8 @@ import type { Tool } from './strokes';
 
 const tools: { tool: Tool; label: string; title: string }[] = [
   { tool: 'walls', label: 'Walls', title: 'Click or drag along walls; drag the start and the goals' },
-  { tool: 'goals', label: 'Goals', title: 'Click or drag over cells: goal or not' },
-  { tool: 'start', label: 'Start', title: 'Click the cell in which mice start' },
+  { tool: 'goals', label: 'Goals', title: 'Click or drag over cells to make them goals or not' },
+  { tool: 'start', label: 'Start', title: 'Click the cell where mice start' },
 ];
 
 export interface Tools {
@@ -38,9 +38,9 @@ export function createTools(editor: Editor, choose: (tool: Tool) => void): Tools
       h('fieldset', { class: 'segments' }, h('legend', { class: 'unseen' }, 'Tool'), ...radios),
       undo,
       redo,
-      button('Turn start', 'The heading of the start, a quarter clockwise (R)', changing(withTurnedStart)),
-      button('Mirror', 'East becomes west', changing(mirrored)),
-      button('Rotate', 'The whole maze, a quarter clockwise', changing(rotated)),
+      button('Turn start', 'Turn the start heading a quarter clockwise (R)', changing(withTurnedStart)),
+      button('Mirror', 'Swap east and west', changing(mirrored)),
+      button('Rotate', 'Turn the whole maze a quarter clockwise', changing(rotated)),
     ),
     show() {
       undo.disabled = !editor.canUndo();

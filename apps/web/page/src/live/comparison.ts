@@ -36,7 +36,7 @@ export function comparisonInWords(before: Walk, now: Walk): string {
   const isSameWalk =
     JSON.stringify([before.play.action, before.play.clock]) === JSON.stringify([now.play.action, now.play.clock]);
   const [was, is] = [before.play.score, now.play.score];
-  const difference = was !== null && is !== null ? ` (${signed(is - was)}; less is better)` : '';
+  const difference = was !== null && is !== null ? ` (${signed(is - was)}; lower is better)` : '';
   const score = `score ${scoreOf(before.play)} → ${scoreOf(now.play)}${difference}`;
   return `${asked}: ${isSameWalk ? `the same walk, score ${scoreOf(now.play)}` : score}`;
 }

@@ -83,7 +83,7 @@ export function createEveryone(
       table.add(row);
       progress.value += 1;
     }
-    finish(`${specs.length} mice have raced. A click on one shows its walk.`);
+    finish(`${specs.length} mice have raced. Click one to see its walk.`);
   }
   return {
     element,

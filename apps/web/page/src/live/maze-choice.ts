@@ -43,7 +43,7 @@ export function createMazeChoice(page: Page, chosen: (maze: MazeData) => void): 
   const panels: Record<Source, HTMLElement> = {
     'built-in': builtin,
     generator: generator.element,
-    drawing: h('p', { class: 'note' }, 'What is drawn in the view Draw.'),
+    drawing: h('p', { class: 'note' }, 'The maze in the view Draw.'),
     given: h('button', { type: 'button', onclick: page.choose }, 'Open a file…'),
   };
 
@@ -52,7 +52,7 @@ export function createMazeChoice(page: Page, chosen: (maze: MazeData) => void): 
     if (from === 'generator') return (await page.core.call('make_maze', generator.order())).maze;
     const maze = from === 'drawing' ? page.drawn() : given;
     if (maze) return maze;
-    throw new Error(from === 'drawing' ? 'nothing is drawn yet' : 'open a file, or drop one on the page');
+    throw new Error(from === 'drawing' ? 'nothing drawn yet' : 'open a file, or drop one on the page');
   }
   function complain(message: string) {
     const isGenerator = source.value === 'generator';

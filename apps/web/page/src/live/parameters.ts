@@ -77,7 +77,7 @@ export function createParameters(changed: (values: Values) => void): ParameterFo
     fields.set(parameter.name, row);
     control.addEventListener('input', () => {
       const value = read(control);
-      row.complain(value === null ? 'this is not a number' : '');
+      row.complain(value === null ? 'not a number' : '');
       if (value === null) return;
       delete given[parameter.name];
       if (value !== '' && value !== parameter.default) given[parameter.name] = value;

@@ -19,7 +19,7 @@ export function createWorldChoice({ mice, robots, drive_rules }: About, changed:
       ...options.map(([value, text]) => h('option', { value }, text)),
     );
   const world = select([
-    ['steps', 'steps of the capstone'],
+    ['steps', 'steps, as in the capstone project'],
     ['seconds', 'seconds: curves and diagonals'],
   ]);
   const robot = select(robots.map(({ name, cell }) => [name, `${name}, cells of ${cell} mm`]));
@@ -33,7 +33,7 @@ export function createWorldChoice({ mice, robots, drive_rules }: About, changed:
   function update() {
     const seconds = world.value === 'seconds';
     robotRow.hidden = rulesRow.hidden = !seconds;
-    worldNote.textContent = seconds ? `mice that drive: ${drivers.join(', ')}` : '';
+    worldNote.textContent = seconds ? `mice that can drive: ${drivers.join(', ')}` : '';
     source.textContent = drive_rules.find(({ name }) => name === rules.value)?.source ?? '';
   }
   const set = (of: HTMLSelectElement, value: string | undefined) => {

@@ -11,7 +11,7 @@ export async function fetchBeliefs(core: Core, track: Track): Promise<Uint16Arra
   const frames = last + 1;
   if (2 * frames * cells > mostBytes)
     throw new Error(
-      `the believed distances of ${counted(frames, 'frame')} are too many: they are drawn up to ${mostBytes >> 20} MiB`,
+      `the believed distances of ${counted(frames, 'frame')} are too many to draw: the limit is ${mostBytes >> 20} MiB`,
     );
   const stride = play.rules?.stride ?? 1;
   const { bytes } = await core.call('beliefs', { maze: track.maze, known: play.known, frames, stride });

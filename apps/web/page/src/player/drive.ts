@@ -122,6 +122,6 @@ export function madeOf(run: DriveRun, { gate_to_gate, maze_time_divisor: divisor
   const parts = [durationText(gate_to_gate ? score.gate_to_gate : score.rest_to_centre)];
   if (score.maze_time > 0)
     parts.push(`+ ${durationText(score.maze_time)} for ${short(run.begin / 1e6)} s / ${divisor}`);
-  if (score.bonus > 0) parts.push(`− ${durationText(score.bonus)}, never touched`);
+  if (score.bonus > 0) parts.push(`− ${durationText(score.bonus)} for never being touched`);
   return parts.join(' ');
 }

@@ -144,7 +144,7 @@ const driven: Row[] = [
   },
   {
     label: 'fastest possible run',
-    meaning: () => 'from rest at the start to the middle of a goal, in the whole maze',
+    meaning: () => 'from rest at the start to the middle of a goal, knowing the whole maze',
     value: ({ track }) => track.play.optimum,
     text: orAbsent((v) => `${decimal(v)} s`),
     score: true,
@@ -158,7 +158,7 @@ const driven: Row[] = [
   {
     label: 'decisions',
     value: ({ track }) => track.play.drive?.decisions ?? null,
-    text: (side, v) => `${v ?? 0}, ${side.track.play.drive?.replanned ?? 0} planned anew`,
+    text: (side, v) => `${v ?? 0}, ${side.track.play.drive?.replanned ?? 0} replanned`,
   },
   { label: 'cells visited', value: ({ track }) => track.play.visited, text: orAbsent(percent) },
 ];

@@ -6,12 +6,12 @@ import type { Actions, State } from './state';
 
 const list: [string, string][] = [
   ['Space', 'play or pause'],
-  ['← →', 'one step (move, straight or turn) back or forward; with Shift ten'],
+  ['← →', 'one step (move, straight or turn) back or forward; ten with Shift'],
   ['Home End', 'to the start or the end'],
   ['G R', 'to the first step in the goal, to the speed run'],
   ['+ −', 'faster or slower'],
-  ['F', 'fit all of it into 20 seconds'],
-  ['L', 'play again from the start, over and over'],
+  ['F', 'play all of it in 20 seconds'],
+  ['L', 'repeat from the start'],
   ['1 … 9, 0', 'the layers, in the order of the legend'],
 ];
 

@@ -5,7 +5,7 @@ import { has, layerNames, type DistanceMode, type LayerName, type Layers, type W
 import { sample, type Sample } from './samples';
 import type { Actions, Panel, State } from './state';
 
-const tints = '; a tone where the cells are too small for numbers, the stronger the nearer';
+const tints = '; if the cells are too small for numbers, a tone, stronger when nearer';
 
 type Sign = [Sample, string];
 
@@ -18,49 +18,51 @@ function signsOf(layer: LayerName, layers: Layers, world: Play['world'], most: n
       if (mms)
         return layers.walls === 'known'
           ? [
-              ['drawn', 'wall that the program drew, where there is one'],
+              ['drawn', 'wall that the program drew, and that exists'],
               ['unseen', 'wall that it has not drawn yet'],
             ]
           : [['walls', 'wall of the maze']];
       return layers.walls === 'known'
         ? [
-            ['walls', 'wall that the mouse knows by now'],
-            ['unknown', 'unknown by now: open or closed'],
+            ['walls', 'wall that the mouse knows so far'],
+            ['unknown', 'not known yet: open or closed'],
           ]
         : [
             ['walls', 'wall'],
             ['unseen', 'wall that the mouse does not know yet'],
           ];
     case 'wrong':
-      return [['wrong', 'closed, and not known yet: who takes unknown walls for open errs here']];
+      return [['wrong', 'closed, but not known yet: assuming that unknown walls are open is wrong here']];
     case 'visits':
       return [['visits', most > 1 ? `1 to ${most} visits to a cell so far` : '1 visit to a cell']];
     case 'distances':
       if (layers.distances === 'believed')
-        return [['distances', `${unit} to the goal as the mouse believed, were all unknown walls open${tints}`]];
+        return [
+          ['distances', `${unit} to the goal as the mouse believed, assuming that all unknown walls are open${tints}`],
+        ];
       return [['distances', `${unit} to the goal, in the whole maze${tints}`]];
     case 'rays':
       return [['rays', 'open cells to the left, ahead and to the right, read before the next step']];
     case 'exploration':
       return mms
         ? [
-            ['exploration', 'way until the goal'],
+            ['exploration', 'way to the goal'],
             ['onwards', 'way from there on'],
           ]
         : [
-            ['exploration', 'way of the exploration to the goal'],
-            ['onwards', 'its way from there on'],
+            ['exploration', 'path of the exploration to the goal'],
+            ['onwards', 'its path from there on'],
           ];
     case 'speed':
       if (world === 'seconds')
         return [
           [
             'speeds',
-            `its way in this run so far: 0 to ${fastest.toFixed(2)} m/s, in steps of ${(fastest / 6).toFixed(2)}`,
+            `its path in this run so far: 0 to ${fastest.toFixed(2)} m/s, in steps of ${(fastest / 6).toFixed(2)}`,
           ],
-          ['ahead', 'of a fast run: what is still to come'],
+          ['ahead', 'the rest of a fast run'],
         ];
-      return [['speed', 'speed run; dot: the end of each step, with its number']];
+      return [['speed', 'speed run; dot: the end of a step, with its number']];
     case 'best':
       if (world === 'seconds') return [['fastest', 'the fastest run that the maze allows']];
       return [['best', mms ? 'a best possible run, cell by cell' : 'a shortest speed run; ring: the end of a step']];
@@ -68,15 +70,15 @@ function signsOf(layer: LayerName, layers: Layers, world: Play['world'], most: n
       return [
         [
           'candidates',
-          'unseen wall that it weighed in its last choice, with the steps of the run through it; pale: not worth it',
+          'unseen wall that it considered in its last choice, with the steps of the run through it; pale: not worth it',
         ],
         ['chosen', 'the chosen one'],
       ];
     case 'mms':
       return [
         ['mms', 'colours and texts that the program drew'],
-        ['drawn', 'wall that it drew, where there is one'],
-        ['wrong', 'wall that it drew where there is none'],
+        ['drawn', 'wall that it drew, and that exists'],
+        ['wrong', 'wall that it drew, but that does not exist'],
       ];
   }
 }

@@ -31,9 +31,9 @@ function ranked(reasons: Reasons): number[] {
 function verdict({ chosen, known, hope, price, candidates }: Reasons): string {
   const run = known > 0 ? `The best known run takes ${short(known)} steps.` : 'No run is known yet.';
   if (chosen >= 0) return known > 0 ? run : '';
-  if (candidates.length === 0) return `${run} No unseen wall is left through which another could lead.`;
+  if (candidates.length === 0) return `${run} No unseen wall is left that a better run could pass.`;
   if (hope <= 0) return run;
-  return `${run} The best hope is one of ${short(hope)}; a look at it counts ${short(price)}. Not worth it.`;
+  return `${run} The best hope is one of ${short(hope)}; looking at it costs ${short(price)}. Not worth it.`;
 }
 
 const titleOf = ({ frame, ground, candidates }: Reasons) =>
@@ -67,8 +67,8 @@ export function createReasons(state: State): Panel {
   const more = h('button', { type: 'button', class: 'quiet', onclick: () => ((everything = !everything), draw()) });
   const body = h('tbody');
   const caption =
-    'In steps. Through: of the speed run through that wall, as far as the mouse weighs it; travel: of the way to the ' +
-    'cell from which it is seen; score: what it compared, the lowest wins. – not worth the way';
+    'All in steps. Through: the speed run through that wall, as far as the mouse considers it; travel: the way to the ' +
+    'cell from which it can be seen; score: the value compared, the lowest wins. – not worth the way';
   const table = h(
     'div',
     { class: 'wide', role: 'region', tabindex: 0, 'aria-label': 'Candidates' },

@@ -59,7 +59,7 @@ export function createTransport(state: State, actions: Actions): Panel {
   const play = button('play', 'Play', 'space', actions.toggle);
   const pauseIcon = icon('pause');
   const playIcon = play.firstElementChild!;
-  const loop = button('loop', 'Play again from the start', 'L', () => actions.setLoop(!state.clock.loop));
+  const loop = button('loop', 'Repeat from the start', 'L', () => actions.setLoop(!state.clock.loop));
   const range = h('input', {
     type: 'range',
     min: 0,

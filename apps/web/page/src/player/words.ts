@@ -25,7 +25,7 @@ const runsInSeconds = ['search', 'way home', 'fast run'];
 
 export function runText({ track, scene }: Side): string {
   const { frame } = scene.past;
-  if (frame === track.last) return track.play.ended ? 'ended' : 'broken off';
+  if (frame === track.last) return track.play.ended ? 'ended' : 'incomplete';
   if (track.play.world === 'mms') return 'running';
   if (track.drive) return runsInSeconds[track.run[frame]];
   return track.run[frame] === 1 ? 'speed run' : 'exploration';
@@ -46,7 +46,7 @@ export function readingText({ track, scene }: Side): string {
 export function actionText({ track, scene }: Side): string {
   const { frame } = scene.past;
   if (frame === track.last) return '–';
-  return track.play.action[frame] + (track.play.blocked[frame] ? ', ended by a wall' : '');
+  return track.play.action[frame] + (track.play.blocked[frame] ? ', stopped by a wall' : '');
 }
 
 /** The same of a contest in seconds. */

@@ -29,7 +29,7 @@ export function cellText(board: Board, mouse: number, maze: number): string {
   const { short, width, height, bound, optimum } = board.mazes[maze];
   const cell = board.cells[mouse][maze];
   const where = `${board.mice[mouse].shown} in ${short} (${width}×${height})`;
-  if (bound === null) return `${where}: no goal can be reached`;
+  if (bound === null) return `${where}: the goal cannot be reached`;
   if (cell.contests.length === 0) return `${where}: no contest`;
   const what =
     cell.contests.length === 1

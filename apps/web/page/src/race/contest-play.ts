@@ -45,7 +45,7 @@ async function runAgain(
 }
 
 const differs = (mouse: string) =>
-  `This version of labmouse behaves differently from the one that raced: here is ${mouse} as it was recorded.`;
+  `This version of labmouse behaves differently from the one that ran the race; this is ${mouse} as recorded.`;
 
 /** A record that lacks reasons, and the same mouse run again, which has them: the better of the two. */
 function better(recorded: Found, again: Found | null, mouse: string): ContestPlay {
@@ -60,7 +60,7 @@ function scoreRemark(play: Play, contest: Contest): string {
   if (same) return '';
   const before = contest.score === null ? contest.outcome : scoreText(contest.score);
   const now = play.score === null ? play.outcome : scoreText(play.score);
-  return `This version of labmouse behaves differently from the one that raced: the results say ${before}, this run ${now}.`;
+  return `This version of labmouse behaves differently from the one that ran the race: the results say ${before}, this run says ${now}.`;
 }
 
 /** Throws in words why there is nothing to replay. */
@@ -77,11 +77,11 @@ export async function contestPlay(
   const packed = recordOf(records, contest, at.position);
   if (!packed && !worldOf(board.world).again)
     throw new Error(
-      `There is no record of ${mouse} in ${short}: runs of ${board.world} are replayed from their records. Drop the record here.`,
+      `There is no record of ${mouse} in ${short}, and contests in the world ${board.world} are replayed from their records. Drop the record here.`,
     );
   if (!packed && !(await isOurs(page, mouse)))
     throw new Error(
-      `There is no record of ${mouse} in ${short}, and a page cannot run this program. Drop its record here ('labmouse race --out DIR' keeps them).`,
+      `There is no record of ${mouse} in ${short}, and the page cannot run this program. Drop its record here ('labmouse race --out DIR' saves records).`,
     );
   const maze = await race.maze(name);
   if (!maze)
@@ -91,6 +91,6 @@ export async function contestPlay(
     packed ? null : Promise.reject(error),
   );
   if (packed) return better(await page.core.call('unpack', { record: packed, maze }), again, mouse);
-  if (!again) throw new Error(`The results lack the seed of ${mouse} in ${short}.`);
+  if (!again) throw new Error(`The results do not contain the seed of ${mouse} in ${short}.`);
   return { ...again, remark: scoreRemark(again.play, contest) };
 }

@@ -72,7 +72,7 @@ function asTable(board: Board, data: ReturnType<typeof ratiosOf>[], best: string
       h(
         'table',
         {},
-        h('caption', {}, `Percent of all contests with at most that score / ${best}.`),
+        h('caption', {}, `Percentage of all contests with at most that score / ${best}.`),
         h('thead', {}, h('tr', {}, h('th', { scope: 'col' }, 'mouse'), ...head)),
         h('tbody', {}, ...rows),
       ),
@@ -90,7 +90,7 @@ export function curves(board: Board): Curves {
   const picture = h('div', {
     class: 'curves',
     role: 'img',
-    'aria-label': `Percent of contests within a score / ${best}, for each mouse. The table below has the same numbers.`,
+    'aria-label': `Percentage of contests within a score / ${best}, for each mouse. The table below has the same numbers.`,
   });
   const at = h('span', {});
   const values = board.mice.map(() => h('output', {}));

@@ -53,7 +53,7 @@ export function duel(page: EarlyPage, board: Board, open: (a: number, b: number,
     const columns = [
       {
         title: 'maze',
-        meaning: 'Opens both contests beside each other.',
+        meaning: 'Opens both contests side by side.',
         value: ({ maze }: Pair) => mazeName(maze),
         show: ({ maze }: Pair) =>
           h(
@@ -66,7 +66,7 @@ export function duel(page: EarlyPage, board: Board, open: (a: number, b: number,
       },
       {
         title: 'difference',
-        meaning: `The first less the second, in ${unit}: below zero the first is better.`,
+        meaning: `The first minus the second, in ${unit}: below zero, the first is better.`,
         value: (pair: Pair) => pair.difference,
         show: (pair: Pair) => signed(pair.difference, 3),
         best: 'ascending' as const,
@@ -104,9 +104,9 @@ export function duel(page: EarlyPage, board: Board, open: (a: number, b: number,
     for (const piece of [picture, tableBox]) piece.hidden = !found;
     canvas.setAttribute(
       'aria-label',
-      `Differences in score, ${name(a)} less ${name(b)}, one bar for each maze, sorted. The table below has the same numbers.`,
+      `Differences in score, ${name(a)} minus ${name(b)}, one bar for each maze, sorted. The table below has the same numbers.`,
     );
-    caption.textContent = `One bar for each maze: score of ${name(a)} less score of ${name(b)}, in ${unit}. Below zero ${name(a)} is better. Line and band: the mean and its 95 % interval.`;
+    caption.textContent = `One bar for each maze: score of ${name(a)} minus score of ${name(b)}, in ${unit}. Below zero, ${name(a)} is better. Line and band: the mean and its 95 % interval.`;
     tableBox.replaceChildren(table());
     arrange();
   }

@@ -130,7 +130,7 @@ export function holdPanel(page: EarlyPage, about: About): HoldPanel {
     doing,
     h('button', { type: 'button', onclick: () => stop() }, 'Stop'),
   );
-  const start = h('button', { type: 'submit', class: 'main' }, 'Hold the race');
+  const start = h('button', { type: 'submit', class: 'main' }, 'Start the race');
   let wanted = true;
 
   function stop() {

@@ -11,7 +11,7 @@ type RacedMouse = RaceGroup['mice'][number];
 function nameColumn<Row extends { name: string }>(reference: (row: Row) => boolean): Column<Row> {
   return {
     title: 'mouse',
-    meaning: 'Its name, with the parameters that were given. A reference knows the maze and is no contestant.',
+    meaning: 'Its name, with the parameters that were given. A reference knows the maze and is not a contestant.',
     value: (row) => row.name,
     show: (row) =>
       h('span', { class: 'name', title: row.name }, row.name, reference(row) && h('small', {}, 'reference')),
@@ -22,7 +22,7 @@ function nameColumn<Row extends { name: string }>(reference: (row: Row) => boole
 
 const solvedColumn = (key: string): Column<RacedMouse> => ({
   title: key,
-  meaning: 'Contests that ended with a score, of all contests in mazes with a route.',
+  meaning: 'Contests that ended with a score, out of all contests in mazes with a route.',
   value: (row) => orNull(Number(row[key]) / row.runs),
   show: (row) => `${number(row[key], 0)} of ${number(row.runs, 0)}`,
   best: 'descending',
@@ -55,7 +55,7 @@ function intervalColumn<Row>(
   return {
     title: `95 % interval, ${unit}`,
     meaning:
-      'Where the mean score over all lies: percentile bootstrap over the mazes. The dot is the mean; lower is better.',
+      'Interval of the mean score over all contests: percentile bootstrap over the mazes. The dot is the mean; lower is better.',
     value: (row) => {
       const found = shown(row);
       return Array.isArray(found) ? orNull(found[0]) : null;

@@ -33,7 +33,7 @@ export function matrixLegend(best: string): HTMLElement {
       ...swatches,
       h('li', {}, sign('M3 3 L11 11 M11 3 L3 11'), 'all contests failed'),
       h('li', {}, corner(1, 'on-light'), corner(5, 'on-dark'), 'some failed'),
-      h('li', {}, sign('M3 7 L11 7', 'dash'), 'no way, or no contest'),
+      h('li', {}, sign('M3 7 L11 7', 'dash'), 'no route, or no contest'),
     ),
   );
 }

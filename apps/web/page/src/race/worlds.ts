@@ -56,7 +56,7 @@ const inner = (value: unknown, key: string): unknown =>
 
 const ratioColumn = (best: string): FigureColumn => ({
   title: `score / ${best}`,
-  meaning: 'Mean over the solved contests of the score over the best possible one in that maze.',
+  meaning: 'Mean over the solved contests of the score divided by the best possible one in that maze.',
   value: (mouse) => mouse.mean_ratio,
   digits: 3,
 });
@@ -87,26 +87,26 @@ const steps: RacedWorld = {
     ratioColumn('bound'),
     {
       title: 'explor. steps',
-      meaning: 'Mean exploration steps of the solved contests, the reset included.',
+      meaning: 'Mean exploration steps of the solved contests, including the reset.',
       value: (mouse) => mouse.mean_exploration_steps,
       digits: 1,
     },
     {
       title: 'speed + steps',
-      meaning: "Mean steps of the solved contests' speed runs beyond the shortest.",
+      meaning: "Mean steps of the solved contests' speed runs beyond the shortest run.",
       value: (mouse) => mouse.mean_speed_over_optimum,
       digits: 2,
     },
     {
       title: 'best runs, %',
-      meaning: 'Percent of all contests whose speed run was a shortest one.',
+      meaning: 'Percentage of all contests whose speed run was a shortest one.',
       value: (mouse) => percent(mouse.optimal_share),
       digits: 1,
       best: 'descending',
     },
     {
       title: 'µs a step',
-      meaning: 'Mean time of a decision, in microseconds: the one figure that differs from race to race.',
+      meaning: 'Mean time per decision, in microseconds: the only figure that changes from race to race.',
       value: (mouse) => mouse.microseconds_per_decision,
       digits: 2,
     },
@@ -117,7 +117,7 @@ const steps: RacedWorld = {
 const inSeconds: RacedWorld = {
   unit: 's',
   best: 'bound',
-  bestMeaning: 'bound, the score of the fastest route driven at once',
+  bestMeaning: 'bound, the score of the fastest route, driven at once',
   mean: 'mean_score',
   meanMeaning: 'Mean score in seconds, over the contests that have one.',
   solved: 'scored',
@@ -140,7 +140,7 @@ const inSeconds: RacedWorld = {
     },
     {
       title: 'above fastest, %',
-      meaning: "How much longer the best runs' routes take than the fastest one, in percent.",
+      meaning: 'How much longer the routes of the best runs take than the fastest route, in percent.',
       value: (mouse) => percent(mouse.mean_excess),
       digits: 2,
     },

@@ -12,7 +12,7 @@ async function readJson(text: string, what: string): Promise<unknown> {
     return JSON.parse(new TextDecoder().decode(await unpack(text.replace(/\s+/g, ''))));
   } catch {
     throw new Error(
-      `The ${what} in this page cannot be read: the file is cut or damaged. Make it again with 'labmouse report'.`,
+      `The ${what} in this page cannot be read: the file is incomplete or damaged. Make it again with 'labmouse report'.`,
     );
   }
 }
@@ -40,7 +40,7 @@ export function isResults(value: unknown): value is RaceResults {
 export async function readReport(text: string): Promise<Report> {
   const json = await readJson(text, 'report');
   if (!isObject(json) || json.labmouse !== 'report')
-    throw new Error('This page carries something that is not a report of labmouse');
+    throw new Error('This page contains something that is not a labmouse report');
   if (json.format !== format) {
     const version = typeof json.version === 'string' ? `, made by labmouse ${json.version}` : '';
     throw new Error(
@@ -48,7 +48,7 @@ export async function readReport(text: string): Promise<Report> {
         `Make it again with 'labmouse report'.`,
     );
   }
-  if (!isResults(json.results)) throw new Error('The report in this page lacks its results');
+  if (!isResults(json.results)) throw new Error('The report in this page has no results');
   const mazes = isObject(json.mazes) ? json.mazes : {};
   const links = Object.entries(mazes).filter(([, link]) => typeof link === 'string');
   return { ...(json as unknown as Report), mazes: Object.fromEntries(links) as Record<string, string> };
@@ -58,7 +58,7 @@ export async function readReport(text: string): Promise<Report> {
 export async function readRecords(text: string): Promise<ReportRecords> {
   const json = await readJson(text, 'records');
   if (!isObject(json) || !Array.isArray(json.records))
-    throw new Error('The records in this page have a form that it does not know');
+    throw new Error('The records in this page have an unknown format');
   const records = json.records.filter(
     (one) => isObject(one) && typeof one.mouse === 'string' && typeof one.maze === 'string',
   );

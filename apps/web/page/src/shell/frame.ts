@@ -14,7 +14,7 @@ export interface Frame {
 export function createFrame(notices: Notices, intake: Intake): Frame {
   const tabs = new Map(viewNames.map((name) => [name, h('a', { href: `#${name}` }, titleOf(name))]));
   const main = h('main', { id: 'main', tabindex: -1 });
-  const skip = h('button', { type: 'button', class: 'skip', onclick: () => main.focus() }, 'To the content');
+  const skip = h('button', { type: 'button', class: 'skip', onclick: () => main.focus() }, 'Skip to the content');
   const header = h(
     'header',
     { class: 'top' },

@@ -8,5 +8,5 @@ export function lacking(): string {
     typeof Worker === 'function' ? '' : 'web workers',
   ].filter(Boolean);
   if (missing.length === 0) return '';
-  return `This browser lacks ${missing.join(' and ')}, so nothing can be computed here. Any browser from 2023 on has it.`;
+  return `This browser lacks ${missing.join(' and ')}, so the page cannot work. Any browser from 2023 or later has what it needs.`;
 }

@@ -39,7 +39,7 @@ export function createGenerator(about: About, { first, more = [] }: { first: str
     width: field('Width', width),
     height: field('Height', height),
     seed: field('Seed', seed),
-    loops: field('Loops', loops, h('span', {}, 'share of the walls to open besides, 0 to 1')),
+    loops: field('Loops', loops, h('span', {}, 'share of the remaining walls to open, 0 to 1')),
   };
   const seeded = h('div', { class: 'field-row' }, fields.seed, fields.loops);
   // What throws no dice needs no seed.

@@ -47,7 +47,7 @@ export function createLive(page: Page): LiveView {
   const seed = h('input', { type: 'number', min: 0, step: 1, value: 1, oninput: () => (everyone.clear(), changed()) });
   const budget = h('input', { type: 'number', min: 1, step: 1, value: rules.budget });
   budget.addEventListener('input', () => (everyone.clear(), changed()));
-  const budgetRow = field('Budget', budget, h('span', {}, `steps of both runs; ${rules.budget} in contests`));
+  const budgetRow = field('Budget', budget, h('span', {}, `limit for both runs together; ${rules.budget} in contests`));
   const seedRow = field('Seed', seed);
   const world = createWorldChoice(page.about, () => (showWorld(), changed()));
   const bench = createBench(page, (message) => {

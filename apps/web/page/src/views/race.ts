@@ -67,12 +67,12 @@ export function createRace(page: EarlyPage): View {
       elements: [
         part(
           `Mice × mazes${world}`,
-          'How near each mouse came to the best possible score. Choose a cell to open its replay.',
+          'How close each mouse came to the best possible score. Choose a cell to open its replay.',
           cells.element,
         ),
         part(
           `Distributions${world}`,
-          `How many contests of a mouse score within a ratio to the ${best}. Further up and to the left is better.`,
+          `How many contests of a mouse score within a given ratio of the ${best}. Further up and to the left is better.`,
           lines.element,
         ),
         ...(pair ? [part(`Two mice${world}`, '', pair.element)] : []),
@@ -130,20 +130,20 @@ export function createRace(page: EarlyPage): View {
     page.ready.then(
       (about) => room.replaceChildren((panel = holdPanel(page, about)).element),
       () =>
-        room.replaceChildren(h('p', { class: 'note' }, 'Races cannot be held here, because the core did not start.')),
+        room.replaceChildren(h('p', { class: 'note' }, 'This page cannot run races, because its core did not start.')),
     );
     const about = h(
       'p',
       { class: 'note' },
-      'Choose mice and mazes; they race in this page. Results of the command line are shown in the same way: write them with ',
+      'Choose mice and mazes to race in this page. To see results from the command line, write them with ',
       h('code', {}, 'labmouse race --format json > results.json'),
       ' and drop the file anywhere on this page. ',
       h('code', {}, 'labmouse report results.json -o report.html'),
-      ' makes a page of its own from them, with the replays.',
+      ' makes a separate page from them, with the replays.',
     );
     return first
-      ? part('Hold a race', '', about, room)
-      : h('details', { class: 'part controls' }, h('summary', {}, 'Hold another race'), about, room);
+      ? part('Run a race', '', about, room)
+      : h('details', { class: 'part controls' }, h('summary', {}, 'Run another race'), about, room);
   }
 
   function render(race: LoadedRace | null) {

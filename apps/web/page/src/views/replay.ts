@@ -50,7 +50,7 @@ function createWelcome(page: Page) {
       'p',
       {},
       'A record holds a contest step by step: what the mouse read, what it did, and where that led. ',
-      'Here it is played again.',
+      'Here you can replay it.',
     ),
     h('h3', {}, 'See an example'),
     createExample(page, ['ariadne'], '', inSteps),
@@ -72,7 +72,7 @@ function createWelcome(page: Page) {
       h('code', {}, '--out DIR'),
       ', by programs for mms, and by real robots; with ',
       h('code', {}, '--explain'),
-      ' they also say why ariadne went where it went. In the view Race a click on a contest opens its record here.',
+      ' they also say why ariadne went where it did. In the view Race, click a contest to open its record here.',
     ),
   );
 }

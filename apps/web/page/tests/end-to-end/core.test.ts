@@ -33,6 +33,6 @@ test('a contest in the browser has the record of the native program', async () =
 test('a core that stops is started again', async () => {
   const page = await open();
   const message = await page.evaluate(() => window.labmouse.call('nothing' as 'about', {}).catch(String));
-  expect(message).toContain('the core stopped at this, and was started again');
+  expect(message).toContain('the core crashed on this request and was restarted');
   expect((await page.evaluate(() => window.labmouse.call('about', {}))).mice.length).toBeGreaterThan(10);
 });

@@ -67,7 +67,7 @@ test('all is drawn by keyboard, too, and each step is said', async () => {
     ['ArrowUp', '(0,1): walls west'],
     ['d', 'east of (0,1) closed'],
     ['Shift+ArrowRight', 'east of (0,1) open'],
-    ['a', 'west of (0,1) is the border; it stays closed'],
+    ['a', 'west of (0,1) is the border, which stays closed'],
     ['h', 'the start is (0,1)'],
     ['r', 'the start heads east'],
     ['g', '(0,1) is a goal'],
@@ -87,8 +87,8 @@ test('why the last goal stays is told below the board', async () => {
   await page.getByRole('radio', { name: 'Goals' }).check();
   const at = await places(page, 3, 3);
   await page.mouse.click(...at(1.5, 1.5));
-  await page.getByText('a maze has one goal at least').waitFor();
-  const box = (await page.getByText('a maze has one goal at least').boundingBox())!;
+  await page.getByText('a maze must have at least one goal').waitFor();
+  const box = (await page.getByText('a maze must have at least one goal').boundingBox())!;
   expect(box.width).toBeGreaterThan(100);
 });
 
@@ -108,7 +108,7 @@ test('every format is saved and opened again, and what a format cannot hold is r
   const form = page.getByRole('region', { name: 'New drawing' });
   await form.getByLabel('Kind').selectOption('contest');
   await form.getByRole('button', { name: 'New drawing' }).click();
-  await expect.poll(() => verdict(page).textContent()).toBe('A contest maze: it keeps all 10 rules.');
+  await expect.poll(() => verdict(page).textContent()).toBe('A contest maze: it follows all 10 rules.');
   await picture(page, 'draw');
   expect(await barriers(page)).toEqual([]);
   const files = [];
@@ -118,7 +118,7 @@ test('every format is saved and opened again, and what a format cannot hold is r
     await form.getByRole('button', { name: 'New drawing' }).click();
     await expect.poll(() => verdict(page).textContent()).toBe('No goal can be reached from the start.');
     await openInDraw(page, file.name, file.content);
-    await expect.poll(() => verdict(page).textContent()).toBe('A contest maze: it keeps all 10 rules.');
+    await expect.poll(() => verdict(page).textContent()).toBe('A contest maze: it follows all 10 rules.');
   }
   expect((await saved(page, 'picture')).content.toString()).toContain('<svg');
   await page.getByRole('button', { name: 'Turn start' }).click();
@@ -144,7 +144,7 @@ test('a link holds the maze; opening one is a step that can be undone', async ()
   await form.getByLabel('Height').fill('4');
   await form.getByRole('button', { name: 'New drawing' }).click();
   await page.getByRole('region', { name: 'Save' }).getByRole('button', { name: 'link' }).click();
-  const field = page.getByLabel('Link with the maze');
+  const field = page.getByLabel('Link containing the maze');
   await field.waitFor();
   const link = await field.inputValue();
   expect(link).toMatch(/#maze=[\w.-]+$/);

@@ -39,7 +39,7 @@ test('what is wrong stands at its field, in the words of the core', async () => 
   const travel = page.getByLabel('travel', { exact: true });
   await travel.fill('1000');
   const refusal = page.locator('.field-error', {
-    hasText: "of parameter 'travel' of mouse 'ariadne' is outside of 1 to 200",
+    hasText: "of parameter 'travel' of mouse 'ariadne' is outside the range 1 to 200",
   });
   await refusal.waitFor();
   expect(await travel.getAttribute('aria-invalid')).toBe('true');
@@ -51,7 +51,7 @@ test('what is wrong stands at its field, in the words of the core', async () => 
   await maze.getByLabel('From').selectOption('generator');
   await maze.getByLabel('Kind').selectOption('contest');
   await maze.getByLabel('Width').fill('15');
-  await maze.getByText('a contest maze is a square of').waitFor();
+  await maze.getByText('a contest maze must be a square').waitFor();
   await maze.getByLabel('Width').fill('12');
   await maze.getByLabel('Height').fill('12');
   await expect.poll(() => outcome(page).textContent()).toContain('contest-12x12-seed-1');
@@ -115,8 +115,8 @@ test('the address holds mouse, maze and seed', async () => {
 
 test('a strange address breaks nothing', async () => {
   const page = await open('#live&mouse=nobody:a=%3Cb%3E&maze=cut&seed=x');
-  await page.locator('.field-error', { hasText: /mouse 'nobody' is unknown/ }).waitFor();
-  expect(await outcome(page).textContent()).toMatch(/^Not run: .*'nobody' is unknown/);
+  await page.locator('.field-error', { hasText: /unknown mouse 'nobody'/ }).waitFor();
+  expect(await outcome(page).textContent()).toMatch(/^Not run: .*unknown mouse 'nobody'/);
   await page.getByRole('alert').filter({ hasText: /./ }).first().waitFor();
   await mouse(page).selectOption('flood');
   await expect.poll(() => outcome(page).textContent()).toContain('flood in capstone-1: solved');

@@ -75,7 +75,7 @@ test('a mouse is seen at once', async () => {
 
 test('a race is held in the page', async () => {
   const page = await open();
-  await page.getByRole('button', { name: 'Hold the race' }).click();
+  await page.getByRole('button', { name: 'Start the race' }).click();
   await leaderboard(page).waitFor();
   expect(await mice(page)).toHaveLength(5);
   expect(await page.getByRole('status').first().textContent()).toContain('The race is over: 5 mice, 43 mazes.');
@@ -83,7 +83,7 @@ test('a race is held in the page', async () => {
 
 test('a race that ends leaves its user in the view where they are, and offers to show it', async () => {
   const page = await open();
-  await page.getByRole('button', { name: 'Hold the race' }).click();
+  await page.getByRole('button', { name: 'Start the race' }).click();
   await page.getByRole('link', { name: 'Draw' }).click();
   const status = page.getByRole('status').first();
   await status.getByText('The race is over').waitFor();
@@ -95,13 +95,13 @@ test('a race that ends leaves its user in the view where they are, and offers to
 
 test('a race in seconds is held, and its contests are driven again', async () => {
   const page = await open();
-  await page.getByRole('button', { name: 'Hold the race' }).waitFor();
+  await page.getByRole('button', { name: 'Start the race' }).waitFor();
   await page.getByRole('region', { name: 'Race', exact: true }).getByLabel('World').selectOption('seconds');
   const mazes = page.getByRole('group', { name: 'Mazes', exact: true });
   await page.getByText('Mazes, 43 of').click();
   await mazes.getByRole('button', { name: 'None' }).click();
   await mazes.getByLabel('contest-05').check();
-  await page.getByRole('button', { name: 'Hold the race' }).click();
+  await page.getByRole('button', { name: 'Start the race' }).click();
   const table = page.getByRole('region', { name: 'Leaderboard, seconds, table' });
   await table.waitFor();
   const names = await table.locator('tbody tr:visible th .name').allTextContents();
@@ -124,7 +124,7 @@ test('results of a race in seconds are shown', async () => {
 
 test('a maze that was opened can race, and is replayed as it was', async () => {
   const page = await open();
-  await page.getByRole('button', { name: 'Hold the race' }).waitFor();
+  await page.getByRole('button', { name: 'Start the race' }).waitFor();
   const maze = { name: 'my-maze.txt', content: native('convert', 'contest-half-01', '-') };
   await drop(page, maze);
   await page.waitForFunction(() => document.title === 'Live · labmouse');
@@ -133,7 +133,7 @@ test('a maze that was opened can race, and is replayed as it was', async () => {
   await page.getByText('Mazes, 43 of').click();
   await mazes.getByRole('button', { name: 'None' }).click();
   await mazes.getByLabel('my-maze').first().check();
-  await page.getByRole('button', { name: 'Hold the race' }).click();
+  await page.getByRole('button', { name: 'Start the race' }).click();
   await leaderboard(page).waitFor();
   await page.getByRole('application').focus();
   await page.keyboard.press('Enter');
@@ -224,26 +224,26 @@ test('a report is without barriers in light and dark, at every width, and no wid
 });
 
 test.each([
-  ['cut', pack(report).slice(0, 3000), 'cut or damaged'],
+  ['cut', pack(report).slice(0, 3000), 'incomplete or damaged'],
   ['of a later format', pack({ ...report, format: 2, version: '9.9' }), 'format 2, made by labmouse 9.9'],
-  ['without results', pack({ ...report, results: null }), 'lacks its results'],
+  ['without results', pack({ ...report, results: null }), 'has no results'],
 ])('a report that is %s is told, and the page goes on', async (_, text, message) => {
   const page = await open('', { file: withBlock('bad.html', text) });
   await page.getByText('Dismiss').waitFor();
   expect(await page.getByRole('alert').textContent()).toContain(message);
   await page.getByRole('button', { name: 'Dismiss' }).click();
   expect(await page.getByRole('alert').textContent()).toBe('');
-  await page.getByRole('button', { name: 'Hold the race' }).waitFor();
+  await page.getByRole('button', { name: 'Start the race' }).waitFor();
 });
 
 test('a link without its maze is told', async () => {
   const page = await open('#maze=');
-  await page.getByRole('alert').getByText('This link is cut').waitFor();
+  await page.getByRole('alert').getByText('This link is incomplete').waitFor();
 });
 
 test('of many complaints the newest are shown and the rest counted, until a form is sent again', async () => {
   const page = await open();
-  await page.getByRole('button', { name: 'Hold the race' }).waitFor();
+  await page.getByRole('button', { name: 'Start the race' }).waitFor();
   await drop(page, ...Array.from({ length: 7 }, (_, i) => ({ name: `bad${i}.txt`, content: 'no maze' })));
   const alert = page.getByRole('alert');
   await alert.getByText('and 3 more').waitFor();
@@ -252,7 +252,7 @@ test('of many complaints the newest are shown and the rest counted, until a form
   await alert.getByRole('button', { name: 'Dismiss', exact: true }).first().click();
   await alert.getByText('and 2 more').waitFor();
   await page.getByRole('link', { name: 'Race' }).click();
-  await page.getByRole('button', { name: 'Hold the race' }).click();
+  await page.getByRole('button', { name: 'Start the race' }).click();
   await page.waitForFunction(() => document.querySelector('[role=alert]')!.textContent === '');
 });
 

@@ -218,14 +218,14 @@ describe('files and links', () => {
       [
         'unfit.jsonl',
         [JSON.stringify({ ...bare, maze: wrongMaze }), ...lines].join('\n'),
-        /unfit\.jsonl does not agree with its maze.*step 1: recorded at/s,
+        /unfit\.jsonl does not match its maze.*step 1: recorded at/s,
       ],
       ['cut.json', race.text.slice(0, race.text.length / 2), /cut\.json.*line \d+, column \d+/s],
-      ['older.json', JSON.stringify(older), /older\.json.*labmouse 0\.0\.1 wrote them.*'mice\[0\]\.runs' is missing/s],
+      ['older.json', JSON.stringify(older), /older\.json.*written by labmouse 0\.0\.1.*'mice\[0\]\.runs' is missing/s],
       [
         'report.html',
         readFileSync(race.report).subarray(0, 50_000),
-        /report\.html is a page of labmouse: open it by itself/,
+        /report\.html is a labmouse page; open it in the browser/,
       ],
       ['noise.bin', Buffer.from(Array.from({ length: 300 }, (_, i) => (i * 151) % 256)), /noise\.bin/],
       ['empty', '', /empty is empty/],
@@ -284,14 +284,14 @@ describe('files and links', () => {
     await clickCell(page, 'ariadne', 0);
     await expect
       .poll(() => alert(page).textContent())
-      .toContain('The records in this page cannot be read: the file is cut');
+      .toContain('The records in this page cannot be read: the file is incomplete');
     await replay(page).locator('.player canvas').waitFor();
 
     const block = whole.indexOf('id="labmouse-report"');
     const other = await open('', { file: cut('none.html', (block + records) / 2) });
     await expect
       .poll(() => alert(other).textContent())
-      .toContain('The report in this page cannot be read: the file is cut');
-    await other.getByRole('button', { name: 'Hold the race' }).waitFor();
+      .toContain('The report in this page cannot be read: the file is incomplete');
+    await other.getByRole('button', { name: 'Start the race' }).waitFor();
   });
 });

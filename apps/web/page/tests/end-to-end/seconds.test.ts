@@ -124,7 +124,7 @@ test('its record and its picture are saved, and the record is opened again', asy
   await drop(page, record);
   await expect.poll(() => moment(page)).toBe(whole);
   await drop(page, { name: 'changed.jsonl', content: record.content.replace(/"gate_out":\d/, '"gate_out":9') });
-  await expect.poll(() => page.locator('.alerts').textContent()).toContain('recorded to leave the start at');
+  await expect.poll(() => page.locator('.alerts').textContent()).toContain('recorded as leaving the start at');
 });
 
 test('nothing is in the way of anybody, in light and dark, at every width', async () => {

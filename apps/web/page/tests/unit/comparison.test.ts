@@ -20,10 +20,10 @@ const walk = (spec: string, score: number | null, action: string[], more: Partia
 it('says what changed and what came of it', () => {
   const before = walk('flood', 20, ['ahead']);
   expect(comparisonInWords(before, walk('certify', 18.5, ['left']))).toBe(
-    'flood → certify: score 20.000 → 18.500 (−1.500; less is better)',
+    'flood → certify: score 20.000 → 18.500 (−1.500; lower is better)',
   );
   expect(comparisonInWords(before, walk('flood', 21, ['left'], { seed: 2, budget: 500 }))).toBe(
-    'seed 1 → 2, budget 1000 → 500: score 20.000 → 21.000 (+1.000; less is better)',
+    'seed 1 → 2, budget 1000 → 500: score 20.000 → 21.000 (+1.000; lower is better)',
   );
   expect(comparisonInWords(before, walk('flood:stride=1', null, ['left']))).toBe(
     'flood → flood:stride=1: score 20.000 → no score',

@@ -68,7 +68,7 @@ describe('the replay of a contest', () => {
   it('takes the record, and tells, where the run differs', async () => {
     const { play, remark } = await setup({ run: ['a', 'c'], record: ['a', 'b'] }).open(0);
     expect(play.action).toEqual(['a', 'b']);
-    expect(remark).toMatch(/as it was recorded/);
+    expect(remark).toMatch(/as recorded/);
   });
   it('takes the record of a guest, and of a mouse that cannot be run', async () => {
     expect((await setup({ record: ['g'] }).open(1)).play.action).toEqual(['g']);

@@ -141,8 +141,10 @@ describe.skipIf(!existsSync(file))('the core', () => {
 
   test('says what is wrong with a request or a file, and lives on', () => {
     expect(failure('run', { mouse: 'flod', maze, seed: 1 }).error).toContain("did you mean 'flood'?");
-    expect(failure('run', { mouse: 'guest:ls', maze, seed: 1 }).error).toContain('a page starts none');
-    expect(failure('run', { mouse: 'ariadne:prior=mine', maze, seed: 1 }).error).toContain('a page reads none');
+    expect(failure('run', { mouse: 'guest:ls', maze, seed: 1 }).error).toContain('which the page cannot start');
+    expect(failure('run', { mouse: 'ariadne:prior=mine', maze, seed: 1 }).error).toContain(
+      'which the page cannot read',
+    );
     expect(failure('inspect', { maze: { ...maze, walls: [] } }).error).toContain('walls of 0 cells');
     expect(failure('inspect', null).error).toBe('the request is not a JSON object');
     expect(failure('open', { name: 'x' }, text('o---o\n|   x\no---o\n')).problems[0]).toMatchObject({

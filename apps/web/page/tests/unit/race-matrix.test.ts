@@ -101,7 +101,7 @@ describe('the contests of a race', () => {
     expect(cellText(board, 1, 2)).toBe(
       'dice in hard (16×16): solved 1 of 2, mean score of these 20.000; bound 10, score / bound 2.000',
     );
-    expect(cellText(board, 0, 1)).toBe('one in closed (8×8): no goal can be reached');
+    expect(cellText(board, 0, 1)).toBe('one in closed (8×8): the goal cannot be reached');
     expect(cellText(board, 2, 2)).toBe('oracle in hard (16×16): no contest');
   });
   it('order the mazes by name, by bound and by how hard they were', () => {

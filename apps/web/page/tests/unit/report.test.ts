@@ -21,7 +21,7 @@ describe('the report of a page', () => {
     ['is empty', ''],
     ['is no JSON', gzipSync('{"labmouse":').toString('base64')],
   ])('is refused in words where it %s', async (_, text) => {
-    await expect(readReport(text)).rejects.toThrow(/cut or damaged/);
+    await expect(readReport(text)).rejects.toThrow(/incomplete or damaged/);
   });
   it('is refused where it is of another format, with the version that made it', async () => {
     await expect(readReport(pack({ ...report, format: 2, version: '9.0' }))).rejects.toThrow(
@@ -34,7 +34,7 @@ describe('the report of a page', () => {
     ['a list', [1]],
     ['null', null],
   ])('is refused where it is %s', async (_, json) => {
-    await expect(readReport(pack(json))).rejects.toThrow(/not a report/);
+    await expect(readReport(pack(json))).rejects.toThrow(/not a labmouse report/);
   });
   it.each([
     ['no results', undefined],
@@ -43,7 +43,7 @@ describe('the report of a page', () => {
     ['contests without a maze', { ...results, mice: [{ name: 'flood', results: [{ outcome: 'x' }] }] }],
     ['groups that are none', { ...results, groups: 5 }],
   ])('is refused where it has %s', async (_, odd) => {
-    await expect(readReport(pack({ ...report, results: odd }))).rejects.toThrow(/lacks its results/);
+    await expect(readReport(pack({ ...report, results: odd }))).rejects.toThrow(/has no results/);
   });
 });
 
@@ -57,7 +57,7 @@ describe('the records of a page', () => {
   });
   it('are refused in words', async () => {
     await expect(readRecords(pack({ records: 1 }))).rejects.toThrow(/form/);
-    await expect(readRecords(pack({ records: [] }).slice(0, 10))).rejects.toThrow(/cut or damaged/);
+    await expect(readRecords(pack({ records: [] }).slice(0, 10))).rejects.toThrow(/incomplete or damaged/);
   });
 });
 

@@ -84,8 +84,11 @@ it('draws by keys and says what came of it', () => {
   const closed = press(key('d'), maze, [0, 0])!;
   expect([closed.said, closed.maze.walls[0], closed.maze.walls[1]]).toEqual(['east of (0,0) closed', 14, 12]);
   expect(press(key('ArrowLeft', true), closed.maze, [1, 0])?.maze.walls).toEqual(maze.walls);
-  expect(press(key('a'), maze, [0, 0])).toMatchObject({ maze, said: 'west of (0,0) is the border; it stays closed' });
-  expect(press(key('g'), maze, [2, 2])).toMatchObject({ maze, said: 'a maze has one goal at least' });
+  expect(press(key('a'), maze, [0, 0])).toMatchObject({
+    maze,
+    said: 'west of (0,0) is the border, which stays closed',
+  });
+  expect(press(key('g'), maze, [2, 2])).toMatchObject({ maze, said: 'a maze must have at least one goal' });
   expect(press(key('g'), maze, [1, 1])?.maze.goals).toEqual([
     [1, 1],
     [2, 2],
