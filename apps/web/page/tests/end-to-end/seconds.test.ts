@@ -169,5 +169,5 @@ test('a mouse drives in Live, with a robot and rules, and the address says so', 
   await page.reload();
   await expect.poll(() => outcome.textContent()).toBe(said);
   await page.getByRole('region', { name: 'Mouse' }).getByLabel('Name').selectOption('random');
-  await expect.poll(() => outcome.textContent()).toContain("mouse 'random' does not drive in seconds");
+  await expect.poll(() => outcome.textContent()).toContain("mouse 'random' cannot drive");
 });

@@ -58,7 +58,7 @@ describe('the replay of a contest', () => {
     expect(asked).toEqual([['run', { mouse: 'ariadne', maze: { name: 'a' }, seed: 7, budget: 500 }]]);
   });
   it('tells where this version behaves differently', async () => {
-    expect((await setup({ run: ['a'], score: 13 }).open(0)).remark).toMatch(/behaves differently.*say 12, this run 13/);
+    expect((await setup({ run: ['a'], score: 13 }).open(0)).remark).toMatch(/behaves differently.*12.*13/);
   });
   it('takes the run, which has reasons, where its actions are those of the record', async () => {
     const { asked, open } = setup({ run: ['a', 'b'], record: ['a', 'b'] });
