@@ -56,7 +56,7 @@ TEST_F(ARobotsOwner, MaySayWhereItLiesFromAnywhere) {
 }
 
 TEST_F(ARobotsOwner, IsToldWhatFileIsMissing) {
-  is_refused({"race", "--mice", "capstone:rowboat.py"}, "no file", "'rowboat.py'", "capstone:FILE");
+  is_refused({"race", "--mice", "capstone:rowboat.py"}, "no such file", "'rowboat.py'", "capstone:FILE");
 }
 
 }  // namespace

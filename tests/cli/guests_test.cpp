@@ -69,7 +69,7 @@ TEST_F(AHostOfGuests, TellsWhichOfTheirStepsWereNotPerformed) {
   EXPECT_THAT(run.out, lines);
   EXPECT_EQ(labmouse({"replay", "clumsy.jsonl"}).out, run.out);
   const Ended watched = labmouse({"replay", "clumsy.jsonl", "--watch"});
-  EXPECT_THAT(watched.out, HasSubstr("turn +45, move +4 (no such turn)  blocked\n"));
+  EXPECT_THAT(watched.out, HasSubstr("turn +45, move +4 (invalid turn)  blocked\n"));
   EXPECT_THAT(watched.out, lines);
   EXPECT_THAT(race_in_the_corridor({"--mice", clumsy, "--budget", "5"}).out,
               Says("\n  guest:sh clumsy.sh: 5 blocked", "5 void", "5 cut", "corridor.txt, step 1\n"));
@@ -111,28 +111,29 @@ TEST_F(AHostOfGuests, StartsThemInTheirFolder) {
   std::filesystem::create_symlink(LABMOUSE_BAD_GUEST, folder_ / "place" / "mouse");
   EXPECT_THAT(race_in_the_corridor({"--mice", "guest:./mouse end", "--directory", "place"}).out,
               HasSubstr("forfeit (died) 1"));
-  is_refused({"race", "--mice", "guest:./mouse end"}, "no program", "'./mouse'");
+  is_refused({"race", "--mice", "guest:./mouse end"}, "no executable program", "'./mouse'");
 }
 
 TEST_F(AHostOfGuests, RefusesWhatIsNoGuest) {
-  is_refused({"race", "--mice", "guest:"}, "'guest:'", "no program");
+  is_refused({"race", "--mice", "guest:"}, "'guest:'", "command is empty");
   is_refused({"race", "--mice", "guest:python3 \"my mouse.py"}, "quotation mark");
   is_refused({"race", "--mice", "guest:no-such-program-anywhere"}, "'no-such-program-anywhere'", "PATH", "./mouse");
-  is_refused({"race", "--mice", "flood,capstone:nowhere.py"}, "no file", "'nowhere.py'");
+  is_refused({"race", "--mice", "flood,capstone:nowhere.py"}, "no such file", "'nowhere.py'");
   file("robot.py", "");
-  is_refused({"race", "--mice", "capstone:robot.py", "--python", "no-such-python"}, "no Python", "'no-such-python'");
-  is_refused({"race", "--mice", "capstone:robot.py", "--python", LABMOUSE_BAD_GUEST}, "not a Python",
+  is_refused({"race", "--mice", "capstone:robot.py", "--python", "no-such-python"}, "no executable Python",
+             "'no-such-python'");
+  is_refused({"race", "--mice", "capstone:robot.py", "--python", LABMOUSE_BAD_GUEST}, "working Python",
              LABMOUSE_BAD_GUEST);
   is_refused({"race", "--mice", "capstone:robot.py,flood"}, "'robot.py,flood'", "colon");
   is_refused({"race", "--mice", "capstone:."}, "'.'", "is a folder");
   is_refused({"race", "--mice", "guest:./robot.py"}, "'./robot.py'", "'python3 ./robot.py'");
   is_refused({"race", "--mice", "guest:robot.py"}, "'robot.py'", "'python3 robot.py'");
-  is_refused({"race", "--mice", "guest:./corridor.txt"}, "'./corridor.txt'", "cannot be executed");
-  is_refused({"race", "--mice", "guest:~/mouse"}, "'~/mouse'", "whole path");
+  is_refused({"race", "--mice", "guest:./corridor.txt"}, "'./corridor.txt'", "not executable");
+  is_refused({"race", "--mice", "guest:~/mouse"}, "'~/mouse'", "full path");
   is_refused({"race", "--mice", "robot.py"}, "'robot.py'", "'capstone:FILE'");
   is_refused({"race", "--mice", "python3 robot.py"}, "'python3 robot.py'", "'capstone:FILE'");
   is_refused({"race", "--mice", "Capstone"}, "'Capstone'", "'capstone'");
-  is_refused({"race", "--mice", "guest:a\tb"}, "cannot be printed");
+  is_refused({"race", "--mice", "guest:a\tb"}, "unprintable");
   is_refused({"run", "mms:ls", "corridor.txt"}, "'mms:ls'", "`labmouse race`");
   is_refused({"sweep", bad("end"), "--vary", "stride=1:2:1"}, "{stride}");
 }

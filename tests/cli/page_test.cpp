@@ -71,7 +71,7 @@ TEST_F(AReader, GetsAReportOfJsonAlone) {
   std::filesystem::remove(folder_ / "corridor.txt");
   const Ended lost = report({"today.json", "-o", "-"});
   EXPECT_EQ(lost.code, 0);
-  EXPECT_THAT(lost.err, Says("1 maze", "not found", "corridor.txt"));
+  EXPECT_THAT(lost.err, Says("1 maze", "found again", "corridor.txt"));
 }
 
 TEST_F(AReader, IsToldOfRecordsThatAreLeftOut) {

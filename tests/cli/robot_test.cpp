@@ -34,9 +34,9 @@ TEST_F(ARobot, IsReplayedAndScoredInTheMazeThatIsNamed) {
 }
 
 TEST_F(ARobot, NeedsAMaze) {
-  is_refused({"replay", "robot.jsonl"}, "robot.jsonl: error: ", "no maze", "--maze");
-  is_refused({"score", "robot.jsonl"}, "robot.jsonl: error: ", "no maze", "--maze");
-  is_refused({"show", "--record", "robot.jsonl"}, "robot.jsonl: error: ", "no maze", "--maze");
+  is_refused({"replay", "robot.jsonl"}, "robot.jsonl: error: ", "its maze", "--maze");
+  is_refused({"score", "robot.jsonl"}, "robot.jsonl: error: ", "its maze", "--maze");
+  is_refused({"show", "--record", "robot.jsonl"}, "robot.jsonl: error: ", "its maze", "--maze");
   is_refused({"score", "robot.jsonl", "--maze", "nowhere.txt"}, "nowhere.txt: error: ", "no such");
 }
 

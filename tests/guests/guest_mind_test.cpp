@@ -69,7 +69,7 @@ TEST_P(BadGuest, EndsUnderItsName) {
 INSTANTIATE_TEST_SUITE_P(
     All, BadGuest,
     testing::Values(Misbehaviour{"hang at the start", ForfeitReason::hung, {"0.8 s", "0.4 s", "flush"}},
-                    Misbehaviour{"hang within a line", ForfeitReason::hung, {"'move 0'", "line's end"}},
+                    Misbehaviour{"hang within a line", ForfeitReason::hung, {"'move 0'", "ending the line"}},
                     Misbehaviour{"end at the start", ForfeitReason::died, {"exit code 0", "'labmouse 1'"}},
                     Misbehaviour{"wrong greeting", ForfeitReason::rubbish, {"'hello'"}},
                     Misbehaviour{"mms", ForfeitReason::rubbish, {"mms:COMMAND"}},
@@ -82,13 +82,13 @@ INSTANTIATE_TEST_SUITE_P(
                     Misbehaviour{"end", ForfeitReason::died, {"exit code 0"}},
                     Misbehaviour{"crash", ForfeitReason::died, {"signal 11 ", "\nabout to crash"}},
                     Misbehaviour{"rubbish", ForfeitReason::rubbish, {"'what?'"}},
-                    Misbehaviour{"bytes", ForfeitReason::rubbish, {"it said '"}},
-                    Misbehaviour{"many answers", ForfeitReason::flooded, {"answer 'move 0 0'", "went on: 'move 0 0'"}},
-                    Misbehaviour{"flood", ForfeitReason::flooded, {"went on"}},
+                    Misbehaviour{"bytes", ForfeitReason::rubbish, {"[2J'"}},
+                    Misbehaviour{"many answers", ForfeitReason::flooded, {"answer 'move 0 0'", "more: 'move 0 0'"}},
+                    Misbehaviour{"flood", ForfeitReason::flooded, {"wrote more"}},
                     Misbehaviour{"long line", ForfeitReason::flooded, {"4096 bytes", "'aaa"}},
                     Misbehaviour{"flood errors", ForfeitReason::hung, {"again and again"}},
-                    Misbehaviour{"fork and leave", ForfeitReason::left, {"what it had started"}},
-                    Misbehaviour{"leave answering", ForfeitReason::left, {"what it had started"}},
+                    Misbehaviour{"fork and leave", ForfeitReason::left, {"process", "started"}},
+                    Misbehaviour{"leave answering", ForfeitReason::left, {"process", "started"}},
                     Misbehaviour{"close output", ForfeitReason::closed, {"standard output"}},
                     Misbehaviour{"close input", ForfeitReason::closed, {"standard input"}},
                     Misbehaviour{"close all", ForfeitReason::closed, {"closed"}},
@@ -159,7 +159,7 @@ TEST(GuestMind, EndsWhenItIsStopped) {
 TEST(GuestMind, SaysWhyItCouldNotBeStarted) {
   Launch launch = test::bad_guest("turn");
   launch.words.front() = "/no/such/program";
-  EXPECT_THAT(contest(launch).last_words, Says("no program", "'/no/such/program'"));
+  EXPECT_THAT(contest(launch).last_words, Says("not found", "'/no/such/program'"));
   launch = test::bad_guest("turn");
   launch.directory = "/no/such/folder";
   const RunRecord record = contest(launch);

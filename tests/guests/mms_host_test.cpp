@@ -46,7 +46,7 @@ constexpr Diagnosis diagnoses[] = {
     {"ackReset x", "no reply", "no argument"},
     {"moveForward 1 2", "no reply", "one number"},
     {"wallLeft 1 2 3 4 5 6", "no reply", "one number"},
-    {"getStat", "no reply", "one statistic"},
+    {"getStat", "no reply", "name of a statistic"},
     {"getStat Score", "no reply", "no such statistic", "score"},
     {"getStat total-effective-distances", "no reply", "no such statistic", "total-effective-distance"},
     {"getStat time", "no reply", "no such statistic"},

@@ -62,7 +62,7 @@ TEST(MmsRun, SilenceAtTheStartEndsIt) {
   silent.limits.start = 60ms;
   const MmsRun run = hosted(silent);
   EXPECT_EQ(run.outcome, MmsOutcome::hung);
-  EXPECT_THAT(run.end, Says("first 0.06 s", "flush"));
+  EXPECT_THAT(run.end, Says("0.06 s", "starting", "flush"));
 }
 
 TEST(MmsRun, WhatAProgramSaysOfItsEndHidesNothing) {
@@ -171,7 +171,7 @@ TEST(MmsRun, AClosedOutputEndsIt) {
 TEST(MmsRun, WhoLeavesOthersBehindIsNotWaitedFor) {
   const MmsRun run = hosted({"ask:moveForward", "leave"});
   EXPECT_EQ(run.outcome, MmsOutcome::left);
-  EXPECT_THAT(run.end, Says("exit code 0", "what it started"));
+  EXPECT_THAT(run.end, Says("exit code 0", "process", "still running"));
 }
 
 TEST(MmsRun, WhatCannotBeStartedSaysWhy) {

@@ -80,7 +80,7 @@ TEST(SpecError, AnUnknownMouseIsNamedWithTheNearest) {
 }
 
 TEST(SpecError, AMouseWithoutAName) {
-  const auto reason = Says("without a name", "name[:key=value]");
+  const auto reason = Says("no name", "name[:key=value]");
   EXPECT_THAT(error(""), reason);
   EXPECT_THAT(error("flood,"), reason);
   EXPECT_THAT(error(",flood"), reason);

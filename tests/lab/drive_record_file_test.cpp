@@ -138,8 +138,8 @@ TEST(DriveRecordFile, ThatDoesNotFitItsMazeIsToldOf) {
 }
 
 TEST(DriveRecordFile, WithAWrongRouteIsToldOf) {
-  EXPECT_THAT(disagreement("\"piece\":\"S2\"", "\"piece\":\"S4\""), HasSubstr("said to end"));
-  EXPECT_THAT(disagreement("{\"piece\":\"R90\"", "{\"piece\":\"L90\""), HasSubstr("said to end"));
+  EXPECT_THAT(disagreement("\"piece\":\"S2\"", "\"piece\":\"S4\""), HasSubstr("recorded end"));
+  EXPECT_THAT(disagreement("{\"piece\":\"R90\"", "{\"piece\":\"L90\""), HasSubstr("recorded end"));
 }
 
 TEST(DriveRecordFile, IsRefusedWithAnotherWorldOrModel) {
@@ -193,9 +193,9 @@ DriveRecordFile three_runs() {
 TEST(DriveRecordReplay, BeginsWithASearch) {
   DriveRecordFile file = three_runs();
   file.record.runs.erase(file.record.runs.begin());
-  EXPECT_THAT(replay(file), SaysAt("run 1 (home)", "begins with a search"));
+  EXPECT_THAT(replay(file), SaysAt("run 1 (home)", "first run", "search"));
   file.record.runs.erase(file.record.runs.begin());
-  EXPECT_THAT(replay(file), SaysAt("run 1 (fast)", "begins with a search"));
+  EXPECT_THAT(replay(file), SaysAt("run 1 (fast)", "first run", "search"));
 }
 
 TEST(DriveRecordReplay, LetsNoRunBeginAtTheStartWhereTheMouseIsNot) {
@@ -241,7 +241,7 @@ TEST(DriveRecordReplay, CountsTheRunsThatBeginAtTheStart) {
   EXPECT_THAT(replay(file), SaysAt("run 4 (fast)", "rules", "2 runs "));
   file.rules.most_runs = 3;
   runs[3] = later(runs[3], 1);
-  EXPECT_THAT(replay(file), SaysAt("run 4 (fast)", "to begin at"));
+  EXPECT_THAT(replay(file), SaysAt("run 4 (fast)", "beginning at"));
 }
 
 TEST(DriveRecordReplay, LetsNoRunBeginAfterTheTime) {
@@ -293,7 +293,7 @@ TEST(DriveRecordReplay, WantsTheFastestKnownRoute) {
 TEST(DriveRecordReplay, KnowsWhereASearchEndsInTheMiddleOfAGoal) {
   DriveRecordFile file = three_runs();
   file.record.runs[0].centre.reset();
-  EXPECT_THAT(replay(file), SaysAt("run 1 (search)", "start at 0.300000 s", "goal at 1.374000 s", "middle at never",
+  EXPECT_THAT(replay(file), SaysAt("run 1 (search)", "start at 0.300000 s", "goal at 1.374000 s", "centre at never",
                                    "0.300000 s, 1.374000 s and 1.674000 s"));
   // Not where the time ends at the edge of the goal, or where the mouse gives up there.
   for (DriveRecordFile cut : {scripted(to_goal(Action::reset()), 1'374'000),
@@ -302,7 +302,7 @@ TEST(DriveRecordReplay, KnowsWhereASearchEndsInTheMiddleOfAGoal) {
     EXPECT_FALSE(cut.record.runs[0].centre);
     EXPECT_EQ(replay(cut), "");
     cut.record.runs[0].centre = 1'674'000;
-    EXPECT_THAT(replay(cut), Says("middle at 1.674000 s", "0.300000 s, 1.374000 s and never"));
+    EXPECT_THAT(replay(cut), Says("centre at 1.674000 s", "0.300000 s, 1.374000 s and never"));
   }
 }
 
@@ -313,7 +313,7 @@ TEST(DriveRecordReplay, ComparesAllPartsOfTheScore) {
     change(*other.recorded_score);
     return replay(other);
   };
-  const auto parts = HasSubstr("other parts");
+  const auto parts = HasSubstr("different parts");
   EXPECT_THAT(said([](DriveRunScore& score) { score.run = 0; }), parts);
   EXPECT_THAT(said([](DriveRunScore& score) { ++*score.gate_to_gate; }), parts);
   EXPECT_THAT(said([](DriveRunScore& score) { score.gate_to_gate.reset(); }), parts);

@@ -154,9 +154,9 @@ TEST(DriveRouteCheck, TellsBothTimes) {
 }
 
 // The words by which the reasons differ.
-constexpr const char* ends_elsewhere = "middle of a goal";
-constexpr const char* leads_out = "out of the maze";
-constexpr const char* leads_elsewhere = "said to end";
+constexpr const char* ends_elsewhere = "centre of a goal";
+constexpr const char* leads_out = "leaves the maze";
+constexpr const char* leads_elsewhere = "recorded end";
 constexpr const char* no_begin = "not begin there";
 constexpr const char* cannot_begin = "cannot begin";
 

@@ -112,7 +112,7 @@ TEST_F(Files, AreReadAsTheyWereWritten) {
 TEST_F(Files, SayWhyTheyCannotBeRead) {
   EXPECT_THAT(read_file(path("none")).error, HasSubstr("no such"));
   EXPECT_THAT(read_file(folder_.string()).error, HasSubstr("is a folder"));
-  EXPECT_THAT(read_file("").error, HasSubstr("empty path"));
+  EXPECT_THAT(read_file("").error, HasSubstr("empty"));
   write_file(path("file"), "12345");
   EXPECT_THAT(read_file(path("file/inner")).error, HasSubstr("not a folder"));
   EXPECT_EQ(read_file(path("file"), 5).content, "12345");
@@ -171,12 +171,12 @@ TEST_F(Files, SayWhyTheyCannotBeWritten) {
     EXPECT_THAT(write_file(where, "text"), HasSubstr(cause));
     EXPECT_THAT(check_writable(where), HasSubstr(cause));
   };
-  refused("", "empty path");
+  refused("", "empty");
   refused(path("inner"), "is a folder");
   refused(path("new/"), "folder");
   refused(path("file/inner"), "not a folder");
   refused(path("astray"), "no such folder");
-  refused(path("circle"), "circle");
+  refused(path("circle"), "loop");
   refused(path(std::string(256, 'n')), "too long");
   EXPECT_THAT(names(), UnorderedElementsAre("file", "inner", "astray", "circle"));
   EXPECT_EQ(content("file"), "kept");

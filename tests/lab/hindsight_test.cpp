@@ -271,14 +271,14 @@ TEST(HindsightAsTable, CallsReferencesWhatTheyAre) {
                                "  10.500   20.000    18.000     16.000  one\n"
                                "  12.500   30.000    30.000     22.500  two\n"
                                "\n  11.500   25.000    24.000     19.250  mean of 2 mazes\n"));
-  EXPECT_THAT(table, Says("references", "no bounds", "64 variants"));
+  EXPECT_THAT(table, Says("references", "not bounds", "64 variants"));
   EXPECT_THAT(table, Says("Left out: three,", "counts 100.\n"));
   EXPECT_THAT(table_of(made_up(), true), HasSubstr("\x1b[1m"));
 }
 
 TEST(HindsightAsTable, SaysWhyThereIsNoBestOfSeveral) {
   const std::string table = table_of(look_back("certify", mazes(), order_of(9)), false);
-  EXPECT_THAT(table, Says("certify", "no numbers", "no dice"));
+  EXPECT_THAT(table, Says("certify", "no numeric parameters", "no dice"));
   EXPECT_THAT(table, Not(HasSubstr("best of 9")));
   EXPECT_THAT(table_of(look_back("two-way", mazes(), order_of(0)), false), Not(HasSubstr("best of")));
   EXPECT_THAT(table_of(look_back("random", mazes(), order_of(9)), false), HasSubstr("9 more seeds"));

@@ -114,7 +114,7 @@ TEST_F(LearnedMice, AreNoneWhereTheFileIsBad) {
   EXPECT_THAT(error("ariadne:prior=" + folder_.string()), Says(folder_.string() + ": ", "is a folder", "':' and ','"));
   EXPECT_THAT(error("ariadne:prior=contst"), Says("contst: ", "no such", "'contest'"));
   EXPECT_THAT(error("ariadne:prior="), Says("''", "'prior'", "'ariadne'", "contest/uniform"));
-  EXPECT_THAT(error("ariadne:prior=\x1b[31m"), Says("'[31m'", "cannot be printed"));
+  EXPECT_THAT(error("ariadne:prior=\x1b[31m"), Says("'[31m'", "unprintable"));
 }
 
 std::vector<NamedMaze> mazes(int count) {

@@ -85,7 +85,7 @@ TEST(MmsRecordFile, ThatIsNoneIsRefusedWithItsLine) {
   EXPECT_THAT(problem(changed(good, "\"total-turns\":1", "\"total-turns\":\"1\"")).reason,
               Says("'statistics.total-turns'", "number"));
   EXPECT_THAT(problem(changed(good, "\"lines\":5", "\"lines\":5.5")).reason, Says("'lines'", "whole number"));
-  EXPECT_THAT(problem(changed(good, "\"log\":[]", "\"log\":[1]")).reason, Says("log", "not text"));
+  EXPECT_THAT(problem(changed(good, "\"log\":[]", "\"log\":[1]")).reason, Says("log", "not a string"));
 }
 
 TEST(MmsRecordFile, WithAWrongEventIsRefusedWithItsLine) {
@@ -95,7 +95,7 @@ TEST(MmsRecordFile, WithAWrongEventIsRefusedWithItsLine) {
   EXPECT_THAT(problem(changed(good, "[3,1]", "[3]")), ProblemAt(4, 1, "place", "[x, y]"));
   EXPECT_THAT(problem(changed(good, "[3,1]", "[7,1]")).reason, Says("'place'", "0 to 6"));
   EXPECT_THAT(problem(changed(good, "\"heading\":\"east\"", "\"heading\":\"up\"")).reason, Says("heading", "eight"));
-  EXPECT_THAT(problem(changed(good, "\"clock\":0.0", "\"clock\":-1")).reason, Says("'clock'", " of 0 to "));
+  EXPECT_THAT(problem(changed(good, "\"clock\":0.0", "\"clock\":-1")).reason, Says("'clock'", " 0 to "));
 }
 
 TEST(MmsRecordFile, ThatDoesNotFitItsMazeIsToldOf) {
@@ -105,7 +105,7 @@ TEST(MmsRecordFile, ThatDoesNotFitItsMazeIsToldOf) {
   EXPECT_THAT(disagreement(changed(good, "\"moveForward\"", "\"moveForward 3\"")),
               SaysAt("event 3", "ack at [3,1] heading east", "crash at [5,1] heading east"));
   EXPECT_THAT(disagreement(changed(good, "\"turnRight\"", "\"wallFront\"")),
-              SaysAt("event 2", "neither moves nor draws"));
+              SaysAt("event 2", "neither moves", "nor draws"));
   EXPECT_THAT(disagreement(changed(good, "\"total-turns\":1", "\"total-turns\":2")), Says("total-turns 2", "1"));
   EXPECT_THAT(disagreement(changed(good, "\"solved\":true", "\"solved\":false")), Says("disagree", "goal"));
 }

@@ -170,11 +170,11 @@ TEST(PackedRecord, SaysWhichFieldIsWrong) {
     json[key] = value;
     return error_of(json);
   };
-  EXPECT_THAT(with("mouse", 7), Says("'record.mouse'", "text"));
-  EXPECT_THAT(with("maze", nullptr), Says("'record.maze'", "text"));
-  EXPECT_THAT(with("actions", Json::array()), Says("'record.actions'", "text"));
-  EXPECT_THAT(with("last_words", 7), Says("'record.last_words'", "text"));
-  EXPECT_THAT(with("outcome", 7), Says("'record.outcome'", "text"));
+  EXPECT_THAT(with("mouse", 7), Says("'record.mouse'", "string"));
+  EXPECT_THAT(with("maze", nullptr), Says("'record.maze'", "string"));
+  EXPECT_THAT(with("actions", Json::array()), Says("'record.actions'", "string"));
+  EXPECT_THAT(with("last_words", 7), Says("'record.last_words'", "string"));
+  EXPECT_THAT(with("outcome", 7), Says("'record.outcome'", "string"));
   EXPECT_THAT(with("outcome", "won"), Says("'record'", "outcome", "version"));
   for (const Json& seed :
        {Json(-1), Json(1.5), Json(""), Json("-1"), Json("1 "), Json("18446744073709551616"), Json(true)})

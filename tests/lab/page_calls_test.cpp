@@ -153,17 +153,17 @@ TEST(PageCalls, RaceTheRosterWhereNoMouseIsNamed) {
 }
 
 TEST(PageCalls, RefuseRacesThatCannotBe) {
-  EXPECT_THAT(error_of("race", race({{"mazes", json::array()}})), Says("needs a maze"));
+  EXPECT_THAT(error_of("race", race({{"mazes", json::array()}})), Says("at least one maze"));
   EXPECT_THAT(error_of("race", race({{"mazes", {data_of(test::loop()), data_of(test::loop())}}})),
               Says("two mazes", "'loop'"));
   EXPECT_THAT(error_of("race", race({{"mazes", {data_of(test::loop()), 3}}})), Says("'mazes[1]'", "object"));
-  EXPECT_THAT(error_of("race", race({{"mice", {"flood", 3}}})), Says("'mice'", "text"));
+  EXPECT_THAT(error_of("race", race({{"mice", {"flood", 3}}})), Says("'mice'", "string"));
   EXPECT_THAT(error_of("race", race({{"runs", 0}})), Says("'runs'", "1 to 1000"));
   EXPECT_THAT(error_of("race", race({{"mice", {"guest:ls"}}})), Says("'guest:ls'", "program"));
   json many = json::array();
   for (int i = 0; i < 21; ++i) many.push_back(data_of({std::to_string(i), test::hook().maze}));
   EXPECT_THAT(error_of("race", race({{"mice", {"random"}}, {"mazes", many}, {"runs", 1000}})),
-              Says("21000 contests", "too long"));
+              Says("21000 contests", "too many"));
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ TEST(PageMazes, WithWrongFieldsAreRefused) {
   EXPECT_THAT(error_of("inspect", inspecting("goals", json::array())), Says("'maze'", "no goal"));
   EXPECT_THAT(error_of("inspect", inspecting("goals", json::array({json::array({0, 2})}))),
               Says("'maze'", "goal", "outside"));
-  EXPECT_THAT(error_of("inspect", inspecting("name", nullptr)), Says("'maze.name'", "text"));
+  EXPECT_THAT(error_of("inspect", inspecting("name", nullptr)), Says("'maze.name'", "string"));
 }
 
 TEST(PageMazes, BuiltIn) {
@@ -64,7 +64,7 @@ TEST(PageMazes, BuiltIn) {
     EXPECT_EQ(maze, data_of({std::string(builtin.name), *read_maze(builtin.text).maze}));
   }
   EXPECT_THAT(error_of("builtin_maze", {{"name", "capstone-9"}}), Says("built-in maze", "'capstone-9'"));
-  EXPECT_THAT(error_of("builtin_maze", {{"name", 3}}), Says("'name'", "text"));
+  EXPECT_THAT(error_of("builtin_maze", {{"name", 3}}), Says("'name'", "string"));
 }
 
 json order(const json& more = json::object()) {
@@ -81,7 +81,7 @@ TEST(PageMazes, Made) {
 }
 
 TEST(PageMazes, ThatNoGeneratorMakesAreRefused) {
-  EXPECT_THAT(error_of("make_maze", order({{"generator", "magic"}})), Says("no generator", "'magic'"));
+  EXPECT_THAT(error_of("make_maze", order({{"generator", "magic"}})), Says("unknown generator", "'magic'"));
   EXPECT_THAT(error_of("make_maze", order({{"width", 0}})), Says("'width'", "1 to 64"));
   EXPECT_THAT(error_of("make_maze", order({{"loops", 1.5}})), Says("'loops'", "0 to 1"));
   EXPECT_THAT(error_of("make_maze", order({{"seed", -1}})), Says("'seed'", "2^64 - 1"));

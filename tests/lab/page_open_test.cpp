@@ -101,7 +101,7 @@ TEST(PageOpens, NoRecordThatIsNone) {
 TEST(PageOpens, NoRecordOfAnotherMaze) {
   const std::string good = write_record(recorded("flood"));
   const json said = refused(changed(good, "\"reading\":[0,4,", "\"reading\":[0,3,"), "walk.jsonl");
-  EXPECT_THAT(error_in(said), Says("walk.jsonl ", "agree"));
+  EXPECT_THAT(error_in(said), Says("walk.jsonl ", "match its maze"));
   EXPECT_EQ(said["problems"][0]["line"], 0);
   EXPECT_THAT(said["problems"][0]["reason"].get<std::string>(), SaysAt("step 1", "(0,0)"));
 }
@@ -154,14 +154,14 @@ TEST(PageOpens, RecordsOfMmsWithDiagonals) {
 TEST(PageOpens, NoRecordOfMmsThatDoesNotFit) {
   const std::string good = test::mms_recorded({"turnRight", "moveForward"});
   const json said = refused(changed(good, "[3,1]", "[5,1]"), "mms.jsonl");
-  EXPECT_THAT(error_in(said), Says("mms.jsonl ", "agree"));
+  EXPECT_THAT(error_in(said), Says("mms.jsonl ", "match its maze"));
   EXPECT_THAT(said["problems"][0]["reason"].get<std::string>(), SaysAt("event 2", "ack at [5,1]"));
   expect_problem(refused(changed(good, "\"place\":[3,1]", "\"place\":[3]")), 3, 1, "place", "[x, y]");
 }
 
 TEST(PageOpens, Pages) {
   EXPECT_THAT(error_in(refused("<!DOCTYPE html>\n<html><title>labmouse</title>", "report.html")),
-              Says("report.html ", "page of labmouse"));
+              Says("report.html ", "labmouse page"));
   EXPECT_THAT(error_in(refused("\xEF\xBB\xBF <html>", "x.html")), Says("x.html ", "page or a picture"));
   EXPECT_THAT(error_in(refused("<svg>labmouse</svg>", "x.svg")), Says("x.svg ", "page or a picture"));
 }
@@ -198,11 +198,11 @@ TEST(PageOpens, ResultsOfAnotherWorldWithWhatIsPlainInThem) {
   const auto reason = [&](const char* field, const json& value) -> std::string {
     return refused(test::with(whole, json::json_pointer(field), value).dump())["problems"][0]["reason"];
   };
-  EXPECT_THAT(reason("/groups/0/world", 3), Says("'groups[0].world'", "text"));
+  EXPECT_THAT(reason("/groups/0/world", 3), Says("'groups[0].world'", "string"));
   EXPECT_THAT(reason("/groups/0/mice/0/runs", "x"), Says("'groups[0].mice[0].runs'", "whole number"));
   EXPECT_THAT(reason("/groups/0/mice/0/interval", {3}), Says("'groups[0].mice[0].interval'", "[low, high]"));
   EXPECT_THAT(reason("/groups/0/mice/0/results/0/outcome", nullptr),
-              Says("'groups[0].mice[0].results[0].outcome'", "text"));
+              Says("'groups[0].mice[0].results[0].outcome'", "string"));
 }
 
 TEST(PageOpens, ResultsOfMms) {
@@ -226,7 +226,7 @@ json refused_with(const char* field, const json& value) {
 
 TEST(PageOpens, NothingThatIsTooDeepToBeOurs) {
   const json said = refused(std::string(40, '[') + std::string(40, ']'));
-  EXPECT_THAT(error_in(said), Says("file ", "JSON", "in each other"));
+  EXPECT_THAT(error_in(said), Says("file ", "JSON", "nested"));
   EXPECT_EQ(refused(std::string(1'000'000, '['))["error"], said["error"]);
   EXPECT_THAT(error_in(refused("[\"" + std::string(40, '[') + "\\\"[\"]")), Says("file ", "JSON", "neither a record"));
 }
@@ -235,17 +235,17 @@ TEST(PageOpens, NoResultsWithWrongFields) {
   const auto reason = [](const char* field, const json& value) -> std::string {
     return refused_with(field, value)["problems"][0]["reason"];
   };
-  EXPECT_THAT(error_in(refused_with("/seed", -1)), Says("race.json ", "results of a race"));
+  EXPECT_THAT(error_in(refused_with("/seed", -1)), Says("race.json ", "race results"));
   EXPECT_THAT(reason("/seed", -1), Says("'seed'", "2^64 - 1"));
   EXPECT_THAT(reason("/mice", 3), Says("'mice'", "list"));
-  EXPECT_THAT(reason("/mice/1/name", 3), Says("'mice[1].name'", "text"));
+  EXPECT_THAT(reason("/mice/1/name", 3), Says("'mice[1].name'", "string"));
   EXPECT_THAT(reason("/mice/0/interval", {1}), Says("'mice[0].interval'", "[low, high]"));
   EXPECT_THAT(reason("/mice/0/parameters/stride", {1}), Says("'mice[0].parameters'", "'stride'"));
   EXPECT_THAT(reason("/mice/1/results/2/score", "low"), Says("'mice[1].results[2].score'", "number"));
   EXPECT_THAT(reason("/mice/1/results/2/maze", "other"), Says("'mice[1].results[2].maze'", "mazes"));
   EXPECT_THAT(reason("/mice/1/results/2", 3), Says("'mice[1].results[2]'", "object"));
   EXPECT_THAT(reason("/mazes/0/width", 1.5), Says("'mazes[0].width'", "whole number"));
-  EXPECT_THAT(reason("/skipped/0/reasons", {1}), Says("'skipped[0].reasons[0]'", "text"));
+  EXPECT_THAT(reason("/skipped/0/reasons", {1}), Says("'skipped[0].reasons[0]'", "string"));
   EXPECT_THAT(reason("/groups", {3}), Says("'groups[0]'", "object"));
 }
 
@@ -256,7 +256,7 @@ TEST(PageOpens, ResultsOfAnEarlierVersionWhereTheyHaveWhatIsNeeded) {
   EXPECT_TRUE(opened(old.dump())["results"]["mice"][0]["mean_visited_share"].is_null());
   old["mice"][0].erase("optimal_share");
   const json said = refused(old.dump(), "old.json");
-  EXPECT_THAT(error_in(said), Says("old.json ", "results of a race", "0.0.1", version()));
+  EXPECT_THAT(error_in(said), Says("old.json ", "race results", "0.0.1", version()));
   expect_problem(said, 0, 0, "'mice[0].optimal_share'", "missing");
 }
 

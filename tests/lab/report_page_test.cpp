@@ -132,7 +132,7 @@ TEST_F(AReport, TakesJsonAlone) {
   const Json mazes = block_of(report.page, "labmouse-report")["mazes"];
   ASSERT_EQ(mazes.size(), 1U);
   EXPECT_EQ(read_link(mazes["contest-01"].get<std::string>()).maze->maze, *maze_named("contest-01"));
-  EXPECT_THAT(report.notes, ElementsAre(Says("1 maze not found", "loop")));
+  EXPECT_THAT(report.notes, ElementsAre(Says("1 maze", "found again", "loop")));
 }
 
 TEST_F(AReport, FindsNoMazeThatHasChangedSince) {
@@ -155,7 +155,7 @@ TEST_F(AReport, FindsNoMazeOfAnotherSize) {
   save("alone/today.json", json_);
   EXPECT_THAT(made("alone/today.json").notes, IsEmpty());
   save("maze.txt", *drawing_format.write(test::corridor().maze).content);
-  EXPECT_THAT(made("alone/today.json").notes, ElementsAre(Says("1 maze not found", file)));
+  EXPECT_THAT(made("alone/today.json").notes, ElementsAre(Says("1 maze", "found again", file)));
 }
 
 TEST_F(AReport, LeavesOutARecordThatCannotBeRead) {

@@ -73,7 +73,7 @@ TEST(ReportResults, ThatAreNoJsonSayFromWhere) {
   const std::string text = json_of(test::race_of("flood"), {});
   const Problem cut = problem_of(text.substr(0, text.size() / 2));
   EXPECT_GT(cut.line, 10);
-  EXPECT_THAT(cut.reason, HasSubstr("not JSON"));
+  EXPECT_THAT(cut.reason, HasSubstr("not valid JSON"));
   EXPECT_EQ(problem_of("{\"labmouse\": \"\xFF\"}").line, 1);
 }
 
@@ -93,7 +93,7 @@ TEST(ReportResults, ThatLackAFieldSayWhich) {
   const auto wrong = [](const std::string& text) { return problem_of(text).reason; };
   EXPECT_THAT(wrong("[]"), Says("JSON of a race", "'labmouse'", "missing", "--format json"));
   EXPECT_THAT(wrong("7"), Says("'labmouse'", "missing"));
-  EXPECT_THAT(wrong(R"({"labmouse":7})"), Says("'labmouse'", "text"));
+  EXPECT_THAT(wrong(R"({"labmouse":7})"), Says("'labmouse'", "string"));
   EXPECT_THAT(wrong(R"({"labmouse":"1"})"), Says("'mazes'", "missing"));
   EXPECT_THAT(wrong(R"({"labmouse":"1","mazes":[{"name":"a","width":"3"}],"mice":[]})"),
               Says("'mazes[0].width'", "whole number"));

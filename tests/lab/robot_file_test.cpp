@@ -158,7 +158,7 @@ TEST(RobotFile, SaysWhatANumberMayBe) {
   EXPECT_THAT(complaints(changed(by_limits, "speed = 3000", "speed = 3")),
               ElementsAre(SaysAt("my.toml:6:9", "'straight.speed'", "3", "100 to 20000 mm/s", "3000")));
   EXPECT_THAT(complaints(changed(by_limits, "speed = 3000", "speed = \"fast\"")),
-              ElementsAre(SaysAt("my.toml:6:9", "'straight.speed'", "a number of mm/s")));
+              ElementsAre(SaysAt("my.toml:6:9", "'straight.speed'", "number", "mm/s")));
   EXPECT_THAT(complaints(changed(by_limits, "sight = 3", "sight = 2.5")),
               ElementsAre(SaysAt("my.toml:4:9", "'sight'", "2.5", "whole number", "1 to 32 cells")));
   for (const std::string value : {"nan", "9007199254740993", "-9223372036854775808"})

@@ -258,7 +258,7 @@ TEST(SecondsWorld, WordsTheRules) {
   rules.maze_time_divisor = 30;
   rules.untouched_bonus = 2'500'000;
   EXPECT_THAT(formula_of(rules),
-              Says("1 run ", "600 s", "rest to centre", "1/30 of the time in the maze", "2.5 s untouched"));
+              Says("1 run ", "600 s", "rest to centre", "1/30 of the time in the maze", "2.5 s if untouched"));
 }
 
 TEST(SecondsWorld, HasAGroupOfItsOwnInJson) {

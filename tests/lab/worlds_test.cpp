@@ -382,7 +382,7 @@ TEST(Entering, IsRefusedByTheWorldThatIsNamed) {
   EXPECT_THAT(enter({of_two_worlds()[0]}, "seconds", {}).entries, SizeIs(1));
   Contestant nobody;
   nobody.name = "nobody";
-  EXPECT_THAT(enter({nobody}, "", {}).error, Says("no world", "'nobody'"));
+  EXPECT_THAT(enter({nobody}, "", {}).error, Says("any world", "'nobody'"));
 }
 
 TEST(Entering, LeavesOutMazesInWhichAWorldHoldsNoContests) {

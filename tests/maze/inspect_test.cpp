@@ -277,8 +277,8 @@ TEST(ContestRules, APostWithoutWallIsNamed) {
 
 TEST(ContestRules, FollowersAndRoutesAreJudged) {
   const Maze perfect = depth_first_generator.make({{16, 16}, 1, 0});
-  EXPECT_THAT(rule(perfect, "left wall follower"), Says("arrives"));
-  EXPECT_THAT(rule(perfect, "right wall follower"), Says("arrives"));
+  EXPECT_THAT(rule(perfect, "left wall follower"), Says("reaches the goal"));
+  EXPECT_THAT(rule(perfect, "right wall follower"), Says("reaches the goal"));
   EXPECT_THAT(rule(perfect, "routes"), Says("two routes"));
   EXPECT_FALSE(keeps_contest_rules(perfect));
   EXPECT_TRUE(keeps_contest_rules(contest_maze(1)));

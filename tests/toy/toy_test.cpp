@@ -92,8 +92,8 @@ TEST(ToyWorld, IsItsOwnBaseline) {
   ASSERT_TRUE(read.baseline) << read.error;
   const std::string same = compare_with_baseline(race, *read.baseline);
   EXPECT_THAT(same, HasSubstr("+0.000"));
-  EXPECT_THAT(same, testing::Not(HasSubstr("Careful")));
-  EXPECT_THAT(compare_with_baseline(toy_race("30"), *read.baseline), Says("Careful", "clumsiness", "70", "30"));
+  EXPECT_THAT(same, testing::Not(HasSubstr("Warning")));
+  EXPECT_THAT(compare_with_baseline(toy_race("30"), *read.baseline), Says("Warning", "clumsiness", "70", "30"));
   EXPECT_FALSE(read_baseline(json_of(race, {}), *find_world("seconds")->make({}).world).baseline);
 }
 
