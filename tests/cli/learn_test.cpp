@@ -72,7 +72,7 @@ TEST_F(AUser, IsToldWhatIsWrongWithLearning) {
   file("occupied", "a file where a folder should be");
   is_refused({"learn", "contest-01"}, "--out", "required");
   is_refused({"learn", "contest-00", "-o", "my.prior"}, "contest-00", "'contest-01'");
-  is_refused({"learn", "closed.txt", "-o", "my.prior"}, "route", "1 maze");
+  is_refused({"learn", "closed.txt", "-o", "my.prior"}, "route", "1 given");
   is_refused({"learn", "contest-01", "-o", "occupied/my.prior"}, "occupied/my.prior: error: ", "not a folder");
   EXPECT_FALSE(std::filesystem::exists(folder_ / "my.prior"));
   std::filesystem::create_directories(folder_ / "empty");

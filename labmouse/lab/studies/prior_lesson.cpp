@@ -25,7 +25,7 @@ Lesson hold_lesson(std::vector<NamedMaze> mazes, const World& world, const Lesso
   const std::size_t given = mazes.size();
   lesson.selection = select_mazes(std::move(mazes), world);
   const std::size_t all = lesson.selection.mazes.size();
-  if (all == 0) lesson.error = fmt::format("nothing to learn from: none of the {} mazes given has a route", given);
+  if (all == 0) lesson.error = fmt::format("nothing to learn from: no maze with a route ({} given)", given);
   for (const NamedMaze& maze : lesson.selection.mazes) {
     if (hooks.stop != nullptr && hooks.stop->load()) break;
     lesson.counts.explore(maze.maze, world.lesson_rules());
