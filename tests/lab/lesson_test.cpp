@@ -54,8 +54,8 @@ TEST(ALesson, NamesNoMaze) {
 }
 
 TEST(ALesson, TakesAMazeWithARoute) {
-  EXPECT_THAT(lesson_of({}).error, Says("route", "0 mazes"));
-  EXPECT_THAT(lesson_of({test::without_route()}).error, Says("route", "1 maze"));
+  EXPECT_THAT(lesson_of({}).error, Says("route", "0 given"));
+  EXPECT_THAT(lesson_of({test::without_route()}).error, Says("route", "1 given"));
 }
 
 TEST(ALesson, MayBeStopped) {
