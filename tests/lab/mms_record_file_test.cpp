@@ -95,7 +95,7 @@ TEST(MmsRecordFile, WithAWrongEventIsRefusedWithItsLine) {
   EXPECT_THAT(problem(changed(good, "[3,1]", "[3]")), ProblemAt(4, 1, "place", "[x, y]"));
   EXPECT_THAT(problem(changed(good, "[3,1]", "[7,1]")).reason, Says("'place'", "0 to 6"));
   EXPECT_THAT(problem(changed(good, "\"heading\":\"east\"", "\"heading\":\"up\"")).reason, Says("heading", "eight"));
-  EXPECT_THAT(problem(changed(good, "\"clock\":0.0", "\"clock\":-1")).reason, Says("'clock'", " 0 to "));
+  EXPECT_THAT(problem(changed(good, "\"clock\":0.0", "\"clock\":-1")).reason, Says("'clock'", "negative"));
 }
 
 TEST(MmsRecordFile, ThatDoesNotFitItsMazeIsToldOf) {

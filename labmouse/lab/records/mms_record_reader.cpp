@@ -8,7 +8,6 @@
 namespace labmouse {
 namespace {
 
-constexpr double no_limit = std::numeric_limits<double>::max();
 constexpr int largest = std::numeric_limits<int>::max();
 constexpr std::size_t most_events = 1'000'000;
 
@@ -60,7 +59,7 @@ std::string read_event(const ReadJson& json, MmsRecordFile& file) {
   if (fields.has("reply")) event.reply = fields.text("reply");
   event.pose.place = read_place(fields, file.maze->size());
   event.pose.heading = read_compass(fields);
-  event.clock = fields.number("clock", 0, no_limit);
+  event.clock = fields.not_negative("clock");
   file.events.push_back(std::move(event));
   return fields.error();
 }
@@ -98,7 +97,7 @@ std::string read_end(const ReadJson& json, MmsRecordFile& file) {
     else
       fields.fail("has a log entry that is not a string");
   end.errors = fields.text("errors");
-  end.clock = fields.number("clock", 0, no_limit);
+  end.clock = fields.not_negative("clock");
   file.end = std::move(end);
   return fields.error();
 }

@@ -54,6 +54,11 @@ class JsonFields {
     if (number >= low && number <= high) return number;
     return wrong(key, fmt::format("is outside the range {} to {}", low, high)), low;
   }
+  double not_negative(const char* key) {
+    const double value = number(key, std::numeric_limits<double>::lowest(), std::numeric_limits<double>::max());
+    if (value < 0) wrong(key, "must not be negative");
+    return value;
+  }
   bool flag(const char* key) {
     const ReadJson& value = get(key);
     if (value.is_boolean()) return value.get<bool>();
