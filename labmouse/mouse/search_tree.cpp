@@ -14,32 +14,34 @@ SearchTree::SearchTree(Size size, int longest, TieOrder order, Reach reach)
 void SearchTree::grow(const WallSet& passages, Pose root) { grow(passages, root, CellSet::all(size_)); }
 
 void SearchTree::grow(const WallSet& passages, Pose root, const CellSet& through) {
-  grow_over(root, [&](Cell cell, Heading direction) {
-    int open = 0;
-    if (cell != root.cell && !through.contains(cell)) return open;
-    while (open < longest_ && passages.contains(wall_at(neighbour(cell, direction, open), direction))) ++open;
-    return open;
-  });
-}
-
-void SearchTree::grow(const SightedMoves& moves, Pose root) {
-  grow_over(root, [&](Cell cell, Heading direction) { return std::min(longest_, moves.longest(cell, direction)); });
-}
-
-template <class Open>
-void SearchTree::grow_over(Pose root, Open open) {
-  nodes_.assign(nodes_.size(), Node{});
-  found_.clear();
-  node(root.cell) = {0, root.cell, root.heading};
-  found_.push_back(root.cell);
-  for (std::size_t next = 0; next < found_.size(); ++next) {
-    const Cell cell = found_[next];
+  const auto open = [&](Cell cell, Heading direction) {
+    int cells = 0;
+    if (cell != root.cell && !through.contains(cell)) return cells;
+    while (cells < longest_ && passages.contains(wall_at(neighbour(cell, direction, cells), direction))) ++cells;
+    return cells;
+  };
+  grow_from(root, [&](Cell cell) {
     for (const Heading direction : order_.from(node(cell).heading)) {
       const int reach = open(cell, direction);
       for (int cells = 1; cells <= reach; ++cells)
         find(neighbour(cell, direction, reach_ == Reach::nearest_first ? cells : reach + 1 - cells), cell, direction);
     }
-  }
+  });
+}
+
+void SearchTree::grow(const ConnectedCells& map, Pose root) {
+  grow_from(root, [&](Cell cell) {
+    for (const Cell next : map.of(cell)) find(next, cell, move_between(cell, next).direction);
+  });
+}
+
+template <class FindFrom>
+void SearchTree::grow_from(Pose root, FindFrom find_from) {
+  nodes_.assign(nodes_.size(), Node{});
+  found_.clear();
+  node(root.cell) = {0, root.cell, root.heading};
+  found_.push_back(root.cell);
+  for (std::size_t next = 0; next < found_.size(); ++next) find_from(found_[next]);
 }
 
 void SearchTree::find(Cell cell, Cell before, Heading heading) {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "labmouse/grid/wall_set.hpp"
+#include "labmouse/mouse/connected_cells.hpp"
 #include "labmouse/mouse/route.hpp"
-#include "labmouse/mouse/sighted_moves.hpp"
 #include "labmouse/mouse/tie_order.hpp"
 
 namespace labmouse {
@@ -27,8 +27,8 @@ class SearchTree {
   void grow(const WallSet& passages, Pose root);
   /// The same for routes that only pass cells of `through`; the root may be passed, and any cell may be a route's end.
   void grow(const WallSet& passages, Pose root, const CellSet& through);
-  /// The same over moves that were seen as a whole.
-  void grow(const SightedMoves& moves, Pose root);
+  /// The same over a map, from each cell in the order of its set.
+  void grow(const ConnectedCells& map, Pose root);
 
   /// Moves from the root, or unreachable.
   int distance(Cell cell) const;
@@ -48,9 +48,9 @@ class SearchTree {
   };
   Node& node(Cell cell) { return nodes_[static_cast<std::size_t>(size_.index(cell))]; }
   const Node& node(Cell cell) const { return nodes_[static_cast<std::size_t>(size_.index(cell))]; }
-  /// open(cell, direction) is how far one move leads.
-  template <class Open>
-  void grow_over(Pose root, Open open);
+  /// find_from(cell) finds what one move from a found cell leads to.
+  template <class FindFrom>
+  void grow_from(Pose root, FindFrom find_from);
   void find(Cell cell, Cell before, Heading heading);
 
   Size size_;

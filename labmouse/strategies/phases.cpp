@@ -1,15 +1,14 @@
 // phases: three exchangeable phases, each with methods to choose from.
 //
 // Limits: searches by chance and the left hand may not arrive. None watches the budget before a goal is entered.
-// Choices: a cell is explored once all four sides are known, the border from birth, even if it was only seen.
-//   heuristic: the text adds the Manhattan distance to the goal, with or without the number of explored edges. Read so,
-//   the mouse is at the goal of the third maze after 75 or 85 steps and runs 31, where 228 and 25 are reported. Only
-//   steps alone come near: 64, 170 and 228 steps of exploration with 17, 22 and 25 of the speed run, where 61, 170 and
-//   228 are reported (19.133 for 19.033 in the first maze, the other two exact), so that is the default.
-//   ties: of equals the last that is found, in each direction the farthest first; the route from its end likewise.
-//   unexplored-cell counts the neighbour alone; where no way has a weight, all are equally likely.
-//   all-goals leaves out goals to which no optimistic route leads. It takes three steps more than none, where the
-//   report has two: there a step seems to be idle before the reset, for its text counts two steps less than its scores.
+// Choices: as the report's program does it; `optimistic`, `coverage`, `worthwhile` and `unexplored-cell` are not in it.
+//   A side is explored once it is known, the border from birth, even if it was only seen.
+//   goal-oriented chooses among the cells that a search from the start reaches, cell by cell in the order of `ties`,
+//   and that have an unexplored side: the least sum of the strides from here and the explored sides. The text adds the
+//   distance to the goal, which in the program is the same for all cells. Of equals the first that a set of Python 2.7
+//   lists (`order`), on the way that a search from here finds first.
+//   Where no way has a weight, all are equally likely.
+//   all-goals takes one cell a step.
 //   coverage also ends when all that can be reached is explored.
 //   worthwhile looks at the unknown walls on the shortest optimistic routes, as long as these are shorter than the
 //   shortest known one in the moves of the speed run; so it ends with the proof that none is shorter.
@@ -17,6 +16,7 @@
 #include <array>
 
 #include "labmouse/mouse/explorer.hpp"
+#include "labmouse/mouse/hashed_cells.hpp"
 #include "labmouse/mouse/tie_order.hpp"
 #include "labmouse/strategies/phases/continuing.hpp"
 #include "labmouse/strategies/phases/searching.hpp"
@@ -78,16 +78,19 @@ constexpr std::array parameters = {
               "random/weighted/unexplored-cell/unexplored-space/wall-follower/goal-oriented", "how to find the goal"},
     Parameter{"weights", ParameterType::list, "2/5/2", 0, 100, "",
               "probabilities of going left, ahead and right (searching=weighted)"},
-    Parameter{"heuristic", ParameterType::choice, "none", 0, 0, "none/manhattan/edges/optimistic",
-              "added to the steps to a cell: nothing, its Manhattan distance to the goal, that plus its explored "
-              "edges, or its shortest route through everything not known to be closed"},
+    Parameter{
+        "heuristic", ParameterType::choice, "edges", 0, 0, "none/edges/manhattan/manhattan-edges/optimistic",
+        "added to the steps to a cell: nothing, its explored sides, its Manhattan distance to the goal, both, or its "
+        "shortest route through all that is not known to be closed"},
     Parameter{"continuing", ParameterType::choice, "none", 0, 0, "none/all-goals/coverage/worthwhile",
               "what to explore between the goal and the reset"},
     Parameter{"coverage", ParameterType::real, "0.9", 0, 1, "",
               "share of the cells to explore before the reset (continuing=coverage)"},
     Parameter{"speed", ParameterType::choice, "strides", 0, 0, "one-cell/strides/strides-updating",
               "the speed run: one cell a step, strides, or strides planned again at every step"},
-    Parameter{"ties", ParameterType::choice, "arbl", 0, 0, TieOrder::all, "order of the headings among equal choices"},
+    Parameter{"ties", ParameterType::choice, "swne", 0, 0, TieOrder::all, "order of the headings in searches"},
+    Parameter{"order", ParameterType::choice, "python-2.7", 0, 0, all_cell_orders,
+              "whose set decides between equally promising cells: a version of Python's, or neutral, row by row"},
 };
 
 }  // namespace

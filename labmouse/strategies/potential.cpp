@@ -1,112 +1,65 @@
 // potential: rolls downhill to the goal and raises the ground behind it.
 //
 // Limits: it never gives up, also where no way leads to the goal; nothing tells it which routes are left to see.
-// Choices: the goal is its first cell, row by row from the south-west; a dead end is where the mouse sees no way, and
-// then it turns on the spot, to the right; otherwise it looks at the cells to the left, ahead and to the right, never
-// behind; free directions count the one that it came from; among equals the first in the tie order, in one direction
-// the nearest. To double at each visit instead is farther from the scores of the report, and no order gives them all.
+// Choices: as the report's program does it. A cell's first potential is its distance to the nearest column of the goal
+// plus that to the nearest row; where all three readings are 0 it becomes twice the maze's side; and where more than
+// one known move leads away it is doubled, at each visit, in a dead end too. It moves to the lowest of the cells that
+// one known move leads to, also back; of equals to the first that a set of Python 3.4 lists (MoveMapper).
 #include <algorithm>
 #include <array>
-#include <limits>
-#include <optional>
+#include <cstdlib>
 #include <vector>
 
-#include "labmouse/mouse/explorer.hpp"
-#include "labmouse/mouse/manhattan.hpp"
-#include "labmouse/mouse/route.hpp"
-#include "labmouse/mouse/tie_order.hpp"
+#include "labmouse/strategies/move_mapper.hpp"
 #include "labmouse/strategies/roster.hpp"
 
 namespace labmouse {
 namespace {
 
 constexpr std::string_view method =
-    "Each cell has a potential, initially its Manhattan distance to the goal. A dead end gets the largest one. Each "
-    "visit to a cell with several free directions raises its potential by its initial value, so the first visit "
-    "doubles it. At each step the mouse moves to the cell of lowest potential that it sees within one move. When it "
-    "enters the goal, it resets and takes the shortest route that it has seen.";
+    "Each cell has a potential, at first its distance to the goal in columns and rows. A dead end takes twice the "
+    "maze's "
+    "side. A cell from which several known moves lead is doubled at each visit. At each step the mouse moves to the "
+    "cell "
+    "of lowest potential that one known move leads to. When it enters the goal it resets and takes the shortest route "
+    "that it has seen.";
 
 constexpr std::string_view source =
     "PotentialBot in Edward Kish, section 4.6 (the third report), after Wyard-Scott and Meng 1995.";
 
-class Potential final : public Explorer {
+class Potential final : public MoveMapper {
  public:
   Potential(const Briefing& briefing, const Settings& settings)
-      : Explorer(briefing),
-        ties_(settings.choice("ties")),
-        goal_(first(briefing.goals)),
-        potential_(static_cast<std::size_t>(briefing.size.area())) {
-    for (int index = 0; index < briefing.size.area(); ++index)
-      potential_[static_cast<std::size_t>(index)] = manhattan(briefing.size.cell_at(index), goal_);
+      : MoveMapper(briefing, settings), potential_(static_cast<std::size_t>(briefing.size.area())) {
+    for (int index = 0; index < briefing.size.area(); ++index) {
+      const Cell cell = briefing.size.cell_at(index);
+      int columns = max_side, rows = max_side;
+      briefing.goals.for_each([&](Cell goal) {
+        columns = std::min(columns, std::abs(cell.x - goal.x));
+        rows = std::min(rows, std::abs(cell.y - goal.y));
+      });
+      potential(cell) = columns + rows;
+    }
   }
 
  private:
-  static constexpr int largest = std::numeric_limits<int>::max();
-
-  static Cell first(const CellSet& cells) {
-    std::optional<Cell> first;
-    cells.for_each([&](Cell cell) { first = first.value_or(cell); });
-    return *first;
-  }
-
-  Action explore() override {
-    if (goal_entered()) return Action::reset();
-    // Standing on a goal without having entered it: the start is one. A step has to end there.
-    if (briefing().goals.contains(pose().cell)) return Action::step(0, 0);
-    raise();
-    const Move move = downhill();
-    return move.cells > 0 ? move_in(pose().heading, move.direction, move.cells) : Action::step(90, 0);
-  }
-
-  /// Raises the potential of the cell in which the mouse stands.
-  void raise() {
-    int& here = potential(pose().cell);
+  Action choose() override {
+    const auto cells = map().of(pose().cell);
+    // Nowhere to go: look at the wall behind.
+    if (cells.empty()) return Action::step(90, 0);
     if (seen() == Sighting{0, 0, 0})
-      here = largest;
-    else if (here != largest && free_directions() > 1)
-      here += manhattan(pose().cell, goal_);
+      potential(pose().cell) = 2.0 * std::max(briefing().size.width, briefing().size.height);
+    if (cells.size() > 1) potential(pose().cell) *= 2.0;
+    return go_to(
+        *std::min_element(cells.begin(), cells.end(), [&](Cell a, Cell b) { return potential(a) < potential(b); }));
   }
 
-  int free_directions() const {
-    int count = 0;
-    for (const Heading direction : all_headings)
-      if (knowledge().open().contains(wall_at(pose().cell, direction))) ++count;
-    return count;
-  }
+  double& potential(Cell cell) { return potential_[static_cast<std::size_t>(briefing().size.index(cell))]; }
 
-  /// The move to the cell of lowest potential among those in sight; one of no cells where none is.
-  Move downhill() {
-    Move best;
-    int lowest = 0;
-    for (const Heading direction : ties_.from(pose().heading)) {
-      if (direction == opposite(pose().heading)) continue;
-      for (int cells = 1; cells <= cells_open(direction); ++cells) {
-        const int there = potential(neighbour(pose().cell, direction, cells));
-        if (best.cells > 0 && there >= lowest) continue;
-        best = {direction, cells};
-        lowest = there;
-      }
-    }
-    return best;
-  }
-
-  /// How far one move leads in a direction other than back.
-  int cells_open(Heading direction) const {
-    const int quarters = quarters_between(pose().heading, direction);
-    return std::min(seen().towards(quarters == 3 ? -1 : quarters), briefing().motion.longest);
-  }
-
-  int& potential(Cell cell) { return potential_[static_cast<std::size_t>(briefing().size.index(cell))]; }
-
-  TieOrder ties_;
-  Cell goal_;
-  std::vector<int> potential_;
+  std::vector<double> potential_;  ///< whole numbers, exact as long as they are finite
 };
 
-constexpr std::array parameters = {
-    Parameter{"ties", ParameterType::choice, "snwe", 0, 0, TieOrder::all,
-              "order of the directions among equal potentials, by compass (nesw) or as the mouse faces (alrb)"},
-};
+constexpr std::array parameters = {table_order};
 
 }  // namespace
 

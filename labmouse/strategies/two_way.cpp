@@ -46,7 +46,7 @@ class TwoWay final : public Explorer {
         ties_(settings.choice("ties")),
         manhattan_(briefing.size, strides(1)),
         tree_(briefing.size, 1, ties_),
-        unvisited_(briefing.size, Python::v2_7, CellKey::row_column),
+        unvisited_(briefing.size, cell_order(settings.choice("order")), CellTable::map, CellKey::row_column),
         nodes_(static_cast<std::size_t>(briefing.size.area())) {
     for (Path* path : {&plan_, &way_there_, &way_back_, &route_}) path->reserve(nodes_.size());
     begin_way(briefing.goals);
@@ -243,6 +243,8 @@ constexpr std::array parameters = {
     Parameter{"merge_strides", ParameterType::flag, "yes", 0, 0, "",
               "run straight legs in strides instead of cell by cell"},
     Parameter{"ties", ParameterType::choice, "nesw", 0, 0, TieOrder::all, "order of the directions"},
+    Parameter{"order", ParameterType::choice, "python-2.7", 0, 0, all_cell_orders,
+              "whose map decides between equally good cells: a version of Python's, or neutral, row by row"},
 };
 
 }  // namespace

@@ -15,22 +15,27 @@ class None final : public Continuing {
   std::optional<Action> next(const Knowledge&, Pose, const CellSet&) override { return std::nullopt; }
 };
 
-/// Stands in every goal cell that can be entered.
+/// Goes on into the next goal cell ahead, to the left or to the right, until it has stood in all or knows the others.
 class AllGoals final : public Continuing {
  public:
-  explicit AllGoals(const Briefing& briefing) : goals_(briefing.goals), field_(briefing.size, briefing.motion) {}
+  explicit AllGoals(const Briefing& briefing) : goals_(briefing.goals) {}
 
   std::optional<Action> next(const Knowledge& knowledge, Pose pose, const CellSet& visited) override {
     CellSet rest = goals_;
     rest -= visited;
-    field_.fill(knowledge.possible(), rest);
-    if (!field_.reaches(pose.cell)) return std::nullopt;
-    return optimistic_step(field_, knowledge, pose);
+    CellSet unexplored = unexplored_cells(knowledge);
+    unexplored &= rest;
+    if (unexplored.empty()) return std::nullopt;
+    for (const int quarters : {0, -1, 1}) {
+      const Heading direction = turned(pose.heading, quarters);
+      const bool open = knowledge.open().contains(wall_at(pose.cell, direction));
+      if (open && rest.contains(neighbour(pose.cell, direction))) return Action::step(90 * quarters, 1);
+    }
+    return std::nullopt;
   }
 
  private:
   CellSet goals_;
-  DistanceField field_;
 };
 
 /// Goes on with the search until a share of all cells is explored, or all that can be reached.

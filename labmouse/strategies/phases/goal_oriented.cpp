@@ -11,6 +11,7 @@ GoalOriented::Heuristic heuristic_of(std::string_view name) {
   using enum GoalOriented::Heuristic;
   if (name == "manhattan") return manhattan;
   if (name == "edges") return edges;
+  if (name == "manhattan-edges") return manhattan_edges;
   if (name == "optimistic") return optimistic;
   assert(name == "none");
   return none;
@@ -26,35 +27,43 @@ int explored_edges(const Knowledge& knowledge, Cell cell) {
 }  // namespace
 
 GoalOriented::GoalOriented(const Briefing& briefing, const Settings& settings)
-    : goals_(briefing.goals),
+    : start_(briefing.start),
+      goals_(briefing.goals),
       heuristic_(heuristic_of(settings.choice("heuristic"))),
-      tree_(briefing.size, briefing.motion.longest, TieOrder(settings.choice("ties")),
-            SearchTree::Reach::farthest_first),
+      cell_by_cell_(briefing.size, 1, TieOrder(settings.choice("ties"))),
+      reached_(briefing.size, cell_order(settings.choice("order")), CellTable::set, CellKey::column_row),
+      tree_(briefing.size, briefing.motion.longest, TieOrder(settings.choice("ties"))),
       optimistic_(briefing.size, briefing.motion) {}
 
 std::optional<Action> GoalOriented::towards(const CellSet& candidates, const Knowledge& knowledge, Pose pose) {
+  list_reached(knowledge);
   tree_.grow(knowledge.open(), pose);
   if (heuristic_ == Heuristic::optimistic) optimistic_.fill(knowledge.possible(), goals_);
   const auto target = most_promising(candidates, knowledge);
   if (!target) return std::nullopt;
   if (*target == pose.cell) return Action::step(90, 0);
-  // The route is searched from its end: among equally short ones it is another than the one that found the target.
-  tree_.grow(knowledge.open(), {*target, Heading::north});
-  const Move move = move_between(pose.cell, tree_.before(pose.cell));
+  const Move move = move_between(pose.cell, tree_.first_towards(*target));
   return move_in(pose.heading, move.direction, move.cells);
+}
+
+/// Lists the cells that can be reached, as a search from the start finds them.
+void GoalOriented::list_reached(const Knowledge& knowledge) {
+  cell_by_cell_.grow(knowledge.open(), start_);
+  reached_.clear();
+  for (const Cell cell : cell_by_cell_.found()) reached_.insert(cell);
 }
 
 std::optional<Cell> GoalOriented::most_promising(const CellSet& candidates, const Knowledge& knowledge) const {
   std::optional<Cell> best;
   int least = 0;
-  for (const Cell cell : tree_.found()) {
-    if (!candidates.contains(cell)) continue;
+  reached_.for_each([&](Cell cell) {
+    if (!candidates.contains(cell)) return;
     const int cost = tree_.distance(cell) + heuristic(knowledge, cell);
-    // Of equals the one found last.
-    if (best && cost > least) continue;
+    // Of equals the first on the list.
+    if (best && cost >= least) return;
     best = cell;
     least = cost;
-  }
+  });
   return best;
 }
 
@@ -65,6 +74,8 @@ int GoalOriented::heuristic(const Knowledge& knowledge, Cell cell) const {
     case Heuristic::manhattan:
       return manhattan_to(goals_, cell);
     case Heuristic::edges:
+      return explored_edges(knowledge, cell);
+    case Heuristic::manhattan_edges:
       return manhattan_to(goals_, cell) + explored_edges(knowledge, cell);
     case Heuristic::optimistic:
       return optimistic_.at(cell);

@@ -93,7 +93,8 @@ class UnexploredCell final : public OneStep {
   }
 };
 
-/// Favours the neighbours that lead to many unexplored cells: all that can be reached from there, but not through here.
+/// Favours the neighbours that lead to much that is unknown: the sides not yet seen of all cells that can be reached
+/// from there, but not through here.
 class UnexploredSpace final : public OneStep {
  public:
   explicit UnexploredSpace(const Briefing& briefing) : OneStep(briefing), field_(briefing.size, briefing.motion) {}
@@ -106,9 +107,11 @@ class UnexploredSpace final : public OneStep {
     CellSet from;
     from.insert(neighbour(pose.cell, turned(pose.heading, quarters)));
     field_.fill(passages, from);
-    int cells = 0;
-    unexplored_cells(knowledge).for_each([&](Cell cell) { cells += field_.reaches(cell) ? 1 : 0; });
-    return cells;
+    int sides = 0;
+    knowledge.unknown().for_each([&](Wall wall) {
+      sides += (field_.reaches(wall.cell) ? 1 : 0) + (field_.reaches(neighbour(wall.cell, wall.side)) ? 1 : 0);
+    });
+    return sides;
   }
 
   DistanceField field_;

@@ -1,6 +1,6 @@
-#include "labmouse/mouse/sighted_moves.hpp"
-
 #include <gtest/gtest.h>
+
+#include "labmouse/mouse/sighted_moves.hpp"
 
 namespace labmouse {
 namespace {
