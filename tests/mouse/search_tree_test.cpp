@@ -59,7 +59,7 @@ TEST(SearchTree, PassesOnlyTheCellsThatItMay) {
 
 TEST(SearchTree, TakesOnlyMovesThatWereSeenAsAWhole) {
   // A corridor of five cells, seen from its middle to either end.
-  SightedMoves moves({5, 1}, 3);
+  ConnectedCells moves({5, 1}, 3, CellOrder::rows);
   moves.learn({{2, 0}, Heading::east}, {0, 2, 0});
   moves.learn({{2, 0}, Heading::west}, {0, 2, 0});
   SearchTree tree({5, 1}, 3, TieOrder("nesw"));

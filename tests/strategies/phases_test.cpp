@@ -70,7 +70,7 @@ CellSet stood_in(const RunRecord& record) {
 
 Maze loops(std::uint64_t seed) { return prim_generator.make({{12, 12}, seed, 200}); }
 
-// The numbers of the report, or the nearest that its text gives.
+// The numbers of the report.
 
 struct Row {
   int maze;
@@ -105,14 +105,18 @@ TEST_P(PhasesInCapstone, RunsCellByCellOrUpdatingAsItDid) {
   EXPECT_EQ(updating.speed_steps, GetParam().strides);
 }
 
-TEST_P(PhasesInCapstone, VisitsTheOtherThreeGoalsInThreeSteps) {
+TEST_P(PhasesInCapstone, KnowsAllGoalsAfterTwoMoreSteps) {
   const RunRecord record = run_with({{"continuing", "all-goals"}}, *maze_);
-  EXPECT_EQ(score(record, {}).exploration_steps, GetParam().exploration + 3);
-  maze_->goals().for_each([&](Cell goal) { EXPECT_TRUE(stood_in(record).contains(goal)); });
+  EXPECT_EQ(score(record, {}).exploration_steps, GetParam().exploration + 2);
+  replay(*maze_, record, [&](const StepRecord& step, const Knowledge& knowledge) {
+    if (step.action.kind != Action::Kind::reset) return;
+    maze_->goals().for_each(
+        [&](Cell goal) { EXPECT_TRUE(stood_in(record).contains(goal) || explored(knowledge, goal)); });
+  });
 }
 
 INSTANTIATE_TEST_SUITE_P(Report, PhasesInCapstone,
-                         testing::Values(Row{1, 64, 17, 30}, Row{2, 170, 22, 43}, Row{3, 228, 25, 49}),
+                         testing::Values(Row{1, 61, 17, 30}, Row{2, 170, 22, 43}, Row{3, 228, 25, 49}),
                          [](const auto& row) { return "Maze" + std::to_string(row.param.maze); });
 
 // Searching.
@@ -260,12 +264,12 @@ Action first_action(const Changes& changes, const Maze& maze) { return run_with(
 TEST(PhasesSearching, TheHeuristicDecidesBetweenNearAndTowardsTheGoal) {
   EXPECT_EQ(first_action({{"heuristic", "none"}}, fork()), Action::step(-90, 1));
   EXPECT_EQ(first_action({{"heuristic", "manhattan"}}, fork()), Action::step(90, 3));
-  EXPECT_EQ(first_action({{"heuristic", "edges"}}, fork()), Action::step(90, 3));
+  EXPECT_EQ(first_action({{"heuristic", "manhattan-edges"}}, fork()), Action::step(90, 3));
 }
 
 // Continuing.
 
-TEST(PhasesContinuing, AllGoalsLeavesOutThoseThatCannotBeEntered) {
+TEST(PhasesContinuing, AllGoalsGoesIntoNeighboursOnly) {
   CellSet goals;
   for (const Cell goal : {Cell{0, 3}, Cell{2, 0}, Cell{3, 3}}) goals.insert(goal);
   const Maze maze = test::drawn(R"(
@@ -282,8 +286,7 @@ TEST(PhasesContinuing, AllGoalsLeavesOutThoseThatCannotBeEntered) {
                         .with_goals(goals);
   const RunRecord record = run_with({{"continuing", "all-goals"}}, maze);
   EXPECT_EQ(record.outcome, Outcome::solved);
-  EXPECT_TRUE(stood_in(record).contains({0, 3}));
-  EXPECT_TRUE(stood_in(record).contains({2, 0}));
+  EXPECT_EQ(record, run_with({}, maze));
 }
 
 TEST(PhasesContinuing, CoverageEndsAtItsShare) {

@@ -1,86 +1,63 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <map>
+#include <optional>
 
-#include "labmouse/mouse/manhattan.hpp"
+#include "labmouse/mouse/connected_cells.hpp"
 #include "tests/drawn_maze.hpp"
 #include "tests/strategies/one_contest.hpp"
 
 namespace labmouse {
 namespace {
 
-constexpr int largest = 1 << 28;
-
 /// The ground as the method describes it, from a record.
 class Ground {
  public:
-  explicit Ground(const Maze& maze) : maze_(maze) {
-    bool found = false;
-    maze.goals().for_each([&](Cell cell) {
-      if (!found) goal_ = cell;
-      found = true;
-    });
-  }
+  explicit Ground(const Maze& maze) : maze_(maze), map_(maze.size(), 3, CellOrder::python_3_4) {}
 
-  void visit(const StepRecord& step, const Knowledge& knowledge) {
+  /// Where the mouse has to go; nothing where it can go nowhere.
+  std::optional<Cell> next(const StepRecord& step) {
     const Cell here = step.pose.cell;
-    if (step.sighting == Sighting{}) dead_ends_.insert(here);
-    int free = 0;
-    for (const Heading direction : all_headings) free += knowledge.open().contains(wall_at(here, direction)) ? 1 : 0;
-    if (free > 1) ++raises_[maze_.size().index(here)];
+    map_.learn(step.pose, step.sighting);
+    const auto cells = map_.of(here);
+    if (step.sighting == Sighting{}) potentials_[here] = 2.0 * std::max(maze_.size().width, maze_.size().height);
+    if (cells.size() > 1) potentials_[here] = 2.0 * potential(here);
+    std::optional<Cell> lowest;
+    for (const Cell cell : cells)
+      if (!lowest || potential(cell) < potential(*lowest)) lowest = cell;
+    return lowest;
   }
-  int potential(Cell cell) {
-    return dead_ends_.contains(cell) ? largest : manhattan(cell, goal_) * (1 + raises_[maze_.size().index(cell)]);
-  }
-  bool is_dead_end(Cell cell) const { return dead_ends_.contains(cell); }
 
  private:
+  double potential(Cell cell) const {
+    const auto raised = potentials_.find(cell);
+    if (raised != potentials_.end()) return raised->second;
+    int columns = max_side, rows = max_side;
+    maze_.goals().for_each([&](Cell goal) {
+      columns = std::min(columns, std::abs(goal.x - cell.x));
+      rows = std::min(rows, std::abs(goal.y - cell.y));
+    });
+    return columns + rows;
+  }
+
   const Maze& maze_;
-  Cell goal_;
-  CellSet dead_ends_;
-  std::map<int, int> raises_;
+  ConnectedCells map_;
+  std::map<Cell, double> potentials_;
 };
 
-/// The cells that one move ahead, left or right leads to.
-std::vector<Cell> in_sight(const StepRecord& step) {
-  std::vector<Cell> cells;
-  for (const int side : {-1, 0, 1})
-    for (int away = 1; away <= std::min(3, step.sighting.towards(side)); ++away)
-      cells.push_back(neighbour(step.pose.cell, turned(step.pose.heading, side), away));
-  return cells;
-}
-
-TEST(Potential, GoesToTheLowestCellInSight) {
+TEST(Potential, GoesToTheFirstOfTheLowestCells) {
   for (const Maze& maze : test::loopy_mazes()) {
     Ground ground(maze);
-    const auto check = [&](const StepRecord& step, const Knowledge& knowledge) {
-      ground.visit(step, knowledge);
-      const int chosen = ground.potential(after(step.pose, step.action).cell);
-      for (const Cell cell : in_sight(step)) ASSERT_LE(chosen, ground.potential(cell)) << step.step;
-    };
-    test::follow_exploration(maze, test::contest(potential_mouse, maze), check);
-  }
-}
-
-TEST(Potential, EntersADeadEndAgainOnlyWhereItSeesNothingElse) {
-  for (const Maze& maze : test::loopy_mazes()) {
-    Ground ground(maze);
-    const auto check = [&](const StepRecord& step, const Knowledge& knowledge) {
-      ground.visit(step, knowledge);
-      if (step.action.movement == 0 || !ground.is_dead_end(after(step.pose, step.action).cell)) return;
-      for (const Cell cell : in_sight(step)) EXPECT_TRUE(ground.is_dead_end(cell)) << step.step;
-    };
-    test::follow_exploration(maze, test::contest(potential_mouse, maze), check);
-  }
-}
-
-TEST(Potential, NeverMovesBackAndTurnsOnTheSpotOnlyInDeadEnds) {
-  for (const Maze& maze : test::loopy_mazes())
-    test::follow_exploration(maze, test::contest(potential_mouse, maze), [](const StepRecord& step, const Knowledge&) {
-      ASSERT_GE(step.action.movement, 0);
-      ASSERT_EQ(step.action == Action::step(90, 0), step.sighting == Sighting{});
+    test::follow_exploration(maze, test::contest(potential_mouse, maze), [&](const StepRecord& step, const Knowledge&) {
+      const auto next = ground.next(step);
+      if (next)
+        ASSERT_EQ(after(step.pose, step.action).cell, *next) << step.step;
+      else
+        ASSERT_EQ(step.action, Action::step(90, 0)) << step.step;
     });
+  }
 }
 
 TEST(Potential, LeavesAHollowAsItsGroundRises) {

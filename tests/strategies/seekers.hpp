@@ -3,9 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <optional>
 
-#include "labmouse/mouse/hashed_cells.hpp"
+#include "labmouse/mouse/connected_cells.hpp"
 #include "labmouse/mouse/search_tree.hpp"
 #include "tests/strategies/one_contest.hpp"
 
@@ -14,25 +15,21 @@ namespace labmouse::test {
 /// What the report's robot remembers, kept a second time.
 class SeekersMemory {
  public:
-  explicit SeekersMemory(Size size)
-      : moves_(size, 3), seen_(size, Python::v3_5, CellKey::column_row), routes_(size, 3, TieOrder("nesw")) {}
+  explicit SeekersMemory(Size size) : map_(size, 3, CellOrder::python_3_4), routes_(size, 3, TieOrder("nesw")) {}
 
   void learn(const StepRecord& step) {
-    moves_.learn(step.pose, step.sighting);
+    map_.learn(step.pose, step.sighting);
     visited_.insert(step.pose.cell);
-    seen_.insert(step.pose.cell);
-    for (const int side : {-1, 0, 1})
-      for (int away = 1; away <= step.sighting.towards(side); ++away)
-        seen_.insert(neighbour(step.pose.cell, turned(step.pose.heading, side), away));
   }
 
   /// The first of the cheapest cells that were seen and not visited; cost(routes, cell), the routes beginning here.
   template <class Cost>
   std::optional<Cell> cheapest(Pose here, Cost cost) {
-    routes_.grow(moves_, here);
+    routes_.grow(map_, here);
     std::optional<Cell> best;
-    seen_.for_each([&](Cell cell) {
-      if (!visited_.contains(cell) && (!best || cost(routes_, cell) < cost(routes_, *best))) best = cell;
+    map_.cells().for_each([&](Cell cell) {
+      if (!visited_.contains(cell) && routes_.reaches(cell) && (!best || cost(routes_, cell) < cost(routes_, *best)))
+        best = cell;
     });
     return best;
   }
@@ -40,14 +37,13 @@ class SeekersMemory {
   bool knows(Pose from, const Action& step) const {
     const Cell to = after(from, step).cell;
     if (to == from.cell) return true;
-    const Move move = move_between(from.cell, to);
-    return move.cells <= moves_.longest(from.cell, move.direction);
+    const auto cells = map_.of(from.cell);
+    return std::find(cells.begin(), cells.end(), to) != cells.end();
   }
   int moves_to(Cell cell) const { return routes_.distance(cell); }
 
  private:
-  SightedMoves moves_;
-  HashedCells seen_;
+  ConnectedCells map_;
   CellSet visited_;
   SearchTree routes_;
 };
