@@ -2,59 +2,64 @@
 //
 // Limits: does not care where the goal is. Most of a share near 1 is spent on the search for the last cells; where
 // cells are walled off such a share is never reached, and the budget ends.
-// Choices: a visit is a step that ended in the cell, and the start is one; a neighbour behind is as good as any other
-// and is entered backwards; the share counts all cells of the maze, also those never seen.
+// Choices: as the report's program does it. A visit is a step that begins in the cell, and the start has one more; a
+// neighbour is a cell one move of one cell away, behind too; where all are visited the mouse goes to the cell of the
+// fewest visits that one known move leads to, up to three cells away, of equals to the first that a set of Python 3.4
+// lists. The share counts all cells of the maze, also those never seen.
+#include <algorithm>
 #include <array>
+#include <optional>
 
 #include "labmouse/chance/dice.hpp"
-#include "labmouse/mouse/explorer.hpp"
-#include "labmouse/mouse/known_moves.hpp"
+#include "labmouse/mouse/manhattan.hpp"
 #include "labmouse/mouse/visits.hpp"
+#include "labmouse/strategies/move_mapper.hpp"
 #include "labmouse/strategies/roster.hpp"
 
 namespace labmouse {
 namespace {
 
 constexpr std::string_view method =
-    "Moves one cell at a time, so that it passes nothing unseen: to a random unvisited neighbour, or, if it has "
-    "visited all of them, to a random one of the least visited. Once it has entered the goal and visited a share of "
-    "all cells, it resets and takes the shortest route that it has seen.";
+    "Moves to a random neighbour that it has not visited, one cell, so that it passes nothing unseen; or, if it has "
+    "visited "
+    "all of them, to the least visited of the cells that one known move leads to. Once it has entered the goal and "
+    "visited "
+    "a share of all cells, it resets and takes the shortest route that it has seen.";
 
 constexpr std::string_view source = "CautiousBot in Edward Kish, section 4.3 (the third report).";
 
-class Cautious final : public Explorer {
+class Cautious final : public MoveMapper {
  public:
   Cautious(const Briefing& briefing, const Settings& settings)
-      : Explorer(briefing),
+      : MoveMapper(briefing, settings),
         dice_(briefing.seed),
         visits_(briefing.size),
-        cells_to_visit_(settings.real("explore_frac") * briefing.size.area()) {}
+        cells_to_visit_(settings.real("explore_frac") * briefing.size.area()) {
+    visits_.add(briefing.start.cell);
+  }
 
  private:
-  Action explore() override {
+  bool is_done() const override { return visited().count() >= cells_to_visit_; }
+
+  Action choose() override {
     visits_.add(pose().cell);
-    if (goal_entered() && visited().count() >= cells_to_visit_) return Action::reset();
-    const KnownMoves moves(knowledge().open(), pose().cell, 1);
+    const auto cells = map().of(pose().cell);
     // Nowhere to go: look at the wall behind.
-    if (moves.empty()) return Action::step(90, 0);
-    return move_in(pose().heading, least_visited(moves).direction, 1);
+    if (cells.empty()) return Action::step(90, 0);
+    if (const auto fresh = unvisited_neighbour()) return go_to(*fresh);
+    return go_to(
+        *std::min_element(cells.begin(), cells.end(), [&](Cell a, Cell b) { return visits_.of(a) < visits_.of(b); }));
   }
 
-  /// A move, of at least one, to a cell with the fewest visits, each equally likely.
-  Move least_visited(const KnownMoves& moves) {
-    std::array<Move, 4> best = {moves[0]};
-    int count = 1, fewest = visits_after(moves[0]);
-    for (int i = 1; i < moves.count(); ++i) {
-      const int visits = visits_after(moves[i]);
-      if (visits > fewest) continue;
-      if (visits < fewest) count = 0;
-      fewest = visits;
-      best[static_cast<unsigned>(count++)] = moves[i];
-    }
-    return best[static_cast<unsigned>(dice_.below(count))];
+  /// One of those that are one cell away and were never visited, each equally likely; nothing where there is none.
+  std::optional<Cell> unvisited_neighbour() {
+    std::array<Cell, 4> fresh;
+    std::size_t count = 0;
+    for (const Cell cell : map().of(pose().cell))
+      if (manhattan(cell, pose().cell) == 1 && visits_.of(cell) == 0) fresh[count++] = cell;
+    return count == 0 ? std::nullopt
+                      : std::optional(fresh[static_cast<std::size_t>(dice_.below(static_cast<int>(count)))]);
   }
-
-  int visits_after(const Move& move) const { return visits_.of(neighbour(pose().cell, move.direction)); }
 
   Dice dice_;
   Visits visits_;
@@ -63,6 +68,7 @@ class Cautious final : public Explorer {
 
 constexpr std::array parameters = {
     Parameter{"explore_frac", ParameterType::real, "0", 0, 1, "", "share of all cells to visit before the reset"},
+    table_order,
 };
 
 }  // namespace

@@ -4,7 +4,7 @@
 // Choices: a move may go backwards, and a cell within range is any that one move can reach through known passages.
 #include <array>
 
-#include "labmouse/mouse/explorer.hpp"
+#include "labmouse/strategies/move_mapper.hpp"
 #include "labmouse/strategies/random_walk.hpp"
 #include "labmouse/strategies/roster.hpp"
 
@@ -18,19 +18,26 @@ constexpr std::string_view method =
 constexpr std::string_view source =
     "BenchmarkBot in Edward Kish, \"Plot and Navigate a Virtual Maze\", section 4.1 (the third report).";
 
-class RandomMouse final : public Explorer {
+class RandomMouse final : public MoveMapper {
  public:
   RandomMouse(const Briefing& briefing, const Settings& settings)
-      : Explorer(briefing), walk_(briefing, settings.whole("stride")) {}
+      : MoveMapper(briefing, settings), walk_(briefing, settings.whole("stride")) {}
 
  private:
-  Action explore() override { return goal_entered() ? Action::reset() : race(); }
-  Action race() override { return walk_.step(knowledge().open(), pose()); }
+  Action choose() override {
+    const Cell next = walk_.next(pose().cell, map().of(pose().cell));
+    // Nowhere to go: look at the wall behind.
+    return next == pose().cell ? Action::step(90, 0) : go_to(next);
+  }
+  Action race() override {
+    look();
+    return choose();
+  }
 
   RandomWalk walk_;
 };
 
-constexpr std::array parameters = {random_walk_stride};
+constexpr std::array parameters = {random_walk_stride, table_order};
 
 }  // namespace
 

@@ -5,7 +5,7 @@
 // there.
 #include <array>
 
-#include "labmouse/mouse/explorer.hpp"
+#include "labmouse/strategies/move_mapper.hpp"
 #include "labmouse/strategies/random_walk.hpp"
 #include "labmouse/strategies/roster.hpp"
 
@@ -19,18 +19,22 @@ constexpr std::string_view method =
 
 constexpr std::string_view source = "BetterBenchmarkBot in Edward Kish, section 4.2 (the third report).";
 
-class RandomThenShortest final : public Explorer {
+class RandomThenShortest final : public MoveMapper {
  public:
   RandomThenShortest(const Briefing& briefing, const Settings& settings)
-      : Explorer(briefing), walk_(briefing, settings.whole("stride")) {}
+      : MoveMapper(briefing, settings), walk_(briefing, settings.whole("stride")) {}
 
  private:
-  Action explore() override { return goal_entered() ? Action::reset() : walk_.step(knowledge().open(), pose()); }
+  Action choose() override {
+    const Cell next = walk_.next(pose().cell, map().of(pose().cell));
+    // Nowhere to go: look at the wall behind.
+    return next == pose().cell ? Action::step(90, 0) : go_to(next);
+  }
 
   RandomWalk walk_;
 };
 
-constexpr std::array parameters = {random_walk_stride};
+constexpr std::array parameters = {random_walk_stride, table_order};
 
 }  // namespace
 

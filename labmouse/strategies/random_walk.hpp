@@ -1,33 +1,36 @@
 // The random walk of the mice that wander through what they know.
 #pragma once
 
-#include <algorithm>
+#include <span>
+#include <vector>
 
 #include "labmouse/chance/dice.hpp"
 #include "labmouse/mouse/briefing.hpp"
-#include "labmouse/mouse/known_moves.hpp"
+#include "labmouse/mouse/manhattan.hpp"
 #include "labmouse/strategies/parameter.hpp"
 
 namespace labmouse {
 
-/// At each step one of the cells that one move through passages can reach, all equally likely.
+/// At each step one of the cells that one known move leads to, all equally likely.
 class RandomWalk {
  public:
-  /// `stride` is the longest move in cells; the motion's own limit holds too.
-  RandomWalk(const Briefing& briefing, int stride)
-      : dice_(briefing.seed), stride_(std::min(stride, briefing.motion.longest)) {}
+  /// `stride` is the longest move in cells.
+  RandomWalk(const Briefing& briefing, int stride) : dice_(briefing.seed), stride_(stride) {
+    near_.reserve(4 * static_cast<std::size_t>(Motion::max_longest));
+  }
 
-  Action step(const WallSet& passages, Pose pose) {
-    const KnownMoves moves(passages, pose.cell, stride_);
-    // Nowhere to go: look at the wall behind.
-    if (moves.empty()) return Action::step(90, 0);
-    const Move& move = moves[dice_.below(moves.count())];
-    return move_in(pose.heading, move.direction, move.cells);
+  /// One of the connected cells; the present one where none is near enough.
+  Cell next(Cell here, std::span<const Cell> connected) {
+    near_.clear();
+    for (const Cell cell : connected)
+      if (manhattan(cell, here) <= stride_) near_.push_back(cell);
+    return near_.empty() ? here : near_[static_cast<std::size_t>(dice_.below(static_cast<int>(near_.size())))];
   }
 
  private:
   Dice dice_;
   int stride_;
+  std::vector<Cell> near_;
 };
 
 inline constexpr Parameter random_walk_stride = {"stride",
