@@ -12,7 +12,7 @@
 
 namespace labmouse {
 
-/// A number that a mind keeps about its own work, for records: "nodes expanded".
+/// A number that a mind keeps about its own work, for records: "nodes found".
 struct Counter {
   std::string_view name;
   std::int64_t value = 0;

@@ -1,4 +1,4 @@
-// cautious: one cell at a time, where it has been least.
+// cautious: into a new cell where there is one, else to where it has been least.
 //
 // Limits: does not care where the goal is. Most of a share near 1 is spent on the search for the last cells; where
 // cells are walled off such a share is never reached, and the budget ends.
@@ -21,10 +21,8 @@ namespace {
 
 constexpr std::string_view method =
     "Moves to a random neighbour that it has not visited, one cell, so that it passes nothing unseen; or, if it has "
-    "visited "
-    "all of them, to the least visited of the cells that one known move leads to. Once it has entered the goal and "
-    "visited "
-    "a share of all cells, it resets and takes the shortest route that it has seen.";
+    "visited all of them, to the least visited of the cells that one known move leads to. Once it has entered the goal "
+    "and visited a share of all cells, it resets and takes the shortest route that it has seen.";
 
 constexpr std::string_view source = "CautiousBot in Edward Kish, section 4.3 (the third report).";
 

@@ -1,4 +1,4 @@
-// dead-end: chance, but no time lost in dead ends.
+// dead-end: chance, but no step lost to walls.
 //
 // Limits: a corridor or a loop holds it as long as chance will. Where the share cannot be reached it wanders for ever.
 // Choices: as for random-move.
@@ -11,8 +11,8 @@ namespace labmouse {
 namespace {
 
 constexpr std::string_view method =
-    "Like random-move, but with walls to the left, ahead and to the right, it turns right on the spot; after that only "
-    "the way out is open.";
+    "Like random-move, but draws the turn again while a wall is in the way; in a dead end it turns right on the spot, "
+    "and marks nothing there.";
 
 constexpr std::string_view source =
     "Random move with dead end detection, in the fifth report, \"Plot and Navigate a Virtual Maze\", Algorithms "
@@ -20,20 +20,19 @@ constexpr std::string_view source =
 
 class DeadEnd final : public Wanderer {
  public:
-  DeadEnd(const Briefing& briefing, const Settings& settings)
-      : Wanderer(briefing, settings.real("coverage"), SearchMethod::breadth_first, TieOrder("esnw")) {}
+  using Wanderer::Wanderer;
 
  private:
-  Action wander() override { return seen() == Sighting{0, 0, 0} ? Action::step(90, 0) : random_step(); }
+  Action wander() override { return in_dead_end() ? Action::step(90, 0) : draw_a_free_cell(); }
 };
 
-constexpr std::array parameters = {half_coverage};
+constexpr std::array parameters = {wanderers_coverage, wanderers_search};
 
 }  // namespace
 
 constinit const RosterEntry dead_end_mouse = {
     "dead-end",
-    "random turns and movements, but turns out of dead ends",
+    "random turns to free cells; turns out of dead ends",
     method,
     source,
     parameters,

@@ -1,15 +1,21 @@
 #include "labmouse/strategies/wanderer.hpp"
 
-#include <cassert>
+#include <algorithm>
 
 namespace labmouse {
+namespace {
 
-Wanderer::Wanderer(const Briefing& briefing, double coverage, SearchMethod method, TieOrder order)
+/// Steps that are kept with their repeats: more than any contest of the reports has.
+constexpr int most_walks = 10'000;
+
+}  // namespace
+
+Wanderer::Wanderer(const Briefing& briefing, const Settings& settings)
     : Explorer(briefing),
       dice_(briefing.seed),
-      cells_to_visit_(coverage * briefing.size.area()),
-      near_walls_(briefing.start.cell),
-      search_(briefing.size, method, order) {
+      cells_to_mark_(settings.real(wanderers_coverage.name) * briefing.size.area()),
+      passages_(briefing.size, std::min(briefing.budget, most_walks)),
+      search_(briefing.size, passages_.most_edges(), search_method(settings.choice(wanderers_search.name))) {
   moves_.reserve(static_cast<std::size_t>(briefing.size.area()));
 }
 
@@ -17,33 +23,37 @@ std::span<const Counter> Wanderer::counters() const {
   return planned_ ? std::span<const Counter>(counters_) : std::span<const Counter>();
 }
 
+// The last step is drawn and put into the map, but a reset is done in its place.
 Action Wanderer::explore() {
-  near_walls_.arrive(pose(), seen());
-  const bool covered = visited().count() >= cells_to_visit_;
-  return goal_entered() && covered ? Action::reset() : wander();
+  const Action step = wander();
+  if (step.movement > 0) passages_.walk(pose().cell, after(pose(), step).cell);
+  const bool covered = goal_marked_ && marked_.count() >= cells_to_mark_;
+  return covered && goal_entered() ? Action::reset() : step;
 }
 
-Action Wanderer::random_step() {
-  for (;;) {
-    const int quarters = dice_.below(3) - 1;
-    const int movement = dice_.below(briefing().motion.longest + 1);
-    if (seen().towards(quarters) >= movement) return Action::step(90 * quarters, movement);
-  }
+int Wanderer::draw() {
+  marked_.insert(pose().cell);
+  goal_marked_ |= briefing().goals.contains(pose().cell);
+  return dice_.below(3) - 1;
 }
 
+Action Wanderer::draw_a_free_cell() {
+  for (;;)
+    if (const int quarters = draw(); is_free(quarters)) return Action::step(90 * quarters, 1);
+}
+
+// Where the map has no way to a goal, the mouse stays at its start.
 Action Wanderer::race() {
   if (!planned_) plan();
-  // The start is a goal: a step has to end there.
   if (next_move_ == moves_.size()) return Action::step(0, 0);
   const Move& move = moves_[next_move_++];
   return move_in(pose().heading, move.direction, move.cells);
 }
 
 void Wanderer::plan() {
-  [[maybe_unused]] const bool way = search_.search(near_walls_.open(), pose(), briefing().goals);
-  assert(way);
+  search_.search(passages_, briefing().start.cell, briefing().goals);
   merge_strides(search_.way(), briefing().motion.longest, moves_);
-  counters_ = {Counter{"nodes expanded", search_.expanded()}, Counter{"nodes found", search_.found()}};
+  counters_ = {Counter{"nodes found", search_.found()}};
   planned_ = true;
 }
 

@@ -1,8 +1,9 @@
 // What the wandering mice share: random-move, dead-end and visit-counter.
 //
-// They walk until they have entered a goal and stood in a share of all cells, know only the walls about the cells in
-// which they stood, and plan the speed run once, at its start, by a textbook's search over those.
-// Source: the fifth report, "Plot and Navigate a Virtual Maze", whose explorers have one base for this.
+// They walk cell by cell and mark a cell only where they draw a turn in it. Once a share of all cells is marked, and a
+// goal is, they reset, and plan the speed run by a textbook's search over the passages that they walked.
+// Source: the fifth report, "Plot and Navigate a Virtual Maze", whose explorers have one base for this, and what its
+// program does.
 #pragma once
 
 #include <array>
@@ -10,31 +11,37 @@
 
 #include "labmouse/chance/dice.hpp"
 #include "labmouse/mouse/explorer.hpp"
-#include "labmouse/mouse/near_walls.hpp"
 #include "labmouse/mouse/textbook_search.hpp"
+#include "labmouse/mouse/walked_passages.hpp"
 #include "labmouse/strategies/parameter.hpp"
 
 namespace labmouse {
 
-/// The parameter of those that move by chance alone: with a larger share they hardly ever end in time.
-inline constexpr Parameter half_coverage = {
-    "coverage", ParameterType::real, "0.5", 0, 1, "", "share of all cells to stand in before the reset"};
+inline constexpr Parameter wanderers_coverage = {
+    "coverage", ParameterType::real, "0.8333", 0, 1, "", "share of all cells to mark before the reset"};
 
-/// A mouse that wanders. A mind derives from it and writes wander().
+inline constexpr Parameter wanderers_search = {
+    "search", ParameterType::choice, "a-star", 0, 0, "breadth-first/a-star/dijkstra", "how to plan the speed run"};
+
+/// A mouse that wanders. A mind derives from it and writes wander(). Has the parameters above.
 class Wanderer : public Explorer {
  public:
-  /// `coverage` is the share of all cells to stand in.
-  Wanderer(const Briefing& briefing, double coverage, SearchMethod method, TieOrder order);
+  Wanderer(const Briefing& briefing, const Settings& settings);
 
   /// Of the search for the speed run, once it is planned.
   std::span<const Counter> counters() const final;
 
  protected:
-  /// One step of the exploration.
+  /// One step of the exploration, of no more than a cell.
   virtual Action wander() = 0;
 
-  /// A turn by -90, 0 or 90 degrees and a movement of no to the most cells, drawn again while a wall is in the way.
-  Action random_step();
+  /// Draws a turn: -1, 0 or 1 quarters, equally likely, whatever is there. Marks the present cell.
+  int draw();
+  /// Draws until the cell is free, and goes there; one has to be.
+  Action draw_a_free_cell();
+  bool is_free(int quarters) const { return seen().towards(quarters) > 0; }
+  /// Whether walls are to the left, ahead and to the right.
+  bool in_dead_end() const { return seen() == Sighting{0, 0, 0}; }
   Dice& dice() { return dice_; }
 
  private:
@@ -43,12 +50,14 @@ class Wanderer : public Explorer {
   void plan();
 
   Dice dice_;
-  double cells_to_visit_;
-  NearWalls near_walls_;
+  double cells_to_mark_;
+  CellSet marked_;
+  bool goal_marked_ = false;
+  WalkedPassages passages_;
   TextbookSearch search_;
   std::vector<Move> moves_;
   std::size_t next_move_ = 0;
-  std::array<Counter, 2> counters_{};
+  std::array<Counter, 1> counters_{};
   bool planned_ = false;
 };
 

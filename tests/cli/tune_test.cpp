@@ -18,7 +18,7 @@ using ::testing::StartsWith;
 long lines(const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }
 
 TEST_F(AUser, TunesAMouse) {
-  const Ended ended = labmouse({"tune", "visit-counter:ties=nesw", "--params", "random_share,coverage=0.2:0.9",
+  const Ended ended = labmouse({"tune", "visit-counter:search=dijkstra", "--params", "random_share,coverage=0.2:0.9",
                                 "--mazes", "island-8", "spiral-9", "capstone-1", "--runs", "2", "--evaluations", "15",
                                 "--population", "6", "--log", "out/log.csv", "--svg", "out/plot.svg"});
   EXPECT_EQ(ended.code, 0) << ended.err;
@@ -31,7 +31,7 @@ TEST_F(AUser, TunesAMouse) {
   // The last line is a SPEC that races as it was evaluated.
   const std::string spec = ended.out.substr(ended.out.rfind('\n', ended.out.size() - 2) + 1);
   EXPECT_THAT(log, HasSubstr("," + spec));
-  EXPECT_THAT(spec, HasSubstr("ties=nesw"));
+  EXPECT_THAT(spec, HasSubstr("search=dijkstra"));
 }
 
 TEST_F(AUser, TunesToTheSameForAnyNumberOfJobs) {

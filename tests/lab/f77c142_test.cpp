@@ -4,6 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <set>
+
 #include "labmouse/lab/page/results.hpp"
 #include "labmouse/lab/records/drive_json.hpp"
 #include "labmouse/lab/records/drive_record_file.hpp"
@@ -83,6 +86,17 @@ void expect_within(const Json& past, const Json& now, const std::string& place =
   }
 }
 
+/// Mice that walk otherwise by now: `random` goes over a map of the moves that it saw.
+const std::set<std::string> changed = {"random"};
+
+Json without_changed(Json results) {
+  Json& mice = results["mice"];
+  mice.erase(
+      std::remove_if(mice.begin(), mice.end(), [](const Json& mouse) { return changed.contains(mouse["name"]); }),
+      mice.end());
+  return results;
+}
+
 class OfThePast : public testing::TestWithParam<std::string> {
  protected:
   std::string results() const { return content(GetParam() + "/results.json"); }
@@ -92,7 +106,8 @@ INSTANTIATE_TEST_SUITE_P(Results, OfThePast, testing::Values("steps", "mms", "se
                          [](const auto& race) { return race.param; });
 
 TEST_P(OfThePast, AreWhatTheSameRaceGivesNow) {
-  expect_within(Json::parse(results()), Json::parse(json_of(races_in(GetParam()), {})));
+  expect_within(without_changed(Json::parse(results())),
+                without_changed(Json::parse(json_of(races_in(GetParam()), {}))));
 }
 
 TEST_P(OfThePast, AreABaseline) {
@@ -100,7 +115,10 @@ TEST_P(OfThePast, AreABaseline) {
     const ReadBaselineResult read = read_baseline(results(), race.world());
     ASSERT_TRUE(read.baseline) << read.error;
     const std::string text = compare_with_baseline(race, *read.baseline);
-    for (const Contestant& mouse : race.mice) EXPECT_THAT(text, HasSubstr(mouse.name + ": +0.000 [+0.000, +0.000]"));
+    for (const Contestant& mouse : race.mice)
+      if (!changed.contains(mouse.name)) {
+        EXPECT_THAT(text, HasSubstr(mouse.name + ": +0.000 [+0.000, +0.000]"));
+      }
     EXPECT_THAT(text, Not(HasSubstr("Warning")));
   }
 }

@@ -124,12 +124,12 @@ std::vector<Contestant> variants(std::string_view spec, int count, std::uint64_t
 
 TEST(Perturbed, ShiftsNumbersByUpToAQuarter) {
   double least = 1.0, most = 0.0;
-  for (const Contestant& variant : variants("visit-counter:coverage=0.9:ties=nesw:random_share=0.4", 200)) {
+  for (const Contestant& variant : variants("visit-counter:coverage=0.9:search=dijkstra:random_share=0.4", 200)) {
     const double share = variant.settings.real("random_share");
     least = std::min(least, share), most = std::max(most, share);
     EXPECT_GE(variant.settings.real("coverage"), 0.675);
     EXPECT_LE(variant.settings.real("coverage"), 1.0);
-    EXPECT_EQ(variant.settings.choice("ties"), "nesw");
+    EXPECT_EQ(variant.settings.choice("search"), "dijkstra");
   }
   EXPECT_GE(least, 0.3);
   EXPECT_LT(least, 0.31);

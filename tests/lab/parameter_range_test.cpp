@@ -84,10 +84,10 @@ TEST(Ranges, AreTheDeclaredOnesOrNarrower) {
 
 TEST(Ranges, AreOfNumbersAlone) {
   EXPECT_THAT(refusal("two-way", "join_legs"), Says("'join_legs'", "'two-way'", "yes/no", "numbers", ": bias"));
-  EXPECT_THAT(refusal("visit-counter", "ties"),
-              Says("'ties'", "'visit-counter'", "choice", "numbers", ": random_share, coverage"));
+  EXPECT_THAT(refusal("visit-counter", "search"),
+              Says("'search'", "'visit-counter'", "choice", "numbers", ": random_share, coverage"));
   EXPECT_THAT(refusal("phases", "weights=1:2"), Says("'weights'", "list", "numbers"));
-  EXPECT_THAT(refusal("potential", "ties"), Says("'ties'", "'potential'", "numbers", "none"));
+  EXPECT_THAT(refusal("potential", "order"), Says("'order'", "'potential'", "numbers", "none"));
 }
 
 TEST(Ranges, AreRefusedWhereTheyAreNone) {

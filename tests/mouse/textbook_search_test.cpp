@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <optional>
 
+#include "labmouse/chance/dice.hpp"
 #include "labmouse/maze/generators/generator.hpp"
 #include "labmouse/mouse/search_tree.hpp"
 #include "tests/capstone_mazes.hpp"
@@ -23,12 +26,43 @@ CellSet only(Cell cell) {
   return cells;
 }
 
-/// A search of a maze that is known as a whole.
-TextbookSearch searched(const Maze& maze, SearchMethod method, std::string_view ties = "esnw") {
-  TextbookSearch search(maze.size(), method, TieOrder(ties));
-  EXPECT_TRUE(search.search(maze.open_walls(), {maze.start(), maze.start_heading()}, maze.goals()));
+/// All passages walked, both ways; from each cell in the order of the directions.
+WalkedPassages walked(Size of, const WallSet& open, std::string_view order = "nesw") {
+  WalkedPassages passages(of, 2 * of.area());
+  for (int index = 0; index < of.area(); ++index)
+    for (const Heading direction : TieOrder(order).from(Heading::north))
+      if (const Cell cell = of.cell_at(index); open.contains(wall_at(cell, direction)))
+        passages.walk(cell, neighbour(cell, direction));
+  return passages;
+}
+
+/// A random walk until every passage was walked both ways.
+WalkedPassages walked_at_random(const Maze& maze, std::uint64_t seed) {
+  constexpr int most = 1'000'000;
+  WalkedPassages passages(maze.size(), most / 10);
+  Dice dice(seed);
+  Cell here = maze.start();
+  for (std::size_t left = 2 * static_cast<std::size_t>(maze.open_walls().count()), steps = 0; left > 0 && steps < most;
+       ++steps) {
+    const Heading direction = all_headings[static_cast<std::size_t>(dice.below(4))];
+    if (!maze.is_open(here, direction)) continue;
+    const Cell next = neighbour(here, direction);
+    const auto known = [&] { return passages.has(here, next) + passages.has(next, here); };
+    const int before = known();
+    passages.walk(here, next);
+    left -= static_cast<std::size_t>(known() - before);
+    here = next;
+  }
+  return passages;
+}
+
+TextbookSearch searched(const WalkedPassages& passages, SearchMethod method, Cell start, const CellSet& goals) {
+  TextbookSearch search(passages.size(), passages.most_edges(), method);
+  EXPECT_TRUE(search.search(passages, start, goals));
   return search;
 }
+
+std::vector<Heading> way_of(const TextbookSearch& search) { return {search.way().begin(), search.way().end()}; }
 
 std::vector<Move> merged(const std::vector<Heading>& way, int longest) {
   std::vector<Move> moves;
@@ -36,9 +70,9 @@ std::vector<Move> merged(const std::vector<Heading>& way, int longest) {
   return moves;
 }
 
-/// What the report prints for each test maze, and the cells that A* finds here.
+/// What the report prints for each test maze, and the least and the most that A* finds after other walks.
 struct Reported {
-  int maze, path_cost, breadth_first, a_star, a_star_here;
+  int maze, path_cost, breadth_first, a_star, a_star_least, a_star_most;
 };
 
 void PrintTo(const Reported& reported, std::ostream* out) { *out << "maze " << reported.maze; }
@@ -52,27 +86,29 @@ class ReportedSearch : public testing::TestWithParam<Reported> {
   std::optional<Maze> maze_;
 };
 
-TEST_P(ReportedSearch, FindsWaysOfTheReportedCost) {
-  for (const SearchMethod method : all_methods)
-    EXPECT_EQ(static_cast<int>(searched(*maze_, method).way().size()), GetParam().path_cost);
-}
-
-TEST_P(ReportedSearch, BreadthFirstFindsAsManyCellsAsReportedBesidesTheStart) {
-  EXPECT_EQ(searched(*maze_, SearchMethod::breadth_first).found() - 1, GetParam().breadth_first);
-}
-
-// On test maze 2 the report has two cells less than any order of the directions finds here; perhaps its mouse had not
-// seen the whole maze.
-TEST_P(ReportedSearch, AStarFindsAsManyCellsAsReportedOnTwoMazesOfThree) {
-  EXPECT_EQ(searched(*maze_, SearchMethod::a_star).found(), GetParam().a_star_here);
-  EXPECT_EQ(GetParam().a_star_here - GetParam().a_star, GetParam().maze == 2 ? 2 : 0);
+// The counts of A* depend on the order in which the passages were walked; those that the report prints are samples.
+TEST_P(ReportedSearch, FindsTheReportedCountsAfterAnyWalk) {
+  const Reported& reported = GetParam();
+  int printed = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    const WalkedPassages passages = walked_at_random(*maze_, seed);
+    const auto by = [&](SearchMethod method) { return searched(passages, method, maze_->start(), maze_->goals()); };
+    const TextbookSearch breadth_first = by(SearchMethod::breadth_first), a_star = by(SearchMethod::a_star);
+    EXPECT_EQ(breadth_first.found(), reported.breadth_first);
+    EXPECT_EQ(static_cast<int>(breadth_first.way().size()), reported.path_cost);
+    EXPECT_GE(a_star.found(), reported.a_star_least);
+    EXPECT_LE(a_star.found(), reported.a_star_most);
+    EXPECT_LE(static_cast<int>(a_star.way().size()), reported.path_cost + 1);
+    printed += a_star.found() == reported.a_star;
+  }
+  EXPECT_EQ(printed > 0, reported.maze != 2);  // in maze 2 the report's mouse had not walked everything
 }
 
 INSTANTIATE_TEST_SUITE_P(TestMazes, ReportedSearch,
-                         testing::Values(Reported{1, 30, 143, 141, 141}, Reported{2, 43, 195, 191, 193},
-                                         Reported{3, 49, 255, 249, 249}));
+                         testing::Values(Reported{1, 30, 143, 141, 141, 141}, Reported{2, 43, 195, 191, 193, 193},
+                                         Reported{3, 49, 255, 249, 247, 250}));
 
-TEST(TextbookSearch, OnTestMaze1MergesIntoThePrintedMoves) {
+TEST(TextbookSearch, OnTestMaze1MergesIntoThePrintedMovesAfterSomeWalk) {
   const Maze maze = test::capstone_maze(1).value();
   const std::vector<Action> printed = [] {
     std::vector<Action> actions;
@@ -96,29 +132,30 @@ TEST(TextbookSearch, OnTestMaze1MergesIntoThePrintedMoves) {
       actions.push_back(Action::step(rotation, movement));
     return actions;
   }();
+  // There are several shortest ways; which one is found depends on the order of walking.
   for (const SearchMethod method : {SearchMethod::breadth_first, SearchMethod::a_star}) {
-    const TextbookSearch search = searched(maze, method);
-    std::vector<Move> moves;
-    merge_strides(search.way(), 3, moves);
-    std::vector<Action> actions;
-    Heading heading = maze.start_heading();
-    for (const Move& move : moves) {
-      actions.push_back(move_in(heading, move.direction, move.cells));
-      heading = move.direction;
+    bool found = false;
+    for (std::size_t order = 0; order < 24 * 5; order += 5) {
+      const WalkedPassages passages = walked(maze.size(), maze.open_walls(), TieOrder::all.substr(order, 4));
+      std::vector<Action> actions;
+      Heading heading = maze.start_heading();
+      for (const Move& move : merged(way_of(searched(passages, method, maze.start(), maze.goals())), 3)) {
+        actions.push_back(move_in(heading, move.direction, move.cells));
+        heading = move.direction;
+      }
+      found |= actions == printed;
     }
-    EXPECT_EQ(actions, printed);
+    EXPECT_TRUE(found);
   }
 }
 
 TEST(TextbookSearch, LeadsThroughPassagesToAGoal) {
   for (const SearchMethod method : all_methods)
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-      const WallSet passages = passages_of(seed);
-      TextbookSearch search(size, method, TieOrder("alrb"));
-      ASSERT_TRUE(search.search(passages, corner, only({9, 12})));
+      const WallSet open = passages_of(seed);
       Cell cell = corner.cell;
-      for (const Heading direction : search.way()) {
-        ASSERT_TRUE(passages.contains(wall_at(cell, direction)));
+      for (const Heading direction : way_of(searched(walked(size, open), method, cell, only({9, 12})))) {
+        ASSERT_TRUE(open.contains(wall_at(cell, direction)));
         cell = neighbour(cell, direction);
       }
       EXPECT_EQ(cell, (Cell{9, 12}));
@@ -127,15 +164,13 @@ TEST(TextbookSearch, LeadsThroughPassagesToAGoal) {
 
 TEST(TextbookSearch, BreadthFirstAndDijkstraFindTheShortestWay) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    const WallSet passages = passages_of(seed);
+    const WallSet open = passages_of(seed);
     SearchTree tree(size, 1, TieOrder("wsen"));
-    tree.grow(passages, corner);
+    tree.grow(open, corner);
     for (const SearchMethod method : {SearchMethod::breadth_first, SearchMethod::dijkstra}) {
-      TextbookSearch search(size, method, TieOrder("wsen"));
-      ASSERT_TRUE(search.search(passages, corner, only({12, 5})));
+      const TextbookSearch search = searched(walked(size, open), method, corner.cell, only({12, 5}));
       EXPECT_EQ(static_cast<int>(search.way().size()), tree.distance({12, 5}));
-      EXPECT_EQ(search.found(), 256);
-      EXPECT_EQ(search.expanded(), 256);
+      EXPECT_EQ(search.found(), 255);
     }
   }
 }
@@ -143,47 +178,43 @@ TEST(TextbookSearch, BreadthFirstAndDijkstraFindTheShortestWay) {
 TEST(TextbookSearch, AmongSeveralGoalsGoesToTheNearest) {
   CellSet goals = only({5, 0});
   goals.insert({0, 2});
-  for (const SearchMethod method : all_methods) {
-    TextbookSearch search({6, 6}, method, TieOrder("esnw"));
-    ASSERT_TRUE(search.search(WallSet::all({6, 6}), corner, goals));
-    EXPECT_EQ(std::vector<Heading>(search.way().begin(), search.way().end()),
+  for (const SearchMethod method : all_methods)
+    EXPECT_EQ(way_of(searched(walked({6, 6}, WallSet::all({6, 6})), method, corner.cell, goals)),
               (std::vector{Heading::north, Heading::north}));
-  }
 }
 
 TEST(TextbookSearch, AStarTakesTheStraightCellsFirst) {
-  // In the open, the two cells straight ahead wait in front of all those behind a turn.
-  TextbookSearch search({3, 3}, SearchMethod::a_star, TieOrder("nesw"));
-  ASSERT_TRUE(search.search(WallSet::all({3, 3}), corner, only({0, 2})));
-  EXPECT_EQ(search.expanded(), 2);
-  // The start, north and east of it, and north and east of the second.
-  EXPECT_EQ(search.found(), 4);
-  ASSERT_TRUE(search.search(WallSet::all({3, 3}), corner, only({1, 1})));
-  EXPECT_EQ(search.expanded(), 2);
-  // (2,0), straight on, is taken before (1,1), as far away but behind a turn: so it is the first to find (2,1).
-  ASSERT_TRUE(search.search(WallSet::all({3, 3}), corner, only({2, 1})));
-  EXPECT_EQ(search.expanded(), 5);
-  EXPECT_EQ(std::vector<Heading>(search.way().begin(), search.way().end()),
-            (std::vector{Heading::east, Heading::east, Heading::north}));
+  // In the open, the edges straight ahead wait in front of all those behind a turn.
+  const WalkedPassages open = walked({3, 3}, WallSet::all({3, 3}));
+  // North and east of the start, and the second to the north.
+  EXPECT_EQ(searched(open, SearchMethod::a_star, corner.cell, only({0, 2})).found(), 3);
+  // (1,1) is behind a turn on both ways: the four cells straight ahead come before it.
+  EXPECT_EQ(searched(open, SearchMethod::a_star, corner.cell, only({1, 1})).found(), 5);
 }
 
-TEST(TextbookSearch, TakesDijkstrasEqualCellsInTheirTotalOrder) {
-  // (1,1) is found by the first of (0,1) and (1,0) that is taken: (1,0), although the order tries north first.
-  TextbookSearch search({2, 2}, SearchMethod::dijkstra, TieOrder("nesw"));
-  ASSERT_TRUE(search.search(WallSet::all({2, 2}), corner, only({1, 1})));
-  EXPECT_EQ(search.way()[0], Heading::east);
-  TextbookSearch breadth({2, 2}, SearchMethod::breadth_first, TieOrder("nesw"));
-  ASSERT_TRUE(breadth.search(WallSet::all({2, 2}), corner, only({1, 1})));
-  EXPECT_EQ(breadth.way()[0], Heading::north);
+TEST(TextbookSearch, AStarStopsInAGoalAndTheOthersDoNot) {
+  const WalkedPassages open = walked({3, 3}, WallSet::all({3, 3}));
+  EXPECT_EQ(searched(open, SearchMethod::a_star, corner.cell, only({0, 1})).found(), 1);
+  EXPECT_EQ(searched(open, SearchMethod::breadth_first, corner.cell, only({0, 1})).found(), 8);
+  EXPECT_EQ(searched(open, SearchMethod::dijkstra, corner.cell, only({0, 1})).found(), 8);
+}
+
+TEST(TextbookSearch, BreadthFirstKeepsTheOrderOfWalking) {
+  for (const std::string_view order : {"nesw", "esnw"}) {
+    const WalkedPassages open = walked({2, 2}, WallSet::all({2, 2}), order);
+    EXPECT_EQ(way_of(searched(open, SearchMethod::breadth_first, corner.cell, only({1, 1}))).front(),
+              order == "nesw" ? Heading::north : Heading::east);
+  }
 }
 
 TEST(TextbookSearch, KnowsWhereThereIsNoWay) {
+  const WalkedPassages nothing({3, 3}, 10);
   for (const SearchMethod method : all_methods) {
-    TextbookSearch search({3, 3}, method, TieOrder("nesw"));
-    EXPECT_FALSE(search.search(WallSet(), corner, only({2, 2})));
+    TextbookSearch search({3, 3}, nothing.most_edges(), method);
+    EXPECT_FALSE(search.search(nothing, corner.cell, only({2, 2})));
     EXPECT_TRUE(search.way().empty());
-    EXPECT_EQ(search.found(), 1);
-    EXPECT_TRUE(search.search(WallSet(), corner, only({0, 0})));
+    EXPECT_EQ(search.found(), 0);
+    EXPECT_TRUE(search.search(nothing, corner.cell, only({0, 0})));
     EXPECT_TRUE(search.way().empty());
   }
 }

@@ -5,42 +5,44 @@
 namespace labmouse {
 namespace {
 
-TEST(DeadEnd, TurnsRightOnTheSpotInADeadEnd) {
+TEST(DeadEnd, TurnsRightOnTheSpotInADeadEndAndGoesACellElsewhere) {
   int dead_ends = 0;
-  for (const StepRecord& step : test::wander(dead_end_mouse, depth_first_generator.make({{8, 8}, 1, 0}), 1).steps) {
-    if (step.run == Run::speed || step.sighting != Sighting{0, 0, 0}) continue;
-    if (step.action.kind == Action::Kind::reset) continue;
+  const RunRecord record = test::wander(dead_end_mouse, depth_first_generator.make({{8, 8}, 1, 0}), 1);
+  test::in_exploration(record, [&](const StepRecord& step) {
+    if (step.action.kind == Action::Kind::reset) return;
+    if (step.sighting != test::dead_end) {
+      ASSERT_EQ(step.action.movement, 1);
+      return;
+    }
     ++dead_ends;
     EXPECT_EQ(step.action, Action::step(90, 0));
-  }
+  });
   EXPECT_GT(dead_ends, 10);
 }
 
-TEST(DeadEnd, LeavesAllElseToChance) {
-  // Until the first dead end it does what random-move does with the same dice.
-  const Maze maze = test::wandering_ground();
-  const RunRecord turns = test::wander(dead_end_mouse, maze, 3), draws = test::wander(random_move_mouse, maze, 3);
-  std::size_t same = 0;
-  while (turns.steps[same].sighting != Sighting{0, 0, 0}) {
-    ASSERT_EQ(turns.steps[same], draws.steps[same]);
-    ++same;
+TEST(DeadEnd, GoesToEveryFreeCellEquallyOften) {
+  MazeDraft draft({3, 3}, MazeDraft::Inside::open);
+  draft.close({1, 1}, Heading::east);
+  const Maze maze = Maze(draft).with_start({1, 1}, Heading::north);
+  int left = 0;
+  for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+    const Action first = test::wander(dead_end_mouse, maze, seed, {}, 1).steps.front().action;
+    ASSERT_NE(first.rotation, 90);
+    left += first.rotation == -90;
   }
-  EXPECT_GT(same, 3U);
+  EXPECT_NEAR(left, 500, 80);
 }
 
-TEST(DeadEnd, ResetsAfterTheGoalAtItsCoverage) {
-  const Maze maze = test::wandering_ground();
-  for (const char* coverage : {"0", "0.5", "1"}) {
-    const RunRecord record = test::wander(dead_end_mouse, maze, 1, {{"coverage", coverage}});
-    EXPECT_EQ(record.outcome, Outcome::solved);
-    test::expect_reset_at_coverage(maze, record, std::stod(coverage));
+TEST(DeadEnd, MarksNothingInADeadEnd) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const Maze maze = test::wandering_ground(seed);
+    for (const char* coverage : {"0", "0.5", "0.8333"})
+      test::expect_reset_at_coverage(maze, test::wander(dead_end_mouse, maze, seed, {{"coverage", coverage}}),
+                                     std::stod(coverage));
   }
 }
 
-TEST(DeadEnd, RacesOnlyWhereItWasAndWhatLiesBetween) {
-  for (std::uint64_t seed = 1; seed <= 20; ++seed)
-    test::expect_speed_run_over_near_walls(test::wander(dead_end_mouse, test::wandering_ground(seed), seed));
-}
+TEST(DeadEnd, RacesWhereItWalked) { test::expect_speed_runs_where_it_walked(dead_end_mouse); }
 
 }  // namespace
 }  // namespace labmouse

@@ -262,7 +262,7 @@ Maze fork() {
 Action first_action(const Changes& changes, const Maze& maze) { return run_with(changes, maze).steps.front().action; }
 
 TEST(PhasesSearching, TheHeuristicDecidesBetweenNearAndTowardsTheGoal) {
-  EXPECT_EQ(first_action({{"heuristic", "none"}}, fork()), Action::step(-90, 1));
+  EXPECT_EQ(first_action({{"heuristic", "none"}}, fork()), Action::step(-90, 2));
   EXPECT_EQ(first_action({{"heuristic", "manhattan"}}, fork()), Action::step(90, 3));
   EXPECT_EQ(first_action({{"heuristic", "manhattan-edges"}}, fork()), Action::step(90, 3));
 }

@@ -69,8 +69,8 @@ void expect_goes_to_the_cheapest(const RosterEntry& mouse, const Maze& maze, Cos
 inline void expect_makes_only_moves_seen_as_a_whole(const RosterEntry& mouse, const Maze& maze) {
   SeekersMemory memory(maze.size());
   for (const StepRecord& step : contest(mouse, maze).steps) {
-    if (step.action.kind != Action::Kind::step) continue;
     if (step.run != Run::speed) memory.learn(step);
+    if (step.action.kind != Action::Kind::step) continue;
     EXPECT_TRUE(memory.knows(step.pose, step.action)) << step.step;
   }
 }

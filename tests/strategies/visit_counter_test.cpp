@@ -1,117 +1,172 @@
 #include <gtest/gtest.h>
 
-#include "labmouse/mouse/near_walls.hpp"
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
 #include "labmouse/mouse/textbook_search.hpp"
 #include "labmouse/mouse/visits.hpp"
+#include "labmouse/mouse/walked_passages.hpp"
 #include "tests/capstone_mazes.hpp"
 #include "tests/strategies/wanderers.hpp"
 
 namespace labmouse {
 namespace {
 
-/// Runs that ended well, of ten.
-std::vector<RunRecord> solved_runs(const Maze& maze, std::string_view search) {
-  std::vector<RunRecord> runs;
-  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-    RunRecord record = test::wander(visit_counter_mouse, maze, seed, {{"search", search}});
-    if (record.outcome == Outcome::solved) runs.push_back(std::move(record));
+/// Counts as the report's mouse does, and says what it chooses where chance plays no part.
+class Recount {
+ public:
+  explicit Recount(Size size) : size_(size), visits_(size) {}
+
+  void arrive(Cell cell) { visits_.add(cell); }
+
+  /// The turn that the mouse chooses; nothing where its table hides all that is free.
+  std::optional<int> choice(const StepRecord& step) const {
+    std::map<int, int> side_with;  // by count; the last of left, ahead, right stays
+    std::multiset<int> counts;
+    for (const int quarters : {-1, 0, 1}) {
+      const Cell cell = neighbour(step.pose.cell, turned(step.pose.heading, quarters));
+      const int count = size_.contains(cell) ? visits_.of(cell) : 1'000'000;
+      side_with[count] = quarters;
+      counts.insert(count);
+    }
+    const auto least = counts.begin();
+    const int side = side_with.at(*least);
+    if (step.sighting.towards(side) > 0) return side;
+    if (counts.count(*least) > 1) return std::nullopt;
+    const int next = *std::next(least);
+    const int other = side_with.at(next);
+    if (step.sighting.towards(other) > 0) return other;
+    if (counts.count(next) > 1) return std::nullopt;
+    return side_with.at(*std::prev(counts.end()));
   }
-  EXPECT_FALSE(runs.empty());
-  return runs;
-}
+
+ private:
+  Size size_;
+  Visits visits_;
+};
 
 TEST(VisitCounter, GoesToTheNeighbourThatWasVisitedLeast) {
-  const Maze maze = test::wandering_ground();
-  Visits visits(maze.size());
-  for (const StepRecord& step : test::wander(visit_counter_mouse, maze, 1, {{"random_share", "0"}}, 300).steps) {
-    if (step.action.kind == Action::Kind::reset) break;
-    visits.add(step.pose.cell);
-    if (step.sighting == Sighting{0, 0, 0}) {
-      ASSERT_EQ(step.action, Action::step(90, 0));
-      continue;
-    }
-    ASSERT_EQ(step.action.movement, 1);
-    const Cell next = after(step.pose, step.action).cell;
-    for (const int quarters : {-1, 0, 1})
-      if (step.sighting.towards(quarters) > 0) {
-        ASSERT_LE(visits.of(next), visits.of(neighbour(step.pose.cell, turned(step.pose.heading, quarters))));
-      }
+  int chosen = 0, hidden = 0;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const Maze maze = test::wandering_ground(seed);
+    Recount recount(maze.size());
+    test::in_exploration(test::wander(visit_counter_mouse, maze, seed, {{"random_share", "0"}, {"coverage", "1"}}, 300),
+                         [&](const StepRecord& step) {
+                           if (step.action.kind == Action::Kind::reset) return;
+                           recount.arrive(step.pose.cell);
+                           if (step.sighting == test::dead_end) {
+                             ASSERT_EQ(step.action, Action::step(90, 0));
+                             return;
+                           }
+                           ASSERT_EQ(step.action.movement, 1);
+                           const std::optional<int> turn = recount.choice(step);
+                           ++(turn ? chosen : hidden);
+                           if (turn) {
+                             ASSERT_EQ(step.action.rotation, 90 * *turn) << "step " << step.step;
+                           }
+                         });
   }
+  EXPECT_GT(chosen, 1000);
+  EXPECT_GT(hidden, 50);
 }
 
-TEST(VisitCounter, AmongEquallyVisitedNeighboursTakesTheFirstOfItsOrder) {
-  const Maze open = Maze(MazeDraft({5, 5}, MazeDraft::Inside::open)).with_start({2, 2}, Heading::north);
-  const auto first = [&](const char* ties) {
-    return test::wander(visit_counter_mouse, open, 1, {{"random_share", "0"}, {"ties", ties}}).steps.front().action;
+TEST(VisitCounter, AmongEquallyVisitedNeighboursTakesTheLastOfLeftAheadAndRight) {
+  const auto first = [](Heading heading, std::initializer_list<Heading> walls) {
+    MazeDraft draft({5, 5}, MazeDraft::Inside::open);
+    for (const Heading wall : walls) draft.close({2, 2}, wall);
+    const Maze maze = Maze(draft).with_start({2, 2}, heading);
+    return test::wander(visit_counter_mouse, maze, 1, {{"random_share", "0"}}).steps.front().action;
   };
-  EXPECT_EQ(first("nesw"), Action::step(0, 1));
-  EXPECT_EQ(first("swen"), Action::step(-90, 1));  // south is behind
-  EXPECT_EQ(first("ralb"), Action::step(90, 1));
+  EXPECT_EQ(first(Heading::north, {}), Action::step(90, 1));
+  EXPECT_EQ(first(Heading::west, {}), Action::step(90, 1));
+  EXPECT_EQ(first(Heading::north, {Heading::west}), Action::step(90, 1));
 }
 
-TEST(VisitCounter, MovesAtRandomAsOftenAsItIsTold) {
-  // Only a random step stands still outside of a dead end, or goes more than a cell.
-  const Maze maze = test::wandering_ground();
-  const auto random_steps = [&](const char* share) {
-    int count = 0;
-    const RunRecord record = test::wander(visit_counter_mouse, maze, 1, {{"random_share", share}, {"coverage", "1"}});
-    for (const StepRecord& step : record.steps)
-      count += step.run == Run::exploration && step.sighting != Sighting{0, 0, 0} &&
-               step.action.kind == Action::Kind::step && step.action.movement != 1;
-    return count;
+TEST(VisitCounter, LeavesASideToChanceThatHidesBehindAWall) {
+  // All three sides have the same count, and the right one is behind a wall: the program picks it again and again.
+  MazeDraft draft({5, 5}, MazeDraft::Inside::open);
+  draft.close({2, 2}, Heading::east);
+  const Maze maze = Maze(draft).with_start({2, 2}, Heading::north);
+  int ahead = 0;
+  for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+    const Action first = test::wander(visit_counter_mouse, maze, seed, {}, 1).steps.front().action;
+    ASSERT_NE(first.rotation, 90);
+    ahead += first.rotation == 0;
+  }
+  EXPECT_NEAR(ahead, 200, 50);
+}
+
+TEST(VisitCounter, MarksACellOnlyByChance) {
+  // In the open nothing is hidden: without chance no cell is ever marked, and with nothing else all are.
+  const Maze open = Maze(MazeDraft({6, 6}, MazeDraft::Inside::open)).with_start({2, 2}, Heading::north);
+  const auto first_run = [&](const char* share) {
+    int steps = 0;
+    test::in_exploration(
+        test::wander(visit_counter_mouse, open, 1, {{"random_share", share}, {"coverage", "0.3"}}, 2000),
+        [&](const StepRecord&) { ++steps; });
+    return steps;
   };
-  EXPECT_EQ(random_steps("0"), 0);
-  EXPECT_GT(random_steps("0.2"), 5);
-  // With nothing but chance it is random-move; one throw a step decides on that.
-  int stays = 0, steps = 0;
-  for (const StepRecord& step : test::wander(visit_counter_mouse, maze, 1, {{"random_share", "1"}}).steps) {
-    if (step.run == Run::speed) break;
-    ++steps;
-    stays += step.action.movement == 0;
-  }
-  EXPECT_GT(stays, steps / 3);
-}
-
-TEST(VisitCounter, NeverRunsIntoAWall) {
-  for (std::uint64_t seed = 1; seed <= 20; ++seed)
-    for (const StepRecord& step : test::wander(visit_counter_mouse, test::wandering_ground(seed), seed).steps)
-      ASSERT_FALSE(step.blocked);
-}
-
-TEST(VisitCounter, ResetsAfterTheGoalAtItsCoverage) {
-  const Maze maze = test::wandering_ground();
-  for (const char* coverage : {"0", "0.5", "0.8333", "1"}) {
-    const RunRecord record = test::wander(visit_counter_mouse, maze, 1, {{"coverage", coverage}});
-    EXPECT_EQ(record.outcome, Outcome::solved);
-    test::expect_reset_at_coverage(maze, record, std::stod(coverage));
+  EXPECT_LT(first_run("1"), first_run("0.2"));
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const Maze maze = test::wandering_ground(seed);
+    test::expect_reset_at_coverage(
+        maze, test::wander(visit_counter_mouse, maze, seed, {{"random_share", "1"}, {"coverage", "0.5"}}), 0.5);
   }
 }
 
-TEST(VisitCounter, RacesOnlyWhereItWasAndWhatLiesBetween) {
-  for (std::uint64_t seed = 1; seed <= 20; ++seed)
-    for (const char* search : {"breadth-first", "a-star", "dijkstra"})
-      test::expect_speed_run_over_near_walls(test::wander(visit_counter_mouse, test::wandering_ground(seed), seed,
-                                                          {{"search", search}, {"coverage", "0.3"}}));
+TEST(VisitCounter, RacesWhereItWalked) { test::expect_speed_runs_where_it_walked(visit_counter_mouse); }
+
+/// What a search finds after the walk of an exploration and one more step, where that is not {}.
+std::pair<std::vector<Action>, int> planned(const Maze& maze, const RunRecord& record, std::string_view method,
+                                            std::optional<int> last_turn) {
+  WalkedPassages walked(maze.size(), 10'000);
+  test::in_exploration(record, [&](const StepRecord& step) {
+    if (step.action.movement > 0) walked.walk(step.pose.cell, after(step.pose, step.action).cell);
+    if (step.action.kind == Action::Kind::reset && last_turn)
+      walked.walk(step.pose.cell, neighbour(step.pose.cell, turned(step.pose.heading, *last_turn)));
+  });
+  TextbookSearch search(maze.size(), walked.most_edges(), search_method(method));
+  EXPECT_TRUE(search.search(walked, maze.start(), maze.goals()));
+  std::vector<Move> moves;
+  merge_strides(search.way(), 3, moves);
+  std::vector<Action> actions;
+  Heading heading = maze.start_heading();
+  for (const Move& move : moves) {
+    actions.push_back(move_in(heading, move.direction, move.cells));
+    heading = move.direction;
+  }
+  return {actions, search.found()};
 }
 
-TEST(VisitCounter, PlansOnTheWallsNextToItAndCountsTheSearch) {
+TEST(VisitCounter, PlansOnWhatItWalkedAndCountsTheSearch) {
   const Maze maze = test::capstone_maze(1).value();
-  for (const std::string_view method : {"breadth-first", "a-star", "dijkstra"})
-    for (const RunRecord& record : solved_runs(maze, method)) {
-      NearWalls walls(maze.start());
+  for (const std::string_view method : {"breadth-first", "a-star", "dijkstra"}) {
+    int solved = 0;
+    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+      const RunRecord record = test::wander(visit_counter_mouse, maze, seed, {{"search", method}, {"coverage", "0.7"}});
+      if (record.outcome != Outcome::solved) continue;
+      ++solved;
       std::vector<Action> raced;
-      for (const StepRecord& step : record.steps) {
-        if (step.run == Run::exploration) walls.arrive(step.pose, step.sighting);
+      Sighting last;
+      test::in_exploration(record, [&](const StepRecord& step) { last = step.sighting; });
+      for (const StepRecord& step : record.steps)
         if (step.run == Run::speed) raced.push_back(step.action);
-      }
-      TextbookSearch search(maze.size(), search_method(method), TieOrder("esnw"));
-      ASSERT_TRUE(search.search(walls.open(), {maze.start(), maze.start_heading()}, maze.goals()));
-      std::vector<Move> moves;
-      merge_strides(search.way(), 3, moves);
-      EXPECT_EQ(raced.size(), moves.size());
-      EXPECT_EQ(record.counts,
-                (std::vector<Count>{{"nodes expanded", search.expanded()}, {"nodes found", search.found()}}));
+      ASSERT_EQ(record.counts.size(), 1U);
+      EXPECT_EQ(record.counts.front().name, "nodes found");
+      // The step that was drawn and not done is in its map: one of those that were free.
+      bool as_planned = false;
+      for (const int turn : {-1, 0, 1})
+        if (last.towards(turn) > 0) {
+          const auto [actions, found] = planned(maze, record, method, turn);
+          as_planned |= actions == raced && found == record.counts.front().value;
+        }
+      EXPECT_TRUE(as_planned) << method << ' ' << seed;
     }
+    EXPECT_GE(solved, 8);
+  }
 }
 
 TEST(VisitCounter, CountsNothingBeforeItsSpeedRun) {
@@ -119,12 +174,18 @@ TEST(VisitCounter, CountsNothingBeforeItsSpeedRun) {
 }
 
 TEST(VisitCounter, CoversFiveSixthsOfTestMaze1WithinTheBudget) {
-  // Reported: always, in 565 steps.
+  // Measured with the author's own program: always, in 628 steps.
   const Maze maze = test::capstone_maze(1).value();
   int solved = 0;
-  for (std::uint64_t seed = 1; seed <= 100; ++seed)
-    solved += test::wander(visit_counter_mouse, maze, seed, {}, Rules().budget).outcome == Outcome::solved;
-  EXPECT_GE(solved, 97);
+  double steps = 0;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    const RunRecord record = test::wander(visit_counter_mouse, maze, seed, {}, Rules().budget);
+    if (record.outcome != Outcome::solved) continue;
+    ++solved;
+    test::in_exploration(record, [&](const StepRecord&) { ++steps; });
+  }
+  EXPECT_GE(solved, 195);
+  EXPECT_NEAR(steps / solved, 628, 25);
 }
 
 }  // namespace
