@@ -25,6 +25,20 @@ std::vector<ParameterRange> find_ranges(const TuneOptions& options) {
   return std::move(result.ranges);
 }
 
+/// The mouse as given, and with each parameter at either end of its range: a world takes it as a candidate if it takes
+/// these.
+std::vector<Contestant> corners(const std::string& mouse, const std::vector<ParameterRange>& ranges) {
+  const SpecResult given = read_specs(mouse);
+  if (!given.error.empty()) throw UsageError("error: " + given.error);
+  std::vector<Contestant> mice = given.contestants;
+  for (const ParameterRange& range : ranges)
+    for (const double end : {range.low, range.high}) {
+      const Setting setting = {std::string(range.parameter.name), written_value(range, end)};
+      mice.push_back(read_variant(mouse, {&setting, 1}).contestants.front());
+    }
+  return mice;
+}
+
 /// Holds the search and writes its log; `failed_write` takes what went wrong with that, which ends it early.
 Tune hold(const TuneOptions& options, const std::vector<ParameterRange>& ranges, const std::vector<NamedMaze>& mazes,
           const RaceOrder& race, std::string& failed_write) {
@@ -49,9 +63,7 @@ Tune hold(const TuneOptions& options, const std::vector<ParameterRange>& ranges,
 int tune(const TuneOptions& options) {
   expect_outputs({{"--log", options.log}, {"--svg", options.svg}});
   const std::vector<ParameterRange> ranges = find_ranges(options);
-  const SpecResult mouse = read_specs(options.mouse);
-  if (!mouse.error.empty()) throw UsageError("error: " + mouse.error);
-  const RaceOrder order = options.contests.order_in(options.contests.world.enter_one(mouse.contestants));
+  const RaceOrder order = options.contests.order_in(options.contests.world.enter_one(corners(options.mouse, ranges)));
   const MazeCollection mazes = find_mazes_of(*order.world, options.contests);
   std::string failed_write;
   const Tune result = hold(options, ranges, mazes.mazes, order, failed_write);
