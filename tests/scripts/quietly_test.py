@@ -83,6 +83,16 @@ class InAPipe(unittest.TestCase):
         self.assertEqual((result.returncode, result.stderr), (0, ""))
 
 
+def has_terminals():
+    try:
+        for end in pty.openpty():
+            os.close(end)
+    except OSError:
+        return False
+    return True
+
+
+@unittest.skipUnless(has_terminals(), "this system has no pseudo-terminals (/dev/pts is not mounted)")
 class OnATerminal(unittest.TestCase):
     def test_one_line_is_rewritten_and_at_last_erased(self):
         code, shown = on_terminal(200)
