@@ -73,7 +73,7 @@ constexpr std::array parameters = {
 
 constinit const RosterEntry cautious_mouse = {
     "cautious",
-    "one cell a step, to a random one of the least visited neighbours",
+    "goes to a random new neighbour, else to the least visited cell near",
     method,
     source,
     parameters,

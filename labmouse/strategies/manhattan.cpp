@@ -17,7 +17,8 @@ namespace {
 
 constexpr std::string_view method =
     "Goes by the shortest route to the cell, among those seen but not visited, with the smallest Manhattan distance to "
-    "a goal cell, and chooses again. When it enters the goal, it resets and takes the shortest route that it has seen.";
+    "a point (by a slip of sign not the middle of the goal but one cell south-west of it), and chooses again. When it "
+    "enters the goal, it resets and takes the shortest route that it has seen.";
 
 constexpr std::string_view source = "ManhattanBot in Edward Kish, section 4.4 (the third report).";
 

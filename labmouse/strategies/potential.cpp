@@ -18,11 +18,9 @@ namespace {
 
 constexpr std::string_view method =
     "Each cell has a potential, at first its distance to the goal in columns and rows. A dead end takes twice the "
-    "maze's "
-    "side. A cell from which several known moves lead is doubled at each visit. At each step the mouse moves to the "
-    "cell "
-    "of lowest potential that one known move leads to. When it enters the goal it resets and takes the shortest route "
-    "that it has seen.";
+    "maze's side. A cell from which several known moves lead is doubled at each visit. At each step the mouse moves to "
+    "the cell of lowest potential that one known move leads to. When it enters the goal it resets and takes the "
+    "shortest route that it has seen.";
 
 constexpr std::string_view source =
     "PotentialBot in Edward Kish, section 4.6 (the third report), after Wyard-Scott and Meng 1995.";

@@ -253,7 +253,7 @@ TEST(EqualSpeeds, InManyLanesAreAsOneSpeed) {
     *times = twice;
   }
   Dice dice(8);
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < 200 / test::slowness; ++i) {
     const Maze maze = test::any_maze(dice, 32);
     FastestRoutes one(maze.size(), model.tables), lanes(maze.size(), many);
     one.fill(maze.open_walls(), maze.goals());

@@ -120,6 +120,33 @@ TEST(HashedCells, AreSetsWithTheirOwnRules) {
   EXPECT_EQ(members(set), (Cells{{0, 1}, {1, 2}, {2, 0}, {0, 0}, {0, 2}, {1, 0}, {1, 1}}));
 }
 
+// A set of Python 2.7.18, as it printed it, with seven members, as a copy, and with thirteen.
+TEST(HashedCells, AreTheSetsOfTheOldestVersion) {
+  using Cells = std::vector<Cell>;
+  HashedCells set({5, 5}, CellOrder::python_2_7, CellTable::set, CellKey::column_row);
+  for (int i = 0; i < 7; ++i) set.insert({i / 3, i % 3});
+  EXPECT_EQ(members(set), (Cells{{0, 1}, {1, 2}, {0, 0}, {1, 1}, {2, 0}, {1, 0}, {0, 2}}));
+  HashedCells copy = set;
+  copy.copy(members(set));
+  EXPECT_EQ(members(copy), (Cells{{0, 1}, {1, 2}, {0, 0}, {2, 0}, {1, 0}, {1, 1}, {0, 2}}));
+  for (int i = 7; i < 13; ++i) set.insert({i / 3, i % 3});
+  EXPECT_EQ(
+      members(set),
+      (Cells{{0, 1}, {1, 2}, {3, 2}, {0, 0}, {3, 0}, {3, 1}, {2, 1}, {1, 1}, {2, 0}, {2, 2}, {1, 0}, {0, 2}, {4, 0}}));
+}
+
+// Worked out from the rules of Python 3.4 by another program, over the hashes that an interpreter printed.
+TEST(HashedCells, AreTheMapsOfTheThirdReport) {
+  HashedCells map({5, 5}, CellOrder::python_3_4, CellTable::map, CellKey::column_row);
+  for (int i = 0; i < 6; ++i) map.insert({i / 3, i % 3});
+  EXPECT_EQ(members(map), (std::vector<Cell>{{0, 1}, {1, 2}, {0, 0}, {1, 0}, {0, 2}, {1, 1}}));
+  HashedCells more({5, 5}, CellOrder::python_3_4, CellTable::map, CellKey::column_row);
+  for (int i = 0; i < 22; ++i) more.insert({i / 5, i % 5});
+  EXPECT_EQ(members(more), (std::vector<Cell>{{1, 2}, {3, 2}, {0, 0}, {3, 0}, {0, 4}, {1, 4}, {1, 3}, {2, 3},
+                                              {2, 1}, {2, 4}, {1, 0}, {0, 3}, {4, 0}, {0, 1}, {3, 3}, {4, 1},
+                                              {3, 1}, {0, 2}, {2, 0}, {2, 2}, {3, 4}, {1, 1}}));
+}
+
 struct Interpreter {
   CellOrder order;
   const char* name;

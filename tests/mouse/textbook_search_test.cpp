@@ -87,7 +87,7 @@ class ReportedSearch : public testing::TestWithParam<Reported> {
 };
 
 // The counts of A* depend on the order in which the passages were walked; those that the report prints are samples.
-TEST_P(ReportedSearch, FindsTheReportedCountsAfterAnyWalk) {
+TEST_P(ReportedSearch, FindsAsManyCellsAfterAnyWalk) {
   const Reported& reported = GetParam();
   int printed = 0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
