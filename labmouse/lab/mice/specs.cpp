@@ -183,7 +183,9 @@ std::string unknown_mouse(std::string_view name) {
         name);
   std::vector<std::string_view> names = {oracle_name, "capstone", "guest", "mms"};
   for (const RosterEntry* entry : roster()) names.push_back(entry->name);
-  const auto near = nearest_name(name, names);
+  std::string near(nearest_name(name, names));
+  if (near == "capstone") near += ":FILE";
+  if (near == "guest" || near == "mms") near += ":COMMAND";
   const auto hint = near.empty() ? std::string() : fmt::format("did you mean '{}'? ", near);
   return fmt::format("unknown mouse '{}'; {}`labmouse mice` lists all mice", name, hint);
 }

@@ -56,7 +56,7 @@ std::string learning_note(const Study& study) {
 std::string notes_of(const Study& study, std::size_t comparisons) {
   std::string notes = score_note(*study.order.race.world);
   if (comparisons > 0)
-    notes += "Differences are maze by maze: below 0, and a win, means that the first mouse is better.\n";
+    notes += "Differences are maze by maze: below 0, and a win, means that the mouse before the minus is better.\n";
   if (comparisons > 1)
     notes += fmt::format("Each of the {} intervals holds on its own: one in twenty misses by chance.\n", comparisons);
   if (study.mice.size() > most_in_all_pairs) notes += "Mice are compared only with the first one named.\n";
