@@ -132,7 +132,7 @@ TEST_F(AHostOfGuests, RefusesWhatIsNoGuest) {
   is_refused({"race", "--mice", "guest:~/mouse"}, "'~/mouse'", "full path");
   is_refused({"race", "--mice", "robot.py"}, "'robot.py'", "'capstone:FILE'");
   is_refused({"race", "--mice", "python3 robot.py"}, "'python3 robot.py'", "'capstone:FILE'");
-  is_refused({"race", "--mice", "Capstone"}, "'Capstone'", "'capstone'");
+  is_refused({"race", "--mice", "Capstone"}, "'Capstone'", "'capstone:FILE'");
   is_refused({"race", "--mice", "guest:a\tb"}, "unprintable");
   is_refused({"run", "mms:ls", "corridor.txt"}, "'mms:ls'", "`labmouse race`");
   is_refused({"sweep", bad("end"), "--vary", "stride=1:2:1"}, "{stride}");
