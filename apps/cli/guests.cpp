@@ -24,9 +24,7 @@ void add_seconds(Command& command, const std::string& name, std::chrono::millise
 }  // namespace
 
 void add_python(Command& command, GuestOptions& guests) {
-  command
-      .add_option("--python", guests.python,
-                  "Python interpreter for capstone robots; default: the newest python3 in PATH")
+  command.add_option("--python", guests.python, "Python interpreter for capstone robots; default: the python3 in PATH")
       ->type_name("INTERPRETER");
 }
 

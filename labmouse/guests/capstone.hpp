@@ -14,11 +14,10 @@ std::string_view capstone_bridge();
 /// How to start the robot of a file: the bridge, in the file's folder.
 Launch capstone_launch(const std::string& robot, const std::string& python);
 
+/// The Python of a robot for which none is named: the one that the user's shell starts, with what is installed for it.
+inline constexpr const char* usual_python = "python3";
+
 /// Whether that Python runs at all; starts it.
 bool python_runs(const std::string& python);
-
-/// The newest Python 3 that PATH has and that runs, `python3` among equals; empty where there is none. Starts some of
-/// them, and remembers the answer.
-const std::string& newest_python3();
 
 }  // namespace labmouse

@@ -56,8 +56,8 @@ void reset_signals() {
   sigprocmask(SIG_SETMASK, &none, nullptr);
 }
 
-[[noreturn]] void become_guest(const char* path, char* const* words, const char* directory, const GuestLimits& limits,
-                               const KeptEnds& ends) {
+[[noreturn]] void become_guest(const char* path, char* const* words, char* const* environment, const char* directory,
+                               const GuestLimits& limits, const KeptEnds& ends) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   setpgid(0, 0);
   if (dup2(ends.input, STDIN_FILENO) < 0 || dup2(ends.output, STDOUT_FILENO) < 0 ||
@@ -66,7 +66,7 @@ void reset_signals() {
   if (*directory != '\0' && chdir(directory) != 0) fail(ends);
   reset_signals();
   limit_all(limits);
-  execv(path, words);
+  execve(path, words, environment);
   fail(ends);
 }
 
@@ -119,8 +119,8 @@ void note_child_ended(int) {}
 
 }  // namespace
 
-void keep_guest(const char* path, char* const* words, const char* directory, const GuestLimits& limits,
-                const KeptEnds& ends) {
+void keep_guest(const char* path, char* const* words, char* const* environment, const char* directory,
+                const GuestLimits& limits, const KeptEnds& ends) {
   const KeptEnds kept = {moved_up(ends.input),   moved_up(ends.output), moved_up(ends.errors),
                          moved_up(ends.failure), moved_up(ends.status), moved_up(ends.leash)};
   for (const int end : {kept.input, kept.output, kept.errors, kept.failure, kept.status, kept.leash})
@@ -141,7 +141,7 @@ void keep_guest(const char* path, char* const* words, const char* directory, con
 
   const pid_t guest = fork();
   if (guest < 0) fail(kept);
-  if (guest == 0) become_guest(path, words, directory, limits, kept);
+  if (guest == 0) become_guest(path, words, environment, directory, limits, kept);
   setpgid(guest, guest);  // here too: whichever of the two comes first
   for (const int descriptor : {kept.input, kept.output, kept.errors, kept.failure}) close(descriptor);
 

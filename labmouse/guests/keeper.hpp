@@ -16,8 +16,8 @@ struct KeptEnds {
 };
 
 /// Starts the guest and stays until the leash is let go; never returns. To be called in a new process that may have
-/// been forked beside other threads: it allocates nothing and takes no lock. `words` ends with a null.
-[[noreturn]] void keep_guest(const char* path, char* const* words, const char* directory, const GuestLimits& limits,
-                             const KeptEnds& ends);
+/// been forked beside other threads: it allocates nothing and takes no lock. `words` and `environment` end with a null.
+[[noreturn]] void keep_guest(const char* path, char* const* words, char* const* environment, const char* directory,
+                             const GuestLimits& limits, const KeptEnds& ends);
 
 }  // namespace labmouse

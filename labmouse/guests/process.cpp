@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -42,6 +43,22 @@ void close_end(int& end) {
 ExitStatus exit_status(int wait_status) {
   if (WIFSIGNALED(wait_status)) return {0, WTERMSIG(wait_status)};
   return {WEXITSTATUS(wait_status), 0};
+}
+
+bool same_variable(std::string_view one, std::string_view other) {
+  return one.substr(0, one.find('=')) == other.substr(0, other.find('='));
+}
+
+/// Our environment with the launch's variables, for exec; points into both.
+std::vector<char*> environment_of(const Launch& launch) {
+  std::vector<char*> variables;
+  for (char** variable = environ; *variable != nullptr; ++variable)
+    if (std::none_of(launch.environment.begin(), launch.environment.end(),
+                     [&](const std::string& own) { return same_variable(own, *variable); }))
+      variables.push_back(*variable);
+  for (const std::string& own : launch.environment) variables.push_back(const_cast<char*>(own.c_str()));
+  variables.push_back(nullptr);
+  return variables;
 }
 
 }  // namespace
@@ -100,10 +117,12 @@ void GuestProcess::start(const Launch& launch, Pipes& pipes) {
   std::vector<char*> words;
   for (const std::string& word : launch.words) words.push_back(const_cast<char*>(word.c_str()));
   words.push_back(nullptr);
+  std::vector<char*> environment = environment_of(launch);
   const KeptEnds ends = {pipes.input.read,    pipes.output.write, pipes.errors.write,
                          pipes.failure.write, pipes.status.write, pipes.leash.read};
   keeper_ = fork();
-  if (keeper_ == 0) keep_guest(path.c_str(), words.data(), launch.directory.c_str(), launch.limits, ends);
+  if (keeper_ == 0)
+    keep_guest(path.c_str(), words.data(), environment.data(), launch.directory.c_str(), launch.limits, ends);
   if (keeper_ < 0) {
     error_ = fmt::format("cannot create a process: {}", std::strerror(errno));
     return;

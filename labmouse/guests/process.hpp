@@ -19,6 +19,8 @@ namespace labmouse {
 struct Launch {
   /// The program and its arguments; a name without a slash is looked for in PATH.
   std::vector<std::string> words;
+  /// What its environment has besides ours, or in place of it: NAME=VALUE.
+  std::vector<std::string> environment;
   /// Where it runs; empty: here.
   std::string directory;
   GuestLimits limits;

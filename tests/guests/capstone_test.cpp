@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include <functional>
+
 #include "tests/guests/capstone_fixture.hpp"
 #include "tests/says.hpp"
 
@@ -248,6 +250,34 @@ TEST_P(ARobot, KeepsTheLastOfMuchThatItSaid) {
   const RunRecord record = contest_by("print('first')\nprint('x' * 99999)\nprint('last')\nraise SystemExit(1)");
   expect_died(record, 1, AllOf(HasSubstr("xxx\nlast"), Not(HasSubstr("first"))));
   EXPECT_LT(record.last_words.size(), 5000U);
+}
+
+/// The same contest gives the same record again and again.
+void expect_repeats(const std::function<RunRecord()>& contest) {
+  const RunRecord first = contest();
+  EXPECT_EQ(first.outcome, Outcome::out_of_steps) << first.last_words;
+  for (int again = 0; again < 3; ++again) EXPECT_EQ(contest(), first);
+}
+
+TEST_P(ARobot, ThrowsTheSameDiceInTheSameContest) {
+  const std::vector<std::string> ways = {
+      "import random\nfirst = random.randrange(1000)\nturn = lambda robot: random.choice([-90, 0, 90])\n",
+      "from random import choice\nturn = lambda robot: choice([-90, 0, 90])\n",
+      "import random\nrandom.seed()\nturn = lambda robot: random.choice([-90, 0, 90])\n",
+      "import random\ndice = random.Random()\nturn = lambda robot: dice.choice([-90, 0, 90])\n",
+      "import random\ndice = random.SystemRandom()\nturn = lambda robot: dice.choice([-90, 0, 90])\n",
+      "import os\nturn = lambda robot: [-90, 0, 90][bytearray(os.urandom(1))[0] % 3]\n",
+      "import random\nsides = list({'left', 'ahead', 'right'})\nrandom.shuffle(sides)\n"
+      "turn = lambda robot: {'left': -90, 'ahead': 0, 'right': 90}[random.choice(sides)]\n",
+      "turn = lambda robot: hash('a name' + str(robot.n)) % 3 * 90 - 90\n"};
+  for (const std::string& way : ways) {
+    SCOPED_TRACE(way);
+    const std::string code = way +
+                             "class Robot(object):\n    n = 0\n    def __init__(self, maze_dim):\n        pass\n"
+                             "    def next_move(self, sensors):\n        self.n += 1\n        return turn(self), 0\n";
+    const std::string path = file("robot.py", code);
+    expect_repeats([&] { return contest_of(path, 20); });
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Python, ARobot, testing::Values("python3", "python2"),

@@ -48,7 +48,7 @@ struct SpecResult {
 
 /// How guests are started.
 struct GuestOptions {
-  std::string python;     ///< for capstone robots; empty: the newest python3 of PATH
+  std::string python;     ///< for capstone robots; empty: the python3 of PATH
   std::string directory;  ///< where commands run; empty: here
   GuestLimits limits;
   int runs = 1;                             ///< contests of each guest in each maze

@@ -17,6 +17,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Where a guest is written in Python: the order of its sets and dictionaries of text is the same in each run of a
+/// contest.
+std::string python_hash_seed(std::uint64_t seed) {
+  return fmt::format("PYTHONHASHSEED={}", static_cast<std::uint32_t>(seed));
+}
+
 /// The same from every folder; a name without a slash, which is looked for in PATH, stays.
 std::string anchored(const std::string& path) {
   std::error_code error;
@@ -29,7 +35,9 @@ Contestant contestant_of(std::string name, Launch launch, int runs) {
   contestant.name = std::move(name);
   contestant.runs = runs;
   contestant.make = [launch = std::move(launch)](const Maze& maze, const Rules& rules, std::uint64_t seed) {
-    return std::make_unique<GuestMind>(launch, brief(maze, rules, seed));
+    Launch seeded = launch;
+    seeded.environment = {python_hash_seed(seed)};
+    return std::make_unique<GuestMind>(seeded, brief(maze, rules, seed));
   };
   return contestant;
 }
@@ -39,6 +47,7 @@ Contestant program_of(std::string name, Launch launch) {
   Contestant contestant;
   contestant.name = std::move(name);
   contestant.runs = 1;
+  launch.environment = {python_hash_seed(0)};
   contestant.program = std::move(launch);
   return contestant;
 }
@@ -89,11 +98,10 @@ Launch robot_launch(const std::string& named, const GuestOptions& options, std::
     error = no_robot(file);
     return {};
   }
-  const std::string python = options.python.empty() ? newest_python3() : anchored(from_home(options.python));
-  if (python.empty())
-    error = "no python3 was found in PATH; name one with --python";
-  else if (program_path(python, "").empty())
-    error = fmt::format("no executable Python '{}'", python);
+  const std::string python = options.python.empty() ? usual_python : anchored(from_home(options.python));
+  if (program_path(python, "").empty())
+    error = options.python.empty() ? fmt::format("no {} was found in PATH; name one with --python", python)
+                                   : fmt::format("no executable Python '{}'", python);
   else if (!options.python.empty() && !python_runs(python))
     error = fmt::format("'{}' is not a working Python interpreter", python);
   return capstone_launch(fs::absolute(file, failure).string(), python);
