@@ -108,6 +108,14 @@ void add_mms_options(Command& command, MmsOptions& options) {
       ->type_name("N")
       ->check(in_range(0, 1'000'000))
       ->capture_default_str();
+  command.add_option("--simulated-limit", options.most_seconds, "End the run after this simulated time, without a score")
+      ->type_name("SECONDS")
+      ->check(in_range(1, 1'000'000))
+      ->capture_default_str();
+  command.add_option("--line-limit", options.most_lines, "End the run after N lines, without a score")
+      ->type_name("N")
+      ->check(in_range(1, 2'000'000'000))
+      ->capture_default_str();
 }
 
 }  // namespace

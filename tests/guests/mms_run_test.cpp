@@ -57,6 +57,33 @@ TEST(MmsRun, SignalsAreFailuresWithTheirNames) {
   EXPECT_THAT(run.end, Says("signal 15"));
 }
 
+TEST(MmsRun, EndlessOnesEndAtTheSameLineHoweverFastTheyAre) {
+  MmsOptions few;
+  few.most_lines = 1000;
+  const MmsRun run = hosted({"burst:5000:turnLeft", "hear:5000"}, few);
+  EXPECT_EQ(run.outcome, MmsOutcome::endless);
+  EXPECT_EQ(run.lines, 1000);
+  EXPECT_EQ(run.statistics.total_turns, 1000);
+  EXPECT_THAT(run.end, Says("1000 lines"));
+  MmsOptions short_time;
+  short_time.most_seconds = 10;
+  const MmsRun slow = hosted({"burst:5000:turnLeft", "hear:5000"}, short_time);
+  EXPECT_EQ(slow.outcome, MmsOutcome::endless);
+  EXPECT_GE(slow.clock, 10.0);
+  EXPECT_LT(slow.clock, 10.5);
+  EXPECT_THAT(slow.end, Says("10 s"));
+}
+
+TEST(MmsRun, WhatALimitOfTimeEndedHasNoScore) {
+  for (const MmsOutcome outcome : {MmsOutcome::endless, MmsOutcome::hung, MmsOutcome::out_of_time}) {
+    MmsRun run;
+    run.statistics.solved = true;
+    EXPECT_TRUE(is_scored(run));
+    run.outcome = outcome;
+    EXPECT_FALSE(is_scored(run));
+  }
+}
+
 TEST(MmsRun, SilenceAtTheStartEndsIt) {
   Launch silent = guest({"hang"});
   silent.limits.start = 60ms;

@@ -155,7 +155,9 @@ void MmsHost::note_question() {
 
 void MmsHost::on_event(std::function<void(const MmsEvent&)> listener) { listener_ = std::move(listener); }
 
-bool MmsHost::goes_on() const { return !waits() && !(options_.strict && invalid_lines_ > 0); }
+bool MmsHost::goes_on() const { return !waits() && !is_endless() && !(options_.strict && invalid_lines_ > 0); }
+
+bool MmsHost::is_endless() const { return clock() >= options_.most_seconds || lines_ >= options_.most_lines; }
 
 bool MmsHost::waits() const { return questions_ >= patience; }
 

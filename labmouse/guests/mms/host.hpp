@@ -21,6 +21,10 @@ struct MmsOptions {
   /// How often somebody presses Reset for a mouse that waits for it: that asked `wasReset` 100 times with nothing
   /// between.
   int presses = 0;
+  /// After which a mouse is taken to go on for ever: simulated seconds, and lines. No program was met that needs a tenth
+  /// of either.
+  int most_seconds = 3'600;
+  int most_lines = 10'000'000;
 };
 
 /// What a line did, for records and for watching.
@@ -43,10 +47,12 @@ class MmsHost {
   /// Called after each line that moved or turned the mouse, put it back, or drew something. Called for no others.
   void on_event(std::function<void(const MmsEvent&)> listener);
 
-  /// False once a strict run had a bad line, or the mouse waits for a Reset that nobody presses.
+  /// False once a strict run had a bad line, the mouse waits for a Reset that nobody presses, or it is endless.
   bool goes_on() const;
   /// Whether the mouse waits for Reset: it asked 100 times with nothing between, and no presses are left.
   bool waits() const;
+  /// Whether the mouse took all the simulated time or all the lines that it may.
+  bool is_endless() const;
   /// Presses the Reset button.
   void press_reset();
 

@@ -21,7 +21,7 @@ class Hosting {
 
   Hosting(const Launch& launch, const Maze& maze, const MmsOptions& options, const Listener& listener)
       : launch_(launch),
-        presses_(options.presses),
+        options_(options),
         host_(maze, options),
         begin_(Clock::now()),
         sign_(begin_),
@@ -94,7 +94,11 @@ class Hosting {
   void judge_lines() {
     const GuestLimits& limits = launch_.limits;
     if (!host_.goes_on() && host_.waits())
-      finish(MmsOutcome::waiting, fmt::format("waits for Reset, which was pressed {} times", presses_));
+      finish(MmsOutcome::waiting, fmt::format("waits for Reset, which was pressed {} times", options_.presses));
+    else if (host_.is_endless())
+      finish(MmsOutcome::endless, host_.lines() >= options_.most_lines
+                                      ? fmt::format("had not ended after {} lines", options_.most_lines)
+                                      : fmt::format("had not ended after {} s in mms", options_.most_seconds));
     else if (!host_.goes_on())
       finish(MmsOutcome::invalid, host_.log().empty() ? "an invalid line" : host_.log().back());
     else if (guest_.lines().too_long())
@@ -150,7 +154,7 @@ class Hosting {
   }
 
   const Launch& launch_;
-  int presses_;
+  MmsOptions options_;
   MmsHost host_;
   Clock::time_point begin_;
   Clock::time_point sign_;  ///< of life: the last

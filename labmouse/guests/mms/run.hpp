@@ -12,12 +12,13 @@
 
 namespace labmouse {
 
-/// How the program ended. Its score counts either way, as in mms.
+/// How the program ended. Its score counts, as in mms, unless it was stopped by a limit of time.
 enum class MmsOutcome : std::uint8_t {
   complete,     ///< it ended with exit code 0
   failed,       ///< it ended otherwise; the program's end says how
   waiting,      ///< it waits for Reset, and nobody presses
   invalid,      ///< a strict run had a line that mms would not answer
+  endless,      ///< it took all simulated time or lines that a run may have
   hung,         ///< it said nothing for longer than a decision may take
   out_of_time,  ///< the contest took too long
   flooded,      ///< it wrote a line that is too long, or left too many replies unread
@@ -28,10 +29,15 @@ enum class MmsOutcome : std::uint8_t {
 };
 
 constexpr std::string_view name_of(MmsOutcome outcome) {
-  constexpr std::array<std::string_view, 11> names = {"complete", "failed",      "waiting",    "invalid",
-                                                      "hung",     "out of time", "flooded",    "closed",
-                                                      "left",     "not started", "interrupted"};
+  constexpr std::array<std::string_view, 12> names = {"complete",    "failed",  "waiting", "invalid", "endless",     "hung",
+                                                      "out of time", "flooded", "closed",  "left",    "not started", "interrupted"};
   return names[static_cast<std::size_t>(outcome)];
+}
+
+/// Whether a limit of time ended it, so that another limit, or another machine, would have given another score: it has
+/// none.
+constexpr bool is_cut_short(MmsOutcome outcome) {
+  return outcome == MmsOutcome::endless || outcome == MmsOutcome::hung || outcome == MmsOutcome::out_of_time;
 }
 
 /// One run of one program in one maze.
@@ -48,6 +54,9 @@ struct MmsRun {
   std::string errors;            ///< the last bytes of its standard error
   double seconds = 0;            ///< of real time
 };
+
+/// Whether the run has a score: it finished a run, and no limit of time ended it.
+inline bool is_scored(const MmsRun& run) { return run.statistics.solved && !is_cut_short(run.outcome); }
 
 /// Starts the program and hosts it until it ends or has to be ended. `listener` may be empty; the time that it takes is
 /// not the program's.

@@ -16,12 +16,18 @@ constexpr std::array settings = {
     WorldSetting{"strict", "", "In mms: end a run at the first line that mms would not answer",
                  WorldSetting::Kind::flag, "false"},
     WorldSetting{"presses", "N", "In mms: press Reset N times when a mouse waits for it", WorldSetting::Kind::whole,
-                 "0", 0, 1'000'000}};
+                 "0", 0, 1'000'000},
+    WorldSetting{"simulated-limit", "SECONDS", "In mms: end a run after this simulated time, without a score",
+                 WorldSetting::Kind::whole, "3600", 1, 1'000'000},
+    WorldSetting{"line-limit", "N", "In mms: end a run after N lines, without a score", WorldSetting::Kind::whole,
+                 "10000000", 1, 2'000'000'000}};
 
 WorldResult make(const WorldSettings& chosen) {
   MmsOptions options;
   options.strict = value_of(mms_entry, chosen, "strict") == "true";
   options.presses = std::stoi(value_of(mms_entry, chosen, "presses"));
+  options.most_seconds = std::stoi(value_of(mms_entry, chosen, "simulated-limit"));
+  options.most_lines = std::stoi(value_of(mms_entry, chosen, "line-limit"));
   return {mms_world(options), ""};
 }
 

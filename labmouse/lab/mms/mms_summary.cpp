@@ -24,10 +24,13 @@ std::string statistics_text(const MmsStatistics& s) {
   return text + count_line("total", s.total_distance, s.total_effective_distance, s.total_turns);
 }
 
-std::string score_line(const std::string& mouse, const NamedMaze& maze, const MmsStatistics& statistics) {
+std::string score_line(const std::string& mouse, const NamedMaze& maze, const MmsRun& run) {
+  const MmsStatistics& statistics = run.statistics;
   const MmsBound bound = mms_bound_of(maze.maze);
   std::string line = fmt::format("{} in {}: ", mouse, maze.name);
-  if (statistics.solved)
+  if (is_cut_short(run.outcome))
+    line += fmt::format("{}, no score", name_of(run.outcome));
+  else if (statistics.solved)
     line += fmt::format("score {:g} = {:g} best run + {:g} total / 10", statistics.score, *best_run(statistics),
                         total(statistics));
   else
@@ -62,7 +65,7 @@ std::string report_of(const std::string& mouse, const NamedMaze& maze, const Mms
          shown(fmt::format("{}: {}{}; {}, {:.1f} s in mms", name_of(run.outcome), run.end,
                            run.outcome == MmsOutcome::waiting ? " (use --presses N to press it N times)" : "",
                            counted(static_cast<int>(run.lines), "line", "lines"), run.clock)) +
-         "\n" + score_line(mouse, maze, run.statistics);
+         "\n" + score_line(mouse, maze, run);
 }
 
 }  // namespace labmouse

@@ -55,11 +55,11 @@ Value list_of(const std::vector<std::string>& lines) {
 /// In the order of MmsFigure.
 std::vector<Value> figures_of(const MmsRun& run, const MmsBound& bound, double visited) {
   const MmsStatistics& statistics = run.statistics;
-  const auto best = best_run(statistics);
+  const auto best = is_cut_short(run.outcome) ? std::nullopt : best_run(statistics);
   return {std::string(name_of(run.outcome)),
           run.end,
-          statistics.solved,
-          JsonText{short_json(statistics.score).dump()},
+          is_scored(run),
+          JsonText{is_cut_short(run.outcome) ? "null" : short_json(statistics.score).dump()},
           or_none(best),
           or_none(ratio(best, bound.run)),
           JsonText{statistics_json(statistics).dump()},
@@ -77,9 +77,10 @@ std::vector<Value> figures_of(const MmsRun& run, const MmsBound& bound, double v
 std::string picture_of(const std::string& mouse, const NamedMaze& maze, const MmsRun& run, const MmsWalk& walk) {
   DrawingLayers layers = mms_layers(run.canvas, run.pose);
   layers.route = walk.poses();
-  layers.title = run.statistics.solved
+  layers.title = is_scored(run)
                      ? fmt::format("{} in {}: score {:g}", mouse, maze.name, decimal(run.statistics.score))
-                     : fmt::format("{} in {}: unsolved, {}", mouse, maze.name, run.end);
+                     : fmt::format("{} in {}: {}{}", mouse, maze.name,
+                                   run.statistics.solved ? "" : "unsolved, ", run.end);
   return draw_svg(as_in_mms(maze.maze), layers);
 }
 
@@ -90,7 +91,10 @@ class MmsWorld final : public World {
   std::string_view name() const override { return "mms"; }
   std::string formula() const override { return mms_formula; }
   std::vector<Condition> conditions() const override {
-    return {{"strict", options_.strict}, {"presses", std::int64_t{options_.presses}}};
+    return {{"strict", options_.strict},
+            {"presses", std::int64_t{options_.presses}},
+            {"simulated_limit", std::int64_t{options_.most_seconds}},
+            {"line_limit", std::int64_t{options_.most_lines}}};
   }
 
   std::string refuse(const Contestant& mouse) const override {
@@ -142,11 +146,14 @@ class MmsWorld final : public World {
 void sum_up(const MmsRun& run, const CellSet& visited, const MazeFacts& facts, ContestResult& result) {
   const auto& prepared = std::any_cast<const Prepared&>(facts.prepared);
   const MmsStatistics& statistics = run.statistics;
-  result.outcome = statistics.solved ? "solved" : fmt::format("unsolved: {}", name_of(run.outcome));
+  const bool scored = is_scored(run);
+  result.outcome = scored              ? "solved"
+                   : statistics.solved ? std::string(name_of(run.outcome))
+                                       : fmt::format("unsolved: {}", name_of(run.outcome));
   if (run.outcome != MmsOutcome::complete && run.outcome != MmsOutcome::interrupted && run.lines == 0)
     result.never_started = run.end.empty() ? std::string(name_of(run.outcome)) : run.end;
-  result.counted = decimal(statistics.score);
-  if (statistics.solved) {
+  result.counted = decimal(scored ? statistics.score : MmsStatistics().score);
+  if (scored) {
     result.score = result.counted;
     result.ratio = ratio(result.score, prepared.bound.score);
   }
