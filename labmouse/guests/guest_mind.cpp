@@ -14,6 +14,9 @@ using namespace std::chrono_literals;
 /// At its end a guest may still put something down.
 constexpr auto grace = 250ms;
 
+/// How often a guest that works on several processors is looked at.
+constexpr auto glance = 20ms;
+
 /// How much of a wrong line is quoted.
 constexpr std::size_t quoted = 60;
 
@@ -51,7 +54,7 @@ GuestMind::~GuestMind() { process_.end(grace); }
 Action GuestMind::decide(const Sighting& seen) {
   if (reason_ != ForfeitReason::none) return Action::forfeit(reason_);
   process_.send(question(seen));
-  const auto line = hear(limits_.decision);
+  const auto line = hear(limits_.silence, limits_.decision);
   if (!line) return Action::forfeit(reason_);
   const auto action = read_answer(*line);
   if (!action) {
@@ -69,7 +72,7 @@ Action GuestMind::decide(const Sighting& seen) {
 }
 
 void GuestMind::greet() {
-  const auto line = hear(limits_.start);
+  const auto line = hear(limits_.start, limits_.contest);
   greeted_ = line == guest_greeting;
   if (!line || greeted_) return;
   const char* hint = *line == "mazeWidth" || *line == "mazeHeight" || line->starts_with("wall")
@@ -79,32 +82,34 @@ void GuestMind::greet() {
           fmt::format("its first line is {} instead of '{}'{}", quote(*line), guest_greeting, hint));
 }
 
-std::optional<std::string_view> GuestMind::hear(std::chrono::milliseconds limit) {
-  const auto asked = Clock::now();
-  // Twice the time, to tell who is late from who hangs.
-  const auto patience = std::min(asked + 2 * limit, contest_end_);
+std::optional<std::string_view> GuestMind::hear(std::chrono::milliseconds silence, std::chrono::nanoseconds work) {
+  const auto until = std::min(Clock::now() + silence, contest_end_);
+  const auto worked_before = process_.processor_time();
   for (;;) {
-    if (const auto line = process_.lines().next()) {
-      if (const auto taken = Clock::now() - asked; taken > limit) {
-        give_up(ForfeitReason::late, fmt::format("its answer {} took {}; the limit is {}", quote(*line),
-                                                 in_seconds(taken), in_seconds(limit)));
-        return std::nullopt;
-      }
-      return line;
+    const auto line = process_.lines().next();
+    const auto worked = process_.processor_time() - worked_before;
+    if (worked > work) {
+      give_up(ForfeitReason::late,
+              fmt::format("it took {} of processor time{}; the limit is {} (--decision-limit)", in_seconds(worked),
+                          line ? " for its answer " + quote(*line) : " and has not answered", in_seconds(work)));
+      return std::nullopt;
     }
+    if (line) return line;
     if (process_.lines().too_long()) {
       give_up(ForfeitReason::flooded, fmt::format("it wrote a line of more than {} bytes: {}", limits_.longest_line,
                                                   quote(process_.lines().rest())));
       return std::nullopt;
     }
-    if (const GuestEvent event = process_.wait(patience); event != GuestEvent::output) {
-      give_up(event, limit);
-      return std::nullopt;
-    }
+    // It cannot have worked too long before it could have worked so long.
+    const auto look = std::min(until, Clock::now() + std::max<Clock::duration>(work - worked, glance));
+    const GuestEvent event = process_.wait(look);
+    if (event == GuestEvent::output || (event == GuestEvent::timeout && Clock::now() < until)) continue;
+    give_up(event, silence);
+    return std::nullopt;
   }
 }
 
-void GuestMind::give_up(GuestEvent event, std::chrono::milliseconds limit) {
+void GuestMind::give_up(GuestEvent event, std::chrono::milliseconds silence) {
   switch (event) {
     case GuestEvent::ended:
       return give_up(ForfeitReason::died,
@@ -122,14 +127,14 @@ void GuestMind::give_up(GuestEvent event, std::chrono::milliseconds limit) {
   }
   if (Clock::now() >= contest_end_)
     return give_up(ForfeitReason::out_of_time,
-                   fmt::format("its contest took longer than {}", in_seconds(limits_.contest)));
+                   fmt::format("its contest took longer than {} (--contest-limit)", in_seconds(limits_.contest)));
   if (process_.deaf()) return give_up(ForfeitReason::closed, "it closed its standard input");
   const std::string_view begun = process_.lines().rest();
   const std::string hint = !begun.empty() ? fmt::format("; it wrote {} without ending the line", quote(begun))
                            : greeted_     ? std::string()
                                           : std::string("; does it flush after each line?");
-  give_up(ForfeitReason::hung, fmt::format("it did not answer within {}; the limit is {}{}", in_seconds(2 * limit),
-                                           in_seconds(limit), hint));
+  give_up(ForfeitReason::hung, fmt::format("it was silent for {} ({}){}", in_seconds(silence),
+                                           greeted_ ? "--silence-limit" : "--start-limit", hint));
 }
 
 void GuestMind::give_up(ForfeitReason reason, std::string sentence) {

@@ -25,12 +25,12 @@ class GuestMind final : public Strategy {
  private:
   using Clock = GuestProcess::Clock;
 
-  /// Its next line, to which it has as long as that; nothing where it is to be given up.
-  std::optional<std::string_view> hear(std::chrono::milliseconds limit);
+  /// Its next line, before which it may be silent for so long and work for so long; nothing where it is to be given up.
+  std::optional<std::string_view> hear(std::chrono::milliseconds silence, std::chrono::nanoseconds work);
   void greet();
   /// Ends the guest and keeps why.
   void give_up(ForfeitReason reason, std::string sentence);
-  void give_up(GuestEvent event, std::chrono::milliseconds limit);
+  void give_up(GuestEvent event, std::chrono::milliseconds silence);
 
   GuestLimits limits_;
   Knowledge knowledge_;

@@ -142,6 +142,7 @@ void keep_guest(const char* path, char* const* words, char* const* environment, 
   const pid_t guest = fork();
   if (guest < 0) fail(kept);
   if (guest == 0) become_guest(path, words, environment, directory, limits, kept);
+  report(kept.status, guest);
   setpgid(guest, guest);  // here too: whichever of the two comes first
   for (const int descriptor : {kept.input, kept.output, kept.errors, kept.failure}) close(descriptor);
 

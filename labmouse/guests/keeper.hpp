@@ -11,7 +11,7 @@ namespace labmouse {
 struct KeptEnds {
   int input = -1, output = -1, errors = -1;  ///< the guest's standard streams
   int failure = -1;                          ///< takes the errno of a failed start, and is closed by one that succeeds
-  int status = -1;                           ///< takes the guest's wait status when it ends
+  int status = -1;                           ///< takes the guest's number, and its wait status when it ends
   int leash = -1;                            ///< at its end everything that the guest left is ended
 };
 

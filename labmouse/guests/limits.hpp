@@ -11,8 +11,11 @@ namespace labmouse {
 struct GuestLimits {
   /// From its start to its first word; an interpreter may have much to load.
   std::chrono::milliseconds start{10'000};
-  /// From a question to its answer; of a guest that asks itself, the longest silence.
+  /// From a question to its answer, or between two lines of a guest that asks itself: the guest's own processor time, so
+  /// that a busy machine does not make it late. That of other processes that it starts is not counted.
   std::chrono::milliseconds decision{1'000};
+  /// The same in real time, for those that wait or sleep.
+  std::chrono::milliseconds silence{30'000};
   /// The whole contest.
   std::chrono::milliseconds contest{60'000};
   /// Processor time, in seconds.

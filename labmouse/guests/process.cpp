@@ -11,6 +11,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <ctime>
 #include <mutex>
 #include <utility>
 
@@ -132,7 +133,6 @@ void GuestProcess::start(const Launch& launch, Pipes& pipes) {
   errors_end_ = std::exchange(pipes.errors.read, -1);
   status_end_ = std::exchange(pipes.status.read, -1);
   leash_ = std::exchange(pipes.leash.write, -1);
-  for (const int end : {input_, output_, errors_end_, status_end_}) fcntl(end, F_SETFL, O_NONBLOCK);
   // Now the keeper alone has its ends: each is at its end when the keeper and the guest let go of it.
   for (int* end : {&pipes.input.read, &pipes.output.write, &pipes.errors.write, &pipes.failure.write,
                    &pipes.status.write, &pipes.leash.read})
@@ -141,6 +141,19 @@ void GuestProcess::start(const Launch& launch, Pipes& pipes) {
   while (read(pipes.failure.read, &reason, sizeof reason) < 0 && errno == EINTR) {
   }
   if (reason != 0) error_ = fmt::format("cannot start '{}': {}", launch.words.front(), std::strerror(reason));
+  // It is there: the keeper wrote it before the program could start.
+  while (reason == 0 && read(status_end_, &guest_, sizeof guest_) < 0 && errno == EINTR) {
+  }
+  for (const int end : {input_, output_, errors_end_, status_end_}) fcntl(end, F_SETFL, O_NONBLOCK);
+}
+
+std::chrono::nanoseconds GuestProcess::processor_time() {
+  clockid_t clock = 0;
+  timespec time{};
+  // Of a program that was buried the number may be another's.
+  if (!status_ && guest_ > 0 && clock_getcpuclockid(guest_, &clock) == 0 && clock_gettime(clock, &time) == 0)
+    processor_time_ = std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
+  return processor_time_;
 }
 
 void GuestProcess::send(std::string_view bytes) {

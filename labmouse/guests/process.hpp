@@ -77,6 +77,9 @@ class GuestProcess {
   GuestEvent wait(Clock::time_point deadline);
   LineBuffer& lines() { return lines_; }
 
+  /// Processor time that the program itself took so far, without that of processes that it started.
+  std::chrono::nanoseconds processor_time();
+
   /// How it ended; nothing while it runs.
   const std::optional<ExitStatus>& status() const { return status_; }
 
@@ -103,7 +106,8 @@ class GuestProcess {
   GuestLimits limits_;
   const std::atomic<bool>* stop_;
   std::string error_;
-  pid_t keeper_ = -1;
+  pid_t keeper_ = -1, guest_ = -1;
+  std::chrono::nanoseconds processor_time_{};  ///< the last that was known
   int input_ = -1, output_ = -1, errors_end_ = -1, status_end_ = -1, leash_ = -1;
   LineBuffer lines_;
   std::string portion_;  ///< room for one read
