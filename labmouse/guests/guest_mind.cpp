@@ -15,7 +15,7 @@ using namespace std::chrono_literals;
 constexpr auto grace = 250ms;
 
 /// How often a guest that works on several processors is looked at.
-constexpr auto glance = 20ms;
+constexpr auto work_glance = 20ms;
 
 /// How much of a wrong line is quoted.
 constexpr std::size_t quoted = 60;
@@ -101,7 +101,7 @@ std::optional<std::string_view> GuestMind::hear(std::chrono::milliseconds silenc
       return std::nullopt;
     }
     // It cannot have worked too long before it could have worked so long.
-    const auto look = std::min(until, Clock::now() + std::max<Clock::duration>(work - worked, glance));
+    const auto look = std::min(until, Clock::now() + std::max<Clock::duration>(work - worked, work_glance));
     const GuestEvent event = process_.wait(look);
     if (event == GuestEvent::output || (event == GuestEvent::timeout && Clock::now() < until)) continue;
     give_up(event, silence);
