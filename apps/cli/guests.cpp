@@ -35,7 +35,9 @@ void add_guest_options(Command& command, GuestOptions& guests) {
       ->type_name("DIR")
       ->check(existing_directory());
   add_seconds(command, "--start-limit", limits.start, "How long a program may take to write its first line");
-  add_seconds(command, "--decision-limit", limits.decision, "How long a program may stay silent");
+  add_seconds(command, "--decision-limit", limits.decision,
+              "How much processor time a program may take between two lines");
+  add_seconds(command, "--silence-limit", limits.silence, "How long a program may be silent between two lines");
   add_seconds(command, "--contest-limit", limits.contest, "How long a program may run in one maze");
   command
       .add_integer(

@@ -6,7 +6,7 @@
 
 namespace labmouse::cli {
 
-/// Adds --directory, --start-limit, --decision-limit, --contest-limit, --memory and --cpu.
+/// Adds --directory, --start-limit, --decision-limit, --silence-limit, --contest-limit, --memory and --cpu.
 void add_guest_options(Command& command, GuestOptions& guests);
 
 /// Adds --python.

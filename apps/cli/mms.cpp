@@ -108,7 +108,8 @@ void add_mms_options(Command& command, MmsOptions& options) {
       ->type_name("N")
       ->check(in_range(0, 1'000'000))
       ->capture_default_str();
-  command.add_option("--simulated-limit", options.most_seconds, "End the run after this simulated time, without a score")
+  command
+      .add_option("--simulated-limit", options.most_seconds, "End the run after this simulated time, without a score")
       ->type_name("SECONDS")
       ->check(in_range(1, 1'000'000))
       ->capture_default_str();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "labmouse/guests/patience.hpp"
 #include "labmouse/guests/protocol.hpp"
 
 namespace labmouse {
@@ -14,18 +15,11 @@ using namespace std::chrono_literals;
 /// At its end a guest may still put something down.
 constexpr auto grace = 250ms;
 
-/// How often a guest that works on several processors is looked at.
-constexpr auto work_glance = 20ms;
-
 /// How much of a wrong line is quoted.
 constexpr std::size_t quoted = 60;
 
 std::string quote(std::string_view line) {
   return fmt::format("'{}{}'", line.substr(0, quoted), line.size() > quoted ? "..." : "");
-}
-
-std::string in_seconds(std::chrono::steady_clock::duration time) {
-  return fmt::format("{:.3g} s", std::chrono::duration<double>(time).count());
 }
 
 /// A text without the ends of its last lines.
@@ -83,15 +77,14 @@ void GuestMind::greet() {
 }
 
 std::optional<std::string_view> GuestMind::hear(std::chrono::milliseconds silence, std::chrono::nanoseconds work) {
-  const auto until = std::min(Clock::now() + silence, contest_end_);
-  const auto worked_before = process_.processor_time();
+  Patience patience(silence, work);
   for (;;) {
     const auto line = process_.lines().next();
-    const auto worked = process_.processor_time() - worked_before;
-    if (worked > work) {
+    if (patience.is_overworked(process_)) {
       give_up(ForfeitReason::late,
-              fmt::format("it took {} of processor time{}; the limit is {} (--decision-limit)", in_seconds(worked),
-                          line ? " for its answer " + quote(*line) : " and has not answered", in_seconds(work)));
+              fmt::format("it worked for {} of processor time{}; the limit is {} (--decision-limit)",
+                          seconds_text(patience.worked()),
+                          line ? " for its answer " + quote(*line) : " and had not answered", seconds_text(work)));
       return std::nullopt;
     }
     if (line) return line;
@@ -100,10 +93,8 @@ std::optional<std::string_view> GuestMind::hear(std::chrono::milliseconds silenc
                                                   quote(process_.lines().rest())));
       return std::nullopt;
     }
-    // It cannot have worked too long before it could have worked so long.
-    const auto look = std::min(until, Clock::now() + std::max<Clock::duration>(work - worked, work_glance));
-    const GuestEvent event = process_.wait(look);
-    if (event == GuestEvent::output || (event == GuestEvent::timeout && Clock::now() < until)) continue;
+    const GuestEvent event = patience.wait(process_, contest_end_);
+    if (event == GuestEvent::output || patience.is_overworked(process_)) continue;
     give_up(event, silence);
     return std::nullopt;
   }
@@ -127,13 +118,13 @@ void GuestMind::give_up(GuestEvent event, std::chrono::milliseconds silence) {
   }
   if (Clock::now() >= contest_end_)
     return give_up(ForfeitReason::out_of_time,
-                   fmt::format("its contest took longer than {} (--contest-limit)", in_seconds(limits_.contest)));
+                   fmt::format("its contest took longer than {} (--contest-limit)", seconds_text(limits_.contest)));
   if (process_.deaf()) return give_up(ForfeitReason::closed, "it closed its standard input");
   const std::string_view begun = process_.lines().rest();
   const std::string hint = !begun.empty() ? fmt::format("; it wrote {} without ending the line", quote(begun))
                            : greeted_     ? std::string()
                                           : std::string("; does it flush after each line?");
-  give_up(ForfeitReason::hung, fmt::format("it was silent for {} ({}){}", in_seconds(silence),
+  give_up(ForfeitReason::hung, fmt::format("it was silent for {} ({}){}", seconds_text(silence),
                                            greeted_ ? "--silence-limit" : "--start-limit", hint));
 }
 

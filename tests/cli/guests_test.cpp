@@ -91,7 +91,7 @@ TEST_F(AHostOfGuests, LetsNothingThroughThatSteersATerminal) {
 }
 
 TEST_F(AHostOfGuests, HoldsThemToTheLimitsThatAreAskedFor) {
-  EXPECT_THAT(race_in_the_corridor({"--mice", bad("hang"), "--decision-limit", "0.05"}).out,
+  EXPECT_THAT(race_in_the_corridor({"--mice", bad("hang"), "--silence-limit", "0.05"}).out,
               HasSubstr("forfeit (hung) 1"));
   EXPECT_THAT(race_in_the_corridor({"--mice", bad("hang at the start"), "--start-limit", "0.05"}).out,
               HasSubstr("forfeit (hung) 1"));
@@ -163,7 +163,7 @@ TEST_F(AHostOfGuests, RunsThemSideBySide) {
 
 TEST_F(AHostOfGuests, AnInterruptEndsThemAndPrintsWhatIsDone) {
   const Program program(folder_, {"race", "--jobs", "1", "--mice", bad("hang"), "--mice", "flood", "--mazes",
-                                  "corridor.txt", "--decision-limit", "60"});
+                                  "corridor.txt", "--silence-limit", "60"});
   while (tagged_processes() < 2) std::this_thread::yield();  // the race itself has the tag among its words, too
   program.interrupt();
   const Ended ended = program.wait();
@@ -174,7 +174,7 @@ TEST_F(AHostOfGuests, AnInterruptEndsThemAndPrintsWhatIsDone) {
 }
 
 TEST_F(AHostOfGuests, NothingOutlivesARaceThatIsKilled) {
-  const Program program(folder_, {"race", "--mice", bad("hang"), "--mazes", "corridor.txt", "--decision-limit", "60"});
+  const Program program(folder_, {"race", "--mice", bad("hang"), "--mazes", "corridor.txt", "--silence-limit", "60"});
   while (tagged_processes() < 2) std::this_thread::yield();
   program.kill();
   EXPECT_EQ(program.wait().code, -SIGKILL);

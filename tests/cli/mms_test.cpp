@@ -108,7 +108,7 @@ TEST_F(AnMmsUser, WatchesOnATerminalAtAnySpeed) {
 
 TEST_F(AnMmsUser, AnInterruptEndsTheProgram) {
   const Program program(folder_,
-                        {"mms", guest({"ask:turnRight", "hang"}), "--maze", "plank.txt", "--decision-limit", "60"});
+                        {"mms", guest({"ask:turnRight", "hang"}), "--maze", "plank.txt", "--silence-limit", "60"});
   while (!program.handles_interrupts()) std::this_thread::yield();
   program.interrupt();
   const Ended ended = program.wait();
@@ -184,7 +184,7 @@ TEST_F(AnMmsUser, CanFailAboveAMean) {
 }
 
 TEST_F(AnMmsUser, LimitsHoldInRacesToo) {
-  const auto mms = group({"mms:" + guest({"ask:mazeWidth", "hang"}), "--decision-limit", "0.06"});
+  const auto mms = group({"mms:" + guest({"ask:mazeWidth", "hang"}), "--silence-limit", "0.06"});
   EXPECT_EQ(mms.at("mice")[0].at("results")[0].at("outcome"), "hung");
   const auto strict = group({"mms:" + guest({"say:what", "hang"}), "--strict"});
   EXPECT_EQ(strict.at("mice")[0].at("results")[0].at("outcome"), "invalid");
@@ -192,7 +192,7 @@ TEST_F(AnMmsUser, LimitsHoldInRacesToo) {
 
 TEST_F(AnMmsUser, AnInterruptedRacePrintsWhatIsDone) {
   const Program program(folder_, {"race", "--mice", "mms:" + guest({"ask:turnRight", "hang"}), "--mazes", "plank.txt",
-                                  "--decision-limit", "60"});
+                                  "--silence-limit", "60"});
   while (!program.handles_interrupts()) std::this_thread::yield();
   program.interrupt();
   const Ended ended = program.wait();

@@ -23,6 +23,7 @@ inline Launch bad_guest(const std::string& how) {
   launch.words = {LABMOUSE_BAD_GUEST, how, tag()};
   // Longer than a busy machine needs, shorter than a test may take.
   launch.limits.start = launch.limits.decision = 400ms;
+  launch.limits.silence = 800ms;
   launch.limits.contest = 20s;
   return launch;
 }

@@ -69,7 +69,7 @@ TEST_P(BadGuest, EndsUnderItsName) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, BadGuest,
-    testing::Values(Misbehaviour{"hang at the start", ForfeitReason::hung, {"0.8 s", "0.4 s", "flush"}},
+    testing::Values(Misbehaviour{"hang at the start", ForfeitReason::hung, {"0.4 s", "--start-limit", "flush"}},
                     Misbehaviour{"hang within a line", ForfeitReason::hung, {"'move 0'", "ending the line"}},
                     Misbehaviour{"end at the start", ForfeitReason::died, {"exit code 0", "'labmouse 1'"}},
                     Misbehaviour{"wrong greeting", ForfeitReason::rubbish, {"'hello'"}},
@@ -77,8 +77,9 @@ INSTANTIATE_TEST_SUITE_P(
                     Misbehaviour{"other version", ForfeitReason::rubbish, {"'labmouse 2'", "'labmouse 1'"}},
                     Misbehaviour{"daemon at the start", ForfeitReason::rubbish, {"'rubbish'"}},
                     Misbehaviour{"give up", ForfeitReason::gave_up, {"`forfeit`"}},
-                    Misbehaviour{"hang", ForfeitReason::hung, {"0.8 s", "0.4 s"}},
-                    Misbehaviour{"late", ForfeitReason::late, {"'move 0 0'", "0.4 s"}},
+                    Misbehaviour{"hang", ForfeitReason::hung, {"0.8 s", "--silence-limit"}},
+                    Misbehaviour{"late", ForfeitReason::late, {"processor time", "0.4 s"}},
+                    Misbehaviour{"work", ForfeitReason::late, {"not answered", "0.4 s", "--decision-limit"}},
                     Misbehaviour{"die", ForfeitReason::died, {"exit code 3\none\ntwo\nthree: no way out"}},
                     Misbehaviour{"end", ForfeitReason::died, {"exit code 0"}},
                     Misbehaviour{"crash", ForfeitReason::died, {"signal 11 ", "\nabout to crash"}},
@@ -87,7 +88,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Misbehaviour{"many answers", ForfeitReason::flooded, {"answer 'move 0 0'", "more: 'move 0 0'"}},
                     Misbehaviour{"flood", ForfeitReason::flooded, {"wrote more"}},
                     Misbehaviour{"long line", ForfeitReason::flooded, {"4096 bytes", "'aaa"}},
-                    Misbehaviour{"flood errors", ForfeitReason::hung, {"again and again"}},
+                    Misbehaviour{"flood errors", ForfeitReason::late, {"again and again"}},
                     Misbehaviour{"fork and leave", ForfeitReason::left, {"process", "started"}},
                     Misbehaviour{"leave answering", ForfeitReason::left, {"process", "started"}},
                     Misbehaviour{"close output", ForfeitReason::closed, {"standard output"}},
@@ -121,7 +122,7 @@ TEST(GuestMind, KeepsOnlyTheLastErrors) {
 TEST(GuestMind, IsDeniedMoreMemoryThanAllowed) {
   Launch launch = test::bad_guest("eat memory");
   launch.limits.memory = std::uint64_t{1} << 28U;
-  launch.limits.decision = 10s;
+  launch.limits.decision = launch.limits.silence = 10s;
   const RunRecord record = contest(launch);
   EXPECT_EQ(record.steps.back().action.reason, ForfeitReason::died);
   EXPECT_THAT(record.last_words, HasSubstr("bad_alloc"));
@@ -130,7 +131,7 @@ TEST(GuestMind, IsDeniedMoreMemoryThanAllowed) {
 TEST(GuestMind, IsDeniedMoreProcessorTimeThanAllowed) {
   Launch launch = test::bad_guest("burn");
   launch.limits.processor_seconds = 1;
-  launch.limits.decision = 20s;
+  launch.limits.decision = launch.limits.silence = 20s;
   const RunRecord record = contest(launch);
   EXPECT_EQ(record.steps.back().action.reason, ForfeitReason::died);
   EXPECT_THAT(record.last_words, HasSubstr("CPU time limit exceeded"));
@@ -147,7 +148,7 @@ TEST(GuestMind, EndsWithItsContest) {
 TEST(GuestMind, EndsWhenItIsStopped) {
   std::atomic<bool> stop = false;
   Launch launch = test::bad_guest("hang");
-  launch.limits.start = launch.limits.decision = 20s;
+  launch.limits.start = launch.limits.silence = 20s;
   launch.stop = &stop;
   RunRecord record;
   std::thread other([&] { record = contest(launch); });

@@ -18,7 +18,7 @@ Launch guest(std::vector<std::string> words) {
   words.insert(words.begin(), LABMOUSE_MMS_GUEST);
   Launch launch;
   launch.words = std::move(words);
-  launch.limits.decision = launch.limits.start = 20s;  // of those that answer, on a busy machine
+  launch.limits.silence = launch.limits.start = 20s;  // of those that answer, on a busy machine
   return launch;
 }
 
@@ -94,7 +94,7 @@ TEST(MmsRun, SilenceAtTheStartEndsIt) {
 
 TEST(MmsRun, WhatAProgramSaysOfItsEndHidesNothing) {
   Launch silent = guest({"errors:thinking", "ask:turnright"});
-  silent.limits.start = silent.limits.decision = 60ms;
+  silent.limits.start = silent.limits.silence = 60ms;
   const MmsRun run = hosted(silent);
   EXPECT_EQ(run.outcome, MmsOutcome::hung);
   EXPECT_EQ(run.errors, "thinking\n");
@@ -102,16 +102,24 @@ TEST(MmsRun, WhatAProgramSaysOfItsEndHidesNothing) {
 
 TEST(MmsRun, SilenceLaterEndsItByALimitOfItsOwn) {
   Launch silent = guest({"ask:moveForward", "hang"});
-  silent.limits.decision = 60ms;
+  silent.limits.silence = 60ms;
   const MmsRun run = hosted(silent);
   EXPECT_EQ(run.outcome, MmsOutcome::hung);
   EXPECT_THAT(run.end, Says("no line", "0.06 s"));
   EXPECT_EQ(run.statistics.total_distance, 2);
 }
 
+TEST(MmsRun, WorkWithoutALineEndsIt) {
+  Launch working = guest({"ask:moveForward", "work"});
+  working.limits.decision = 60ms;
+  const MmsRun run = hosted(working);
+  EXPECT_EQ(run.outcome, MmsOutcome::hung);
+  EXPECT_THAT(run.end, Says("processor time", "--decision-limit"));
+}
+
 TEST(MmsRun, BytesOfALineThatNeverEndsAreSilence) {
   Launch dripping = guest({"ask:mazeWidth", "drip"});
-  dripping.limits.decision = 100ms;
+  dripping.limits.silence = 100ms;
   EXPECT_EQ(hosted(dripping).outcome, MmsOutcome::hung);
 }
 
@@ -145,13 +153,13 @@ TEST(MmsRun, LinesInOneWriteGetTheirRepliesInOrder) {
 }
 
 TEST(MmsRun, AMillionLinesAtOnceAreObeyed) {
-  const MmsRun run = hosted({"burst:1000000:turnRight", "hear:1000000", "need:ack"});
+  const MmsRun run = hosted({"burst:1000000:turnRight", "hear:1000000", "need:ack"}, {.most_seconds = 1'000'000});
   EXPECT_EQ(run.outcome, MmsOutcome::complete);
   EXPECT_EQ(run.statistics.total_turns, 1'000'000);
 }
 
 TEST(MmsRun, LinesThatTheProgramLeftBehindAreObeyedToo) {
-  const MmsRun run = hosted({"burst:50000:turnRight"});
+  const MmsRun run = hosted({"burst:50000:turnRight"}, {.most_seconds = 1'000'000});
   EXPECT_EQ(run.outcome, MmsOutcome::complete);
   EXPECT_EQ(run.lines, 50'000);
 }
@@ -164,7 +172,7 @@ TEST(MmsRun, AnIncompleteLastLineIsDropped) {
 
 TEST(MmsRun, ALineWithoutAReplyHangsWhoWaitsForIt) {
   Launch waiting = guest({"ask:turnright"});
-  waiting.limits.start = waiting.limits.decision = 60ms;
+  waiting.limits.start = waiting.limits.silence = 60ms;
   const MmsRun run = hosted(waiting);
   EXPECT_EQ(run.outcome, MmsOutcome::hung);
   EXPECT_EQ(run.invalid_lines, 1);

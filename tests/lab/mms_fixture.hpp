@@ -17,7 +17,7 @@ inline Contestant mms_mouse(const std::string& name, std::vector<std::string> wo
   words.insert(words.begin(), LABMOUSE_MMS_GUEST);
   mouse.program.emplace();
   mouse.program->words = std::move(words);
-  mouse.program->limits.decision = std::chrono::seconds(20);  // on a busy machine
+  mouse.program->limits.silence = std::chrono::seconds(20);  // on a busy machine
   return mouse;
 }
 

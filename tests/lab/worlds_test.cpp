@@ -64,7 +64,7 @@ std::vector<NamedMaze> mazes() { return {test::loop(), test::plank(), test::corr
 
 GuestOptions patient() {
   GuestOptions options;
-  options.limits.decision = std::chrono::seconds(20);  // on a busy machine
+  options.limits.silence = std::chrono::seconds(20);  // on a busy machine
   return options;
 }
 

@@ -21,8 +21,8 @@ struct MmsOptions {
   /// How often somebody presses Reset for a mouse that waits for it: that asked `wasReset` 100 times with nothing
   /// between.
   int presses = 0;
-  /// After which a mouse is taken to go on for ever: simulated seconds, and lines. No program was met that needs a tenth
-  /// of either.
+  /// After which a mouse is taken to go on for ever: simulated seconds, and lines. No program was met that needs a
+  /// tenth of either.
   int most_seconds = 3'600;
   int most_lines = 10'000'000;
 };

@@ -2,17 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <csignal>
+
+#include "labmouse/guests/patience.hpp"
 
 namespace labmouse {
 namespace {
 
 using Clock = GuestProcess::Clock;
 using namespace std::chrono_literals;
-
-std::string in_seconds(std::chrono::milliseconds time) {
-  return fmt::format("{:g} s", std::chrono::duration<double>(time).count());
-}
 
 /// One program with its simulator, and the clocks that run against it.
 class Hosting {
@@ -24,7 +22,7 @@ class Hosting {
         options_(options),
         host_(maze, options),
         begin_(Clock::now()),
-        sign_(begin_),
+        patience_(launch.limits.start, launch.limits.start),
         guest_(launch) {
     if (!listener) return;
     host_.on_event([this, listener](const MmsEvent& event) {
@@ -38,7 +36,7 @@ class Hosting {
     if (!guest_.error().empty())
       finish(MmsOutcome::not_started, guest_.error());
     else
-      while (!ended_) take(guest_.wait(deadline()));
+      while (!ended_) take(patience_.wait(guest_, contest_end()));
     run_.seconds = std::chrono::duration<double>(Clock::now() - begin_ - told_).count();
     // What a program says when it is ended is about that, and would hide what it said before.
     run_.errors = guest_.errors();
@@ -49,10 +47,6 @@ class Hosting {
 
  private:
   Clock::time_point contest_end() const { return begin_ + launch_.limits.contest + told_; }
-  Clock::time_point deadline() const {
-    const auto silence = host_.lines() == 0 ? launch_.limits.start : launch_.limits.decision;
-    return std::min(sign_ + silence, contest_end());
-  }
 
   void take(GuestEvent event) {
     obey_lines();
@@ -86,7 +80,7 @@ class Hosting {
     }
     if (!replies_.empty()) guest_.send(replies_);
     // A line is a sign of life, and so is a reply that was read; bytes of a line that never ends are none.
-    if (host_.lines() > lines || unsent < unsent_) sign_ = Clock::now();
+    if (host_.lines() > lines || unsent < unsent_) patience_ = {launch_.limits.silence, launch_.limits.decision};
     unsent_ = guest_.unsent();
     judge_lines();
   }
@@ -113,19 +107,32 @@ class Hosting {
 
   void finish_ended() {
     const ExitStatus status = *guest_.status();
+    if (status.signal == SIGXCPU)
+      return finish(MmsOutcome::out_of_time,
+                    fmt::format("took {} s of processor time (--cpu)", launch_.limits.processor_seconds));
     finish(status == ExitStatus{} ? MmsOutcome::complete : MmsOutcome::failed, describe(status));
   }
 
   void finish_late() {
     const GuestLimits& limits = launch_.limits;
     if (Clock::now() >= contest_end())
-      finish(MmsOutcome::out_of_time, fmt::format("ran for longer than {}", in_seconds(limits.contest)));
+      finish(MmsOutcome::out_of_time,
+             fmt::format("ran for longer than {} (--contest-limit)", seconds_text(limits.contest)));
     else if (guest_.deaf())
       finish(MmsOutcome::closed, "closed its standard input");
-    else if (host_.lines() == 0)
-      finish(MmsOutcome::hung, fmt::format("wrote no line within {} of starting{}", in_seconds(limits.start), hint()));
     else
-      finish(MmsOutcome::hung, fmt::format("wrote no line for {}{}", in_seconds(limits.decision), hint()));
+      finish(MmsOutcome::hung, said_nothing());
+  }
+
+  std::string said_nothing() {
+    const bool begun = host_.lines() > 0;
+    if (patience_.is_overworked(guest_))
+      return fmt::format("worked for {} of processor time without a line ({})", seconds_text(patience_.worked()),
+                         begun ? "--decision-limit" : "--start-limit");
+    if (begun)
+      return fmt::format("wrote no line for {} (--silence-limit){}", seconds_text(launch_.limits.silence), hint());
+    return fmt::format("wrote no line within {} of starting (--start-limit){}", seconds_text(launch_.limits.start),
+                       hint());
   }
 
   /// What may be behind a silence.
@@ -157,7 +164,7 @@ class Hosting {
   MmsOptions options_;
   MmsHost host_;
   Clock::time_point begin_;
-  Clock::time_point sign_;  ///< of life: the last
+  Patience patience_;
   Clock::duration told_{};  ///< time that the listener took
   GuestProcess guest_;
   std::string replies_;

@@ -29,8 +29,9 @@ enum class MmsOutcome : std::uint8_t {
 };
 
 constexpr std::string_view name_of(MmsOutcome outcome) {
-  constexpr std::array<std::string_view, 12> names = {"complete",    "failed",  "waiting", "invalid", "endless",     "hung",
-                                                      "out of time", "flooded", "closed",  "left",    "not started", "interrupted"};
+  constexpr std::array<std::string_view, 12> names = {"complete", "failed", "waiting",     "invalid",
+                                                      "endless",  "hung",   "out of time", "flooded",
+                                                      "closed",   "left",   "not started", "interrupted"};
   return names[static_cast<std::size_t>(outcome)];
 }
 

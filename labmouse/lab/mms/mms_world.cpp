@@ -77,10 +77,9 @@ std::vector<Value> figures_of(const MmsRun& run, const MmsBound& bound, double v
 std::string picture_of(const std::string& mouse, const NamedMaze& maze, const MmsRun& run, const MmsWalk& walk) {
   DrawingLayers layers = mms_layers(run.canvas, run.pose);
   layers.route = walk.poses();
-  layers.title = is_scored(run)
-                     ? fmt::format("{} in {}: score {:g}", mouse, maze.name, decimal(run.statistics.score))
-                     : fmt::format("{} in {}: {}{}", mouse, maze.name,
-                                   run.statistics.solved ? "" : "unsolved, ", run.end);
+  layers.title = is_scored(run) ? fmt::format("{} in {}: score {:g}", mouse, maze.name, decimal(run.statistics.score))
+                                : fmt::format("{} in {}: {}{}", mouse, maze.name,
+                                              run.statistics.solved ? "" : "unsolved, ", run.end);
   return draw_svg(as_in_mms(maze.maze), layers);
 }
 

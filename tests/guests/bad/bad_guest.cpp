@@ -6,6 +6,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -27,6 +28,12 @@ void greet() {
 }
 
 void wait_for(int milliseconds) { poll(nullptr, 0, milliseconds); }
+
+void work(int milliseconds) {
+  const auto end = std::clock() + std::clock_t{milliseconds} * (CLOCKS_PER_SEC / 1000);
+  while (std::clock() < end) {
+  }
+}
 
 [[noreturn]] void hang() {
   for (;;) wait_for(1'000'000);
@@ -72,7 +79,8 @@ void misbehave(const std::string& how) {
   if (how == "write notes") do
       std::cerr << "a note\n", say("move 90 0");
     while (hear("sense"));
-  if (how == "late") wait_for(500), say("move 0 0"), hang();
+  if (how == "late") work(500), say("move 0 0"), hang();
+  if (how == "work") work(1'000'000);
   if (how == "die") std::cerr << "one\ntwo\nthree: no way out\n", std::exit(3);
   if (how == "end") std::exit(0);
   if (how == "crash") std::cerr << "about to crash\n", std::signal(SIGSEGV, SIG_DFL), raise(SIGSEGV);

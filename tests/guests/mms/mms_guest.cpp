@@ -3,7 +3,7 @@
 //   ask:LINE     writes the line and reads one reply          errors:TEXT   writes a line to standard error
 //   say:LINE     writes the line                              part:TEXT     writes text without a line's end
 //   hear:N       reads N replies, or complains and ends       exit:CODE, signal:NUMBER
-//   burst:N:LINE writes the line N times, in large portions   hang, close, leave
+//   burst:N:LINE writes the line N times, in large portions   hang, work, close, leave
 //   ask-on:LINE  asks for ever                                pour:LINE     writes the line for ever, and reads nothing
 //   drip         writes a byte of no line now and then        need:REPLY    ends with code 8 unless the last reply was
 //   it
@@ -37,6 +37,10 @@ void burst(long count, const std::string& line) {
   std::cout << all << std::flush;
 }
 
+[[noreturn]] void work() {
+  for (;;) (void)std::getenv("PATH");
+}
+
 [[noreturn]] void hang() {
   for (;;) pause();
 }
@@ -66,6 +70,7 @@ void obey(const std::string& word) {
   if (verb == "exit") std::exit(std::stoi(rest));
   if (verb == "signal") std::signal(std::stoi(rest), SIG_DFL), std::raise(std::stoi(rest));
   if (verb == "close") close(STDOUT_FILENO);
+  if (verb == "work") work();
   if (verb == "hang") hang();
   if (verb == "leave") leave();
   if (verb == "drip") drip();
