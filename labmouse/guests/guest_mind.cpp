@@ -28,6 +28,20 @@ std::string_view without_end(std::string_view text) {
   return text;
 }
 
+ForfeitReason reason_of(TreeLimit limit) {
+  switch (limit) {
+    case TreeLimit::processes:
+      return ForfeitReason::too_many_processes;
+    case TreeLimit::memory:
+      return ForfeitReason::too_much_memory;
+    case TreeLimit::written:
+      return ForfeitReason::too_much_written;
+    case TreeLimit::none:
+      break;
+  }
+  return ForfeitReason::none;
+}
+
 }  // namespace
 
 GuestMind::GuestMind(const Launch& launch, const Briefing& briefing)
@@ -110,6 +124,9 @@ void GuestMind::give_up(GuestEvent event, std::chrono::milliseconds silence) {
       return give_up(ForfeitReason::left, "it ended, but a process that it had started kept its output open");
     case GuestEvent::closed:
       return give_up(ForfeitReason::closed, "it closed its standard output");
+    case GuestEvent::exceeded:
+      return give_up(reason_of(process_.exceeded()),
+                     "it and what it started " + describe(process_.exceeded(), limits_));
     case GuestEvent::interrupted:
       return give_up(ForfeitReason::interrupted, "it was interrupted");
     case GuestEvent::output:

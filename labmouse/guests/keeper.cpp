@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sched.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
@@ -11,7 +12,11 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <charconv>
 #include <csignal>
+
+#include "labmouse/guests/short_text.hpp"
+#include "labmouse/guests/survey.hpp"
 
 namespace labmouse {
 namespace {
@@ -19,7 +24,8 @@ namespace {
 // Everything here runs between fork and exec, or in a process that never leaves this file: only functions that are safe
 // in a signal handler.
 
-void report(int descriptor, int value) {
+template <class Value>
+void report(int descriptor, const Value& value) {
   while (write(descriptor, &value, sizeof value) < 0 && errno == EINTR) {
   }
 }
@@ -37,13 +43,31 @@ void limit(int resource, rlim_t most, rlim_t beyond = 0) {
   setrlimit(static_cast<__rlimit_resource>(resource), &wanted);
 }
 
+/// A bound on all tasks of the user, threads among them, that leaves room for honest guests: it only keeps a bomb from
+/// growing faster than it is seen. Root has none.
+rlim_t most_tasks() {
+  constexpr rlim_t room = 1024;
+  std::array<char, 64> text{};
+  const int file = open("/proc/loadavg", O_RDONLY | O_CLOEXEC);
+  const ssize_t size = file < 0 ? 0 : read(file, text.data(), text.size());
+  if (file >= 0) close(file);
+  // "0.20 0.18 0.12 1/80 11206": behind the stroke are all tasks of the system.
+  const char *begin = text.data(), *end = begin + std::max<ssize_t>(size, 0);
+  const char* stroke = std::find(begin, end, '/');
+  rlim_t tasks = 0;
+  if (stroke == end || std::from_chars(stroke + 1, end, tasks).ec != std::errc()) return RLIM_INFINITY;
+  return tasks + room;
+}
+
 void limit_all(const GuestLimits& limits) {
   // A second between the two: at the first limit comes a signal that says which limit it was, at the second no other
   // than for everything else.
   limit(RLIMIT_CPU, static_cast<rlim_t>(limits.processor_seconds), 1);
   // Memory that is written to. Address space would be the wrong measure: some interpreters reserve gigabytes unused.
   limit(RLIMIT_DATA, limits.memory);
+  limit(RLIMIT_FSIZE, limits.written);
   limit(RLIMIT_CORE, 0);
+  limit(RLIMIT_NPROC, most_tasks());
 }
 
 /// Signals as a program expects them at its start.
@@ -56,17 +80,19 @@ void reset_signals() {
   sigprocmask(SIG_SETMASK, &none, nullptr);
 }
 
-[[noreturn]] void become_guest(const char* path, char* const* words, char* const* environment, const char* directory,
-                               const GuestLimits& limits, const KeptEnds& ends) {
+[[noreturn]] void become_guest(const KeptGuest& guest, const KeptEnds& ends) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   setpgid(0, 0);
   if (dup2(ends.input, STDIN_FILENO) < 0 || dup2(ends.output, STDOUT_FILENO) < 0 ||
       dup2(ends.errors, STDERR_FILENO) < 0)
     fail(ends);
+  // Where we are is still outside of a sandbox, and read-only.
+  const char* directory = guest.rooms != nullptr ? guest.rooms->folder : guest.directory;
   if (*directory != '\0' && chdir(directory) != 0) fail(ends);
   reset_signals();
-  limit_all(limits);
-  execve(path, words, environment);
+  limit_all(guest.limits);
+  if (guest.rooms != nullptr) drop_privileges();
+  execve(guest.path, guest.words, guest.environment);
   fail(ends);
 }
 
@@ -85,51 +111,28 @@ void close_all_but(const std::array<int, 6>& kept) {
   syscall(SYS_close_range, first, ~0U, 0U);
 }
 
-/// Ends each child of this process; those of a child that ends come to be ours, since nobody else takes them. False
-/// where the system does not tell who they are, or where one of them is of another user and may not be ended.
-bool kill_children() {
-  std::array<char, 4096> text{};
-  const int list = open("/proc/thread-self/children", O_RDONLY | O_CLOEXEC);
-  if (list < 0) return false;
-  const ssize_t size = read(list, text.data(), text.size());
-  close(list);
-  pid_t number = 0;
-  bool all = true;
-  for (ssize_t i = 0; i < size; ++i) {
-    const char letter = text[static_cast<std::size_t>(i)];
-    if (letter >= '0' && letter <= '9') {
-      number = number * 10 + (letter - '0');
-      continue;
-    }
-    if (number > 0 && kill(number, SIGKILL) != 0 && errno != ESRCH) all = false;
-    number = 0;
-  }
-  return all;
-}
-
 /// Ends all descendants and buries them.
 void end_all() {
   for (;;) {
     // To wait for one that was not killed could take for ever.
-    if (waitpid(-1, nullptr, kill_children() ? 0 : WNOHANG) <= 0) return;
+    if (waitpid(-1, nullptr, kill_descendants(getpid()) ? 0 : WNOHANG) <= 0) return;
+    while (waitpid(-1, nullptr, WNOHANG) > 0) {
+    }
   }
 }
 
 void note_child_ended(int) {}
 
-}  // namespace
+/// Comes before guests wherever that is allowed: among thousands of them it would not get to end them.
+void come_first() {
+  sched_param priority{};
+  priority.sched_priority = 1;
+  sched_setscheduler(0, SCHED_FIFO | SCHED_RESET_ON_FORK, &priority);
+}
 
-void keep_guest(const char* path, char* const* words, char* const* environment, const char* directory,
-                const GuestLimits& limits, const KeptEnds& ends) {
-  const KeptEnds kept = {moved_up(ends.input),   moved_up(ends.output), moved_up(ends.errors),
-                         moved_up(ends.failure), moved_up(ends.status), moved_up(ends.leash)};
-  for (const int end : {kept.input, kept.output, kept.errors, kept.failure, kept.status, kept.leash})
-    if (end < 0) fail(ends);
-  // A session of its own: Ctrl-C and a closed terminal are not for guests. Of other guests it must hold nothing.
-  setsid();
-  close_all_but({kept.input, kept.output, kept.errors, kept.failure, kept.status, kept.leash});
-  prctl(PR_SET_CHILD_SUBREAPER, 1);
-
+/// Lets only poll be woken by a child's end, lest it comes between a look and the wait. Returns the signals that poll
+/// shall let through.
+sigset_t hold_back_ends_of_children() {
   struct sigaction noted {};
   noted.sa_handler = note_child_ended;
   sigaction(SIGCHLD, &noted, nullptr);
@@ -138,29 +141,76 @@ void keep_guest(const char* path, char* const* words, char* const* environment, 
   sigaddset(&child_ended, SIGCHLD);
   sigprocmask(SIG_BLOCK, &child_ended, &before);
   sigdelset(&before, SIGCHLD);
+  return before;
+}
 
-  const pid_t guest = fork();
-  if (guest < 0) fail(kept);
-  if (guest == 0) become_guest(path, words, environment, directory, limits, kept);
-  report(kept.status, guest);
-  setpgid(guest, guest);  // here too: whichever of the two comes first
-  for (const int descriptor : {kept.input, kept.output, kept.errors, kept.failure}) close(descriptor);
-
-  bool runs = true;
-  for (;;) {
-    pollfd leash = {kept.leash, POLLIN, 0};
-    if (ppoll(&leash, 1, nullptr, &before) > 0) break;
-    int status = 0;
-    for (pid_t ended; (ended = waitpid(-1, &status, WNOHANG)) > 0;) {
-      if (ended != guest) continue;
-      report(kept.status, status);
-      runs = false;
-    }
+/// The first process of a sandbox: it starts the guest, and takes the place of parents that have ended. With it all
+/// others there end.
+[[noreturn]] void parent_guest(const KeptGuest& guest, const KeptEnds& ends) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  const pid_t child = fork();
+  if (child < 0) fail(ends);
+  if (child == 0) become_guest(guest, ends);
+  for (const int descriptor : {ends.input, ends.output, ends.errors, ends.failure}) close(descriptor);
+  for (int status = 0;;) {
+    const pid_t ended = waitpid(-1, &status, 0);
+    if (ended == child) report(ends.status, KeeperWord{KeeperWord::Kind::ended, status});
+    if (ended < 0) pause();
   }
+}
+
+/// Ends the guest and all that it started.
+void end_guest(const KeptGuest& guest, pid_t child, bool runs) {
   // The whole group in one stroke, lest it forks faster than we look. Once the guest was buried its number may be
   // another's.
-  if (runs) kill(-guest, SIGKILL);
+  if (runs) kill(guest.rooms != nullptr ? child : -child, SIGKILL);
   end_all();
+}
+
+}  // namespace
+
+void keep_guest(const KeptGuest& guest, const KeptEnds& ends) {
+  const KeptEnds kept = {moved_up(ends.input),   moved_up(ends.output), moved_up(ends.errors),
+                         moved_up(ends.failure), moved_up(ends.status), moved_up(ends.leash)};
+  for (const int end : {kept.input, kept.output, kept.errors, kept.failure, kept.status, kept.leash})
+    if (end < 0) fail(ends);
+  // A session of its own: Ctrl-C and a closed terminal are not for guests. Of other guests it must hold nothing.
+  setsid();
+  close_all_but({kept.input, kept.output, kept.errors, kept.failure, kept.status, kept.leash});
+  prctl(PR_SET_CHILD_SUBREAPER, 1);
+  come_first();
+  const sigset_t while_waiting = hold_back_ends_of_children();
+  if (guest.rooms != nullptr && !enter_sandbox(*guest.rooms)) fail(kept);
+
+  const pid_t child = fork();
+  if (child < 0) fail(kept);
+  if (child == 0 && guest.rooms != nullptr) parent_guest(guest, kept);
+  if (child == 0) become_guest(guest, kept);
+  report(kept.status, KeeperWord{KeeperWord::Kind::first, child});
+  if (guest.rooms == nullptr) setpgid(child, child);  // here too: whichever of the two comes first
+  for (const int descriptor : {kept.input, kept.output, kept.errors, kept.failure}) close(descriptor);
+
+  TreeWatch watch(guest.rooms != nullptr ? child : getpid(), guest.limits);
+  bool runs = true, watched = true;
+  for (;;) {
+    pollfd leash = {kept.leash, POLLIN, 0};
+    const timespec pause = {0, watch.pause() * 1'000'000L};
+    const int happened = ppoll(&leash, 1, watched ? &pause : nullptr, &while_waiting);
+    if (happened > 0) break;
+    int status = 0;
+    for (pid_t ended; (ended = waitpid(-1, &status, WNOHANG)) > 0;) {
+      if (ended != child) continue;
+      report(kept.status, KeeperWord{KeeperWord::Kind::ended, status});
+      runs = false;
+    }
+    if (happened < 0) continue;
+    const TreeLimit limit = watch.look();
+    if (limit == TreeLimit::none) continue;
+    report(kept.status, KeeperWord{KeeperWord::Kind::exceeded, static_cast<int>(limit)});
+    end_guest(guest, child, runs);
+    runs = watched = false;
+  }
+  end_guest(guest, child, runs);
   _exit(0);
 }
 

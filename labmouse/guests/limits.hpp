@@ -7,7 +7,8 @@
 
 namespace labmouse {
 
-/// Limits of one guest in one contest. They hold off accidents, not malice: a guest runs with the rights of its user.
+/// Limits of one guest in one contest. Those of memory, processes and what is written are for it and all that it
+/// started.
 struct GuestLimits {
   /// From its start to its first word, in real time; an interpreter may have much to load.
   std::chrono::milliseconds start{10'000};
@@ -20,8 +21,12 @@ struct GuestLimits {
   std::chrono::milliseconds contest{60'000};
   /// Processor time, in seconds.
   int processor_seconds = 120;
-  /// Memory that each of its processes may write to, in bytes.
+  /// Memory in bytes: what all of them hold, and what each of them may ask for.
   std::uint64_t memory = std::uint64_t{4} << 30U;
+  /// Processes at one time, at most 4096.
+  int processes = 64;
+  /// Bytes written to files and pipes; no file of its own may be longer either.
+  std::uint64_t written = std::uint64_t{1} << 30U;
   /// Bytes of one line of its output.
   std::size_t longest_line = 4096;
   /// Bytes of replies that it may leave unread.

@@ -12,6 +12,8 @@
 #include <csignal>
 #include <cstring>
 #include <ctime>
+#include <filesystem>
+#include <fstream>
 #include <mutex>
 #include <utility>
 
@@ -22,6 +24,7 @@ namespace labmouse {
 namespace {
 
 using namespace std::chrono_literals;
+namespace fs = std::filesystem;
 
 /// How often a wait looks whether it shall stop: a signal wakes only one thread of a program.
 constexpr auto glance = 50ms;
@@ -62,12 +65,69 @@ std::vector<char*> environment_of(const Launch& launch) {
   return variables;
 }
 
+/// What a launch needs in its sandbox.
+class SandboxPlan {
+ public:
+  SandboxPlan(const Launch& launch, const std::string& program) {
+    std::error_code error;
+    folder_ = fs::canonical(launch.directory.empty() ? "." : launch.directory, error);
+    // A folder that is not there is found out by the guest itself.
+    if (error) folder_ = launch.directory;
+    share(folder_);
+    share(program);
+    share(fs::canonical(program, error));
+    for (const std::string& word : launch.words) share(word);
+    for (const std::string& entry : entries_) names_.push_back(entry.c_str());
+    names_.push_back(nullptr);
+    rooms_ = {folder_.c_str(), names_.data(), launch.limits.written};
+  }
+  const Rooms& rooms() const { return rooms_; }
+
+ private:
+  /// What lies in /tmp and was named stays to be seen.
+  void share(const std::string& path) {
+    constexpr std::string_view room = "/tmp/";
+    if (!path.starts_with(room)) return;
+    const std::string entry = path.substr(room.size(), path.find('/', room.size()) - room.size());
+    std::error_code error;
+    if (entry.empty() || entry == "." || entry == ".." || !fs::exists(std::string(room) + entry, error)) return;
+    if (std::find(entries_.begin(), entries_.end(), entry) == entries_.end()) entries_.push_back(entry);
+  }
+
+  std::string folder_;
+  std::vector<std::string> entries_;
+  std::vector<const char*> names_;
+  Rooms rooms_;
+};
+
+/// The child of the first process of a sandbox; -1 where there is none yet.
+pid_t only_child(pid_t parent) {
+  pid_t child = -1;
+  std::ifstream(fmt::format("/proc/{0}/task/{0}/children", parent)) >> child;
+  return child > 0 ? child : -1;
+}
+
 }  // namespace
 
 std::string describe(const ExitStatus& status) {
   if (status.signal == 0) return fmt::format("exit code {}", status.code);
   const char* name = sigdescr_np(status.signal);
   return fmt::format("signal {} ({})", status.signal, name == nullptr ? "unknown" : name);
+}
+
+std::string describe(TreeLimit limit, const GuestLimits& limits) {
+  constexpr int mib_bits = 20;
+  switch (limit) {
+    case TreeLimit::processes:
+      return fmt::format("were more than {} processes (--processes)", limits.processes);
+    case TreeLimit::memory:
+      return fmt::format("held more than {} MiB of memory (--memory)", limits.memory >> mib_bits);
+    case TreeLimit::written:
+      return fmt::format("wrote more than {} MiB (--written)", limits.written >> mib_bits);
+    case TreeLimit::none:
+      break;
+  }
+  return "";
 }
 
 /// Pairs of ends, ours closed in every child by exec; what is left over closes itself.
@@ -121,9 +181,13 @@ void GuestProcess::start(const Launch& launch, Pipes& pipes) {
   std::vector<char*> environment = environment_of(launch);
   const KeptEnds ends = {pipes.input.read,    pipes.output.write, pipes.errors.write,
                          pipes.failure.write, pipes.status.write, pipes.leash.read};
+  std::optional<SandboxPlan> plan;
+  if (launch.sandbox) plan.emplace(launch, path);
+  const KeptGuest guest = {path.c_str(),       words.data(),
+                           environment.data(), launch.directory.c_str(),
+                           launch.limits,      plan ? &plan->rooms() : nullptr};
   keeper_ = fork();
-  if (keeper_ == 0)
-    keep_guest(path.c_str(), words.data(), environment.data(), launch.directory.c_str(), launch.limits, ends);
+  if (keeper_ == 0) keep_guest(guest, ends);
   if (keeper_ < 0) {
     error_ = fmt::format("cannot create a process: {}", std::strerror(errno));
     return;
@@ -141,15 +205,16 @@ void GuestProcess::start(const Launch& launch, Pipes& pipes) {
   while (read(pipes.failure.read, &reason, sizeof reason) < 0 && errno == EINTR) {
   }
   if (reason != 0) error_ = fmt::format("cannot start '{}': {}", launch.words.front(), std::strerror(reason));
-  // It is there: the keeper wrote it before the program could start.
-  while (reason == 0 && read(status_end_, &guest_, sizeof guest_) < 0 && errno == EINTR) {
-  }
+  // It is there, or in a moment: the keeper writes it as soon as it has a child.
+  while (reason == 0 && child_ < 0 && status_end_ >= 0) read_status();
+  if (!launch.sandbox) guest_ = child_;
   for (const int end : {input_, output_, errors_end_, status_end_}) fcntl(end, F_SETFL, O_NONBLOCK);
 }
 
 std::chrono::nanoseconds GuestProcess::processor_time() {
   clockid_t clock = 0;
   timespec time{};
+  if (guest_ < 0) guest_ = only_child(child_);
   // Of a program that was buried the number may be another's.
   if (!status_ && guest_ > 0 && clock_getcpuclockid(guest_, &clock) == 0 && clock_gettime(clock, &time) == 0)
     processor_time_ = std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
@@ -166,6 +231,7 @@ GuestEvent GuestProcess::wait(Clock::time_point deadline) {
   for (;;) {
     if (stop_ != nullptr && stop_->load()) return GuestEvent::interrupted;
     if (status_ && output_ >= 0 && read_output()) return GuestEvent::output;
+    if (exceeded_ != TreeLimit::none) return GuestEvent::exceeded;
     // The program's own ends of its pipes were closed before it had ended: whoever holds one open now is another.
     if (status_ || keeper_ < 0) return output_ < 0 ? GuestEvent::ended : GuestEvent::left;
     const auto now = Clock::now();
@@ -250,16 +316,20 @@ void GuestProcess::read_last_errors() {
 }
 
 void GuestProcess::read_status() {
-  int wait_status = 0;
-  const ssize_t count = read(status_end_, &wait_status, sizeof wait_status);
+  KeeperWord word;
+  const ssize_t count = read(status_end_, &word, sizeof word);
   if (count < 0) return;
-  close_end(status_end_);
-  if (count == sizeof wait_status) {
-    status_ = exit_status(wait_status);
+  if (count == sizeof word && word.kind == KeeperWord::Kind::first) {
+    child_ = word.value;
     return;
   }
-  // A keeper that ends without a word was killed, and its guest is killed with it: what it may still say counts no
-  // more.
+  close_end(status_end_);
+  if (count == sizeof word && word.kind == KeeperWord::Kind::ended) {
+    status_ = exit_status(word.value);
+    return;
+  }
+  if (count == sizeof word) exceeded_ = static_cast<TreeLimit>(word.value);
+  // It was killed by its keeper, or with it, which then says nothing: what it may still say counts no more.
   status_ = ExitStatus{0, SIGKILL};
   close_end(output_);
 }

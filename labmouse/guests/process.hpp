@@ -12,6 +12,7 @@
 
 #include "labmouse/guests/limits.hpp"
 #include "labmouse/guests/line_buffer.hpp"
+#include "labmouse/guests/survey.hpp"
 
 namespace labmouse {
 
@@ -24,6 +25,9 @@ struct Launch {
   /// Where it runs; empty: here.
   std::string directory;
   GuestLimits limits;
+  /// Whether it lives in a sandbox (sandbox.hpp): it writes only to its folder and to a /tmp of its own, reaches no
+  /// network and no process outside, and starts nowhere where why_no_sandbox() has something to say.
+  bool sandbox = false;
   /// Once true, waiting for a guest ends; may be null.
   const std::atomic<bool>* stop = nullptr;
 };
@@ -35,6 +39,7 @@ enum class GuestEvent {
   left,         ///< the program ended, and others that it started hold its output open
   closed,       ///< the program runs on without standard output
   timeout,      ///< nothing until the deadline
+  exceeded,     ///< it and what it started passed a limit, and were ended: exceeded() says which
   interrupted,  ///< Launch::stop was raised
 };
 
@@ -48,6 +53,9 @@ struct ExitStatus {
 
 /// "exit code 1", "signal 11 (Segmentation fault)".
 std::string describe(const ExitStatus& status);
+
+/// "were more than 64 processes (--processes)": what a guest and all that it started did.
+std::string describe(TreeLimit limit, const GuestLimits& limits);
 
 /// One guest. A keeper process between it and us gathers all that the guest leaves behind, even what left its process
 /// group, and ends it when this object goes or when our own process dies. Only a guest that kills its keeper, or that
@@ -82,6 +90,8 @@ class GuestProcess {
 
   /// How it ended; nothing while it runs.
   const std::optional<ExitStatus>& status() const { return status_; }
+  /// The limit over its whole tree of processes that it passed.
+  TreeLimit exceeded() const { return exceeded_; }
 
   /// Closes its standard input and gives it that long to end by itself (none: it is not even told), then ends it with
   /// all that it started. What it still writes to its standard error is kept; its output is dropped.
@@ -106,7 +116,9 @@ class GuestProcess {
   GuestLimits limits_;
   const std::atomic<bool>* stop_;
   std::string error_;
-  pid_t keeper_ = -1, guest_ = -1;
+  pid_t keeper_ = -1;
+  pid_t child_ = -1;  ///< of the keeper: the guest, or in a sandbox its parent
+  pid_t guest_ = -1;
   std::chrono::nanoseconds processor_time_{};  ///< the last that was known
   int input_ = -1, output_ = -1, errors_end_ = -1, status_end_ = -1, leash_ = -1;
   LineBuffer lines_;
@@ -115,6 +127,7 @@ class GuestProcess {
   std::size_t sent_ = 0;  ///< bytes of unsent_ that are on their way
   std::string errors_;
   std::optional<ExitStatus> status_;
+  TreeLimit exceeded_ = TreeLimit::none;
   Clock::time_point closed_due_ = Clock::time_point::max();  ///< when it is sure that it closed its output and runs on
 };
 

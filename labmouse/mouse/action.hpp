@@ -11,28 +11,45 @@ namespace labmouse {
 /// exception.
 enum class ForfeitReason : std::uint8_t {
   none,
-  contradiction,  ///< a reading contradicts what was read before
-  no_way,         ///< no route that could exist leads to a goal
-  lost,           ///< the mouse no longer knows where it stands
-  finished,       ///< a prepared list of actions has no more
-  gave_up,        ///< the guest said so
-  not_started,    ///< the guest could not be started
-  died,           ///< the guest ended before the contest did
-  left,           ///< the guest ended, and what it started held its output open
-  closed,         ///< the guest ran on, but closed its input or its output
-  hung,           ///< the guest did not answer
-  late,           ///< the guest answered, after its time for a decision
-  out_of_time,    ///< the guest's time for the contest was over
-  flooded,        ///< the guest said more than it was asked
-  rubbish,        ///< the guest said something that is no answer
-  interrupted,    ///< whoever watched the guest stopped it
+  contradiction,       ///< a reading contradicts what was read before
+  no_way,              ///< no route that could exist leads to a goal
+  lost,                ///< the mouse no longer knows where it stands
+  finished,            ///< a prepared list of actions has no more
+  gave_up,             ///< the guest said so
+  not_started,         ///< the guest could not be started
+  died,                ///< the guest ended before the contest did
+  left,                ///< the guest ended, and what it started held its output open
+  closed,              ///< the guest ran on, but closed its input or its output
+  hung,                ///< the guest did not answer
+  late,                ///< the guest answered, after its time for a decision
+  out_of_time,         ///< the guest's time for the contest was over
+  too_many_processes,  ///< the guest and what it started were too many
+  too_much_memory,     ///< the guest and what it started held too much memory
+  too_much_written,    ///< the guest and what it started wrote too much
+  flooded,             ///< the guest said more than it was asked
+  rubbish,             ///< the guest said something that is no answer
+  interrupted,         ///< whoever watched the guest stopped it
 };
 
-inline constexpr std::array all_forfeit_reasons = {
-    ForfeitReason::none,        ForfeitReason::contradiction, ForfeitReason::no_way,      ForfeitReason::lost,
-    ForfeitReason::finished,    ForfeitReason::gave_up,       ForfeitReason::not_started, ForfeitReason::died,
-    ForfeitReason::left,        ForfeitReason::closed,        ForfeitReason::hung,        ForfeitReason::late,
-    ForfeitReason::out_of_time, ForfeitReason::flooded,       ForfeitReason::rubbish,     ForfeitReason::interrupted};
+inline constexpr std::array all_forfeit_reasons = {ForfeitReason::none,
+                                                   ForfeitReason::contradiction,
+                                                   ForfeitReason::no_way,
+                                                   ForfeitReason::lost,
+                                                   ForfeitReason::finished,
+                                                   ForfeitReason::gave_up,
+                                                   ForfeitReason::not_started,
+                                                   ForfeitReason::died,
+                                                   ForfeitReason::left,
+                                                   ForfeitReason::closed,
+                                                   ForfeitReason::hung,
+                                                   ForfeitReason::late,
+                                                   ForfeitReason::out_of_time,
+                                                   ForfeitReason::too_many_processes,
+                                                   ForfeitReason::too_much_memory,
+                                                   ForfeitReason::too_much_written,
+                                                   ForfeitReason::flooded,
+                                                   ForfeitReason::rubbish,
+                                                   ForfeitReason::interrupted};
 
 constexpr std::string_view name_of(ForfeitReason reason) {
   switch (reason) {
@@ -62,6 +79,12 @@ constexpr std::string_view name_of(ForfeitReason reason) {
       return "late";
     case ForfeitReason::out_of_time:
       return "out of time";
+    case ForfeitReason::too_many_processes:
+      return "too many processes";
+    case ForfeitReason::too_much_memory:
+      return "too much memory";
+    case ForfeitReason::too_much_written:
+      return "too much written";
     case ForfeitReason::flooded:
       return "flooded";
     case ForfeitReason::rubbish:

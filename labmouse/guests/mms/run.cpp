@@ -12,6 +12,11 @@ namespace {
 using Clock = GuestProcess::Clock;
 using namespace std::chrono_literals;
 
+MmsOutcome outcome_of(TreeLimit limit) {
+  if (limit == TreeLimit::processes) return MmsOutcome::too_many_processes;
+  return limit == TreeLimit::memory ? MmsOutcome::too_much_memory : MmsOutcome::too_much_written;
+}
+
 /// One program with its simulator, and the clocks that run against it.
 class Hosting {
  public:
@@ -63,6 +68,9 @@ class Hosting {
         return finish(MmsOutcome::closed, "closed its standard output and kept running");
       case GuestEvent::timeout:
         return finish_late();
+      case GuestEvent::exceeded:
+        return finish(outcome_of(guest_.exceeded()),
+                      "it and what it started " + describe(guest_.exceeded(), launch_.limits));
       case GuestEvent::interrupted:
         return finish(MmsOutcome::interrupted, "by its user");
     }

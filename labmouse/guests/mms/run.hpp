@@ -14,31 +14,34 @@ namespace labmouse {
 
 /// How the program ended. Its score counts, as in mms, unless it was stopped by a limit of time.
 enum class MmsOutcome : std::uint8_t {
-  complete,     ///< it ended with exit code 0
-  failed,       ///< it ended otherwise; the program's end says how
-  waiting,      ///< it waits for Reset, and nobody presses
-  invalid,      ///< a strict run had a line that mms would not answer
-  endless,      ///< it took all simulated time or lines that a run may have
-  hung,         ///< it said nothing for longer than a decision may take
-  out_of_time,  ///< the contest took too long
-  flooded,      ///< it wrote a line that is too long, or left too many replies unread
-  closed,       ///< it closed its standard output and ran on, or closed its input and fell silent
-  left,         ///< it ended, and what it started holds its output open
-  not_started,  ///< it could not be started
-  interrupted,  ///< the race was stopped
+  complete,            ///< it ended with exit code 0
+  failed,              ///< it ended otherwise; the program's end says how
+  waiting,             ///< it waits for Reset, and nobody presses
+  invalid,             ///< a strict run had a line that mms would not answer
+  endless,             ///< it took all simulated time or lines that a run may have
+  hung,                ///< it said nothing for longer than a decision may take
+  out_of_time,         ///< the contest took too long
+  too_many_processes,  ///< it and what it started were too many
+  too_much_memory,     ///< they held too much memory
+  too_much_written,    ///< they wrote too much
+  flooded,             ///< it wrote a line that is too long, or left too many replies unread
+  closed,              ///< it closed its standard output and ran on, or closed its input and fell silent
+  left,                ///< it ended, and what it started holds its output open
+  not_started,         ///< it could not be started
+  interrupted,         ///< the race was stopped
 };
 
 constexpr std::string_view name_of(MmsOutcome outcome) {
-  constexpr std::array<std::string_view, 12> names = {"complete", "failed", "waiting",     "invalid",
-                                                      "endless",  "hung",   "out of time", "flooded",
-                                                      "closed",   "left",   "not started", "interrupted"};
+  constexpr std::array<std::string_view, 15> names = {
+      "complete",           "failed",          "waiting",          "invalid", "endless", "hung", "out of time",
+      "too many processes", "too much memory", "too much written", "flooded", "closed",  "left", "not started",
+      "interrupted"};
   return names[static_cast<std::size_t>(outcome)];
 }
 
-/// Whether a limit of time ended it, so that another limit, or another machine, would have given another score: it has
-/// none.
+/// Whether a limit ended it that comes at another line with another limit, or on another machine: it has no score.
 constexpr bool is_cut_short(MmsOutcome outcome) {
-  return outcome == MmsOutcome::endless || outcome == MmsOutcome::hung || outcome == MmsOutcome::out_of_time;
+  return outcome >= MmsOutcome::endless && outcome <= MmsOutcome::too_much_written;
 }
 
 /// One run of one program in one maze.

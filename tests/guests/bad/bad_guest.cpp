@@ -63,6 +63,34 @@ void eat_memory() {
   }
 }
 
+/// So many children that hold so much and do nothing.
+void start_idlers(int count, std::size_t bytes) {
+  for (int i = 0; i < count; ++i) {
+    if (fork() != 0) continue;
+    std::vector<char> held(bytes, 'x');
+    hang();
+  }
+  hang();
+}
+
+/// Doubles again and again; with a session for each, where nobody ends them by their group.
+void bomb(bool sessions) {
+  for (;;)
+    if (fork() == 0 && sessions) setsid();
+}
+
+/// Files of a MiB each, of which none stays.
+void write_files() {
+  const std::string content(std::size_t{1} << 20U, 'x');
+  for (;;) {
+    std::FILE* file = std::fopen("written.tmp", "w");
+    if (file == nullptr) std::exit(4);
+    std::fwrite(content.data(), 1, content.size(), file);
+    std::fclose(file);
+    std::remove("written.tmp");
+  }
+}
+
 void misbehave(const std::string& how) {
   if (how == "turn") return turn();
   if (how == "hang at the start") hang();
@@ -109,6 +137,11 @@ void misbehave(const std::string& how) {
   if (how == "close input") close(STDIN_FILENO), hang();
   if (how == "close all") close(STDIN_FILENO), close(STDOUT_FILENO), close(STDERR_FILENO), hang();
   if (how == "eat memory") eat_memory();
+  if (how == "idlers") start_idlers(80, 1);
+  if (how == "big idlers") start_idlers(10, std::size_t{1} << 26U);
+  if (how == "bomb") bomb(false);
+  if (how == "bomb in sessions") bomb(true);
+  if (how == "write files") write_files();
   if (how == "burn")
     for (volatile unsigned i = 0; i <= i;) {
     }

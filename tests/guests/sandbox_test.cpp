@@ -1,0 +1,156 @@
+// Ways out of a sandbox. Each is tried outside of one, too, where it leads out.
+#include "labmouse/guests/sandbox.hpp"
+
+#include <arpa/inet.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/socket.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "tests/guests/bad_guests.hpp"
+
+namespace labmouse {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+using testing::HasSubstr;
+using testing::Not;
+
+class Sandbox : public testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_EQ(why_no_sandbox(), "");
+    fs::create_directories(folder_ / "own");
+  }
+  ~Sandbox() override { fs::remove_all(folder_); }
+
+  /// What a script says, line by line, in its own folder.
+  std::string said(const std::string& script, bool sandbox, const fs::path& folder) const {
+    Launch launch;
+    launch.words = {"/bin/bash", "-c", script, test::tag()};
+    launch.directory = folder;
+    launch.sandbox = sandbox;
+    GuestProcess process(launch);
+    EXPECT_EQ(process.error(), "");
+    std::string all;
+    const auto deadline = GuestProcess::Clock::now() + 60s;
+    while (process.wait(deadline) == GuestEvent::output)
+      while (const auto line = process.lines().next()) all += std::string(*line) + "\n";
+    process.end(0ms);
+    return all + std::string(process.errors());
+  }
+  std::string inside(const std::string& script) const { return said(script, true, folder_ / "own"); }
+  std::string outside(const std::string& script) const { return said(script, false, folder_ / "own"); }
+
+  fs::path folder_ = fs::temp_directory_path() / ("labmouse-sandbox-" + test::tag());
+};
+
+TEST_F(Sandbox, IsReadOnlyOutsideOfItsFolder) {
+  const std::string script = "echo mine > own.txt && cat own.txt; echo more > ../outside.txt && echo wrote";
+  EXPECT_THAT(outside(script), HasSubstr("mine\nwrote\n"));
+  fs::remove(folder_ / "outside.txt");
+  EXPECT_THAT(inside(script), testing::AllOf(HasSubstr("mine\n"), HasSubstr("Read-only"), Not(HasSubstr("wrote"))));
+  EXPECT_TRUE(fs::exists(folder_ / "own" / "own.txt"));
+  EXPECT_FALSE(fs::exists(folder_ / "outside.txt"));
+}
+
+TEST_F(Sandbox, CannotBeMadeWritableAgain) {
+  const std::string script =
+      "mount -o remount,rw,bind / ; mount -o remount,rw / ; umount /tmp; unshare -Urm true && "
+      "unshare -Urm sh -c 'mount -o remount,rw,bind /; echo x > ../outside.txt'; echo x > ../outside.txt";
+  inside(script);
+  EXPECT_FALSE(fs::exists(folder_ / "outside.txt"));
+}
+
+TEST_F(Sandbox, HasATmpOfItsOwn) {
+  const fs::path name = "/tmp/labmouse-private-" + test::tag();
+  EXPECT_THAT(inside("echo x > " + name.string() + " && cat " + name.string() +
+                     "; ls /dev/shm; echo y > /dev/shm/y && echo shared"),
+              testing::AllOf(HasSubstr("x\n"), HasSubstr("shared")));
+  EXPECT_FALSE(fs::exists(name));
+  EXPECT_THAT(inside("cat " + name.string()), HasSubstr("No such file"));
+}
+
+TEST_F(Sandbox, MayHaveTmpAsItsFolder) {
+  const std::string name = "labmouse-tmp-" + test::tag();
+  EXPECT_EQ(said("echo x > " + name + " && cat " + name + "; rm " + name, true, "/tmp"), "x\n");
+}
+
+TEST_F(Sandbox, ReachesNoListenerOnLoopback) {
+  const int listener = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  socklen_t size = sizeof address;
+  ASSERT_EQ(bind(listener, reinterpret_cast<sockaddr*>(&address), size), 0);
+  ASSERT_EQ(listen(listener, 4), 0);
+  ASSERT_EQ(getsockname(listener, reinterpret_cast<sockaddr*>(&address), &size), 0);
+  const std::string script =
+      "exec 3<>/dev/tcp/127.0.0.1/" + std::to_string(ntohs(address.sin_port)) + " && echo reached";
+  EXPECT_EQ(outside(script), "reached\n");
+  EXPECT_THAT(inside(script), testing::AllOf(Not(HasSubstr("reached")), HasSubstr("refused")));
+  close(listener);
+}
+
+TEST_F(Sandbox, SignalsNobodyOutside) {
+  const std::string script = "kill -0 " + std::to_string(getpid()) + " && echo reached";
+  EXPECT_EQ(outside(script), "reached\n");
+  EXPECT_THAT(inside(script), Not(HasSubstr("reached")));
+  // Its parent is the first process there, which no signal from there ends.
+  EXPECT_EQ(inside("kill -9 $PPID; kill -STOP $PPID; echo there"), "there\n");
+}
+
+TEST_F(Sandbox, OutlivesNobody) {
+  EXPECT_EQ(inside("(setsid bash -c 'sleep 1000' " + test::tag() + " &) ; echo left"), "left\n");
+  EXPECT_EQ(test::tagged_processes(), 0);
+}
+
+TEST_F(Sandbox, IsEndedWithAllInIt) {
+  Launch launch;
+  launch.words = {"/bin/bash", "-c",
+                  "for i in 1 2 3; do setsid bash -c 'sleep 1000' " + test::tag() + " & done; echo on; wait",
+                  test::tag()};
+  launch.sandbox = true;
+  GuestProcess process(launch);
+  ASSERT_EQ(process.wait(GuestProcess::Clock::now() + 60s), GuestEvent::output);
+  EXPECT_GT(test::tagged_processes(), 0);
+  process.end(0ms);
+  EXPECT_EQ(test::tagged_processes(), 0);
+}
+
+TEST_F(Sandbox, TellsHowItsGuestEnded) {
+  const auto status_of = [](const std::string& script) {
+    Launch launch;
+    launch.words = {"/bin/bash", "-c", script};
+    launch.sandbox = true;
+    GuestProcess process(launch);
+    EXPECT_EQ(process.wait(GuestProcess::Clock::now() + 60s), GuestEvent::ended);
+    return process.status().value_or(ExitStatus());
+  };
+  EXPECT_EQ(status_of("exit 7"), (ExitStatus{7, 0}));
+  EXPECT_EQ(status_of("kill -SEGV $$"), (ExitStatus{0, SIGSEGV}));
+  EXPECT_EQ(status_of("kill -ABRT $$"), (ExitStatus{0, SIGABRT}));
+}
+
+TEST_F(Sandbox, CountsTheWorkOfItsGuest) {
+  Launch launch = test::bad_guest("turn");
+  launch.words = {"/bin/bash", "-c", "for ((i = 0; i < 200000; ++i)); do :; done; echo done; read line"};
+  launch.sandbox = true;
+  GuestProcess process(launch);
+  ASSERT_EQ(process.wait(GuestProcess::Clock::now() + 60s), GuestEvent::output);
+  EXPECT_GT(process.processor_time(), 10ms);
+}
+
+TEST_F(Sandbox, SaysWhatCannotBeStarted) {
+  Launch launch;
+  launch.words = {"/bin/true"};
+  launch.directory = "/no/such/folder";
+  launch.sandbox = true;
+  EXPECT_THAT(GuestProcess(launch).error(), HasSubstr("No such file or directory"));
+}
+
+}  // namespace
+}  // namespace labmouse
