@@ -21,6 +21,21 @@ void add_seconds(Command& command, const std::string& name, std::chrono::millise
       ->default_str(fmt::format("{:g}", std::chrono::duration<double>(limit).count()));
 }
 
+void add_mebibytes(Command& command, const std::string& name, std::uint64_t& limit, const std::string& meaning) {
+  constexpr int mib_bits = 20;
+  command
+      .add_integer(
+          name, [&limit](std::uint64_t mib) { limit = mib << mib_bits; }, meaning)
+      ->type_name("MIB")
+      ->check(in_range(std::uint64_t{16}, std::uint64_t{1} << mib_bits))
+      ->default_str(fmt::format("{}", limit >> mib_bits));
+}
+
+SandboxUse sandbox_use(const std::string& word) {
+  if (word == "on") return SandboxUse::always;
+  return word == "off" ? SandboxUse::never : SandboxUse::where_possible;
+}
+
 }  // namespace
 
 void add_python(Command& command, GuestOptions& guests) {
@@ -29,23 +44,28 @@ void add_python(Command& command, GuestOptions& guests) {
 }
 
 void add_guest_options(Command& command, GuestOptions& guests) {
-  constexpr int mib_bits = 20;
   GuestLimits& limits = guests.limits;
   command.add_option("--directory", guests.directory, "Working directory of the programs; default: the current one")
       ->type_name("DIR")
       ->check(existing_directory());
+  command
+      .add_word(
+          "--sandbox", [&guests](const std::string& word) { guests.sandbox = sandbox_use(word); },
+          "Keep programs from writing outside of their folders and from the network: where that is possible "
+          "(auto), always or never")
+      ->check(one_of({"auto", "on", "off"}))
+      ->default_str("auto");
   add_seconds(command, "--start-limit", limits.start, "How long a program may take to write its first line");
   add_seconds(command, "--decision-limit", limits.decision,
               "How much processor time a program may take between two lines");
   add_seconds(command, "--silence-limit", limits.silence, "How long a program may be silent between two lines");
   add_seconds(command, "--contest-limit", limits.contest, "How long a program may run in one maze");
-  command
-      .add_integer(
-          "--memory", [&limits](std::uint64_t mib) { limits.memory = mib << mib_bits; },
-          "Memory limit for each process of a program")
-      ->type_name("MIB")
-      ->check(in_range(std::uint64_t{16}, std::uint64_t{1} << mib_bits))
-      ->default_str(fmt::format("{}", limits.memory >> mib_bits));
+  add_mebibytes(command, "--memory", limits.memory, "Memory limit for a program with all that it starts");
+  add_mebibytes(command, "--written", limits.written, "How much a program with all that it starts may write");
+  command.add_option("--processes", limits.processes, "How many processes a program may be, with all that it starts")
+      ->type_name("N")
+      ->check(in_range(1, 4096))
+      ->capture_default_str();
   command.add_option("--cpu", limits.processor_seconds, "Processor time limit for each process of a program")
       ->type_name("SECONDS")
       ->check(in_range(1, 1'000'000))

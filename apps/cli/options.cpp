@@ -164,6 +164,10 @@ Option* Command::add_number(const std::string& name, const std::function<void(do
                             const std::string& meaning) {
   return add(app_->add_option_function<double>(name, take, meaning));
 }
+Option* Command::add_word(const std::string& name, const std::function<void(const std::string&)>& take,
+                          const std::string& meaning) {
+  return add(app_->add_option_function<std::string>(name, take, meaning));
+}
 Option* Command::add_flag(const std::string& name, bool& value, const std::string& meaning) {
   return add(app_->add_flag(name, value, meaning));
 }

@@ -95,6 +95,9 @@ class Command {
   Option* add_integer(const std::string& name, const std::function<void(std::uint64_t)>& take,
                       const std::string& meaning);
   Option* add_number(const std::string& name, const std::function<void(double)>& take, const std::string& meaning);
+  /// Calls `take` with the text that was given.
+  Option* add_word(const std::string& name, const std::function<void(const std::string&)>& take,
+                   const std::string& meaning);
   Option* add_flag(const std::string& name, bool& value, const std::string& meaning);
 
   /// Stands below its help.

@@ -34,6 +34,8 @@ struct Contestant {
   std::function<std::unique_ptr<Strategy>(const Briefing&)> drive;
   /// How to start a program that talks to mms; nothing for all others, which decide when they are asked.
   std::optional<Launch> program;
+  /// Of a guest whether it lives in a sandbox; nothing for all others.
+  std::optional<bool> sandboxed;
   /// Only of a mouse that learns from whole mazes before it races: the same mouse with what these mazes teach in place
   /// of what it brings along. Studies call it with the mazes of all folds but one, in the order of their names; it may
   /// remember nothing from one call to the next, must give equal mice for equal mazes, and keeps uses_chance.
@@ -46,11 +48,15 @@ struct SpecResult {
   std::string error;
 };
 
+/// Whether guests live in sandboxes.
+enum class SandboxUse { where_possible, always, never };
+
 /// How guests are started.
 struct GuestOptions {
   std::string python;     ///< for capstone robots; empty: the python3 of PATH
   std::string directory;  ///< where commands run; empty: here
   GuestLimits limits;
+  SandboxUse sandbox = SandboxUse::where_possible;
   int runs = 1;                             ///< contests of each guest in each maze
   const std::atomic<bool>* stop = nullptr;  ///< once true, guests are ended; may be null
 };

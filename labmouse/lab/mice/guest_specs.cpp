@@ -10,6 +10,7 @@
 #include "labmouse/guests/capstone.hpp"
 #include "labmouse/guests/command_line.hpp"
 #include "labmouse/guests/guest_mind.hpp"
+#include "labmouse/guests/sandbox.hpp"
 #include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
@@ -34,6 +35,7 @@ Contestant contestant_of(std::string name, Launch launch, int runs) {
   Contestant contestant;
   contestant.name = std::move(name);
   contestant.runs = runs;
+  contestant.sandboxed = launch.sandbox;
   contestant.make = [launch = std::move(launch)](const Maze& maze, const Rules& rules, std::uint64_t seed) {
     Launch seeded = launch;
     seeded.environment = {python_hash_seed(seed)};
@@ -47,6 +49,7 @@ Contestant program_of(std::string name, Launch launch) {
   Contestant contestant;
   contestant.name = std::move(name);
   contestant.runs = 1;
+  contestant.sandboxed = launch.sandbox;
   launch.environment = {python_hash_seed(0)};
   contestant.program = std::move(launch);
   return contestant;
@@ -134,6 +137,9 @@ void read_guest_spec(std::string_view spec, const GuestOptions& options, SpecRes
   Launch launch = kind == "capstone:" ? robot_launch(rest, options, error) : command_launch(rest, options, error);
   launch.limits = options.limits;
   launch.stop = options.stop;
+  launch.sandbox = options.sandbox != SandboxUse::never && why_no_sandbox().empty();
+  if (options.sandbox == SandboxUse::always && !launch.sandbox)
+    error = fmt::format("there are no sandboxes on this system ({}); leave out --sandbox on", why_no_sandbox());
   if (!error.empty())
     result.error = fmt::format("guest '{}': {}", spec, error);
   else if (kind == "mms:")

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "labmouse/guests/sandbox.hpp"
 #include "labmouse/lab/standings/mouse_column.hpp"
 #include "labmouse/lab/text/counted.hpp"
 #include "labmouse/lab/text/last_lines.hpp"
@@ -73,6 +74,19 @@ std::string left_out_of(const Race& race) {
                      race.world().why_no_bound(), first, closed > 1 ? ", ..." : "");
 }
 
+/// What guests could do to the machine that they raced on.
+std::string sandboxes_of(const Race& race) {
+  const auto any = [&](bool sandboxed) {
+    return std::any_of(race.mice.begin(), race.mice.end(),
+                       [&](const Contestant& mouse) { return mouse.sandboxed == sandboxed; });
+  };
+  if (any(true)) return "Guests ran in a sandbox: read-only outside their folders, without a network (--sandbox).\n";
+  if (!any(false)) return "";
+  const std::string& why = why_no_sandbox();
+  return fmt::format("Guests ran without a sandbox{}: they could do whatever you can.\n",
+                     why.empty() ? "" : fmt::format(", which this system does not offer ({})", why));
+}
+
 }  // namespace
 
 std::string score_note(const World& world) {
@@ -86,6 +100,7 @@ std::string notes_of(const Race& race) {
   std::string notes = race.world().notes(race) + failures_of(race) + race.world().remarks(race) + left_out_of(race);
   if (std::any_of(race.mice.begin(), race.mice.end(), [](const Contestant& mouse) { return mouse.reference; }))
     notes += "* knows the maze: attains the bound, and is not a contestant.\n";
+  notes += sandboxes_of(race);
   if (race.stopped) {
     const auto done = std::count_if(race.results.begin(), race.results.end(),
                                     [](const ContestResult& contest) { return contest.done; });
