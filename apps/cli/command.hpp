@@ -77,6 +77,7 @@ void add_sweep(Command& app, int& exit);
 void add_learn(Command& app, int& exit);
 void add_study(Command& app, int& exit);
 void add_tune(Command& app, int& exit);
+void add_lineup(Command& app, int& exit);
 void add_run(Command& app, int& exit);
 void add_mms(Command& app, int& exit);
 void add_show(Command& app, int& exit);

@@ -82,6 +82,18 @@ std::vector<Contestant> find_contestants(const std::vector<std::string>& specs, 
   return std::move(result.contestants);
 }
 
+void add_lineups(Command& command, std::vector<std::string>& lineups) {
+  command.add_option("--lineup", lineups, "File that names mice: docs/lineups.md (repeatable)")
+      ->type_name("FILE")
+      ->expected(1)
+      ->take_all();
+}
+
+std::vector<std::string> with_lineups(std::vector<std::string> specs, const std::vector<std::string>& lineups) {
+  for (const std::string& file : lineups) specs.push_back("lineup:" + file);
+  return specs;
+}
+
 MazeCollection find_mazes_of(const World& world, const Contests& contests) {
   const Places& places = contests.places;
   if (const auto fixed = world.fixed_places(); !fixed.empty() && (!places.start.empty() || !places.goals.empty()))

@@ -30,6 +30,11 @@ std::vector<Contestant> find_contestants(const std::vector<std::string>& specs, 
 std::vector<Contestant> find_contestants(const std::vector<std::string>& specs, const WorldChoice& world,
                                          GuestOptions options = {});
 
+/// --lineup, files of mice.
+void add_lineups(Command& command, std::vector<std::string>& lineups);
+/// SPECs of mice and of the files of lineups.
+std::vector<std::string> with_lineups(std::vector<std::string> specs, const std::vector<std::string>& lineups);
+
 /// The mazes in which that world holds contests; of those that were named directly none may be refused.
 MazeCollection find_mazes_of(const World& world, const Contests& contests);
 

@@ -40,6 +40,7 @@ int main(int argc, char** argv) {
   add_sweep(app, exit);
   add_study(app, exit);
   add_tune(app, exit);
+  add_lineup(app, exit);
   add_run(app, exit);
   add_mms(app, exit);
   add_learn(app, exit);

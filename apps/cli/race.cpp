@@ -21,7 +21,7 @@ namespace labmouse::cli {
 namespace {
 
 struct RaceOptions {
-  std::vector<std::string> mice;
+  std::vector<std::string> mice, lineups;
   Contests contests;
   GuestOptions guests;
   std::string format = "table";
@@ -166,8 +166,8 @@ std::vector<Field> fields_of(const RaceOptions& options, std::vector<Entry> entr
 
 int race(const RaceOptions& options) {
   std::optional<Holding> holding(options);
-  std::vector<Entry> entries =
-      options.contests.world.enter(find_contestants(options.mice, options.contests.world, options.guests));
+  std::vector<Entry> entries = options.contests.world.enter(
+      find_contestants(with_lineups(options.mice, options.lineups), options.contests.world, options.guests));
   const auto baselines = load_baselines(options, entries);
   const auto worlds =
       std::count_if(entries.begin(), entries.end(), [](const Entry& entry) { return !entry.mice.empty(); });
@@ -207,12 +207,14 @@ void add_race(Command& app, int& exit) {
   auto options = std::make_shared<RaceOptions>();
   Command* command = app.add_subcommand("race", "Race mice on many mazes and print a leaderboard");
   command
-      ->add_option("--mice", options->mice,
-                   "Mice: name[:key=value]..., separated by commas, or capstone:FILE, guest:COMMAND, mms:COMMAND "
-                   "(repeatable); default: all")
+      ->add_option(
+          "--mice", options->mice,
+          "Mice: [NAME=]mouse[:key=value]..., separated by commas, or [NAME=]capstone:FILE, guest:COMMAND, mms:COMMAND "
+          "(repeatable); default: all")
       ->type_name("SPEC")
       ->expected(1)
       ->take_all();
+  add_lineups(*command, options->lineups);
   add_contests(*command, options->contests);
   command->add_option("--format", options->format, "Output")
       ->check(one_of({"table", "json", "csv"}))

@@ -11,7 +11,7 @@ namespace labmouse::cli {
 namespace {
 
 struct StudyOptions {
-  std::vector<std::string> mice;
+  std::vector<std::string> mice, lineups;
   Contests contests;
   GuestOptions guests;
   int folds = StudyOrder().folds;
@@ -31,7 +31,10 @@ Study hold(const StudyOptions& options, const std::vector<Contestant>& mice, con
 }
 
 int study(const StudyOptions& options) {
-  const std::vector<Contestant> mice = find_contestants(options.mice, options.contests.world, options.guests);
+  if (options.mice.empty() && options.lineups.empty())
+    throw UsageError("error: a study needs mice; name them with --mice or --lineup");
+  std::vector<Contestant> mice =
+      find_contestants(with_lineups(options.mice, options.lineups), options.contests.world, options.guests);
   const RaceOrder order = options.contests.order_in(options.contests.world.enter_one(mice));
   MazeCollection mazes = find_mazes_of(*order.world, options.contests);
   expect_outputs({{"--csv", options.csv}, {"--svg", options.svg}});
@@ -51,13 +54,14 @@ void add_study(Command& app, int& exit) {
   auto options = std::make_shared<StudyOptions>();
   Command* command = app.add_subcommand("study", "Compare mice in pairs on mazes they have not learned from");
   command
-      ->add_option("--mice", options->mice,
-                   "Mice: name[:key=value]..., separated by commas, or capstone:FILE, guest:COMMAND, mms:COMMAND "
-                   "(repeatable); the first is the one that others are compared with")
-      ->required()
+      ->add_option(
+          "--mice", options->mice,
+          "Mice: [NAME=]mouse[:key=value]..., separated by commas, or [NAME=]capstone:FILE, guest:COMMAND, mms:COMMAND "
+          "(repeatable); the first is the one that others are compared with")
       ->type_name("SPEC")
       ->expected(1)
       ->take_all();
+  add_lineups(*command, options->lineups);
   add_contests(*command, options->contests);
   add_racing_guests(*command, options->guests);
   command->add_option("--folds", options->folds, "Number of parts to divide the mazes into; each is held out once")

@@ -33,7 +33,7 @@ int sweep(const SweepOptions& options) {
   expect_outputs({{"--csv", options.csv}, {"--svg", options.svg}});
   const Variation variation = read_variation(options.vary);
   if (!variation.error.empty()) throw UsageError("error: " + variation.error);
-  const SpecResult variants = read_variants(options.mouse, variation.parameter, variation.values, options.guests);
+  SpecResult variants = read_variants(options.mouse, variation.parameter, variation.values, options.guests);
   if (!variants.error.empty()) throw UsageError("error: " + variants.error);
   const RaceOrder order = options.contests.order_in(options.contests.world.enter_one(variants.contestants));
   const MazeCollection mazes = find_mazes_of(*order.world, options.contests);

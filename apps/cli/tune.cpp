@@ -63,7 +63,8 @@ Tune hold(const TuneOptions& options, const std::vector<ParameterRange>& ranges,
 int tune(const TuneOptions& options) {
   expect_outputs({{"--log", options.log}, {"--svg", options.svg}});
   const std::vector<ParameterRange> ranges = find_ranges(options);
-  const RaceOrder order = options.contests.order_in(options.contests.world.enter_one(corners(options.mouse, ranges)));
+  std::vector<Contestant> mice_at_corners = corners(options.mouse, ranges);
+  const RaceOrder order = options.contests.order_in(options.contests.world.enter_one(mice_at_corners));
   const MazeCollection mazes = find_mazes_of(*order.world, options.contests);
   std::string failed_write;
   const Tune result = hold(options, ranges, mazes.mazes, order, failed_write);

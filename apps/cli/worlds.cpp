@@ -33,6 +33,7 @@ bool has(const World& world, std::string_view setting) {
 
 std::vector<Entry> taken(EntriesResult result) {
   if (!result.error.empty()) throw UsageError(result.error);
+  for (const std::string& reason : result.left_out) tell(fmt::format("left out: {}\n", shown(reason)));
   return std::move(result.entries);
 }
 
@@ -94,14 +95,16 @@ std::vector<Entry> WorldChoice::enter(std::vector<Contestant> mice) const {
   return entries;
 }
 
-std::shared_ptr<const World> WorldChoice::enter_one(const std::vector<Contestant>& mice) const {
-  std::vector<Entry> entries = enter(mice);
+std::shared_ptr<const World> WorldChoice::enter_one(std::vector<Contestant>& mice) const {
+  std::vector<Entry> entries = enter(std::move(mice));
   std::erase_if(entries, [](const Entry& entry) { return entry.mice.empty(); });
   if (entries.size() > 1)
     throw UsageError(fmt::format("error: '{}' races in the world {}, but '{}' in the world {}; name mice of one world",
                                  entries[0].mice.front().name, entries[0].world->name(), entries[1].mice.front().name,
                                  entries[1].world->name()));
-  return entries.empty() ? world() : entries.front().world;
+  if (entries.empty()) return world();
+  mice = std::move(entries.front().mice);
+  return entries.front().world;
 }
 
 std::shared_ptr<const World> WorldChoice::world() const {

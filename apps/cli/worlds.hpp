@@ -20,8 +20,8 @@ class WorldChoice {
   /// Which of the mice race where; throws UsageError where one cannot, and where a setting was given that none of the
   /// worlds has in which a mouse races.
   std::vector<Entry> enter(std::vector<Contestant> mice) const;
-  /// The same where all have to race in one world.
-  std::shared_ptr<const World> enter_one(const std::vector<Contestant>& mice) const;
+  /// The same where all have to race in one world; takes those away that are left out.
+  std::shared_ptr<const World> enter_one(std::vector<Contestant>& mice) const;
   /// The world that was asked for, with its settings, or the home world.
   std::shared_ptr<const World> world() const;
 

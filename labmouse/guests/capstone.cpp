@@ -1,6 +1,8 @@
 #include "labmouse/guests/capstone.hpp"
 
 #include <filesystem>
+#include <map>
+#include <mutex>
 
 namespace labmouse {
 namespace {
@@ -18,14 +20,22 @@ std::string first_line(const std::string& python, const std::string& script) {
 
 }  // namespace
 
-Launch capstone_launch(const std::string& robot, const std::string& python) {
+Launch capstone_launch(const std::string& robot, const std::string& python, const std::vector<std::string>& arguments) {
   const std::filesystem::path path(robot);
   Launch launch;
   launch.words = {python, "-u", "-c", std::string(capstone_bridge()), path.filename().string()};
+  launch.words.insert(launch.words.end(), arguments.begin(), arguments.end());
   launch.directory = path.parent_path().string();
   return launch;
 }
 
-bool python_runs(const std::string& python) { return first_line(python, "print('runs')") == "runs"; }
+std::string python_version(const std::string& python) {
+  static std::mutex mutex;
+  static std::map<std::string, std::string> known;
+  const std::lock_guard lock(mutex);
+  const auto [place, is_new] = known.try_emplace(python);
+  if (is_new) place->second = first_line(python, "import sys; print('%d.%d.%d' % sys.version_info[:3])");
+  return place->second;
+}
 
 }  // namespace labmouse

@@ -1,4 +1,4 @@
-# Plays a capstone robot by labmouse's guest protocol: python -u -c THIS robot.py, in the robot's folder.
+# Plays a capstone robot by labmouse's guest protocol: python -u -c THIS robot.py [ARGUMENT...], in the robot's folder.
 # In syntax that Python 2.7 and Python 3 both take.
 import fcntl
 import os
@@ -93,9 +93,10 @@ def main():
         line = questions.readline()
     sys.dont_write_bytecode = True  # many robots side by side, and nothing of ours in their folder
     sow(seed)
-    module = load(os.path.abspath(sys.argv[1]))
+    del sys.argv[0]  # the robot has its own words, as if it had been started by itself
+    module = load(os.path.abspath(sys.argv[0]))
     if not hasattr(module, "Robot"):
-        sys.exit("%s has no class Robot" % sys.argv[1])
+        sys.exit("%s has no class Robot" % sys.argv[0])
     robot = module.Robot(size)
     os.write(answers, b"labmouse 1\n")
     line = questions.readline()

@@ -19,10 +19,27 @@
 
 namespace labmouse {
 
+/// What runs a guest's program.
+struct Interpreter {
+  std::string path;
+  std::string version;  ///< of a Python: "3.11.2"; empty for others
+
+  friend bool operator==(const Interpreter&, const Interpreter&) = default;
+};
+
 /// A mouse with its parameters, ready to be made once a contest.
 struct Contestant {
-  /// The SPEC in its shortest form: parameters that differ from their defaults, in the order of the mouse's table.
+  /// The name that its user gave it; otherwise its SPEC in its shortest form: parameters that differ from their
+  /// defaults, in the order of the mouse's table.
   std::string name;
+  /// Its SPEC, where the name is another.
+  std::string spec;
+  /// What a lineup says of it: its author, a link.
+  std::string note;
+  /// Of a capstone robot, and of others where a lineup names one.
+  std::optional<Interpreter> interpreter;
+  /// It stands in a lineup among mice of other worlds: where it cannot race, the others do without it.
+  bool may_be_left_out = false;
   Settings settings;
   bool uses_chance = false;
   /// Contests in each maze; 0: as many as the race holds of a mouse that throws dice, or one.
@@ -36,6 +53,7 @@ struct Contestant {
   std::optional<Launch> program;
   /// Of a guest whether it lives in a sandbox; nothing for all others.
   std::optional<bool> sandboxed;
+  std::string why_no_sandbox;  ///< where the system has none
   /// Only of a mouse that learns from whole mazes before it races: the same mouse with what these mazes teach in place
   /// of what it brings along. Studies call it with the mazes of all folds but one, in the order of their names; it may
   /// remember nothing from one call to the next, must give equal mice for equal mazes, and keeps uses_chance.
@@ -55,6 +73,10 @@ enum class SandboxUse { where_possible, always, never };
 struct GuestOptions {
   std::string python;     ///< for capstone robots; empty: the python3 of PATH
   std::string directory;  ///< where commands run; empty: here
+  /// What a lineup says of one guest: what is put before the words of its command and behind them, and variables of its
+  /// environment as NAME=VALUE.
+  std::string interpreter;
+  std::vector<std::string> arguments, environment;
   GuestLimits limits;
   SandboxUse sandbox = SandboxUse::where_possible;
   int runs = 1;                             ///< contests of each guest in each maze

@@ -35,10 +35,9 @@ Contestant contestant_of(std::string name, Launch launch, int runs) {
   Contestant contestant;
   contestant.name = std::move(name);
   contestant.runs = runs;
-  contestant.sandboxed = launch.sandbox;
   contestant.make = [launch = std::move(launch)](const Maze& maze, const Rules& rules, std::uint64_t seed) {
     Launch seeded = launch;
-    seeded.environment = {python_hash_seed(seed)};
+    seeded.environment.push_back(python_hash_seed(seed));
     return std::make_unique<GuestMind>(seeded, brief(maze, rules, seed));
   };
   return contestant;
@@ -49,8 +48,7 @@ Contestant program_of(std::string name, Launch launch) {
   Contestant contestant;
   contestant.name = std::move(name);
   contestant.runs = 1;
-  contestant.sandboxed = launch.sandbox;
-  launch.environment = {python_hash_seed(0)};
+  launch.environment.push_back(python_hash_seed(0));
   contestant.program = std::move(launch);
   return contestant;
 }
@@ -93,34 +91,62 @@ std::string no_program(const std::string& name, const std::string& directory) {
   return fmt::format("'{}' is not executable; is it a compiled program?", name);
 }
 
-/// How to start what stands behind the colon of `capstone:`; on failure sets the error.
-Launch robot_launch(const std::string& named, const GuestOptions& options, std::string& error) {
-  std::error_code failure;
-  const std::string file = from_home(named);
-  if (!fs::is_regular_file(file, failure)) {
-    error = no_robot(file);
-    return {};
-  }
-  const std::string python = options.python.empty() ? usual_python : anchored(from_home(options.python));
-  if (program_path(python, "").empty())
-    error = options.python.empty() ? fmt::format("no {} was found in PATH; name one with --python", python)
-                                   : fmt::format("no executable Python '{}'", python);
-  else if (!options.python.empty() && !python_runs(python))
-    error = fmt::format("'{}' is not a working Python interpreter", python);
-  return capstone_launch(fs::absolute(file, failure).string(), python);
+/// A guest, or why it cannot be one.
+struct Guest {
+  Launch launch;
+  std::optional<Interpreter> interpreter;
+  std::string error;
+};
+
+Guest no_guest(std::string error) { return {{}, {}, std::move(error)}; }
+
+/// The interpreter of that name, or an empty path and why there is none.
+std::pair<Interpreter, std::string> find_interpreter(const std::string& named, const std::string& directory) {
+  Interpreter found = {program_path(named, directory), ""};
+  if (found.path.empty()) return {found, fmt::format("no executable interpreter '{}'", named)};
+  if (fs::path(named).filename().string().find("python") == std::string::npos) return {found, ""};
+  found.version = python_version(found.path);
+  return {found, found.version.empty() ? fmt::format("'{}' is not a working Python interpreter", named) : ""};
 }
 
-Launch command_launch(const std::string& command, const GuestOptions& options, std::string& error) {
-  Launch launch;
-  launch.words = split_command(command);
-  launch.directory = options.directory;
+/// What stands behind the colon of `capstone:`: a file, and after a blank arguments.
+Guest robot_of(const std::string& named, const GuestOptions& options) {
+  std::error_code failure;
+  std::vector<std::string> words = {from_home(named)};
+  if (!fs::exists(words.front(), failure)) words = split_command(named);
+  const std::string file = words.empty() ? "" : from_home(words.front());
+  if (!fs::is_regular_file(file, failure)) return no_guest(no_robot(words.size() > 1 ? file : from_home(named)));
+  words.erase(words.begin());
+  words.insert(words.end(), options.arguments.begin(), options.arguments.end());
+  const std::string python = options.python.empty() ? usual_python : anchored(from_home(options.python));
+  if (options.python.empty() && program_path(python, "").empty())
+    return no_guest(fmt::format("no {} was found in PATH; name one with --python", python));
+  auto [interpreter, error] = find_interpreter(python, "");
+  // Of a robot that is asked to run under it, an interpreter need not be called a Python.
+  if (error.empty() && interpreter.version.empty()) interpreter.version = python_version(interpreter.path);
+  if (error.empty() && interpreter.version.empty())
+    error = fmt::format("'{}' is not a working Python interpreter", python);
+  return {capstone_launch(fs::absolute(file, failure).string(), python, words), interpreter, error};
+}
+
+Guest program_of_command(const std::string& command, const GuestOptions& options) {
+  Guest guest;
+  std::vector<std::string>& words = guest.launch.words;
+  words = split_command(command);
+  guest.launch.directory = options.directory;
   if (has_open_quote(command))
-    error = "its command has an unclosed quotation mark; for a literal quotation mark write \"\"\"";
-  else if (launch.words.empty())
-    error = "its command is empty";
-  else if (program_path(launch.words.front(), launch.directory).empty())
-    error = no_program(launch.words.front(), launch.directory);
-  return launch;
+    return no_guest("its command has an unclosed quotation mark; for a literal quotation mark write \"\"\"");
+  if (words.empty()) return no_guest("its command is empty");
+  if (!options.interpreter.empty()) {
+    auto [interpreter, error] = find_interpreter(options.interpreter, options.directory);
+    if (!error.empty()) return no_guest(error);
+    words.insert(words.begin(), options.interpreter);
+    guest.interpreter = interpreter;
+  }
+  if (program_path(words.front(), options.directory).empty())
+    return no_guest(no_program(words.front(), options.directory));
+  words.insert(words.end(), options.arguments.begin(), options.arguments.end());
+  return guest;
 }
 
 }  // namespace
@@ -134,18 +160,23 @@ void read_guest_spec(std::string_view spec, const GuestOptions& options, SpecRes
     result.error = fmt::format("guest '{}': its SPEC contains unprintable characters", shown(spec));
     return;
   }
-  Launch launch = kind == "capstone:" ? robot_launch(rest, options, error) : command_launch(rest, options, error);
+  Guest guest = kind == "capstone:" ? robot_of(rest, options) : program_of_command(rest, options);
+  if (options.sandbox == SandboxUse::always && !why_no_sandbox().empty())
+    guest.error = fmt::format("this system has no sandboxes ({}); leave out --sandbox on", why_no_sandbox());
+  if (!guest.error.empty()) {
+    result.error = fmt::format("guest '{}': {}", spec, guest.error);
+    return;
+  }
+  Launch& launch = guest.launch;
   launch.limits = options.limits;
   launch.stop = options.stop;
+  launch.environment = options.environment;
   launch.sandbox = options.sandbox != SandboxUse::never && why_no_sandbox().empty();
-  if (options.sandbox == SandboxUse::always && !launch.sandbox)
-    error = fmt::format("there are no sandboxes on this system ({}); leave out --sandbox on", why_no_sandbox());
-  if (!error.empty())
-    result.error = fmt::format("guest '{}': {}", spec, error);
-  else if (kind == "mms:")
-    result.contestants.push_back(program_of(std::string(spec), std::move(launch)));
-  else
-    result.contestants.push_back(contestant_of(std::string(spec), std::move(launch), options.runs));
+  Contestant& mouse = result.contestants.emplace_back(
+      kind == "mms:" ? program_of(std::string(spec), launch) : contestant_of(std::string(spec), launch, options.runs));
+  mouse.interpreter = guest.interpreter;
+  mouse.sandboxed = launch.sandbox;
+  if (options.sandbox == SandboxUse::where_possible) mouse.why_no_sandbox = why_no_sandbox();
 }
 
 }  // namespace labmouse

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "labmouse/contest/simulator.hpp"
 #include "labmouse/lab/bounds/bounds.hpp"
+#include "labmouse/lab/lineups/lineup_file.hpp"
 #include "labmouse/lab/mice/guest_specs.hpp"
 #include "labmouse/lab/mice/prior_file.hpp"
 #include "labmouse/lab/mice/prior_learning.hpp"
@@ -162,15 +164,122 @@ SpecResult read_guest_variant(std::string_view spec, const Setting& setting, con
   return read_specs(text, options);
 }
 
+/// Gives a mouse another name, which it keeps when it learns.
+void rename(Contestant& mouse, const std::string& name) {
+  mouse.spec = std::exchange(mouse.name, name);
+  if (!mouse.taught) return;
+  mouse.taught = [teach = mouse.taught, name](const std::vector<const Maze*>& training, const Rules& rules) {
+    Contestant pupil = teach(training, rules);
+    rename(pupil, name);
+    return pupil;
+  };
+}
+
+/// Takes `NAME=` away from the beginning of a text and returns the name; empty where there is none.
+std::string take_name(std::string_view& text) {
+  const auto end = text.find_first_of("=:,/ ");
+  if (end == std::string_view::npos || end == 0 || text[end] != '=') return "";
+  std::string name(text.substr(0, end));
+  text.remove_prefix(end + 1);
+  return name;
+}
+
+std::string beside(const std::string& folder, const std::string& path) {
+  return path.empty() || path.starts_with('/') || path.starts_with("~/") || folder.empty() ? path : folder + "/" + path;
+}
+
+/// Reads a mouse of the lineup in that folder into the result; on failure sets its error.
+void read_mouse_of_lineup(const LineupMouse& mouse, const std::string& folder, GuestOptions options,
+                          SpecResult& result) {
+  options.limits = mouse.limits_over(options.limits);
+  options.runs = mouse.runs.value_or(options.runs);
+  options.arguments = mouse.arguments;
+  options.environment = mouse.environment;
+  options.directory = mouse.directory.empty() ? folder : beside(folder, mouse.directory);
+  // One that is no path is looked for in PATH.
+  const bool is_path = mouse.interpreter.find('/') != std::string::npos;
+  options.interpreter = is_path ? beside(folder, mouse.interpreter) : mouse.interpreter;
+  if (mouse.kind == LineupMouse::Kind::capstone && !mouse.interpreter.empty()) options.python = options.interpreter;
+  SpecResult one;
+  if (mouse.kind == LineupMouse::Kind::mouse)
+    one.error = read_spec(mouse.what, one.contestants);
+  else
+    read_guest_spec(fmt::format("{}:{}", key_of(mouse.kind),
+                                mouse.kind == LineupMouse::Kind::capstone ? beside(folder, mouse.what) : mouse.what),
+                    options, one);
+  result.error = one.error;
+  if (!one.error.empty()) return;
+  Contestant& contestant = one.contestants.front();
+  rename(contestant, mouse.name);
+  contestant.note = mouse.note;
+  contestant.may_be_left_out = true;
+  if (mouse.runs) contestant.runs = *mouse.runs;
+  result.contestants.push_back(std::move(contestant));
+}
+
+/// Reads `FILE` or `FILE:NAME` into the result; on failure sets its error.
+void read_lineup_into(std::string path, const GuestOptions& options, SpecResult& result) {
+  FileContent file = read_file(path);
+  std::string only;
+  if (const auto colon = path.rfind(':'); !file.error.empty() && colon != std::string::npos) {
+    only = path.substr(colon + 1);
+    path.resize(colon);
+    file = read_file(path);
+  }
+  const auto complain = [&](int line, int column, std::string_view reason) {
+    if (!result.error.empty()) result.error += "\nerror: ";
+    result.error += fmt::format("lineup {}:{}:{}: {}", path, line, column, reason);
+  };
+  if (!file.error.empty()) {
+    result.error = fmt::format("lineup {}: {}", path, file.error);
+    return;
+  }
+  const LineupResult lineup = read_lineup(file.content);
+  for (const Problem& problem : lineup.problems) complain(problem.line, problem.column, problem.reason);
+  const auto slash = path.rfind('/');
+  const std::string folder = slash == std::string::npos ? "" : path.substr(0, slash);
+  bool any = false;
+  for (const LineupMouse& mouse : lineup.mice) {
+    if (!only.empty() && mouse.name != only) continue;
+    any = true;
+    SpecResult one;
+    read_mouse_of_lineup(mouse, folder, options, one);
+    if (!one.error.empty()) complain(mouse.line, mouse.column, fmt::format("mouse '{}': {}", mouse.name, one.error));
+    for (Contestant& contestant : one.contestants) result.contestants.push_back(std::move(contestant));
+  }
+  if (!any && result.error.empty()) result.error = fmt::format("lineup {} has no mouse '{}'", path, only);
+}
+
 /// Reads the mice of one text into the result; on failure sets its error.
 void read_into(std::string_view text, const GuestOptions& options, SpecResult& result) {
+  constexpr std::string_view lineup = "lineup:";
   for (bool more = true; more && result.error.empty();) {
-    if (is_guest_spec(text)) return read_guest_spec(text, options, result);
-    const auto comma = text.find(',');
-    result.error = read_spec(text.substr(0, comma), result.contestants);
+    const std::string name = take_name(text);
+    if (text.starts_with(lineup)) {
+      if (name.empty()) return read_lineup_into(std::string(text.substr(lineup.size())), options, result);
+      result.error = fmt::format("a lineup cannot be named '{}'; its mice have their own names", name);
+      return;
+    }
+    const auto comma = is_guest_spec(text) ? std::string_view::npos : text.find(',');
+    if (is_guest_spec(text))
+      read_guest_spec(text, options, result);
+    else
+      result.error = read_spec(text.substr(0, comma), result.contestants);
+    if (!result.error.empty()) return;
+    if (!name.empty()) rename(result.contestants.back(), name);
     more = comma != std::string_view::npos;
     if (more) text.remove_prefix(comma + 1);
   }
+}
+
+/// Mice that stand twice count once. Returns what is wrong where two have one name.
+std::string drop_repetitions_or_refuse(std::vector<Contestant>& mice) {
+  for (std::size_t i = 0; i < mice.size(); ++i)
+    for (std::size_t j = i + 1; j < mice.size(); ++j)
+      if (mice[i].name == mice[j].name && mice[i].spec != mice[j].spec)
+        return fmt::format("two mice have the name '{}'; give each its own, as in NAME=SPEC", mice[i].name);
+  drop_repetitions(mice);
+  return "";
 }
 
 }  // namespace
@@ -194,8 +303,8 @@ SpecResult read_specs(std::span<const std::string> texts, const GuestOptions& op
   SpecResult result;
   for (const std::string& text : texts)
     if (result.error.empty()) read_into(text, options, result);
+  if (result.error.empty()) result.error = drop_repetitions_or_refuse(result.contestants);
   if (!result.error.empty()) return refused(result.error);
-  drop_repetitions(result.contestants);
   return result;
 }
 

@@ -12,12 +12,18 @@ namespace {
 
 Json cell_json(Cell cell) { return {cell.x, cell.y}; }
 
+Json mouse_json(const RecordFile& file) {
+  Json mouse = {{"name", file.mouse}, {"parameters", settings_json(file.settings)}};
+  if (!file.interpreter.empty()) mouse["interpreter"] = file.interpreter;
+  return mouse;
+}
+
 Json header_json(const RecordFile& file) {
   return {{"labmouse", "record"},
           {"format", 1},
           {"version", version()},
           {"maze", record_maze_json(file.maze_name, *file.maze)},
-          {"mouse", {{"name", file.mouse}, {"parameters", settings_json(file.settings)}}},
+          {"mouse", mouse_json(file)},
           {"seed", file.seed},
           {"rules",
            {{"budget", file.rules.budget},

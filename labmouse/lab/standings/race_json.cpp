@@ -48,11 +48,21 @@ Json results_json(const Race& race, std::size_t mouse) {
   return results;
 }
 
+/// Where a mouse comes from, as far as its name does not say it.
+void set_origin(const Contestant& mouse, Json& json) {
+  if (!mouse.spec.empty()) json["spec"] = mouse.spec;
+  if (!mouse.note.empty()) json["note"] = mouse.note;
+  if (mouse.interpreter)
+    json["interpreter"] = {{"path", mouse.interpreter->path}, {"version", mouse.interpreter->version}};
+  if (mouse.sandboxed) json["sandboxed"] = *mouse.sandboxed;
+}
+
 Json mice_json(const Race& race) {
   Json mice = Json::array();
   for (const Standing& standing : standings_of(race)) {
     Json& json = mice.emplace_back(Json::object());
     for (const MouseField& field : race.world().fields().mouse) set(json, field.key, field.of(race, standing));
+    set_origin(race.mice[standing.mouse], json);
     json["results"] = results_json(race, standing.mouse);
   }
   return mice;

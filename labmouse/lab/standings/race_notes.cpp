@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <map>
 
-#include "labmouse/guests/sandbox.hpp"
 #include "labmouse/lab/standings/mouse_column.hpp"
 #include "labmouse/lab/text/counted.hpp"
 #include "labmouse/lab/text/last_lines.hpp"
@@ -76,15 +75,16 @@ std::string left_out_of(const Race& race) {
 
 /// What guests could do to the machine that they raced on.
 std::string sandboxes_of(const Race& race) {
-  const auto any = [&](bool sandboxed) {
-    return std::any_of(race.mice.begin(), race.mice.end(),
-                       [&](const Contestant& mouse) { return mouse.sandboxed == sandboxed; });
-  };
-  if (any(true)) return "Guests ran in a sandbox: read-only outside their folders, without a network (--sandbox).\n";
-  if (!any(false)) return "";
-  const std::string& why = why_no_sandbox();
-  return fmt::format("Guests ran without a sandbox{}: they could do whatever you can.\n",
-                     why.empty() ? "" : fmt::format(", which this system does not offer ({})", why));
+  const auto open = std::find_if(race.mice.begin(), race.mice.end(),
+                                 [](const Contestant& mouse) { return mouse.sandboxed == false; });
+  if (open != race.mice.end())
+    return fmt::format("Guests ran without a sandbox{}: they could do whatever you can.\n",
+                       open->why_no_sandbox.empty()
+                           ? ""
+                           : fmt::format(", which this system does not offer ({})", open->why_no_sandbox));
+  const bool any =
+      std::any_of(race.mice.begin(), race.mice.end(), [](const Contestant& mouse) { return mouse.sandboxed == true; });
+  return any ? "Guests ran in a sandbox: read-only outside their folders, without a network (--sandbox).\n" : "";
 }
 
 }  // namespace

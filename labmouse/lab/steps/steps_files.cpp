@@ -43,6 +43,7 @@ RecordFile record_file_of(const Contestant& mouse, const NamedMaze& maze, const 
   file.maze = maze.maze;
   file.mouse = mouse.name;
   file.settings = mouse.settings;
+  if (mouse.interpreter) file.interpreter = fmt::format("{} {}", mouse.interpreter->path, mouse.interpreter->version);
   file.seed = seed;
   file.rules = rules;
   file.run = record;

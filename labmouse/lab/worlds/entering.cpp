@@ -18,11 +18,19 @@ std::size_t home_of(const Contestant& mouse) {
 
 EntriesResult enter_one(std::vector<Contestant> mice, const WorldEntry& entry, const WorldSettings& settings) {
   WorldResult made = entry.make(settings);
-  if (!made.error.empty()) return {{}, made.error};
-  for (const Contestant& mouse : mice)
-    if (std::string reason = made.world->refuse(mouse); !reason.empty()) return {{}, "error: " + reason};
+  if (!made.error.empty()) return {{}, made.error, {}};
   EntriesResult result;
-  result.entries.push_back({std::move(made.world), std::move(mice)});
+  std::vector<Contestant> taken;
+  for (Contestant& mouse : mice) {
+    const std::string reason = made.world->refuse(mouse);
+    if (!reason.empty() && !mouse.may_be_left_out) return {{}, "error: " + reason, {}};
+    if (reason.empty())
+      taken.push_back(std::move(mouse));
+    else
+      result.left_out.push_back(reason);
+  }
+  if (taken.empty() && !result.left_out.empty()) return {{}, "error: " + result.left_out.front(), {}};
+  result.entries.push_back({std::move(made.world), std::move(taken)});
   return result;
 }
 
@@ -33,7 +41,7 @@ EntriesResult enter(std::vector<Contestant> mice, std::string_view world, const 
   std::vector<std::vector<Contestant>> by_world(all_worlds().size());
   for (Contestant& mouse : mice) {
     const std::size_t home = home_of(mouse);
-    if (home == by_world.size()) return {{}, fmt::format("error: mouse '{}' cannot race in any world", mouse.name)};
+    if (home == by_world.size()) return {{}, fmt::format("error: mouse '{}' cannot race in any world", mouse.name), {}};
     by_world[home].push_back(std::move(mouse));
   }
   EntriesResult result;

@@ -1,0 +1,123 @@
+// Lineups as a user meets them.
+#include <filesystem>
+
+#include "tests/cli/user.hpp"
+
+namespace labmouse::test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+/// A robot that turns on the spot and says so.
+constexpr const char* turning =
+    "import os\nimport sys\nclass Robot(object):\n    def __init__(self, dim):\n"
+    "        sys.stderr.write('words %s mode %s' % (sys.argv[1:], os.environ.get('MODE')))\n"
+    "    def next_move(self, sensors):\n        return 90, 0\n";
+
+class ATeacher : public AUser {
+ protected:
+  ATeacher() {
+    file("corridor.txt", corridor);
+    std::filesystem::create_directories(folder_ / "class" / "anna");
+    file("class/anna/robot.py", turning);
+  }
+  std::string names(const Ended& ended) const {
+    const auto json = nlohmann::json::parse(ended.out);
+    std::string all;
+    for (const auto& mouse : json.at("mice")) all += mouse.at("name").get<std::string>() + ";";
+    return all;
+  }
+  Ended race_of(const std::string& lineup, std::vector<std::string> more = {}) const {
+    file("class/mice.toml", lineup);
+    more.insert(more.begin(), {"race", "--mazes", "corridor.txt", "--lineup", "class/mice.toml", "--format", "json"});
+    return labmouse(std::move(more));
+  }
+};
+
+TEST_F(ATeacher, RacesALineupByItsNames) {
+  const Ended ended = race_of(
+      "[[mouse]]\nname = \"Anna's\"\ncapstone = \"anna/robot.py\"\narguments = [\"ff\", \"no\"]\n"
+      "environment = { MODE = \"fast\" }\nnote = \"by Anna\"\n[[mouse]]\nname = \"quick\"\nmouse = \"flood\"\n");
+  EXPECT_EQ(names(ended), "quick;Anna's;");
+  const auto anna = nlohmann::json::parse(ended.out).at("mice")[1];
+  EXPECT_EQ(anna.at("note"), "by Anna");
+  EXPECT_THAT(anna.at("spec").get<std::string>(), HasSubstr("class/anna/robot.py"));
+  EXPECT_THAT(anna.at("interpreter").at("version").get<std::string>(), HasSubstr("3."));
+  EXPECT_THAT(anna.at("results")[0].at("last_words").get<std::string>(), HasSubstr("words ['ff', 'no'] mode fast"));
+}
+
+TEST_F(ATeacher, LeavesOutWhoCannotEnterAWorld) {
+  const std::string lineup =
+      "[[mouse]]\nname = \"Anna's\"\ncapstone = \"anna/robot.py\"\n[[mouse]]\nname = \"quick\"\nmouse = \"flood\"\n";
+  const Ended ended = race_of(lineup, {"--world", "seconds"});
+  EXPECT_EQ(ended.code, 0);
+  EXPECT_THAT(ended.out, testing::AllOf(HasSubstr("\"quick\""), Not(HasSubstr("Anna's"))));
+  EXPECT_THAT(ended.err, Says("left out", "Anna's"));
+  // One that is named itself is refused.
+  EXPECT_EQ(labmouse({"race", "--mice", "flood,capstone:class/anna/robot.py", "--world", "seconds"}).code, 2);
+}
+
+TEST_F(ATeacher, IsToldWhereALineupIsWrong) {
+  const Ended ended =
+      race_of("[[mouse]]\nname = \"a\"\nmouse = \"flod\"\n[[mouse]]\nname = \"b\"\ncapstone = \"no.py\"\n");
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_THAT(ended.err, Says("mice.toml:1:1", "'flood'", "mice.toml:4:1", "no.py"));
+}
+
+TEST_F(ATeacher, NamesMiceOnTheCommandLine) {
+  const Ended ended =
+      labmouse({"race", "--mazes", "corridor.txt", "--format", "json", "--mice",
+                "far=flood:stride=2,near=flood:stride=1", "--mice", "mine=capstone:class/anna/robot.py ff no"});
+  EXPECT_THAT(names(ended), testing::AllOf(HasSubstr("far;"), HasSubstr("near;"), HasSubstr("mine;")));
+  EXPECT_THAT(ended.out, HasSubstr("words ['ff', 'no']"));
+  EXPECT_THAT(labmouse({"race", "--mice", "a=flood,a=certify"}).err, Says("'a'", "name"));
+  EXPECT_THAT(labmouse({"race", "--mice", "a=lineup:class/mice.toml"}).err, Says("'a'", "own names"));
+}
+
+TEST_F(ATeacher, RunsOneMouseOfALineup) {
+  file("class/mice.toml", "[[mouse]]\nname = \"a\"\nmouse = \"flood\"\n[[mouse]]\nname = \"b\"\nmouse = \"certify\"\n");
+  EXPECT_THAT(labmouse({"run", "lineup:class/mice.toml:b", "corridor.txt"}).out,
+              HasSubstr("b in corridor.txt: solved"));
+  EXPECT_THAT(labmouse({"run", "lineup:class/mice.toml:c", "corridor.txt"}).err, HasSubstr("'c'"));
+  EXPECT_EQ(labmouse({"run", "lineup:class/mice.toml", "corridor.txt"}).code, 2);
+}
+
+TEST_F(ATeacher, WritesALineupAndChecksIt) {
+  std::filesystem::create_directories(folder_ / "class" / "clock");
+  file("class/clock/robot.py",
+       "import time\nclass Robot(object):\n    def __init__(self, dim):\n        pass\n"
+       "    def next_move(self, sensors):\n        return [90, -90][time.time_ns() // 1000 % 2], 0\n");
+  std::filesystem::create_directories(folder_ / "class" / "wrong");
+  file("class/wrong/robot.py",
+       "class Robot(object):\n    def __init__(self, dim):\n        raise ValueError('no way')\n"
+       "    def next_move(self, sensors):\n        pass\n");
+  const Ended written = labmouse({"lineup", "init", "class"});
+  EXPECT_EQ(written.code, 0);
+  EXPECT_THAT(content_of(folder_ / "class" / "mice.toml"), HasSubstr("name = \"anna\"\ncapstone = \"anna/robot.py\""));
+  EXPECT_THAT(labmouse({"lineup", "init", "class"}).err, Says("mice.toml", "--overwrite"));
+  EXPECT_EQ(labmouse({"lineup", "init", "class", "--overwrite"}).code, 0);
+  const Ended checked = labmouse({"lineup", "check", "class/mice.toml"});
+  EXPECT_EQ(checked.code, 1);
+  EXPECT_THAT(checked.out, testing::ContainsRegex("anna +capstone Python 3[.0-9]+ +plays[^\n]*\n"));
+  EXPECT_THAT(checked.out, testing::ContainsRegex("clock[^\n]*plays[^\n]*differs from run to run"));
+  EXPECT_THAT(checked.out, testing::ContainsRegex("wrong[^\n]*error"));
+  EXPECT_THAT(checked.out, HasSubstr("no way"));
+  EXPECT_THAT(checked.out, Not(testing::ContainsRegex("anna[^\n]*differs")));
+}
+
+TEST_F(ATeacher, GetsTheSameTableTwice) {
+  file("class/anna/robot.py",
+       "import random\nclass Robot(object):\n    def __init__(self, dim):\n        pass\n"
+       "    def next_move(self, sensors):\n        return random.choice([90, -90, 0]), random.choice([1, 2])\n");
+  const auto walk = [&] {
+    labmouse({"run", "capstone:class/anna/robot.py", "corridor.txt", "--record", "walk.jsonl"});
+    return content_of(folder_ / "walk.jsonl");
+  };
+  const std::string first = walk();
+  EXPECT_EQ(walk(), first);
+  EXPECT_THAT(first, HasSubstr("\"interpreter\":"));
+}
+
+}  // namespace
+}  // namespace labmouse::test
