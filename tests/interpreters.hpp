@@ -11,7 +11,7 @@ namespace labmouse::test {
 /// PATH is not enough: version managers leave names there that only say what is missing.
 inline std::string first_that_runs(std::initializer_list<const char*> names, const std::string& argument) {
   for (const std::string name : names)
-    if (std::system((name + " " + argument + " >/dev/null 2>&1 </dev/null").c_str()) == 0) return name;
+    if (std::system(("'" + name + "' " + argument + " >/dev/null 2>&1 </dev/null").c_str()) == 0) return name;
   return "";
 }
 
@@ -23,6 +23,13 @@ inline const std::string& python3() {
 inline const std::string& python2() {
   static const std::string name =
       first_that_runs({"python2.7", "python2"}, "-c 'import sys; sys.exit(sys.version_info[:2] != (2, 7))'");
+  return name;
+}
+
+/// The one that `scripts/install ci` makes, or that of PATH.
+inline const std::string& python_with_numpy() {
+  static const std::string name =
+      first_that_runs({LABMOUSE_SOURCE_DIR "/build/python/bin/python", "python3"}, "-c 'import numpy'");
   return name;
 }
 

@@ -28,10 +28,14 @@ class ARobot : public testing::TestWithParam<const char*> {
   void SetUp() override {
     options_.python = std::string(GetParam()) == "python3" ? python3() : python2();
     if (options_.python.empty()) GTEST_SKIP() << "no " << GetParam() << " that runs is in PATH";
+    prepare();
+  }
+  ~ARobot() override { std::filesystem::remove_all(folder_); }
+
+  void prepare() {
     options_.limits = patient();
     std::filesystem::create_directories(folder_);
   }
-  ~ARobot() override { std::filesystem::remove_all(folder_); }
 
   std::string file(const std::string& name, const std::string& content) const {
     std::ofstream(folder_ / name, std::ios::binary) << content;
@@ -39,7 +43,7 @@ class ARobot : public testing::TestWithParam<const char*> {
   }
 
   /// A contest of the robot in that file.
-  RunRecord contest_of(const std::string& path, int budget) const {
+  RunRecord contest_of(const std::string& path, int budget, std::uint64_t seed = 1) const {
     static const Maze corridor = drawn(R"(
         o---o---o---o
         | S       G |
@@ -50,7 +54,7 @@ class ARobot : public testing::TestWithParam<const char*> {
     if (!read.error.empty()) return {};
     Rules rules;
     rules.budget = budget;
-    const auto mind = read.contestants.front().make(corridor, rules, 1);
+    const auto mind = read.contestants.front().make(corridor, rules, seed);
     return run(corridor, rules, *mind);
   }
 
@@ -78,6 +82,18 @@ class ARobot : public testing::TestWithParam<const char*> {
   GuestOptions options_;
   std::filesystem::path folder_ = std::filesystem::temp_directory_path() /
                                   ("labmouse-robot-" + std::to_string(getpid()) + "-" + std::string(GetParam()));
+};
+
+/// Robots that import numpy. A check that may not skip tests needs one.
+class ARobotWithNumpy : public ARobot {
+ protected:
+  void SetUp() override {
+    options_.python = python_with_numpy();
+    if (options_.python.empty() && std::getenv("LABMOUSE_NO_SKIP") != nullptr)
+      FAIL() << "no Python with numpy runs; `scripts/install ci` makes one in build/python";
+    if (options_.python.empty()) GTEST_SKIP() << "no python3 in PATH has numpy (see `scripts/install ci`)";
+    prepare();
+  }
 };
 
 }  // namespace labmouse::test

@@ -12,6 +12,7 @@ namespace labmouse {
 namespace {
 
 using test::ARobot;
+using test::ARobotWithNumpy;
 using test::Says;
 using testing::AllOf;
 using testing::ElementsAre;
@@ -252,11 +253,21 @@ TEST_P(ARobot, KeepsTheLastOfMuchThatItSaid) {
   EXPECT_LT(record.last_words.size(), 5000U);
 }
 
-/// The same contest gives the same record again and again.
-void expect_repeats(const std::function<RunRecord()>& contest) {
-  const RunRecord first = contest();
+// Chance, in the ways of students.
+
+/// Robots that turn by chance; a way defines turn(robot), which may use robot.n and what set_up(robot) left.
+std::string robot_turning(const std::string& way) {
+  return "def set_up(robot): pass\n" + way +
+         "class Robot(object):\n    n = 0\n    def __init__(self, maze_dim):\n        set_up(self)\n"
+         "    def next_move(self, sensors):\n        self.n += 1\n        return turn(self), 0\n";
+}
+
+/// The contests of a seed give one record again and again, and those of another seed another one.
+void expect_repeats(const std::function<RunRecord(std::uint64_t seed)>& contest) {
+  const RunRecord first = contest(1);
   EXPECT_EQ(first.outcome, Outcome::out_of_steps) << first.last_words;
-  for (int again = 0; again < 3; ++again) EXPECT_EQ(contest(), first);
+  for (int again = 0; again < 2; ++again) EXPECT_EQ(contest(1), first);
+  EXPECT_NE(contest(2).steps, first.steps);
 }
 
 TEST_P(ARobot, ThrowsTheSameDiceInTheSameContest) {
@@ -266,22 +277,80 @@ TEST_P(ARobot, ThrowsTheSameDiceInTheSameContest) {
       "import random\nrandom.seed()\nturn = lambda robot: random.choice([-90, 0, 90])\n",
       "import random\ndice = random.Random()\nturn = lambda robot: dice.choice([-90, 0, 90])\n",
       "import random\ndice = random.SystemRandom()\nturn = lambda robot: dice.choice([-90, 0, 90])\n",
+      "import random\ndef set_up(robot): robot.turns = [random.sample([-90, 0, 90], 1)[0] for _ in range(20)]\n"
+      "turn = lambda robot: robot.turns.pop()\n",
       "import os\nturn = lambda robot: [-90, 0, 90][bytearray(os.urandom(1))[0] % 3]\n",
       "import random\nsides = list({'left', 'ahead', 'right'})\nrandom.shuffle(sides)\n"
       "turn = lambda robot: {'left': -90, 'ahead': 0, 'right': 90}[random.choice(sides)]\n",
+      "turns = [ord(name[0]) % 3 * 90 - 90 for name in {'a%d' % n if n % 2 else 'b%d' % n for n in range(20)}]\n"
+      "turn = lambda robot: turns.pop()\n",
       "turn = lambda robot: hash('a name' + str(robot.n)) % 3 * 90 - 90\n"};
   for (const std::string& way : ways) {
     SCOPED_TRACE(way);
-    const std::string code = way +
-                             "class Robot(object):\n    n = 0\n    def __init__(self, maze_dim):\n        pass\n"
-                             "    def next_move(self, sensors):\n        self.n += 1\n        return turn(self), 0\n";
-    const std::string path = file("robot.py", code);
-    expect_repeats([&] { return contest_of(path, 20); });
+    const std::string path = file("robot.py", robot_turning(way));
+    expect_repeats([&](std::uint64_t seed) { return contest_of(path, 20, seed); });
   }
+}
+
+TEST_P(ARobot, ThrowsTheSameDiceOfAnOldNumpyThatAsksTheSystemItself) {
+  std::filesystem::create_directories(folder_ / "numpy" / "random");
+  file("numpy/__init__.py", "");
+  file("numpy/random/__init__.py", test::unindented(R"(
+    class RandomState(object):
+        def __init__(self, seed=None):
+            RandomState.seed(self, seed)
+        def seed(self, seed=None):
+            with open('/dev/urandom', 'rb') as system:
+                self.state = sum(byte << 8 * n for n, byte in enumerate(bytearray(system.read(4)))) if seed is None else seed
+        def turn(self):
+            self.state = (self.state * 1103515245 + 12345) % 2 ** 31
+            return self.state // 2 ** 16 % 3 * 90 - 90
+
+    shared = RandomState()
+    seed, turn = shared.seed, shared.turn
+  )"));
+  for (const char* way : {"from numpy.random import turn as throw\nturn = lambda robot: throw()\n",
+                          "import numpy.random\ndice = numpy.random.RandomState()\nturn = lambda robot: dice.turn()\n",
+                          "from numpy import random\nrandom.seed()\nturn = lambda robot: random.turn()\n",
+                          "from numpy.random import RandomState\ndice = RandomState(5)\ndice.seed()\n"
+                          "turn = lambda robot: dice.turn()\n"}) {
+    SCOPED_TRACE(way);
+    const std::string path = file("robot.py", robot_turning(way));
+    expect_repeats([&](std::uint64_t seed) { return contest_of(path, 20, seed); });
+  }
+}
+
+TEST_P(ARobotWithNumpy, ThrowsTheSameDiceInTheSameContest) {
+  const std::vector<std::string> ways = {
+      "import numpy as np\nturn = lambda robot: np.random.choice([-90, 0, 90])\n",
+      "from numpy.random import randint\nturn = lambda robot: 90 * randint(-1, 2)\n",
+      "import numpy\ndice = numpy.random.RandomState()\nturn = lambda robot: dice.choice([-90, 0, 90])\n",
+      "import numpy as np\ndef set_up(robot): robot.dice = np.random.default_rng()\n"
+      "turn = lambda robot: robot.dice.choice([-90, 0, 90])\n",
+      "import random, numpy as np\nnp.random.seed()\nturn = lambda robot: np.random.permutation([-90, 0, 90])[0]\n",
+      "import numpy as np\nturns = list({'left', 'ahead', 'right'}) * 7\nnp.random.shuffle(turns)\n"
+      "turn = lambda robot: {'left': -90, 'ahead': 0, 'right': 90}[turns.pop()]\n"};
+  for (const std::string& way : ways) {
+    SCOPED_TRACE(way);
+    const std::string path = file("robot.py", robot_turning(way));
+    expect_repeats([&](std::uint64_t seed) { return contest_of(path, 20, seed); });
+  }
+}
+
+TEST_P(ARobotWithNumpy, KeepsTheSeedThatItChose) {
+  const std::string path = file("robot.py", robot_turning("import numpy as np\nnp.random.seed(5)\n"
+                                                          "turn = lambda robot: np.random.choice([-90, 0, 90])\n"));
+  EXPECT_EQ(contest_of(path, 20, 1).steps, contest_of(path, 20, 2).steps);
+}
+
+TEST_P(ARobotWithNumpy, LoadsItOnlyWhereItIsUsed) {
+  const RunRecord record = contest_by("import random, sys\nreturn 90, 'numpy' in sys.modules", 1);
+  EXPECT_THAT(actions(record), ElementsAre(step(90, 0)));
 }
 
 INSTANTIATE_TEST_SUITE_P(Python, ARobot, testing::Values("python3", "python2"),
                          [](const auto& python) { return std::string(python.param); });
+INSTANTIATE_TEST_SUITE_P(Python, ARobotWithNumpy, testing::Values("numpy"));
 
 }  // namespace
 }  // namespace labmouse

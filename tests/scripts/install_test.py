@@ -11,7 +11,8 @@ import sys
 import tempfile
 import unittest
 
-INSTALL = pathlib.Path(sys.argv.pop(1)).resolve() / "scripts" / "install"
+SOURCE = pathlib.Path(sys.argv.pop(1)).resolve()
+INSTALL = SOURCE / "scripts" / "install"
 SYSTEMS = ("Debian", "Fedora", "Arch", "Homebrew")
 
 
@@ -22,7 +23,7 @@ class Machine:
         self.folder = pathlib.Path(folder)
         self.calls = self.folder / "calls"
         self.calls.touch()
-        for tool in ("sh", "cat", "cmp", "dirname", "env", "grep", "head", "mktemp", "rm", "sed", "tail"):
+        for tool in ("sh", "cat", "chmod", "cmp", "cp", "dirname", "env", "grep", "head", "mkdir", "mktemp", "rm", "sed", "tail"):
             (self.folder / tool).symlink_to(shutil.which(tool))
         self.add("id", "echo 0")
 
@@ -41,9 +42,9 @@ class Machine:
         self.add("dpkg-query", "\n".join(f'[ "$3" = {name} ] && exit 1' for name in missing) + "\nprintf installed")
         self.add("apt-get")
 
-    def install(self, part="race"):
+    def install(self, part="race", script=INSTALL):
         environment = {**os.environ, "PATH": str(self.folder)}
-        return subprocess.run([INSTALL, part], env=environment, capture_output=True, text=True)
+        return subprocess.run([script, part], env=environment, capture_output=True, text=True)
 
     def called(self, name):
         return [line for line in self.calls.read_text().splitlines() if line.startswith(name + " ")]
@@ -121,6 +122,64 @@ class Install(unittest.TestCase):
 
     def test_an_unknown_set_is_refused(self):
         self.assertEqual(self.machine.install("everything").returncode, 2)
+
+
+class PythonPackages(unittest.TestCase):
+    """For CI, in a clone of which no more is there than this needs."""
+
+    def setUp(self):
+        for name in ("machine", "clone"):
+            folder = tempfile.TemporaryDirectory()
+            self.addCleanup(folder.cleanup)
+            setattr(self, name, pathlib.Path(folder.name))
+        self.machine = Machine(self.machine)
+        self.machine.add_dpkg()
+        self.requirements = self.clone / "scripts" / "python-requirements.txt"
+        page = self.clone / "apps" / "web" / "page"
+        (page / "node_modules").mkdir(parents=True)
+        for file in (page / "package-lock.json", page / "node_modules" / ".installed-lock.json"):
+            file.touch()
+        shutil.copytree(SOURCE / "scripts", self.requirements.parent)
+
+    def add_python(self, pip="exit 0"):
+        """A python3 that makes an environment whose pip does that."""
+        self.machine.add("pip", pip)
+        self.machine.add("python3", "mkdir -p build/python/bin; "
+                         "printf '#!/bin/sh\\nexec pip \"$@\"\\n' >build/python/bin/python; chmod +x build/python/bin/python")
+
+    def install(self, part="ci"):
+        return self.machine.install(part, self.clone / "scripts" / "install")
+
+    def test_are_installed_with_hashes_and_only_once(self):
+        self.add_python()
+        self.assertEqual(self.install().returncode, 0)
+        (call,) = self.machine.called("pip")
+        self.assertIn("--require-hashes", call)
+        result = self.install()
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertEqual(len(self.machine.called("pip")), 1)
+
+    def test_are_installed_again_where_others_are_wanted(self):
+        self.add_python()
+        self.install()
+        self.requirements.write_text("numpy==2.0.0\n")
+        self.assertEqual(self.install().returncode, 0)
+        self.assertEqual(len(self.machine.called("pip")), 2)
+
+    def test_that_cannot_be_installed_are_an_error_each_time(self):
+        self.add_python(pip="echo 'no such wheel'; exit 1")
+        for _ in range(2):
+            result = self.install()
+            self.assertEqual(result.returncode, 2)
+            self.assertIn("no such wheel", result.stderr)
+            self.assertIn("scripts/install: error: ", result.stderr.splitlines()[-1])
+
+    def test_are_for_ci_alone(self):
+        self.machine.add_build(found=True)
+        self.add_python(pip="exit 1")
+        for part in ("race", "check", "page"):
+            self.assertEqual(self.install(part).returncode, 0)
+        self.assertEqual(self.machine.called("pip"), [])
 
 
 unittest.main()

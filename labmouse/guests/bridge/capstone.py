@@ -39,6 +39,58 @@ def sow(seed):
     random.Random.seed = seeded
     random.seed = random._inst.seed
     random.seed(seed)
+    sys.meta_path.insert(0, NumpySower(lambda: source.getrandbits(32)))
+
+
+class NumpySower(object):
+    """Sows numpy's dice as they are imported, before anybody throws them; robots without numpy load none."""
+
+    def __init__(self, next_seed):
+        self.next_seed = next_seed
+
+    def find_spec(self, name, path=None, target=None):
+        """Python 3 asks how to load a module: numpy's dice as ever, and then they are sown."""
+        if name != "numpy.random":
+            return None
+        import importlib.machinery
+        spec = importlib.machinery.PathFinder.find_spec(name, path)
+        load = spec.loader.exec_module
+
+        def load_and_sow(module):
+            load(module)
+            self.sow(module)
+
+        spec.loader.exec_module = load_and_sow
+        return spec
+
+    def find_module(self, name, path=None):
+        """Python 2 asks who loads a module, and then has it loaded."""
+        return self if name == "numpy.random" else None
+
+    def load_module(self, name):
+        sys.meta_path.remove(self)
+        __import__(name)
+        self.sow(sys.modules[name])
+        return sys.modules[name]
+
+    def sow(self, dice):
+        if not hasattr(dice, "SeedSequence"):
+            self.sow_old(dice)
+        dice.seed(self.next_seed())
+
+    def sow_old(self, dice):
+        """Before 1.17, numpy gets its seeds from the system in C, where nothing can be put in between."""
+        next_seed, plain, shared = self.next_seed, dice.RandomState, dice.seed
+
+        class RandomState(plain):
+            def __init__(self, seed=None):
+                plain.__init__(self, next_seed() if seed is None else seed)
+
+            def seed(self, seed=None):
+                plain.seed(self, next_seed() if seed is None else seed)
+
+        dice.RandomState = RandomState
+        dice.seed = lambda seed=None: shared(next_seed() if seed is None else seed)
 
 
 def within(number):
