@@ -26,6 +26,7 @@ Launch capstone_launch(const std::string& robot, const std::string& python, cons
   launch.words = {python, "-u", "-c", std::string(capstone_bridge()), path.filename().string()};
   launch.words.insert(launch.words.end(), arguments.begin(), arguments.end());
   launch.directory = path.parent_path().string();
+  launch.beginning = "the Robot of " + path.filename().string() + " was made";
   return launch;
 }
 

@@ -6,6 +6,7 @@
 
 #include "labmouse/guests/patience.hpp"
 #include "labmouse/guests/protocol.hpp"
+#include "labmouse/guests/quoted_line.hpp"
 
 namespace labmouse {
 namespace {
@@ -14,13 +15,6 @@ using namespace std::chrono_literals;
 
 /// At its end a guest may still put something down.
 constexpr auto grace = 250ms;
-
-/// How much of a wrong line is quoted.
-constexpr std::size_t quoted = 60;
-
-std::string quote(std::string_view line) {
-  return fmt::format("'{}{}'", line.substr(0, quoted), line.size() > quoted ? "..." : "");
-}
 
 /// A text without the ends of its last lines.
 std::string_view without_end(std::string_view text) {
@@ -46,6 +40,7 @@ ForfeitReason reason_of(TreeLimit limit) {
 
 GuestMind::GuestMind(const Launch& launch, const Briefing& briefing)
     : limits_(launch.limits),
+      beginning_(launch.beginning),
       knowledge_(briefing.size),
       contest_end_(Clock::now() + launch.limits.contest),
       process_(launch) {
@@ -66,13 +61,14 @@ Action GuestMind::decide(const Sighting& seen) {
   if (!line) return Action::forfeit(reason_);
   const auto action = read_answer(*line);
   if (!action) {
-    give_up(ForfeitReason::rubbish,
-            fmt::format("it answered {} instead of `move ROTATION MOVEMENT`, `reset` or `forfeit`", quote(*line)));
+    give_up(
+        ForfeitReason::rubbish,
+        fmt::format("it answered {} instead of `move ROTATION MOVEMENT`, `reset` or `forfeit`", quoted_line(*line)));
     return Action::forfeit(reason_);
   }
   if (const auto more = process_.lines().rest(); !more.empty()) {
-    give_up(ForfeitReason::flooded,
-            fmt::format("after its answer {} it wrote more: {}", quote(*line), quote(more.substr(0, more.find('\n')))));
+    give_up(ForfeitReason::flooded, fmt::format("after its answer {} it wrote more: {}", quoted_line(*line),
+                                                quoted_line(more.substr(0, more.find('\n')))));
     return Action::forfeit(reason_);
   }
   if (action->kind == Action::Kind::forfeit) give_up(action->reason, "it answered `forfeit`");
@@ -87,7 +83,7 @@ void GuestMind::greet() {
                          ? "; it seems to be written for mms; race it as mms:COMMAND"
                          : "";
   give_up(ForfeitReason::rubbish,
-          fmt::format("its first line is {} instead of '{}'{}", quote(*line), guest_greeting, hint));
+          fmt::format("its first line is {} instead of '{}'{}", quoted_line(*line), guest_greeting, hint));
 }
 
 std::optional<std::string_view> GuestMind::hear(std::chrono::milliseconds silence, std::chrono::nanoseconds work) {
@@ -95,16 +91,17 @@ std::optional<std::string_view> GuestMind::hear(std::chrono::milliseconds silenc
   for (;;) {
     const auto line = process_.lines().next();
     if (patience.is_overworked(process_)) {
-      give_up(ForfeitReason::late,
-              fmt::format("it worked for {} of processor time{}; the limit is {} (--decision-limit)",
-                          seconds_text(patience.worked()),
-                          line ? " for its answer " + quote(*line) : " and had not answered", seconds_text(work)));
+      give_up(
+          ForfeitReason::late,
+          fmt::format("it worked for {} of processor time{}; the limit is {} (--decision-limit)",
+                      seconds_text(patience.worked()),
+                      line ? " for its answer " + quoted_line(*line) : " and had not answered", seconds_text(work)));
       return std::nullopt;
     }
     if (line) return line;
     if (process_.lines().too_long()) {
       give_up(ForfeitReason::flooded, fmt::format("it wrote a line of more than {} bytes: {}", limits_.longest_line,
-                                                  quote(process_.lines().rest())));
+                                                  quoted_line(process_.lines().rest())));
       return std::nullopt;
     }
     const GuestEvent event = patience.wait(process_, contest_end_);
@@ -117,9 +114,8 @@ std::optional<std::string_view> GuestMind::hear(std::chrono::milliseconds silenc
 void GuestMind::give_up(GuestEvent event, std::chrono::milliseconds silence) {
   switch (event) {
     case GuestEvent::ended:
-      return give_up(ForfeitReason::died,
-                     fmt::format("it ended with {}{}", describe(process_.status().value_or(ExitStatus())),
-                                 greeted_ ? "" : fmt::format(" before it wrote '{}'", guest_greeting)));
+      return give_up(ForfeitReason::died, fmt::format("it ended with {}{}",
+                                                      describe(process_.status().value_or(ExitStatus())), too_early()));
     case GuestEvent::left:
       return give_up(ForfeitReason::left, "it ended, but a process that it had started kept its output open");
     case GuestEvent::closed:
@@ -137,12 +133,20 @@ void GuestMind::give_up(GuestEvent event, std::chrono::milliseconds silence) {
     return give_up(ForfeitReason::out_of_time,
                    fmt::format("its contest took longer than {} (--contest-limit)", seconds_text(limits_.contest)));
   if (process_.deaf()) return give_up(ForfeitReason::closed, "it closed its standard input");
-  const std::string_view begun = process_.lines().rest();
-  const std::string hint = !begun.empty() ? fmt::format("; it wrote {} without ending the line", quote(begun))
-                           : greeted_     ? std::string()
-                                          : std::string("; does it flush after each line?");
   give_up(ForfeitReason::hung, fmt::format("it was silent for {} ({}){}", seconds_text(silence),
-                                           greeted_ ? "--silence-limit" : "--start-limit", hint));
+                                           greeted_ ? "--silence-limit" : "--start-limit", behind_silence()));
+}
+
+std::string GuestMind::too_early() const {
+  if (greeted_) return "";
+  return beginning_.empty() ? fmt::format(" before it wrote '{}'", guest_greeting) : " before " + beginning_;
+}
+
+std::string GuestMind::behind_silence() {
+  const std::string_view begun = process_.lines().rest();
+  if (!begun.empty()) return fmt::format("; it wrote {} without ending the line", quoted_line(begun));
+  if (greeted_) return "";
+  return beginning_.empty() ? "; does it flush after each line?" : " before " + beginning_;
 }
 
 void GuestMind::give_up(ForfeitReason reason, std::string sentence) {

@@ -28,11 +28,15 @@ class GuestMind final : public Strategy {
   /// Its next line, before which it may be silent for so long and work for so long; nothing where it is to be given up.
   std::optional<std::string_view> hear(std::chrono::milliseconds silence, std::chrono::nanoseconds work);
   void greet();
+  /// When it ended too early, or what may be behind its silence; as the end of a sentence.
+  std::string too_early() const;
+  std::string behind_silence();
   /// Ends the guest and keeps why.
   void give_up(ForfeitReason reason, std::string sentence);
   void give_up(GuestEvent event, std::chrono::milliseconds silence);
 
   GuestLimits limits_;
+  std::string beginning_;  ///< as of its launch
   Knowledge knowledge_;
   Clock::time_point contest_end_;
   GuestProcess process_;

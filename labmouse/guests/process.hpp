@@ -24,6 +24,9 @@ struct Launch {
   std::vector<std::string> environment;
   /// Where it runs; empty: here.
   std::string directory;
+  /// What is done before its greeting, where a bridge of ours greets and not its author: "the Robot of robot.py was
+  /// made". Empty for all others.
+  std::string beginning;
   GuestLimits limits;
   /// Whether it lives in a sandbox (sandbox.hpp): it writes only to its folder and to a /tmp of its own, reaches no
   /// network and no process outside, and starts nowhere where why_no_sandbox() has something to say.

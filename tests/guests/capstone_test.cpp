@@ -199,7 +199,7 @@ TEST_P(ARobot, IsNotTheProgram) {
 
 TEST_P(ARobot, WithoutTheClassIsSaidToHaveNone) {
   expect_died(contest("class Rowboat(object): pass\n"), 1,
-              Says("exit code 1 ", "'labmouse 1'\n", "robot.py", "no class Robot"));
+              Says("exit code 1 ", " Robot of robot.py was made\n", "robot.py has no class Robot"));
 }
 
 TEST_P(ARobot, WithASyntaxErrorIsShownItsLine) {
@@ -215,6 +215,17 @@ TEST_P(ARobot, WhoseModuleFailsIsShownWhere) {
 TEST_P(ARobot, WhoseConstructorThrowsIsShownWhere) {
   expect_died(contest("class Robot(object):\n    def __init__(self, dim):\n        raise ValueError('dim %d' % dim)\n"),
               1, AllOf(HasSubstr("robot.py\", line 3, in __init__"), HasSubstr("ValueError: dim 3")));
+}
+
+TEST_P(ARobot, ThatIsNotReadyInTimeIsNotToldOfAProtocol) {
+  options_.limits.start = std::chrono::milliseconds(1);
+  const RunRecord record = contest("import time\ntime.sleep(60)\n");
+  EXPECT_THAT(record.last_words, Says("--start-limit", " Robot of robot.py was made"));
+}
+
+TEST_P(ARobot, WhoseConstructorTakesNoSizeIsToldHowItIsCalled) {
+  expect_died(contest("class Robot(object):\n    def __init__(self): pass\n"), 1,
+              AllOf(Says("TypeError", "Robot(maze_dim)", "next_move(sensors)"), Not(HasSubstr("<string>"))));
 }
 
 TEST_P(ARobot, WithoutNextMoveDies) {
@@ -251,6 +262,39 @@ TEST_P(ARobot, KeepsTheLastOfMuchThatItSaid) {
   const RunRecord record = contest_by("print('first')\nprint('x' * 99999)\nprint('last')\nraise SystemExit(1)");
   expect_died(record, 1, AllOf(HasSubstr("xxx\nlast"), Not(HasSubstr("first"))));
   EXPECT_LT(record.last_words.size(), 5000U);
+}
+
+// What to do about it.
+
+TEST_P(ARobot, OfTheOtherPythonIsToldWhichToName) {
+  using Codes = std::vector<const char*>;
+  const bool under_2 = std::string(GetParam()) == "python2";
+  const Codes of_2 = {"print 'go'\n",
+                      "try:\n    pass\nexcept ValueError, e:\n    pass\n",
+                      "raise ValueError, 'no'\n",
+                      "raw_input()\n",
+                      "xrange(3)\n",
+                      "unicode('a')\n",
+                      "import Queue\n",
+                      "{}.has_key(1)\n"};
+  const Codes of_3 = {"print('go', end='')\n", "name = f'{1}'\n", "def go(to: int): pass\n", "import queue\n"};
+  for (const char* code : under_2 ? of_3 : of_2) {
+    SCOPED_TRACE(code);
+    const std::string python = under_2 ? "--python python3" : "--python python2.7";
+    expect_died(contest(code), 1, Says(under_2 ? "for Python 3" : "for Python 2", python));
+  }
+}
+
+TEST_P(ARobot, WithMistakesOfItsOwnIsNotSentToTheOtherPython) {
+  for (const char* code : {"print('go'\n", "prnt('go')\n", "import no_such_module\n", "[].iter()\n", "raise 1\n",
+                           "class Robot(object):\n    def __init__(self): pass\n"}) {
+    SCOPED_TRACE(code);
+    expect_died(contest(code), 1, Not(HasSubstr("written for")));
+  }
+}
+
+TEST_P(ARobot, ThatLacksAModuleIsToldWhichPythonItRanUnder) {
+  expect_died(contest("import no_such_module.part\n"), 1, Says("no_such_module", "installed", "python", "--python"));
 }
 
 // Chance, in the ways of students.

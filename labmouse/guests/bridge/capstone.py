@@ -2,6 +2,7 @@
 # In syntax that Python 2.7 and Python 3 both take.
 import fcntl
 import os
+import re
 import sys
 import traceback
 
@@ -119,11 +120,44 @@ def degrees(rotation):
         return 1
 
 
+# Of the Python that runs, the other one: its version, its interpreter, and lines and names that only it has.
+OTHER_PYTHON = {
+    3: (2, "python2.7",
+        r"\s*(print|exec)\s+[\w'\"]|\s*print\s*>>|\s*except\s.*,\s*\w+\s*:|\s*raise\s+\w+\s*,|.*(<>|`)",
+        "xrange raw_input unicode basestring long unichr reduce execfile cmp reload has_key iteritems itervalues"
+        " iterkeys maxint izip Queue ConfigParser Tkinter tkMessageBox cPickle StringIO cStringIO urllib2"),
+    2: (3, "python3",
+        r".*\b[fF]['\"]|.*\bprint\s*\(.*\b(end|sep|file)\s*=|.*(->|:=)|\s*(nonlocal|async)\s|\s*def\s.*\w\s*:\s*\w.*\)",
+        "queue configparser tkinter builtins enum dataclasses typing pathlib statistics lru_cache FileNotFoundError")}
+
+
+def hint(kind, error, called):
+    """What to do about an error, where that can be told; `called`: by our call, and not in the robot's own code."""
+    version, interpreter, lines, names = OTHER_PYTHON[sys.version_info[0]]
+    named = re.search(r"(?:name|module named|has no attribute) '?([\w.]+)", str(error))
+    if issubclass(kind, SyntaxError):
+        other = re.match(lines, error.text or "")
+    else:
+        other = issubclass(kind, (NameError, ImportError, AttributeError)) and named and named.group(1) in names.split()
+    if other:
+        return ("it seems to be written for Python %d; name its interpreter with --python %s (or `interpreter` in a"
+                " lineup file)" % (version, interpreter))
+    if issubclass(kind, ImportError) and str(error).startswith("No module named") and named:
+        return ("module %s is neither in the robot's folder nor installed for %s (%d.%d.%d); install it there, or name"
+                " the interpreter that has it with --python" % ((named.group(1), sys.executable) + sys.version_info[:3]))
+    if called and issubclass(kind, (TypeError, AttributeError)):
+        return "it is called as Robot(maze_dim) once, and as next_move(sensors) in each step"
+    return ""
+
+
 def show(kind, error, trace):
     """Shows an error of the robot without the frames of this script and of Python's own loader."""
-    while trace and trace.tb_next and trace.tb_frame.f_code.co_filename.startswith("<"):
+    while trace and trace.tb_frame.f_code.co_filename.startswith("<"):
         trace = trace.tb_next
     traceback.print_exception(kind, error, trace)
+    words = hint(kind, error, called=trace is None)
+    if words:
+        sys.stderr.write("hint: %s\n" % words)
 
 
 def main():

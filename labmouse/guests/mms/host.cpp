@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "labmouse/guests/quoted_line.hpp"
+
 namespace labmouse {
 namespace {
 
@@ -15,15 +17,6 @@ constexpr double work_a_second = 253.07061515961826;
 constexpr int patience = 100;
 
 constexpr std::size_t most_logged = 100;
-
-/// The beginning of a line, fit for a log.
-std::string shown(std::string_view line) {
-  constexpr std::size_t most = 60;
-  std::string text(line.substr(0, most));
-  for (char& letter : text)
-    if (letter < ' ' || letter > '~') letter = '?';
-  return line.size() > most ? text + "..." : text;
-}
 
 }  // namespace
 
@@ -171,7 +164,7 @@ double MmsHost::clock() const { return work_ / work_a_second; }
 void MmsHost::log_invalid(std::string_view line, const std::string& problem) {
   ++invalid_lines_;
   if (log_.size() < most_logged)
-    log_.push_back("line " + std::to_string(lines_) + ": '" + shown(line) + "' " + problem);
+    log_.push_back("line " + std::to_string(lines_) + ": " + quoted_line(line) + " " + problem);
 }
 
 }  // namespace labmouse

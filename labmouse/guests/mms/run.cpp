@@ -5,6 +5,7 @@
 #include <csignal>
 
 #include "labmouse/guests/patience.hpp"
+#include "labmouse/guests/quoted_line.hpp"
 
 namespace labmouse {
 namespace {
@@ -145,9 +146,8 @@ class Hosting {
 
   /// What may be behind a silence.
   std::string hint() {
-    constexpr std::size_t quoted = 60;
     const std::string_view begun = guest_.lines().rest();
-    if (!begun.empty()) return fmt::format("; it wrote '{}' without ending the line", begun.substr(0, quoted));
+    if (!begun.empty()) return fmt::format("; it wrote {} without ending the line", quoted_line(begun));
     return host_.lines() == 0 ? "; does it flush after each line?" : "";
   }
 

@@ -96,6 +96,7 @@ void misbehave(const std::string& how) {
   if (how == "hang at the start") hang();
   if (how == "end at the start") return;
   if (how == "wrong greeting") return say("hello");
+  if (how == "marked greeting") return say("\xEF\xBB\xBFlabmouse 1");
   if (how == "mms") return say("mazeWidth");
   if (how == "other version") return say("labmouse 2"), hang();
   if (how == "daemon at the start") return leave_a_daemon(), say("rubbish"), hang();
