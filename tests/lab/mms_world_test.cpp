@@ -249,6 +249,17 @@ TEST(MmsTable, SaysHowRunsFailedAndWhatTheyWroteLast) {
   EXPECT_THAT(table_of(two_mice(complete), false), Not(HasSubstr("Traceback")));
 }
 
+TEST(MmsTable, NamesNoFailureInAMazeThatDoesNotCount) {
+  Race race = imagined_race({"a"}, {shaft(), plank()});
+  MmsRun failed = hung();
+  failed.end = "in the shaft";
+  imagine(race, 0, 0, failed);
+  imagine(race, 0, 1, imagined_run(2, 0, 2, 1));
+  EXPECT_THAT(table_of(race, false), Not(HasSubstr("in the shaft")));
+  imagine(race, 0, 1, hung());
+  EXPECT_THAT(table_of(race, false), AllOf(Says("a: hung 1; first in plank"), Not(HasSubstr("in the shaft"))));
+}
+
 TEST(MmsTable, SaysWhichLinesAreNoCommands) {
   EXPECT_THAT(table_of(two_mice(), false),
               Says("\n  python3 bad.py: 2 of 30;", "loop: line 3: 'turnright' is no command\n"));

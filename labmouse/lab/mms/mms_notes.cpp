@@ -23,7 +23,10 @@ std::vector<std::string> lines_at(const ContestResult& contest, F figure) {
   return ReadJson::parse(std::get<JsonText>(figure_at(contest, figure)).text).get<std::vector<std::string>>();
 }
 
-bool is_complete(const ContestResult& contest) { return text_at(contest, F::outcome) == name_of(MmsOutcome::complete); }
+/// Whether a run failed: in a maze in which nobody can score, none does.
+bool ended_badly(const Race& race, const ContestResult& contest) {
+  return counts(race, contest) && text_at(contest, F::outcome) != name_of(MmsOutcome::complete);
+}
 
 /// The first of a mouse's runs that is as asked; null where none is.
 template <class Wanted>
@@ -39,7 +42,7 @@ std::string ends_of(const Race& race, std::size_t mouse) {
   for (std::size_t outcome = 1; outcome <= static_cast<std::size_t>(MmsOutcome::interrupted); ++outcome) {
     const std::string_view name = name_of(static_cast<MmsOutcome>(outcome));
     const auto times = std::count_if(race.results.begin(), race.results.end(), [&](const ContestResult& contest) {
-      return contest.mouse == mouse && contest.done && text_at(contest, F::outcome) == name;
+      return contest.mouse == mouse && counts(race, contest) && text_at(contest, F::outcome) == name;
     });
     if (times > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name, times);
   }
@@ -50,7 +53,8 @@ std::string ends_of(const Race& race, std::size_t mouse) {
 std::string ends_of(const Race& race, const MouseColumn& names) {
   std::string text;
   for (std::size_t mouse = 0; mouse < race.mice.size(); ++mouse) {
-    const auto* first = first_run(race, mouse, [](const ContestResult& contest) { return !is_complete(contest); });
+    const auto* first =
+        first_run(race, mouse, [&](const ContestResult& contest) { return ended_badly(race, contest); });
     if (first == nullptr) continue;
     text += fmt::format("  {}: {}; first in {}: {}\n", names.of[mouse], ends_of(race, mouse),
                         shown(race.mazes[first->maze].name), shown(text_at(*first, F::end)));

@@ -31,10 +31,11 @@ std::string failures_of(const Race& race, std::size_t mouse) {
   return text;
 }
 
-/// How the first failed contest of a mouse that had something to say ended, and its last words.
+/// How the first failed contest of a mouse that had something to say ended, and its last words. In a maze in which
+/// nobody can score no contest is a failure.
 std::string last_words_of(const Race& race, std::size_t mouse) {
   for (const ContestResult& contest : race.results) {
-    if (contest.mouse != mouse || !contest.done || contest.score) continue;
+    if (contest.mouse != mouse || !counts(race, contest) || contest.score) continue;
     const Value said = figure_of(race, contest, said_last);
     if (!std::holds_alternative<std::string>(said)) continue;
     std::string_view words = std::get<std::string>(said);
