@@ -29,6 +29,13 @@ std::string frame_of(const RecordFile& file, const StepRecord& step, const Knowl
                      step.blocked ? "  blocked" : "");
 }
 
+/// Of a contest that never came to its speed run, the way of the exploration: it may show why.
+LayerSet summary_layers(const RunRecord& run) {
+  LayerSet layers = contest_layers();
+  if (run.steps.empty() || run.steps.back().run == Run::exploration) layers.insert(Layer::exploration);
+  return layers;
+}
+
 /// What the mouse said and counted and which steps were not performed as asked, if any, and how the contest went.
 std::string last_lines(const RecordFile& file) {
   const std::string counts = counts_line(file);
@@ -51,7 +58,7 @@ void watch(const RecordFile& file, int delay) {
 }
 
 std::string summary_of(const RecordFile& file) {
-  return draw_text(*file.maze, layers_of(file, contest_layers()), colours()) + exploration_line(file) + "\n" +
+  return draw_text(*file.maze, layers_of(file, summary_layers(file.run)), colours()) + exploration_line(file) + "\n" +
          last_lines(file);
 }
 

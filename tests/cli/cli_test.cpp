@@ -356,6 +356,13 @@ TEST_F(AUser, OverridesStartAndGoal) {
               HasSubstr("bound 1.067"));
 }
 
+TEST_F(AUser, SeesTheWayOfAnExplorationThatNeverEnded) {
+  file("corridor.txt", corridor);
+  EXPECT_THAT(labmouse({"run", "flood", "corridor.txt", "--budget", "1"}).out,
+              Says("+ 1 step to the goal", "never reset"));
+  EXPECT_THAT(labmouse({"run", "flood", "corridor.txt"}).out, AllOf(HasSubstr("solved"), Not(HasSubstr("+ 1 step"))));
+}
+
 TEST_F(AUser, ReplaysAndScoresARecord) {
   ASSERT_EQ(labmouse({"run", "certify", "capstone-1", "--record", "walk.jsonl", "--svg", "walk.svg"}).code, 0);
   EXPECT_THAT(content("walk.svg"), HasSubstr("<svg"));
