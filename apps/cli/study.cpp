@@ -31,8 +31,7 @@ Study hold(const StudyOptions& options, const std::vector<Contestant>& mice, con
 }
 
 int study(const StudyOptions& options) {
-  if (options.mice.empty() && options.lineups.empty())
-    throw UsageError("error: a study needs mice; name them with --mice or --lineup");
+  if (options.mice.empty() && options.lineups.empty()) throw UsageError("error: --mice or --lineup is required");
   std::vector<Contestant> mice =
       find_contestants(with_lineups(options.mice, options.lineups), options.contests.world, options.guests);
   const RaceOrder order = options.contests.order_in(options.contests.world.enter_one(mice));

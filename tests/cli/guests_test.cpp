@@ -120,7 +120,7 @@ TEST_F(AHostOfGuests, RefusesWhatIsNoGuest) {
   is_refused({"race", "--mice", "guest:no-such-program-anywhere"}, "'no-such-program-anywhere'", "PATH", "./mouse");
   is_refused({"race", "--mice", "flood,capstone:nowhere.py"}, "no such file", "'nowhere.py'");
   file("robot.py", "");
-  is_refused({"race", "--mice", "capstone:robot.py", "--python", "no-such-python"}, "no executable Python",
+  is_refused({"race", "--mice", "capstone:robot.py", "--python", "no-such-python"}, "no executable interpreter",
              "'no-such-python'");
   is_refused({"race", "--mice", "capstone:robot.py", "--python", LABMOUSE_BAD_GUEST}, "working Python",
              LABMOUSE_BAD_GUEST);
@@ -164,7 +164,7 @@ TEST_F(AHostOfGuests, RunsThemSideBySide) {
 TEST_F(AHostOfGuests, AnInterruptEndsThemAndPrintsWhatIsDone) {
   const Program program(folder_, {"race", "--jobs", "1", "--mice", bad("hang"), "--mice", "flood", "--mazes",
                                   "corridor.txt", "--silence-limit", "60"});
-  while (tagged_processes() < 2) std::this_thread::yield();  // the race itself has the tag among its words, too
+  while (bad_guests() < 1) std::this_thread::yield();
   program.interrupt();
   const Ended ended = program.wait();
   EXPECT_EQ(ended.code, 130);
@@ -175,7 +175,7 @@ TEST_F(AHostOfGuests, AnInterruptEndsThemAndPrintsWhatIsDone) {
 
 TEST_F(AHostOfGuests, NothingOutlivesARaceThatIsKilled) {
   const Program program(folder_, {"race", "--mice", bad("hang"), "--mazes", "corridor.txt", "--silence-limit", "60"});
-  while (tagged_processes() < 2) std::this_thread::yield();
+  while (bad_guests() < 1) std::this_thread::yield();
   program.kill();
   EXPECT_EQ(program.wait().code, -SIGKILL);
   while (tagged_processes() > 0) std::this_thread::yield();

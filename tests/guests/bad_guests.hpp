@@ -28,18 +28,21 @@ inline Launch bad_guest(const std::string& how) {
   return launch;
 }
 
-/// Processes with the tag among their words.
-inline int tagged_processes() {
+/// Processes with the tag among their words, and with that word in the first place where one is given.
+inline int tagged_processes(const std::string& first = "") {
   int count = 0;
   std::error_code error;
   for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
     // One that ends meanwhile cannot be read any more: a stream says so in its state, an iterator throws.
     std::ostringstream words;
     words << std::ifstream(entry.path() / "cmdline", std::ios::binary).rdbuf();
-    if (words.str().find(tag()) != std::string::npos) ++count;
+    if (words.str().starts_with(first) && words.str().find(tag()) != std::string::npos) ++count;
   }
   return count;
 }
+
+/// Bad guests that were started: the processes that start them still have other words.
+inline int bad_guests() { return tagged_processes(LABMOUSE_BAD_GUEST); }
 
 /// Children of this process, zombies among them.
 inline int children() {

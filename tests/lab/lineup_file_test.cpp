@@ -81,8 +81,8 @@ INSTANTIATE_TEST_SUITE_P(
     All, LineupMistakes,
     testing::Values(
         Mistake{"", 1, 1, {"[[mouse]]"}}, Mistake{"mouse = 3\n", 1, 1, {"[[mouse]]"}}, Mistake{"[[mouse]\n", 1, 9, {}},
-        Mistake{"[[mice]]\nname = 'a'\n", 1, 3, {"'mice'", "'mouse'"}},
-        Mistake{"[[mouse]]\nmouse = 'flood'\n", 1, 1, {"name"}}, Mistake{"[[mouse]]\nname = 'a'\n", 1, 1, {"capstone"}},
+        Mistake{"[[mice]]\nname = 'a'\n", 1, 3, {"'mice'"}}, Mistake{"[[mouse]]\nmouse = 'flood'\n", 1, 1, {"name"}},
+        Mistake{"[[mouse]]\nname = 'a'\n", 1, 1, {"capstone"}},
         Mistake{"[[mouse]]\nname = 'a'\nmouse = 'flood'\nguest = './a'\n", 4, 9, {"'mouse'"}},
         Mistake{"[[mouse]]\nname = 'a'\nmouse = 'flood'\n[[mouse]]\nname = 'a'\nmms = 'b'\n", 5, 8, {"'a'", "twice"}},
         Mistake{"[[mouse]]\nname = 'a'\nmouse = 'flood'\ndirectory = 'x'\n", 4, 13, {"'directory'", "guests"}},
