@@ -15,6 +15,7 @@
 #include <filesystem>
 #include <fstream>
 #include <mutex>
+#include <thread>
 #include <utility>
 
 #include "labmouse/guests/command_line.hpp"
@@ -30,6 +31,11 @@ namespace fs = std::filesystem;
 constexpr auto glance = 50ms;
 /// A program that ends closes its output first; one that has not ended after so long has only closed it.
 constexpr auto between_both = 500ms;
+/// How long a guest that waits for no reply may write on before it is read again; line by line, none fills its pipe
+/// much faster.
+constexpr auto nap = 1ms;
+/// Bytes: a portion of less was not worth its wait.
+constexpr ssize_t small_portion = 4096;
 
 /// Writing to a guest that has gone is an error to be seen, not one to die of.
 void ignore_broken_pipes() {
@@ -223,8 +229,10 @@ std::chrono::nanoseconds GuestProcess::processor_time() {
 
 void GuestProcess::send(std::string_view bytes) {
   if (deaf()) return;
+  // While some are on their way, there is room for more only once a look has found it.
+  const bool full = unsent() > 0;
   unsent_ += bytes;
-  write_some();
+  if (!full) write_some();
 }
 
 GuestEvent GuestProcess::wait(Clock::time_point deadline) {
@@ -237,6 +245,7 @@ GuestEvent GuestProcess::wait(Clock::time_point deadline) {
     const auto now = Clock::now();
     if (now >= closed_due_) return GuestEvent::closed;
     if (now >= deadline) return GuestEvent::timeout;
+    if (std::exchange(writes_on_, false)) std::this_thread::sleep_for(std::min<Clock::duration>(nap, deadline - now));
     if (look(std::min({deadline, now + glance, closed_due_}) - now)) return GuestEvent::output;
   }
 }
@@ -282,6 +291,8 @@ void GuestProcess::drop_input() {
 bool GuestProcess::read_output() {
   const ssize_t count = read(output_, portion_.data(), portion_.size());
   if (count > 0) lines_.append(std::string_view(portion_).substr(0, static_cast<std::size_t>(count)));
+  // Who leaves replies unread, or cannot hear any, waits for none: each line of its own should not wake us.
+  writes_on_ = count > 0 && count < small_portion && (unsent() > 0 || deaf());
   if (count == 0) {
     close_end(output_);
     closed_due_ = Clock::now() + between_both;

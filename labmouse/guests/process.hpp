@@ -127,7 +127,8 @@ class GuestProcess {
   LineBuffer lines_;
   std::string portion_;  ///< room for one read
   std::string unsent_;
-  std::size_t sent_ = 0;  ///< bytes of unsent_ that are on their way
+  std::size_t sent_ = 0;    ///< bytes of unsent_ that are on their way
+  bool writes_on_ = false;  ///< whether it wrote a little just now and waits for no reply
   std::string errors_;
   std::optional<ExitStatus> status_;
   TreeLimit exceeded_ = TreeLimit::none;

@@ -158,6 +158,19 @@ TEST(MmsRun, AMillionLinesAtOnceAreObeyed) {
   EXPECT_EQ(run.statistics.total_turns, 1'000'000);
 }
 
+TEST(MmsRun, RepliesBeyondWhatAPipeHoldsWaitForTheirReader) {
+  const MmsRun run = hosted({"trickle:40000:mazeWidth", "say:wallFront", "hear:40000", "need:16", "hear:1",
+                             "need:false", "ask:turnRight", "need:ack"});
+  EXPECT_EQ(run.outcome, MmsOutcome::complete);
+  EXPECT_EQ(run.lines, 40'002);
+}
+
+TEST(MmsRun, WhoClosesItsInputIsObeyedToItsEnd) {
+  const MmsRun run = hosted({"ask:mazeWidth", "deafen", "trickle:2000:turnRight"});
+  EXPECT_EQ(run.outcome, MmsOutcome::complete);
+  EXPECT_EQ(run.statistics.total_turns, 2000);
+}
+
 TEST(MmsRun, LinesThatTheProgramLeftBehindAreObeyedToo) {
   const MmsRun run = hosted({"burst:50000:turnRight"}, {.most_seconds = 1'000'000});
   EXPECT_EQ(run.outcome, MmsOutcome::complete);

@@ -4,6 +4,7 @@
 //   say:LINE     writes the line                              part:TEXT     writes text without a line's end
 //   hear:N       reads N replies, or complains and ends       exit:CODE, signal:NUMBER
 //   burst:N:LINE writes the line N times, in large portions   hang, work, close, leave
+//   trickle:N:LINE  the same, each by itself                  deafen        closes its standard input
 //   ask-on:LINE  asks for ever                                pour:LINE     writes the line for ever, and reads nothing
 //   drip         writes a byte of no line now and then        need:REPLY    ends with code 8 unless the last reply was
 //   it
@@ -37,6 +38,10 @@ void burst(long count, const std::string& line) {
   std::cout << all << std::flush;
 }
 
+void trickle(long count, const std::string& line) {
+  for (; count > 0; --count) say(line);
+}
+
 [[noreturn]] void work() {
   for (;;) (void)std::getenv("PATH");
 }
@@ -65,11 +70,13 @@ void obey(const std::string& word) {
   if (verb == "hear") hear(std::stol(rest));
   if (verb == "need" && last_reply != rest) std::exit(8);
   if (verb == "burst") burst(std::stol(rest), rest.substr(rest.find(':') + 1));
+  if (verb == "trickle") trickle(std::stol(rest), rest.substr(rest.find(':') + 1));
   if (verb == "part") std::cout << rest << std::flush;
   if (verb == "errors") std::cerr << rest << '\n';
   if (verb == "exit") std::exit(std::stoi(rest));
   if (verb == "signal") std::signal(std::stoi(rest), SIG_DFL), std::raise(std::stoi(rest));
   if (verb == "close") close(STDOUT_FILENO);
+  if (verb == "deafen") close(STDIN_FILENO);
   if (verb == "work") work();
   if (verb == "hang") hang();
   if (verb == "leave") leave();
