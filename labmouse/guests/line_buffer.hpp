@@ -22,7 +22,9 @@ class LineBuffer {
     begin_ = 0;
     const std::size_t old = text_.size();
     text_ += bytes;
-    text_.erase(std::remove(text_.begin() + static_cast<std::ptrdiff_t>(old), text_.end(), '\r'), text_.end());
+    // Hardly anyone writes one.
+    if (const std::size_t first = text_.find('\r', old); first != std::string::npos)
+      text_.erase(std::remove(text_.begin() + static_cast<std::ptrdiff_t>(first), text_.end(), '\r'), text_.end());
   }
 
   /// The next whole line without its end, valid until the next append; nothing where there is none or it is too long.

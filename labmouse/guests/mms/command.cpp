@@ -4,7 +4,6 @@
 #include <array>
 #include <charconv>
 #include <span>
-#include <vector>
 
 #include "labmouse/guests/mms/canvas.hpp"
 #include "labmouse/guests/mms/statistics.hpp"
@@ -22,7 +21,7 @@ struct Entry {
   int eighths = 0;
 };
 
-/// All commands, sorted by name.
+/// All commands.
 constexpr std::array entries = {
     Entry{"ackReset", MmsVerb::ack_reset, Form::nothing},
     Entry{"clearAllColor", MmsVerb::clear_all_colour, Form::nothing},
@@ -54,12 +53,32 @@ constexpr std::array entries = {
     Entry{"wallRight", MmsVerb::wall, Form::half_steps, 2},
     Entry{"wasReset", MmsVerb::was_reset, Form::nothing},
 };
-constexpr bool before(const Entry& a, const Entry& b) { return a.name < b.name; }
-static_assert(std::is_sorted(entries.begin(), entries.end(), before));
+
+constexpr auto command_names = [] {
+  std::array<std::string_view, entries.size()> names;
+  for (std::size_t i = 0; i < entries.size(); ++i) names[i] = entries[i].name;
+  return names;
+}();
+
+/// A place for a name in a table; no two commands share one.
+constexpr std::size_t places = 128;
+constexpr std::size_t place_of(std::string_view name) {
+  const auto letter = [&](std::size_t at) { return static_cast<unsigned char>(name[at]); };
+  return (name.size() + letter(1) + 4U * letter(name.size() - 2)) % places;
+}
+
+/// The command that may be at each place, counted from 1; 0 where none is.
+constexpr auto table = [] {
+  std::array<std::uint8_t, places> numbers{};
+  for (std::size_t i = 0; i < entries.size(); ++i)
+    numbers[place_of(entries[i].name)] = static_cast<std::uint8_t>(i + 1);
+  return numbers;
+}();
+static_assert(std::count(table.begin(), table.end(), 0) == places - entries.size(), "two commands share a place");
 
 const Entry* find(std::string_view name) {
-  const auto* found = std::lower_bound(entries.begin(), entries.end(), Entry{name, {}, {}}, before);
-  return found != entries.end() && found->name == name ? found : nullptr;
+  const std::size_t number = name.size() < 2 ? 0 : table[place_of(name)];
+  return number > 0 && entries[number - 1].name == name ? &entries[number - 1] : nullptr;
 }
 
 /// The words of a line, between blanks; no command has more than four, so the fifth stands for all further ones.
@@ -114,12 +133,6 @@ std::string suggestion(std::string_view word, std::span<const std::string_view> 
   return "; did you mean " + std::string(*nearest) + "?";
 }
 
-std::string no_such_command(std::string_view word) {
-  std::vector<std::string_view> names;
-  for (const Entry& entry : entries) names.push_back(entry.name);
-  return "there is no such command" + suggestion(word, names);
-}
-
 constexpr std::string_view sides = "nesw";
 
 // Each of these reads what follows a name, and says what is wrong with it; nothing where all is well.
@@ -141,7 +154,7 @@ std::string read_statistic(const Words& words, MmsCommand& command) {
   command.text = words.word[1];
   const auto names = statistic_names();
   if (std::find(names.begin(), names.end(), command.text) != names.end()) return {};
-  return "there is no such statistic" + suggestion(command.text, names);
+  return "there is no such statistic";
 }
 
 std::string read_cell(std::string_view x, std::string_view y, MmsCommand& command) {
@@ -205,13 +218,21 @@ MmsLine read_mms_line(std::string_view line) {
   const Words words = words_of(line);
   if (words.count == 0) return {{}, "has no reply: the line is empty"};
   const Entry* entry = find(words.word[0]);
-  if (entry == nullptr) return {{}, "has no reply: " + no_such_command(words.word[0])};
+  if (entry == nullptr) return {{}, "has no reply: there is no such command"};
   MmsCommand command;
   command.verb = entry->verb;
   command.eighths = entry->eighths;
   const std::string problem = read_arguments(*entry, words, line, command);
   if (problem.empty()) return {command, {}};
   return {{}, (entry->verb < MmsVerb::set_wall ? "has no reply: " : "is ignored: ") + problem};
+}
+
+std::string mms_suggestion(std::string_view line) {
+  const Words words = words_of(line);
+  if (words.count == 0) return {};
+  const Entry* entry = find(words.word[0]);
+  if (entry == nullptr) return suggestion(words.word[0], command_names);
+  return entry->form == Form::statistic && words.count == 2 ? suggestion(words.word[1], statistic_names()) : "";
 }
 
 }  // namespace labmouse

@@ -56,4 +56,8 @@ struct MmsLine {
 /// Reads a line without its end; the command points into it.
 MmsLine read_mms_line(std::string_view line);
 
+/// What its writer may have meant, to follow the problem of a line with a name that mms does not know: "; did you mean
+/// NAME?"; else empty. It looks at all names, which is too slow for each of a million lines.
+std::string mms_suggestion(std::string_view line);
+
 }  // namespace labmouse

@@ -164,7 +164,7 @@ double MmsHost::clock() const { return work_ / work_a_second; }
 void MmsHost::log_invalid(std::string_view line, const std::string& problem) {
   ++invalid_lines_;
   if (log_.size() < most_logged)
-    log_.push_back("line " + std::to_string(lines_) + ": " + quoted_line(line) + " " + problem);
+    log_.push_back("line " + std::to_string(lines_) + ": " + quoted_line(line) + " " + problem + mms_suggestion(line));
 }
 
 }  // namespace labmouse
