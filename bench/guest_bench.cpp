@@ -4,6 +4,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 
 #include "bench_mazes.hpp"
@@ -42,30 +43,53 @@ Launch bench_guest(std::vector<std::string> words) {
   return launch;
 }
 
-/// Two pipes, one line each way, nothing else: what no host can beat.
+/// A child with two pipes and nothing else.
+class BareGuest {
+ public:
+  explicit BareGuest(const char* how, const char* times = nullptr) {
+    std::array<int, 2> there{}, back{};
+    if (pipe(there.data()) != 0 || pipe(back.data()) != 0) return;
+    child_ = fork();
+    if (child_ == 0) {
+      dup2(there[0], STDIN_FILENO);
+      dup2(back[1], STDOUT_FILENO);
+      for (const int end : {there[0], there[1], back[0], back[1]}) close(end);
+      execl(LABMOUSE_BENCH_GUEST, LABMOUSE_BENCH_GUEST, how, times, nullptr);
+      _exit(127);
+    }
+    close(there[0]);
+    close(back[1]);
+    input_ = there[1];
+    output_ = back[0];
+  }
+  BareGuest(const BareGuest&) = delete;
+  BareGuest& operator=(const BareGuest&) = delete;
+  ~BareGuest() {
+    close(input_);
+    close(output_);
+    waitpid(child_, nullptr, 0);
+  }
+
+  bool say(std::string_view text) const { return write(input_, text.data(), text.size()) > 0; }
+  /// Reads what is there; empty at the end.
+  std::string_view hear() {
+    const ssize_t count = read(output_, bytes_.data(), bytes_.size());
+    return {bytes_.data(), count > 0 ? static_cast<std::size_t>(count) : 0};
+  }
+
+ private:
+  pid_t child_ = -1;
+  int input_ = -1, output_ = -1;
+  std::array<char, 1U << 16U> bytes_{};
+};
+
+/// One line each way, nothing else: what no host can beat.
 void ping_pong_bare(benchmark::State& state) {
   const OneProcessor one;
-  std::array<int, 2> there{}, back{};
-  if (pipe(there.data()) != 0 || pipe(back.data()) != 0) return state.SkipWithError("no pipes");
-  const pid_t child = fork();
-  if (child == 0) {
-    dup2(there[0], STDIN_FILENO);
-    dup2(back[1], STDOUT_FILENO);
-    for (const int end : {there[0], there[1], back[0], back[1]}) close(end);
-    execl(LABMOUSE_BENCH_GUEST, LABMOUSE_BENCH_GUEST, "echo", nullptr);
-    _exit(127);
-  }
-  close(there[0]);
-  close(back[1]);
-  constexpr std::string_view question = "sense 0 11 0\n";
-  std::array<char, 4096> answer{};
+  BareGuest guest("echo");
   for (auto _ : state)
-    if (write(there[1], question.data(), question.size()) < 0 || read(back[0], answer.data(), answer.size()) <= 0)
-      return state.SkipWithError("the child is gone");
+    if (!guest.say("sense 0 11 0\n") || guest.hear().empty()) return state.SkipWithError("the child is gone");
   state.SetItemsProcessed(state.iterations());
-  close(there[1]);
-  close(back[0]);
-  waitpid(child, nullptr, 0);
 }
 BENCHMARK(ping_pong_bare)->UseRealTime();
 
@@ -86,8 +110,10 @@ BENCHMARK(ping_pong_guest)->UseRealTime();
 void host(benchmark::State& state, const char* how, int times, int commands) {
   const OneProcessor one;
   const Maze maze = bench_mazes(16).front();
+  MmsOptions endless;
+  endless.most_seconds = 1'000'000;
   for (auto _ : state) {
-    const MmsRun run = run_mms(bench_guest({how, std::to_string(times)}), maze, {});
+    const MmsRun run = run_mms(bench_guest({how, std::to_string(times)}), maze, endless);
     if (run.lines != std::int64_t{times} * commands) return state.SkipWithError("commands were lost");
   }
   state.SetItemsProcessed(state.iterations() * times * commands);
@@ -101,6 +127,25 @@ BENCHMARK(mms_bursts_of_4000)->UseRealTime();
 
 void mms_2800000_commands(benchmark::State& state) { host(state, "burst", 700, 4000); }
 BENCHMARK(mms_2800000_commands)->UseRealTime()->Iterations(1);
+
+constexpr int ahead = 500'000;
+
+/// A program that writes line by line and reads no reply, into a pipe that is only emptied: with nobody to obey it.
+void write_ahead_bare(benchmark::State& state) {
+  const OneProcessor one;
+  for (auto _ : state) {
+    BareGuest guest("ahead", std::to_string(ahead).c_str());
+    std::int64_t lines = 0;
+    for (std::string_view heard; !(heard = guest.hear()).empty();)
+      lines += std::count(heard.begin(), heard.end(), '\n');
+    if (lines != ahead) return state.SkipWithError("commands were lost");
+  }
+  state.SetItemsProcessed(state.iterations() * ahead);
+}
+BENCHMARK(write_ahead_bare)->UseRealTime();
+
+void mms_write_ahead(benchmark::State& state) { host(state, "ahead", ahead, 1); }
+BENCHMARK(mms_write_ahead)->UseRealTime();
 
 }  // namespace
 }  // namespace labmouse

@@ -1,4 +1,4 @@
-// A guest that costs as little as a guest can: bench_guest echo | guest | ask | burst.
+// A guest that costs as little as a guest can: bench_guest echo | guest | ask | burst | ahead.
 #include <unistd.h>
 
 #include <array>
@@ -58,6 +58,14 @@ void burst(int bursts) {
   }
 }
 
+/// A mouse of mms that writes each command by itself, and reads no reply.
+void write_ahead(int times) {
+  constexpr std::array<std::string_view, 4> commands = {"moveForward\n", "turnRight\n", "wallFront\n",
+                                                        "setColor 3 4 G\n"};
+  for (int i = 0; i < times && say(commands[static_cast<unsigned>(i) % commands.size()]); ++i) {
+  }
+}
+
 }  // namespace
 
 int main(int count, char** words) {
@@ -67,4 +75,5 @@ int main(int count, char** words) {
   if (how == "guest") play();
   if (how == "ask") ask(times);
   if (how == "burst") burst(times);
+  if (how == "ahead") write_ahead(times);
 }
