@@ -48,6 +48,16 @@ std::string disagreement(const std::string& old, const std::string& now) {
   return replay(read(changed(good(), old, now)));
 }
 
+TEST(DriveRecordFile, SaysWhatANamedMouseIs) {
+  DriveRecordFile written = driven("flood");
+  written.mouse = "fast";
+  written.spec = "flood";
+  const DriveRecordFile file = read(write_drive_record(written));
+  EXPECT_EQ(file.mouse, "fast");
+  EXPECT_EQ(file.spec, "flood");
+  EXPECT_EQ(read(good()).spec, "");
+}
+
 TEST(DriveRecordFile, IsReadAsItWasWritten) {
   for (const char* robot : {"mm2021", "classic", "half"})
     for (const char* mouse : {"flood", "certify"}) {

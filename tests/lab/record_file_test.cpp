@@ -47,6 +47,18 @@ TEST(Record, ReadsAsItWasWritten) {
   }
 }
 
+TEST(Record, SaysWhatTheMouseIsAndWhatRanIt) {
+  RecordFile written = recorded("fast=flood:stride=2");
+  EXPECT_EQ(read(write_record(written)).mouse, "fast");
+  EXPECT_EQ(read(write_record(written)).spec, "flood:stride=2");
+  EXPECT_EQ(read(write_record(written)).interpreter, "");
+  written.interpreter = "/usr/bin/python3 3.11.2";
+  EXPECT_EQ(read(write_record(written)).interpreter, written.interpreter);
+  EXPECT_EQ(read(write_record(recorded("flood"))).spec, "");
+  EXPECT_THAT(problem(changed(write_record(written), "\"spec\":\"flood:stride=2\"", "\"spec\":2")),
+              ProblemAt(1, 1, "mouse.spec", "string"));
+}
+
 TEST(Record, ReplaysToItself) {
   for (const auto& maze : {test::loop(), test::corridor(), test::without_route()})
     for (const char* mouse : {"flood", "random", "oracle", "visit-counter"}) {

@@ -22,6 +22,7 @@ struct DriveRecordFile {
   std::string maze_name;
   std::optional<Maze> maze;  ///< always there, and at most 32x32
   std::string mouse;
+  std::string spec;   ///< the mouse's SPEC where its name is another
   Settings settings;  ///< written, not read back
   std::uint64_t seed = 0;
   std::shared_ptr<const DriveModel> model;  ///< always there; without an error

@@ -78,6 +78,7 @@ std::string Reading::read_header(const ReadJson& json) {
   file_.seed = json["seed"].get<std::uint64_t>();
   JsonFields mouse(json["mouse"], "mouse");
   file_.mouse = mouse.text("name");
+  if (mouse.has("spec")) file_.spec = mouse.text("spec");
   fields.reject(mouse.error());
   const auto hash = hexadecimal(fields.text("tables"));
   if (!hash) fields.reject("'tables' is not a hexadecimal number");

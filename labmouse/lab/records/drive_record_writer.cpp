@@ -11,13 +11,19 @@
 namespace labmouse {
 namespace {
 
+Json driver_json(const DriveRecordFile& file) {
+  Json mouse = {{"name", file.mouse}, {"parameters", settings_json(file.settings)}};
+  if (!file.spec.empty()) mouse["spec"] = file.spec;
+  return mouse;
+}
+
 Json header_json(const DriveRecordFile& file) {
   return {{"labmouse", "drive record"},
           {"format", 1},
           {"version", version()},
           {"world", "seconds"},
           {"maze", record_maze_json(file.maze_name, *file.maze)},
-          {"mouse", {{"name", file.mouse}, {"parameters", settings_json(file.settings)}}},
+          {"mouse", driver_json(file)},
           {"seed", file.seed},
           {"robot", robot_json(file.model->robot)},
           {"model", model_name(file.model->robot)},

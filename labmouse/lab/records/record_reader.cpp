@@ -24,6 +24,8 @@ std::string read_maze_field(const ReadJson& json, RecordFile& file) {
 std::string read_mouse_field(const ReadJson& json, RecordFile& file) {
   JsonFields fields(json, "mouse");
   if (fields.has("name")) file.mouse = fields.text("name");
+  if (fields.has("spec")) file.spec = fields.text("spec");
+  if (fields.has("interpreter")) file.interpreter = fields.text("interpreter");
   return fields.error();
 }
 

@@ -14,6 +14,7 @@ Json cell_json(Cell cell) { return {cell.x, cell.y}; }
 
 Json mouse_json(const RecordFile& file) {
   Json mouse = {{"name", file.mouse}, {"parameters", settings_json(file.settings)}};
+  if (!file.spec.empty()) mouse["spec"] = file.spec;
   if (!file.interpreter.empty()) mouse["interpreter"] = file.interpreter;
   return mouse;
 }

@@ -186,6 +186,7 @@ DriveRecordFile drive_record_file_of(const Contestant& mouse, const NamedMaze& m
   file.maze_name = maze.name;
   file.maze = maze.maze;
   file.mouse = mouse.name;
+  file.spec = mouse.spec;
   file.settings = settings_in_seconds(mouse);
   file.seed = seed;
   file.tables_hash = model->tables.hash;

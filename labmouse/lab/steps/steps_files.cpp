@@ -42,6 +42,7 @@ RecordFile record_file_of(const Contestant& mouse, const NamedMaze& maze, const 
   file.maze_name = maze.name;
   file.maze = maze.maze;
   file.mouse = mouse.name;
+  file.spec = mouse.spec;
   file.settings = mouse.settings;
   if (mouse.interpreter) file.interpreter = fmt::format("{} {}", mouse.interpreter->path, mouse.interpreter->version);
   file.seed = seed;
