@@ -67,6 +67,9 @@ class LineupReader {
     mouse.runs = whole(table, "runs", 1, 1'000'000);
     read_limits(table, mouse);
     if (table.contains("mouse")) refuse_for_ours(table);
+    if (mouse.kind == Kind::capstone)
+      refuse(table, "directory", "has no effect: a robot runs in the folder of its file");
+    if (mouse.kind == Kind::mms) refuse(table, "runs", "has no effect: a program for mms has one run in each maze");
     return mouse;
   }
 
@@ -99,8 +102,11 @@ class LineupReader {
   /// A mouse of ours runs within this program.
   void refuse_for_ours(const toml::table& table) {
     for (const std::string_view key : {"arguments", "environment", "directory", "interpreter", "limits"})
-      if (const toml::node* node = table.get(key))
-        add(node->source().begin, fmt::format("'{}' is for guests; labmouse's own mice do not have it", key));
+      refuse(table, key, "is for guests; labmouse's own mice do not have it");
+  }
+
+  void refuse(const toml::table& table, std::string_view key, std::string_view reason) {
+    if (const toml::node* node = table.get(key)) add(node->source().begin, fmt::format("'{}' {}", key, reason));
   }
 
   void read_limits(const toml::table& table, LineupMouse& mouse) {
