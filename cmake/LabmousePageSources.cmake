@@ -1,8 +1,8 @@
 # What the page asks for of the lab and the guests: the sources of its WebAssembly module and of the fuzzer of its calls.
 set(LABMOUSE_PAGE_SOURCES)
 foreach(name IN ITEMS
-    bench/distance_speed bench/plain_distance bench/signature bench/speed_json bounds/bounds bounds/drive_bound bounds/mms_bound lineups/lineup_file
-    mazes/maze_files mazes/maze_link mice/mice_json mice/mouse_names mice/prior_file mice/prior_learning mice/specs
+    bench/distance_speed bench/plain_distance bench/signature bench/speed_json bounds/bounds bounds/drive_bound bounds/mms_bound
+    mazes/maze_files mazes/maze_link mice/contestant mice/mice_json mice/mouse_names mice/prior_file mice/prior_learning mice/specs
     numbers/statistics pictures/drive_path pictures/drive_picture pictures/mms_picture pictures/picture_layers
     races/race races/race_paths races/value races/world_entry records/drive_json records/drive_notation
     records/drive_record_fields records/drive_record_reader records/drive_record_replay records/drive_record_text

@@ -65,6 +65,12 @@ RaceOrder Contests::order_in(std::shared_ptr<const World> chosen) const {
   return held;
 }
 
+std::vector<Contestant> mice_of(SpecResult read) {
+  if (!read.problems.empty()) throw UsageError(fmt::format("{}", fmt::join(read.problems, "\n")));
+  if (!read.error.empty()) throw UsageError("error: " + read.error);
+  return std::move(read.contestants);
+}
+
 std::vector<Contestant> find_contestants(const std::vector<std::string>& specs, const WorldChoice& world,
                                          GuestOptions options) {
   if (!specs.empty()) return find_contestants(specs, std::move(options));
@@ -77,9 +83,7 @@ std::vector<Contestant> find_contestants(const std::vector<std::string>& specs, 
 
 std::vector<Contestant> find_contestants(const std::vector<std::string>& specs, GuestOptions options) {
   options.stop = &stop_flag;
-  SpecResult result = read_specs(specs, options);
-  if (!result.error.empty()) throw UsageError("error: " + result.error);
-  return std::move(result.contestants);
+  return mice_of(read_specs(specs, options));
 }
 
 void add_lineups(Command& command, std::vector<std::string>& lineups) {

@@ -24,6 +24,9 @@ struct Contests {
 };
 void add_contests(Command& command, Contests& contests);
 
+/// The mice that were read; throws UsageError with all that is wrong with them.
+std::vector<Contestant> mice_of(SpecResult read);
+
 /// The mice of the SPECs; throws UsageError. While an Interruptible lives, Ctrl-C ends the guests among them.
 std::vector<Contestant> find_contestants(const std::vector<std::string>& specs, GuestOptions options = {});
 /// The same; where there is no SPEC, all of the roster that race in that world.

@@ -33,9 +33,9 @@ int sweep(const SweepOptions& options) {
   expect_outputs({{"--csv", options.csv}, {"--svg", options.svg}});
   const Variation variation = read_variation(options.vary);
   if (!variation.error.empty()) throw UsageError("error: " + variation.error);
-  SpecResult variants = read_variants(options.mouse, variation.parameter, variation.values, options.guests);
-  if (!variants.error.empty()) throw UsageError("error: " + variants.error);
-  const RaceOrder order = options.contests.order_in(options.contests.world.enter_one(variants.contestants));
+  std::vector<Contestant> variants =
+      mice_of(read_variants(options.mouse, variation.parameter, variation.values, options.guests));
+  const RaceOrder order = options.contests.order_in(options.contests.world.enter_one(variants));
   const MazeCollection mazes = find_mazes_of(*order.world, options.contests);
   const Sweep result = hold(options, variation, mazes.mazes, order);
   print(table_of(result, colours()));

@@ -20,6 +20,7 @@ struct TuneOptions {
 };
 
 std::vector<ParameterRange> find_ranges(const TuneOptions& options) {
+  mice_of(read_specs(options.mouse));
   RangesResult result = read_ranges(options.mouse, options.parameters);
   if (!result.error.empty()) throw UsageError("error: " + result.error);
   return std::move(result.ranges);
@@ -28,9 +29,7 @@ std::vector<ParameterRange> find_ranges(const TuneOptions& options) {
 /// The mouse as given, and with each parameter at either end of its range: a world takes it as a candidate if it takes
 /// these.
 std::vector<Contestant> corners(const std::string& mouse, const std::vector<ParameterRange>& ranges) {
-  const SpecResult given = read_specs(mouse);
-  if (!given.error.empty()) throw UsageError("error: " + given.error);
-  std::vector<Contestant> mice = given.contestants;
+  std::vector<Contestant> mice = mice_of(read_specs(mouse));
   for (const ParameterRange& range : ranges)
     for (const double end : {range.low, range.high}) {
       const Setting setting = {std::string(range.parameter.name), written_value(range, end)};

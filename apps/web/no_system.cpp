@@ -1,6 +1,7 @@
 // What the lab does otherwise where it has no system: a page has no files, starts no programs, and has one thread.
 #include "labmouse/guests/mms/run.hpp"
 #include "labmouse/lab/mice/guest_specs.hpp"
+#include "labmouse/lab/mice/lineup_specs.hpp"
 #include "labmouse/lab/system/files.hpp"
 #include "labmouse/lab/system/parallel.hpp"
 #include "labmouse/lab/system/version.hpp"
@@ -13,6 +14,10 @@ FileContent read_found_file(const std::string&, std::size_t) { return {"", "a pa
 
 void read_guest_spec(std::string_view, const GuestOptions&, SpecResult& result) {
   result.error = "a page starts no programs";
+}
+
+void read_lineup_spec(std::string_view, const GuestOptions&, const Setting*, ReadOwnMouse, SpecResult& result) {
+  result.error = "a page reads no files";
 }
 
 MmsRun run_mms(const Launch&, const Maze&, const MmsOptions&,

@@ -62,7 +62,14 @@ TEST_F(ATeacher, IsToldWhereALineupIsWrong) {
   const Ended ended =
       race_of("[[mouse]]\nname = \"a\"\nmouse = \"flod\"\n[[mouse]]\nname = \"b\"\ncapstone = \"no.py\"\n");
   EXPECT_EQ(ended.code, 2);
-  EXPECT_THAT(ended.err, Says("mice.toml:1:1", "'flood'", "mice.toml:4:1", "no.py"));
+  EXPECT_THAT(ended.err, Says("mice.toml:1:1: error: ", "'flood'", "mice.toml:4:1: error: ", "no.py"));
+  for (const std::string command : {"sweep", "tune"}) {
+    const std::string option = command == "sweep" ? "--vary" : "--params";
+    std::vector<std::string> words = {command, "lineup:class/mice.toml:a", option, "stride=1:2"};
+    if (command == "sweep") words.back() += ":1";
+    if (command == "tune") words.insert(words.end(), {"--evaluations", "2"});
+    EXPECT_THAT(labmouse(words).err, testing::StartsWith("class/mice.toml:1:1: error: "));
+  }
 }
 
 TEST_F(ATeacher, NamesMiceOnTheCommandLine) {

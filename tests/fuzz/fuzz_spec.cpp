@@ -1,4 +1,4 @@
-// Any bytes as a SPEC: there are mice or an error of one line, and mice have names that read as the same mice again.
+// Any bytes as a SPEC: there are mice or an error, and mice have SPECs that read as the same mice again.
 #include <cstdlib>
 
 #include "labmouse/lab/mice/specs.hpp"
@@ -10,8 +10,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   const auto result = labmouse::read_specs({reinterpret_cast<const char*>(bytes), size}, options);
   if (result.contestants.empty() == result.error.empty()) std::abort();
   for (const auto& mouse : result.contestants) {
-    const auto again = labmouse::read_specs(mouse.name, options);
-    if (again.contestants.size() != 1 || again.contestants.front().name != mouse.name) std::abort();
+    const std::string& spec = labmouse::spec_of(mouse);
+    const auto again = labmouse::read_specs(spec, options);
+    if (again.contestants.size() != 1 || again.contestants.front().name != spec) std::abort();
     const auto& program = again.contestants.front().program;
     if (program.has_value() != mouse.program.has_value()) std::abort();
     if (program && program->words != mouse.program->words) std::abort();

@@ -159,7 +159,9 @@ TEST(PageCalls, RefuseRacesThatCannotBe) {
   EXPECT_THAT(error_of("race", race({{"mazes", {data_of(test::loop()), 3}}})), Says("'mazes[1]'", "object"));
   EXPECT_THAT(error_of("race", race({{"mice", {"flood", 3}}})), Says("'mice'", "string"));
   EXPECT_THAT(error_of("race", race({{"runs", 0}})), Says("'runs'", "1 to 1000"));
-  EXPECT_THAT(error_of("race", race({{"mice", {"guest:ls"}}})), Says("'guest:ls'", "program"));
+  for (const char* guest : {"guest:ls", "flood,a=guest:ls"})
+    EXPECT_THAT(error_of("race", race({{"mice", {guest}}})), Says("'guest:ls'", "program"));
+  EXPECT_THAT(error_of("race", race({{"mice", {"lineup:mice.toml"}}})), Says("'lineup:mice.toml'", "file"));
   json many = json::array();
   for (int i = 0; i < 21; ++i) many.push_back(data_of({std::to_string(i), test::hook().maze}));
   EXPECT_THAT(error_of("race", race({{"mice", {"random"}}, {"mazes", many}, {"runs", 1000}})),

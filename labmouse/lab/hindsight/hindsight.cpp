@@ -35,7 +35,7 @@ Setting shifted(const Parameter& parameter, double value, Dice& dice) {
 
 /// The parameters of a mouse; none for the oracle.
 std::span<const Parameter> parameters_of(const Contestant& mouse) {
-  const RosterEntry* entry = find_mouse(mouse.name.substr(0, mouse.name.find(':')));
+  const RosterEntry* entry = entry_of(mouse);
   return entry == nullptr ? std::span<const Parameter>() : entry->parameters;
 }
 
@@ -152,7 +152,7 @@ std::vector<Contestant> perturbed(const Contestant& mouse, int count, std::uint6
     for (const Parameter& parameter : parameters_of(mouse))
       if (is_number(parameter)) values.push_back(shifted(parameter, mouse.settings.real(parameter.name), dice));
     Contestant variant = std::move(read_variant(mouse, values).contestants.front());
-    const auto is_same = [&](const Contestant& other) { return other.name == variant.name; };
+    const auto is_same = [&](const Contestant& other) { return spec_of(other) == spec_of(variant); };
     if (!is_same(mouse) && std::none_of(variants.begin(), variants.end(), is_same))
       variants.push_back(std::move(variant));
   }

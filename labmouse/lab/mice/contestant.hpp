@@ -38,8 +38,9 @@ struct Contestant {
   std::string note;
   /// Of a capstone robot, and of others where a lineup names one.
   std::optional<Interpreter> interpreter;
-  /// It stands in a lineup among mice of other worlds: where it cannot race, the others do without it.
-  bool may_be_left_out = false;
+  /// The file of the lineup that it stands in, maybe among mice of other worlds: where it cannot race, the others do
+  /// without it. Empty for all others.
+  std::string lineup;
   Settings settings;
   bool uses_chance = false;
   /// Contests in each maze; 0: as many as the race holds of a mouse that throws dice, or one.
@@ -60,10 +61,18 @@ struct Contestant {
   std::function<Contestant(const std::vector<const Maze*>& training, const Rules&)> taught;
 };
 
+/// The SPEC of a mouse, whatever it is called.
+inline const std::string& spec_of(const Contestant& mouse) { return mouse.spec.empty() ? mouse.name : mouse.spec; }
+
+/// Gives a mouse another name, which it keeps when it learns.
+void rename(Contestant& mouse, const std::string& name);
+
 /// Mice, or the reason why the text is no SPEC: exactly one of the two is there.
 struct SpecResult {
   std::vector<Contestant> contestants;
   std::string error;
+  /// Where a lineup is wrong all that is, a line each with its place; the error is the first of them.
+  std::vector<std::string> problems = {};
 };
 
 /// Whether guests live in sandboxes.

@@ -101,8 +101,8 @@ struct Guest {
 Guest no_guest(std::string error) { return {{}, {}, std::move(error)}; }
 
 /// The interpreter of that name, or an empty path and why there is none.
-std::pair<Interpreter, std::string> find_interpreter(const std::string& named, const std::string& directory) {
-  Interpreter found = {program_path(named, directory), ""};
+std::pair<Interpreter, std::string> find_interpreter(const std::string& named) {
+  Interpreter found = {program_path(named, ""), ""};
   if (found.path.empty()) return {found, fmt::format("no executable interpreter '{}'", named)};
   if (fs::path(named).filename().string().find("python") == std::string::npos) return {found, ""};
   found.version = python_version(found.path);
@@ -121,7 +121,7 @@ Guest robot_of(const std::string& named, const GuestOptions& options) {
   const std::string python = options.python.empty() ? usual_python : anchored(from_home(options.python));
   if (options.python.empty() && program_path(python, "").empty())
     return no_guest(fmt::format("no {} was found in PATH; name one with --python", python));
-  auto [interpreter, error] = find_interpreter(python, "");
+  auto [interpreter, error] = find_interpreter(python);
   // Of a robot that is asked to run under it, an interpreter need not be called a Python.
   if (error.empty() && interpreter.version.empty()) interpreter.version = python_version(interpreter.path);
   if (error.empty() && interpreter.version.empty())
@@ -133,18 +133,22 @@ Guest program_of_command(const std::string& command, const GuestOptions& options
   Guest guest;
   std::vector<std::string>& words = guest.launch.words;
   words = split_command(command);
-  guest.launch.directory = options.directory;
+  guest.launch.directory = from_home(options.directory);
+  const std::string& directory = guest.launch.directory;
+  std::error_code failure;
+  if (!directory.empty() && !fs::is_directory(directory, failure))
+    return no_guest(fmt::format("there is no folder '{}' to run it in", directory));
   if (has_open_quote(command))
     return no_guest("its command has an unclosed quotation mark; for a literal quotation mark write \"\"\"");
   if (words.empty()) return no_guest("its command is empty");
   if (!options.interpreter.empty()) {
-    auto [interpreter, error] = find_interpreter(options.interpreter, options.directory);
+    const std::string named = anchored(from_home(options.interpreter));
+    auto [interpreter, error] = find_interpreter(named);
     if (!error.empty()) return no_guest(error);
-    words.insert(words.begin(), options.interpreter);
+    words.insert(words.begin(), named);
     guest.interpreter = interpreter;
   }
-  if (program_path(words.front(), options.directory).empty())
-    return no_guest(no_program(words.front(), options.directory));
+  if (program_path(words.front(), directory).empty()) return no_guest(no_program(words.front(), directory));
   words.insert(words.end(), options.arguments.begin(), options.arguments.end());
   return guest;
 }

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <utility>
 
 #include "labmouse/contest/simulator.hpp"
 #include "labmouse/lab/bounds/bounds.hpp"
-#include "labmouse/lab/lineups/lineup_file.hpp"
 #include "labmouse/lab/mice/guest_specs.hpp"
+#include "labmouse/lab/mice/lineup_specs.hpp"
+#include "labmouse/lab/mice/named_spec.hpp"
 #include "labmouse/lab/mice/prior_file.hpp"
 #include "labmouse/lab/mice/prior_learning.hpp"
 #include "labmouse/lab/system/files.hpp"
@@ -143,11 +143,11 @@ std::string read_spec(std::string_view spec, std::vector<Contestant>& contestant
   return "";
 }
 
-template <class Mouse>
-void drop_repetitions(std::vector<Mouse>& mice) {
+/// Of mice with one name the first stays.
+void drop_repetitions(std::vector<Contestant>& mice) {
   for (std::size_t i = 0; i < mice.size(); ++i)
     mice.erase(std::remove_if(mice.begin() + static_cast<std::ptrdiff_t>(i) + 1, mice.end(),
-                              [&](const Mouse& m) { return m.name == mice[i].name; }),
+                              [&](const Contestant& mouse) { return mouse.name == mice[i].name; }),
                mice.end());
 }
 
@@ -164,125 +164,74 @@ SpecResult read_guest_variant(std::string_view spec, const Setting& setting, con
   return read_specs(text, options);
 }
 
-/// Gives a mouse another name, which it keeps when it learns.
-void rename(Contestant& mouse, const std::string& name) {
-  mouse.spec = std::exchange(mouse.name, name);
-  if (!mouse.taught) return;
-  mouse.taught = [teach = mouse.taught, name](const std::vector<const Maze*>& training, const Rules& rules) {
-    Contestant pupil = teach(training, rules);
-    rename(pupil, name);
-    return pupil;
-  };
-}
-
-/// Takes `NAME=` away from the beginning of a text and returns the name; empty where there is none.
-std::string take_name(std::string_view& text) {
-  const auto end = text.find_first_of("=:,/ ");
-  if (end == std::string_view::npos || end == 0 || text[end] != '=') return "";
-  std::string name(text.substr(0, end));
-  text.remove_prefix(end + 1);
-  return name;
-}
-
-std::string beside(const std::string& folder, const std::string& path) {
-  return path.empty() || path.starts_with('/') || path.starts_with("~/") || folder.empty() ? path : folder + "/" + path;
-}
-
-/// Reads a mouse of the lineup in that folder into the result; on failure sets its error.
-void read_mouse_of_lineup(const LineupMouse& mouse, const std::string& folder, GuestOptions options,
-                          SpecResult& result) {
-  options.limits = mouse.limits_over(options.limits);
-  options.runs = mouse.runs.value_or(options.runs);
-  options.arguments = mouse.arguments;
-  options.environment = mouse.environment;
-  options.directory = mouse.directory.empty() ? folder : beside(folder, mouse.directory);
-  // One that is no path is looked for in PATH.
-  const bool is_path = mouse.interpreter.find('/') != std::string::npos;
-  options.interpreter = is_path ? beside(folder, mouse.interpreter) : mouse.interpreter;
-  if (mouse.kind == LineupMouse::Kind::capstone && !mouse.interpreter.empty()) options.python = options.interpreter;
-  SpecResult one;
-  if (mouse.kind == LineupMouse::Kind::mouse)
-    one.error = read_spec(mouse.what, one.contestants);
-  else
-    read_guest_spec(fmt::format("{}:{}", key_of(mouse.kind),
-                                mouse.kind == LineupMouse::Kind::capstone ? beside(folder, mouse.what) : mouse.what),
-                    options, one);
-  result.error = one.error;
-  if (!one.error.empty()) return;
-  Contestant& contestant = one.contestants.front();
-  rename(contestant, mouse.name);
-  contestant.note = mouse.note;
-  contestant.may_be_left_out = true;
-  if (mouse.runs) contestant.runs = *mouse.runs;
-  result.contestants.push_back(std::move(contestant));
-}
-
-/// Reads `FILE` or `FILE:NAME` into the result; on failure sets its error.
-void read_lineup_into(std::string path, const GuestOptions& options, SpecResult& result) {
-  FileContent file = read_file(path);
-  std::string only;
-  if (const auto colon = path.rfind(':'); !file.error.empty() && colon != std::string::npos) {
-    only = path.substr(colon + 1);
-    path.resize(colon);
-    file = read_file(path);
-  }
-  const auto complain = [&](int line, int column, std::string_view reason) {
-    if (!result.error.empty()) result.error += "\nerror: ";
-    result.error += fmt::format("lineup {}:{}:{}: {}", path, line, column, reason);
-  };
-  if (!file.error.empty()) {
-    result.error = fmt::format("lineup {}: {}", path, file.error);
-    return;
-  }
-  const LineupResult lineup = read_lineup(file.content);
-  for (const Problem& problem : lineup.problems) complain(problem.line, problem.column, problem.reason);
-  const auto slash = path.rfind('/');
-  const std::string folder = slash == std::string::npos ? "" : path.substr(0, slash);
-  bool any = false;
-  for (const LineupMouse& mouse : lineup.mice) {
-    if (!only.empty() && mouse.name != only) continue;
-    any = true;
-    SpecResult one;
-    read_mouse_of_lineup(mouse, folder, options, one);
-    if (!one.error.empty()) complain(mouse.line, mouse.column, fmt::format("mouse '{}': {}", mouse.name, one.error));
-    for (Contestant& contestant : one.contestants) result.contestants.push_back(std::move(contestant));
-  }
-  if (!any && result.error.empty()) result.error = fmt::format("lineup {} has no mouse '{}'", path, only);
+/// As a lineup needs it.
+std::string read_own(std::string_view spec, const Setting* value, std::vector<Contestant>& mice) {
+  if (auto error = read_spec(spec, mice); !error.empty() || value == nullptr) return error;
+  SpecResult variant = read_variant(mice.back(), {value, 1});
+  if (variant.error.empty()) mice.back() = std::move(variant.contestants.front());
+  return variant.error;
 }
 
 /// Reads the mice of one text into the result; on failure sets its error.
 void read_into(std::string_view text, const GuestOptions& options, SpecResult& result) {
-  constexpr std::string_view lineup = "lineup:";
   for (bool more = true; more && result.error.empty();) {
-    const std::string name = take_name(text);
-    if (text.starts_with(lineup)) {
-      if (name.empty()) return read_lineup_into(std::string(text.substr(lineup.size())), options, result);
+    const auto [name, spec] = named_spec(text);
+    if (is_lineup_spec(spec) && !name.empty()) {
       result.error = fmt::format("a lineup cannot be named '{}'; its mice have their own names", name);
       return;
     }
-    const auto comma = is_guest_spec(text) ? std::string_view::npos : text.find(',');
-    if (is_guest_spec(text))
-      read_guest_spec(text, options, result);
+    if (is_lineup_spec(spec)) return read_lineup_spec(spec, options, nullptr, read_own, result);
+    const auto comma = is_guest_spec(spec) ? std::string_view::npos : spec.find(',');
+    if (is_guest_spec(spec))
+      read_guest_spec(spec, options, result);
     else
-      result.error = read_spec(text.substr(0, comma), result.contestants);
+      result.error = read_spec(spec.substr(0, comma), result.contestants);
     if (!result.error.empty()) return;
-    if (!name.empty()) rename(result.contestants.back(), name);
+    if (!name.empty()) rename(result.contestants.back(), std::string(name));
     more = comma != std::string_view::npos;
-    if (more) text.remove_prefix(comma + 1);
+    if (more) text = spec.substr(comma + 1);
   }
+}
+
+/// Whether the one is the other, named once more. Mice of two lineups may have arguments or folders of their own.
+bool is_same(const Contestant& mouse, const Contestant& other) {
+  return spec_of(mouse) == spec_of(other) && mouse.lineup == other.lineup;
+}
+
+std::string origin_of(const Contestant& mouse) {
+  return mouse.lineup.empty() ? spec_of(mouse) : fmt::format("{} in {}", spec_of(mouse), mouse.lineup);
 }
 
 /// Mice that stand twice count once. Returns what is wrong where two have one name.
 std::string drop_repetitions_or_refuse(std::vector<Contestant>& mice) {
   for (std::size_t i = 0; i < mice.size(); ++i)
     for (std::size_t j = i + 1; j < mice.size(); ++j)
-      if (mice[i].name == mice[j].name && mice[i].spec != mice[j].spec)
-        return fmt::format("two mice have the name '{}'; give each its own, as in NAME=SPEC", mice[i].name);
+      if (mice[i].name == mice[j].name && !is_same(mice[i], mice[j]))
+        return fmt::format("two mice are named '{}': {}, and {}; give each a name of its own, as in NAME=SPEC",
+                           mice[i].name, origin_of(mice[i]), origin_of(mice[j]));
   drop_repetitions(mice);
   return "";
 }
 
+/// The one mouse of a SPEC with that value of a parameter.
+SpecResult read_with_value(std::string_view spec, const Setting& value, const GuestOptions& options) {
+  if (is_guest_spec(spec)) return read_guest_variant(spec, value, options);
+  if (!is_lineup_spec(spec)) return read_variant(spec, {&value, 1});
+  SpecResult result;
+  read_lineup_spec(spec, options, &value, read_own, result);
+  if (!result.error.empty()) return {{}, result.error, result.problems};
+  if (result.contestants.size() != 1)
+    return refused(
+        fmt::format("'{0}' names {1} mice; name exactly one, as in {0}:NAME", spec, result.contestants.size()));
+  return result;
+}
+
 }  // namespace
+
+const RosterEntry* entry_of(const Contestant& mouse) {
+  const std::string_view spec = spec_of(mouse);
+  return find_mouse(spec.substr(0, spec.find(':')));
+}
 
 std::string unknown_mouse(std::string_view name) {
   if (looks_like_a_program(name))
@@ -304,7 +253,7 @@ SpecResult read_specs(std::span<const std::string> texts, const GuestOptions& op
   for (const std::string& text : texts)
     if (result.error.empty()) read_into(text, options, result);
   if (result.error.empty()) result.error = drop_repetitions_or_refuse(result.contestants);
-  if (!result.error.empty()) return refused(result.error);
+  if (!result.error.empty()) result.contestants.clear();
   return result;
 }
 
@@ -318,8 +267,7 @@ SpecResult read_variants(std::string_view spec, std::string_view parameter, std:
   SpecResult result;
   for (const std::string& value : values) {
     const Setting setting = {std::string(parameter), value};
-    SpecResult variant =
-        is_guest_spec(spec) ? read_guest_variant(spec, setting, options) : read_variant(spec, {&setting, 1});
+    SpecResult variant = read_with_value(named_spec(spec).spec, setting, options);
     if (!variant.error.empty()) return variant;
     result.contestants.push_back(std::move(variant.contestants.front()));
   }
@@ -330,17 +278,16 @@ SpecResult read_variants(std::string_view spec, std::string_view parameter, std:
 SpecResult read_variant(std::string_view spec, std::span<const Setting> values) {
   SpecResult result = read_specs(spec);
   if (!result.error.empty()) return result;
-  if (is_guest_spec(spec)) return refused(fmt::format("guest '{}' has no parameters", spec));
   if (result.contestants.size() != 1)
     return refused(fmt::format("'{}' names {} mice; name exactly one", spec, result.contestants.size()));
   return read_variant(result.contestants.front(), values);
 }
 
 SpecResult read_variant(const Contestant& mouse, std::span<const Setting> values) {
-  const RosterEntry* entry = find_mouse(std::string_view(mouse.name).substr(0, mouse.name.find(':')));
+  const RosterEntry* entry = entry_of(mouse);
   if (entry == nullptr)
-    return refused(is_guest_spec(mouse.name) ? fmt::format("guest '{}' has no parameters", mouse.name)
-                                             : "the oracle has no parameters");
+    return refused(mouse.reference ? "the oracle has no parameters"
+                                   : fmt::format("guest '{}' has no parameters", mouse.name));
   Settings settings = mouse.settings;
   for (const Setting& value : values)
     if (auto error = apply(*entry, fmt::format("{}={}", value.name, value.value), settings); !error.empty())
@@ -349,8 +296,6 @@ SpecResult read_variant(const Contestant& mouse, std::span<const Setting> values
 }
 
 namespace {
-
-const RosterEntry* entry_of(const Contestant& mouse) { return find_mouse(mouse.name.substr(0, mouse.name.find(':'))); }
 
 bool counts_in_seconds(const Parameter& parameter) { return parameter.type == ParameterType::prior; }
 

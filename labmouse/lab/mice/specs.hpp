@@ -1,4 +1,4 @@
-// Who races: mice by their SPEC, `name[:key=value]...`, several separated by commas.
+// Who races: mice by their SPEC, `name[:key=value]...`, several separated by commas; each may have `NAME=` before it.
 #pragma once
 
 #include <span>
@@ -7,22 +7,27 @@
 #include <vector>
 
 #include "labmouse/lab/mice/contestant.hpp"
+#include "labmouse/strategies/roster.hpp"
 
 namespace labmouse {
 
-/// Reads one or more mice; a name that stands twice with equal parameters counts once. Reads the files of their priors.
-/// The SPEC of a guest reaches to the end of the text.
+/// Reads one or more mice; a name that stands twice with equal parameters counts once. Reads the files of their priors
+/// and lineups. The SPEC of a guest or a lineup reaches to the end of the text.
 SpecResult read_specs(std::string_view text, const GuestOptions& options = {});
 
 /// The same of several texts.
 SpecResult read_specs(std::span<const std::string> texts, const GuestOptions& options = {});
+
+/// The line of a mouse on the roster; null for a guest and for the oracle.
+const RosterEntry* entry_of(const Contestant& mouse);
 
 /// Why there is no mouse of that name, with the one that may have been meant.
 std::string unknown_mouse(std::string_view name);
 
 /// The mouse of a SPEC once for each value of one of its parameters, in the order of the values; what the SPEC says of
 /// that parameter is overridden. Values that are spelled differently and are equal count once. A guest has the
-/// parameters that its SPEC leaves room for: each `{parameter}` there becomes the value as it is spelled.
+/// parameters that its SPEC leaves room for: each `{parameter}` there, and in a lineup in its arguments and variables,
+/// becomes the value as it is spelled. Variants do not keep the name that a user gave the mouse.
 SpecResult read_variants(std::string_view spec, std::string_view parameter, std::span<const std::string> values,
                          const GuestOptions& options = {});
 

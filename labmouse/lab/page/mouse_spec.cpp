@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "labmouse/lab/mice/guest_specs.hpp"
+#include "labmouse/lab/mice/named_spec.hpp"
 #include "labmouse/strategies/roster.hpp"
 
 namespace labmouse {
@@ -33,11 +34,14 @@ std::string needs_file(const RosterEntry& mouse, std::string_view assignment) {
   return "";
 }
 
-std::string refused(std::string_view spec) {
-  while (!spec.empty()) {
+std::string refused(std::string_view text) {
+  while (!text.empty()) {
+    const std::string_view spec = named_spec(text).spec;
+    if (is_lineup_spec(spec)) return fmt::format("lineup '{}' is a file, which the page cannot read", spec);
     if (is_guest_spec(spec))
       return fmt::format("guest '{}' is a program, which the page cannot start; use `labmouse race`", spec);
-    std::string_view mouse = next_piece(spec, ',');
+    text = spec;
+    std::string_view mouse = next_piece(text, ',');
     const RosterEntry* entry = find_mouse(next_piece(mouse, ':'));
     while (entry != nullptr && !mouse.empty())
       if (auto reason = needs_file(*entry, next_piece(mouse, ':')); !reason.empty()) return reason;

@@ -8,8 +8,8 @@
 
 namespace labmouse {
 
-/// Reads SPECs as read_specs does. Refused are guests, since a page starts no programs, and priors of files, since it
-/// reads none.
+/// Reads SPECs as read_specs does. Refused are guests, since a page starts no programs, and lineups and priors of
+/// files, since it reads none.
 SpecResult read_page_mice(std::span<const std::string> specs);
 
 }  // namespace labmouse

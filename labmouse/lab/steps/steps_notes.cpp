@@ -41,7 +41,7 @@ bool as_robots_expect(const Maze& maze) {
 /// Capstone robots are told the size of a maze and nothing else.
 std::string note_on_robots(const Race& race) {
   const bool robots = std::any_of(race.mice.begin(), race.mice.end(),
-                                  [](const Contestant& m) { return m.name.starts_with("capstone:"); });
+                                  [](const Contestant& m) { return spec_of(m).starts_with("capstone:"); });
   std::vector<std::string> others;
   for (const NamedMaze& maze : race.mazes)
     if (!as_robots_expect(maze.maze)) others.push_back(shown(maze.name));

@@ -7,7 +7,6 @@
 
 #include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/studies/decimals.hpp"
-#include "labmouse/strategies/roster.hpp"
 
 namespace labmouse {
 namespace {
@@ -109,8 +108,9 @@ double share_of(const ParameterRange& range, double value) {
 }
 
 RangesResult read_ranges(std::string_view spec, std::string_view text) {
-  if (const SpecResult base = read_variant(spec, {}); !base.error.empty()) return {{}, base.error};
-  const RosterEntry& mouse = *find_mouse(spec.substr(0, spec.find_first_of(":,")));
+  const SpecResult base = read_variant(spec, {});
+  if (!base.error.empty()) return {{}, base.error};
+  const RosterEntry& mouse = *entry_of(base.contestants.front());
   RangesResult result;
   for (bool more = true; more;) {
     const auto comma = text.find(',');

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 
-#include "labmouse/lab/mice/guest_specs.hpp"
 #include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/standings/standings.hpp"
-#include "labmouse/strategies/roster.hpp"
 
 namespace labmouse {
 namespace {
@@ -26,10 +24,10 @@ SweepPoint point_of(const Race& race, const std::string& value) {
 }
 
 /// Sets what the sweep says of the mouse and of the parameter, which it has. A guest's is known to the guest alone.
-void describe_parameter(std::string_view spec, Sweep& sweep) {
+void describe_parameter(std::string_view spec, const RosterEntry* mouse, Sweep& sweep) {
   sweep.mouse = spec;
-  if (is_guest_spec(spec)) return;
-  const auto parameters = find_mouse(spec.substr(0, spec.find(':')))->parameters;
+  if (mouse == nullptr) return;
+  const auto parameters = mouse->parameters;
   const auto found = std::find_if(parameters.begin(), parameters.end(),
                                   [&](const Parameter& parameter) { return parameter.name == sweep.parameter; });
   const std::string usual(found->default_value);
@@ -38,10 +36,9 @@ void describe_parameter(std::string_view spec, Sweep& sweep) {
 }
 
 /// The value of each variant, in its one spelling where it has one.
-std::vector<std::string> values_of(std::string_view spec, const Variation& variation,
-                                   const std::vector<Contestant>& variants) {
+std::vector<std::string> values_of(const Variation& variation, const std::vector<Contestant>& variants) {
   std::vector<std::string> values;
-  if (is_guest_spec(spec)) {
+  if (entry_of(variants.front()) == nullptr) {
     for (const std::string& value : variation.values)
       if (std::find(values.begin(), values.end(), value) == values.end()) values.push_back(value);
   } else {
@@ -67,8 +64,8 @@ Sweep hold_sweep(std::string_view spec, const Variation& variation, const std::v
   sweep.parameter = variation.parameter;
   const SpecResult variants = read_variants(spec, variation.parameter, variation.values, guests);
   if (sweep.error = !variation.error.empty() ? variation.error : variants.error; !sweep.error.empty()) return sweep;
-  const std::vector<std::string> values = values_of(spec, variation, variants.contestants);
-  describe_parameter(spec, sweep);
+  const std::vector<std::string> values = values_of(variation, variants.contestants);
+  describe_parameter(spec, entry_of(variants.contestants.front()), sweep);
   sweep.values = values.size();
   describe_mazes(mazes, sweep);
 

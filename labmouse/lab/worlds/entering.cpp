@@ -23,7 +23,7 @@ EntriesResult enter_one(std::vector<Contestant> mice, const WorldEntry& entry, c
   std::vector<Contestant> taken;
   for (Contestant& mouse : mice) {
     const std::string reason = made.world->refuse(mouse);
-    if (!reason.empty() && !mouse.may_be_left_out) return {{}, "error: " + reason, {}};
+    if (!reason.empty() && mouse.lineup.empty()) return {{}, "error: " + reason, {}};
     if (reason.empty())
       taken.push_back(std::move(mouse));
     else
