@@ -6,6 +6,7 @@
 
 #include <fstream>
 
+#include "labmouse/guests/command_line.hpp"
 #include "labmouse/lab/lineups/lineup_file.hpp"
 
 namespace labmouse {
@@ -87,11 +88,14 @@ TEST_F(LineupScan, MarksPython2) {
 TEST_F(LineupScan, WritesWhatTheReaderReads) {
   file("a \"b\\/robot.py", robot);
   file("c/my mouse", "#!/bin/sh\necho labmouse 1\n", true);
+  file("d/my \"mouse\"", "#!/bin/sh\necho labmouse 1\n", true);
+  file("e/a\nb/robot.py", robot);
   const LineupResult read = read_lineup(lineup_text(found()));
-  ASSERT_THAT(read.mice, SizeIs(2));
+  ASSERT_THAT(read.mice, SizeIs(3));
   EXPECT_EQ(read.mice[0].name, "a \"b\\");
   EXPECT_EQ(read.mice[0].what, "a \"b\\/robot.py");
   EXPECT_EQ(read.mice[1].what, "\"c/my mouse\"");
+  EXPECT_THAT(split_command(read.mice[2].what), testing::ElementsAre("d/my \"mouse\""));
 }
 
 }  // namespace

@@ -85,6 +85,12 @@ bool is_skipped(const fs::path& folder) {
          std::find(environments.begin(), environments.end(), name) != environments.end();
 }
 
+/// Whether a file or a folder can stand in a lineup, by its name.
+bool can_be_named(const fs::path& path) {
+  const std::string name = path.filename().string();
+  return shown(name) == name;
+}
+
 /// The interpreter of a virtual environment in that folder.
 std::string environment_in(const fs::path& folder) {
   std::error_code error;
@@ -107,6 +113,7 @@ struct LikelyMouse {
 void collect(const fs::path& folder, int depth, std::vector<LikelyMouse>& likely) {
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, fs::directory_options::skip_permission_denied, error)) {
+    if (!can_be_named(entry.path())) continue;
     if (entry.is_directory(error) && !entry.is_symlink(error)) {
       if (depth < deepest && !is_skipped(entry.path())) collect(entry.path(), depth + 1, likely);
     } else if (entry.is_regular_file(error)) {
@@ -138,9 +145,10 @@ std::string quoted_toml(std::string_view text) {
   return quoted + "\"";
 }
 
-/// A word of a command, with its blanks.
+/// A word of a command, with its blanks and quotation marks.
 std::string word(const std::string& path) {
-  const std::string here = path.find('/') == std::string::npos ? "./" + path : path;
+  std::string here = path.find('/') == std::string::npos ? "./" : "";
+  for (const char letter : path) here += letter == '"' ? std::string(R"(""")") : std::string(1, letter);
   return here.find(' ') == std::string::npos ? here : "\"" + here + "\"";
 }
 
@@ -150,9 +158,8 @@ std::vector<FoundMouse> scan_for_mice(const fs::path& folder, const std::string&
   std::map<std::string, FoundMouse> mice;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error)) {
+    if (!can_be_named(entry.path())) continue;
     const std::string file = entry.path().filename().string();
-    // Such names cannot stand in a lineup.
-    if (shown(file) != file) continue;
     if (entry.is_directory(error)) {
       if (is_skipped(entry.path())) continue;
       std::vector<LikelyMouse> likely;
