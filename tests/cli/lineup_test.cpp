@@ -90,6 +90,19 @@ TEST_F(ATeacher, RunsOneMouseOfALineup) {
   EXPECT_EQ(labmouse({"run", "lineup:class/mice.toml", "corridor.txt"}).code, 2);
 }
 
+TEST_F(ATeacher, VariesNamedMiceAsTheMiceThatTheyAre) {
+  file("class/mice.toml", "[[mouse]]\nname = \"a\"\nmouse = \"flood\"\n");
+  for (const std::string mouse : {"certify=flood", "lineup:class/mice.toml:a"}) {
+    const Ended swept = labmouse({"sweep", mouse, "--vary", "stride=1:3:1", "--mazes", "corridor.txt"});
+    EXPECT_EQ(swept.code, 0) << swept.err;
+    EXPECT_THAT(swept.out, HasSubstr("flood"));
+  }
+  // The name is that of another mouse, with other parameters.
+  EXPECT_EQ(labmouse({"race", "--mice", "ariadne=flood", "--world", "seconds", "--mazes", "corridor.txt"}).code, 0);
+  EXPECT_EQ(labmouse({"sweep", "lineup:class/mice.toml", "--vary", "stride=1:3:1", "--mazes", "corridor.txt"}).code, 0);
+  EXPECT_EQ(labmouse({"sweep", "mine=capstone:class/anna/robot.py", "--vary", "stride=1:3:1"}).code, 2);
+}
+
 TEST_F(ATeacher, WritesALineupAndChecksIt) {
   std::filesystem::create_directories(folder_ / "class" / "clock");
   file("class/clock/robot.py",

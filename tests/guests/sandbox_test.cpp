@@ -10,6 +10,7 @@
 #include <fstream>
 
 #include "tests/guests/bad_guests.hpp"
+#include "tests/guests/sandboxes.hpp"
 
 namespace labmouse {
 namespace {
@@ -22,7 +23,7 @@ using testing::Not;
 class Sandbox : public testing::Test {
  protected:
   void SetUp() override {
-    ASSERT_EQ(why_no_sandbox(), "");
+    if (!test::has_sandboxes()) GTEST_SKIP() << "no sandboxes here: " << why_no_sandbox();
     fs::create_directories(folder_ / "own");
   }
   ~Sandbox() override { fs::remove_all(folder_); }

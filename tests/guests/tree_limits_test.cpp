@@ -10,6 +10,7 @@
 #include "tests/drawn_maze.hpp"
 #include "tests/guests/bad_guests.hpp"
 #include "tests/guests/mms_fixture.hpp"
+#include "tests/guests/sandboxes.hpp"
 #include "tests/says.hpp"
 
 namespace labmouse {
@@ -29,7 +30,10 @@ void PrintTo(const Excess& excess, std::ostream* out) { *out << excess.how; }
 /// Each of them with and without a sandbox.
 class TreeLimits : public testing::TestWithParam<std::tuple<Excess, bool>> {
  protected:
-  void SetUp() override { std::filesystem::create_directories(folder_); }
+  void SetUp() override {
+    std::filesystem::create_directories(folder_);
+    if (std::get<1>(GetParam()) && !test::has_sandboxes()) GTEST_SKIP() << "no sandboxes here: " << why_no_sandbox();
+  }
   ~TreeLimits() override { std::filesystem::remove_all(folder_); }
 
   Launch launch(const std::string& how) const {
