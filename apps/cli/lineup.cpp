@@ -118,22 +118,24 @@ int check(CheckOptions options) {
   std::size_t width = 0;
   for (const LineupMouse& mouse : lineup) width = std::max(width, mouse.name.size());
   bool good = true;
+  std::vector<Contestant> tried;
   for (const LineupMouse& mouse : lineup) {
     const SpecResult read = read_specs("lineup:" + options.file + ":" + mouse.name, options.guests);
     if (read.error.empty())
-      good = check_one(read.contestants.front(), maze.maze, width) && good;
+      good = check_one(tried.emplace_back(read.contestants.front()), maze.maze, width) && good;
     else
       print(fmt::format("{:<{}} {:<8} error: {}\n", mouse.name, width, key_of(mouse.kind), shown(read.error)));
     good = good && read.error.empty();
     if (interruptible.stopped()) return exit_interrupted();
   }
+  print(freedom_note(tried));
   return good ? exit_good : exit_finding;
 }
 
 /// The Python 2 of PATH, if there is one that works: some names there only say that there is none.
 std::string python_2() {
   for (const char* name : {"python2", "python2.7"})
-    if (!program_path(name, "").empty() && !python_version(name).empty()) return name;
+    if (!program_path(name, "").empty() && !python_version(name, false).empty()) return name;
   return "";
 }
 

@@ -72,7 +72,8 @@ MmsRun host(const MmsCommandOptions& options, const NamedMaze& maze) {
   const Interruptible interruptible;
   GuestOptions guests = options.guests;
   guests.stop = &interruptible.stopped();
-  const Contestant mouse = find_contestants({"mms:" + options.command}, guests).front();
+  const std::vector<Contestant> mice = find_contestants({"mms:" + options.command}, guests);
+  const Contestant& mouse = mice.front();
   std::optional<MmsRecorder> recorder;
   std::optional<Watching> watching;
   if (!options.record.empty()) recorder.emplace(mouse.name, maze);
@@ -90,6 +91,7 @@ MmsRun host(const MmsCommandOptions& options, const NamedMaze& maze) {
     watching->show_end(drawing);
   else
     print(drawing);
+  print(freedom_note(mice));
   return run;
 }
 

@@ -45,6 +45,7 @@ void run_contest(const RunOptions& options) {
     watch(file, options.delay);
   else
     print(summary_of(file));
+  print(freedom_note(mice));
   explain(file, options.explain, mouse.name + " kept no reasons.");
   if (!options.record.empty()) save(options.record, write_record(file));
   if (!options.svg.empty()) save(options.svg, picture_of(file));

@@ -8,8 +8,11 @@ namespace labmouse {
 namespace {
 
 /// The first line that a Python prints for a script; empty where it does not run.
-std::string first_line(const std::string& python, const std::string& script) {
+std::string first_line(const std::string& python, const std::string& script, bool sandbox) {
   Launch launch;
+  launch.sandbox = sandbox;
+  // There it may write nowhere.
+  if (sandbox) launch.directory = "/";
   launch.words = {python, "-c", script};
   GuestProcess process(launch);
   const auto deadline = GuestProcess::Clock::now() + launch.limits.start;
@@ -30,12 +33,12 @@ Launch capstone_launch(const std::string& robot, const std::string& python, cons
   return launch;
 }
 
-std::string python_version(const std::string& python) {
+std::string python_version(const std::string& python, bool sandbox) {
   static std::mutex mutex;
   static std::map<std::string, std::string> known;
   const std::lock_guard lock(mutex);
   const auto [place, is_new] = known.try_emplace(python);
-  if (is_new) place->second = first_line(python, "import sys; print('%d.%d.%d' % sys.version_info[:3])");
+  if (is_new) place->second = first_line(python, "import sys; print('%d.%d.%d' % sys.version_info[:3])", sandbox);
   return place->second;
 }
 

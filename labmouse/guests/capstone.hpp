@@ -19,7 +19,8 @@ Launch capstone_launch(const std::string& robot, const std::string& python,
 /// The Python of a robot for which none is named: the one that the user's shell starts, with what is installed for it.
 inline constexpr const char* usual_python = "python3";
 
-/// The version of a Python: "3.11.2"; empty where it does not run. Starts it, once a program.
-std::string python_version(const std::string& python);
+/// The version of a Python: "3.11.2"; empty where it does not run. Starts it, once a program,
+/// where it is asked for in a sandbox: it may be as strange as the robot.
+std::string python_version(const std::string& python, bool sandbox);
 
 }  // namespace labmouse

@@ -91,11 +91,10 @@ std::optional<std::string_view> GuestMind::hear(std::chrono::milliseconds silenc
   for (;;) {
     const auto line = process_.lines().next();
     if (patience.is_overworked(process_)) {
-      give_up(
-          ForfeitReason::late,
-          fmt::format("it worked for {} of processor time{}; the limit is {} (--decision-limit)",
-                      seconds_text(patience.worked()),
-                      line ? " for its answer " + quoted_line(*line) : " and had not answered", seconds_text(work)));
+      give_up(ForfeitReason::late,
+              fmt::format("it worked for {} of processor time{}; the limit is {} ({})", seconds_text(patience.worked()),
+                          line ? " for its answer " + quoted_line(*line) : " and had not answered", seconds_text(work),
+                          greeted_ ? "--decision-limit" : "--contest-limit"));
       return std::nullopt;
     }
     if (line) return line;

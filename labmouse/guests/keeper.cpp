@@ -64,7 +64,8 @@ void limit_all(const GuestLimits& limits) {
   // than for everything else.
   limit(RLIMIT_CPU, static_cast<rlim_t>(limits.processor_seconds), 1);
   // Memory that is written to. Address space would be the wrong measure: some interpreters reserve gigabytes unused.
-  limit(RLIMIT_DATA, limits.memory);
+  // Twice what is allowed, so that who grows beyond it is met by the watch, which has a name for it.
+  limit(RLIMIT_DATA, 2 * limits.memory);
   limit(RLIMIT_FSIZE, limits.written);
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_NPROC, most_tasks());
@@ -121,6 +122,12 @@ void end_all() {
   }
 }
 
+/// How a process ended: by its limit of processor time, too, where it was deaf to the first signal.
+int end_of(int status, const rusage& used, const GuestLimits& limits) {
+  const bool all_used = used.ru_utime.tv_sec + used.ru_stime.tv_sec >= limits.processor_seconds;
+  return WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL && all_used ? SIGXCPU : status;
+}
+
 void note_child_ended(int) {}
 
 /// Comes before guests wherever that is allowed: among thousands of them it would not get to end them.
@@ -148,13 +155,15 @@ sigset_t hold_back_ends_of_children() {
 /// others there end.
 [[noreturn]] void parent_guest(const KeptGuest& guest, const KeptEnds& ends) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
+  show_own_processes();
   const pid_t child = fork();
   if (child < 0) fail(ends);
   if (child == 0) become_guest(guest, ends);
   for (const int descriptor : {ends.input, ends.output, ends.errors, ends.failure}) close(descriptor);
   for (int status = 0;;) {
-    const pid_t ended = waitpid(-1, &status, 0);
-    if (ended == child) report(ends.status, KeeperWord{KeeperWord::Kind::ended, status});
+    rusage used{};
+    const pid_t ended = wait4(-1, &status, 0, &used);
+    if (ended == child) report(ends.status, KeeperWord{KeeperWord::Kind::ended, end_of(status, used, guest.limits)});
     if (ended < 0) pause();
   }
 }
@@ -198,9 +207,10 @@ void keep_guest(const KeptGuest& guest, const KeptEnds& ends) {
     const int happened = ppoll(&leash, 1, watched ? &pause : nullptr, &while_waiting);
     if (happened > 0) break;
     int status = 0;
-    for (pid_t ended; (ended = waitpid(-1, &status, WNOHANG)) > 0;) {
+    rusage used{};
+    for (pid_t ended; (ended = wait4(-1, &status, WNOHANG, &used)) > 0;) {
       if (ended != child) continue;
-      report(kept.status, KeeperWord{KeeperWord::Kind::ended, status});
+      report(kept.status, KeeperWord{KeeperWord::Kind::ended, end_of(status, used, guest.limits)});
       runs = false;
     }
     if (happened < 0) continue;

@@ -337,6 +337,7 @@ void GuestProcess::read_status() {
   close_end(status_end_);
   if (count == sizeof word && word.kind == KeeperWord::Kind::ended) {
     status_ = exit_status(word.value);
+    if (status_->signal == SIGXFSZ) exceeded_ = TreeLimit::written;
     return;
   }
   if (count == sizeof word) exceeded_ = static_cast<TreeLimit>(word.value);

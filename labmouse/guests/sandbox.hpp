@@ -21,6 +21,9 @@ struct Rooms {
 /// there. False with errno where the system does not allow it. Allocates nothing and takes no lock.
 bool enter_sandbox(const Rooms& rooms);
 
+/// Lets the first process there and those below it see themselves in /proc, and nobody outside where that is allowed.
+void show_own_processes();
+
 /// Gives up all that the calling process could still do within the sandbox that its user could not outside.
 void drop_privileges();
 

@@ -43,18 +43,12 @@ class Facts {
     const auto at = text.find(word);
     return at == std::string_view::npos ? 0 : number(text.substr(at + word.size()));
   }
-  /// The number at that place of a line of numbers.
-  std::uint64_t number_at(int place) const {
-    std::string_view rest = text();
-    for (; place > 0; --place) rest.remove_prefix(std::min(rest.size(), rest.find(' ') + 1));
-    return number(rest);
-  }
 
  private:
   std::string_view text() const { return {text_.data(), static_cast<std::size_t>(size_)}; }
   static std::uint64_t number(std::string_view text) {
     std::uint64_t value = 0;
-    text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
+    text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
     std::from_chars(text.data(), text.data() + text.size(), value);
     return value;
   }
@@ -72,9 +66,8 @@ std::uint64_t written_by(pid_t process) {
 std::uint64_t memory_of(pid_t process, bool shares) {
   constexpr std::uint64_t kib = 1024;
   if (shares) return Facts(process, "smaps_rollup").number_after("\nPss: ") * kib;
-  const Facts facts(process, "statm");
-  const std::uint64_t resident = facts.number_at(1), shared = facts.number_at(2);
-  return (resident - std::min(resident, shared)) * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+  const Facts facts(process, "status");
+  return (facts.number_after("\nRssAnon:") + facts.number_after("\nRssShmem:") + facts.number_after("\nVmSwap:")) * kib;
 }
 
 /// Those whose descendants are still to be looked for, and all that were found.

@@ -98,12 +98,20 @@ TEST_F(AHostOfGuests, HoldsThemToTheLimitsThatAreAskedFor) {
   EXPECT_THAT(race_in_the_corridor({"--mice", bad("turn"), "--contest-limit", "0.1", "--budget", "1000000"}).out,
               HasSubstr("forfeit (out of time) 1"));
   EXPECT_THAT(race_in_the_corridor({"--mice", bad("eat memory"), "--memory", "256", "--decision-limit", "20"}).out,
-              HasSubstr("bad_alloc"));
+              HasSubstr("too much memory"));
 }
 
 TEST_F(AHostOfGuests, RunsEachAsOftenAsAsked) {
   const auto json = race({"--mice", bad("end"), "--guest-runs", "3", "--mazes", "corridor.txt"});
   EXPECT_EQ(json["mice"][0]["runs"], 3);
+}
+
+TEST_F(AHostOfGuests, IsToldWhereverTheyAreFree) {
+  const Ended run = labmouse({"run", bad("die"), "corridor.txt", "--sandbox", "off"});
+  EXPECT_THAT(run.out, HasSubstr("without a sandbox"));
+  EXPECT_THAT(race_in_the_corridor({"--mice", bad("die"), "--sandbox", "off"}).out, HasSubstr("without a sandbox"));
+  EXPECT_THAT(labmouse({"mms", "true", "--maze", "corridor.txt", "--sandbox", "off"}).out,
+              HasSubstr("without a sandbox"));
 }
 
 TEST_F(AHostOfGuests, StartsThemInTheirFolder) {

@@ -104,6 +104,13 @@ TEST_F(Sandbox, SignalsNobodyOutside) {
   EXPECT_EQ(inside("kill -9 $PPID; kill -STOP $PPID; echo there"), "there\n");
 }
 
+TEST_F(Sandbox, ReadsNothingOfAProcessOutside) {
+  const std::string script = "tr '\\0' '\\n' < /proc/" + std::to_string(getpid()) + "/environ | grep -c ^PATH=";
+  EXPECT_EQ(outside(script), "1\n");
+  EXPECT_THAT(inside(script), Not(HasSubstr("1\n")));
+  EXPECT_THAT(inside("ls /proc/self/fd && ps -e -o args= 2>&1 | wc -l"), Not(HasSubstr("No such file")));
+}
+
 TEST_F(Sandbox, OutlivesNobody) {
   EXPECT_EQ(inside("(setsid bash -c 'sleep 1000' " + test::tag() + " &) ; echo left"), "left\n");
   EXPECT_EQ(test::tagged_processes(), 0);

@@ -77,6 +77,8 @@ INSTANTIATE_TEST_SUITE_P(
                         Excess{"bomb", ForfeitReason::too_many_processes, {"64 processes"}},
                         Excess{"bomb in sessions", ForfeitReason::too_many_processes, {"64 processes"}},
                         Excess{"big idlers", ForfeitReason::too_much_memory, {"256 MiB", "--memory"}},
+                        Excess{"eat memory", ForfeitReason::too_much_memory, {"256 MiB"}},
+                        Excess{"share memory", ForfeitReason::too_much_memory, {"256 MiB"}},
                         Excess{"write files", ForfeitReason::too_much_written, {"256 MiB", "--written"}}),
         testing::Bool()),
     [](const auto& test) {

@@ -94,8 +94,9 @@ TEST_F(LineupScan, WritesWhatTheReaderReads) {
   ASSERT_THAT(read.mice, SizeIs(3));
   EXPECT_EQ(read.mice[0].name, "a \"b\\");
   EXPECT_EQ(read.mice[0].what, "a \"b\\/robot.py");
-  EXPECT_EQ(read.mice[1].what, "\"c/my mouse\"");
-  EXPECT_THAT(split_command(read.mice[2].what), testing::ElementsAre("d/my \"mouse\""));
+  EXPECT_EQ(read.mice[1].what, "\"./my mouse\"");
+  EXPECT_EQ(read.mice[1].directory, "c");
+  EXPECT_THAT(split_command(read.mice[2].what), testing::ElementsAre("./my \"mouse\""));
 }
 
 }  // namespace

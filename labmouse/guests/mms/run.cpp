@@ -127,8 +127,6 @@ class Hosting {
     if (Clock::now() >= contest_end())
       finish(MmsOutcome::out_of_time,
              fmt::format("ran for longer than {} (--contest-limit)", seconds_text(limits.contest)));
-    else if (guest_.deaf())
-      finish(MmsOutcome::closed, "closed its standard input");
     else
       finish(MmsOutcome::hung, said_nothing());
   }
@@ -146,6 +144,7 @@ class Hosting {
 
   /// What may be behind a silence.
   std::string hint() {
+    if (guest_.deaf()) return "; it had closed its standard input";
     const std::string_view begun = guest_.lines().rest();
     if (!begun.empty()) return fmt::format("; it wrote {} without ending the line", quoted_line(begun));
     return host_.lines() == 0 ? "; does it flush after each line?" : "";

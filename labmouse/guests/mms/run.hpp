@@ -25,7 +25,7 @@ enum class MmsOutcome : std::uint8_t {
   too_much_memory,     ///< they held too much memory
   too_much_written,    ///< they wrote too much
   flooded,             ///< it wrote a line that is too long, or left too many replies unread
-  closed,              ///< it closed its standard output and ran on, or closed its input and fell silent
+  closed,              ///< it closed its standard output and ran on
   left,                ///< it ended, and what it started holds its output open
   not_started,         ///< it could not be started
   interrupted,         ///< the race was stopped

@@ -169,7 +169,7 @@ class LineupReader {
       if (!value.is_string() || (name + text).find('\0') != std::string::npos || name.empty() ||
           name.find('=') != std::string::npos)
         add(value.source().begin, fmt::format("the variable {} must be a text in quotation marks", shown(name)));
-      all.push_back(name + "=" + text);
+      all.push_back(fmt::format("{}={}", name, text));
     }
     return all;
   }

@@ -157,7 +157,11 @@ std::string word(const std::string& path) {
 std::vector<FoundMouse> scan_for_mice(const fs::path& folder, const std::string& old_python) {
   std::map<std::string, FoundMouse> mice;
   std::error_code error;
-  for (const auto& entry : fs::directory_iterator(folder, error)) {
+  std::vector<fs::directory_entry> entries;
+  for (const auto& entry : fs::directory_iterator(folder, error)) entries.push_back(entry);
+  // Whatever order the file system has.
+  std::sort(entries.begin(), entries.end());
+  for (const fs::directory_entry& entry : entries) {
     if (!can_be_named(entry.path())) continue;
     const std::string file = entry.path().filename().string();
     if (entry.is_directory(error)) {
@@ -191,8 +195,12 @@ std::string lineup_text(const std::vector<FoundMouse>& mice) {
     const std::string off = mouse.can_start ? "" : "# ";
     text += mouse.remark.empty() ? "\n" : fmt::format("\n# {}\n", mouse.remark);
     text += fmt::format("{0}[[mouse]]\n{0}name = {1}\n", off, quoted_toml(mouse.name));
-    text += fmt::format("{}{} = {}\n", off, mouse.kind,
-                        quoted_toml(mouse.kind == "capstone" ? mouse.file : word(mouse.file)));
+    const std::string folder = fs::path(mouse.file).parent_path().string();
+    // A program is at home in its own folder, and may not write to those of others.
+    const bool moves = mouse.kind != "capstone" && !folder.empty();
+    const std::string file = moves ? fs::path(mouse.file).filename().string() : mouse.file;
+    text += fmt::format("{}{} = {}\n", off, mouse.kind, quoted_toml(mouse.kind == "capstone" ? file : word(file)));
+    if (moves) text += fmt::format("{}directory = {}\n", off, quoted_toml(folder));
     if (!mouse.interpreter.empty()) text += fmt::format("{}interpreter = {}\n", off, quoted_toml(mouse.interpreter));
   }
   return text;

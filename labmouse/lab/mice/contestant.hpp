@@ -64,6 +64,9 @@ struct Contestant {
 /// The SPEC of a mouse, whatever it is called.
 inline const std::string& spec_of(const Contestant& mouse) { return mouse.spec.empty() ? mouse.name : mouse.spec; }
 
+/// What guests without a sandbox could do to the machine that they ran on, in a line; nothing where there were none.
+std::string freedom_note(const std::vector<Contestant>& mice);
+
 /// Gives a mouse another name, which it keeps when it learns.
 void rename(Contestant& mouse, const std::string& name);
 

@@ -100,12 +100,16 @@ struct Guest {
 
 Guest no_guest(std::string error) { return {{}, {}, std::move(error)}; }
 
+bool has_sandbox(const GuestOptions& options) {
+  return options.sandbox != SandboxUse::never && why_no_sandbox().empty();
+}
+
 /// The interpreter of that name, or an empty path and why there is none.
-std::pair<Interpreter, std::string> find_interpreter(const std::string& named) {
+std::pair<Interpreter, std::string> find_interpreter(const std::string& named, bool sandbox) {
   Interpreter found = {program_path(named, ""), ""};
   if (found.path.empty()) return {found, fmt::format("no executable interpreter '{}'", named)};
   if (fs::path(named).filename().string().find("python") == std::string::npos) return {found, ""};
-  found.version = python_version(found.path);
+  found.version = python_version(found.path, sandbox);
   return {found, found.version.empty() ? fmt::format("'{}' is not a working Python interpreter", named) : ""};
 }
 
@@ -121,9 +125,10 @@ Guest robot_of(const std::string& named, const GuestOptions& options) {
   const std::string python = options.python.empty() ? usual_python : anchored(from_home(options.python));
   if (options.python.empty() && program_path(python, "").empty())
     return no_guest(fmt::format("no {} was found in PATH; name one with --python", python));
-  auto [interpreter, error] = find_interpreter(python);
+  auto [interpreter, error] = find_interpreter(python, has_sandbox(options));
   // Of a robot that is asked to run under it, an interpreter need not be called a Python.
-  if (error.empty() && interpreter.version.empty()) interpreter.version = python_version(interpreter.path);
+  if (error.empty() && interpreter.version.empty())
+    interpreter.version = python_version(interpreter.path, has_sandbox(options));
   if (error.empty() && interpreter.version.empty())
     error = fmt::format("'{}' is not a working Python interpreter", python);
   return {capstone_launch(fs::absolute(file, failure).string(), python, words), interpreter, error};
@@ -143,7 +148,7 @@ Guest program_of_command(const std::string& command, const GuestOptions& options
   if (words.empty()) return no_guest("its command is empty");
   if (!options.interpreter.empty()) {
     const std::string named = anchored(from_home(options.interpreter));
-    auto [interpreter, error] = find_interpreter(named);
+    auto [interpreter, error] = find_interpreter(named, has_sandbox(options));
     if (!error.empty()) return no_guest(error);
     words.insert(words.begin(), named);
     guest.interpreter = interpreter;
@@ -158,7 +163,6 @@ Guest program_of_command(const std::string& command, const GuestOptions& options
 void read_guest_spec(std::string_view spec, const GuestOptions& options, SpecResult& result) {
   const std::string_view kind = spec.substr(0, spec.find(':') + 1);
   const std::string rest(spec.substr(kind.size()));
-  std::string error;
   // What is accepted here is printed as the mouse's name, and handed on as words that end with a zero.
   if (shown(spec) != spec) {
     result.error = fmt::format("guest '{}': its SPEC contains unprintable characters", shown(spec));
@@ -175,7 +179,7 @@ void read_guest_spec(std::string_view spec, const GuestOptions& options, SpecRes
   launch.limits = options.limits;
   launch.stop = options.stop;
   launch.environment = options.environment;
-  launch.sandbox = options.sandbox != SandboxUse::never && why_no_sandbox().empty();
+  launch.sandbox = has_sandbox(options);
   Contestant& mouse = result.contestants.emplace_back(
       kind == "mms:" ? program_of(std::string(spec), launch) : contestant_of(std::string(spec), launch, options.runs));
   mouse.interpreter = guest.interpreter;

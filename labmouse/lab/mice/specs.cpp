@@ -176,6 +176,10 @@ std::string read_own(std::string_view spec, const Setting* value, std::vector<Co
 void read_into(std::string_view text, const GuestOptions& options, SpecResult& result) {
   for (bool more = true; more && result.error.empty();) {
     const auto [name, spec] = named_spec(text);
+    if (shown(name) != name) {
+      result.error = fmt::format("the name '{}' contains unprintable characters", shown(name));
+      return;
+    }
     if (is_lineup_spec(spec) && !name.empty()) {
       result.error = fmt::format("a lineup cannot be named '{}'; its mice have their own names", name);
       return;

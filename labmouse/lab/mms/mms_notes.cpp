@@ -60,9 +60,8 @@ std::string ends_of(const Race& race, const MouseColumn& names) {
                         shown(race.mazes[first->maze].name), shown(text_at(*first, F::end)));
     for (const std::string& line : lines_at(*first, F::errors)) text += "    | " + shown(line) + "\n";
   }
-  return text.empty()
-             ? ""
-             : "Runs that did not end with exit code 0 (endless, hung or out of time, they have no score):\n" + text;
+  return text.empty() ? ""
+                      : "Runs that did not end with exit code 0 (those that a limit ended have no score):\n" + text;
 }
 
 std::int64_t sum_of_lines(const Race& race, std::size_t mouse, F figure) {

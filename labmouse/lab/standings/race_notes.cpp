@@ -76,13 +76,7 @@ std::string left_out_of(const Race& race) {
 
 /// What guests could do to the machine that they raced on.
 std::string sandboxes_of(const Race& race) {
-  const auto open = std::find_if(race.mice.begin(), race.mice.end(),
-                                 [](const Contestant& mouse) { return mouse.sandboxed == false; });
-  if (open != race.mice.end())
-    return fmt::format("Guests ran without a sandbox{}: they could do whatever you can.\n",
-                       open->why_no_sandbox.empty()
-                           ? ""
-                           : fmt::format(", which this system does not offer ({})", open->why_no_sandbox));
+  if (std::string free = freedom_note(race.mice); !free.empty()) return free;
   const bool any =
       std::any_of(race.mice.begin(), race.mice.end(), [](const Contestant& mouse) { return mouse.sandboxed == true; });
   return any ? "Guests ran in a sandbox: read-only outside their folders, without a network (--sandbox).\n" : "";

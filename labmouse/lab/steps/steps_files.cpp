@@ -44,7 +44,9 @@ RecordFile record_file_of(const Contestant& mouse, const NamedMaze& maze, const 
   file.mouse = mouse.name;
   file.spec = mouse.spec;
   file.settings = mouse.settings;
-  if (mouse.interpreter) file.interpreter = fmt::format("{} {}", mouse.interpreter->path, mouse.interpreter->version);
+  if (mouse.interpreter)
+    file.interpreter = fmt::format("{}{}{}", mouse.interpreter->path, mouse.interpreter->version.empty() ? "" : " ",
+                                   mouse.interpreter->version);
   file.seed = seed;
   file.rules = rules;
   file.run = record;

@@ -1,5 +1,6 @@
 // A guest that misbehaves: bad_guest HOW [TAG [MINE OTHERS]]. The tag makes it findable among all processes.
 #include <poll.h>
+#include <sys/mman.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -54,10 +55,18 @@ void leave_a_daemon() {
   hang();
 }
 
-void eat_memory() {
+/// Memory that is for all of its processes, although it is alone.
+void share_memory() {
+  constexpr std::size_t size = std::size_t{1} << 29U;
+  char* memory = static_cast<char*>(mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0));
+  for (std::size_t i = 0; i < size; i += 4096) memory[i] = 1;
+  hang();
+}
+
+/// In portions of so many bytes, slowly enough for a busy machine to see it grow.
+void eat_memory(std::size_t portion) {
   std::vector<char*> all;
-  for (;;) {
-    constexpr std::size_t portion = std::size_t{1} << 24U;
+  for (;; wait_for(10)) {
     all.push_back(new char[portion]);
     for (std::size_t i = 0; i < portion; i += 4096) all.back()[i] = 1;
   }
@@ -137,13 +146,16 @@ void misbehave(const std::string& how) {
   if (how == "close output") close(STDOUT_FILENO), hang();
   if (how == "close input") close(STDIN_FILENO), hang();
   if (how == "close all") close(STDIN_FILENO), close(STDOUT_FILENO), close(STDERR_FILENO), hang();
-  if (how == "eat memory") eat_memory();
+  if (how == "eat memory") eat_memory(std::size_t{1} << 24U);
+  if (how == "ask for memory") eat_memory(std::size_t{1} << 30U);
+  if (how == "share memory") share_memory();
   if (how == "idlers") start_idlers(80, 1);
   if (how == "big idlers") start_idlers(10, std::size_t{1} << 26U);
   if (how == "bomb") bomb(false);
   if (how == "bomb in sessions") bomb(true);
   if (how == "write files") write_files();
-  if (how == "burn")
+  if (how == "burn on") std::signal(SIGXCPU, SIG_IGN);
+  if (how == "burn" || how == "burn on")
     for (volatile unsigned i = 0; i <= i;) {
     }
   if (how == "stop the keeper") kill(getppid(), SIGSTOP), say("what?"), hang();
