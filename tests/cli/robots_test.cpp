@@ -11,8 +11,8 @@ using ABuilder = AUser;
 TEST_F(ABuilder, ListsTheRobots) {
   const Ended ended = labmouse({"robot", "list"});
   EXPECT_EQ(ended.code, 0) << ended.err;
-  EXPECT_THAT(ended.out, StartsWith("classic  cells of 180 mm"));
-  EXPECT_EQ(std::count(ended.out.begin(), ended.out.end(), '\n'), 3);
+  EXPECT_THAT(ended.out, StartsWith("beginner  cells of 180 mm"));
+  EXPECT_EQ(std::count(ended.out.begin(), ended.out.end(), '\n'), 5);
 }
 
 TEST_F(ABuilder, SeesTheClassicRobotWhereNoneIsNamed) {
@@ -40,7 +40,7 @@ TEST_F(ABuilder, IsToldAllThatIsWrongWithAFile) {
 }
 
 TEST_F(ABuilder, IsRefused) {
-  is_refused({"robot", "show", "hovercraft"}, "'hovercraft'", "classic, half, mm2021");
+  is_refused({"robot", "show", "hovercraft"}, "'hovercraft'", "beginner, classic, half, kerise, mm2021");
   is_refused({"robot", "show", "./none"}, "./none: error: ", "no such");
   is_refused({"robot", "show", "."}, "robot '.'");
   is_refused({"robot", "show", "--svg", "none/"}, "none");

@@ -49,7 +49,7 @@ void expect_joined(const DriveRoute& route, const DriveModel& model) {
 TEST(DriveDrawing, JoinsTheSegmentsOfRoutesInRealMazes) {
   const auto files = test::maze_files();
   if (files.empty()) GTEST_SKIP() << "no maze files in " << test::folder_of_mazes() << "; set LABMOUSE_MAZES";
-  for (const char* robot : {"mm2021", "classic", "half"}) {
+  for (const char* robot : {"mm2021", "classic", "half", "kerise", "beginner"}) {
     const auto model = test::drive_model(robot);
     for (std::size_t i = 0; i < files.size(); i += test::slowness)
       if (const auto maze = test::maze_in_file(files[i]);

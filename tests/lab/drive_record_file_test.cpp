@@ -59,7 +59,7 @@ TEST(DriveRecordFile, SaysWhatANamedMouseIs) {
 }
 
 TEST(DriveRecordFile, IsReadAsItWasWritten) {
-  for (const char* robot : {"mm2021", "classic", "half"})
+  for (const char* robot : {"mm2021", "classic", "half", "kerise", "beginner"})
     for (const char* mouse : {"flood", "certify"}) {
       const DriveRecordFile written = driven(mouse, test::ring(), robot, "thirtieth");
       const DriveRecordFile file = read(write_drive_record(written));
@@ -104,7 +104,7 @@ TEST(DriveRecordFile, ThatIsNoneIsRefusedWithItsLine) {
   EXPECT_THAT(problem(changed(good(), "\"robot\":{\"name\"", "\"robot\":{\"nome\"")).reason,
               Says("'robot.name'", "missing"));
   EXPECT_THAT(problem(changed(good(), "\"straight.speed\":1500", "\"straight.speed\":-5")).reason,
-              Says("'robot'", "'straight.speed'", "-5", "100 to 20000 mm/s"));
+              Says("'robot'", "'straight.speed'", "-5", "50 to 20000 mm/s"));
   EXPECT_THAT(problem(changed(good(), "\"straight.speed\"", "\"straight speed\"")).reason,
               Says("'robot.parameters'", "no robot"));
   EXPECT_THAT(problem(changed(good(), "\"most_runs\":5", "\"most_runs\":0")).reason,

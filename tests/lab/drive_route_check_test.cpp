@@ -121,7 +121,7 @@ void leave_out(DriveRoute& route, std::size_t index) {
 TEST(DriveRouteCheck, AgreesWithTheFastestRoutes) {
   Dice dice(23);
   int driven = 0;
-  for (const char* robot : {"mm2021", "classic"})
+  for (const char* robot : {"mm2021", "classic", "kerise", "beginner"})
     for (int i = 0; i < 40; ++i) {
       const Course course = fastest(test::any_maze(dice, 9), robot);
       if (course.route.time == no_time) continue;
@@ -133,7 +133,7 @@ TEST(DriveRouteCheck, AgreesWithTheFastestRoutes) {
 
 TEST(DriveRouteCheck, KnowsTheTimeOfEachSegmentToTheMicrosecond) {
   Dice dice(29);
-  for (const char* robot : {"mm2021", "classic"})
+  for (const char* robot : {"mm2021", "classic", "kerise", "beginner"})
     for (int i = 0; i < 15; ++i) {
       const Course course = fastest(test::any_maze(dice, 9), robot);
       for (std::size_t segment = 0; segment < course.route.segments.size(); ++segment)

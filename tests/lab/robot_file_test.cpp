@@ -149,14 +149,19 @@ TEST(RobotFile, SaysWhatItDoesNotKnow) {
               ElementsAre(SaysAt("my.toml:8:1", "unknown", "'straight.breaking'", "'straight.braking'")));
   EXPECT_THAT(complaints(changed(by_limits, "sight = 3", "colour = \"red\"")),
               ElementsAre(SaysAt("my.toml:4:1", "unknown", "'colour'")));
+  EXPECT_THAT(complaints(changed(by_limits, "[curve]", "[curves]")),
+              Contains(SaysAt("my.toml:13:2", "unknown", "'curves'", "'curve'")));
   EXPECT_THAT(complaints(changed(by_limits, "[diagonal]", "[diagonals]")),
-              ElementsAre(SaysAt("my.toml:9:2", "unknown", "'diagonals'", "'diagonal'")));
+              ElementsAre(SaysAt("my.toml:9:1", "'diagonals'", "true or false", "[diagonal]")));
   EXPECT_THAT(complaints(changed(by_limits, "sight = 3", "\"\\u001b[2J\" = 3")), Each(Not(HasSubstr("\x1b"))));
 }
 
 TEST(RobotFile, SaysWhatANumberMayBe) {
   EXPECT_THAT(complaints(changed(by_limits, "speed = 3000", "speed = 3")),
-              ElementsAre(SaysAt("my.toml:6:9", "'straight.speed'", "3", "100 to 20000 mm/s", "3000")));
+              ElementsAre(SaysAt("my.toml:6:9", "'straight.speed'", "3", "50 to 20000 mm/s", "3000")));
+  EXPECT_THAT(
+      complaints(changed(by_limits, "pivot_speed = 10", "pivot_speed = 573")),
+      ElementsAre(SaysAt("my.toml:18:15", "'search.pivot_speed'", "0.1 to 100 rad/s", "degrees/s", "write 10")));
   EXPECT_THAT(complaints(changed(by_limits, "speed = 3000", "speed = \"fast\"")),
               ElementsAre(SaysAt("my.toml:6:9", "'straight.speed'", "number", "mm/s")));
   EXPECT_THAT(complaints(changed(by_limits, "sight = 3", "sight = 2.5")),
@@ -169,7 +174,7 @@ TEST(RobotFile, SaysWhatANumberMayBe) {
   EXPECT_THAT(complaints("straight = 3\n" +
                          changed(by_limits, "[straight]\nspeed = 3000\nacceleration = 10_000\nbraking = 9000\n", "")),
               ElementsAre(SaysAt("my.toml:1:1", "'straight'", "table", "[straight]"),
-                          SaysAt("my.toml:1:12", "missing", "'straight.speed'", "100 to 20000 mm/s"),
+                          SaysAt("my.toml:1:12", "missing", "'straight.speed'", "50 to 20000 mm/s"),
                           SaysAt("my.toml:1:12", "missing", "'straight.acceleration'", "100 to 200000 mm/s²")));
 }
 
@@ -200,8 +205,8 @@ TEST(RobotFile, ListsAtMostTenProblems) {
 TEST(RobotFile, PassesOnWhatItsModelRefuses) {
   EXPECT_THAT(complaints(changed(by_limits, "clearance = 45", "clearance = 70")),
               ElementsAre(SaysAt("my.toml", "clearance of 70 mm", "180 mm", "63.6 mm")));
-  EXPECT_THAT(complaints(changed(by_limits, "yaw_acceleration = 300", "yaw_acceleration = 30")),
-              ElementsAre(SaysAt("my.toml", "S90", "330 mm/s", "360 mm/s", "yaw acceleration")));
+  EXPECT_THAT(complaints(changed(by_limits, "speed = 500", "speed = 900")),
+              ElementsAre(SaysAt("my.toml", "S90", "850 mm/s", "search.turn_speed")));
 }
 
 TEST(RobotFile, ReadsEveryNumberThatItsKeysAllow) {
@@ -223,10 +228,40 @@ TEST(RobotFile, ReadsEveryNumberThatItsKeysAllow) {
       }
 }
 
-TEST(RobotFiles, BringsThreeRobots) {
+TEST(RobotFile, MayLeaveOutTurns) {
+  const auto robot_of = [](const std::string& text) { return *read_robot(text, "mine").robot; };
+  const Robot square = robot_of("diagonals = false\n" + changed(by_limits,
+                                                                "[diagonal]\nspeed = 2500.0\n"
+                                                                "acceleration = 8000\nbraking = 7000\n",
+                                                                ""));
+  EXPECT_FALSE(square.diagonals);
+  EXPECT_TRUE(square.drives(Turn::f180));
+  EXPECT_FALSE(square.drives(Turn::out45));
+  const Robot fewer =
+      robot_of(changed(by_limits, "[search]", "[layout]\n180 = false\nV90 = false\n45 = 900\n[search]"));
+  EXPECT_FALSE(fewer.drives(Turn::f180));
+  EXPECT_FALSE(fewer.drives(Turn::v90));
+  EXPECT_EQ(fewer.layout(Turn::out45).given, 900.0);
+  const Robot fixed = robot_of(changed(by_times, "180 = 563", "180 = false"));
+  EXPECT_FALSE(fixed.drives(Turn::f180));
+  EXPECT_THAT(complaints("diagonals = false\n" + std::string(by_limits)),
+              Contains(SaysAt("my.toml:11:9", "'diagonal.speed'", "without diagonals")));
+  EXPECT_THAT(complaints(changed(by_times, "S90 = 280", "S90 = false")),
+              ElementsAre(SaysAt("my.toml:12:7", "'turns.S90'")));
+  EXPECT_THAT(complaints(changed(by_times, "180 = 563", "180 = true")),
+              ElementsAre(SaysAt("my.toml:10:7", "'turns.180'")));
+}
+
+TEST(RobotFile, BrakesOnDiagonalsAsItSpeedsUpThere) {
+  const auto braking = [](const std::string& text) { return read_robot(text, "mine").robot->braking_diagonal; };
+  EXPECT_EQ(braking(changed(by_limits, "acceleration = 8000\nbraking = 7000\n", "acceleration = 8000\n")), 8000.0);
+  EXPECT_EQ(braking(changed(by_limits, "acceleration = 8000\nbraking = 7000\n", "")), 9000.0);
+}
+
+TEST(RobotFiles, BringsFiveRobots) {
   std::vector<std::string_view> names;
   for (const BuiltinRobot& robot : builtin_robots()) names.push_back(robot.name);
-  EXPECT_EQ(names, (std::vector<std::string_view>{"classic", "half", "mm2021"}));
+  EXPECT_EQ(names, (std::vector<std::string_view>{"beginner", "classic", "half", "kerise", "mm2021"}));
   for (const std::string_view name : names) {
     const FoundRobot found = find_robot(std::string(name));
     EXPECT_TRUE(found.errors.empty()) << name;
@@ -237,7 +272,7 @@ TEST(RobotFiles, BringsThreeRobots) {
 TEST(RobotFiles, SaysWhichRobotThereIsNot) {
   EXPECT_THAT(find_robot("clasic").errors, ElementsAre(Says("robot 'clasic'", "'classic'")));
   EXPECT_THAT(find_robot("hovercraft").errors,
-              ElementsAre(Says("robot 'hovercraft'", "classic, half, mm2021", ".toml")));
+              ElementsAre(Says("robot 'hovercraft'", "beginner, classic, half, kerise, mm2021", ".toml")));
   EXPECT_THAT(find_robot("nowhere.toml").errors, ElementsAre(SaysAt("nowhere.toml", "no such")));
 }
 

@@ -82,11 +82,11 @@ TEST(FixedRobot, IsRefusedWhereTimesWouldLeaveTheirRange) {
     change(robot);
     return make_drive_model(robot).error;
   };
-  EXPECT_THAT(error([](Robot& robot) { robot.fixed->speed = 179.5; }),
-              Says("speed at nodes", "179.5 mm/s", "180 mm/s"));
-  EXPECT_EQ(error([](Robot& robot) { robot.fixed->speed = 180.0; }), "");
+  EXPECT_THAT(error([](Robot& robot) { robot.fixed->speed = 49.5; }), Says("speed at nodes", "49.5 mm/s", "50 mm/s"));
+  EXPECT_EQ(error([](Robot& robot) { robot.fixed->speed = 50.0; }), "");
+  EXPECT_THAT(error([](Robot& robot) { robot.fixed->speed = robot.speed_diagonal = 40.0; }),
+              Says("straights", "50 mm/s", "40 mm/s"));
   EXPECT_THAT(error([](Robot& robot) { robot.fixed->v90 = 999; }), Says("V90", "0.999 ms", "1 ms"));
-  EXPECT_THAT(error([](Robot& robot) { robot.fixed->s90 = 500'001; }), Says("S90", "500.001 ms", "500 ms"));
   EXPECT_THAT(error([](Robot& robot) { robot.fixed->speed = 1201.0; }),
               Says("speed at nodes", "1201 mm/s", "1500 mm/s", "1200 mm/s"));
   EXPECT_THAT(error([](Robot& robot) { robot.braking = 0.0; }), Says("brakings", "greater than 0"));

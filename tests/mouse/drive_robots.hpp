@@ -1,11 +1,13 @@
 // Robots for tests.
 #pragma once
 
+#include <array>
+
 #include "labmouse/mouse/robot/robot.hpp"
 
 namespace labmouse {
 
-/// The published parameters of a library of 2021, in cells of 90 mm.
+/// Much as the parameters of a library of 2021, in cells of 90 mm.
 inline Robot published_robot() {
   Robot robot;
   robot.name = "published";
@@ -57,6 +59,59 @@ inline Robot fan_robot() {
   robot.lateral_acceleration = 30'000.0;
   robot.yaw_acceleration = 1200.0;
   robot.acceleration = robot.braking = robot.acceleration_diagonal = robot.braking_diagonal = 25'000.0;
+  return robot;
+}
+
+/// A robot whose yaw jerk and yaw speed are limited, with the paths of its turns given.
+inline Robot jerk_robot() {
+  Robot robot = small_robot();
+  robot.name = "jerk";
+  robot.lateral_acceleration = 5000.0;
+  robot.yaw_acceleration = 113.097;
+  robot.yaw_speed = 9.42478;
+  robot.yaw_jerk = 3769.91;
+  robot.clearance = 30.9;
+  robot.search_speed = 265.0;
+  constexpr std::array given = {411.636, 422.783, 353.609, 24.0, 289.908, 265.749};
+  for (std::size_t turn = 0; turn < given.size(); ++turn) robot.layouts[turn].given = given[turn];
+  return robot;
+}
+
+/// The same limits on larger cells, where its turns are fitted.
+inline Robot large_jerk_robot() {
+  Robot robot = large_robot();
+  robot.name = "large_jerk";
+  robot.yaw_speed = 7.0;
+  robot.yaw_jerk = 9000.0;
+  return robot;
+}
+
+/// One that drives no diagonals.
+inline Robot square_robot() {
+  Robot robot = large_robot();
+  robot.name = "square";
+  robot.diagonals = false;
+  return robot;
+}
+
+/// The slowest one there is, without 180.
+inline Robot slow_robot() {
+  Robot robot = large_robot();
+  robot.name = "slow";
+  robot.speed = robot.speed_diagonal = robot.search_speed = 50.0;
+  robot.lateral_acceleration = 500.0;
+  robot.layouts[static_cast<unsigned>(Turn::f180)].driven = false;
+  return robot;
+}
+
+/// One that holds eight g: from rest it does not reach the speed of its slowest turn by the first wall.
+inline Robot strong_robot() {
+  Robot robot = fan_robot();
+  robot.name = "strong";
+  robot.lateral_acceleration = 8.0 * 9810.0;
+  robot.yaw_acceleration = 5000.0;
+  robot.speed = robot.speed_diagonal = 7000.0;
+  robot.acceleration = robot.braking = robot.acceleration_diagonal = robot.braking_diagonal = 10'000.0;
   return robot;
 }
 

@@ -81,7 +81,7 @@ double sampled_clearance(const TurnShape& shape, double cell) {
 }
 
 TEST(FittedTurn, KeepsItsClearanceOfPostsAndWalls) {
-  for (const Robot& robot : {small_robot(), large_robot(), fan_robot()})
+  for (const Robot& robot : {small_robot(), large_robot(), fan_robot(), jerk_robot(), large_jerk_robot()})
     for (const Turn turn : forward_turns) {
       const FittedTurn fitted = fitted_turn(turn, robot);
       const double sampled = sampled_clearance(fitted.shape, robot.cell);
@@ -91,12 +91,11 @@ TEST(FittedTurn, KeepsItsClearanceOfPostsAndWalls) {
 }
 
 TEST(FittedTurn, FitsNoMoreWhen5MillimetresASecondFaster) {
-  for (const Robot& robot : {small_robot(), large_robot(), fan_robot()})
+  for (const Robot& robot : {small_robot(), large_robot(), fan_robot(), large_jerk_robot()})
     for (const Turn turn : forward_turns) {
       if (turn == Turn::f180) continue;
       const FittedTurn fitted = fitted_turn(turn, robot);
-      const TurnShape faster =
-          shape_at(turn, fitted.speed + 5.0, {robot.lateral_acceleration, robot.yaw_acceleration}, robot.cell);
+      const TurnShape faster = shape_at(turn, fitted.speed + 5.0, curve_limits(robot), robot.cell);
       EXPECT_TRUE(faster.lead_in < 0.0 || faster.lead_out < 0.0 ||
                   sampled_clearance(faster, robot.cell) < robot.clearance)
           << robot.name << " " << name_of(turn);
@@ -155,6 +154,29 @@ TEST(FittedTurn, DrivesTheKnownExamples) {
     EXPECT_EQ(std::round(fitted.speed), speed) << name_of(turn);
     EXPECT_NEAR(fitted.shape.length / fitted.speed * 1e3, milliseconds, 0.6) << name_of(turn);
   }
+}
+
+TEST(FittedTurn, OfASlowRobotIsOnThePathOfAFasterOne) {
+  const Robot robot = slow_robot();
+  const FittedTurn fitted = fitted_turn(Turn::f135, robot);
+  EXPECT_EQ(fitted.error, "");
+  EXPECT_EQ(fitted.speed, 50.0);
+  EXPECT_LT(shape_at(Turn::f135, 50.0, curve_limits(robot), robot.cell).length, fitted.shape.length);
+  EXPECT_GE(sampled_clearance(fitted.shape, robot.cell), robot.clearance);
+}
+
+TEST(FittedTurn, TakesThePathThatIsGiven) {
+  Robot robot = large_robot();
+  robot.layouts[static_cast<unsigned>(Turn::f90)].given = 800.0;
+  const FittedTurn fitted = fitted_turn(Turn::f90, robot);
+  EXPECT_EQ(fitted.speed, 800.0);
+  EXPECT_EQ(fitted.shape.length, shape_at(Turn::f90, 800.0, curve_limits(robot), robot.cell).length);
+  robot.layouts[static_cast<unsigned>(Turn::f180)].given = 30.0;
+  EXPECT_EQ(fitted_turn(Turn::f180, robot).shape.lead_in, 30.0);
+  robot.layouts[static_cast<unsigned>(Turn::f90)].given = 2000.0;
+  EXPECT_THAT(fitted_turn(Turn::f90, robot).error, Says("90", "2000 mm/s", "mm"));
+  robot.layouts[static_cast<unsigned>(Turn::f135)].given = 300.0;
+  EXPECT_THAT(fitted_turn(Turn::f135, robot).error, Says("135", "300 mm/s", "clearance of 45 mm"));
 }
 
 TEST(FittedTurn, ShortensTheLeadsAroundAPostWhereTheWallAheadIsNear) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "labmouse/mouse/robot/drive_model.hpp"
+#include "labmouse/mouse/robot/fitted_turn.hpp"
 #include "labmouse/mouse/robot/robot.hpp"
 #include "labmouse/mouse/robot/straights.hpp"
 #include "tests/mouse/drive_robots.hpp"
@@ -139,6 +140,46 @@ TEST(RobotOfSpeeds, DerivesItsSearch) {
   EXPECT_EQ(make_drive_model(slow_brakes).search.half_cell, 250'000);
 }
 
+TEST(RobotOfSpeeds, SlowsDownForTheTurnsOfItsSearch) {
+  Robot robot = large_robot();
+  const SearchDrive before = make_drive_model(robot).search;
+  robot.search_turn_speed = 300.0;
+  const SearchDrive slower = make_drive_model(robot).search;
+  // Its own path of S90, and 200 mm/s less and more again at 10 m/s²: 40 ms for 16 mm that take 32 ms at 500 mm/s.
+  const TurnShape own = shape_at(Turn::s90, 300.0, curve_limits(robot), robot.cell);
+  EXPECT_NEAR(slower.turn, own.whole() / 300.0 * 1e6 + 8'000.0, 1.0);
+  EXPECT_EQ(slower.cell, before.cell);
+  EXPECT_EQ(slower.back, before.back);
+  // Quicker than in a run: there S90 is driven at 850 mm/s at most.
+  robot.search_speed = 800.0, robot.search_turn_speed = 860.0;
+  EXPECT_THAT(make_drive_model(robot).error, Says("S90", "860 mm/s", "search.turn_speed"));
+  robot.search_speed = 900.0, robot.search_turn_speed = 700.0;
+  EXPECT_EQ(make_drive_model(robot).error, "");
+}
+
+TEST(RobotOfSpeeds, DrivesOnlyTheTurnsThatItHas) {
+  Robot robot = large_robot();
+  robot.layouts[static_cast<unsigned>(Turn::f45)].driven = false;
+  robot.layouts[static_cast<unsigned>(Turn::f180)].driven = false;
+  for (const DrivenTurn& turn : make_drive_model(robot).tables.turns)
+    EXPECT_TRUE(turn.turn != Turn::f45 && turn.turn != Turn::out45 && turn.turn != Turn::f180) << name_of(turn.turn);
+  const DriveTables square = make_drive_model(square_robot()).tables;
+  for (const DrivenTurn& turn : square.turns) EXPECT_FALSE(begins_diagonal(turn.turn) || ends_diagonal(turn.turn));
+  EXPECT_EQ(square.turns.size(), 5U);  // S90, and 90 and 180 at two speeds
+  EXPECT_EQ(square.diagonal.count(), 0U);
+}
+
+TEST(RobotOfSpeeds, HasASpeedThatItReachesFromRest) {
+  const Robot robot = strong_robot();
+  const DriveTables tables = make_drive_model(robot).tables;
+  const auto small = std::find_if(tables.turns.rbegin(), tables.turns.rend(),
+                                  [](const DrivenTurn& turn) { return turn.turn == Turn::s90; });
+  EXPECT_LT(tables.start_to(1, small->from), no_time);
+  // 140 mm and the lead at 10 m/s²: 1673 mm/s and a little.
+  EXPECT_EQ(small->speed, 1670.0);
+  EXPECT_GT(fitted_turn(Turn::s90, robot).speed, 2500.0);
+}
+
 TEST(RobotOfSpeeds, IsRefusedInItsOwnUnits) {
   const auto error = [](auto change) {
     Robot robot = large_robot();
@@ -147,14 +188,14 @@ TEST(RobotOfSpeeds, IsRefusedInItsOwnUnits) {
   };
   EXPECT_THAT(error([](Robot& robot) { robot.clearance = 64.0; }), Says("clearance of 64 mm", "180 mm", "63.6 mm"));
   EXPECT_EQ(error([](Robot& robot) { robot.clearance = 63.63; }), "");
-  EXPECT_THAT(error([](Robot& robot) { robot.yaw_acceleration = 20.0; }),
-              Says("turn S90 ", "180 mm", "265 mm/s", "360 mm/s", "yaw acceleration"));
+  EXPECT_THAT(error([](Robot& robot) { robot.yaw_acceleration = 0.5, robot.search_speed = 10.0; }),
+              Says("turn S90 ", "180 mm", "40 mm/s", "50 mm/s", "yaw acceleration"));
   EXPECT_EQ(error([](Robot& robot) { robot.yaw_acceleration = 100.0; }), "");
   EXPECT_THAT(error([](Robot& robot) { robot.yaw_acceleration = 0.0001; }),
               Says("turn 45 ", "180 mm", "5 mm/s", "yaw acceleration"));
-  EXPECT_THAT(error([](Robot& robot) { robot.acceleration = 2500.0; }),
-              Says("start cell", "850 mm/s", "acceleration", "run-up"));
-  EXPECT_EQ(error([](Robot& robot) { robot.acceleration = 2600.0; }), "");
+  EXPECT_EQ(error([](Robot& robot) { robot.acceleration = 2500.0; }), "");
+  EXPECT_THAT(error([](Robot& robot) { robot.acceleration = 8.0, robot.search_speed = 30.0; }),
+              Says("start cell", "50 mm/s", "acceleration", "run-up"));
   EXPECT_THAT(error([](Robot& robot) { robot.search_speed = 900.0; }),
               Says("search speed", "900 mm/s", "S90", "850 mm/s"));
   EXPECT_THAT(error([](Robot& robot) { robot.braking = 1000.0; }),

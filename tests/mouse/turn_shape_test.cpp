@@ -25,7 +25,8 @@ struct TurnOfRobot {
 
 std::vector<TurnOfRobot> all_turns_of_all_robots() {
   std::vector<TurnOfRobot> all;
-  for (const Robot& robot : {published_robot(), small_robot(), large_robot(), fan_robot()}) {
+  for (const Robot& robot : {published_robot(), small_robot(), large_robot(), fan_robot(), jerk_robot(),
+                             large_jerk_robot(), square_robot(), slow_robot(), strong_robot()}) {
     const DriveModel model = make_drive_model(robot);
     EXPECT_EQ(model.error, "") << robot.name;
     EXPECT_EQ(model.shapes.size(), model.tables.turns.size());
@@ -91,7 +92,7 @@ TEST(TurnShape, IsOneSmoothPathOfTheLengthItNames) {
       const double middle = (a.angle + b.angle) / 2.0;
       ASSERT_NEAR(b.ahead - a.ahead, step * std::cos(middle), step * 1e-4) << words(it) << " at " << i;
       ASSERT_NEAR(b.aside - a.aside, step * std::sin(middle), step * 1e-4) << words(it) << " at " << i;
-      ASSERT_LE(b.angle - a.angle, it.shape.peak * step * (1.0 + 1e-6)) << words(it) << " at " << i;
+      ASSERT_LE(b.angle - a.angle, it.shape.ramp.peak * step * (1.0 + 1e-6)) << words(it) << " at " << i;
     }
     const double middle = it.shape.lead_in + it.shape.length / 2.0;
     EXPECT_NEAR(it.shape.at(middle - 1e-12).ahead, it.shape.at(middle + 1e-12).ahead, it.robot.cell * 1e-9);
@@ -102,15 +103,81 @@ TEST(TurnShape, IsOneSmoothPathOfTheLengthItNames) {
 TEST(TurnShape, TurnsNoHarderThanTheRobotMay) {
   for (const TurnOfRobot& it : all_turns_of_all_robots()) {
     if (it.robot.fixed) continue;
-    const double yaw_rate = it.shape.peak * it.turn.speed;
+    const double yaw_rate = it.shape.ramp.peak * it.turn.speed;
     EXPECT_LE(yaw_rate * it.turn.speed, it.robot.lateral_acceleration * (1.0 + 1e-12)) << words(it);
-    EXPECT_LE(yaw_rate / (it.shape.ramp / it.turn.speed), it.robot.yaw_acceleration * (1.0 + 1e-12)) << words(it);
+    const double onset = it.shape.ramp.onset / it.turn.speed, rise = it.shape.ramp.length / it.turn.speed;
+    const double yaw_acceleration = yaw_rate / (rise - onset);
+    EXPECT_LE(yaw_acceleration, it.robot.yaw_acceleration * (1.0 + 1e-12)) << words(it);
+    if (it.robot.yaw_speed > 0.0) {
+      EXPECT_LE(yaw_rate, it.robot.yaw_speed * (1.0 + 1e-12)) << words(it);
+    }
+    if (it.robot.yaw_jerk > 0.0) {
+      EXPECT_LE(yaw_acceleration / onset, it.robot.yaw_jerk * (1.0 + 1e-12)) << words(it);
+    }
     EXPECT_NEAR(it.turn.time, it.shape.length / it.turn.speed * 1e6, 0.51) << words(it);
   }
 }
 
+/// The largest differences of the angle along a path, step by step, are what the limits say: of first order those of
+/// the yaw speed, of second of the yaw acceleration, of third of the yaw jerk.
+TEST(TurnShape, RisesAndFallsWithinTheLimitsAtEachMoment) {
+  for (const Robot& robot : {jerk_robot(), large_jerk_robot()}) {
+    const DriveModel model = make_drive_model(robot);
+    for (std::size_t i = 0; i < model.shapes.size(); ++i) {
+      const DrivenTurn& turn = model.tables.turns[i];
+      const TurnShape& shape = model.shapes[i];
+      constexpr double tick = 1e-4;  // seconds
+      std::array<double, 4> angles{};
+      double fastest = 0.0, hardest = 0.0, sharpest = 0.0;
+      for (double time = 0.0; time < shape.whole() / turn.speed; time += tick) {
+        std::rotate(angles.rbegin(), angles.rbegin() + 1, angles.rend());
+        angles[0] = shape.at(time * turn.speed).angle;
+        fastest = std::max(fastest, (angles[0] - angles[1]) / tick);
+        hardest = std::max(hardest, std::abs(angles[0] - 2.0 * angles[1] + angles[2]) / (tick * tick));
+        sharpest = std::max(sharpest,
+                            std::abs(angles[0] - 3.0 * angles[1] + 3.0 * angles[2] - angles[3]) / (tick * tick * tick));
+      }
+      EXPECT_LE(fastest, robot.yaw_speed * 1.001) << robot.name << " " << name_of(turn.turn);
+      EXPECT_LE(hardest, robot.yaw_acceleration * 1.001) << robot.name << " " << name_of(turn.turn);
+      EXPECT_LE(sharpest, robot.yaw_jerk * 1.01) << robot.name << " " << name_of(turn.turn);
+      if (i > 0 && model.tables.turns[i - 1].turn == turn.turn) continue;  // the slower one
+      EXPECT_GE(sharpest, robot.yaw_jerk * 0.9) << robot.name << " " << name_of(turn.turn);
+      EXPECT_TRUE(fastest > 0.99 * robot.yaw_speed || hardest > 0.99 * robot.yaw_acceleration ||
+                  fastest * turn.speed > 0.99 * robot.lateral_acceleration)
+          << robot.name << " " << name_of(turn.turn);
+    }
+  }
+}
+
+/// A table of turns of a half-size robot as published (kerise-v4, 2021): each at the speed for which its path was
+/// computed, with its straights.
+TEST(TurnShape, TakesThePublishedTimes) {
+  const CurveLimits limits = {1e6, 113.097, 9.42478, 3769.91};
+  struct Published {
+    Turn turn;
+    double cell, speed, before, after, milliseconds;
+  };
+  for (const Published& published : {Published{Turn::s90, 90, 265.749, 1.0, 1.0, 287.526},
+                                     {Turn::f45, 90, 411.636, 2.574, 21.213, 257.131},
+                                     {Turn::f90, 90, 422.783, 20.0, 20.0, 374.611},
+                                     {Turn::f135, 90, 353.609, 21.863, 14.142, 465.154},
+                                     {Turn::f180, 90, 412.228, 24.0, 24.0, 563.107},
+                                     {Turn::v90, 90, 289.908, 15.640, 15.640, 387.894},
+                                     // K90, which nobody drives here: as V90 in cells of twice the size.
+                                     {Turn::v90, 180, 754.969, 2.279, 2.279, 286.038}}) {
+    TurnShape shape = shape_at(published.turn, published.speed, limits, published.cell);
+    if (published.turn == Turn::f180) {
+      EXPECT_NEAR(width_of(shape), published.cell, 0.001);
+      shape.lead_in = shape.lead_out = published.before;
+    }
+    EXPECT_NEAR(shape.lead_in, published.before, 0.001) << name_of(published.turn);
+    EXPECT_NEAR(shape.lead_out, published.after, 0.001) << name_of(published.turn);
+    EXPECT_NEAR(shape.whole() / published.speed * 1e3, published.milliseconds, 0.002) << name_of(published.turn);
+  }
+}
+
 TEST(TurnShape, IsTheSamePathForwardsAndBack) {
-  for (const Robot& robot : {published_robot(), large_robot()}) {
+  for (const Robot& robot : {published_robot(), large_robot(), jerk_robot()}) {
     const DriveModel model = make_drive_model(robot);
     const auto shape_of = [&](Turn turn) {
       return *std::find_if(model.shapes.begin(), model.shapes.end(), [=](const auto& it) { return it.turn == turn; });

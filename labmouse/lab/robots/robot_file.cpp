@@ -29,7 +29,7 @@ std::pair<std::string_view, std::string_view> split(std::string_view key) {
 class RobotReader {
  public:
   explicit RobotReader(const toml::table& root)
-      : root_(root), forms_{node("turns") != nullptr, node("search.cell") != nullptr} {
+      : root_(root), forms_{node("turns") != nullptr, node("search.cell") != nullptr, flag("diagonals")} {
     for (const RobotKey& key : robot_keys()) read(key);
     for (const auto& [name, value] : root_) check_name("", name, value);
   }
@@ -38,6 +38,14 @@ class RobotReader {
   double number(std::string_view key, double otherwise = 0.0) const {
     const auto* found = node(key);
     return found == nullptr ? otherwise : found->value<double>().value_or(otherwise);
+  }
+  /// Whether a key stands there with a number; without one `false` may stand there.
+  bool has_number(std::string_view key) const { return node(key) != nullptr && node(key)->is_number(); }
+  /// Of a key that may be true or false, and is true where it does not stand there; of others whether they are not
+  /// false.
+  bool flag(std::string_view key) const {
+    const auto* found = node(key);
+    return found == nullptr || found->value<bool>().value_or(true);
   }
   const RobotForms& forms() const { return forms_; }
 
@@ -59,13 +67,23 @@ class RobotReader {
     const toml::node* found = node(key.name);
     if (found == nullptr) return key.needed && forms_.has(key) ? missing(key) : void();
     if (!forms_.has(key)) return add(found->source().begin, fmt::format("'{}' {}", key.name, why_not(key, forms_)));
+    using Kind = RobotKey::Kind;
+    if (key.kind == Kind::yes_or_no)
+      return found->is_boolean() ? void()
+                                 : add(found->source().begin,
+                                       fmt::format("'{}' must be true or false{}", key.name, diagonal_hint(*found)));
+    if (key.kind == Kind::number_or_false && found->is_boolean() && !found->as_boolean()->get()) return;
     if (!found->is_number())
       return add(found->source().begin, fmt::format("'{}' must be a number, in {}", key.name, key.unit));
     // A whole number that a double cannot hold is far out of any range.
     const double value = found->value<double>().value_or(std::numeric_limits<double>::infinity());
-    if (!(value >= key.low && value <= key.high) || (key.whole && !found->is_integer()))
+    if (!(value >= key.low && value <= key.high) || (key.kind == Kind::whole && !found->is_integer()))
       add(found->source().begin,
           fmt::format("'{}' is {}; it must be {}{}", key.name, written(*found), range_of(key), hint_of(key, value)));
+  }
+
+  static std::string_view diagonal_hint(const toml::node& value) {
+    return value.is_table() ? "; the limits of diagonals are in the table [diagonal]" : "";
   }
 
   void missing(const RobotKey& key) {
@@ -119,6 +137,14 @@ SearchDrive search_times(const RobotReader& reader) {
           time_of(reader, "search.quarter"), time_of(reader, "search.half_cell")};
 }
 
+void set_layouts(Robot& robot, const RobotReader& reader) {
+  const std::string_view section = reader.forms().turns ? "turns" : "layout";
+  for (const Turn turn : {Turn::f45, Turn::f90, Turn::f135, Turn::f180, Turn::v90, Turn::s90}) {
+    const std::string key = fmt::format("{}.{}", section, name_of(turn));
+    robot.layouts[static_cast<unsigned>(turn)] = {reader.flag(key), reader.forms().turns ? 0.0 : reader.number(key)};
+  }
+}
+
 Robot robot_of(const RobotReader& reader, std::string_view name) {
   Robot robot;
   robot.name = name;
@@ -128,15 +154,21 @@ Robot robot_of(const RobotReader& reader, std::string_view name) {
   robot.braking = reader.number("straight.braking", robot.acceleration);
   robot.speed_diagonal = reader.number("diagonal.speed", robot.speed);
   robot.acceleration_diagonal = reader.number("diagonal.acceleration", robot.acceleration);
-  robot.braking_diagonal = reader.number("diagonal.braking", robot.braking);
+  robot.braking_diagonal = reader.number(
+      "diagonal.braking", reader.has_number("diagonal.acceleration") ? robot.acceleration_diagonal : robot.braking);
+  robot.diagonals = reader.forms().diagonals;
   robot.lateral_acceleration = reader.number("curve.lateral_acceleration");
   robot.yaw_acceleration = reader.number("curve.yaw_acceleration");
+  robot.yaw_speed = reader.number("curve.yaw_speed");
+  robot.yaw_jerk = reader.number("curve.yaw_jerk");
   robot.clearance = reader.number("clearance");
   robot.run_up = reader.number("run_up");
   robot.sight = static_cast<int>(reader.number("sight", 1.0));
   robot.search_speed = reader.number("search.speed");
+  robot.search_turn_speed = reader.number("search.turn_speed");
   robot.pivot_speed = reader.number("search.pivot_speed");
   robot.pivot_acceleration = reader.number("search.pivot_acceleration");
+  set_layouts(robot, reader);
   if (reader.forms().turns) robot.fixed = fixed_times(reader);
   if (reader.forms().search_times) robot.search = search_times(reader);
   return robot;

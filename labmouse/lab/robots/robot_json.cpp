@@ -1,9 +1,16 @@
 #include "labmouse/lab/robots/robot_json.hpp"
 
+#include <fmt/format.h>
+
+#include <array>
+
 #include "labmouse/lab/robots/robot_file.hpp"
 
 namespace labmouse {
 namespace {
+
+/// Those that have keys of their own.
+constexpr std::array named_turns = {Turn::f45, Turn::f90, Turn::f135, Turn::f180, Turn::v90, Turn::s90};
 
 double milliseconds(DriveTime time) { return time / 1e3; }
 
@@ -13,21 +20,31 @@ void add_turns(Json& json, const Robot& robot) {
     json["run_up"] = robot.run_up;
     json["curve.lateral_acceleration"] = robot.lateral_acceleration;
     json["curve.yaw_acceleration"] = robot.yaw_acceleration;
+    if (robot.yaw_speed > 0.0) json["curve.yaw_speed"] = robot.yaw_speed;
+    if (robot.yaw_jerk > 0.0) json["curve.yaw_jerk"] = robot.yaw_jerk;
+    for (const Turn turn : named_turns)
+      if (const double given = robot.layout(turn).given; given > 0.0)
+        json[fmt::format("layout.{}", name_of(turn))] = given;
     return;
   }
   const FixedTimes& fixed = *robot.fixed;
   json["turns.speed"] = fixed.speed;
-  json["turns.45"] = milliseconds(fixed.f45);
-  json["turns.90"] = milliseconds(fixed.f90);
-  json["turns.135"] = milliseconds(fixed.f135);
-  json["turns.180"] = milliseconds(fixed.f180);
-  json["turns.V90"] = milliseconds(fixed.v90);
-  json["turns.S90"] = milliseconds(fixed.s90);
+  const std::array times = {fixed.f45, fixed.f90, fixed.f135, fixed.f180, fixed.v90, fixed.s90};
+  for (std::size_t i = 0; i < times.size(); ++i)
+    if (robot.drives(named_turns[i])) json[fmt::format("turns.{}", name_of(named_turns[i]))] = milliseconds(times[i]);
+}
+
+/// What is said only of robots that do not drive something.
+void add_omissions(Json& json, const Robot& robot) {
+  if (!robot.diagonals) json["diagonals"] = false;
+  for (const Turn turn : named_turns)
+    if (!robot.layout(turn).driven) json[fmt::format("{}.{}", robot.fixed ? "turns" : "layout", name_of(turn))] = false;
 }
 
 void add_search(Json& json, const Robot& robot) {
   if (robot.search.cell == 0) {
     json["search.speed"] = robot.search_speed;
+    if (robot.search_turn_speed > 0.0) json["search.turn_speed"] = robot.search_turn_speed;
     json["search.pivot_speed"] = robot.pivot_speed;
     json["search.pivot_acceleration"] = robot.pivot_acceleration;
     return;
@@ -45,11 +62,12 @@ std::string toml_of(const ReadJson& parameters, JsonFields& fields) {
   if (!parameters.is_object()) return fields.reject("'robot.parameters' is not an object"), "";
   for (const auto& [name, value] : parameters.items()) {
     const bool plain = name.find_first_not_of("abcdefghijklmnopqrstuvwxyzSV0123456789._") == std::string::npos;
-    if (!plain || !value.is_number())
+    if (!plain || !(value.is_number() || value.is_boolean()))
       return fields.reject("'robot.parameters' has a key or a value that no robot has"), "";
-    // One that is whole must stay so.
-    text += fmt::format("{} = {}\n", name,
-                        value.is_number_integer() ? value.dump() : fmt::format("{}", value.get<double>()));
+    // What is whole must stay so.
+    text += fmt::format(
+        "{} = {}\n", name,
+        value.is_number_integer() || value.is_boolean() ? value.dump() : fmt::format("{}", value.get<double>()));
   }
   return text;
 }
@@ -61,11 +79,14 @@ Json robot_json(const Robot& robot) {
                      {"sight", robot.sight},
                      {"straight.speed", robot.speed},
                      {"straight.acceleration", robot.acceleration},
-                     {"straight.braking", robot.braking},
-                     {"diagonal.speed", robot.speed_diagonal},
-                     {"diagonal.acceleration", robot.acceleration_diagonal},
-                     {"diagonal.braking", robot.braking_diagonal}};
+                     {"straight.braking", robot.braking}};
+  if (robot.diagonals) {
+    parameters["diagonal.speed"] = robot.speed_diagonal;
+    parameters["diagonal.acceleration"] = robot.acceleration_diagonal;
+    parameters["diagonal.braking"] = robot.braking_diagonal;
+  }
   add_turns(parameters, robot);
+  add_omissions(parameters, robot);
   add_search(parameters, robot);
   return {{"name", robot.name}, {"parameters", std::move(parameters)}};
 }

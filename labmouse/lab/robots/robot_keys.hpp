@@ -10,6 +10,7 @@ namespace labmouse {
 /// A robot has curves by its limits or the times of its turns; and for its search a speed or times.
 struct RobotKey {
   enum class With : unsigned char { always, curves, turns, search_speed, search_times };
+  enum class Kind : unsigned char { number, whole, number_or_false, yes_or_no };
 
   std::string_view name;  ///< with its section: "straight.speed"
   std::string_view unit;
@@ -17,22 +18,25 @@ struct RobotKey {
   double high = 0.0;
   With with = With::always;
   bool needed = true;
-  bool whole = false;
+  Kind kind = Kind::number;
+  bool of_diagonals = false;
 };
 
 /// All of them, in the order of docs/robots.md.
 std::span<const RobotKey> robot_keys();
 
-/// "100 to 20000 mm/s"
+/// "50 to 20000 mm/s"
 std::string range_of(const RobotKey& key);
 
-/// What is said behind that of a value that is in range once it is taken for one in metres or seconds; empty otherwise.
+/// What is said behind that of a value that is in range once it is taken for one in metres, seconds or degrees; empty
+/// otherwise.
 std::string hint_of(const RobotKey& key, double value);
 
-/// Which of the two ways a file goes, twice.
+/// Which of the two ways a file goes, three times.
 struct RobotForms {
   bool turns = false;
   bool search_times = false;
+  bool diagonals = true;
 
   bool has(const RobotKey& key) const;
 };

@@ -61,7 +61,9 @@ std::string robot_table(const Robot& robot, const DriveModel& model) {
   return fmt::format("{}: cells of {:g} mm, sees {} cell{} far\n", shown(robot.name), robot.cell, robot.sight,
                      robot.sight == 1 ? "" : "s") +
          turns_text(robot, model) + straight_line("straight", robot.speed, robot.acceleration, robot.braking) +
-         straight_line("diagonal", robot.speed_diagonal, robot.acceleration_diagonal, robot.braking_diagonal) +
+         (robot.diagonals
+              ? straight_line("diagonal", robot.speed_diagonal, robot.acceleration_diagonal, robot.braking_diagonal)
+              : fmt::format("{:<9} none\n", "diagonal")) +
          ends_line(robot) + search_line(model.search) + fmt::format("{:<9} {}\n", "tables", hash_words(model.tables));
 }
 

@@ -10,10 +10,10 @@
 namespace labmouse {
 namespace {
 
-/// A shortest way enters each of the 32 x 32 cells at most twice, straight on or by a small turn. At half a second each
-/// that stays below no_time.
-constexpr DriveTime longest_cell = 500'000;
 constexpr DriveTime shortest_allowed_turn = 1'000;
+/// The slowest robot: straights of 64 units in the largest cells still last less than no_time. Whole routes that do not
+/// are none.
+constexpr double slowest_speed = 50.0;
 
 constexpr bool leads_back(Turn turn) { return turn == Turn::out45 || turn == Turn::out135; }
 
@@ -43,14 +43,6 @@ std::string milliseconds(DriveTime time) {
   return std::to_string(time / 1000) + (time % 1000 == 0 ? "" : digits) + " ms";
 }
 
-bool too_slow(double cell, double speed) { return cell * 1e6 > speed * longest_cell; }
-
-/// Behind a speed that is too low.
-std::string needed_speed(double cell) {
-  return "a cell of " + millimetres(cell) + " must not take longer than " + milliseconds(longest_cell) +
-         ", so the speed must be at least " + millimetres(std::ceil(cell * 1e6 / longest_cell)) + "/s";
-}
-
 DriveModel refused(std::string why) {
   DriveModel model;
   model.error = std::move(why);
@@ -68,6 +60,7 @@ DriveModel fixed_model(const Robot& robot) {
   fill_between(tables.diagonal, robot.cell / std::sqrt(2.0), limits_diagonal(robot));
   tables.start = tables.finish = tables.whole = tables.along.between;
   for (const Turn turn : all_turns) {
+    if (!robot.drives(turn)) continue;
     const TurnShape shape =
         leads_back(turn) ? backwards(plain_shape(reversed(turn), robot.cell)) : plain_shape(turn, robot.cell);
     const DriveTime time = fixed_time(*robot.fixed, turn);
@@ -97,26 +90,46 @@ void add_turn(DriveModel& model, const TurnShape& shape, double speed) {
 
 std::string refusal_of_slowest(const Robot& robot, const FittedTurn& slowest) {
   return "its turn " + std::string(name_of(slowest.shape.turn)) + " fits into cells of " + millimetres(robot.cell) +
-         " only up to " + millimetres(slowest.speed) + "/s: " + needed_speed(robot.cell) +
-         "; increase the lateral or yaw acceleration";
+         " only up to " + millimetres(slowest.speed) + "/s; it must be " + millimetres(slowest_speed) +
+         "/s or more: increase the lateral or yaw acceleration";
 }
 
-/// Each turn at its own largest speed, and on the same path at that of the slowest: a fast turn cannot be followed at
-/// once by a slow one.
+/// The turns that a robot drives, with those back from diagonals.
+std::vector<Turn> turns_of(const Robot& robot) {
+  std::vector<Turn> turns;
+  std::copy_if(all_turns.begin(), all_turns.end(), std::back_inserter(turns),
+               [&](Turn turn) { return robot.drives(turn); });
+  return turns;
+}
+
+/// The fastest, in whole steps, at which it can enter the small turn behind the first wall, from rest.
+double speed_by_first_wall(const Robot& robot, const TurnShape& small_turn) {
+  const double way = robot.run_up + robot.cell / 2.0 + small_turn.lead_in;
+  return std::floor(std::sqrt(2.0 * robot.acceleration * way) / speed_step) * speed_step;
+}
+
+/// Each turn at its own largest speed, and on the same path at one that is common to all: a fast turn cannot be
+/// followed at once by a slow one. The common speed is that of the slowest turn, or less where a start does not reach
+/// it.
 DriveModel model_of_speeds(const Robot& robot) {
   std::vector<FittedTurn> fitted;
-  FittedTurn slowest;
-  for (const Turn turn : all_turns) {
-    fitted.push_back(leads_back(turn) ? fitted[static_cast<unsigned>(reversed(turn))] : fitted_turn(turn, robot));
+  for (const Turn turn : turns_of(robot)) {
+    fitted.push_back(fitted_turn(leads_back(turn) ? reversed(turn) : turn, robot));
     if (!fitted.back().error.empty()) return refused(fitted.back().error);
     if (leads_back(turn)) fitted.back().shape = backwards(fitted.back().shape);
-    if (slowest.speed == 0.0 || fitted.back().speed < slowest.speed) slowest = fitted.back();
   }
-  if (too_slow(robot.cell, slowest.speed)) return refused(refusal_of_slowest(robot, slowest));
+  const FittedTurn slowest = *std::min_element(
+      fitted.begin(), fitted.end(), [](const FittedTurn& a, const FittedTurn& b) { return a.speed < b.speed; });
+  if (slowest.speed < slowest_speed) return refused(refusal_of_slowest(robot, slowest));
+  const FittedTurn& small =
+      *std::find_if(fitted.begin(), fitted.end(), [](const FittedTurn& turn) { return turn.shape.turn == Turn::s90; });
+  double common = slowest.speed;
+  if (const double reached = speed_by_first_wall(robot, small.shape); reached < common)
+    common = std::max(reached, slowest_speed);
   DriveModel model;
   for (const FittedTurn& turn : fitted) {
     add_turn(model, turn.shape, turn.speed);
-    if (turn.speed > slowest.speed) add_turn(model, turn.shape, slowest.speed);
+    if (turn.speed > common) add_turn(model, turn.shape, common);
   }
   model.tables.cell = robot.cell;
   fill_between(model.tables.along, robot.cell / 2.0, limits_along(robot));
@@ -129,6 +142,9 @@ std::string refusal_of_limits(const Robot& robot) {
   for (const double limit : {robot.cell, robot.speed, robot.speed_diagonal, robot.acceleration,
                              robot.acceleration_diagonal, robot.braking, robot.braking_diagonal})
     if (!(limit > 0.0)) return "its cell side, speeds, accelerations and brakings must be greater than 0";
+  if (const double speed = std::min(robot.speed, robot.speed_diagonal); speed < slowest_speed)
+    return "its straights must be driven at " + millimetres(slowest_speed) + "/s or more, not at " +
+           millimetres(speed) + "/s";
   return "";
 }
 
@@ -138,10 +154,9 @@ std::string refusal_of_fixed(const Robot& robot) {
     return "its speed at nodes, " + millimetres(fixed.speed) +
            "/s, must be more than 0 and at most that of its straights, " + millimetres(robot.speed) +
            "/s, and diagonals, " + millimetres(robot.speed_diagonal) + "/s";
-  if (too_slow(robot.cell, fixed.speed))
-    return "its speed at nodes, " + millimetres(fixed.speed) + "/s, is too low: " + needed_speed(robot.cell);
-  if (fixed.s90 > longest_cell)
-    return "its turn S90 takes " + milliseconds(fixed.s90) + "; the limit is " + milliseconds(longest_cell);
+  if (fixed.speed < slowest_speed)
+    return "its speed at nodes, " + millimetres(fixed.speed) + "/s, must be " + millimetres(slowest_speed) +
+           "/s or more";
   return "";
 }
 

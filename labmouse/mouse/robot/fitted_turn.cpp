@@ -8,8 +8,6 @@
 namespace labmouse {
 namespace {
 
-CurveLimits curve_limits(const Robot& robot) { return {robot.lateral_acceleration, robot.yaw_acceleration}; }
-
 /// The speed limit of the straights that the turn lies between.
 double top_speed(Turn turn, const Robot& robot) {
   if (begins_diagonal(turn) && ends_diagonal(turn)) return robot.speed_diagonal;
@@ -40,8 +38,13 @@ double speed_around_post(const Robot& robot) {
   return high;
 }
 
-/// Half a cell, as around the post in the middle; less where the curve would come too near to the wall ahead.
-void shorten_leads(TurnShape& shape, const Robot& robot) {
+/// As given, or half a cell, as around the post in the middle; less where the curve would come too near to the wall
+/// ahead.
+void set_leads_around_post(TurnShape& shape, const Robot& robot) {
+  if (const double given = robot.layout(Turn::f180).given; given > 0.0) {
+    shape.lead_in = shape.lead_out = given;
+    return;
+  }
   const double reach = shape.at(shape.lead_in + shape.length / 2.0).ahead - shape.lead_in;
   const double room = 1.5 * robot.cell - robot.clearance - reach;
   if (room < shape.lead_in) shape.lead_in = shape.lead_out = std::max(0.0, std::floor(room));
@@ -51,7 +54,7 @@ FittedTurn fitted_around_post(const Robot& robot) {
   FittedTurn fitted;
   const double speed = speed_around_post(robot);
   fitted.shape = shape_at(Turn::f180, speed, curve_limits(robot), robot.cell);
-  shorten_leads(fitted.shape, robot);
+  set_leads_around_post(fitted.shape, robot);
   fitted.shape.clearance = clearance_of(fitted.shape, robot.cell);
   fitted.speed = std::min(speed, top_speed(Turn::f180, robot));
   if (fitted.shape.clearance < robot.clearance)
@@ -61,25 +64,54 @@ FittedTurn fitted_around_post(const Robot& robot) {
 
 }  // namespace
 
+CurveLimits curve_limits(const Robot& robot) {
+  return {robot.lateral_acceleration, robot.yaw_acceleration, robot.yaw_speed, robot.yaw_jerk};
+}
+
 std::string millimetres(double length) {
   const long tenths = std::lround(length * 10.0);
   const std::string whole = std::to_string(tenths / 10);
   return (tenths % 10 == 0 ? whole : whole + "." + std::to_string(tenths % 10)) + " mm";
 }
 
+FittedTurn turn_laid_out_for(double speed, Turn turn, const Robot& robot) {
+  FittedTurn fitted{
+      shape_at(turn, speed, curve_limits(robot), robot.cell), std::min(speed, top_speed(turn, robot)), {}};
+  TurnShape& shape = fitted.shape;
+  const std::string at_speed = name_with_fit(turn, robot) + " at " + millimetres(speed) + "/s";
+  if (const double lead = std::min(shape.lead_in, shape.lead_out); lead < 0.0) {
+    fitted.error = at_speed + ": its curve needs " + millimetres(-lead) + " more at one end than there are";
+    return fitted;
+  }
+  shape.clearance = clearance_of(shape, robot.cell);
+  if (shape.clearance < robot.clearance)
+    fitted.error = at_speed + " with a clearance of " + millimetres(robot.clearance) + ": it comes within " +
+                   millimetres(shape.clearance) + " of a post or a wall";
+  return fitted;
+}
+
 FittedTurn fitted_turn(Turn turn, const Robot& robot) {
   if (turn == Turn::f180) return fitted_around_post(robot);
+  if (const double speed = robot.layout(turn).given; speed > 0.0) return turn_laid_out_for(speed, turn, robot);
+  const int top_steps = static_cast<int>(top_speed(turn, robot) / speed_step);
+  FittedTurn nearest;
   double best = -1.0;
-  double best_speed = 0.0;
-  for (int steps = static_cast<int>(top_speed(turn, robot) / speed_step); steps > 0; --steps) {
-    const double speed = steps * speed_step;
-    FittedTurn fitted{shape_at(turn, speed, curve_limits(robot), robot.cell), speed, {}};
-    if (fitted.shape.lead_in < 0.0 || fitted.shape.lead_out < 0.0) continue;
+  const auto fits = [&](int steps) {
+    FittedTurn fitted{shape_at(turn, steps * speed_step, curve_limits(robot), robot.cell), 0.0, {}};
+    fitted.speed = std::min(steps, top_steps) * speed_step;
+    if (fitted.shape.lead_in < 0.0 || fitted.shape.lead_out < 0.0) return false;
     fitted.shape.clearance = clearance_of(fitted.shape, robot.cell);
-    if (fitted.shape.clearance >= robot.clearance) return fitted;
-    if (fitted.shape.clearance > best) best = fitted.shape.clearance, best_speed = speed;
-  }
-  if (best >= 0.0) return {{}, 0.0, refusal_of_clearance(turn, robot, best, best_speed)};
+    if (fitted.shape.clearance > best) best = fitted.shape.clearance, nearest = fitted;
+    return best >= robot.clearance;
+  };
+  for (int steps = top_steps; steps > 0; --steps)
+    if (fits(steps)) return nearest;
+  // A slow robot turns on the path of a faster one, where its own would come too near to a post. The curve grows with
+  // the speed, up to where it has no room.
+  const int none = static_cast<int>(2.0 * std::sqrt(robot.lateral_acceleration * robot.cell) / speed_step);
+  for (int steps = top_steps + 1; steps <= none; ++steps)
+    if (fits(steps)) return nearest;
+  if (best >= 0.0) return {{}, 0.0, refusal_of_clearance(turn, robot, best, nearest.speed)};
   return {{},
           0.0,
           name_with_fit(turn, robot) + ": even at " + millimetres(speed_step) +

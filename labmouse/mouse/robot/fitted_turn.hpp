@@ -17,9 +17,15 @@ struct FittedTurn {
   std::string error;   ///< why no speed fits, in mm and mm/s
 };
 
-/// Both leads are 0 or more, and the path keeps the robot's clearance: at the largest such speed in steps of 5 mm/s.
-/// The width of 180 leaves one curve only; its speed is what the limits allow on it.
+/// Both leads are 0 or more, and the path keeps the robot's clearance: at the largest such speed in steps of 5 mm/s, or
+/// at the one that the robot gives. The width of 180 leaves one curve only; its speed is what the limits allow on it.
 FittedTurn fitted_turn(Turn turn, const Robot& robot);
+
+/// On the path of one speed (mm/s), whatever the robot gives; not of 180.
+FittedTurn turn_laid_out_for(double speed, Turn turn, const Robot& robot);
+
+/// How hard a robot may turn.
+CurveLimits curve_limits(const Robot& robot);
 
 /// "12.3 mm"
 std::string millimetres(double length);

@@ -1,6 +1,7 @@
 // A robot: the limits of a real mouse, from which its turns and times follow.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 
@@ -26,6 +27,16 @@ struct FixedTimes {
   DriveTime f45 = 0, f90 = 0, f135 = 0, f180 = 0, v90 = 0, s90 = 0;
 };
 
+/// How one kind of turn is driven, where the file says more than the limits do.
+struct TurnLayout {
+  bool driven = true;
+  /// The speed in mm/s that its path is laid out for, or of 180 the straights before and after it in mm, as published;
+  /// 0: what fits best.
+  double given = 0.0;
+
+  friend bool operator==(const TurnLayout&, const TurnLayout&) = default;
+};
+
 /// Lengths in mm, times in seconds, angles in rad.
 struct Robot {
   std::string name;
@@ -35,14 +46,29 @@ struct Robot {
   double braking = 0.0, braking_diagonal = 0.0;            ///< mm/s², positive
   double lateral_acceleration = 0.0;                       ///< mm/s², in curves
   double yaw_acceleration = 0.0;                           ///< rad/s², where a curve begins and ends
+  double yaw_speed = 0.0;                                  ///< rad/s; 0: as much as the lateral acceleration allows
+  double yaw_jerk = 0.0;                                   ///< rad/s³; 0: as much as there may be
   double clearance = 0.0;     ///< mm that the robot's middle keeps from the middle of any post and wall that may stand
   double run_up = 0.0;        ///< mm behind the middle of the start cell where it stands before a run
   int sight = 1;              ///< cells that its sensors look into each direction
+  bool diagonals = true;      ///< whether it drives any
   double search_speed = 0.0;  ///< mm/s
-  double pivot_speed = 0.0;   ///< rad/s, turning on the spot
+  double search_turn_speed = 0.0;   ///< mm/s, on a path of its own; 0: at the search speed, on the path of S90
+  double pivot_speed = 0.0;         ///< rad/s, turning on the spot
   double pivot_acceleration = 0.0;  ///< rad/s²
   SearchDrive search;               ///< where its `cell` is 0, it follows from the three numbers before it
   std::optional<FixedTimes> fixed;  ///< then the limits on curves above have no meaning
+  /// By Turn: of those onto a diagonal, and so of those back from it. S90 is always driven, since every maze can be
+  /// driven by it.
+  std::array<TurnLayout, all_turns.size()> layouts{};
+
+  const TurnLayout& layout(Turn turn) const {
+    const bool back = begins_diagonal(turn) && !ends_diagonal(turn);
+    return layouts[static_cast<unsigned>(back ? reversed(turn) : turn)];
+  }
+  bool drives(Turn turn) const {
+    return layout(turn).driven && (diagonals || !(begins_diagonal(turn) || ends_diagonal(turn)));
+  }
 };
 
 }  // namespace labmouse

@@ -19,31 +19,15 @@ Direction end_direction(Turn turn) {
   return directions[static_cast<unsigned>(eighths(turn))];
 }
 
-/// After `distance` mm of a clothoid that starts straight and has turned by `angle` there: Fresnel's sums.
-PathPoint after_clothoid(double distance, double angle) {
-  double ahead = 0.0;
-  double aside = 0.0;
-  double term = distance;
-  for (int n = 0; n < 40; n += 2) {
-    ahead += term / (2 * n + 1);
-    term *= angle / (n + 1);
-    aside += term / (2 * n + 3);
-    term *= -angle / (n + 2);
-  }
-  return {ahead, aside, angle};
-}
-
 /// A point of the shape's curve, from where the curve begins; it is the same from both of its ends.
 PathPoint on_curve(const TurnShape& shape, double distance) {
-  const double within = std::min(distance, shape.ramp);
-  const double turned = shape.ramp > 0.0 ? shape.peak * within * within / (2.0 * shape.ramp) : 0.0;
-  PathPoint point = after_clothoid(within, turned);
-  if (distance <= shape.ramp) return point;
-  const double angle = turned + shape.peak * (distance - shape.ramp);
-  const Direction before = direction_of(turned);
+  const double peak = shape.ramp.peak;
+  const PathPoint point = shape.ramp.at(std::min(distance, shape.ramp.length));
+  if (distance <= shape.ramp.length) return point;
+  const double angle = point.angle + peak * (distance - shape.ramp.length);
+  const Direction before = direction_of(point.angle);
   const Direction after = direction_of(angle);
-  return {point.ahead + (after.sine - before.sine) / shape.peak,
-          point.aside + (before.cosine - after.cosine) / shape.peak, angle};
+  return {point.ahead + (after.sine - before.sine) / peak, point.aside + (before.cosine - after.cosine) / peak, angle};
 }
 
 /// Where the curve ends, in its own beginning's direction: both halves of it are mirror images.
@@ -78,9 +62,8 @@ TurnShape placed(TurnShape shape, double cell) {
 TurnShape curve_of_eighths(Turn turn, double ramp) {
   TurnShape shape;
   shape.turn = turn;
-  shape.ramp = ramp;
+  shape.ramp = {ramp, 0.0, angle_of(turn) / (7.0 * ramp)};
   shape.length = 8.0 * ramp;
-  shape.peak = angle_of(turn) / (7.0 * ramp);
   return shape;
 }
 
@@ -118,16 +101,13 @@ PathPoint TurnShape::at(double distance) const {
 TurnShape shape_at(Turn turn, double speed, const CurveLimits& limits, double cell) {
   const double angle = angle_of(turn);
   double yaw_rate = limits.lateral_acceleration / speed;
-  double ramp_time = yaw_rate / limits.yaw_acceleration;
-  if (yaw_rate * ramp_time > angle) {
-    yaw_rate = std::sqrt(angle * limits.yaw_acceleration);
-    ramp_time = yaw_rate / limits.yaw_acceleration;
-  }
+  if (limits.yaw_speed > 0.0) yaw_rate = std::min(yaw_rate, limits.yaw_speed);
+  YawRamp ramp = ramp_to(yaw_rate, limits);
+  if (ramp.rate * ramp.seconds > angle) ramp = ramp_of_half(angle, limits);
   TurnShape shape;
   shape.turn = turn;
-  shape.ramp = speed * ramp_time;
-  shape.peak = yaw_rate / speed;
-  shape.length = angle / shape.peak + shape.ramp;
+  shape.ramp = {speed * ramp.seconds, speed * ramp.onset, ramp.rate / speed};
+  shape.length = angle / shape.ramp.peak + shape.ramp.length;
   return placed(shape, cell);
 }
 

@@ -1,20 +1,13 @@
-// The curve of a turn: driven at one speed; the yaw rate rises at a steady rate (a clothoid), stays (an arc), and
-// falls.
+// The curve of a turn, driven at one speed: the yaw rate rises, stays (an arc), and falls. It rises at a steady rate (a
+// clothoid), or where yaw jerk is limited, at one that rises and falls itself.
 #pragma once
 
 #include <vector>
 
 #include "labmouse/mouse/robot/turn.hpp"
+#include "labmouse/mouse/robot/yaw_ramp.hpp"
 
 namespace labmouse {
-
-/// A point of a path, in mm ahead of and to the left of the turn's first node, in the direction of that node; with the
-/// path's own direction in rad to the left of it.
-struct PathPoint {
-  double ahead = 0.0;
-  double aside = 0.0;
-  double angle = 0.0;
-};
 
 /// A turn to the left from its first node to its last: a straight lead-in, the curve, a straight lead-out.
 struct TurnShape {
@@ -22,8 +15,7 @@ struct TurnShape {
   double lead_in = 0.0;    ///< mm
   double lead_out = 0.0;   ///< mm
   double length = 0.0;     ///< mm of the curve alone
-  double ramp = 0.0;       ///< mm of each of its two clothoids
-  double peak = 0.0;       ///< largest curvature, rad/mm
+  RampPath ramp;           ///< the first part of the curve; the last is its mirror image
   PathPoint end;           ///< the last node
   double clearance = 0.0;  ///< mm from the nearest post or wall that may stand there, middle to middle
 
@@ -34,12 +26,6 @@ struct TurnShape {
 
 /// Where a turn leads in cells of that many mm.
 PathPoint end_of(Turn turn, double cell);
-
-/// How hard a robot may turn: mm/s², rad/s².
-struct CurveLimits {
-  double lateral_acceleration = 0.0;
-  double yaw_acceleration = 0.0;
-};
 
 /// The tightest curve at a speed (mm/s) within the limits. Its leads come out below 0 where it needs more room than
 /// there is, and that of 180 has its last node wherever it ends: `width` says how far aside. Clearance is left at 0.

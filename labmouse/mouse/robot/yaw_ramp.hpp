@@ -1,0 +1,43 @@
+// How the yaw rate of a turn rises from nothing, and the path meanwhile.
+#pragma once
+
+namespace labmouse {
+
+/// A point of a path, in mm ahead of and to the left of its first point, in the direction of that; with the path's own
+/// direction in rad to the left of it.
+struct PathPoint {
+  double ahead = 0.0;
+  double aside = 0.0;
+  double angle = 0.0;
+};
+
+/// How hard a robot may turn.
+struct CurveLimits {
+  double lateral_acceleration = 0.0;  ///< mm/s²
+  double yaw_acceleration = 0.0;      ///< rad/s²
+  double yaw_speed = 0.0;             ///< rad/s; 0: no limit of its own
+  double yaw_jerk = 0.0;              ///< rad/s³; 0: none
+};
+
+/// Up to a yaw rate as fast as the limits allow: the yaw acceleration rises, stays, and falls.
+struct YawRamp {
+  double rate = 0.0;     ///< rad/s at its end
+  double seconds = 0.0;  ///< of the whole
+  double onset = 0.0;    ///< seconds of the first part, and of the last; 0 without a limit of yaw jerk
+};
+
+YawRamp ramp_to(double yaw_rate, const CurveLimits& limits);
+/// The one that with its mirror image turns by an angle (rad), without an arc between them.
+YawRamp ramp_of_half(double angle, const CurveLimits& limits);
+
+/// The path of a ramp: from a straight to the largest curvature.
+struct RampPath {
+  double length = 0.0;  ///< mm
+  double onset = 0.0;   ///< mm at both of its ends in which the yaw acceleration changes; 0: a clothoid
+  double peak = 0.0;    ///< the curvature at its end, rad/mm
+
+  /// The point so many mm from its beginning, from 0 to its length.
+  PathPoint at(double distance) const;
+};
+
+}  // namespace labmouse
