@@ -163,7 +163,7 @@ class FixedSearch final : public Search {
     improved_.clear();
     for (const unsigned turn : turns_) {
       const std::uint16_t to = leaps_[turn];
-      const DriveTime known = times_[to], gain = std::min(times_[turn / 8] + turn_time(turn) - known, 0);
+      const DriveTime known = times_[to], gain = std::min<DriveTime>(times_[turn / 8] + turn_time(turn) - known, 0);
       times_[to] = known + gain;
       improved_.add(to, static_cast<unsigned>(gain) >> 31);
     }

@@ -190,7 +190,8 @@ class LaneSearch final : public Search {
       const int node = static_cast<int>(listed / LaneTables::most_turns);
       const TurnBefore& turn = lanes.turn(kind_of(node), listed % LaneTables::most_turns);
       const std::uint32_t to = label(leaps_[8 * index(node) + turn.bit], turn.before);
-      const DriveTime known = turning_[to], gain = std::min(rolling_[label(node, turn.slot)] + turn.time - known, 0);
+      const DriveTime known = turning_[to],
+                      gain = std::min<DriveTime>(rolling_[label(node, turn.slot)] + turn.time - known, 0);
       turning_[to] = known + gain;
       improved_.add(to, static_cast<unsigned>(gain) >> 31);
     }
