@@ -49,5 +49,23 @@ TEST_F(ABuilder, IsRefused) {
   is_refused({"robot", "show", "--svgg"}, "'--svgg'", "'--svg'", "`labmouse robot show --help`");
 }
 
+TEST_F(ABuilder, FitsARobotToTurns) {
+  file("turns.txt", "turn speed y\nS90 265.749 44\n45 411.636 30\n90 422.783 70\n135 353.609 80\n");
+  const Ended ended = labmouse({"robot", "fit", "--turns", "turns.txt", "--base", "half"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(ended.out,
+              Says("yaw_acceleration = 113.1 ", "yaw_jerk", "fitted", "S90 = 265.749", "search", "from half"));
+  file("fitted.toml", ended.out);
+  EXPECT_THAT(labmouse({"robot", "show", "fitted.toml"}).out, Says("S90     265.7", "tables"));
+  file("times.txt", "turn ms\n90 370\n");
+  EXPECT_THAT(labmouse({"robot", "fit", "--turns", "times.txt", "--base", "mm2021"}).out,
+              Says("90 = 370 ", "given", "S90 = 287.5 ", "from mm2021"));
+  is_refused({"robot", "fit", "--turns", "times.txt"}, "times.txt", "'classic'", "mm2021");
+  is_refused({"robot", "fit", "--turns", "turns.txt", "--base", "mm2021"}, "turns.txt", "'mm2021'", "classic");
+  file("wrong.txt", "turn ms\n91 370\n");
+  is_refused({"robot", "fit", "--turns", "wrong.txt"}, "wrong.txt:2:1: error: ", "'91'");
+  is_refused({"robot", "fit"}, "--turns");
+}
+
 }  // namespace
 }  // namespace labmouse::test
