@@ -57,6 +57,22 @@ TEST(RobotTable, LeavesOutWhatGivenTimesDoNotSay) {
   EXPECT_THAT(table, Not(HasSubstr("lead in")));
 }
 
+TEST(RobotTable, RemarksOnDegrees) {
+  const auto remarks = [](auto change) {
+    Robot robot = find_robot("classic").robot;
+    change(robot);
+    const std::string table = robot_table(robot, make_drive_model(robot));
+    return table.substr(table.find("tables"));
+  };
+  EXPECT_THAT(remarks([](Robot&) {}), Not(HasSubstr("remark")));
+  EXPECT_THAT(remarks([](Robot& robot) { robot.yaw_acceleration = 17'189.0; }),
+              Says("remark", "curve.yaw_acceleration", "17189 rad/s²", "degrees/s²", "write 300\n"));
+  EXPECT_THAT(remarks([](Robot& robot) { robot.pivot_acceleration = 5'730.0; }),
+              Says("remark", "search.pivot_acceleration", "write 100"));
+  for (const char* name : {"beginner", "half", "kerise", "mm2021"})
+    EXPECT_THAT(table_of(name), Not(HasSubstr("remark"))) << name;
+}
+
 TEST(RobotTable, SaysARobotInALine) {
   const auto line = [](const std::string& name) {
     const FoundRobot found = find_robot(name);

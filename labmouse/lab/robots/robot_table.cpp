@@ -53,6 +53,27 @@ std::string search_line(const SearchDrive& search) {
                      milliseconds_text(search.quarter), milliseconds_text(search.half_cell));
 }
 
+/// What looks like degrees taken for radians: no known mouse begins to turn within a few thousandths of a second.
+std::string remark_on(std::string_view key, double acceleration, double speed) {
+  constexpr double likely = 0.004, degree = 3.141592653589793 / 180.0;
+  if (speed / acceleration >= likely) return "";
+  return fmt::format(
+      "{:<9} at {} = {:g} rad/s² it turns at full speed after {:.1f} ms; if the value is in degrees/s², "
+      "write {:.4g}\n",
+      "remark", key, acceleration, speed / acceleration * 1e3, acceleration * degree);
+}
+
+std::string remarks_on(const Robot& robot, const DriveModel& model) {
+  std::string remarks;
+  if (!robot.fixed)
+    for (std::size_t i = 0; i < model.shapes.size() && remarks.empty(); ++i)
+      remarks = remark_on("curve.yaw_acceleration", robot.yaw_acceleration,
+                          model.shapes[i].ramp.peak * model.tables.turns[i].speed);
+  if (robot.search.cell == 0)
+    remarks += remark_on("search.pivot_acceleration", robot.pivot_acceleration, robot.pivot_speed);
+  return remarks;
+}
+
 }  // namespace
 
 std::string hash_words(const DriveTables& tables) { return fmt::format("{:016x}", tables.hash); }
@@ -64,7 +85,8 @@ std::string robot_table(const Robot& robot, const DriveModel& model) {
          (robot.diagonals
               ? straight_line("diagonal", robot.speed_diagonal, robot.acceleration_diagonal, robot.braking_diagonal)
               : fmt::format("{:<9} none\n", "diagonal")) +
-         ends_line(robot) + search_line(model.search) + fmt::format("{:<9} {}\n", "tables", hash_words(model.tables));
+         ends_line(robot) + search_line(model.search) + fmt::format("{:<9} {}\n", "tables", hash_words(model.tables)) +
+         remarks_on(robot, model);
 }
 
 std::string robot_line(const Robot& robot, const DriveModel& model) {
