@@ -30,7 +30,7 @@ bool DriveRuns::plan(const WallSet& hoped, const WallSet& open) {
   if (anew) {
     routes_.fill_for(start_, hoped, goals_);
     routes_.route_from(start_, route_);
-    walls_ = walls_of(route_, tables_);
+    walls_ = walls_needed_by(route_, tables_);
     planned_ = true;
   }
   unknown_ = walls_;

@@ -194,7 +194,7 @@ TEST(DriveGates, OfARunAreThoseThatItPassesFirst) {
   straight.to = {{0, 3}, Heading::north, Place::centre};
   straight.units = 4;
   straight.begin = second.end;
-  straight.end = straight.begin + published().tables.finish_from(4, 0);
+  straight.end = straight.begin + published().tables.finish_from(4, 0, 0);
   DriveRun run;
   run.begin = 1'000;
   run.route.segments = {first, second, straight};

@@ -182,7 +182,7 @@ TEST(DriveRouteCheck, TakesNoRouteAtAllFromAGoalOnly) {
 
 TEST(DriveRouteCheck, WantsTheWallsOfTheRouteToBeKnownAndNoOthers) {
   const Course course = through_ring("mm2021");
-  const WallSet passed = walls_of(course.route, course.tables());
+  const WallSet passed = walls_needed_by(course.route, course.tables());
   EXPECT_EQ(course.checked_over(passed), "");
   EXPECT_EQ(passed.count(), 5);
   passed.for_each([&](Wall wall) {

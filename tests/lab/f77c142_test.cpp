@@ -15,12 +15,14 @@
 #include "labmouse/lab/reports/report_page.hpp"
 #include "labmouse/lab/robots/drive_rules_file.hpp"
 #include "labmouse/lab/robots/robot_files.hpp"
+#include "labmouse/lab/seconds/seconds_world.hpp"
 #include "labmouse/lab/standings/baseline.hpp"
 #include "labmouse/lab/standings/race_json.hpp"
 #include "labmouse/lab/system/files.hpp"
 #include "labmouse/lab/worlds/worlds.hpp"
 #include "tests/lab/mms_fixture.hpp"
 #include "tests/lab/unpacking.hpp"
+#include "tests/mouse/drive_robots.hpp"
 #include "tests/says.hpp"
 
 namespace labmouse {
@@ -41,9 +43,18 @@ std::string content(const std::string& name) {
 }
 
 /// A race of those mice in built-in mazes.
+Race race_of(std::vector<Contestant> mice, const std::vector<std::string>& mazes, std::shared_ptr<const World> world) {
+  return hold_race(std::move(mice), load_mazes(mazes).mazes, {std::move(world), 2, 1, 0});
+}
 Race race_of(std::vector<Contestant> mice, const std::vector<std::string>& mazes, std::string_view world,
              const WorldSettings& settings = {}) {
-  return hold_race(std::move(mice), load_mazes(mazes).mazes, {find_world(world)->make(settings).world, 2, 1, 0});
+  return race_of(std::move(mice), mazes, find_world(world)->make(settings).world);
+}
+
+/// The robot `half` of those days.
+std::shared_ptr<const World> world_of_half() {
+  const Robot half = robot_of_the_past(find_robot("half").robot);
+  return seconds_world(find_rules("thirtieth").rules, std::make_shared<DriveModel>(make_drive_model(half)));
 }
 
 std::vector<Race> races_in(const std::string& name) {
@@ -52,8 +63,7 @@ std::vector<Race> races_in(const std::string& name) {
   if (name == "steps") {
     races.push_back(race_of(test::mice("flood,random,oracle"), three, "strides", {{"budget", "300"}}));
   } else if (name == "seconds") {
-    const WorldSettings settings = {{"robot", "half"}, {"rules", "thirtieth"}};
-    races.push_back(race_of(test::mice("flood,ariadne"), two, "seconds", settings));
+    races.push_back(race_of(test::mice("flood,ariadne"), two, world_of_half()));
   } else {
     races.push_back(race_of(test::mice("flood:stride=2"), two, "strides"));
     const std::vector<std::vector<std::string>> words = {

@@ -30,7 +30,7 @@ DriveRoute straight_on(const DriveModel& model, int cells) {
   segment.from = {{0, 0}, Heading::north, Place::centre};
   segment.to = {{0, cells}, Heading::north, Place::centre};
   segment.units = 2 * cells;
-  segment.end = model.tables.whole[static_cast<std::size_t>(2 * cells)];
+  segment.end = model.tables.whole_way(2 * cells, max_drive_side);
   DriveRoute route;
   route.segments = {segment};
   route.time = segment.end;
@@ -115,7 +115,7 @@ TEST_P(Profiles, SayWhenAndHowFarAlike) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, Profiles,
-                         testing::Values(published_robot(), small_robot(), large_robot(), fan_robot()),
+                         testing::Values(published_robot(), small_robot(), large_robot(), fan_robot(), unstopped_robot()),
                          [](const auto& robot) { return robot.param.name; });
 
 }  // namespace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 
 #include "labmouse/mouse/robot/robot.hpp"
 
@@ -83,6 +84,30 @@ inline Robot large_jerk_robot() {
   robot.name = "large_jerk";
   robot.yaw_speed = 7.0;
   robot.yaw_jerk = 9000.0;
+  return robot;
+}
+
+/// A robot as it was before there was a choice: two speeds of each turn, and any speed in the goal.
+inline Robot robot_of_the_past(Robot robot) {
+  robot.speeds = 2;
+  robot.stop = Stop::beyond;
+  return robot;
+}
+
+/// With so many speeds of each turn.
+template <int Speeds>
+Robot robot_of_speeds() {
+  Robot robot = large_robot();
+  robot.name = "speeds_" + std::to_string(Speeds);
+  robot.speeds = Speeds;
+  return robot;
+}
+
+/// One that ends its runs at any speed.
+inline Robot unstopped_robot() {
+  Robot robot = fan_robot();
+  robot.name = "unstopped";
+  robot.stop = Stop::beyond;
   return robot;
 }
 

@@ -85,7 +85,7 @@ void expect_good_route(FastestRoutes& routes, const DriveTables& tables, const M
     }
     clock = route.segments[i].end;
   }
-  const WallSet walls = walls_of(route, tables);
+  const WallSet walls = walls_needed_by(route, tables);
   walls.for_each([&](Wall wall) { EXPECT_TRUE(maze.open_walls().contains(wall)); });
   routes.fill(walls, maze.goals());
   EXPECT_EQ(routes.time_from(start_of(maze)), route.time);
@@ -155,7 +155,9 @@ INSTANTIATE_TEST_SUITE_P(Robots, AnyRobot,
                                          NamedRobot{"classic", classic}, NamedRobot{"fan", fan_robot},
                                          NamedRobot{"weak_brakes", weak_brakes}, NamedRobot{"kerise", kerise},
                                          NamedRobot{"beginner", beginner}, NamedRobot{"slow", slow_robot},
-                                         NamedRobot{"strong", strong_robot}),
+                                         NamedRobot{"strong", strong_robot}, NamedRobot{"unstopped", unstopped_robot},
+                                         NamedRobot{"speeds_1", robot_of_speeds<1>}, NamedRobot{"speeds_2", robot_of_speeds<2>},
+                                         NamedRobot{"speeds_4", robot_of_speeds<4>}, NamedRobot{"speeds_8", robot_of_speeds<8>}),
                          PrintRobot());
 
 /// The search must not lean on how the times of a robot come about.

@@ -23,7 +23,7 @@ const TurnShape& shape_of(const DriveModel& model, Turn turn) {
 }
 
 TEST(RobotOfSpeeds, DrivesEachTurnAtItsOwnSpeedAndAtTheSlowest) {
-  const DriveModel model = make_drive_model(small_robot());
+  const DriveModel model = make_drive_model(robot_of_the_past(small_robot()));
   ASSERT_EQ(model.error, "");
   std::vector<std::pair<Turn, double>> turns;
   for (const DrivenTurn& turn : model.tables.turns) turns.emplace_back(turn.turn, std::round(turn.speed));
@@ -51,9 +51,33 @@ TEST(RobotOfSpeeds, DrivesEachTurnAtItsOwnSpeedAndAtTheSlowest) {
   }
 }
 
+std::vector<double> speeds_of(const DriveModel& model, Turn turn) {
+  std::vector<double> speeds;
+  for (const DrivenTurn& driven : model.tables.turns)
+    if (driven.turn == turn) speeds.push_back(std::round(driven.speed * 10.0) / 10.0);
+  return speeds;
+}
+
+TEST(RobotOfSpeeds, DrivesEachTurnAtSharedLowerSpeeds) {
+  // Own speeds of turns: 595, 560, 435, 412.8, 465 and 380 mm/s. The widest gap is split by one that lies within it, or
+  // in its middle.
+  Robot robot = small_robot();
+  robot.speeds = 4;
+  const DriveModel four = make_drive_model(robot);
+  EXPECT_EQ(speeds_of(four, Turn::f45), (std::vector{595.0, 560.0, 465.0, 380.0}));
+  EXPECT_EQ(speeds_of(four, Turn::f90), (std::vector{560.0, 465.0, 380.0}));
+  EXPECT_EQ(speeds_of(four, Turn::f135), (std::vector{435.0, 380.0}));
+  EXPECT_EQ(speeds_of(four, Turn::s90), (std::vector{380.0}));
+  robot.speeds = 6;
+  EXPECT_EQ(speeds_of(make_drive_model(robot), Turn::f45), (std::vector{595.0, 560.0, 512.5, 465.0, 412.8, 380.0}));
+  robot.speeds = 1;
+  const DriveModel one = make_drive_model(robot);
+  for (const Turn turn : all_turns) EXPECT_EQ(speeds_of(one, turn), (std::vector{380.0})) << name_of(turn);
+}
+
 TEST(RobotOfSpeeds, HasEveryLaneOnce) {
   for (const Robot& robot : {small_robot(), large_robot(), fan_robot()}) {
-    const DriveTables tables = make_drive_model(robot).tables;
+    const DriveTables tables = make_drive_model(robot_of_the_past(robot)).tables;
     for (const StraightTimes* straights : {&tables.along, &tables.diagonal}) {
       EXPECT_EQ(straights->between.size(), 65 * straights->count() * straights->count());
       for (std::size_t i = 0; i < straights->count(); ++i)
@@ -107,7 +131,7 @@ TEST(RobotOfSpeeds, TakesTheTimeOfItsSpeedsOverEveryStraight) {
 }
 
 TEST(RobotOfSpeeds, StartsAtRestWithARunUpAndEndsAtAnySpeed) {
-  const Robot robot = large_robot();
+  const Robot robot = robot_of_the_past(large_robot());
   const DriveTables tables = make_drive_model(robot).tables;
   const StraightLimits limits = limits_along(robot);
   for (const int units : {0, 1, 2, 30, 64})
@@ -120,10 +144,45 @@ TEST(RobotOfSpeeds, StartsAtRestWithARunUpAndEndsAtAnySpeed) {
         EXPECT_NEAR(tables.start_to(units, lane), stepped_seconds(length + robot.run_up, 0.0, speed, limits) * 1e6,
                     2.0);
       }
-      EXPECT_NEAR(tables.finish_from(units, lane), stepped_seconds(length, speed, 1e6, limits) * 1e6, 2.0);
+      EXPECT_NEAR(tables.finish_from(units, lane, 0), stepped_seconds(length, speed, 1e6, limits) * 1e6, 2.0);
     }
   EXPECT_EQ(tables.whole[0], 100'000);     // 50 mm at 10 m/s²
   EXPECT_EQ(tables.whole[30], 1'066'667);  // 300 ms and 450 mm to 3 m/s, 2300 mm at that
+}
+
+TEST(RobotOfSpeeds, EndsAtASpeedThatItStopsFrom) {
+  const Robot robot = large_robot();
+  const DriveTables tables = make_drive_model(robot).tables;
+  const StraightLimits limits = limits_along(robot);
+  // From 3 m/s it stops in 450 mm: two and a half cells of 180 mm.
+  ASSERT_EQ(tables.rooms(), 4);
+  for (int room = 0; room < 6; ++room) {
+    const double end = std::sqrt(std::min(9e6, 2.0 * robot.braking * room * 180.0));
+    for (const int units : {0, 1, 2, 7, 30, 64})
+      for (std::size_t lane = 0; lane < tables.along.count(); ++lane) {
+        const auto [speed, lead] = tables.along.lanes[lane];
+        const double length = units * 90.0 + lead;
+        const double reached = std::sqrt(speed * speed + 2.0 * robot.acceleration * length);
+        const bool possible = speed * speed <= end * end + 2.0 * robot.braking * length;
+        ASSERT_EQ(tables.finish_from(units, lane, room) < no_time, possible);
+        if (!possible) continue;
+        // From the slower end on.
+        const double seconds = reached <= end ? stepped_seconds(length, speed, 1e6, limits)
+                                              : stepped_seconds(length, end, speed,
+                                                                {limits.speed, limits.braking, limits.acceleration});
+        EXPECT_NEAR(tables.finish_from(units, lane, room), seconds * 1e6, 2.0);
+      }
+  }
+  EXPECT_EQ(tables.whole_way(0, 1), 100'000);  // 50 mm to 1 m/s
+  EXPECT_NEAR(tables.whole_way(0, 0), 141'421, 1);  // and to rest again
+  Robot weak = robot;
+  weak.braking = 3000.0;
+  // From S90 into the goal it has half a cell and the lead to stop.
+  const DriveTables slower = make_drive_model(weak).tables;
+  const auto small = std::find_if(slower.turns.rbegin(), slower.turns.rend(),
+                                  [](const DrivenTurn& turn) { return turn.turn == Turn::s90; });
+  EXPECT_LT(slower.finish_from(1, small->to, 0), no_time);
+  EXPECT_EQ(small->speed, 735.0);
 }
 
 TEST(RobotOfSpeeds, DerivesItsSearch) {
@@ -165,7 +224,7 @@ TEST(RobotOfSpeeds, DrivesOnlyTheTurnsThatItHas) {
     EXPECT_TRUE(turn.turn != Turn::f45 && turn.turn != Turn::out45 && turn.turn != Turn::f180) << name_of(turn.turn);
   const DriveTables square = make_drive_model(square_robot()).tables;
   for (const DrivenTurn& turn : square.turns) EXPECT_FALSE(begins_diagonal(turn.turn) || ends_diagonal(turn.turn));
-  EXPECT_EQ(square.turns.size(), 5U);  // S90, and 90 and 180 at two speeds
+  EXPECT_EQ(make_drive_model(robot_of_the_past(square_robot())).tables.turns.size(), 5U);  // S90, 90 and 180 twice
   EXPECT_EQ(square.diagonal.count(), 0U);
 }
 
@@ -176,7 +235,11 @@ TEST(RobotOfSpeeds, HasASpeedThatItReachesFromRest) {
                                   [](const DrivenTurn& turn) { return turn.turn == Turn::s90; });
   EXPECT_LT(tables.start_to(1, small->from), no_time);
   // 140 mm and the lead at 10 m/s²: 1673 mm/s and a little.
-  EXPECT_EQ(small->speed, 1670.0);
+  // To stop it has the way from the wall only: 90 mm and the lead.
+  EXPECT_EQ(small->speed, 1340.0);
+  Robot unstopped = robot;
+  unstopped.stop = Stop::beyond;
+  EXPECT_EQ(speeds_of(make_drive_model(unstopped), Turn::s90).back(), 1670.0);
   EXPECT_GT(fitted_turn(Turn::s90, robot).speed, 2500.0);
 }
 
@@ -203,14 +266,17 @@ TEST(RobotOfSpeeds, IsRefusedInItsOwnUnits) {
   EXPECT_THAT(error([](Robot& robot) { robot.pivot_speed = 0.0; }), Says("pivot speed", "greater than 0"));
   EXPECT_THAT(error([](Robot& robot) { robot.lateral_acceleration = 0.0; }),
               Says("lateral acceleration", "greater than 0"));
+  EXPECT_THAT(error([](Robot& robot) { robot.speeds = 9; }), Says("1 to 8", "9"));
+  EXPECT_THAT(error([](Robot& robot) { robot.speeds = 0; }), Says("1 to 8", "0"));
   EXPECT_THAT(error([](Robot& robot) { robot.run_up = -1.0; }), Says("run-up", "0 or more"));
   EXPECT_THAT(error([](Robot& robot) { robot.run_up = 90.0; }), Says("run-up of 90 mm", "start cell"));
 }
 
 TEST(RobotOfSpeeds, HasTheSameNumbersOnEveryPlatform) {
   EXPECT_EQ(make_drive_model(published_robot()).tables.hash, 17765994016381339539U);
-  EXPECT_EQ(make_drive_model(small_robot()).tables.hash, 1207968012835192590U);
-  EXPECT_EQ(make_drive_model(large_robot()).tables.hash, 2475079842104813547U);
+  // Those of records that were written before there was a choice.
+  EXPECT_EQ(make_drive_model(robot_of_the_past(small_robot())).tables.hash, 1207968012835192590U);
+  EXPECT_EQ(make_drive_model(robot_of_the_past(large_robot())).tables.hash, 2475079842104813547U);
 }
 
 }  // namespace

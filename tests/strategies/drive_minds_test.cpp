@@ -113,7 +113,7 @@ class EveryDriver : public testing::TestWithParam<const RosterEntry*> {
         continue;
       }
       EXPECT_GE(run->route.time, best);
-      WallSet walls = walls_of(run->route, model.tables);
+      WallSet walls = walls_needed_by(run->route, model.tables);
       EXPECT_TRUE((walls -= maze.maze.open_walls()).empty());
     }
   }

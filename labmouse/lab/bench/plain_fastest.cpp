@@ -116,14 +116,22 @@ void PlainFastest::reach(std::size_t label, DriveTime time) {
   std::push_heap(queue_.begin(), queue_.end(), std::greater<>());
 }
 
-/// Straights into the middle of a goal, which end there at any speed.
+/// The open cells straight behind a goal.
+int PlainFastest::room_behind(HalfPoint goal, int direction) const {
+  int room = 0;
+  while (passable(moved(goal, direction, 2 * room + 1))) ++room;
+  return room;
+}
+
+/// Straights into the middle of a goal.
 void PlainFastest::begin_at_goals() {
   goals_.for_each([&](Cell cell) {
     for (int direction = 0; direction < 8; direction += 2) {
       HalfPoint point = half_point({cell, Heading::north, Place::centre});
+      const int room = room_behind(point, direction);
       for (int units = 0; passable(point); ++units, point = moved(point, direction + 4, 1))
         for (std::size_t lane = 0; lane < tables_.along.count(); ++lane)
-          reach(label({point, direction}, false, lane), tables_.finish_from(units, lane));
+          reach(label({point, direction}, false, lane), tables_.finish_from(units, lane, room));
     }
   });
 }
@@ -183,7 +191,7 @@ DriveTime PlainFastest::time_from(Pose start) const {
   HalfPoint point = half_point({start.cell, start.heading, Place::centre});
   for (int units = 0; units <= StraightTimes::longest && passable(point); ++units) {
     if (is_centre(point) && goals_.contains({(point.x - 1) / 2, (point.y - 1) / 2}))
-      best = std::min(best, tables_.whole[static_cast<std::size_t>(units)]);
+      best = std::min(best, tables_.whole_way(units, room_behind(point, direction)));
     for (std::size_t lane = 0; lane < tables_.along.count(); ++lane) {
       const DriveTime rest = times_[label({point, direction}, true, lane)];
       if (rest < no_time && tables_.start_to(units, lane) < no_time)

@@ -34,6 +34,7 @@ class PlainFastest {
   };
 
   bool passable(HalfPoint point) const;
+  int room_behind(HalfPoint goal, int direction) const;
   void find_places();
   void add_turn(Turn turn, Spot from, int side);
   void add_diagonal_turn(Spot from, int side);

@@ -22,8 +22,14 @@ HalfPoint moved(HalfPoint point, int direction, int count) {
 
 class RouteCheck {
  public:
-  RouteCheck(const DriveRoute& route, Pose start, Size size, const CellSet& goals, const DriveModel& model)
-      : route_(route), size_(size), goals_(goals), model_(model), start_{start.cell, start.heading, Place::centre} {}
+  RouteCheck(const DriveRoute& route, Pose start, Size size, const WallSet& open, const CellSet& goals,
+             const DriveModel& model)
+      : route_(route),
+        size_(size),
+        goals_(goals),
+        model_(model),
+        start_{start.cell, start.heading, Place::centre},
+        room_(room_behind(route, open)) {}
 
   std::string disagreement() {
     for (index_ = 0; index_ < route_.segments.size(); ++index_) {
@@ -40,6 +46,15 @@ class RouteCheck {
   }
 
  private:
+  /// The cells in a row behind the end of a route that are known to be open.
+  static int room_behind(const DriveRoute& route, const WallSet& open) {
+    if (route.segments.empty()) return 0;
+    const DriveNode& end = route.segments.back().to;
+    int room = 0;
+    while (room < max_drive_side && open.contains(wall_at(neighbour(end.cell, end.heading, room), end.heading))) ++room;
+    return room;
+  }
+
   const DriveSegment& here() const { return route_.segments[index_]; }
   bool last_is_turn() const { return !route_.segments.empty() && is_turn(route_.segments.back()); }
   static bool is_turn(const DriveSegment& segment) { return segment.kind == DriveSegment::Kind::turn; }
@@ -103,9 +118,9 @@ class RouteCheck {
     };
     const bool diagonal = before != nullptr && ends_diagonal(tables.turns[before->turn].turn);
     if (diagonal != (behind != nullptr && begins_diagonal(tables.turns[behind->turn].turn))) return no_time;
-    if (before == nullptr && behind == nullptr) return tables.whole[static_cast<std::size_t>(units)];
+    if (before == nullptr && behind == nullptr) return tables.whole_way(units, room_);
     if (before == nullptr) return tables.start_to(units, lane(behind, &DrivenTurn::from));
-    if (behind == nullptr) return tables.finish_from(units, lane(before, &DrivenTurn::to));
+    if (behind == nullptr) return tables.finish_from(units, lane(before, &DrivenTurn::to), room_);
     return (diagonal ? tables.diagonal : tables.along)
         .at(units, lane(before, &DrivenTurn::to), lane(behind, &DrivenTurn::from));
   }
@@ -135,6 +150,7 @@ class RouteCheck {
   const CellSet& goals_;
   const DriveModel& model_;
   DriveNode start_;
+  int room_;
   std::size_t index_ = 0;
 };
 
@@ -142,8 +158,8 @@ class RouteCheck {
 
 std::string check_route(const DriveRoute& route, Pose start, Size size, const WallSet& open, const CellSet& goals,
                         const DriveModel& model) {
-  if (auto wrong = RouteCheck(route, start, size, goals, model).disagreement(); !wrong.empty()) return wrong;
-  WallSet closed = walls_of(route, model.tables);
+  if (auto wrong = RouteCheck(route, start, size, open, goals, model).disagreement(); !wrong.empty()) return wrong;
+  WallSet closed = walls_of(route);
   closed -= open;
   if (closed.empty()) return "";
   std::string first;

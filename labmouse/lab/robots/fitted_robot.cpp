@@ -24,7 +24,11 @@ double rounded(double value) { return std::stod(fmt::format("{:.5g}", value)); }
 
 /// A file of all numbers of a robot, in the order of its keys, each with its remark or the other one.
 std::string robot_text(const Robot& robot, const Remarks& remarks, const std::string& otherwise) {
-  const Json parameters = robot_json(robot)["parameters"];
+  Json parameters = robot_json(robot)["parameters"];
+  if (!robot.fixed) {
+    parameters["curve.speeds"] = robot.speeds;
+    parameters["stop"] = robot.stop == Stop::goal ? "goal" : "beyond";
+  }
   std::string text, section;
   for (const RobotKey& key : robot_keys()) {
     const std::string name(key.name);
@@ -34,7 +38,7 @@ std::string robot_text(const Robot& robot, const Remarks& remarks, const std::st
       text += fmt::format("\n[{}]\n", section = name.substr(0, dot));
     const Json& value = parameters[name];
     const auto remark = remarks.find(name);
-    const std::string written = value.is_boolean() ? value.dump() : fmt::format("{}", value.get<double>());
+    const std::string written = value.is_number() ? fmt::format("{}", value.get<double>()) : value.dump();
     text += fmt::format(
         "{:<30}# {}{}\n", fmt::format("{} = {}", dot == std::string::npos ? name : name.substr(dot + 1), written),
         key.unit.empty() ? "" : fmt::format("{}, ", key.unit), remark == remarks.end() ? otherwise : remark->second);

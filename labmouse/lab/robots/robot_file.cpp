@@ -47,6 +47,11 @@ class RobotReader {
     const auto* found = node(key);
     return found == nullptr || found->value<bool>().value_or(true);
   }
+  /// The text of a key, or the other one where it does not stand there.
+  std::string_view text(std::string_view key, std::string_view otherwise) const {
+    const auto* found = node(key);
+    return found == nullptr ? otherwise : found->value<std::string_view>().value_or(otherwise);
+  }
   const RobotForms& forms() const { return forms_; }
 
   std::vector<Problem> problems() const { return in_order(problems_); }
@@ -73,6 +78,12 @@ class RobotReader {
                                  : add(found->source().begin,
                                        fmt::format("'{}' must be true or false{}", key.name, diagonal_hint(*found)));
     if (key.kind == Kind::number_or_false && found->is_boolean() && !found->as_boolean()->get()) return;
+    if (key.kind == Kind::end) {
+      const auto value = found->value<std::string_view>();
+      return value == "goal" || value == "beyond"
+                 ? void()
+                 : add(found->source().begin, fmt::format("'{}' must be {}", key.name, range_of(key)));
+    }
     if (!found->is_number())
       return add(found->source().begin, fmt::format("'{}' must be a number, in {}", key.name, key.unit));
     // A whole number that a double cannot hold is far out of any range.
@@ -145,7 +156,7 @@ void set_layouts(Robot& robot, const RobotReader& reader) {
   }
 }
 
-Robot robot_of(const RobotReader& reader, std::string_view name) {
+Robot robot_of(const RobotReader& reader, std::string_view name, RobotText kind) {
   Robot robot;
   robot.name = name;
   robot.cell = reader.number("cell");
@@ -163,6 +174,9 @@ Robot robot_of(const RobotReader& reader, std::string_view name) {
   robot.yaw_jerk = reader.number("curve.yaw_jerk");
   robot.clearance = reader.number("clearance");
   robot.run_up = reader.number("run_up");
+  const bool recorded = kind == RobotText::recorded;
+  robot.speeds = static_cast<int>(reader.number("curve.speeds", recorded ? recorded_speeds : robot.speeds));
+  robot.stop = reader.text("stop", recorded ? "beyond" : "goal") == "beyond" ? Stop::beyond : Stop::goal;
   robot.sight = static_cast<int>(reader.number("sight", 1.0));
   robot.search_speed = reader.number("search.speed");
   robot.search_turn_speed = reader.number("search.turn_speed");
@@ -176,13 +190,13 @@ Robot robot_of(const RobotReader& reader, std::string_view name) {
 
 }  // namespace
 
-RobotResult read_robot(std::string_view text, std::string_view name) {
+RobotResult read_robot(std::string_view text, std::string_view name, RobotText kind) {
   const auto failure = [](std::vector<Problem> problems) { return RobotResult{std::nullopt, {}, std::move(problems)}; };
   const TomlText toml = parse_toml(text);
   if (!toml.problems.empty()) return failure(toml.problems);
   RobotReader reader(toml.table);
   if (auto problems = reader.problems(); !problems.empty()) return failure(std::move(problems));
-  Robot robot = robot_of(reader, name);
+  Robot robot = robot_of(reader, name, kind);
   DriveModel model = make_drive_model(robot);
   if (!model.error.empty()) return failure({{0, 0, model.error}});
   return {std::move(robot), std::move(model), {}};

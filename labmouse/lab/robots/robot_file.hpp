@@ -19,8 +19,13 @@ struct RobotResult {
   std::vector<Problem> problems;
 };
 
+/// Where the text of a robot is from. In records, what does not stand there is as it was before there was a choice: two
+/// speeds of each turn, and runs that end at any speed.
+enum class RobotText : unsigned char { file, recorded };
+inline constexpr int recorded_speeds = 2;
+
 /// Reads a robot of at most 64 KiB, which will have that name, and makes its model. What the model refuses is a problem
 /// of the file as a whole.
-RobotResult read_robot(std::string_view text, std::string_view name);
+RobotResult read_robot(std::string_view text, std::string_view name, RobotText kind = RobotText::file);
 
 }  // namespace labmouse

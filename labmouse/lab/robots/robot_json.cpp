@@ -22,6 +22,9 @@ void add_turns(Json& json, const Robot& robot) {
     json["curve.yaw_acceleration"] = robot.yaw_acceleration;
     if (robot.yaw_speed > 0.0) json["curve.yaw_speed"] = robot.yaw_speed;
     if (robot.yaw_jerk > 0.0) json["curve.yaw_jerk"] = robot.yaw_jerk;
+    // Left out where they mean what they did before there was a choice, so that those records stay as they were.
+    if (robot.speeds != recorded_speeds) json["curve.speeds"] = robot.speeds;
+    if (robot.stop != Stop::beyond) json["stop"] = "goal";
     for (const Turn turn : named_turns)
       if (const double given = robot.layout(turn).given; given > 0.0)
         json[fmt::format("layout.{}", name_of(turn))] = given;
@@ -62,12 +65,13 @@ std::string toml_of(const ReadJson& parameters, JsonFields& fields) {
   if (!parameters.is_object()) return fields.reject("'robot.parameters' is not an object"), "";
   for (const auto& [name, value] : parameters.items()) {
     const bool plain = name.find_first_not_of("abcdefghijklmnopqrstuvwxyzSV0123456789._") == std::string::npos;
-    if (!plain || !(value.is_number() || value.is_boolean()))
+    const bool end = value.is_string() && (value == "goal" || value == "beyond");
+    if (!plain || !(value.is_number() || value.is_boolean() || end))
       return fields.reject("'robot.parameters' has a key or a value that no robot has"), "";
     // What is whole must stay so.
     text += fmt::format(
         "{} = {}\n", name,
-        value.is_number_integer() || value.is_boolean() ? value.dump() : fmt::format("{}", value.get<double>()));
+        value.is_number_float() ? fmt::format("{}", value.get<double>()) : value.dump());
   }
   return text;
 }
@@ -100,7 +104,7 @@ DriveModel read_robot_json(JsonFields& outer, const ReadJson& json) {
   const std::string text = fields.error().empty() ? toml_of(json["parameters"], fields) : "";
   outer.reject(fields.error());
   if (!fields.error().empty()) return none;
-  RobotResult result = read_robot(text, name);
+  RobotResult result = read_robot(text, name, RobotText::recorded);
   if (result.robot) return std::move(result.model);
   outer.reject("'robot': " + result.problems.front().reason);
   return none;

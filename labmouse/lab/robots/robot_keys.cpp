@@ -4,6 +4,8 @@
 
 #include <array>
 
+#include "labmouse/mouse/robot/robot.hpp"
+
 namespace labmouse {
 namespace {
 
@@ -30,6 +32,7 @@ constexpr std::array keys = {
     RobotKey{"run_up", "mm", 0.0, 500.0, With::curves, optional},
     RobotKey{"sight", "cells", 1.0, 32.0, With::always, optional, Kind::whole},
     RobotKey{"diagonals", "", 0.0, 1.0, With::always, optional, Kind::yes_or_no},
+    RobotKey{"stop", "", 0.0, 0.0, With::curves, optional, Kind::end},
     RobotKey{"straight.speed", "mm/s", 50.0, 20'000.0},
     RobotKey{"straight.acceleration", "mm/s²", 100.0, 200'000.0},
     RobotKey{"straight.braking", "mm/s²", 100.0, 200'000.0, With::always, optional},
@@ -40,6 +43,7 @@ constexpr std::array keys = {
     RobotKey{"curve.yaw_acceleration", "rad/s²", 1.0, 100'000.0, With::curves},
     RobotKey{"curve.yaw_speed", "rad/s", 0.1, 1000.0, With::curves, optional},
     RobotKey{"curve.yaw_jerk", "rad/s³", 10.0, 1e8, With::curves, optional},
+    RobotKey{"curve.speeds", "speeds", 1.0, most_speeds, With::curves, optional, Kind::whole},
     layout("layout.45", of_diagonals),
     layout("layout.90", false),
     layout("layout.135", of_diagonals),
@@ -70,6 +74,7 @@ std::span<const RobotKey> robot_keys() { return keys; }
 
 std::string range_of(const RobotKey& key) {
   if (key.kind == Kind::yes_or_no) return "true or false";
+  if (key.kind == Kind::end) return R"("goal" or "beyond")";
   return fmt::format("{}{:.10g} to {:.10g} {}{}", key.kind == Kind::whole ? "a whole number, " : "", key.low, key.high,
                      key.unit, key.kind == Kind::number_or_false ? ", or false" : "");
 }

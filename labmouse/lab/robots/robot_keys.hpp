@@ -10,7 +10,7 @@ namespace labmouse {
 /// A robot has curves by its limits or the times of its turns; and for its search a speed or times.
 struct RobotKey {
   enum class With : unsigned char { always, curves, turns, search_speed, search_times };
-  enum class Kind : unsigned char { number, whole, number_or_false, yes_or_no };
+  enum class Kind : unsigned char { number, whole, number_or_false, yes_or_no, end };
 
   std::string_view name;  ///< with its section: "straight.speed"
   std::string_view unit;

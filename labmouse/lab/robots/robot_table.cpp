@@ -43,8 +43,10 @@ std::string ends_line(const Robot& robot) {
   if (robot.fixed)
     return fmt::format("{:<9} {:g} mm/s, also at the start and the end; turns lead from node to node\n", "nodes",
                        robot.fixed->speed);
-  return fmt::format("{:<9} at rest, {:g} mm behind the middle of the start cell; at any speed in the goal\n", "runs",
-                     robot.run_up);
+  return fmt::format("{:<9} at rest, {:g} mm behind the middle of the start cell\n{:<9} {}\n", "start", robot.run_up,
+                     "goal",
+                     robot.stop == Stop::goal ? "at a speed from which it stops in the last open cell straight behind"
+                                              : "at any speed");
 }
 
 std::string search_line(const SearchDrive& search) {

@@ -1,6 +1,8 @@
 #include "labmouse/mouse/drive/fastest.hpp"
 
 #include <algorithm>
+#include <cassert>
+#include <new>
 
 #include "labmouse/mouse/drive/search.hpp"
 
@@ -35,14 +37,36 @@ bool one_speed(const DriveTables& tables) {
 
 }  // namespace
 
+struct RouteTables::Parts {
+  explicit Parts(const DriveTables& driven)
+      : tables(driven),
+        searches(one_speed(driven) ? drive::make_fixed_searches(driven) : drive::make_lane_searches(driven)) {
+    for (const DrivenTurn& turn : driven.turns)
+      for (auto next = static_cast<std::size_t>(turn.turn) + 1; next < first.size(); ++next) ++first[next];
+  }
+
+  const DriveTables& tables;
+  /// Where the turns of each kind begin in the tables.
+  std::array<std::size_t, all_turns.size() + 1> first{};
+  std::unique_ptr<const drive::SearchMaker> searches;
+};
+
+RouteTables::RouteTables(const DriveTables& tables) : parts_(std::make_unique<Parts>(tables)) {}
+RouteTables::~RouteTables() = default;
+RouteTables::RouteTables(RouteTables&&) noexcept = default;
+RouteTables& RouteTables::operator=(RouteTables&&) noexcept = default;
+
 class FastestRoutes::Search {
  public:
-  Search(Size size, const DriveTables& tables)
-      : tables_(tables),
-        search_(one_speed(tables) ? drive::make_fixed_search(size, tables) : drive::make_lane_search(size, tables)) {
-    for (const DrivenTurn& driven : tables.turns)
-      for (auto turn = static_cast<std::size_t>(driven.turn) + 1; turn < first_.size(); ++turn) ++first_[turn];
+  using Parts = RouteTables::Parts;
+
+  /// How much of its memory it takes itself; the search lies behind it.
+  static std::size_t own_bytes() {
+    return (sizeof(Search) + drive::search_alignment - 1) / drive::search_alignment * drive::search_alignment;
   }
+
+  Search(Size size, const Parts& parts, std::byte* memory)
+      : tables_(parts.tables), first_(parts.first), search_(parts.searches->make(size, memory)) {}
 
   void fill(const WallSet& passages, const CellSet& goals) {
     goals_ = goals;
@@ -99,7 +123,7 @@ class FastestRoutes::Search {
     const int node = number({start.cell, start.heading, Place::centre});
     for (int units = 0, run = search_->run(node); units <= run; ++units) {
       if (is_goal(search_->point(node + units)))
-        visit(units, no_lane, tables_.whole[static_cast<std::size_t>(units)], 0);
+        visit(units, no_lane, tables_.whole_way(units, (run - units) / 2), 0);
       for (std::size_t lane = 0; lane < tables_.along.count(); ++lane)
         visit(units, lane, tables_.start_to(units, lane), search_->turning(node + units, lane, no_time));
     }
@@ -172,7 +196,8 @@ class FastestRoutes::Search {
     const int node = number(walk.here.node);
     const DriveTime rest = walk.route.time - walk.here.time;
     for (int units = 0, run = search_->run(node); units <= run; ++units) {
-      if (!diagonal && tables_.finish_from(units, walk.here.lane) == rest && is_goal(search_->point(node + units))) {
+      if (!diagonal && is_goal(search_->point(node + units)) &&
+          tables_.finish_from(units, walk.here.lane, (run - units) / 2) == rest) {
         add_straight(walk, units, rest);
         return false;
       }
@@ -190,13 +215,28 @@ class FastestRoutes::Search {
   static constexpr std::size_t no_lane = ~std::size_t{0};
 
   const DriveTables& tables_;
-  /// Where the turns of each kind begin in the tables.
-  std::array<std::size_t, all_turns.size() + 1> first_{};
+  const std::array<std::size_t, all_turns.size() + 1>& first_;
   CellSet goals_;
-  std::unique_ptr<drive::Search> search_;
+  drive::SearchInPlace search_;
 };
 
-FastestRoutes::FastestRoutes(Size size, const DriveTables& tables) : search_(std::make_unique<Search>(size, tables)) {}
+std::size_t RouteTables::bytes_for(Size size) const {
+  return FastestRoutes::Search::own_bytes() + parts_->searches->bytes(size);
+}
+
+void FastestRoutes::End::operator()(Search* search) const { search->~Search(); }
+
+FastestRoutes::FastestRoutes(Size size, const RouteTables& tables, std::span<std::byte> memory) {
+  assert(memory.size() >= tables.bytes_for(size));
+  search_.reset(new (memory.data()) Search(size, *tables.parts_, memory.data() + Search::own_bytes()));
+}
+FastestRoutes::FastestRoutes(Size size, const RouteTables& tables)
+    : memory_(new std::byte[tables.bytes_for(size)]),
+      search_(new (memory_.get()) Search(size, *tables.parts_, memory_.get() + Search::own_bytes())) {}
+FastestRoutes::FastestRoutes(Size size, const DriveTables& tables)
+    : tables_(std::make_unique<RouteTables>(tables)),
+      memory_(new std::byte[tables_->bytes_for(size)]),
+      search_(new (memory_.get()) Search(size, *tables_->parts_, memory_.get() + Search::own_bytes())) {}
 FastestRoutes::~FastestRoutes() = default;
 FastestRoutes::FastestRoutes(FastestRoutes&&) noexcept = default;
 FastestRoutes& FastestRoutes::operator=(FastestRoutes&&) noexcept = default;
@@ -209,7 +249,7 @@ DriveTime FastestRoutes::time_from(Pose start) const { return search_->time_from
 void FastestRoutes::route_from(Pose start, DriveRoute& route) const { search_->route_from(start, route); }
 DriveTime FastestRoutes::rolling(const DriveNode& node, std::size_t lane) const { return search_->rolling(node, lane); }
 
-WallSet walls_of(const DriveRoute& route, const DriveTables&) {
+WallSet walls_of(const DriveRoute& route) {
   WallSet walls;
   const auto pass = [&](int x, int y) {
     if (x % 2 != 0 && y % 2 != 0) return;  // the middle of a cell
@@ -230,6 +270,15 @@ WallSet walls_of(const DriveRoute& route, const DriveTables&) {
     pass(to.x - after.x, to.y - after.y);
     pass(to.x, to.y);
   }
+  return walls;
+}
+
+WallSet walls_needed_by(const DriveRoute& route, const DriveTables& tables) {
+  WallSet walls = walls_of(route);
+  if (route.segments.empty()) return walls;
+  const DriveNode& end = route.segments.back().to;
+  for (int cells = stopping_room(route, tables); cells > 0; --cells)
+    walls.insert(wall_at(neighbour(end.cell, end.heading, cells - 1), end.heading));
   return walls;
 }
 

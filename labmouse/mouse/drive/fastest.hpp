@@ -5,18 +5,41 @@
 // there is one straight, accelerated and braked as one.
 #pragma once
 
+#include <cstddef>
 #include <memory>
+#include <span>
 
 #include "labmouse/grid/wall_set.hpp"
 #include "labmouse/mouse/robot/route.hpp"
 
 namespace labmouse {
 
+/// What all searches for routes of one robot share: its tables as they use them. May be used by many at once.
+class RouteTables {
+ public:
+  /// The tables must outlive it. Not for more than eight speeds of a turn.
+  explicit RouteTables(const DriveTables& tables);
+  ~RouteTables();
+  RouteTables(RouteTables&&) noexcept;
+  RouteTables& operator=(RouteTables&&) noexcept;
+
+  /// What a FastestRoutes for a maze takes, in bytes.
+  std::size_t bytes_for(Size size) const;
+
+ private:
+  friend class FastestRoutes;
+  struct Parts;
+  std::unique_ptr<const Parts> parts_;
+};
+
 /// Times to the goals from all nodes of a maze up to 32×32, and the routes. Takes all memory that it will need.
 class FastestRoutes {
  public:
-  /// The tables must outlive it.
+  /// In memory of its own. The tables must outlive it.
   FastestRoutes(Size size, const DriveTables& tables);
+  FastestRoutes(Size size, const RouteTables& tables);
+  /// In memory that must outlive it: tables.bytes_for(size), beginning at a multiple of 16.
+  FastestRoutes(Size size, const RouteTables& tables, std::span<std::byte> memory);
   ~FastestRoutes();
   FastestRoutes(FastestRoutes&&) noexcept;
   FastestRoutes& operator=(FastestRoutes&&) noexcept;
@@ -38,11 +61,20 @@ class FastestRoutes {
   DriveTime rolling(const DriveNode& node, std::size_t lane) const;
 
  private:
+  friend class RouteTables;
   class Search;
-  std::unique_ptr<Search> search_;
+  struct End {
+    void operator()(Search* search) const;
+  };
+
+  std::unique_ptr<const RouteTables> tables_;  ///< where they are its own
+  std::unique_ptr<std::byte[]> memory_;        ///< the same
+  std::unique_ptr<Search, End> search_;
 };
 
-/// The walls that a route passes: it can be driven where all of them are open.
-WallSet walls_of(const DriveRoute& route, const DriveTables& tables);
+/// The walls that a route passes.
+WallSet walls_of(const DriveRoute& route);
+/// The same, and those behind its end that are open where it can stop: it can be driven where all of them are open.
+WallSet walls_needed_by(const DriveRoute& route, const DriveTables& tables);
 
 }  // namespace labmouse

@@ -15,22 +15,52 @@
 namespace labmouse::drive {
 namespace {
 
+/// Nodes that are looked at together.
+constexpr int stretch = 2 * width;
+
+/// Times by units, and how much later than a mouse that starts over after k units one that comes through is at least,
+/// at any place further on: the least of t(k + j) - t(j).
+struct Straight {
+  DriveTime times[StraightTimes::longest + 1 + stretch]{};
+  DriveTime gain[StraightTimes::longest + 1]{};
+};
+
+Straight straight_of(const StraightTimes& table) {
+  Straight straight;
+  for (int units = 0; units <= StraightTimes::longest; ++units) straight.times[units] = table.at(units, 0, 0);
+  for (int k = 0; k <= StraightTimes::longest; ++k) {
+    straight.gain[k] = straight.times[k];
+    for (int j = 1; k + j <= StraightTimes::longest; ++j)
+      straight.gain[k] = std::min(straight.gain[k], straight.times[k + j] - straight.times[j]);
+  }
+  return straight;
+}
+
+/// The tables of a robot of one speed as its searches use them.
+struct FixedTables {
+  explicit FixedTables(const DriveTables& tables)
+      : straights{straight_of(tables.along), straight_of(tables.diagonal)}, shift(bucket_shift(tables)) {
+    for (const DrivenTurn& turn : tables.turns)
+      for (unsigned bit = 0; bit < 8; ++bit) {
+        if (turn.turn == turn_of(bit, false, true)) turn_times[0][bit] = turn.time;
+        if (turn.turn == turn_of(bit, false, false)) turn_times[0][8 + bit] = turn.time;
+        if (bit < 3 && turn.turn == turn_of(bit, true, false))
+          turn_times[1][bit] = turn_times[1][8 + bit] = turn.time;
+      }
+  }
+
+  Straight straights[2];
+  /// By kind of line, parity of the position and bit.
+  DriveTime turn_times[2][16]{};
+  int shift;
+};
+
 template <class Word>
 class FixedSearch final : public Search {
  public:
   using L = Lattice<Word>;
 
-  FixedSearch(Size size, const DriveTables& tables) : size_(size), waiting_(L::nodes, bucket_shift(tables)) {
-    find_gains(straights_[0], tables.along);
-    find_gains(straights_[1], tables.diagonal);
-    for (const DrivenTurn& turn : tables.turns)
-      for (unsigned bit = 0; bit < 8; ++bit) {
-        if (turn.turn == turn_of(bit, false, true)) turn_times_[0][bit] = turn.time;
-        if (turn.turn == turn_of(bit, false, false)) turn_times_[0][8 + bit] = turn.time;
-        if (bit < 3 && turn.turn == turn_of(bit, true, false))
-          turn_times_[1][bit] = turn_times_[1][8 + bit] = turn.time;
-      }
-  }
+  FixedSearch(Size size, const FixedTables& tables) : tables_(tables), size_(size), waiting_(tables.shift) {}
 
   void fill(const WallSet& passages, const CellSet& goals, int start) override {
     if (start != everywhere) aim_at(start);
@@ -39,9 +69,10 @@ class FixedSearch final : public Search {
       for (int direction = 0; direction < 8; direction += 2)
         spread(L::node({2 * cell.x + 1, 2 * cell.y + 1}, direction), 0);
     });
-    // Without a start, one that is never reached.
-    finish(start == everywhere ? times_.back() : times_[index(L::opposite(start))],
-           start == everywhere ? no_bounds_ : bounds_);
+    if (start == everywhere)
+      finish(no_time, NoBounds());
+    else
+      finish(times_[L::opposite(start)], bounds_);
   }
 
   DriveTime turning(int node, std::size_t, DriveTime limit) const override {
@@ -63,32 +94,15 @@ class FixedSearch final : public Search {
   int leap(int node, unsigned bit) const override { return leaps_[8 * index(node) + bit]; }
 
  private:
-  /// Nodes that are looked at together.
-  static constexpr int stretch = 2 * width;
-
   /// From [stretch - n] on: n lanes of ones, and zeros.
   static constexpr DriveTime first_lanes[2 * stretch] = {-1, -1, -1, -1, -1, -1, -1, -1};
 
-  /// Times by units, and how much later than a mouse that starts over after k units one that comes through is at least,
-  /// at any place further on: the least of t(k + j) - t(j).
-  struct Straight {
-    DriveTime times[StraightTimes::longest + 1 + stretch]{};
-    DriveTime gain[StraightTimes::longest + 1]{};
-  };
   /// A node and the bit of a turn that begins there: 8 * node + bit. Turns of one kind share their last four bits.
   using TurnAt = std::conditional_t<sizeof(Word) == sizeof(std::uint32_t), std::uint16_t, std::uint32_t>;
 
   static std::size_t index(int node) { return static_cast<std::size_t>(node); }
 
-  static void find_gains(Straight& straight, const StraightTimes& table) {
-    for (int units = 0; units <= StraightTimes::longest; ++units) straight.times[units] = table.at(units, 0, 0);
-    for (int k = 0; k <= StraightTimes::longest; ++k) {
-      straight.gain[k] = straight.times[k];
-      for (int j = 1; k + j <= StraightTimes::longest; ++j)
-        straight.gain[k] = std::min(straight.gain[k], straight.times[k + j] - straight.times[j]);
-    }
-  }
-  DriveTime turn_time(unsigned turn) const { return turn_times_[turn / (8 * L::plane) % 2][turn % 16]; }
+  DriveTime turn_time(unsigned turn) const { return tables_.turn_times[turn / (8 * L::plane) % 2][turn % 16]; }
 
   /// Finds the bounds of a start: its times in the maze without inner walls, driven backwards.
   void aim_at(int start) {
@@ -96,25 +110,25 @@ class FixedSearch final : public Search {
     start_ = start;
     begin(WallSet::all(size_));
     spread(start, 0);
-    finish(times_.back(), no_bounds_);
-    for (int node = 0; node < L::nodes; ++node) bounds_[index(node)] = times_[index(L::opposite(node))];
+    finish(no_time, NoBounds());
+    bounds_.set([&](int node) { return node % L::points == 0 ? no_time : times_[L::opposite(node)]; });
   }
 
   void begin(const WallSet& passages) {
     lattice_.build(size_, passages);
-    forget(times_);
+    forget(times_, std::size(times_));
     waiting_.clear();
   }
 
   /// Goes on from the nodes that have been spread, until no node waits for a time before `enough`.
-  void finish(const DriveTime& enough, const std::vector<DriveTime>& bounds) {
-    const auto time_of = [&](int node) { return times_[index(node)] + bounds[index(node)]; };
+  template <class Bounds>
+  void finish(const DriveTime& enough, const Bounds& bounds) {
+    const auto time_of = [&](int node) { return times_[index(node)] + bounds[node]; };
     for (;;) {
-      drive_turns();
-      for (const int node : improved_) waiting_.add(node, time_of(node));
+      drive_turns(bounds);
       if (!waiting_.advance(enough)) return;
       waiting_.empty([&](int node) {
-        if (!waiting_.passed(time_of(node))) spread(node, times_[index(node)]);
+        if (!waiting_.passed(time_of(node) + bounds.error())) spread(node, times_[index(node)]);
       });
     }
   }
@@ -122,7 +136,7 @@ class FixedSearch final : public Search {
   /// A turn has led to this node: spreads the times of straights of all lengths from here, a stretch at a time, since
   /// few are longer. What is improved will turn, and so will the node itself.
   void spread(int node, DriveTime time) {
-    const Straight& straight = straights_[static_cast<unsigned>(node / L::plane) & 1U];
+    const Straight& straight = tables_.straights[static_cast<unsigned>(node / L::plane) & 1U];
     const int run = lattice_.run(node);
     const Word turns = lattice_.any_turn(node) >> node % L::points;
     unsigned better = 1;
@@ -153,46 +167,65 @@ class FixedSearch final : public Search {
 
   /// All nodes to which straights have led turn wherever that is earlier than what is known. A mouse that rolls through
   /// a node before a turn could lead there is ahead of it at all places further on, so one time a node will do.
-  void drive_turns() {
-    turns_.clear();
-    for (const int node : driven_) {
-      turning_[node / L::points] = 0;
-      turns_.add_ones(static_cast<TurnAt>(8 * node), turn_bits(lattice_, node));
+  template <class Bounds>
+  void drive_turns(const Bounds& bounds) {
+    for (const std::uint16_t* node = driven_.begin(); node != driven_.end();) {
+      turns_.clear();
+      for (; node != driven_.end() && turns_.takes(8); ++node) {
+        turning_[*node / L::points] = 0;
+        turns_.add_ones(static_cast<TurnAt>(8 * *node), turn_bits(lattice_, *node));
+      }
+      improved_.clear();
+      for (const unsigned turn : turns_) {
+        const std::uint16_t to = leaps_[turn];
+        const DriveTime known = times_[to],
+                        gain = std::min<DriveTime>(times_[turn / 8] + turn_time(turn) - known, 0);
+        times_[to] = known + gain;
+        improved_.add(to, static_cast<unsigned>(gain) >> 31);
+      }
+      for (const int improved : improved_) waiting_.add(improved, times_[index(improved)] + bounds[improved]);
     }
     driven_.clear();
-    improved_.clear();
-    for (const unsigned turn : turns_) {
-      const std::uint16_t to = leaps_[turn];
-      const DriveTime known = times_[to], gain = std::min<DriveTime>(times_[turn / 8] + turn_time(turn) - known, 0);
-      times_[to] = known + gain;
-      improved_.add(to, static_cast<unsigned>(gain) >> 31);
-    }
   }
 
+  /// Turns that are listed at once.
+  static constexpr int chunk = 512;
+
+  const FixedTables& tables_;
   Size size_;
-  L lattice_;
-  const std::vector<std::uint16_t> leaps_ = L::leaps();
-  Straight straights_[2];
-  /// By kind of line, parity of the position and bit.
-  DriveTime turn_times_[2][16]{};
-  /// Of a mouse that rolls at a node, turned round, until the end.
-  std::vector<DriveTime> times_ = std::vector<DriveTime>(static_cast<std::size_t>(L::nodes + stretch), no_time);
-  /// From the start to a node, turned round, at least.
-  std::vector<DriveTime> bounds_ = std::vector<DriveTime>(static_cast<std::size_t>(L::nodes), 0);
-  const std::vector<DriveTime> no_bounds_ = bounds_;
+  const std::uint16_t* leaps_ = L::leaps();
   int start_ = everywhere;
-  Buckets waiting_;                       ///< nodes to which turns have led
-  List<std::uint16_t> driven_{L::nodes};  ///< nodes to which straights have led
+  L lattice_;
+  /// Of a mouse that rolls at a node, turned round, until the end.
+  DriveTime times_[L::nodes + stretch];
+  Bounds<L::nodes> bounds_;               ///< from the start to a node, turned round, at least
+  Buckets<L::nodes> waiting_;             ///< nodes to which turns have led
+  List<std::uint16_t, L::nodes> driven_;  ///< nodes to which straights have led
   Word turning_[8 * L::lines]{};          ///< the same, by line and position
-  List<TurnAt> turns_{8 * L::nodes};
-  List<std::uint16_t> improved_{8 * L::nodes};
+  List<TurnAt, chunk> turns_;
+  List<std::uint16_t, chunk> improved_;
+};
+
+class FixedSearches final : public SearchMaker {
+ public:
+  explicit FixedSearches(const DriveTables& tables) : tables_(tables) {}
+
+  std::size_t bytes(Size size) const override {
+    return is_small(size) ? sizeof(FixedSearch<std::uint32_t>) : sizeof(FixedSearch<std::uint64_t>);
+  }
+  SearchInPlace make(Size size, std::byte* memory) const override {
+    if (is_small(size)) return SearchInPlace(new (memory) FixedSearch<std::uint32_t>(size, tables_));
+    return SearchInPlace(new (memory) FixedSearch<std::uint64_t>(size, tables_));
+  }
+
+ private:
+  FixedTables tables_;
 };
 
 }  // namespace
 
-std::unique_ptr<Search> make_fixed_search(Size size, const DriveTables& tables) {
-  if (size.width <= 16 && size.height <= 16) return std::make_unique<FixedSearch<std::uint32_t>>(size, tables);
-  return std::make_unique<FixedSearch<std::uint64_t>>(size, tables);
+std::unique_ptr<SearchMaker> make_fixed_searches(const DriveTables& tables) {
+  return std::make_unique<FixedSearches>(tables);
 }
 
 }  // namespace labmouse::drive

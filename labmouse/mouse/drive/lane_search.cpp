@@ -6,6 +6,7 @@
 // In the open most straights are of no use beyond the next few nodes: whoever comes from farther away had better begin
 // a turn there that is known already. Tables of how much later this one may be tell so exactly (LaneTables::slacks).
 #include <algorithm>
+#include <cassert>
 
 #include "labmouse/mouse/drive/lane_tables.hpp"
 #include "labmouse/mouse/drive/lists.hpp"
@@ -15,28 +16,40 @@
 namespace labmouse::drive {
 namespace {
 
-template <class Word>
+/// The tables of a robot as its searches use them.
+struct BothWays {
+  BothWays(const DriveTables& tables, unsigned speeds)
+      : onwards(tables, speeds), backwards(drive::backwards(tables), speeds), shift(bucket_shift(tables)) {}
+
+  LaneTables onwards, backwards;
+  int shift;
+};
+
+/// For so many speeds of each turn. The labels of the nodes of a line lie one behind the other, by slots: whoever reads
+/// or writes whole vectors beyond the end of a row meets labels of the next one, and must leave them as they are.
+template <class Word, unsigned Speeds>
 class LaneSearch final : public Search {
  public:
   using L = Lattice<Word>;
 
-  LaneSearch(Size size, const DriveTables& tables)
-      : size_(size),
-        onwards_(tables),
-        backwards_(backwards(tables)),
-        rolling_(static_cast<std::size_t>(L::nodes) * row, no_time),
-        turning_(rolling_),
-        waiting_(L::nodes, bucket_shift(tables)) {}
+  LaneSearch(Size size, const BothWays& lanes) : lanes_(lanes), size_(size), waiting_(lanes.shift) {
+    forget(rolling_, labels);
+    forget(turning_, labels);
+  }
 
   void fill(const WallSet& passages, const CellSet& goals, int start) override {
     if (start != everywhere) aim_at(start);
     begin(passages);
     goals.for_each([&](Cell cell) {
-      for (int direction = 0; direction < 8; direction += 2)
-        begin_at(L::node({2 * cell.x + 1, 2 * cell.y + 1}, direction), onwards_);
+      for (int direction = 0; direction < 8; direction += 2) {
+        const int node = L::node({2 * cell.x + 1, 2 * cell.y + 1}, direction);
+        spread(node, 0, lanes_.onwards.finish(lattice_.run(L::opposite(node)) / 2), lattice_.run(node));
+      }
     });
-    const auto enough = [&] { return start == everywhere ? no_time : time_from(start); };
-    finish(onwards_, start == everywhere ? no_bounds_ : bounds_, enough);
+    if (start == everywhere)
+      finish(lanes_.onwards, NoBounds(), [] { return no_time; });
+    else
+      finish(lanes_.onwards, bounds_, [&] { return time_from(start); });
   }
 
   DriveTime turning(int node, std::size_t lane, DriveTime) const override {
@@ -52,26 +65,45 @@ class LaneSearch final : public Search {
   int leap(int node, unsigned bit) const override { return leaps_[8 * index(node) + bit]; }
 
  private:
+  /// Slots as bits.
+  using Slots = std::conditional_t<(Speeds <= 2), std::uint8_t,
+                                   std::conditional_t<(Speeds <= 4), std::uint16_t, std::uint32_t>>;
+  static constexpr unsigned speeds = Speeds;
+  static constexpr unsigned most_slots = slots_a_speed[centre_node] * Speeds;
+  static constexpr std::size_t labels = 3 * Speeds * static_cast<std::size_t>(L::nodes) + width;
+  /// What is listed at once.
+  static constexpr int chunk = 256;
+
   static std::size_t index(int node) { return static_cast<std::size_t>(node); }
-  static std::uint32_t label(int node, unsigned slot) { return static_cast<std::uint32_t>(node) * row + slot; }
+  static bool is_diagonal(int node) { return (static_cast<unsigned>(node / L::plane) & 1U) != 0; }
   static unsigned kind_of(int node) {
-    const unsigned diagonal = static_cast<unsigned>(node / L::plane) & 1U;
-    return diagonal_node * diagonal | (centre_node & static_cast<unsigned>(node) & ~diagonal);
+    return is_diagonal(node) ? diagonal_node : centre_node & static_cast<unsigned>(node);
   }
-  DriveTime time(const std::vector<DriveTime>& times, int node, std::size_t lane) const {
-    const int slot = onwards_.slot(kind_of(node), lane);
-    return slot == LaneTables::no_slot ? no_time : times[label(node, static_cast<unsigned>(slot))];
+  /// The first label of a node. Along the axes an edge and the centre behind it share the labels of both.
+  static std::size_t label(int node) {
+    const auto number = static_cast<unsigned>(node);
+    return 3 * Speeds * index(node) - (is_diagonal(node) ? 0 : (number & 1U) * Speeds);
+  }
+  /// A node with a slot in one number.
+  static std::uint32_t stand(int node, unsigned slot) { return static_cast<std::uint32_t>(node) * 32 + slot; }
+  static int node_of(std::uint32_t stand) { return static_cast<int>(stand / 32); }
+  static std::size_t label_of(std::uint32_t stand) { return label(node_of(stand)) + stand % 32; }
+
+  DriveTime time(const DriveTime* times, int node, std::size_t lane) const {
+    const int slot = lanes_.onwards.slot(kind_of(node), lane);
+    return slot == LaneTables::no_slot ? no_time : times[label(node) + static_cast<unsigned>(slot)];
   }
 
   /// The time from rest at a start, as far as it is known; no_time where it is not, or where no turn is needed.
   DriveTime time_from(int start) const {
+    constexpr unsigned row = row_of(centre_node, Speeds);
+    const DriveTime* const first = lanes_.backwards.finish(0);
     Times best = Times{} + no_time;
     for (Word places = places_of_turns(start, lattice_.run(start)); places != 0; places &= places - 1) {
-      const int units = std::countr_zero(places);
-      const DriveTime* first = backwards_.finish() + static_cast<unsigned>(units) * row;
-      const DriveTime* rest = &turning_[label(L::opposite(start + units), 0)];
+      const auto units = static_cast<unsigned>(std::countr_zero(places));
+      const DriveTime* rest = &turning_[label(L::opposite(start + static_cast<int>(units)))];
       for (unsigned slot = 0; slot < row; slot += width) {
-        const Times time = load(first + slot) + load(rest + slot);
+        const Times time = load(first + units * row + slot) + load(rest + slot);
         best = time < best ? time : best;
       }
     }
@@ -88,13 +120,13 @@ class LaneSearch final : public Search {
     if (start == start_) return;
     start_ = start;
     begin(WallSet::all(size_));
-    begin_at(start, backwards_);
-    finish(backwards_, no_bounds_, [] { return no_time; });
-    for (int node = 0; node < L::nodes; ++node) {
-      if (node % L::points == 0) continue;  // no point
-      const DriveTime* times = &rolling_[label(L::opposite(node), 0)];
-      bounds_[index(node)] = *std::min_element(times, times + row);
-    }
+    spread(start, 0, lanes_.backwards.finish(0), lattice_.run(start));
+    finish(lanes_.backwards, NoBounds(), [] { return no_time; });
+    bounds_.set([&](int node) {
+      if (node % L::points == 0) return no_time;  // no point
+      const DriveTime* times = &rolling_[label(L::opposite(node))];
+      return *std::min_element(times, times + slots_a_speed[kind_of(node)] * Speeds);
+    });
   }
 
   void begin(const WallSet& passages) {
@@ -103,16 +135,14 @@ class LaneSearch final : public Search {
     waiting_.clear();
   }
 
-  void begin_at(int node, const LaneTables& lanes) { spread(node, 0, lanes.finish(), lattice_.run(node)); }
-
   /// Forgets the times of all nodes that a search has touched.
   void forget_times() {
-    for (std::size_t word = 0; word < touched_.size(); ++word)
+    for (std::size_t word = 0; word < std::size(touched_); ++word)
       for (std::uint64_t nodes = std::exchange(touched_[word], 0); nodes != 0; nodes &= nodes - 1) {
         const int node = static_cast<int>(64 * word) + std::countr_zero(nodes);
-        for (unsigned slot = 0; slot < row; slot += width) {
-          store(&rolling_[label(node, slot)], Times{} + no_time);
-          store(&turning_[label(node, slot)], Times{} + no_time);
+        for (unsigned slot = 0; slot < slots_a_speed[kind_of(node)] * Speeds; slot += width) {
+          store(&rolling_[label(node) + slot], Times{} + no_time);
+          store(&turning_[label(node) + slot], Times{} + no_time);
         }
         turns_due_[index(node)] = 0;
       }
@@ -120,11 +150,10 @@ class LaneSearch final : public Search {
   void touch(int node) { touched_[index(node) / 64] |= std::uint64_t{1} << node % 64; }
 
   /// Goes on from the nodes to which straights have led, until no node waits for a time before enough().
-  template <class Enough>
-  void finish(const LaneTables& lanes, const std::vector<DriveTime>& bounds, Enough enough) {
+  template <class Bounds, class Enough>
+  void finish(const LaneTables& lanes, const Bounds& bounds, Enough enough) {
     for (;;) {
-      drive_turns(lanes);
-      await(bounds);
+      drive_turns(lanes, bounds);
       if (!waiting_.advance(enough())) return;
       drive_straights(lanes);
     }
@@ -133,18 +162,32 @@ class LaneSearch final : public Search {
   /// Turns begin at the nodes whose time has come: spreads those in all slots that have improved.
   void drive_straights(const LaneTables& lanes) {
     ready_.clear();
-    waiting_.empty([&](int node) { ready_.add_ones(label(node, 0), std::exchange(turns_due_[index(node)], 0)); });
-    for (const std::uint32_t ready : ready_) {
-      const int node = static_cast<int>(ready / row);
-      const unsigned kind = kind_of(node), slot = ready % row;
-      const int units = useful_units(node, turning_[ready], lanes.slacks(kind, slot), lanes.reach());
-      spread(node, turning_[ready], lanes.straights(kind, slot), units);
-    }
+    waiting_.empty([&](int node) {
+      Slots slots = std::exchange(turns_due_[index(node)], Slots{0});
+      for (unsigned first = 0; first < 8 * sizeof(Slots); first += 8)
+        ready_.add_ones(stand(node, first), static_cast<unsigned>(slots >> first) & 255U);
+      if (!ready_.takes(8 * sizeof(Slots))) drive_ready_straights(lanes);
+    });
+    drive_ready_straights(lanes);
   }
+  void drive_ready_straights(const LaneTables& lanes) {
+    for (const std::uint32_t ready : ready_) {
+      const int node = node_of(ready);
+      const unsigned kind = kind_of(node), slot = ready % 32;
+      const DriveTime time = turning_[label(node) + slot];
+      const int units = useful_units(node, time, lanes.slacks(kind, slot), lanes.reach());
+      spread(node, time, lanes.straights(kind, slot), units);
+    }
+    ready_.clear();
+  }
+
+  /// The numbers in a row of straights that lead to a node.
+  static unsigned row(int node) { return row_of(is_diagonal(node) ? diagonal_node : centre_node, Speeds); }
 
   /// How long a straight to a turn at most is of use: behind another turn that would do for all mice from farther away,
   /// only as far as they are too near for that one.
   int useful_units(int node, DriveTime time, const DriveTime* slacks, int reach) const {
+    const unsigned row = LaneSearch::row(node);
     int useful = lattice_.run(node);
     useful = std::min(useful, would_do(node, time, slacks) ? reach - 1 : useful);
     for (int units = 2; units + reach <= useful; units *= 2) {
@@ -155,96 +198,146 @@ class LaneSearch final : public Search {
   }
   /// Whether a turn that begins at a node in another slot would do as well.
   bool would_do(int node, DriveTime time, const DriveTime* slacks) const {
+    const DriveTime* const turning = &turning_[label(node)];
     Times ahead{};
-    for (unsigned slot = 0; slot < row; slot += width)
-      ahead |= load(&turning_[label(node, slot)]) <= load(slacks + slot) + time;
+    for (unsigned slot = 0; slot < slots_a_speed[kind_of(node)] * Speeds; slot += width)
+      ahead |= load(turning + slot) <= load(slacks + slot) + time;
     return bits_of(ahead) != 0;
   }
 
   /// A turn begins here, this time before the end: spreads it over the straights that lead to it, rows of times by
   /// units.
   void spread(int node, DriveTime time, const DriveTime* straights, int units) {
+    if (is_diagonal(node))
+      spread_over<row_of(diagonal_node, Speeds)>(node, time, straights, units);
+    else
+      spread_over<row_of(centre_node, Speeds)>(node, time, straights, units);
+  }
+  template <unsigned Row>
+  void spread_over(int node, DriveTime time, const DriveTime* straights, int units) {
     for (Word places = places_of_turns(node, units); places != 0; places &= places - 1) {
       const auto unit = static_cast<unsigned>(std::countr_zero(places));
       const int there = node + static_cast<int>(unit);
-      DriveTime* rolling = &rolling_[label(there, 0)];
-      unsigned improved = 0;
-      for (unsigned slot = 0; slot < row; slot += width) {
-        const Times old = load(rolling + slot), now = load(straights + unit * row + slot) + time;
+      DriveTime* rolling = &rolling_[label(there)];
+      // Of edges only half of the row is used: of few speeds it is not worth asking for.
+      const bool edge = Speeds > 2 && Row == row_of(centre_node, Speeds) && there % 2 == 0;
+      const unsigned slots = edge ? slots_a_speed[edge_node] * Speeds : Row;
+      Slots improved = 0;
+      for (unsigned slot = 0; slot < slots; slot += width) {
+        const Times old = load(rolling + slot), now = load(straights + unit * Row + slot) + time;
         const Times better = now < old;
         store(rolling + slot, (now & better) | (old & ~better));
-        improved |= bits_of(better) << slot;
+        improved = static_cast<Slots>(improved | bits_of(better) << slot);
       }
-      std::uint8_t& due = straights_due_[index(there)];
+      Slots& due = straights_due_[index(there)];
       driven_.add(static_cast<std::uint16_t>(there),
                   static_cast<unsigned>(due == 0) & static_cast<unsigned>(improved != 0));
-      due = static_cast<std::uint8_t>(due | improved);
+      due = static_cast<Slots>(due | improved);
     }
   }
 
   /// Turns at all nodes to which straights have led, in those slots that have improved.
-  void drive_turns(const LaneTables& lanes) {
-    list_turns(lanes);
-    improved_.clear();
-    for (const std::uint32_t listed : turns_) {
-      const int node = static_cast<int>(listed / LaneTables::most_turns);
-      const TurnBefore& turn = lanes.turn(kind_of(node), listed % LaneTables::most_turns);
-      const std::uint32_t to = label(leaps_[8 * index(node) + turn.bit], turn.before);
-      const DriveTime known = turning_[to],
-                      gain = std::min<DriveTime>(rolling_[label(node, turn.slot)] + turn.time - known, 0);
-      turning_[to] = known + gain;
-      improved_.add(to, static_cast<unsigned>(gain) >> 31);
-    }
-  }
-  void list_turns(const LaneTables& lanes) {
+  template <class Bounds>
+  void drive_turns(const LaneTables& lanes, const Bounds& bounds) {
     turns_.clear();
     for (const int node : driven_) {
-      const unsigned slots = std::exchange(straights_due_[index(node)], 0);
-      unsigned turns = lanes.turns(kind_of(node), slots, turn_bits(lattice_, node));
-      for (auto first = static_cast<std::uint32_t>(node) * LaneTables::most_turns; turns != 0; turns >>= 8, first += 8)
-        turns_.add_ones(first, turns & 255U);
+      const unsigned kind = kind_of(node), bits = turn_bits(lattice_, node);
+      for (unsigned slots = std::exchange(straights_due_[index(node)], Slots{0}); slots != 0; slots &= slots - 1) {
+        const auto slot = static_cast<unsigned>(std::countr_zero(slots));
+        for (const TurnBefore& turn : lanes.turns(kind, slot))
+          turns_.add({stand(node, slot), &turn}, bits >> turn.bit & 1U);
+        if (!turns_.takes(most_turns)) drive_listed_turns(bounds);
+      }
       touch(node);
     }
     driven_.clear();
+    drive_listed_turns(bounds);
+  }
+  template <class Bounds>
+  void drive_listed_turns(const Bounds& bounds) {
+    improved_.clear();
+    for (const auto& [from, turn] : turns_) {
+      const std::uint32_t to = stand(leaps_[8 * index(node_of(from)) + turn->bit], turn->before);
+      DriveTime& known = turning_[label_of(to)];
+      const DriveTime gain = std::min<DriveTime>(rolling_[label_of(from)] + turn->time - known, 0);
+      known += gain;
+      improved_.add(to, static_cast<unsigned>(gain) >> 31);
+    }
+    turns_.clear();
+    await(bounds);
   }
   /// Lets the labels that turns have improved wait for their time.
-  void await(const std::vector<DriveTime>& bounds) {
+  template <class Bounds>
+  void await(const Bounds& bounds) {
     for (const std::uint32_t improved : improved_) {
-      const int node = static_cast<int>(improved / row);
-      std::uint8_t& due = turns_due_[index(node)];
-      due = static_cast<std::uint8_t>(due | 1U << improved % row);
-      waiting_.add(node, turning_[improved] + bounds[index(node)]);
+      const int node = node_of(improved);
+      Slots& due = turns_due_[index(node)];
+      due = static_cast<Slots>(due | Slots{1} << improved % 32);
+      waiting_.add(node, turning_[label_of(improved)] + bounds[node]);
       touch(node);
     }
   }
 
+  struct ListedTurn {
+    std::uint32_t from;
+    const TurnBefore* turn;
+  };
+  /// Of those that end in one slot.
+  static constexpr int most_turns = 2 * 8;
+
+  const BothWays& lanes_;
   Size size_;
-  const LaneTables onwards_, backwards_;
-  L lattice_;
-  const std::vector<std::uint16_t> leaps_ = L::leaps();
-  std::vector<DriveTime> rolling_;  ///< by label: node, turned round, and slot
-  std::vector<DriveTime> turning_;
-  /// From the start to a node, turned round, at least.
-  std::vector<DriveTime> bounds_ = std::vector<DriveTime>(static_cast<std::size_t>(L::nodes), 0);
-  const std::vector<DriveTime> no_bounds_ = bounds_;
+  const std::uint16_t* leaps_ = L::leaps();
   int start_ = everywhere;
-  Buckets waiting_;                       ///< nodes to which turns have led
-  List<std::uint16_t> driven_{L::nodes};  ///< nodes to which straights have led
-  /// By node, as bits: slots in which turns have led there, and straights.
-  std::vector<std::uint8_t> turns_due_ = std::vector<std::uint8_t>(L::nodes);
-  std::vector<std::uint8_t> straights_due_ = turns_due_;
-  List<std::uint32_t> ready_{L::nodes * static_cast<int>(row)};  ///< labels of turns that are to be spread
-  List<std::uint32_t> turns_{L::nodes * static_cast<int>(LaneTables::most_turns)};     ///< by node and number
-  List<std::uint32_t> improved_{L::nodes * static_cast<int>(LaneTables::most_turns)};  ///< labels of turns
+  L lattice_;
+  DriveTime rolling_[labels];  ///< by label
+  DriveTime turning_[labels];
+  Bounds<L::nodes> bounds_;               ///< from the start to a node, turned round, at least
+  Buckets<L::nodes> waiting_;             ///< nodes to which turns have led
+  List<std::uint16_t, L::nodes> driven_;  ///< nodes to which straights have led
+  /// By node: slots in which turns have led there, and straights.
+  Slots turns_due_[L::nodes]{};
+  Slots straights_due_[L::nodes]{};
+  List<std::uint32_t, chunk> ready_;  ///< turns that are to be spread
+  List<ListedTurn, chunk> turns_;
+  List<std::uint32_t, chunk> improved_;  ///< where turns begin
   /// Nodes of which times are known, as bits.
-  std::vector<std::uint64_t> touched_ = std::vector<std::uint64_t>(L::nodes / 64);
+  std::uint64_t touched_[L::nodes / 64]{};
+};
+
+template <unsigned Speeds>
+class LaneSearches final : public SearchMaker {
+ public:
+  explicit LaneSearches(const DriveTables& tables) : lanes_(tables, Speeds) {}
+
+  std::size_t bytes(Size size) const override {
+    return is_small(size) ? sizeof(LaneSearch<std::uint32_t, Speeds>) : sizeof(LaneSearch<std::uint64_t, Speeds>);
+  }
+  SearchInPlace make(Size size, std::byte* memory) const override {
+    if (is_small(size)) return SearchInPlace(new (memory) LaneSearch<std::uint32_t, Speeds>(size, lanes_));
+    return SearchInPlace(new (memory) LaneSearch<std::uint64_t, Speeds>(size, lanes_));
+  }
+
+ private:
+  BothWays lanes_;
 };
 
 }  // namespace
 
-std::unique_ptr<Search> make_lane_search(Size size, const DriveTables& tables) {
-  if (size.width <= 16 && size.height <= 16) return std::make_unique<LaneSearch<std::uint32_t>>(size, tables);
-  return std::make_unique<LaneSearch<std::uint64_t>>(size, tables);
+std::unique_ptr<SearchMaker> make_lane_searches(const DriveTables& tables) {
+  switch (speeds_for(tables)) {
+    case 1:
+      return std::make_unique<LaneSearches<1>>(tables);
+    case 2:
+      return std::make_unique<LaneSearches<2>>(tables);
+    case 4:
+      return std::make_unique<LaneSearches<4>>(tables);
+    case 6:
+      return std::make_unique<LaneSearches<6>>(tables);
+    default:
+      assert(speeds_for(tables) == 8);
+      return std::make_unique<LaneSearches<8>>(tables);
+  }
 }
 
 }  // namespace labmouse::drive

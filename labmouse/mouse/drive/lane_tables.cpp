@@ -24,6 +24,18 @@ NodeKind begin_of(Turn turn) {
 }
 NodeKind end_of(Turn turn) { return begin_of(reversed(turn)); }
 
+/// The lanes in which turns begin or end, by kind of node.
+std::array<std::vector<std::size_t>, node_kinds> lanes_at_nodes(const DriveTables& tables) {
+  std::array<std::vector<std::size_t>, node_kinds> lanes;
+  for (unsigned kind = 0; kind < node_kinds; ++kind)
+    for (std::size_t lane = 0; lane < (kind == diagonal_node ? tables.diagonal : tables.along).count(); ++lane)
+      if (std::any_of(tables.turns.begin(), tables.turns.end(), [&](const DrivenTurn& turn) {
+            return (begin_of(turn.turn) == kind && turn.from == lane) || (end_of(turn.turn) == kind && turn.to == lane);
+          }))
+        lanes[kind].push_back(lane);
+  return lanes;
+}
+
 }  // namespace
 
 DriveTables backwards(const DriveTables& tables) {
@@ -38,7 +50,21 @@ DriveTables backwards(const DriveTables& tables) {
   return turned;
 }
 
-LaneTables::LaneTables(const DriveTables& tables) {
+unsigned speeds_for(const DriveTables& tables) {
+  const auto lanes = lanes_at_nodes(tables);
+  for (const unsigned speeds : {1U, 2U, 4U, 6U, 8U}) {
+    bool enough = true;
+    for (unsigned kind = 0; kind < node_kinds; ++kind)
+      enough = enough && lanes[kind].size() <= slots_a_speed[kind] * speeds;
+    if (enough) return speeds;
+  }
+  return 0;
+}
+
+LaneTables::LaneTables(const DriveTables& tables, unsigned speeds)
+    : speeds_(speeds), rooms_(tables.rooms()), lanes_(lanes_at_nodes(tables)) {
+  for (unsigned kind = 0; kind < node_kinds; ++kind)
+    first_row_[kind + 1] = first_row_[kind] + slots_a_speed[kind] * speeds * row(kind);
   find_slots(tables);
   find_straights(tables);
   find_reach();
@@ -47,32 +73,29 @@ LaneTables::LaneTables(const DriveTables& tables) {
 }
 
 void LaneTables::find_slots(const DriveTables& tables) {
-  std::array<std::vector<bool>, node_kinds> used;
-  for (unsigned kind = 0; kind < node_kinds; ++kind)
-    used[kind].resize((kind == diagonal_node ? tables.diagonal : tables.along).count());
-  for (const DrivenTurn& turn : tables.turns)
-    used[begin_of(turn.turn)][turn.from] = used[end_of(turn.turn)][turn.to] = true;
   for (unsigned kind = 0; kind < node_kinds; ++kind) {
-    for (std::size_t lane = 0; lane < used[kind].size(); ++lane) {
-      slots_[kind].push_back(used[kind][lane] ? static_cast<int>(lanes_[kind].size()) : no_slot);
-      if (used[kind][lane]) lanes_[kind].push_back(lane);
-    }
-    assert(lanes_[kind].size() <= row);
+    slots_[kind].assign((kind == diagonal_node ? tables.diagonal : tables.along).count(), no_slot);
+    for (std::size_t slot = 0; slot < lanes_[kind].size(); ++slot)
+      slots_[kind][lanes_[kind][slot]] = static_cast<int>(slot);
+    assert(lanes_[kind].size() <= slots_a_speed[kind] * speeds_);
   }
 }
 
 void LaneTables::find_straights(const DriveTables& tables) {
   straights_.assign(place(node_kinds, 0, lengths), no_time);
-  finish_.assign(static_cast<std::size_t>(lengths * row), no_time);
+  finish_.assign(static_cast<std::size_t>(rooms_ * lengths) * row(centre_node), no_time);
   for (int units = 0; units < lengths; ++units)
     for (unsigned kind = 0; kind < node_kinds; ++kind) {
       const StraightTimes& table = kind == diagonal_node ? tables.diagonal : tables.along;
       const auto& from = lanes_[kind_behind(kind, units)];
+      const std::size_t here = static_cast<std::size_t>(units) * row(kind);
       for (std::size_t i = 0; i < from.size(); ++i) {
-        const std::size_t here = static_cast<std::size_t>(units * row) + i;
         for (unsigned slot = 0; slot < lanes_[kind].size(); ++slot)
-          straights_[place(kind, slot, lengths) + here] = table.at(units, from[i], lanes_[kind][slot]);
-        if (kind == centre_node) finish_[here] = tables.finish_from(units, from[i]);
+          straights_[place(kind, slot, lengths) + here + i] = table.at(units, from[i], lanes_[kind][slot]);
+        if (kind != centre_node) continue;
+        for (int room = 0; room < rooms_; ++room)
+          finish_[static_cast<std::size_t>(room * lengths) * row(kind) + here + i] =
+              tables.finish_from(units, from[i], room);
       }
     }
 }
@@ -83,7 +106,7 @@ void LaneTables::find_reach() {
     for (unsigned slot = 0; slot < lanes_[kind].size(); ++slot)
       for (int units = reach_; units < lengths; ++units)
         for (std::size_t from = 0; from < lanes_[kind_behind(kind, units)].size(); ++from)
-          if (straights(kind, slot)[static_cast<std::size_t>(units * row) + from] >= no_time) reach_ = units + 1;
+          if (straights(kind, slot)[static_cast<std::size_t>(units) * row(kind) + from] >= no_time) reach_ = units + 1;
 }
 
 void LaneTables::find_slacks() {
@@ -92,15 +115,15 @@ void LaneTables::find_slacks() {
     for (unsigned slot = 0; slot < lanes_[kind].size(); ++slot)
       for (int check = 0; check < checks; ++check)
         for (unsigned other = 0; other < lanes_[kind].size(); ++other)
-          slacks_[place(kind, slot, checks) + static_cast<std::size_t>(check * row) + other] =
+          slacks_[place(kind, slot, checks) + static_cast<std::size_t>(check) * row(kind) + other] =
               check == 0 ? slack(kind, slot, 0, other) - 1 : slack(kind, slot, 1 << check, other);
 }
 
 DriveTime LaneTables::slack(unsigned kind, unsigned slot, int units, unsigned other) const {
   DriveTime least = no_time;
   for (int before = reach_; units + before < lengths; ++before) {
-    const DriveTime* through = straights(kind, slot) + (units + before) * row;
-    const DriveTime* over = straights(kind, other) + before * row;
+    const DriveTime* through = straights(kind, slot) + static_cast<std::size_t>(units + before) * row(kind);
+    const DriveTime* over = straights(kind, other) + static_cast<std::size_t>(before) * row(kind);
     for (std::size_t from = 0; from < lanes_[kind_behind(kind, before)].size(); ++from)
       least = std::min(least, through[from] - over[from]);
   }
@@ -109,19 +132,13 @@ DriveTime LaneTables::slack(unsigned kind, unsigned slot, int units, unsigned ot
 
 void LaneTables::find_turns(const DriveTables& tables) {
   for (unsigned kind = 0; kind < node_kinds; ++kind) {
-    unsigned count = 0;
+    turns_[kind].resize(lanes_[kind].size());
     for (unsigned bit = 0; bit < (kind == diagonal_node ? 3U : kind == edge_node ? 2U : 8U); ++bit)
       for (const DrivenTurn& turn : tables.turns)
-        if (turn.turn == reversed(turn_of(bit, kind == diagonal_node, kind == edge_node))) {
-          const auto slot_of = [&](unsigned at, std::size_t lane) { return static_cast<std::uint8_t>(slot(at, lane)); };
-          const TurnBefore before = {slot_of(kind, turn.to), static_cast<std::uint8_t>(bit),
-                                     slot_of(begin_of(turn.turn), turn.from), turn.time};
-          for (unsigned byte = 0; byte < 256; ++byte) {
-            ending_in_[kind][byte] |= (byte >> before.slot & 1U) << count;
-            beginning_with_[kind][byte] |= (byte >> bit & 1U) << count;
-          }
-          turns_[kind][count++] = before;
-        }
+        if (turn.turn == reversed(turn_of(bit, kind == diagonal_node, kind == edge_node)))
+          turns_[kind][static_cast<std::size_t>(slot(kind, turn.to))].push_back(
+              {static_cast<std::uint8_t>(bit), static_cast<std::uint8_t>(slot(begin_of(turn.turn), turn.from)),
+               turn.time});
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "labmouse/mouse/drive/vectors.hpp"
@@ -13,17 +14,21 @@
 
 namespace labmouse::drive {
 
-/// The slots of a row, more than any robot needs: four turns at two speeds. The times of those that a kind of node has
-/// not are no_time.
-inline constexpr unsigned row = 8;
-
 enum NodeKind : unsigned { edge_node, centre_node, diagonal_node };
 inline constexpr unsigned node_kinds = 3;
 
-/// A turn that ends at a kind of node: the slot in which it does, its bit (of the node turned round), the slot in which
-/// it began, and its time.
+/// The slots of each kind of node for each speed of turns: as many as there are turns, but for edges, which have one
+/// turn only. So nodes of all kinds have three in the mean. The times of those that a robot has not are no_time.
+inline constexpr std::array<unsigned, node_kinds> slots_a_speed = {2, 4, 3};
+
+/// Rows of tables are filled up to whole vectors.
+constexpr unsigned row_of(unsigned kind, unsigned speeds) {
+  return (slots_a_speed[kind] * speeds + width - 1) / width * width;
+}
+
+/// A turn that ends in a slot of a kind of node: its bit (of the node turned round), the slot in which it began, and
+/// its time.
 struct TurnBefore {
-  std::uint8_t slot = 0;
   std::uint8_t bit = 0;
   std::uint8_t before = 0;
   DriveTime time = 0;
@@ -32,19 +37,25 @@ struct TurnBefore {
 /// The same robot driven backwards.
 DriveTables backwards(const DriveTables& tables);
 
+/// The most speeds of a turn for which slots suffice: 1, 2, 4, 6 or 8, and 0 where more than 8 would be needed.
+unsigned speeds_for(const DriveTables& tables);
+
 class LaneTables {
  public:
-  explicit LaneTables(const DriveTables& tables);
+  /// For at least as many speeds as the tables need.
+  LaneTables(const DriveTables& tables, unsigned speeds);
 
   static constexpr int no_slot = -1;
-  static constexpr unsigned most_turns = 32;
 
   int slot(unsigned kind, std::size_t lane) const { return slots_[kind][lane]; }
 
-  /// The times of straights to a turn that begins in a slot: rows of the slots that they come from, by units.
+  /// The times of straights to a turn that begins in a slot: rows of the slots that they come from, by units. Rows of
+  /// straights along the axes are all as long as those of centres.
   const DriveTime* straights(unsigned kind, unsigned slot) const { return at(straights_, kind, slot, lengths); }
-  /// The same of straights into the middle of a goal.
-  const DriveTime* finish() const { return finish_.data(); }
+  /// The same of straights into the middle of a goal, where the mouse has so many cells to stop behind it.
+  const DriveTime* finish(int room) const {
+    return &finish_[static_cast<std::size_t>(std::min(room, rooms_ - 1)) * lengths * row(centre_node)];
+  }
 
   /// How much later a mouse may begin a turn in a slot than another one begins a turn 0, 2, 4, 8 ... units before, and
   /// be nowhere ahead of it that is `reach` units or more before that: rows of the other one's slots. A turn in the
@@ -53,17 +64,15 @@ class LaneTables {
   static constexpr int checks = 6;
   int reach() const { return reach_; }
 
-  /// The turns that end at a kind of node, by number, and of them as bits those that end in some slots and have a bit.
-  const TurnBefore& turn(unsigned kind, unsigned number) const { return turns_[kind][number]; }
-  unsigned turns(unsigned kind, unsigned slots, unsigned bits) const {
-    return ending_in_[kind][slots] & beginning_with_[kind][bits];
-  }
+  /// The turns that end in a slot.
+  std::span<const TurnBefore> turns(unsigned kind, unsigned slot) const { return turns_[kind][slot]; }
 
  private:
   static constexpr int lengths = StraightTimes::longest + 1;
 
+  std::size_t row(unsigned kind) const { return row_of(kind == edge_node ? centre_node : kind, speeds_); }
   std::size_t place(unsigned kind, unsigned slot, int rows) const {
-    return (kind * static_cast<std::size_t>(row) + slot) * static_cast<std::size_t>(rows * row);
+    return first_row_[kind] * static_cast<std::size_t>(rows) + slot * static_cast<std::size_t>(rows) * row(kind);
   }
   const DriveTime* at(const std::vector<DriveTime>& rows, unsigned kind, unsigned slot, int count) const {
     return &rows[place(kind, slot, count)];
@@ -75,14 +84,16 @@ class LaneTables {
   DriveTime slack(unsigned kind, unsigned slot, int units, unsigned other) const;
   void find_turns(const DriveTables& tables);
 
+  unsigned speeds_;
+  int rooms_ = 1;
   int reach_ = 1;
+  std::array<std::size_t, node_kinds + 1> first_row_{};     ///< numbers in all rows of the kinds before
   std::array<std::vector<int>, node_kinds> slots_;          ///< by lane
   std::array<std::vector<std::size_t>, node_kinds> lanes_;  ///< by slot
   std::vector<DriveTime> straights_;
   std::vector<DriveTime> finish_;
   std::vector<DriveTime> slacks_;
-  std::array<std::array<TurnBefore, most_turns>, node_kinds> turns_{};
-  std::array<std::array<unsigned, 256>, node_kinds> ending_in_{}, beginning_with_{};
+  std::array<std::vector<std::vector<TurnBefore>>, node_kinds> turns_;  ///< by slot
 };
 
 }  // namespace labmouse::drive

@@ -177,12 +177,15 @@ int Lattice<Word>::leap(int node, unsigned bit) {
 }
 
 template <class Word>
-std::vector<std::uint16_t> Lattice<Word>::leaps() {
-  std::vector<std::uint16_t> leaps(8 * static_cast<std::size_t>(nodes));
-  for (int node = 0; node < nodes; ++node)
-    for (unsigned bit = 0; bit < (direction(node) % 2 == 0 ? 8U : 3U); ++bit)
-      leaps[8 * static_cast<std::size_t>(node) + bit] = static_cast<std::uint16_t>(leap(node, bit));
-  return leaps;
+const std::uint16_t* Lattice<Word>::leaps() {
+  static const std::vector<std::uint16_t> all = [] {
+    std::vector<std::uint16_t> leaps(8 * static_cast<std::size_t>(nodes));
+    for (int node = 0; node < nodes; ++node)
+      for (unsigned bit = 0; bit < (direction(node) % 2 == 0 ? 8U : 3U); ++bit)
+        leaps[8 * static_cast<std::size_t>(node) + bit] = static_cast<std::uint16_t>(leap(node, bit));
+    return leaps;
+  }();
+  return all.data();
 }
 
 template class Lattice<std::uint32_t>;

@@ -104,8 +104,8 @@ class Lattice {
   unsigned turns_at(int node) const;
 
   /// Where the turns lead: the node behind the turn of a bit is at [8 * node + bit], whatever is open. The same for all
-  /// mazes, and to be kept by who looks there often: 64 or 256 KiB that are made anew.
-  static std::vector<std::uint16_t> leaps();
+  /// mazes: 64 or 256 KiB, made once.
+  static const std::uint16_t* leaps();
   /// Whether the turn of a bit leads to the left.
   static bool leads_left(unsigned bit, int direction, bool even) {
     if (direction % 2 == 0) return bit % 2 == 0;

@@ -3,12 +3,9 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cstdint>
-#include <memory>
 #include <utility>
-#include <vector>
 
 #include "labmouse/mouse/robot/tables.hpp"
 
@@ -27,15 +24,20 @@ struct Ones {
   }
 };
 
-/// A list of numbers. More than is added is written behind its end.
-template <class Number>
+/// A list of up to `Most` numbers in its own memory. More than is added is written behind its end.
+template <class Number, int Most>
 class List {
  public:
-  explicit List(int most) : numbers_(new Number[static_cast<std::size_t>(most) + 8]) { clear(); }
+  List() = default;
+  List(const List&) = delete;
+  List& operator=(const List&) = delete;
 
-  void clear() { end_ = numbers_.get(); }
-  const Number* begin() const { return numbers_.get(); }
+  void clear() { end_ = numbers_; }
+  const Number* begin() const { return numbers_; }
   const Number* end() const { return end_; }
+  bool empty() const { return end_ == numbers_; }
+  /// Whether so many more have room.
+  bool takes(int more) const { return end_ - numbers_ <= Most - more; }
 
   /// Adds a number once or not at all.
   void add(Number number, unsigned times) {
@@ -51,19 +53,19 @@ class List {
  private:
   static constexpr Ones<Number> ones{};
 
-  std::unique_ptr<Number[]> numbers_;
-  Number* end_;
+  Number numbers_[Most + 8];
+  Number* end_ = numbers_;
 };
 
-/// Nodes that wait, by time, in buckets: those of one bucket in any order, so that it may fill again while it is
-/// emptied (Dial 1969; Denardo and Fox 1979).
+/// Numbers below `Nodes` that wait, by time, in buckets: those of one bucket in any order, so that it may fill again
+/// while it is emptied (Dial 1969; Denardo and Fox 1979).
+template <int Nodes>
 class Buckets {
  public:
   /// They are used in turn; what waits for a later time than they reach is visited with the last of them.
-  static constexpr unsigned count = 64;
+  static constexpr unsigned count = 16;
 
-  /// For nodes with numbers below `nodes`.
-  Buckets(int nodes, int shift) : shift_(shift), words_(static_cast<std::size_t>(nodes) / 64), sets_(count * words_) {}
+  explicit Buckets(int shift) : shift_(shift) {}
 
   void clear() {
     for (unsigned bucket = 0; bucket < count; ++bucket)
@@ -75,7 +77,7 @@ class Buckets {
     if (time >= no_time) return;
     const unsigned bucket = std::clamp(bucket_of(time), current_, current_ + count - 1);
     const std::size_t word = static_cast<std::size_t>(node) / 64;
-    sets_[bucket % count * words_ + word] |= std::uint64_t{1} << node % 64;
+    sets_[bucket % count][word] |= std::uint64_t{1} << node % 64;
     filled_[bucket % count] |= std::uint64_t{1} << word % 64;
     last_ = std::max(last_, bucket);
   }
@@ -94,23 +96,53 @@ class Buckets {
   }
 
  private:
+  static constexpr std::size_t words = Nodes / 64;  ///< of a set
+
   unsigned bucket_of(DriveTime time) const { return static_cast<unsigned>(time >> shift_); }
 
   template <class Visit>
   void empty(unsigned bucket, Visit visit) {
-    std::uint64_t* const set = &sets_[bucket * words_];
+    std::uint64_t* const set = sets_[bucket];
     for (std::uint64_t filled = std::exchange(filled_[bucket], 0); filled != 0; filled &= filled - 1)
-      for (auto word = static_cast<std::size_t>(std::countr_zero(filled)); word < words_; word += 64)
+      for (auto word = static_cast<std::size_t>(std::countr_zero(filled)); word < words; word += 64)
         for (std::uint64_t nodes = std::exchange(set[word], 0); nodes != 0; nodes &= nodes - 1)
           visit(static_cast<int>(64 * word) + std::countr_zero(nodes));
   }
 
   int shift_;
-  std::size_t words_;  ///< of a set
   unsigned current_ = 0;
   unsigned last_ = 0;  ///< in which a node has been put
-  std::vector<std::uint64_t> sets_;
-  std::array<std::uint64_t, count> filled_{};  ///< words that are not empty, modulo 64
+  std::uint64_t sets_[count][words]{};
+  std::uint64_t filled_[count]{};  ///< words that are not empty, modulo 64
+};
+
+/// The least times from a start to all nodes, in 16 bits each: rounded down to a unit in which the latest one fits.
+template <int Nodes>
+class Bounds {
+ public:
+  /// Takes time_of(node) for all nodes; times of no_time count as the latest other one.
+  template <class TimeOf>
+  void set(TimeOf time_of) {
+    DriveTime latest = 0;
+    for (int node = 0; node < Nodes; ++node)
+      if (const DriveTime time = time_of(node); time < no_time) latest = std::max(latest, time);
+    shift_ = std::max(0, static_cast<int>(std::bit_width(static_cast<std::uint32_t>(latest))) - 16);
+    for (int node = 0; node < Nodes; ++node)
+      times_[node] = static_cast<std::uint16_t>(std::min(time_of(node), latest) >> shift_);
+  }
+  DriveTime operator[](int node) const { return DriveTime{times_[node]} << shift_; }
+  /// By how much less than the true time that may be.
+  DriveTime error() const { return (DriveTime{1} << shift_) - 1; }
+
+ private:
+  int shift_ = 0;
+  std::uint16_t times_[Nodes]{};
+};
+
+/// No bounds: every time may be 0.
+struct NoBounds {
+  DriveTime operator[](int) const { return 0; }
+  DriveTime error() const { return 0; }
 };
 
 }  // namespace labmouse::drive

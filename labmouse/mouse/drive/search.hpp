@@ -1,6 +1,7 @@
 // What the two searches behind FastestRoutes have in common: one for robots of one speed, one for robots of many.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 
 #include "labmouse/grid/wall_set.hpp"
@@ -36,7 +37,27 @@ class Search {
 /// behind the time at which they were spread.
 int bucket_shift(const DriveTables& tables);
 
-std::unique_ptr<Search> make_fixed_search(Size size, const DriveTables& tables);
-std::unique_ptr<Search> make_lane_search(Size size, const DriveTables& tables);
+/// Ends a search whose memory is somebody else's.
+struct EndInPlace {
+  void operator()(Search* search) const { search->~Search(); }
+};
+using SearchInPlace = std::unique_ptr<Search, EndInPlace>;
+
+/// What all searches for one robot share, and makes them. The tables that it is made of must outlive it.
+class SearchMaker {
+ public:
+  virtual ~SearchMaker() = default;
+  /// How much memory a search of a maze takes, and its making there: it begins at a multiple of search_alignment.
+  virtual std::size_t bytes(Size size) const = 0;
+  virtual SearchInPlace make(Size size, std::byte* memory) const = 0;
+};
+inline constexpr std::size_t search_alignment = 16;
+
+/// For robots of one speed at all nodes, and for all others.
+std::unique_ptr<SearchMaker> make_fixed_searches(const DriveTables& tables);
+std::unique_ptr<SearchMaker> make_lane_searches(const DriveTables& tables);
+
+/// Whether a maze takes words of 32 bits.
+inline bool is_small(Size size) { return size.width <= 16 && size.height <= 16; }
 
 }  // namespace labmouse::drive

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstring>
-#include <vector>
 
 #include "labmouse/mouse/drive/lattice.hpp"
 #include "labmouse/mouse/robot/tables.hpp"
@@ -19,10 +18,10 @@ inline Times load(const DriveTime* from) {
 }
 inline void store(DriveTime* to, Times times) { std::memcpy(to, &times, sizeof(times)); }
 
-/// Makes all times no_time.
-inline void forget(std::vector<DriveTime>& times) {
+/// Makes so many times no_time.
+inline void forget(DriveTime* times, std::size_t count) {
   static_assert(no_time == 0x3f3f3f3f);
-  std::memset(times.data(), 0x3f, times.size() * sizeof(times[0]));
+  std::memset(times, 0x3f, count * sizeof(*times));
 }
 
 /// The sign bits of four lanes; of a comparison those that hold.

@@ -15,6 +15,9 @@ constexpr DriveTime shortest_allowed_turn = 1'000;
 /// are none.
 constexpr double slowest_speed = 50.0;
 
+/// Faster than any.
+constexpr double no_speed = 1e9;
+
 constexpr bool leads_back(Turn turn) { return turn == Turn::out45 || turn == Turn::out135; }
 
 DriveTime fixed_time(const FixedTimes& fixed, Turn turn) {
@@ -108,9 +111,57 @@ double speed_by_first_wall(const Robot& robot, const TurnShape& small_turn) {
   return std::floor(std::sqrt(2.0 * robot.acceleration * way) / speed_step) * speed_step;
 }
 
-/// Each turn at its own largest speed, and on the same path at one that is common to all: a fast turn cannot be
-/// followed at once by a slow one. The common speed is that of the slowest turn, or less where a start does not reach
-/// it.
+/// The fastest, in whole steps, from which it can stop in the goal behind the small turn, in the middle of the cell.
+double speed_to_stop_from(const Robot& robot, const TurnShape& small_turn) {
+  const double way = robot.cell / 2.0 + small_turn.lead_out;
+  return std::floor(std::sqrt(2.0 * robot.braking * way) / speed_step) * speed_step;
+}
+
+/// The speed that all turns have in common: that of the slowest one, or less where a start does not reach it or a mouse
+/// cannot stop from it.
+double common_speed(const Robot& robot, const std::vector<FittedTurn>& fitted) {
+  double common = no_speed, small_speed = no_speed;
+  for (const FittedTurn& turn : fitted) {
+    common = std::min(common, turn.speed);
+    if (turn.shape.turn != Turn::s90) continue;
+    small_speed = speed_by_first_wall(robot, turn.shape);
+    if (robot.stop == Stop::goal) small_speed = std::min(small_speed, speed_to_stop_from(robot, turn.shape));
+  }
+  return small_speed < common ? std::max(small_speed, slowest_speed) : common;
+}
+
+/// A speed between two others that splits them: of a turn, so that this one can be followed at once by others, or the
+/// middle one where no turn has one that is not close to either.
+double speed_between(double low, double high, const std::vector<FittedTurn>& fitted) {
+  constexpr double close = 0.1;
+  const double middle = (low + high) / 2.0;
+  double best = no_speed;
+  for (const FittedTurn& turn : fitted) {
+    const double share = (turn.speed - low) / (high - low);
+    if (share > close && share < 1.0 - close && std::abs(turn.speed - middle) < std::abs(best - middle))
+      best = turn.speed;
+  }
+  return best < no_speed ? best : middle;
+}
+
+/// The lower speeds that turns share, in order, the common one first: as many as a turn may have besides its own. The
+/// widest gap below the fastest turn is split until there are enough. What other choices cost is in docs/robots.md.
+std::vector<double> levels_of(const std::vector<FittedTurn>& fitted, double common, int speeds) {
+  std::vector<double> bounds = {common, common};
+  for (const FittedTurn& turn : fitted) bounds.back() = std::max(bounds.back(), turn.speed);
+  while (static_cast<int>(bounds.size()) < speeds) {
+    std::size_t widest = 1;
+    for (std::size_t i = 1; i < bounds.size(); ++i)
+      if (bounds[i] - bounds[i - 1] > bounds[widest] - bounds[widest - 1]) widest = i;
+    const auto gap = bounds.begin() + static_cast<std::ptrdiff_t>(widest);
+    bounds.insert(gap, speed_between(gap[-1], gap[0], fitted));
+  }
+  bounds.pop_back();
+  return bounds;
+}
+
+/// Each turn at its own largest speed, and on the same path at lower ones: a fast turn cannot be followed at once by a
+/// slow one. With one speed only, all turns at the common one.
 DriveModel model_of_speeds(const Robot& robot) {
   std::vector<FittedTurn> fitted;
   for (const Turn turn : turns_of(robot)) {
@@ -121,15 +172,13 @@ DriveModel model_of_speeds(const Robot& robot) {
   const FittedTurn slowest = *std::min_element(
       fitted.begin(), fitted.end(), [](const FittedTurn& a, const FittedTurn& b) { return a.speed < b.speed; });
   if (slowest.speed < slowest_speed) return refused(refusal_of_slowest(robot, slowest));
-  const FittedTurn& small =
-      *std::find_if(fitted.begin(), fitted.end(), [](const FittedTurn& turn) { return turn.shape.turn == Turn::s90; });
-  double common = slowest.speed;
-  if (const double reached = speed_by_first_wall(robot, small.shape); reached < common)
-    common = std::max(reached, slowest_speed);
+  const std::vector<double> levels = levels_of(fitted, common_speed(robot, fitted), robot.speeds);
   DriveModel model;
   for (const FittedTurn& turn : fitted) {
-    add_turn(model, turn.shape, turn.speed);
-    if (turn.speed > common) add_turn(model, turn.shape, common);
+    const double own = robot.speeds > 1 ? turn.speed : levels.front();
+    add_turn(model, turn.shape, own);
+    for (auto level = levels.rbegin(); level != levels.rend(); ++level)
+      if (*level < own) add_turn(model, turn.shape, *level);
   }
   model.tables.cell = robot.cell;
   fill_between(model.tables.along, robot.cell / 2.0, limits_along(robot));
@@ -163,6 +212,9 @@ std::string refusal_of_fixed(const Robot& robot) {
 std::string refusal_of_curves(const Robot& robot) {
   if (!(robot.lateral_acceleration > 0.0 && robot.yaw_acceleration > 0.0))
     return "its lateral acceleration and yaw acceleration must be greater than 0";
+  if (robot.speeds < 1 || robot.speeds > most_speeds)
+    return "its turns must have 1 to " + std::to_string(most_speeds) + " speeds each, not " +
+           std::to_string(robot.speeds);
   if (!(robot.clearance >= 0.0 && robot.run_up >= 0.0)) return "its clearance and run-up must be 0 or more";
   if (robot.run_up >= robot.cell / 2.0)
     return "a run-up of " + millimetres(robot.run_up) + " begins behind the wall of the start cell, which is " +
@@ -183,13 +235,18 @@ std::string refusal_of_turn_times(const DriveTables& tables) {
 }
 
 /// Every maze that can be searched can be run: all turns follow each other at the slowest speed, if the start reaches
-/// it.
-std::string refusal_of_start(const DriveTables& tables) {
+/// it and the mouse can stop from it.
+std::string refusal_of_ends(const DriveTables& tables) {
   const auto slowest = std::find_if(tables.turns.rbegin(), tables.turns.rend(),
                                     [](const DrivenTurn& turn) { return turn.turn == Turn::s90; });
-  if (tables.start_to(1, slowest->from) < no_time) return "";
-  return "from rest in the start cell it does not reach the speed of its slowest turns, " +
-         millimetres(slowest->speed) + "/s, by the first wall; increase the acceleration or run-up";
+  if (tables.start_to(1, slowest->from) >= no_time)
+    return "from rest in the start cell it does not reach the speed of its slowest turns, " +
+           millimetres(slowest->speed) + "/s, by the first wall; increase the acceleration or run-up";
+  if (tables.finish_from(1, slowest->to, 0) >= no_time)
+    return "from the speed of its slowest turns, " + millimetres(slowest->speed) +
+           "/s, it does not stop within half a cell, in the middle of its goal; increase the braking, or let it run on "
+           "with stop = \"beyond\"";
+  return "";
 }
 
 }  // namespace
@@ -201,7 +258,7 @@ DriveModel make_drive_model(const Robot& robot) {
   DriveModel model = robot.fixed ? fixed_model(robot) : model_of_speeds(robot);
   if (!model.error.empty()) return model;
   if (std::string why = refusal_of_turn_times(model.tables); !why.empty()) return refused(std::move(why));
-  if (std::string why = refusal_of_start(model.tables); !why.empty()) return refused(std::move(why));
+  if (std::string why = refusal_of_ends(model.tables); !why.empty()) return refused(std::move(why));
   const auto small = static_cast<std::size_t>(
       std::find_if(model.shapes.begin(), model.shapes.end(), [](const TurnShape& s) { return s.turn == Turn::s90; }) -
       model.shapes.begin());

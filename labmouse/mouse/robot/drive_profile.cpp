@@ -13,7 +13,7 @@ namespace {
 struct End {
   double speed = 0.0;
   double lead = 0.0;
-  bool free = false;  ///< at any speed
+  bool free = false;  ///< at any speed up to that
 };
 
 End lane_end(const Lane& lane) { return {lane.speed, lane.lead, false}; }
@@ -33,14 +33,21 @@ End last_end(const DriveModel& model, const DriveRoute& route, std::size_t i) {
   if (i + 1 < route.segments.size())
     return lane_end(straights_of(model, route.segments[i]).lanes[model.tables.turns[route.segments[i + 1].turn].from]);
   if (model.robot.fixed) return {model.robot.fixed->speed, 0.0, false};
-  return {0.0, 0.0, true};
+  return {end_speed(model.robot, stopping_room(route, model.tables)), 0.0, true};
+}
+
+/// The end with the speed that is reached there, if it may have several.
+End reached(End last, double length, const End& first, const StraightLimits& limits) {
+  if (last.free)
+    last.speed = std::min({last.speed, limits.speed,
+                           std::sqrt(first.speed * first.speed + 2.0 * limits.acceleration * length)});
+  return last;
 }
 
 double peak_of(double length, const End& first, const End& last, const StraightLimits& limits) {
-  const double up = limits.acceleration, down = limits.braking, from = first.speed * first.speed;
-  const double squared = last.free
-                             ? from + 2.0 * up * length
-                             : (2.0 * up * down * length + down * from + up * last.speed * last.speed) / (up + down);
+  const double up = limits.acceleration, down = limits.braking;
+  const double squared =
+      (2.0 * up * down * length + down * first.speed * first.speed + up * last.speed * last.speed) / (up + down);
   return std::min(limits.speed, std::max({std::sqrt(squared), first.speed, last.speed}));
 }
 
@@ -72,11 +79,13 @@ DriveProfile::DriveProfile(const DriveModel& model, const DriveRoute& route, std
 void DriveProfile::set_straight(const DriveModel& model, const DriveRoute& route, std::size_t segment) {
   const bool diagonal = segment_.diagonal();
   const StraightLimits limits = diagonal ? limits_diagonal(model.robot) : limits_along(model.robot);
-  const End first = first_end(model, route, segment), last = last_end(model, route, segment);
+  const End first = first_end(model, route, segment);
+  End last = last_end(model, route, segment);
   offset_ = first.lead;
   length_ = first.lead + segment_.units * (diagonal ? cell_ / std::sqrt(2.0) : cell_ / 2.0) + last.lead;
+  last = reached(last, length_, first, limits);
   const double peak = peak_of(length_, first, last, limits);
-  const double end = last.free ? peak : last.speed;
+  const double end = last.speed;
   const double up = (peak * peak - first.speed * first.speed) / (2.0 * limits.acceleration);
   const double down = (peak * peak - end * end) / (2.0 * limits.braking);
   const double even = std::max(0.0, length_ - up - down);

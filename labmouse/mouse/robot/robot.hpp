@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -37,6 +38,12 @@ struct TurnLayout {
   friend bool operator==(const TurnLayout&, const TurnLayout&) = default;
 };
 
+/// Where a run may end: at rest in the middle of its goal cell or of one of the open cells straight behind it, so that
+/// its speed in the goal is one that it can stop from; or at any speed, as if there were no wall behind the goal.
+enum class Stop : std::uint8_t { goal, beyond };
+
+inline constexpr int most_speeds = 8;
+
 /// Lengths in mm, times in seconds, angles in rad.
 struct Robot {
   std::string name;
@@ -50,6 +57,8 @@ struct Robot {
   double yaw_jerk = 0.0;                                   ///< rad/s³; 0: as much as there may be
   double clearance = 0.0;     ///< mm that the robot's middle keeps from the middle of any post and wall that may stand
   double run_up = 0.0;        ///< mm behind the middle of the start cell where it stands before a run
+  int speeds = 6;             ///< of each turn at most, 1 to most_speeds: its own largest, and lower ones
+  Stop stop = Stop::goal;     ///< of robots with limits; those of published times end at the speed of the nodes
   int sight = 1;              ///< cells that its sensors look into each direction
   bool diagonals = true;      ///< whether it drives any
   double search_speed = 0.0;  ///< mm/s

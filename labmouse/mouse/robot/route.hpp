@@ -26,7 +26,7 @@ struct DriveSegment {
   friend bool operator==(const DriveSegment&, const DriveSegment&) = default;
 };
 
-/// From rest in the middle of a start cell to the middle of a goal cell, at any speed there. Straights and turns follow
+/// From rest in the middle of a start cell to the middle of a goal cell, at a speed that the robot may have there. Straights and turns follow
 /// each other in turns; a straight of no length is left out, unless there is a lead to drive.
 struct DriveRoute {
   std::vector<DriveSegment> segments;
@@ -34,5 +34,8 @@ struct DriveRoute {
 
   friend bool operator==(const DriveRoute&, const DriveRoute&) = default;
 };
+
+/// How many open cells behind its end a route needs to stop in. It must be one that can be driven.
+int stopping_room(const DriveRoute& route, const DriveTables& tables);
 
 }  // namespace labmouse

@@ -15,6 +15,14 @@ void take_back_rounding(StraightTimes& straights, std::size_t lane) {
     for (int part = 1; part <= units / 2; ++part) at(units) = std::min(at(units), at(part) + at(units - part));
 }
 
+/// No time where the mouse cannot stop.
+DriveTime time_to_end(double length, double from, double end, const StraightLimits& limits) {
+  const double reached = std::sqrt(from * from + 2.0 * limits.acceleration * length);
+  if (reached <= end || end >= limits.speed) return microseconds(seconds_onward(length, from, limits));
+  const auto seconds = seconds_between(length, from, end, limits);
+  return seconds ? microseconds(*seconds) : no_time;
+}
+
 }  // namespace
 
 std::optional<double> seconds_between(double length, double from, double to, const StraightLimits& limits) {
@@ -47,16 +55,28 @@ void fill_between(StraightTimes& straights, double unit, const StraightLimits& l
     if (straights.lanes[lane].lead == 0.0) take_back_rounding(straights, lane);
 }
 
+double end_speed(const Robot& robot, int room) {
+  if (robot.stop == Stop::beyond) return robot.speed;
+  return std::min(robot.speed, std::sqrt(2.0 * robot.braking * room * robot.cell));
+}
+
 void fill_ends(DriveTables& tables, const Robot& robot) {
   const StraightLimits limits = limits_along(robot);
-  for (int units = 0; units <= StraightTimes::longest; ++units) {
-    const double length = units * robot.cell / 2.0;
+  for (int units = 0; units <= StraightTimes::longest; ++units)
     for (const Lane& lane : tables.along.lanes) {
-      const auto start = seconds_between(robot.run_up + length + lane.lead, 0.0, lane.speed, limits);
+      const auto start =
+          seconds_between(robot.run_up + units * robot.cell / 2.0 + lane.lead, 0.0, lane.speed, limits);
       tables.start.push_back(start ? microseconds(*start) : no_time);
-      tables.finish.push_back(microseconds(seconds_onward(lane.lead + length, lane.speed, limits)));
     }
-    tables.whole.push_back(microseconds(seconds_onward(robot.run_up + length, 0.0, limits)));
+  for (int room = 0; room < max_drive_side; ++room) {
+    const double end = end_speed(robot, room);
+    for (int units = 0; units <= StraightTimes::longest; ++units) {
+      const double length = units * robot.cell / 2.0;
+      for (const Lane& lane : tables.along.lanes)
+        tables.finish.push_back(time_to_end(lane.lead + length, lane.speed, end, limits));
+      tables.whole.push_back(time_to_end(robot.run_up + length, 0.0, end, limits));
+    }
+    if (end >= robot.speed) break;  // more room is of no use
   }
 }
 

@@ -32,8 +32,11 @@ DriveTime microseconds(double seconds);
 /// never last less than the one of both their lengths: rounding is taken back.
 void fill_between(StraightTimes& straights, double unit, const StraightLimits& limits);
 
+/// The speed from which a robot stops within so many cells.
+double end_speed(const Robot& robot, int room);
+
 /// Fills start, finish and whole of tables whose lanes stand: a run starts at rest, `robot.run_up` behind the middle of
-/// its cell, and ends in the middle of the goal at any speed.
+/// its cell, and ends in the middle of the goal as `robot.stop` says.
 void fill_ends(DriveTables& tables, const Robot& robot);
 
 }  // namespace labmouse

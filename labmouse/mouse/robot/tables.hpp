@@ -6,6 +6,7 @@
 // straights along the axes and one for diagonals.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -59,9 +60,11 @@ struct DriveTables {
   StraightTimes diagonal;
   /// From the start, at rest: half cells from the middle of the start cell to a lane, at [units * lanes + to].
   std::vector<DriveTime> start;
-  /// To the end, at any speed: half cells from a lane to the middle of a goal cell, at [units * lanes + from].
+  /// To the end: half cells from a lane to the middle of a goal cell, at [(room * lengths + units) * lanes + from],
+  /// where so many cells behind that one are open, as room to stop in; more than there are rooms are as the last one.
+  /// One room only where a run may end at any speed.
   std::vector<DriveTime> finish;
-  /// From the start to the end without a turn, by half cells.
+  /// From the start to the end without a turn, at [room * lengths + units].
   std::vector<DriveTime> whole;
   /// All turns, by kind, the fastest of each first; those onto a diagonal and those back from it are both here.
   std::vector<DrivenTurn> turns;
@@ -71,11 +74,20 @@ struct DriveTables {
   DriveTime start_to(int units, std::size_t lane) const {
     return start[static_cast<std::size_t>(units) * along.count() + lane];
   }
-  DriveTime finish_from(int units, std::size_t lane) const {
-    return finish[static_cast<std::size_t>(units) * along.count() + lane];
+  int rooms() const { return static_cast<int>(finish.size() / (lengths * along.count())); }
+  DriveTime finish_from(int units, std::size_t lane, int room) const {
+    return finish[place_of(units, room) * along.count() + lane];
   }
+  DriveTime whole_way(int units, int room) const { return whole[place_of(units, room)]; }
   /// Of the curves alone; no_time without turns.
   DriveTime shortest_turn() const;
+
+ private:
+  static constexpr std::size_t lengths = StraightTimes::longest + 1;
+
+  std::size_t place_of(int units, int room) const {
+    return static_cast<std::size_t>(std::min(room, rooms() - 1)) * lengths + static_cast<std::size_t>(units);
+  }
 };
 
 /// The value of `tables.hash`: of all its other numbers, lengths and speeds to the micrometre.
