@@ -26,7 +26,7 @@ struct BothWays {
 };
 
 /// For so many speeds of each turn. The labels of the nodes of a line lie one behind the other, by slots: whoever reads
-/// or writes whole vectors beyond the end of a row meets labels of the next one, and must leave them as they are.
+/// or writes the whole vectors of a row meets labels of the nodes about it, and must leave them as they are.
 template <class Word, unsigned Speeds>
 class LaneSearch final : public Search {
  public:
@@ -69,8 +69,7 @@ class LaneSearch final : public Search {
   using Slots = std::conditional_t<(Speeds <= 2), std::uint8_t,
                                    std::conditional_t<(Speeds <= 4), std::uint16_t, std::uint32_t>>;
   static constexpr unsigned speeds = Speeds;
-  static constexpr unsigned most_slots = slots_a_speed[centre_node] * Speeds;
-  static constexpr std::size_t labels = 3 * Speeds * static_cast<std::size_t>(L::nodes) + width;
+  static constexpr std::size_t labels = slots_a_speed * Speeds * static_cast<std::size_t>(L::nodes + 1) + width;
   /// What is listed at once.
   static constexpr int chunk = 256;
 
@@ -79,11 +78,9 @@ class LaneSearch final : public Search {
   static unsigned kind_of(int node) {
     return is_diagonal(node) ? diagonal_node : centre_node & static_cast<unsigned>(node);
   }
-  /// The first label of a node. Along the axes an edge and the centre behind it share the labels of both.
-  static std::size_t label(int node) {
-    const auto number = static_cast<unsigned>(node);
-    return 3 * Speeds * index(node) - (is_diagonal(node) ? 0 : (number & 1U) * Speeds);
-  }
+  /// The first label of a node.
+  static std::size_t label(int node) { return slots_a_speed * Speeds * index(node); }
+  static unsigned end_slot(int node) { return end_slot_a_speed[kind_of(node)] * Speeds; }
   /// A node with a slot in one number.
   static std::uint32_t stand(int node, unsigned slot) { return static_cast<std::uint32_t>(node) * 32 + slot; }
   static int node_of(std::uint32_t stand) { return static_cast<int>(stand / 32); }
@@ -125,7 +122,7 @@ class LaneSearch final : public Search {
     bounds_.set([&](int node) {
       if (node % L::points == 0) return no_time;  // no point
       const DriveTime* times = &rolling_[label(L::opposite(node))];
-      return *std::min_element(times, times + slots_a_speed[kind_of(node)] * Speeds);
+      return *std::min_element(times + first_slot_a_speed[kind_of(node)] * Speeds, times + end_slot(node));
     });
   }
 
@@ -140,7 +137,7 @@ class LaneSearch final : public Search {
     for (std::size_t word = 0; word < std::size(touched_); ++word)
       for (std::uint64_t nodes = std::exchange(touched_[word], 0); nodes != 0; nodes &= nodes - 1) {
         const int node = static_cast<int>(64 * word) + std::countr_zero(nodes);
-        for (unsigned slot = 0; slot < slots_a_speed[kind_of(node)] * Speeds; slot += width) {
+        for (unsigned slot = 0; slot < end_slot(node); slot += width) {
           store(&rolling_[label(node) + slot], Times{} + no_time);
           store(&turning_[label(node) + slot], Times{} + no_time);
         }
@@ -189,18 +186,18 @@ class LaneSearch final : public Search {
   int useful_units(int node, DriveTime time, const DriveTime* slacks, int reach) const {
     const unsigned row = LaneSearch::row(node);
     int useful = lattice_.run(node);
-    useful = std::min(useful, would_do(node, time, slacks) ? reach - 1 : useful);
+    useful = std::min(useful, would_do(node, time, slacks, row) ? reach - 1 : useful);
     for (int units = 2; units + reach <= useful; units *= 2) {
       slacks += row;
-      if (would_do(node + units, time, slacks)) return units + reach - 1;
+      if (would_do(node + units, time, slacks, row)) return units + reach - 1;
     }
     return useful;
   }
   /// Whether a turn that begins at a node in another slot would do as well.
-  bool would_do(int node, DriveTime time, const DriveTime* slacks) const {
+  bool would_do(int node, DriveTime time, const DriveTime* slacks, unsigned row) const {
     const DriveTime* const turning = &turning_[label(node)];
     Times ahead{};
-    for (unsigned slot = 0; slot < slots_a_speed[kind_of(node)] * Speeds; slot += width)
+    for (unsigned slot = 0; slot < row; slot += width)
       ahead |= load(turning + slot) <= load(slacks + slot) + time;
     return bits_of(ahead) != 0;
   }
@@ -219,11 +216,8 @@ class LaneSearch final : public Search {
       const auto unit = static_cast<unsigned>(std::countr_zero(places));
       const int there = node + static_cast<int>(unit);
       DriveTime* rolling = &rolling_[label(there)];
-      // Of edges only half of the row is used: of few speeds it is not worth asking for.
-      const bool edge = Speeds > 2 && Row == row_of(centre_node, Speeds) && there % 2 == 0;
-      const unsigned slots = edge ? slots_a_speed[edge_node] * Speeds : Row;
       Slots improved = 0;
-      for (unsigned slot = 0; slot < slots; slot += width) {
+      for (unsigned slot = 0; slot < Row; slot += width) {
         const Times old = load(rolling + slot), now = load(straights + unit * Row + slot) + time;
         const Times better = now < old;
         store(rolling + slot, (now & better) | (old & ~better));
@@ -241,25 +235,25 @@ class LaneSearch final : public Search {
   void drive_turns(const LaneTables& lanes, const Bounds& bounds) {
     turns_.clear();
     for (const int node : driven_) {
-      const unsigned kind = kind_of(node), bits = turn_bits(lattice_, node);
-      for (unsigned slots = std::exchange(straights_due_[index(node)], Slots{0}); slots != 0; slots &= slots - 1) {
-        const auto slot = static_cast<unsigned>(std::countr_zero(slots));
-        for (const TurnBefore& turn : lanes.turns(kind, slot))
-          turns_.add({stand(node, slot), &turn}, bits >> turn.bit & 1U);
-        if (!turns_.takes(most_turns)) drive_listed_turns(bounds);
-      }
+      const Slots slots = std::exchange(straights_due_[index(node)], Slots{0});
+      std::uint64_t turns = lanes.turns(kind_of(node), slots, turn_bits(lattice_, node));
+      for (auto first = static_cast<std::uint32_t>(node) * most_turns; turns != 0; turns >>= 8, first += 8)
+        turns_.add_ones(first, static_cast<unsigned>(turns) & 255U);
       touch(node);
+      if (!turns_.takes(most_turns)) drive_listed_turns(lanes, bounds);
     }
     driven_.clear();
-    drive_listed_turns(bounds);
+    drive_listed_turns(lanes, bounds);
   }
   template <class Bounds>
-  void drive_listed_turns(const Bounds& bounds) {
+  void drive_listed_turns(const LaneTables& lanes, const Bounds& bounds) {
     improved_.clear();
-    for (const auto& [from, turn] : turns_) {
-      const std::uint32_t to = stand(leaps_[8 * index(node_of(from)) + turn->bit], turn->before);
+    for (const std::uint32_t listed : turns_) {
+      const int node = static_cast<int>(listed / most_turns);
+      const TurnBefore& turn = lanes.turn(kind_of(node), listed % most_turns);
+      const std::uint32_t to = stand(leaps_[8 * index(node) + turn.bit], turn.before);
       DriveTime& known = turning_[label_of(to)];
-      const DriveTime gain = std::min<DriveTime>(rolling_[label_of(from)] + turn->time - known, 0);
+      const DriveTime gain = std::min<DriveTime>(rolling_[label(node) + turn.slot] + turn.time - known, 0);
       known += gain;
       improved_.add(to, static_cast<unsigned>(gain) >> 31);
     }
@@ -278,12 +272,7 @@ class LaneSearch final : public Search {
     }
   }
 
-  struct ListedTurn {
-    std::uint32_t from;
-    const TurnBefore* turn;
-  };
-  /// Of those that end in one slot.
-  static constexpr int most_turns = 2 * 8;
+  static constexpr unsigned most_turns = LaneTables::most_turns;
 
   const BothWays& lanes_;
   Size size_;
@@ -299,7 +288,7 @@ class LaneSearch final : public Search {
   Slots turns_due_[L::nodes]{};
   Slots straights_due_[L::nodes]{};
   List<std::uint32_t, chunk> ready_;  ///< turns that are to be spread
-  List<ListedTurn, chunk> turns_;
+  List<std::uint32_t, chunk> turns_;  ///< by node and number
   List<std::uint32_t, chunk> improved_;  ///< where turns begin
   /// Nodes of which times are known, as bits.
   std::uint64_t touched_[L::nodes / 64]{};

@@ -55,16 +55,15 @@ unsigned speeds_for(const DriveTables& tables) {
   for (const unsigned speeds : {1U, 2U, 4U, 6U, 8U}) {
     bool enough = true;
     for (unsigned kind = 0; kind < node_kinds; ++kind)
-      enough = enough && lanes[kind].size() <= slots_a_speed[kind] * speeds;
+      enough = enough && lanes[kind].size() <= (end_slot_a_speed[kind] - first_slot_a_speed[kind]) * speeds;
     if (enough) return speeds;
   }
   return 0;
 }
 
-LaneTables::LaneTables(const DriveTables& tables, unsigned speeds)
-    : speeds_(speeds), rooms_(tables.rooms()), lanes_(lanes_at_nodes(tables)) {
+LaneTables::LaneTables(const DriveTables& tables, unsigned speeds) : speeds_(speeds), rooms_(tables.rooms()) {
   for (unsigned kind = 0; kind < node_kinds; ++kind)
-    first_row_[kind + 1] = first_row_[kind] + slots_a_speed[kind] * speeds * row(kind);
+    first_row_[kind + 1] = first_row_[kind] + end_slot_a_speed[kind] * speeds * row(kind);
   find_slots(tables);
   find_straights(tables);
   find_reach();
@@ -73,29 +72,32 @@ LaneTables::LaneTables(const DriveTables& tables, unsigned speeds)
 }
 
 void LaneTables::find_slots(const DriveTables& tables) {
+  const auto lanes = lanes_at_nodes(tables);
   for (unsigned kind = 0; kind < node_kinds; ++kind) {
     slots_[kind].assign((kind == diagonal_node ? tables.diagonal : tables.along).count(), no_slot);
-    for (std::size_t slot = 0; slot < lanes_[kind].size(); ++slot)
-      slots_[kind][lanes_[kind][slot]] = static_cast<int>(slot);
-    assert(lanes_[kind].size() <= slots_a_speed[kind] * speeds_);
+    unsigned slot = first_slot_a_speed[kind] * speeds_;
+    for (const std::size_t lane : lanes[kind]) {
+      used_[kind].push_back({slot, lane});
+      slots_[kind][lane] = static_cast<int>(slot++);
+    }
+    assert(slot <= end_slot_a_speed[kind] * speeds_);
   }
 }
 
 void LaneTables::find_straights(const DriveTables& tables) {
-  straights_.assign(place(node_kinds, 0, lengths), no_time);
+  straights_.assign(first_row_[node_kinds] * lengths, no_time);
   finish_.assign(static_cast<std::size_t>(rooms_ * lengths) * row(centre_node), no_time);
   for (int units = 0; units < lengths; ++units)
     for (unsigned kind = 0; kind < node_kinds; ++kind) {
       const StraightTimes& table = kind == diagonal_node ? tables.diagonal : tables.along;
-      const auto& from = lanes_[kind_behind(kind, units)];
       const std::size_t here = static_cast<std::size_t>(units) * row(kind);
-      for (std::size_t i = 0; i < from.size(); ++i) {
-        for (unsigned slot = 0; slot < lanes_[kind].size(); ++slot)
-          straights_[place(kind, slot, lengths) + here + i] = table.at(units, from[i], lanes_[kind][slot]);
+      for (const Slot& from : used_[kind_behind(kind, units)]) {
+        for (const Slot& to : used_[kind])
+          straights_[place(kind, to.number, lengths) + here + from.number] = table.at(units, from.lane, to.lane);
         if (kind != centre_node) continue;
         for (int room = 0; room < rooms_; ++room)
-          finish_[static_cast<std::size_t>(room * lengths) * row(kind) + here + i] =
-              tables.finish_from(units, from[i], room);
+          finish_[static_cast<std::size_t>(room * lengths) * row(kind) + here + from.number] =
+              tables.finish_from(units, from.lane, room);
       }
     }
 }
@@ -103,20 +105,22 @@ void LaneTables::find_straights(const DriveTables& tables) {
 /// The first length from which on all turns can follow each other.
 void LaneTables::find_reach() {
   for (unsigned kind = 0; kind < node_kinds; ++kind)
-    for (unsigned slot = 0; slot < lanes_[kind].size(); ++slot)
+    for (const Slot& to : used_[kind])
       for (int units = reach_; units < lengths; ++units)
-        for (std::size_t from = 0; from < lanes_[kind_behind(kind, units)].size(); ++from)
-          if (straights(kind, slot)[static_cast<std::size_t>(units) * row(kind) + from] >= no_time) reach_ = units + 1;
+        for (const Slot& from : used_[kind_behind(kind, units)])
+          if (straights(kind, to.number)[static_cast<std::size_t>(units) * row(kind) + from.number] >= no_time)
+            reach_ = units + 1;
 }
 
 void LaneTables::find_slacks() {
-  slacks_.assign(place(node_kinds, 0, checks), -no_time);
+  slacks_.assign(first_row_[node_kinds] * checks, -no_time);
   for (unsigned kind = 0; kind < node_kinds; ++kind)
-    for (unsigned slot = 0; slot < lanes_[kind].size(); ++slot)
+    for (const Slot& slot : used_[kind])
       for (int check = 0; check < checks; ++check)
-        for (unsigned other = 0; other < lanes_[kind].size(); ++other)
-          slacks_[place(kind, slot, checks) + static_cast<std::size_t>(check) * row(kind) + other] =
-              check == 0 ? slack(kind, slot, 0, other) - 1 : slack(kind, slot, 1 << check, other);
+        for (const Slot& other : used_[kind])
+          slacks_[place(kind, slot.number, checks) + static_cast<std::size_t>(check) * row(kind) + other.number] =
+              check == 0 ? slack(kind, slot.number, 0, other.number) - 1
+                         : slack(kind, slot.number, 1 << check, other.number);
 }
 
 DriveTime LaneTables::slack(unsigned kind, unsigned slot, int units, unsigned other) const {
@@ -124,21 +128,29 @@ DriveTime LaneTables::slack(unsigned kind, unsigned slot, int units, unsigned ot
   for (int before = reach_; units + before < lengths; ++before) {
     const DriveTime* through = straights(kind, slot) + static_cast<std::size_t>(units + before) * row(kind);
     const DriveTime* over = straights(kind, other) + static_cast<std::size_t>(before) * row(kind);
-    for (std::size_t from = 0; from < lanes_[kind_behind(kind, before)].size(); ++from)
-      least = std::min(least, through[from] - over[from]);
+    for (const Slot& from : used_[kind_behind(kind, before)])
+      least = std::min(least, through[from.number] - over[from.number]);
   }
   return least;
 }
 
 void LaneTables::find_turns(const DriveTables& tables) {
   for (unsigned kind = 0; kind < node_kinds; ++kind) {
-    turns_[kind].resize(lanes_[kind].size());
+    unsigned count = 0;
     for (unsigned bit = 0; bit < (kind == diagonal_node ? 3U : kind == edge_node ? 2U : 8U); ++bit)
       for (const DrivenTurn& turn : tables.turns)
-        if (turn.turn == reversed(turn_of(bit, kind == diagonal_node, kind == edge_node)))
-          turns_[kind][static_cast<std::size_t>(slot(kind, turn.to))].push_back(
-              {static_cast<std::uint8_t>(bit), static_cast<std::uint8_t>(slot(begin_of(turn.turn), turn.from)),
-               turn.time});
+        if (turn.turn == reversed(turn_of(bit, kind == diagonal_node, kind == edge_node))) {
+          const auto slot_of = [&](unsigned at, std::size_t lane) { return static_cast<std::uint8_t>(slot(at, lane)); };
+          const TurnBefore before = {slot_of(kind, turn.to), static_cast<std::uint8_t>(bit),
+                                     slot_of(begin_of(turn.turn), turn.from), turn.time};
+          assert(count < most_turns);
+          for (unsigned byte = 0; byte < 256; ++byte) {
+            const auto has = [&](unsigned number) { return std::uint64_t{byte >> number & 1U} << count; };
+            ending_in_[kind][before.slot / 8][byte] |= has(before.slot % 8);
+            beginning_with_[kind][byte] |= has(bit);
+          }
+          turns_[kind][count++] = before;
+        }
   }
 }
 

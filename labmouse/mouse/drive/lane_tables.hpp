@@ -6,7 +6,6 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "labmouse/mouse/drive/vectors.hpp"
@@ -17,18 +16,21 @@ namespace labmouse::drive {
 enum NodeKind : unsigned { edge_node, centre_node, diagonal_node };
 inline constexpr unsigned node_kinds = 3;
 
-/// The slots of each kind of node for each speed of turns: as many as there are turns, but for edges, which have one
-/// turn only. So nodes of all kinds have three in the mean. The times of those that a robot has not are no_time.
-inline constexpr std::array<unsigned, node_kinds> slots_a_speed = {2, 4, 3};
+/// Slots that nodes have for each speed of turns, one behind the other in memory: three each. Centres have four turns and
+/// use the first slots of the edge behind them, too, which has one turn only and leaves them free. The times of slots
+/// that a robot has not are no_time.
+inline constexpr unsigned slots_a_speed = 3;
+inline constexpr std::array<unsigned, node_kinds> first_slot_a_speed = {1, 0, 0}, end_slot_a_speed = {3, 4, 3};
 
 /// Rows of tables are filled up to whole vectors.
 constexpr unsigned row_of(unsigned kind, unsigned speeds) {
-  return (slots_a_speed[kind] * speeds + width - 1) / width * width;
+  return (end_slot_a_speed[kind] * speeds + width - 1) / width * width;
 }
 
-/// A turn that ends in a slot of a kind of node: its bit (of the node turned round), the slot in which it began, and
-/// its time.
+/// A turn that ends in a slot of a kind of node: the slot, its bit (of the node turned round), the slot in which it
+/// began, and its time.
 struct TurnBefore {
+  std::uint8_t slot = 0;
   std::uint8_t bit = 0;
   std::uint8_t before = 0;
   DriveTime time = 0;
@@ -64,8 +66,15 @@ class LaneTables {
   static constexpr int checks = 6;
   int reach() const { return reach_; }
 
-  /// The turns that end in a slot.
-  std::span<const TurnBefore> turns(unsigned kind, unsigned slot) const { return turns_[kind][slot]; }
+  /// The turns that end at a kind of node, by number, and of them as bits those that end in some slots and have a bit.
+  const TurnBefore& turn(unsigned kind, unsigned number) const { return turns_[kind][number]; }
+  template <class Slots>
+  std::uint64_t turns(unsigned kind, Slots slots, unsigned bits) const {
+    std::uint64_t ending = 0;
+    for (unsigned byte = 0; byte < sizeof(Slots); ++byte) ending |= ending_in_[kind][byte][slots >> 8 * byte & 255U];
+    return ending & beginning_with_[kind][bits];
+  }
+  static constexpr unsigned most_turns = 64;
 
  private:
   static constexpr int lengths = StraightTimes::longest + 1;
@@ -89,11 +98,17 @@ class LaneTables {
   int reach_ = 1;
   std::array<std::size_t, node_kinds + 1> first_row_{};     ///< numbers in all rows of the kinds before
   std::array<std::vector<int>, node_kinds> slots_;          ///< by lane
-  std::array<std::vector<std::size_t>, node_kinds> lanes_;  ///< by slot
+  struct Slot {
+    unsigned number;
+    std::size_t lane;
+  };
+  std::array<std::vector<Slot>, node_kinds> used_;
   std::vector<DriveTime> straights_;
   std::vector<DriveTime> finish_;
   std::vector<DriveTime> slacks_;
-  std::array<std::vector<std::vector<TurnBefore>>, node_kinds> turns_;  ///< by slot
+  std::array<std::array<TurnBefore, most_turns>, node_kinds> turns_{};
+  std::array<std::array<std::array<std::uint64_t, 256>, 4>, node_kinds> ending_in_{};  ///< by slots, eight and eight
+  std::array<std::array<std::uint64_t, 256>, node_kinds> beginning_with_{};            ///< by bits
 };
 
 }  // namespace labmouse::drive
