@@ -103,6 +103,24 @@ Robot robot_of_speeds() {
   return robot;
 }
 
+/// One whose tyres hold a little more than it needs in curves, so that its speed changes in them.
+inline Robot grip_robot() {
+  Robot robot = large_robot();
+  robot.name = "grip";
+  robot.grip = 11'000.0;
+  return robot;
+}
+
+/// The same one in small cells, with weak brakes and as many speeds as there may be.
+inline Robot small_grip_robot() {
+  Robot robot = small_robot();
+  robot.name = "small_grip";
+  robot.grip = 6000.0;
+  robot.braking = 2500.0;
+  robot.speeds = most_speeds;
+  return robot;
+}
+
 /// One that ends its runs at any speed.
 inline Robot unstopped_robot() {
   Robot robot = fan_robot();

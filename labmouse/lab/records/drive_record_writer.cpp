@@ -67,7 +67,11 @@ Json move_json(const SearchMove& move) {
 
 Json segment_json(const DriveSegment& segment, const DriveTables& tables) {
   Json json = {{"piece", notation_of(segment, tables)}};
-  if (segment.kind == DriveSegment::Kind::turn) json["speed"] = tables.turns[segment.turn].speed;
+  if (segment.kind == DriveSegment::Kind::turn) {
+    const DrivenTurn& turn = tables.turns[segment.turn];
+    json["speed"] = turn.speed;
+    if (turn.end_speed != turn.speed) json["end_speed"] = turn.end_speed;
+  }
   json["from"] = node_json(segment.from);
   json["to"] = node_json(segment.to);
   json["begin"] = segment.begin;

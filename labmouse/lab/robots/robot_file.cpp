@@ -172,6 +172,7 @@ Robot robot_of(const RobotReader& reader, std::string_view name, RobotText kind)
   robot.yaw_acceleration = reader.number("curve.yaw_acceleration");
   robot.yaw_speed = reader.number("curve.yaw_speed");
   robot.yaw_jerk = reader.number("curve.yaw_jerk");
+  robot.grip = reader.number("curve.grip");
   robot.clearance = reader.number("clearance");
   robot.run_up = reader.number("run_up");
   const bool recorded = kind == RobotText::recorded;

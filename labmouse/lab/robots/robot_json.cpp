@@ -22,6 +22,7 @@ void add_turns(Json& json, const Robot& robot) {
     json["curve.yaw_acceleration"] = robot.yaw_acceleration;
     if (robot.yaw_speed > 0.0) json["curve.yaw_speed"] = robot.yaw_speed;
     if (robot.yaw_jerk > 0.0) json["curve.yaw_jerk"] = robot.yaw_jerk;
+    if (robot.grip > 0.0) json["curve.grip"] = robot.grip;
     // Left out where they mean what they did before there was a choice, so that those records stay as they were.
     if (robot.speeds != recorded_speeds) json["curve.speeds"] = robot.speeds;
     if (robot.stop != Stop::beyond) json["stop"] = "goal";

@@ -247,18 +247,26 @@ class LaneSearch final : public Search {
   }
   template <class Bounds>
   void drive_listed_turns(const LaneTables& lanes, const Bounds& bounds) {
-    improved_.clear();
     for (const std::uint32_t listed : turns_) {
       const int node = static_cast<int>(listed / most_turns);
-      const TurnBefore& turn = lanes.turn(kind_of(node), listed % most_turns);
-      const std::uint32_t to = stand(leaps_[8 * index(node) + turn.bit], turn.before);
-      DriveTime& known = turning_[label_of(to)];
-      const DriveTime gain = std::min<DriveTime>(rolling_[label(node) + turn.slot] + turn.time - known, 0);
-      known += gain;
-      improved_.add(to, static_cast<unsigned>(gain) >> 31);
+      const TurnBefore* turn = lanes.turn(kind_of(node), listed % most_turns);
+      const int before = leaps_[8 * index(node) + turn->bit];
+      const DriveTime rest = rolling_[label(node) + turn->slot];
+      drive(before, *turn, rest);
+      if (!turn->more) continue;
+      do drive(before, *++turn, rest);
+      while (turn->more);
+      if (!improved_.takes(chunk + most_turns)) await(bounds);
     }
     turns_.clear();
     await(bounds);
+  }
+  void drive(int before, const TurnBefore& turn, DriveTime rest) {
+    const std::uint32_t to = stand(before, turn.before);
+    DriveTime& known = turning_[label_of(to)];
+    const DriveTime gain = std::min<DriveTime>(rest + turn.time - known, 0);
+    known += gain;
+    improved_.add(to, static_cast<unsigned>(gain) >> 31);
   }
   /// Lets the labels that turns have improved wait for their time.
   template <class Bounds>
@@ -270,6 +278,7 @@ class LaneSearch final : public Search {
       waiting_.add(node, turning_[label_of(improved)] + bounds[node]);
       touch(node);
     }
+    improved_.clear();
   }
 
   static constexpr unsigned most_turns = LaneTables::most_turns;
@@ -289,7 +298,7 @@ class LaneSearch final : public Search {
   Slots straights_due_[L::nodes]{};
   List<std::uint32_t, chunk> ready_;  ///< turns that are to be spread
   List<std::uint32_t, chunk> turns_;  ///< by node and number
-  List<std::uint32_t, chunk> improved_;  ///< where turns begin
+  List<std::uint32_t, 3 * chunk> improved_;  ///< where turns begin
   /// Nodes of which times are known, as bits.
   std::uint64_t touched_[L::nodes / 64]{};
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 namespace labmouse::drive {
 namespace {
@@ -138,19 +139,33 @@ void LaneTables::find_turns(const DriveTables& tables) {
   for (unsigned kind = 0; kind < node_kinds; ++kind) {
     unsigned count = 0;
     for (unsigned bit = 0; bit < (kind == diagonal_node ? 3U : kind == edge_node ? 2U : 8U); ++bit)
-      for (const DrivenTurn& turn : tables.turns)
-        if (turn.turn == reversed(turn_of(bit, kind == diagonal_node, kind == edge_node))) {
-          const auto slot_of = [&](unsigned at, std::size_t lane) { return static_cast<std::uint8_t>(slot(at, lane)); };
-          const TurnBefore before = {slot_of(kind, turn.to), static_cast<std::uint8_t>(bit),
-                                     slot_of(begin_of(turn.turn), turn.from), turn.time};
-          assert(count < most_turns);
-          for (unsigned byte = 0; byte < 256; ++byte) {
-            const auto has = [&](unsigned number) { return std::uint64_t{byte >> number & 1U} << count; };
-            ending_in_[kind][before.slot / 8][byte] |= has(before.slot % 8);
-            beginning_with_[kind][byte] |= has(bit);
-          }
-          turns_[kind][count++] = before;
+      for (const Slot& slot : used_[kind]) {
+        const std::size_t first = turns_[kind].size();
+        add_turns(tables, kind, bit, slot);
+        if (turns_[kind].size() == first) continue;
+        assert(count < most_turns);
+        first_turn_[kind][count] = static_cast<std::uint16_t>(first);
+        for (unsigned byte = 0; byte < 256; ++byte) {
+          const auto has = [&](unsigned number) { return std::uint64_t{byte >> number & 1U} << count; };
+          ending_in_[kind][slot.number / 8][byte] |= has(slot.number % 8);
+          beginning_with_[kind][byte] |= has(bit);
         }
+        ++count;
+      }
+  }
+}
+
+/// Adds all turns of a bit that end in a slot.
+void LaneTables::add_turns(const DriveTables& tables, unsigned kind, unsigned bit, const Slot& slot) {
+  const Turn turn = reversed(turn_of(bit, kind == diagonal_node, kind == edge_node));
+  std::vector<TurnBefore>& turns = turns_[kind];
+  bool first = true;
+  for (const DrivenTurn& driven : tables.turns) {
+    if (driven.turn != turn || driven.to != slot.lane) continue;
+    if (!std::exchange(first, false)) turns.back().more = true;
+    const int before = this->slot(begin_of(turn), driven.from);
+    turns.push_back({static_cast<std::uint8_t>(slot.number), static_cast<std::uint8_t>(bit),
+                     static_cast<std::uint8_t>(before), false, driven.time});
   }
 }
 

@@ -28,11 +28,12 @@ constexpr unsigned row_of(unsigned kind, unsigned speeds) {
 }
 
 /// A turn that ends in a slot of a kind of node: the slot, its bit (of the node turned round), the slot in which it
-/// began, and its time.
+/// began, and its time. Where it may begin in several, the next ones follow.
 struct TurnBefore {
   std::uint8_t slot = 0;
   std::uint8_t bit = 0;
   std::uint8_t before = 0;
+  bool more = false;
   DriveTime time = 0;
 };
 
@@ -66,8 +67,9 @@ class LaneTables {
   static constexpr int checks = 6;
   int reach() const { return reach_; }
 
-  /// The turns that end at a kind of node, by number, and of them as bits those that end in some slots and have a bit.
-  const TurnBefore& turn(unsigned kind, unsigned number) const { return turns_[kind][number]; }
+  /// The turns that end at a kind of node, by number: one for each slot and bit, the first of those that agree in both.
+  /// As bits those that end in some slots and have a bit.
+  const TurnBefore* turn(unsigned kind, unsigned number) const { return &turns_[kind][first_turn_[kind][number]]; }
   template <class Slots>
   std::uint64_t turns(unsigned kind, Slots slots, unsigned bits) const {
     std::uint64_t ending = 0;
@@ -92,21 +94,23 @@ class LaneTables {
   void find_slacks();
   DriveTime slack(unsigned kind, unsigned slot, int units, unsigned other) const;
   void find_turns(const DriveTables& tables);
+  struct Slot {
+    unsigned number;
+    std::size_t lane;
+  };
+  void add_turns(const DriveTables& tables, unsigned kind, unsigned bit, const Slot& slot);
 
   unsigned speeds_;
   int rooms_ = 1;
   int reach_ = 1;
   std::array<std::size_t, node_kinds + 1> first_row_{};     ///< numbers in all rows of the kinds before
   std::array<std::vector<int>, node_kinds> slots_;          ///< by lane
-  struct Slot {
-    unsigned number;
-    std::size_t lane;
-  };
   std::array<std::vector<Slot>, node_kinds> used_;
   std::vector<DriveTime> straights_;
   std::vector<DriveTime> finish_;
   std::vector<DriveTime> slacks_;
-  std::array<std::array<TurnBefore, most_turns>, node_kinds> turns_{};
+  std::array<std::vector<TurnBefore>, node_kinds> turns_;
+  std::array<std::array<std::uint16_t, most_turns>, node_kinds> first_turn_{};
   std::array<std::array<std::array<std::uint64_t, 256>, 4>, node_kinds> ending_in_{};  ///< by slots, eight and eight
   std::array<std::array<std::uint64_t, 256>, node_kinds> beginning_with_{};            ///< by bits
 };

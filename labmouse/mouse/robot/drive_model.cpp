@@ -6,6 +6,7 @@
 #include "labmouse/mouse/robot/fitted_turn.hpp"
 #include "labmouse/mouse/robot/search_drive.hpp"
 #include "labmouse/mouse/robot/straights.hpp"
+#include "labmouse/mouse/robot/turn_drive.hpp"
 
 namespace labmouse {
 namespace {
@@ -67,7 +68,8 @@ DriveModel fixed_model(const Robot& robot) {
     const TurnShape shape =
         leads_back(turn) ? backwards(plain_shape(reversed(turn), robot.cell)) : plain_shape(turn, robot.cell);
     const DriveTime time = fixed_time(*robot.fixed, turn);
-    tables.turns.push_back({turn, 0, 0, time, shape.whole() * 1e6 / time});
+    const double speed = shape.whole() * 1e6 / time;
+    tables.turns.push_back({turn, 0, 0, time, speed, speed});
     model.shapes.push_back(shape);
   }
   return model;
@@ -80,15 +82,27 @@ std::uint8_t lane_of(std::vector<Lane>& lanes, const Lane& lane) {
   return index;
 }
 
-void add_turn(DriveModel& model, const TurnShape& shape, double speed) {
+void add_turn(DriveModel& model, const TurnShape& shape, double from, double to, double seconds) {
   const auto lanes = [&](bool diagonal) -> std::vector<Lane>& {
     return diagonal ? model.tables.diagonal.lanes : model.tables.along.lanes;
   };
-  DrivenTurn turn{shape.turn, 0, 0, microseconds(shape.length / speed), speed};
-  turn.from = lane_of(lanes(begins_diagonal(shape.turn)), {speed, shape.lead_in});
-  turn.to = lane_of(lanes(ends_diagonal(shape.turn)), {speed, shape.lead_out});
+  DrivenTurn turn{shape.turn, 0, 0, microseconds(seconds), from, to};
+  turn.from = lane_of(lanes(begins_diagonal(shape.turn)), {from, shape.lead_in});
+  turn.to = lane_of(lanes(ends_diagonal(shape.turn)), {to, shape.lead_out});
   model.tables.turns.push_back(turn);
   model.shapes.push_back(shape);
+}
+
+/// Adds a turn at all of its speeds, the largest first: from each to itself, or with grip from each to every one that it
+/// can reach.
+void add_turns(DriveModel& model, const TurnShape& shape, const std::vector<double>& speeds, const Robot& robot) {
+  for (const double from : speeds)
+    for (const double to : speeds)
+      if (robot.grip <= 0.0) {
+        if (from == to) add_turn(model, shape, from, to, shape.length / from);
+      } else if (const auto drive = turn_drive(shape, from, to, speeds.front(), robot)) {
+        add_turn(model, shape, from, to, drive->seconds);
+      }
 }
 
 std::string refusal_of_slowest(const Robot& robot, const FittedTurn& slowest) {
@@ -176,9 +190,9 @@ DriveModel model_of_speeds(const Robot& robot) {
   DriveModel model;
   for (const FittedTurn& turn : fitted) {
     const double own = robot.speeds > 1 ? turn.speed : levels.front();
-    add_turn(model, turn.shape, own);
-    for (auto level = levels.rbegin(); level != levels.rend(); ++level)
-      if (*level < own) add_turn(model, turn.shape, *level);
+    std::vector<double> speeds = {own};
+    std::copy_if(levels.rbegin(), levels.rend(), std::back_inserter(speeds), [&](double it) { return it < own; });
+    add_turns(model, turn.shape, speeds, robot);
   }
   model.tables.cell = robot.cell;
   fill_between(model.tables.along, robot.cell / 2.0, limits_along(robot));
@@ -209,9 +223,23 @@ std::string refusal_of_fixed(const Robot& robot) {
   return "";
 }
 
+std::string refusal_of_grip(const Robot& robot) {
+  if (robot.grip <= 0.0) return "";
+  if (robot.yaw_jerk > 0.0)
+    return "a limit of yaw jerk and a grip do not go together: where the speed changes in a curve, so would the yaw "
+           "jerk; leave one of them out";
+  const double most = std::max({robot.lateral_acceleration, robot.acceleration, robot.braking,
+                                robot.acceleration_diagonal, robot.braking_diagonal});
+  if (robot.grip < most)
+    return "its grip, " + millimetres(robot.grip) + "/s², is less than another of its accelerations, " +
+           millimetres(most) + "/s²; it is what the tyres hold in any direction, and so the largest of them";
+  return "";
+}
+
 std::string refusal_of_curves(const Robot& robot) {
   if (!(robot.lateral_acceleration > 0.0 && robot.yaw_acceleration > 0.0))
     return "its lateral acceleration and yaw acceleration must be greater than 0";
+  if (std::string why = refusal_of_grip(robot); !why.empty()) return why;
   if (robot.speeds < 1 || robot.speeds > most_speeds)
     return "its turns must have 1 to " + std::to_string(most_speeds) + " speeds each, not " +
            std::to_string(robot.speeds);

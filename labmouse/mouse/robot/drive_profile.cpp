@@ -51,6 +51,14 @@ double peak_of(double length, const End& first, const End& last, const StraightL
   return std::min(limits.speed, std::max({std::sqrt(squared), first.speed, last.speed}));
 }
 
+/// The largest speed of a turn.
+double top_speed_of(const DriveModel& model, Turn turn) {
+  double top = 0.0;
+  for (const DrivenTurn& driven : model.tables.turns)
+    if (driven.turn == turn) top = std::max(top, driven.speed);
+  return top;
+}
+
 struct Step {
   double x, y;
 };
@@ -89,9 +97,9 @@ void DriveProfile::set_straight(const DriveModel& model, const DriveRoute& route
   const double up = (peak * peak - first.speed * first.speed) / (2.0 * limits.acceleration);
   const double down = (peak * peak - end * end) / (2.0 * limits.braking);
   const double even = std::max(0.0, length_ - up - down);
-  phases_[0] = {(peak - first.speed) / limits.acceleration, up, first.speed, limits.acceleration};
-  phases_[1] = {even / peak, even, peak, 0.0};
-  phases_[2] = {(peak - end) / limits.braking, down, peak, -limits.braking};
+  phases_ = {{(peak - first.speed) / limits.acceleration, up, first.speed, limits.acceleration},
+             {even / peak, even, peak, 0.0},
+             {(peak - end) / limits.braking, down, peak, -limits.braking}};
 }
 
 void DriveProfile::set_turn(const DriveModel& model, const DriveSegment& segment) {
@@ -102,8 +110,25 @@ void DriveProfile::set_turn(const DriveModel& model, const DriveSegment& segment
   shape_ = &model.shapes[segment.turn];
   offset_ = lead(begins_diagonal(turn.turn), turn.from);
   length_ = shape_->whole() - offset_ - lead(ends_diagonal(turn.turn), turn.to);
+  if (model.robot.grip > 0.0) {
+    set_phases(*turn_drive(*shape_, turn.speed, turn.end_speed, top_speed_of(model, turn.turn), model.robot));
+    return;
+  }
   const double seconds = duration_ / 1e6;
-  phases_[1] = {seconds, length_, length_ / seconds, 0.0};
+  phases_ = {{seconds, length_, length_ / seconds, 0.0}};
+}
+
+void DriveProfile::set_phases(const TurnDrive& drive) {
+  const double step = length_ / TurnDrive::steps;
+  for (std::size_t i = 0; i < TurnDrive::steps; ++i) {
+    const double from = drive.speeds[i], to = drive.speeds[i + 1];
+    phases_.push_back({2.0 * step / (from + to), step, from, (to * to - from * from) / (2.0 * step)});
+  }
+}
+
+std::array<double, 2> DriveProfile::changes() const {
+  if (shape_ != nullptr) return {0.0, static_cast<double>(duration_)};
+  return {phases_[0].seconds * scale_, (phases_[0].seconds + phases_[1].seconds) * scale_};
 }
 
 double DriveProfile::distance_at(double time) const {

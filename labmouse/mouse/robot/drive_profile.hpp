@@ -3,9 +3,11 @@
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
 #include "labmouse/mouse/robot/drive_model.hpp"
 #include "labmouse/mouse/robot/route.hpp"
+#include "labmouse/mouse/robot/turn_drive.hpp"
 
 namespace labmouse {
 
@@ -17,7 +19,7 @@ struct DriveSpot {
 };
 
 /// One segment of a route, as it is driven: a straight, with the leads of the turns about it, speeds up, stays at the
-/// limit and brakes; a turn is driven at one speed. Times are microseconds since the segment's beginning, lengths mm
+/// limit and brakes; a turn is driven at one speed, or where the robot has grip at speeds that change. Times are microseconds since the segment's beginning, lengths mm
 /// from there.
 class DriveProfile {
  public:
@@ -30,17 +32,16 @@ class DriveProfile {
   double distance_at(double time) const;
   /// mm/s at that time.
   double speed_at(double time) const;
-  /// The two times at which the acceleration changes: when it no longer speeds up, and when it begins to brake.
-  std::array<double, 2> changes() const {
-    return {phases_[0].seconds * scale_, (phases_[0].seconds + phases_[1].seconds) * scale_};
-  }
+  /// Of a straight, the two times at which the acceleration changes: when it no longer speeds up, and when it begins to
+  /// brake. Of a turn its beginning and its end.
+  std::array<double, 2> changes() const;
   /// The time at which a length from 0 to length() is driven.
   double time_at(double distance) const;
   /// Where the mouse is by then.
   DriveSpot spot(double distance) const;
 
  private:
-  /// A piece of a straight in which the speed changes evenly.
+  /// A piece in which the speed changes evenly.
   struct Phase {
     double seconds = 0.0;
     double length = 0.0;
@@ -50,6 +51,7 @@ class DriveProfile {
 
   void set_straight(const DriveModel& model, const DriveRoute& route, std::size_t segment);
   void set_turn(const DriveModel& model, const DriveSegment& segment);
+  void set_phases(const TurnDrive& drive);
 
   DriveSegment segment_;
   double cell_;
@@ -57,7 +59,7 @@ class DriveProfile {
   double offset_ = 0.0;  ///< from the first node to the beginning, backwards of a straight, along the shape of a turn
   DriveTime duration_;
   double scale_ = 1e6;  ///< microseconds that a second of the phases lasts: tables are rounded
-  Phase phases_[3];
+  std::vector<Phase> phases_;
   const TurnShape* shape_ = nullptr;
 };
 

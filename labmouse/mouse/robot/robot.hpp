@@ -55,6 +55,7 @@ struct Robot {
   double yaw_acceleration = 0.0;                           ///< rad/s², where a curve begins and ends
   double yaw_speed = 0.0;                                  ///< rad/s; 0: as much as the lateral acceleration allows
   double yaw_jerk = 0.0;                                   ///< rad/s³; 0: as much as there may be
+  double grip = 0.0;          ///< mm/s² in any direction, shared by both kinds; 0: turns are driven at one speed each
   double clearance = 0.0;     ///< mm that the robot's middle keeps from the middle of any post and wall that may stand
   double run_up = 0.0;        ///< mm behind the middle of the start cell where it stands before a run
   int speeds = 6;             ///< of each turn at most, 1 to most_speeds: its own largest, and lower ones
