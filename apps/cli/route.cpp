@@ -24,7 +24,8 @@ int route(const RouteOptions& options) {
   const DriveModel model = find_robot_or_refuse(options.robot).model;
   const std::vector<NamedMaze> mazes = find_mazes(options.mazes, options.places).mazes;
   std::vector<RouteReport> reports;
-  for (const NamedMaze& maze : mazes) reports.push_back(route_report(maze.maze, model));
+  const RouteReporter reporter(model);
+  for (const NamedMaze& maze : mazes) reports.push_back(reporter.report(maze.maze));
   const bool one = mazes.size() == 1;
   if (one && !reports.front().error.empty())
     throw UsageError(fmt::format("{}: error: {}", mazes.front().name, reports.front().error));

@@ -28,7 +28,7 @@ class DriveContest {
         model_(model),
         mouse_(mouse),
         driver_(maze, model, record_),
-        routes_(maze.size(), model.tables),
+        routes_(maze.size(), route_tables_of(model)),
         home_(maze.size(), model.search) {}
 
   DriveRecord hold() {

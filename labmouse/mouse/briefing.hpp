@@ -9,6 +9,7 @@
 
 namespace labmouse {
 
+class DriveFields;
 struct DriveModel;
 
 /// What a mouse is told of the world in seconds: its robot, and what of the rules it can go by.
@@ -16,6 +17,9 @@ struct DriveBriefing {
   const DriveModel* model = nullptr;  ///< null in the other worlds; must outlive the mouse
   std::int64_t time_limit = 0;        ///< microseconds in the maze
   int maze_time_divisor = 0;          ///< so many microseconds in the maze count as one of a run; 0 where they do not
+  /// Where the mouse is to plan, if its memory is somebody else's: made for this maze and model, for this mouse alone,
+  /// and outlives it. Null: it takes its own.
+  DriveFields* fields = nullptr;
 };
 
 struct Briefing {

@@ -3,19 +3,31 @@
 #include <algorithm>
 #include <cassert>
 
+#include "labmouse/mouse/drive/drive_fields.hpp"
 #include "labmouse/mouse/drive/search_clock.hpp"
 
 namespace labmouse {
 
+namespace {
+
+std::unique_ptr<DriveFields> fields_for(const Briefing& briefing) {
+  if (!briefing.in_seconds() || briefing.drive.fields != nullptr) return nullptr;
+  return std::make_unique<DriveFields>(DriveFields::in_own_memory(briefing.size, *briefing.drive.model));
+}
+
+}  // namespace
+
 Explorer::Explorer(const Briefing& briefing)
-    : briefing_(briefing),
+    : fields_(fields_for(briefing)),
+      briefing_(briefing),
       knowledge_(briefing.size, briefing.sight),
       pose_(briefing.start),
       to_goal_(briefing.size, briefing.motion) {
   assert(briefing.size.contains(briefing.start.cell) && !briefing.goals.empty());
   visited_.insert(pose_.cell);
   if (!briefing.in_seconds()) return;
-  clock_ = std::make_unique<SearchClock>(briefing);
+  if (fields_) briefing_.drive.fields = fields_.get();
+  clock_ = std::make_unique<SearchClock>(briefing_);
   goal_entered_ = briefing.goals.contains(pose_.cell);
 }
 

@@ -12,6 +12,7 @@
 
 namespace labmouse {
 
+class DriveFields;
 class SearchClock;
 
 /// A strategy with the bookkeeping done. A mind derives from it and writes explore(). In seconds it goes home when the
@@ -35,6 +36,7 @@ class Explorer : public Strategy {
   /// step because the readings may have shown a shorter one.
   virtual Action race();
 
+  /// In seconds it has fields to plan in, which all parts of a mind share.
   const Briefing& briefing() const { return briefing_; }
   const Pose& pose() const { return pose_; }
   /// The same in seconds, where it matters whether the mouse stands.
@@ -60,6 +62,7 @@ class Explorer : public Strategy {
   void perform(const Action& action);
   void move(const Action& step);
 
+  std::unique_ptr<DriveFields> fields_;  ///< in seconds, where they are its own
   Briefing briefing_;
   Knowledge knowledge_;
   Pose pose_;

@@ -1,6 +1,6 @@
 #include "labmouse/mouse/runs.hpp"
 
-#include "labmouse/mouse/robot/drive_model.hpp"
+#include "labmouse/mouse/drive/drive_fields.hpp"
 
 namespace labmouse {
 
@@ -15,13 +15,7 @@ bool StrideRuns::plan(const Knowledge& knowledge) {
 }
 
 DriveRuns::DriveRuns(const Briefing& briefing)
-    : tables_(briefing.drive.model->tables),
-      start_(briefing.start),
-      goals_(briefing.goals),
-      routes_(briefing.size, tables_) {
-  // A straight and a turn for each cell at most, whichever way it is passed.
-  route_.segments.reserve(static_cast<std::size_t>(8 * briefing.size.area()));
-}
+    : start_(briefing.start), goals_(briefing.goals), routes_(briefing.drive.fields->routes()) {}
 
 bool DriveRuns::plan(const WallSet& hoped, const WallSet& open) {
   WallSet cut = walls_;
@@ -29,8 +23,8 @@ bool DriveRuns::plan(const WallSet& hoped, const WallSet& open) {
   const bool anew = !planned_ || !cut.empty();
   if (anew) {
     routes_.fill_for(start_, hoped, goals_);
-    routes_.route_from(start_, route_);
-    walls_ = walls_needed_by(route_, tables_);
+    time_ = routes_.time_from(start_);
+    walls_ = routes_.walls_from(start_);
     planned_ = true;
   }
   unknown_ = walls_;

@@ -34,7 +34,7 @@ class StrideRuns {
   int known_ = unreachable;
 };
 
-/// In seconds.
+/// In seconds, with the fields of the briefing.
 class DriveRuns {
  public:
   explicit DriveRuns(const Briefing& briefing);
@@ -53,18 +53,17 @@ class DriveRuns {
   /// The time is the Explorer's concern.
   bool last_call(int) const { return false; }
 
-  /// The fastest route that may exist.
-  const DriveRoute& hoped() const { return route_; }
+  /// The time of the fastest route that may exist.
+  DriveTime hoped_time() const { return time_; }
   /// The time of the fastest known one, or no_time; searches for it.
   DriveTime known_time(const Knowledge& knowledge);
 
  private:
-  const DriveTables& tables_;
   Pose start_;
   CellSet goals_;
-  FastestRoutes routes_;
-  DriveRoute route_;
-  WallSet walls_;
+  FastestRoutes& routes_;
+  DriveTime time_ = no_time;
+  WallSet walls_;  ///< of the fastest route that may exist
   WallSet unknown_;
   bool planned_ = false;
 };

@@ -1,10 +1,10 @@
 #include "labmouse/mouse/ways.hpp"
 
-#include "labmouse/mouse/robot/drive_model.hpp"
+#include "labmouse/mouse/drive/drive_fields.hpp"
 
 namespace labmouse {
 
-SearchWays::SearchWays(const Briefing& briefing) : field_(briefing.size, briefing.drive.model->search) {}
+SearchWays::SearchWays(const Briefing& briefing) : field_(briefing.drive.fields->ways()) {}
 
 Action SearchWays::step_towards(const CellSet& cells, const Knowledge& knowledge, const SearchPlace& place) {
   field_.fill(knowledge.possible(), cells);

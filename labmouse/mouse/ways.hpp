@@ -30,7 +30,7 @@ class StrideWays {
   DistanceField field_;
 };
 
-/// In seconds.
+/// In seconds, with the fields of the briefing.
 class SearchWays {
  public:
   explicit SearchWays(const Briefing& briefing);
@@ -43,7 +43,7 @@ class SearchWays {
   }
 
  private:
-  SearchField field_;
+  SearchField& field_;
 };
 
 /// A step along a field over what may be open: as far as it is known, or a look at what is not.

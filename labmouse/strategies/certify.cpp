@@ -25,7 +25,7 @@ constexpr std::string_view source =
 template <class Ways, class Runs>
 class Certify final : public Explorer {
  public:
-  explicit Certify(const Briefing& briefing) : Explorer(briefing), runs_(briefing), ways_(briefing) {}
+  explicit Certify(const Briefing& briefing) : Explorer(briefing), runs_(this->briefing()), ways_(this->briefing()) {}
 
  private:
   Action explore() override {

@@ -25,7 +25,7 @@ template <class Ways>
 class Flood final : public Explorer {
  public:
   Flood(const Briefing& briefing, const Settings& settings, bool returns)
-      : Explorer(briefing), optimistic_(shortened(briefing, settings.whole("stride"))), returns_(returns) {
+      : Explorer(briefing), optimistic_(shortened(this->briefing(), settings.whole("stride"))), returns_(returns) {
     start_.insert(briefing.start.cell);
   }
 

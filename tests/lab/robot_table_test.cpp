@@ -37,14 +37,15 @@ TEST(RobotTable, NamesEveryTurnOnceWithItsSpeeds) {
   EXPECT_THAT(table_of("half"), HasSubstr("half: cells of 90 mm, sees 1 cell far\n"
                                           "turn     mm/s       ms  lead in lead out curve mm clearance\n"
                                           "45      595.0  144.265      0.0     18.7     85.8      31.4\n"
-                                          "        380.0  225.889      0.0     18.7     85.8      31.4\n"
+                                          "        560.0  153.281      0.0     18.7     85.8      31.4\n"));
+  EXPECT_THAT(table_of("half"), HasSubstr("        380.0  225.889      0.0     18.7     85.8      31.4\n"
                                           "90      560.0  254.105      1.1      1.1    142.3      29.3\n"));
   EXPECT_THAT(table_of("half"), HasSubstr("\nS90     380.0  190.413      0.5      0.5     72.4      45.0\nstraight"));
   EXPECT_THAT(table_of("half"),
               HasSubstr("straight  1500 mm/s, 4200 mm/s² up, 4200 mm/s² down\n"
                         "diagonal  1200 mm/s, 3600 mm/s² up, 3600 mm/s² down\n"
-                        "runs      at rest, 24 mm behind the middle of the start cell; at any speed in "
-                        "the goal\n"
+                        "start     at rest, 24 mm behind the middle of the start cell\n"
+                        "goal      at a speed from which it stops in the last open cell straight behind\n"
                         "search    cell 300 ms, turn 244.502 ms, back 785.587 ms, quarter on the spot "
                         "257.08 ms, half a cell from rest 185.714 ms\n"
                         "tables    "));

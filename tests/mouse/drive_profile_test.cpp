@@ -115,8 +115,8 @@ TEST_P(Profiles, SayWhenAndHowFarAlike) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, Profiles,
-                         testing::Values(published_robot(), small_robot(), large_robot(), fan_robot(), unstopped_robot(),
-                                         grip_robot(), small_grip_robot()),
+                         testing::Values(published_robot(), small_robot(), large_robot(), fan_robot(),
+                                         unstopped_robot(), grip_robot(), small_grip_robot()),
                          [](const auto& robot) { return robot.param.name; });
 
 }  // namespace

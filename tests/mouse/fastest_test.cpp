@@ -150,16 +150,16 @@ Robot weak_brakes() {
   return robot;
 }
 
-INSTANTIATE_TEST_SUITE_P(Robots, AnyRobot,
-                         testing::Values(NamedRobot{"mm2021", mm2021}, NamedRobot{"half", half},
-                                         NamedRobot{"classic", classic}, NamedRobot{"fan", fan_robot},
-                                         NamedRobot{"weak_brakes", weak_brakes}, NamedRobot{"kerise", kerise},
-                                         NamedRobot{"beginner", beginner}, NamedRobot{"slow", slow_robot},
-                                         NamedRobot{"strong", strong_robot}, NamedRobot{"unstopped", unstopped_robot}, NamedRobot{"grip", grip_robot},
-                                         NamedRobot{"small_grip", small_grip_robot},
-                                         NamedRobot{"speeds_1", robot_of_speeds<1>}, NamedRobot{"speeds_2", robot_of_speeds<2>},
-                                         NamedRobot{"speeds_4", robot_of_speeds<4>}, NamedRobot{"speeds_8", robot_of_speeds<8>}),
-                         PrintRobot());
+INSTANTIATE_TEST_SUITE_P(
+    Robots, AnyRobot,
+    testing::Values(NamedRobot{"mm2021", mm2021}, NamedRobot{"half", half}, NamedRobot{"classic", classic},
+                    NamedRobot{"fan", fan_robot}, NamedRobot{"weak_brakes", weak_brakes}, NamedRobot{"kerise", kerise},
+                    NamedRobot{"beginner", beginner}, NamedRobot{"slow", slow_robot},
+                    NamedRobot{"strong", strong_robot}, NamedRobot{"unstopped", unstopped_robot},
+                    NamedRobot{"grip", grip_robot}, NamedRobot{"small_grip", small_grip_robot},
+                    NamedRobot{"speeds_1", robot_of_speeds<1>}, NamedRobot{"speeds_2", robot_of_speeds<2>},
+                    NamedRobot{"speeds_4", robot_of_speeds<4>}, NamedRobot{"speeds_8", robot_of_speeds<8>}),
+    PrintRobot());
 
 /// The search must not lean on how the times of a robot come about.
 DriveTables shaken(DriveTables tables, Dice& dice) {

@@ -167,13 +167,13 @@ TEST(RobotOfSpeeds, EndsAtASpeedThatItStopsFrom) {
         ASSERT_EQ(tables.finish_from(units, lane, room) < no_time, possible);
         if (!possible) continue;
         // From the slower end on.
-        const double seconds = reached <= end ? stepped_seconds(length, speed, 1e6, limits)
-                                              : stepped_seconds(length, end, speed,
-                                                                {limits.speed, limits.braking, limits.acceleration});
+        const double seconds =
+            reached <= end ? stepped_seconds(length, speed, 1e6, limits)
+                           : stepped_seconds(length, end, speed, {limits.speed, limits.braking, limits.acceleration});
         EXPECT_NEAR(tables.finish_from(units, lane, room), seconds * 1e6, 2.0);
       }
   }
-  EXPECT_EQ(tables.whole_way(0, 1), 100'000);  // 50 mm to 1 m/s
+  EXPECT_EQ(tables.whole_way(0, 1), 100'000);       // 50 mm to 1 m/s
   EXPECT_NEAR(tables.whole_way(0, 0), 141'421, 1);  // and to rest again
   Robot weak = robot;
   weak.braking = 3000.0;

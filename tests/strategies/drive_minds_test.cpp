@@ -5,7 +5,7 @@
 
 #include "labmouse/contest/drive.hpp"
 #include "labmouse/contest/drive_score.hpp"
-#include "labmouse/mouse/drive/fastest.hpp"
+#include "labmouse/mouse/drive/drive_fields.hpp"
 #include "labmouse/mouse/runs.hpp"
 #include "labmouse/strategies/roster.hpp"
 #include "tests/capstone_mazes.hpp"
@@ -47,12 +47,18 @@ const std::vector<SomeMaze>& real_mazes() {
   return mazes;
 }
 
+DriveModel model_of(const Robot& robot) {
+  DriveModel model = make_drive_model(robot);
+  share_route_tables(model);
+  return model;
+}
+
 const DriveModel& published() {
-  static const DriveModel model = make_drive_model(published_robot());
+  static const DriveModel model = model_of(published_robot());
   return model;
 }
 const DriveModel& large() {
-  static const DriveModel model = make_drive_model(large_robot());
+  static const DriveModel model = model_of(large_robot());
   return model;
 }
 
@@ -234,13 +240,20 @@ TEST(Proof, MakesTheRunTheFastestThereIsInRealMazes) {
 /// Keeps the runs of certify beside it, and compares them with a plan from nothing at each decision.
 class Replanning final : public Strategy {
  public:
-  Replanning(Strategy& mouse, const Briefing& briefing) : mouse_(mouse), briefing_(briefing), runs_(briefing) {}
+  Replanning(Strategy& mouse, const Briefing& briefing)
+      : mouse_(mouse),
+        kept_fields_(DriveFields::in_own_memory(briefing.size, *briefing.drive.model)),
+        new_fields_(DriveFields::in_own_memory(briefing.size, *briefing.drive.model)),
+        new_(briefing),
+        runs_(with(briefing, kept_fields_)) {
+    new_.drive.fields = &new_fields_;
+  }
   Action decide(const Sighting& seen) override {
     const Action action = mouse_.decide(seen);
     kept_ += runs_.plan(mouse_.knowledge()) ? 0 : 1;
-    DriveRuns anew(briefing_);
+    DriveRuns anew(new_);
     anew.plan(mouse_.knowledge());
-    EXPECT_EQ(runs_.hoped(), anew.hoped());
+    EXPECT_EQ(runs_.hoped_time(), anew.hoped_time());
     EXPECT_EQ(runs_.unknown_walls(), anew.unknown_walls());
     return action;
   }
@@ -248,8 +261,14 @@ class Replanning final : public Strategy {
   int kept() const { return kept_; }
 
  private:
+  static Briefing with(Briefing briefing, DriveFields& fields) {
+    briefing.drive.fields = &fields;
+    return briefing;
+  }
+
   Strategy& mouse_;
-  Briefing briefing_;
+  DriveFields kept_fields_, new_fields_;
+  Briefing new_;
   DriveRuns runs_;
   int kept_ = 0;
 };

@@ -104,7 +104,7 @@ std::optional<MazeTime> shortest_search(const Maze& maze, const DriveRules& rule
 }
 
 DriveBound drive_bound_of(const Maze& maze, const DriveRules& rules, const DriveModel& model) {
-  FastestRoutes routes(maze.size(), model.tables);
+  FastestRoutes routes(maze.size(), route_tables_of(model));
   routes.fill(maze.open_walls(), maze.goals());
   DriveRun run;
   routes.route_from(start_of(maze).pose, run.route);

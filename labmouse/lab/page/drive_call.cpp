@@ -11,6 +11,7 @@
 #include "labmouse/lab/page/mouse_spec.hpp"
 #include "labmouse/lab/page/play_seconds.hpp"
 #include "labmouse/lab/page/request.hpp"
+#include "labmouse/mouse/drive/fastest.hpp"
 
 namespace labmouse {
 namespace {
@@ -47,6 +48,7 @@ PageReply answer_drive(const ReadJson& json, std::string_view) {
   file.mouse = mouse.name;
   file.settings = settings_in_seconds(mouse);
   file.seed = seed;
+  share_route_tables(*model);
   file.model = std::make_shared<DriveModel>(std::move(*model));
   file.rules = std::move(*rules);
   const auto mind = mouse.drive(brief(maze.maze, file.rules, *file.model, seed));

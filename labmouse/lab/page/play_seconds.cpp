@@ -34,7 +34,7 @@ std::string outcome_words(const DriveRecord& record) {
 /// The fastest run that the maze allows, made at once.
 DriveRun best_run(const DriveRecordFile& contest) {
   const Maze& maze = *contest.maze;
-  FastestRoutes routes(maze.size(), contest.model->tables);
+  FastestRoutes routes(maze.size(), route_tables_of(*contest.model));
   routes.fill(maze.open_walls(), maze.goals());
   DriveRun run;
   run.kind = DriveRun::Kind::fast;

@@ -31,8 +31,8 @@ CellSet rows_in(JsonFields& fields, const char* key, Size size) {
 /// That of no turn.
 constexpr double no_speed = -1.0;
 
-std::optional<std::uint16_t> find_turn(const DriveTables& tables, const std::string& name, bool diagonal,
-                                       double speed, double end_speed) {
+std::optional<std::uint16_t> find_turn(const DriveTables& tables, const std::string& name, bool diagonal, double speed,
+                                       double end_speed) {
   constexpr double tolerance = 1e-3;  // mm/s: two speeds of a turn are further apart
   const std::vector<DrivenTurn>& turns = tables.turns;
   for (std::size_t i = 0; i < turns.size(); ++i)
@@ -102,8 +102,9 @@ void read_piece(const ReadJson& json, JsonFields& fields, const DriveTables& tab
     return json.contains(key) ? json[key].is_number() ? json[key].get<double>() : no_speed : otherwise;
   };
   const double begin = speed("speed", no_speed);
-  const auto turn = sided ? find_turn(tables, piece.substr(1), segment.from.diagonal(), begin, speed("end_speed", begin))
-                          : std::nullopt;
+  const auto turn = sided
+                        ? find_turn(tables, piece.substr(1), segment.from.diagonal(), begin, speed("end_speed", begin))
+                        : std::nullopt;
   if (!turn)
     fields.fail("has a piece that is neither a straight nor a turn that this robot can make there at that speed");
   segment.turn = turn.value_or(0);

@@ -22,7 +22,9 @@ std::string pose_words(const Pose& pose) {
 class Replay {
  public:
   explicit Replay(const DriveRecordFile& file)
-      : file_(file), driver_(*file.maze, *file.model, played_), routes_(file.maze->size(), file.model->tables) {}
+      : file_(file),
+        driver_(*file.maze, *file.model, played_),
+        routes_(file.maze->size(), route_tables_of(*file.model)) {}
 
   std::string disagreement() {
     if (file_.tables_hash != file_.model->tables.hash)

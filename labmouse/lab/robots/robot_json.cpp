@@ -70,9 +70,8 @@ std::string toml_of(const ReadJson& parameters, JsonFields& fields) {
     if (!plain || !(value.is_number() || value.is_boolean() || end))
       return fields.reject("'robot.parameters' has a key or a value that no robot has"), "";
     // What is whole must stay so.
-    text += fmt::format(
-        "{} = {}\n", name,
-        value.is_number_float() ? fmt::format("{}", value.get<double>()) : value.dump());
+    text +=
+        fmt::format("{} = {}\n", name, value.is_number_float() ? fmt::format("{}", value.get<double>()) : value.dump());
   }
   return text;
 }

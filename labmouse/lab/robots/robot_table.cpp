@@ -28,7 +28,7 @@ std::string turns_text(const Robot& robot, const DriveModel& model) {
   text += "\n";
   for (std::size_t i = 0; i < model.shapes.size(); ++i) {
     const DrivenTurn& turn = model.tables.turns[i];
-    if (begins_diagonal(turn.turn) && !ends_diagonal(turn.turn)) continue;
+    if ((begins_diagonal(turn.turn) && !ends_diagonal(turn.turn)) || turn.end_speed != turn.speed) continue;
     const bool first = i == 0 || model.tables.turns[i - 1].turn != turn.turn;
     text += turn_line(robot, turn, model.shapes[i], first);
   }
@@ -37,6 +37,12 @@ std::string turns_text(const Robot& robot, const DriveModel& model) {
 
 std::string straight_line(std::string_view name, double speed, double acceleration, double braking) {
   return fmt::format("{:<9} {:g} mm/s, {:g} mm/s² up, {:g} mm/s² down\n", name, speed, acceleration, braking);
+}
+
+std::string grip_line(const Robot& robot) {
+  if (robot.grip <= 0.0) return "";
+  return fmt::format("{:<9} {:g} mm/s² in all directions: in turns its speed may change, also to another one above\n",
+                     "grip", robot.grip);
 }
 
 std::string ends_line(const Robot& robot) {
@@ -87,8 +93,8 @@ std::string robot_table(const Robot& robot, const DriveModel& model) {
          (robot.diagonals
               ? straight_line("diagonal", robot.speed_diagonal, robot.acceleration_diagonal, robot.braking_diagonal)
               : fmt::format("{:<9} none\n", "diagonal")) +
-         ends_line(robot) + search_line(model.search) + fmt::format("{:<9} {}\n", "tables", hash_words(model.tables)) +
-         remarks_on(robot, model);
+         grip_line(robot) + ends_line(robot) + search_line(model.search) +
+         fmt::format("{:<9} {}\n", "tables", hash_words(model.tables)) + remarks_on(robot, model);
 }
 
 std::string robot_line(const Robot& robot, const DriveModel& model) {

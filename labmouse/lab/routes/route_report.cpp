@@ -11,7 +11,9 @@ namespace {
 
 Pose start_of(const Maze& maze) { return {maze.start(), maze.start_heading()}; }
 
-DriveRoute fastest_route(const Maze& maze, const WallSet& passages, const DriveTables& tables) {
+using Tables = std::shared_ptr<const RouteTables>;
+
+DriveRoute fastest_route(const Maze& maze, const WallSet& passages, const Tables& tables) {
   FastestRoutes routes(maze.size(), tables);
   routes.fill(passages, maze.goals());
   DriveRoute route;
@@ -21,10 +23,9 @@ DriveRoute fastest_route(const Maze& maze, const WallSet& passages, const DriveT
 
 /// The robot with some of its turns alone.
 template <class Keep>
-DriveTables with_turns(const DriveTables& all, Keep keep) {
-  DriveTables tables = all;
+Tables with_turns(DriveTables tables, Keep keep) {
   std::erase_if(tables.turns, [&](const DrivenTurn& turn) { return !keep(turn.turn); });
-  return tables;
+  return std::make_shared<const RouteTables>(tables);
 }
 
 bool keeps_to_the_axes(Turn turn) { return !begins_diagonal(turn) && !ends_diagonal(turn); }
@@ -63,13 +64,12 @@ WallSet shortest_passages(const Maze& maze, const DistanceField& start, const Di
   return passages;
 }
 
-void add_fewest_cells(RouteReport& report, const Maze& maze, const DriveTables& tables) {
+void add_fewest_cells(RouteReport& report, const Maze& maze, const Tables& tables) {
   const DistanceField from_start = cells_from(maze, CellSet::of(maze.start())),
                       to_goal = cells_from(maze, maze.goals());
   report.fewest_cells = to_goal.at(maze.start());
   const DriveRoute route = fastest_route(maze, shortest_passages(maze, from_start, to_goal), tables);
-  if (route.time < no_time && walls_of(route).count() == report.fewest_cells)
-    report.fewest_cells_time = route.time;
+  if (route.time < no_time && walls_of(route).count() == report.fewest_cells) report.fewest_cells_time = route.time;
 }
 
 RouteReport without_route(std::string why) {
@@ -85,22 +85,28 @@ std::optional<double> RouteReport::gain_over(DriveTime other) const {
   return 1.0 - static_cast<double>(route.time) / other;
 }
 
-RouteReport route_report(const Maze& maze, const DriveModel& model) {
+RouteReporter::RouteReporter(const DriveModel& model)
+    : model_(model),
+      all_(route_tables_of(model)),
+      without_diagonals_(with_turns(model.tables, keeps_to_the_axes)),
+      small_turns_(with_turns(model.tables, is_small)) {}
+
+RouteReport RouteReporter::report(const Maze& maze) const {
   const Size size = maze.size();
   if (size.width > max_drive_side || size.height > max_drive_side)
     return without_route(fmt::format("is {}x{}; the world in seconds takes mazes up to {}x{}", size.width, size.height,
                                      max_drive_side, max_drive_side));
   RouteReport report;
-  report.route = fastest_route(maze, maze.open_walls(), model.tables);
+  report.route = fastest_route(maze, maze.open_walls(), all_);
   if (report.route.time >= no_time)
     return without_route(
         fmt::format("no route leads {} from the start ({},{}) to a goal, and a run cannot turn at the start",
                     name_of(maze.start_heading()), maze.start().x, maze.start().y));
   report.cells = walls_of(report.route).count();
-  report.gate_to_gate = static_cast<DriveTime>(gate_to_gate_of(report.route, maze, model));
-  report.without_diagonals = fastest_route(maze, maze.open_walls(), with_turns(model.tables, keeps_to_the_axes)).time;
-  report.small_turns = fastest_route(maze, maze.open_walls(), with_turns(model.tables, is_small)).time;
-  add_fewest_cells(report, maze, model.tables);
+  report.gate_to_gate = static_cast<DriveTime>(gate_to_gate_of(report.route, maze, model_));
+  report.without_diagonals = fastest_route(maze, maze.open_walls(), without_diagonals_).time;
+  report.small_turns = fastest_route(maze, maze.open_walls(), small_turns_).time;
+  add_fewest_cells(report, maze, all_);
   return report;
 }
 

@@ -1,6 +1,7 @@
 // The fastest route of a maze, and what its diagonals and its way are worth.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,8 +32,22 @@ struct RouteReport {
   std::optional<double> gain_over(DriveTime other) const;
 };
 
-/// A maze too large for the world of seconds, and one without a route in the direction of its start, give an error.
-RouteReport route_report(const Maze& maze, const DriveModel& model);
+/// What is looked for in every maze, with what the searches for it share.
+class RouteReporter {
+ public:
+  /// The model must outlive it.
+  explicit RouteReporter(const DriveModel& model);
+
+  /// A maze too large for the world of seconds, and one without a route in the direction of its start, give an error.
+  RouteReport report(const Maze& maze) const;
+
+ private:
+  const DriveModel& model_;
+  std::shared_ptr<const RouteTables> all_, without_diagonals_, small_turns_;
+};
+
+/// Of one maze.
+inline RouteReport route_report(const Maze& maze, const DriveModel& model) { return RouteReporter(model).report(maze); }
 
 /// The route as a table of its segments, and how it compares.
 std::string table_of(const RouteReport& report, const NamedMaze& maze, const DriveModel& model);

@@ -18,6 +18,7 @@
 #include "labmouse/lab/text/counted.hpp"
 #include "labmouse/lab/text/printable.hpp"
 #include "labmouse/maze/routes.hpp"
+#include "labmouse/mouse/drive/fastest.hpp"
 
 namespace labmouse {
 namespace {
@@ -94,7 +95,7 @@ std::optional<double> mean_bound(const Race& race) {
 class SecondsWorld final : public World {
  public:
   SecondsWorld(const DriveRules& rules, std::shared_ptr<const DriveModel> model)
-      : rules_(rules), model_(std::move(model)) {}
+      : rules_(rules), model_(sharing(std::move(model))) {}
 
   std::string_view name() const override { return "seconds"; }
   std::string formula() const override { return formula_of(rules_); }
@@ -171,6 +172,14 @@ class SecondsWorld final : public World {
   }
 
   DriveRules rules_;
+  /// A model that shares what all of its contests need.
+  static std::shared_ptr<const DriveModel> sharing(std::shared_ptr<const DriveModel> model) {
+    if (model->route_tables) return model;
+    auto sharing = std::make_shared<DriveModel>(*model);
+    share_route_tables(*sharing);
+    return sharing;
+  }
+
   std::shared_ptr<const DriveModel> model_;
 };
 

@@ -5,6 +5,7 @@
 #include <new>
 
 #include "labmouse/mouse/drive/search.hpp"
+#include "labmouse/mouse/robot/drive_model.hpp"
 
 namespace labmouse {
 namespace {
@@ -35,26 +36,75 @@ bool one_speed(const DriveTables& tables) {
   return tables.start == tables.finish && tables.start == tables.along.between;
 }
 
+/// Adds the walls that a segment passes.
+void pass(const DriveSegment& segment, WallSet& walls) {
+  const auto add = [&](int x, int y) {
+    if (x % 2 != 0 && y % 2 != 0) return;  // the middle of a cell
+    walls.insert({{(x - 1) / 2, (y - 1) / 2}, x % 2 != 0 ? Heading::north : Heading::east});
+  };
+  const HalfPoint from = half_point(segment.from), to = half_point(segment.to);
+  const HalfPoint before = drive::unit(eighths(segment.from)), after = drive::unit(eighths(segment.to));
+  if (segment.kind == DriveSegment::Kind::straight) {
+    for (int i = 0; i <= segment.units; ++i) add(from.x + i * before.x, from.y + i * before.y);
+    return;
+  }
+  add(from.x, from.y);
+  add(from.x + before.x, from.y + before.y);
+  // A half turn goes round the end of a wall, over one more.
+  if (before.x == -after.x && before.y == -after.y)
+    add((from.x + to.x) / 2 + 2 * before.x, (from.y + to.y) / 2 + 2 * before.y);
+  add(to.x - after.x, to.y - after.y);
+  add(to.x, to.y);
+}
+
+/// The walls that a route needs, segment by segment.
+class NeededWalls {
+ public:
+  explicit NeededWalls(const DriveTables& tables) : tables_(tables) {}
+
+  void pass(const DriveSegment& segment) {
+    labmouse::pass(segment, walls_);
+    end_.pass(segment);
+  }
+  WallSet all() const {
+    WallSet walls = walls_;
+    for (int cells = end_.room(tables_); cells > 0; --cells)
+      walls.insert(wall_at(neighbour(end_.node().cell, end_.node().heading, cells - 1), end_.node().heading));
+    return walls;
+  }
+
+ private:
+  const DriveTables& tables_;
+  WallSet walls_;
+  RouteEnd end_;
+};
+
 }  // namespace
 
 struct RouteTables::Parts {
-  explicit Parts(const DriveTables& driven)
+  Parts(const DriveTables& driven, Size largest)
       : tables(driven),
-        searches(one_speed(driven) ? drive::make_fixed_searches(driven) : drive::make_lane_searches(driven)) {
-    for (const DrivenTurn& turn : driven.turns)
+        leaps(largest),
+        searches(one_speed(tables) ? drive::make_fixed_searches(tables, leaps)
+                                   : drive::make_lane_searches(tables, leaps)) {
+    for (const DrivenTurn& turn : tables.turns)
       for (auto next = static_cast<std::size_t>(turn.turn) + 1; next < first.size(); ++next) ++first[next];
   }
 
-  const DriveTables& tables;
+  DriveTables tables;
+  drive::Leaps leaps;
   /// Where the turns of each kind begin in the tables.
   std::array<std::size_t, all_turns.size() + 1> first{};
   std::unique_ptr<const drive::SearchMaker> searches;
 };
 
-RouteTables::RouteTables(const DriveTables& tables) : parts_(std::make_unique<Parts>(tables)) {}
+RouteTables::RouteTables(const DriveTables& tables, Size largest) : parts_(std::make_unique<Parts>(tables, largest)) {}
 RouteTables::~RouteTables() = default;
-RouteTables::RouteTables(RouteTables&&) noexcept = default;
-RouteTables& RouteTables::operator=(RouteTables&&) noexcept = default;
+
+std::shared_ptr<const RouteTables> route_tables_of(const DriveModel& model) {
+  return model.route_tables ? model.route_tables : std::make_shared<const RouteTables>(model.tables);
+}
+void share_route_tables(DriveModel& model) { model.route_tables = route_tables_of(model); }
 
 class FastestRoutes::Search {
  public:
@@ -84,15 +134,16 @@ class FastestRoutes::Search {
     return best;
   }
 
-  void route_from(Pose start, DriveRoute& route) const {
-    route.segments.clear();
-    route.time = time_from(start);
-    if (route.time == 0 || route.time >= no_time) return;
-    Walk walk{route, {{start.cell, start.heading, Place::centre}, 0}};
+  /// Goes along a fastest route, of this time: visit(segment) for each of its segments.
+  template <class Visit>
+  void follow(Pose start, DriveTime time, Visit visit) const {
+    if (time == 0 || time >= no_time) return;
+    Walk<Visit> walk{visit, time, {{start.cell, start.heading, Place::centre}, 0}};
     if (begin(start, walk))
       while (turn(walk) && straight(walk)) {
       }
   }
+  const DriveTables& tables() const { return tables_; }
 
   DriveTime rolling(const DriveNode& node, std::size_t lane) const {
     if (!search_->passable(half_point(node))) return no_time;
@@ -106,8 +157,10 @@ class FastestRoutes::Search {
     std::size_t lane = 0;
   };
   /// A route that is written: where it has come to, and in which lane.
+  template <class Visit>
   struct Walk {
-    DriveRoute& route;
+    Visit& visit;
+    DriveTime time;  ///< of the whole route
     Stand here;
   };
 
@@ -122,20 +175,20 @@ class FastestRoutes::Search {
   void each_start(Pose start, Visit visit) const {
     const int node = number({start.cell, start.heading, Place::centre});
     for (int units = 0, run = search_->run(node); units <= run; ++units) {
-      if (is_goal(search_->point(node + units)))
-        visit(units, no_lane, tables_.whole_way(units, (run - units) / 2), 0);
+      if (is_goal(search_->point(node + units))) visit(units, no_lane, tables_.whole_way(units, (run - units) / 2), 0);
       for (std::size_t lane = 0; lane < tables_.along.count(); ++lane)
         visit(units, lane, tables_.start_to(units, lane), search_->turning(node + units, lane, no_time));
     }
   }
 
   /// Writes the first straight. Whether the route goes on behind it.
-  bool begin(Pose start, Walk& walk) const {
+  template <class Visit>
+  bool begin(Pose start, Walk<Visit>& walk) const {
     int chosen = -1;
     std::size_t chosen_lane = 0;
     DriveTime first_time = 0;
     each_start(start, [&](int units, std::size_t lane, DriveTime first, DriveTime rest) {
-      if (chosen >= 0 || first + rest != walk.route.time) return;
+      if (chosen >= 0 || first + rest != walk.time) return;
       chosen = units;
       chosen_lane = lane;
       first_time = first;
@@ -145,23 +198,25 @@ class FastestRoutes::Search {
     return chosen_lane != no_lane;
   }
 
-  void add_straight(Walk& walk, int units, DriveTime time) const {
+  template <class Visit>
+  void add_straight(Walk<Visit>& walk, int units, DriveTime time) const {
     const int direction = eighths(walk.here.node);
     HalfPoint point = half_point(walk.here.node);
     point = {point.x + units * drive::unit(direction).x, point.y + units * drive::unit(direction).y};
     const DriveNode to = node_at(point, direction);
     if (units > 0 || time > 0)
-      walk.route.segments.push_back(
-          {DriveSegment::Kind::straight, walk.here.node, to, walk.here.time, walk.here.time + time, units, 0, false});
+      walk.visit(DriveSegment{DriveSegment::Kind::straight, walk.here.node, to, walk.here.time, walk.here.time + time,
+                              units, 0, false});
     walk.here.node = to;
     walk.here.time += time;
   }
 
   /// Writes a turn that begins here, and goes to its end.
-  bool turn(Walk& walk) const {
+  template <class Visit>
+  bool turn(Walk<Visit>& walk) const {
     const DriveNode& here = walk.here.node;
     const int node = number(here);
-    const DriveTime rest = walk.route.time - walk.here.time;
+    const DriveTime rest = walk.time - walk.here.time;
     for (unsigned bits = search_->turns(node); bits != 0; bits &= bits - 1) {
       const auto bit = static_cast<unsigned>(std::countr_zero(bits));
       const Turn turn = drive::turn_of(bit, here.diagonal(), here.place == Place::edge);
@@ -177,24 +232,26 @@ class FastestRoutes::Search {
     return false;
   }
 
-  void add_turn(Walk& walk, std::size_t turn, int to, unsigned bit) const {
+  template <class Visit>
+  void add_turn(Walk<Visit>& walk, std::size_t turn, int to, unsigned bit) const {
     const DrivenTurn& driven = tables_.turns[turn];
     const int after = search_->direction(to);
     const unsigned change = static_cast<unsigned>(after - eighths(walk.here.node)) & 7U;
     const bool left = change == 4 ? bit % 2 == 0 : change > 4;
     const DriveNode there = node_at(search_->point(to), after);
     const DriveTime end = walk.here.time + driven.time;
-    walk.route.segments.push_back({DriveSegment::Kind::turn, walk.here.node, there, walk.here.time, end, 0,
-                                   static_cast<std::uint16_t>(turn), left});
+    walk.visit(DriveSegment{DriveSegment::Kind::turn, walk.here.node, there, walk.here.time, end, 0,
+                            static_cast<std::uint16_t>(turn), left});
     walk.here = {there, end, driven.to};
   }
 
   /// Writes the straight that begins here, of no length perhaps. Whether the route goes on behind it.
-  bool straight(Walk& walk) const {
+  template <class Visit>
+  bool straight(Walk<Visit>& walk) const {
     const bool diagonal = walk.here.node.diagonal();
     const StraightTimes& table = diagonal ? tables_.diagonal : tables_.along;
     const int node = number(walk.here.node);
-    const DriveTime rest = walk.route.time - walk.here.time;
+    const DriveTime rest = walk.time - walk.here.time;
     for (int units = 0, run = search_->run(node); units <= run; ++units) {
       if (!diagonal && is_goal(search_->point(node + units)) &&
           tables_.finish_from(units, walk.here.lane, (run - units) / 2) == rest) {
@@ -226,60 +283,47 @@ std::size_t RouteTables::bytes_for(Size size) const {
 
 void FastestRoutes::End::operator()(Search* search) const { search->~Search(); }
 
-FastestRoutes::FastestRoutes(Size size, const RouteTables& tables, std::span<std::byte> memory) {
-  assert(memory.size() >= tables.bytes_for(size));
-  search_.reset(new (memory.data()) Search(size, *tables.parts_, memory.data() + Search::own_bytes()));
+FastestRoutes::FastestRoutes(Size size, std::shared_ptr<const RouteTables> tables, std::span<std::byte> memory)
+    : tables_(std::move(tables)) {
+  assert(memory.size() >= tables_->bytes_for(size));
+  search_.reset(new (memory.data()) Search(size, *tables_->parts_, memory.data() + Search::own_bytes()));
 }
-FastestRoutes::FastestRoutes(Size size, const RouteTables& tables)
-    : memory_(new std::byte[tables.bytes_for(size)]),
-      search_(new (memory_.get()) Search(size, *tables.parts_, memory_.get() + Search::own_bytes())) {}
-FastestRoutes::FastestRoutes(Size size, const DriveTables& tables)
-    : tables_(std::make_unique<RouteTables>(tables)),
+FastestRoutes::FastestRoutes(Size size, std::shared_ptr<const RouteTables> tables)
+    : tables_(std::move(tables)),
       memory_(new std::byte[tables_->bytes_for(size)]),
       search_(new (memory_.get()) Search(size, *tables_->parts_, memory_.get() + Search::own_bytes())) {}
+FastestRoutes::FastestRoutes(Size size, const DriveTables& tables)
+    : FastestRoutes(size, std::make_shared<const RouteTables>(tables, size)) {}
 FastestRoutes::~FastestRoutes() = default;
 FastestRoutes::FastestRoutes(FastestRoutes&&) noexcept = default;
-FastestRoutes& FastestRoutes::operator=(FastestRoutes&&) noexcept = default;
 
 void FastestRoutes::fill(const WallSet& passages, const CellSet& goals) { search_->fill(passages, goals); }
 void FastestRoutes::fill_for(Pose start, const WallSet& passages, const CellSet& goals) {
   search_->fill_for(start, passages, goals);
 }
 DriveTime FastestRoutes::time_from(Pose start) const { return search_->time_from(start); }
-void FastestRoutes::route_from(Pose start, DriveRoute& route) const { search_->route_from(start, route); }
+void FastestRoutes::route_from(Pose start, DriveRoute& route) const {
+  route.segments.clear();
+  route.time = search_->time_from(start);
+  search_->follow(start, route.time, [&](const DriveSegment& segment) { route.segments.push_back(segment); });
+}
+WallSet FastestRoutes::walls_from(Pose start) const {
+  NeededWalls walls(search_->tables());
+  search_->follow(start, search_->time_from(start), [&](const DriveSegment& segment) { walls.pass(segment); });
+  return walls.all();
+}
 DriveTime FastestRoutes::rolling(const DriveNode& node, std::size_t lane) const { return search_->rolling(node, lane); }
 
 WallSet walls_of(const DriveRoute& route) {
   WallSet walls;
-  const auto pass = [&](int x, int y) {
-    if (x % 2 != 0 && y % 2 != 0) return;  // the middle of a cell
-    walls.insert({{(x - 1) / 2, (y - 1) / 2}, x % 2 != 0 ? Heading::north : Heading::east});
-  };
-  for (const DriveSegment& segment : route.segments) {
-    const HalfPoint from = half_point(segment.from), to = half_point(segment.to);
-    const HalfPoint before = drive::unit(eighths(segment.from)), after = drive::unit(eighths(segment.to));
-    if (segment.kind == DriveSegment::Kind::straight) {
-      for (int i = 0; i <= segment.units; ++i) pass(from.x + i * before.x, from.y + i * before.y);
-      continue;
-    }
-    pass(from.x, from.y);
-    pass(from.x + before.x, from.y + before.y);
-    // A half turn goes round the end of a wall, over one more.
-    if (before.x == -after.x && before.y == -after.y)
-      pass((from.x + to.x) / 2 + 2 * before.x, (from.y + to.y) / 2 + 2 * before.y);
-    pass(to.x - after.x, to.y - after.y);
-    pass(to.x, to.y);
-  }
+  for (const DriveSegment& segment : route.segments) pass(segment, walls);
   return walls;
 }
 
 WallSet walls_needed_by(const DriveRoute& route, const DriveTables& tables) {
-  WallSet walls = walls_of(route);
-  if (route.segments.empty()) return walls;
-  const DriveNode& end = route.segments.back().to;
-  for (int cells = stopping_room(route, tables); cells > 0; --cells)
-    walls.insert(wall_at(neighbour(end.cell, end.heading, cells - 1), end.heading));
-  return walls;
+  NeededWalls walls(tables);
+  for (const DriveSegment& segment : route.segments) walls.pass(segment);
+  return walls.all();
 }
 
 }  // namespace labmouse

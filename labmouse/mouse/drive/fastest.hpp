@@ -14,14 +14,14 @@
 
 namespace labmouse {
 
+struct DriveModel;
+
 /// What all searches for routes of one robot share: its tables as they use them. May be used by many at once.
 class RouteTables {
  public:
-  /// The tables must outlive it. Not for more than eight speeds of a turn.
-  explicit RouteTables(const DriveTables& tables);
+  /// For mazes up to a size; not for more than eight speeds of a turn.
+  explicit RouteTables(const DriveTables& tables, Size largest = {max_drive_side, max_drive_side});
   ~RouteTables();
-  RouteTables(RouteTables&&) noexcept;
-  RouteTables& operator=(RouteTables&&) noexcept;
 
   /// What a FastestRoutes for a maze takes, in bytes.
   std::size_t bytes_for(Size size) const;
@@ -32,17 +32,22 @@ class RouteTables {
   std::unique_ptr<const Parts> parts_;
 };
 
+/// Those of a model: the ones that it shares, or new ones.
+std::shared_ptr<const RouteTables> route_tables_of(const DriveModel& model);
+/// Makes them for a model that many mice will drive by, and that stays as it is.
+void share_route_tables(DriveModel& model);
+
 /// Times to the goals from all nodes of a maze up to 32×32, and the routes. Takes all memory that it will need.
 class FastestRoutes {
  public:
-  /// In memory of its own. The tables must outlive it.
+  /// In memory of its own.
   FastestRoutes(Size size, const DriveTables& tables);
-  FastestRoutes(Size size, const RouteTables& tables);
-  /// In memory that must outlive it: tables.bytes_for(size), beginning at a multiple of 16.
-  FastestRoutes(Size size, const RouteTables& tables, std::span<std::byte> memory);
+  FastestRoutes(Size size, std::shared_ptr<const RouteTables> tables);
+  /// In memory that must outlive it: tables->bytes_for(size), beginning at a multiple of `alignment`.
+  FastestRoutes(Size size, std::shared_ptr<const RouteTables> tables, std::span<std::byte> memory);
+  static constexpr std::size_t alignment = 16;
   ~FastestRoutes();
   FastestRoutes(FastestRoutes&&) noexcept;
-  FastestRoutes& operator=(FastestRoutes&&) noexcept;
 
   /// Computes all times over the given passages (all inside the size) to the given cells.
   void fill(const WallSet& passages, const CellSet& goals);
@@ -55,6 +60,8 @@ class FastestRoutes {
   /// Writes a fastest route: of those equally fast the first in a fixed order. One without segments and with no_time
   /// where there is none; in a goal, one without segments that takes no time.
   void route_from(Pose start, DriveRoute& route) const;
+  /// The walls that this route needs to be open, as walls_needed_by says, without writing it down.
+  WallSet walls_from(Pose start) const;
 
   /// The time from a node where a straight (of any length, or none) begins behind a turn that ended in that lane, or
   /// no_time; whatever where no turn can end there in that lane. For comparison with other searches.
@@ -67,8 +74,8 @@ class FastestRoutes {
     void operator()(Search* search) const;
   };
 
-  std::unique_ptr<const RouteTables> tables_;  ///< where they are its own
-  std::unique_ptr<std::byte[]> memory_;        ///< the same
+  std::shared_ptr<const RouteTables> tables_;
+  std::unique_ptr<std::byte[]> memory_;  ///< where it is its own
   std::unique_ptr<Search, End> search_;
 };
 

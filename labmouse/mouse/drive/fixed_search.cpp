@@ -44,8 +44,7 @@ struct FixedTables {
       for (unsigned bit = 0; bit < 8; ++bit) {
         if (turn.turn == turn_of(bit, false, true)) turn_times[0][bit] = turn.time;
         if (turn.turn == turn_of(bit, false, false)) turn_times[0][8 + bit] = turn.time;
-        if (bit < 3 && turn.turn == turn_of(bit, true, false))
-          turn_times[1][bit] = turn_times[1][8 + bit] = turn.time;
+        if (bit < 3 && turn.turn == turn_of(bit, true, false)) turn_times[1][bit] = turn_times[1][8 + bit] = turn.time;
       }
   }
 
@@ -60,7 +59,8 @@ class FixedSearch final : public Search {
  public:
   using L = Lattice<Word>;
 
-  FixedSearch(Size size, const FixedTables& tables) : tables_(tables), size_(size), waiting_(tables.shift) {}
+  FixedSearch(Size size, const FixedTables& tables, const Leaps& leaps)
+      : tables_(tables), size_(size), leaps_(leaps.of<Word>()), waiting_(tables.shift) {}
 
   void fill(const WallSet& passages, const CellSet& goals, int start) override {
     if (start != everywhere) aim_at(start);
@@ -158,34 +158,31 @@ class FixedSearch final : public Search {
 
   /// Some of the nodes of a stretch will turn, once each.
   void let_turn(int node, unsigned nodes) {
-    Word& turning = turning_[node / L::points];
-    const int position = node % L::points;
-    nodes &= ~static_cast<unsigned>(turning >> position);
-    turning |= static_cast<Word>(nodes) << position;
-    driven_.add_ones(static_cast<std::uint16_t>(node), nodes);
+    driven_.add(node / L::points, static_cast<Word>(nodes) << node % L::points);
   }
 
   /// All nodes to which straights have led turn wherever that is earlier than what is known. A mouse that rolls through
   /// a node before a turn could lead there is ahead of it at all places further on, so one time a node will do.
   template <class Bounds>
   void drive_turns(const Bounds& bounds) {
-    for (const std::uint16_t* node = driven_.begin(); node != driven_.end();) {
-      turns_.clear();
-      for (; node != driven_.end() && turns_.takes(8); ++node) {
-        turning_[*node / L::points] = 0;
-        turns_.add_ones(static_cast<TurnAt>(8 * *node), turn_bits(lattice_, *node));
-      }
-      improved_.clear();
-      for (const unsigned turn : turns_) {
-        const std::uint16_t to = leaps_[turn];
-        const DriveTime known = times_[to],
-                        gain = std::min<DriveTime>(times_[turn / 8] + turn_time(turn) - known, 0);
-        times_[to] = known + gain;
-        improved_.add(to, static_cast<unsigned>(gain) >> 31);
-      }
-      for (const int improved : improved_) waiting_.add(improved, times_[index(improved)] + bounds[improved]);
+    turns_.clear();
+    driven_.empty([&](int node) {
+      turns_.add_ones(static_cast<TurnAt>(8 * node), turn_bits(lattice_, node));
+      if (!turns_.takes(8)) drive_listed_turns(bounds);
+    });
+    drive_listed_turns(bounds);
+  }
+  template <class Bounds>
+  void drive_listed_turns(const Bounds& bounds) {
+    improved_.clear();
+    for (const unsigned turn : turns_) {
+      const std::uint16_t to = leaps_[turn];
+      const DriveTime known = times_[to], gain = std::min<DriveTime>(times_[turn / 8] + turn_time(turn) - known, 0);
+      times_[to] = known + gain;
+      improved_.add(to, static_cast<unsigned>(gain) >> 31);
     }
-    driven_.clear();
+    turns_.clear();
+    for (const int improved : improved_) waiting_.add(improved, times_[index(improved)] + bounds[improved]);
   }
 
   /// Turns that are listed at once.
@@ -193,39 +190,39 @@ class FixedSearch final : public Search {
 
   const FixedTables& tables_;
   Size size_;
-  const std::uint16_t* leaps_ = L::leaps();
+  const std::uint16_t* leaps_;
   int start_ = everywhere;
   L lattice_;
   /// Of a mouse that rolls at a node, turned round, until the end.
   DriveTime times_[L::nodes + stretch];
-  Bounds<L::nodes> bounds_;               ///< from the start to a node, turned round, at least
-  Buckets<L::nodes> waiting_;             ///< nodes to which turns have led
-  List<std::uint16_t, L::nodes> driven_;  ///< nodes to which straights have led
-  Word turning_[8 * L::lines]{};          ///< the same, by line and position
+  Bounds<L::nodes> bounds_;             ///< from the start to a node, turned round, at least
+  Buckets<L::nodes, 16> waiting_;       ///< nodes to which turns have led
+  NodeSet<Word, 8 * L::lines> driven_;  ///< nodes to which straights have led
   List<TurnAt, chunk> turns_;
   List<std::uint16_t, chunk> improved_;
 };
 
 class FixedSearches final : public SearchMaker {
  public:
-  explicit FixedSearches(const DriveTables& tables) : tables_(tables) {}
+  FixedSearches(const DriveTables& tables, const Leaps& leaps) : tables_(tables), leaps_(leaps) {}
 
   std::size_t bytes(Size size) const override {
     return is_small(size) ? sizeof(FixedSearch<std::uint32_t>) : sizeof(FixedSearch<std::uint64_t>);
   }
   SearchInPlace make(Size size, std::byte* memory) const override {
-    if (is_small(size)) return SearchInPlace(new (memory) FixedSearch<std::uint32_t>(size, tables_));
-    return SearchInPlace(new (memory) FixedSearch<std::uint64_t>(size, tables_));
+    if (is_small(size)) return SearchInPlace(new (memory) FixedSearch<std::uint32_t>(size, tables_, leaps_));
+    return SearchInPlace(new (memory) FixedSearch<std::uint64_t>(size, tables_, leaps_));
   }
 
  private:
   FixedTables tables_;
+  const Leaps& leaps_;
 };
 
 }  // namespace
 
-std::unique_ptr<SearchMaker> make_fixed_searches(const DriveTables& tables) {
-  return std::make_unique<FixedSearches>(tables);
+std::unique_ptr<SearchMaker> make_fixed_searches(const DriveTables& tables, const Leaps& leaps) {
+  return std::make_unique<FixedSearches>(tables, leaps);
 }
 
 }  // namespace labmouse::drive

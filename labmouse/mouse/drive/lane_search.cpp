@@ -32,7 +32,8 @@ class LaneSearch final : public Search {
  public:
   using L = Lattice<Word>;
 
-  LaneSearch(Size size, const BothWays& lanes) : lanes_(lanes), size_(size), waiting_(lanes.shift) {
+  LaneSearch(Size size, const BothWays& lanes, const Leaps& leaps)
+      : lanes_(lanes), size_(size), leaps_(leaps.of<Word>()), waiting_(lanes.shift) {
     forget(rolling_, labels);
     forget(turning_, labels);
   }
@@ -66,12 +67,12 @@ class LaneSearch final : public Search {
 
  private:
   /// Slots as bits.
-  using Slots = std::conditional_t<(Speeds <= 2), std::uint8_t,
-                                   std::conditional_t<(Speeds <= 4), std::uint16_t, std::uint32_t>>;
+  using Slots =
+      std::conditional_t<(Speeds <= 2), std::uint8_t, std::conditional_t<(Speeds <= 4), std::uint16_t, std::uint32_t>>;
   static constexpr unsigned speeds = Speeds;
   static constexpr std::size_t labels = slots_a_speed * Speeds * static_cast<std::size_t>(L::nodes + 1) + width;
   /// What is listed at once.
-  static constexpr int chunk = 256;
+  static constexpr int chunk = 128;
 
   static std::size_t index(int node) { return static_cast<std::size_t>(node); }
   static bool is_diagonal(int node) { return (static_cast<unsigned>(node / L::plane) & 1U) != 0; }
@@ -197,8 +198,7 @@ class LaneSearch final : public Search {
   bool would_do(int node, DriveTime time, const DriveTime* slacks, unsigned row) const {
     const DriveTime* const turning = &turning_[label(node)];
     Times ahead{};
-    for (unsigned slot = 0; slot < row; slot += width)
-      ahead |= load(turning + slot) <= load(slacks + slot) + time;
+    for (unsigned slot = 0; slot < row; slot += width) ahead |= load(turning + slot) <= load(slacks + slot) + time;
     return bits_of(ahead) != 0;
   }
 
@@ -285,19 +285,19 @@ class LaneSearch final : public Search {
 
   const BothWays& lanes_;
   Size size_;
-  const std::uint16_t* leaps_ = L::leaps();
+  const std::uint16_t* leaps_;
   int start_ = everywhere;
   L lattice_;
   DriveTime rolling_[labels];  ///< by label
   DriveTime turning_[labels];
   Bounds<L::nodes> bounds_;               ///< from the start to a node, turned round, at least
-  Buckets<L::nodes> waiting_;             ///< nodes to which turns have led
+  Buckets<L::nodes, 32> waiting_;         ///< nodes to which turns have led
   List<std::uint16_t, L::nodes> driven_;  ///< nodes to which straights have led
   /// By node: slots in which turns have led there, and straights.
   Slots turns_due_[L::nodes]{};
   Slots straights_due_[L::nodes]{};
-  List<std::uint32_t, chunk> ready_;  ///< turns that are to be spread
-  List<std::uint32_t, chunk> turns_;  ///< by node and number
+  List<std::uint32_t, chunk> ready_;         ///< turns that are to be spread
+  List<std::uint32_t, chunk> turns_;         ///< by node and number
   List<std::uint32_t, 3 * chunk> improved_;  ///< where turns begin
   /// Nodes of which times are known, as bits.
   std::uint64_t touched_[L::nodes / 64]{};
@@ -306,35 +306,36 @@ class LaneSearch final : public Search {
 template <unsigned Speeds>
 class LaneSearches final : public SearchMaker {
  public:
-  explicit LaneSearches(const DriveTables& tables) : lanes_(tables, Speeds) {}
+  LaneSearches(const DriveTables& tables, const Leaps& leaps) : lanes_(tables, Speeds), leaps_(leaps) {}
 
   std::size_t bytes(Size size) const override {
     return is_small(size) ? sizeof(LaneSearch<std::uint32_t, Speeds>) : sizeof(LaneSearch<std::uint64_t, Speeds>);
   }
   SearchInPlace make(Size size, std::byte* memory) const override {
-    if (is_small(size)) return SearchInPlace(new (memory) LaneSearch<std::uint32_t, Speeds>(size, lanes_));
-    return SearchInPlace(new (memory) LaneSearch<std::uint64_t, Speeds>(size, lanes_));
+    if (is_small(size)) return SearchInPlace(new (memory) LaneSearch<std::uint32_t, Speeds>(size, lanes_, leaps_));
+    return SearchInPlace(new (memory) LaneSearch<std::uint64_t, Speeds>(size, lanes_, leaps_));
   }
 
  private:
   BothWays lanes_;
+  const Leaps& leaps_;
 };
 
 }  // namespace
 
-std::unique_ptr<SearchMaker> make_lane_searches(const DriveTables& tables) {
+std::unique_ptr<SearchMaker> make_lane_searches(const DriveTables& tables, const Leaps& leaps) {
   switch (speeds_for(tables)) {
     case 1:
-      return std::make_unique<LaneSearches<1>>(tables);
+      return std::make_unique<LaneSearches<1>>(tables, leaps);
     case 2:
-      return std::make_unique<LaneSearches<2>>(tables);
+      return std::make_unique<LaneSearches<2>>(tables, leaps);
     case 4:
-      return std::make_unique<LaneSearches<4>>(tables);
+      return std::make_unique<LaneSearches<4>>(tables, leaps);
     case 6:
-      return std::make_unique<LaneSearches<6>>(tables);
+      return std::make_unique<LaneSearches<6>>(tables, leaps);
     default:
       assert(speeds_for(tables) == 8);
-      return std::make_unique<LaneSearches<8>>(tables);
+      return std::make_unique<LaneSearches<8>>(tables, leaps);
   }
 }
 

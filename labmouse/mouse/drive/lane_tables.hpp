@@ -16,9 +16,9 @@ namespace labmouse::drive {
 enum NodeKind : unsigned { edge_node, centre_node, diagonal_node };
 inline constexpr unsigned node_kinds = 3;
 
-/// Slots that nodes have for each speed of turns, one behind the other in memory: three each. Centres have four turns and
-/// use the first slots of the edge behind them, too, which has one turn only and leaves them free. The times of slots
-/// that a robot has not are no_time.
+/// Slots that nodes have for each speed of turns, one behind the other in memory: three each. Centres have four turns
+/// and use the first slots of the edge behind them, too, which has one turn only and leaves them free. The times of
+/// slots that a robot has not are no_time.
 inline constexpr unsigned slots_a_speed = 3;
 inline constexpr std::array<unsigned, node_kinds> first_slot_a_speed = {1, 0, 0}, end_slot_a_speed = {3, 4, 3};
 
@@ -103,8 +103,8 @@ class LaneTables {
   unsigned speeds_;
   int rooms_ = 1;
   int reach_ = 1;
-  std::array<std::size_t, node_kinds + 1> first_row_{};     ///< numbers in all rows of the kinds before
-  std::array<std::vector<int>, node_kinds> slots_;          ///< by lane
+  std::array<std::size_t, node_kinds + 1> first_row_{};  ///< numbers in all rows of the kinds before
+  std::array<std::vector<int>, node_kinds> slots_;       ///< by lane
   std::array<std::vector<Slot>, node_kinds> used_;
   std::vector<DriveTime> straights_;
   std::vector<DriveTime> finish_;

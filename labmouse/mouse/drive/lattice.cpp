@@ -177,15 +177,16 @@ int Lattice<Word>::leap(int node, unsigned bit) {
 }
 
 template <class Word>
-const std::uint16_t* Lattice<Word>::leaps() {
-  static const std::vector<std::uint16_t> all = [] {
-    std::vector<std::uint16_t> leaps(8 * static_cast<std::size_t>(nodes));
-    for (int node = 0; node < nodes; ++node)
-      for (unsigned bit = 0; bit < (direction(node) % 2 == 0 ? 8U : 3U); ++bit)
-        leaps[8 * static_cast<std::size_t>(node) + bit] = static_cast<std::uint16_t>(leap(node, bit));
-    return leaps;
-  }();
-  return all.data();
+std::vector<std::uint16_t> Lattice<Word>::leaps() {
+  std::vector<std::uint16_t> leaps(8 * static_cast<std::size_t>(nodes));
+  for (int node = 0; node < nodes; ++node)
+    for (unsigned bit = 0; bit < (direction(node) % 2 == 0 ? 8U : 3U); ++bit)
+      leaps[8 * static_cast<std::size_t>(node) + bit] = static_cast<std::uint16_t>(leap(node, bit));
+  return leaps;
+}
+
+Leaps::Leaps(Size largest) : small(Lattice<std::uint32_t>::leaps()) {
+  if (!is_small(largest)) large = Lattice<std::uint64_t>::leaps();
 }
 
 template class Lattice<std::uint32_t>;

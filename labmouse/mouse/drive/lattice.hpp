@@ -104,8 +104,8 @@ class Lattice {
   unsigned turns_at(int node) const;
 
   /// Where the turns lead: the node behind the turn of a bit is at [8 * node + bit], whatever is open. The same for all
-  /// mazes: 64 or 256 KiB, made once.
-  static const std::uint16_t* leaps();
+  /// mazes: 64 or 256 KiB, to be kept.
+  static std::vector<std::uint16_t> leaps();
   /// Whether the turn of a bit leads to the left.
   static bool leads_left(unsigned bit, int direction, bool even) {
     if (direction % 2 == 0) return bit % 2 == 0;
@@ -143,6 +143,20 @@ class Lattice {
   std::array<Word, 8> turns_[8 * lines]{};
   Word any_turn_[8 * lines]{};
 };
+
+/// The leaps of both kinds, as far as mazes up to a size need them.
+struct Leaps {
+  explicit Leaps(Size largest);
+  template <class Word>
+  const std::uint16_t* of() const {
+    return sizeof(Word) == sizeof(std::uint32_t) ? small.data() : large.data();
+  }
+
+  std::vector<std::uint16_t> small, large;
+};
+
+/// Whether a maze takes words of 32 bits.
+inline bool is_small(Size size) { return size.width <= 16 && size.height <= 16; }
 
 extern template class Lattice<std::uint32_t>;
 extern template class Lattice<std::uint64_t>;

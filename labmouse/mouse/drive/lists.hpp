@@ -57,13 +57,48 @@ class List {
   Number* end_ = numbers_;
 };
 
+/// A set of nodes, as bits by line, that is gone through line by line.
+template <class Word, int Lines>
+class NodeSet {
+ public:
+  static constexpr int points = 8 * static_cast<int>(sizeof(Word));
+
+  /// Adds nodes of the line of a node: the place of a bit is that of the node on the line.
+  void add(int line, Word nodes) {
+    lines_.add(static_cast<std::uint16_t>(line),
+               static_cast<unsigned>(nodes_[line] == 0) & static_cast<unsigned>(nodes != 0));
+    nodes_[line] |= nodes;
+  }
+  /// Calls visit(node) for all nodes, and forgets them; it must not add any. A few are listed before they are visited.
+  template <class Visit>
+  void empty(Visit visit) {
+    List<std::uint16_t, 128> some;
+    const auto visit_some = [&] {
+      for (const int node : some) visit(node);
+      some.clear();
+    };
+    for (const int line : lines_) {
+      const Word nodes = std::exchange(nodes_[line], Word{0});
+      for (int byte = 0; byte < points; byte += 8)
+        some.add_ones(static_cast<std::uint16_t>(line * points + byte), static_cast<unsigned>(nodes >> byte) & 255U);
+      if (!some.takes(points)) visit_some();
+    }
+    lines_.clear();
+    visit_some();
+  }
+
+ private:
+  Word nodes_[Lines]{};
+  List<std::uint16_t, Lines> lines_;  ///< those with nodes
+};
+
 /// Numbers below `Nodes` that wait, by time, in buckets: those of one bucket in any order, so that it may fill again
 /// while it is emptied (Dial 1969; Denardo and Fox 1979).
-template <int Nodes>
+template <int Nodes, unsigned Count>
 class Buckets {
  public:
   /// They are used in turn; what waits for a later time than they reach is visited with the last of them.
-  static constexpr unsigned count = 32;
+  static constexpr unsigned count = Count;
 
   explicit Buckets(int shift) : shift_(shift) {}
 

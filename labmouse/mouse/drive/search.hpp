@@ -43,7 +43,7 @@ struct EndInPlace {
 };
 using SearchInPlace = std::unique_ptr<Search, EndInPlace>;
 
-/// What all searches for one robot share, and makes them. The tables that it is made of must outlive it.
+/// What all searches for one robot share, and makes them. What it is made of must outlive it.
 class SearchMaker {
  public:
   virtual ~SearchMaker() = default;
@@ -54,10 +54,7 @@ class SearchMaker {
 inline constexpr std::size_t search_alignment = 16;
 
 /// For robots of one speed at all nodes, and for all others.
-std::unique_ptr<SearchMaker> make_fixed_searches(const DriveTables& tables);
-std::unique_ptr<SearchMaker> make_lane_searches(const DriveTables& tables);
-
-/// Whether a maze takes words of 32 bits.
-inline bool is_small(Size size) { return size.width <= 16 && size.height <= 16; }
+std::unique_ptr<SearchMaker> make_fixed_searches(const DriveTables& tables, const Leaps& leaps);
+std::unique_ptr<SearchMaker> make_lane_searches(const DriveTables& tables, const Leaps& leaps);
 
 }  // namespace labmouse::drive

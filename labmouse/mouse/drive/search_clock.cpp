@@ -9,8 +9,7 @@ SearchClock::SearchClock(const Briefing& briefing)
       goals_(briefing.goals),
       search_(briefing.drive.model->search),
       time_limit_(briefing.drive.time_limit),
-      home_(briefing.size, search_),
-      runs_(briefing.size, briefing.drive.model->tables) {}
+      fields_(*briefing.drive.fields) {}
 
 bool SearchClock::must_go_home(const Knowledge& knowledge, const SearchPlace& place) {
   // Stops at home and faces its start; before that a look takes it one cell farther away, or makes it pivot and go on.
@@ -18,11 +17,11 @@ bool SearchClock::must_go_home(const Knowledge& knowledge, const SearchPlace& pl
   const std::int64_t look = 2 * (search_.cell + search_.back + search_.half_cell + 2 * search_.quarter);
   // It could go home the way that it came, and then the same way as fast as it searched.
   if (3 * time_ + look + search_.back + arrival < time_limit_) return false;
-  runs_.fill_for(start_, knowledge.open(), goals_);
-  const DriveTime run = runs_.time_from(start_);
+  fields_.routes().fill_for(start_, knowledge.open(), goals_);
+  const DriveTime run = fields_.routes().time_from(start_);
   if (run == no_time) return false;
-  home_.fill(knowledge.open(), CellSet::of(start_.cell));
-  return time_ + look + home_.from(place) + arrival + run > time_limit_;
+  fields_.ways().fill(knowledge.open(), CellSet::of(start_.cell));
+  return time_ + look + fields_.ways().from(place) + arrival + run > time_limit_;
 }
 
 }  // namespace labmouse

@@ -4,23 +4,21 @@
 #include <cstdint>
 
 #include "labmouse/mouse/briefing.hpp"
-#include "labmouse/mouse/drive/fastest.hpp"
-#include "labmouse/mouse/drive/search_field.hpp"
+#include "labmouse/mouse/drive/drive_fields.hpp"
 #include "labmouse/mouse/knowledge.hpp"
 
 namespace labmouse {
 
-/// Counts the time of a search, and says when the mouse must go home to run in time. Takes all memory that it will
-/// need.
+/// Counts the time of a search, and says when the mouse must go home to run in time.
 class SearchClock {
  public:
-  /// For a briefing in seconds.
+  /// For a briefing in seconds, with fields.
   explicit SearchClock(const Briefing& briefing);
 
   void count(const SearchPlace& from, const Action& step) { time_ += search_time(search_, from, step); }
 
   /// Whether the way home and the fastest known run would no longer fit into the time after another look. Never where
-  /// no run is known.
+  /// no run is known. Uses the briefing's fields.
   bool must_go_home(const Knowledge& knowledge, const SearchPlace& place);
 
  private:
@@ -29,8 +27,7 @@ class SearchClock {
   SearchDrive search_;
   std::int64_t time_limit_;
   std::int64_t time_ = 0;
-  SearchField home_;
-  FastestRoutes runs_;
+  DriveFields& fields_;
 };
 
 }  // namespace labmouse

@@ -4,21 +4,27 @@
 // heading.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <vector>
+#include <memory>
+#include <span>
 
 #include "labmouse/grid/wall_set.hpp"
+#include "labmouse/mouse/drive/edge_heap.hpp"
 #include "labmouse/mouse/drive/search_motion.hpp"
 #include "labmouse/mouse/wall_prices.hpp"
 
 namespace labmouse {
 
 /// Times in microseconds to enter any of some cells by the moves of a search; a pivot on the way is none of them, but
-/// for that of a mouse at rest. Takes all memory that it will need.
+/// for that of a mouse at rest. Takes all memory that it will need: for mazes up to 64×64, or for 32×32 and less.
 class SearchField {
  public:
-  /// Times of moves are more than 0.
+  /// Times of moves are more than 0. In memory of its own.
   SearchField(Size size, const SearchDrive& drive);
+  /// In memory that must outlive it: bytes_for(size), beginning at a multiple of four.
+  SearchField(Size size, const SearchDrive& drive, std::span<std::byte> memory);
+  static std::size_t bytes_for(Size size);
 
   /// Finds all times over the given passages (all inside the size) to the given cells.
   void fill(const WallSet& passages, const CellSet& targets);
@@ -32,10 +38,6 @@ class SearchField {
   Action step(const SearchPlace& place) const;
 
  private:
-  struct Waiting {
-    DriveTime time;
-    std::int32_t edge;
-  };
   struct Move {
     int quarters;
     DriveTime time;
@@ -44,8 +46,12 @@ class SearchField {
   std::size_t edge_of(Cell cell, Heading heading) const {
     return static_cast<std::size_t>(4 * size_.index(cell) + static_cast<int>(heading));
   }
-  template <class Toll>
-  void set_tolls(Toll toll);
+  std::size_t wall_of(Wall wall) const {
+    return static_cast<std::size_t>(2 * size_.index(wall.cell) + (wall.side == Heading::east ? 1 : 0));
+  }
+  template <class Price>
+  void set_prices(DriveTime unit, Price price);
+  DriveTime toll(Cell cell, Heading heading) const;
   void search(const CellSet& targets);
   void reach(std::size_t edge, DriveTime time);
   void expand(Pose pose, DriveTime time);
@@ -56,11 +62,13 @@ class SearchField {
   Size size_;
   SearchDrive drive_;
   CellSet targets_;
-  /// By edge_of: what leaving the cell in that heading costs besides the time, no_time where it is closed.
-  std::vector<DriveTime> tolls_;
+  std::unique_ptr<std::byte[]> own_;  ///< where the memory is its own
   /// By edge_of: the time from the edge by which the cell is entered in that heading.
-  std::vector<DriveTime> times_;
-  std::vector<Waiting> heap_;
+  DriveTime* times_;
+  /// By wall_of: what passing it costs besides the time, in units, or `closed`.
+  std::uint16_t* prices_;
+  DriveTime unit_ = 0;
+  EdgeHeap heap_;
 };
 
 }  // namespace labmouse

@@ -93,8 +93,8 @@ void add_turn(DriveModel& model, const TurnShape& shape, double from, double to,
   model.shapes.push_back(shape);
 }
 
-/// Adds a turn at all of its speeds, the largest first: from each to itself, or with grip from each to every one that it
-/// can reach.
+/// Adds a turn at all of its speeds, the largest first: from each to itself, or with grip from each to every one that
+/// it can reach.
 void add_turns(DriveModel& model, const TurnShape& shape, const std::vector<double>& speeds, const Robot& robot) {
   for (const double from : speeds)
     for (const double to : speeds)

@@ -1,6 +1,7 @@
 // A robot with the tables that follow from its limits: what a contest in seconds is driven by.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,8 @@
 #include "labmouse/mouse/robot/turn_shape.hpp"
 
 namespace labmouse {
+
+class RouteTables;
 
 /// The tables of a robot, with its turns' shapes, or a sentence that says in mm and mm/s what does not fit and why.
 struct DriveModel {
@@ -21,6 +24,8 @@ struct DriveModel {
   SearchDrive search;
   Robot robot;  ///< the one that it was made of
   std::string error;
+  /// What its searches for routes share, where it is kept: share_route_tables() makes it.
+  std::shared_ptr<const RouteTables> route_tables;
 };
 
 DriveModel make_drive_model(const Robot& robot);

@@ -39,8 +39,8 @@ End last_end(const DriveModel& model, const DriveRoute& route, std::size_t i) {
 /// The end with the speed that is reached there, if it may have several.
 End reached(End last, double length, const End& first, const StraightLimits& limits) {
   if (last.free)
-    last.speed = std::min({last.speed, limits.speed,
-                           std::sqrt(first.speed * first.speed + 2.0 * limits.acceleration * length)});
+    last.speed =
+        std::min({last.speed, limits.speed, std::sqrt(first.speed * first.speed + 2.0 * limits.acceleration * length)});
   return last;
 }
 

@@ -19,8 +19,8 @@ struct DriveSpot {
 };
 
 /// One segment of a route, as it is driven: a straight, with the leads of the turns about it, speeds up, stays at the
-/// limit and brakes; a turn is driven at one speed, or where the robot has grip at speeds that change. Times are microseconds since the segment's beginning, lengths mm
-/// from there.
+/// limit and brakes; a turn is driven at one speed, or where the robot has grip at speeds that change. Times are
+/// microseconds since the segment's beginning, lengths mm from there.
 class DriveProfile {
  public:
   DriveProfile(const DriveModel& model, const DriveRoute& route, std::size_t segment);

@@ -1,27 +1,30 @@
 #include "labmouse/mouse/robot/route.hpp"
 
 namespace labmouse {
-namespace {
 
-/// The time of the way to the end behind the last turn, if the mouse has so many cells to stop in.
-DriveTime time_to_end(const DriveRoute& route, const DriveTables& tables, int room) {
-  const auto& segments = route.segments;
-  const bool straight = segments.back().kind == DriveSegment::Kind::straight;
-  const int units = straight ? segments.back().units : 0;
-  const std::size_t before = segments.size() - (straight ? 1 : 0);
-  if (before == 0) return tables.whole_way(units, room);
-  return tables.finish_from(units, tables.turns[segments[before - 1].turn].to, room);
+void RouteEnd::pass(const DriveSegment& segment) {
+  empty_ = false;
+  last_ = segment;
+  if (segment.kind == DriveSegment::Kind::turn) turn_ = segment.turn;
 }
 
-}  // namespace
+int RouteEnd::room(const DriveTables& tables) const {
+  if (empty_) return 0;
+  const bool straight = last_.kind == DriveSegment::Kind::straight;
+  const DriveTime taken = straight ? last_.end - last_.begin : 0;
+  const auto time = [&](int room) {
+    return turn_ == none ? tables.whole_way(last_.units, room)
+                         : tables.finish_from(last_.units, tables.turns[static_cast<std::size_t>(turn_)].to, room);
+  };
+  int room = 0;
+  while (room + 1 < tables.rooms() && time(room) > taken) ++room;
+  return room;
+}
 
 int stopping_room(const DriveRoute& route, const DriveTables& tables) {
-  if (route.segments.empty()) return 0;
-  const DriveSegment& last = route.segments.back();
-  const DriveTime taken = last.kind == DriveSegment::Kind::straight ? last.end - last.begin : 0;
-  int room = 0;
-  while (room + 1 < tables.rooms() && time_to_end(route, tables, room) > taken) ++room;
-  return room;
+  RouteEnd end;
+  for (const DriveSegment& segment : route.segments) end.pass(segment);
+  return end.room(tables);
 }
 
 }  // namespace labmouse

@@ -26,13 +26,31 @@ struct DriveSegment {
   friend bool operator==(const DriveSegment&, const DriveSegment&) = default;
 };
 
-/// From rest in the middle of a start cell to the middle of a goal cell, at a speed that the robot may have there. Straights and turns follow
-/// each other in turns; a straight of no length is left out, unless there is a lead to drive.
+/// From rest in the middle of a start cell to the middle of a goal cell, at a speed that the robot may have there.
+/// Straights and turns follow each other in turns; a straight of no length is left out, unless there is a lead to
+/// drive.
 struct DriveRoute {
   std::vector<DriveSegment> segments;
   DriveTime time = no_time;
 
   friend bool operator==(const DriveRoute&, const DriveRoute&) = default;
+};
+
+/// The end of a route, segment by segment.
+class RouteEnd {
+ public:
+  void pass(const DriveSegment& segment);
+  /// Where it is.
+  const DriveNode& node() const { return last_.to; }
+  /// How many open cells behind it the mouse needs to stop in; none where no segment has passed. The route must be one
+  /// that can be driven.
+  int room(const DriveTables& tables) const;
+
+ private:
+  bool empty_ = true;
+  DriveSegment last_;
+  int turn_ = none;  ///< the last one
+  static constexpr int none = -1;
 };
 
 /// How many open cells behind its end a route needs to stop in. It must be one that can be driven.

@@ -64,8 +64,7 @@ void fill_ends(DriveTables& tables, const Robot& robot) {
   const StraightLimits limits = limits_along(robot);
   for (int units = 0; units <= StraightTimes::longest; ++units)
     for (const Lane& lane : tables.along.lanes) {
-      const auto start =
-          seconds_between(robot.run_up + units * robot.cell / 2.0 + lane.lead, 0.0, lane.speed, limits);
+      const auto start = seconds_between(robot.run_up + units * robot.cell / 2.0 + lane.lead, 0.0, lane.speed, limits);
       tables.start.push_back(start ? microseconds(*start) : no_time);
     }
   for (int room = 0; room < max_drive_side; ++room) {

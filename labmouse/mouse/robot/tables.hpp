@@ -32,9 +32,9 @@ struct Lane {
 /// One turn at one speed.
 struct DrivenTurn {
   Turn turn = Turn::f45;
-  std::uint8_t from = 0;  ///< lane in which it begins: of the straights before it
-  std::uint8_t to = 0;    ///< lane in which it ends
-  DriveTime time = 0;     ///< of the curve alone
+  std::uint8_t from = 0;   ///< lane in which it begins: of the straights before it
+  std::uint8_t to = 0;     ///< lane in which it ends
+  DriveTime time = 0;      ///< of the curve alone
   double speed = 0.0;      ///< mm/s where it begins
   double end_speed = 0.0;  ///< where it ends; the same but for robots with grip
 };

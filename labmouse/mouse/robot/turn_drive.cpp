@@ -51,8 +51,8 @@ std::array<double, TurnDrive::steps + 1> rise(const TurnShape& shape, double fro
     // What is allowed all along the step, at the speeds that it leads to.
     double acceleration = limit(here, step * i);
     for (int round = 0; round < 3; ++round)
-      acceleration = std::min({acceleration, limit(after(acceleration), step * (i + 0.5)),
-                               limit(after(acceleration), step * (i + 1))});
+      acceleration = std::min(
+          {acceleration, limit(after(acceleration), step * (i + 0.5)), limit(after(acceleration), step * (i + 1))});
     squares[static_cast<std::size_t>(i) + 1] = after(acceleration);
   }
   return squares;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "labmouse/mouse/drive/drive_fields.hpp"
 #include "labmouse/mouse/explorer.hpp"
 #include "labmouse/mouse/robot/drive_model.hpp"
 #include "labmouse/mouse/runs.hpp"
@@ -39,10 +40,9 @@ class Driver final : public Explorer {
       : Explorer(briefing),
         search_(briefing.drive.model->search),
         outlook_(briefing, prior),
-        hoped_(briefing),
-        known_(briefing),
-        ways_(briefing.size, search_),
-        home_(briefing.size, search_) {
+        hoped_(this->briefing()),
+        known_(this->briefing()),
+        ways_(this->briefing().drive.fields->ways()) {
     outlook_.price(reluctances);
   }
 
@@ -93,28 +93,28 @@ class Driver final : public Explorer {
   bool pays(DriveTime known) {
     int reluctance = 0;
     hoped_.unknown_walls().for_each([&](Wall wall) { reluctance += outlook_.prices().of(wall); });
-    const double gain = probability(reluctance) * (known - hoped_.hoped().time);
+    const double gain = probability(reluctance) * (known - hoped_.hoped_time());
     return gain * briefing().drive.maze_time_divisor > detour();
   }
 
-  /// What the way to the look and from there home takes longer than the one home from here.
+  /// What the way to the look and from there home takes longer than the one home from here. The way to the look must
+  /// stand in the field; afterwards the way home does.
   DriveTime detour() {
-    home_.fill(knowledge().possible(), CellSet::of(briefing().start.cell));
     DriveTime travel = 0;
     SearchPlace at = place();
     for (Action step = ways_.step(at); step.movement > 0; step = ways_.step(at)) {
       travel += search_time(search_, at, step);
       at = after_search(at, step);
     }
-    return travel + home_.from(at) - home_.from(place());
+    ways_.fill(knowledge().possible(), CellSet::of(briefing().start.cell));
+    return travel + ways_.from(at) - ways_.from(place());
   }
 
   SearchDrive search_;
   Outlook outlook_;
   DriveRuns hoped_;
   DriveRuns known_;
-  SearchField ways_;
-  SearchField home_;
+  SearchField& ways_;
 };
 
 }  // namespace

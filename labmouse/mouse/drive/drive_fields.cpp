@@ -1,0 +1,42 @@
+#include "labmouse/mouse/drive/drive_fields.hpp"
+
+#include <cassert>
+
+#include "labmouse/mouse/robot/drive_model.hpp"
+
+namespace labmouse {
+namespace {
+
+/// Of the field for routes, in whole units of the strictest alignment.
+std::size_t bytes_of_routes(Size size, const RouteTables& tables) {
+  constexpr std::size_t whole = FastestRoutes::alignment;
+  return (tables.bytes_for(size) + whole - 1) / whole * whole;
+}
+std::size_t bytes_of_all(Size size, const RouteTables& tables) {
+  return bytes_of_routes(size, tables) + SearchField::bytes_for(size);
+}
+
+}  // namespace
+
+std::size_t DriveFields::bytes_for(Size size, const DriveModel& model) {
+  return bytes_of_all(size, *route_tables_of(model));
+}
+
+DriveFields::DriveFields(Size size, const DriveModel& model, const Tables& tables, Memory own, std::byte* memory)
+    : own_(std::move(own)),
+      routes_(size, tables, {memory, tables->bytes_for(size)}),
+      ways_(size, model.search, {memory + bytes_of_routes(size, *tables), SearchField::bytes_for(size)}) {}
+
+DriveFields::DriveFields(Size size, const DriveModel& model, std::span<std::byte> memory)
+    : DriveFields(size, model, route_tables_of(model), nullptr, memory.data()) {
+  assert(memory.size() >= bytes_for(size, model));
+}
+
+DriveFields DriveFields::in_own_memory(Size size, const DriveModel& model) {
+  const Tables tables = route_tables_of(model);
+  Memory memory(new std::byte[bytes_of_all(size, *tables)]);
+  std::byte* const begin = memory.get();
+  return {size, model, tables, std::move(memory), begin};
+}
+
+}  // namespace labmouse

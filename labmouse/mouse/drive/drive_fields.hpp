@@ -1,0 +1,36 @@
+// All fields that a mind in seconds plans with.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+
+#include "labmouse/mouse/drive/fastest.hpp"
+#include "labmouse/mouse/drive/search_field.hpp"
+
+namespace labmouse {
+
+/// One field for routes of runs and one for ways of a search, which all parts of a mind use in turn: whoever needs one
+/// fills it first. They lie in one piece of memory, whose size follows from the maze and the robot; nothing else is
+/// allocated, ever.
+class DriveFields {
+ public:
+  /// In memory that must outlive them: bytes_for(size, model), beginning at a multiple of FastestRoutes::alignment.
+  DriveFields(Size size, const DriveModel& model, std::span<std::byte> memory);
+  static DriveFields in_own_memory(Size size, const DriveModel& model);
+  static std::size_t bytes_for(Size size, const DriveModel& model);
+
+  FastestRoutes& routes() { return routes_; }
+  SearchField& ways() { return ways_; }
+
+ private:
+  using Tables = std::shared_ptr<const RouteTables>;
+  using Memory = std::unique_ptr<std::byte[]>;
+  DriveFields(Size size, const DriveModel& model, const Tables& tables, Memory own, std::byte* memory);
+
+  Memory own_;  ///< where it is their own
+  FastestRoutes routes_;
+  SearchField ways_;
+};
+
+}  // namespace labmouse

@@ -1,0 +1,63 @@
+// The edges of a maze that wait, by time.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+#include "labmouse/mouse/robot/tables.hpp"
+
+namespace labmouse {
+
+/// A heap of edges, each of which is in it at most once and knows its place, so that it can be moved forward:
+/// Dijkstra's search needs no more room than one place an edge.
+class EdgeHeap {
+ public:
+  static constexpr std::uint16_t nowhere = 0xffff;
+
+  EdgeHeap() = default;
+  /// Over two arrays with room for all edges, and the times by which they wait, which others write.
+  EdgeHeap(std::uint16_t* heap, std::uint16_t* places, const DriveTime* times)
+      : heap_(heap), places_(places), times_(times) {}
+
+  void clear(std::size_t edges) {
+    size_ = 0;
+    for (std::size_t edge = 0; edge < edges; ++edge) places_[edge] = nowhere;
+  }
+  bool empty() const { return size_ == 0; }
+  /// Puts an edge in whose time has become less, or moves it forward.
+  void reach(std::size_t edge) {
+    std::size_t place = places_[edge];
+    if (place == nowhere) place = size_++;
+    for (; place > 0 && times_[edge] < times_[heap_[(place - 1) / 2]]; place = (place - 1) / 2)
+      put(heap_[(place - 1) / 2], place);
+    put(edge, place);
+  }
+  /// Takes out the first one.
+  std::size_t take() {
+    const std::size_t first = heap_[0], last = heap_[--size_];
+    places_[first] = nowhere;
+    if (size_ == 0) return first;
+    std::size_t place = 0;
+    for (std::size_t next = 1; next < size_; next = 2 * place + 1) {
+      if (next + 1 < size_ && times_[heap_[next + 1]] < times_[heap_[next]]) ++next;
+      if (times_[last] <= times_[heap_[next]]) break;
+      put(heap_[next], std::exchange(place, next));
+    }
+    put(last, place);
+    return first;
+  }
+
+ private:
+  void put(std::size_t edge, std::size_t place) {
+    heap_[place] = static_cast<std::uint16_t>(edge);
+    places_[edge] = static_cast<std::uint16_t>(place);
+  }
+
+  std::uint16_t* heap_ = nullptr;
+  std::uint16_t* places_ = nullptr;  ///< by edge
+  const DriveTime* times_ = nullptr;
+  std::size_t size_ = 0;
+};
+
+}  // namespace labmouse
