@@ -205,10 +205,10 @@ class LaneSearch final : public Search {
   /// A turn begins here, this time before the end: spreads it over the straights that lead to it, rows of times by
   /// units.
   void spread(int node, DriveTime time, const DriveTime* straights, int units) {
-    if (is_diagonal(node))
-      spread_over<row_of(diagonal_node, Speeds)>(node, time, straights, units);
-    else
-      spread_over<row_of(centre_node, Speeds)>(node, time, straights, units);
+    constexpr unsigned along = row_of(centre_node, Speeds), across = row_of(diagonal_node, Speeds);
+    if constexpr (along != across)
+      if (is_diagonal(node)) return spread_over<across>(node, time, straights, units);
+    spread_over<along>(node, time, straights, units);
   }
   template <unsigned Row>
   void spread_over(int node, DriveTime time, const DriveTime* straights, int units) {
