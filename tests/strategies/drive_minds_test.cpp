@@ -296,6 +296,35 @@ TEST(DriversOfSeconds, SayWhenTheyPlanAnew) {
   EXPECT_LE(record.replanned, marked + 2);
 }
 
+/// Its own, beside the fields that it is given, and all together: bars for chips.
+TEST(DriversOfSeconds, FitTheirMemory) {
+  constexpr std::size_t kib = 1024;
+  struct Bar {
+    const DriveModel& model;
+    std::size_t small, large;
+  };
+  Robot two = large_robot();
+  two.speeds = 2;
+  static const DriveModel twice = model_of(two);
+  for (const Bar& bar :
+       {Bar{published(), 64 * kib, 224 * kib}, Bar{twice, 256 * kib, 1024 * kib}, Bar{large(), 768 * kib, 3072 * kib}})
+    for (const int side : {16, 32})
+      for (const RosterEntry* mouse : {&flood_mouse, &certify_mouse, &ariadne_mouse}) {
+        const Size size{side, side};
+        const std::size_t fields = DriveFields::bytes_for(size, bar.model);
+        std::unique_ptr<std::byte[]> memory(new std::byte[fields]);
+        DriveFields given(size, bar.model, {memory.get(), fields});
+        const Maze maze(MazeDraft(size, MazeDraft::Inside::open));
+        Briefing briefing = brief(maze, rules_of(30), bar.model, 1);
+        briefing.drive.fields = &given;
+        const long before = test::allocated_bytes();
+        const auto mind = mouse->make(briefing, Settings(mouse->parameters));
+        const auto own = static_cast<std::size_t>(test::allocated_bytes() - before);
+        const std::size_t bar_here = (side == 16 ? bar.small : bar.large) + (mouse == &ariadne_mouse ? 16 * kib : 0);
+        EXPECT_LE(fields + own, bar_here) << mouse->name << " " << side << ": " << own << " bytes of its own";
+      }
+}
+
 double mean_value(const RosterEntry& mouse, const DriveRules& rules) {
   double sum = 0;
   int count = 0;

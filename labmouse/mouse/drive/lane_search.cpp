@@ -72,7 +72,7 @@ class LaneSearch final : public Search {
   static constexpr unsigned speeds = Speeds;
   static constexpr std::size_t labels = slots_a_speed * Speeds * static_cast<std::size_t>(L::nodes + 1) + width;
   /// What is listed at once.
-  static constexpr int chunk = 128;
+  static constexpr int chunk = 96;
 
   static std::size_t index(int node) { return static_cast<std::size_t>(node); }
   static bool is_diagonal(int node) { return (static_cast<unsigned>(node / L::plane) & 1U) != 0; }
@@ -256,7 +256,7 @@ class LaneSearch final : public Search {
       if (!turn->more) continue;
       do drive(before, *++turn, rest);
       while (turn->more);
-      if (!improved_.takes(chunk + most_turns)) await(bounds);
+      if (!improved_.takes(chunk + most_of_one)) await(bounds);
     }
     turns_.clear();
     await(bounds);
@@ -282,6 +282,8 @@ class LaneSearch final : public Search {
   }
 
   static constexpr unsigned most_turns = LaneTables::most_turns;
+  /// Turns that agree in the slot that they end in and their bit.
+  static constexpr int most_of_one = 8;
 
   const BothWays& lanes_;
   Size size_;
@@ -296,9 +298,9 @@ class LaneSearch final : public Search {
   /// By node: slots in which turns have led there, and straights.
   Slots turns_due_[L::nodes]{};
   Slots straights_due_[L::nodes]{};
-  List<std::uint32_t, chunk> ready_;         ///< turns that are to be spread
-  List<std::uint32_t, chunk> turns_;         ///< by node and number
-  List<std::uint32_t, 3 * chunk> improved_;  ///< where turns begin
+  List<std::uint32_t, chunk> ready_;                         ///< turns that are to be spread
+  List<std::uint32_t, chunk> turns_;                         ///< by node and number
+  List<std::uint32_t, 2 * (chunk + most_of_one)> improved_;  ///< where turns begin
   /// Nodes of which times are known, as bits.
   std::uint64_t touched_[L::nodes / 64]{};
 };

@@ -11,13 +11,13 @@ namespace {
 DriveTime sum(std::int64_t a, std::int64_t b) { return static_cast<DriveTime>(std::min<std::int64_t>(no_time, a + b)); }
 
 /// The price of a closed wall.
-constexpr std::uint16_t closed = 0xffff;
+constexpr std::uint8_t closed = 0xff;
 
 }  // namespace
 
 std::size_t SearchField::bytes_for(Size size) {
   const auto edges = static_cast<std::size_t>(4 * size.area());
-  return edges * (sizeof(DriveTime) + 2 * sizeof(std::uint16_t)) + edges / 2 * sizeof(std::uint16_t);
+  return edges * (sizeof(DriveTime) + 2 * sizeof(std::uint16_t)) + edges / 2;
 }
 
 SearchField::SearchField(Size size, const SearchDrive& drive)
@@ -31,9 +31,9 @@ SearchField::SearchField(Size size, const SearchDrive& drive, std::span<std::byt
   assert(memory.size() >= bytes_for(size) && 4 * size.area() < EdgeHeap::nowhere);
   const auto edges = static_cast<std::size_t>(4 * size.area());
   times_ = new (memory.data()) DriveTime[edges];
-  auto* const numbers = new (memory.data() + edges * sizeof(DriveTime)) std::uint16_t[2 * edges + edges / 2];
+  auto* const numbers = new (memory.data() + edges * sizeof(DriveTime)) std::uint16_t[2 * edges];
   heap_ = EdgeHeap(numbers, numbers + edges, times_);
-  prices_ = numbers + 2 * edges;
+  prices_ = new (numbers + 2 * edges) std::uint8_t[edges / 2];
   std::fill(times_, times_ + edges, no_time);
   std::fill(prices_, prices_ + edges / 2, closed);
 }
@@ -44,14 +44,14 @@ void SearchField::set_prices(DriveTime unit, Price price) {
   for (int index = 0; index < size_.area(); ++index)
     for (const Heading heading : {Heading::north, Heading::east}) {
       const Wall wall = wall_at(size_.cell_at(index), heading);
-      prices_[wall_of(wall)] = on_border(wall, size_) ? closed : static_cast<std::uint16_t>(price(wall));
+      prices_[wall_of(wall)] = on_border(wall, size_) ? closed : static_cast<std::uint8_t>(price(wall));
     }
 }
 
 DriveTime SearchField::toll(Cell cell, Heading heading) const {
   const Wall wall = wall_at(cell, heading);
   if (!size_.contains(wall.cell)) return no_time;
-  const std::uint16_t price = prices_[wall_of(wall)];
+  const std::uint8_t price = prices_[wall_of(wall)];
   return price == closed ? no_time : sum(0, std::int64_t{price} * unit_);
 }
 

@@ -66,7 +66,7 @@ class SearchField {
   /// By edge_of: the time from the edge by which the cell is entered in that heading.
   DriveTime* times_;
   /// By wall_of: what passing it costs besides the time, in units, or `closed`.
-  std::uint16_t* prices_;
+  std::uint8_t* prices_;
   DriveTime unit_ = 0;
   EdgeHeap heap_;
 };
