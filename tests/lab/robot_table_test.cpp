@@ -37,7 +37,7 @@ TEST(RobotTable, NamesEveryTurnOnceWithItsSpeeds) {
   EXPECT_THAT(table_of("half"), HasSubstr("half: cells of 90 mm, sees 1 cell far\n"
                                           "turn     mm/s       ms  lead in lead out curve mm clearance\n"
                                           "45      595.0  144.265      0.0     18.7     85.8      31.4\n"
-                                          "        560.0  153.281      0.0     18.7     85.8      31.4\n"));
+                                          "        560.0  153.282      0.0     18.7     85.8      31.4\n"));
   EXPECT_THAT(table_of("half"), HasSubstr("        380.0  225.889      0.0     18.7     85.8      31.4\n"
                                           "90      560.0  254.105      1.1      1.1    142.3      29.3\n"));
   EXPECT_THAT(table_of("half"), HasSubstr("\nS90     380.0  190.413      0.5      0.5     72.4      45.0\nstraight"));
