@@ -94,7 +94,7 @@ TEST(MmsRun, SilenceAtTheStartEndsIt) {
 
 TEST(MmsRun, WhatAProgramSaysOfItsEndHidesNothing) {
   Launch silent = guest({"errors:thinking", "ask:turnright"});
-  silent.limits.start = silent.limits.silence = 60ms;
+  silent.limits.silence = 60ms;
   const MmsRun run = hosted(silent);
   EXPECT_EQ(run.outcome, MmsOutcome::hung);
   EXPECT_EQ(run.errors, "thinking\n");
@@ -185,7 +185,7 @@ TEST(MmsRun, AnIncompleteLastLineIsDropped) {
 
 TEST(MmsRun, ALineWithoutAReplyHangsWhoWaitsForIt) {
   Launch waiting = guest({"ask:turnright"});
-  waiting.limits.start = waiting.limits.silence = 60ms;
+  waiting.limits.silence = 60ms;
   const MmsRun run = hosted(waiting);
   EXPECT_EQ(run.outcome, MmsOutcome::hung);
   EXPECT_EQ(run.invalid_lines, 1);
