@@ -303,11 +303,13 @@ TEST(DriversOfSeconds, FitTheirMemory) {
     const DriveModel& model;
     std::size_t small, large;
   };
-  Robot two = large_robot();
-  two.speeds = 2;
-  static const DriveModel twice = model_of(two);
-  for (const Bar& bar :
-       {Bar{published(), 64 * kib, 224 * kib}, Bar{twice, 256 * kib, 1024 * kib}, Bar{large(), 768 * kib, 3072 * kib}})
+  Robot slower = large_robot();
+  slower.speeds = 1;
+  const DriveModel one = model_of(slower);
+  slower.speeds = 2;
+  const DriveModel two = model_of(slower);
+  for (const Bar& bar : {Bar{published(), 64 * kib, 224 * kib}, Bar{one, 64 * kib, 224 * kib},
+                         Bar{two, 256 * kib, 1024 * kib}, Bar{large(), 768 * kib, 3072 * kib}})
     for (const int side : {16, 32})
       for (const RosterEntry* mouse : {&flood_mouse, &certify_mouse, &ariadne_mouse}) {
         const Size size{side, side};

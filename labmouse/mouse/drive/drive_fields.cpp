@@ -1,5 +1,6 @@
 #include "labmouse/mouse/drive/drive_fields.hpp"
 
+#include <algorithm>
 #include <cassert>
 
 #include "labmouse/mouse/robot/drive_model.hpp"
@@ -7,13 +8,9 @@
 namespace labmouse {
 namespace {
 
-/// Of the field for routes, in whole units of the strictest alignment.
-std::size_t bytes_of_routes(Size size, const RouteTables& tables) {
-  constexpr std::size_t whole = FastestRoutes::alignment;
-  return (tables.bytes_for(size) + whole - 1) / whole * whole;
-}
+/// The ways lie behind what the routes keep, where the routes themselves are written anew by each fill.
 std::size_t bytes_of_all(Size size, const RouteTables& tables) {
-  return bytes_of_routes(size, tables) + SearchField::bytes_for(size);
+  return std::max(tables.bytes_for(size), tables.kept_bytes_for(size) + SearchField::bytes_for(size));
 }
 
 }  // namespace
@@ -25,7 +22,7 @@ std::size_t DriveFields::bytes_for(Size size, const DriveModel& model) {
 DriveFields::DriveFields(Size size, const DriveModel& model, const Tables& tables, Memory own, std::byte* memory)
     : own_(std::move(own)),
       routes_(size, tables, {memory, tables->bytes_for(size)}),
-      ways_(size, model.search, {memory + bytes_of_routes(size, *tables), SearchField::bytes_for(size)}) {}
+      ways_(size, model.search, {memory + tables->kept_bytes_for(size), SearchField::bytes_for(size)}) {}
 
 DriveFields::DriveFields(Size size, const DriveModel& model, std::span<std::byte> memory)
     : DriveFields(size, model, route_tables_of(model), nullptr, memory.data()) {

@@ -11,8 +11,8 @@
 namespace labmouse {
 
 /// One field for routes of runs and one for ways of a search, which all parts of a mind use in turn: whoever needs one
-/// fills it first. They lie in one piece of memory, whose size follows from the maze and the robot; nothing else is
-/// allocated, ever.
+/// fills it first, and reads it before the other is filled, which may take its place. They lie in one piece of memory,
+/// whose size follows from the maze and the robot; nothing else is allocated, ever.
 class DriveFields {
  public:
   /// In memory that must outlive them: bytes_for(size, model), beginning at a multiple of FastestRoutes::alignment.

@@ -24,18 +24,6 @@ DriveNode node_at(HalfPoint point, int direction) {
   return {wall.side == first ? wall.cell : neighbour(wall.cell, wall.side), first, place};
 }
 
-/// Whether a robot has one speed at all nodes, at its start and in the goal, and each turn in one way, backwards as
-/// well.
-bool one_speed(const DriveTables& tables) {
-  if (tables.along.count() != 1 || tables.diagonal.count() != 1 || tables.turns.size() != all_turns.size())
-    return false;
-  for (const Turn turn : all_turns) {
-    const DrivenTurn& driven = tables.turns[static_cast<std::size_t>(turn)];
-    if (driven.turn != turn || driven.time != tables.turns[static_cast<std::size_t>(reversed(turn))].time) return false;
-  }
-  return tables.start == tables.finish && tables.start == tables.along.between;
-}
-
 /// Adds the walls that a segment passes.
 void pass(const DriveSegment& segment, WallSet& walls) {
   const auto add = [&](int x, int y) {
@@ -83,10 +71,7 @@ class NeededWalls {
 
 struct RouteTables::Parts {
   Parts(const DriveTables& driven, Size largest)
-      : tables(driven),
-        leaps(largest),
-        searches(one_speed(tables) ? drive::make_fixed_searches(tables, leaps)
-                                   : drive::make_lane_searches(tables, leaps)) {
+      : tables(driven), leaps(largest), searches(drive::make_searches(tables, leaps)) {
     for (const DrivenTurn& turn : tables.turns)
       for (auto next = static_cast<std::size_t>(turn.turn) + 1; next < first.size(); ++next) ++first[next];
   }
@@ -111,9 +96,7 @@ class FastestRoutes::Search {
   using Parts = RouteTables::Parts;
 
   /// How much of its memory it takes itself; the search lies behind it.
-  static std::size_t own_bytes() {
-    return (sizeof(Search) + drive::search_alignment - 1) / drive::search_alignment * drive::search_alignment;
-  }
+  static std::size_t own_bytes() { return drive::aligned(sizeof(Search)); }
 
   Search(Size size, const Parts& parts, std::byte* memory)
       : tables_(parts.tables), first_(parts.first), search_(parts.searches->make(size, memory)) {}
@@ -278,7 +261,10 @@ class FastestRoutes::Search {
 };
 
 std::size_t RouteTables::bytes_for(Size size) const {
-  return FastestRoutes::Search::own_bytes() + parts_->searches->bytes(size);
+  return kept_bytes_for(size) + parts_->searches->bytes(size).scratch;
+}
+std::size_t RouteTables::kept_bytes_for(Size size) const {
+  return FastestRoutes::Search::own_bytes() + parts_->searches->bytes(size).kept;
 }
 
 void FastestRoutes::End::operator()(Search* search) const { search->~Search(); }

@@ -23,8 +23,10 @@ class RouteTables {
   explicit RouteTables(const DriveTables& tables, Size largest = {max_drive_side, max_drive_side});
   ~RouteTables();
 
-  /// What a FastestRoutes for a maze takes, in bytes.
+  /// What a FastestRoutes for a maze takes, in bytes; and how many of these it needs to keep when a field has been
+  /// read: the first ones. The others are free until the next fill.
   std::size_t bytes_for(Size size) const;
+  std::size_t kept_bytes_for(Size size) const;
 
  private:
   friend class FastestRoutes;

@@ -59,8 +59,10 @@ class FixedSearch final : public Search {
  public:
   using L = Lattice<Word>;
 
-  FixedSearch(Size size, const FixedTables& tables, const Leaps& leaps)
-      : tables_(tables), size_(size), leaps_(leaps.of<Word>()), waiting_(tables.shift) {}
+  static constexpr std::size_t labels = L::nodes + stretch;
+
+  FixedSearch(Size size, const FixedTables& tables, const Leaps& leaps, DriveTime* times)
+      : tables_(tables), size_(size), leaps_(leaps.of<Word>()), times_(times), waiting_(tables.shift) {}
 
   void fill(const WallSet& passages, const CellSet& goals, int start) override {
     if (start != everywhere) aim_at(start);
@@ -116,7 +118,7 @@ class FixedSearch final : public Search {
 
   void begin(const WallSet& passages) {
     lattice_.build(size_, passages);
-    forget(times_, std::size(times_));
+    forget(times_, labels);
     waiting_.clear();
   }
 
@@ -194,9 +196,9 @@ class FixedSearch final : public Search {
   int start_ = everywhere;
   L lattice_;
   /// Of a mouse that rolls at a node, turned round, until the end.
-  DriveTime times_[L::nodes + stretch];
+  DriveTime* times_;
   Bounds<L::nodes> bounds_;             ///< from the start to a node, turned round, at least
-  Buckets<L::nodes, 16> waiting_;       ///< nodes to which turns have led
+  Buckets<L::nodes, 4> waiting_;        ///< nodes to which turns have led
   NodeSet<Word, 8 * L::lines> driven_;  ///< nodes to which straights have led
   List<TurnAt, chunk> turns_;
   List<std::uint16_t, chunk> improved_;
@@ -206,15 +208,24 @@ class FixedSearches final : public SearchMaker {
  public:
   FixedSearches(const DriveTables& tables, const Leaps& leaps) : tables_(tables), leaps_(leaps) {}
 
-  std::size_t bytes(Size size) const override {
-    return is_small(size) ? sizeof(FixedSearch<std::uint32_t>) : sizeof(FixedSearch<std::uint64_t>);
+  SearchBytes bytes(Size size) const override {
+    return is_small(size) ? bytes_of<std::uint32_t>() : bytes_of<std::uint64_t>();
   }
   SearchInPlace make(Size size, std::byte* memory) const override {
-    if (is_small(size)) return SearchInPlace(new (memory) FixedSearch<std::uint32_t>(size, tables_, leaps_));
-    return SearchInPlace(new (memory) FixedSearch<std::uint64_t>(size, tables_, leaps_));
+    return is_small(size) ? made<std::uint32_t>(size, memory) : made<std::uint64_t>(size, memory);
   }
 
  private:
+  template <class Word>
+  static SearchBytes bytes_of() {
+    return {aligned(sizeof(FixedSearch<Word>)), aligned(sizeof(DriveTime) * FixedSearch<Word>::labels)};
+  }
+  template <class Word>
+  SearchInPlace made(Size size, std::byte* memory) const {
+    auto* const labels = new (memory + bytes_of<Word>().kept) DriveTime[FixedSearch<Word>::labels];
+    return SearchInPlace(new (memory) FixedSearch<Word>(size, tables_, leaps_, labels));
+  }
+
   FixedTables tables_;
   const Leaps& leaps_;
 };

@@ -293,7 +293,7 @@ class LaneSearch final : public Search {
   DriveTime rolling_[labels];  ///< by label
   DriveTime turning_[labels];
   Bounds<L::nodes> bounds_;               ///< from the start to a node, turned round, at least
-  Buckets<L::nodes, 32> waiting_;         ///< nodes to which turns have led
+  Buckets<L::nodes, 8> waiting_;          ///< nodes to which turns have led
   List<std::uint16_t, L::nodes> driven_;  ///< nodes to which straights have led
   /// By node: slots in which turns have led there, and straights.
   Slots turns_due_[L::nodes]{};
@@ -310,8 +310,10 @@ class LaneSearches final : public SearchMaker {
  public:
   LaneSearches(const DriveTables& tables, const Leaps& leaps) : lanes_(tables, Speeds), leaps_(leaps) {}
 
-  std::size_t bytes(Size size) const override {
-    return is_small(size) ? sizeof(LaneSearch<std::uint32_t, Speeds>) : sizeof(LaneSearch<std::uint64_t, Speeds>);
+  SearchBytes bytes(Size size) const override {
+    using Small = LaneSearch<std::uint32_t, Speeds>;
+    using Large = LaneSearch<std::uint64_t, Speeds>;
+    return {aligned(is_small(size) ? sizeof(Small) : sizeof(Large)), 0};
   }
   SearchInPlace make(Size size, std::byte* memory) const override {
     if (is_small(size)) return SearchInPlace(new (memory) LaneSearch<std::uint32_t, Speeds>(size, lanes_, leaps_));
@@ -327,8 +329,6 @@ class LaneSearches final : public SearchMaker {
 
 std::unique_ptr<SearchMaker> make_lane_searches(const DriveTables& tables, const Leaps& leaps) {
   switch (speeds_for(tables)) {
-    case 1:
-      return std::make_unique<LaneSearches<1>>(tables, leaps);
     case 2:
       return std::make_unique<LaneSearches<2>>(tables, leaps);
     case 4:

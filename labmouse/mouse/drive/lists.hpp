@@ -125,7 +125,9 @@ class Buckets {
   }
   /// Whether a node that waited for this time has been visited before the current bucket.
   bool passed(DriveTime time) const { return bucket_of(time) < current_; }
-  /// Calls visit(node) for all nodes of the current bucket, and forgets them.
+  /// Whether a node that waits for this time is in the current bucket.
+  bool is_now(DriveTime time) const { return bucket_of(time) == current_; }
+  /// Calls visit(node) for all nodes of the current bucket, and forgets them. It may add others meanwhile.
   template <class Visit>
   void empty(Visit visit) {
     empty(current_ % count, visit);

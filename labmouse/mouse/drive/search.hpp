@@ -1,4 +1,4 @@
-// What the two searches behind FastestRoutes have in common: one for robots of one speed, one for robots of many.
+// What the searches behind FastestRoutes have in common: for robots of one speed, of one speed a turn, and of many.
 #pragma once
 
 #include <cstddef>
@@ -43,18 +43,31 @@ struct EndInPlace {
 };
 using SearchInPlace = std::unique_ptr<Search, EndInPlace>;
 
+inline constexpr std::size_t search_alignment = 16;
+constexpr std::size_t aligned(std::size_t bytes) {
+  return (bytes + search_alignment - 1) / search_alignment * search_alignment;
+}
+
+/// The memory of a search, both parts aligned: what it keeps, and behind that what holds nothing any more once a field
+/// has been read.
+struct SearchBytes {
+  std::size_t kept = 0;
+  std::size_t scratch = 0;
+};
+
 /// What all searches for one robot share, and makes them. What it is made of must outlive it.
 class SearchMaker {
  public:
   virtual ~SearchMaker() = default;
   /// How much memory a search of a maze takes, and its making there: it begins at a multiple of search_alignment.
-  virtual std::size_t bytes(Size size) const = 0;
+  virtual SearchBytes bytes(Size size) const = 0;
   virtual SearchInPlace make(Size size, std::byte* memory) const = 0;
 };
-inline constexpr std::size_t search_alignment = 16;
 
-/// For robots of one speed at all nodes, and for all others.
+/// The leanest that a robot can do with: for one speed at all nodes, for one speed a turn, or for many.
+std::unique_ptr<SearchMaker> make_searches(const DriveTables& tables, const Leaps& leaps);
 std::unique_ptr<SearchMaker> make_fixed_searches(const DriveTables& tables, const Leaps& leaps);
+std::unique_ptr<SearchMaker> make_lead_searches(const DriveTables& tables, const Leaps& leaps);
 std::unique_ptr<SearchMaker> make_lane_searches(const DriveTables& tables, const Leaps& leaps);
 
 }  // namespace labmouse::drive
