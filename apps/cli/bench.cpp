@@ -1,12 +1,16 @@
-// labmouse bench: one number for behaviour, and the speeds of this build on this machine.
+// labmouse bench: one number for behaviour, the speeds of this build on this machine, and the memory that minds take.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
+#include <vector>
 
 #include "command.hpp"
 #include "labmouse/lab/bench/distance_speed.hpp"
+#include "labmouse/lab/bench/mind_memory.hpp"
 #include "labmouse/lab/bench/signature.hpp"
 #include "labmouse/lab/bench/speed_json.hpp"
+#include "labmouse/lab/robots/builtin_robots.hpp"
 #include "labmouse/lab/system/version.hpp"
 #include "labmouse/lab/text/json.hpp"
 
@@ -37,18 +41,93 @@ std::string bench_json(const std::string& signature, const Speed& speed) {
   return json.dump(1) + "\n";
 }
 
+/// What the minds take that drive a robot, in mazes of one size.
+struct RobotMemory {
+  std::string robot;
+  MindMemory minds;
+};
+
+std::vector<RobotMemory> memory_of(const std::vector<std::string>& names) {
+  std::vector<RobotMemory> memory;
+  for (const std::string& name : names) {
+    const FoundRobot found = find_robot_or_refuse(name);
+    for (const int side : {16, max_drive_side}) memory.push_back({name, mind_memory({side, side}, found.model)});
+  }
+  return memory;
+}
+
+/// Of whole minds: the fields and what the mind takes itself.
+MemoryLayout whole_minds(const MindMemory& memory) {
+  MemoryLayout minds;
+  for (const auto& [mouse, own] : memory.own) minds.push_back({mouse, memory.fields + own});
+  return minds;
+}
+MemoryLayout fields_of(const MindMemory& memory) {
+  MemoryLayout parts = memory.layout;
+  parts.push_back({"fields", memory.fields});
+  return parts;
+}
+
+/// A line for each robot and size, with the parts that `parts_of` names.
+template <class Parts>
+std::string memory_table(const std::vector<RobotMemory>& robots, Parts parts_of) {
+  std::string text;
+  for (const auto& [robot, memory] : robots) {
+    std::string heads, figures;
+    for (const auto& [name, bytes] : parts_of(memory)) {
+      const std::size_t width = std::max<std::size_t>(name.size() + 2, 10);
+      heads += fmt::format("{:>{}}", name, width);
+      figures += fmt::format("{:>{}.1f}", static_cast<double>(bytes) / 1024.0, width);
+    }
+    if (text.empty()) text += fmt::format("{:<14}{:>5}{}\n", "robot", "maze", heads);
+    text +=
+        fmt::format("{:<14}{:>5}{}\n", robot, fmt::format("{0}x{1}", memory.size.width, memory.size.height), figures);
+  }
+  return text;
+}
+
+std::string memory_text(const std::vector<RobotMemory>& robots) {
+  return "a mind in the world of seconds, KiB\n" + memory_table(robots, whole_minds) +
+         "\nits fields among that, KiB\n" + memory_table(robots, fields_of);
+}
+
+std::string memory_json(const std::vector<RobotMemory>& robots) {
+  Json rows = Json::array();
+  for (const auto& [robot, memory] : robots) {
+    Json row = {{"robot", robot}, {"width", memory.size.width}, {"height", memory.size.height}};
+    row["fields_bytes"] = memory.fields;
+    for (const auto& [name, bytes] : memory.layout) row["layout_bytes"][std::string(name)] = bytes;
+    for (const auto& [mouse, own] : memory.own) row["own_bytes"][mouse] = own;
+    rows.push_back(std::move(row));
+  }
+  return rows.dump(1) + "\n";
+}
+
 }  // namespace
 
 void add_bench(Command& app, int& exit) {
   auto format = std::make_shared<std::string>("table");
   auto signature_only = std::make_shared<bool>(false);
+  auto memory = std::make_shared<bool>(false);
+  auto robots = std::make_shared<std::vector<std::string>>();
   Command* command = app.add_subcommand("bench", "Print the behaviour signature and measure speeds");
   command->add_option("--format", *format, "Output")->check(one_of({"table", "json"}))->capture_default_str();
   command->add_flag("--signature", *signature_only, "Print only the behaviour signature");
-  command->footer("Example: labmouse bench --format json");
-  command->callback([format, signature_only, &exit] {
-    const std::string signature = labmouse::signature();
+  const Option* asks_memory = command->add_flag(
+      "--memory", *memory, "Print only what minds take in the world of seconds, by mouse, size and robot");
+  command->add_option("--robot", *robots, "Robots for --memory: built-in ones or files; default: all built-in ones")
+      ->needs(asks_memory);
+  command->footer("Example: labmouse bench --memory --robot classic");
+  command->callback([format, signature_only, memory, robots, &exit] {
     exit = exit_good;
+    if (*memory) {
+      if (robots->empty())
+        for (const BuiltinRobot& robot : builtin_robots()) robots->emplace_back(robot.name);
+      const std::vector<RobotMemory> taken = memory_of(*robots);
+      print(*format == "json" ? memory_json(taken) : memory_text(taken));
+      return;
+    }
+    const std::string signature = labmouse::signature();
     if (*signature_only) {
       print(signature + "\n");
       return;

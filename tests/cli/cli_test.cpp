@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <iomanip>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <thread>
 
 #include "tests/cli/user.hpp"
@@ -166,6 +168,20 @@ TEST_F(AUser, ReadsTheRosterAsJson) {
 
 TEST_F(AUser, AsksForTheSignatureAlone) {
   EXPECT_THAT(labmouse({"bench", "--signature"}).out, testing::MatchesRegex("[0-9a-f]+-[0-9a-f]+\n"));
+}
+
+TEST_F(AUser, AsksForTheMemoryOfMinds) {
+  const auto rows = nlohmann::json::parse(labmouse({"bench", "--memory", "--robot", "mm2021", "--format", "json"}).out);
+  ASSERT_EQ(rows.size(), 2U);
+  const std::string table = labmouse({"bench", "--memory", "--robot", "mm2021"}).out;
+  for (const auto& row : rows) {
+    EXPECT_EQ(row["robot"], "mm2021");
+    std::ostringstream kib;
+    kib << std::fixed << std::setprecision(1) << row["fields_bytes"].get<double>() / 1024.0;
+    EXPECT_THAT(table, HasSubstr(kib.str() + "\n"));
+  }
+  EXPECT_EQ(labmouse({"bench", "--robot", "mm2021"}).code, 2);
+  EXPECT_EQ(labmouse({"bench", "--memory", "--robot", "no-such-robot"}).code, 2);
 }
 
 TEST_F(AUser, SeesNoColoursInAFile) {

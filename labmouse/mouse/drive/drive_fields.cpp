@@ -19,6 +19,13 @@ std::size_t DriveFields::bytes_for(Size size, const DriveModel& model) {
   return bytes_of_all(size, *route_tables_of(model));
 }
 
+MemoryLayout DriveFields::layout(Size size, const DriveModel& model) {
+  const Tables tables = route_tables_of(model);
+  MemoryLayout layout = tables->layout(size);
+  layout.push_back({"ways", bytes_of_all(size, *tables) - tables->bytes_for(size)});
+  return layout;
+}
+
 DriveFields::DriveFields(Size size, const DriveModel& model, const Tables& tables, Memory own, std::byte* memory)
     : own_(std::move(own)),
       routes_(size, tables, {memory, tables->bytes_for(size)}),

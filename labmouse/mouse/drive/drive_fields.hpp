@@ -19,6 +19,8 @@ class DriveFields {
   DriveFields(Size size, const DriveModel& model, std::span<std::byte> memory);
   static DriveFields in_own_memory(Size size, const DriveModel& model);
   static std::size_t bytes_for(Size size, const DriveModel& model);
+  /// What these bytes are spent on; the ways, as far as they do not lie in the place of labels.
+  static MemoryLayout layout(Size size, const DriveModel& model);
 
   FastestRoutes& routes() { return routes_; }
   SearchField& ways() { return ways_; }

@@ -266,6 +266,13 @@ std::size_t RouteTables::bytes_for(Size size) const {
 std::size_t RouteTables::kept_bytes_for(Size size) const {
   return FastestRoutes::Search::own_bytes() + parts_->searches->bytes(size).kept;
 }
+MemoryLayout RouteTables::layout(Size size) const {
+  MemoryLayout layout = parts_->searches->layout(size);
+  std::size_t other = bytes_for(size);
+  for (const MemoryPart& part : layout) other -= part.bytes;
+  layout.push_back({"other", other});
+  return layout;
+}
 
 void FastestRoutes::End::operator()(Search* search) const { search->~Search(); }
 

@@ -10,6 +10,7 @@
 #include <span>
 
 #include "labmouse/grid/wall_set.hpp"
+#include "labmouse/mouse/drive/memory_part.hpp"
 #include "labmouse/mouse/robot/route.hpp"
 
 namespace labmouse {
@@ -27,6 +28,8 @@ class RouteTables {
   /// read: the first ones. The others are free until the next fill.
   std::size_t bytes_for(Size size) const;
   std::size_t kept_bytes_for(Size size) const;
+  /// What they are spent on.
+  MemoryLayout layout(Size size) const;
 
  private:
   friend class FastestRoutes;

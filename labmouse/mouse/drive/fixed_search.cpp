@@ -77,6 +77,13 @@ class FixedSearch final : public Search {
       finish(times_[L::opposite(start)], bounds_);
   }
 
+  static MemoryLayout layout() {
+    return {{"labels", sizeof(DriveTime) * labels},
+            {"lattice", sizeof(L)},
+            {"bounds", sizeof(bounds_)},
+            {"waiting", sizeof(waiting_) + sizeof(driven_)}};
+  }
+
   DriveTime turning(int node, std::size_t, DriveTime limit) const override {
     if (rolling(node, 0) > limit) return no_time;
     DriveTime best = no_time;
@@ -210,6 +217,9 @@ class FixedSearches final : public SearchMaker {
 
   SearchBytes bytes(Size size) const override {
     return is_small(size) ? bytes_of<std::uint32_t>() : bytes_of<std::uint64_t>();
+  }
+  MemoryLayout layout(Size size) const override {
+    return is_small(size) ? FixedSearch<std::uint32_t>::layout() : FixedSearch<std::uint64_t>::layout();
   }
   SearchInPlace make(Size size, std::byte* memory) const override {
     return is_small(size) ? made<std::uint32_t>(size, memory) : made<std::uint64_t>(size, memory);

@@ -53,6 +53,13 @@ class LaneSearch final : public Search {
       finish(lanes_.onwards, bounds_, [&] { return time_from(start); });
   }
 
+  static MemoryLayout layout() {
+    return {{"labels", sizeof(rolling_) + sizeof(turning_)},
+            {"lattice", sizeof(L)},
+            {"bounds", sizeof(bounds_)},
+            {"waiting", sizeof(waiting_) + sizeof(driven_) + sizeof(turns_due_) + sizeof(straights_due_)}};
+  }
+
   DriveTime turning(int node, std::size_t lane, DriveTime) const override {
     return time(turning_, L::opposite(node), lane);
   }
@@ -314,6 +321,9 @@ class LaneSearches final : public SearchMaker {
     using Small = LaneSearch<std::uint32_t, Speeds>;
     using Large = LaneSearch<std::uint64_t, Speeds>;
     return {aligned(is_small(size) ? sizeof(Small) : sizeof(Large)), 0};
+  }
+  MemoryLayout layout(Size size) const override {
+    return is_small(size) ? LaneSearch<std::uint32_t, Speeds>::layout() : LaneSearch<std::uint64_t, Speeds>::layout();
   }
   SearchInPlace make(Size size, std::byte* memory) const override {
     if (is_small(size)) return SearchInPlace(new (memory) LaneSearch<std::uint32_t, Speeds>(size, lanes_, leaps_));

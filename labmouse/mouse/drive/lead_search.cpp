@@ -69,6 +69,11 @@ class LeadSearch final : public Search {
       waiting_.empty([&](int node) { spread(node); });
   }
 
+  static MemoryLayout layout() {
+    return {
+        {"labels", sizeof(DriveTime) * labels}, {"lattice", sizeof(L)}, {"bounds", 0}, {"waiting", sizeof(waiting_)}};
+  }
+
   DriveTime turning(int node, std::size_t lane, DriveTime) const override {
     const int slot = tables_.lanes.slot(kind_of(node), lane);
     return slot == LaneTables::no_slot ? no_time : turning_[label(L::opposite(node)) + static_cast<unsigned>(slot)];
@@ -205,6 +210,9 @@ class LeadSearches final : public SearchMaker {
 
   SearchBytes bytes(Size size) const override {
     return is_small(size) ? bytes_of<std::uint32_t>() : bytes_of<std::uint64_t>();
+  }
+  MemoryLayout layout(Size size) const override {
+    return is_small(size) ? LeadSearch<std::uint32_t>::layout() : LeadSearch<std::uint64_t>::layout();
   }
   SearchInPlace make(Size size, std::byte* memory) const override {
     return is_small(size) ? made<std::uint32_t>(size, memory) : made<std::uint64_t>(size, memory);

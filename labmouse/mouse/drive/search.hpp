@@ -6,6 +6,7 @@
 
 #include "labmouse/grid/wall_set.hpp"
 #include "labmouse/mouse/drive/lattice.hpp"
+#include "labmouse/mouse/drive/memory_part.hpp"
 #include "labmouse/mouse/robot/tables.hpp"
 
 namespace labmouse::drive {
@@ -61,6 +62,8 @@ class SearchMaker {
   virtual ~SearchMaker() = default;
   /// How much memory a search of a maze takes, and its making there: it begins at a multiple of search_alignment.
   virtual SearchBytes bytes(Size size) const = 0;
+  /// What these bytes are spent on, but for the rest.
+  virtual MemoryLayout layout(Size size) const = 0;
   virtual SearchInPlace make(Size size, std::byte* memory) const = 0;
 };
 

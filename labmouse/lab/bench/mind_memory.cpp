@@ -1,0 +1,40 @@
+#include "labmouse/lab/bench/mind_memory.hpp"
+
+#include <memory>
+#include <vector>
+
+#include "labmouse/contest/drive.hpp"
+#include "labmouse/contest/drive_rules.hpp"
+#include "labmouse/lab/bench/heap.hpp"
+#include "labmouse/maze/maze.hpp"
+#include "labmouse/mouse/drive/drive_fields.hpp"
+#include "labmouse/strategies/roster.hpp"
+
+namespace labmouse {
+namespace {
+
+/// The heap serves small pieces from what was given back before: of so many minds that is little.
+constexpr std::size_t minds = 64;
+
+std::size_t own_memory(const RosterEntry& mouse, const Briefing& briefing) {
+  const Settings settings(mouse.parameters);
+  std::vector<std::unique_ptr<Strategy>> made(minds);
+  const std::size_t before = heap_in_use();
+  for (auto& mind : made) mind = mouse.make(briefing, settings);
+  return (heap_in_use() - before) / minds;
+}
+
+}  // namespace
+
+MindMemory mind_memory(Size size, const DriveModel& model) {
+  const Maze maze(MazeDraft(size, MazeDraft::Inside::open));
+  DriveFields fields = DriveFields::in_own_memory(size, model);
+  Briefing briefing = brief(maze, DriveRules(), model, 1);
+  briefing.drive.fields = &fields;
+  MindMemory memory{size, DriveFields::bytes_for(size, model), DriveFields::layout(size, model), {}};
+  for (const RosterEntry* mouse : roster())
+    if (mouse->drives) memory.own[std::string(mouse->name)] = own_memory(*mouse, briefing);
+  return memory;
+}
+
+}  // namespace labmouse
