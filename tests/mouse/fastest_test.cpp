@@ -158,7 +158,7 @@ INSTANTIATE_TEST_SUITE_P(
                     NamedRobot{"kerise", kerise}, NamedRobot{"beginner", beginner, 4},
                     NamedRobot{"slow", slow_robot, 4}, NamedRobot{"strong", strong_robot, 4},
                     NamedRobot{"unstopped", unstopped_robot, 8}, NamedRobot{"grip", grip_robot, 8},
-                    NamedRobot{"small_grip", small_grip_robot, 8}, NamedRobot{"speeds_1", robot_of_speeds<1>, 8},
+                    NamedRobot{"small_grip", small_grip_robot, 8}, NamedRobot{"speeds_1", robot_of_speeds<1>, 2},
                     NamedRobot{"speeds_2", robot_of_speeds<2>, 8}, NamedRobot{"speeds_4", robot_of_speeds<4>, 8},
                     NamedRobot{"speeds_8", robot_of_speeds<8>, 8}),
     PrintRobot());

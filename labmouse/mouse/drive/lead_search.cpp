@@ -6,6 +6,7 @@
 // ended there, to the nodes where those begin. What lies between, a straight of any length, has no label: it is looked
 // up.
 #include <algorithm>
+#include <cassert>
 
 #include "labmouse/mouse/drive/lane_tables.hpp"
 #include "labmouse/mouse/drive/lists.hpp"
@@ -22,8 +23,11 @@ struct LeadTables {
     for (unsigned kind = 0; kind < node_kinds; ++kind)
       for (unsigned bit = 0; bit < 8; ++bit)
         for (std::uint64_t turn = lanes.turns(kind, every_slot, 1U << bit); turn != 0; turn &= turn - 1) {
+          assert((driven[kind] >> bit & 1U) == 0);
           turns[kind][bit] = *lanes.turn(kind, static_cast<unsigned>(std::countr_zero(turn)));
           driven[kind] |= 1U << bit;
+          assert(!turns[kind][bit].more);
+          assert(kind != edge_node || turns[kind][bit].slot == first_slot_a_speed[edge_node]);
         }
     start.assign((StraightTimes::longest + 1) * row_of(centre_node, 1), no_time);
     for (unsigned units = 0; units <= StraightTimes::longest; ++units)
