@@ -45,7 +45,7 @@ class RobotReader {
   /// false.
   bool flag(std::string_view key) const {
     const auto* found = node(key);
-    return found == nullptr || found->value<bool>().value_or(true);
+    return found == nullptr || found->value_exact<bool>().value_or(true);
   }
   /// The text of a key, or the other one where it does not stand there.
   std::string_view text(std::string_view key, std::string_view otherwise) const {
