@@ -212,7 +212,7 @@ double top_speed(const Course& course, const Robot& robot) {
                   course.to_diagonal() ? robot.speed_diagonal : robot.speed);
 }
 
-constexpr double coarse_step = 1e-3, fine_step = 1e-5;
+constexpr double coarse_step = 1e-3, fine_step = 1e-4;
 
 /// Of coarse steps, enough to choose a speed by.
 bool fits(const Course& course, double speed, const Robot& robot) {
