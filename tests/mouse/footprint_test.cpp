@@ -201,8 +201,9 @@ Nearest nearest_on(const Path& path, const Walls& walls, double run_up) {
 
 class Footprint : public testing::TestWithParam<Robot> {
  protected:
-  Footprint() : model_(make_drive_model(GetParam())) {
-    EXPECT_EQ(model_.error, "");
+  Footprint() : model_(make_drive_model(GetParam())) {}
+  void SetUp() override {
+    ASSERT_EQ(model_.error, "");
     share_route_tables(model_);
   }
 
@@ -259,11 +260,27 @@ class PrintRobot {
 
 Robot builtin(const char* name) { return find_robot(name).robot; }
 
+/// One that is slow to begin a turn: its small ones have no arc, and it comes near the wall ahead in 180.
+Robot slow_to_turn() {
+  Robot robot = fan_robot();
+  robot.name = "slow_to_turn";
+  robot.yaw_acceleration = 300.0;
+  return robot;
+}
+
+/// One that is slower on diagonals than in its turns.
+Robot slow_on_diagonals() {
+  Robot robot = large_robot();
+  robot.name = "slow_on_diagonals";
+  robot.speed_diagonal = 700.0;
+  return robot;
+}
+
 INSTANTIATE_TEST_SUITE_P(Robots, Footprint,
                          testing::Values(builtin("beginner"), builtin("classic"), builtin("half"), builtin("kerise"),
                                          fan_robot(), jerk_robot(), large_jerk_robot(), grip_robot(),
                                          small_grip_robot(), unstopped_robot(), square_robot(), slow_robot(),
-                                         strong_robot(), robot_of_speeds<1>()),
+                                         strong_robot(), slow_to_turn(), slow_on_diagonals(), robot_of_speeds<1>()),
                          PrintRobot());
 
 }  // namespace

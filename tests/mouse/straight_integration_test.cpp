@@ -90,7 +90,8 @@ constexpr std::size_t every = test::sanitized ? 7 : 1;
 
 class StraightsInSteps : public testing::TestWithParam<Robot> {
  protected:
-  StraightsInSteps() : model_(make_drive_model(robot())) { EXPECT_EQ(model_.error, ""); }
+  StraightsInSteps() : model_(make_drive_model(robot())) {}
+  void SetUp() override { ASSERT_EQ(model_.error, ""); }
 
   static const Robot& robot() { return GetParam(); }
   const DriveTables& tables() const { return model_.tables; }

@@ -290,7 +290,8 @@ std::pair<double, double> leads_of(const DriveTables& tables, const Course& cour
 
 class TurnsInSteps : public testing::TestWithParam<Robot> {
  protected:
-  TurnsInSteps() : model_(make_drive_model(robot())) { EXPECT_EQ(model_.error, ""); }
+  TurnsInSteps() : model_(make_drive_model(robot())) {}
+  void SetUp() override { ASSERT_EQ(model_.error, ""); }
 
   static const Robot& robot() { return GetParam(); }
   const DriveTables& tables() const { return model_.tables; }
@@ -485,11 +486,28 @@ class PrintRobot {
 
 Robot builtin(const char* name) { return find_robot(name).robot; }
 
+/// One that is slow to begin a turn: its small ones have no arc, and it comes near the wall ahead in 180.
+Robot slow_to_turn() {
+  Robot robot = fan_robot();
+  robot.name = "slow_to_turn";
+  robot.yaw_acceleration = 300.0;
+  return robot;
+}
+
+/// One that is slower on diagonals than in its turns.
+Robot slow_on_diagonals() {
+  Robot robot = large_robot();
+  robot.name = "slow_on_diagonals";
+  robot.speed_diagonal = 700.0;
+  return robot;
+}
+
 INSTANTIATE_TEST_SUITE_P(Robots, TurnsInSteps,
                          testing::Values(builtin("beginner"), builtin("classic"), builtin("half"), builtin("kerise"),
                                          small_robot(), large_robot(), fan_robot(), jerk_robot(), large_jerk_robot(),
                                          grip_robot(), small_grip_robot(), unstopped_robot(), square_robot(),
-                                         slow_robot(), strong_robot(), robot_of_speeds<1>(), robot_of_speeds<8>()),
+                                         slow_robot(), strong_robot(), slow_to_turn(), slow_on_diagonals(),
+                                         robot_of_speeds<1>(), robot_of_speeds<8>()),
                          PrintRobot());
 INSTANTIATE_TEST_SUITE_P(Robots, GripInSteps, testing::Values(grip_robot(), small_grip_robot()), PrintRobot());
 
