@@ -264,7 +264,16 @@ Robot builtin(const char* name) { return find_robot(name).robot; }
 Robot slow_to_turn() {
   Robot robot = fan_robot();
   robot.name = "slow_to_turn";
+  robot.yaw_acceleration = 200.0;
+  return robot;
+}
+
+/// One whose yaw acceleration falls again before it is as large as it may be.
+Robot smooth_robot() {
+  Robot robot = fan_robot();
+  robot.name = "smooth";
   robot.yaw_acceleration = 300.0;
+  robot.yaw_jerk = 6000.0;
   return robot;
 }
 
@@ -280,7 +289,8 @@ INSTANTIATE_TEST_SUITE_P(Robots, Footprint,
                          testing::Values(builtin("beginner"), builtin("classic"), builtin("half"), builtin("kerise"),
                                          fan_robot(), jerk_robot(), large_jerk_robot(), grip_robot(),
                                          small_grip_robot(), unstopped_robot(), square_robot(), slow_robot(),
-                                         strong_robot(), slow_to_turn(), slow_on_diagonals(), robot_of_speeds<1>()),
+                                         strong_robot(), slow_to_turn(), smooth_robot(), slow_on_diagonals(),
+                                         robot_of_speeds<1>()),
                          PrintRobot());
 
 }  // namespace

@@ -490,7 +490,25 @@ Robot builtin(const char* name) { return find_robot(name).robot; }
 Robot slow_to_turn() {
   Robot robot = fan_robot();
   robot.name = "slow_to_turn";
+  robot.yaw_acceleration = 200.0;
+  return robot;
+}
+
+/// One whose yaw acceleration falls again before it is as large as it may be.
+Robot smooth_robot() {
+  Robot robot = fan_robot();
+  robot.name = "smooth";
   robot.yaw_acceleration = 300.0;
+  robot.yaw_jerk = 6000.0;
+  return robot;
+}
+
+/// One that cannot reach each of its speeds within a turn.
+Robot weak_grip_robot() {
+  Robot robot = grip_robot();
+  robot.name = "weak_grip";
+  robot.acceleration = robot.acceleration_diagonal = 2000.0;
+  robot.braking = robot.braking_diagonal = 3000.0;
   return robot;
 }
 
@@ -506,10 +524,11 @@ INSTANTIATE_TEST_SUITE_P(Robots, TurnsInSteps,
                          testing::Values(builtin("beginner"), builtin("classic"), builtin("half"), builtin("kerise"),
                                          small_robot(), large_robot(), fan_robot(), jerk_robot(), large_jerk_robot(),
                                          grip_robot(), small_grip_robot(), unstopped_robot(), square_robot(),
-                                         slow_robot(), strong_robot(), slow_to_turn(), slow_on_diagonals(),
-                                         robot_of_speeds<1>(), robot_of_speeds<8>()),
+                                         slow_robot(), strong_robot(), slow_to_turn(), smooth_robot(),
+                                         slow_on_diagonals(), robot_of_speeds<1>(), robot_of_speeds<8>()),
                          PrintRobot());
-INSTANTIATE_TEST_SUITE_P(Robots, GripInSteps, testing::Values(grip_robot(), small_grip_robot()), PrintRobot());
+INSTANTIATE_TEST_SUITE_P(Robots, GripInSteps, testing::Values(grip_robot(), small_grip_robot(), weak_grip_robot()),
+                         PrintRobot());
 
 }  // namespace
 }  // namespace labmouse
