@@ -1,316 +1,35 @@
-// Turns driven in small steps of time, from a robot's limits alone: that its tables say the same of them.
-//
-// Nothing is shared with the code under test but the values of the robot and its tables. Lengths are mm, times seconds;
-// a turn leads to the left from a first node in the cell between (0,0) and (1,1), in cells, and headings are degrees
-// counterclockwise from east.
+// Turns of robots with limits: that their tables say what driving them in small steps does.
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <set>
-#include <tuple>
 #include <utility>
-#include <vector>
 
 #include "labmouse/lab/robots/robot_files.hpp"
-#include "labmouse/mouse/robot/drive_model.hpp"
 #include "tests/mouse/drive_robots.hpp"
+#include "tests/mouse/turns_in_steps.hpp"
 
 namespace labmouse {
 namespace {
 
-constexpr double endless = std::numeric_limits<double>::infinity();
-
-struct Point {
-  double x = 0.0, y = 0.0;
-
-  friend Point operator+(Point a, Point b) { return {a.x + b.x, a.y + b.y}; }
-  friend Point operator-(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
-  friend Point operator*(double k, Point a) { return {k * a.x, k * a.y}; }
-};
-
-double cross(Point a, Point b) { return a.x * b.y - a.y * b.x; }
-Point towards(double degrees) {
-  const double angle = degrees * std::numbers::pi / 180.0;
-  return {std::cos(angle), std::sin(angle)};
-}
-
-/// Where a turn begins and ends.
-struct Course {
-  Turn turn, back;  ///< that way and, where that is another turn, the other way round
-  Point first;
-  double heading;
-  Point last;
-  double last_heading;
-
-  double angle() const { return (last_heading - heading) * std::numbers::pi / 180.0; }
-  /// Diagonal ends lie on walls, and the next wall on that diagonal is open too.
-  bool to_diagonal() const { return std::fmod(last_heading, 90.0) != 0.0; }
-  bool from_diagonal() const { return std::fmod(heading, 90.0) != 0.0; }
-};
-
-constexpr std::array courses = {
-    Course{Turn::f45, Turn::out45, {0.5, 0.5}, 90.0, {0.0, 1.5}, 135.0},
-    Course{Turn::f90, Turn::f90, {0.5, 0.5}, 90.0, {-0.5, 1.5}, 180.0},
-    Course{Turn::f135, Turn::out135, {0.5, 0.5}, 90.0, {-0.5, 1.0}, 225.0},
-    Course{Turn::f180, Turn::f180, {0.5, 0.5}, 90.0, {-0.5, 0.5}, 270.0},
-    Course{Turn::v90, Turn::v90, {0.5, 1.0}, 135.0, {-0.5, 1.0}, 225.0},
-    Course{Turn::s90, Turn::s90, {0.5, 1.0}, 90.0, {0.0, 1.5}, 180.0},
-};
-
-/// A part of a curve in which the yaw jerk is constant.
-struct Phase {
-  double acceleration = 0.0;  ///< rad/s² at its beginning
-  double jerk = 0.0;          ///< rad/s³
-  double seconds = 0.0;
-};
-
-/// Up to a yaw rate as fast as allowed.
-std::vector<Phase> rise_to(double rate, const Robot& robot) {
-  if (robot.yaw_jerk <= 0.0) return {{robot.yaw_acceleration, 0.0, rate / robot.yaw_acceleration}};
-  const double most = std::min(robot.yaw_acceleration, std::sqrt(rate * robot.yaw_jerk));
-  const double change = most / robot.yaw_jerk;
-  return {{0.0, robot.yaw_jerk, change}, {most, 0.0, rate / most - change}, {most, -robot.yaw_jerk, change}};
-}
-
-double seconds_of(const std::vector<Phase>& phases) {
-  double seconds = 0.0;
-  for (const Phase& phase : phases) seconds += phase.seconds;
-  return seconds;
-}
-
-/// The tightest curve at a speed. While the yaw rate rises and falls, its mean is half of its largest value.
-std::vector<Phase> curve(double angle, double speed, const Robot& robot) {
-  double rate = robot.lateral_acceleration / speed;
-  if (robot.yaw_speed > 0.0) rate = std::min(rate, robot.yaw_speed);
-  const auto turned = [&](double peak) { return peak * seconds_of(rise_to(peak, robot)); };
-  if (turned(rate) > angle) {
-    double low = 0.0;
-    for (int i = 0; i < 60; ++i) (turned((low + rate) / 2.0) > angle ? rate : low) = (low + rate) / 2.0;
-  }
-  std::vector<Phase> phases = rise_to(rate, robot);
-  const std::vector<Phase> rise = phases;
-  phases.push_back({0.0, 0.0, std::max(0.0, angle - turned(rate)) / rate});
-  for (auto it = rise.rbegin(); it != rise.rend(); ++it)
-    phases.push_back({-(it->acceleration + it->jerk * it->seconds), it->jerk, it->seconds});
-  return phases;
-}
-
-/// A moment of a curve.
-struct Moment {
-  double seconds = 0.0;
-  Point place;         ///< from where the curve begins
-  double angle = 0.0;  ///< rad
-  double rate = 0.0;   ///< rad/s
-};
-
-/// Drives a curve in steps of about that many seconds; the way of a step by Simpson's rule.
-std::vector<Moment> driven(const std::vector<Phase>& phases, double heading, double speed, double step) {
-  Moment now;
-  now.angle = heading * std::numbers::pi / 180.0;
-  std::vector<Moment> moments = {now};
-  for (const Phase& phase : phases) {
-    const int steps = static_cast<int>(std::ceil(phase.seconds / step));
-    const double time = phase.seconds / std::max(1, steps);
-    for (int i = 0; i < steps; ++i) {
-      const double acceleration = phase.acceleration + phase.jerk * time * i;
-      const auto angle_after = [&](double t) {
-        return now.angle + now.rate * t + acceleration * t * t / 2.0 + phase.jerk * t * t * t / 6.0;
-      };
-      const double middle = angle_after(time / 2.0), end = angle_after(time);
-      now.place.x += speed * time / 6.0 * (std::cos(now.angle) + 4.0 * std::cos(middle) + std::cos(end));
-      now.place.y += speed * time / 6.0 * (std::sin(now.angle) + 4.0 * std::sin(middle) + std::sin(end));
-      now.angle = end;
-      now.rate += acceleration * time + phase.jerk * time * time / 2.0;
-      now.seconds += time;
-      moments.push_back(now);
-    }
-  }
-  return moments;
-}
-
-/// A turn laid out for a speed, with straights before and after its curve.
-struct Layout {
-  double speed = 0.0;
-  std::vector<Phase> phases;
-  std::vector<Moment> moments;
-  double before = 0.0, after = 0.0;
-
-  double length() const { return speed * seconds_of(phases); }
-};
-
-Layout laid_out(const Course& course, double speed, const Robot& robot, double step) {
-  Layout layout{speed, curve(course.angle(), speed, robot), {}, 0.0, 0.0};
-  layout.moments = driven(layout.phases, course.heading, speed, step);
-  const Point rest = robot.cell * (course.last - course.first) - layout.moments.back().place;
-  const Point in = towards(course.heading), out = towards(course.last_heading);
-  if (std::abs(cross(in, out)) < 1e-9) return layout;  // around a post: whatever stands before and after it
-  layout.before = cross(rest, out) / cross(in, out);
-  layout.after = cross(in, rest) / cross(in, out);
-  return layout;
-}
-
-/// A wall by the corner at its lower left end: (x, y, level).
-using Place = std::tuple<int, int, bool>;
-
-double distance_to(const Place& wall, Point point) {
-  const auto [x, y, level] = wall;
-  const double along = level ? point.x - x : point.y - y, off = level ? point.y - y : point.x - x;
-  return std::hypot(off, std::max({0.0, -along, along - 1.0}));
-}
-
-/// The points of a laid out turn in cells, from node to node.
-std::vector<Point> points_of(const Course& course, const Layout& layout, double cell) {
-  const Point in = towards(course.heading), out = towards(course.last_heading);
-  std::vector<Point> points;
-  for (double driven = 0.0; driven < layout.before; driven += 1.0) points.push_back(driven * in);
-  for (const Moment& moment : layout.moments) points.push_back(layout.before * in + moment.place);
-  const Point curve_end = points.back();
-  for (double driven = 0.0; driven < layout.after; driven += 1.0) points.push_back(curve_end + driven * out);
-  for (Point& point : points) point = course.first + 1.0 / cell * point;
-  return points;
-}
-
-/// The walls that a way between cells crosses.
-std::set<Place> crossed(const std::vector<Point>& points) {
-  std::set<Place> walls;
-  const auto floor_of = [](double value) { return static_cast<int>(std::floor(value)); };
-  int x = floor_of(points.front().x), y = floor_of(points.front().y);
-  for (const Point& point : points) {
-    const int next_x = floor_of(point.x), next_y = floor_of(point.y);
-    if (next_x != x) walls.insert({std::max(x, next_x), y, false});
-    if (next_y != y) walls.insert({next_x, std::max(y, next_y), true});
-    x = next_x, y = next_y;
-  }
-  return walls;
-}
-
-/// How near a turn comes to walls that it does not cross, middle to middle, in mm; posts are their ends.
-double clearance_of(const Course& course, const Layout& layout, double cell) {
-  constexpr double hair = 1e-6;
-  const std::vector<Point> points = points_of(course, layout, cell);
-  std::vector<Point> way = points;
-  way.insert(way.begin(), course.first - hair * towards(course.heading));
-  way.push_back(course.last + hair * towards(course.last_heading));
-  if (course.to_diagonal())
-    way.push_back(course.last + (std::numbers::sqrt2 / 2.0 + hair) * towards(course.last_heading));
-  const std::set<Place> open = crossed(way);
-  double nearest = 1.0;
-  for (int x = -2; x <= 2; ++x)
-    for (int y = -1; y <= 3; ++y)
-      for (const bool level : {false, true})
-        if (const Place wall{x, y, level}; !open.contains(wall))
-          for (const Point& point : points) nearest = std::min(nearest, distance_to(wall, point));
-  return nearest * cell;
-}
-
-double top_speed(const Course& course, const Robot& robot) {
-  return std::min(course.from_diagonal() ? robot.speed_diagonal : robot.speed,
-                  course.to_diagonal() ? robot.speed_diagonal : robot.speed);
-}
-
-constexpr double coarse_step = 1e-3, fine_step = 1e-4;
-
-/// Of coarse steps, enough to choose a speed by.
-bool fits(const Course& course, double speed, const Robot& robot) {
-  const Layout layout = laid_out(course, speed, robot, coarse_step);
-  return layout.before >= 0.0 && layout.after >= 0.0 && clearance_of(course, layout, robot.cell) >= robot.clearance;
-}
-
-/// The speed at which a curve is a cell wide.
-double speed_around_post(const Course& course, const Robot& robot) {
-  double low = 0.0, high = 20'000.0;
-  for (int i = 0; i < 60; ++i) {
-    const double speed = (low + high) / 2.0;
-    const bool wide = -laid_out(course, speed, robot, coarse_step).moments.back().place.x > robot.cell;
-    (wide ? high : low) = speed;
-  }
-  return low;
-}
-
-/// The speed for which a turn is laid out: given, or the largest in steps of 5 mm/s, or the least above the top speed.
-double layout_speed(const Course& course, const Robot& robot) {
-  if (course.turn == Turn::f180) return speed_around_post(course, robot);
-  if (const double given = robot.layouts[static_cast<unsigned>(course.turn)].given; given > 0.0) return given;
-  const double top = std::floor(top_speed(course, robot) / 5.0) * 5.0;
-  for (double speed = top; speed > 0.0; speed -= 5.0)
-    if (fits(course, speed, robot)) return speed;
-  for (double speed = top + 5.0; speed < 10'000.0; speed += 5.0)
-    if (fits(course, speed, robot)) return speed;
-  return 0.0;
-}
-
-/// The straight before and after the curve around a post: given, or half a cell, or as many whole mm as the wall ahead
-/// allows.
-double lead_around_post(const Layout& layout, const Robot& robot) {
-  if (const double given = robot.layouts[static_cast<unsigned>(Turn::f180)].given; given > 0.0) return given;
-  double reach = 0.0;
-  for (const Moment& moment : layout.moments) reach = std::max(reach, moment.place.y);
-  const double room = 1.5 * robot.cell - robot.clearance - reach;
-  return room < robot.cell / 2.0 ? std::floor(room) : robot.cell / 2.0;
-}
-
-Layout layout_of(const Course& course, const Robot& robot) {
-  Layout layout = laid_out(course, layout_speed(course, robot), robot, fine_step);
-  if (course.turn == Turn::f180) layout.before = layout.after = lead_around_post(layout, robot);
-  return layout;
-}
-
-bool drives(const Robot& robot, const Course& course) {
-  return robot.layouts[static_cast<unsigned>(course.turn)].driven &&
-         (robot.diagonals || !(course.from_diagonal() || course.to_diagonal()));
-}
-
-/// The tables' turns of one kind.
-std::vector<DrivenTurn> turns_of(const DriveTables& tables, Turn turn) {
-  std::vector<DrivenTurn> turns;
-  std::copy_if(tables.turns.begin(), tables.turns.end(), std::back_inserter(turns),
-               [&](const DrivenTurn& driven) { return driven.turn == turn; });
-  return turns;
-}
-
-double largest_speed(const std::vector<DrivenTurn>& turns) {
-  double largest = 0.0;
-  for (const DrivenTurn& turn : turns) largest = std::max(largest, turn.speed);
-  return largest;
-}
-
-/// The leads of a turn in the tables, in the direction in which it leads onto a diagonal.
-std::pair<double, double> leads_of(const DriveTables& tables, const Course& course, const DrivenTurn& turn) {
-  const bool back = turn.turn != course.turn;
-  const auto lead = [&](bool diagonal, std::size_t lane) {
-    return (diagonal ? tables.diagonal : tables.along).lanes[lane].lead;
-  };
-  const double before = lead(course.from_diagonal(), back ? turn.to : turn.from);
-  return {before, lead(course.to_diagonal(), back ? turn.from : turn.to)};
-}
-
-class TurnsInSteps : public testing::TestWithParam<Robot> {
- protected:
-  TurnsInSteps() : model_(make_drive_model(robot())) {}
-  void SetUp() override { ASSERT_EQ(model_.error, ""); }
-
-  static const Robot& robot() { return GetParam(); }
-  const DriveTables& tables() const { return model_.tables; }
-
-  /// Calls check(layout, turn) for each turn of the tables, both ways, with the one that limits make of it.
-  template <class Check>
-  void for_each_turn(Check check) const {
-    for (const Course& course : courses) {
-      if (!drives(robot(), course)) continue;
-      const Layout layout = layout_of(course, robot());
-      for (const Turn turn : std::set{course.turn, course.back}) {
-        SCOPED_TRACE(testing::Message() << name_of(turn) << " laid out for " << layout.speed << " mm/s");
-        check(course, layout, turns_of(tables(), turn));
-      }
-    }
-  }
-
-  DriveModel model_;
-};
+using test::clearance_of;
+using test::Course;
+using test::courses;
+using test::drives;
+using test::endless;
+using test::fine_step;
+using test::largest_speed;
+using test::Layout;
+using test::leads_of;
+using test::Moment;
+using test::Point;
+using test::PrintRobot;
+using test::top_speed;
+using test::towards;
+using test::turns_of;
+using test::TurnsInSteps;
 
 TEST_P(TurnsInSteps, AreThoseThatTheRobotDrives) {
   for (const Course& course : courses)
@@ -367,7 +86,7 @@ TEST_P(TurnsInSteps, KeepEveryLimit) {
 }
 
 TEST_P(TurnsInSteps, TakeTheTimesOfTheTablesAtEachSpeed) {
-  if (robot().grip > 0.0) return;  // its speed changes in curves: see below
+  if (robot().grip > 0.0) return;  // its speed changes in curves
   for_each_turn([](const Course&, const Layout& layout, const std::vector<DrivenTurn>& turns) {
     for (const DrivenTurn& turn : turns) {
       EXPECT_EQ(turn.speed, turn.end_speed);
@@ -375,114 +94,6 @@ TEST_P(TurnsInSteps, TakeTheTimesOfTheTablesAtEachSpeed) {
     }
   });
 }
-
-/// A curve in many short steps, each of one length.
-struct Bends {
-  double step = 0.0;              ///< mm
-  std::vector<double> curvature;  ///< rad/mm in the middle of each
-  std::vector<double> growth;     ///< rad/mm² in it
-};
-
-Bends bends_of(const Layout& layout, std::size_t steps) {
-  Bends bends{layout.length() / static_cast<double>(steps), {}, {}};
-  std::size_t phase = 0;
-  double rate = 0.0, passed = 0.0;
-  const auto ends = [&](double time) { return time > passed + layout.phases[phase].seconds; };
-  for (std::size_t i = 0; i < steps; ++i) {
-    const double time = (static_cast<double>(i) + 0.5) * bends.step / layout.speed;
-    for (; phase + 1 < layout.phases.size() && ends(time); ++phase) {
-      rate += layout.phases[phase].acceleration * layout.phases[phase].seconds;
-      passed += layout.phases[phase].seconds;
-    }
-    const double acceleration = layout.phases[phase].acceleration;
-    bends.curvature.push_back((rate + acceleration * (time - passed)) / layout.speed);
-    bends.growth.push_back(acceleration / (layout.speed * layout.speed));
-  }
-  return bends;
-}
-
-/// What is left for speeding up at the square of a speed: grip is shared, and the yaw rate, v times the curvature, may
-/// grow only so fast.
-double left_over(double square, double curvature, double growth, double own, const Robot& robot) {
-  const double lateral = square * curvature;
-  const double grip = std::sqrt(std::max(0.0, robot.grip * robot.grip - lateral * lateral));
-  const double yaw = curvature > 0.0 ? (robot.yaw_acceleration - square * growth) / curvature : endless;
-  return std::max(0.0, std::min({own, grip, yaw}));
-}
-
-/// Squares of the speeds at the ends of all steps, as fast as allowed from the first on.
-std::vector<double> speeding_up(const Bends& bends, double from, double top, double own, const Robot& robot) {
-  std::vector<double> squares = {from * from};
-  for (std::size_t i = 0; i < bends.curvature.size(); ++i) {
-    const auto gain = [&](double square) {
-      return 2.0 * bends.step * left_over(square, bends.curvature[i], bends.growth[i], own, robot);
-    };
-    const double here = squares.back();
-    squares.push_back(std::min(top * top, here + gain(here + gain(here) / 2.0)));
-  }
-  return squares;
-}
-
-/// The least time over a curve from one speed to another.
-double least_seconds(const std::vector<double>& up, const std::vector<double>& down, double step) {
-  double seconds = 0.0, last = 0.0;
-  for (std::size_t i = 0; i < up.size(); ++i) {
-    const double speed = std::sqrt(std::min(up[i], down[up.size() - 1 - i]));
-    if (i > 0) seconds += 2.0 * step / (last + speed);
-    last = speed;
-  }
-  return seconds;
-}
-
-using GripInSteps = TurnsInSteps;
-
-/// The tables are made of 128 steps, in each of which the robot keeps to what is allowed all along it: they may say a
-/// little more than the least time (0.2 % at most, measured), and never less.
-TEST_P(GripInSteps, TakesTheLeastTimeBetweenItsSpeeds) {
-  for_each_turn([](const Course& course, const Layout& layout, const std::vector<DrivenTurn>& turns) {
-    const bool diagonal = course.from_diagonal() || course.to_diagonal();
-    const double up = std::min(robot().acceleration, diagonal ? robot().acceleration_diagonal : endless);
-    const double down = std::min(robot().braking, diagonal ? robot().braking_diagonal : endless);
-    const double top = largest_speed(turns);
-    const Bends bends = bends_of(layout, 10'000);
-    for (const DrivenTurn& turn : turns) {
-      // The curve is the same from its end: braking along it is speeding up there.
-      const auto ahead = speeding_up(bends, turn.speed, top, up, robot());
-      const auto behind = speeding_up(bends, turn.end_speed, top, down, robot());
-      ASSERT_GE(ahead.back(), turn.end_speed * turn.end_speed * (1.0 - 1e-6));
-      ASSERT_GE(behind.back(), turn.speed * turn.speed * (1.0 - 1e-6));
-      const double least = least_seconds(ahead, behind, bends.step) * 1e6;
-      EXPECT_GE(turn.time, least - 0.6) << turn.speed << " to " << turn.end_speed;
-      EXPECT_LE(turn.time, least * 1.003) << turn.speed << " to " << turn.end_speed;
-    }
-  });
-}
-
-TEST_P(GripInSteps, ReachesEachSpeedThatItCan) {
-  for_each_turn([&](const Course& course, const Layout& layout, const std::vector<DrivenTurn>& turns) {
-    const bool diagonal = course.from_diagonal() || course.to_diagonal();
-    const double up = std::min(robot().acceleration, diagonal ? robot().acceleration_diagonal : endless);
-    const double down = std::min(robot().braking, diagonal ? robot().braking_diagonal : endless);
-    const Bends bends = bends_of(layout, 10'000);
-    std::set<double> speeds;
-    for (const DrivenTurn& turn : turns) speeds.insert(turn.speed);
-    for (const double from : speeds)
-      for (const double to : speeds) {
-        const double reached = from < to ? std::sqrt(speeding_up(bends, from, *speeds.rbegin(), up, robot()).back())
-                                         : std::sqrt(speeding_up(bends, to, *speeds.rbegin(), down, robot()).back());
-        const bool listed = std::any_of(turns.begin(), turns.end(), [&](const DrivenTurn& turn) {
-          return turn.speed == from && turn.end_speed == to;
-        });
-        if (std::abs(reached / std::max(from, to) - 1.0) < 0.01 && from != to) continue;  // a matter of steps
-        EXPECT_EQ(listed, reached >= std::max(from, to) * (1.0 - 1e-9)) << from << " to " << to;
-      }
-  });
-}
-
-class PrintRobot {
- public:
-  std::string operator()(const testing::TestParamInfo<Robot>& info) const { return info.param.name; }
-};
 
 Robot builtin(const char* name) { return find_robot(name).robot; }
 
@@ -503,15 +114,6 @@ Robot smooth_robot() {
   return robot;
 }
 
-/// One that cannot reach each of its speeds within a turn.
-Robot weak_grip_robot() {
-  Robot robot = grip_robot();
-  robot.name = "weak_grip";
-  robot.acceleration = robot.acceleration_diagonal = 2000.0;
-  robot.braking = robot.braking_diagonal = 3000.0;
-  return robot;
-}
-
 /// One that is slower on diagonals than in its turns.
 Robot slow_on_diagonals() {
   Robot robot = large_robot();
@@ -526,8 +128,6 @@ INSTANTIATE_TEST_SUITE_P(Robots, TurnsInSteps,
                                          grip_robot(), small_grip_robot(), unstopped_robot(), square_robot(),
                                          slow_robot(), strong_robot(), slow_to_turn(), smooth_robot(),
                                          slow_on_diagonals(), robot_of_speeds<1>(), robot_of_speeds<8>()),
-                         PrintRobot());
-INSTANTIATE_TEST_SUITE_P(Robots, GripInSteps, testing::Values(grip_robot(), small_grip_robot(), weak_grip_robot()),
                          PrintRobot());
 
 }  // namespace
