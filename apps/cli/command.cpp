@@ -113,6 +113,10 @@ void tell(const std::string& text) {
   std::fwrite(text.data(), 1, text.size(), stderr);
 }
 
+void tell_remarks(const std::vector<std::string>& remarks) {
+  for (const std::string& remark : remarks) tell("remark: " + remark + "\n");
+}
+
 void add_budget(Command& command, Rules& rules) {
   command.add_option("--budget", rules.budget, "Step limit of a contest, for both runs together")
       ->check(in_range(1, 1'000'000))

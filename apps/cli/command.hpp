@@ -34,6 +34,8 @@ void add_places(Command& command, Places& places);
 /// The mazes of the paths (the built-in ones where there is none), with the places applied. What was skipped is told on
 /// standard error; a path named directly that is no maze throws UsageError.
 MazeCollection find_mazes(const std::vector<std::string>& paths, const Places& places);
+/// Tells what is likely to be a mistake.
+void tell_remarks(const std::vector<std::string>& remarks);
 /// Names the first files that are no mazes and counts the others, which JSON lists all.
 void tell_skipped(const std::vector<SkippedFile>& skipped);
 /// The one maze of a path.

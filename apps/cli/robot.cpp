@@ -41,7 +41,7 @@ struct FitOptions {
   double cell = 0.0;
 };
 
-void fit(const FitOptions& options) {
+int fit(const FitOptions& options) {
   const FileContent file = read_file(options.turns);
   if (!file.error.empty()) throw UsageError(fmt::format("{}: error: {}", options.turns, file.error));
   const TurnTable table = read_turn_table(file.content);
@@ -50,9 +50,13 @@ void fit(const FitOptions& options) {
     problems += (problems.empty() ? "" : "\n") + describe(options.turns, problem);
   if (!problems.empty()) throw UsageError(problems);
   const Robot base = find_robot_or_refuse(options.base).robot;
-  const FittedRobot fitted = fitted_robot(table.turns, base, options.cell > 0.0 ? options.cell : base.cell);
+  const double known = options.cell > 0.0 ? options.cell : cell_of(table.turns);
+  const FittedRobot fitted = fitted_robot(table.turns, base, known > 0.0 ? known : base.cell);
   if (!fitted.error.empty()) throw UsageError(fmt::format("{}: error: {}", options.turns, fitted.error));
   print(fitted.text);
+  if (fitted.doubt.empty()) return exit_good;
+  tell(fmt::format("{}: {}\n", options.turns, fitted.doubt));
+  return exit_finding;
 }
 
 void add_fit(Command& command, int& exit) {
@@ -64,14 +68,13 @@ void add_fit(Command& command, int& exit) {
   fitting->add_option("--base", options->base, "Robot that all other numbers are taken from")
       ->type_name("ROBOT")
       ->capture_default_str();
-  fitting->add_option("--cell", options->cell, "Side of a cell in mm; default: that of the other robot")
+  fitting
+      ->add_option("--cell", options->cell,
+                   "Side of a cell in mm; default: what S90 with its straights says, or that of the other robot")
       ->type_name("MM")
       ->check(in_range(20.0, 1000.0));
   fitting->footer("Example: labmouse robot fit --turns turns.txt --base kerise > my-mouse.toml");
-  fitting->callback([options, &exit] {
-    fit(*options);
-    exit = exit_good;
-  });
+  fitting->callback([options, &exit] { exit = fit(*options); });
 }
 
 }  // namespace

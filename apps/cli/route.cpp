@@ -21,7 +21,9 @@ struct RouteOptions {
 
 int route(const RouteOptions& options) {
   expect_outputs({{"--svg", options.svg}});
-  const DriveModel model = find_robot_or_refuse(options.robot).model;
+  const FoundRobot robot = find_robot_or_refuse(options.robot);
+  tell_remarks(robot.remarks);
+  const DriveModel& model = robot.model;
   const std::vector<NamedMaze> mazes = find_mazes(options.mazes, options.places).mazes;
   std::vector<RouteReport> reports;
   const RouteReporter reporter(model);

@@ -34,6 +34,7 @@ bool has(const World& world, std::string_view setting) {
 std::vector<Entry> taken(EntriesResult result) {
   if (!result.error.empty()) throw UsageError(result.error);
   for (const std::string& reason : result.left_out) tell(fmt::format("left out: {}\n", shown(reason)));
+  tell_remarks(result.remarks);
   return std::move(result.entries);
 }
 

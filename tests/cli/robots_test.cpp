@@ -49,6 +49,21 @@ TEST_F(ABuilder, IsRefused) {
   is_refused({"robot", "show", "--svgg"}, "'--svgg'", "'--svg'", "`labmouse robot show --help`");
 }
 
+TEST_F(ABuilder, IsToldOfLikelyMistakes) {
+  const std::string builtin = content_of(std::string(LABMOUSE_SOURCE_DIR) + "/robots/classic.toml");
+  std::string degrees = builtin;
+  degrees.replace(degrees.find("yaw_acceleration = 300"), 22, "yaw_acceleration = 17189");
+  file("degrees.toml", degrees);
+  for (const Ended& ended : {labmouse({"route", "parallel-8", "--robot", "degrees.toml"}),
+                             labmouse({"race", "--world", "seconds", "--robot", "degrees.toml", "--mice", "flood",
+                                       "--mazes", "parallel-8"})}) {
+    EXPECT_EQ(ended.code, 0);
+    EXPECT_THAT(ended.err, Says("degrees.toml", "curve.yaw_acceleration", "write 300"));
+  }
+  file("word.toml", "diagonals = no\n" + builtin);
+  is_refused({"robot", "show", "word.toml"}, "word.toml:1:", "write false");
+}
+
 TEST_F(ABuilder, FitsARobotToTurns) {
   file("turns.txt", "turn speed y\nS90 265.749 44\n45 411.636 30\n90 422.783 70\n135 353.609 80\n");
   const Ended ended = labmouse({"robot", "fit", "--turns", "turns.txt", "--base", "half"});
@@ -62,6 +77,16 @@ TEST_F(ABuilder, FitsARobotToTurns) {
               Says("90 = 370 ", "given", "S90 = 287.5 ", "from mm2021"));
   is_refused({"robot", "fit", "--turns", "times.txt"}, "times.txt", "'classic'", "mm2021");
   is_refused({"robot", "fit", "--turns", "turns.txt", "--base", "mm2021"}, "turns.txt", "'mm2021'", "classic");
+  // Of another cell than the one that it is said to be of.
+  file("small.txt", "turn speed y before\n180 412.228 90 24\nS90 265.749 44 1\n");
+  const Ended refused = labmouse({"robot", "fit", "--turns", "small.txt", "--cell", "180"});
+  EXPECT_EQ(refused.code, 1);
+  EXPECT_THAT(refused.err, Says("small.txt", "refused", "180 mm"));
+  // S90 with its straights says how large a cell is.
+  file("cells.txt", "turn speed y before\nS90 265.749 44 1\n45 411.636 30 -\n");
+  const Ended cells = labmouse({"robot", "fit", "--turns", "cells.txt"});
+  EXPECT_EQ(cells.code, 0) << cells.err;
+  EXPECT_THAT(cells.out, Says("cell = 90 "));
   file("wrong.txt", "turn ms\n91 370\n");
   is_refused({"robot", "fit", "--turns", "wrong.txt"}, "wrong.txt:2:1: error: ", "'91'");
   is_refused({"robot", "fit"}, "--turns");

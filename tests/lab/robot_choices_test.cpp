@@ -126,9 +126,9 @@ TEST(RobotChoices, AreALimitOfTheYawSpeed) {
   };
   EXPECT_GT(fastest(free), limit);
   EXPECT_NEAR(fastest(limited), limit, 1e-9);
-  EXPECT_THAT(reasons(read({"", "yaw_speed = 0.05", ""})), ElementsAre(Says("'curve.yaw_speed'", "0.1 to 1000 rad/s")));
+  EXPECT_THAT(reasons(read({"", "yaw_speed = 0.05", ""})), ElementsAre(Says("'curve.yaw_speed'", "0.1 to 100 rad/s")));
   EXPECT_THAT(reasons(read({"", "yaw_speed = 1146", ""})),
-              ElementsAre(Says("'curve.yaw_speed'", "0.1 to 1000 rad/s", "degrees/s", "write 20")));
+              ElementsAre(Says("'curve.yaw_speed'", "0.1 to 100 rad/s", "degrees/s", "write 20")));
 }
 
 TEST(RobotChoices, AreWhetherDiagonalsAreDriven) {

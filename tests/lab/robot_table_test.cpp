@@ -45,7 +45,7 @@ TEST(RobotTable, NamesEveryTurnOnceWithItsSpeeds) {
               HasSubstr("straight  1500 mm/s, 4200 mm/s² up, 4200 mm/s² down\n"
                         "diagonal  1200 mm/s, 3600 mm/s² up, 3600 mm/s² down\n"
                         "start     at rest, 24 mm behind the middle of the start cell\n"
-                        "goal      at a speed from which it stops in the last open cell straight behind\n"
+                        "goal      slow enough to stop in the last open cell straight behind it\n"
                         "search    cell 300 ms, turn 244.502 ms, back 785.587 ms, quarter on the spot "
                         "257.08 ms, half a cell from rest 185.714 ms\n"
                         "tables    "));
@@ -70,8 +70,27 @@ TEST(RobotTable, RemarksOnDegrees) {
               Says("remark", "curve.yaw_acceleration", "17189 rad/s²", "degrees/s²", "write 300\n"));
   EXPECT_THAT(remarks([](Robot& robot) { robot.pivot_acceleration = 5'730.0; }),
               Says("remark", "search.pivot_acceleration", "write 100"));
+  EXPECT_THAT(remarks([](Robot& robot) { robot.yaw_speed = 60.0; }), Says("remark", "curve.yaw_speed", "write 1.047"));
+  EXPECT_THAT(remarks([](Robot& robot) { robot.yaw_jerk = 1e6; }), Says("remark", "curve.yaw_jerk", "degrees/s³"));
+  EXPECT_THAT(remarks([](Robot& robot) { robot.pivot_speed = 90.0; }), Says("remark", "search.pivot_speed", "1.571"));
   for (const char* name : {"beginner", "half", "kerise", "mm2021"})
     EXPECT_THAT(table_of(name), Not(HasSubstr("remark"))) << name;
+}
+
+TEST(RobotTable, RemarksOnMetres) {
+  Robot robot = find_robot("classic").robot;
+  robot.clearance = 0.045, robot.run_up = 0.04;
+  EXPECT_THAT(robot_table(robot, make_drive_model(robot)), Says("clearance", "write 45", "run_up", "write 40"));
+  robot.clearance = robot.run_up = 0.0;
+  EXPECT_THAT(robot_table(robot, make_drive_model(robot)), Not(HasSubstr("remark")));
+}
+
+TEST(RobotTable, DoesNotRemarkOnSlowRobots) {
+  Robot robot = find_robot("classic").robot;
+  robot.lateral_acceleration = 300.0, robot.search_speed = 100.0;
+  const DriveModel model = make_drive_model(robot);
+  ASSERT_EQ(model.error, "");
+  EXPECT_THAT(robot_table(robot, model), Not(HasSubstr("remark")));
 }
 
 TEST(RobotTable, SaysARobotInALine) {

@@ -199,21 +199,48 @@ TEST(RobotOfSpeeds, DerivesItsSearch) {
   EXPECT_EQ(make_drive_model(slow_brakes).search.half_cell, 250'000);
 }
 
-TEST(RobotOfSpeeds, SlowsDownForTheTurnsOfItsSearch) {
+/// Seconds over a lead, in small steps: from the edge of the cell at one speed, changed as late as possible.
+double lead_seconds(double lead, double edge, double curve, double rate) {
+  constexpr int steps = 100'000;
+  double seconds = 0.0;
+  for (int i = 0; i < steps; ++i) {
+    const double left = lead * (i + 0.5) / steps;  // to the curve
+    const double change = 2.0 * rate * left;
+    const double speed = curve < edge ? std::min(edge, std::sqrt(curve * curve + change))
+                                      : std::max(edge, std::sqrt(std::max(0.0, curve * curve - change)));
+    seconds += lead / steps / speed;
+  }
+  return seconds;
+}
+
+TEST(RobotOfSpeeds, ChangesItsSpeedForTheTurnsOfItsSearch) {
   Robot robot = large_robot();
+  robot.braking = 7000.0;
   const SearchDrive before = make_drive_model(robot).search;
-  robot.search_turn_speed = 300.0;
-  const SearchDrive slower = make_drive_model(robot).search;
-  // Its own path of S90, and 200 mm/s less and more again at 10 m/s²: 40 ms for 16 mm that take 32 ms at 500 mm/s.
-  const TurnShape own = shape_at(Turn::s90, 300.0, curve_limits(robot), robot.cell);
-  EXPECT_NEAR(slower.turn, own.whole() / 300.0 * 1e6 + 8'000.0, 1.0);
-  EXPECT_EQ(slower.cell, before.cell);
-  EXPECT_EQ(slower.back, before.back);
+  for (const double speed : {300.0, 400.0, 520.0, 600.0}) {
+    robot.search_turn_speed = speed;
+    const DriveModel model = make_drive_model(robot);
+    ASSERT_EQ(model.error, "");
+    const TurnShape own = shape_at(Turn::s90, speed, curve_limits(robot), robot.cell);
+    const bool slower = speed < robot.search_speed;
+    const double expected = lead_seconds(own.lead_in, 500.0, speed, slower ? robot.braking : robot.acceleration) +
+                            own.length / speed +
+                            lead_seconds(own.lead_out, 500.0, speed, slower ? robot.acceleration : robot.braking);
+    EXPECT_NEAR(model.search.turn, expected * 1e6, 2.0) << speed;
+    EXPECT_EQ(model.search.cell, before.cell);
+    EXPECT_EQ(model.search.back, before.back);
+  }
+}
+
+TEST(RobotOfSpeeds, ChangesItsSpeedWithinTheCellOfATurn) {
+  Robot robot = large_robot();
   // Quicker than in a run: there S90 is driven at 850 mm/s at most.
   robot.search_speed = 800.0, robot.search_turn_speed = 860.0;
   EXPECT_THAT(make_drive_model(robot).error, Says("S90", "860 mm/s", "search.turn_speed"));
-  robot.search_speed = 900.0, robot.search_turn_speed = 700.0;
-  EXPECT_EQ(make_drive_model(robot).error, "");
+  robot.search_speed = 200.0, robot.search_turn_speed = 800.0;  // 30 mm of speeding up, and as much to brake
+  EXPECT_THAT(make_drive_model(robot).error, Says("200 mm/s", "800 mm/s", "30 mm", "search.turn_speed"));
+  robot.search_speed = 1300.0, robot.search_turn_speed = 750.0;
+  EXPECT_THAT(make_drive_model(robot).error, Says("1300 mm/s", "750 mm/s", "search.turn_speed"));
 }
 
 TEST(RobotOfSpeeds, DrivesOnlyTheTurnsThatItHas) {
@@ -270,6 +297,18 @@ TEST(RobotOfSpeeds, IsRefusedInItsOwnUnits) {
   EXPECT_THAT(error([](Robot& robot) { robot.speeds = 0; }), Says("1 to 8", "0"));
   EXPECT_THAT(error([](Robot& robot) { robot.run_up = -1.0; }), Says("run-up", "0 or more"));
   EXPECT_THAT(error([](Robot& robot) { robot.run_up = 90.0; }), Says("run-up of 90 mm", "start cell"));
+}
+
+TEST(RobotOfSpeeds, IsRefusedForWhatIsInItsWay) {
+  Robot robot = large_robot();
+  robot.yaw_speed = 0.1;
+  EXPECT_THAT(make_drive_model(robot).error, Says("yaw speed", "0.1 rad/s", "curve.yaw_speed"));
+  robot.yaw_speed = 7.0;
+  ASSERT_EQ(make_drive_model(robot).error, "");
+  robot.yaw_jerk = 100.0;
+  EXPECT_THAT(make_drive_model(robot).error, Says("yaw jerk", "100 rad/s³", "curve.yaw_jerk"));
+  robot.yaw_acceleration = 1.0;  // and that is not enough either
+  EXPECT_THAT(make_drive_model(robot).error, testing::Not(Says("yaw jerk")));
 }
 
 TEST(RobotOfSpeeds, HasTheSameNumbersOnEveryPlatform) {

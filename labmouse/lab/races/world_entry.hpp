@@ -33,6 +33,7 @@ using WorldSettings = std::map<std::string, std::string, std::less<>>;
 struct WorldResult {
   std::shared_ptr<const World> world;
   std::string error;
+  std::vector<std::string> remarks = {};  ///< on settings that are likely to be mistakes, a line each
 };
 
 /// A record as reports have it, or why it cannot be had: JSON and the maze, or the error with its place.

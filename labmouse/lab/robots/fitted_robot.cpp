@@ -40,7 +40,7 @@ std::string robot_text(const Robot& robot, const Remarks& remarks, const std::st
     const auto remark = remarks.find(name);
     const std::string written = value.is_number() ? fmt::format("{}", value.get<double>()) : value.dump();
     text += fmt::format(
-        "{:<30}# {}{}\n", fmt::format("{} = {}", dot == std::string::npos ? name : name.substr(dot + 1), written),
+        "{:<29} # {}{}\n", fmt::format("{} = {}", dot == std::string::npos ? name : name.substr(dot + 1), written),
         key.unit.empty() ? "" : fmt::format("{}, ", key.unit), remark == remarks.end() ? otherwise : remark->second);
   }
   return text;
@@ -59,11 +59,17 @@ double clearance_of(const Robot& robot, const std::vector<KnownTurn>& turns) {
   return std::max(0.0, std::floor(least * 10.0 - 1.0) / 10.0);
 }
 
-/// The text, and above it what it is refused for, as far as it is.
-std::string checked(std::string text) {
-  const RobotResult read = read_robot(text, "it");
-  if (read.problems.empty()) return text;
-  return fmt::format("# This robot is refused as it stands: {}\n{}", read.problems.front().reason, text);
+/// A robot as it was fitted, and what speaks against it.
+FittedRobot checked(std::string text, double worst_error) {
+  constexpr double close = 0.01;
+  FittedRobot fitted{std::move(text), "", ""};
+  if (const RobotResult read = read_robot(fitted.text, "it"); !read.problems.empty())
+    fitted.doubt = fmt::format("the robot is refused as it stands: {}", read.problems.front().reason);
+  else if (worst_error > close)
+    fitted.doubt = fmt::format("the limits miss a turn by {:.1f} %: are all turns of one robot, and the units right?",
+                               worst_error * 100.0);
+  if (!fitted.doubt.empty()) fitted.text = fmt::format("# {}\n{}", fitted.doubt, fitted.text);
+  return fitted;
 }
 
 std::string limit_remark(bool reached, const TurnFit& fit) {
@@ -82,7 +88,7 @@ FittedRobot by_limits(const std::vector<KnownTurn>& turns, const Robot& base, do
   robot.yaw_speed = rounded(fit.limits.yaw_speed);
   robot.yaw_jerk = rounded(fit.limits.yaw_jerk);
   robot.lateral_acceleration = rounded(fit.limits.lateral_acceleration);
-  Remarks remarks = {{"cell", "given"},
+  Remarks remarks = {{"cell", cell == base.cell ? from_base(base) : "given"},
                      {"clearance", "what the paths below keep"},
                      {"curve.lateral_acceleration", limit_remark(fit.reaches_lateral, fit)},
                      {"curve.yaw_acceleration", limit_remark(fit.reaches_acceleration, fit)},
@@ -98,22 +104,22 @@ FittedRobot by_limits(const std::vector<KnownTurn>& turns, const Robot& base, do
     const double given = turn.turn == Turn::f180 ? turn.before : turn.speed;
     if (turn.wide || given <= 0.0) continue;
     robot.layouts[static_cast<unsigned>(turn.turn)].given = given;
-    remarks[key_of("layout", turn.turn)] = fmt::format("given; explained to {:.3f} %", fit.errors[i] * 100.0);
+    remarks[key_of("layout", turn.turn)] = fmt::format("given; the limits miss it by {:.3f} %", fit.errors[i] * 100.0);
   }
   if (!fit.reaches_lateral) robot.lateral_acceleration = std::ceil(hardest / 100.0) * 100.0;
   robot.clearance = clearance_of(robot, turns);
   const double small = robot.layout(Turn::s90).given;
   if (robot.search.cell == 0 && robot.search_turn_speed <= 0.0 && small > 0.0 && robot.search_speed > small) {
-    robot.search_turn_speed = small;
-    remarks["search.turn_speed"] = "that of S90: searching as fast as the other robot, it would not hold it";
+    robot.search_speed = small;
+    remarks["search.speed"] = "that of S90: as fast as the other robot it could not turn";
   }
-  return {checked(robot_text(robot, remarks, from_base(base))), {}};
+  return checked(robot_text(robot, remarks, from_base(base)), *std::max_element(fit.errors.begin(), fit.errors.end()));
 }
 
 FittedRobot by_times(const std::vector<KnownTurn>& turns, const Robot& base, double cell) {
   Robot robot = base;
   robot.cell = cell;
-  Remarks remarks = {{"cell", "given"}};
+  Remarks remarks = {{"cell", cell == base.cell ? from_base(base) : "given"}};
   for (const KnownTurn& turn : turns) {
     if (turn.wide) continue;
     FixedTimes& fixed = *robot.fixed;
@@ -121,10 +127,16 @@ FittedRobot by_times(const std::vector<KnownTurn>& turns, const Robot& base, dou
     *times[static_cast<unsigned>(turn.turn)] = microseconds(turn.milliseconds / 1e3);
     remarks[key_of("turns", turn.turn)] = "given";
   }
-  return {checked(robot_text(robot, remarks, from_base(base))), {}};
+  return checked(robot_text(robot, remarks, from_base(base)), 0.0);
 }
 
 }  // namespace
+
+double cell_of(const std::vector<KnownTurn>& turns) {
+  for (const KnownTurn& turn : turns)
+    if (turn.turn == Turn::s90 && turn.aside > 0.0 && turn.before > 0.0) return 2.0 * (turn.aside + turn.before);
+  return 0.0;
+}
 
 FittedRobot fitted_robot(const std::vector<KnownTurn>& turns, const Robot& base, double cell) {
   const bool speeds = std::any_of(turns.begin(), turns.end(), [](const KnownTurn& turn) { return turn.speed > 0.0; });
@@ -132,12 +144,14 @@ FittedRobot fitted_robot(const std::vector<KnownTurn>& turns, const Robot& base,
     return {{},
             fmt::format("'{}' gives the times of its turns, and the table has speeds; take the rest from a robot with "
                         "limits, such as classic or kerise",
-                        shown(base.name))};
+                        shown(base.name)),
+            {}};
   if (!speeds && !base.fixed)
     return {{},
             fmt::format("the table has times without speeds, which tell nothing of limits, and '{}' has limits; take "
                         "the rest from a robot with times of turns, such as mm2021",
-                        shown(base.name))};
+                        shown(base.name)),
+            {}};
   return speeds ? by_limits(turns, base, cell) : by_times(turns, base, cell);
 }
 

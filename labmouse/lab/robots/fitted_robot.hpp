@@ -13,7 +13,11 @@ namespace labmouse {
 struct FittedRobot {
   std::string text;
   std::string error;
+  std::string doubt;  ///< what speaks against the text, if anything does: it is refused, or fits badly
 };
+
+/// The side of the cells that turns lie in, as far as S90 with its straights says; or 0.
+double cell_of(const std::vector<KnownTurn>& turns);
 
 /// With all that the turns say, and all else from another robot; each line says which. Turns with speeds give limits
 /// and paths, if the other robot has limits; turns with times alone a table of times, if the other one has such a

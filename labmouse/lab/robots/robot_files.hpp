@@ -13,6 +13,7 @@ struct FoundRobot {
   Robot robot;
   DriveModel model;
   std::vector<std::string> errors;
+  std::vector<std::string> remarks;  ///< on likely mistakes, a line each, with its name
 };
 
 /// The built-in robot of that name, or that of a file, whose name has a slash or ends in `.toml`. A robot's own name is

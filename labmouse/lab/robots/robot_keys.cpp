@@ -41,7 +41,7 @@ constexpr std::array keys = {
     diagonal("diagonal.braking", "mm/s²", 100.0, 200'000.0),
     RobotKey{"curve.lateral_acceleration", "mm/s²", 100.0, 200'000.0, With::curves},
     RobotKey{"curve.yaw_acceleration", "rad/s²", 1.0, 100'000.0, With::curves},
-    RobotKey{"curve.yaw_speed", "rad/s", 0.1, 1000.0, With::curves, optional},
+    RobotKey{"curve.yaw_speed", "rad/s", 0.1, 100.0, With::curves, optional},
     RobotKey{"curve.yaw_jerk", "rad/s³", 10.0, 1e8, With::curves, optional},
     RobotKey{"curve.grip", "mm/s²", 100.0, 200'000.0, With::curves, optional},
     RobotKey{"curve.speeds", "speeds", 1.0, most_speeds, With::curves, optional, Kind::whole},

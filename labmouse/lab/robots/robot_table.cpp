@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "labmouse/lab/robots/robot_remarks.hpp"
 #include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
@@ -41,7 +42,7 @@ std::string straight_line(std::string_view name, double speed, double accelerati
 
 std::string grip_line(const Robot& robot) {
   if (robot.grip <= 0.0) return "";
-  return fmt::format("{:<9} {:g} mm/s² in all directions: in turns its speed may change, also to another one above\n",
+  return fmt::format("{:<9} {:g} mm/s² in all directions: in turns the speed may change, to any of those above\n",
                      "grip", robot.grip);
 }
 
@@ -49,10 +50,9 @@ std::string ends_line(const Robot& robot) {
   if (robot.fixed)
     return fmt::format("{:<9} {:g} mm/s, also at the start and the end; turns lead from node to node\n", "nodes",
                        robot.fixed->speed);
-  return fmt::format("{:<9} at rest, {:g} mm behind the middle of the start cell\n{:<9} {}\n", "start", robot.run_up,
-                     "goal",
-                     robot.stop == Stop::goal ? "at a speed from which it stops in the last open cell straight behind"
-                                              : "at any speed");
+  return fmt::format(
+      "{:<9} at rest, {:g} mm behind the middle of the start cell\n{:<9} {}\n", "start", robot.run_up, "goal",
+      robot.stop == Stop::goal ? "slow enough to stop in the last open cell straight behind it" : "at any speed");
 }
 
 std::string search_line(const SearchDrive& search) {
@@ -61,25 +61,10 @@ std::string search_line(const SearchDrive& search) {
                      milliseconds_text(search.quarter), milliseconds_text(search.half_cell));
 }
 
-/// What looks like degrees taken for radians: no known mouse begins to turn within a few thousandths of a second.
-std::string remark_on(std::string_view key, double acceleration, double speed) {
-  constexpr double likely = 0.004, degree = 3.141592653589793 / 180.0;
-  if (speed / acceleration >= likely) return "";
-  return fmt::format(
-      "{:<9} at {} = {:g} rad/s² it turns at full speed after {:.1f} ms; if the value is in degrees/s², "
-      "write {:.4g}\n",
-      "remark", key, acceleration, speed / acceleration * 1e3, acceleration * degree);
-}
-
-std::string remarks_on(const Robot& robot, const DriveModel& model) {
-  std::string remarks;
-  if (!robot.fixed)
-    for (std::size_t i = 0; i < model.shapes.size() && remarks.empty(); ++i)
-      remarks = remark_on("curve.yaw_acceleration", robot.yaw_acceleration,
-                          model.shapes[i].ramp.peak * model.tables.turns[i].speed);
-  if (robot.search.cell == 0)
-    remarks += remark_on("search.pivot_acceleration", robot.pivot_acceleration, robot.pivot_speed);
-  return remarks;
+std::string remark_lines(const Robot& robot, const DriveModel& model) {
+  std::string lines;
+  for (const std::string& remark : robot_remarks(robot, model)) lines += fmt::format("{:<9} {}\n", "remark", remark);
+  return lines;
 }
 
 }  // namespace
@@ -94,7 +79,7 @@ std::string robot_table(const Robot& robot, const DriveModel& model) {
               ? straight_line("diagonal", robot.speed_diagonal, robot.acceleration_diagonal, robot.braking_diagonal)
               : fmt::format("{:<9} none\n", "diagonal")) +
          grip_line(robot) + ends_line(robot) + search_line(model.search) +
-         fmt::format("{:<9} {}\n", "tables", hash_words(model.tables)) + remarks_on(robot, model);
+         fmt::format("{:<9} {}\n", "tables", hash_words(model.tables)) + remark_lines(robot, model);
 }
 
 std::string robot_line(const Robot& robot, const DriveModel& model) {

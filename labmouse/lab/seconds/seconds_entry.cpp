@@ -23,7 +23,8 @@ WorldResult make(const WorldSettings& chosen) {
   if (!robot.errors.empty()) return {nullptr, fmt::format("{}", fmt::join(robot.errors, "\n"))};
   FoundRules rules = find_rules(value_of(seconds_entry, chosen, "rules"));
   if (!rules.errors.empty()) return {nullptr, fmt::format("{}", fmt::join(rules.errors, "\n"))};
-  return {seconds_world(rules.rules, std::make_shared<DriveModel>(std::move(robot.model))), ""};
+  return {seconds_world(rules.rules, std::make_shared<DriveModel>(std::move(robot.model))), "",
+          std::move(robot.remarks)};
 }
 
 PackedFile failed(Problem problem) { return {"", std::nullopt, std::move(problem)}; }

@@ -10,13 +10,33 @@
 #include "labmouse/strategies/parameter.hpp"
 
 namespace labmouse {
+namespace {
+
+/// Where a line gives a key one of the words that other formats have for true and false, which one to write.
+std::string_view word_hint(std::string_view text, std::size_t line) {
+  for (; line > 1 && !text.empty(); --line) text.remove_prefix(std::min(text.size(), text.find('\n') + 1));
+  text = text.substr(0, text.find_first_of("\r\n#"));
+  const std::size_t equals = text.find('=');
+  if (equals == text.npos) return "";
+  text.remove_prefix(equals + 1);
+  const std::size_t begin = text.find_first_not_of(" \t"), end = text.find_last_not_of(" \t");
+  if (begin == text.npos) return "";
+  const std::string_view word = text.substr(begin, end - begin + 1);
+  if (word == "no" || word == "off" || word == "False") return "; write false";
+  return word == "yes" || word == "on" || word == "True" ? "; write true" : "";
+}
+
+}  // namespace
 
 TomlText parse_toml(std::string_view text) {
   constexpr std::size_t most_bytes = std::size_t{1} << 16U;
   if (text.size() > most_bytes)
     return {{}, {{0, 0, fmt::format("is too large: {} bytes, where at most {} are allowed", text.size(), most_bytes)}}};
   toml::parse_result parsed = toml::parse(text);
-  if (!parsed) return {{}, {problem_at(parsed.error().source().begin, shown(parsed.error().description()))}};
+  if (!parsed) {
+    const toml::source_position place = parsed.error().source().begin;
+    return {{}, {problem_at(place, shown(parsed.error().description()) + std::string(word_hint(text, place.line)))}};
+  }
   return {std::move(parsed).table(), {}};
 }
 

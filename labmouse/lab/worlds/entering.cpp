@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "labmouse/lab/mice/specs.hpp"
 
@@ -20,6 +21,7 @@ EntriesResult enter_one(std::vector<Contestant> mice, const WorldEntry& entry, c
   WorldResult made = entry.make(settings);
   if (!made.error.empty()) return {{}, made.error, {}};
   EntriesResult result;
+  result.remarks = std::move(made.remarks);
   std::vector<Contestant> taken;
   for (Contestant& mouse : mice) {
     const std::string reason = made.world->refuse(mouse);
@@ -50,6 +52,7 @@ EntriesResult enter(std::vector<Contestant> mice, std::string_view world, const 
     EntriesResult one = enter_one(std::move(by_world[i]), *all_worlds()[i], settings);
     if (!one.error.empty()) return one;
     result.entries.push_back(std::move(one.entries.front()));
+    std::move(one.remarks.begin(), one.remarks.end(), std::back_inserter(result.remarks));
   }
   return result;
 }

@@ -18,7 +18,8 @@ struct Entry {
 struct EntriesResult {
   std::vector<Entry> entries;
   std::string error;
-  std::vector<std::string> left_out;  ///< why mice of a lineup are not among them, a line each
+  std::vector<std::string> left_out;      ///< why mice of a lineup are not among them, a line each
+  std::vector<std::string> remarks = {};  ///< of the worlds
 };
 
 /// All mice race in the world of that name. Where it is empty, each races in the first world on the list that takes it;

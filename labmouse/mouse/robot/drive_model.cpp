@@ -277,9 +277,8 @@ std::string refusal_of_ends(const DriveTables& tables) {
   return "";
 }
 
-}  // namespace
-
-DriveModel make_drive_model(const Robot& robot) {
+/// Or why it is refused.
+DriveModel model_of(const Robot& robot) {
   if (std::string why = refusal_of_limits(robot); !why.empty()) return refused(std::move(why));
   if (std::string why = robot.fixed ? refusal_of_fixed(robot) : refusal_of_curves(robot); !why.empty())
     return refused(std::move(why));
@@ -296,6 +295,31 @@ DriveModel make_drive_model(const Robot& robot) {
   model.robot = robot;
   model.tables.hash = hash_of(model.tables);
   return model;
+}
+
+/// Limits of curves that a robot need not have may be what is behind a refusal: then it names them.
+DriveModel with_cause(DriveModel refusal, const Robot& robot) {
+  struct Limit {
+    double Robot::*value;
+    std::string_view words, key, unit;
+  };
+  for (const Limit& limit : {Limit{&Robot::yaw_speed, "yaw speed", "curve.yaw_speed", "rad/s"},
+                             Limit{&Robot::yaw_jerk, "yaw jerk", "curve.yaw_jerk", "rad/s³"}}) {
+    Robot free = robot;
+    free.*limit.value = 0.0;
+    if (robot.*limit.value <= 0.0 || !model_of(free).error.empty()) continue;
+    refusal.error += "; what is in its way is its " + std::string(limit.words) + ", " + to_tenths(robot.*limit.value) +
+                     " " + std::string(limit.unit) + " (" + std::string(limit.key) + "): without it, it would do";
+    return refusal;
+  }
+  return refusal;
+}
+
+}  // namespace
+
+DriveModel make_drive_model(const Robot& robot) {
+  DriveModel model = model_of(robot);
+  return model.error.empty() ? model : with_cause(std::move(model), robot);
 }
 
 }  // namespace labmouse

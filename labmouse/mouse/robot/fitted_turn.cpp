@@ -68,11 +68,12 @@ CurveLimits curve_limits(const Robot& robot) {
   return {robot.lateral_acceleration, robot.yaw_acceleration, robot.yaw_speed, robot.yaw_jerk};
 }
 
-std::string millimetres(double length) {
-  const long tenths = std::lround(length * 10.0);
+std::string to_tenths(double number) {
+  const long tenths = std::lround(number * 10.0);
   const std::string whole = std::to_string(tenths / 10);
-  return (tenths % 10 == 0 ? whole : whole + "." + std::to_string(tenths % 10)) + " mm";
+  return tenths % 10 == 0 ? whole : whole + "." + std::to_string(tenths % 10);
 }
+std::string millimetres(double length) { return to_tenths(length) + " mm"; }
 
 FittedTurn turn_laid_out_for(double speed, Turn turn, const Robot& robot) {
   FittedTurn fitted{

@@ -27,6 +27,8 @@ FittedTurn turn_laid_out_for(double speed, Turn turn, const Robot& robot);
 /// How hard a robot may turn.
 CurveLimits curve_limits(const Robot& robot);
 
+/// "12.3", "12"
+std::string to_tenths(double number);
 /// "12.3 mm"
 std::string millimetres(double length);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "labmouse/mouse/robot/angles.hpp"
 #include "labmouse/mouse/robot/fitted_turn.hpp"
@@ -27,11 +28,36 @@ std::string refusal(const Robot& robot, double small_turn_speed) {
   return "";
 }
 
-/// What braking to a lower speed and speeding up again costs, in seconds, on a way that is driven at the higher one.
-double seconds_lost(double speed, double lower, const Robot& robot) {
-  if (lower >= speed) return 0.0;
-  const double less = speed - lower;
-  return less * less / (2.0 * speed) * (1.0 / robot.braking + 1.0 / robot.acceleration);
+/// A straight on which a mouse changes from one speed to another, whichever comes first.
+struct Change {
+  double speed = 0.0;  ///< mm/s at the edge of the cell
+  double other = 0.0;  ///< mm/s in the curve
+  double rate = 0.0;   ///< mm/s²
+
+  double way() const { return std::abs(speed * speed - other * other) / (2.0 * rate); }
+  /// Over a lead that is long enough: the rest of it at the speed of the edge.
+  double seconds(double lead) const { return 2.0 * way() / (speed + other) + (lead - way()) / speed; }
+};
+
+/// Seconds of a quarter turn from edge to edge at a speed of its own, into and out of which it changes on its leads: at
+/// the edge the mouse has just seen where it can go.
+struct OwnTurn {
+  double seconds = 0.0;
+  std::string error;
+};
+OwnTurn own_turn(const Robot& robot) {
+  const double speed = robot.search_speed, own = robot.search_turn_speed;
+  const FittedTurn turn = turn_laid_out_for(own, Turn::s90, robot);
+  if (!turn.error.empty()) return {0.0, turn.error + "; change search.turn_speed"};
+  const auto [lead_in, lead_out] = std::pair(turn.shape.lead_in, turn.shape.lead_out);
+  const double up = robot.acceleration, down = robot.braking;
+  const Change before{speed, own, own < speed ? down : up}, after{speed, own, own < speed ? up : down};
+  if (before.way() > lead_in || after.way() > lead_out)
+    return {0.0, "from its search speed, " + millimetres(speed) + "/s, to that of its search turns, " +
+                     millimetres(own) + "/s, it takes " + millimetres(std::max(before.way(), after.way())) +
+                     ", and the curve leaves " + millimetres(lead_in) + " to the edge of the cell; bring " +
+                     "search.speed and search.turn_speed closer together"};
+  return {before.seconds(lead_in) + turn.shape.length / own + after.seconds(lead_out), ""};
 }
 
 }  // namespace
@@ -46,10 +72,10 @@ SearchModel search_model(const Robot& robot, const TurnShape& small_turn, double
   SearchDrive drive;
   drive.cell = microseconds(robot.cell / speed);
   drive.turn = microseconds(small_turn.whole() / speed);
-  if (const double slow = robot.search_turn_speed; slow > 0.0) {
-    const FittedTurn own = turn_laid_out_for(slow, Turn::s90, robot);
-    if (!own.error.empty()) return {{}, own.error + "; change search.turn_speed"};
-    drive.turn = microseconds(own.shape.whole() / slow + seconds_lost(speed, slow, robot));
+  if (robot.search_turn_speed > 0.0) {
+    const OwnTurn own = own_turn(robot);
+    if (!own.error.empty()) return {{}, own.error};
+    drive.turn = microseconds(own.seconds);
   }
   drive.half_cell = microseconds(speed / slower + (robot.cell / 2.0 - speed * speed / (2.0 * slower)) / speed);
   drive.quarter = microseconds(pivot_seconds(robot, pi / 2.0));

@@ -1,0 +1,71 @@
+#include "labmouse/lab/robots/robot_remarks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+namespace labmouse {
+namespace {
+
+constexpr double degree = 3.141592653589793 / 180.0;
+
+/// Turning gains its full speed within hundredths of a second. What does in a few thousandths, by a number as large as
+/// this, is likely to be in degrees: of known mice none turns so hard, and in degrees the number is that of many.
+constexpr double likely_seconds = 0.004, likely_acceleration = 1000.0, likely_jerk = 50'000.0;
+/// Six turns a second, rad/s.
+constexpr double likely_speed = 40.0;
+
+std::string in_degrees(std::string_view key, double value, std::string_view unit, std::string_view what) {
+  return fmt::format("at {} = {:g} rad{} it {}; if the value is in degrees{}, write {:.4g}", key, value, unit, what,
+                     unit, value * degree);
+}
+
+std::string too_soon(std::string_view key, double rate, std::string_view unit, double full, double likely,
+                     std::string_view what) {
+  if (rate < likely || full / rate >= likely_seconds) return "";
+  return in_degrees(key, rate, unit, fmt::format("{} after {:.1f} ms", what, full / rate * 1e3));
+}
+
+std::string too_quick(std::string_view key, double speed) {
+  if (speed <= likely_speed) return "";
+  return in_degrees(key, speed, "/s", fmt::format("turns {:.0f} times a second", speed / (360.0 * degree)));
+}
+
+std::string too_near(std::string_view key, double length) {
+  if (length <= 0.0 || length >= 1.0) return "";
+  return fmt::format("{} = {:g} mm is less than a millimetre; if the value is in metres, write {:g}", key, length,
+                     length * 1e3);
+}
+
+/// The quickest that it turns in a curve, rad/s.
+double quickest_curve(const DriveModel& model) {
+  double quickest = 0.0;
+  for (std::size_t i = 0; i < model.shapes.size(); ++i)
+    quickest = std::max(quickest, model.shapes[i].ramp.peak * model.tables.turns[i].speed);
+  return quickest;
+}
+
+}  // namespace
+
+std::vector<std::string> robot_remarks(const Robot& robot, const DriveModel& model) {
+  std::vector<std::string> remarks;
+  if (!robot.fixed) {
+    const double quickest = quickest_curve(model);
+    remarks = {too_near("clearance", robot.clearance), too_near("run_up", robot.run_up),
+               too_soon("curve.yaw_acceleration", robot.yaw_acceleration, "/s²", quickest, likely_acceleration,
+                        "turns at full speed"),
+               too_quick("curve.yaw_speed", robot.yaw_speed),
+               too_soon("curve.yaw_jerk", robot.yaw_jerk, "/s³", robot.yaw_acceleration, likely_jerk,
+                        "reaches its yaw acceleration")};
+  }
+  if (robot.search.cell == 0) {
+    remarks.push_back(too_soon("search.pivot_acceleration", robot.pivot_acceleration, "/s²", robot.pivot_speed,
+                               likely_acceleration, "turns at full speed"));
+    remarks.push_back(too_quick("search.pivot_speed", robot.pivot_speed));
+  }
+  std::erase_if(remarks, [](const std::string& remark) { return remark.empty(); });
+  return remarks;
+}
+
+}  // namespace labmouse
