@@ -14,14 +14,20 @@ set(LABMOUSE_PUBLIC_HEADERS
   labmouse/mouse/action.hpp
   labmouse/mouse/briefing.hpp
   labmouse/mouse/distance.hpp
+  labmouse/mouse/drive/drive_fields.hpp
   labmouse/mouse/explorer.hpp
   labmouse/mouse/knowledge.hpp
   labmouse/mouse/motion.hpp
   labmouse/mouse/pose.hpp
+  labmouse/mouse/robot/drive_model.hpp
+  labmouse/mouse/robot/robot.hpp
   labmouse/mouse/sighting.hpp
   labmouse/mouse/strategy.hpp
   labmouse/strategies/parameter.hpp
   labmouse/strategies/roster.hpp
+  labmouse/contest/drive.hpp
+  labmouse/contest/drive_rules.hpp
+  labmouse/contest/drive_score.hpp
   labmouse/contest/record.hpp
   labmouse/contest/rules.hpp
   labmouse/contest/score.hpp
@@ -32,6 +38,7 @@ set(LABMOUSE_PUBLIC_HEADERS
   labmouse/lab/mice/contestant.hpp
   labmouse/lab/mice/specs.hpp
   labmouse/lab/records/record_file.hpp
+  labmouse/lab/robots/robot_files.hpp
   labmouse/lab/system/files.hpp
 )
 if(NOT LABMOUSE_LAB)

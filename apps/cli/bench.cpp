@@ -71,6 +71,8 @@ MemoryLayout fields_of(const MindMemory& memory) {
 /// A line for each robot and size, with the parts that `parts_of` names.
 template <class Parts>
 std::string memory_table(const std::vector<RobotMemory>& robots, Parts parts_of) {
+  std::size_t longest = 12;
+  for (const auto& [robot, memory] : robots) longest = std::max(longest, robot.size());
   std::string text;
   for (const auto& [robot, memory] : robots) {
     std::string heads, figures;
@@ -79,9 +81,9 @@ std::string memory_table(const std::vector<RobotMemory>& robots, Parts parts_of)
       heads += fmt::format("{:>{}}", name, width);
       figures += fmt::format("{:>{}.1f}", static_cast<double>(bytes) / 1024.0, width);
     }
-    if (text.empty()) text += fmt::format("{:<14}{:>5}{}\n", "robot", "maze", heads);
-    text +=
-        fmt::format("{:<14}{:>5}{}\n", robot, fmt::format("{0}x{1}", memory.size.width, memory.size.height), figures);
+    if (text.empty()) text += fmt::format("{:<{}}  {:>5}{}\n", "robot", longest, "maze", heads);
+    text += fmt::format("{:<{}}  {:>5}{}\n", robot, longest,
+                        fmt::format("{0}x{1}", memory.size.width, memory.size.height), figures);
   }
   return text;
 }

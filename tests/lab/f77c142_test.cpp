@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "labmouse/lab/page/results.hpp"
@@ -14,6 +15,7 @@
 #include "labmouse/lab/records/record_file.hpp"
 #include "labmouse/lab/reports/report_page.hpp"
 #include "labmouse/lab/robots/drive_rules_file.hpp"
+#include "labmouse/lab/robots/robot_file.hpp"
 #include "labmouse/lab/robots/robot_files.hpp"
 #include "labmouse/lab/seconds/seconds_world.hpp"
 #include "labmouse/lab/standings/baseline.hpp"
@@ -165,8 +167,24 @@ TEST(ThePast, HasRecordsThatCanBePlayedAgain) {
   EXPECT_EQ(replay(*mms.file, [](std::size_t, const MmsHost&) {}), "");
 }
 
-TEST(ThePast, HasARobotAndRules) {
-  EXPECT_EQ(find_robot(folder + "half.toml").model.tables.hash, find_robot("half").model.tables.hash);
+/// Robots of those days: their tables as they were then, which their records name, and a contest of flood.
+TEST(ThePast, HasRobotsThatKeepTheirMeaning) {
+  const std::map<std::string, std::uint64_t> hashes = {
+      {"classic", 0xa579cb9e46f01a2c}, {"half", 0x10c39081f1137f0e}, {"mm2021", 0xf68d7d6dfc200793}};
+  for (const auto& [name, hash] : hashes) {
+    SCOPED_TRACE(name);
+    const std::string text = content("robots/" + name + ".toml");
+    EXPECT_EQ(read_robot(text, name, RobotText::recorded).model.tables.hash, hash);
+    EXPECT_EQ(read_robot(text, name).problems.size(), 0U);  // it can still be driven, by what is usual now
+    if (name == "half") continue;
+    const ReadDriveRecordResult read = read_drive_record(content("robots/" + name + ".jsonl"));
+    ASSERT_TRUE(read.file);
+    EXPECT_EQ(read.file->tables_hash, hash);
+    EXPECT_EQ(replay(*read.file), "");
+  }
+}
+
+TEST(ThePast, HasRules) {
   DriveRules rules = find_rules(folder + "thirtieth.toml").rules;
   rules.name = "thirtieth";  // and not that of the file
   EXPECT_EQ(rules_json(rules), rules_json(find_rules("thirtieth").rules));

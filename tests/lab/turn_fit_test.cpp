@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "labmouse/lab/mazes/maze_files.hpp"
 #include "labmouse/lab/robots/robot_files.hpp"
 #include "tests/says.hpp"
 

@@ -121,6 +121,25 @@ inline Robot small_grip_robot() {
   return robot;
 }
 
+/// One of a tenth of g, in everything.
+inline Robot weak_robot() {
+  Robot robot = large_robot();
+  robot.name = "weak";
+  robot.acceleration = robot.braking = robot.acceleration_diagonal = robot.braking_diagonal = 981.0;
+  robot.lateral_acceleration = 981.0;
+  robot.yaw_acceleration = 60.0;
+  robot.search_speed = 200.0;
+  return robot;
+}
+
+/// One that leaves out some turns.
+inline Robot choosy_robot() {
+  Robot robot = small_robot();
+  robot.name = "choosy";
+  for (const Turn turn : {Turn::f45, Turn::v90, Turn::f180}) robot.layouts[static_cast<unsigned>(turn)].driven = false;
+  return robot;
+}
+
 /// One that ends its runs at any speed.
 inline Robot unstopped_robot() {
   Robot robot = fan_robot();

@@ -160,7 +160,8 @@ INSTANTIATE_TEST_SUITE_P(
                     NamedRobot{"unstopped", unstopped_robot, 8}, NamedRobot{"grip", grip_robot, 8},
                     NamedRobot{"small_grip", small_grip_robot, 8}, NamedRobot{"speeds_1", robot_of_speeds<1>, 2},
                     NamedRobot{"speeds_2", robot_of_speeds<2>, 8}, NamedRobot{"speeds_4", robot_of_speeds<4>, 8},
-                    NamedRobot{"speeds_8", robot_of_speeds<8>, 8}),
+                    NamedRobot{"speeds_8", robot_of_speeds<8>, 8}, NamedRobot{"large_jerk", large_jerk_robot, 16},
+                    NamedRobot{"weak", weak_robot, 16}, NamedRobot{"choosy", choosy_robot, 16}),
     PrintRobot());
 
 /// The search must not lean on how the times of a robot come about.

@@ -196,14 +196,45 @@ class Counting final : public Strategy {
   Strategy& mouse_;
 };
 
+/// Robots of all kinds of searches and limits.
+const std::vector<DriveModel>& all_kinds() {
+  static const std::vector<DriveModel> models = [] {
+    std::vector<DriveModel> made;
+    for (const Robot& robot :
+         {published_robot(), robot_of_speeds<1>(), robot_of_speeds<2>(), large_robot(), robot_of_speeds<8>(),
+          grip_robot(), jerk_robot(), square_robot(), slow_robot(), unstopped_robot()})
+      made.push_back(model_of(robot));
+    return made;
+  }();
+  return models;
+}
+
 TEST_P(EveryDriver, TakesAllItsMemoryBeforeItDrives) {
-  for (std::size_t i = 0; i < generated_mazes().size(); i += 10) {
-    const Maze& maze = generated_mazes()[i].maze;
-    const auto mind = make(mouse(), maze, rules_of(30, 100), published());
-    Counting counting(*mind);
-    drive(maze, rules_of(30, 100), published(), counting);
-    EXPECT_EQ(counting.allocations, 0) << generated_mazes()[i].name;
-  }
+  for (const DriveModel& model : all_kinds())
+    for (std::size_t i = 0; i < generated_mazes().size(); i += 40) {
+      const Maze& maze = generated_mazes()[i].maze;
+      const auto mind = make(mouse(), maze, rules_of(30, 100), model);
+      Counting counting(*mind);
+      drive(maze, rules_of(30, 100), model, counting);
+      EXPECT_EQ(counting.allocations, 0) << model.robot.name << " in " << generated_mazes()[i].name;
+    }
+}
+
+TEST_P(EveryDriver, DrivesInMemoryThatIsGiven) {
+  for (const DriveModel& model : all_kinds())
+    for (std::size_t i = 0; i < generated_mazes().size(); i += 40) {
+      const Maze& maze = generated_mazes()[i].maze;
+      // Of exactly that many bytes, which hold anything before.
+      const std::size_t bytes = DriveFields::bytes_for(maze.size(), model);
+      std::unique_ptr<std::byte[]> memory(new std::byte[bytes]);
+      std::fill(memory.get(), memory.get() + bytes, std::byte{0xa5});
+      DriveFields fields(maze.size(), model, {memory.get(), bytes});
+      Briefing briefing = brief(maze, rules_of(30), model, 1);
+      briefing.drive.fields = &fields;
+      const auto mind = mouse().make(briefing, Settings(mouse().parameters));
+      EXPECT_EQ(drive(maze, rules_of(30), model, *mind), contest(mouse(), maze, rules_of(30), model))
+          << model.robot.name << " in " << generated_mazes()[i].name;
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Roster, EveryDriver, testing::ValuesIn(drivers()), test::mouse_name);

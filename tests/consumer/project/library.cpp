@@ -46,6 +46,19 @@ void mice_run_and_leave_records() {
   check(draw_svg(maze.maze, {}).starts_with("<svg"), "a maze is drawn as a picture");
 }
 
+void mice_drive_in_memory_that_is_given() {
+  const FoundRobot robot = find_robot("mm2021");
+  const Maze maze = load_builtin_mazes().mazes.front().maze;
+  const DriveRules rules;
+  std::vector<std::byte> memory(DriveFields::bytes_for(maze.size(), robot.model));
+  DriveFields fields(maze.size(), robot.model, memory);
+  Briefing briefing = brief(maze, rules, robot.model, 1);
+  briefing.drive.fields = &fields;
+  const RosterEntry* flood = find_mouse("flood");
+  const auto mind = flood->make(briefing, Settings(flood->parameters));
+  check(score(drive(maze, rules, robot.model, *mind), rules).value().has_value(), "a mouse drives to the goal");
+}
+
 void knowledge_and_distances_follow_from_readings() {
   const Size size{3, 3};
   Knowledge knowledge(size);
@@ -65,6 +78,7 @@ void knowledge_and_distances_follow_from_readings() {
 int main() {
   mazes_are_made_written_read_and_inspected();
   mice_run_and_leave_records();
+  mice_drive_in_memory_that_is_given();
   knowledge_and_distances_follow_from_readings();
   std::printf("%d promises of the library are broken\n", failures);
   return failures == 0 ? 0 : 1;
