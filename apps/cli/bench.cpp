@@ -65,6 +65,7 @@ MemoryLayout whole_minds(const MindMemory& memory) {
 MemoryLayout fields_of(const MindMemory& memory) {
   MemoryLayout parts = memory.layout;
   parts.push_back({"fields", memory.fields});
+  parts.push_back({"tables", memory.tables});
   return parts;
 }
 
@@ -90,7 +91,7 @@ std::string memory_table(const std::vector<RobotMemory>& robots, Parts parts_of)
 
 std::string memory_text(const std::vector<RobotMemory>& robots) {
   return "a mind in the world of seconds, KiB\n" + memory_table(robots, whole_minds) +
-         "\nits fields among that, KiB\n" + memory_table(robots, fields_of);
+         "\nits fields among that, and the tables that all minds share, KiB\n" + memory_table(robots, fields_of);
 }
 
 std::string memory_json(const std::vector<RobotMemory>& robots) {
@@ -98,6 +99,7 @@ std::string memory_json(const std::vector<RobotMemory>& robots) {
   for (const auto& [robot, memory] : robots) {
     Json row = {{"robot", robot}, {"width", memory.size.width}, {"height", memory.size.height}};
     row["fields_bytes"] = memory.fields;
+    row["tables_bytes"] = memory.tables;
     for (const auto& [name, bytes] : memory.layout) row["layout_bytes"][std::string(name)] = bytes;
     for (const auto& [mouse, own] : memory.own) row["own_bytes"][mouse] = own;
     rows.push_back(std::move(row));

@@ -31,7 +31,11 @@ MindMemory mind_memory(Size size, const DriveModel& model) {
   DriveFields fields = DriveFields::in_own_memory(size, model);
   Briefing briefing = brief(maze, DriveRules(), model, 1);
   briefing.drive.fields = &fields;
-  MindMemory memory{size, DriveFields::bytes_for(size, model), DriveFields::layout(size, model), {}};
+  MindMemory memory{size,
+                    DriveFields::bytes_for(size, model),
+                    DriveFields::layout(size, model),
+                    route_tables_of(model)->table_bytes(size),
+                    {}};
   for (const RosterEntry* mouse : roster())
     if (mouse->drives) memory.own[std::string(mouse->name)] = own_memory(*mouse, briefing);
   return memory;

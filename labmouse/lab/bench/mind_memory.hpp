@@ -14,6 +14,7 @@ struct MindMemory {
   Size size;
   std::size_t fields = 0;                  ///< in bytes, exactly: DriveFields
   MemoryLayout layout;                     ///< what the fields are spent on
+  std::size_t tables = 0;                  ///< that all minds of the robot share, and that are constant
   std::map<std::string, std::size_t> own;  ///< by mouse: what it takes besides, in bytes of the heap, measured
 };
 

@@ -266,6 +266,14 @@ std::size_t RouteTables::bytes_for(Size size) const {
 std::size_t RouteTables::kept_bytes_for(Size size) const {
   return FastestRoutes::Search::own_bytes() + parts_->searches->bytes(size).kept;
 }
+std::size_t RouteTables::table_bytes(Size size) const {
+  const DriveTables& tables = parts_->tables;
+  const auto times = [](const std::vector<DriveTime>& list) { return sizeof(DriveTime) * list.size(); };
+  return parts_->searches->table_bytes() + times(tables.along.between) + times(tables.diagonal.between) +
+         times(tables.start) + times(tables.finish) + times(tables.whole) + sizeof(DrivenTurn) * tables.turns.size() +
+         sizeof(std::uint16_t) * (drive::is_small(size) ? parts_->leaps.small : parts_->leaps.large).size();
+}
+
 MemoryLayout RouteTables::layout(Size size) const {
   MemoryLayout layout = parts_->searches->layout(size);
   std::size_t other = bytes_for(size);

@@ -30,6 +30,8 @@ class RouteTables {
   std::size_t kept_bytes_for(Size size) const;
   /// What they are spent on.
   MemoryLayout layout(Size size) const;
+  /// Of these tables themselves, as far as mazes of that size need them: constant once they are made.
+  std::size_t table_bytes(Size size) const;
 
  private:
   friend class FastestRoutes;

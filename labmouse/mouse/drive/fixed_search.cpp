@@ -218,6 +218,7 @@ class FixedSearches final : public SearchMaker {
   SearchBytes bytes(Size size) const override {
     return is_small(size) ? bytes_of<std::uint32_t>() : bytes_of<std::uint64_t>();
   }
+  std::size_t table_bytes() const override { return sizeof(tables_); }
   MemoryLayout layout(Size size) const override {
     return is_small(size) ? FixedSearch<std::uint32_t>::layout() : FixedSearch<std::uint64_t>::layout();
   }

@@ -325,6 +325,7 @@ class LaneSearches final : public SearchMaker {
   MemoryLayout layout(Size size) const override {
     return is_small(size) ? LaneSearch<std::uint32_t, Speeds>::layout() : LaneSearch<std::uint64_t, Speeds>::layout();
   }
+  std::size_t table_bytes() const override { return lanes_.onwards.bytes() + lanes_.backwards.bytes(); }
   SearchInPlace make(Size size, std::byte* memory) const override {
     if (is_small(size)) return SearchInPlace(new (memory) LaneSearch<std::uint32_t, Speeds>(size, lanes_, leaps_));
     return SearchInPlace(new (memory) LaneSearch<std::uint64_t, Speeds>(size, lanes_, leaps_));

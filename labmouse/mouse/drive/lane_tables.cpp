@@ -72,6 +72,14 @@ LaneTables::LaneTables(const DriveTables& tables, unsigned speeds) : speeds_(spe
   find_turns(tables);
 }
 
+std::size_t LaneTables::bytes() const {
+  std::size_t bytes = sizeof(*this) + sizeof(DriveTime) * (straights_.size() + finish_.size() + slacks_.size());
+  for (unsigned kind = 0; kind < node_kinds; ++kind)
+    bytes += sizeof(int) * slots_[kind].size() + sizeof(Slot) * used_[kind].size() +
+             sizeof(TurnBefore) * turns_[kind].size();
+  return bytes;
+}
+
 void LaneTables::find_slots(const DriveTables& tables) {
   const auto lanes = lanes_at_nodes(tables);
   for (unsigned kind = 0; kind < node_kinds; ++kind) {

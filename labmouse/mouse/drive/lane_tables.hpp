@@ -78,6 +78,8 @@ class LaneTables {
   }
   static constexpr unsigned most_turns = 64;
 
+  std::size_t bytes() const;
+
  private:
   static constexpr int lengths = StraightTimes::longest + 1;
 

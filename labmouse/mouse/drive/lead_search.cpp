@@ -215,6 +215,9 @@ class LeadSearches final : public SearchMaker {
   SearchBytes bytes(Size size) const override {
     return is_small(size) ? bytes_of<std::uint32_t>() : bytes_of<std::uint64_t>();
   }
+  std::size_t table_bytes() const override {
+    return sizeof(tables_) - sizeof(tables_.lanes) + tables_.lanes.bytes() + sizeof(DriveTime) * tables_.start.size();
+  }
   MemoryLayout layout(Size size) const override {
     return is_small(size) ? LeadSearch<std::uint32_t>::layout() : LeadSearch<std::uint64_t>::layout();
   }

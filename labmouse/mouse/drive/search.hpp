@@ -64,6 +64,8 @@ class SearchMaker {
   virtual SearchBytes bytes(Size size) const = 0;
   /// What these bytes are spent on, but for the rest.
   virtual MemoryLayout layout(Size size) const = 0;
+  /// Of its tables, which all searches share.
+  virtual std::size_t table_bytes() const = 0;
   virtual SearchInPlace make(Size size, std::byte* memory) const = 0;
 };
 
