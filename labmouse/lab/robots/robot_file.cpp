@@ -84,13 +84,18 @@ class RobotReader {
                  ? void()
                  : add(found->source().begin, fmt::format("'{}' must be {}", key.name, range_of(key)));
     }
-    if (!found->is_number())
-      return add(found->source().begin, fmt::format("'{}' must be a number, in {}", key.name, key.unit));
+    if (!found->is_number()) return add(found->source().begin, fmt::format("'{}' must be {}", key.name, words_of(key)));
     // A whole number that a double cannot hold is far out of any range.
     const double value = found->value<double>().value_or(std::numeric_limits<double>::infinity());
     if (!(value >= key.low && value <= key.high) || (key.kind == Kind::whole && !found->is_integer()))
       add(found->source().begin,
           fmt::format("'{}' is {}; it must be {}{}", key.name, written(*found), range_of(key), hint_of(key, value)));
+  }
+
+  static std::string words_of(const RobotKey& key) {
+    const std::string number = fmt::format("a number, in {}", key.unit);
+    if (key.kind == RobotKey::Kind::number_or_false) return number + ", or false";
+    return key.name.ends_with(".S90") ? number + ": every robot drives S90" : number;
   }
 
   static std::string_view diagonal_hint(const toml::node& value) {
