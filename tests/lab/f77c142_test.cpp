@@ -173,11 +173,11 @@ TEST(ThePast, HasRobotsThatKeepTheirMeaning) {
       {"classic", 0xa579cb9e46f01a2c}, {"half", 0x10c39081f1137f0e}, {"mm2021", 0xf68d7d6dfc200793}};
   for (const auto& [name, hash] : hashes) {
     SCOPED_TRACE(name);
-    const std::string text = content("robots/" + name + ".toml");
+    const std::string text = content(fmt::format("robots/{}.toml", name));
     EXPECT_EQ(read_robot(text, name, RobotText::recorded).model.tables.hash, hash);
     EXPECT_EQ(read_robot(text, name).problems.size(), 0U);  // it can still be driven, by what is usual now
     if (name == "half") continue;
-    const ReadDriveRecordResult read = read_drive_record(content("robots/" + name + ".jsonl"));
+    const ReadDriveRecordResult read = read_drive_record(content(fmt::format("robots/{}.jsonl", name)));
     ASSERT_TRUE(read.file);
     EXPECT_EQ(read.file->tables_hash, hash);
     EXPECT_EQ(replay(*read.file), "");

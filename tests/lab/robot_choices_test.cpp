@@ -140,7 +140,7 @@ TEST(RobotChoices, AreWhetherDiagonalsAreDriven) {
     EXPECT_THAT(reasons(read({"diagonals = " + odd})), ElementsAre(Says("'diagonals'", "true or false"))) << odd;
   for (const std::string turn : {"45", "135", "V90"})
     for (const std::string value : {"false", "900"})
-      EXPECT_THAT(reasons(read({"diagonals = false", "", turn + " = " + value})),
+      EXPECT_THAT(reasons(read({"diagonals = false", "", fmt::format("{} = {}", turn, value)})),
                   ElementsAre(Says("'layout." + turn + "'", "without diagonals")));
 }
 

@@ -30,7 +30,7 @@ std::vector<Maze> classic_mazes() {
   for (const auto& file : test::maze_files())
     if (auto maze = test::maze_in_file(file);
         maze && maze->size() == Size{16, 16} && file.parent_path().filename() == "classic")
-      mazes.push_back(std::move(*maze));
+      mazes.push_back(*maze);
   return mazes;
 }
 
