@@ -1,6 +1,6 @@
 // The canvas that one draws on, by pointer and by keys.
 import type { Cell } from '../core/types';
-import { createStage } from '../maze/stage';
+import { createStage, type Stage } from '../maze/stage';
 import { h } from '../ui/dom';
 import type { Editor } from './editor';
 import { cellInWords, press } from './keys';
@@ -11,9 +11,13 @@ import { beginStroke, drawn, type Stroke, type Tool } from './strokes';
 
 export interface Board {
   element: HTMLElement;
+  stage: Stage;
+  /** Which keys there are. */
+  keys: HTMLElement;
   /** Shows the drawing as it is now. */
   show(): void;
-  setTool(tool: Tool): void;
+  /** What the pointer draws; or that it looks around. */
+  setTool(tool: Tool | 'look'): void;
   setRoute(route: Cell[] | null): void;
   /** Scrolls to it, where it is out of sight. */
   reveal(): void;
@@ -22,19 +26,17 @@ export interface Board {
 /** A finger hides what it touches: it may be farther away. */
 const reachOf = (event: PointerEvent) => (event.pointerType === 'touch' ? 0.4 : 0.3);
 
-/** Pixels of the page that header, tools and the line below need. */
-const above = 220;
-
 const help =
   'Arrow keys move from cell to cell. W, A, S, D, or Shift with an arrow, close or open the wall on that side. ' +
-  'G: goal. H: put the start here. R: turn the start. Ctrl+Z and Ctrl+Shift+Z: undo and redo.';
+  'G: goal. H: put the start here. R: turn the start. Z and X, or the wheel: nearer and farther. ' +
+  'Ctrl+Z and Ctrl+Shift+Z: undo and redo.';
 
 export function createBoard(editor: Editor): Board {
   /** What was done, or why it was not: to be read and to be heard. */
   const said = h('p', { class: 'draw-said', 'aria-live': 'polite' });
   const say = (words: string) => said.textContent !== words && said.replaceChildren(words);
   const overlay: Overlay = { hover: null, cursor: null, route: null };
-  let tool: Tool = 'walls';
+  let tool: Tool | 'look' = 'walls';
   let cursor: Cell = editor.maze().start;
   let size = '';
   /** What was just drawn is shown as it is, until the pointer leaves it. */
@@ -44,7 +46,15 @@ export function createBoard(editor: Editor): Board {
   const stage = createStage(
     editor.maze(),
     (context, geometry, palette) => paintDrawing(context, geometry, palette, editor.maze(), overlay),
-    { numbers: true, tallest: () => Math.max(280, innerHeight - above) },
+    {
+      numbers: true,
+      // What draws does not pull the maze along: the middle button does, and the hand.
+      mayDrag: ({ button }) => stage.camera().scale > 1 && (button === 1 || tool === 'look'),
+      twoFingers: () => {
+        if (stroke) editor.undo();
+        stroke = null;
+      },
+    },
   );
   const { canvas } = stage;
   const keys = h('p', { id: 'draw-keys', class: 'draw-keys' }, help);
@@ -63,14 +73,14 @@ export function createBoard(editor: Editor): Board {
   function hover(event: PointerEvent | null) {
     const wall =
       event && tool === 'walls' && event.pointerType !== 'touch' ? nearestWall(editor.maze(), ...place(event)) : null;
-    canvas.style.cursor = wall || tool !== 'walls' ? 'crosshair' : 'default';
+    canvas.style.cursor = tool === 'look' ? '' : wall || tool !== 'walls' ? 'crosshair' : 'default';
     if (JSON.stringify(wall) !== fresh) fresh = '';
     overlay.hover = fresh ? null : wall;
     stage.redraw();
   }
 
   function down(event: PointerEvent) {
-    if (event.button !== 0 || stroke) return;
+    if (event.button !== 0 || stroke || tool === 'look') return;
     const at = place(event);
     const begun = beginStroke(tool, editor.maze(), ...at, reachOf(event));
     if (!begun) return;
@@ -101,16 +111,35 @@ export function createBoard(editor: Editor): Board {
     hover(event.type === 'pointerup' ? event : null);
   }
 
+  /** The cell of the keyboard, in a closer look. */
+  function keepInSight() {
+    const { scale, x, y } = stage.camera();
+    const { canvasWidth, canvasHeight, pitch } = stage.geometry();
+    const near = (place: number, middle: number, room: number) => {
+      const reach = Math.max(0.5, room / pitch / 2 - 1);
+      return Math.min(Math.max(middle, place + 0.5 - reach), place + 0.5 + reach);
+    };
+    if (scale > 1) stage.look({ scale, x: near(cursor[0], x, canvasWidth), y: near(cursor[1], y, canvasHeight) });
+  }
+
   canvas.addEventListener('pointerdown', down);
   canvas.addEventListener('pointermove', move);
   canvas.addEventListener('pointerup', up);
   canvas.addEventListener('pointercancel', up);
   canvas.addEventListener('pointerleave', () => hover(null));
+  function looks(event: KeyboardEvent) {
+    const factor = { z: 1.4, x: 1 / 1.4 }[event.key.toLowerCase()];
+    if (!factor || event.ctrlKey || event.metaKey || event.altKey) return;
+    event.preventDefault();
+    stage.zoomBy(factor);
+    keepInSight();
+  }
   canvas.addEventListener('keydown', (event) => {
     const pressed = stroke ? null : press(event, editor.maze(), cursor);
-    if (!pressed) return;
+    if (!pressed) return looks(event);
     event.preventDefault();
     cursor = overlay.cursor = pressed.cursor;
+    keepInSight();
     editor.change(pressed.maze);
     say(pressed.said);
     stage.redraw();
@@ -137,10 +166,13 @@ export function createBoard(editor: Editor): Board {
     stage.resize(maze);
   }
   return {
-    element: h('div', { class: 'draw-board' }, stage.element, said, keys),
+    element: h('div', { class: 'draw-board' }, stage.element, said),
+    stage,
+    keys,
     show,
     setTool(next) {
       tool = next;
+      canvas.classList.toggle('looking', tool === 'look');
       hover(null);
     },
     setRoute(route) {

@@ -28,7 +28,7 @@ const isEqual = (one: MazeData, other: MazeData) => JSON.stringify(one) === JSON
 export function createDesk(page: Page, first: MazeData): Desk {
   const editor = createEditor(first, () => changed());
   const board = createBoard(editor);
-  const tools = createTools(editor, board.setTool);
+  const tools = createTools(editor, board.setTool, (factor) => board.stage.zoomBy(factor));
   const withRoute = h('input', { type: 'checkbox', checked: true, onchange: () => showRoute() });
   let found: [number, number][] | null = null;
   const showRoute = () => {
@@ -79,10 +79,13 @@ export function createDesk(page: Page, first: MazeData): Desk {
     h(
       'section',
       { class: 'card', 'aria-label': 'Drawing' },
-      h('h2', {}, 'Drawing'),
+      title,
+      key.element,
       field('Name', name),
+      tools.changes,
       h('label', { class: 'check' }, withRoute, 'Shortest run'),
       h('button', { type: 'button', class: 'main', onclick: () => page.live(editor.maze()) }, 'Run a mouse here'),
+      board.keys,
     ),
     judgement.element,
   ];
@@ -100,9 +103,8 @@ export function createDesk(page: Page, first: MazeData): Desk {
     element: h(
       'div',
       { class: 'desk' },
-      h('div', { class: 'desk-main' }, tools.element, title, board.element, key.element),
-      h('div', { class: 'desk-side' }, ...side),
-      h('div', { class: 'desk-below' }, ...below),
+      h('div', { class: 'desk-main' }, tools.element, board.element),
+      h('div', { class: 'desk-panel' }, ...side, ...below),
     ),
     drawing: editor.maze,
     load,

@@ -35,12 +35,12 @@ function figures(found: Inspection, cells: number): [string, string, string][] {
 }
 
 /** The most important thing about a drawing. */
-function verdict(found: Inspection): { words: string; good: boolean } {
-  if (found.optimum === null) return { words: 'No goal can be reached from the start.', good: false };
+function verdict(found: Inspection): { words: string; state: 'good' | 'fair' | 'bad' } {
+  if (found.optimum === null) return { words: 'No goal can be reached from the start.', state: 'bad' };
   const broken = found.contest_rules.filter((rule) => !rule.passed).length;
   const all = found.contest_rules.length;
-  if (broken === 0) return { words: `A contest maze: it follows all ${all} rules.`, good: true };
-  return { words: `The goal can be reached; ${broken} of ${all} contest rules are broken.`, good: true };
+  if (broken === 0) return { words: `A contest maze: it follows all ${all} rules.`, state: 'good' };
+  return { words: `The goal can be reached; ${broken} of ${all} contest rules are broken.`, state: 'fair' };
 }
 
 /** Rules that forbid something say so, or they seem to contradict the figures. */
@@ -78,8 +78,8 @@ export function createJudgement(page: Page, route: (found: Inspection | null) =>
   const latest = createLatest(
     (maze: MazeData) => page.core.call('inspect', { maze }),
     (found, maze) => {
-      const { words: text, good } = verdict(found);
-      tell(text, good ? 'good' : 'bad');
+      const { words: text, state } = verdict(found);
+      tell(text, state);
       element.classList.remove('stale');
       table.replaceChildren(
         ...figures(found, maze.width * maze.height).map(([name, value, meaning]) =>

@@ -34,25 +34,28 @@ function outcomeInWords({ spec, play }: Walk): string {
 
 /** `refused` hears why a run could not be, and an empty text where it could. */
 export function createBench(page: Page, refused: (message: string) => void): Bench {
-  const player = createPlayer(page);
   const outcome = h('p', { role: 'status', class: 'verdict' });
   const compare = h('input', { type: 'checkbox', onchange: () => show() });
   const beside = h('label', { class: 'check' }, compare, 'Compare with before');
   const words = h('p', { class: 'comparison', 'aria-live': 'polite' });
   const row = h('div', { class: 'row' }, beside, words);
   const title = h('h2', { class: 'unseen' }, 'The walk');
-  const element = h('div', { class: 'bench' }, title, outcome, row, player.element);
+  const lead = h('div', { class: 'outcome' }, outcome, row);
+  const player = createPlayer(page, lead);
+  // Beside the numbers of a walk; until there is one, in place of it.
+  const element = h('div', { class: 'bench' }, title, outcome, player.element);
   let now: Walk | null = null;
   let before: Walk | null = null;
 
   /** What is shown is of an order before the last one, which was refused. */
-  const stale = (is: boolean) => [row, player.element].forEach((part) => part.classList.toggle('stale', is));
+  const stale = (is: boolean) => player.element.classList.toggle('stale', is);
   function show() {
     if (now) player.show(compare.checked && before ? [before, now] : [now], 'end');
   }
   function take(walk: Walk) {
     before = now && now.play.world === walk.play.world && isSameMaze(now.play, walk.play) ? now : null;
     now = walk;
+    lead.prepend(outcome);
     refused('');
     stale(false);
     outcome.dataset.state = walk.play.solved ? 'good' : 'bad';

@@ -85,9 +85,25 @@ export function paintWalls(context: Context, g: Geometry, palette: Palette, clos
   fillBorder(context, g);
 }
 
-/** The numbers of columns and rows, outside of the maze: every second or fourth where they would stand too close. */
+/** Strips for the numbers, where a closer look leaves no room beside the maze. */
+function paintStrips(context: Context, g: Geometry, palette: Palette, column: number, base: number) {
+  context.fillStyle = palette.paper;
+  context.globalAlpha = 0.85;
+  if (rowAt(g, 0) > base - Math.round(12 * g.ratio))
+    context.fillRect(0, base - Math.round(12 * g.ratio), g.canvasWidth, g.canvasHeight);
+  if (g.left < column) context.fillRect(0, 0, column + Math.round(4 * g.ratio), g.canvasHeight);
+  context.globalAlpha = 1;
+}
+
+/**
+ * The numbers of columns and rows, outside of the maze or at the border of the picture: every second or fourth where they
+ * would stand too close.
+ */
 export function paintNumbers(context: Context, g: Geometry, palette: Palette) {
   const size = Math.round(11 * g.ratio);
+  const base = Math.min(rowAt(g, 0) + Math.round(16 * g.ratio), g.canvasHeight - Math.round(4 * g.ratio));
+  const column = Math.max(g.left - Math.round(7 * g.ratio), Math.round(16 * g.ratio));
+  paintStrips(context, g, palette, column, base);
   const room = g.pitch / size;
   const every = room >= 1.6 ? 1 : room >= 0.8 ? 2 : room >= 0.4 ? 4 : 8;
   context.font = fontOf(palette, size);
@@ -95,12 +111,10 @@ export function paintNumbers(context: Context, g: Geometry, palette: Palette) {
   context.textAlign = 'center';
   context.textBaseline = 'alphabetic';
   const half = g.pitch >> 1;
-  for (let x = 0; x < g.width; x += every)
-    context.fillText(textOf(x), columnAt(g, x) + half, rowAt(g, 0) + Math.round(16 * g.ratio));
+  for (let x = 0; x < g.width; x += every) context.fillText(textOf(x), columnAt(g, x) + half, base);
   context.textAlign = 'right';
   context.textBaseline = 'middle';
-  for (let y = 0; y < g.height; y += every)
-    context.fillText(textOf(y), g.left - Math.round(7 * g.ratio), rowAt(g, y) - half);
+  for (let y = 0; y < g.height; y += every) context.fillText(textOf(y), column, rowAt(g, y) - half);
 }
 
 /** A whole maze, without anything in it. */

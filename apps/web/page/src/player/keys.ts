@@ -10,9 +10,13 @@ const list: [string, string][] = [
   ['Home End', 'to the start or the end'],
   ['G R', 'to the first step in the goal, to the speed run'],
   ['+ −', 'faster or slower'],
-  ['F', 'play all of it in 20 seconds'],
+  ['T', 'play all of it in 20 seconds'],
   ['L', 'repeat from the start'],
   ['1 … 9, 0', 'the layers, in the order of the legend'],
+  ['Z X', 'nearer, farther; the wheel does it, too, and two fingers'],
+  ['W A S D', 'look up, left, down or right, when near'],
+  ['P', 'put the panel away, or back'],
+  ['F', 'full screen'],
 ];
 
 export function keyHelp(): HTMLElement {
@@ -36,6 +40,17 @@ function needs(target: EventTarget | null, key: string): boolean {
   return key === ' ' && target.closest('button, a, summary') !== null;
 }
 
+const looking: Record<string, (actions: Actions) => void> = {
+  z: ({ zoom }) => zoom(1),
+  x: ({ zoom }) => zoom(-1),
+  w: ({ pan }) => pan(0, 1),
+  a: ({ pan }) => pan(1, 0),
+  s: ({ pan }) => pan(0, -1),
+  d: ({ pan }) => pan(-1, 0),
+  p: ({ fold }) => fold(),
+  f: ({ enlarge }) => enlarge(),
+};
+
 /** Does what that key is for; says whether it is for anything. */
 export function press(key: string, shift: boolean, state: State, actions: Actions): boolean {
   const { clock, layers, sides } = state;
@@ -53,7 +68,8 @@ export function press(key: string, shift: boolean, state: State, actions: Action
   else if (key === 'r' || key === 'R') actions.jump('speed');
   else if (key === '+' || key === '=') faster(1);
   else if (key === '-' || key === '−') faster(-1);
-  else if (key === 'f' || key === 'F') actions.setSpeed(-1);
+  else if (key === 't' || key === 'T') actions.setSpeed(-1);
+  else if (looking[key.toLowerCase()]) looking[key.toLowerCase()](actions);
   else if (key === 'l' || key === 'L') actions.setLoop(!clock.loop);
   else return false;
   return true;
@@ -63,7 +79,7 @@ export function press(key: string, shift: boolean, state: State, actions: Action
 export function listen(element: HTMLElement, state: State, actions: Actions) {
   document.addEventListener('keydown', (event) => {
     if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
-    if (state.sides.length === 0 || element.offsetParent === null || needs(event.target, event.key)) return;
+    if (state.sides.length === 0 || !element.checkVisibility() || needs(event.target, event.key)) return;
     if (press(event.key, event.shiftKey, state, actions)) event.preventDefault();
   });
 }

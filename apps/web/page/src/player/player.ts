@@ -1,5 +1,6 @@
 // The player: one contest, or two beside each other on one clock.
 import type { Play } from '../core/types';
+import type { Camera } from '../maze/camera';
 import { h } from '../ui/dom';
 import type { Page } from '../views/view';
 import '../styles/player.css';
@@ -44,12 +45,14 @@ const believes = ({ track }: Pick<Side, 'track'>) => track.play.known.length > 0
 /** Milliseconds between two looks of the numbers and lists at a replay that runs. */
 const panelPause = 100;
 
-/** Leaves room for the controls, and on low screens for the most needed of them; in pixels of the page. */
-const tallest = () => Math.max(Math.min(260, innerHeight - 160), innerHeight - 300);
+/** Of a step of the keys that look aside, in pixels of the page; and how much nearer one press brings. */
+const aside = 80;
+const nearer = 1.4;
 
-export function createPlayer(page: Page): Player {
+/** `lead` stands above the numbers. */
+export function createPlayer(page: Page, ...lead: HTMLElement[]): Player {
   const clock = createClock();
-  const state: State = { clock, layers, sides: [], chosen: 0 };
+  const state: State = { clock, layers, sides: [], chosen: 0, folded: false };
   const still = matchMedia('(prefers-reduced-motion: reduce)');
   const meter = createMeter();
   let asked = 0;
@@ -94,6 +97,21 @@ export function createPlayer(page: Page): Player {
       state.chosen = side;
       wake();
     },
+    zoom(by) {
+      const stage = state.sides[state.chosen]?.scene.stage;
+      if (by === 0) stage?.whole();
+      else stage?.zoomBy(nearer ** by);
+    },
+    pan: (x, y) => state.sides[state.chosen]?.scene.stage.panBy(aside * x, aside * y),
+    fold() {
+      const folded = element.classList.toggle('folded');
+      state.folded = folded;
+      refresh();
+    },
+    enlarge() {
+      if (document.fullscreenElement) void document.exitFullscreen();
+      else void element.requestFullscreen?.().catch(() => undefined);
+    },
   };
 
   const sides = h('div', { class: 'sides' });
@@ -108,10 +126,18 @@ export function createPlayer(page: Page): Player {
   const element = h(
     'div',
     { class: 'player', hidden: true },
-    h('div', { class: 'picture' }, sides, transport.element, moment, curves.element, runs.element),
-    h('div', { class: 'numbers' }, ...numbers.map((panel) => panel.element)),
-    legend.element,
-    h('div', { class: 'below' }, ...below.map((panel) => panel.element), keyHelp()),
+    h('div', { class: 'theatre' }, sides, transport.element),
+    h(
+      'div',
+      { class: 'panel' },
+      ...lead,
+      moment,
+      curves.element,
+      runs.element,
+      h('div', { class: 'numbers' }, ...numbers.map((panel) => panel.element)),
+      legend.element,
+      h('div', { class: 'below' }, ...below.map((panel) => panel.element), keyHelp()),
+    ),
   );
   Object.assign(element, { meter });
 
@@ -164,6 +190,13 @@ export function createPlayer(page: Page): Player {
     }
   }
 
+  /** Who looks closer at one of two mazes of one size looks so at the other. */
+  function lookTogether(from: number, camera: Camera) {
+    const size = ({ track: { maze } }: Side) => `${maze.width}x${maze.height}`;
+    for (const [i, side] of state.sides.entries())
+      if (i !== from && size(side) === size(state.sides[from])) side.scene.stage.look(camera);
+  }
+
   listen(element, state, actions);
   return {
     element,
@@ -171,12 +204,15 @@ export function createPlayer(page: Page): Player {
       for (const side of state.sides) side.scene.stage.close();
       const two = plays.slice(0, 2);
       const names = namesOf(two.map(({ play }) => play));
-      state.sides = two.map((shown, i) => createSide(shown, names[i], layers, tallest));
+      state.sides = two.map((shown, i) => createSide(shown, names[i], layers, (camera) => lookTogether(i, camera)));
       state.chosen = 0;
       const fastest = Math.max(...state.sides.map(({ track }) => track.drive?.fastest ?? 0));
       for (const { track } of state.sides) if (track.drive) track.drive.fastest = fastest;
       element.hidden = state.sides.length === 0;
       element.classList.toggle('double', state.sides.length === 2);
+      // As wide as the maze is, with as much height as there is.
+      const { width, height } = two[0]?.play.maze ?? { width: 1, height: 1 };
+      element.style.setProperty('--aspect', String(width / height));
       sides.replaceChildren(...state.sides.map((side) => side.element));
       clock.playing = false;
       clock.end = Math.max(0, ...state.sides.map(({ track }) => track.time[track.last]));

@@ -2,7 +2,7 @@
 // mouse is painted on a copy of that in every frame of the browser.
 import { h } from '../ui/dom';
 import { paintGround, paintLetters, paintNumbers } from '../maze/painter';
-import { createStage, type Stage } from '../maze/stage';
+import { createStage, type Stage, type StageOptions } from '../maze/stage';
 import { createMoment, goTo, type Moment } from './drive';
 import type { Layers } from './layers';
 import { createPose, poseAt } from './motion';
@@ -56,7 +56,7 @@ function paintBelow(brush: Brush) {
   paintNumbers(context, g, palette);
 }
 
-export function createScene(track: Track, layers: Layers, tallest: () => number): Scene {
+export function createScene(track: Track, layers: Layers, looked?: StageOptions['looked']): Scene {
   const past = createPast(track);
   const pose = createPose();
   const moment = track.drive ? createMoment() : null;
@@ -79,7 +79,7 @@ export function createScene(track: Track, layers: Layers, tallest: () => number)
   }
   const stage = createStage(track.maze, paint, {
     numbers: true,
-    tallest,
+    looked,
     changed(g, palette) {
       if (belowCanvas.width !== g.canvasWidth) belowCanvas.width = g.canvasWidth;
       if (belowCanvas.height !== g.canvasHeight) belowCanvas.height = g.canvasHeight;

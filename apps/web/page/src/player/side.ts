@@ -2,6 +2,7 @@
 import { h } from '../ui/dom';
 import { boundOf } from '../ui/terms';
 import { cellAt } from '../maze/geometry';
+import type { StageOptions } from '../maze/stage';
 import type { Layers } from './layers';
 import { createScene, type Scene } from './scene';
 import type { Side } from './state';
@@ -25,9 +26,14 @@ function readout(track: Track, { stage, past, distanceOf }: Scene): HTMLElement 
   return element;
 }
 
-export function createSide({ play, record }: Shown, name: string, layers: Layers, tallest: () => number): Side {
+export function createSide(
+  { play, record }: Shown,
+  name: string,
+  layers: Layers,
+  looked: StageOptions['looked'],
+): Side {
   const track = prepare(play);
-  const scene = createScene(track, layers, tallest);
+  const scene = createScene(track, layers, looked);
   const digits = play.world === 'mms' ? 1 : 3;
   const score = document.createTextNode('');
   const best = document.createTextNode('');
@@ -52,8 +58,8 @@ export function createSide({ play, record }: Shown, name: string, layers: Layers
       ),
     ),
     scene.stage.element,
-    readout(track, scene),
   );
+  scene.stage.element.append(readout(track, scene));
   const set = (node: Text, text: string) => node.data !== text && (node.data = text);
   return {
     record,

@@ -22,6 +22,8 @@ export interface State {
   sides: Side[];
   /** The one whose steps and reasons are listed. */
   chosen: number;
+  /** The panel is out of the way of the picture. */
+  folded: boolean;
 }
 
 export type Mark = 'start' | 'goal' | 'speed' | 'end';
@@ -37,6 +39,14 @@ export interface Actions {
   setLoop(loop: boolean): void;
   setLayers(layers: Partial<Layers>): void;
   choose(side: number): void;
+  /** So many steps nearer or, below 0, farther; 0 shows the whole maze. */
+  zoom(by: number): void;
+  /** So many steps to the right and down. */
+  pan(x: number, y: number): void;
+  /** Puts the panel away, or back. */
+  fold(): void;
+  /** To the full screen, or back. */
+  enlarge(): void;
 }
 
 /** A part of the player beside its pictures. */

@@ -43,7 +43,7 @@ function speedChoice(state: State, actions: Actions) {
   const names = [...speeds.map((speed, i): [string, number] => [`${speed}×`, i]), ['fit', -1] as [string, number]];
   const select = h(
     'select',
-    { title: 'Speed (+ and −)', onchange: () => actions.setSpeed(Number(select.value)) },
+    { 'aria-label': 'Speed', title: 'Speed (+ and −)', onchange: () => actions.setSpeed(Number(select.value)) },
     ...names.map(([name, value]) => h('option', { value }, name)),
   );
   const rate = h('span', { class: 'rate' });
@@ -52,7 +52,7 @@ function speedChoice(state: State, actions: Actions) {
     const unit = state.sides.some(({ track }) => track.play.world === 'steps') ? 'steps/s' : 's/s';
     rate.textContent = `${short(Math.round(rateOf(state.clock) * 100) / 100)} ${unit}`;
   };
-  return { element: h('label', { class: 'speed' }, 'Speed ', select, rate), update };
+  return { element: h('label', { class: 'speed' }, h('span', {}, 'Speed '), select, rate), update };
 }
 
 export function createTransport(state: State, actions: Actions): Panel {
@@ -75,13 +75,30 @@ export function createTransport(state: State, actions: Actions): Panel {
   const buttons = h(
     'div',
     { class: 'buttons', role: 'group', 'aria-label': 'Replay' },
-    button('start', 'To the start', 'home', () => actions.jump('start')),
-    button('back', 'One step back', 'left arrow', () => actions.step(-1)),
-    play,
-    button('forward', 'One step forward', 'right arrow', () => actions.step(1)),
-    button('end', 'To the end', 'end', () => actions.jump('end')),
+    h(
+      'span',
+      { class: 'moves' },
+      button('start', 'To the start', 'home', () => actions.jump('start')),
+      button('back', 'One step back', 'left arrow', () => actions.step(-1)),
+      play,
+      button('forward', 'One step forward', 'right arrow', () => actions.step(1)),
+      button('end', 'To the end', 'end', () => actions.jump('end')),
+    ),
     h('span', { class: 'marks' }, marks.start, marks.goal, marks.speed),
     h('span', { class: 'pace' }, speed.element, loop),
+  );
+  const fold = button('panel', 'The panel', 'P', actions.fold);
+  fold.classList.add('fold');
+  const screen = button('screen', 'Full screen', 'F', actions.enlarge);
+  screen.classList.add('screen');
+  screen.hidden = !document.fullscreenEnabled;
+  const looks = h(
+    'div',
+    { class: 'looks', role: 'group', 'aria-label': 'Picture' },
+    button('nearer', 'Nearer', 'Z, wheel, two fingers', () => actions.zoom(1)),
+    button('farther', 'Farther', 'X', () => actions.zoom(-1)),
+    screen,
+    fold,
   );
   let sides: Side[] = [];
   let playing: boolean | null = null;
@@ -100,7 +117,7 @@ export function createTransport(state: State, actions: Actions): Panel {
     marks.speed.disabled = track.resetFrame < 0;
   }
   return {
-    element: h('div', { class: 'transport' }, h('div', { class: 'scrubber' }, range, strips), buttons),
+    element: h('div', { class: 'transport' }, h('div', { class: 'scrubber' }, range, strips), buttons, looks),
     update() {
       if (sides !== state.sides) updateSides();
       range.value = String(state.clock.time);
@@ -112,6 +129,7 @@ export function createTransport(state: State, actions: Actions): Panel {
       }
       if (!playing) range.setAttribute('aria-valuetext', state.sides.map(momentText).join(' '));
       loop.setAttribute('aria-pressed', String(state.clock.loop));
+      fold.setAttribute('aria-pressed', String(!state.folded));
       speed.update();
     },
   };

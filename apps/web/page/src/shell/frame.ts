@@ -1,5 +1,5 @@
 // What stands around the views.
-import { h } from '../ui/dom';
+import { h, svg } from '../ui/dom';
 import { themeSwitch } from './theme';
 import { titleOf, viewNames, type ViewName } from './routes';
 import type { Notices } from './notices';
@@ -11,6 +11,21 @@ export interface Frame {
   mark(view: ViewName): void;
 }
 
+/** The mouse of the pictures. */
+const mark = () =>
+  svg(
+    'svg',
+    { viewBox: '0 0 24 24', width: 22, height: 22, 'aria-hidden': 'true', focusable: 'false' },
+    svg('path', { d: 'M12 2l8 19-8-5-8 5z', fill: 'currentColor' }),
+  );
+
+const folder = () =>
+  svg(
+    'svg',
+    { viewBox: '0 0 24 24', width: 18, height: 18, 'aria-hidden': 'true', focusable: 'false' },
+    svg('path', { d: 'M3 5h6l2 2h10v12H3zM5 9v8h14V9z', fill: 'currentColor' }),
+  );
+
 export function createFrame(notices: Notices, intake: Intake): Frame {
   const tabs = new Map(viewNames.map((name) => [name, h('a', { href: `#${name}` }, titleOf(name))]));
   const main = h('main', { id: 'main', tabindex: -1 });
@@ -19,20 +34,22 @@ export function createFrame(notices: Notices, intake: Intake): Frame {
     'header',
     { class: 'top' },
     skip,
-    h('h1', {}, 'labmouse'),
+    h('h1', {}, h('a', { class: 'brand', href: '#' }, mark(), h('span', {}, 'labmouse'))),
     h('nav', { 'aria-label': 'Views' }, ...tabs.values()),
+    notices.status,
     h(
       'div',
       { class: 'tools' },
       h(
         'button',
-        { type: 'button', onclick: intake.choose, title: 'A maze, a record or the results of a race' },
-        'Open file',
+        { type: 'button', class: 'open', onclick: intake.choose, title: 'A maze, a record or the results of a race' },
+        folder(),
+        h('span', {}, 'Open file'),
       ),
       themeSwitch(),
     ),
   );
-  document.getElementById('page')!.replaceChildren(header, notices.status, notices.alerts, main, intake.overlay);
+  document.getElementById('page')!.replaceChildren(header, notices.alerts, main, intake.overlay);
   return {
     main,
     mark(view) {

@@ -34,9 +34,6 @@ export function createLive(page: Page): LiveView {
   let maze: MazeData | null = null;
   let written = '';
   let isShown = false;
-  /** A maze that came from elsewhere is to be seen with its first walk, also where the choices stand above it. */
-  let isGiven = false;
-  const narrow = matchMedia('(max-width: 60rem)');
 
   const mouse = createMouseChoice(mice.some(({ name }) => name === oracle.name) ? mice : [...mice, oracle], changed);
   const mazes = createMazeChoice(page, (next) => {
@@ -53,14 +50,12 @@ export function createLive(page: Page): LiveView {
   const bench = createBench(page, (message) => {
     complainAt({ seed: seedRow, budget: budgetRow, mouse }, 'mouse', message);
     if (message) showComplaint();
-    else if (isGiven && narrow.matches) requestAnimationFrame(() => bench.element.scrollIntoView());
-    isGiven = false;
   });
   const everyone = createEveryone(page, order, (spec, itsSeed) => {
     mouse.choose(spec);
     seed.value = String(itsSeed);
     changed();
-    bench.element.scrollIntoView({ block: 'nearest' });
+    scrollTo({ top: 0, behavior: 'instant' });
   });
 
   function showWorld() {
@@ -135,7 +130,7 @@ export function createLive(page: Page): LiveView {
     element: h(
       'section',
       { 'aria-label': 'Live', class: 'live' },
-      h('div', { class: 'desk' }, side, h('div', { class: 'desk-main' }, everyone.element, bench.element)),
+      h('div', { class: 'desk' }, side, h('div', { class: 'desk-main' }, bench.element, everyone.element)),
     ),
     maze: () => maze,
     shown() {
@@ -148,7 +143,6 @@ export function createLive(page: Page): LiveView {
     },
     accept(thing) {
       if (!isMaze(thing)) return;
-      isGiven = true;
       mazes.give(thing);
       // What stands in the address is older than this.
       written = location.hash;

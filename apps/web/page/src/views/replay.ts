@@ -45,7 +45,7 @@ function createWelcome(page: Page) {
     page.core.call('drive', { mouse, maze, seed: 1, robot: robots[0].name, rules: rules[0].name });
   return h(
     'div',
-    { class: 'welcome' },
+    { class: 'welcome sheet' },
     h(
       'p',
       {},
@@ -77,26 +77,26 @@ function createWelcome(page: Page) {
   );
 }
 
-/** A phone that lies on its side. */
-const low = matchMedia('(max-height: 30rem)');
-
 export function createReplay(page: Page): View {
-  const player = createPlayer(page);
+  const another = h('button', { type: 'button', onclick: () => show([]) }, 'Another record');
+  const player = createPlayer(page, h('div', { class: 'row another' }, another));
   const welcome = createWelcome(page);
-  const another = h('button', { type: 'button', hidden: true, onclick: () => show([]) }, 'Another record');
   player.element.tabIndex = -1;
   player.element.setAttribute('role', 'group');
   player.element.setAttribute('aria-label', 'Player');
-  const heading = h('header', {}, h('h2', {}, 'Replay'), another);
-  const element = h('section', { class: 'replay', 'aria-label': 'Replay' }, heading, welcome, player.element);
+  const element = h(
+    'section',
+    { class: 'replay', 'aria-label': 'Replay' },
+    h('h2', { class: 'unseen' }, 'Replay'),
+    welcome,
+    player.element,
+  );
   function show(plays: Shown[]) {
     welcome.hidden = plays.length > 0;
-    another.hidden = plays.length === 0;
     player.show(plays);
     // The button that was pressed is gone; the keys are the player's now.
     if (plays.length > 0) player.element.focus({ preventScroll: true });
     else welcome.querySelector('select')?.focus();
-    if (low.matches) player.element.querySelector('.side')?.scrollIntoView();
   }
   return {
     element,

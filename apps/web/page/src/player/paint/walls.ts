@@ -13,7 +13,7 @@ function onBorder(brush: Brush, wall: number): boolean {
 /** Unknown walls as broken lines, open or not: six dashes and gaps to a cell. */
 function paintUnknown(brush: Brush) {
   const { context, g, palette, track, past } = brush;
-  const width = thick(g, 0.04);
+  const width = thick(g, 0.03);
   const back = Math.floor(width / 2);
   context.fillStyle = palette.faint;
   for (let wall = 0; wall < 2 * track.cells; ++wall) {

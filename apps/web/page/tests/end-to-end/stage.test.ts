@@ -1,0 +1,125 @@
+// The picture comes first: how large it is, what is beside it on the first screen, and closer looks at it.
+import type { Locator, Page } from 'playwright-core';
+import { expect, test } from 'vitest';
+import { open } from './harness';
+
+const desk = { width: 1440, height: 900 };
+const phone = { width: 390, height: 844 };
+
+async function replayed(mice: string, options: object) {
+  const page = await open('#replay', options);
+  const line = page.locator('.replay .welcome p', { hasText: `${mice} in` }).first();
+  await line.getByRole('combobox').selectOption('contest-01');
+  await line.getByRole('button', { name: 'Run' }).click();
+  await page.locator('.replay .stage canvas').first().waitFor();
+  return page;
+}
+async function walked(options: object) {
+  const page = await open('#live', options);
+  await page.locator('.live .stage canvas').waitFor();
+  return page;
+}
+const boxOf = async (place: Locator) => (await place.boundingBox())!;
+/** All of it is in the window as it was opened. */
+async function onFirstScreen(page: Page, ...places: Locator[]) {
+  for (const place of places)
+    for (const one of await place.all()) {
+      const box = await boxOf(one);
+      expect(box.y).toBeGreaterThanOrEqual(0);
+      expect(box.y + box.height).toBeLessThanOrEqual(page.viewportSize()!.height);
+    }
+}
+const pixels = (page: Page) =>
+  page
+    .locator('.replay .stage canvas')
+    .first()
+    .evaluate((canvas: HTMLCanvasElement) => canvas.toDataURL());
+
+test('a maze of 16 by 16 has all the height of a window, in each view', async () => {
+  const numbers = 20;
+  for (const [name, page] of [
+    ['replay', await replayed('ariadne', { viewport: desk })],
+    ['draw', await open('#draw', { viewport: desk })],
+  ] as const) {
+    const canvas = page.locator(`.${name} .stage canvas`);
+    await canvas.waitFor();
+    expect((await boxOf(canvas)).height - numbers).toBeGreaterThan(760);
+  }
+  const live = await walked({ viewport: desk });
+  expect((await boxOf(live.locator('.live .stage canvas'))).height - numbers).toBeGreaterThan(760);
+});
+
+test('on a telephone maze, controls and slider are on the first screen, also with two mice', async () => {
+  const options = { viewport: phone, hasTouch: true };
+  const slider = (page: Page) => page.getByRole('slider', { name: 'Moment of the replay' });
+  for (const page of [await replayed('ariadne and flood', options), await walked(options)]) {
+    await onFirstScreen(page, page.locator('.stage canvas:visible'), slider(page), page.locator('.transport:visible'));
+    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(phone.width);
+  }
+});
+
+test('what a finger hits is large enough', async () => {
+  const options = { viewport: phone, hasTouch: true };
+  const pages = [await replayed('ariadne', options), await walked(options), await open('#draw', options)];
+  await pages[2].locator('.draw .stage canvas').waitFor();
+  for (const page of pages) {
+    const small = await page.evaluate(() =>
+      [
+        ...document.querySelectorAll(
+          '.top a, .top button, .top select, .transport button, .transport select, .draw-tools button',
+        ),
+      ]
+        .filter((one) => one.checkVisibility() && !one.matches('.skip'))
+        .filter((one) => one.getBoundingClientRect().height < 44 || one.getBoundingClientRect().width < 44)
+        .map((one) => one.outerHTML.slice(0, 80)),
+    );
+    expect(small).toEqual([]);
+  }
+});
+
+test('the wheel and the keys look closer, a drag looks aside, and the whole comes back', async () => {
+  const page = await replayed('ariadne', { viewport: desk });
+  const canvas = page.locator('.replay .stage canvas');
+  const whole = await pixels(page);
+  const box = await boxOf(canvas);
+  await page.mouse.move(box.x + 200, box.y + 600);
+  await page.mouse.wheel(0, -400);
+  await expect.poll(() => pixels(page)).not.toBe(whole);
+  const near = await pixels(page);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 300, box.y + 500);
+  await page.mouse.up();
+  await expect.poll(() => pixels(page)).not.toBe(near);
+  const moved = await pixels(page);
+  await page.keyboard.press('d');
+  await expect.poll(() => pixels(page)).not.toBe(moved);
+  for (let i = 0; i < 8; ++i) await page.keyboard.press('x');
+  await expect.poll(() => pixels(page)).toBe(whole);
+  await page.getByRole('button', { name: 'Nearer' }).click();
+  await expect.poll(() => pixels(page)).not.toBe(whole);
+});
+
+test('the panel folds away, and the maze moves to the middle', async () => {
+  const page = await replayed('ariadne', { viewport: desk });
+  const canvas = page.locator('.replay .stage canvas');
+  const before = await boxOf(canvas);
+  await page.keyboard.press('p');
+  await page.locator('.replay .panel').waitFor({ state: 'hidden' });
+  await expect.poll(async () => (await boxOf(canvas)).x).toBeGreaterThan(before.x + 100);
+  await page.getByRole('button', { name: 'The panel' }).click();
+  await page.locator('.replay .panel').waitFor();
+});
+
+test('a drawing is looked at closer, and drawn there', async () => {
+  const page = await open('#draw', { viewport: desk });
+  const canvas = page.getByRole('application', { name: /^Drawing of/ });
+  await page.getByRole('button', { name: 'Nearer' }).click();
+  const box = await boxOf(canvas);
+  await page.mouse.move(box.x + 120, box.y + 120);
+  await page.mouse.wheel(0, -600);
+  const undo = page.getByRole('button', { name: 'Undo' });
+  expect(await undo.isDisabled()).toBe(true);
+  await canvas.focus();
+  for (const key of ['ArrowUp', 'ArrowUp', 'd']) await page.keyboard.press(key);
+  await expect.poll(() => undo.isEnabled()).toBe(true);
+});
