@@ -13,6 +13,7 @@ import { routeOf, titleOf } from './shell/routes';
 import { createStage } from './shell/stage';
 import { h } from './ui/dom';
 import { createDraw } from './views/draw';
+import { createHome } from './views/home';
 import { createLive } from './views/live';
 import { createRace } from './views/race';
 import { createReplay } from './views/replay';
@@ -55,7 +56,7 @@ const page: EarlyPage = {
     if (race === report || !report) return null;
     return () => stage.show('race', (race = report));
   },
-  replay: (plays) => stage.show('replay', plays),
+  replay: (plays, time) => stage.show('replay', { plays, time }),
   live: (maze) => stage.show('live', maze),
   draw: (maze) => stage.show('draw', maze),
   mazes: () => [...opened.values(), ...[stage.view('draw')?.maze?.() ?? []].flat()],
@@ -85,7 +86,7 @@ const takeFiles = fileTaker(core, notices, {
     for (const maze of mazes) opened.set(maze.name, maze);
     page.live(mazes[mazes.length - 1]);
   },
-  plays: page.replay,
+  plays: (plays) => page.replay(plays),
   results: (results) => showResults(results),
   atHand: () =>
     (['draw', 'live'] as const).flatMap((name) => {
@@ -100,7 +101,8 @@ function follow() {
   if (route && 'view' in route) {
     if (route.view !== stage.current()) stage.show(route.view);
   } else if (!route) {
-    if (stage.current() === null || location.hash === '') stage.show('race');
+    if (stage.current() === null || location.hash === '')
+      stage.show(blockText('labmouse-report') === null ? 'home' : 'race');
   } else if (route.link === lastLink) stage.show('draw');
   else void openLink((lastLink = route.link));
 }
@@ -146,6 +148,7 @@ async function start() {
   follow();
   if (missing) notices.complain(missing);
   await loadReport().catch(notices.complain);
+  stage.add('home', createHome(page));
   stage.add('race', createRace(page));
   await startViews().catch((error) => missing || notices.complain(error));
 }

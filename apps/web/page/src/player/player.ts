@@ -30,8 +30,8 @@ export interface Shown {
 
 export interface Player {
   element: HTMLElement;
-  /** Shows one or two of them, from the beginning or at the end; what was shown before is gone. */
-  show(plays: Shown[], at?: 'start' | 'end'): void;
+  /** Shows one or two of them, from the beginning or at the end, or from that time on; what was shown before is gone. */
+  show(plays: Shown[], at?: 'start' | 'end', time?: number): void;
   /** Pauses: call it when the player is hidden. */
   stop(): void;
 }
@@ -200,7 +200,7 @@ export function createPlayer(page: Page, ...lead: HTMLElement[]): Player {
   listen(element, state, actions);
   return {
     element,
-    show(plays, at = 'start') {
+    show(plays, at = 'start', time = 0) {
       for (const side of state.sides) side.scene.stage.close();
       const two = plays.slice(0, 2);
       const names = namesOf(two.map(({ play }) => play));
@@ -216,7 +216,7 @@ export function createPlayer(page: Page, ...lead: HTMLElement[]): Player {
       sides.replaceChildren(...state.sides.map((side) => side.element));
       clock.playing = false;
       clock.end = Math.max(0, ...state.sides.map(({ track }) => track.time[track.last]));
-      clock.time = at === 'end' ? clock.end : 0;
+      clock.time = at === 'end' ? clock.end : Math.min(time, clock.end);
       clock.unit = state.sides.some(({ track }) => track.play.world === 'steps') ? usual.steps : usual.seconds;
       if (layers.distances === 'believed' && !state.sides.some(believes)) layers.distances = 'true';
       if (layers.distances === 'believed') void believe();

@@ -2,6 +2,7 @@
 // mouse is painted on a copy of that in every frame of the browser.
 import { h } from '../ui/dom';
 import { paintGround, paintLetters, paintNumbers } from '../maze/painter';
+import type { Tone } from '../maze/palette';
 import { createStage, type Stage, type StageOptions } from '../maze/stage';
 import { createMoment, goTo, type Moment } from './drive';
 import type { Layers } from './layers';
@@ -12,11 +13,20 @@ import { distanceOf, paintDistances } from './paint/distances';
 import { paintDriven, paintDriving, paintFastest, poseOf } from './paint/drive';
 import { paintFloor } from './paint/floor';
 import { paintMouse, paintRays } from './paint/mouse';
+import { paintPlan } from './paint/plan';
 import { paintMmsTexts } from './paint/mms-texts';
 import { paintBest, paintExploration, paintSpeedRun } from './paint/ways';
 import { paintWalls } from './paint/walls';
 import { createPast, moveTo, type Past } from './past';
 import { frameAt, type Track } from './track';
+
+export interface SceneOptions {
+  looked?: StageOptions['looked'];
+  /** The tone of the mouse; ink where it is missing. */
+  hue?: Tone;
+  /** Whether the way that the mouse believes in is drawn while it searches; for that it needs its beliefs. */
+  plan?: boolean;
+}
 
 export interface Scene {
   stage: Stage;
@@ -31,6 +41,8 @@ export interface Scene {
   show(time: number, smooth: boolean): boolean;
   /** Steps to the goal from that cell, as the layer of distances has them (true where it is off); -1 for no way. */
   distanceOf(cell: number): number;
+  /** The cell in which the mouse is. */
+  cell(): number;
   /** After the layers have changed. */
   repaint(): void;
 }
@@ -56,7 +68,7 @@ function paintBelow(brush: Brush) {
   paintNumbers(context, g, palette);
 }
 
-export function createScene(track: Track, layers: Layers, looked?: StageOptions['looked']): Scene {
+export function createScene(track: Track, layers: Layers, options: SceneOptions = {}): Scene {
   const past = createPast(track);
   const pose = createPose();
   const moment = track.drive ? createMoment() : null;
@@ -71,6 +83,7 @@ export function createScene(track: Track, layers: Layers, looked?: StageOptions[
   function paint() {
     if (!below || !front) return;
     if (stale) paintBelow(below);
+    if (stale && options.plan && track.run[past.frame] === 0) paintPlan(below);
     stale = false;
     front.context.drawImage(belowCanvas, 0, 0);
     if (layers.rays) paintRays(front);
@@ -79,11 +92,11 @@ export function createScene(track: Track, layers: Layers, looked?: StageOptions[
   }
   const stage = createStage(track.maze, paint, {
     numbers: true,
-    looked,
+    looked: options.looked,
     changed(g, palette) {
       if (belowCanvas.width !== g.canvasWidth) belowCanvas.width = g.canvasWidth;
       if (belowCanvas.height !== g.canvasHeight) belowCanvas.height = g.canvasHeight;
-      below = { context, g, palette, track, past, layers, beliefs };
+      below = { context, g, palette, track, past, layers, beliefs, hue: options.hue ?? 'ink' };
       front = { ...below, context: stage.canvas.getContext('2d', { alpha: false })! };
       stale = true;
     },
@@ -109,6 +122,10 @@ export function createScene(track: Track, layers: Layers, looked?: StageOptions[
     },
     believes: () => beliefs !== null,
     distanceOf: (cell) => (below ? distanceOf(below, cell) : -1),
+    cell() {
+      const [x, y] = [track.x[past.frame], track.y[past.frame]].map((half) => Math.floor((half - 1) / 2 + 0.5));
+      return Math.min(y, track.maze.height - 1) * track.maze.width + Math.min(x, track.maze.width - 1);
+    },
     show(time, smooth) {
       const frame = frameAt(track, time);
       const changed = frame !== past.frame;

@@ -33,7 +33,7 @@ export function createSide(
   looked: StageOptions['looked'],
 ): Side {
   const track = prepare(play);
-  const scene = createScene(track, layers, looked);
+  const scene = createScene(track, layers, { looked });
   const digits = play.world === 'mms' ? 1 : 3;
   const score = document.createTextNode('');
   const best = document.createTextNode('');

@@ -34,7 +34,11 @@ export function createFrame(notices: Notices, intake: Intake): Frame {
     'header',
     { class: 'top' },
     skip,
-    h('h1', {}, h('a', { class: 'brand', href: '#' }, mark(), h('span', {}, 'labmouse'))),
+    h(
+      'h1',
+      {},
+      h('a', { class: 'brand', href: '#home', title: 'To the front door' }, mark(), h('span', {}, 'labmouse')),
+    ),
     h('nav', { 'aria-label': 'Views' }, ...tabs.values()),
     notices.status,
     h(
@@ -57,7 +61,7 @@ export function createFrame(notices: Notices, intake: Intake): Frame {
         if (name === view) tab.setAttribute('aria-current', 'page');
         else tab.removeAttribute('aria-current');
       }
-      document.title = `${titleOf(view)} · labmouse`;
+      document.title = view === 'home' ? 'labmouse' : `${titleOf(view)} · labmouse`;
     },
   };
 }

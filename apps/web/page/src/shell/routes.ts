@@ -1,7 +1,8 @@
 // What stands behind the # of the page's address: a view, after an & whatever that view adds, or a maze in a link.
 
 export const viewNames = ['race', 'replay', 'live', 'draw'] as const;
-export type ViewName = (typeof viewNames)[number];
+/** The front door has no place among them: the name of the page leads there. */
+export type ViewName = (typeof viewNames)[number] | 'home';
 
 export type Route = { view: ViewName } | { link: string };
 
@@ -9,7 +10,7 @@ export type Route = { view: ViewName } | { link: string };
 export function routeOf(hash: string): Route | null {
   const text = hash.replace(/^#/, '');
   if (text.startsWith('maze=')) return { link: text.slice('maze='.length) };
-  const view = viewNames.find((name) => name === text.split('&', 1)[0]);
+  const view = [...viewNames, 'home' as const].find((name) => name === text.split('&', 1)[0]);
   return view ? { view } : null;
 }
 

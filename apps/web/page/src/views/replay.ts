@@ -91,9 +91,9 @@ export function createReplay(page: Page): View {
     welcome,
     player.element,
   );
-  function show(plays: Shown[]) {
+  function show(plays: Shown[], time?: number) {
     welcome.hidden = plays.length > 0;
-    player.show(plays);
+    player.show(plays, 'start', time);
     // The button that was pressed is gone; the keys are the player's now.
     if (plays.length > 0) player.element.focus({ preventScroll: true });
     else welcome.querySelector('select')?.focus();
@@ -102,6 +102,9 @@ export function createReplay(page: Page): View {
     element,
     shown() {},
     hidden: () => player.stop(),
-    accept: (thing) => show(thing as Shown[]),
+    accept(thing) {
+      const { plays, time } = thing as { plays: Shown[]; time?: number };
+      show(plays, time);
+    },
   };
 }

@@ -20,8 +20,8 @@ export interface EarlyPage {
   race(): LoadedRace | null;
   /** Shows the report again that the page was opened with; null while it is shown, or where there is none. */
   backToReport(): (() => void) | null;
-  /** Opens the replay with one play, or two beside each other on one clock. */
-  replay(plays: { play: Play; record: string }[]): void;
+  /** Opens the replay with one play, or two beside each other on one clock; from that time on, or the beginning. */
+  replay(plays: { play: Play; record: string }[], time?: number): void;
   /** Opens the maze in Live, or in Draw. */
   live(maze: MazeData): void;
   draw(maze: MazeData): void;

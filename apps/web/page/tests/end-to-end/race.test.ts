@@ -26,7 +26,7 @@ const leaderboard = (page: Page) => page.getByRole('region', { name: 'Leaderboar
 const mice = (page: Page) => leaderboard(page).locator('tbody tr:visible th .name').allTextContents();
 
 test('the views are left and found again by links, by the address and by the way back', async () => {
-  const page = await open();
+  const page = await open('#race');
   const current = () => page.locator('nav [aria-current=page]').textContent();
   expect([await current(), await page.title()]).toEqual(['Race', 'Race · labmouse']);
   await page.getByRole('link', { name: 'Draw' }).click();
@@ -58,7 +58,7 @@ test('a replay is shown from its top, and the way back leads to where one was', 
 });
 
 test('the theme is chosen, and kept', async () => {
-  const page = await open();
+  const page = await open('#race');
   const ground = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
   expect(await ground()).toBe('rgb(255, 255, 255)');
   await page.getByLabel('Theme').selectOption('dark');
@@ -68,13 +68,13 @@ test('the theme is chosen, and kept', async () => {
 });
 
 test('a mouse is seen at once', async () => {
-  const page = await open();
+  const page = await open('#race');
   await page.getByRole('button', { name: 'See a mouse run' }).click();
   await page.waitForFunction(() => document.title === 'Replay · labmouse');
 });
 
 test('a race is held in the page', async () => {
-  const page = await open();
+  const page = await open('#race');
   await page.getByRole('button', { name: 'Start the race' }).click();
   await leaderboard(page).waitFor();
   expect(await mice(page)).toHaveLength(5);
@@ -82,7 +82,7 @@ test('a race is held in the page', async () => {
 });
 
 test('a race that ends leaves its user in the view where they are, and offers to show it', async () => {
-  const page = await open();
+  const page = await open('#race');
   await page.getByRole('button', { name: 'Start the race' }).click();
   await page.getByRole('link', { name: 'Draw' }).click();
   const status = page.getByRole('status').first();
@@ -94,7 +94,7 @@ test('a race that ends leaves its user in the view where they are, and offers to
 });
 
 test('a race in seconds is held, and its contests are driven again', async () => {
-  const page = await open();
+  const page = await open('#race');
   await page.getByRole('button', { name: 'Start the race' }).waitFor();
   await page.getByRole('region', { name: 'Race', exact: true }).getByLabel('World').selectOption('seconds');
   const mazes = page.getByRole('group', { name: 'Mazes', exact: true });
@@ -113,7 +113,7 @@ test('a race in seconds is held, and its contests are driven again', async () =>
 });
 
 test('results of a race in seconds are shown', async () => {
-  const page = await open();
+  const page = await open('#race');
   const results = ['race', '--world', 'seconds', '--mice', 'flood,ariadne', '--mazes', 'contest-05', 'contest-06'];
   await drop(page, { name: 'seconds.json', content: native(...results, '--format', 'json') });
   const table = page.getByRole('region', { name: 'Leaderboard, seconds, table' });
@@ -123,7 +123,7 @@ test('results of a race in seconds are shown', async () => {
 });
 
 test('a maze that was opened can race, and is replayed as it was', async () => {
-  const page = await open();
+  const page = await open('#race');
   await page.getByRole('button', { name: 'Start the race' }).waitFor();
   const maze = { name: 'my-maze.txt', content: native('convert', 'contest-half-01', '-') };
   await drop(page, maze);
@@ -242,7 +242,7 @@ test('a link without its maze is told', async () => {
 });
 
 test('of many complaints the newest are shown and the rest counted, until a form is sent again', async () => {
-  const page = await open();
+  const page = await open('#race');
   await page.getByRole('button', { name: 'Start the race' }).waitFor();
   await drop(page, ...Array.from({ length: 7 }, (_, i) => ({ name: `bad${i}.txt`, content: 'no maze' })));
   const alert = page.getByRole('alert');

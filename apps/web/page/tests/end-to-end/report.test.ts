@@ -191,7 +191,7 @@ describe('files and links', () => {
   });
 
   test('a maze of any format opens in Live', async () => {
-    const page = await open();
+    const page = await open('#race');
     for (const format of ['drawing', 'capstone', 'num', 'maz']) {
       const file = temporary(`of-${format}`);
       native('convert', 'contest-03', file, '--format', format);
@@ -265,7 +265,7 @@ describe('files and links', () => {
     native('convert', 'contest-01', maze);
     const [header, ...lines] = readFileSync(file, 'utf8').split('\n');
     const bare = JSON.stringify({ ...JSON.parse(header), maze: undefined });
-    const page = await open();
+    const page = await open('#race');
     await drop(page, { name: 'contest-01.txt', content: readFileSync(maze) });
     await page.getByRole('region', { name: 'Live' }).getByText('ariadne in contest-01.txt: solved').waitFor();
     await drop(page, { name: 'robot.jsonl', content: [bare, ...lines].join('\n') });

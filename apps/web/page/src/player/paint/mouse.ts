@@ -15,7 +15,7 @@ function traceMouse(context: Context, size: number) {
 }
 
 /** `size` 1 for one that fills its cell. */
-export function paintMouse({ context, g, palette }: Brush, pose: Pose, size = 1) {
+export function paintMouse({ context, g, palette, hue }: Brush, pose: Pose, size = 1) {
   const angle = (pose[2] * Math.PI) / 4;
   const cos = Math.cos(angle);
   const sin = Math.sin(angle);
@@ -25,7 +25,7 @@ export function paintMouse({ context, g, palette }: Brush, pose: Pose, size = 1)
   context.lineWidth = thick(g, 0.07);
   context.strokeStyle = palette.paper;
   context.stroke();
-  context.fillStyle = palette.ink;
+  context.fillStyle = palette[hue];
   context.fill();
   context.setTransform(1, 0, 0, 1, 0, 0);
 }

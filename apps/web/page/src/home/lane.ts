@@ -1,0 +1,64 @@
+// One of the two mice of the front door: its name, what it does, its best run, and what it knows and believes.
+import type { Core } from '../core/client';
+import type { Tone } from '../maze/palette';
+import { fetchBeliefs } from '../player/beliefs';
+import { runAt } from '../player/drive';
+import { usualLayers, type Layers } from '../player/layers';
+import { createScene } from '../player/scene';
+import { prepare } from '../player/track';
+import { h } from '../ui/dom';
+import type { Standing } from './gap';
+import type { Met } from './pairs';
+
+const doing = { search: 'searches', home: 'goes back to the start', fast: 'runs' };
+
+export interface Lane {
+  element: HTMLElement;
+  name: string;
+  track: ReturnType<typeof prepare>;
+  standing(): Standing;
+  /** Goes to that time, in seconds. */
+  show(time: number): void;
+  /** What is seen, in words. */
+  describe(): void;
+  close(): void;
+}
+
+export function createLane(core: Core, { play }: Met, hue: Tone): Lane {
+  const track = prepare(play);
+  // A search is told by the map that it draws; a run by its speed.
+  const layers: Layers = { ...usualLayers, speed: false };
+  const scene = createScene(track, layers, { hue, plan: true });
+  const what = h('span', { class: 'doing' });
+  const best = h('span', { class: 'best' });
+  const element = h(
+    'figure',
+    { class: `lane ${hue}` },
+    h('figcaption', {}, h('strong', {}, play.mouse), what, best),
+    scene.stage.element,
+  );
+  // They are seen a moment later than the mouse, which does not wait for them.
+  fetchBeliefs(core, track).then(scene.setBeliefs, () => undefined);
+  const say = (place: HTMLElement, text: string) => place.textContent !== text && (place.textContent = text);
+  const bestNow = () => track.score[scene.past.frame];
+  return {
+    element,
+    name: play.mouse,
+    track,
+    standing: () => ({ name: play.mouse, best: bestNow(), left: scene.distanceOf(scene.cell()) }),
+    show(time) {
+      const run = track.drive!.runs[runAt(track.drive!, time)];
+      const runs = run?.kind === 'fast';
+      if (runs !== layers.speed) {
+        layers.speed = runs;
+        scene.repaint();
+      }
+      scene.show(time, true);
+      say(what, run && time < track.time[track.last] ? doing[run.kind] : 'is done');
+      say(best, Number.isNaN(bestNow()) ? 'no run yet' : `best run ${bestNow().toFixed(3)} s`);
+    },
+    describe: () =>
+      scene.stage.describe(`${play.mouse} in ${play.maze.name}: ${what.textContent}, ${best.textContent}`),
+    close: () => scene.stage.close(),
+  };
+}

@@ -1,0 +1,14 @@
+// How fast time passes on the front door: searches quicker than they were, runs as they were.
+import { runAt, type DriveTrack } from '../player/drive';
+
+const searching = 5;
+const running = 1;
+
+/** Seconds of the contest in a second: as it was while anybody is on a fast run. */
+export function paceAt(tracks: DriveTrack[], time: number): number {
+  const fast = tracks.some((track) => {
+    const run = track.runs[runAt(track, time)];
+    return run?.kind === 'fast' && time < run.end / 1e6;
+  });
+  return fast ? running : searching;
+}

@@ -1,0 +1,30 @@
+// The races of the front door: which two mice meet where. Each has a story that can be seen.
+import type { Core } from '../core/client';
+import type { Play } from '../core/types';
+
+export interface Pair {
+  maze: string;
+  mice: [string, string];
+}
+
+/** Who stops searching early is often first at the goal, and slower in the end. */
+export const pairs: Pair[] = [
+  { maze: 'contest-02', mice: ['ariadne', 'flood'] },
+  { maze: 'contest-04', mice: ['flood-return', 'ariadne'] },
+  { maze: 'contest-04', mice: ['certify', 'flood'] },
+];
+
+/** With published figures, so that what is seen could have been seen at a contest. */
+const robot = 'classic';
+const rules = 'all-japan';
+
+export interface Met {
+  play: Play;
+  record: string;
+}
+
+export async function meet(core: Core, { maze: name, mice }: Pair): Promise<[Met, Met]> {
+  const { maze } = await core.call('builtin_maze', { name });
+  const [one, other] = mice.map((mouse) => core.call('drive', { mouse, maze, seed: 1, robot, rules }));
+  return [await one, await other];
+}

@@ -1,0 +1,96 @@
+// A race that runs on the front door: two lanes, one clock, the gap.
+import type { Core } from '../core/client';
+import { count, createMeter } from '../player/meter';
+import { h } from '../ui/dom';
+import { gapInWords } from './gap';
+import { createLane, type Lane } from './lane';
+import { paceAt } from './pace';
+import type { Met } from './pairs';
+
+/** Seconds for which the end is shown before the next race. */
+const rest = 5;
+
+export interface FrontRace {
+  element: HTMLElement;
+  /** Puts two mice at the start. */
+  set(core: Core, pair: [Met, Met]): void;
+  run(): void;
+  pause(): void;
+  isRunning(): boolean;
+  /** Where the race is, in seconds. */
+  time(): number;
+}
+
+/** `ended` hears when a race was shown to its end; the controls stand beside the clock. */
+export function createFrontRace(ended: () => void, ...controls: HTMLElement[]): FrontRace {
+  const clock = h('span', { class: 'clock', role: 'timer', 'aria-live': 'off' }, '0.00');
+  const pace = h('span', { class: 'pace' });
+  const gap = h('p', { class: 'gap' });
+  const lanes = h('div', { class: 'lanes' });
+  const meter = createMeter();
+  const element = h(
+    'div',
+    { class: 'front-race' },
+    h('div', { class: 'board' }, h('p', {}, clock, ' s ', pace), h('span', { class: 'controls' }, ...controls), gap),
+    lanes,
+  );
+  Object.assign(element, { meter });
+  let two: Lane[] = [];
+  let time = 0;
+  let end = 0;
+  let past = 0;
+  let last = -1;
+  let asked = 0;
+
+  const say = (place: HTMLElement, text: string) => place.textContent !== text && (place.textContent = text);
+  function show() {
+    for (const lane of two) lane.show(time);
+    say(clock, time.toFixed(2));
+    const speed = paceAt(
+      two.map(({ track }) => track.drive!),
+      time,
+    );
+    say(pace, speed === 1 ? 'real time' : `${speed}× speed`);
+    say(gap, gapInWords(two[0].standing(), two[1].standing()));
+    return speed;
+  }
+  function frame(now: number) {
+    const begin = performance.now();
+    asked = requestAnimationFrame(frame);
+    // A pause of the browser, as in another tab, is none of the race.
+    const passed = last < 0 ? 0 : Math.min(now - last, 100) / 1000;
+    last = now;
+    if (time >= end) past += passed;
+    const speed = show();
+    time = Math.min(time + passed * speed, end);
+    count(meter, performance.now() - begin);
+    if (past < rest) return;
+    pause();
+    ended();
+  }
+  function pause() {
+    cancelAnimationFrame(asked);
+    asked = 0;
+    for (const lane of two) lane.describe();
+  }
+  return {
+    element,
+    set(core, pair) {
+      for (const lane of two) lane.close();
+      two = [createLane(core, pair[0], 'to-goal'), createLane(core, pair[1], 'route')];
+      lanes.replaceChildren(...two.map((lane) => lane.element));
+      time = past = 0;
+      end = Math.max(...two.map(({ track }) => track.time[track.last]));
+      show();
+      for (const lane of two) lane.describe();
+    },
+    run() {
+      if (asked || two.length === 0) return;
+      last = -1;
+      asked = requestAnimationFrame(frame);
+    },
+    pause,
+    isRunning: () => asked !== 0,
+    time: () => time,
+  };
+}

@@ -1,0 +1,88 @@
+// The front door: a race that is already running, what this is, and where to go from here.
+import { createFrontRace } from '../home/race';
+import { meet, pairs, type Met } from '../home/pairs';
+import { icon, type Icon } from '../player/icons';
+import { h } from '../ui/dom';
+import type { EarlyPage, View } from './view';
+import '../styles/home.css';
+
+export function createHome(page: EarlyPage): View {
+  const still = matchMedia('(prefers-reduced-motion: reduce)');
+  let next = 0;
+  let now: [Met, Met] | null = null;
+  let isShown = false;
+  /** Somebody stopped it, or asked for less motion: it waits. */
+  let waits = still.matches;
+
+  const sign = (label: string, onclick: () => void, ...signs: Icon[]) =>
+    h('button', { type: 'button', 'aria-label': label, title: label, onclick }, ...signs.map(icon));
+  const toggle = sign('Run', () => wait(race.isRunning()));
+  const other = sign('Another race', () => void begin(), 'end');
+  const race = createFrontRace(() => void begin(), toggle, other);
+  const watch = h(
+    'button',
+    { type: 'button', class: 'main', disabled: true, onclick: () => now && page.replay(now, race.time()) },
+    'Watch',
+  );
+
+  function go() {
+    if (isShown && !waits) race.run();
+    else race.pause();
+    const running = race.isRunning();
+    toggle.replaceChildren(icon(running ? 'pause' : 'play'));
+    toggle.title = running ? 'Pause' : 'Run';
+    toggle.setAttribute('aria-label', toggle.title);
+  }
+  function wait(yes: boolean) {
+    waits = yes;
+    go();
+  }
+  async function begin() {
+    try {
+      now = await meet(page.core, pairs[next++ % pairs.length]);
+      race.set(page.core, now);
+      watch.disabled = false;
+      go();
+    } catch (error) {
+      // What keeps the core from starting is said by the page itself.
+      await page.ready.then(
+        () => page.complain(error),
+        () => undefined,
+      );
+    }
+  }
+  still.addEventListener('change', () => wait(still.matches));
+  return {
+    element: h(
+      'section',
+      { 'aria-label': 'Home', class: 'home' },
+      h(
+        'div',
+        { class: 'intro' },
+        h(
+          'p',
+          {},
+          'Two mice, one maze that neither has seen: each draws its own map, then runs as fast as it dares. ',
+          h('strong', {}, 'labmouse is where you find out which idea wins.'),
+        ),
+        h(
+          'div',
+          { class: 'row' },
+          watch,
+          h('a', { class: 'button', href: '#race' }, 'Race'),
+          h('a', { class: 'button', href: '#live' }, 'Change a mouse'),
+        ),
+      ),
+      race.element,
+    ),
+    shown() {
+      isShown = true;
+      if (now) go();
+      else if (next === 0) void begin();
+    },
+    hidden() {
+      isShown = false;
+      go();
+    },
+  };
+}
