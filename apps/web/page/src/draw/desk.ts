@@ -4,7 +4,7 @@ import { h } from '../ui/dom';
 import { field } from '../ui/field';
 import { filePicker } from '../ui/pick';
 import type { Page } from '../views/view';
-import { mazeText } from '../player/words';
+import { mazeText } from '../player/figures';
 import { createBoard } from './board';
 import { createEditor } from './editor';
 import { createJudgement } from './judgement';

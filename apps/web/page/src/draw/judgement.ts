@@ -22,8 +22,8 @@ const arrives = (value: boolean) => (value ? 'arrives' : 'does not arrive');
 function figures(found: Inspection, cells: number): [string, string, string][] {
   return [
     ['Shortest run', counted(found.optimum, 'step'), optimumMeaning],
-    ['Bound', number(found.bound, 3), boundMeaning],
-    ['mms bound', number(found.mms_score, 3), `${mmsBoundMeaning}: a run of ${number(found.mms_run)}`],
+    ['Best possible', number(found.bound, 3), boundMeaning],
+    ['Best in mms', number(found.mms_score, 3), `${mmsBoundMeaning}: a run of ${number(found.mms_run)}`],
     ['Shortest path', counted(found.shortest_cells, 'cell'), 'from the start to the nearest goal'],
     ['Reachable', `${found.reachable} of ${cells} cells`, 'from the start'],
     ['Dead ends', number(found.dead_ends), 'cells with only one way in'],

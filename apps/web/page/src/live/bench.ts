@@ -28,7 +28,7 @@ const score = (value: number | null, unit: string) => (value === null ? 'none' :
 /** What came of a walk, in a line. */
 function outcomeInWords({ spec, play }: Walk): string {
   const unit = play.drive ? ' s' : '';
-  const known = play.bound === null ? 'no goal can be reached' : `bound ${score(play.bound, unit)}`;
+  const known = play.bound === null ? 'no goal can be reached' : `best possible ${score(play.bound, unit)}`;
   return `${spec} in ${play.maze.name || 'this maze'}: ${play.outcome}, score ${score(play.score, unit)}, ${known}`;
 }
 
@@ -59,7 +59,7 @@ export function createBench(page: Page, refused: (message: string) => void): Ben
     refused('');
     stale(false);
     outcome.dataset.state = walk.play.solved ? 'good' : 'bad';
-    outcome.title = `bound: ${boundOf(walk.play.world)}`;
+    outcome.title = `best possible: ${boundOf(walk.play.world)}`;
     outcome.replaceChildren(outcomeInWords(walk));
     words.replaceChildren(before ? comparisonInWords(before, walk) : '');
     compare.disabled = before === null;

@@ -33,7 +33,7 @@ export function createMouseChoice(mice: Mouse[], changed: () => void): MouseChoi
     update();
     changed();
   });
-  const copyable = createCopyable('SPEC of the mouse', 'Copy');
+  const copyable = createCopyable('The mouse for the command line', 'Copy');
   const reset = h('button', { type: 'button', onclick: () => choose(mouse, {}) }, 'Back to defaults');
   select.addEventListener('change', () => choose(select.value, {}));
 
@@ -66,7 +66,7 @@ export function createMouseChoice(mice: Mouse[], changed: () => void): MouseChoi
       { class: 'card', 'aria-label': 'Mouse' },
       h('h2', {}, 'Mouse'),
       row,
-      h('div', { class: 'field' }, h('span', { class: 'label' }, 'SPEC'), copyable.element),
+      h('div', { class: 'field' }, h('span', { class: 'label' }, 'For the command line'), copyable.element),
     ),
     parameters: h(
       'details',

@@ -31,7 +31,7 @@ interface Column {
 const columns: Column[] = [
   { name: 'Mouse', unit: '', value: (row) => row.spec },
   { name: 'Score', unit: 'speed + exploration / 30', value: (row) => row.result?.score ?? null, digits: 3 },
-  { name: 'Score / bound', unit: `bound: ${boundMeaning}`, value: (row) => row.ratio, digits: 3 },
+  { name: 'Score / best', unit: `divided by ${boundMeaning}`, value: (row) => row.ratio, digits: 3 },
   { name: 'Exploration', unit: 'steps', value: (row) => row.result?.exploration_steps ?? null, digits: 0 },
   { name: 'Speed run', unit: 'steps', value: (row) => row.result?.speed_steps ?? null, digits: 0 },
   { name: 'Outcome', unit: '', value: (row) => row.outcome },

@@ -1,7 +1,7 @@
 // Believed distances, asked of the core once a play.
 import type { Core } from '../core/client';
 import type { Track } from './track';
-import { counted } from './words';
+import { counted } from './figures';
 
 const mostBytes = 128 * 1024 * 1024;
 

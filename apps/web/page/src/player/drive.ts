@@ -1,6 +1,6 @@
 // A contest in seconds: where its mouse is at any moment, how fast, and in which run.
 import type { Drive, DrivePath, DriveRun } from '../core/types';
-import { decimal, short } from './words';
+import { decimal, short } from './figures';
 
 /** A path in seconds, cells, m/s and m/s². */
 export interface Course {

@@ -4,7 +4,8 @@ import { h } from '../ui/dom';
 import { boundOf, optimumMeaning } from '../ui/terms';
 import { accelerationText, durationText, speedText } from './drive';
 import type { Panel, Side, State } from './state';
-import { counted, decimal, percent, poseText, readingText, runText, short } from './words';
+import { counted, decimal, percent, short } from './figures';
+import { poseText, readingText, runText } from './words';
 
 interface Row {
   label: string;
@@ -42,7 +43,12 @@ const now: Row[] = [
   },
   { label: 'mouse at', text: poseText, live: true },
   { label: 'left, ahead, right', text: readingText, live: true },
-  { label: 'speed + exploration', text: madeOf, live: true },
+  {
+    label: 'speed + exploration',
+    meaning: () => 'what the score is made of: steps of the speed run, and a share of those of the exploration',
+    text: madeOf,
+    live: true,
+  },
   {
     label: 'score so far',
     value: (side) => side.track.score[side.scene.past.frame],
@@ -68,7 +74,7 @@ const whole: Row[] = [
     score: true,
   },
   {
-    label: 'bound',
+    label: 'best possible',
     meaning: ({ track }) => boundOf(track.play.world),
     value: ({ track }) => track.play.bound,
     text: (side, v) => (v === null ? absent : decimal(v, digits(side))),
@@ -136,15 +142,15 @@ const driven: Row[] = [
   { label: 'outcome', text: ({ track }) => track.play.outcome },
   { label: 'score', value: ({ track }) => track.play.score, text: orAbsent((v) => `${decimal(v)} s`), score: true },
   {
-    label: 'bound',
+    label: 'best possible',
     meaning: ({ track }) => boundOf(track.play.world),
     value: ({ track }) => track.play.bound,
     text: orAbsent((v) => `${decimal(v)} s`),
     score: true,
   },
   {
-    label: 'fastest possible run',
-    meaning: () => 'from rest at the start to the middle of a goal, knowing the whole maze',
+    label: 'fastest, from rest',
+    meaning: () => 'the fastest run for who knows the maze, from rest at the start to the middle of a goal',
     value: ({ track }) => track.play.optimum,
     text: orAbsent((v) => `${decimal(v)} s`),
     score: true,
@@ -220,6 +226,14 @@ export function createFacts(state: State): Panel {
       ...cells.map((cell) => h('td', {}, cell)),
     );
   }
+  /** In words that can be read, also where no pointer shows the title of a row. */
+  function meanings() {
+    const explained = rowsOf(sides).flatMap(({ label, meaning }) => {
+      const words = meaning?.(sides[0]);
+      return words ? [h('dt', {}, label), h('dd', {}, words)] : [];
+    });
+    return h('details', {}, h('summary', {}, 'What they mean'), h('dl', {}, ...explained));
+  }
   function rebuild() {
     sides = state.sides;
     live = [];
@@ -239,6 +253,7 @@ export function createFacts(state: State): Panel {
           h('tbody', {}, ...rowsOf(sides).map(tableRow)),
         ),
       ),
+      meanings(),
       ...sides
         .map(({ track }) => track.play.checked && h('p', { class: 'note' }, track.play.checked))
         .filter((p) => p !== ''),

@@ -1,5 +1,4 @@
 // The player: one contest, or two beside each other on one clock.
-import type { Play } from '../core/types';
 import type { Camera } from '../maze/camera';
 import { h } from '../ui/dom';
 import type { Page } from '../views/view';
@@ -15,18 +14,13 @@ import { createLegend } from './legend';
 import { count, createMeter } from './meter';
 import { createReasons } from './reasons';
 import { createRuns } from './runs';
-import { createSide } from './side';
+import { createSide, type Shown } from './side';
 import { nextTime, timeOf, type Actions, type Panel, type Side, type State } from './state';
 import { createSteps } from './steps';
 import { createTransport } from './transport';
 import { createWords } from './last-words';
-import { mazeText, momentText, namesOf } from './words';
-
-/** A contest, and its record as text, to be saved. */
-export interface Shown {
-  play: Play;
-  record: string;
-}
+import { mazeText } from './figures';
+import { momentText, namesOf } from './words';
 
 export interface Player {
   element: HTMLElement;

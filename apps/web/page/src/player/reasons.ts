@@ -2,7 +2,7 @@
 import type { Candidate, Reasons } from '../core/types';
 import { h } from '../ui/dom';
 import type { Panel, State } from './state';
-import { counted, short } from './words';
+import { counted, short } from './figures';
 
 const rowsAtFirst = 6;
 

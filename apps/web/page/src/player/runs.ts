@@ -1,9 +1,15 @@
 // The runs of a contest in seconds, as a list: what each was, how long it took, what it is worth.
+import type { Drive } from '../core/types';
 import { h } from '../ui/dom';
 import { durationText, gateToGate, kinds, madeOf } from './drive';
 import type { Actions, Panel, Side, State } from './state';
 
 const heads = ['run', 'begins', 'takes', 'gate to gate', 'known, hoped for', 'counts'];
+
+/** Two times of one run stand side by side: what each is, and which of them counts. */
+const timedBy = ({ gate_to_gate }: Drive['rules']) =>
+  'A run takes its time from rest at the start to the middle of a goal; from gate to gate is the part from leaving the ' +
+  `start cell to entering a goal. These rules count ${gate_to_gate ? 'the time from gate to gate' : 'the whole time from rest'}.`;
 
 export function createRuns(state: State, actions: Actions): Panel {
   const element = h('section', { class: 'drive-runs', hidden: true });
@@ -41,7 +47,7 @@ export function createRuns(state: State, actions: Actions): Panel {
       h(
         'table',
         {},
-        h('caption', {}, `${side.name}: robot ${drive.robot.name}, rules ${drive.rules.name}`),
+        h('caption', {}, `${side.name}: robot ${drive.robot.name}, rules ${drive.rules.name}. ${timedBy(drive.rules)}`),
         h('thead', {}, h('tr', {}, ...heads.map((text) => h('th', { scope: 'col' }, text)))),
         h('tbody', {}, ...runs.map((_, i) => line(side, i))),
       ),

@@ -3,12 +3,19 @@ import { h } from '../ui/dom';
 import { boundOf } from '../ui/terms';
 import { cellAt } from '../maze/geometry';
 import type { StageOptions } from '../maze/stage';
+import type { Play } from '../core/types';
 import type { Layers } from './layers';
 import { createScene, type Scene } from './scene';
 import type { Side } from './state';
 import { prepare, type Track } from './track';
-import { counted, decimal, mazeText, runText } from './words';
-import type { Shown } from './player';
+import { counted, decimal, mazeText } from './figures';
+import { runText } from './words';
+
+/** A contest, and its record as text, to be saved. */
+export interface Shown {
+  play: Play;
+  record: string;
+}
 
 /** What is to be said of the cell under the pointer. */
 function readout(track: Track, { stage, past, distanceOf }: Scene): HTMLElement {
@@ -39,7 +46,7 @@ export function createSide(
   const best = document.createTextNode('');
   const run = document.createTextNode('');
   const steps = document.createTextNode('');
-  const bound = play.bound === null ? '' : `bound ${decimal(play.bound, digits)}`;
+  const bound = play.bound === null ? '' : `best possible ${decimal(play.bound, digits)}`;
   const element = h(
     'figure',
     { class: 'side' },

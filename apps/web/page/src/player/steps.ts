@@ -2,7 +2,7 @@
 import { h } from '../ui/dom';
 import type { Actions, Panel, State } from './state';
 import type { Track } from './track';
-import { headings, placeText } from './words';
+import { headings, placeText } from './figures';
 
 const lineHeight = 24;
 const spare = 4;

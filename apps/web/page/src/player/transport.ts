@@ -4,7 +4,8 @@ import { h } from '../ui/dom';
 import { rateOf, speeds } from './clock';
 import { icon, type Icon } from './icons';
 import { timeOf, type Actions, type Mark, type Panel, type Side, type State } from './state';
-import { momentText, short } from './words';
+import { short } from './figures';
+import { momentText } from './words';
 
 function button(name: Icon, label: string, keys: string, onclick: () => void): HTMLButtonElement {
   return h('button', { type: 'button', 'aria-label': label, title: `${label} (${keys})`, onclick }, icon(name));

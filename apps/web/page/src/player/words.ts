@@ -1,25 +1,11 @@
 // Words and numbers about a moment of a play.
-import type { MazeData, Play } from '../core/types';
+import type { Play } from '../core/types';
+import { counted, decimal, headings, placeText } from './figures';
 import type { Scene } from './scene';
 import type { Track } from './track';
 
 type Side = { track: Track; scene: Scene };
 type Named = Side & { name: string };
-
-export const headings = ['north', 'north-east', 'east', 'south-east', 'south', 'south-west', 'west', 'north-west'];
-
-export const counted = (count: number, one: string, many = `${one}s`) => `${count} ${count === 1 ? one : many}`;
-
-/** A place in half cells, as a cell: (3,4), or (3.5,4) between two. */
-export const placeText = (x: number, y: number) => `(${(x - 1) / 2},${(y - 1) / 2})`;
-
-/** Fixed decimals, so that numbers that tick stay where they are. */
-export const decimal = (value: number, digits = 3) => value.toFixed(digits);
-
-/** As many decimals as there are, three at most. */
-export const short = (value: number) => String(Math.round(value * 1000) / 1000);
-
-export const percent = (share: number) => `${(100 * share).toFixed(1)} %`;
 
 const runsInSeconds = ['search', 'way home', 'fast run'];
 
@@ -70,9 +56,6 @@ export function momentText(side: Named): string {
   const reads = track.play.left.length > 0 ? ` Open cells to the left, ahead, to the right: ${readingText(side)}.` : '';
   return `${where}.${reads} Next: ${actionText(side)}.`;
 }
-
-/** `capstone-1, 12 × 12 cells` */
-export const mazeText = (maze: MazeData) => `${maze.name}, ${maze.width} × ${maze.height} cells`;
 
 /** What plays beside each other are called: two of one mouse by their mazes, too, or by their place. */
 export function namesOf(plays: Pick<Play, 'mouse' | 'maze'>[]): string[] {

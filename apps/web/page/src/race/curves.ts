@@ -6,10 +6,10 @@ import { paperWidth, tone } from '../ui/tones';
 import type { Board } from './contests';
 import { grid, ratiosOf, shares } from './curves-data';
 import { number } from './format';
+import { nameLines, roomForNames } from './line-names';
+import { styleOf } from './mouse-styles';
 import { worldOf } from './worlds';
 
-const hues = ['to-goal', 'route', 'onwards', 'wrong', 'candidate', 'ink'];
-const dashes = [[], [7, 4], [2, 3], [12, 4, 2, 4]];
 const shownAtFirst = 6;
 const marks = [1, 1.1, 1.25, 1.5, 2, 3, 5, 10, 20, 50, 100];
 /** Beside the axis, and for a label on it, in pixels. */
@@ -31,20 +31,15 @@ function marksApart(end: number, room: number): number[] {
   return kept;
 }
 
-const styleOf = (mouse: number) => ({
-  hue: hues[mouse % hues.length],
-  dash: dashes[Math.floor(mouse / hues.length) % dashes.length],
-});
-
 /** A piece of a mouse's curve, for the legend. */
 function sample(mouse: number): HTMLCanvasElement {
   const canvas = h('canvas', { class: 'sample', width: 56, height: 6, 'aria-hidden': 'true' });
   const context = canvas.getContext('2d');
-  const { hue, dash } = styleOf(mouse);
+  const style = styleOf(mouse);
   if (!context) return canvas;
-  context.strokeStyle = tone(hue);
+  context.strokeStyle = tone(style.tone);
   context.lineWidth = 4;
-  context.setLineDash(dash.map((length) => length * 2));
+  context.setLineDash(style.dash.map((length) => length * 2));
   context.moveTo(0, 3);
   context.lineTo(56, 3);
   context.stroke();
@@ -136,8 +131,12 @@ export function curves(board: Board): Curves {
       ticks: { stroke: tone('line'), width: 1 },
     };
     const font = `12px ${getComputedStyle(document.documentElement).fontFamily}`;
-    const splits = marksApart(end, room());
+    const names = mice.map((mouse) => board.mice[mouse].name);
+    const tones = mice.map((mouse) => styleOf(mouse).tone);
+    const beside = roomForNames(names, room());
+    const splits = marksApart(end, room() - beside);
     return {
+      padding: [8, beside, 0, 0],
       width: Math.max(240, room()),
       height: room() < 500 ? 260 : 320,
       legend: { show: false },
@@ -160,14 +159,14 @@ export function curves(board: Board): Curves {
         {},
         ...mice.map((mouse) => ({
           label: board.mice[mouse].name,
-          stroke: tone(styleOf(mouse).hue),
+          stroke: tone(styleOf(mouse).tone),
           dash: styleOf(mouse).dash,
           width: 2,
           paths: stepped,
           points: { show: false },
         })),
       ],
-      hooks: { setCursor: [read] },
+      hooks: { setCursor: [read], draw: [(self) => nameLines(self, names, tones, beside)] },
     };
   }
   function arrange() {

@@ -3,7 +3,7 @@ import type { Board, BoardMaze } from './contests';
 import { meanOf } from './contests';
 import { sorted } from './sorting';
 
-export const mazeOrders = ['name', 'bound', 'how hard'] as const;
+export const mazeOrders = ['name', 'best possible', 'how hard'] as const;
 export type MazeOrder = (typeof mazeOrders)[number];
 
 /** How hard mazes were: first by the share of contests that failed, then by the mean of score / bound; null without a contest. */
@@ -18,11 +18,11 @@ export function hardness({ cells, mice }: Board, maze: number): number | null {
   return failed === null ? null : failed + Math.min(ratio ?? 0, 1e4) * 1e-9;
 }
 
-/** The positions of the mazes; the easiest, and the lowest bound, first. */
+/** The positions of the mazes; the easiest, and the lowest best possible score, first. */
 export function orderedMazes(board: Board, order: MazeOrder): number[] {
   const value = {
     name: (maze: BoardMaze) => maze.short,
-    bound: (maze: BoardMaze) => maze.bound,
+    'best possible': (maze: BoardMaze) => maze.bound,
     'how hard': (maze: BoardMaze) => (maze.bound === null ? null : hardness(board, maze.index)),
   }[order];
   return sorted(board.mazes, value, 'ascending').map(({ index }) => index);

@@ -63,8 +63,8 @@ const ratioColumn = (best: string): FigureColumn => ({
 
 const steps: RacedWorld = {
   unit: 'steps',
-  best: 'bound',
-  bestMeaning: 'bound, the score of a mouse that knows the maze',
+  best: 'best',
+  bestMeaning: 'best possible score, that of a mouse that knows the maze',
   mean: 'penalised_mean',
   meanMeaning:
     'Mean score over all contests, in steps: speed run plus a thirtieth of the exploration; a failed one counts 100.',
@@ -84,7 +84,7 @@ const steps: RacedWorld = {
       value: (mouse) => mouse.mean_score,
       digits: 3,
     },
-    ratioColumn('bound'),
+    ratioColumn('best'),
     {
       title: 'explor. steps',
       meaning: 'Mean exploration steps of the solved contests, including the reset.',
@@ -92,8 +92,9 @@ const steps: RacedWorld = {
       digits: 1,
     },
     {
-      title: 'speed + steps',
-      meaning: "Mean steps of the solved contests' speed runs beyond the shortest run.",
+      title: 'steps too many',
+      meaning:
+        'Mean steps by which the speed runs of the solved contests were longer than the shortest run of their maze.',
       value: (mouse) => mouse.mean_speed_over_optimum,
       digits: 2,
     },
@@ -116,8 +117,8 @@ const steps: RacedWorld = {
 
 const inSeconds: RacedWorld = {
   unit: 's',
-  best: 'bound',
-  bestMeaning: 'bound, the score of the fastest route, driven at once',
+  best: 'best',
+  bestMeaning: 'best possible score, that of the fastest route, driven at once',
   mean: 'mean_score',
   meanMeaning: 'Mean score in seconds, over the contests that have one.',
   solved: 'scored',
@@ -125,7 +126,7 @@ const inSeconds: RacedWorld = {
   optimum: ({ fastest_us }) => seconds(fastest_us),
   contest: (result) => ({ score: seconds(inner(result.score, 'value')) }),
   columns: [
-    ratioColumn('bound'),
+    ratioColumn('best'),
     {
       title: 'search, s',
       meaning: 'Mean time of the contests until the first fast run began, in seconds.',
@@ -197,7 +198,7 @@ const mms: RacedWorld = {
 /** Of a world that this page does not know. */
 const other: RacedWorld = {
   unit: 'points',
-  best: 'bound',
+  best: 'best',
   bestMeaning: 'best possible score',
   mean: 'mean_score',
   meanMeaning: 'Mean score over all contests.',
@@ -205,7 +206,7 @@ const other: RacedWorld = {
   bound: ({ bound }) => orNull(bound),
   optimum: () => null,
   contest: (result) => ({ score: orNull(result.score) }),
-  columns: [ratioColumn('bound')],
+  columns: [ratioColumn('best')],
 };
 
 const worlds = new Map(Object.entries({ steps, seconds: inSeconds, mms }));

@@ -1,7 +1,8 @@
 // The view Replay: the player, and while there is nothing to show, how to get something.
 import type { MazeData } from '../core/types';
 import { h } from '../ui/dom';
-import { createPlayer, type Shown } from '../player/player';
+import { createPlayer } from '../player/player';
+import type { Shown } from '../player/side';
 import '../styles/replay.css';
 import type { Page, View } from './view';
 

@@ -6,7 +6,7 @@ const live = (page: Page) => page.getByRole('region', { name: 'Live' });
 const outcome = (page: Page) => live(page).locator('.verdict');
 const comparison = (page: Page) => live(page).locator('.comparison');
 const mouse = (page: Page) => page.getByRole('region', { name: 'Mouse' }).getByLabel('Name');
-const spec = (page: Page) => page.getByLabel('SPEC of the mouse').inputValue();
+const spec = (page: Page) => page.getByLabel('The mouse for the command line').inputValue();
 
 async function openLive(hash = '#live', options = {}) {
   const page = await open(hash, options);

@@ -95,18 +95,18 @@ describe('the contests of a race', () => {
   });
   it('say in words what a cell shows', () => {
     expect(cellText(board, 0, 0)).toBe(
-      'one in easy (16×16): solved, score 22, exploration 30 steps, speed run 20 steps (1 beyond the shortest); bound 20, score / bound 1.100',
+      'one in easy (16×16): solved, score 22, exploration 30 steps, speed run 20 steps (1 beyond the shortest); best 20, score / best 1.100',
     );
-    expect(cellText(board, 0, 2)).toBe('one in hard (16×16): out of budget; bound 10');
+    expect(cellText(board, 0, 2)).toBe('one in hard (16×16): out of budget; best 10');
     expect(cellText(board, 1, 2)).toBe(
-      'dice in hard (16×16): solved 1 of 2, mean score of these 20.000; bound 10, score / bound 2.000',
+      'dice in hard (16×16): solved 1 of 2, mean score of these 20.000; best 10, score / best 2.000',
     );
     expect(cellText(board, 0, 1)).toBe('one in closed (8×8): the goal cannot be reached');
     expect(cellText(board, 2, 2)).toBe('oracle in hard (16×16): no contest');
   });
-  it('order the mazes by name, by bound and by how hard they were', () => {
+  it('order the mazes by name, by best possible score and by how hard they were', () => {
     expect(orderedMazes(board, 'name')).toEqual([1, 0, 2]);
-    expect(orderedMazes(board, 'bound')).toEqual([2, 0, 1]);
+    expect(orderedMazes(board, 'best possible')).toEqual([2, 0, 1]);
     expect(orderedMazes(board, 'how hard')).toEqual([0, 2, 1]);
     expect(hardness(board, 1)).toBeNull();
   });
