@@ -106,8 +106,8 @@ TEST(PagePlay, TakesABudget) {
   json request = running("flood");
   request["budget"] = 3;
   EXPECT_EQ(answer("run", request)["play"]["outcome"], "out of steps");
-  request["budget"] = 1000000;
-  EXPECT_THAT(error_of("run", request), Says("'budget'", "1 to 100000"));
+  request["budget"] = 1000001;
+  EXPECT_THAT(error_of("run", request), Says("'budget'", "1 to 1000000"));
 }
 
 TEST(PagePlay, IsOfOneMouseOfTheRoster) {

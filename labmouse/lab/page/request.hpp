@@ -11,8 +11,8 @@
 
 namespace labmouse {
 
-/// The page has one thread, and all of an answer in memory: a contest there has no more steps than this.
-inline constexpr int most_page_steps = 100'000;
+/// A contest in the page has no more steps than this, as one of the command line.
+inline constexpr int most_page_steps = 1'000'000;
 
 /// The fields of a request. Where its error is not empty, nothing that it gave may be used.
 class PageRequest : public JsonFields {

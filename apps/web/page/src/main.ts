@@ -21,16 +21,20 @@ import type { EarlyPage, LoadedRace, Page } from './views/view';
 import './styles/page.css';
 import './styles/shell.css';
 
-const noCore = (reason: string): Core => ({ call: () => Promise.reject(new Error(reason)) });
+const noCore = (reason: string): Core => ({
+  call: () => Promise.reject(new Error(reason)),
+  stop: () => undefined,
+});
 
 const notices = createNotices();
 const intake = listenForFiles((files) => void takeFiles(files));
 const stage = createStage(createFrame(notices, intake), notices.complain);
 const missing = lacking();
-const core = missing ? noCore(missing) : startCore(new CoreWorker());
+const core = missing ? noCore(missing) : startCore(() => new CoreWorker(), notices.busy);
 const ready: Promise<About> = core.call('about', {});
 // For those who open the browser's console: `await labmouse.call('about', {})`.
-Object.assign(window, { labmouse: { call: core.call } });
+Object.assign(window, { labmouse: core });
+notices.onStop(() => core.stop());
 
 /** Mazes that were opened in this page, by name, so that results find theirs. */
 const opened = new Map<string, MazeData>();

@@ -46,6 +46,11 @@ function system(memory: () => WebAssembly.Memory) {
   };
 }
 
+/** Those of the exports that only hand over requests and answers. */
+const handOver = /^(request|answer)(_|$)/;
+
+const isCall = (exports: Exports, name: string) => !handOver.test(name) && Object.hasOwn(exports, `labmouse_${name}`);
+
 export type Call = (name: string, request: unknown, bytes?: Uint8Array) => Reply;
 
 /** Starts a core anew. */
@@ -61,6 +66,7 @@ export async function startModule(module: WebAssembly.Module): Promise<Call> {
   const put = (place: number, bytes: Uint8Array) => new Uint8Array(exports.memory.buffer).set(bytes, place);
   const get = (place: number, size: number) => new Uint8Array(exports.memory.buffer, place, size);
   return (name, request, bytes = new Uint8Array()) => {
+    if (!isCall(exports, name)) return { failure: { error: `the core has no call '${name}'`, problems: [] } };
     const text = new TextEncoder().encode(JSON.stringify(request));
     put(exports.labmouse_request(text.length), text);
     put(exports.labmouse_request_bytes(bytes.length), bytes);

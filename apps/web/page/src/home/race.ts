@@ -71,6 +71,7 @@ export function createFrontRace(ended: () => void, ...controls: HTMLElement[]): 
   function pause() {
     cancelAnimationFrame(asked);
     asked = 0;
+    if (two.length > 0) show();
     for (const lane of two) lane.describe();
   }
   return {

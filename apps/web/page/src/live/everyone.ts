@@ -39,6 +39,7 @@ export function createEveryone(
 
   function stop() {
     number += 1;
+    page.core.stop('race');
     finish('Stopped.');
   }
   const element = h(

@@ -135,7 +135,7 @@ export function holdPanel(page: EarlyPage, about: About): HoldPanel {
 
   function stop() {
     wanted = false;
-    doing.textContent = 'Stopping after this mouse …';
+    page.core.stop('race');
   }
   async function hold(order: Order) {
     wanted = true;

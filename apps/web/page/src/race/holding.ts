@@ -1,5 +1,5 @@
 // A race in the page, mouse by mouse, so that the page stays lively between the pieces.
-import type { Core } from '../core/client';
+import { Stopped, type Core } from '../core/client';
 import type { MazeData, RaceResults } from '../core/types';
 import { joined } from './joining';
 
@@ -41,14 +41,15 @@ export async function holdRace(
   for (const [done, mouse] of order.mice.entries()) {
     if (!wanted()) break;
     report({ done, all, doing: mouse });
-    const { results } = await core.call('race', {
-      mice: [mouse],
-      mazes,
-      seed: order.seed,
-      runs: order.runs,
-      ...order.world,
+    const { seed, runs, world } = order;
+    const asked = core.call('race', { mice: [mouse], mazes, seed, runs, ...world });
+    // What was stopped in the middle is left out, and what was raced before it stays.
+    const piece = await asked.catch((error) => {
+      if (error instanceof Stopped) return null;
+      throw error;
     });
-    pieces.push(results);
+    if (!piece) break;
+    pieces.push(piece.results);
   }
   const results = joined(pieces, pieces.length < all);
   return results && { results, mazes };

@@ -22,11 +22,17 @@ async function read(file: File): Promise<OneFile> {
 
 const counted = (count: number, one: string) => `${count} ${one}${count === 1 ? '' : 's'}`;
 
-function summary({ mazes, plays, results }: SortedOut): string {
+/** What was opened, in words, and what of it is to be known at once. */
+export function summary({ mazes, plays, results }: SortedOut): string {
   const parts = [mazes.length && counted(mazes.length, 'maze'), plays.length && counted(plays.length, 'record')];
   if (results.length > 0) parts.push('the results of a race');
   const opened = parts.filter(Boolean).join(', ');
-  const rest = [plays.length > 2 && 'The first two records are shown.', mazes.length > 1 && 'The last maze is shown.'];
+  const cut = plays.filter(({ play }) => !play.ended);
+  const rest = [
+    ...cut.map(({ play }) => `${play.mouse}: ${play.outcome}.`),
+    plays.length > 2 && 'The first two records are shown.',
+    mazes.length > 1 && 'The last maze is shown.',
+  ];
   return opened === '' ? '' : [`Opened: ${opened}.`, ...rest.filter(Boolean)].join(' ');
 }
 

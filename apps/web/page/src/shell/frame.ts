@@ -41,6 +41,7 @@ export function createFrame(notices: Notices, intake: Intake): Frame {
     ),
     h('nav', { 'aria-label': 'Views' }, ...tabs.values()),
     notices.status,
+    notices.work,
     h(
       'div',
       { class: 'tools' },

@@ -1,6 +1,6 @@
 // What the page says: a quiet line of status, and what went wrong until it is dismissed.
 import { CoreError } from '../core/client';
-import type { Problem } from '../core/types';
+import type { CallName, Problem } from '../core/types';
 import { h } from '../ui/dom';
 
 const mostProblems = 12;
@@ -31,6 +31,11 @@ export function linesOf(error: unknown): { message: string; places: string[] } {
 }
 
 export interface Notices {
+  /** Offers to stop what takes long. */
+  work: HTMLElement;
+  /** The name of a call that takes long, or null when it is over. */
+  busy(name: CallName | null): void;
+  onStop(stop: () => void): void;
   status: HTMLElement;
   alerts: HTMLElement;
   tell(message: string, ...remedies: Remedy[]): void;
@@ -57,6 +62,16 @@ function alertOf(error: unknown, remedies: Remedy[], close: (alert: HTMLElement)
   return alert;
 }
 
+const works: Partial<Record<CallName, string>> = {
+  run: 'The mouse runs …',
+  drive: 'The mouse drives …',
+  race: 'Mice race …',
+  open: 'Reading …',
+  unpack: 'Reading …',
+  beliefs: 'Asking what it believed …',
+  make_maze: 'Making a maze …',
+};
+
 export function createNotices(): Notices {
   const status = h('p', { role: 'status', class: 'status' });
   const alerts = h('div', { role: 'alert', class: 'alerts' });
@@ -75,7 +90,16 @@ export function createNotices(): Notices {
     show();
     document.querySelector<HTMLElement>('main')?.focus({ preventScroll: true });
   }
+  const what = h('span', {});
+  const stop = h('button', { type: 'button' }, 'Stop this');
+  const work = h('p', { class: 'work', hidden: true }, what, stop);
   return {
+    work,
+    busy(name) {
+      work.hidden = name === null;
+      if (name) what.textContent = works[name] ?? 'Working …';
+    },
+    onStop: (act) => stop.addEventListener('click', act),
     status,
     alerts,
     tell: (message, ...remedies) =>

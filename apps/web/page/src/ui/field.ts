@@ -27,7 +27,7 @@ export function field(label: string, control: HTMLElement, help?: HTMLElement): 
 }
 
 /**
- * Says a message of the core at the field that it names in quotes ("'budget' is outside the range 1 to 100000"), or else at
+ * Says a message of the core at the field that it names in quotes ("'budget' is outside the range 1 to 1000000"), or else at
  * `usual`; all others are quiet then.
  */
 export function complainAt<Name extends string>(

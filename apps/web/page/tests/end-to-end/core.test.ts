@@ -32,7 +32,37 @@ test('a contest in the browser has the record of the native program', async () =
 
 test('a core that stops is started again', async () => {
   const page = await open();
-  const message = await page.evaluate(() => window.labmouse.call('nothing' as 'about', {}).catch(String));
+  const strange = { number: 1n } as unknown as Record<string, never>;
+  const message = await page.evaluate((request) => window.labmouse.call('about', request).catch(String), strange);
   expect(message).toContain('the core crashed on this request and was restarted');
   expect((await page.evaluate(() => window.labmouse.call('about', {}))).mice.length).toBeGreaterThan(10);
+});
+
+test('what the core does not know is refused, and the core goes on', async () => {
+  const page = await open();
+  for (const name of ['nothing', 'answer', 'request_bytes']) {
+    const message = await page.evaluate((call) => window.labmouse.call(call as 'about', {}).catch(String), name);
+    expect(message).toContain(`no call '${name}'`);
+  }
+});
+
+test('a call is stopped, and those behind it are answered', async () => {
+  const page = await open('#draw');
+  const ends = await page.evaluate(async () => {
+    const { maze } = await window.labmouse.call('make_maze', {
+      generator: 'depth-first',
+      width: 64,
+      height: 64,
+      seed: 1,
+      loops: 0,
+    });
+    const race = window.labmouse
+      .call('race', { mice: [], mazes: [maze], seed: 1, runs: 100 })
+      .then(() => 'raced', String);
+    const about = window.labmouse.call('about', {}).then(({ mice }) => mice.length);
+    window.labmouse.stop('race');
+    return [await race, await about];
+  });
+  expect(ends[0]).toContain('stopped');
+  expect(ends[1]).toBeGreaterThan(10);
 });

@@ -3,6 +3,7 @@ import { CoreError } from '../../src/core/client';
 import type { MazeData, Opened, Play, RaceResults } from '../../src/core/types';
 import { linesOf, problemLine } from '../../src/shell/notices';
 import { routeOf } from '../../src/shell/routes';
+import { summary } from '../../src/shell/files';
 import { openIn, sortOut, type Open } from '../../src/shell/sorting-out';
 
 describe('addresses', () => {
@@ -63,5 +64,17 @@ describe('dropped files', () => {
     expect((await openIn(file('lost'), [maze('other'), maze('home')], open))?.maze.name).toBe('home');
     expect(await openIn(file('lost'), [maze('other')], open)).toBeNull();
     expect(await openIn(file('results'), [maze('other')], open)).toBeNull();
+  });
+});
+
+describe('what was opened', () => {
+  const record = (ended: boolean) => ({
+    play: { mouse: 'flood', ended, outcome: ended ? 'solved' : 'the record breaks off after step 3' } as Play,
+    record: '',
+  });
+  const summaryOf = (...plays: ReturnType<typeof record>[]) => summary({ mazes: [], plays, results: [], failures: [] });
+  it('is told with the fact that a record breaks off, and where', () => {
+    expect(summaryOf(record(true))).not.toContain('breaks off');
+    expect(summaryOf(record(true), record(false))).toContain('flood: the record breaks off after step 3');
   });
 });
