@@ -27,11 +27,12 @@ interface Picks {
   offer(choices: Choice[]): void;
 }
 
-function picks(title: string, choices: Choice[]): Picks {
+/** `open` shows the list at once; otherwise it is folded away. */
+function picks(title: string, choices: Choice[], open: boolean): Picks {
   const on = new Map<string, HTMLInputElement>();
   const list = h('div', { class: 'list' });
   const boxes = () => [...on.values()];
-  const summary = h('summary', {});
+  const summary = h(open ? 'h3' : 'summary', {});
   const chosen = () => boxes().flatMap((box) => (box.checked ? [box.value] : []));
   function count() {
     const names = chosen();
@@ -53,7 +54,7 @@ function picks(title: string, choices: Choice[]): Picks {
   offer(choices);
   return {
     element: h(
-      'details',
+      open ? 'div' : 'details',
       { class: 'picks' },
       summary,
       h(
@@ -98,15 +99,15 @@ export interface HoldPanel {
 }
 
 /** The form, once it is known what the core brings. */
-export function holdPanel(page: EarlyPage, about: About): HoldPanel {
+export function holdPanel(page: EarlyPage, about: About, open = false): HoldPanel {
   const world = createWorldChoice(about, () => mice.offer(entrants()));
   const entrants = () =>
     about.mice
       .filter(({ drives }) => drives || world.drive() === null)
       .map(({ name, summary }) => ({ name, about: summary, on: usual.includes(name) }));
-  const mice = picks('Mice', entrants());
+  const mice = picks('Mice', entrants(), open);
   const builtin = about.mazes.map(({ name, width, height }) => ({ name, about: `${width}×${height}`, on: true }));
-  const mazes = picks('Mazes', builtin);
+  const mazes = picks('Mazes', builtin, open);
   /** Those of the user, by the names under which they are offered. */
   let own = new Map<string, MazeData>();
   function refresh() {

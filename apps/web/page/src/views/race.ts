@@ -128,7 +128,7 @@ export function createRace(page: EarlyPage): View {
   function holdPart(first: boolean) {
     const room = h('div', {}, h('p', { class: 'note' }, 'Starting …'));
     page.ready.then(
-      (about) => room.replaceChildren((panel = holdPanel(page, about)).element),
+      (about) => room.replaceChildren((panel = holdPanel(page, about, first)).element),
       () =>
         room.replaceChildren(h('p', { class: 'note' }, 'This page cannot run races, because its core did not start.')),
     );
