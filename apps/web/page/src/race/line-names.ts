@@ -39,6 +39,7 @@ export function nameLines(plot: uPlot, names: string[], tones: string[], room: n
   context.textAlign = 'left';
   context.textBaseline = 'middle';
   context.lineWidth = ratio;
+  context.setLineDash([]);
   names.forEach((name, i) => {
     context.strokeStyle = tone(tones[i]);
     context.beginPath();

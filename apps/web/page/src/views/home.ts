@@ -62,8 +62,8 @@ export function createHome(page: EarlyPage): View {
         h(
           'p',
           {},
-          'Two mice, one maze that neither has seen: each draws its own map, then runs as fast as it dares. ',
-          h('strong', {}, 'labmouse is where you find out which idea wins.'),
+          h('strong', {}, 'In labmouse, mice race through mazes that they have never seen'),
+          ': each draws its own map, follows the way that it believes in (the dots), then runs as fast as it dares.',
         ),
         h(
           'div',

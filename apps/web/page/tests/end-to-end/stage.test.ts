@@ -60,16 +60,18 @@ test('on a telephone maze, controls and slider are on the first screen, also wit
 
 test('what a finger hits is large enough', async () => {
   const options = { viewport: phone, hasTouch: true };
-  const pages = [await replayed('ariadne', options), await walked(options), await open('#draw', options)];
+  const pages = [
+    await replayed('ariadne', options),
+    await walked(options),
+    await open('#draw', options),
+    await open('#race', options),
+  ];
+  await pages[3].getByRole('button', { name: 'Start the race' }).waitFor();
   await pages[2].locator('.draw .stage canvas').waitFor();
   for (const page of pages) {
     const small = await page.evaluate(() =>
-      [
-        ...document.querySelectorAll(
-          '.top a, .top button, .top select, .transport button, .transport select, .draw-tools button',
-        ),
-      ]
-        .filter((one) => one.checkVisibility() && !one.matches('.skip'))
+      [...document.querySelectorAll('button, select, summary, label:has(> input[type=checkbox]), header a')]
+        .filter((one) => one.checkVisibility() && !one.matches('.skip') && !one.closest('tbody'))
         .filter((one) => one.getBoundingClientRect().height < 44 || one.getBoundingClientRect().width < 44)
         .map((one) => one.outerHTML.slice(0, 80)),
     );
@@ -122,4 +124,35 @@ test('a drawing is looked at closer, and drawn there', async () => {
   await canvas.focus();
   for (const key of ['ArrowUp', 'ArrowUp', 'd']) await page.keyboard.press(key);
   await expect.poll(() => undo.isEnabled()).toBe(true);
+});
+
+/** Two fingers that go apart, through the debugger: a page cannot make them itself. */
+async function pinch(page: Page, canvas: Locator) {
+  const box = await boxOf(canvas);
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  const client = await page.context().newCDPSession(page);
+  const fingers = (apart: number) => [
+    { x: x - apart, y, id: 1 },
+    { x: x + apart, y, id: 2 },
+  ];
+  await client.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: [fingers(20)[0]] });
+  await client.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: fingers(20) });
+  for (const apart of [30, 45, 60, 80])
+    await client.send('Input.dispatchTouchEvent', { type: 'touchMove', touchPoints: fingers(apart) });
+  await client.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
+}
+
+test('two fingers look closer, and draw nothing', async () => {
+  const options = { viewport: phone, hasTouch: true };
+  const replay = await replayed('ariadne', options);
+  const whole = await pixels(replay);
+  await pinch(replay, replay.locator('.replay .stage canvas'));
+  await expect.poll(() => replay.locator('.replay .stage').getAttribute('class')).toContain('close');
+  expect(await pixels(replay)).not.toBe(whole);
+  const draw = await open('#draw', options);
+  const canvas = draw.getByRole('application', { name: /^Drawing of/ });
+  await canvas.waitFor();
+  await pinch(draw, canvas);
+  await expect.poll(() => draw.locator('.draw .stage').getAttribute('class')).toContain('close');
+  expect(await draw.getByRole('button', { name: 'Undo' }).isDisabled()).toBe(true);
 });
