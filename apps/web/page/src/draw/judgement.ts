@@ -1,6 +1,7 @@
 // What the core says about the drawing while it changes.
 import type { Inspection, MazeData } from '../core/types';
 import { h } from '../ui/dom';
+import { meanings } from '../ui/meanings';
 import { boundMeaning, mmsBoundMeaning, optimumMeaning } from '../ui/terms';
 import { createLatest } from '../ui/latest';
 import type { Page } from '../views/view';
@@ -23,7 +24,7 @@ function figures(found: Inspection, cells: number): [string, string, string][] {
   return [
     ['Shortest run', counted(found.optimum, 'step'), optimumMeaning],
     ['Best possible', number(found.bound, 3), boundMeaning],
-    ['Best in mms', number(found.mms_score, 3), `${mmsBoundMeaning}: a run of ${number(found.mms_run)}`],
+    ['Best in mms', number(found.mms_score, 3), mmsBoundMeaning],
     ['Shortest path', counted(found.shortest_cells, 'cell'), 'from the start to the nearest goal'],
     ['Reachable', `${found.reachable} of ${cells} cells`, 'from the start'],
     ['Dead ends', number(found.dead_ends), 'cells with only one way in'],
@@ -58,6 +59,7 @@ function rulesList(found: Inspection) {
 export function createJudgement(page: Page, route: (found: Inspection | null) => void): Judgement {
   const words = h('p', { role: 'status', class: 'verdict' });
   const table = h('dl', { class: 'figures' });
+  const explained = h('div', {});
   const rules = h('ul', { class: 'rules' });
   const element = h(
     'section',
@@ -65,6 +67,7 @@ export function createJudgement(page: Page, route: (found: Inspection | null) =>
     h('h2', {}, 'Judgement'),
     words,
     table,
+    explained,
     h('details', { open: true }, h('summary', {}, 'Contest rules'), rules),
   );
   let late: ReturnType<typeof setTimeout> | undefined;
@@ -81,10 +84,11 @@ export function createJudgement(page: Page, route: (found: Inspection | null) =>
       const { words: text, state } = verdict(found);
       tell(text, state);
       element.classList.remove('stale');
+      const all = figures(found, maze.width * maze.height);
+      // Open or not, it is as the reader left it.
+      if (!explained.hasChildNodes()) explained.append(meanings(all.map(([name, , meaning]) => [name, meaning])));
       table.replaceChildren(
-        ...figures(found, maze.width * maze.height).map(([name, value, meaning]) =>
-          h('div', { title: meaning }, h('dt', {}, name), h('dd', {}, value)),
-        ),
+        ...all.map(([name, value, meaning]) => h('div', { title: meaning }, h('dt', {}, name), h('dd', {}, value))),
       );
       rules.replaceChildren(...rulesList(found));
       route(found);

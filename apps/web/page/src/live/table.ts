@@ -1,6 +1,7 @@
 // The mice of a race in one maze, as a table that can be sorted.
 import type { ContestResult } from '../core/types';
 import { h } from '../ui/dom';
+import { meanings } from '../ui/meanings';
 import { boundMeaning } from '../ui/terms';
 
 export interface Row {
@@ -30,7 +31,12 @@ interface Column {
 
 const columns: Column[] = [
   { name: 'Mouse', unit: '', value: (row) => row.spec },
-  { name: 'Score', unit: 'speed + exploration / 30', value: (row) => row.result?.score ?? null, digits: 3 },
+  {
+    name: 'Score',
+    unit: 'steps of the speed run, and a thirtieth of those of the exploration',
+    value: (row) => row.result?.score ?? null,
+    digits: 3,
+  },
   { name: 'Score / best', unit: `divided by ${boundMeaning}`, value: (row) => row.ratio, digits: 3 },
   { name: 'Exploration', unit: 'steps', value: (row) => row.result?.exploration_steps ?? null, digits: 0 },
   { name: 'Speed run', unit: 'steps', value: (row) => row.result?.speed_steps ?? null, digits: 0 },
@@ -57,7 +63,8 @@ export function createTable(pick: (row: Row) => void): Table {
     ),
   );
   const table = h('table', {}, caption, h('thead', {}, h('tr', {}, ...heads)), body);
-  const element = h('div', { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'Race' }, table);
+  const scroll = h('div', { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'Race' }, table);
+  const element = h('div', {}, scroll, meanings(columns.map(({ name, unit }) => [name, unit])));
   let rows: Row[] = [];
   let by = 1;
   let downwards = false;

@@ -1,6 +1,7 @@
 // The numbers of the moment and of the whole contest; of two contests beside each other, with their differences.
 import { isSameMaze } from '../maze/same';
 import { h } from '../ui/dom';
+import { meanings } from '../ui/meanings';
 import { boundOf, optimumMeaning } from '../ui/terms';
 import { accelerationText, durationText, speedText } from './drive';
 import type { Panel, Side, State } from './state';
@@ -226,14 +227,6 @@ export function createFacts(state: State): Panel {
       ...cells.map((cell) => h('td', {}, cell)),
     );
   }
-  /** In words that can be read, also where no pointer shows the title of a row. */
-  function meanings() {
-    const explained = rowsOf(sides).flatMap(({ label, meaning }) => {
-      const words = meaning?.(sides[0]);
-      return words ? [h('dt', {}, label), h('dd', {}, words)] : [];
-    });
-    return h('details', {}, h('summary', {}, 'What they mean'), h('dl', {}, ...explained));
-  }
   function rebuild() {
     sides = state.sides;
     live = [];
@@ -253,7 +246,7 @@ export function createFacts(state: State): Panel {
           h('tbody', {}, ...rowsOf(sides).map(tableRow)),
         ),
       ),
-      meanings(),
+      meanings(rowsOf(sides).map(({ label, meaning }) => [label, meaning?.(sides[0])])),
       ...sides
         .map(({ track }) => track.play.checked && h('p', { class: 'note' }, track.play.checked))
         .filter((p) => p !== ''),

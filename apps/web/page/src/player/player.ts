@@ -1,5 +1,6 @@
 // The player: one contest, or two beside each other on one clock.
 import type { Camera } from '../maze/camera';
+import type { Tone } from '../maze/palette';
 import { h } from '../ui/dom';
 import type { Page } from '../views/view';
 import '../styles/player.css';
@@ -35,6 +36,8 @@ const layers: Layers = { ...usualLayers };
 
 /** Whether anything is known of what the mouse knew. */
 const believes = ({ track }: Pick<Side, 'track'>) => track.play.known.length > 0;
+
+const tonesOfTwo: Tone[] = ['to-goal', 'route'];
 
 /** Milliseconds between two looks of the numbers and lists at a replay that runs. */
 const panelPause = 100;
@@ -198,7 +201,13 @@ export function createPlayer(page: Page, ...lead: HTMLElement[]): Player {
       for (const side of state.sides) side.scene.stage.close();
       const two = plays.slice(0, 2);
       const names = namesOf(two.map(({ play }) => play));
-      state.sides = two.map((shown, i) => createSide(shown, names[i], layers, (camera) => lookTogether(i, camera)));
+      state.sides = two.map((shown, i) =>
+        createSide(shown, names[i], layers, {
+          looked: (camera) => lookTogether(i, camera),
+          // Two mice are told apart by tone, as on the front door; one needs none.
+          hue: two.length > 1 ? tonesOfTwo[i] : undefined,
+        }),
+      );
       state.chosen = 0;
       const fastest = Math.max(...state.sides.map(({ track }) => track.drive?.fastest ?? 0));
       for (const { track } of state.sides) if (track.drive) track.drive.fastest = fastest;

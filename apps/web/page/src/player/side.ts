@@ -2,10 +2,9 @@
 import { h } from '../ui/dom';
 import { boundOf } from '../ui/terms';
 import { cellAt } from '../maze/geometry';
-import type { StageOptions } from '../maze/stage';
 import type { Play } from '../core/types';
 import type { Layers } from './layers';
-import { createScene, type Scene } from './scene';
+import { createScene, type Scene, type SceneOptions } from './scene';
 import type { Side } from './state';
 import { prepare, type Track } from './track';
 import { counted, decimal, mazeText } from './figures';
@@ -37,10 +36,10 @@ export function createSide(
   { play, record }: Shown,
   name: string,
   layers: Layers,
-  looked: StageOptions['looked'],
+  { looked, hue }: Pick<SceneOptions, 'looked' | 'hue'>,
 ): Side {
   const track = prepare(play);
-  const scene = createScene(track, layers, { looked });
+  const scene = createScene(track, layers, { looked, hue });
   const digits = play.world === 'mms' ? 1 : 3;
   const score = document.createTextNode('');
   const best = document.createTextNode('');
@@ -49,7 +48,7 @@ export function createSide(
   const bound = play.bound === null ? '' : `best possible ${decimal(play.bound, digits)}`;
   const element = h(
     'figure',
-    { class: 'side' },
+    { class: hue ? `side ${hue}` : 'side' },
     h(
       'figcaption',
       {},

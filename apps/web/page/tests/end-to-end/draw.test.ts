@@ -200,3 +200,16 @@ test('the drawing survives a reload', async () => {
   await board(page).waitFor();
   expect(await shown(page)).toBe('Drawing of 7 by 16 cells');
 });
+
+test('only a maze that follows all contest rules is marked as good, and each figure says what it is', async () => {
+  const page = await openDraw();
+  const state = () => verdict(page).getAttribute('data-state');
+  await expect.poll(state).toBe('fair');
+  const form = page.getByRole('region', { name: 'New drawing' });
+  await form.getByLabel('Kind').selectOption('contest');
+  await form.getByRole('button', { name: 'New drawing' }).click();
+  await expect.poll(state).toBe('good');
+  const judgement = page.getByRole('region', { name: 'Judgement' });
+  await judgement.locator('.meanings summary').click();
+  expect(await judgement.locator('.meanings dd:visible').count()).toBe(await judgement.locator('.figures dt').count());
+});
