@@ -126,10 +126,11 @@ test('a drawing is looked at closer, and drawn there', async () => {
   await expect.poll(() => undo.isEnabled()).toBe(true);
 });
 
-/** Two fingers that go apart, through the debugger: a page cannot make them itself. */
+/** Two fingers that go apart, through the debugger: a page cannot make them itself. The first comes down on a wall. */
 async function pinch(page: Page, canvas: Locator) {
   const box = await boxOf(canvas);
-  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  const pitch = (box.width - 24) / 16;
+  const [x, y] = [box.x + 24 + 4 * pitch + 20, box.y + box.height - 20 - 3.5 * pitch];
   const client = await page.context().newCDPSession(page);
   const fingers = (apart: number) => [
     { x: x - apart, y, id: 1 },
