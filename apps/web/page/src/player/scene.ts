@@ -13,7 +13,7 @@ import { distanceOf, paintDistances } from './paint/distances';
 import { paintDriven, paintDriving, paintFastest, poseOf } from './paint/drive';
 import { paintFloor } from './paint/floor';
 import { paintMouse, paintRays } from './paint/mouse';
-import { paintPlan } from './paint/plan';
+import { cellAtFrame, paintPlan } from './paint/plan';
 import { paintMmsTexts } from './paint/mms-texts';
 import { paintBest, paintExploration, paintSpeedRun } from './paint/ways';
 import { paintWalls } from './paint/walls';
@@ -122,10 +122,7 @@ export function createScene(track: Track, layers: Layers, options: SceneOptions 
     },
     believes: () => beliefs !== null,
     distanceOf: (cell) => (below ? distanceOf(below, cell) : -1),
-    cell() {
-      const [x, y] = [track.x[past.frame], track.y[past.frame]].map((half) => Math.floor((half - 1) / 2 + 0.5));
-      return Math.min(y, track.maze.height - 1) * track.maze.width + Math.min(x, track.maze.width - 1);
-    },
+    cell: () => cellAtFrame(track, past.frame),
     show(time, smooth) {
       const frame = frameAt(track, time);
       const changed = frame !== past.frame;

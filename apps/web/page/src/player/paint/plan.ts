@@ -2,6 +2,7 @@
 import { halfX, halfY, wallIndex } from '../../maze/geometry';
 import type { HeadingName } from '../../core/types';
 import { knows } from '../past';
+import type { Track } from '../track';
 import { thick, type Brush } from './brush';
 
 const sides: [HeadingName, number, number][] = [
@@ -12,13 +13,18 @@ const sides: [HeadingName, number, number][] = [
 ];
 const noWay = 65535;
 
+/** The cell in which the mouse is in a frame. */
+export function cellAtFrame({ x, y, maze: { width, height } }: Track, frame: number): number {
+  const place = (half: number, most: number) => Math.min(Math.max(Math.floor(half / 2), 0), most - 1);
+  return place(y[frame], height) * width + place(x[frame], width);
+}
+
 /** The cells of that way, from the mouse's own to a goal; empty while nothing is known of beliefs. */
 export function plannedWay({ track, past, beliefs, g }: Pick<Brush, 'track' | 'past' | 'beliefs' | 'g'>): number[] {
-  const { width, height } = g;
+  const { width } = g;
   if (!beliefs) return [];
   const believed = (cell: number) => beliefs[past.frame * track.cells + cell];
-  const place = (half: number, most: number) => Math.min(Math.max(Math.floor((half - 1) / 2 + 0.5), 0), most - 1);
-  let cell = place(track.y[past.frame], height) * width + place(track.x[past.frame], width);
+  let cell = cellAtFrame(track, past.frame);
   const way = [cell];
   while (believed(cell) > 0 && believed(cell) !== noWay) {
     const next = sides
@@ -38,7 +44,11 @@ export function plannedWay({ track, past, beliefs, g }: Pick<Brush, 'track' | 'p
 /** As a dotted line in the mouse's own tone. */
 export function paintPlan(brush: Brush) {
   const { context, g } = brush;
-  const way = plannedWay(brush);
+  const whole = plannedWay(brush);
+  // From where the present step ends: the mouse is on its way there.
+  const { track, past } = brush;
+  const ends = whole.indexOf(cellAtFrame(track, Math.min(past.frame + 1, track.last)));
+  const way = whole.slice(Math.max(ends, 0));
   if (way.length < 2) return;
   context.strokeStyle = brush.palette[brush.hue];
   context.lineWidth = thick(g, 0.12);
