@@ -38,7 +38,7 @@ constexpr std::array calls = {
     Call{"picture", answer_picture},
 };
 
-constexpr auto names = [] {
+constexpr auto call_names = [] {
   std::array<std::string_view, calls.size()> list;
   for (std::size_t i = 0; i < calls.size(); ++i) list[i] = calls[i].name;
   return list;
@@ -65,6 +65,6 @@ PageAnswer answer_page(std::string_view call, std::string_view request, std::str
   return {"{\"answer\":" + answer + "}", std::move(reply.bytes)};
 }
 
-std::span<const std::string_view> page_calls() { return names; }
+std::span<const std::string_view> page_calls() { return call_names; }
 
 }  // namespace labmouse
