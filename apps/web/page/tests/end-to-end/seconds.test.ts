@@ -18,6 +18,8 @@ const moment = async (page: Page) => (await page.locator('.replay .moment').text
 const clock = async (page: Page) => Number(/ at ([\d.]+) of/.exec(await moment(page))![1]);
 const end = async (page: Page) => Number(/ of ([\d.]+) s/.exec(await moment(page))![1]);
 const scrubber = (page: Page) => page.getByRole('slider', { name: 'Moment of the replay' });
+/** A slider writes a number without zeros at its end. */
+const scrub = (page: Page, time: number) => scrubber(page).fill(String(Number(time.toFixed(3))));
 const fact = async (page: Page, name: string) =>
   page
     .locator('.replay .facts tr', { has: page.getByRole('rowheader', { name, exact: true }) })
@@ -41,7 +43,7 @@ test('a contest in seconds is played on its clock, move by move', async () => {
   const first = await clock(page);
   await page.keyboard.press('ArrowLeft');
   await expect.poll(() => clock(page)).toBe(0);
-  await scrubber(page).fill((first / 2).toFixed(3));
+  await scrub(page, first / 2);
   await expect.poll(() => clock(page)).toBeCloseTo(first / 2, 2);
   await page.keyboard.press('End');
   await expect.poll(() => moment(page)).toContain('finished');
@@ -87,7 +89,7 @@ test('what was scrubbed is drawn the same forwards and backwards, in each layer'
   const page = await driven();
   const whole = await end(page);
   const at = async (time: number) => {
-    await scrubber(page).fill(time.toFixed(3));
+    await scrub(page, time);
     await expect.poll(() => clock(page)).toBeCloseTo(time, 2);
     return pixels(page);
   };
@@ -130,7 +132,7 @@ test('its record and its picture are saved, and the record is opened again', asy
 test('nothing is in the way of anybody, in light and dark, at every width', async () => {
   const page = await driven();
   await fastRun(page).click();
-  await scrubber(page).fill(((await end(page)) - 2).toFixed(3));
+  await scrub(page, (await end(page)) - 2);
   await page.keyboard.press('8');
   await expect.poll(() => fact(page, 'run')).toBe('fast run');
   for (const colorScheme of ['light', 'dark'] as const)
