@@ -3,7 +3,7 @@
 #   make race    races the mice on the built-in mazes and prints the leaderboard
 #   make check   builds and runs all tests
 # The page, in a browser:
-#   make page    builds build/page/labmouse.html, and the program with it inside
+#   make page    builds build/page/labmouse.html, without the program; the next build of the program takes it in
 # And, when a mouse has changed:
 #   make reports runs every system of the five reports and writes docs/reports.md
 # And, before a release:
@@ -33,9 +33,6 @@ check:
 page:
 	@scripts/install page
 	@scripts/page
-	@test -e build/release/build.ninja || scripts/quietly cmake --preset release
-	@test -e build/release/labmouse || echo "building labmouse; this takes about 4 minutes of processor time" >&2
-	@scripts/quietly cmake --build --preset release --target labmouse
 	@echo "build/page/labmouse.html"
 
 reports:

@@ -20,8 +20,8 @@ struct PageOptions {
 std::string find_page(const PageOptions& options) {
   if (options.page.empty() && embedded_page().empty())
     throw UsageError(
-        "error: this program was built without the page; run `make page` to build both, or name a page with --page "
-        "FILE");
+        "error: this program was built without the page; run `make page` and build the program again, or name a page "
+        "with --page FILE");
   if (options.page.empty()) return std::string(embedded_page());
   FileContent file = read_file(options.page, std::size_t{1} << 26U);
   if (file.error.empty()) file.error = wrong_page(file.content);

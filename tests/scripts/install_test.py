@@ -3,51 +3,17 @@
 usage: install_test.py SOURCE_DIR
 """
 
-import os
 import pathlib
 import shutil
-import subprocess
 import sys
 import tempfile
 import unittest
 
+from machine import Machine
+
 SOURCE = pathlib.Path(sys.argv.pop(1)).resolve()
 INSTALL = SOURCE / "scripts" / "install"
 SYSTEMS = ("Debian", "Fedora", "Arch", "Homebrew")
-
-
-class Machine:
-    """A PATH of its own: the usual small tools, and programs that write down how they were called."""
-
-    def __init__(self, folder):
-        self.folder = pathlib.Path(folder)
-        self.calls = self.folder / "calls"
-        self.calls.touch()
-        for tool in ("sh", "cat", "chmod", "cmp", "cp", "dirname", "env", "grep", "head", "mkdir", "mktemp", "rm", "sed", "tail"):
-            (self.folder / tool).symlink_to(shutil.which(tool))
-        self.add("id", "echo 0")
-
-    def add(self, name, script="exit 0"):
-        program = self.folder / name
-        program.unlink(missing_ok=True)
-        program.write_text(f"#!/bin/sh\necho {name} \"$@\" >>'{self.calls}'\n{script}\n")
-        program.chmod(0o755)
-
-    def add_build(self, found):
-        for name in ("ninja", "python3"):
-            self.add(name)
-        self.add("cmake", "exit 0" if found else "echo 'CMake Error: Could not find CLI11'; exit 1")
-
-    def add_dpkg(self, missing=()):
-        self.add("dpkg-query", "\n".join(f'[ "$3" = {name} ] && exit 1' for name in missing) + "\nprintf installed")
-        self.add("apt-get")
-
-    def install(self, part="race", script=INSTALL):
-        environment = {**os.environ, "PATH": str(self.folder)}
-        return subprocess.run([script, part], env=environment, capture_output=True, text=True)
-
-    def called(self, name):
-        return [line for line in self.calls.read_text().splitlines() if line.startswith(name + " ")]
 
 
 class Install(unittest.TestCase):
@@ -56,16 +22,19 @@ class Install(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.machine = Machine(folder.name)
 
+    def install(self, part="race"):
+        return self.machine.run(INSTALL, part)
+
     def assert_quiet(self, result):
         self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "", ""))
 
     def test_without_dpkg_it_is_content_where_cmake_finds_everything(self):
         self.machine.add_build(found=True)
-        self.assert_quiet(self.machine.install())
+        self.assert_quiet(self.install())
 
     def test_without_dpkg_it_names_the_packages_of_each_system_and_what_cmake_misses(self):
         self.machine.add_build(found=False)
-        result = self.machine.install()
+        result = self.install()
         self.assertEqual(result.returncode, 2)
         lines = result.stderr.splitlines()
         for system in SYSTEMS:
@@ -77,26 +46,26 @@ class Install(unittest.TestCase):
     def test_a_program_of_readmes_first_screen_is_asked_for_too(self):
         self.machine.add_build(found=True)
         (self.machine.folder / "python3").unlink()
-        result = self.machine.install()
+        result = self.install()
         self.assertEqual(result.returncode, 2)
         self.assertIn("python3 is not in PATH", result.stderr)
 
     def test_with_dpkg_and_all_packages_nothing_else_is_asked(self):
         self.machine.add_build(found=False)
         self.machine.add_dpkg()
-        self.assert_quiet(self.machine.install())
+        self.assert_quiet(self.install())
         self.assertEqual(self.machine.called("cmake") + self.machine.called("apt-get"), [])
 
     def test_with_dpkg_nothing_is_installed_where_cmake_finds_it_elsewhere(self):
         self.machine.add_build(found=True)
         self.machine.add_dpkg(missing=["libcli11-dev"])
-        self.assert_quiet(self.machine.install())
+        self.assert_quiet(self.install())
         self.assertEqual(self.machine.called("apt-get"), [])
 
     def test_with_dpkg_only_what_is_missing_is_installed(self):
         self.machine.add_build(found=False)
         self.machine.add_dpkg(missing=["libcli11-dev", "python3"])
-        result = self.machine.install()
+        result = self.install()
         self.assertEqual(result.returncode, 0)
         words = self.machine.called("apt-get")[-1].split()
         self.assertIn("install", words)
@@ -106,22 +75,32 @@ class Install(unittest.TestCase):
     def test_who_is_not_root_installs_through_sudo(self):
         self.machine.add_dpkg(missing=["g++"])
         self.machine.add("id", "echo 1000")
-        result = self.machine.install()
+        result = self.install()
         self.assertEqual(result.returncode, 2)
         self.assertIn("sudo", result.stderr)
         self.machine.add("sudo", 'exec "$@"')
-        self.assertEqual(self.machine.install().returncode, 0)
+        self.assertEqual(self.install().returncode, 0)
         self.assertTrue(self.machine.called("sudo"))
 
     def test_the_tests_need_more_than_the_program(self):
         self.machine.add_build(found=True)
-        self.machine.install("check")
+        self.install("check")
         self.assertIn("-DLABMOUSE_TESTS=ON", self.machine.called("cmake")[-1])
         self.machine.add_build(found=False)
-        self.assertIn("rapidcheck", self.machine.install("check").stderr)
+        self.assertIn("rapidcheck", self.install("check").stderr)
+
+    def test_the_page_needs_less_than_the_program(self):
+        self.machine.add_build(found=False)
+        for name in ("em++", "node", "npm"):
+            self.machine.add(name)
+        result = self.install("page")
+        self.assertIn("--preset web", self.machine.called("cmake")[-1])
+        self.assertIn("emscripten", result.stderr)
+        for package in ("cli11", "tbb", "g++"):
+            self.assertNotIn(package, result.stderr)
 
     def test_an_unknown_set_is_refused(self):
-        self.assertEqual(self.machine.install("everything").returncode, 2)
+        self.assertEqual(self.install("everything").returncode, 2)
 
 
 class PythonPackages(unittest.TestCase):
@@ -148,7 +127,7 @@ class PythonPackages(unittest.TestCase):
                          "printf '#!/bin/sh\\nexec pip \"$@\"\\n' >build/python/bin/python; chmod +x build/python/bin/python")
 
     def install(self, part="ci"):
-        return self.machine.install(part, self.clone / "scripts" / "install")
+        return self.machine.run(self.clone / "scripts" / "install", part)
 
     def test_are_installed_with_hashes_and_only_once(self):
         self.add_python()
