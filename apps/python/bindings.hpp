@@ -1,0 +1,12 @@
+// The extension labmouse._native: each file binds one topic, and module.cpp calls them all.
+#pragma once
+
+#include <nanobind/nanobind.h>
+
+namespace labmouse::python {
+
+/// What the file of that topic adds to the module.
+void bind_errors(nanobind::module_& module);
+void bind_mazes(nanobind::module_& module);
+
+}  // namespace labmouse::python

@@ -1,0 +1,262 @@
+// Mazes as Python's objects.
+#include <fmt/format.h>
+#include <nanobind/ndarray.h>
+#include <nanobind/operators.h>
+#include <nanobind/stl/filesystem.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/variant.h>
+#include <nanobind/stl/vector.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+
+#include "bindings.hpp"
+#include "errors.hpp"
+#include "labmouse/lab/drawing/drawing.hpp"
+#include "labmouse/lab/mazes/maze_files.hpp"
+#include "labmouse/lab/mazes/maze_link.hpp"
+#include "labmouse/lab/system/files.hpp"
+#include "labmouse/maze/generators/generator.hpp"
+#include "labmouse/strategies/parameter.hpp"
+
+namespace nb = nanobind;
+using namespace nb::literals;
+
+namespace labmouse::python {
+namespace {
+
+using Place = std::pair<int, int>;
+/// Cells by row and column; the southernmost row comes first.
+using CellFlags = nb::ndarray<nb::numpy, bool, nb::ndim<2>>;
+using GivenFlags = nb::ndarray<const bool, nb::ndim<2>, nb::c_contig, nb::device::cpu>;
+
+Heading heading_named(const std::string& name) {
+  std::vector<std::string_view> names;
+  for (const Heading heading : all_headings) {
+    if (name_of(heading) == name) return heading;
+    names.push_back(name_of(heading));
+  }
+  const auto near = nearest_name(name, names);
+  throw UserError(fmt::format("unknown heading '{}'; {}", name,
+                              near.empty() ? fmt::format("the headings are {}", fmt::join(names, ", "))
+                                           : fmt::format("did you mean '{}'?", near)));
+}
+
+Cell cell_in(Size size, Place place, const char* what) {
+  if (place.first >= 0 && place.second >= 0 && place.first < size.width && place.second < size.height)
+    return {place.first, place.second};
+  throw UserError(fmt::format("the {} ({},{}) is outside the maze, which is {}x{}", what, place.first, place.second,
+                              size.width, size.height));
+}
+
+template <class Things>
+std::string suggestion(std::string_view word, const Things& things) {
+  std::vector<std::string_view> names;
+  for (const auto* thing : things) names.push_back(thing->name);
+  const auto near = nearest_name(word, names);
+  return near.empty() ? fmt::format("expected one of {}", fmt::join(names, ", "))
+                      : fmt::format("did you mean '{}'?", near);
+}
+
+NamedMaze load(const std::filesystem::path& path) {
+  const std::vector<std::string> paths = {path.string()};
+  MazeCollection found = load_mazes(paths);
+  if (!found.errors.empty()) throw error_of(found.errors);
+  if (found.mazes.size() != 1)
+    throw UserError(fmt::format("{}: error: this names {} mazes; name exactly one", paths.front(), found.mazes.size()));
+  return std::move(found.mazes.front());
+}
+
+NamedMaze parse(const std::string& text, const std::string& name) {
+  ReadResult read = read_maze(text);
+  if (!read.maze) throw error_of({{name, read.problems}});
+  return {name, *std::move(read.maze)};
+}
+
+std::vector<NamedMaze> find(const std::vector<std::filesystem::path>& paths) {
+  std::vector<std::string> names;
+  for (const auto& path : paths) names.push_back(path.string());
+  MazeCollection found = names.empty() ? load_builtin_mazes() : load_mazes(names);
+  if (!found.errors.empty()) throw error_of(found.errors);
+  return std::move(found.mazes);
+}
+
+NamedMaze generate(const std::string& kind, const std::variant<int, Place>& size, std::uint64_t seed, double loops) {
+  const Generator* generator = find_generator(kind);
+  if (generator == nullptr)
+    throw UserError(fmt::format("unknown kind '{}'; {}", kind, suggestion(kind, all_generators())));
+  if (!(loops >= 0.0 && loops <= 1.0)) throw UserError(fmt::format("loops is a share from 0 to 1, not {}", loops));
+  const int* side = std::get_if<int>(&size);
+  const auto [width, height] = side != nullptr ? Place(*side, *side) : std::get<Place>(size);
+  const GeneratorOrder order{{width, height}, seed, static_cast<int>(loops * 1000.0 + 0.5)};
+  if (const auto reason = generator->refuses(order); !reason.empty()) throw UserError(std::string(reason));
+  std::string name = fmt::format("{}-{}x{}-{}", kind, width, height, seed);
+  if (order.loops > 0) name += fmt::format("-loops-{}", order.loops);
+  return {std::move(name), generator->make(order)};
+}
+
+NamedMaze from_walls(const GivenFlags& north, const GivenFlags& east, Place start, const std::string& heading,
+                     const std::optional<std::vector<Place>>& goals, const std::string& name) {
+  const Size size{static_cast<int>(north.shape(1)), static_cast<int>(north.shape(0))};
+  if (north.shape(0) != east.shape(0) || north.shape(1) != east.shape(1))
+    throw UserError(fmt::format("north has the shape ({}, {}) and east ({}, {}); both must be (height, width)",
+                                north.shape(0), north.shape(1), east.shape(0), east.shape(1)));
+  if (north.shape(0) > max_side || north.shape(1) > max_side || !size.valid())
+    throw UserError(fmt::format("walls of the shape ({}, {}) make no maze; both sides must be from 1 to {}",
+                                north.shape(0), north.shape(1), max_side));
+  MazeDraft draft(size, MazeDraft::Inside::closed);
+  for (int index = 0; index < size.area(); ++index) {
+    const Cell cell = size.cell_at(index);
+    for (const Heading side : {Heading::north, Heading::east}) {
+      if ((side == Heading::north ? north : east)(cell.y, cell.x)) continue;
+      if (on_border(wall_at(cell, side), size))
+        throw UserError(
+            fmt::format("the border is open {} of the cell ({},{}); it must be closed", name_of(side), cell.x, cell.y));
+      draft.open(cell, side);
+    }
+  }
+  draft.set_start(cell_in(size, start, "start"), heading_named(heading));
+  for (const auto& goal : goals.value_or(std::vector<Place>())) draft.add_goal(cell_in(size, goal, "goal"));
+  return {name, Maze(draft)};
+}
+
+CellFlags walls_of(const Maze& maze, Heading side) {
+  const Size size = maze.size();
+  auto* flags = new bool[static_cast<std::size_t>(size.area())];
+  const nb::capsule owner(flags, [](void* held) noexcept { delete[] static_cast<bool*>(held); });
+  for (int index = 0; index < size.area(); ++index) flags[index] = !maze.is_open(size.cell_at(index), side);
+  return CellFlags(flags, {static_cast<std::size_t>(size.height), static_cast<std::size_t>(size.width)}, owner);
+}
+
+Place place_of(Cell cell) { return {cell.x, cell.y}; }
+
+std::vector<Place> goals_of(const Maze& maze) {
+  std::vector<Place> goals;
+  maze.goals().for_each([&](Cell cell) { goals.push_back(place_of(cell)); });
+  return goals;
+}
+
+std::string written(const NamedMaze& maze, const std::string& format_name) {
+  const Format* format = find_format(format_name);
+  if (format == nullptr)
+    throw UserError(fmt::format("unknown format '{}'; {}", format_name, suggestion(format_name, all_formats())));
+  const WriteResult result = format->write(maze.maze);
+  if (!result.content)
+    throw UserError(fmt::format("the format {} cannot hold this maze: {}", format->name, result.reason));
+  return *result.content;
+}
+
+void save(const NamedMaze& maze, const std::filesystem::path& path, const std::optional<std::string>& format) {
+  const std::string file = path.string();
+  const std::string suggested = file.ends_with(".maz") ? "maz" : file.ends_with(".num") ? "num" : "drawing";
+  const std::string content = written(maze, format.value_or(suggested));
+  if (const auto error = write_file(file, content); !error.empty())
+    throw UserError(fmt::format("{}: error: {}", file, error));
+}
+
+NamedMaze with_start(const NamedMaze& maze, Place start, const std::string& heading) {
+  return {maze.name, maze.maze.with_start(cell_in(maze.maze.size(), start, "start"), heading_named(heading))};
+}
+
+NamedMaze with_goals(const NamedMaze& maze, const std::vector<Place>& goals) {
+  CellSet cells;
+  for (const auto& goal : goals) cells.insert(cell_in(maze.maze.size(), goal, "goal"));
+  if (cells.empty()) throw UserError("a maze needs at least one goal");
+  return {maze.name, maze.maze.with_goals(cells)};
+}
+
+/// Walls, start and goals, as equality compares them.
+std::string content_of(const NamedMaze& maze) { return link_of({"", maze.maze}); }
+
+NamedMaze from_link(const std::string& link, const std::string& name) {
+  ReadLinkResult read = read_link(link);
+  if (!read.maze) throw UserError(read.error);
+  return {name, std::move(read.maze->maze)};
+}
+
+std::string repr_of(const NamedMaze& maze) {
+  const Size size = maze.maze.size();
+  return fmt::format("<labmouse.Maze '{}' {}x{}>", maze.name, size.width, size.height);
+}
+
+}  // namespace
+
+void bind_mazes(nb::module_& module) {
+  nb::class_<NamedMaze>(
+      module, "Maze",
+      "A maze that never changes: its walls, its start and its goals, under a name.\n\n"
+      "Cells are (x, y): x counts eastwards and y northwards from (0, 0), the south-west corner. Two\n"
+      "mazes are equal where walls, start, heading and goals are, whatever their names.")
+      .def(
+          "__init__", [](NamedMaze* self, const std::filesystem::path& path) { new (self) NamedMaze(load(path)); },
+          "path"_a,
+          "Reads a maze file of any format (docs/formats.md), or takes a built-in maze by its name.\n\n"
+          "Raises Error with file, line, column and reason where there is none.")
+      .def_static("parse", &parse, "text"_a, "name"_a = "maze",
+                  "The maze of a text in any format. Raises Error with line, column and reason.")
+      .def_static("from_walls", &from_walls, "north"_a, "east"_a, "start"_a = Place(0, 0), "heading"_a = "north",
+                  "goals"_a = nb::none(), "name"_a = "maze",
+                  "The maze of two arrays of bool of the shape (height, width).\n\n"
+                  "north[y, x] says whether there is a wall north of the cell (x, y), and east[y, x] whether there is\n"
+                  "one east of it. The border must be closed: north[-1, :] and east[:, -1] are all True. `goals` is a\n"
+                  "list of cells, or None for the centre. Raises Error where they make no maze.")
+      .def_prop_ro(
+          "name", [](const NamedMaze& maze) { return maze.name; },
+          "What results call it: the path of its file, or the name of a built-in or generated maze.")
+      .def_prop_ro(
+          "width", [](const NamedMaze& maze) { return maze.maze.size().width; }, "Columns of cells, 1 to 64.")
+      .def_prop_ro(
+          "height", [](const NamedMaze& maze) { return maze.maze.size().height; }, "Rows of cells, 1 to 64.")
+      .def_prop_ro(
+          "start", [](const NamedMaze& maze) { return place_of(maze.maze.start()); },
+          "The cell (x, y) in which a mouse starts.")
+      .def_prop_ro(
+          "heading", [](const NamedMaze& maze) { return std::string(name_of(maze.maze.start_heading())); },
+          "Where it looks there: 'north', 'east', 'south' or 'west'.")
+      .def_prop_ro(
+          "goals", [](const NamedMaze& maze) { return goals_of(maze.maze); },
+          "The goal cells, row by row from the south.")
+      .def_prop_ro(
+          "north", [](const NamedMaze& maze) { return walls_of(maze.maze, Heading::north); },
+          "A new array of bool of the shape (height, width): whether there is a wall north of the cell [y, x].")
+      .def_prop_ro(
+          "east", [](const NamedMaze& maze) { return walls_of(maze.maze, Heading::east); },
+          "A new array of bool of the shape (height, width): whether there is a wall east of the cell [y, x].")
+      .def("text", &written, "format"_a = "drawing",
+           "The maze as a text: 'drawing', 'capstone', 'num' or 'maz'. Raises Error where the format cannot hold it.")
+      .def("save", &save, "path"_a, "format"_a = nb::none(),
+           "Writes it to a file; the format is that of the path's ending (.maz, .num), otherwise a drawing.")
+      .def(
+          "named",
+          [](const NamedMaze& maze, const std::string& name) {
+            return NamedMaze{name, maze.maze};
+          },
+          "name"_a, "The same maze under another name.")
+      .def("with_start", &with_start, "start"_a, "heading"_a = "north", "The same maze with another start.")
+      .def("with_goals", &with_goals, "goals"_a, "The same maze with other goals.")
+      .def(
+          "svg", [](const NamedMaze& maze) { return draw_svg(maze.maze, {}); }, "The maze as an SVG picture.")
+      .def("_repr_svg_", [](const NamedMaze& maze) { return draw_svg(maze.maze, {}); })
+      .def("__repr__", &repr_of)
+      .def("__str__", [](const NamedMaze& maze) { return draw_text(maze.maze, {}, false); })
+      .def(
+          "__eq__", [](const NamedMaze& a, const NamedMaze& b) { return a.maze == b.maze; }, nb::is_operator(),
+          nb::sig("def __eq__(self, arg: object, /) -> bool"))
+      .def("__hash__", [](const NamedMaze& maze) { return std::hash<std::string>()(content_of(maze)); })
+      .def("__getstate__", [](const NamedMaze& maze) { return std::make_pair(content_of(maze), maze.name); })
+      .def("__setstate__", [](NamedMaze& maze, const std::pair<std::string, std::string>& state) {
+        new (&maze) NamedMaze(from_link(state.first, state.second));
+      });
+  module.def(
+      "generate", &generate, "kind"_a = "contest", "size"_a = 16, "seed"_a = 1, "loops"_a = 0.0,
+      "A maze from a generator: 'depth-first', 'prim', 'kruskal', 'wilson', 'division', 'empty' or 'contest'.\n\n"
+      "`size` is a side in cells or (width, height), 1 to 64. The same seed gives the same maze everywhere.\n"
+      "`loops` is the share, 0 to 1, of the remaining inner walls that is opened afterwards.\n"
+      "Raises Error where the generator cannot make such a maze.");
+  module.def("find_mazes", &find, "paths"_a);
+}
+
+}  // namespace labmouse::python
