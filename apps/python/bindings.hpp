@@ -8,5 +8,7 @@ namespace labmouse::python {
 /// What the file of that topic adds to the module.
 void bind_errors(nanobind::module_& module);
 void bind_mazes(nanobind::module_& module);
+void bind_sightings(nanobind::module_& module);
+void bind_briefings(nanobind::module_& module);
 
 }  // namespace labmouse::python

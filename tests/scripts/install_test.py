@@ -123,8 +123,8 @@ class PythonPackages(unittest.TestCase):
     def add_python(self, pip="exit 0"):
         """A python3 that makes an environment whose pip does that."""
         self.machine.add("pip", pip)
-        self.machine.add("python3", "mkdir -p build/python/bin; "
-                         "printf '#!/bin/sh\\nexec pip \"$@\"\\n' >build/python/bin/python; chmod +x build/python/bin/python")
+        self.machine.add("python3", "mkdir -p $4/bin; "
+                         "printf '#!/bin/sh\\nexec pip \"$@\"\\n' >$4/bin/python; chmod +x $4/bin/python")
 
     def install(self, part="ci"):
         return self.machine.run(self.clone / "scripts" / "install", part)
@@ -132,18 +132,26 @@ class PythonPackages(unittest.TestCase):
     def test_are_installed_with_hashes_and_only_once(self):
         self.add_python()
         self.assertEqual(self.install().returncode, 0)
-        (call,) = self.machine.called("pip")
-        self.assertIn("--require-hashes", call)
+        calls = self.machine.called("pip")
+        self.assertEqual(len(calls), 2)  # what robots of tests import, and what builds the package
+        for call in calls:
+            self.assertIn("--require-hashes", call)
         result = self.install()
         self.assertEqual((result.returncode, result.stderr), (0, ""))
-        self.assertEqual(len(self.machine.called("pip")), 1)
+        self.assertEqual(len(self.machine.called("pip")), 2)
+
+    def test_for_the_package_alone(self):
+        self.add_python()
+        self.assertEqual(self.install("python").returncode, 0)
+        (call,) = self.machine.called("pip")
+        self.assertIn("python-tools.txt", call)
 
     def test_are_installed_again_where_others_are_wanted(self):
         self.add_python()
         self.install()
         self.requirements.write_text("numpy==2.0.0\n")
         self.assertEqual(self.install().returncode, 0)
-        self.assertEqual(len(self.machine.called("pip")), 2)
+        self.assertEqual(len(self.machine.called("pip")), 3)
 
     def test_that_cannot_be_installed_are_an_error_each_time(self):
         self.add_python(pip="echo 'no such wheel'; exit 1")

@@ -1,0 +1,13 @@
+// What a mouse in Python is told before its contest.
+#pragma once
+
+#include "labmouse/mouse/briefing.hpp"
+
+namespace labmouse::python {
+
+/// labmouse.Briefing.
+struct PythonBriefing {
+  Briefing briefing;
+};
+
+}  // namespace labmouse::python
