@@ -43,6 +43,18 @@ export default defineConfig({
       {
         extends: true,
         test: {
+          name: 'firefox',
+          include: ['tests/firefox/**/*.test.ts'],
+          globalSetup: 'tests/end-to-end/folder.ts',
+          testTimeout: 180_000,
+          retry: 1,
+          expect: { poll: { timeout: 15_000 } },
+          hookTimeout: 60_000,
+        },
+      },
+      {
+        extends: true,
+        test: {
           name: 'speed',
           include: ['bench/**/*.speed.ts'],
           globalSetup: 'tests/end-to-end/folder.ts',
