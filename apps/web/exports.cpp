@@ -49,5 +49,6 @@ LABMOUSE_EXPORT(labmouse_drive) void labmouse_drive() { call("drive"); }
 LABMOUSE_EXPORT(labmouse_unpack) void labmouse_unpack() { call("unpack"); }
 LABMOUSE_EXPORT(labmouse_race) void labmouse_race() { call("race"); }
 LABMOUSE_EXPORT(labmouse_compare) void labmouse_compare() { call("compare"); }
+LABMOUSE_EXPORT(labmouse_losses) void labmouse_losses() { call("losses"); }
 LABMOUSE_EXPORT(labmouse_beliefs) void labmouse_beliefs() { call("beliefs"); }
 LABMOUSE_EXPORT(labmouse_picture) void labmouse_picture() { call("picture"); }

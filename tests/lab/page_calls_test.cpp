@@ -64,15 +64,25 @@ TEST(PageCalls, RefuseWhatIsNoRequest) {
 /// Whatever stands in a field, there is an answer or a failure in words.
 TEST(PageCalls, SurviveAnythingInAnyField) {
   const json maze = data_of(test::hook());
-  const json requests = {{"maze", maze},        {"mouse", "flood"},
-                         {"seed", 1},           {"name", "a"},
-                         {"generator", "prim"}, {"width", 4},
-                         {"height", 4},         {"loops", 0},
-                         {"mice", {"flood"}},   {"runs", 1},
-                         {"mazes", {maze}},     {"differences", {1.5}},
-                         {"format", "maz"},     {"link", "x"},
-                         {"frames", 2},         {"known", {0, 0, 0, 0, 0, 0, 0, 0}},
-                         {"stride", 3},         {"record", json::object()}};
+  const json requests = {{"maze", maze},
+                         {"mouse", "flood"},
+                         {"seed", 1},
+                         {"name", "a"},
+                         {"generator", "prim"},
+                         {"width", 4},
+                         {"height", 4},
+                         {"loops", 0},
+                         {"mice", {"flood"}},
+                         {"runs", 1},
+                         {"mazes", {maze}},
+                         {"differences", {1.5}},
+                         {"contests", json::array({json{{"mouse", "flood"}, {"seed", 1}}})},
+                         {"format", "maz"},
+                         {"link", "x"},
+                         {"frames", 2},
+                         {"known", {0, 0, 0, 0, 0, 0, 0, 0}},
+                         {"stride", 3},
+                         {"record", json::object()}};
   const json anything = {nullptr,           true,         -1, 0, 1e300, "", "x", json::array(), json::object(),
                          {1, "a", nullptr}, {{"name", 1}}};
   for (const std::string_view call : page_calls()) {

@@ -44,6 +44,7 @@ PageReply answer_drive(const ReadJson& request, std::string_view bytes);
 PageReply answer_unpack(const ReadJson& request, std::string_view bytes);
 PageReply answer_race(const ReadJson& request, std::string_view bytes);
 PageReply answer_compare(const ReadJson& request, std::string_view bytes);
+PageReply answer_losses(const ReadJson& request, std::string_view bytes);
 PageReply answer_beliefs(const ReadJson& request, std::string_view bytes);
 PageReply answer_picture(const ReadJson& request, std::string_view bytes);
 

@@ -34,6 +34,7 @@ constexpr std::array calls = {
     Call{"unpack", answer_unpack},
     Call{"race", answer_race},
     Call{"compare", answer_compare},
+    Call{"losses", answer_losses},
     Call{"beliefs", answer_beliefs},
     Call{"picture", answer_picture},
 };

@@ -401,6 +401,17 @@ export interface PackedRecord {
   [field: string]: unknown;
 }
 
+/** `losses`: where contests lose their steps. */
+export interface Losses {
+  contests: number;
+  solved: number;
+  bound: number | null;
+  mean_score: number | null;
+  exploration: number[];
+  speed: number[];
+  points: number[];
+}
+
 /** Every function of the core: what it is asked and what it answers. `bytes` goes beside the request. */
 export interface Calls {
   about: { request: Record<string, never>; answer: About };
@@ -453,6 +464,15 @@ export interface Calls {
   };
   /** Means of a mouse in the same mazes as another. */
   compare: { request: { differences: number[]; seed?: number }; answer: PairedDifference };
+  /**
+   * Where contests in steps in one maze lose their steps; labmouse/lab/steps/lost_steps.hpp says what that means. Lists
+   * run over cells; those that were not solved are left out of all but `contests`. `points` is what the mean contest
+   * loses of its score in that cell; they add up to `mean_score` - `bound`.
+   */
+  losses: {
+    request: { maze: MazeData; contests: { mouse: string; seed: number }[]; budget?: number };
+    answer: Losses;
+  };
   /**
    * What a mouse with that knowledge believed: steps to the goal from each cell, all unknown walls open, frame by frame:
    * frames * cells numbers of 16 bits in `bytes`, 65535 where there is no way.
