@@ -3,6 +3,7 @@ import CoreWorker from './core/worker?worker&inline';
 import { startCore, type Core } from './core/client';
 import type { About, MazeData, RaceResults } from './core/types';
 import { blockText, readRecords, readReport } from './report/blocks';
+import type { Order } from './race/holding';
 import { loadedRace, type Sources } from './report/loaded';
 import { listenForFiles } from './shell/drop';
 import { fileTaker } from './shell/files';
@@ -10,7 +11,10 @@ import { createFrame } from './shell/frame';
 import { lacking } from './shell/needs';
 import { createNotices } from './shell/notices';
 import { routeOf, titleOf } from './shell/routes';
-import { createStage } from './shell/stage';
+import { copyLink } from './shell/copy-link';
+import { createFinder, createKeeper } from './shell/kept';
+import { createShelf } from './shell/shelf';
+import { createStage, Link } from './shell/stage';
 import { h } from './ui/dom';
 import { createDraw } from './views/draw';
 import { createHome } from './views/home';
@@ -28,13 +32,16 @@ const noCore = (reason: string): Core => ({
 
 const notices = createNotices();
 const intake = listenForFiles((files) => void takeFiles(files));
-const stage = createStage(createFrame(notices, intake), notices.complain);
+const shelf = createShelf();
+const frame = createFrame(notices, intake, shelf, () => void copyLink(stage, notices));
+const stage = createStage(frame, notices.complain);
 const missing = lacking();
 const core = missing ? noCore(missing) : startCore(() => new CoreWorker(), notices.busy);
 const ready: Promise<About> = core.call('about', {});
 // For those who open the browser's console: `await labmouse.call('about', {})`.
 Object.assign(window, { labmouse: core });
 notices.onStop(() => core.stop());
+const keeper = createKeeper(core, shelf);
 
 /** Mazes that were opened in this page, by name, so that results find theirs. */
 const opened = new Map<string, MazeData>();
@@ -47,8 +54,9 @@ function setRace(results: RaceResults, more: Partial<Sources>) {
   race = loadedRace(results, { core, ready, links: new Map(), opened, records: async () => [], ...more });
 }
 
-function showResults(results: RaceResults, raced: MazeData[] = []) {
-  setRace(results, { raced });
+function showResults(results: RaceResults, raced: MazeData[] = [], order?: Order) {
+  setRace(results, { raced, order });
+  keeper.results(results, raced);
   stage.show('race', results);
 }
 
@@ -60,19 +68,25 @@ const page: EarlyPage = {
     if (race === report || !report) return null;
     return () => stage.show('race', (race = report));
   },
-  replay: (plays, time) => stage.show('replay', { plays, time }),
+  replay(plays, time, look) {
+    keeper.plays(plays);
+    stage.show('replay', { plays, time, look });
+  },
+  shelf,
+  keepMoment: keeper.moment,
   live: (maze) => stage.show('live', maze),
   draw: (maze) => stage.show('draw', maze),
   mazes: () => [...opened.values(), ...[stage.view('draw')?.maze?.() ?? []].flat()],
   drawn: () => stage.view('draw')?.maze?.() ?? null,
   open: (files) => void takeFiles(files),
   choose: intake.choose,
-  hold(results, raced, message) {
+  hold(results, raced, message, order) {
     if (stage.current() === 'race') {
-      showResults(results, raced);
+      showResults(results, raced, order);
       return notices.tell(message);
     }
-    setRace(results, { raced });
+    setRace(results, { raced, order });
+    keeper.results(results, raced);
     stage.keep('race', results);
     notices.tell(message, { label: 'Show it', act: () => stage.show('race', results) });
   },
@@ -88,6 +102,7 @@ const page: EarlyPage = {
 const takeFiles = fileTaker(core, notices, {
   mazes(mazes) {
     for (const maze of mazes) opened.set(maze.name, maze);
+    keeper.mazes([...opened.values()]);
     page.live(mazes[mazes.length - 1]);
   },
   plays: (plays) => page.replay(plays),
@@ -103,10 +118,12 @@ const takeFiles = fileTaker(core, notices, {
 function follow() {
   const route = routeOf(location.hash);
   if (route && 'view' in route) {
-    if (route.view !== stage.current()) stage.show(route.view);
+    if (route.more) stage.show(route.view, new Link(location.hash), true);
+    else if (route.view !== stage.current()) stage.show(route.view);
   } else if (!route) {
     if (stage.current() === null || location.hash === '')
       stage.show(blockText('labmouse-report') === null ? 'home' : 'race');
+    if (location.hash.length > 1) notices.complain('This link leads nowhere: it names no view of this page.');
   } else if (route.link === lastLink) stage.show('draw');
   else void openLink((lastLink = route.link));
 }
@@ -137,6 +154,21 @@ async function loadReport() {
   report = race;
 }
 
+/** What was open when the page was closed; what came in the meantime, by a link or a file, is newer. */
+async function restore() {
+  const finder = createFinder(core, shelf);
+  for (const maze of await finder.mazes()) if (!opened.has(maze.name)) opened.set(maze.name, maze);
+  const found = await finder.results();
+  if (found && !race) {
+    setRace(found.results, { raced: found.raced });
+    stage.offer('race', found.results);
+  }
+  const live = await finder.live();
+  if (live) stage.offer('live', new Link(live));
+  const { plays, moment } = await finder.plays();
+  if (plays.length > 0) stage.offer('replay', { plays, time: moment?.time, look: moment?.look });
+}
+
 async function startViews() {
   const about = await ready;
   const whole: Page = { ...page, about };
@@ -155,6 +187,7 @@ async function start() {
   stage.add('home', createHome(page));
   stage.add('race', createRace(page));
   await startViews().catch((error) => missing || notices.complain(error));
+  await restore();
 }
 
 void start();

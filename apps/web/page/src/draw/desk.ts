@@ -1,5 +1,6 @@
 // All around one drawing: the board, its tools, what the core says of it, and where it goes.
 import type { MazeData } from '../core/types';
+import type { Camera } from '../maze/camera';
 import { h } from '../ui/dom';
 import { field } from '../ui/field';
 import { filePicker } from '../ui/pick';
@@ -17,6 +18,9 @@ import { createTools } from './tools';
 export interface Desk {
   element: HTMLElement;
   drawing(): MazeData;
+  /** Where one looks at it from. */
+  look(): Camera;
+  lookFrom(camera: Camera): void;
   /** Another maze in place of the drawing, as a step that can be undone. */
   load(maze: MazeData): void;
   /** A key that was pressed anywhere in the view; true where it was for the desk. */
@@ -107,6 +111,8 @@ export function createDesk(page: Page, first: MazeData): Desk {
       h('div', { class: 'desk-panel' }, ...side, ...below),
     ),
     drawing: editor.maze,
+    look: board.stage.camera,
+    lookFrom: board.stage.look,
     load,
     key(event) {
       if (!(event.ctrlKey || event.metaKey) || event.altKey) return false;

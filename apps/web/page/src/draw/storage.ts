@@ -3,13 +3,13 @@ import type { MazeData } from '../core/types';
 import { createLatest } from '../ui/latest';
 import type { Page } from '../views/view';
 
-const key = 'labmouse drawing';
+const key = 'drawing';
 
 /** What was drawn before, or null. The core's link is kept: it tells itself whether it is whole. */
 export async function restoreDrawing(page: Page): Promise<MazeData | null> {
   try {
-    const link = localStorage.getItem(key);
-    return link ? (await page.core.call('read_link', { link })).maze : null;
+    const link = await page.shelf.read(key);
+    return typeof link === 'string' ? (await page.core.call('read_link', { link })).maze : null;
   } catch {
     return null;
   }
@@ -19,13 +19,7 @@ export async function restoreDrawing(page: Page): Promise<MazeData | null> {
 export function createKeeper(page: Page): (maze: MazeData) => void {
   const latest = createLatest(
     (maze: MazeData) => page.core.call('link', { maze }),
-    ({ link }) => {
-      try {
-        localStorage.setItem(key, link);
-      } catch {
-        // Without storage the drawing lasts as long as the page.
-      }
-    },
+    ({ link }) => void page.shelf.write(key, link),
     () => undefined,
     300,
   );

@@ -12,8 +12,8 @@ const rest = 5;
 
 export interface FrontRace {
   element: HTMLElement;
-  /** Puts two mice at the start. */
-  set(core: Core, pair: [Met, Met]): void;
+  /** Puts two mice at the start, or where they are after so many seconds. */
+  set(core: Core, pair: [Met, Met], from?: number): void;
   run(): void;
   pause(): void;
   isRunning(): boolean;
@@ -76,12 +76,13 @@ export function createFrontRace(ended: () => void, ...controls: HTMLElement[]): 
   }
   return {
     element,
-    set(core, pair) {
+    set(core, pair, from = 0) {
       for (const lane of two) lane.close();
       two = [createLane(core, pair[0], 'to-goal'), createLane(core, pair[1], 'route')];
       lanes.replaceChildren(...two.map((lane) => lane.element));
-      time = past = 0;
+      past = 0;
       end = Math.max(...two.map(({ track }) => track.time[track.last]));
+      time = Math.min(from, end);
       show();
       for (const lane of two) lane.describe();
     },

@@ -1,7 +1,8 @@
 // Runs what is chosen, at once on every change, and shows the walk.
 import type { MazeData, Play } from '../core/types';
 import { isSameMaze } from '../maze/same';
-import { createPlayer } from '../player/player';
+import type { Camera } from '../maze/camera';
+import { createPlayer, type Player } from '../player/player';
 import { h } from '../ui/dom';
 import { boundOf } from '../ui/terms';
 import { createLatest } from '../ui/latest';
@@ -20,6 +21,9 @@ export interface Order {
 export interface Bench {
   element: HTMLElement;
   run(order: Order): void;
+  /** What is run next is shown at that moment, and not at its end. */
+  begin(moment: { time?: number; look?: Camera }): void;
+  moment: Player['moment'];
   stop(): void;
 }
 
@@ -46,11 +50,19 @@ export function createBench(page: Page, refused: (message: string) => void): Ben
   const element = h('div', { class: 'bench' }, title, outcome, player.element);
   let now: Walk | null = null;
   let before: Walk | null = null;
+  let next: { time?: number; look?: Camera } | null = null;
 
   /** What is shown is of an order before the last one, which was refused. */
   const stale = (is: boolean) => player.element.classList.toggle('stale', is);
   function show() {
-    if (now) player.show(compare.checked && before ? [before, now] : [now], 'end');
+    if (!now) return;
+    player.show(
+      compare.checked && before ? [before, now] : [now],
+      next?.time === undefined ? 'end' : 'start',
+      next?.time,
+      next?.look,
+    );
+    next = null;
   }
   function take(walk: Walk) {
     before = now && now.play.world === walk.play.world && isSameMaze(now.play, walk.play) ? now : null;
@@ -84,5 +96,5 @@ export function createBench(page: Page, refused: (message: string) => void): Ben
     250,
   );
   compare.disabled = true;
-  return { element, run: latest.ask, stop: player.stop };
+  return { element, run: latest.ask, begin: (moment) => (next = moment), moment: player.moment, stop: player.stop };
 }

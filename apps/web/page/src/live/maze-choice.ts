@@ -12,6 +12,8 @@ export interface MazeChoice {
   element: HTMLElement;
   /** Chooses that maze, which came from elsewhere. */
   give(maze: MazeData): void;
+  /** Chooses the built-in maze of that name. */
+  choose(name: string): void;
   /** Asks for the chosen maze again; a drawing may have changed. */
   refresh(): void;
   isDrawing(): boolean;
@@ -97,6 +99,11 @@ export function createMazeChoice(page: Page, chosen: (maze: MazeData) => void): 
       h('button', { type: 'button', onclick: () => now && page.draw(now) }, 'Edit in Draw'),
     ),
     give,
+    choose(name) {
+      source.value = 'built-in';
+      builtin.value = name;
+      ask();
+    },
     refresh: ask,
     isDrawing: () => source.value === 'drawing',
   };

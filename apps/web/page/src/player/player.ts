@@ -26,7 +26,11 @@ import { momentText, namesOf } from './words';
 export interface Player {
   element: HTMLElement;
   /** Shows one or two of them, from the beginning or at the end, or from that time on; what was shown before is gone. */
-  show(plays: Shown[], at?: 'start' | 'end', time?: number): void;
+  show(plays: Shown[], at?: 'start' | 'end', time?: number, look?: Camera): void;
+  /** The time of the clock, and where one looks at the chosen maze from. */
+  moment(): { time: number; look?: Camera };
+  /** Calls whenever the clock stands still in another moment. */
+  rested(listener: () => void): void;
   /** Pauses: call it when the player is hidden. */
   stop(): void;
 }
@@ -41,6 +45,8 @@ const tonesOfTwo: Tone[] = ['to-goal', 'route'];
 
 /** Milliseconds between two looks of the numbers and lists at a replay that runs. */
 const panelPause = 100;
+/** Of stillness, before a moment is worth keeping. */
+const restPause = 300;
 
 /** Of a step of the keys that look aside, in pixels of the page; and how much nearer one press brings. */
 const aside = 80;
@@ -55,6 +61,8 @@ export function createPlayer(page: Page, ...lead: HTMLElement[]): Player {
   let asked = 0;
   let told = 0;
   let dirty = true;
+  let resting: ReturnType<typeof setTimeout> | undefined;
+  let restedListener = () => {};
 
   const actions: Actions = {
     toggle() {
@@ -163,6 +171,7 @@ export function createPlayer(page: Page, ...lead: HTMLElement[]): Player {
       if (scene.show(clock.time, smooth) || track.drive) dirty = true;
     }
     curves.tick();
+    if (!clock.playing) rest();
     if (!clock.playing || (dirty && now - told >= panelPause)) {
       told = now;
       refresh();
@@ -172,6 +181,12 @@ export function createPlayer(page: Page, ...lead: HTMLElement[]): Player {
   }
   function wake() {
     if (!asked && state.sides.length > 0) asked = requestAnimationFrame(frame);
+  }
+
+  /** Some of these come with every frame while somebody scrubs. */
+  function rest() {
+    clearTimeout(resting);
+    resting = setTimeout(() => restedListener(), restPause);
   }
 
   async function believe() {
@@ -189,6 +204,7 @@ export function createPlayer(page: Page, ...lead: HTMLElement[]): Player {
 
   /** Who looks closer at one of two mazes of one size looks so at the other. */
   function lookTogether(from: number, camera: Camera) {
+    rest();
     const size = ({ track: { maze } }: Side) => `${maze.width}x${maze.height}`;
     for (const [i, side] of state.sides.entries())
       if (i !== from && size(side) === size(state.sides[from])) side.scene.stage.look(camera);
@@ -197,7 +213,9 @@ export function createPlayer(page: Page, ...lead: HTMLElement[]): Player {
   listen(element, state, actions);
   return {
     element,
-    show(plays, at = 'start', time = 0) {
+    rested: (listener) => void (restedListener = listener),
+    moment: () => ({ time: clock.time, look: state.sides[state.chosen]?.scene.stage.camera() }),
+    show(plays, at = 'start', time = 0, look) {
       for (const side of state.sides) side.scene.stage.close();
       const two = plays.slice(0, 2);
       const names = namesOf(two.map(({ play }) => play));
@@ -223,6 +241,10 @@ export function createPlayer(page: Page, ...lead: HTMLElement[]): Player {
       clock.unit = state.sides.some(({ track }) => track.play.world === 'steps') ? usual.steps : usual.seconds;
       if (layers.distances === 'believed' && !state.sides.some(believes)) layers.distances = 'true';
       if (layers.distances === 'believed') void believe();
+      if (look && state.sides.length > 0) {
+        state.sides[0].scene.stage.look(look);
+        lookTogether(0, look);
+      }
       if (state.sides.length > 0) refresh();
       wake();
     },

@@ -1,5 +1,6 @@
 // The form that holds a race in the page.
 import type { About, MazeData } from '../core/types';
+import { isSameMaze } from '../maze/same';
 import { h } from '../ui/dom';
 import { createWorldChoice } from '../live/world-choice';
 import type { EarlyPage } from '../views/view';
@@ -23,6 +24,8 @@ interface Choice {
 interface Picks {
   element: HTMLElement;
   chosen(): string[];
+  /** Chooses those and no others; of what is not offered it says so. */
+  choose(names: string[]): void;
   /** Offers other things; what was chosen among those that stay is kept. */
   offer(choices: Choice[]): void;
 }
@@ -70,6 +73,12 @@ function picks(title: string, choices: Choice[], open: boolean): Picks {
       ),
     ),
     chosen,
+    choose(names) {
+      const missing = names.find((name) => !on.has(name));
+      if (missing !== undefined) throw new Error(`This link cannot be followed: there is no '${missing}' here.`);
+      for (const [name, box] of on) box.checked = names.includes(name);
+      count();
+    },
     offer,
   };
 }
@@ -89,13 +98,23 @@ export function namedApart(mazes: MazeData[], taken: string[]): MazeData[] {
 const whole = (label: string, value: number, most: number) => {
   const input = h('input', { type: 'number', min: 1, max: most, step: 1, value, required: true });
   const read = () => Math.max(1, Math.min(most, Math.round(input.valueAsNumber) || value));
-  return { element: h('label', { class: 'row' }, label, input), read };
+  return {
+    element: h('label', { class: 'row' }, label, input),
+    read,
+    write: (now: number) => (input.value = String(now)),
+  };
 };
 
 export interface HoldPanel {
   element: HTMLElement;
   /** Offers the mazes that there are by now. */
   refresh(): void;
+  /** What is chosen. */
+  order(): Order;
+  /** Chooses that. */
+  set(order: Order): void;
+  /** Holds the race that is chosen. */
+  start(): void;
 }
 
 /** The form, once it is known what the core brings. */
@@ -110,9 +129,11 @@ export function holdPanel(page: EarlyPage, about: About, open = false): HoldPane
   const mazes = picks('Mazes', builtin, open);
   /** Those of the user, by the names under which they are offered. */
   let own = new Map<string, MazeData>();
+  /** Those that came with links. */
+  const linked: MazeData[] = [];
   function refresh() {
     const found = namedApart(
-      page.mazes(),
+      [...page.mazes(), ...linked],
       builtin.map(({ name }) => name),
     );
     own = new Map(found.map((maze) => [maze.name, maze]));
@@ -131,7 +152,7 @@ export function holdPanel(page: EarlyPage, about: About, open = false): HoldPane
     doing,
     h('button', { type: 'button', onclick: () => stop() }, 'Stop'),
   );
-  const start = h('button', { type: 'submit', class: 'main' }, 'Start the race');
+  const begin = h('button', { type: 'submit', class: 'main' }, 'Start the race');
   let wanted = true;
 
   function stop() {
@@ -140,7 +161,7 @@ export function holdPanel(page: EarlyPage, about: About, open = false): HoldPane
   }
   async function hold(order: Order) {
     wanted = true;
-    start.disabled = true;
+    begin.disabled = true;
     running.hidden = false;
     try {
       const held = await holdRace(
@@ -156,35 +177,54 @@ export function holdPanel(page: EarlyPage, about: About, open = false): HoldPane
       if (!held) return page.tell('The race was stopped.');
       const { results, mazes: raced } = held;
       const entries = `${counted(groupsOf(results).flatMap((group) => group.mice).length, 'mouse', 'mice')}, ${counted(raced.length, 'maze')}`;
-      page.hold(results, raced, `The race is over: ${entries}.`);
+      page.hold(results, raced, `The race is over: ${entries}.`, order);
     } catch (error) {
       page.complain(error);
     } finally {
-      start.disabled = false;
+      begin.disabled = false;
       running.hidden = true;
     }
   }
-  function submit(event: Event) {
-    event.preventDefault();
+  function chosen(): Order {
     const drive = world.drive();
-    const order: Order = {
+    return {
       mice: mice.chosen(),
       mazes: mazes.chosen().map((name) => own.get(name) ?? name),
       runs: runs.read(),
       seed: seed.read(),
       ...(drive && { world: { world: 'seconds', ...drive } }),
     };
+  }
+  /** A maze of a link is one of the user's from now on, unless it is that already. */
+  function take(maze: MazeData): string {
+    for (const [name, mine] of own) if (isSameMaze({ maze: mine }, { maze })) return name;
+    linked.push(maze);
+    refresh();
+    return take(maze);
+  }
+  function set(order: Order) {
+    world.choose(order.world?.robot, order.world?.rules);
+    mice.offer(entrants());
+    const names = order.mazes.map((maze) => (typeof maze === 'string' ? maze : take(maze)));
+    mazes.choose(names);
+    mice.choose(order.mice);
+    runs.write(order.runs);
+    seed.write(order.seed);
+  }
+  function start() {
+    const order = chosen();
     if (order.mice.length === 0 || order.mazes.length === 0)
       return page.complain('Choose at least one mouse and one maze.');
     void hold(order);
   }
+  const submit = (event: Event) => (event.preventDefault(), start());
   const element = h(
     'form',
     { class: 'hold', onsubmit: submit },
     world.element,
     h('div', { class: 'sides' }, mice.element, mazes.element),
-    h('div', { class: 'row' }, runs.element, seed.element, start),
+    h('div', { class: 'row' }, runs.element, seed.element, begin),
     running,
   );
-  return { element, refresh };
+  return { element, refresh, order: chosen, set, start };
 }

@@ -2,6 +2,7 @@
 import type { Core } from '../core/client';
 import type { About, MazeData, PackedRecord, RaceResults } from '../core/types';
 import type { LoadedRace } from '../views/view';
+import type { Order } from '../race/holding';
 import { find, stem } from './names';
 
 export interface Sources {
@@ -11,6 +12,8 @@ export interface Sources {
   links: Map<string, string>;
   /** The mazes that raced, where the race was held in the page. */
   raced?: MazeData[];
+  /** What was asked for, where the race was held in the page. */
+  order?: Order;
   /** Mazes that were opened in the page, by name. */
   opened: Map<string, MazeData>;
   /** Reads the records; called once, when the first is asked for. */
@@ -54,6 +57,7 @@ export function loadedRace(results: RaceResults, sources: Sources): LoadedRace {
   );
   return {
     results,
+    order: sources.order,
     async maze(name) {
       const maze = await findMaze(sources, name);
       return maze && fits(maze, raced.get(name)) ? maze : null;

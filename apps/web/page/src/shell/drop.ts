@@ -13,11 +13,11 @@ const holdsFiles = (event: DragEvent) => event.dataTransfer?.types.includes('Fil
 const isWriting = (target: EventTarget | null) =>
   target instanceof HTMLElement && (target.isContentEditable || /^(input|textarea|select)$/i.test(target.tagName));
 
-/** What was pasted, as files; a link that holds a maze is followed instead. */
+/** What was pasted, as files; a link to a maze or a moment is followed instead. */
 function pasted(event: ClipboardEvent): File[] {
   const files = [...(event.clipboardData?.files ?? [])];
   const text = event.clipboardData?.getData('text/plain') ?? '';
-  const link = /^\S*#(maze=\S+)$/.exec(text.trim());
+  const link = /^\S*#((?:maze=|[a-z]+&)\S+)$/.exec(text.trim());
   if (link) location.hash = link[1];
   if (link) return [];
   return files.length > 0 || text.trim() === '' ? files : [new File([text], 'pasted text')];

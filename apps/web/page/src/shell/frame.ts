@@ -1,5 +1,7 @@
 // What stands around the views.
 import { h, svg } from '../ui/dom';
+import { createMenu } from './menu';
+import type { Shelf } from './shelf';
 import { themeSwitch } from './theme';
 import { titleOf, viewNames, type ViewName } from './routes';
 import type { Notices } from './notices';
@@ -26,9 +28,34 @@ const folder = () =>
     svg('path', { d: 'M3 5h6l2 2h10v12H3zM5 9v8h14V9z', fill: 'currentColor' }),
   );
 
-export function createFrame(notices: Notices, intake: Intake): Frame {
+const chain = () =>
+  svg(
+    'svg',
+    { viewBox: '0 0 24 24', width: 18, height: 18, 'aria-hidden': 'true', focusable: 'false' },
+    svg('path', {
+      d: 'M10 14l4-4M9 7l2-2a4.2 4.2 0 0 1 6 6l-2 2M15 17l-2 2a4.2 4.2 0 0 1-6-6l2-2',
+      fill: 'none',
+      stroke: 'currentColor',
+      'stroke-width': 2,
+      'stroke-linecap': 'round',
+    }),
+  );
+
+export function createFrame(notices: Notices, intake: Intake, shelf: Shelf, copyLink: () => void): Frame {
   const tabs = new Map(viewNames.map((name) => [name, h('a', { href: `#${name}` }, titleOf(name))]));
   const main = h('main', { id: 'main', tabindex: -1 });
+  const open = h(
+    'button',
+    { type: 'button', class: 'open', onclick: intake.choose, title: 'A maze, a record or the results of a race' },
+    folder(),
+    h('span', {}, 'Open file'),
+  );
+  const link = h(
+    'button',
+    { type: 'button', class: 'open', onclick: copyLink, title: 'A link to what is seen now' },
+    chain(),
+    h('span', {}, 'Copy link'),
+  );
   const skip = h('button', { type: 'button', class: 'skip', onclick: () => main.focus() }, 'Skip to the content');
   const header = h(
     'header',
@@ -42,17 +69,7 @@ export function createFrame(notices: Notices, intake: Intake): Frame {
     h('nav', { 'aria-label': 'Views' }, ...tabs.values()),
     notices.status,
     notices.work,
-    h(
-      'div',
-      { class: 'tools' },
-      h(
-        'button',
-        { type: 'button', class: 'open', onclick: intake.choose, title: 'A maze, a record or the results of a race' },
-        folder(),
-        h('span', {}, 'Open file'),
-      ),
-      themeSwitch(),
-    ),
+    createMenu([open, link, themeSwitch()], shelf, notices),
   );
   document.getElementById('page')!.replaceChildren(header, notices.alerts, main, intake.overlay);
   return {

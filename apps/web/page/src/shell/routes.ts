@@ -4,14 +4,15 @@ export const viewNames = ['race', 'replay', 'live', 'draw'] as const;
 /** The front door has no place among them: the name of the page leads there. */
 export type ViewName = (typeof viewNames)[number] | 'home';
 
-export type Route = { view: ViewName } | { link: string };
+/** `more`: whether the address says more than the view's name. */
+export type Route = { view: ViewName; more: boolean } | { link: string };
 
 /** Where that hash leads; null where it means nothing. */
 export function routeOf(hash: string): Route | null {
   const text = hash.replace(/^#/, '');
   if (text.startsWith('maze=')) return { link: text.slice('maze='.length) };
   const view = [...viewNames, 'home' as const].find((name) => name === text.split('&', 1)[0]);
-  return view ? { view } : null;
+  return view ? { view, more: text.length > view.length } : null;
 }
 
 export const titleOf = (view: ViewName) => view[0].toUpperCase() + view.slice(1);

@@ -4,6 +4,11 @@ import type { View } from '../views/view';
 import type { Frame } from './frame';
 import { routeOf, type ViewName } from './routes';
 
+/** Where a link leads, for the view that it names. */
+export class Link {
+  constructor(readonly hash: string) {}
+}
+
 export interface Stage {
   add(name: ViewName, view: View): void;
   /**
@@ -13,6 +18,8 @@ export interface Stage {
   show(name: ViewName, thing?: unknown, keepAddress?: boolean): void;
   /** Keeps `thing` for when that view is shown next. */
   keep(name: ViewName, thing: unknown): void;
+  /** The same for a view that has been given nothing so far; where it is on stage it is shown at once. */
+  offer(name: ViewName, thing: unknown): void;
   /** The view on stage. */
   current(): ViewName | null;
   view(name: ViewName): View | undefined;
@@ -21,6 +28,8 @@ export interface Stage {
 export function createStage(frame: Frame, complain: (error: unknown) => void): Stage {
   const views = new Map<ViewName, View>();
   const things = new Map<ViewName, unknown>();
+  const given = new Set<ViewName>();
+  const set = (name: ViewName, thing: unknown) => (given.add(name), things.set(name, thing));
   /** How far down each view was when it was left. */
   const places = new Map<ViewName, number>();
   const starting = h('p', { class: 'starting', hidden: true }, 'Starting …');
@@ -42,8 +51,9 @@ export function createStage(frame: Frame, complain: (error: unknown) => void): S
     if (!view) return;
     const thing = things.get(name);
     things.delete(name);
-    if (thing !== undefined) safely(() => view.accept?.(thing));
+    if (thing !== undefined && !(thing instanceof Link)) safely(() => view.accept?.(thing));
     if (current === name) safely(() => view.shown());
+    if (thing instanceof Link) view.follow?.(thing.hash).catch(complain);
   }
   return {
     add(name, view) {
@@ -54,7 +64,7 @@ export function createStage(frame: Frame, complain: (error: unknown) => void): S
       give(name);
     },
     show(name, thing, keepAddress = false) {
-      if (thing !== undefined) things.set(name, thing);
+      if (thing !== undefined) set(name, thing);
       const top = things.has(name) ? 0 : (places.get(name) ?? 0);
       if (current !== null && current !== name) {
         places.set(current, scrollY);
@@ -64,13 +74,21 @@ export function createStage(frame: Frame, complain: (error: unknown) => void): S
       for (const [other, view] of views) view.element.hidden = other !== name;
       starting.hidden = views.has(name);
       frame.mark(name);
-      const route = routeOf(location.hash);
-      if (thing !== undefined && !keepAddress && !(route && 'view' in route && route.view === name))
-        location.hash = name;
+      if (thing !== undefined && !keepAddress) {
+        // What a link led to is no longer what is shown.
+        const route = routeOf(location.hash);
+        if (!route || !('view' in route) || route.view !== name) location.hash = name;
+        else if (route.more) history.replaceState(null, '', `#${name}`);
+      }
       give(name);
       scrollTo({ top, behavior: 'instant' });
     },
-    keep: (name, thing) => void things.set(name, thing),
+    keep: (name, thing) => void set(name, thing),
+    offer(name, thing) {
+      if (given.has(name)) return;
+      set(name, thing);
+      if (current === name) give(name);
+    },
     current: () => current,
     view: (name) => views.get(name),
   };

@@ -1,6 +1,8 @@
 import type { MazeData } from '../core/types';
 import { createDesk, type Desk } from '../draw/desk';
 import { restoreDrawing } from '../draw/storage';
+import { addressOf, readAddress } from '../link/address';
+import { mazeAt, placeOf } from '../link/mazes';
 import { h } from '../ui/dom';
 import type { Page, View } from './view';
 import '../styles/forms.css';
@@ -42,6 +44,18 @@ export function createDraw(page: Page): DrawView {
     shown() {},
     accept(thing) {
       if (isMaze(thing)) void ready.then(() => desk?.load(thing));
+    },
+    async address() {
+      await ready;
+      const { drawing, look } = desk!;
+      return addressOf('draw', { ...(await placeOf(page.core, page.about, drawing())), look: look() });
+    },
+    async follow(hash) {
+      const { moment } = readAddress(hash);
+      const maze = await mazeAt(page.core, moment);
+      await ready;
+      if (maze) desk!.load(maze);
+      if (moment.look) desk!.lookFrom(moment.look);
     },
   };
 }

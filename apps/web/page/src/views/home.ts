@@ -1,6 +1,7 @@
 // The front door: a race that is already running, what this is, and where to go from here.
 import { createFrontRace } from '../home/race';
 import { meet, pairs, type Met } from '../home/pairs';
+import { addressOf, readAddress } from '../link/address';
 import { icon, type Icon } from '../player/icons';
 import { h } from '../ui/dom';
 import type { EarlyPage, View } from './view';
@@ -37,10 +38,11 @@ export function createHome(page: EarlyPage): View {
     waits = yes;
     go();
   }
-  async function begin() {
+  async function begin(from = 0) {
     try {
-      now = await meet(page.core, pairs[next++ % pairs.length]);
-      race.set(page.core, now);
+      const met = await meet(page.core, pairs[next++ % pairs.length]);
+      now = met;
+      race.set(page.core, met, from);
       watch.disabled = false;
       go();
     } catch (error) {
@@ -79,6 +81,14 @@ export function createHome(page: EarlyPage): View {
       isShown = true;
       if (now) go();
       else if (next === 0) void begin();
+    },
+    address: async () => addressOf('home', { pair: ((next + pairs.length - 1) % pairs.length) + 1, time: race.time() }),
+    async follow(hash) {
+      const { pair, time } = readAddress(hash).moment;
+      if (pair !== undefined && pair > pairs.length)
+        throw new Error(`This link cannot be followed: there are ${pairs.length} races on the front door.`);
+      next = (pair ?? 1) - 1;
+      await begin(time);
     },
     hidden() {
       isShown = false;

@@ -1,5 +1,7 @@
 import type { MazeData, Mouse } from '../core/types';
-import { addressOf, readAddress } from '../live/address';
+import { addressOf, readAddress } from '../link/address';
+import { driveOf } from '../link/contest';
+import { mazeAt, placeOf } from '../link/mazes';
 import { createBench } from '../live/bench';
 import { createEveryone } from '../live/everyone';
 import { createMazeChoice } from '../live/maze-choice';
@@ -34,6 +36,7 @@ export function createLive(page: Page): LiveView {
   let maze: MazeData | null = null;
   let written = '';
   let isShown = false;
+  type Chosen = NonNullable<ReturnType<typeof order>>;
 
   const mouse = createMouseChoice(mice.some(({ name }) => name === oracle.name) ? mice : [...mice, oracle], changed);
   const mazes = createMazeChoice(page, (next) => {
@@ -81,35 +84,38 @@ export function createLive(page: Page): LiveView {
   }
   /** The address says what is shown, so that a reload or a shared link shows the same. */
   const address = createLatest(
-    async (now: NonNullable<ReturnType<typeof order>>) => (await page.core.call('link', { maze: now.maze })).link,
-    (link, now) => {
-      const usual = now.drive || now.budget === rules.budget;
-      const budget = usual ? undefined : now.budget;
-      const text = addressOf({ mouse: now.spec, maze: link, seed: now.seed, budget, ...now.drive });
+    (now: Chosen) => addressFor(now),
+    (text) => {
       written = `#${text}`;
+      void page.shelf.write('live', written);
       if (isShown) history.replaceState(null, '', written);
     },
     () => undefined,
     300,
   );
-  async function follow() {
-    const wanted = location.hash === written ? null : readAddress(location.hash);
-    if (wanted?.mouse) mouse.choose(wanted.mouse);
-    if (wanted?.seed !== undefined) seed.value = String(wanted.seed);
-    if (wanted?.budget !== undefined) budget.value = String(wanted.budget);
-    if (wanted?.robot || wanted?.mouse) (world.choose(wanted.robot, wanted.rules), showWorld());
-    if (wanted?.maze) {
-      written = location.hash;
-      try {
-        return mazes.give((await page.core.call('read_link', { link: wanted.maze })).maze);
-      } catch (error) {
-        page.complain(error);
-      }
-    }
-    if (maze && !mazes.isDrawing()) changed();
+  async function addressFor({ spec, maze, seed, budget, drive }: Chosen, moment = {}) {
+    const place = await placeOf(page.core, page.about, maze);
+    const steps = drive || budget === rules.budget ? {} : { budget };
+    return addressOf('live', { mice: [spec], ...place, seeds: [seed], ...steps, ...drive, ...moment });
+  }
+  async function follow(hash: string) {
+    if (hash === written) return;
+    const { moment } = readAddress(hash);
+    if (moment.mice.length > 1 || moment.seeds.length > 1)
+      throw new Error('This link cannot be followed: Live runs one mouse from one seed.');
+    const drive = driveOf(moment, page.about);
+    if (moment.mice.length > 0) mouse.choose(moment.mice[0]);
+    if (moment.seeds.length > 0) seed.value = String(moment.seeds[0]);
+    if (moment.budget !== undefined) budget.value = String(moment.budget);
+    if (drive || moment.mice.length > 0) (world.choose(drive?.robot, drive?.rules), showWorld());
+    if (moment.time !== undefined || moment.look) bench.begin(moment);
+    const linked = await mazeAt(page.core, moment);
+    written = hash;
+    if (linked && moment.builtin.length > 0) mazes.choose(moment.builtin[0]);
+    else if (linked) mazes.give(linked);
+    else if (maze && !mazes.isDrawing()) changed();
     else mazes.refresh();
   }
-  addEventListener('hashchange', () => isShown && readAddress(location.hash) && void follow());
 
   const side = h(
     'div',
@@ -135,7 +141,14 @@ export function createLive(page: Page): LiveView {
     maze: () => maze,
     shown() {
       isShown = true;
-      void follow();
+      if (maze && !mazes.isDrawing()) changed();
+      else mazes.refresh();
+    },
+    follow,
+    async address() {
+      const now = order();
+      if (!now || !Number.isSafeInteger(now.seed) || !Number.isSafeInteger(now.budget)) return 'live';
+      return addressFor(now, bench.moment());
     },
     hidden() {
       isShown = false;

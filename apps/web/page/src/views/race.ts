@@ -1,5 +1,7 @@
 // The view of a race: who is best, where, by how much, and each contest a click away from its replay.
 import { contestPlay } from '../race/contest-play';
+import { addressOf, readAddress } from '../link/address';
+import { orderIn, orderMoment, isQuick } from '../race/linked-order';
 import { boardOf, groupsOf, type Board } from '../race/contests';
 import { curves } from '../race/curves';
 import { duel } from '../race/duel';
@@ -29,7 +31,7 @@ export function createRace(page: EarlyPage): View {
   const element = h('section', { 'aria-label': 'Race', class: 'race' });
   let shownRace: LoadedRace | null | undefined;
   let parts: Part[] = [];
-  let panel: HoldPanel | null = null;
+  let panel: Promise<HoldPanel> | null = null;
 
   function replayContests(race: LoadedRace, board: Board, at: { mouse: number; maze: number; position: number }[]) {
     page.tell('Opening the replay …');
@@ -127,8 +129,9 @@ export function createRace(page: EarlyPage): View {
 
   function holdPart(first: boolean) {
     const room = h('div', {}, h('p', { class: 'note' }, 'Starting …'));
-    page.ready.then(
-      (about) => room.replaceChildren((panel = holdPanel(page, about, first)).element),
+    panel = page.ready.then((about) => holdPanel(page, about, first));
+    panel.then(
+      (made) => room.replaceChildren(made.element),
       () =>
         room.replaceChildren(h('p', { class: 'note' }, 'This page cannot run races, because its core did not start.')),
     );
@@ -176,8 +179,30 @@ export function createRace(page: EarlyPage): View {
           page.complain(`These results cannot be shown: ${error instanceof Error ? error.message : String(error)}`);
         }
       }
-      panel?.refresh();
+      void panel?.then(
+        (made) => made.refresh(),
+        () => undefined,
+      );
       arrange();
+    },
+    async address() {
+      const about = await page.ready;
+      const form = await panel!;
+      const order = shownRace?.order ?? form.order();
+      if (shownRace && !shownRace.order)
+        throw new Error('These results came from a file: send the file. A link holds races of mice that the page has.');
+      return addressOf('race', await orderMoment(page.core, about, order));
+    },
+    async follow(hash) {
+      const about = await page.ready;
+      const form = await panel!;
+      const order = await orderIn(page.core, about, readAddress(hash).moment);
+      form.set(order);
+      const folded = form.element.closest('details');
+      if (folded) folded.open = true;
+      if (isQuick(about, order)) return form.start();
+      form.element.scrollIntoView({ block: 'nearest' });
+      page.tell('The race of this link is set up: start it when you like.');
     },
   };
 }

@@ -1,5 +1,10 @@
 // The view Replay: the player, and while there is nothing to show, how to get something.
 import type { MazeData } from '../core/types';
+import { addressOf, readAddress } from '../link/address';
+import { contestBehind, contestOf, contestsInMoment, contestsOf } from '../link/contest';
+import { mazeAt, placeOf } from '../link/mazes';
+import type { Camera } from '../maze/camera';
+import { isSameMaze } from '../maze/same';
 import { h } from '../ui/dom';
 import { createPlayer } from '../player/player';
 import type { Shown } from '../player/side';
@@ -81,6 +86,7 @@ function createWelcome(page: Page) {
 export function createReplay(page: Page): View {
   const another = h('button', { type: 'button', onclick: () => show([]) }, 'Another record');
   const player = createPlayer(page, h('div', { class: 'row another' }, another));
+  player.rested(() => page.keepMoment(addressOf('replay', player.moment())));
   const welcome = createWelcome(page);
   player.element.tabIndex = -1;
   player.element.setAttribute('role', 'group');
@@ -92,9 +98,11 @@ export function createReplay(page: Page): View {
     welcome,
     player.element,
   );
-  function show(plays: Shown[], time?: number) {
+  let now: Shown[] = [];
+  function show(plays: Shown[], time?: number, look?: Camera) {
+    now = plays;
     welcome.hidden = plays.length > 0;
-    player.show(plays, 'start', time);
+    player.show(plays, 'start', time, look);
     // The button that was pressed is gone; the keys are the player's now.
     if (plays.length > 0) player.element.focus({ preventScroll: true });
     else welcome.querySelector('select')?.focus();
@@ -104,8 +112,29 @@ export function createReplay(page: Page): View {
     shown() {},
     hidden: () => player.stop(),
     accept(thing) {
-      const { plays, time } = thing as { plays: Shown[]; time?: number };
-      show(plays, time);
+      const { plays, time, look } = thing as { plays: Shown[]; time?: number; look?: Camera };
+      show(plays, time, look);
+    },
+    async address() {
+      if (now.length === 0) return 'replay';
+      const { core, about } = page;
+      const plays = now.slice(0, 2).map(({ play }) => play);
+      const contests = [];
+      for (const play of plays) contests.push(await contestBehind(core, play));
+      const conditions = contests.map(({ budget, drive }) => JSON.stringify([budget, drive]));
+      if (!plays.every((play) => isSameMaze(play, plays[0])) || new Set(conditions).size > 1)
+        throw new Error('A link holds contests in one maze under the same conditions. Send the records instead.');
+      const place = await placeOf(core, about, plays[0].maze);
+      return addressOf('replay', { ...contestsInMoment(contests, about), ...place, ...player.moment() });
+    },
+    async follow(hash) {
+      const { moment } = readAddress(hash);
+      const maze = await mazeAt(page.core, moment);
+      if (!maze || moment.mice.length < 1 || moment.mice.length > 2)
+        throw new Error('This link cannot be followed: a replay is of one or two mice in a maze.');
+      const plays: Shown[] = [];
+      for (const contest of contestsOf(moment, page.about, maze)) plays.push(await contestOf(page.core, contest));
+      show(plays, moment.time, moment.look);
     },
   };
 }

@@ -1,5 +1,8 @@
 // What every view is given, and what it gives.
 import type { Core } from '../core/client';
+import type { Shelf } from '../shell/shelf';
+import type { Camera } from '../maze/camera';
+import type { Order } from '../race/holding';
 import type { About, MazeData, PackedRecord, Play, RaceResults } from '../core/types';
 
 /** A report that the page carries, or results that were dropped on it. */
@@ -9,6 +12,8 @@ export interface LoadedRace {
   maze(name: string): Promise<MazeData | null>;
   /** The records of those contests; empty where there is none. */
   records(mouse: string, maze: string): Promise<PackedRecord[]>;
+  /** What was asked for, where the race was held in the page. */
+  order?: Order;
 }
 
 /** The page around the views, as it is from the first moment on, while the core starts. */
@@ -21,7 +26,7 @@ export interface EarlyPage {
   /** Shows the report again that the page was opened with; null while it is shown, or where there is none. */
   backToReport(): (() => void) | null;
   /** Opens the replay with one play, or two beside each other on one clock; from that time on, or the beginning. */
-  replay(plays: { play: Play; record: string }[], time?: number): void;
+  replay(plays: { play: Play; record: string }[], time?: number, look?: Camera): void;
   /** Opens the maze in Live, or in Draw. */
   live(maze: MazeData): void;
   draw(maze: MazeData): void;
@@ -33,7 +38,11 @@ export interface EarlyPage {
   open(files: File[]): void;
   choose(): void;
   /** Takes the results of a race that was held in the page, and says so; who looks at another view is left there. */
-  hold(results: RaceResults, mazes: MazeData[], message: string): void;
+  hold(results: RaceResults, mazes: MazeData[], message: string, order?: Order): void;
+  /** What the browser keeps until the page is opened again. */
+  shelf: Shelf;
+  /** Keeps where the replay is, as a link has it. */
+  keepMoment(address: string): void;
   /** Says something to all readers: a status, or what went wrong (with its lines). */
   tell(message: string): void;
   complain(error: unknown): void;
@@ -55,6 +64,10 @@ export interface View {
   hidden?(): void;
   /** A dropped or linked thing that is for this view. */
   accept?(thing: unknown): void;
+  /** The text behind `#` that leads to what is seen now; rejected in words where no link can. Missing: the view's name. */
+  address?(): Promise<string>;
+  /** Goes where that text leads, after `shown`; rejected in words where it leads nowhere. */
+  follow?(hash: string): Promise<void>;
   /** The maze that this view holds; null where there is none. A record without a maze is offered it. */
   maze?(): MazeData | null;
 }

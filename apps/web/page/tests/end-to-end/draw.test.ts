@@ -1,7 +1,7 @@
 import { readFileSync } from 'node:fs';
 import type { Page } from 'playwright-core';
 import { expect, test } from 'vitest';
-import { barriers, open, picture } from './harness';
+import { barriers, keptInBrowser, open, picture } from './harness';
 
 const board = (page: Page) => page.getByRole('application', { name: /^Drawing of/ });
 const verdict = (page: Page) => page.getByRole('region', { name: 'Judgement' }).getByRole('status');
@@ -191,8 +191,8 @@ test('the drawing survives a reload', async () => {
   const form = page.getByRole('region', { name: 'New drawing' });
   await form.getByLabel('Width').fill('7');
   await form.getByRole('button', { name: 'New drawing' }).click();
-  await expect.poll(() => page.evaluate(() => localStorage.getItem('labmouse drawing'))).not.toBeNull();
-  const kept = () => page.evaluate(() => localStorage.getItem('labmouse drawing'));
+  const kept = () => keptInBrowser(page, 'drawing');
+  await expect.poll(kept).not.toBe('null');
   const before = await kept();
   await page.getByRole('button', { name: 'Turn start' }).click();
   await expect.poll(kept).not.toBe(before);

@@ -62,7 +62,7 @@ export const temporary = (name: string) => join(inject('folder'), name);
 interface Opening extends BrowserContextOptions {
   file?: string;
   /** Done with the page before it is opened. */
-  before?: (page: Page) => Promise<void>;
+  before?: (page: Page) => Promise<unknown>;
 }
 
 /** Opens the page, or another file such as a report, and waits until its frame stands. */
@@ -115,4 +115,24 @@ export async function drop(page: Page, ...files: { name: string; content: string
     files.map(({ name, content }) => ({ name, bytes: [...Buffer.from(content)] })),
   );
   for (const type of ['dragenter', 'dragover', 'drop']) await page.dispatchEvent('body', type, { dataTransfer: data });
+}
+
+/** What the browser keeps for the page under that name, as JSON. */
+export function keptInBrowser(page: Page, key: string): Promise<string> {
+  return page.evaluate(
+    (name) =>
+      new Promise<string>((resolve, reject) => {
+        const asking = indexedDB.open('labmouse');
+        asking.onupgradeneeded = () => asking.result.createObjectStore('kept');
+        asking.onerror = () => reject(asking.error);
+        asking.onsuccess = () => {
+          const base = asking.result;
+          const end = (value: unknown) => (base.close(), resolve(JSON.stringify(value ?? null)));
+          if (!base.objectStoreNames.contains('kept')) return end(null);
+          const got = base.transaction('kept').objectStore('kept').get(name);
+          got.onsuccess = () => end(got.result?.value);
+        };
+      }),
+    key,
+  );
 }

@@ -8,8 +8,8 @@ import { openIn, sortOut, type Open } from '../../src/shell/sorting-out';
 
 describe('addresses', () => {
   it('name a view, with what it adds, or hold a maze', () => {
-    expect(routeOf('#race')).toEqual({ view: 'race' });
-    expect(routeOf('#live&mouse=flood')).toEqual({ view: 'live' });
+    expect(routeOf('#race')).toEqual({ view: 'race', more: false });
+    expect(routeOf('#live&mouse=flood')).toEqual({ view: 'live', more: true });
     expect(routeOf('#maze=1.abc')).toEqual({ link: '1.abc' });
     expect(routeOf('#maze=')).toEqual({ link: '' });
     for (const odd of ['', '#', '#races', '#constructor', '#<img>']) expect(routeOf(odd)).toBeNull();

@@ -1,0 +1,144 @@
+// A moment of the page as the text behind the `#` of its address, and back: a view, then what is seen in it.
+//
+//   replay&mouse=certify&mouse=flood&in=contest-02&seed=1&robot=classic&rules=all-japan&at=12.5&zoom=2,8,8
+//
+// What comes from a link is read strictly: it was written by anybody.
+import type { Camera } from '../maze/camera';
+
+export interface Moment {
+  /** SPECs, as the command line has them. */
+  mice: string[];
+  /** Built-in mazes by their names; `all` is all of them. */
+  builtin: string[];
+  /** Other mazes, each as the core's `link`. */
+  mazes: string[];
+  /** One for all mice, or one for each. */
+  seeds: number[];
+  /** Steps of a contest. */
+  budget?: number;
+  /** Contests of each mouse that throws dice. */
+  runs?: number;
+  /** Of contests in seconds. */
+  robot?: string;
+  rules?: string;
+  /** Which race of the front door. */
+  pair?: number;
+  /** On the clock of the contest: steps, or seconds in the other worlds. */
+  time?: number;
+  /** Where one looks at the maze from; missing for the whole of it. */
+  look?: Camera;
+}
+
+/** Characters of a link; browsers, mail and chats take so many. */
+export const longestLink = 30_000;
+const longestText = 2_000;
+const mostNames = 500;
+/** As the core has it for contests in the page. */
+const mostSteps = 1_000_000;
+const mostRuns = 100;
+const latest = 1e9;
+/** Cells; a camera may look from nowhere else. */
+const farthest = 1_000;
+const closest = 100;
+
+const shown = (text: string) => (text.length > 40 ? `${text.slice(0, 39)}…` : text);
+
+function textOf(key: string, text: string): string {
+  if (text === '') throw new Error(`This link is incomplete: nothing follows ${key}=. Copy the whole link again.`);
+  if (text.length > longestText) throw new Error(`This link cannot be followed: what follows ${key}= is too long.`);
+  return text;
+}
+
+/** A number of a link, in digits: no sign, no power. */
+function numberOf(key: string, text: string, least: number, most: number, whole: boolean): number {
+  const number = /^\d{1,16}(\.\d{1,9})?$/.test(text) ? Number(text) : NaN;
+  if (number >= least && number <= most && (!whole || Number.isSafeInteger(number))) return number;
+  throw new Error(
+    `This link cannot be followed: ${key}=${shown(text)} is no ${whole ? 'whole ' : ''}number from ${least} to ${most}.`,
+  );
+}
+
+function cameraOf(key: string, text: string): Camera {
+  const parts = text.split(',');
+  if (parts.length !== 3) throw new Error(`This link cannot be followed: ${key}=${shown(text)} is not three numbers.`);
+  const [scale, x, y] = parts.map((part, i) => numberOf(key, part, i ? 0 : 1, i ? farthest : closest, false));
+  return { scale, x, y };
+}
+
+const wholeOf = (least: number, most: number) => (key: string, text: string) => numberOf(key, text, least, most, true);
+const listOf = (key: string, text: string) => textOf(key, text).split(',');
+
+/** How each word of a link is read. Those with `many` may come more than once. */
+const words: Record<string, { field: keyof Moment; read: (key: string, text: string) => unknown; many?: true }> = {
+  mouse: { field: 'mice', read: (key, text) => [textOf(key, text)], many: true },
+  in: { field: 'builtin', read: listOf },
+  maze: { field: 'mazes', read: (key, text) => [textOf(key, text)], many: true },
+  seed: {
+    field: 'seeds',
+    read: (key, text) => text.split(',').map((one) => numberOf(key, one, 0, Number.MAX_SAFE_INTEGER, true)),
+  },
+  budget: { field: 'budget', read: wholeOf(1, mostSteps) },
+  runs: { field: 'runs', read: wholeOf(1, mostRuns) },
+  robot: { field: 'robot', read: textOf },
+  rules: { field: 'rules', read: textOf },
+  pair: { field: 'pair', read: wholeOf(1, 100) },
+  at: { field: 'time', read: (key, text) => numberOf(key, text, 0, latest, false) },
+  zoom: { field: 'look', read: cameraOf },
+};
+
+/** A SPEC in a link stays legible. */
+const legible = (text: string) =>
+  encodeURIComponent(text).replace(/%3A/g, ':').replace(/%3D/g, '=').replace(/%2F/g, '/').replace(/%2C/g, ',');
+
+/** No more digits than one can see; never in powers of ten. */
+const brief = (number: number) => String(Number(number.toFixed(3)));
+
+/** The text behind `#`; throws in words where it would be too long for a link. */
+export function addressOf(view: string, moment: Partial<Moment>): string {
+  const { mice = [], builtin = [], mazes = [], seeds = [], budget, runs, robot, rules, pair, time, look } = moment;
+  const parts: [string, string | number | undefined][] = [
+    ...mice.map((mouse): [string, string] => ['mouse', mouse]),
+    ['in', builtin.length > 0 ? builtin.join(',') : undefined],
+    ...mazes.map((maze): [string, string] => ['maze', maze]),
+    ['seed', seeds.length > 0 ? seeds.join(',') : undefined],
+    ...Object.entries({ budget, runs, robot, rules, pair }),
+    ['at', time === undefined ? undefined : brief(time)],
+    ['zoom', look && look.scale > 1 ? [look.scale, look.x, look.y].map(brief).join(',') : undefined],
+  ];
+  const given = parts.filter(([, value]) => value !== undefined);
+  const text = [view, ...given.map(([name, value]) => `${name}=${legible(String(value))}`)].join('&');
+  if (text.length > longestLink)
+    throw new Error('This is too much for a link: choose fewer mazes of your own, or save the results as a file.');
+  return text;
+}
+
+function decoded(text: string): string {
+  try {
+    return decodeURIComponent(text);
+  } catch {
+    throw new Error(`This link is cut or mistyped near ${shown(text)}. Copy the whole link again.`);
+  }
+}
+
+/** Reads what `addressOf` wrote; throws in one line what is wrong with it. */
+export function readAddress(hash: string): { view: string; moment: Moment } {
+  const text = hash.replace(/^#/, '');
+  if (text.length > longestLink) throw new Error(`This link is too long: the limit is ${longestLink} characters.`);
+  const [view, ...parts] = text.split('&');
+  const moment: Moment = { mice: [], builtin: [], mazes: [], seeds: [] };
+  const seen = new Set<string>();
+  for (const part of parts) {
+    const equals = part.indexOf('=');
+    const key = equals < 0 ? part : part.slice(0, equals);
+    const word = Object.hasOwn(words, key) ? words[key] : null;
+    if (!word || equals < 0) throw new Error(`This link cannot be followed: '${shown(key)}' means nothing here.`);
+    if (seen.has(key) && !word.many) throw new Error(`This link cannot be followed: it says ${key}= twice.`);
+    seen.add(key);
+    const value = word.read(key, decoded(part.slice(equals + 1)));
+    const before = word.many ? (moment[word.field] as unknown[]) : [];
+    Object.assign(moment, { [word.field]: Array.isArray(value) ? [...before, ...value] : value });
+    if (Array.isArray(value) && before.length + value.length > mostNames)
+      throw new Error(`This link cannot be followed: it says ${key}= more than ${mostNames} times.`);
+  }
+  return { view, moment };
+}

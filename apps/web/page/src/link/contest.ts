@@ -1,0 +1,69 @@
+// Contests in links: a mouse, its seed and the conditions under which it runs, as the core runs them.
+import type { Core } from '../core/client';
+import type { About, MazeData, Play } from '../core/types';
+import type { Moment } from './address';
+
+export interface Contest {
+  mouse: string;
+  maze: MazeData;
+  seed: number;
+  budget?: number;
+  /** In seconds. */
+  drive?: { robot: string; rules: string };
+}
+
+/** Runs it. */
+export function contestOf(core: Core, { mouse, maze, seed, budget, drive }: Contest) {
+  if (drive) return core.call('drive', { mouse, maze, seed, ...drive });
+  return core.call('run', { mouse, maze, seed, ...(budget !== undefined && { budget }) });
+}
+
+/** What was asked for, so that a play came of it; null where the page runs no such contest. */
+function asked(play: Play): Contest | null {
+  const { mouse, maze, seed, rules, drive, world } = play;
+  if (seed === null || world === 'mms') return null;
+  if (world === 'seconds')
+    return drive ? { mouse, maze, seed, drive: { robot: drive.robot.name, rules: drive.rules.name } } : null;
+  return { mouse, maze, seed, ...(rules && { budget: rules.budget }) };
+}
+
+const walk = ({ action, clock, outcome, score }: Play) => JSON.stringify([action, clock, outcome, score]);
+
+/** The contest of a play, after the core has run it again and has done the same; throws in words where it has not. */
+export async function contestBehind(core: Core, play: Play): Promise<Contest> {
+  const contest = asked(play);
+  const again = contest && (await contestOf(core, contest).catch(() => null));
+  if (contest && again && walk(again.play) === walk(play)) return contest;
+  throw new Error(
+    `A link cannot hold this contest of ${play.mouse}, for this page would not run it so again. Save its record and send that.`,
+  );
+}
+
+/** What a link says of contests that differ in mouse and seed alone. */
+export function contestsInMoment(contests: Contest[], about: About): Pick<Moment, 'mice' | 'seeds'> & Partial<Moment> {
+  const [{ budget, drive }] = contests;
+  const seeds = contests.map(({ seed }) => seed);
+  return {
+    mice: contests.map(({ mouse }) => mouse),
+    seeds: new Set(seeds).size === 1 ? seeds.slice(0, 1) : seeds,
+    ...(budget !== undefined && budget !== about.rules.budget && { budget }),
+    ...drive,
+  };
+}
+
+/** The robot and the rules that a link names; null in steps. Throws in words where the page has them not. */
+export function driveOf({ robot, rules }: Pick<Moment, 'robot' | 'rules'>, about: About): Contest['drive'] | null {
+  if (robot === undefined && rules === undefined) return null;
+  const known = (list: { name: string }[], name: string | undefined, what: string) => {
+    if (name === undefined) return list[0]?.name ?? '';
+    if (list.some((one) => one.name === name)) return name;
+    throw new Error(`This link cannot be followed: this page has no ${what} '${name.slice(0, 40)}'.`);
+  };
+  return { robot: known(about.robots, robot, 'robot'), rules: known(about.drive_rules, rules, 'rules') };
+}
+
+/** The contests that a link names, in that maze. */
+export function contestsOf({ mice, seeds, budget, robot, rules }: Moment, about: About, maze: MazeData): Contest[] {
+  const drive = driveOf({ robot, rules }, about) ?? undefined;
+  return mice.map((mouse, i) => ({ mouse, maze, seed: seeds[i] ?? seeds[0] ?? 1, budget, drive }));
+}

@@ -1,0 +1,63 @@
+// What the browser keeps for the page until it is opened again. Where it keeps nothing (a private window, a file from the
+// disk in some browsers) everything works without, and nobody is told.
+import { clear, createStore, get, set, type UseStore } from 'idb-keyval';
+
+/** What is kept is of this version; what another one kept is not read. */
+const version = 1;
+const keepingKey = 'labmouse-keep';
+
+export interface Shelf {
+  /** Whether anything is to be kept. */
+  keeps(): boolean;
+  /** Off also empties it. */
+  setKeeps(keeps: boolean): Promise<void>;
+  empty(): Promise<void>;
+  /** What lies there, whatever it may be; null for nothing. Who reads it checks it like a file. */
+  read(key: string): Promise<unknown>;
+  /** Nothing is kept where that fails. */
+  write(key: string, value: unknown): Promise<void>;
+}
+
+function isOff(): boolean {
+  try {
+    return localStorage.getItem(keepingKey) === 'no';
+  } catch {
+    return false;
+  }
+}
+
+export function createShelf(): Shelf {
+  let off = isOff();
+  let store: UseStore | null = null;
+  /** The browser may refuse in any step, and in words of its own. */
+  async function quietly<Result>(act: (store: UseStore) => Promise<Result>, otherwise: Result): Promise<Result> {
+    try {
+      return await act((store ??= createStore('labmouse', 'kept')));
+    } catch {
+      return otherwise;
+    }
+  }
+  const empty = () => quietly(clear, undefined);
+  return {
+    keeps: () => !off,
+    async setKeeps(keeps) {
+      off = !keeps;
+      try {
+        if (keeps) localStorage.removeItem(keepingKey);
+        else localStorage.setItem(keepingKey, 'no');
+      } catch {
+        // It holds until the page is closed.
+      }
+      if (!keeps) await empty();
+    },
+    empty,
+    async read(key) {
+      if (off) return null;
+      const found = await quietly((from) => get<{ version: number; value: unknown }>(key, from), undefined);
+      return typeof found === 'object' && found?.version === version ? (found.value ?? null) : null;
+    },
+    async write(key, value) {
+      if (!off) await quietly((into) => set(key, { version, value }, into), undefined);
+    },
+  };
+}

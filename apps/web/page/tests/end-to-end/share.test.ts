@@ -1,0 +1,212 @@
+// Links to moments, and what a reload keeps.
+import type { Page } from 'playwright-core';
+import { expect, test } from 'vitest';
+import { barriers, drop, keptInBrowser, native, open, picture } from './harness';
+
+const tell = (page: Page) => page.locator('.status');
+
+/** What the page copies is kept in `copied`, as a clipboard from the disk cannot be read. */
+const withClipboard = {
+  before: (page: Page) =>
+    page.addInitScript(() =>
+      Object.defineProperty(navigator, 'clipboard', {
+        value: { writeText: async (text: string) => void Object.assign(window, { copied: text }) },
+      }),
+    ),
+};
+const opened = (hash: string, options = {}) => open(hash, { ...withClipboard, ...options });
+
+/** The text behind # of the link of what is seen now. */
+async function linkOf(page: Page): Promise<string> {
+  await page.evaluate(() => Object.assign(window, { copied: '' }));
+  await page.getByRole('button', { name: 'Copy link' }).click();
+  const copied = () => page.evaluate(() => (window as unknown as { copied: string }).copied);
+  await expect.poll(copied).not.toBe('');
+  return `#${(await copied()).split('#')[1]}`;
+}
+
+const position = (page: Page) => page.getByRole('region', { name: 'Replay' }).getByRole('slider');
+const replayLink = '#replay&mouse=ariadne&mouse=flood&in=contest-02&seed=3&at=40&zoom=2,4,5';
+
+test('a replay of two mice goes into a link and comes back at its moment', async () => {
+  const page = await opened(replayLink);
+  await expect.poll(() => page.locator('.side').count()).toBe(2);
+  await expect.poll(() => position(page).inputValue()).toBe('40');
+  const link = await linkOf(page);
+  expect(link).toMatch(/^#replay&mouse=ariadne&mouse=flood&in=contest-02&seed=3&at=40&zoom=2,/);
+  const other = await opened(link);
+  await expect.poll(() => position(other).inputValue()).toBe('40');
+  expect(await linkOf(other)).toBe(link);
+});
+
+test('so does a contest in seconds, in a maze of its own', async () => {
+  const live = await opened('#live&mouse=certify&in=contest-02&seed=1&robot=classic&rules=all-japan&at=20.5');
+  const outcome = (page: Page) => page.locator('.verdict').first();
+  await expect.poll(() => outcome(live).textContent()).toContain('certify in contest-02');
+  const link = await linkOf(live);
+  expect(link).toBe('#live&mouse=certify&in=contest-02&seed=1&robot=classic&rules=all-japan&at=20.5');
+  const text = native('make', 'prim', '--size', '6x6', '--seed', '5');
+  await drop(live, { name: 'own.txt', content: text });
+  await expect.poll(() => outcome(live).textContent()).toContain('certify in own');
+  const own = await linkOf(live);
+  expect(own).toMatch(/&maze=1\.[\w.-]+&seed=1&robot=classic&rules=all-japan&at=/);
+  const other = await opened(own);
+  await expect.poll(() => outcome(other).textContent()).toBe(await outcome(live).textContent());
+});
+
+test('a race sets its form up, and is held where it is quick', async () => {
+  const quick = '#race&mouse=flood&mouse=certify&in=capstone-1,contest-02&seed=5&runs=3';
+  const page = await opened(quick);
+  await page.getByRole('region', { name: 'Leaderboard', exact: true }).waitFor();
+  expect(await linkOf(page)).toBe(quick);
+  const long = await opened('#race&mouse=random-move&in=all&seed=1&runs=100');
+  await expect.poll(() => tell(long).textContent()).toContain('set up');
+  expect(await long.getByRole('spinbutton', { name: 'runs' }).inputValue()).toBe('100');
+  expect(await long.getByRole('region', { name: 'Leaderboard', exact: true }).count()).toBe(0);
+  expect(await linkOf(long)).toBe('#race&mouse=random-move&in=all&seed=1&runs=100');
+});
+
+test('the drawing and the front door have links, too', async () => {
+  const draw = await opened('#draw&in=contest-02&zoom=3,8,8');
+  await draw.getByRole('heading', { name: /contest-02/ }).waitFor();
+  const link = await linkOf(draw);
+  expect(link).toMatch(/^#draw&in=contest-02&zoom=3,/);
+  const home = await opened('#home&pair=2&at=30');
+  await expect.poll(() => home.locator('.clock').textContent()).toMatch(/^3\d/);
+  expect(await linkOf(home)).toMatch(/^#home&pair=2&at=3\d/);
+});
+
+test.each([
+  ['#replay&mouse=flood&in=contest-02&at=1e99', /at=1e99/],
+  ['#live&mouse=flood&evil=1', /'evil'/],
+  ['#live&mouse=flood&in=nowhere', /nowhere/],
+  ['#live&mouse=flood&robot=nobody', /'nobody'/],
+  ['#race&mouse=nobody&in=capstone-1', /'nobody'/],
+  ['#race&mouse=flood&in=capstone-1&runs=0', /runs=0/],
+  ['#draw&maze=cut', /cut|link/],
+  ['#home&pair=77', /3 races/],
+  ['#<img src=x onerror=alert(1)>', /leads nowhere/],
+  ['#live&mouse=flood&in=TOO-LONG', /too long/],
+])('a hostile link says one line and does no harm: %.40s', async (hash, words) => {
+  const page = await open(hash.replace('TOO-LONG', 'x'.repeat(40_000)));
+  const alert = page.locator('.alert');
+  await alert.waitFor();
+  expect(await alert.count()).toBe(1);
+  expect(await alert.locator('p').textContent()).toMatch(words);
+  // All goes on.
+  await page.getByRole('link', { name: 'Live' }).click();
+  await expect.poll(() => page.locator('.verdict').first().textContent()).toContain('score');
+});
+
+test('a record that the page cannot run again has no link, and says so', async () => {
+  const page = await opened('#replay');
+  const record = native('run', 'flood', 'capstone-1', '--record', '-').replaceAll('"flood"', '"guest:my-mouse"');
+  await drop(page, { name: 'record.jsonl', content: record.slice(record.indexOf('{')) });
+  await page.locator('.side').waitFor();
+  await page.getByRole('button', { name: 'Copy link' }).click();
+  await page
+    .getByRole('alert')
+    .getByText(/A link cannot hold/)
+    .waitFor();
+});
+
+const menu = (page: Page) => page.locator('details.menu');
+async function withMenu(page: Page, act: (box: ReturnType<typeof menu>) => Promise<void>) {
+  await menu(page).locator('summary').click();
+  await act(menu(page));
+  await page.keyboard.press('Escape');
+}
+
+/** Waits until the browser has kept that. */
+const kept = (page: Page, key: string) => expect.poll(() => keptInBrowser(page, key));
+
+test('a reload keeps maze, record, moment, results and drawing, until it is switched off', async () => {
+  const page = await open('#replay');
+  await drop(page, { name: 'mine.txt', content: native('make', 'prim', '--size', '5x5', '--seed', '2') });
+  await expect.poll(() => page.locator('.verdict').first().textContent()).toContain('in mine');
+  const record = native('run', 'flood', 'capstone-1', '--record', '-');
+  await drop(page, { name: 'record.jsonl', content: record.slice(record.indexOf('{')) });
+  await page.getByRole('region', { name: 'Replay' }).locator('.side').waitFor();
+  await position(page).fill('12');
+  await kept(page, 'moment').toContain('at=12');
+  await drop(page, {
+    name: 'results.json',
+    content: native('race', '--mice', 'flood', '--mazes', 'capstone-1', '--format', 'json'),
+  });
+  await page.getByRole('region', { name: 'Leaderboard', exact: true }).waitFor();
+  await kept(page, 'results').toContain('flood');
+  await kept(page, 'mazes').toContain('mine');
+
+  await page.reload();
+  await page.getByRole('region', { name: 'Leaderboard', exact: true }).waitFor();
+  await page.getByRole('link', { name: 'Replay' }).click();
+  await expect.poll(() => position(page).inputValue()).toBe('12');
+  await page.getByRole('link', { name: 'Race' }).click();
+  await page.getByText('Run another race').click();
+  await page.getByText(/^Mazes, /).click();
+  expect(await page.getByLabel(/^mine/).count()).toBe(1);
+
+  await withMenu(page, async (box) => {
+    await box.getByLabel(/Keep what is open/).uncheck();
+    await expect.poll(() => tell(page).textContent()).toContain('gone');
+  });
+  await kept(page, 'results').toBe('null');
+  await page.reload();
+  await page.getByRole('link', { name: 'Replay' }).click();
+  await page.getByRole('heading', { name: 'See an example' }).waitFor();
+  await withMenu(page, async (box) => expect(await box.getByLabel(/Keep what is open/).isChecked()).toBe(false));
+});
+
+test('what is kept is read like a file: nonsense is left alone', async () => {
+  const page = await open('#race');
+  await page.evaluate(
+    () =>
+      new Promise((done) => {
+        const asking = indexedDB.open('labmouse');
+        asking.onupgradeneeded = () => asking.result.createObjectStore('kept');
+        asking.onsuccess = () => {
+          const work = asking.result.transaction('kept', 'readwrite');
+          const into = work.objectStore('kept');
+          into.put({ version: 1, value: { text: '{"mice":3}', raced: [7] } }, 'results');
+          into.put({ version: 1, value: [{ record: '<b>', maze: 3 }, null] }, 'plays');
+          into.put({ version: 2, value: ['x'] }, 'mazes');
+          into.put('drawn', 'drawing');
+          into.put({ version: 1, value: 'replay&at=-1' }, 'moment');
+          work.oncomplete = () => done((asking.result.close(), null));
+        };
+      }),
+  );
+  await page.reload();
+  await page.getByRole('link', { name: 'Draw' }).click();
+  await page.getByRole('heading', { name: /drawing/ }).waitFor();
+  expect(await page.locator('.alert').count()).toBe(0);
+});
+
+test('without storage everything works', async () => {
+  const page = await open('#draw', {
+    before: (fresh) =>
+      fresh.addInitScript(() => {
+        const refuse = () => {
+          throw new DOMException('no', 'SecurityError');
+        };
+        Object.defineProperty(window, 'indexedDB', { get: refuse });
+        Object.defineProperty(window, 'localStorage', { get: refuse });
+      }),
+  });
+  await page.getByRole('heading', { name: /drawing/ }).waitFor();
+  await page.getByRole('link', { name: 'Live' }).click();
+  await expect.poll(() => page.locator('.verdict').first().textContent()).toContain('score');
+  await withMenu(page, async (box) => box.getByRole('button', { name: 'Forget what was kept' }).click());
+  expect(await page.locator('.alert').count()).toBe(0);
+});
+
+test('on a telephone all tools are in the menu, in reach of a finger', async () => {
+  const page = await opened('#race', { viewport: { width: 390, height: 844 }, colorScheme: 'dark' });
+  await menu(page).locator('summary').click();
+  for (const name of ['Open file', 'Copy link', 'Forget what was kept'])
+    expect((await menu(page).getByRole('button', { name }).boundingBox())!.height).toBeGreaterThanOrEqual(44);
+  await picture(page, 'menu-phone');
+  expect(await barriers(page)).toEqual([]);
+  expect(await linkOf(page)).toMatch(/^#race/);
+  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(390);
+});
