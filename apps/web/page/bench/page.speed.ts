@@ -1,16 +1,17 @@
-// How quick the page is in Chromium: prints a table, asserts nothing. `npm run speed`, with mazes in ../shared for the report.
+// How quick the page is in Chromium, beside the figures of stated.json: prints a table, asserts nothing. `npm run speed`, with
+// mazes in ../shared for the report. The tests hold the page to three times these figures.
 import { readFileSync, readdirSync, statSync } from 'node:fs';
 import type { Page } from 'playwright-core';
 import { afterAll, test } from 'vitest';
 import type { Core } from '../src/core/client';
 import type { Meter } from '../src/player/meter';
 import { builtPage, drop, manyMazes, native, open, temporary } from '../tests/end-to-end/harness';
+import { firstRun, frontDoor, median, memory, playing, size, twoMice, type Figure } from './measures';
+import stated from './stated.json';
 
 declare global {
   interface Window {
     labmouse: Core;
-    /** Milliseconds after the page was opened. */
-    seen: Record<string, number>;
   }
 }
 
@@ -19,11 +20,37 @@ const note = (what: string, measured: string, bar: string) => rows.push({ what, 
 afterAll(() => console.table(Object.fromEntries(rows.map(({ what, ...rest }) => [what, rest]))));
 
 const megabytes = (file: string) => `${(statSync(file).size / 1e6).toFixed(2)} MB`;
-const median = (list: number[]) => [...list].sort((a, b) => a - b)[Math.floor(list.length / 2)];
 const seconds = (list: number[]) =>
   `${(median(list) / 1000).toFixed(2)} s (${list.map((one) => (one / 1000).toFixed(2)).join(', ')})`;
 
-test('the page', () => note('page, size', megabytes(builtPage), '1.6 MB'));
+/** One of the stated figures: the middle of what was measured, all of it, and what is stated. */
+function compare(figure: Figure, ...list: number[]) {
+  const { what, unit, stated: bar } = stated[figure];
+  const all = list.length > 1 ? ` (${list.map((one) => one.toFixed(2)).join(', ')})` : '';
+  note(what, `${median(list).toFixed(2)} ${unit}${all}`, `${bar} ${unit}`);
+}
+
+test('the page', () => compare('size', size()));
+
+test('the first that is seen', async () => {
+  const [doors, runs] = [[], []] as { paint: number; wall: number; processor: number }[][];
+  for (let i = 0; i < 5; ++i) doors.push(await frontDoor());
+  for (let i = 0; i < 5; ++i) runs.push(await firstRun());
+  compare('paint', ...doors.map(({ paint }) => paint));
+  compare('movement', ...doors.map(({ wall }) => wall));
+  compare('movement, processor', ...doors.map(({ processor }) => processor));
+  compare('run', ...runs.map(({ wall }) => wall));
+  compare('run, processor', ...runs.map(({ processor }) => processor));
+});
+
+test('a replay of two mice in 64 by 64 cells', { timeout: 300_000 }, async () => {
+  const page = await twoMice(64);
+  const { rate, cost } = await playing(page, '8×', 5);
+  compare('rate', rate);
+  compare('cost', cost);
+  await playing(page, '64×', 60);
+  compare('memory', await memory(page));
+});
 
 test('certify on contest mazes', async () => {
   const page = await open('#race');
@@ -45,28 +72,6 @@ test('certify on contest mazes', async () => {
     return { list, count: chosen.length };
   });
   note(`certify on ${times.count} contest mazes`, seconds(times.list), '2 s');
-});
-
-test('the first race on the front door', async () => {
-  const times: number[] = [];
-  for (let i = 0; i < 5; ++i) {
-    const page = await open('', {
-      before: async (page) => {
-        await page.addInitScript(() => {
-          window.seen = {};
-          const look = () => {
-            const clock = document.querySelector('.front-race .clock')?.textContent;
-            if (Number(clock) > 0) window.seen.race = performance.now();
-            else requestAnimationFrame(look);
-          };
-          requestAnimationFrame(look);
-        });
-      },
-    });
-    await page.waitForFunction(() => window.seen.race > 0);
-    times.push(await page.evaluate(() => window.seen.race));
-  }
-  note('a race moves on the front door', seconds(times), '1.5 s');
 });
 
 /** When things of the page could be seen first, as the page's own clock has it. */
