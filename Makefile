@@ -9,7 +9,7 @@
 # And, before a release:
 #   make proof   the checks that take too long for .ci/run: docs/checks.md
 # One build tree, build/release, serves both: a race builds the program alone, so that it never waits for tests.
-.PHONY: race check page reports proof
+.PHONY: race check page wheel reports proof
 
 # Configured once: from then on the build does it by itself, where it has to.
 race:

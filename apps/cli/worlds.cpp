@@ -26,11 +26,6 @@ std::vector<std::pair<const WorldSetting*, const WorldEntry*>> all_settings() {
   return settings;
 }
 
-bool has(const World& world, std::string_view setting) {
-  const auto settings = find_world(world.name())->settings;
-  return std::any_of(settings.begin(), settings.end(), [&](const WorldSetting& each) { return each.name == setting; });
-}
-
 std::vector<Entry> taken(EntriesResult result) {
   if (!result.error.empty()) throw UsageError(result.error);
   for (const std::string& reason : result.left_out) tell(fmt::format("left out: {}\n", shown(reason)));
@@ -79,30 +74,14 @@ WorldSettings WorldChoice::given() const {
   return settings;
 }
 
-void WorldChoice::require_settings_of(const std::vector<Entry>& entries) const {
-  for (const auto& [setting, owner] : all_settings()) {
-    if (command_->count("--" + std::string(setting->name)) == 0) continue;
-    const bool used = std::any_of(entries.begin(), entries.end(),
-                                  [&](const Entry& entry) { return has(*entry.world, setting->name); });
-    if (!used)
-      throw UsageError(fmt::format("error: --{} applies to the world {}, but no mouse races in it; add --world {}",
-                                   setting->name, owner->name, owner->name));
-  }
-}
-
 std::vector<Entry> WorldChoice::enter(std::vector<Contestant> mice) const {
   std::vector<Entry> entries = taken(labmouse::enter(std::move(mice), world_, given()));
-  require_settings_of(entries);
+  if (const std::string unused = unused_setting(entries, given()); !unused.empty()) throw UsageError(unused);
   return entries;
 }
 
 std::shared_ptr<const World> WorldChoice::enter_one(std::vector<Contestant>& mice) const {
-  std::vector<Entry> entries = enter(std::move(mice));
-  std::erase_if(entries, [](const Entry& entry) { return entry.mice.empty(); });
-  if (entries.size() > 1)
-    throw UsageError(fmt::format("error: '{}' races in the world {}, but '{}' in the world {}; name mice of one world",
-                                 entries[0].mice.front().name, entries[0].world->name(), entries[1].mice.front().name,
-                                 entries[1].world->name()));
+  std::vector<Entry> entries = taken(sole_entry(enter(std::move(mice))));
   if (entries.empty()) return world();
   mice = std::move(entries.front().mice);
   return entries.front().world;

@@ -27,7 +27,6 @@ class WorldChoice {
 
  private:
   WorldSettings given() const;
-  void require_settings_of(const std::vector<Entry>& entries) const;
 
   const Command* command_ = nullptr;
   std::string world_;

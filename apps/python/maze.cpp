@@ -192,7 +192,7 @@ void bind_mazes(nb::module_& module) {
       "mazes are equal where walls, start, heading and goals are, whatever their names.")
       .def(
           "__init__", [](NamedMaze* self, const std::filesystem::path& path) { new (self) NamedMaze(load(path)); },
-          "path"_a,
+          "path"_a, nb::sig("def __init__(self, path: str | os.PathLike[str]) -> None"),
           "Reads a maze file of any format (docs/formats.md), or takes a built-in maze by its name.\n\n"
           "Raises Error with file, line, column and reason where there is none.")
       .def_static("parse", &parse, "text"_a, "name"_a = "maze",
@@ -220,14 +220,15 @@ void bind_mazes(nb::module_& module) {
           "goals", [](const NamedMaze& maze) { return goals_of(maze.maze); },
           "The goal cells, row by row from the south.")
       .def_prop_ro(
-          "north", [](const NamedMaze& maze) { return walls_of(maze.maze, Heading::north); },
+          "north", [](const NamedMaze& maze) { return walls_of(maze.maze, Heading::north); }, nb::rv_policy::automatic,
           "A new array of bool of the shape (height, width): whether there is a wall north of the cell [y, x].")
       .def_prop_ro(
-          "east", [](const NamedMaze& maze) { return walls_of(maze.maze, Heading::east); },
+          "east", [](const NamedMaze& maze) { return walls_of(maze.maze, Heading::east); }, nb::rv_policy::automatic,
           "A new array of bool of the shape (height, width): whether there is a wall east of the cell [y, x].")
       .def("text", &written, "format"_a = "drawing",
            "The maze as a text: 'drawing', 'capstone', 'num' or 'maz'. Raises Error where the format cannot hold it.")
       .def("save", &save, "path"_a, "format"_a = nb::none(),
+           nb::sig("def save(self, path: str | os.PathLike[str], format: str | None = None) -> None"),
            "Writes it to a file; the format is that of the path's ending (.maz, .num), otherwise a drawing.")
       .def(
           "named",
@@ -256,7 +257,8 @@ void bind_mazes(nb::module_& module) {
       "`size` is a side in cells or (width, height), 1 to 64. The same seed gives the same maze everywhere.\n"
       "`loops` is the share, 0 to 1, of the remaining inner walls that is opened afterwards.\n"
       "Raises Error where the generator cannot make such a maze.");
-  module.def("find_mazes", &find, "paths"_a);
+  module.def("find_mazes", &find, "paths"_a,
+             nb::sig("def find_mazes(paths: Sequence[str | os.PathLike[str]]) -> list[Maze]"));
 }
 
 }  // namespace labmouse::python

@@ -8,10 +8,17 @@
 #include "labmouse/lab/system/version.hpp"
 
 NB_MODULE(_native, module) {
+  // What lives in a notebook's own variables when Python ends is no leak.
+  nanobind::set_leak_warnings(false);
   module.doc() = "The part of labmouse that is compiled.";
-  module.attr("__version__") = std::string(labmouse::version());
+  module.def(
+      "version", [] { return std::string(labmouse::version()); }, "The release, and the commit where it is known.");
   labmouse::python::bind_errors(module);
   labmouse::python::bind_mazes(module);
   labmouse::python::bind_sightings(module);
   labmouse::python::bind_briefings(module);
+  labmouse::python::bind_minds(module);
+  labmouse::python::bind_races(module);
+  labmouse::python::bind_records(module);
+  labmouse::python::bind_bounds(module);
 }

@@ -1,23 +1,31 @@
 #include "python_mind.hpp"
 
 #include <fmt/format.h>
+#include <nanobind/stl/string.h>
 
 #include <array>
+#include <cstring>
 #include <vector>
 
 #include "bindings.hpp"
 #include "briefing.hpp"
+#include "errors.hpp"
 #include "labmouse/contest/simulator.hpp"
+#include "labmouse/lab/mazes/maze_link.hpp"
 #include "labmouse/lab/text/printable.hpp"
 #include "sightings.hpp"
 
 namespace nb = nanobind;
+using namespace nb::literals;
 
 namespace labmouse::python {
 namespace {
 
 /// Wrong rotations and movements are part of a contest, within what a record can hold, as for guests.
 constexpr long farthest = 1'000'000;
+
+/// Kind, rotation, movement and reason, from one process to another of the same build.
+using PackedAction = std::array<std::int32_t, 4>;
 
 /// The whole number of an object; nothing where it is none, or too large.
 std::optional<int> number_of(PyObject* object) {
@@ -121,18 +129,102 @@ class PythonMind final : public Strategy {
   std::string last_words_;
 };
 
+void append(std::string& actions, const Action& action) {
+  const PackedAction packed = {static_cast<std::int32_t>(action.kind), action.rotation, action.movement,
+                               static_cast<std::int32_t>(action.reason)};
+  actions.append(reinterpret_cast<const char*>(packed.data()), sizeof packed);
+}
+
+/// The actions of a mouse whose process died.
+std::string death() {
+  std::string actions;
+  append(actions, Action::forfeit(ForfeitReason::died));
+  return actions;
+}
+
+/// What a mouse did in another process, step by step.
+class PlayedMind final : public Strategy {
+ public:
+  PlayedMind(Size size, std::string_view actions, std::string words, bool started)
+      : knowledge_(size), last_words_(std::move(words)), started_(started) {
+    actions_.resize(actions.size() / sizeof(PackedAction));
+    std::memcpy(actions_.data(), actions.data(), actions_.size() * sizeof(PackedAction));
+  }
+
+  Action decide(const Sighting&) override {
+    if (next_ >= actions_.size()) return Action::forfeit(ForfeitReason::interrupted);
+    const PackedAction& packed = actions_[next_++];
+    return {static_cast<Action::Kind>(packed[0]), packed[1], packed[2], static_cast<ForfeitReason>(packed[3])};
+  }
+  const Knowledge& knowledge() const override { return knowledge_; }
+  bool started() const override { return started_; }
+  std::string_view last_words() override { return last_words_; }
+
+ private:
+  Knowledge knowledge_;
+  std::vector<PackedAction> actions_;
+  std::string last_words_;
+  bool started_;
+  std::size_t next_ = 0;
+};
+
+/// The mind that another process played; null where the contest is to be held here.
+std::unique_ptr<Strategy> played_elsewhere(const MouseMaker& maker, const Maze& maze, const Rules& rules,
+                                           std::uint64_t seed) {
+  const nb::gil_scoped_acquire lock;
+  if (maker.elsewhere().is_none()) return nullptr;
+  try {
+    const nb::object played = maker.elsewhere()(link_of({"", maze}), rules.budget, rules.stride, seed);
+    if (played.is_none()) return nullptr;
+    const auto actions = nb::cast<nb::bytes>(played[0]);
+    return std::make_unique<PlayedMind>(maze.size(), std::string_view(actions.c_str(), actions.size()),
+                                        nb::cast<std::string>(played[1]), nb::cast<bool>(played[2]));
+  } catch (nb::python_error& error) {
+    return std::make_unique<PlayedMind>(maze.size(), death(), error.what(), true);
+  }
+}
+
+/// Holds a contest in this process, for another one: the actions, the last words and whether the mouse started.
+nb::tuple play(nb::object maker, const std::string& link, int budget, int stride, std::uint64_t seed) {
+  const ReadLinkResult maze = read_link(link);
+  if (!maze.maze) throw UserError(maze.error);
+  Rules rules;
+  rules.budget = budget;
+  rules.stride = stride;
+  const auto mouse = python_contestant({"", std::move(maker), false, nb::none()}, nullptr);
+  const auto mind = mouse.make(maze.maze->maze, rules, seed);
+  const RunRecord record = run(maze.maze->maze, rules, *mind);
+  std::string actions;
+  for (const StepRecord& step : record.steps) append(actions, step.action);
+  return nb::make_tuple(nb::bytes(actions.data(), actions.size()), record.last_words, mind->started());
+}
+
 }  // namespace
 
-Contestant python_contestant(const std::string& name, nb::object maker, bool uses_chance,
-                             const std::atomic<bool>* stop) {
+Contestant python_contestant(OwnMouse own, const std::atomic<bool>* stop) {
   Contestant mouse;
-  mouse.name = name;
-  mouse.uses_chance = uses_chance;
-  mouse.make = [shared = std::make_shared<const MouseMaker>(std::move(maker)), stop](
+  mouse.name = own.name;
+  mouse.uses_chance = own.uses_chance;
+  mouse.make = [shared = std::make_shared<const MouseMaker>(std::move(own.maker), std::move(own.elsewhere)), stop](
                    const Maze& maze, const Rules& rules, std::uint64_t seed) -> std::unique_ptr<Strategy> {
+    if (auto played = played_elsewhere(*shared, maze, rules, seed)) return played;
     return std::make_unique<PythonMind>(shared, brief(maze, rules, seed), stop);
   };
   return mouse;
+}
+
+void bind_minds(nb::module_& module) {
+  module.def(
+      "play", &play, "maker"_a, "link"_a, "budget"_a, "stride"_a, "seed"_a,
+      nb::sig("def play(maker: object, link: str, budget: int, stride: int, seed: int) -> tuple[bytes, str, bool]"),
+      "Holds a contest for another process.");
+  module.def(
+      "death",
+      [] {
+        const std::string actions = death();
+        return nb::bytes(actions.data(), actions.size());
+      },
+      "What a mouse did whose process died.");
 }
 
 }  // namespace labmouse::python

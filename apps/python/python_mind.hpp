@@ -1,4 +1,4 @@
-// A mouse that is an object of Python.
+// A mouse that is an object of Python, in this process or in another.
 #pragma once
 
 #include <nanobind/nanobind.h>
@@ -15,23 +15,35 @@ namespace labmouse::python {
 /// threads that do not hold the interpreter's lock.
 class MouseMaker {
  public:
-  explicit MouseMaker(nanobind::object maker) : maker_(std::move(maker)) {}
+  MouseMaker(nanobind::object maker, nanobind::object elsewhere)
+      : maker_(std::move(maker)), elsewhere_(std::move(elsewhere)) {}
   MouseMaker(const MouseMaker&) = delete;
   MouseMaker& operator=(const MouseMaker&) = delete;
   ~MouseMaker() {
     const nanobind::gil_scoped_acquire lock;
     maker_.reset();
+    elsewhere_.reset();
   }
 
   /// Only with the interpreter's lock.
   const nanobind::object& maker() const { return maker_; }
+  const nanobind::object& elsewhere() const { return elsewhere_; }
 
  private:
-  nanobind::object maker_;
+  nanobind::object maker_, elsewhere_;
+};
+
+/// A mouse in Python: its name, what makes it once a contest, and whether it throws dice. `elsewhere` may be None, or
+/// is called before each contest with the maze as a link, the numbers of the rules and the seed: it gives what play()
+/// gave in another process, or None where the contest is to be held here.
+struct OwnMouse {
+  std::string name;
+  nanobind::object maker;
+  bool uses_chance = false;
+  nanobind::object elsewhere;
 };
 
 /// Such a mouse as a contestant. Once `stop`, which may be null, is true, it decides no more.
-Contestant python_contestant(const std::string& name, nanobind::object maker, bool uses_chance,
-                             const std::atomic<bool>* stop);
+Contestant python_contestant(OwnMouse mouse, const std::atomic<bool>* stop);
 
 }  // namespace labmouse::python

@@ -32,7 +32,7 @@ nb::handle sighting_of(const Sighting& seen) {
 
 void bind_sightings(nb::module_& module) {
   module.def(
-      "_set_sighting_type", [](nb::type_object type) { sighting_type = type.release().ptr(); }, nb::arg("type"),
+      "set_sighting_type", [](nb::type_object type) { sighting_type = type.release().ptr(); }, nb::arg("type"),
       "Takes the class of which readings are made.");
 }
 

@@ -1,17 +1,41 @@
-"""A laboratory for mice that explore mazes they have never seen: https://en.wikipedia.org/wiki/Micromouse.
+"""A laboratory for mice that explore mazes they have never seen.
 
-The package runs the same library as the command `labmouse`, and gives the same numbers.
+The package runs the same library as the command `labmouse`, and gives the same numbers: docs/python.md.
 """
 
 import os
-from typing import List, Union
+from typing import Union
 
-from ._native import Error, Maze, __version__, find_mazes, generate
+from ._mice import Action, Mouse, Sighting
+from ._native import Briefing, Error, Maze, find_mazes, generate, version
+from ._races import Comparison, Race, race
+from ._records import Record, Replay, run
+from ._routes import Route, bound, route
 
-__all__ = ["Error", "Maze", "__version__", "generate", "mazes"]
+__version__ = version()
+
+__all__ = [
+    "Action",
+    "Briefing",
+    "Comparison",
+    "Error",
+    "Maze",
+    "Mouse",
+    "Race",
+    "Record",
+    "Replay",
+    "Route",
+    "Sighting",
+    "bound",
+    "generate",
+    "mazes",
+    "race",
+    "route",
+    "run",
+]
 
 
-def mazes(*paths: Union[str, "os.PathLike[str]"]) -> List[Maze]:
+def mazes(*paths: Union[str, "os.PathLike[str]"]) -> "list[Maze]":
     """The mazes of files, folders and patterns, sorted by name; without a path, all built-in mazes.
 
     Raises Error where a path that is named directly is no maze.

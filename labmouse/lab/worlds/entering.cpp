@@ -36,6 +36,11 @@ EntriesResult enter_one(std::vector<Contestant> mice, const WorldEntry& entry, c
   return result;
 }
 
+bool has(const WorldEntry& entry, std::string_view setting) {
+  return std::any_of(entry.settings.begin(), entry.settings.end(),
+                     [&](const WorldSetting& each) { return each.name == setting; });
+}
+
 }  // namespace
 
 EntriesResult enter(std::vector<Contestant> mice, std::string_view world, const WorldSettings& settings) {
@@ -55,6 +60,31 @@ EntriesResult enter(std::vector<Contestant> mice, std::string_view world, const 
     std::move(one.remarks.begin(), one.remarks.end(), std::back_inserter(result.remarks));
   }
   return result;
+}
+
+std::string unused_setting(const std::vector<Entry>& entries, const WorldSettings& given) {
+  for (const WorldEntry* owner : all_worlds())
+    for (const WorldSetting& setting : owner->settings) {
+      if (!given.contains(setting.name)) continue;
+      const bool used = std::any_of(entries.begin(), entries.end(), [&](const Entry& entry) {
+        return has(*find_world(entry.world->name()), setting.name);
+      });
+      if (!used)
+        return fmt::format("error: --{} applies to the world {}, but no mouse races in it; add --world {}",
+                           setting.name, owner->name, owner->name);
+    }
+  return "";
+}
+
+EntriesResult sole_entry(std::vector<Entry> entries) {
+  std::erase_if(entries, [](const Entry& entry) { return entry.mice.empty(); });
+  if (entries.size() > 1)
+    return {{},
+            fmt::format("error: '{}' races in the world {}, but '{}' in the world {}; name mice of one world",
+                        entries[0].mice.front().name, entries[0].world->name(), entries[1].mice.front().name,
+                        entries[1].world->name()),
+            {}};
+  return {std::move(entries), "", {}};
 }
 
 std::vector<Contestant> residents_of(const World& world) {

@@ -26,6 +26,12 @@ struct EntriesResult {
 /// the home world has an entry then, even if nobody does.
 EntriesResult enter(std::vector<Contestant> mice, std::string_view world, const WorldSettings& settings);
 
+/// Why one of these settings counts in none of the worlds that the mice race in; empty where each counts in one.
+std::string unused_setting(const std::vector<Entry>& entries, const WorldSettings& given);
+
+/// The one of these with mice, where there is no more than one; otherwise why they cannot race together.
+EntriesResult sole_entry(std::vector<Entry> entries);
+
 /// The mice of the roster that the world takes.
 std::vector<Contestant> residents_of(const World& world);
 

@@ -1,0 +1,114 @@
+#include "entering.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "errors.hpp"
+#include "labmouse/lab/mice/specs.hpp"
+#include "labmouse/strategies/parameter.hpp"
+
+namespace labmouse::python {
+namespace {
+
+void require_world(const std::string& name) {
+  if (name.empty() || find_world(name) != nullptr) return;
+  std::vector<std::string_view> names;
+  for (const WorldEntry* entry : all_worlds()) names.push_back(entry->name);
+  throw UserError(fmt::format("unknown world '{}'; the worlds are {}", name, fmt::join(names, ", ")));
+}
+
+/// The command line checks these where it reads them.
+void require_good_settings(const WorldSettings& settings) {
+  for (const auto& [name, value] : settings) {
+    const WorldSetting* found = nullptr;
+    for (const WorldEntry* entry : all_worlds())
+      for (const WorldSetting& setting : entry->settings)
+        if (setting.name == name) found = &setting;
+    if (found == nullptr) throw UserError(fmt::format("no world has the setting '{}'", name));
+    if (found->kind != WorldSetting::Kind::whole) continue;
+    double number = 0.0;
+    if (!parse_number(value, number) || number < static_cast<double>(found->low) ||
+        number > static_cast<double>(found->high) || number != static_cast<double>(static_cast<std::int64_t>(number)))
+      throw UserError(fmt::format("{} is a whole number from {} to {}, not {}", name, found->low, found->high, value));
+  }
+}
+
+std::vector<Entry> entries_of(EntriesResult result, std::vector<std::string>& remarks) {
+  if (!result.error.empty()) throw UserError(result.error);
+  for (const std::string& reason : result.left_out) remarks.push_back("left out: " + reason);
+  for (const std::string& remark : result.remarks) remarks.push_back("remark: " + remark);
+  return std::move(result.entries);
+}
+
+std::vector<Contestant> mice_of(Choice& choice, const std::atomic<bool>* stop) {
+  GuestOptions options;
+  options.python = choice.python;
+  options.stop = stop;
+  SpecResult read = choice.specs.empty() ? SpecResult() : read_specs(choice.specs, options);
+  if (!read.problems.empty()) throw UserError(fmt::format("{}", fmt::join(read.problems, "\n")));
+  if (!read.error.empty()) throw UserError(read.error);
+  for (OwnMouse& own : choice.own) read.contestants.push_back(python_contestant(std::move(own), stop));
+  std::vector<std::string> names;
+  for (const Contestant& mouse : read.contestants) names.push_back(mouse.name);
+  std::sort(names.begin(), names.end());
+  if (const auto twice = std::adjacent_find(names.begin(), names.end()); twice != names.end())
+    throw UserError(
+        fmt::format("two mice are named '{}'; give each a name of its own, as in {{'name': mouse}}", *twice));
+  return std::move(read.contestants);
+}
+
+/// Mazes by name; one that is there twice counts once.
+void require_names(std::vector<NamedMaze>& mazes) {
+  std::stable_sort(mazes.begin(), mazes.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
+  for (std::size_t i = 1; i < mazes.size(); ++i)
+    if (mazes[i].name == mazes[i - 1].name && mazes[i].maze != mazes[i - 1].maze)
+      throw UserError(fmt::format("two different mazes are named '{}'; give each a name of its own with Maze.named",
+                                  mazes[i].name));
+  const auto same = [](const auto& a, const auto& b) { return a.name == b.name; };
+  mazes.erase(std::unique(mazes.begin(), mazes.end(), same), mazes.end());
+}
+
+}  // namespace
+
+std::shared_ptr<const World> world_of(const std::string& world, const WorldSettings& settings) {
+  require_world(world);
+  require_good_settings(settings);
+  std::vector<std::string> remarks;
+  const std::string_view name = world.empty() ? all_worlds().front()->name : std::string_view(world);
+  std::vector<Entry> entries = entries_of(labmouse::enter({}, name, settings), remarks);
+  if (const std::string unused = unused_setting(entries, settings); !unused.empty()) throw UserError(unused);
+  return entries.front().world;
+}
+
+Field enter(Choice choice, const std::atomic<bool>* stop) {
+  require_world(choice.world);
+  require_good_settings(choice.settings);
+  Field field;
+  std::vector<Contestant> mice = mice_of(choice, stop);
+  if (mice.empty()) {
+    mice = residents_of(*world_of(choice.world, choice.settings));
+    if (mice.empty())
+      throw UserError(fmt::format("labmouse has no built-in mice for the world {}; name your own", choice.world));
+  }
+  std::vector<Entry> entries =
+      entries_of(labmouse::enter(std::move(mice), choice.world, choice.settings), field.remarks);
+  if (const std::string unused = unused_setting(entries, choice.settings); !unused.empty()) throw UserError(unused);
+  field.entry = std::move(entries_of(sole_entry(std::move(entries)), field.remarks).front());
+  MazeCollection mazes = choice.mazes.empty() ? load_builtin_mazes() : MazeCollection();
+  if (!choice.mazes.empty()) mazes.mazes = std::move(choice.mazes);
+  require_names(mazes.mazes);
+  std::vector<std::string> named;
+  for (const NamedMaze& maze : mazes.mazes) named.push_back(maze.name);
+  const std::string refused = leave_out(*field.entry.world, named, mazes);
+  // A built-in maze that was not named is left out, as on the command line.
+  if (mazes.mazes.empty())
+    throw UserError(refused.empty() ? fmt::format("no mazes to race on: none of these can be used in the world {}",
+                                                  field.entry.world->name())
+                                    : refused);
+  field.mazes = std::move(mazes.mazes);
+  field.skipped = std::move(mazes.skipped);
+  return field;
+}
+
+}  // namespace labmouse::python

@@ -1,0 +1,41 @@
+// Who races where, from what a user of Python gave.
+#pragma once
+
+#include <nanobind/nanobind.h>
+
+#include <atomic>
+#include <string>
+#include <vector>
+
+#include "labmouse/lab/mazes/maze_files.hpp"
+#include "labmouse/lab/worlds/entering.hpp"
+#include "python_mind.hpp"
+
+namespace labmouse::python {
+
+/// What a user chose.
+struct Choice {
+  std::vector<std::string> specs;  ///< SPECs of mice
+  std::vector<OwnMouse> own;
+  std::vector<NamedMaze> mazes;  ///< none: the built-in ones
+  std::string world;             ///< empty: the one that suits the mice
+  WorldSettings settings;        ///< those that were given
+  std::string python;            ///< that runs capstone robots
+};
+
+/// Mice in their world, and the mazes that it takes.
+struct Field {
+  Entry entry;
+  std::vector<NamedMaze> mazes;
+  std::vector<SkippedFile> skipped;
+  std::vector<std::string> remarks;
+};
+
+/// Throws UserError. Where there is no mouse, all of the roster race that the world takes. Once `stop` is true, guests
+/// and mice in Python are ended.
+Field enter(Choice choice, const std::atomic<bool>* stop);
+
+/// The world of a choice that names no mice; throws UserError.
+std::shared_ptr<const World> world_of(const std::string& world, const WorldSettings& settings);
+
+}  // namespace labmouse::python

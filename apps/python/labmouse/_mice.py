@@ -1,0 +1,117 @@
+"""Mice that are written in Python, and what the library takes for a mouse."""
+
+import inspect
+import os
+import shutil
+import sys
+from collections.abc import Callable, Iterable, Mapping
+from typing import Any, Literal, NamedTuple, Protocol, Union
+
+from . import _native
+from ._native import Briefing, Error
+from ._workers import Workers
+
+
+class Sighting(NamedTuple):
+    """What a mouse reads: the number of open cells in three directions, up to the next wall; 0 to 63 each."""
+
+    left: int
+    ahead: int
+    right: int
+
+
+_native.set_sighting_type(Sighting)
+
+#: What a mouse answers: a turn in degrees clockwise (-90, 0 or 90) and then cells to go (-3 to 3, negative backwards);
+#: 'reset', back to the start for the speed run; or 'forfeit', it gives up.
+Action = Union[tuple[int, int], Literal["reset", "forfeit"]]
+
+
+class Mouse(Protocol):
+    """A mouse in Python. There is a new one for each contest."""
+
+    def decide(self, seen: Sighting) -> Action:
+        """The next action, given what the mouse sees in its present pose. Called once a step until the contest ends."""
+        ...
+
+
+#: What makes the mouse of a contest: a class, or a function. It is called with the briefing if it takes an argument.
+MouseMaker = Union[Callable[[], Mouse], Callable[[Briefing], Mouse]]
+#: A mouse of a race: a SPEC as on the command line ('flood:stride=1', 'guest:python3 mouse.py'), or what makes one.
+AnyMouse = Union[str, MouseMaker]
+#: Mice of a race: one, several, or several under names of their own.
+Mice = Union[AnyMouse, Iterable[AnyMouse], Mapping[str, AnyMouse]]
+
+_Own = tuple[str, object, bool]
+
+
+class Given(NamedTuple):
+    """Mice in their kinds."""
+
+    specs: "list[str]"
+    own: "list[_Own]"
+    """Mice in Python: name, maker, and whether they throw dice."""
+
+    def native(self, workers: "Workers | None") -> "tuple[list[str], list[tuple[str, object, bool, object]], str]":
+        """The mice as the compiled part takes them."""
+        own: list[tuple[str, object, bool, object]] = [
+            (*mouse, workers.elsewhere(number) if workers is not None else None) for number, mouse in enumerate(self.own)
+        ]
+        return self.specs, own, _python()
+
+
+def _takes_briefing(maker: Callable[..., Mouse]) -> bool:
+    try:
+        parameters = inspect.signature(maker).parameters.values()
+    except (TypeError, ValueError):
+        return False
+    places = (inspect.Parameter.POSITIONAL_ONLY, inspect.Parameter.POSITIONAL_OR_KEYWORD, inspect.Parameter.VAR_POSITIONAL)
+    return any(parameter.kind in places for parameter in parameters)
+
+
+class Maker:
+    """Makes the mouse of a contest from its briefing, whether or not the user's class takes one."""
+
+    def __init__(self, maker: Callable[..., Mouse]) -> None:
+        self.maker = maker
+        self.briefs = _takes_briefing(maker)
+
+    def __call__(self, briefing: Briefing) -> Mouse:
+        return self.maker(briefing) if self.briefs else self.maker()
+
+
+def _own(name: str, maker: Any) -> _Own:
+    if not callable(maker):
+        if hasattr(maker, "decide"):
+            raise Error(f"'{name}' is an object; give its class, so that each contest has a mouse of its own")
+        raise Error(f"'{name}' is no mouse; give a SPEC, or a class with decide(self, seen)")
+    return name, Maker(maker), bool(getattr(maker, "uses_chance", False))
+
+
+def _named(name: str, mouse: AnyMouse) -> Union[str, _Own]:
+    return f"{name}={mouse}" if isinstance(mouse, str) else _own(name, mouse)
+
+
+def _name_of(maker: Any) -> str:
+    return str(getattr(maker, "__name__", type(maker).__name__))
+
+
+def given(mice: "Mice | None") -> Given:
+    """The mice by their kinds; raises Error where something is no mouse."""
+    if mice is None:
+        found: list[Union[str, _Own]] = []
+    elif isinstance(mice, str):
+        found = [mice]
+    elif isinstance(mice, Mapping):
+        found = [_named(name, mouse) for name, mouse in mice.items()]
+    elif callable(mice) or not isinstance(mice, Iterable):
+        found = [_own(_name_of(mice), mice)]
+    else:
+        found = [mouse if isinstance(mouse, str) else _own(_name_of(mouse), mouse) for mouse in mice]
+    specs = [mouse for mouse in found if isinstance(mouse, str)]
+    return Given(specs, [mouse for mouse in found if not isinstance(mouse, str)])
+
+
+def _python() -> str:
+    """What runs robots of the capstone project: the python3 of PATH, or this one where there is none."""
+    return "" if shutil.which("python3") else os.fspath(sys.executable)

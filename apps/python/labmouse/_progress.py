@@ -1,0 +1,79 @@
+"""Long work: a bar on standard error or in a notebook, and Ctrl-C."""
+
+import sys
+from typing import Any, Protocol
+
+from ._workers import Workers
+
+
+class Running(Protocol):
+    """Work in a thread of its own."""
+
+    @property
+    def remarks(self) -> "list[str]": ...
+    @property
+    def done(self) -> int: ...
+    @property
+    def all(self) -> int: ...
+    def wait(self, seconds: float) -> bool: ...
+    def stop(self) -> None: ...
+
+
+def _in_notebook() -> bool:
+    shell = sys.modules.get("IPython")
+    running = shell.get_ipython() if shell is not None else None
+    return running is not None and "ZMQ" in type(running).__name__
+
+
+class _Bar:
+    """Shows how much of the work is done, where somebody looks."""
+
+    def __init__(self, progress: "bool | None") -> None:
+        self.notebook = _in_notebook()
+        self.shown = progress if progress is not None else self.notebook or sys.stderr.isatty()
+        self.percent = -1
+        self.handle: Any = None
+
+    def show(self, running: Running) -> None:
+        if not self.shown or running.all == 0 or running.done * 100 // running.all == self.percent:
+            return
+        self.percent = running.done * 100 // running.all
+        line = f"[{'#' * (self.percent * 40 // 100):<40}] {self.percent:>3} %"
+        if not self.notebook:
+            print(f"\r{line}", end="", file=sys.stderr, flush=True)
+            return
+        from IPython.display import display  # type: ignore[import-not-found,unused-ignore]
+
+        if self.handle is None:
+            self.handle = display({"text/plain": line}, raw=True, display_id=True)
+        else:
+            self.handle.update({"text/plain": line}, raw=True)
+
+    def clear(self) -> None:
+        if self.percent < 0:
+            return
+        if not self.notebook:
+            print("\r\x1b[K", end="", file=sys.stderr, flush=True)
+        elif self.handle is not None:
+            self.handle.update({"text/plain": ""}, raw=True)
+
+
+def finish(running: Running, progress: "bool | None", workers: "Workers | None" = None) -> None:
+    """Waits for the end of the work, with a bar. Ctrl-C stops it and its workers: then what is done counts."""
+    for remark in running.remarks:
+        print(remark, file=sys.stderr)
+    bar = _Bar(progress)
+    try:
+        # The first waits are short: most work is done at once.
+        seconds = 0.01
+        while not running.wait(seconds):
+            seconds = 0.05
+            bar.show(running)
+    except KeyboardInterrupt:
+        running.stop()
+        if workers is not None:
+            workers.close()
+        while not running.wait(0.05):
+            pass
+    finally:
+        bar.clear()

@@ -1,0 +1,154 @@
+"""Races: many mice on many mazes."""
+
+import os
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from . import _native
+from ._mice import Mice, given
+from ._progress import finish
+from ._workers import for_mice
+from ._worlds import Mazes, Setting, mazes_of, world_with
+
+if TYPE_CHECKING:
+    import pandas
+
+
+class Comparison(NamedTuple):
+    """Two mice on the same mazes: the paired differences of their mean scores, `mouse` minus `against`."""
+
+    mouse: str
+    against: str
+    mazes: int
+    """Mazes in which both have a score that counts."""
+    mean: float
+    """In the world's unit; below 0, `mouse` is better."""
+    low: float
+    """The 95 % interval of the mean, by bootstrap over the mazes."""
+    high: float
+    better: int
+    """Mazes in which `mouse` scores lower."""
+    equal: int
+    worse: int
+    sign_test: float
+    """The chance that fair throws fall at least as unevenly."""
+
+    @property
+    def verdict(self) -> str:
+        """'better', 'worse' or 'no difference shown', of `mouse`."""
+        return "better" if self.high < 0 else "worse" if self.low > 0 else "no difference shown"
+
+
+class Race:
+    """A race that was held; `race` makes it. Shown in a notebook as its leaderboard."""
+
+    def __init__(self, held: _native.HeldRace) -> None:
+        self._held = held
+
+    @property
+    def complete(self) -> bool:
+        """Whether all contests were held: False where Ctrl-C stopped the race before."""
+        return self._held.complete
+
+    @property
+    def world(self) -> str:
+        """The name of the world."""
+        return self._held.world
+
+    @property
+    def mice(self) -> "list[str]":
+        """The names of the mice, in their order."""
+        return self._held.mice
+
+    @property
+    def table(self) -> "pandas.DataFrame":
+        """One line a contest, with the columns of `labmouse race --format csv`: docs/races.md has their units."""
+        import pandas
+
+        return pandas.DataFrame(self._held.contest_columns())
+
+    @property
+    def standings(self) -> "pandas.DataFrame":
+        """One line a mouse, best first, with the fields of a mouse in `labmouse race --format json`."""
+        import pandas
+
+        return pandas.DataFrame(self._held.standing_columns())
+
+    @property
+    def mazes(self) -> "pandas.DataFrame":
+        """One line a maze, with its bound: the best possible score there."""
+        import pandas
+
+        return pandas.DataFrame(self._held.maze_columns())
+
+    def compare(self, mouse: str, against: str) -> Comparison:
+        """The paired difference of two mice of the race, maze by maze. Raises Error where one is not in it."""
+        return Comparison(**self._held.compare(mouse, against))
+
+    def to_csv(self, path: "str | os.PathLike[str] | None" = None) -> "str | None":
+        """What `labmouse race --format csv` prints: written to a file, or returned where no path is given."""
+        return _saved(self._held.csv(), path)
+
+    def to_json(self, path: "str | os.PathLike[str] | None" = None) -> "str | None":
+        """What `labmouse race --format json` prints: written to a file, or returned where no path is given."""
+        return _saved(self._held.json(), path)
+
+    def __str__(self) -> str:
+        return self._held.leaderboard()
+
+    def __repr__(self) -> str:
+        state = "" if self.complete else ", stopped before its end"
+        return f"<labmouse.Race of {len(self.mice)} mice on {len(self._held.mazes)} mazes{state}>"
+
+    def _repr_html_(self) -> str:
+        import html
+
+        return f"<pre>{html.escape(str(self))}</pre>"
+
+
+def _saved(text: str, path: "str | os.PathLike[str] | None") -> "str | None":
+    if path is None:
+        return text
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(text)
+    return None
+
+
+def race(
+    mice: "Mice | None" = None,
+    mazes: "Mazes | None" = None,
+    *,
+    world: "str | None" = None,
+    robot: "str | os.PathLike[str] | None" = None,
+    rules: "str | os.PathLike[str] | None" = None,
+    budget: "int | None" = None,
+    runs: int = 20,
+    seed: int = 1,
+    jobs: int = 0,
+    progress: "bool | None" = None,
+    **settings: Setting,
+) -> Race:
+    """Races mice on mazes, with the numbers of `labmouse race`.
+
+    mice: SPECs, classes with `decide(self, seen)`, or a dictionary of both by names; None for all built-in ones.
+    mazes: mazes, files, folders or patterns; None for all built-in mazes.
+    world: 'strides', 'seconds' or 'mms'; None for the one that suits the mice. `robot` and `rules` are settings of
+        'seconds' (a built-in name or a file), `budget` (steps of a contest) of 'strides'; other settings have the
+        names of the command line's options.
+    runs: contests in each maze of a mouse that throws dice. seed: for all random choices.
+    jobs: threads; 0 for as many as there are processors. Results do not depend on it. Where the interpreter runs one
+        thread at a time, mice in Python race in processes of their own once the race takes longer than half a second:
+        what they leave in global variables stays there. With 1 they stay in this process.
+    progress: whether to show a bar; None for where standard error is a terminal, and in notebooks.
+
+    Raises Error. Ctrl-C stops the race: it returns what is done, and `complete` is False.
+    """
+    chosen = world_with(world, {"robot": robot, "rules": rules, "budget": budget, **settings})
+    who = given(mice)
+    workers = for_mice(who.own, jobs)
+    running = _native.RunningRace(who.native(workers), mazes_of(mazes), chosen, runs, seed, jobs)
+    try:
+        finish(running, progress, workers)
+        return Race(running.result())
+    finally:
+        if workers is not None:
+            workers.close()

@@ -1,0 +1,42 @@
+"""The worlds of contests, and mazes, as the compiled part takes them."""
+
+import os
+from collections.abc import Iterable
+from typing import Union
+
+from ._native import Error, Maze, find_mazes
+
+AnyMaze = Union[Maze, str, "os.PathLike[str]"]
+#: Mazes of a race: one, several, files, folders and patterns.
+Mazes = Union[AnyMaze, Iterable[AnyMaze]]
+Setting = Union[str, int, bool, float, "os.PathLike[str]", None]
+
+
+def world_with(world: "str | None", settings: "dict[str, Setting]") -> "tuple[str, dict[str, str]]":
+    """A world with those of its settings that are given."""
+    return world or "", {name.replace("_", "-"): _text(value) for name, value in settings.items() if value is not None}
+
+
+def _text(value: Setting) -> str:
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    return os.fspath(value) if isinstance(value, os.PathLike) else str(value)
+
+
+def mazes_of(mazes: "Mazes | None") -> "list[Maze]":
+    """The mazes; none for all built-in ones. Raises Error where a path leads to none."""
+    if mazes is None:
+        return []
+    several = [mazes] if isinstance(mazes, (Maze, str, os.PathLike)) else list(mazes)
+    found = [each for each in several if isinstance(each, Maze)]
+    paths = [each for each in several if not isinstance(each, Maze)]
+    if paths:
+        found += find_mazes(paths)
+    if not found:
+        raise Error("no mazes found; name a maze file, or omit the mazes to use the built-in ones")
+    return found
+
+
+def maze_of(maze: AnyMaze) -> Maze:
+    """One maze."""
+    return maze if isinstance(maze, Maze) else Maze(maze)

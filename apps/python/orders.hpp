@@ -1,0 +1,33 @@
+// What Python hands over of mice and worlds, in types that nanobind knows.
+#pragma once
+
+#include <map>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "entering.hpp"
+
+namespace labmouse::python {
+
+/// A mouse in Python by the fields of OwnMouse.
+using GivenMouse = std::tuple<std::string, nanobind::object, bool, nanobind::object>;
+/// SPECs; mice in Python; and the Python that runs capstone robots.
+using GivenMice = std::tuple<std::vector<std::string>, std::vector<GivenMouse>, std::string>;
+/// The name of a world, or nothing, and its settings.
+using GivenWorld = std::pair<std::string, std::map<std::string, std::string>>;
+
+inline Choice choice_of(const GivenMice& mice, std::vector<NamedMaze> mazes, const GivenWorld& world) {
+  Choice choice;
+  choice.specs = std::get<0>(mice);
+  for (const auto& [name, maker, uses_chance, elsewhere] : std::get<1>(mice))
+    choice.own.push_back({name, maker, uses_chance, elsewhere});
+  choice.python = std::get<2>(mice);
+  choice.mazes = std::move(mazes);
+  choice.world = world.first;
+  choice.settings = WorldSettings(world.second.begin(), world.second.end());
+  return choice;
+}
+
+}  // namespace labmouse::python

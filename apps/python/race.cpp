@@ -1,0 +1,175 @@
+// Races: many mice on many mazes.
+#include <fmt/format.h>
+#include <nanobind/stl/map.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
+#include <nanobind/stl/shared_ptr.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
+#include <nanobind/stl/vector.h>
+
+#include <memory>
+
+#include "bindings.hpp"
+#include "entering.hpp"
+#include "errors.hpp"
+#include "labmouse/lab/numbers/statistics.hpp"
+#include "labmouse/lab/standings/race_json.hpp"
+#include "labmouse/lab/standings/race_notes.hpp"
+#include "labmouse/lab/standings/race_table.hpp"
+#include "labmouse/lab/standings/standings.hpp"
+#include "orders.hpp"
+#include "values.hpp"
+#include "work.hpp"
+
+namespace nb = nanobind;
+using namespace nb::literals;
+
+namespace labmouse::python {
+namespace {
+
+/// A race that was held, or as much of it as was done.
+struct HeldRace {
+  Race race;
+  std::vector<SkippedFile> skipped;
+};
+
+/// A race that is going on.
+class RunningRace {
+ public:
+  RunningRace(const GivenMice& mice, std::vector<NamedMaze> mazes, const GivenWorld& world, int runs,
+              std::uint64_t seed, int jobs) {
+    if (runs < 1 || runs > 1'000'000) throw UserError(fmt::format("runs is a number from 1 to 1000000, not {}", runs));
+    if (jobs < 0 || jobs > 1024) throw UserError(fmt::format("jobs is a number from 0 to 1024, not {}", jobs));
+    Field field = enter(choice_of(mice, std::move(mazes), world), &work_.stopped());
+    remarks_ = std::move(field.remarks);
+    held_ = std::make_shared<HeldRace>();
+    held_->skipped = std::move(field.skipped);
+    RaceOrder order;
+    order.world = field.entry.world;
+    order.runs = runs;
+    order.seed = seed;
+    order.jobs = jobs;
+    const std::size_t all = contests_of(field.entry.mice, field.mazes.size(), order);
+    work_.start([this, order, all, field = std::move(field)]() mutable {
+      RaceHooks hooks;
+      hooks.stop = &work_.stopped();
+      hooks.finished = [this, all](const Race&, const ContestResult&, const Held&) { work_.advance(all); };
+      held_->race = hold_race(std::move(field.entry.mice), std::move(field.mazes), order, hooks);
+    });
+  }
+
+  Work& work() { return work_; }
+  const std::vector<std::string>& remarks() const { return remarks_; }
+  std::shared_ptr<HeldRace> result() {
+    work_.finish();
+    return held_;
+  }
+
+ private:
+  std::shared_ptr<HeldRace> held_;
+  std::vector<std::string> remarks_;
+  Work work_;  // last: its thread ends before the others do
+};
+
+std::vector<std::string> names(const HeldRace& held, bool mice) {
+  std::vector<std::string> found;
+  if (mice)
+    for (const Contestant& mouse : held.race.mice) found.push_back(mouse.name);
+  else
+    for (const NamedMaze& maze : held.race.mazes) found.push_back(maze.name);
+  return found;
+}
+
+/// A list of values for each field, by its name.
+template <class Fields, class Rows, class ValueOf>
+nb::dict columns_of(const Fields& fields, const Rows& rows, ValueOf value_of) {
+  nb::dict columns;
+  for (const auto& field : fields) {
+    nb::list values;
+    for (const auto& row : rows) values.append(object_of(value_of(field, row)));
+    columns[nb::str(field.key.data(), field.key.size())] = values;
+  }
+  return columns;
+}
+
+nb::dict contests(const HeldRace& held) {
+  std::vector<const ContestResult*> done;
+  for (const ContestResult& contest : held.race.results)
+    if (contest.done) done.push_back(&contest);
+  return columns_of(held.race.world().fields().csv, done, [&](const ContestField& field, const ContestResult* contest) {
+    return field.of(held.race, *contest);
+  });
+}
+
+nb::dict standings(const HeldRace& held) {
+  return columns_of(held.race.world().fields().mouse, standings_of(held.race),
+                    [&](const MouseField& field, const Standing& standing) { return field.of(held.race, standing); });
+}
+
+nb::dict mazes(const HeldRace& held) {
+  std::vector<std::size_t> places(held.race.mazes.size());
+  for (std::size_t i = 0; i < places.size(); ++i) places[i] = i;
+  return columns_of(held.race.world().fields().maze, places,
+                    [&](const MazeField& field, std::size_t maze) { return field.of(held.race, maze); });
+}
+
+std::size_t position(const Race& race, const std::string& mouse) {
+  for (std::size_t i = 0; i < race.mice.size(); ++i)
+    if (race.mice[i].name == mouse) return i;
+  throw UserError(fmt::format("no mouse '{}' is in this race", mouse));
+}
+
+/// The paired difference of two mice, as keyword arguments.
+nb::dict compare(const HeldRace& held, const std::string& mouse, const std::string& against) {
+  const auto scores = scores_by_maze(held.race, position(held.race, mouse));
+  const auto others = scores_by_maze(held.race, position(held.race, against));
+  std::vector<double> differences;
+  for (std::size_t maze = 0; maze < scores.size(); ++maze)
+    if (scores[maze] && others[maze]) differences.push_back(*scores[maze] - *others[maze]);
+  const PairedDifference found = paired_difference(differences, held.race.order.seed);
+  nb::dict fields;
+  fields["mouse"] = mouse;
+  fields["against"] = against;
+  fields["mazes"] = found.count;
+  fields["mean"] = found.mean;
+  fields["low"] = found.interval.low;
+  fields["high"] = found.interval.high;
+  fields["better"] = found.below;
+  fields["equal"] = found.equal;
+  fields["worse"] = found.above;
+  fields["sign_test"] = found.sign_test;
+  return fields;
+}
+
+}  // namespace
+
+void bind_races(nb::module_& module) {
+  nb::class_<HeldRace>(module, "HeldRace")
+      .def_prop_ro("complete", [](const HeldRace& held) { return !held.race.stopped; })
+      .def_prop_ro("world", [](const HeldRace& held) { return std::string(held.race.world().name()); })
+      .def_prop_ro("seed", [](const HeldRace& held) { return held.race.order.seed; })
+      .def_prop_ro("mice", [](const HeldRace& held) { return names(held, true); })
+      .def_prop_ro("mazes", [](const HeldRace& held) { return names(held, false); })
+      .def_prop_ro("contests", [](const HeldRace& held) { return held.race.results.size(); })
+      .def("contest_columns", &contests, nb::sig("def contest_columns(self) -> dict[str, list[object]]"))
+      .def("standing_columns", &standings, nb::sig("def standing_columns(self) -> dict[str, list[object]]"))
+      .def("maze_columns", &mazes, nb::sig("def maze_columns(self) -> dict[str, list[object]]"))
+      .def("compare", &compare, "mouse"_a, "against"_a,
+           nb::sig("def compare(self, mouse: str, against: str) -> dict[str, typing.Any]"))
+      .def("leaderboard", [](const HeldRace& held) { return table_of(held.race, false); })
+      .def("csv", [](const HeldRace& held) { return csv_of(held.race); })
+      .def("json", [](const HeldRace& held) { return json_of(held.race, held.skipped); });
+  nb::class_<RunningRace>(module, "RunningRace")
+      .def(nb::init<const GivenMice&, std::vector<NamedMaze>, const GivenWorld&, int, std::uint64_t, int>(), "mice"_a,
+           "mazes"_a, "world"_a, "runs"_a, "seed"_a, "jobs"_a)
+      .def_prop_ro("remarks", &RunningRace::remarks)
+      .def_prop_ro("done", [](RunningRace& running) { return running.work().done(); })
+      .def_prop_ro("all", [](RunningRace& running) { return running.work().all(); })
+      .def(
+          "wait", [](RunningRace& running, double seconds) { return running.work().wait(seconds); }, "seconds"_a)
+      .def("stop", [](RunningRace& running) { running.work().stop(); })
+      .def("result", &RunningRace::result);
+}
+
+}  // namespace labmouse::python

@@ -1,0 +1,60 @@
+#include "report.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "embedded_page.hpp"
+#include "errors.hpp"
+#include "labmouse/lab/galleries/race_folder.hpp"
+#include "labmouse/lab/reports/report_page.hpp"
+#include "labmouse/lab/standings/race_json.hpp"
+#include "labmouse/lab/system/files.hpp"
+
+namespace fs = std::filesystem;
+
+namespace labmouse::python {
+namespace {
+
+/// A folder that goes with its owner.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string name = (fs::temp_directory_path() / "labmouse-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw UserError("no temporary folder can be made");
+    path_ = name;
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  ~TemporaryFolder() {
+    std::error_code unknown;
+    fs::remove_all(path_, unknown);
+  }
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
+}  // namespace
+
+std::string report_of(const Race& race, const std::vector<std::pair<ContestResult, Held>>& contests) {
+  const std::string_view page = cli::embedded_page();
+  if (page.empty())
+    throw UserError("this package was built without the page; run `make page` and build the package again");
+  const TemporaryFolder folder;
+  const RaceFolder files(folder.path(), race);
+  for (const auto& [contest, held] : contests) {
+    Held record;
+    record.record = held.record;
+    if (const auto error = files.save(contest, record); !error.empty()) throw UserError(error);
+  }
+  const std::string results = fmt::format("{}/{}", folder.path(), results_file_name);
+  if (const auto error = write_file(results, json_of(race, {})); !error.empty()) throw UserError(error);
+  ReportPage report = make_report(folder.path(), page);
+  if (!report.error.empty()) throw UserError(report.error);
+  return std::move(report.page);
+}
+
+}  // namespace labmouse::python

@@ -1,0 +1,59 @@
+"""The Python of the documentation runs, prints what the page says, and passes mypy --strict.
+
+The blocks of a page marked `python` are one program. A block marked `text` right below one is what that prints, with
+`...` for any lines, or for the rest of a line: as in tests/docs/run_examples.py.
+"""
+
+import contextlib
+import io
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tests" / "docs"))
+from run_examples import agrees  # noqa: E402
+
+BLOCK = re.compile(r"^```python\n(.*?)^```\n(?:\n```text\n(.*?)^```\n)?", re.MULTILINE | re.DOTALL)
+PAGES = [page for page in [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))] if BLOCK.search(page.read_text())]
+
+
+def blocks_of(page):
+    """Each block of Python, with the line of the page where it begins and what it prints, if the page says so."""
+    text = page.read_text(encoding="utf-8")
+    for found in BLOCK.finditer(text):
+        yield text.count("\n", 0, found.start()) + 1, found[1], found[2]
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def test_the_examples_print_what_the_page_says(page, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    names = {"__name__": "__main__"}
+    for line, code, expected in blocks_of(page):
+        printed = io.StringIO()
+        with contextlib.redirect_stdout(printed):
+            exec(compile("\n" * line + code, str(page), "exec"), names)
+        if expected is not None:
+            assert agrees(expected.splitlines(), printed.getvalue()), f"{page}:{line} prints\n{printed.getvalue()}"
+
+
+def test_the_examples_are_typed(tmp_path):
+    files = []
+    for page in PAGES:
+        file = tmp_path / f"{page.stem.lower()}_examples.py"
+        file.write_text("\n".join(code for _, code, _ in blocks_of(page)), encoding="utf-8")
+        files.append(file)
+    checked = subprocess.run([sys.executable, "-m", "mypy", "--strict", *map(str, files)], capture_output=True, text=True, check=False)
+    assert checked.returncode == 0, checked.stdout
+
+
+def test_the_package_itself_is_typed():
+    import labmouse
+
+    folder = Path(labmouse.__file__).parent
+    checked = subprocess.run([sys.executable, "-m", "mypy", "--strict", "--package", "labmouse"], capture_output=True, text=True, check=False,
+                             cwd=folder.parent)
+    assert checked.returncode == 0, checked.stdout
