@@ -191,7 +191,7 @@ export function createPlayer(page: Page, ...lead: HTMLElement[]): Player {
 
   async function believe() {
     for (const { track, scene } of state.sides) {
-      if (scene.believes() || !believes({ track })) continue;
+      if (scene.beliefs() || !believes({ track })) continue;
       try {
         scene.setBeliefs(await fetchBeliefs(page.core, track));
       } catch (error) {

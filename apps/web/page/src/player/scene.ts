@@ -1,22 +1,14 @@
 // One play on its canvas: what changes with the frame is painted on a canvas below, and only when it has changed; the
 // mouse is painted on a copy of that in every frame of the browser.
 import { h } from '../ui/dom';
-import { paintGround, paintLetters, paintNumbers } from '../maze/painter';
 import type { Tone } from '../maze/palette';
 import { createStage, type Stage, type StageOptions } from '../maze/stage';
-import { createMoment, goTo, type Moment } from './drive';
+import type { Moment } from './drive';
 import type { Layers } from './layers';
-import { createPose, poseAt } from './motion';
 import type { Brush } from './paint/brush';
-import { paintCandidates } from './paint/candidates';
-import { distanceOf, paintDistances } from './paint/distances';
-import { paintDriven, paintDriving, paintFastest, poseOf } from './paint/drive';
-import { paintFloor } from './paint/floor';
-import { paintMouse, paintRays } from './paint/mouse';
-import { cellAtFrame, paintPlan } from './paint/plan';
-import { paintMmsTexts } from './paint/mms-texts';
-import { paintBest, paintExploration, paintSpeedRun } from './paint/ways';
-import { paintWalls } from './paint/walls';
+import { distanceOf } from './paint/distances';
+import { cellAtFrame } from './paint/plan';
+import { createPlace, paintAbove, paintBelow } from './painting';
 import { createPast, moveTo, type Past } from './past';
 import { frameAt, type Track } from './track';
 
@@ -36,7 +28,8 @@ export interface Scene {
   moment: Moment | null;
   /** Believed distances: see beliefs.ts. */
   setBeliefs(beliefs: Uint16Array): void;
-  believes(): boolean;
+  /** Null while there are none. */
+  beliefs(): Uint16Array | null;
   /** Goes to that time and paints what changed; `smooth` between the frames. Says whether the frame changed. */
   show(time: number, smooth: boolean): boolean;
   /** Steps to the goal from that cell, as the layer of distances has them (true where it is off); -1 for no way. */
@@ -47,31 +40,9 @@ export interface Scene {
   repaint(): void;
 }
 
-/** Of a cell: paths between posts are to be seen. */
-const mouseInSeconds = 0.6;
-
-/** Everything but the mouse and its rays. */
-function paintBelow(brush: Brush) {
-  const { context, g, palette, track, layers } = brush;
-  const mms = track.play.world === 'mms';
-  const crowded = layers.exploration || layers.speed || layers.distances !== 'none' || mms;
-  paintGround(context, g, palette);
-  paintFloor(brush);
-  paintLetters(context, g, palette, track.maze, crowded);
-  paintWalls(brush);
-  if (layers.best) (track.drive ? paintFastest : paintBest)(brush);
-  if (layers.exploration && !track.drive) paintExploration(brush);
-  if (layers.speed) (track.drive ? paintDriven : paintSpeedRun)(brush);
-  if (layers.mms && mms) paintMmsTexts(brush);
-  if (layers.distances !== 'none') paintDistances(brush);
-  if (layers.candidates) paintCandidates(brush);
-  paintNumbers(context, g, palette);
-}
-
 export function createScene(track: Track, layers: Layers, options: SceneOptions = {}): Scene {
   const past = createPast(track);
-  const pose = createPose();
-  const moment = track.drive ? createMoment() : null;
+  const place = createPlace(track);
   const belowCanvas = h('canvas');
   const context = belowCanvas.getContext('2d', { alpha: false })!;
   let below: Brush | null = null;
@@ -82,13 +53,10 @@ export function createScene(track: Track, layers: Layers, options: SceneOptions 
 
   function paint() {
     if (!below || !front) return;
-    if (stale) paintBelow(below);
-    if (stale && options.plan && track.run[past.frame] === 0) paintPlan(below);
+    if (stale) paintBelow(below, options.plan);
     stale = false;
     front.context.drawImage(belowCanvas, 0, 0);
-    if (layers.rays) paintRays(front);
-    if (layers.speed && moment) paintDriving(front, moment);
-    paintMouse(front, pose, track.drive ? mouseInSeconds : 1);
+    paintAbove(front, place);
   }
   const stage = createStage(track.maze, paint, {
     numbers: true,
@@ -101,26 +69,20 @@ export function createScene(track: Track, layers: Layers, options: SceneOptions 
       stale = true;
     },
   });
-  function look(time: number, frame: number, share: number) {
-    poseAt(track, frame, share, pose);
-    if (!track.drive || !moment) return;
-    goTo(track.drive, time, moment);
-    poseOf(moment, pose);
-  }
-  look(0, 0, 0);
+  place.look(0, 0, 0);
 
   return {
     stage,
     track,
     past,
-    moment,
+    moment: place.moment,
     setBeliefs(other) {
       beliefs = other;
       if (below) below.beliefs = other;
       stale = true;
       stage.redraw();
     },
-    believes: () => beliefs !== null,
+    beliefs: () => beliefs,
     distanceOf: (cell) => (below ? distanceOf(below, cell) : -1),
     cell: () => cellAtFrame(track, past.frame),
     show(time, smooth) {
@@ -131,7 +93,7 @@ export function createScene(track: Track, layers: Layers, options: SceneOptions 
       const share = between > 0 ? (time - track.time[frame]) / between : 0;
       if (!changed && frame + share === shown) return false;
       shown = frame + share;
-      look(smooth ? time : track.time[frame], frame, share);
+      place.look(smooth ? time : track.time[frame], frame, share);
       if (changed) stale = true;
       paint();
       return changed;

@@ -72,6 +72,7 @@ export function createSide(
     name,
     track,
     scene,
+    hue: hue ?? 'ink',
     element,
     update() {
       const { frame } = scene.past;

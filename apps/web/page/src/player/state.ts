@@ -1,4 +1,5 @@
 // What a player shows at the moment, and what its parts may do to it.
+import type { Tone } from '../maze/palette';
 import type { Clock } from './clock';
 import type { Layers } from './layers';
 import type { Scene } from './scene';
@@ -12,6 +13,8 @@ export interface Side {
   track: Track;
   scene: Scene;
   element: HTMLElement;
+  /** The tone of its mouse. */
+  hue: Tone;
   /** Its score and its step, after the frame has changed. */
   update(): void;
 }
