@@ -26,7 +26,7 @@ const sameActions = (a: Play, b: Play) =>
   a.action.length === b.action.length && a.action.every((action, i) => action === b.action[i]);
 
 /** Whether the page can run it: `flood:stride=1` and `oracle` are of the roster, `guest:...` is not. */
-async function isOurs(page: EarlyPage, mouse: string) {
+export async function isOurs(page: EarlyPage, mouse: string) {
   const { mice } = await page.ready;
   const name = mouse.split(':', 1)[0];
   return name === 'oracle' || mice.some((one) => one.name === name);

@@ -5,6 +5,7 @@ import { orderIn, orderMoment, isQuick } from '../race/linked-order';
 import { boardOf, groupsOf, type Board } from '../race/contests';
 import { curves } from '../race/curves';
 import { duel } from '../race/duel';
+import { heat } from '../race/heat';
 import { holdPanel, type HoldPanel } from '../race/hold-panel';
 import { leaderboard } from '../race/leaderboard';
 import { matrix } from '../race/matrix';
@@ -60,7 +61,9 @@ export function createRace(page: EarlyPage): View {
             ),
           )
         : null;
-    parts.push(cells, lines, ...(pair ? [pair] : []));
+    // In seconds what a move loses depends on speed and heading, too: it is no matter of cells.
+    const lost = board.world === 'steps' ? heat(page, race, board) : null;
+    parts.push(cells, lines, ...(pair ? [pair] : []), ...(lost ? [lost] : []));
     const world = board.world === 'steps' ? '' : `, ${board.world}`;
     const best = worldOf(board.world).bestMeaning;
     return {
@@ -78,6 +81,15 @@ export function createRace(page: EarlyPage): View {
           lines.element,
         ),
         ...(pair ? [part(`Two mice${world}`, '', pair.element)] : []),
+        ...(lost
+          ? [
+              part(
+                'Where steps are lost',
+                'What the contests of a maze cost beyond the best possible score, by the cell in which it was lost. A step loses what it leaves the mouse behind a shortest way; after the goal, every step of the exploration counts.',
+                lost.element,
+              ),
+            ]
+          : []),
       ],
     };
   }

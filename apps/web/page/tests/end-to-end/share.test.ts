@@ -1,7 +1,9 @@
 // Links to moments, and what a reload keeps.
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
 import type { Page } from 'playwright-core';
 import { expect, test } from 'vitest';
-import { barriers, drop, keptInBrowser, native, open, picture } from './harness';
+import { barriers, drop, keptInBrowser, native, open, picture, root } from './harness';
 
 const tell = (page: Page) => page.locator('.status');
 
@@ -209,4 +211,19 @@ test('on a telephone all tools are in the menu, in reach of a finger', async () 
   expect(await barriers(page)).toEqual([]);
   expect(await linkOf(page)).toMatch(/^#race/);
   expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(390);
+});
+
+const documented = readFileSync(join(root, 'docs/page.md'), 'utf8').match(/^#(replay|live|race)&\S+$/gm) ?? [];
+
+test.each(documented)('the link of the documentation leads somewhere: %s', async (link) => {
+  const page = await opened(link);
+  const there = { replay: '.side canvas', live: '.verdict[data-state=good]', race: '[aria-label=Leaderboard]' };
+  await page
+    .locator(there[/^#(\w+)/.exec(link)![1] as keyof typeof there])
+    .first()
+    .waitFor();
+  expect(await page.locator('.alert').count()).toBe(0);
+  // The place of a closer look is a whole number of pixels.
+  const upToPlace = (text: string) => text.replace(/&zoom=.*/, '');
+  expect(upToPlace(await linkOf(page))).toBe(upToPlace(link));
 });

@@ -1,0 +1,220 @@
+// Where the mice of a race lose their steps in one maze, all of them together. The core says what is lost.
+import type { Losses, MazeData } from '../core/types';
+import { cellAt, fit, numbered, type Geometry } from '../maze/geometry';
+import { fontOf } from '../maze/fonts';
+import type { Context } from '../maze/painter';
+import { readPalette, type Palette } from '../maze/palette';
+import { createStage, type Stage } from '../maze/stage';
+import { SvgContext } from '../player/svg-context';
+import { h } from '../ui/dom';
+import type { EarlyPage, LoadedRace } from '../views/view';
+import type { Board } from './contests';
+import { counted, isNumber } from './format';
+import { levelEnd, levels, paintLosses } from './heat-paint';
+import { isOurs } from './contest-play';
+
+/** What a cell is coloured by: all that is lost of the score, or the steps of one of the runs. */
+const kinds = {
+  points: { label: 'of the score', unit: 'points' },
+  exploration: { label: 'steps of the exploration', unit: 'steps' },
+  speed: { label: 'steps of the speed run', unit: 'steps' },
+} as const;
+type Kind = keyof typeof kinds;
+
+const most = 5_000;
+/** So many cells are told in words. */
+const told = 5;
+/** Of a saved picture, in its pixels. */
+const side = 1200;
+const line = 44;
+
+/** What the mean contest loses in each cell. */
+const lossesOf = (found: Losses, kind: Kind): number[] =>
+  kind === 'points' ? found.points : found[kind].map((steps) => steps / Math.max(1, found.solved));
+
+const placeOf = (cell: number, maze: MazeData) => `(${cell % maze.width},${Math.floor(cell / maze.width)})`;
+const amount = (loss: number, kind: Kind) => `${loss.toFixed(2)} ${kinds[kind].unit}`;
+
+interface Shown {
+  maze: MazeData;
+  found: Losses;
+  title: string;
+}
+
+/** Those contests of that maze which the page can run again, and how many mice it cannot. */
+async function contestsIn(page: EarlyPage, board: Board, maze: number) {
+  const contests: { mouse: string; seed: number }[] = [];
+  let others = 0;
+  for (const { name, index, reference } of board.mice) {
+    if (reference) continue;
+    const ours = await isOurs(page, name);
+    if (!ours) ++others;
+    else
+      for (const { seed } of board.cells[index][maze].contests) if (seed !== null) contests.push({ mouse: name, seed });
+  }
+  return { contests: contests.slice(0, most), others };
+}
+
+function legend(losses: number[], kind: Kind): HTMLElement {
+  const highest = Math.max(...losses);
+  const swatches = Array.from({ length: levels }, (_, i) =>
+    h('li', {}, h('span', { class: `swatch heat${i + 1}` }), `to ${levelEnd(i + 1, highest).toFixed(2)}`),
+  );
+  return h(
+    'div',
+    { class: 'scale' },
+    h('span', {}, `lost in a cell by the mean contest, ${kinds[kind].unit}:`),
+    h('ul', {}, ...swatches),
+  );
+}
+
+/** The picture with its title and its scale, on any kind of canvas. */
+function paintSaved(
+  context: Context,
+  g: Geometry,
+  palette: Palette,
+  { maze, title }: Shown,
+  losses: number[],
+  scale: string,
+) {
+  paintLosses(context, g, palette, maze, losses);
+  context.fillStyle = palette.paper;
+  context.fillRect(0, g.canvasHeight - 2 * line, g.canvasWidth, 2 * line);
+  context.textAlign = 'left';
+  context.textBaseline = 'alphabetic';
+  context.fillStyle = palette.ink;
+  context.font = fontOf(palette, 24, 600);
+  context.fillText(title, line, g.canvasHeight - line);
+  context.font = fontOf(palette, 20);
+  context.fillText(scale, line, g.canvasHeight - line / 3);
+}
+
+export interface Heat {
+  element: HTMLElement;
+  arrange(): void;
+}
+
+export function heat(page: EarlyPage, race: LoadedRace, board: Board): Heat {
+  let stage: Stage | null = null;
+  let shown: Shown | null = null;
+  let kind: Kind = 'points';
+  const words = h('p', { class: 'words', 'aria-live': 'polite' });
+  const caption = h('p', { class: 'caption' });
+  const scale = h('div', {});
+  const room = h('div', { class: 'heat-room', hidden: true });
+  const losses = () => (shown ? lossesOf(shown.found, kind) : []);
+
+  function describe() {
+    if (!shown || !stage) return;
+    const { maze, found } = shown;
+    const list = losses();
+    const worst = list
+      .map((loss, cell) => ({ loss, cell }))
+      .filter(({ loss }) => loss > 0)
+      .sort((a, b) => b.loss - a.loss)
+      .slice(0, told);
+    const where = worst.map(({ loss, cell }) => `${placeOf(cell, maze)} ${amount(loss, kind)}`).join(', ');
+    const sum = list.reduce((all, loss) => all + loss, 0);
+    const failed = found.contests - found.solved;
+    const without = failed > 0 ? ` ${counted(failed, 'contest')} without a score left out.` : '';
+    words.textContent =
+      sum > 0
+        ? `The mean contest loses ${amount(sum, kind)}, most of it in ${where}.${without}`
+        : `Nothing is lost here.${without}`;
+    stage.describe(`${shown.title}. ${words.textContent}`);
+    scale.replaceChildren(legend(list, kind));
+    stage.redraw();
+  }
+  function place(next: Shown) {
+    shown = next;
+    stage?.close();
+    stage = createStage(next.maze, (context, g, palette) => paintLosses(context, g, palette, next.maze, losses()), {
+      numbers: true,
+    });
+    stage.canvas.addEventListener('pointermove', ({ offsetX, offsetY }) => {
+      const cell = cellAt(stage!.geometry(), offsetX, offsetY);
+      if (!cell) return;
+      const at = cell[1] * next.maze.width + cell[0];
+      caption.textContent = `(${cell[0]},${cell[1]}): ${amount(losses()[at], kind)}`;
+    });
+    caption.textContent = 'Point at a cell to see what is lost in it.';
+    room.replaceChildren(stage.element);
+    result.hidden = room.hidden = false;
+    describe();
+  }
+  async function find() {
+    const at = Number(mazes.value);
+    const { name, short } = board.mazes[at];
+    finder.disabled = true;
+    try {
+      const maze = await race.maze(name);
+      if (!maze) throw new Error(`The maze ${short} is not in this page. Drop its file here, then try again.`);
+      const { contests, others } = await contestsIn(page, board, at);
+      if (contests.length === 0) throw new Error(`The page can run none of the contests in ${short} again.`);
+      const { budget } = board.conditions;
+      const found = await page.core.call('losses', { maze, contests, ...(isNumber(budget) && { budget }) });
+      const without = others > 0 ? `, without ${counted(others, 'mouse', 'mice')} of other programs` : '';
+      const mice = new Set(contests.map(({ mouse }) => mouse)).size;
+      const title = `Where steps are lost in ${short}: ${counted(mice, 'mouse', 'mice')}, ${counted(found.contests, 'contest')}${without}`;
+      place({ maze, found, title });
+    } catch (error) {
+      page.complain(error);
+    } finally {
+      finder.disabled = false;
+    }
+  }
+  const geometry = ({ maze }: Shown) => {
+    const g = fit(maze, side, side, 2, numbered);
+    return { ...g, canvasHeight: g.canvasHeight + 2 * line };
+  };
+  const scaleWords = () => `Darkest: ${amount(Math.max(...losses()), kind)} of the mean contest in one cell`;
+  async function savePng() {
+    const g = geometry(shown!);
+    const canvas = h('canvas', { width: g.canvasWidth, height: g.canvasHeight });
+    paintSaved(canvas.getContext('2d', { alpha: false })!, g, readPalette(), shown!, losses(), scaleWords());
+    const blob = await new Promise<Blob | null>((resolve) => canvas.toBlob(resolve, 'image/png'));
+    if (blob) page.save('lost-steps.png', new Uint8Array(await blob.arrayBuffer()), 'image/png');
+  }
+  async function saveSvg() {
+    const g = geometry(shown!);
+    const drawn = new SvgContext();
+    paintSaved(drawn.asContext(), g, readPalette(), shown!, losses(), scaleWords());
+    const box = `width="${g.canvasWidth / 2}" height="${g.canvasHeight / 2}" viewBox="0 0 ${g.canvasWidth} ${g.canvasHeight}"`;
+    const text = `<svg xmlns="http://www.w3.org/2000/svg" ${box}>\n${drawn.elements()}\n</svg>\n`;
+    page.save('lost-steps.svg', text, 'image/svg+xml');
+  }
+
+  const mazes = h('select', {}, ...board.mazes.map(({ short, index }) => h('option', { value: index }, short)));
+  const finder = h('button', { type: 'button', onclick: () => void find() }, 'Show where');
+  const choice = h(
+    'select',
+    { onchange: () => ((kind = choice.value as Kind), describe()) },
+    ...Object.entries(kinds).map(([value, { label }]) => h('option', { value }, label)),
+  );
+  const save = (label: string, act: () => Promise<void>) =>
+    h('button', { type: 'button', onclick: () => void act().catch(page.complain) }, label);
+  const result = h(
+    'div',
+    { hidden: true },
+    h(
+      'div',
+      { class: 'row controls' },
+      h('label', { class: 'row' }, 'Show what is lost', choice),
+      save('Save as PNG', savePng),
+      save('Save as SVG', saveSvg),
+    ),
+    words,
+    room,
+    caption,
+    scale,
+  );
+  return {
+    element: h(
+      'div',
+      { class: 'heat' },
+      h('div', { class: 'row controls' }, h('label', { class: 'row' }, 'Maze', mazes), finder),
+      result,
+    ),
+    arrange: () => stage?.redraw(),
+  };
+}
