@@ -73,6 +73,7 @@ const page: EarlyPage = {
     stage.show('replay', { plays, time, look });
   },
   shelf,
+  keepPlays: keeper.plays,
   keepMoment: keeper.moment,
   live: (maze) => stage.show('live', maze),
   draw: (maze) => stage.show('draw', maze),

@@ -1,6 +1,6 @@
 // A contest as a film: frames are painted here and put together in a worker.
 import FilmWorker from './worker?worker&inline';
-import { framesFor, planFilm } from './plan';
+import { framesFor, planFilm, type Piece } from './plan';
 import type { FilmAnswer, FilmOrder } from './protocol';
 
 export interface Scenes {
@@ -10,6 +10,8 @@ export interface Scenes {
   /** On the clock of the contest. */
   end: number;
   inSteps: boolean;
+  /** Fast runs, which pass slower than searches. */
+  fast: Piece[];
   /** Of the largest maze. */
   cells: number;
 }
@@ -57,7 +59,7 @@ export async function makeFilm(
   };
   /** Null where it became too large. */
   async function attempt(most: number): Promise<Film | null> {
-    const { times, delay } = planFilm(scenes.end, scenes.inSteps, most);
+    const { times, delay } = planFilm(scenes.end, scenes.inSteps, most, scenes.fast);
     const chosen = Array.from({ length: samples }, (_, i) => pixelsAt((scenes.end * (i + 1)) / samples));
     const all = new Uint8ClampedArray(chosen.reduce((sum, one) => sum + one.length, 0));
     chosen.forEach((one, i) => all.set(one, i * chosen[0].length));

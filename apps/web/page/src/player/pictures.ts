@@ -1,5 +1,6 @@
 // What is on the stage, saved: as a picture of this moment, or as a film of the whole contest.
 import { FilmStopped, makeFilm, mostBytes } from '../film/film';
+import type { Piece } from '../film/plan';
 import { fit, numbered } from '../maze/geometry';
 import { readPalette } from '../maze/palette';
 import { h } from '../ui/dom';
@@ -41,6 +42,11 @@ function asSeen({ track, name, hue, scene }: Side): Pictured {
   };
   return { track, name, hue, beliefs: scene.beliefs(), geometry };
 }
+
+const fastRuns = ({ track }: Side) =>
+  (track.drive?.runs ?? [])
+    .filter(({ kind }) => kind === 'fast')
+    .map(({ begin, end }): Piece => [begin / 1e6, end / 1e6]);
 
 const asFilmed = ({ track, name, hue, scene }: Side): Pictured => ({
   track,
@@ -84,6 +90,7 @@ export function createPictures(page: Page, state: State): { buttons: HTMLElement
           paint,
           end: state.clock.end,
           inSteps: sides.every((side) => side.track.play.world === 'steps'),
+          fast: sides.flatMap(fastRuns),
           cells: Math.max(...sides.map((side) => side.track.cells)),
         },
         (share) => (bar.value = share),

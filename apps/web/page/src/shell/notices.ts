@@ -70,6 +70,7 @@ const works: Partial<Record<CallName, string>> = {
   unpack: 'Reading …',
   beliefs: 'Asking what it believed …',
   make_maze: 'Making a maze …',
+  losses: 'Finding where steps are lost …',
 };
 
 export function createNotices(): Notices {

@@ -1,6 +1,6 @@
 // The view Replay: the player, and while there is nothing to show, how to get something.
 import type { MazeData } from '../core/types';
-import { addressOf, readAddress } from '../link/address';
+import { addressOf, readAddress, type Moment } from '../link/address';
 import { contestBehind, contestOf, contestsInMoment, contestsOf } from '../link/contest';
 import { mazeAt, placeOf } from '../link/mazes';
 import type { Camera } from '../maze/camera';
@@ -86,7 +86,13 @@ function createWelcome(page: Page) {
 export function createReplay(page: Page): View {
   const another = h('button', { type: 'button', onclick: () => show([]) }, 'Another record');
   const player = createPlayer(page, h('div', { class: 'row another' }, another));
-  player.rested(() => page.keepMoment(addressOf('replay', player.moment())));
+  /** A link that was followed goes along, so that a reload of the page leads to this moment. */
+  player.rested(() => {
+    const now = player.moment();
+    page.keepMoment(addressOf('replay', now));
+    if (!linked || element.hidden || !location.hash.startsWith('#replay&')) return;
+    history.replaceState(null, '', `#${addressOf('replay', { ...linked, ...now })}`);
+  });
   const welcome = createWelcome(page);
   player.element.tabIndex = -1;
   player.element.setAttribute('role', 'group');
@@ -99,8 +105,11 @@ export function createReplay(page: Page): View {
     player.element,
   );
   let now: Shown[] = [];
+  /** What the link says that led here; null where none did. */
+  let linked: Moment | null = null;
   function show(plays: Shown[], time?: number, look?: Camera) {
     now = plays;
+    linked = null;
     welcome.hidden = plays.length > 0;
     player.show(plays, 'start', time, look);
     // The button that was pressed is gone; the keys are the player's now.
@@ -134,7 +143,9 @@ export function createReplay(page: Page): View {
         throw new Error('This link cannot be followed: a replay is of one or two mice in a maze.');
       const plays: Shown[] = [];
       for (const contest of contestsOf(moment, page.about, maze)) plays.push(await contestOf(page.core, contest));
+      page.keepPlays(plays);
       show(plays, moment.time, moment.look);
+      linked = moment;
     },
   };
 }

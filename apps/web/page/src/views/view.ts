@@ -41,7 +41,8 @@ export interface EarlyPage {
   hold(results: RaceResults, mazes: MazeData[], message: string, order?: Order): void;
   /** What the browser keeps until the page is opened again. */
   shelf: Shelf;
-  /** Keeps where the replay is, as a link has it. */
+  /** Keeps what the replay shows, and where it is, as a link has it. */
+  keepPlays(plays: { play: Play; record: string }[]): void;
   keepMoment(address: string): void;
   /** Says something to all readers: a status, or what went wrong (with its lines). */
   tell(message: string): void;

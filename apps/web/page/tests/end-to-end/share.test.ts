@@ -39,6 +39,11 @@ test('a replay of two mice goes into a link and comes back at its moment', async
   const other = await opened(link);
   await expect.poll(() => position(other).inputValue()).toBe('40');
   expect(await linkOf(other)).toBe(link);
+  // A reload leads to where one has gone since.
+  await position(other).fill('55');
+  await expect.poll(() => other.url()).toContain('&at=55&');
+  await other.reload();
+  await expect.poll(() => position(other).inputValue()).toBe('55');
 });
 
 test('so does a contest in seconds, in a maze of its own', async () => {

@@ -13,6 +13,20 @@ describe('a film', () => {
     expect(times).toHaveLength(101);
     expect([times[0], times[1], times.at(-1)]).toEqual([0, 10, 1000]);
   });
+  it('gives fast runs more frames, and goes on steadily', () => {
+    const { times } = planFilm(100, false, 360, [
+      [90, 95],
+      [20, 30],
+      [25, 40],
+      [99, 120],
+    ]);
+    expect([times[0], times.at(-1)]).toEqual([0, 100]);
+    for (let i = 1; i < times.length; ++i) expect(times[i]).toBeGreaterThan(times[i - 1]);
+    const between = (from: number, to: number) =>
+      times.filter((time) => time > from && time <= to).length / (to - from);
+    expect(between(20, 40)).toBeGreaterThan(3.5 * between(0, 20));
+    expect(between(90, 95)).toBeGreaterThan(3.5 * between(50, 90));
+  });
   it('has delays in hundredths of a second that every viewer keeps', () => {
     for (const frames of [1, 60, 360, 5000]) {
       const { delay } = planFilm(1e4, false, frames);
