@@ -4,6 +4,8 @@
 #   make check   builds and runs all tests
 # The page, in a browser:
 #   make page    builds build/page/labmouse.html, without the program; the next build of the program takes it in
+# The Python package:
+#   make wheel   builds a wheel, and the sources to install from, in build/dist
 # And, when a mouse has changed:
 #   make reports runs every system of the five reports and writes docs/reports.md
 # And, before a release:
@@ -34,6 +36,12 @@ page:
 	@scripts/install page
 	@scripts/page
 	@echo "build/page/labmouse.html"
+
+wheel:
+	@scripts/install race
+	@scripts/install python
+	@scripts/page --if-installed
+	@scripts/wheel --sdist
 
 reports:
 	@scripts/install race

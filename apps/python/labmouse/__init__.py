@@ -11,6 +11,7 @@ from ._native import Briefing, Error, Maze, find_mazes, generate, version
 from ._races import Comparison, Race, race
 from ._records import Record, Replay, run
 from ._routes import Route, bound, route
+from ._studies import Study, study
 
 __version__ = version()
 
@@ -26,12 +27,14 @@ __all__ = [
     "Replay",
     "Route",
     "Sighting",
+    "Study",
     "bound",
     "generate",
     "mazes",
     "race",
     "route",
     "run",
+    "study",
 ]
 
 

@@ -1,0 +1,92 @@
+// Studies: mice compared in pairs on mazes that they have not learned from.
+#include "labmouse/lab/studies/study.hpp"
+
+#include <fmt/format.h>
+#include <nanobind/stl/map.h>
+#include <nanobind/stl/pair.h>
+#include <nanobind/stl/shared_ptr.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
+#include <nanobind/stl/vector.h>
+
+#include <memory>
+
+#include "bindings.hpp"
+#include "entering.hpp"
+#include "errors.hpp"
+#include "orders.hpp"
+#include "work.hpp"
+
+namespace nb = nanobind;
+using namespace nb::literals;
+
+namespace labmouse::python {
+namespace {
+
+/// A study that was held, or the folds of it that were done.
+struct HeldStudy {
+  Study study;
+  std::vector<SkippedFile> skipped;
+};
+
+/// A study that is going on.
+class RunningStudy {
+ public:
+  RunningStudy(const GivenMice& mice, std::vector<NamedMaze> mazes, const GivenWorld& world,
+               const std::tuple<int, bool, int, std::uint64_t, int>& numbers) {
+    StudyOrder order;
+    std::tie(order.folds, order.learning, order.race.runs, order.race.seed, order.race.jobs) = numbers;
+    if (order.folds < 2) throw UserError(fmt::format("folds is a number from 2, not {}", order.folds));
+    if (order.race.runs < 1) throw UserError(fmt::format("runs is a number from 1, not {}", order.race.runs));
+    if (order.race.jobs < 0 || order.race.jobs > 1024)
+      throw UserError(fmt::format("jobs is a number from 0 to 1024, not {}", order.race.jobs));
+    Field field = enter(choice_of(mice, std::move(mazes), world), &work_.stopped());
+    remarks_ = std::move(field.remarks);
+    held_ = std::make_shared<HeldStudy>();
+    held_->skipped = std::move(field.skipped);
+    order.race.world = field.entry.world;
+    work_.start([this, order, field = std::move(field)]() mutable {
+      StudyHooks hooks;
+      hooks.stop = &work_.stopped();
+      hooks.finished = [this](std::size_t all) { work_.advance(all); };
+      held_->study = hold_study(field.entry.mice, std::move(field.mazes), order, hooks);
+    });
+  }
+
+  Work& work() { return work_; }
+  const std::vector<std::string>& remarks() const { return remarks_; }
+  std::shared_ptr<HeldStudy> result() {
+    work_.finish();
+    if (!held_->study.error.empty()) throw UserError(held_->study.error);
+    return held_;
+  }
+
+ private:
+  std::shared_ptr<HeldStudy> held_;
+  std::vector<std::string> remarks_;
+  Work work_;  // last: its thread ends before the others do
+};
+
+}  // namespace
+
+void bind_studies(nb::module_& module) {
+  nb::class_<HeldStudy>(module, "HeldStudy")
+      .def_prop_ro("complete", [](const HeldStudy& held) { return !held.study.race.stopped; })
+      .def("table", [](const HeldStudy& held) { return table_of(held.study, false); })
+      .def("csv", [](const HeldStudy& held) { return csv_of(held.study); })
+      .def("json", [](const HeldStudy& held) { return json_of(held.study, held.skipped); })
+      .def("svg", [](const HeldStudy& held) { return picture_of(held.study); });
+  nb::class_<RunningStudy>(module, "RunningStudy")
+      .def(nb::init<const GivenMice&, std::vector<NamedMaze>, const GivenWorld&,
+                    const std::tuple<int, bool, int, std::uint64_t, int>&>(),
+           "mice"_a, "mazes"_a, "world"_a, "numbers"_a)
+      .def_prop_ro("remarks", &RunningStudy::remarks)
+      .def_prop_ro("done", [](RunningStudy& running) { return running.work().done(); })
+      .def_prop_ro("all", [](RunningStudy& running) { return running.work().all(); })
+      .def(
+          "wait", [](RunningStudy& running, double seconds) { return running.work().wait(seconds); }, "seconds"_a)
+      .def("stop", [](RunningStudy& running) { running.work().stop(); })
+      .def("result", &RunningStudy::result);
+}
+
+}  // namespace labmouse::python
