@@ -9,6 +9,8 @@
 
 #include "labmouse/lab/page/calls.hpp"
 #include "labmouse/lab/page/maze_data.hpp"
+#include "labmouse/lab/shapes/check.hpp"
+#include "labmouse/lab/shapes/shapes.hpp"
 #include "tests/lab/race_fixture.hpp"
 
 namespace labmouse::test {
@@ -20,10 +22,20 @@ inline json said(std::string_view call, const json& request, std::string_view by
   return json::parse(answer_page(call, request.dump(), bytes).json);
 }
 
+/// The call of that name has such requests and answers as its shape says.
+inline void expect_shapes(std::string_view call, const json& request, const json& answer) {
+  for (const CallShape& shape : call_shapes()) {
+    if (shape.name != call) continue;
+    EXPECT_EQ(mismatch(request, shape.request, "request"), "") << call;
+    EXPECT_EQ(mismatch(answer, shape.answer, "answer"), "") << call;
+  }
+}
+
 /// The answer to a call that has to succeed.
 inline json answer(std::string_view call, const json& request, std::string_view bytes = "") {
   const json reply = said(call, request, bytes);
   if (!reply.contains("answer")) ADD_FAILURE() << call << ": " << reply.dump();
+  if (reply.contains("answer")) expect_shapes(call, request, reply["answer"]);
   return reply.contains("answer") ? reply["answer"] : json::object();
 }
 

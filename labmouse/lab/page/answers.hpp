@@ -1,5 +1,4 @@
-// The answers to the page's calls, one function a call. apps/web/page/src/core/types.ts lists what each is asked and
-// what it answers.
+// The answers to the page's calls, one function a call. labmouse/lab/shapes says what each is asked and what it answers.
 #pragma once
 
 #include <string>

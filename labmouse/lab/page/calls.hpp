@@ -1,5 +1,5 @@
 // What the page asks of the lab: each call a name with a request in JSON, answered in JSON. The shapes of both are
-// listed in apps/web/page/src/core/types.ts.
+// in labmouse/lab/shapes.
 #pragma once
 
 #include <span>

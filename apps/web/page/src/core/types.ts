@@ -1,8 +1,9 @@
-// What the core (labmouse compiled to WebAssembly) is asked and answers. The functions themselves are in
-// apps/web/exports.cpp; every shape here is written there by one function of the same name. Cells are [x, y], (0,0) in
-// the south-west; lists over cells run by y * width + x.
+// What the core (labmouse compiled to WebAssembly) is asked and answers. Cells are [x, y], (0,0) in the south-west;
+// lists over cells run by y * width + x.
+// Written by scripts/page-types from labmouse/lab/shapes: make changes there.
 
 export type Cell = [number, number];
+
 export type HeadingName = 'north' | 'east' | 'south' | 'west';
 
 /** A maze as the core gives and takes it. */
@@ -10,18 +11,49 @@ export interface MazeData {
   name: string;
   width: number;
   height: number;
-  /** The closed sides of each cell: 1 north, 2 east, 4 south, 8 west. Two neighbours agree; the border is closed. */
+  /**
+   * The closed sides of each cell: 1 north, 2 east, 4 south, 8 west. Two neighbours agree; the border is closed.
+   */
   walls: number[];
   start: Cell;
   heading: HeadingName;
   goals: Cell[];
 }
 
-/** What is wrong with an input. Line and column count from 1; 0 is the input as a whole, or a byte of a binary file. */
+/**
+ * What is wrong with an input. Line and column count from 1; 0 is the input as a whole, or a byte of a binary file.
+ */
 export interface Problem {
   line: number;
   column: number;
   reason: string;
+}
+
+/** `inspect`: what a maze is like. */
+export interface Inspection {
+  /**
+   * Steps of the shortest speed run, and the score of a mouse that knows the maze; null where no goal can be
+   * reached.
+   */
+  optimum: number | null;
+  bound: number | null;
+  /** The same under mms's rules. */
+  mms_run: number | null;
+  mms_score: number | null;
+  shortest_cells: number | null;
+  shortest_runs: number | null;
+  reachable: number;
+  dead_ends: number;
+  junctions: number;
+  loops: number;
+  left_follower_arrives: boolean;
+  right_follower_arrives: boolean;
+  /** Each rule of the official contests, always all of them. */
+  contest_rules: { name: string; passed: boolean; reason: string }[];
+  /** The cells in which the steps of a shortest run end, the start first; empty where there is no way. */
+  route: Cell[];
+  /** Steps to the goal from each cell; -1 where there is no way. */
+  distances: number[];
 }
 
 export interface Rules {
@@ -49,6 +81,10 @@ export interface Mouse {
   /** Whether it drives in the world of seconds, too. */
   drives?: boolean;
   parameters: Parameter[];
+  /** How it does that, in sentences. */
+  method?: string;
+  /** Where the idea comes from. */
+  source?: string;
 }
 
 export interface Named {
@@ -70,30 +106,6 @@ export interface About {
   /** For contests in seconds: robots with the side of their cells in mm, and rules with their sources. */
   robots: { name: string; cell: number }[];
   drive_rules: { name: string; source: string }[];
-}
-
-/** `inspect`: what a maze is like. */
-export interface Inspection {
-  /** Steps of the shortest speed run, and the score of a mouse that knows the maze; null where no goal can be reached. */
-  optimum: number | null;
-  bound: number | null;
-  /** The same under mms's rules. */
-  mms_run: number | null;
-  mms_score: number | null;
-  shortest_cells: number | null;
-  shortest_runs: number | null;
-  reachable: number;
-  dead_ends: number;
-  junctions: number;
-  loops: number;
-  left_follower_arrives: boolean;
-  right_follower_arrives: boolean;
-  /** Each rule of the official contests, always all of them. */
-  contest_rules: { name: string; passed: boolean; reason: string }[];
-  /** The cells in which the steps of a shortest run end, the start first; empty where there is no way. */
-  route: Cell[];
-  /** Steps to the goal from each cell; -1 where there is no way. */
-  distances: number[];
 }
 
 export interface Candidate {
@@ -126,18 +138,118 @@ export interface Reasons {
  * Something that a program for mms drew; it holds from that frame on. A colour is a letter of mms, one of
  * kbacgorwyBCAGORVY, a text at most two rows of five characters, the second right behind the first; '' is none.
  */
-export type MmsEvent =
-  | { frame: number; kind: 'wall'; cell: Cell; side: HeadingName; there: boolean }
-  | { frame: number; kind: 'colour'; cell: Cell; colour: string }
-  | { frame: number; kind: 'text'; cell: Cell; text: string }
-  | { frame: number; kind: 'clear colours' }
-  | { frame: number; kind: 'clear texts' };
+export type MmsEvent = {
+  frame: number;
+  kind: 'wall';
+  cell: Cell;
+  side: HeadingName;
+  there: boolean;
+} | {
+  frame: number;
+  kind: 'colour';
+  cell: Cell;
+  colour: string;
+} | {
+  frame: number;
+  kind: 'text';
+  cell: Cell;
+  text: string;
+} | {
+  frame: number;
+  kind: 'clear colours';
+} | {
+  frame: number;
+  kind: 'clear texts';
+};
+
+/**
+ * One contest, frame by frame: frame 0 is before the first step, frame i after step i; the last is the end. Lists
+ * `clock`, `x`, `y`, `heading`, `run` have one entry a frame, those of steps one entry a step: step i leads from
+ * frame i to i + 1. In seconds a step is a move of a search, a straight or a turn, or being carried to the start.
+ */
+export interface Play {
+  world: 'steps' | 'mms' | 'seconds';
+  mouse: string;
+  maze: MazeData;
+  /** As in the record; only of a contest in steps. */
+  rules: Rules | null;
+  seed: number | null;
+  /** In words, with the reason of a forfeit. */
+  outcome: string;
+  solved: boolean;
+  score: number | null;
+  /**
+   * The best possible score and speed run here (in seconds: from rest to the centre); null where there is no way.
+   */
+  bound: number | null;
+  optimum: number | null;
+  exploration_steps: number;
+  speed_steps: number;
+  /** Shares, 0 to 1, of the cells that can be reached; null in mms. */
+  discovered: number | null;
+  visited: number | null;
+  /** From the program, for people: show it as text. */
+  last_words: string;
+  counts: { name: string; value: number }[];
+  /** How far a record that lacks fields was checked; empty where it gives all. */
+  checked: string;
+  /** False where the record breaks off. */
+  ended: boolean;
+  /** Steps in `steps`, seconds in the other worlds. */
+  clock: number[];
+  /** In half cells: the centre of cell (0,0) is (1,1). */
+  x: number[];
+  y: number[];
+  /** Eighths of a turn clockwise from north. */
+  heading: number[];
+  /** 0 exploration, 1 speed run; in seconds 0 search, 1 way home, 2 fast run. In mms always 0. */
+  run: number[];
+  /** What was asked for, in words: "right, 3", "ahead 2", "reset", "moveForward 2", "left V90". */
+  action: string[];
+  /** A wall ended the movement early (in mms: a crash). */
+  blocked: boolean[];
+  /** Open cells to the left, ahead and to the right before each step; empty in mms and in seconds. */
+  left: number[];
+  ahead: number[];
+  right: number[];
+  /**
+   * By wall, 2 * cells: the north side of cell i at i, its east side at cells + i. The frame from which the mouse
+   * knows that wall: the reading of a step is taken in the frame before it. The border is known in frame 0; -1
+   * never. In mms empty.
+   */
+  known: number[];
+  /**
+   * The first frame in the goal, and the one in which the mouse is back at the start; null where that never came.
+   */
+  goal_frame: number | null;
+  reset_frame: number | null;
+  /** Cells entered in each step (passing through counts), as positions in lists over cells; [] where it stayed. */
+  entered: number[][];
+  /**
+   * The cells of a best possible speed run, one a step (in mms each cell on its way), from the start; empty where
+   * there is no way.
+   */
+  route: Cell[];
+  /** Steps (in mms cells) to the goal from each cell in the whole maze; -1 where there is no way. */
+  distances: number[];
+  reasons: Reasons[];
+  events: MmsEvent[];
+  /**
+   * What had been scored by each frame, whether or not it was solved in the end; in seconds null before the first
+   * run.
+   */
+  scores: (number | null)[];
+  /** Only in seconds. */
+  drive?: Drive;
+}
 
 /** What a run of a contest in seconds is worth by the rules, in microseconds. */
 export interface DriveScore {
   gate_to_gate: number | null;
   rest_to_centre: number | null;
-  /** The part of the time in the maze before it that counts, and what is taken off for a mouse that was not touched. */
+  /**
+   * The part of the time in the maze before it that counts, and what is taken off for a mouse that was not touched.
+   */
   maze_time: number;
   bonus: number;
   value: number;
@@ -167,8 +279,8 @@ export interface DriveRun {
 }
 
 /**
- * A path, point by point. Between two points of a run the acceleration is even; turns have points dense enough to be
- * drawn as lines. Where the speed leaps (robots with published times), two points have the same time.
+ * A path, point by point. Between two points of a run the acceleration is even; turns have points dense enough to
+ * be drawn as lines. Where the speed leaps (robots with published times), two points have the same time.
  */
 export interface DrivePath {
   /** Microseconds. */
@@ -188,13 +300,18 @@ export interface DrivePath {
 export interface Drive {
   /** `cell`: the side of a cell in mm; `hash`: of its tables. */
   robot: { name: string; cell: number; hash: string };
-  /** Times in microseconds. `maze_time_divisor`: 30 where a thirtieth of the time in the maze counts, 0 where none does. */
+  /**
+   * Times in microseconds. `maze_time_divisor`: 30 where a thirtieth of the time in the maze counts, 0 where none
+   * does; `touch_penalty`: added to a run after a touch; `untouched_bonus`: taken off before the first.
+   */
   rules: {
     name: string;
     source: string;
     time_limit: number;
     most_runs: number;
     maze_time_divisor: number;
+    touch_penalty: number;
+    untouched_bonus: number;
     gate_to_gate: boolean;
   };
   decisions: number;
@@ -203,79 +320,6 @@ export interface Drive {
   path: DrivePath;
   /** The fastest run that the maze allows, from time 0; without points where there is none. */
   best: DrivePath;
-}
-
-/**
- * One contest, frame by frame: frame 0 is before the first step, frame i after step i; the last is the end. Lists `clock`,
- * `x`, `y`, `heading`, `run` have one entry a frame, those of steps one entry a step: step i leads from frame i to i + 1.
- * In seconds a step is a move of a search, a straight or a turn, or being carried to the start.
- */
-export interface Play {
-  world: 'steps' | 'mms' | 'seconds';
-  mouse: string;
-  maze: MazeData;
-  /** As in the record; only of a contest in steps. */
-  rules: Rules | null;
-  seed: number | null;
-  /** In words, with the reason of a forfeit. */
-  outcome: string;
-  solved: boolean;
-  score: number | null;
-  /** The best possible score and speed run here (in seconds: from rest to the centre); null where there is no way. */
-  bound: number | null;
-  optimum: number | null;
-  exploration_steps: number;
-  speed_steps: number;
-  /** Shares, 0 to 1, of the cells that can be reached; null in mms. */
-  discovered: number | null;
-  visited: number | null;
-  /** From the program, for people: show it as text. */
-  last_words: string;
-  counts: { name: string; value: number }[];
-  /** How far a record that lacks fields was checked; empty where it gives all. */
-  checked: string;
-  /** False where the record breaks off. */
-  ended: boolean;
-
-  /** Steps in `steps`, seconds in the other worlds. */
-  clock: number[];
-  /** In half cells: the centre of cell (0,0) is (1,1). */
-  x: number[];
-  y: number[];
-  /** Eighths of a turn clockwise from north. */
-  heading: number[];
-  /** 0 exploration, 1 speed run; in seconds 0 search, 1 way home, 2 fast run. In mms always 0. */
-  run: number[];
-
-  /** What was asked for, in words: "right, 3", "ahead 2", "reset", "moveForward 2", "left V90". */
-  action: string[];
-  /** A wall ended the movement early (in mms: a crash). */
-  blocked: boolean[];
-  /** Open cells to the left, ahead and to the right before each step; empty in mms and in seconds. */
-  left: number[];
-  ahead: number[];
-  right: number[];
-  /**
-   * By wall, 2 * cells: the north side of cell i at i, its east side at cells + i. The frame from which the mouse knows
-   * that wall: the reading of a step is taken in the frame before it. The border is known in frame 0; -1 never. In mms
-   * empty.
-   */
-  known: number[];
-  /** The first frame in the goal, and the one in which the mouse is back at the start; null where that never came. */
-  goal_frame: number | null;
-  reset_frame: number | null;
-  /** Cells entered in each step (passing through counts), as positions in lists over cells; [] where it stayed. */
-  entered: number[][];
-  /** The cells of a best possible speed run, one a step (in mms each cell on its way), from the start; empty where there is no way. */
-  route: Cell[];
-  /** Steps (in mms cells) to the goal from each cell in the whole maze; -1 where there is no way. */
-  distances: number[];
-  reasons: Reasons[];
-  events: MmsEvent[];
-  /** What had been scored by each frame, whether or not it was solved in the end; in seconds null before the first run. */
-  scores: (number | null)[];
-  /** Only in seconds. */
-  drive?: Drive;
 }
 
 /** One contest in the results of a race; docs/races.md has the fields. */
@@ -350,14 +394,14 @@ export interface RaceGroup extends Fields {
   world: string;
   /** How its mice are scored, in one line. */
   formula: string;
-  mazes: ({ name: string; width: number; height: number } & Fields)[];
-  mice: ({
+  mazes: (Fields & { name: string; width: number; height: number })[];
+  mice: (Fields & {
     name: string;
     runs: number;
     interval: [number, number] | null;
     mean_ratio: number | null;
-    results: ({ maze: string; outcome: string } & Fields)[];
-  } & Fields)[];
+    results: (Fields & { maze: string; outcome: string })[];
+  })[];
 }
 
 /** `compare`: what the differences of two mice in the same mazes show. */
@@ -372,12 +416,20 @@ export interface PairedDifference {
 }
 
 /** `open`: what a dropped file turned out to be. */
-export type Opened =
-  { kind: 'maze'; maze: MazeData } | { kind: 'record'; play: Play } | { kind: 'results'; results: RaceResults };
+export type Opened = {
+  kind: 'maze';
+  maze: MazeData;
+} | {
+  kind: 'record';
+  play: Play;
+} | {
+  kind: 'results';
+  results: RaceResults;
+};
 
 /**
- * What a report page carries in its first block. The records are in the second, so that the table need not wait for them.
- * `mazes`: by name, as the link of `link`.
+ * What a report page carries in its first block. The records are in the second, so that the table need not wait for
+ * them. `mazes`: by name, as the link of `link`.
  */
 export interface Report {
   labmouse: 'report';
@@ -394,11 +446,10 @@ export interface ReportRecords {
   left_out: number;
 }
 
-export interface PackedRecord {
+export interface PackedRecord extends Fields {
   mouse: string;
   maze: string;
   seed?: number;
-  [field: string]: unknown;
 }
 
 /** `losses`: where contests lose their steps. */
@@ -412,30 +463,61 @@ export interface Losses {
   points: number[];
 }
 
+/** How every call ends that did not succeed. */
+export interface Failure {
+  error: string;
+  problems: Problem[];
+}
+
 /** Every function of the core: what it is asked and what it answers. `bytes` goes beside the request. */
 export interface Calls {
-  about: { request: Record<string, never>; answer: About };
+  about: {
+    request: Record<string, never>;
+    answer: About;
+  };
   /** The behaviour signature of `labmouse bench`. */
-  signature: { request: Record<string, never>; answer: { signature: string } };
+  signature: {
+    request: Record<string, never>;
+    answer: { signature: string };
+  };
   /** Nanoseconds of a distance field, as `labmouse bench` has them. */
-  speed: { request: Record<string, never>; answer: { distance_ns: Record<string, Record<string, number>> } };
-  builtin_maze: { request: { name: string }; answer: { maze: MazeData } };
+  speed: {
+    request: Record<string, never>;
+    answer: { distance_ns: Record<string, Record<string, number>> };
+  };
+  builtin_maze: {
+    request: { name: string };
+    answer: { maze: MazeData };
+  };
   /** `loops`: the share, 0 to 1, of the remaining inner walls to take away. */
   make_maze: {
     request: { generator: string; width: number; height: number; seed: number; loops: number };
     answer: { maze: MazeData };
   };
   /** A file of any kind, its content as bytes. A record without a maze takes `maze`. */
-  open: { request: { name: string; maze?: MazeData }; bytes: Uint8Array; answer: Opened };
-  inspect: { request: { maze: MazeData }; answer: Inspection };
+  open: {
+    request: { name: string; maze?: MazeData };
+    bytes: Uint8Array;
+    answer: Opened;
+  };
+  inspect: {
+    request: { maze: MazeData };
+    answer: Inspection;
+  };
   /** The maze as a file: text, or bytes for the binary format. */
   write_maze: {
     request: { maze: MazeData; format: string };
     answer: { file_name: string; text?: string; bytes?: number[] };
   };
   /** A maze as a text for links: letters, digits, - _ and . only; and back. */
-  link: { request: { maze: MazeData }; answer: { link: string } };
-  read_link: { request: { link: string }; answer: { maze: MazeData } };
+  link: {
+    request: { maze: MazeData };
+    answer: { link: string };
+  };
+  read_link: {
+    request: { link: string };
+    answer: { maze: MazeData };
+  };
   /** A contest of a mouse of the roster, as `labmouse run MOUSE MAZE --seed N --explain`. */
   run: {
     request: { mouse: string; maze: MazeData; seed: number; budget?: number };
@@ -447,7 +529,10 @@ export interface Calls {
     answer: { play: Play; record: string };
   };
   /** A packed record of a report. A mouse of the roster has its reasons again. */
-  unpack: { request: { record: PackedRecord; maze: MazeData }; answer: { play: Play; record: string } };
+  unpack: {
+    request: { record: PackedRecord; maze: MazeData };
+    answer: { play: Play; record: string };
+  };
   /** A race in the one thread that the page has: keep it small. Without mice: all of the roster. */
   race: {
     request: {
@@ -463,32 +548,33 @@ export interface Calls {
     answer: { results: RaceResults };
   };
   /** Means of a mouse in the same mazes as another. */
-  compare: { request: { differences: number[]; seed?: number }; answer: PairedDifference };
+  compare: {
+    request: { differences: number[]; seed?: number };
+    answer: PairedDifference;
+  };
   /**
-   * Where contests in steps in one maze lose their steps; labmouse/lab/steps/lost_steps.hpp says what that means. Lists
-   * run over cells; those that were not solved are left out of all but `contests`. `points` is what the mean contest
-   * loses of its score in that cell; they add up to `mean_score` - `bound`.
+   * Where contests in steps in one maze lose their steps; labmouse/lab/steps/lost_steps.hpp says what that means.
+   * Lists run over cells; those that were not solved are left out of all but `contests`. `points` is what the mean
+   * contest loses of its score in that cell; they add up to `mean_score` - `bound`.
    */
   losses: {
     request: { maze: MazeData; contests: { mouse: string; seed: number }[]; budget?: number };
     answer: Losses;
   };
   /**
-   * What a mouse with that knowledge believed: steps to the goal from each cell, all unknown walls open, frame by frame:
-   * frames * cells numbers of 16 bits in `bytes`, 65535 where there is no way.
+   * What a mouse with that knowledge believed: steps to the goal from each cell, all unknown walls open, frame by
+   * frame: frames * cells numbers of 16 bits in `bytes`, 65535 where there is no way.
    */
   beliefs: {
     request: { maze: MazeData; known: number[]; frames: number; stride: number };
     answer: { bytes: Uint8Array };
   };
   /** A picture (SVG) of a maze, or of a record's text in `bytes`. */
-  picture: { request: { maze: MazeData } | Record<string, never>; bytes?: Uint8Array; answer: { svg: string } };
+  picture: {
+    request: { maze: MazeData } | Record<string, never>;
+    bytes?: Uint8Array;
+    answer: { svg: string };
+  };
 }
 
 export type CallName = keyof Calls;
-
-/** How every call ends that did not succeed. */
-export interface Failure {
-  error: string;
-  problems: Problem[];
-}

@@ -144,6 +144,8 @@ export function seconds(changes: Partial<Play> = {}): Play {
         time_limit: 6e8,
         most_runs: 5,
         maze_time_divisor: 30,
+        touch_penalty: 0,
+        untouched_bonus: 0,
         gate_to_gate: true,
       },
       decisions: 2,

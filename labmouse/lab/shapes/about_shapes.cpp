@@ -1,0 +1,33 @@
+// What the core brings.
+#include "labmouse/lab/shapes/shapes.hpp"
+
+namespace labmouse {
+
+std::vector<Declaration> about_shapes() {
+  using namespace shapes;
+  return {
+      {"Rules", "", object({field("budget", number), field("exploration_factor", number), field("stride", number)})},
+      {"ParameterType", "", words({"whole", "real", "flag", "choice", "list", "prior"})},
+      {"Parameter", "",
+       object({field("name", text), field("type", named("ParameterType")), field("default", text),
+               field("meaning", text), maybe("low", number), maybe("high", number), maybe("choices", list(text))})},
+      {"Mouse", "",
+       object({field("name", text), field("summary", text), field("throws_dice", flag),
+               maybe("drives", flag, "Whether it drives in the world of seconds, too."),
+               field("parameters", list(named("Parameter"))), maybe("method", text, "How it does that, in sentences."),
+               maybe("source", text, "Where the idea comes from.")})},
+      {"Named", "", object({field("name", text), field("summary", text)})},
+      {"About", "`about`: what the core brings.",
+       object(
+           {field("version", text), field("compiler", text), field("mice", list(named("Mouse"))),
+            field("mazes", list(object({field("name", text), field("width", number), field("height", number)}))),
+            field("formats", list(named("Named"))), field("generators", list(named("Named"))),
+            field("rules", object({field("failure_score", number)}, {"Rules"})),
+            field("most_side", number, "Largest side of a maze."),
+            field("robots", list(object({field("name", text), field("cell", number)})),
+                  "For contests in seconds: robots with the side of their cells in mm, and rules with their sources."),
+            field("drive_rules", list(object({field("name", text), field("source", text)})))})},
+  };
+}
+
+}  // namespace labmouse

@@ -1,0 +1,64 @@
+// Every call: what it is asked, and what it answers.
+#include "labmouse/lab/shapes/shapes.hpp"
+
+namespace labmouse {
+
+std::vector<CallShape> call_shapes() {
+  using namespace shapes;
+  return {
+      {"about", "", object({}), named("About")},
+      {"signature", "The behaviour signature of `labmouse bench`.", object({}), object({field("signature", text)})},
+      {"speed", "Nanoseconds of a distance field, as `labmouse bench` has them.", object({}),
+       object({field("distance_ns", map(map(number)))})},
+      {"builtin_maze", "", object({field("name", text)}), object({field("maze", named("MazeData"))})},
+      {"make_maze", "`loops`: the share, 0 to 1, of the remaining inner walls to take away.",
+       object({field("generator", text), field("width", number), field("height", number), field("seed", number),
+               field("loops", number)}),
+       object({field("maze", named("MazeData"))})},
+      {"open", "A file of any kind, its content as bytes. A record without a maze takes `maze`.",
+       object({field("name", text), maybe("maze", named("MazeData"))}), named("Opened"), CallBytes::some},
+      {"inspect", "", object({field("maze", named("MazeData"))}), named("Inspection")},
+      {"write_maze", "The maze as a file: text, or bytes for the binary format.",
+       object({field("maze", named("MazeData")), field("format", text)}),
+       object({field("file_name", text), maybe("text", text), maybe("bytes", list(number))})},
+      {"link", "A maze as a text for links: letters, digits, - _ and . only; and back.",
+       object({field("maze", named("MazeData"))}), object({field("link", text)})},
+      {"read_link", "", object({field("link", text)}), object({field("maze", named("MazeData"))})},
+      {"run", "A contest of a mouse of the roster, as `labmouse run MOUSE MAZE --seed N --explain`.",
+       object({field("mouse", text), field("maze", named("MazeData")), field("seed", number), maybe("budget", number)}),
+       object({field("play", named("Play")), field("record", text)})},
+      {"drive", "A contest in seconds of a mouse that drives there. `record` is empty where it cannot be saved.",
+       object({field("mouse", text), field("maze", named("MazeData")), field("seed", number), field("robot", text),
+               field("rules", text)}),
+       object({field("play", named("Play")), field("record", text)})},
+      {"unpack", "A packed record of a report. A mouse of the roster has its reasons again.",
+       object({field("record", named("PackedRecord")), field("maze", named("MazeData"))}),
+       object({field("play", named("Play")), field("record", text)})},
+      {"race", "A race in the one thread that the page has: keep it small. Without mice: all of the roster.",
+       object({field("mice", list(text)), field("mazes", list(named("MazeData"))), field("seed", number),
+               field("runs", number), maybe("budget", number), maybe("world", text), maybe("robot", text),
+               maybe("rules", text)}),
+       object({field("results", named("RaceResults"))})},
+      {"compare", "Means of a mouse in the same mazes as another.",
+       object({field("differences", list(number)), maybe("seed", number)}), named("PairedDifference")},
+      {"losses",
+       "Where contests in steps in one maze lose their steps; labmouse/lab/steps/lost_steps.hpp says what that means. "
+       "Lists run over cells; those that were not solved are left out of all but `contests`. `points` is what the mean "
+       "contest loses of its score in that cell; they add up to `mean_score` - `bound`.",
+       object({field("maze", named("MazeData")),
+               field("contests", list(object({field("mouse", text), field("seed", number)}))),
+               maybe("budget", number)}),
+       named("Losses")},
+      {"beliefs",
+       "What a mouse with that knowledge believed: steps to the goal from each cell, all unknown walls open, frame by "
+       "frame: frames * cells numbers of 16 bits in `bytes`, 65535 where there is no way.",
+       object({field("maze", named("MazeData")), field("known", list(number)), field("frames", number),
+               field("stride", number)}),
+       object({field("bytes", bytes)})},
+      {"picture", "A picture (SVG) of a maze, or of a record's text in `bytes`.",
+       either({object({field("maze", named("MazeData"))}), object({})}), object({field("svg", text)}),
+       CallBytes::optional},
+  };
+}
+
+}  // namespace labmouse

@@ -1,0 +1,56 @@
+// What only a play in seconds has.
+#include "labmouse/lab/shapes/shapes.hpp"
+
+namespace labmouse {
+
+std::vector<Declaration> drive_shapes() {
+  using namespace shapes;
+  return {
+      {"DriveScore", "What a run of a contest in seconds is worth by the rules, in microseconds.",
+       object({field("gate_to_gate", or_null(number)), field("rest_to_centre", or_null(number)),
+               field("maze_time", number,
+                     "The part of the time in the maze before it that counts, and what is taken off for a mouse that "
+                     "was not touched."),
+               field("bonus", number), field("value", number),
+               field("best", flag, "The one that counts in the end.")})},
+      {"DriveRun", "One run of a contest in seconds. Times are microseconds on the maze's clock.",
+       object({field("kind", words({"search", "home", "fast"})), field("begin", number), field("end", number),
+               field("gate_out", or_null(number),
+                     "Left the start cell, first entered a goal, first in the middle of a goal; null where that never "
+                     "came."),
+               field("gate_in", or_null(number)), field("centre", or_null(number)),
+               field("known", or_null(number),
+                     "When it began: times of the fastest route known to exist, and of the fastest that may exist; "
+                     "null for none."),
+               field("hoped", or_null(number)), field("frame", number, "The frame in which it begins."),
+               field("from", number, "Its points in the path: from that one to the one before `to`."),
+               field("to", number), field("score", or_null(named("DriveScore")), "Null where it does not count.")})},
+      {"DrivePath",
+       "A path, point by point. Between two points of a run the acceleration is even; turns have points dense enough "
+       "to be drawn as lines. Where the speed leaps (robots with published times), two points have the same time.",
+       object({field("t", list(number), "Microseconds."),
+               field("x", list(number), "Cells from the south-west corner: the middle of cell (0,0) is (0.5, 0.5)."),
+               field("y", list(number)),
+               field("heading", list(number), "Eighths of a turn clockwise from north, without a leap within a run."),
+               field("v", list(number), "mm/s."),
+               field("a", list(number), "mm/s² along the path from this point to the next one.")})},
+      {"Drive", "What only a play in seconds has.",
+       object(
+           {field("robot", object({field("name", text), field("cell", number), field("hash", text)}),
+                  "`cell`: the side of a cell in mm; `hash`: of its tables."),
+            field(
+                "rules",
+                object({field("name", text), field("source", text), field("time_limit", number),
+                        field("most_runs", number), field("maze_time_divisor", number), field("touch_penalty", number),
+                        field("untouched_bonus", number), field("gate_to_gate", flag)}),
+                "Times in microseconds. `maze_time_divisor`: 30 where a thirtieth of the time in the maze counts, 0 "
+                "where none does; `touch_penalty`: added to a run after a touch; `untouched_bonus`: taken off before "
+                "the first."),
+            field("decisions", number), field("replanned", number), field("runs", list(named("DriveRun"))),
+            field("path", named("DrivePath")),
+            field("best", named("DrivePath"),
+                  "The fastest run that the maze allows, from time 0; without points where there is none.")})},
+  };
+}
+
+}  // namespace labmouse

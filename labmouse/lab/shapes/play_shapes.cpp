@@ -1,0 +1,97 @@
+// A contest, frame by frame.
+#include "labmouse/lab/shapes/shapes.hpp"
+
+namespace labmouse {
+
+std::vector<Declaration> play_shapes() {
+  using namespace shapes;
+  return {
+      {"Candidate", "",
+       object({field("wall", or_null(tuple({number, number, words({"north", "east"})})),
+                     "The unseen wall as [x, y, side], or null for `goal`: entering the goal."),
+               field("goal", flag), field("seen_from", named("Cell")),
+               field("through", number, "Steps of the speed run through it, and steps of the way to it."),
+               field("travel", number), field("worth", flag), field("score", number)})},
+      {"Reasons", "",
+       object({field("frame", number, "The frame before the step in which the mouse chose."),
+               field("ground", text, "In words: what it went by."), field("candidates", list(named("Candidate"))),
+               field("chosen", number, "Position of the chosen one; -1 for none."),
+               field("known", number, "Steps of the best known run; 0 for none yet."), field("hope", number),
+               field("price", number)})},
+      {"MmsEvent",
+       "Something that a program for mms drew; it holds from that frame on. A colour is a letter of mms, one of "
+       "kbacgorwyBCAGORVY, a text at most two rows of five characters, the second right behind the first; '' is none.",
+       either({object({field("frame", number), field("kind", word("wall")), field("cell", named("Cell")),
+                       field("side", named("HeadingName")), field("there", flag)}),
+               object({field("frame", number), field("kind", word("colour")), field("cell", named("Cell")),
+                       field("colour", text)}),
+               object({field("frame", number), field("kind", word("text")), field("cell", named("Cell")),
+                       field("text", text)}),
+               object({field("frame", number), field("kind", word("clear colours"))}),
+               object({field("frame", number), field("kind", word("clear texts"))})})},
+      {"Play",
+       "One contest, frame by frame: frame 0 is before the first step, frame i after step i; the last is the end. "
+       "Lists `clock`, `x`, `y`, `heading`, `run` have one entry a frame, those of steps one entry a step: step i "
+       "leads from frame i to i + 1. In seconds a step is a move of a search, a straight or a turn, or being carried "
+       "to the start.",
+       object(
+           {field("world", words({"steps", "mms", "seconds"})),
+            field("mouse", text),
+            field("maze", named("MazeData")),
+            field("rules", or_null(named("Rules")), "As in the record; only of a contest in steps."),
+            field("seed", or_null(number)),
+            field("outcome", text, "In words, with the reason of a forfeit."),
+            field("solved", flag),
+            field("score", or_null(number)),
+            field("bound", or_null(number),
+                  "The best possible score and speed run here (in seconds: from rest to the centre); null where there "
+                  "is no way."),
+            field("optimum", or_null(number)),
+            field("exploration_steps", number),
+            field("speed_steps", number),
+            field("discovered", or_null(number), "Shares, 0 to 1, of the cells that can be reached; null in mms."),
+            field("visited", or_null(number)),
+            field("last_words", text, "From the program, for people: show it as text."),
+            field("counts", list(object({field("name", text), field("value", number)}))),
+            field("checked", text, "How far a record that lacks fields was checked; empty where it gives all."),
+            field("ended", flag, "False where the record breaks off."),
+            field("clock", list(number), "Steps in `steps`, seconds in the other worlds."),
+            field("x", list(number), "In half cells: the centre of cell (0,0) is (1,1)."),
+            field("y", list(number)),
+            field("heading", list(number), "Eighths of a turn clockwise from north."),
+            field("run", list(number),
+                  "0 exploration, 1 speed run; in seconds 0 search, 1 way home, 2 fast run. In mms always 0."),
+            field(
+                "action", list(text),
+                "What was asked for, in words: \"right, 3\", \"ahead 2\", \"reset\", \"moveForward 2\", \"left V90\"."),
+            field("blocked", list(flag), "A wall ended the movement early (in mms: a crash)."),
+            field("left", list(number),
+                  "Open cells to the left, ahead and to the right before each step; empty in mms and in seconds."),
+            field("ahead", list(number)),
+            field("right", list(number)),
+            field("known", list(number),
+                  "By wall, 2 * cells: the north side of cell i at i, its east side at cells + i. The frame from which "
+                  "the mouse knows that wall: the reading of a step is taken in the frame before it. The border is "
+                  "known in frame 0; -1 never. In mms empty."),
+            field("goal_frame", or_null(number),
+                  "The first frame in the goal, and the one in which the mouse is back at the start; null where that "
+                  "never came."),
+            field("reset_frame", or_null(number)),
+            field("entered", list(list(number)),
+                  "Cells entered in each step (passing through counts), as positions in lists over cells; [] where it "
+                  "stayed."),
+            field("route", list(named("Cell")),
+                  "The cells of a best possible speed run, one a step (in mms each cell on its way), from the start; "
+                  "empty where there is no way."),
+            field("distances", list(number),
+                  "Steps (in mms cells) to the goal from each cell in the whole maze; -1 where there is no way."),
+            field("reasons", list(named("Reasons"))),
+            field("events", list(named("MmsEvent"))),
+            field("scores", list(or_null(number)),
+                  "What had been scored by each frame, whether or not it was solved in the end; in seconds null before "
+                  "the first run."),
+            maybe("drive", named("Drive"), "Only in seconds.")})},
+  };
+}
+
+}  // namespace labmouse
