@@ -1,8 +1,7 @@
 # Plays a capstone robot by labmouse's guest protocol: python -u -c THIS robot.py [ARGUMENT...], in the robot's folder.
-# In syntax that Python 2.7 and Python 3 both take.
+# Behind dialogue.py and other_python.py, in one text with them. In syntax that Python 2.7 and Python 3 both take.
 import fcntl
 import os
-import re
 import sys
 import traceback
 
@@ -94,59 +93,19 @@ class NumpySower(object):
         dice.seed = lambda seed=None: shared(next_seed() if seed is None else seed)
 
 
-def within(number):
-    """What a record can hold of a whole number."""
-    return max(-1000000, min(1000000, int(number)))
-
-
-def answer(action):
-    """The line for what next_move returned, judged as the tester of the capstone project judges it."""
-    try:
-        rotation, movement = action
-        if (rotation, movement) == ("Reset", "Reset"):
-            return "reset"
-        abs(movement)  # the tester's own first look: of text, which int() would take, there is no size
-        return "move %d %d" % (degrees(rotation), within(movement))
-    except (TypeError, ValueError, OverflowError):
-        sys.exit("next_move returned %.200r; it has to return (rotation, movement) or ('Reset', 'Reset')" % (action,))
-
-
-def degrees(rotation):
-    """A rotation as a whole number. The tester compares it with -90, 0 and 90, so that no value is wrong: any other, even
-    text, is no rotation. Of those that are no whole numbers, 1 takes the place."""
-    try:
-        return within(rotation) if rotation == int(rotation) else 1
-    except (TypeError, ValueError, OverflowError):
-        return 1
-
-
-# Of the Python that runs, the other one: its version, its interpreter, and lines and names that only it has.
-OTHER_PYTHON = {
-    3: (2, "python2.7",
-        r"\s*(print|exec)\s+[\w'\"]|\s*print\s*>>|\s*except\s.*,\s*\w+\s*:|\s*raise\s+\w+\s*,|.*(<>|`)",
-        "xrange raw_input unicode basestring long unichr reduce execfile cmp reload has_key iteritems itervalues"
-        " iterkeys maxint izip Queue ConfigParser Tkinter tkMessageBox cPickle StringIO cStringIO urllib2"),
-    2: (3, "python3",
-        r".*\b[fF]['\"]|.*\bprint\s*\(.*\b(end|sep|file)\s*=|.*(->|:=)|\s*(nonlocal|async)\s|\s*def\s.*\w\s*:\s*\w.*\)",
-        "queue configparser tkinter builtins enum dataclasses typing pathlib statistics lru_cache FileNotFoundError")}
-
-
 def hint(kind, error, called):
     """What to do about an error, where that can be told; `called`: by our call, and not in the robot's own code."""
-    version, interpreter, lines, names = OTHER_PYTHON[sys.version_info[0]]
-    named = re.search(r"(?:name|module named|has no attribute) '?([\w.]+)", str(error))
-    if issubclass(kind, SyntaxError):
-        other = re.match(lines, error.text or "")
-    else:
-        other = issubclass(kind, (NameError, ImportError, AttributeError)) and named and named.group(1) in names.split()
-    if other:
+    major = sys.version_info[0]
+    if is_for_other(major, kind, error, getattr(error, "text", None) or ""):
+        other = (2, "python2.7") if major == 3 else (3, "python3")
         return ("it seems to be written for Python %d; name its interpreter with --python %s (or `interpreter` in a"
-                " lineup file)" % (version, interpreter))
-    if issubclass(kind, ImportError) and str(error).startswith("No module named") and named:
+                " lineup file)" % other)
+    missing = missing_name(error)
+    if issubclass(kind, ImportError) and str(error).startswith("No module named") and missing:
         return ("module %s is neither in the robot's folder nor installed for %s (%d.%d.%d); install it there, or name"
-                " the interpreter that has it with --python" % ((named.group(1), sys.executable) + sys.version_info[:3]))
+                " the interpreter that has it with --python" % ((missing, sys.executable) + sys.version_info[:3]))
     if called and issubclass(kind, (TypeError, AttributeError)):
-        return "it is called as Robot(maze_dim) once, and as next_move(sensors) in each step"
+        return CALLED
     return ""
 
 
@@ -168,28 +127,21 @@ def main():
     # What the robot prints goes to the log, and what it wants to read is empty: neither touches the protocol.
     os.dup2(2, 1)
     os.dup2(os.open(os.devnull, os.O_RDONLY), 0)
-    size = seed = 0
-    line = questions.readline()
-    while line and line != "begin\n":
-        words = line.split()
-        if words[0] == "size":
-            size = int(words[1])
-        if words[0] == "seed":
-            seed = int(words[1])
-        line = questions.readline()
     sys.dont_write_bytecode = True  # many robots side by side, and nothing of ours in their folder
-    sow(seed)
-    del sys.argv[0]  # the robot has its own words, as if it had been started by itself
-    module = load(os.path.abspath(sys.argv[0]))
-    if not hasattr(module, "Robot"):
-        sys.exit("%s has no class Robot" % sys.argv[0])
-    robot = module.Robot(size)
-    os.write(answers, b"labmouse 1\n")
+    dialogue = Dialogue(make)
     line = questions.readline()
     while line:
-        action = robot.next_move([int(word) for word in line.split()[1:]])
-        os.write(answers, (answer(action) + "\n").encode("ascii"))
+        said = dialogue.hear(line)
+        if said is not None:
+            os.write(answers, (said + "\n").encode("ascii"))
         line = questions.readline()
+
+
+def make(size, seed):
+    """The robot that the command line names."""
+    sow(seed)
+    del sys.argv[0]  # the robot has its own words, as if it had been started by itself
+    return robot_of(load(os.path.abspath(sys.argv[0])), sys.argv[0], size)
 
 
 sys.excepthook = show
