@@ -1,0 +1,78 @@
+"""Flood fill: it holds every wall for open that it has not seen closed, counts the steps from each cell to the goal, as
+water would rise from there, and moves to where they are fewest. It looks, and floods again. In the fast run it trusts
+only the walls that it has seen open.
+
+The cell in column x and row y is the number x + 100 * y, and a wall is the sum of its two cells."""
+
+STEPS = [100, 1, -100, -1]  # to the next cell in the north, east, south, west: the directions 0 to 3
+STRAIGHT, LEFT, RIGHT, BACK = 0, -1, 1, 2
+
+
+class Robot(object):
+    def __init__(self, maze_dim):
+        middle = (maze_dim // 2 - 1, maze_dim // 2)
+        self.goals = [x + 100 * y for x in middle for y in middle]
+        self.is_open = {}  # the walls that it knows; first, those around the maze
+        for n in range(maze_dim):
+            for cell, direction in ((n + 100 * (maze_dim - 1), 0), (maze_dim - 1 + 100 * n, 1), (n, 2), (100 * n, 3)):
+                self.is_open[2 * cell + STEPS[direction]] = False
+        self.cell, self.heading, self.racing = 0, 0, False
+
+    def next_move(self, sensors):
+        self.look(sensors)
+        if self.cell in self.goals:
+            self.cell, self.heading, self.racing = 0, 0, True
+            return 'Reset', 'Reset'
+        return self.move_towards(self.goals)
+
+    def look(self, sensors):
+        """Notes the walls that it sees: open ones, and behind them a closed one."""
+        for turn, free in zip((LEFT, STRAIGHT, RIGHT), sensors):
+            step = STEPS[(self.heading + turn) % 4]
+            for distance in range(free + 1):
+                self.is_open[2 * self.cell + (2 * distance + 1) * step] = distance < free
+
+    def move_towards(self, targets):
+        """The step to a cell that is nearer to the targets: straight on rather than aside, and as far as it goes."""
+        away = self.flood(targets)
+        for turn in (STRAIGHT, LEFT, RIGHT, BACK):
+            direction = (self.heading + turn) % 4
+            ends = self.ends(self.cell, direction)
+            nearer = [cells for cells, end in enumerate(ends, 1) if away.get(end, away[self.cell]) < away[self.cell]]
+            if nearer:
+                return self.move(turn, direction, nearer[-1])
+        return 0, 0  # there is no way
+
+    def flood(self, targets):
+        """How many steps each cell is away from the targets, up to the cell where it stands."""
+        away = {cell: 0 for cell in targets}
+        queue = list(targets)
+        for cell in queue:  # also those that are added meanwhile
+            if cell == self.cell:
+                break
+            for direction in range(4):
+                for end in self.ends(cell, direction):
+                    if end not in away:
+                        away[end] = away[cell] + 1
+                        queue.append(end)
+        away.setdefault(self.cell, 0)
+        return away
+
+    def ends(self, cell, direction):
+        """The cells that one step reaches in a direction, the nearest first."""
+        ends, step = [], STEPS[direction]
+        while len(ends) < 3 and self.is_open.get(2 * cell + step, not self.racing):
+            cell += step
+            ends.append(cell)
+        return ends
+
+    def move(self, turn, direction, most):
+        """Goes on while it sees the walls open, and says it as a step."""
+        step, cells = STEPS[direction], 1
+        while cells < most and self.is_open.get(2 * self.cell + (2 * cells + 1) * step):
+            cells += 1
+        self.cell += cells * step
+        if turn == BACK:
+            return 0, -cells  # in reverse: it keeps its heading
+        self.heading = direction
+        return 90 * turn, cells
