@@ -2,13 +2,16 @@ import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vitest/config';
 import { core } from './build/core';
 import { oneFile } from './build/one-file';
+import { micropython, python } from './build/python';
 
 const root = fileURLToPath(new URL('../../../', import.meta.url));
 const wasm = process.env.LABMOUSE_CORE ?? `${root}build/web/labmouse_core.wasm`;
 
 export default defineConfig({
-  plugins: [core(wasm), oneFile('labmouse.html')],
+  plugins: [core(wasm), micropython(), python(), oneFile('labmouse.html')],
   worker: { format: 'iife', plugins: () => [core(wasm)], rollupOptions: { treeshake: false } },
+  // The tests read what the page shares with the program.
+  server: { fs: { allow: [root] } },
   build: {
     target: 'es2022',
     outDir: process.env.LABMOUSE_PAGE ?? `${root}build/page`,

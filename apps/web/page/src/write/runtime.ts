@@ -19,8 +19,13 @@ export interface Language {
   commandLine: string;
   /** At least one; the first is what an editor begins with. */
   templates: Template[];
-  /** The script of the worker that runs a program. It stands in a sandboxed frame: it has no network and no storage. */
-  workerSource(): Promise<string>;
+  /**
+   * The script of the worker that runs a program. It stands in a sandboxed frame: it has no network, no storage and no
+   * `eval`. A language whose programs are scripts puts the program into it; all others have it from `start`.
+   */
+  workerSource(program: string): Promise<string>;
+  /** How many lines of that script stand before the program; 0 where the program is not in it. */
+  linesBefore: number;
   /** Whether that script compiles WebAssembly, which its frame must allow then. */
   usesWasm: boolean;
 }
@@ -28,13 +33,15 @@ export interface Language {
 /** To the worker. A line is one of the line protocol (docs/guest-protocol.md), without its end. */
 export type ToWorker = { kind: 'start'; program: string } | { kind: 'hear'; line: string };
 
-/** From the worker. */
+/** From the worker. Errors that it does not catch are failures, too. */
 export type FromWorker =
   /** The program has been read and waits for lines. Sent once, after `start`. */
   | { kind: 'ready' }
-  /** Lines of its standard output, whole ones. */
-  | { kind: 'reply'; lines: string[] }
-  /** What it printed for its author: its standard error, or whatever does not belong to the protocol. */
+  /** Lines of its standard output, whole ones without their ends; and what it wrote of the next one. */
+  | { kind: 'reply'; lines: string[]; rest?: string }
+  /** What it printed for its author, with all line ends: its standard error, or whatever is not of the protocol. */
   | { kind: 'print'; text: string }
   /** It failed, with the line of the program from 1, where that is known. Nothing follows. */
-  | { kind: 'failed'; message: string; line: number | null };
+  | { kind: 'failed'; message: string; line: number | null }
+  /** It ended itself. Nothing follows. */
+  | { kind: 'exited'; code: number };

@@ -1,0 +1,77 @@
+// The starting points in Python: in the page they do, answer for answer, what they do on the command line under CPython.
+import { execFileSync } from 'node:child_process';
+import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { afterAll, describe, expect, it } from 'vitest';
+import { talk, template } from './talk';
+
+const program = process.env.LABMOUSE_PROGRAM ?? '';
+const folder = mkdtempSync(join(tmpdir(), 'labmouse-robots-'));
+afterAll(() => rmSync(folder, { recursive: true }));
+
+interface Step {
+  reading: number[];
+  action: 'reset' | [number, number];
+}
+
+/** The steps of a robot's contest on the command line, and how it ended. */
+function contest(robot: string, maze: string, seed: number) {
+  writeFileSync(join(folder, 'robot.py'), robot);
+  const words = ['run', 'capstone:robot.py', maze, '--seed', `${seed}`, '--record', 'record.jsonl'];
+  execFileSync(program, words, { cwd: folder });
+  const lines = readFileSync(join(folder, 'record.jsonl'), 'utf8')
+    .trim()
+    .split('\n')
+    .map((line) => JSON.parse(line));
+  const steps = lines.filter((line) => 'reading' in line) as Step[];
+  return { steps, size: (lines[0].maze.drawing.length - 1) / 2, outcome: lines.at(-1).outcome as string };
+}
+
+/** Throws its dice in most of the ways that robots do. */
+const dicer = `import random
+class Robot(object):
+    def __init__(self, maze_dim):
+        self.own = random.Random(5)
+        self.turns = [-90, 0, 90]
+    def next_move(self, sensors):
+        random.shuffle(self.turns)
+        ways = [turn for turn in self.turns if random.random() < 0.8] or [random.choice(self.turns)]
+        return ways[self.own.randrange(len(ways))], random.randint(0, 3) + len(random.sample(range(40), 3)) - 3
+`;
+
+/** Of the robots that never arrive, so many steps are enough. */
+const most = 150;
+
+describe.skipIf(!existsSync(program))('robots in the page and on the command line', () => {
+  const robots: [name: string, text: string][] = [
+    ...['wall_follower', 'flood_fill', 'flood_and_return', 'empty'].map((name): [string, string] => [
+      name,
+      template(name),
+    ]),
+    ['a robot with dice', dicer],
+  ];
+  it.each(robots)('%s answers the same', async (_, text) => {
+    for (const [maze, seed] of [
+      ['capstone-1', 1],
+      ['onion-12', 2],
+    ] as const) {
+      const { steps: all, size } = contest(text, maze, seed);
+      const steps = all.slice(0, most);
+      const { lines, failed } = await talk(
+        text,
+        steps.map(({ reading }) => reading),
+        size,
+        seed,
+      );
+      expect(failed).toBeNull();
+      const answers = steps.map(({ action }) => (action === 'reset' ? action : `move ${action.join(' ')}`));
+      expect(lines).toEqual(['labmouse 1', ...answers]);
+    }
+  });
+  it('two floods solve all of them', () => {
+    for (const name of ['flood_fill', 'flood_and_return'])
+      for (const maze of ['capstone-1', 'contest-05', 'onion-12'])
+        expect(contest(template(name), maze, 1).outcome).toBe('solved');
+  });
+});
