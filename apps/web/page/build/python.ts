@@ -68,15 +68,20 @@ export function micropython(): Plugin {
 /** The worker's script and MicroPython, packed (gzip, base64). */
 export function python(): Plugin {
   const name = 'virtual:python';
-  const inside = `\0${loaderFile}.packed`;
+  let isInside = false;
   return {
     name: 'labmouse-python',
-    // As a file of MicroPython's, whose licence has to go with it.
-    resolveId: (id) => (id === name ? inside : null),
+    resolveId: (id) => (id === name ? `\0${name}` : null),
     async load(id) {
-      if (id !== inside) return null;
+      if (id !== `\0${name}`) return null;
+      isInside = true;
       const packed = { script: pack(await workerScript()), wasm: pack(readFileSync(wasmFile)) };
       return `export default ${JSON.stringify(packed)};`;
+    },
+    // Its licence has to go with it; the package that npm brings has none in it.
+    transformIndexHtml(html) {
+      const licence = readFileSync(`${folder}/MICROPYTHON-LICENSE`, 'utf8');
+      return isInside ? html.replace('</body>', `<!-- MicroPython\n\n${licence}-->\n  </body>`) : html;
     },
   };
 }

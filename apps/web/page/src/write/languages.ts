@@ -1,4 +1,5 @@
 // The languages in which mice are written in the page.
+import { python } from './python/language';
 import type { Language } from './runtime';
 
-export const languages: Language[] = [];
+export const languages: Language[] = [python];
