@@ -1,6 +1,7 @@
 // One contest: a mouse, a maze and the rules of the capstone world. docs/rules.md has them in words.
 #pragma once
 
+#include "labmouse/contest/contest.hpp"
 #include "labmouse/contest/record.hpp"
 #include "labmouse/contest/rules.hpp"
 #include "labmouse/maze/maze.hpp"
@@ -11,16 +12,6 @@ namespace labmouse {
 
 /// What a mouse is told of a maze before the contest: the size, the start, the goals and its moves, but no wall.
 Briefing brief(const Maze& maze, const Rules& rules, std::uint64_t seed);
-
-/// What a mouse in that pose reads.
-Sighting look(const Maze& maze, Pose pose);
-
-/// Where a step leads, and whether a wall ended it early.
-struct StepResult {
-  Pose pose;
-  bool blocked = false;
-};
-StepResult perform(const Maze& maze, const Rules& rules, Pose pose, const Action& step);
 
 /// Runs the contest to its end. The strategy must be new, or in the state in which a new one would be. To have its
 /// reasons in the record, ask it to keep them before.

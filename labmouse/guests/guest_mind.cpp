@@ -16,12 +16,6 @@ using namespace std::chrono_literals;
 /// At its end a guest may still put something down.
 constexpr auto grace = 250ms;
 
-/// A text without the ends of its last lines.
-std::string_view without_end(std::string_view text) {
-  while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.remove_suffix(1);
-  return text;
-}
-
 ForfeitReason reason_of(TreeLimit limit) {
   switch (limit) {
     case TreeLimit::processes:
@@ -59,31 +53,16 @@ Action GuestMind::decide(const Sighting& seen) {
   process_.send(question(seen));
   const auto line = hear(limits_.silence, limits_.decision);
   if (!line) return Action::forfeit(reason_);
-  const auto action = read_answer(*line);
-  if (!action) {
-    give_up(
-        ForfeitReason::rubbish,
-        fmt::format("it answered {} instead of `move ROTATION MOVEMENT`, `reset` or `forfeit`", quoted_line(*line)));
-    return Action::forfeit(reason_);
-  }
-  if (const auto more = process_.lines().rest(); !more.empty()) {
-    give_up(ForfeitReason::flooded, fmt::format("after its answer {} it wrote more: {}", quoted_line(*line),
-                                                quoted_line(more.substr(0, more.find('\n')))));
-    return Action::forfeit(reason_);
-  }
-  if (action->kind == Action::Kind::forfeit) give_up(action->reason, "it answered `forfeit`");
-  return *action;
+  const Answer answer = judge_answer(*line, process_.lines().rest());
+  if (answer.verdict) give_up(*answer.verdict);
+  return answer.action;
 }
 
 void GuestMind::greet() {
   const auto line = hear(limits_.start, limits_.contest);
-  greeted_ = line == guest_greeting;
-  if (!line || greeted_) return;
-  const char* hint = *line == "mazeWidth" || *line == "mazeHeight" || line->starts_with("wall")
-                         ? "; it seems to be written for mms; race it as mms:COMMAND"
-                         : "";
-  give_up(ForfeitReason::rubbish,
-          fmt::format("its first line is {} instead of '{}'{}", quoted_line(*line), guest_greeting, hint));
+  if (!line) return;
+  if (const auto verdict = judge_greeting(*line)) return give_up(*verdict);
+  greeted_ = true;
 }
 
 std::optional<std::string_view> GuestMind::hear(std::chrono::milliseconds silence, std::chrono::nanoseconds work) {
@@ -99,8 +78,7 @@ std::optional<std::string_view> GuestMind::hear(std::chrono::milliseconds silenc
     }
     if (line) return line;
     if (process_.lines().too_long()) {
-      give_up(ForfeitReason::flooded, fmt::format("it wrote a line of more than {} bytes: {}", limits_.longest_line,
-                                                  quoted_line(process_.lines().rest())));
+      give_up(too_long(limits_.longest_line, process_.lines().rest()));
       return std::nullopt;
     }
     const GuestEvent event = patience.wait(process_, contest_end_);
@@ -113,8 +91,7 @@ std::optional<std::string_view> GuestMind::hear(std::chrono::milliseconds silenc
 void GuestMind::give_up(GuestEvent event, std::chrono::milliseconds silence) {
   switch (event) {
     case GuestEvent::ended:
-      return give_up(ForfeitReason::died, fmt::format("it ended with {}{}",
-                                                      describe(process_.status().value_or(ExitStatus())), too_early()));
+      return give_up(died(describe(process_.status().value_or(ExitStatus())), greeted_, beginning_));
     case GuestEvent::left:
       return give_up(ForfeitReason::left, "it ended, but a process that it had started kept its output open");
     case GuestEvent::closed:
@@ -132,27 +109,15 @@ void GuestMind::give_up(GuestEvent event, std::chrono::milliseconds silence) {
     return give_up(ForfeitReason::out_of_time,
                    fmt::format("its contest took longer than {} (--contest-limit)", seconds_text(limits_.contest)));
   if (process_.deaf()) return give_up(ForfeitReason::closed, "it closed its standard input");
-  give_up(ForfeitReason::hung, fmt::format("it was silent for {} ({}){}", seconds_text(silence),
-                                           greeted_ ? "--silence-limit" : "--start-limit", behind_silence()));
+  const std::string time =
+      fmt::format("{} ({})", seconds_text(silence), greeted_ ? "--silence-limit" : "--start-limit");
+  give_up(hung(time, greeted_, process_.lines().rest(), beginning_));
 }
 
-std::string GuestMind::too_early() const {
-  if (greeted_) return "";
-  return beginning_.empty() ? fmt::format(" before it wrote '{}'", guest_greeting) : " before " + beginning_;
-}
-
-std::string GuestMind::behind_silence() {
-  const std::string_view begun = process_.lines().rest();
-  if (!begun.empty()) return fmt::format("; it wrote {} without ending the line", quoted_line(begun));
-  if (greeted_) return "";
-  return beginning_.empty() ? "; does it flush after each line?" : " before " + beginning_;
-}
-
-void GuestMind::give_up(ForfeitReason reason, std::string sentence) {
+void GuestMind::give_up(ForfeitReason reason, std::string_view sentence) {
   reason_ = reason;
   process_.end(0ms);
-  const std::string_view errors = without_end(process_.errors());
-  last_words_ = errors.empty() ? std::move(sentence) : fmt::format("{}\n{}", sentence, errors);
+  last_words_ = last_words_of(sentence, process_.errors());
 }
 
 }  // namespace labmouse

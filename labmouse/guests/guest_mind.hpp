@@ -4,6 +4,7 @@
 #include <string>
 
 #include "labmouse/guests/process.hpp"
+#include "labmouse/guests/verdict.hpp"
 #include "labmouse/mouse/briefing.hpp"
 #include "labmouse/mouse/strategy.hpp"
 
@@ -28,11 +29,9 @@ class GuestMind final : public Strategy {
   /// Its next line, before which it may be silent for so long and work for so long; nothing where it is to be given up.
   std::optional<std::string_view> hear(std::chrono::milliseconds silence, std::chrono::nanoseconds work);
   void greet();
-  /// When it ended too early, or what may be behind its silence; as the end of a sentence.
-  std::string too_early() const;
-  std::string behind_silence();
   /// Ends the guest and keeps why.
-  void give_up(ForfeitReason reason, std::string sentence);
+  void give_up(ForfeitReason reason, std::string_view sentence);
+  void give_up(const Verdict& verdict) { give_up(verdict.reason, verdict.sentence); }
   void give_up(GuestEvent event, std::chrono::milliseconds silence);
 
   GuestLimits limits_;

@@ -28,9 +28,9 @@ Pose at(int x, int y, Heading heading) { return {{x, y}, heading}; }
 Pose east_at(int x) { return at(x, 0, Heading::east); }
 
 /// A contest in which the mouse plays a prepared list and forfeits at its end.
-class Contest : public testing::Test {
+class Played : public testing::Test {
  protected:
-  explicit Contest(Maze maze) : maze_(std::move(maze)) {}
+  explicit Played(Maze maze) : maze_(std::move(maze)) {}
 
   void play(const std::vector<Action>& actions) {
     Script mouse(maze_.size(), actions);
@@ -50,15 +50,15 @@ class Contest : public testing::Test {
 };
 
 /// Seven cells in a row; the mouse looks along it.
-class InACorridor : public Contest {
+class InACorridor : public Played {
  protected:
   InACorridor()
-      : Contest(test::drawn(R"(
+      : Played(test::drawn(R"(
           o---o---o---o---o---o---o---o
           | S               G         |
           o---o---o---o---o---o---o---o
         )")
-                    .with_start({0, 0}, Heading::east)) {}
+                   .with_start({0, 0}, Heading::east)) {}
 };
 
 TEST_F(InACorridor, AStepMovesUpToThreeCells) {
@@ -267,10 +267,10 @@ TEST_F(InACorridor, BudgetAndStrideAreFieldsOfTheRules) {
 }
 
 /// A place with something to see on every side.
-class AtACrossing : public Contest {
+class AtACrossing : public Played {
  protected:
   AtACrossing()
-      : Contest(test::drawn(R"(
+      : Played(test::drawn(R"(
           o---o---o---o---o---o
           |     G |           |
           o   o---o   o---o---o
