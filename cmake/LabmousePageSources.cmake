@@ -15,10 +15,10 @@ foreach(name IN ITEMS
     text/printable text/toml_text)
   list(APPEND LABMOUSE_PAGE_SOURCES ${PROJECT_SOURCE_DIR}/labmouse/lab/${name}.cpp)
 endforeach()
-foreach(name IN ITEMS mms/canvas mms/command mms/host mms/statistics quoted_line)
+foreach(name IN ITEMS dialogue mms/canvas mms/command mms/host mms/statistics protocol quoted_line verdict)
   list(APPEND LABMOUSE_PAGE_SOURCES ${PROJECT_SOURCE_DIR}/labmouse/guests/${name}.cpp)
 endforeach()
-foreach(wing IN ITEMS drawing steps seconds mms worlds page)
+foreach(wing IN ITEMS drawing steps seconds mms worlds plays page)
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/labmouse/lab/${wing}/*.cpp)
   # What only terminals and files show.
   list(FILTER sources EXCLUDE REGEX "/(draw_text|draw_plot|mms_summary)[.]cpp$")

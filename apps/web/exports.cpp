@@ -52,3 +52,6 @@ LABMOUSE_EXPORT(labmouse_compare) void labmouse_compare() { call("compare"); }
 LABMOUSE_EXPORT(labmouse_losses) void labmouse_losses() { call("losses"); }
 LABMOUSE_EXPORT(labmouse_beliefs) void labmouse_beliefs() { call("beliefs"); }
 LABMOUSE_EXPORT(labmouse_picture) void labmouse_picture() { call("picture"); }
+LABMOUSE_EXPORT(labmouse_guest_begin) void labmouse_guest_begin() { call("guest_begin"); }
+LABMOUSE_EXPORT(labmouse_guest_hear) void labmouse_guest_hear() { call("guest_hear"); }
+LABMOUSE_EXPORT(labmouse_guest_end) void labmouse_guest_end() { call("guest_end"); }

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "labmouse/lab/page/calls.hpp"
-#include "labmouse/lab/page/maze_data.hpp"
+#include "labmouse/lab/plays/maze_data.hpp"
 #include "labmouse/lab/shapes/check.hpp"
 #include "labmouse/lab/shapes/shapes.hpp"
 #include "tests/lab/race_fixture.hpp"

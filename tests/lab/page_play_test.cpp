@@ -3,7 +3,7 @@
 
 #include "labmouse/contest/coverage.hpp"
 #include "labmouse/lab/mice/specs.hpp"
-#include "labmouse/lab/page/play_frames.hpp"
+#include "labmouse/lab/plays/play_frames.hpp"
 #include "tests/lab/page_fixture.hpp"
 #include "tests/lab/record_fixture.hpp"
 #include "tests/says.hpp"

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "labmouse/contest/record.hpp"
 #include "labmouse/contest/rules.hpp"
 #include "labmouse/guests/process.hpp"
 #include "labmouse/maze/maze.hpp"
@@ -25,6 +26,13 @@ struct Interpreter {
   std::string version;  ///< of a Python: "3.11.2"; empty for others
 
   friend bool operator==(const Interpreter&, const Interpreter&) = default;
+};
+
+/// A contest in steps that a mouse held before a race, for which it could not be asked again.
+struct EarlierContest {
+  RunRecord record;
+  bool started = true;        ///< as of Strategy
+  double microseconds = 0.0;  ///< that its decisions took
 };
 
 /// A mouse with its parameters, ready to be made once a contest.
@@ -48,7 +56,10 @@ struct Contestant {
   /// Takes part as a measure and not as a contestant (the oracle).
   bool reference = false;
   std::function<std::unique_ptr<Strategy>(const Maze&, const Rules&, std::uint64_t seed)> make;
-  /// The same in seconds; empty for a mouse that does not drive in that world.
+  /// In place of `make`, of a mouse whose contests in steps were held elsewhere: the one in that maze with that seed,
+  /// which must be there. Empty for all others.
+  std::function<EarlierContest(const std::string& maze, std::uint64_t seed)> earlier;
+  /// The same as `make` in seconds; empty for a mouse that does not drive in that world.
   std::function<std::unique_ptr<Strategy>(const Briefing&)> drive;
   /// How to start a program that talks to mms; nothing for all others, which decide when they are asked.
   std::optional<Launch> program;

@@ -1,4 +1,5 @@
-// The answers to the page's calls, one function a call. labmouse/lab/shapes says what each is asked and what it answers.
+// The answers to the page's calls, one function a call. labmouse/lab/shapes says what each is asked and what it
+// answers.
 #pragma once
 
 #include <string>
@@ -46,5 +47,8 @@ PageReply answer_compare(const ReadJson& request, std::string_view bytes);
 PageReply answer_losses(const ReadJson& request, std::string_view bytes);
 PageReply answer_beliefs(const ReadJson& request, std::string_view bytes);
 PageReply answer_picture(const ReadJson& request, std::string_view bytes);
+PageReply answer_guest_begin(const ReadJson& request, std::string_view bytes);
+PageReply answer_guest_hear(const ReadJson& request, std::string_view bytes);
+PageReply answer_guest_end(const ReadJson& request, std::string_view bytes);
 
 }  // namespace labmouse

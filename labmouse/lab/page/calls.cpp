@@ -37,6 +37,9 @@ constexpr std::array calls = {
     Call{"losses", answer_losses},
     Call{"beliefs", answer_beliefs},
     Call{"picture", answer_picture},
+    Call{"guest_begin", answer_guest_begin},
+    Call{"guest_hear", answer_guest_hear},
+    Call{"guest_end", answer_guest_end},
 };
 
 constexpr auto call_names = [] {

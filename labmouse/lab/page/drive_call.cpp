@@ -9,8 +9,8 @@
 #include "labmouse/lab/page/answers.hpp"
 #include "labmouse/lab/page/drive_choices.hpp"
 #include "labmouse/lab/page/mouse_spec.hpp"
-#include "labmouse/lab/page/play_seconds.hpp"
 #include "labmouse/lab/page/request.hpp"
+#include "labmouse/lab/plays/play_seconds.hpp"
 #include "labmouse/mouse/drive/fastest.hpp"
 
 namespace labmouse {

@@ -6,12 +6,12 @@
 
 #include "labmouse/lab/page/answers.hpp"
 #include "labmouse/lab/page/json_problem.hpp"
-#include "labmouse/lab/page/maze_data.hpp"
-#include "labmouse/lab/page/play.hpp"
-#include "labmouse/lab/page/play_seconds.hpp"
 #include "labmouse/lab/page/played_record.hpp"
 #include "labmouse/lab/page/request.hpp"
 #include "labmouse/lab/page/results.hpp"
+#include "labmouse/lab/plays/maze_data.hpp"
+#include "labmouse/lab/plays/play.hpp"
+#include "labmouse/lab/plays/play_seconds.hpp"
 #include "labmouse/lab/system/version.hpp"
 #include "labmouse/lab/text/encoding.hpp"
 

@@ -2,13 +2,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "labmouse/contest/simulator.hpp"
 #include "labmouse/lab/page/answers.hpp"
+#include "labmouse/lab/page/guest.hpp"
 #include "labmouse/lab/page/mouse_spec.hpp"
 #include "labmouse/lab/page/page_world.hpp"
-#include "labmouse/lab/page/play.hpp"
 #include "labmouse/lab/page/request.hpp"
+#include "labmouse/lab/plays/play.hpp"
 #include "labmouse/lab/standings/race_json.hpp"
 #include "labmouse/lab/steps/steps_files.hpp"
 #include "labmouse/lab/worlds/entering.hpp"
@@ -22,7 +24,7 @@ constexpr int most_runs = 1'000;
 
 std::vector<Contestant> read_mice(PageRequest& request, const World* world) {
   const ReadJson& list = request.list("mice");
-  if (world == nullptr) return {};
+  if (world == nullptr || (list.empty() && request.has("played"))) return {};
   if (list.empty()) return residents_of(*world);
   std::vector<std::string> specs;
   for (const ReadJson& spec : list)
@@ -80,6 +82,9 @@ PageReply answer_race(const ReadJson& json, std::string_view) {
   order.runs = request.whole("runs", 1, most_runs);
   order.seed = request.seed();
   if (!request.error().empty()) return failed(request.error());
+  std::vector<Contestant> played = read_played_mice(request, mazes, order);
+  if (!request.error().empty()) return failed(request.error());
+  std::move(played.begin(), played.end(), std::back_inserter(mice));
   if (const auto contests = contests_of(mice, mazes.size(), order); contests > most_contests)
     return failed(fmt::format("{} contests are too many for the page, whose limit is {}; use `labmouse race`", contests,
                               most_contests));

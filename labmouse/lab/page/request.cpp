@@ -1,6 +1,6 @@
 #include "labmouse/lab/page/request.hpp"
 
-#include "labmouse/lab/page/maze_data.hpp"
+#include "labmouse/lab/plays/maze_data.hpp"
 
 namespace labmouse {
 

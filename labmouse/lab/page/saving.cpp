@@ -3,8 +3,8 @@
 
 #include "labmouse/lab/mazes/maze_link.hpp"
 #include "labmouse/lab/page/answers.hpp"
-#include "labmouse/lab/page/maze_data.hpp"
 #include "labmouse/lab/page/request.hpp"
+#include "labmouse/lab/plays/maze_data.hpp"
 #include "labmouse/lab/system/file_names.hpp"
 
 namespace labmouse {

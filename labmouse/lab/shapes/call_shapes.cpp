@@ -37,7 +37,7 @@ std::vector<CallShape> call_shapes() {
       {"race", "A race in the one thread that the page has: keep it small. Without mice: all of the roster.",
        object({field("mice", list(text)), field("mazes", list(named("MazeData"))), field("seed", number),
                field("runs", number), maybe("budget", number), maybe("world", text), maybe("robot", text),
-               maybe("rules", text)}),
+               maybe("rules", text), maybe("played", list(named("PlayedMouse")))}),
        object({field("results", named("RaceResults"))})},
       {"compare", "Means of a mouse in the same mazes as another.",
        object({field("differences", list(number)), maybe("seed", number)}), named("PairedDifference")},
@@ -58,6 +58,21 @@ std::vector<CallShape> call_shapes() {
       {"picture", "A picture (SVG) of a maze, or of a record's text in `bytes`.",
        either({object({field("maze", named("MazeData"))}), object({})}), object({field("svg", text)}),
        CallBytes::optional},
+      {"guest_begin",
+       "Begins a contest in steps of a program that the page runs. `name` may be empty; `spec` is the program for the "
+       "command line. With `races` the seed is that of a race, from which the contest has its own.",
+       object({field("name", text), field("spec", text), field("maze", named("MazeData")), field("seed", number),
+               maybe("races", flag), maybe("budget", number)}),
+       named("GuestLines")},
+      {"guest_hear",
+       "What the program wrote, to its standard output and to its standard error, with all line ends; or how it ended.",
+       object(
+           {field("contest", number), maybe("output", text), maybe("printed", text), maybe("end", named("GuestEnd"))}),
+       named("GuestLines")},
+      {"guest_end", "Ends a contest, which counts as interrupted where it was not over.",
+       object({field("contest", number)}),
+       object({field("play", named("Play")), field("record", text), field("packed", named("PackedRecord")),
+               field("started", flag), field("microseconds", number)})},
   };
 }
 

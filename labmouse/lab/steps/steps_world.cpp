@@ -40,6 +40,15 @@ class Timed final : public Strategy {
   std::chrono::steady_clock::duration spent_{};
 };
 
+/// Holds a contest, or takes one that was held before.
+EarlierContest contest_of(const Contestant& mouse, const NamedMaze& maze, const Rules& rules, std::uint64_t seed) {
+  if (mouse.earlier) return mouse.earlier(maze.name, seed);
+  const auto mind = mouse.make(maze.maze, rules, seed);
+  Timed timed(*mind);
+  RunRecord record = run(maze.maze, rules, timed);
+  return {std::move(record), mind->started(), timed.microseconds()};
+}
+
 ForfeitReason reason_of(const RunRecord& record) {
   return record.outcome == Outcome::forfeit ? record.steps.back().action.reason : ForfeitReason::none;
 }
@@ -103,7 +112,7 @@ class StepsWorld final : public World {
   }
 
   std::string refuse(const Contestant& mouse) const override {
-    return mouse.make ? "" : fmt::format("mouse '{}' cannot race in steps", mouse.name);
+    return mouse.make || mouse.earlier ? "" : fmt::format("mouse '{}' cannot race in steps", mouse.name);
   }
 
   Rules lesson_rules() const override { return rules_; }
@@ -118,20 +127,18 @@ class StepsWorld final : public World {
     const Contestant& mouse = race.mice[result.mouse];
     const NamedMaze& maze = race.mazes[result.maze];
     const MazeFacts& facts = race.facts[result.maze];
-    const auto mind = mouse.make(maze.maze, rules_, result.seed);
-    Timed timed(*mind);
-    RunRecord record = run(maze.maze, rules_, timed);
+    auto [record, started, microseconds] = contest_of(mouse, maze, rules_, result.seed);
     const Score score = labmouse::score(record, rules_);
     const auto& reachable = std::any_cast<const CellSet&>(facts.prepared);
     result.outcome = outcome_of(record);
     result.outcome_order = static_cast<int>(record.outcome) * 100 + static_cast<int>(reason_of(record));
-    if (!mind->started()) result.never_started = record.last_words.substr(0, record.last_words.find('\n'));
-    if (!mind->started() && result.never_started.empty()) result.never_started = result.outcome;
+    if (!started) result.never_started = record.last_words.substr(0, record.last_words.find('\n'));
+    if (!started && result.never_started.empty()) result.never_started = result.outcome;
     result.score = score.value;
     result.counted = score.value.value_or(rules_.failure_score);
     if (score.value && facts.bound) result.ratio = *score.value / *facts.bound;
     result.figures = figures_of(record, score, coverage_of(record, maze.maze.size(), reachable),
-                                missteps_of(record, rules_), timed.microseconds());
+                                missteps_of(record, rules_), microseconds);
     result.done = reason_of(record) != ForfeitReason::interrupted;
     return kept(mouse, maze, rules_, result.seed, std::move(record), keep);
   }

@@ -469,6 +469,37 @@ export interface Failure {
   problems: Problem[];
 }
 
+/** A mouse that held its contests in the page before a race: one in each maze, with the seed of that race. */
+export interface PlayedMouse {
+  name: string;
+  spec: string;
+  contests: { record: string; started: boolean; microseconds: number }[];
+}
+
+/** What is to be said to the program of a contest, line by line, and how far the contest is. */
+export interface GuestLines {
+  contest: number;
+  lines: string[];
+  ended: boolean;
+  steps: number;
+}
+
+/** How a program ended that should not have. `line` is one of the program, from 1. */
+export type GuestEnd = {
+  kind: 'failed';
+  message: string;
+  line?: number;
+} | {
+  kind: 'exited';
+  code: number;
+} | {
+  kind: 'silent';
+  seconds: number;
+} | {
+  kind: 'printed';
+  what: string;
+};
+
 /** Every function of the core: what it is asked and what it answers. `bytes` goes beside the request. */
 export interface Calls {
   about: {
@@ -544,6 +575,7 @@ export interface Calls {
       world?: string;
       robot?: string;
       rules?: string;
+      played?: PlayedMouse[];
     };
     answer: { results: RaceResults };
   };
@@ -574,6 +606,39 @@ export interface Calls {
     request: { maze: MazeData } | Record<string, never>;
     bytes?: Uint8Array;
     answer: { svg: string };
+  };
+  /**
+   * Begins a contest in steps of a program that the page runs. `name` may be empty; `spec` is the program for the
+   * command line. With `races` the seed is that of a race, from which the contest has its own.
+   */
+  guest_begin: {
+    request: {
+      name: string;
+      spec: string;
+      maze: MazeData;
+      seed: number;
+      races?: boolean;
+      budget?: number;
+    };
+    answer: GuestLines;
+  };
+  /**
+   * What the program wrote, to its standard output and to its standard error, with all line ends; or how it ended.
+   */
+  guest_hear: {
+    request: { contest: number; output?: string; printed?: string; end?: GuestEnd };
+    answer: GuestLines;
+  };
+  /** Ends a contest, which counts as interrupted where it was not over. */
+  guest_end: {
+    request: { contest: number };
+    answer: {
+      play: Play;
+      record: string;
+      packed: PackedRecord;
+      started: boolean;
+      microseconds: number;
+    };
   };
 }
 

@@ -5,10 +5,10 @@
 #include <functional>
 
 #include "labmouse/lab/bounds/mms_bound.hpp"
-#include "labmouse/lab/page/fields.hpp"
-#include "labmouse/lab/page/maze_data.hpp"
-#include "labmouse/lab/page/play.hpp"
 #include "labmouse/lab/pictures/mms_picture.hpp"
+#include "labmouse/lab/plays/fields.hpp"
+#include "labmouse/lab/plays/maze_data.hpp"
+#include "labmouse/lab/plays/play.hpp"
 #include "labmouse/lab/records/mms_statistics_json.hpp"
 #include "labmouse/lab/text/optional_json.hpp"
 

@@ -1,4 +1,4 @@
-#include "labmouse/lab/page/maze_data.hpp"
+#include "labmouse/lab/plays/maze_data.hpp"
 
 #include <fmt/format.h>
 

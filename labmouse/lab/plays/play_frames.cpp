@@ -1,4 +1,4 @@
-#include "labmouse/lab/page/play_frames.hpp"
+#include "labmouse/lab/plays/play_frames.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 
 #include "labmouse/contest/coverage.hpp"
 #include "labmouse/contest/score.hpp"
-#include "labmouse/lab/page/fields.hpp"
+#include "labmouse/lab/plays/fields.hpp"
 #include "labmouse/lab/text/optional_json.hpp"
 #include "labmouse/mouse/knowledge.hpp"
 

@@ -1,13 +1,13 @@
-#include "labmouse/lab/page/play.hpp"
+#include "labmouse/lab/plays/play.hpp"
 
 #include <fmt/format.h>
 
 #include "labmouse/contest/coverage.hpp"
 #include "labmouse/contest/score.hpp"
 #include "labmouse/lab/bounds/bounds.hpp"
-#include "labmouse/lab/page/fields.hpp"
-#include "labmouse/lab/page/maze_data.hpp"
-#include "labmouse/lab/page/play_frames.hpp"
+#include "labmouse/lab/plays/fields.hpp"
+#include "labmouse/lab/plays/maze_data.hpp"
+#include "labmouse/lab/plays/play_frames.hpp"
 #include "labmouse/lab/records/explanation.hpp"
 #include "labmouse/lab/steps/steps_files.hpp"
 #include "labmouse/lab/text/optional_json.hpp"

@@ -1,4 +1,4 @@
-#include "labmouse/lab/page/play_seconds.hpp"
+#include "labmouse/lab/plays/play_seconds.hpp"
 
 #include <fmt/format.h>
 
@@ -9,10 +9,10 @@
 #include "labmouse/contest/drive_gates.hpp"
 #include "labmouse/contest/drive_score.hpp"
 #include "labmouse/lab/bounds/drive_bound.hpp"
-#include "labmouse/lab/page/drive_frames.hpp"
-#include "labmouse/lab/page/fields.hpp"
-#include "labmouse/lab/page/maze_data.hpp"
 #include "labmouse/lab/pictures/drive_path.hpp"
+#include "labmouse/lab/plays/drive_frames.hpp"
+#include "labmouse/lab/plays/fields.hpp"
+#include "labmouse/lab/plays/maze_data.hpp"
 #include "labmouse/lab/records/drive_json.hpp"
 #include "labmouse/mouse/drive/fastest.hpp"
 

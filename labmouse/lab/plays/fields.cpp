@@ -1,7 +1,7 @@
-#include "labmouse/lab/page/fields.hpp"
+#include "labmouse/lab/plays/fields.hpp"
 
 #include "labmouse/lab/bounds/bounds.hpp"
-#include "labmouse/lab/page/maze_data.hpp"
+#include "labmouse/lab/plays/maze_data.hpp"
 #include "labmouse/mouse/distance.hpp"
 
 namespace labmouse {

@@ -1,4 +1,4 @@
-#include "labmouse/lab/page/drive_frames.hpp"
+#include "labmouse/lab/plays/drive_frames.hpp"
 
 #include <fmt/format.h>
 
@@ -7,9 +7,9 @@
 #include <optional>
 
 #include "labmouse/contest/drive_score.hpp"
-#include "labmouse/lab/page/fields.hpp"
-#include "labmouse/lab/page/play_frames.hpp"
 #include "labmouse/lab/pictures/drive_path.hpp"
+#include "labmouse/lab/plays/fields.hpp"
+#include "labmouse/lab/plays/play_frames.hpp"
 #include "labmouse/lab/text/optional_json.hpp"
 
 namespace labmouse {

@@ -1,0 +1,100 @@
+#include "labmouse/lab/page/guest.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+
+#include "labmouse/lab/mice/named_spec.hpp"
+#include "labmouse/lab/page/played_record.hpp"
+#include "labmouse/lab/text/printable.hpp"
+#include "labmouse/strategies/roster.hpp"
+
+namespace labmouse {
+namespace {
+
+constexpr std::size_t longest_name = 40;
+
+/// Why a mouse cannot be called so; empty where it can.
+std::string refuse_name(const std::string& name) {
+  if (name.size() > longest_name) return fmt::format("the name of a mouse has at most {} letters", longest_name);
+  if (shown(name) != name) return fmt::format("the name '{}' contains unprintable characters", shown(name));
+  if (const auto sign = name.find_first_of("=:,/ "); sign != std::string::npos)
+    return fmt::format("the name '{}' contains {}; write it without", name,
+                       name[sign] == ' ' ? "a blank" : fmt::format("a '{}'", name[sign]));
+  if (find_mouse(name) != nullptr || name == "oracle")
+    return fmt::format("'{}' is the name of another mouse; choose one of your own", name);
+  return "";
+}
+
+using Contests = std::map<std::pair<std::string, std::uint64_t>, EarlierContest>;
+
+/// One contest of `played`, whose record has to be of that mouse.
+void read_contest(PageRequest& request, const ReadJson& json, const Contestant& mouse, const RaceOrder& order,
+                  Contests& contests) {
+  PageRequest fields(json);
+  EarlierContest contest;
+  contest.microseconds = fields.not_negative("microseconds");
+  contest.started = fields.flag("started");
+  const std::string text = fields.text("record");
+  request.reject(fields.error());
+  if (!request.error().empty()) return;
+  PlayedRecord read = read_played(fmt::format("a record of {}", mouse.name), text);
+  if (!read.file) return request.reject(read.failure.error);
+  const auto conditions = order.world->conditions();
+  const bool same_rules =
+      conditions.size() == 1 && conditions.front().value == Value(std::int64_t{read.file->rules.budget});
+  if (read.file->mouse != mouse.name || !same_rules)
+    return request.reject(fmt::format("a record of {} is not of this race", mouse.name));
+  contest.record = std::move(read.file->run);
+  contests[{read.file->maze_name, read.file->seed}] = std::move(contest);
+}
+
+Contestant read_mouse(PageRequest& request, const ReadJson& json, const std::vector<NamedMaze>& mazes,
+                      const RaceOrder& order) {
+  PageRequest fields(json);
+  Contestant mouse = read_page_guest(fields);
+  const ReadJson& list = fields.list("contests");
+  request.reject(fields.error());
+  auto contests = std::make_shared<Contests>();
+  for (const ReadJson& contest : list) {
+    if (!request.error().empty()) return mouse;
+    read_contest(request, contest, mouse, order, *contests);
+  }
+  for (const NamedMaze& maze : mazes)
+    if (!contests->contains({maze.name, contest_seed(order.seed, maze.name, 0)}))
+      request.reject(fmt::format("{} has held no contest in {}", mouse.name, maze.name));
+  mouse.earlier = [contests](const std::string& maze, std::uint64_t seed) { return contests->at({maze, seed}); };
+  return mouse;
+}
+
+}  // namespace
+
+Contestant read_page_guest(PageRequest& request) {
+  Contestant mouse;
+  mouse.runs = 1;
+  const std::string name = request.text("name"), spec = request.text("spec");
+  if (shown(spec) != spec || spec.empty()) request.reject("'spec' is none");
+  request.reject(refuse_name(name));
+  mouse.name = spec;
+  if (!name.empty()) rename(mouse, name);
+  return mouse;
+}
+
+std::vector<Contestant> read_played_mice(PageRequest& request, const std::vector<NamedMaze>& mazes,
+                                         const RaceOrder& order) {
+  std::vector<Contestant> mice;
+  if (!request.has("played")) return mice;
+  for (const ReadJson& each : request.list("played")) {
+    if (!request.error().empty()) break;
+    if (!order.world->is_home()) request.reject("mice that were played race in steps");
+    mice.push_back(read_mouse(request, each, mazes, order));
+    const auto same = [&](const Contestant& mouse) { return mouse.name == mice.back().name; };
+    if (std::count_if(mice.begin(), mice.end(), same) > 1)
+      request.reject(fmt::format("two mice are named '{}'", mice.back().name));
+  }
+  return mice;
+}
+
+}  // namespace labmouse
