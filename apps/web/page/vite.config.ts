@@ -1,6 +1,8 @@
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vitest/config';
 import { core } from './build/core';
+import { editor, editorScript } from './build/editor';
+import { frame, frameScript } from './build/frame';
 import { oneFile } from './build/one-file';
 import { micropython, python } from './build/python';
 
@@ -8,7 +10,14 @@ const root = fileURLToPath(new URL('../../../', import.meta.url));
 const wasm = process.env.LABMOUSE_CORE ?? `${root}build/web/labmouse_core.wasm`;
 
 export default defineConfig({
-  plugins: [core(wasm), micropython(), python(), oneFile('labmouse.html')],
+  plugins: [
+    core(wasm),
+    editor(),
+    frame(),
+    micropython(),
+    python(),
+    oneFile('labmouse.html', async () => [await editorScript(), { script: frameScript(), modules: [] }]),
+  ],
   worker: { format: 'iife', plugins: () => [core(wasm)], rollupOptions: { treeshake: false } },
   // The tests read what the page shares with the program.
   server: { fs: { allow: [root] } },

@@ -1,13 +1,16 @@
 // One HTML file with everything in it, under a policy that lets nothing else run or load.
 import { createHash } from 'node:crypto';
 import type { Plugin } from 'vite';
+import { notices } from './notices';
 
-const hash = (text: string) => `'sha256-${createHash('sha256').update(text).digest('base64')}'`;
+/** How a policy names a script or a style sheet that stands in a page. */
+export const hash = (text: string) => `'sha256-${createHash('sha256').update(text).digest('base64')}'`;
 
-function policy(script: string, style: string): string {
+/** `others`: scripts that the page puts in later. */
+function policy(script: string, style: string, others: string[]): string {
   const rules = [
     `default-src 'none'`,
-    `script-src ${hash(script)} 'wasm-unsafe-eval'`,
+    `script-src ${[script, ...others].map(hash).join(' ')} 'wasm-unsafe-eval'`,
     `style-src ${hash(style)}`,
     `worker-src blob:`,
     `img-src blob: data:`,
@@ -17,13 +20,19 @@ function policy(script: string, style: string): string {
   return `<meta http-equiv="Content-Security-Policy" content="${rules.join('; ')}" />`;
 }
 
+/** A script that the page puts in itself, later, and the modules that it is made of. */
+export interface Later {
+  script: string;
+  modules: string[];
+}
+
 /** Puts the page's one script and one style sheet into its HTML. */
-export function oneFile(fileName: string): Plugin {
+export function oneFile(fileName: string, others: () => Promise<Later[]>): Plugin {
   return {
     name: 'labmouse-one-file',
     apply: 'build',
     enforce: 'post',
-    generateBundle(_, bundle) {
+    async generateBundle(_, bundle) {
       const files = Object.values(bundle);
       const scripts = files.filter((file) => file.type === 'chunk');
       const assets = files.filter((file) => file.type === 'asset');
@@ -36,11 +45,22 @@ export function oneFile(fileName: string): Plugin {
       // Neither may end the element that it stands in.
       const code = script.code.replaceAll('</script', '<\\/script').replaceAll('<!--', '<\\!--');
       const style = String(sheet.source).trim();
+      const later = await others();
       const text = String(html.source)
         .replace(/\s*<script[^>]*src=[^>]*><\/script>/, '')
         .replace(/\s*<link[^>]*stylesheet[^>]*>/, '')
-        .replace('<!-- labmouse:policy -->', () => policy(code, style))
+        .replace('<!-- labmouse:policy -->', () =>
+          policy(
+            code,
+            style,
+            later.map((one) => one.script),
+          ),
+        )
         .replace('</head>', () => `<style>${style}</style>\n  </head>`)
+        .replace(
+          '</body>',
+          () => `${notices([...script.moduleIds, ...later.flatMap((one) => one.modules)])}\n  </body>`,
+        )
         // Ahead of what a report carries, so that a report that was cut can say so.
         .replace('<!-- labmouse:report -->', (mark) => `<script type="module">${code}</script>\n    ${mark}`);
       for (const file of files) delete bundle[file.fileName];

@@ -1,7 +1,7 @@
-// The page: four views around one core. It paints before the core has started, and a report's table needs no core.
+// The page: its views around one core. It paints before the core has started, and a report's table needs no core.
 import CoreWorker from './core/worker?worker&inline';
 import { startCore, type Core } from './core/client';
-import type { About, MazeData, RaceResults } from './core/types';
+import type { About, MazeData, PackedRecord, RaceResults } from './core/types';
 import { blockText, readRecords, readReport } from './report/blocks';
 import type { Order } from './race/holding';
 import { loadedRace, type Sources } from './report/loaded';
@@ -21,6 +21,7 @@ import { createHome } from './views/home';
 import { createLive } from './views/live';
 import { createRace } from './views/race';
 import { createReplay } from './views/replay';
+import { createWrite } from './views/write';
 import type { EarlyPage, LoadedRace, Page } from './views/view';
 import './styles/page.css';
 import './styles/shell.css';
@@ -54,8 +55,8 @@ function setRace(results: RaceResults, more: Partial<Sources>) {
   race = loadedRace(results, { core, ready, links: new Map(), opened, records: async () => [], ...more });
 }
 
-function showResults(results: RaceResults, raced: MazeData[] = [], order?: Order) {
-  setRace(results, { raced, order });
+function showResults(results: RaceResults, raced: MazeData[] = [], order?: Order, records: PackedRecord[] = []) {
+  setRace(results, { raced, order, records: async () => records });
   keeper.results(results, raced);
   stage.show('race', results);
 }
@@ -81,12 +82,12 @@ const page: EarlyPage = {
   drawn: () => stage.view('draw')?.maze?.() ?? null,
   open: (files) => void takeFiles(files),
   choose: intake.choose,
-  hold(results, raced, message, order) {
+  hold(results, raced, message, order, records = []) {
     if (stage.current() === 'race') {
-      showResults(results, raced, order);
+      showResults(results, raced, order, records);
       return notices.tell(message);
     }
-    setRace(results, { raced, order });
+    setRace(results, { raced, order, records: async () => records });
     keeper.results(results, raced);
     stage.keep('race', results);
     notices.tell(message, { label: 'Show it', act: () => stage.show('race', results) });
@@ -125,7 +126,8 @@ function follow() {
     if (stage.current() === null || location.hash === '')
       stage.show(blockText('labmouse-report') === null ? 'home' : 'race');
     if (location.hash.length > 1) notices.complain('This link leads nowhere: it names no view of this page.');
-  } else if (route.link === lastLink) stage.show('draw');
+  } else if ('program' in route) stage.show('write', { link: route.program }, true);
+  else if (route.link === lastLink) stage.show('draw');
   else void openLink((lastLink = route.link));
 }
 
@@ -176,6 +178,7 @@ async function startViews() {
   stage.add('replay', createReplay(whole));
   stage.add('live', createLive(whole));
   stage.add('draw', createDraw(whole));
+  stage.add('write', createWrite(whole));
 }
 
 async function start() {

@@ -33,6 +33,7 @@ export interface Player {
   rested(listener: () => void): void;
   /** Pauses: call it when the player is hidden. */
   stop(): void;
+  seek(time: number): void;
 }
 
 /** The same for all players, and kept from play to play. */
@@ -52,8 +53,13 @@ const restPause = 300;
 const aside = 80;
 const nearer = 1.4;
 
+/** Something that goes with the replay, beside the player's own panels. */
+export interface Companion {
+  update(time: number): void;
+}
+
 /** `lead` stands above the numbers. */
-export function createPlayer(page: Page, ...lead: HTMLElement[]): Player {
+export function createPlayer(page: Page, ...lead: (HTMLElement | (HTMLElement & Companion))[]): Player {
   const clock = createClock();
   const state: State = { clock, layers, sides: [], chosen: 0, folded: false };
   const still = matchMedia('(prefers-reduced-motion: reduce)');
@@ -151,6 +157,7 @@ export function createPlayer(page: Page, ...lead: HTMLElement[]): Player {
     dirty = false;
     for (const side of state.sides) side.update();
     for (const panel of panels) panel.update();
+    for (const one of lead) if ('update' in one) one.update(clock.time);
     moment.setAttribute('aria-live', clock.playing ? 'off' : 'polite');
     const text = state.sides.map(momentText).join('\n');
     if (moment.textContent !== text) moment.textContent = text;
@@ -252,5 +259,6 @@ export function createPlayer(page: Page, ...lead: HTMLElement[]): Player {
       clock.playing = false;
       wake();
     },
+    seek: actions.seek,
   };
 }

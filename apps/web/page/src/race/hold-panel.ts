@@ -8,20 +8,20 @@ import { groupsOf } from './contests';
 import { counted } from './format';
 import { holdRace, type Order } from './holding';
 
-const usual = ['ariadne', 'flood-return', 'certify', 'flood', 'frontier'];
+export const usual = ['ariadne', 'flood-return', 'certify', 'flood', 'frontier'];
 /** As the command line has it. */
 const usualRuns = 20;
 
 /** So many are named while the list is folded. */
 const mostNamed = 6;
 
-interface Choice {
+export interface Choice {
   name: string;
   about: string;
   on: boolean;
 }
 
-interface Picks {
+export interface Picks {
   element: HTMLElement;
   chosen(): string[];
   /** Chooses those and no others; of what is not offered it says so. */
@@ -31,7 +31,7 @@ interface Picks {
 }
 
 /** `open` shows the list at once; otherwise it is folded away. */
-function picks(title: string, choices: Choice[], open: boolean): Picks {
+export function picks(title: string, choices: Choice[], open: boolean): Picks {
   const on = new Map<string, HTMLInputElement>();
   const list = h('div', { class: 'list' });
   const boxes = () => [...on.values()];

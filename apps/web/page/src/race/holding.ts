@@ -20,7 +20,7 @@ export interface Progress {
   doing: string;
 }
 
-const mazesOf = (core: Core, mazes: Order['mazes']): Promise<MazeData[]> =>
+export const mazesOf = (core: Core, mazes: Order['mazes']): Promise<MazeData[]> =>
   Promise.all(
     mazes.map(async (maze) =>
       typeof maze === 'string' ? (await core.call('builtin_maze', { name: maze })).maze : maze,

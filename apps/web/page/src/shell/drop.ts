@@ -17,7 +17,7 @@ const isWriting = (target: EventTarget | null) =>
 function pasted(event: ClipboardEvent): File[] {
   const files = [...(event.clipboardData?.files ?? [])];
   const text = event.clipboardData?.getData('text/plain') ?? '';
-  const link = /^\S*#((?:maze=|[a-z]+&)\S+)$/.exec(text.trim());
+  const link = /^\S*#((?:maze=|write=|[a-z]+&)\S+)$/.exec(text.trim());
   if (link) location.hash = link[1];
   if (link) return [];
   return files.length > 0 || text.trim() === '' ? files : [new File([text], 'pasted text')];

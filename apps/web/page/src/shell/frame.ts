@@ -76,8 +76,10 @@ export function createFrame(notices: Notices, intake: Intake, shelf: Shelf, copy
     main,
     mark(view) {
       for (const [name, tab] of tabs) {
-        if (name === view) tab.setAttribute('aria-current', 'page');
-        else tab.removeAttribute('aria-current');
+        if (name === view) {
+          tab.setAttribute('aria-current', 'page');
+          tab.scrollIntoView({ block: 'nearest', inline: 'nearest', behavior: 'instant' });
+        } else tab.removeAttribute('aria-current');
       }
       document.title = view === 'home' ? 'labmouse' : `${titleOf(view)} · labmouse`;
     },

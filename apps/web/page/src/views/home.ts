@@ -72,7 +72,7 @@ export function createHome(page: EarlyPage): View {
           { class: 'row' },
           watch,
           h('a', { class: 'button', href: '#race' }, 'Race'),
-          h('a', { class: 'button', href: '#live' }, 'Change a mouse'),
+          h('a', { class: 'button', href: '#write' }, 'Write your own'),
         ),
       ),
       race.element,

@@ -37,8 +37,11 @@ export interface EarlyPage {
   /** Takes files as if they had been dropped, or lets the user choose some. */
   open(files: File[]): void;
   choose(): void;
-  /** Takes the results of a race that was held in the page, and says so; who looks at another view is left there. */
-  hold(results: RaceResults, mazes: MazeData[], message: string, order?: Order): void;
+  /**
+   * Takes the results of a race that was held in the page, and says so; who looks at another view is left there. `records`:
+   * of contests that cannot be run again.
+   */
+  hold(results: RaceResults, mazes: MazeData[], message: string, order?: Order, records?: PackedRecord[]): void;
   /** What the browser keeps until the page is opened again. */
   shelf: Shelf;
   /** Keeps what the replay shows, and where it is, as a link has it. */
@@ -56,7 +59,7 @@ export interface Page extends EarlyPage {
   about: About;
 }
 
-/** One of the four views; built once, shown and hidden. */
+/** One of the views; built once, shown and hidden. */
 export interface View {
   element: HTMLElement;
   /** Called when the view is shown, and when what it shows has changed. */

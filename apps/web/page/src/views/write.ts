@@ -1,0 +1,214 @@
+// The view Write: a mouse is written, run in a maze, and raced against the roster.
+import { Stopped } from '../core/client';
+import type { MazeData } from '../core/types';
+import { createPlayer } from '../player/player';
+import { groupsOf } from '../race/contests';
+import { mazesOf } from '../race/holding';
+import { namedApart } from '../race/hold-panel';
+import { leaderboard } from '../race/leaderboard';
+import { h } from '../ui/dom';
+import { holdContest, type Held } from '../write/contest';
+import { createDesk } from '../write/desk';
+import type { Work } from '../write/keeping';
+import { losses } from '../write/losses';
+import { createPrints } from '../write/prints';
+import { createRaceForm } from '../write/race-form';
+import { raceProgram, type Raced } from '../write/racing';
+import { createCage } from '../write/sandbox/cage';
+import type { Page, View } from './view';
+import '../styles/forms.css';
+import '../styles/write.css';
+
+/** As `labmouse run` and `labmouse race` have it. */
+const seed = 1;
+const usualRuns = 20;
+const usualMaze = 'capstone-1';
+
+/** What came of a contest, in a line. */
+function outcomeInWords({ play }: Held): string {
+  const where = `${play.mouse} in ${play.maze.name || 'this maze'}`;
+  if (play.solved)
+    return `${where}: solved, score ${play.score?.toFixed(3)}; best possible ${play.bound?.toFixed(3) ?? 'none'}`;
+  const [why] = play.last_words.split('\n');
+  return `${where}: ${play.outcome}${play.outcome.startsWith('forfeit') && why ? `; ${why}` : ''}`;
+}
+
+export function createWrite(page: Page): View {
+  const cage = createCage();
+  /** Counts up with each run and race; one whose number is past is no longer wanted. */
+  let number = 0;
+
+  const desk = createDesk(page, () => {
+    stop();
+    refresh();
+  });
+  const maze = h('select', {});
+  const run = h('button', { type: 'button', class: 'main', onclick: () => void runIt() }, 'Run');
+  const race = h('button', { type: 'button', onclick: () => void raceIt() }, 'Race');
+  const end = h('button', { type: 'button', hidden: true, onclick: stop }, 'Stop');
+  const verdict = h('p', { role: 'status', class: 'verdict', hidden: true });
+  const bar = h('progress', { hidden: true, 'aria-label': 'Progress of the race' });
+  const form = createRaceForm(page);
+  const prints = createPrints((frame) => player.seek(frame));
+  const player = createPlayer(page, prints);
+  const standings = h('section', { class: 'race pictures standings', 'aria-label': 'Its race', hidden: true });
+  const hint = h(
+    'p',
+    { class: 'note hint' },
+    'Change the program, then run it in one maze and step through what it did, or race it against other mice.',
+  );
+  let mazes: { label: string; maze: string | MazeData }[] = [];
+
+  function refresh() {
+    const { mazes: builtin } = page.about;
+    const own = namedApart(
+      page.mazes(),
+      builtin.map(({ name }) => name),
+    );
+    const chosen = maze.value || usualMaze;
+    mazes = [
+      ...own.map((one) => ({ label: `${one.name} · yours`, maze: one })),
+      ...builtin.map(({ name, width, height }) => ({ label: `${name} · ${width} × ${height}`, maze: name })),
+    ];
+    const nameOf = (one: string | MazeData) => (typeof one === 'string' ? one : one.name);
+    maze.replaceChildren(...mazes.map((one) => h('option', { value: nameOf(one.maze) }, one.label)));
+    if (mazes.some((one) => nameOf(one.maze) === chosen)) maze.value = chosen;
+    form.refresh();
+    run.disabled = race.disabled = desk.work() === null;
+  }
+  function stop() {
+    number += 1;
+    cage.close();
+    page.core.stop('race');
+    busy(false);
+  }
+  function busy(is: boolean) {
+    end.hidden = !is;
+    run.disabled = race.disabled = is || desk.work() === null;
+    if (!is) bar.hidden = true;
+  }
+  function say(text: string, state: 'good' | 'bad' | 'fair') {
+    verdict.hidden = false;
+    verdict.dataset.state = state;
+    verdict.replaceChildren(text);
+  }
+  function show(held: Held) {
+    hint.hidden = true;
+    say(outcomeInWords(held), held.play.solved ? 'good' : 'bad');
+    prints.show(held.prints);
+    player.show([held], 'end');
+    desk.fail(held.failedAt);
+  }
+  /** Does that with the program, and says what went wrong with it. */
+  async function doing(act: (work: Work, wanted: () => boolean) => Promise<void>) {
+    const work = desk.work();
+    if (!work) return;
+    stop();
+    const mine = ++number;
+    busy(true);
+    desk.complain('');
+    desk.fail(null);
+    try {
+      await act(work, () => mine === number);
+    } catch (error) {
+      if (mine !== number || error instanceof Stopped) return;
+      const message = error instanceof Error ? error.message : String(error);
+      verdict.hidden = true;
+      if (/\bname\b/.test(message)) desk.complain(message);
+      else page.complain(error);
+    } finally {
+      if (mine === number) busy(false);
+    }
+  }
+  const runIt = () =>
+    doing(async (work, wanted) => {
+      say(`${work.name || 'It'} runs …`, 'fair');
+      const [chosen] = await mazesOf(page.core, [mazes[maze.selectedIndex].maze]);
+      const entry = { language: work.language, program: work.text, name: work.name, maze: chosen, seed };
+      const held = await holdContest(page.core, cage, entry, wanted);
+      if (held) show(held);
+    });
+  const raceIt = () =>
+    doing(async (work, wanted) => {
+      const chosen = form.mazes();
+      if (chosen.length === 0) return page.complain('Choose at least one maze.');
+      const runner = { language: work.language, program: work.text, name: work.name };
+      const order = { mice: form.mice(), mazes: await mazesOf(page.core, chosen), runs: usualRuns, seed };
+      bar.hidden = false;
+      const report = ({ done, all, doing: what }: { done: number; all: number; doing: string }) => {
+        if (!wanted()) return;
+        bar.max = all;
+        bar.value = done;
+        say(`${what} …`, 'fair');
+      };
+      const raced = await raceProgram(page.core, cage, runner, order, report, wanted);
+      if (!raced || !wanted()) return;
+      if ('failed' in raced) return show(raced.failed);
+      showRace(raced);
+    });
+  function showRace(raced: Raced) {
+    const [group] = groupsOf(raced.results);
+    const name = raced.contests[0].play.mouse;
+    const place = group.mice.findIndex((mouse) => mouse.name === name) + 1;
+    const solved = raced.contests.filter(({ play }) => play.solved).length;
+    const worst = raced.contests.find(({ play }) => !play.solved);
+    say(
+      `${name} is number ${place} of ${group.mice.length}: solved ${solved} of ${raced.contests.length} mazes`,
+      solved === raced.contests.length ? 'good' : 'bad',
+    );
+    standings.hidden = false;
+    standings.replaceChildren(
+      h('h2', {}, 'Leaderboard'),
+      leaderboard(group, () => undefined).element,
+      h('h2', {}, `What ${name} lost where`),
+      losses(raced.contests, (held) => {
+        show(held);
+        player.element.scrollIntoView({ block: 'nearest' });
+      }),
+      h(
+        'p',
+        { class: 'note' },
+        'All of this race, with its pictures, stands in ',
+        h('a', { href: '#race' }, 'Race'),
+        '.',
+      ),
+    );
+    page.hold(raced.results, raced.mazes, `The race of ${name} is over.`, undefined, raced.records);
+    if (worst) desk.fail(worst.failedAt);
+    standings.scrollIntoView({ block: 'nearest' });
+  }
+  refresh();
+  return {
+    element: h(
+      'section',
+      { 'aria-label': 'Write', class: 'write' },
+      h('h2', { class: 'unseen' }, 'Write a mouse'),
+      desk.element,
+      h(
+        'div',
+        { class: 'bench' },
+        h(
+          'div',
+          { class: 'row bar' },
+          h('label', {}, h('span', { class: 'unseen' }, 'Maze'), maze),
+          run,
+          race,
+          end,
+          bar,
+        ),
+        form.element,
+        hint,
+        verdict,
+        standings,
+        player.element,
+      ),
+    ),
+    shown: refresh,
+    hidden: () => player.stop(),
+    address: desk.address,
+    accept(thing) {
+      const { link } = thing as { link?: string };
+      if (link !== undefined) void desk.receive(link);
+    },
+  };
+}

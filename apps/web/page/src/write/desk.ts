@@ -1,0 +1,207 @@
+// The editor with what belongs to it: the language, a name, programs to begin with, files and links.
+import { h } from '../ui/dom';
+import { createCopyable } from '../ui/copy';
+import { field } from '../ui/field';
+import type { Page } from '../views/view';
+import { createEditor, type Editor } from './editor/editor';
+import { keep, kept, linkOf, longestProgram, readLink, type Work } from './keeping';
+import { languages } from './languages';
+import { reference } from './reference';
+
+export interface Desk {
+  element: HTMLElement;
+  /** What is written, or null while it may not run. */
+  work(): Work | null;
+  /** The text behind `#` that leads to what is written. */
+  address(): Promise<string>;
+  /** Shows the program of a link. It runs only once somebody has allowed it. */
+  receive(link: string): Promise<void>;
+  fail(line: number | null): void;
+  /** Says at the name what is wrong with it; nothing where that is empty. */
+  complain(message: string): void;
+}
+
+const before = 'before';
+const usualName = 'my-mouse';
+
+/** `changed` hears when what is written is another program, or may run now. */
+export function createDesk(page: Page, changed: () => void): Desk {
+  let now: Work = kept() ?? { language: languages[0], name: usualName, text: languages[0].templates[0].text };
+  let foreign = false;
+  let editor: Editor | null = null;
+
+  const language = h(
+    'select',
+    {},
+    ...languages.map(({ id, name }) => h('option', { value: id, selected: id === now.language.id }, name)),
+  );
+  const name = h('input', { type: 'text', value: now.name, spellcheck: 'false', autocomplete: 'off', maxlength: 40 });
+  const nameRow = field('Its name', name);
+  const begin = h('select', {});
+  const host = h('div', { class: 'editor' });
+  const says = h('p', { class: 'note', role: 'status' });
+  const warning = h(
+    'div',
+    { class: 'warning', role: 'alert', hidden: true },
+    h(
+      'p',
+      {},
+      'This program came with a link: somebody else wrote it. It can reach neither this page nor any network; still, read it before you let it run.',
+    ),
+    h(
+      'div',
+      { class: 'row' },
+      h('button', { type: 'button', onclick: allow }, 'Let it run'),
+      h('button', { type: 'button', onclick: backToMine }, 'Back to mine'),
+    ),
+  );
+  const link = createCopyable('A link to this program');
+  link.element.hidden = true;
+  const help = h('div', {});
+
+  function offer() {
+    const { templates } = now.language;
+    begin.replaceChildren(
+      h('option', { value: '' }, 'Start with …'),
+      ...templates.map((one, index) => h('option', { value: index }, one.name)),
+      ...(kept(before) ? [h('option', { value: before }, 'What stood here before')] : []),
+    );
+    help.replaceChildren(reference(now.language.id));
+    language.value = now.language.id;
+  }
+  /** Puts a program into the editor. */
+  function put(work: Work) {
+    now = work;
+    name.value = work.name;
+    editor?.set(work.text, work.language.id);
+    link.element.hidden = true;
+    nameRow.complain('');
+    offer();
+    changed();
+  }
+  function wrote() {
+    link.element.hidden = true;
+    if (foreign) return;
+    says.replaceChildren(keep(now) ? 'Kept in this browser.' : 'This browser keeps nothing: save it as a file.');
+  }
+  /** Keeps what stood there, in case somebody wants it back. */
+  function putAside() {
+    const own = kept(now.language.id);
+    const isTemplate = now.language.templates.some(({ text }) => text === own?.text);
+    if (own && !isTemplate) keepAside(own);
+  }
+  function allow() {
+    foreign = false;
+    warning.hidden = true;
+    putAside();
+    wrote();
+    offer();
+    changed();
+  }
+  function backToMine() {
+    foreign = false;
+    warning.hidden = true;
+    put(kept() ?? { language: languages[0], name: usualName, text: languages[0].templates[0].text });
+  }
+  begin.addEventListener('change', () => {
+    const back = begin.value === before ? kept(before) : null;
+    const template = now.language.templates[Number(begin.value)];
+    if (begin.value === '' || !(back ?? template)) return;
+    if (!foreign) putAside();
+    foreign = false;
+    warning.hidden = true;
+    put(back ?? { ...now, text: template.text });
+    wrote();
+    editor?.focus();
+  });
+  language.addEventListener('change', () => {
+    const chosen = languages.find(({ id }) => id === language.value)!;
+    foreign = false;
+    warning.hidden = true;
+    put(kept(chosen.id) ?? { language: chosen, name: now.name, text: chosen.templates[0].text });
+    wrote();
+  });
+  name.addEventListener('input', () => {
+    now = { ...now, name: name.value.trim() };
+    nameRow.complain('');
+    wrote();
+  });
+  async function openFile() {
+    const input = h('input', { type: 'file', accept: '.js,.py,.mjs,.txt' });
+    input.onchange = async () => {
+      const file = input.files?.[0];
+      if (!file) return;
+      if (file.size > longestProgram) return page.complain(`${file.name} is too long for the program of a mouse.`);
+      const ending = file.name.split('.').at(-1);
+      const of = languages.find(({ fileName }) => fileName.endsWith(`.${ending}`)) ?? now.language;
+      if (!foreign) putAside();
+      foreign = false;
+      warning.hidden = true;
+      put({ ...now, language: of, text: await file.text() });
+      wrote();
+    };
+    input.click();
+  }
+  const address = async () => `write=${await linkOf(now)}`;
+  async function share() {
+    link.show(`${location.href.split('#')[0]}#${await address()}`);
+    link.element.hidden = false;
+    await link.copy();
+  }
+  const button = (label: string, onclick: () => unknown) =>
+    h('button', { type: 'button', onclick: () => void onclick() }, label);
+  offer();
+  createEditor(host, 'The program', (text) => {
+    now = { ...now, text };
+    editor?.fail(null);
+    wrote();
+  }).then(
+    (made) => {
+      editor = made;
+      made.set(now.text, now.language.id);
+    },
+    (error) => page.complain(error),
+  );
+  return {
+    element: h(
+      'div',
+      { class: 'desk-editor' },
+      h(
+        'div',
+        { class: 'row bar' },
+        languages.length > 1 && h('label', {}, h('span', { class: 'unseen' }, 'Language'), language),
+        h('label', {}, h('span', { class: 'unseen' }, 'Program to begin with'), begin),
+        button('Open', openFile),
+        button('Save', () => page.save(now.language.fileName, now.text)),
+        button('Share', share),
+      ),
+      warning,
+      link.element,
+      nameRow,
+      host,
+      h('div', { class: 'row bar' }, h('span', { class: 'note' }, 'Tab indents; Escape, then Tab leads on.'), says),
+      h('details', { class: 'api', open: true }, h('summary', {}, 'What it reads and answers'), help),
+    ),
+    work: () => (foreign ? null : now),
+    address,
+    async receive(text) {
+      const work = await readLink(text);
+      if (!work) return page.complain('This link does not contain a whole program. Copy the whole link again.');
+      foreign = true;
+      warning.hidden = false;
+      put(work);
+    },
+    fail: (line) => editor?.fail(line),
+    complain: (message) => nameRow.complain(message),
+  };
+}
+
+/** Under a name of its own, beside what is being written. */
+function keepAside(work: Work) {
+  const { language, name, text } = work;
+  try {
+    localStorage.setItem(`labmouse-write-${before}`, JSON.stringify({ language: language.id, name, text }));
+  } catch {
+    // Then it is gone, as all is that such a browser holds.
+  }
+}

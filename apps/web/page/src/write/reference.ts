@@ -1,0 +1,48 @@
+// What a program reads and answers, beside the editor: the same as docs/guest-protocol.md and docs/guests.md have it.
+import { h } from '../ui/dom';
+import type { LanguageId } from './runtime';
+
+type Line = [code: string, meaning: string];
+
+const javascript: Line[] = [
+  ['size W H', 'columns and rows of the maze'],
+  [
+    'start X Y HEADING',
+    'where it begins: column and row from the south-west corner, which is 0 0; north, east, south or west',
+  ],
+  ['goal X Y', 'a goal cell, a line for each'],
+  ['stride N', 'the longest movement of one step, in cells'],
+  ['budget N', 'the most steps of both runs together'],
+  ['seed N', 'for mice that throw dice'],
+  ['begin', 'answer with the line: labmouse 1'],
+  [
+    'sense L A R',
+    'a step: the open cells to the left, ahead and to the right, up to the next wall. Answer with one line:',
+  ],
+  ['→ move DEGREES CELLS', 'turn by -90, 0 or 90, clockwise, then go up to 3 cells; negative is backwards'],
+  ['→ reset', 'in a goal or after it: back to the start, for the fast run'],
+  ['→ forfeit', 'it gives up'],
+  ['console.log(…)', 'writes a line to the host'],
+  ['console.error(…)', 'prints for you, beside the replay'],
+];
+
+const python: Line[] = [
+  ['class Robot', 'the robot of the capstone project'],
+  [
+    '__init__(self, maze_dim)',
+    'begins in the cell (0, 0), the south-west corner, and looks north; maze_dim is the side of the maze',
+  ],
+  ['next_move(self, sensors)', 'one step; sensors are the open cells to the left, ahead and to the right'],
+  ['return rotation, movement', 'turn by -90, 0 or 90, clockwise, then go up to 3 cells; negative is backwards'],
+  ["return 'Reset', 'Reset'", 'once it was in the centre: back to the start, for the fast run'],
+  ['print(…)', 'prints for you, beside the replay'],
+];
+
+export function reference(id: LanguageId): HTMLElement {
+  const lines = id === 'python' ? python : javascript;
+  return h(
+    'dl',
+    { class: 'reference' },
+    ...lines.flatMap(([code, meaning]) => [h('dt', {}, h('code', {}, code)), h('dd', {}, meaning)]),
+  );
+}

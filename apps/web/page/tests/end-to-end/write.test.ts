@@ -1,0 +1,258 @@
+// The view Write: from a starting point to one's own mouse on the leaderboard, and what a program cannot do.
+import { execFileSync } from 'node:child_process';
+import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { createServer } from 'node:http';
+import type { AddressInfo } from 'node:net';
+import { join } from 'node:path';
+import type { Page } from 'playwright-core';
+import { expect, test } from 'vitest';
+import { barriers, native, open, picture, program, provoked, root, temporary } from './harness';
+
+const templates = join(root, 'apps/web/page/src/write/javascript/templates');
+const template = (name: string) => readFileSync(join(templates, `${name}.js`), 'utf8');
+
+const view = (page: Page) => page.getByRole('region', { name: 'Write', exact: true });
+const verdict = (page: Page) => view(page).locator('.verdict');
+const editor = (page: Page) => view(page).getByRole('textbox', { name: 'The program' });
+const button = (page: Page, name: string) => view(page).getByRole('button', { name, exact: true });
+
+async function openWrite(hash = '#write', options = {}) {
+  const page = await open(hash, options);
+  await editor(page).waitFor();
+  return page;
+}
+
+/** Replaces what stands in the editor. */
+async function write(page: Page, text: string) {
+  await editor(page).focus();
+  await page.keyboard.press('Control+A');
+  await page.keyboard.press('Delete');
+  await page.keyboard.insertText(text);
+}
+
+/** Says its greeting, then does that in its first step. */
+const doing = (act: string) => `
+require('readline').createInterface({ input: process.stdin }).on('line', async (line) => {
+  if (line === 'begin') console.log('labmouse 1');
+  if (!line.startsWith('sense')) return;
+  ${act}
+});
+`;
+
+async function run(page: Page, text: string) {
+  await write(page, text);
+  await button(page, 'Run').click();
+  await expect.poll(() => verdict(page).getAttribute('data-state'), { timeout: 20_000 }).toMatch(/good|bad/);
+  return (await verdict(page).textContent())!;
+}
+
+test('one change, a name, and it stands on the leaderboard', async () => {
+  const page = await open('#home');
+  await page.getByRole('link', { name: 'Write your own' }).click();
+  const changed = template('flood-fill').replace('LONGEST_STEP_OF_SEARCH = 1', 'LONGEST_STEP_OF_SEARCH = 2');
+  await write(page, changed);
+  await view(page).getByLabel('Its name').fill('long-legs');
+  await view(page)
+    .getByText(/^In mazes/)
+    .click();
+  const mazes = view(page).getByRole('group', { name: 'In mazes' });
+  await mazes.getByRole('button', { name: 'None' }).click();
+  for (const name of ['capstone-1', 'contest-01', 'contest-05']) await mazes.getByLabel(name, { exact: true }).check();
+  await button(page, 'Race').click();
+  const board = view(page).getByRole('table', { name: 'Leaderboard' });
+  await board.getByText('long-legs').waitFor();
+  await picture(page, 'write-race');
+  expect(await barriers(page)).toEqual([]);
+
+  const folder = temporary('long-legs');
+  mkdirSync(folder);
+  writeFileSync(join(folder, 'mouse.js'), changed);
+  const words = [
+    'race',
+    '--mice',
+    'long-legs=guest:node mouse.js',
+    '--mazes',
+    'capstone-1',
+    'contest-01',
+    'contest-05',
+  ];
+  const results = JSON.parse(
+    execFileSync(program, [...words, '--format', 'json', '--directory', folder], { encoding: 'utf8' }),
+  );
+  await page.getByRole('link', { name: 'Race', exact: true }).first().click();
+  const race = page.getByRole('region', { name: 'Race' });
+  await race.getByText('long-legs').first().waitFor();
+  const row = race.getByRole('row').filter({ hasText: 'long-legs' }).first();
+  expect(await row.textContent()).toContain(results.mice[0].penalised_mean.toFixed(3));
+});
+
+test('records are those of the command line, byte for byte', async () => {
+  const page = await openWrite();
+  const folder = temporary('same-records');
+  mkdirSync(folder);
+  const programs: Record<string, string> = {
+    ...Object.fromEntries(
+      readdirSync(templates).map((name) => [name.replace('.js', ''), readFileSync(join(templates, name), 'utf8')]),
+    ),
+    rubbish: doing(`console.error('a note', [1, 'b'], { c: 3 }); console.log('fly');`),
+    flooded: doing(`console.log('move 0 1\\nmove 0 1');`),
+  };
+  for (const [name, text] of Object.entries(programs)) {
+    writeFileSync(join(folder, 'mouse.js'), text);
+    for (const maze of ['capstone-1', 'contest-01', 'contest-05']) {
+      await view(page).getByRole('combobox', { name: 'Maze' }).selectOption(maze);
+      await view(page).getByLabel('Its name').fill(name);
+      await run(page, text);
+      const [download] = await Promise.all([
+        page.waitForEvent('download'),
+        view(page).getByRole('button', { name: 'Save record' }).click(),
+      ]);
+      const file = join(folder, 'record.jsonl');
+      native('run', `${name}=guest:node mouse.js`, maze, '--directory', folder, '--record', file);
+      expect(readFileSync((await download.path())!, 'utf8'), `${name} in ${maze}`).toBe(readFileSync(file, 'utf8'));
+    }
+  }
+}, 180_000);
+
+test.each([
+  ['fetch', `fetch('http://SERVER/').then(told, refused)`],
+  ['fetch of a file', `fetch('file:///etc/passwd').then(told, refused)`],
+  [
+    'WebSocket',
+    `try { const s = new WebSocket('ws://SERVER/'); s.onopen = told; s.onerror = refused; } catch (e) { refused(e); }`,
+  ],
+  [
+    'XMLHttpRequest',
+    `try { const r = new XMLHttpRequest(); r.onload = told; r.onerror = refused; r.open('GET', 'http://SERVER/'); r.send(); } catch (e) { refused(e); }`,
+  ],
+  [
+    'EventSource',
+    `try { const s = new EventSource('http://SERVER/'); s.onopen = told; s.onerror = refused; } catch (e) { refused(e); }`,
+  ],
+  ['importScripts', `try { importScripts('http://SERVER/a.js'); told(); } catch (e) { refused(e); }`],
+  [
+    'importScripts of a blob',
+    `try { importScripts(URL.createObjectURL(new Blob(['1']))); told(); } catch (e) { refused(e); }`,
+  ],
+  ['import', `import('http://SERVER/a.js').then(told, refused)`],
+  ['eval', `try { eval('1'); told(); } catch (e) { refused(e); }`],
+  [
+    'IndexedDB',
+    `try { const r = indexedDB.open('a'); r.onsuccess = told; r.onerror = refused; } catch (e) { refused(e); }`,
+  ],
+  ['caches', `try { caches.open('a').then(told, refused); } catch (e) { refused(e); }`],
+  ['localStorage', `try { localStorage.setItem('a', 'b'); told(); } catch (e) { refused(e); }`],
+  ['the parent', `try { parent.document.title; told(); } catch (e) { refused(e); }`],
+  ['the files of a browser', `try { navigator.storage.getDirectory().then(told, refused); } catch (e) { refused(e); }`],
+])('a program cannot reach %s', async (_, act) => {
+  let asked = 0;
+  // Whoever asks is answered, so that nothing but the sandbox is in the way.
+  const server = createServer((_, answer) => {
+    asked += 1;
+    answer.writeHead(200, { 'access-control-allow-origin': '*', 'content-type': 'text/javascript' }).end('1');
+  });
+  server.on('upgrade', () => (asked += 1));
+  await new Promise<void>((resolve) => server.listen(0, '127.0.0.1', resolve));
+  const page = await openWrite();
+  const here = act.replace('SERVER', `127.0.0.1:${(server.address() as AddressInfo).port}`);
+  const said = await run(
+    page,
+    doing(`const told = () => console.log('told'), refused = () => console.log('forfeit'); ${here}`),
+  );
+  server.close();
+  expect(asked).toBe(0);
+  expect(said).toContain('gave up');
+  // What the browser refuses it still tells of.
+  provoked(/Content Security Policy|Refused|ERR_|violates|asks for/i);
+});
+
+test.each([
+  ['an endless loop', doing('for (;;);'), /hung.*silent/],
+  ['an endless loop before its first word', 'for (;;);', /hung/],
+  ['silence', doing(''), /hung/],
+  ['a line without its end', doing(`process.stdout.write('move 0 1')`), /hung.*'move 0 1' without ending the line/],
+  ['an endless memory', doing('const all = []; for (;;) all.push(new Array(1e6).fill(all.length));'), /hung|died/],
+  ['endless prints', doing(`for (;;) console.error('again');`), /too much written/],
+  ['a flood of messages', doing('for (;;) self.postMessage({ kind: "print", text: "" });'), /too much written/],
+  [
+    'messages without sense',
+    doing(`self.postMessage(null); self.postMessage({ kind: 'reply', lines: [1] }); console.log('forfeit');`),
+    /gave up/,
+  ],
+  ['an end of its own', doing('process.exit(3)'), /died.*exit code 3/],
+  ['an error', `// one\n// two\n${doing('undefined.x')}`, /died.*error in line 7/],
+  ['an error in a promise', doing('await null; throw new Error("late")'), /died.*late/],
+  ['a program that cannot be read', 'const a = ;', /died.*line 1.*SyntaxError/],
+  ['a module that is not there', `require('net')`, /died.*line 1.*'net'/],
+])('its failure is its forfeit: %s', async (_, text, outcome) => {
+  const page = await openWrite();
+  expect(await run(page, text)).toMatch(outcome);
+  provoked(/Content Security Policy|Refused|out of memory/i);
+  // And the page goes on.
+  expect(await run(page, template('flood-fill'))).toContain('solved');
+});
+
+test('the failing line is marked, and what it printed stands at its step', async () => {
+  const page = await openWrite();
+  await run(
+    page,
+    doing(
+      `console.error('I see', line);\n  if (line === 'sense 0 11 0') console.log('move 0 1');\n  else undefined.x;`,
+    ),
+  );
+  await view(page).locator('.cm-failed').waitFor();
+  expect(await view(page).locator('.cm-failed').textContent()).toContain('undefined.x');
+  const prints = view(page).getByRole('region', { name: 'Prints' });
+  expect(await prints.getByRole('listitem').count()).toBe(2);
+  await prints.getByRole('button', { name: 'step 1' }).click();
+  await expect.poll(() => prints.locator('[aria-current]').textContent()).toContain('I see sense 0 11 0');
+});
+
+test('a program is kept, and comes with a link only after a click', async () => {
+  const page = await openWrite('#write', { permissions: ['clipboard-read', 'clipboard-write'] });
+  await write(page, `// mine\n${template('empty')}`);
+  await view(page).getByLabel('Its name').fill('kept');
+  await button(page, 'Share').click();
+  const link = await view(page).getByLabel('A link to this program').inputValue();
+  expect(link).toContain('#write=');
+  await page.reload();
+  await expect.poll(() => editor(page).textContent()).toContain('// mine');
+  expect(await view(page).getByLabel('Its name').inputValue()).toBe('kept');
+
+  await write(page, `// other\n${template('empty')}`);
+  await page.evaluate((hash) => (location.hash = hash), link.slice(link.indexOf('#')));
+  await view(page).getByRole('alert').filter({ hasText: 'somebody else' }).waitFor();
+  await expect.poll(() => editor(page).textContent()).toContain('// mine');
+  expect(await button(page, 'Run').isDisabled()).toBe(true);
+  expect(await barriers(page)).toEqual([]);
+  await button(page, 'Let it run').click();
+  expect(await button(page, 'Run').isDisabled()).toBe(false);
+  await view(page).getByLabel('Program to begin with').selectOption('What stood here before');
+  await expect.poll(() => editor(page).textContent()).toContain('// other');
+});
+
+test('a link that is none is told of in words', async () => {
+  const page = await openWrite('#write=AAAA');
+  await page.getByText('does not contain a whole program').waitFor();
+});
+
+test.each([
+  ['telephone', { viewport: { width: 390, height: 844 }, colorScheme: 'dark', hasTouch: true }],
+  ['window', { viewport: { width: 1440, height: 900 }, colorScheme: 'light' }],
+] as const)('nothing bars the way on a %s', async (name, options) => {
+  const page = await openWrite('#write', options);
+  await run(page, template('flood-and-return'));
+  expect(await barriers(page)).toEqual([]);
+  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(options.viewport.width);
+  await picture(page, `write-${name}`);
+});
+
+test('Tab indents, and after Escape it leads out of the editor', async () => {
+  const page = await openWrite();
+  await write(page, 'a');
+  await page.keyboard.press('Tab');
+  expect(await editor(page).textContent()).toMatch(/^a\s+$/);
+  await page.keyboard.press('Escape');
+  await page.keyboard.press('Tab');
+  expect(await page.evaluate(() => document.activeElement?.className)).not.toContain('editor');
+});

@@ -1,0 +1,128 @@
+// The view Write without a browser: programs as scripts, and as links.
+import { runInNewContext } from 'node:vm';
+import { describe, expect, test } from 'vitest';
+import { holdContest } from '../../src/write/contest';
+import { linkOf, longestProgram, readLink, readWork } from '../../src/write/keeping';
+import { languages } from '../../src/write/languages';
+import { linesBefore, withoutImports, workerSource } from '../../src/write/javascript/source';
+import type { ToWorker } from '../../src/write/runtime';
+import type { Said } from '../../src/write/sandbox/cage';
+import type { Core } from '../../src/core/client';
+import type { MazeData } from '../../src/core/types';
+
+const [javascript] = languages;
+const work = { language: javascript, name: 'mine', text: 'const a = "ä€😀";\n'.repeat(50) };
+
+test('a program comes back from its link', async () => {
+  const link = await linkOf(work);
+  expect(link).toMatch(/^[\w-]+$/);
+  expect(link.length).toBeLessThan(200);
+  expect(await readLink(link)).toEqual(work);
+});
+
+test('what is no link is none', async () => {
+  const link = await linkOf(work);
+  for (const bad of ['', 'x', 'AAAA', '%', link.slice(0, -9), `${link.slice(0, 9)}A${link.slice(10)}`])
+    expect(await readLink(bad)).toBeNull();
+  expect(await readLink(await linkOf({ ...work, text: ' '.repeat(20 * longestProgram) }))).toBeNull();
+  for (const bad of [
+    '',
+    '[]',
+    'null',
+    '{"language":"cobol","name":"","text":""}',
+    '{"language":"javascript","name":1,"text":""}',
+  ])
+    expect(readWork(bad)).toBeNull();
+});
+
+test('imports become what a script can say, and no line moves', () => {
+  const program = `import readline from 'node:readline';\nimport * as os from "os"\nimport { a as b, c } from 'm';\nimport 'x';\nimportant('y');`;
+  expect(withoutImports(program)).toBe(
+    `const readline = require("node:readline");\nconst os = require("os");\nconst { a: b, c } = require("m");\nrequire("x");\nimportant('y');`,
+  );
+});
+
+test('a program begins in its line', () => {
+  expect(workerSource('first();\nsecond();').split('\n')[linesBefore]).toBe('first();');
+});
+
+/** Runs a script as a worker would, and returns what it said. */
+function worker(program: string) {
+  const said: unknown[] = [];
+  const self: Record<string, unknown> = {
+    postMessage: (message: unknown) => said.push(message),
+    close() {},
+    addEventListener() {},
+  };
+  const tasks = { queueMicrotask, setTimeout, performance };
+  runInNewContext(workerSource(program), Object.assign(self, tasks, { self }));
+  const tell = async (data: ToWorker) => {
+    (self.onmessage as (event: { data: ToWorker }) => void)({ data });
+    await new Promise((resolve) => setTimeout(resolve));
+  };
+  return { said, tell };
+}
+
+describe('a program finds what node has', () => {
+  const answering = {
+    'readline with events': `require('readline').createInterface({input: process.stdin}).on('line', (line) => console.log('got', line))`,
+    'readline with a loop': `import readline from 'node:readline';\nfor await (const line of readline.createInterface({input: process.stdin})) console.log('got', line);`,
+    'data of standard input': `process.stdin.setEncoding('utf8').on('data', (text) => process.stdout.write('got ' + text))`,
+    'standard input with a loop': `(async () => { for await (const text of process.stdin) process.stdout.write('got ' + text); })()`,
+  };
+  test.each(Object.entries(answering))('%s', async (_, program) => {
+    const { said, tell } = worker(program);
+    await tell({ kind: 'start', program });
+    await tell({ kind: 'hear', line: 'a' });
+    await tell({ kind: 'hear', line: 'b' });
+    const lines = said.flatMap((one) => (one as { lines?: string[] }).lines ?? []);
+    expect(lines).toEqual(['got a', 'got b']);
+  });
+
+  test('two lines of one turn go out together, after what was printed', async () => {
+    const { said, tell } = worker(
+      `console.error('note', [1, 'x'], { a: null }); console.log(1); process.stdout.write('2\\n3');`,
+    );
+    await tell({ kind: 'start', program: '' });
+    expect(said).toEqual([
+      { kind: 'print', text: "note [ 1, 'x' ] { a: null }\n" },
+      { kind: 'ready' },
+      { kind: 'reply', lines: ['1', '2'], rest: '3' },
+    ]);
+  });
+});
+
+/** A core and a program that say what they are told to, and what the core heard. */
+async function contest(said: Said[]) {
+  const heard: unknown[] = [];
+  const lines = (ended: boolean) => ({ contest: 1, lines: ['sense 0 0 0'], ended, steps: heard.length });
+  const core = {
+    call: async (name: string, request: Record<string, unknown>) => {
+      if (name !== 'guest_hear') return name === 'guest_begin' ? lines(false) : {};
+      heard.push(request);
+      return lines('end' in request);
+    },
+  } as unknown as Core;
+  const session = { say() {}, next: async () => said.shift() ?? null, end() {} };
+  const cage = { start: async () => session, close() {} };
+  const entry = { language: javascript, program: '', name: '', maze: {} as MazeData, seed: 1 };
+  return { held: await holdContest(core, cage, entry), heard };
+}
+
+test('a program that says nothing more has hung, and what it had printed is told', async () => {
+  const { heard, held } = await contest([
+    { kind: 'ready' },
+    { kind: 'print', text: 'a\n' },
+    { kind: 'reply', lines: [], rest: 'mo' },
+  ]);
+  expect(heard).toEqual([{ contest: 1, output: 'mo', printed: 'a\n', end: { kind: 'silent', seconds: 2 } }]);
+  expect(held!.prints).toEqual([{ frame: 0, text: 'a\n' }]);
+});
+
+test('what is no Unicode does not reach the core', async () => {
+  const { heard } = await contest([
+    { kind: 'reply', lines: ['a\ud800'] },
+    { kind: 'failed', message: 'Uncaught \udc00', line: 3 },
+  ]);
+  expect(heard).toMatchObject([{ output: 'a\ufffd\n' }, { end: { kind: 'failed', message: '\ufffd', line: 3 } }]);
+});
