@@ -2,6 +2,9 @@
 # of labmouse/NAME, that may use the rooms named behind it.
 function(labmouse_room name)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/labmouse/${name}/*.cpp)
+  if(LABMOUSE_LEFT_OUT)
+    list(FILTER sources EXCLUDE REGEX ${LABMOUSE_LEFT_OUT})
+  endif()
   set(target labmouse_${name})
   if(sources)
     set(scope PUBLIC)

@@ -1,0 +1,19 @@
+// What a build without guests says of them: LABMOUSE_GUESTS, for systems other than Linux.
+#include "labmouse/guests/mms/run.hpp"
+#include "labmouse/lab/mice/guest_specs.hpp"
+
+namespace labmouse {
+
+void read_guest_spec(std::string_view, const GuestOptions&, SpecResult& result) {
+  result.error = "this build starts no programs; on Linux, build it with -DLABMOUSE_GUESTS=ON";
+}
+
+MmsRun run_mms(const Launch&, const Maze&, const MmsOptions&,
+               const std::function<void(const MmsEvent&, const MmsHost&)>&) {
+  MmsRun run;
+  run.outcome = MmsOutcome::not_started;
+  run.end = "this build starts no programs";
+  return run;
+}
+
+}  // namespace labmouse
