@@ -14,6 +14,7 @@ void bind_minds(nanobind::module_& module);
 void bind_races(nanobind::module_& module);
 void bind_records(nanobind::module_& module);
 void bind_bounds(nanobind::module_& module);
+void bind_learning(nanobind::module_& module);
 void bind_studies(nanobind::module_& module);
 
 }  // namespace labmouse::python

@@ -1,0 +1,48 @@
+"""What the single and the vector environment share: a compiled batch and the arrays that it writes to."""
+
+from typing import Any, Dict, Optional
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .._native import ACTIONS, ROW_COLUMNS, ContestBatch
+from .mazes import Mazes, source_of
+from .observations import memory_of, space_of
+
+
+def shown(array: NDArray[Any]) -> NDArray[Any]:
+    """The same memory, not to be written to."""
+    view = array.view()
+    view.flags.writeable = False
+    return view
+
+
+class Batch:
+    """`count` contests; its arrays change in place with every step."""
+
+    def __init__(self, count: int, mazes: Mazes, observation: str, order: str, budget: int) -> None:
+        if order not in ("drawn", "in turn"):
+            raise ValueError(f"unknown order '{order}'; mazes come 'drawn' or 'in turn'")
+        self.native = ContestBatch(count, source_of(mazes), in_turn=order == "in turn", budget=budget)
+        self.space = space_of(observation, self.native.size, budget)
+        memory = memory_of(count, self.space)
+        rows = memory if observation == "sighting" else np.zeros((count, ROW_COLUMNS), np.int16)
+        rewards, returns = np.zeros(count), np.zeros(count)
+        ended, states = np.zeros(count, np.uint8), np.zeros(count, np.uint8)
+        masks, numbers = np.zeros((count, ACTIONS), np.int8), np.zeros(count, np.int64)
+        self.native.bind(
+            rewards, returns, ended, rows=rows, words=memory if observation == "bits" else None,
+            bytes=memory if observation == "belief" else None, masks=masks, states=states, mazes=numbers,
+        )  # fmt: skip
+        self.observations, self.rows, self.masks = shown(memory), shown(rows), shown(masks)
+        self.rewards, self.returns = shown(rewards), shown(returns)
+        self.ended = shown(ended.view(np.bool_))
+        self.states, self.numbers = shown(states), shown(numbers)
+
+    def infos(self) -> Dict[str, NDArray[Any]]:
+        """What is told besides the observations, for all contests."""
+        return {"action_mask": self.masks, "return": self.returns, "state": self.states, "maze": self.numbers}
+
+    def seed(self, contest: int, seed: Optional[int]) -> None:
+        if seed is not None:
+            self.native.seed(contest, seed)

@@ -1,0 +1,134 @@
+"""A trained policy as a mouse of races: it sees what every mouse sees, and keeps its belief itself."""
+
+import json
+import os
+from importlib import resources
+from typing import Any, Tuple, Union
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .policy import WEIGHTS, Floats, Policy
+from .spaces import RESET, action_of
+
+_DX, _DY = (0, 1, 0, -1), (1, 0, -1, 0)
+_HEADINGS = ("north", "east", "south", "west")
+
+
+class Belief:
+    """What the environment shows as 'bits' and 'sighting', kept from readings and own actions alone.
+
+    Args:
+        briefing: what a mouse is told: width, height, start, heading, goals, budget.
+    """
+
+    def __init__(self, briefing: Any) -> None:
+        width, height, goals = briefing.width, briefing.height, briefing.goals
+        self.bits = np.zeros((1, height, width), np.uint16)
+        self.rows = np.zeros((1, 16), np.int16)
+        grid = self.bits[0]
+        grid[-1, :] |= 1 << 4
+        grid[:, -1] |= 1 << 5
+        grid[0, :] |= 1 << 6
+        grid[:, 0] |= 1 << 7
+        for x, y in goals:
+            grid[y, x] |= 1 << 13
+        self.start = (*briefing.start, _HEADINGS.index(briefing.heading))
+        self.x, self.y, self.heading = self.start
+        self.goals = {tuple(goal) for goal in goals}
+        self.budget = self.left = briefing.budget
+        self.speed_run = self.goal_entered = False
+        columns, lines = [x for x, _ in goals], [y for _, y in goals]
+        self.rows[0, 10:] = width, height, min(columns), min(lines), max(columns), max(lines)
+        grid[self.y, self.x] |= 1 << 8
+
+    def see(self, left: int, ahead: int, right: int) -> None:
+        """Learns a reading, and writes it with the pose to the row."""
+        grid = self.bits[0]
+        for turn, cells in ((-1, left), (0, ahead), (1, right)):
+            side = (self.heading + turn) % 4
+            x, y = self.x, self.y
+            for _ in range(cells):
+                grid[y, x] |= 1 << side
+                x, y = x + _DX[side], y + _DY[side]
+                grid[y, x] |= 1 << (side + 2) % 4
+            grid[y, x] |= 16 << side
+            x, y = x + _DX[side], y + _DY[side]
+            if 0 <= x < grid.shape[1] and 0 <= y < grid.shape[0]:
+                grid[y, x] |= 16 << (side + 2) % 4
+        row = (left, ahead, right, self.x, self.y, self.heading, self.speed_run, self.goal_entered, self.left)
+        self.rows[0, :9] = row
+
+    def act(self, number: int) -> None:
+        """Takes an action that is known to be free."""
+        self.left -= 1
+        if number == RESET:
+            if self.goal_entered and not self.speed_run:
+                self.speed_run = True
+                self.x, self.y, self.heading = self.start
+            return
+        rotation, movement = action_of(number) or (0, 0)
+        self.heading = (self.heading + rotation // 90) % 4
+        for _ in range(abs(movement)):
+            way = self.heading if movement > 0 else (self.heading + 2) % 4
+            self.x, self.y = self.x + _DX[way], self.y + _DY[way]
+            self.bits[0, self.y, self.x] |= 1 << 8
+        if (self.x, self.y) in self.goals and not self.speed_run:
+            self.goal_entered = True
+
+
+class LearnedMouse:
+    """A mouse in Python for labmouse.race: explores by a policy, runs by a shortest route through what it saw."""
+
+    def __init__(self, weights: Floats, briefing: Any) -> None:
+        self._belief = Belief(briefing)
+        self._policy = Policy(weights, 1, (briefing.width, briefing.height))
+        self._which = np.zeros(1, np.int64)
+        self._before: "NDArray[np.int16] | None" = None
+
+    def decide(self, seen: Any) -> Union[Tuple[int, int], Any]:
+        belief = self._belief
+        belief.see(seen.left, seen.ahead, seen.right)
+        if self._before is None:
+            self._policy.begin(belief.rows)
+        else:
+            self._policy.moved(self._before, belief.rows, self._which)
+        self._before = belief.rows.copy()
+        number = int(self._policy.decide(belief.bits, belief.rows, self._which)[0])
+        belief.act(number)
+        return action_of(number) or "reset"
+
+
+class Learned:
+    """Makes a LearnedMouse for each contest; give it to labmouse.race.
+
+    Args:
+        weights: a list of labmouse.learn.policy.WEIGHTS numbers.
+        name: what tables call it.
+    """
+
+    def __init__(self, weights: Any, name: str = "learned") -> None:
+        self.weights = np.asarray(weights, np.float64)
+        if self.weights.shape != (WEIGHTS,):
+            raise ValueError(f"a policy has {WEIGHTS} weights, not {self.weights.size}")
+        self.__name__ = name
+
+    def __call__(self, briefing: Any) -> LearnedMouse:
+        return LearnedMouse(self.weights, briefing)
+
+    @classmethod
+    def load(cls, path: "Union[str, os.PathLike[str], None]" = None, name: str = "learned") -> "Learned":
+        """The mouse of a file that labmouse.learn.train has written; without a path, the one of the package."""
+        if path is None:
+            text = resources.files(__package__).joinpath("mouse.json").read_text(encoding="utf-8")
+        else:
+            with open(path, encoding="utf-8") as file:
+                text = file.read()
+        return cls(json.loads(text)["weights"], name)
+
+    def shuffled(self, seed: int = 1) -> "Learned":
+        """The same weights in another order, for comparison."""
+        k = (WEIGHTS - 1) // 2
+        dice, weights = np.random.default_rng(seed), self.weights.copy()
+        weights[: 2 * k] = dice.permutation(weights[: 2 * k])
+        return Learned(weights, f"{self.__name__} shuffled")

@@ -1,0 +1,104 @@
+"""Trains the policy of labmouse.learn.policy by an evolution strategy: python -m labmouse.learn.train --out mouse.json
+
+In each generation, pairs of weights are drawn around the present ones, in opposite directions; all play the same fresh
+mazes of the set 'train', and the present weights follow the ranks of the returns (OpenAI's evolution strategy: Salimans and others,
+2017, arXiv:1703.03864; with Adam). Every fifth generation the present weights play mazes of the set 'validation'; the best of
+these are saved. The weights begin at 0: such a mouse prefers no move. So that the first generations differ at all, a failed
+contest of the training counts the less, the more cells the mouse visited; nothing else is paid for.
+"""
+
+import argparse
+import json
+import os
+import time
+from concurrent.futures import ProcessPoolExecutor
+from typing import Any, Dict, List, Optional
+
+import numpy as np
+
+from .. import Maze
+from .mazes import MazeSet
+from .playing import play
+from .policy import FEATURES, WEIGHTS, Floats
+
+MAZES, PAIRS, SPREAD, RATE = 16, 12, 0.3, 0.2
+
+
+def _play(weights: Floats, mazes: List[Maze], budget: int) -> Floats:
+    return play(weights, mazes, budget, seen_pays=True)
+
+
+def _parts(weights: Floats, mazes: List[Maze], budget: int, pool: Optional[ProcessPoolExecutor], jobs: int) -> Floats:
+    if pool is None:
+        return _play(weights, mazes, budget)
+    parts = [part for part in np.array_split(weights, jobs) if len(part)]
+    return np.concatenate(list(pool.map(_play, parts, [mazes] * len(parts), [budget] * len(parts))))
+
+
+def ranks(returns: Floats) -> Floats:
+    """From -0.5 for the worst to 0.5 for the best; equal returns have equal ranks."""
+    above = np.greater.outer(returns, returns).sum(axis=1) - np.less.outer(returns, returns).sum(axis=1)
+    return np.asarray(above / (2 * len(returns) - 2), np.float64)
+
+
+def train(seconds: float, generations: int, jobs: int, seed: int, size: int, budget: int, kind: str = "contest") -> Dict[str, Any]:
+    """Trains for at most so many seconds or generations; what save() writes."""
+    dice = np.random.default_rng(seed)
+    mazes, validation = MazeSet("train", kind=kind, size=size), MazeSet("validation", kind=kind, size=size)[:100]
+    mean, momentum, square = np.zeros(WEIGHTS), np.zeros(WEIGHTS), np.zeros(WEIGHTS)
+    best, best_score = mean, np.inf
+    curve: List[Dict[str, float]] = []
+    begin, processor, generation = time.monotonic(), os.times(), 0
+    pool = ProcessPoolExecutor(jobs) if jobs > 1 else None
+    while True:
+        over = generation == generations or time.monotonic() - begin > seconds
+        if generation % 5 == 0 or over:
+            score = -float(play(mean[None], validation).mean())
+            curve.append({"generation": generation, "seconds": time.monotonic() - begin, "validation": score})
+            print(f"generation {generation:4d}  {time.monotonic() - begin:6.1f} s  validation {score:.2f}", flush=True)
+            if score < best_score:
+                best, best_score = mean.copy(), score
+        if over:
+            break
+        first = generation * MAZES
+        noise = dice.standard_normal((PAIRS, WEIGHTS))
+        tried = mean + SPREAD * np.concatenate([noise, -noise])
+        returns = _parts(tried, mazes[first : first + MAZES], budget, pool, jobs).mean(axis=1)
+        rank = ranks(returns)
+        slope = (rank[:PAIRS] - rank[PAIRS:]) @ noise / (2 * PAIRS * SPREAD)
+        generation += 1
+        momentum = 0.9 * momentum + 0.1 * slope
+        square = 0.99 * square + 0.01 * slope**2
+        mean = mean + RATE * (momentum / (1 - 0.9**generation)) / (np.sqrt(square / (1 - 0.99**generation)) + 1e-8)
+    if pool is not None:
+        pool.shutdown()
+    now = os.times()
+    used = sum(now[:4]) - sum(processor[:4])
+    return {
+        "mouse": "labmouse.learn.policy", "features": list(FEATURES), "weights": [round(float(w), 4) for w in best],
+        "trained": {"size": size, "seed": seed, "generations": generation, "seconds": round(time.monotonic() - begin, 1),
+                    "processor_seconds": round(used, 1), "validation": round(best_score, 3)},
+        "curve": [{name: round(value, 2) for name, value in point.items()} for point in curve],
+    }  # fmt: skip
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(prog="python -m labmouse.learn.train", description="Trains a mouse that learns to explore.")
+    parser.add_argument("--out", required=True, help="the file to write, JSON")
+    parser.add_argument("--seconds", type=float, default=600.0, help="time limit (default 600)")
+    parser.add_argument("--generations", type=int, default=100, help="at most so many (default 100)")
+    parser.add_argument("--jobs", type=int, default=2, help="processes (default 2)")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--size", type=int, default=16, help="side of the mazes (default 16)")
+    parser.add_argument("--kind", default="contest", help="their generator (default contest)")
+    parser.add_argument("--budget", type=int, default=400, help="steps of a contest in training (default 400)")
+    options = parser.parse_args()
+    out = options.__dict__.pop("out")
+    result = train(**options.__dict__)
+    with open(out, "w", encoding="utf-8") as file:
+        json.dump(result, file, indent=1)
+        file.write("\n")
+
+
+if __name__ == "__main__":
+    main()

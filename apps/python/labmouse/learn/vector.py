@@ -1,0 +1,104 @@
+"""Many contests at once, for Gymnasium."""
+
+from typing import Any, Dict, List, Optional, Tuple, Union
+
+import numpy as np
+from gymnasium import spaces
+from gymnasium.vector import AutoresetMode, VectorEnv
+from gymnasium.vector.utils import batch_space
+from numpy.typing import NDArray
+
+from .batch import Batch
+from .mazes import Mazes
+from .spaces import ACTIONS
+
+
+class ContestVectorEnv(VectorEnv[NDArray[Any], NDArray[np.int64], NDArray[Any]]):
+    """`num_envs` contests of labmouse.learn.ContestEnv, stepped together in compiled code.
+
+    Contests restart by Gymnasium's AutoresetMode.NEXT_STEP: the step after the last one of a contest ignores
+    its action, begins the next contest and pays 0. Environment i of reset(seed=s) plays the same contests as
+    the single environment of reset(seed=s + i). With order='in turn', environment i plays the mazes i,
+    i + num_envs, ... of the set.
+
+    Without `copy`, the arrays that reset and step return are always the same memory, changed in place by the
+    next step and not to be written to. Actions of int64 are read in place, too.
+
+    The other arguments and the infos are those of ContestEnv; an info is an array over the environments.
+    """
+
+    metadata: Dict[str, Any] = {"render_modes": [], "autoreset_mode": AutoresetMode.NEXT_STEP}
+
+    def __init__(
+        self,
+        num_envs: int = 1,
+        mazes: Mazes = "train",
+        observation: str = "sighting",
+        order: str = "drawn",
+        budget: int = 1000,
+        copy: bool = False,
+    ) -> None:
+        self.num_envs = num_envs
+        self._batch = Batch(num_envs, mazes, observation, order, budget)
+        self._copy = copy
+        self.single_observation_space = self._batch.space
+        self.single_action_space = spaces.Discrete(ACTIONS)
+        self.observation_space = batch_space(self.single_observation_space, num_envs)
+        self.action_space = batch_space(self.single_action_space, num_envs)
+        self._truncations = np.zeros(num_envs, np.bool_)
+        self._truncations.flags.writeable = False
+        self._seeded = False
+
+    def reset(
+        self, *, seed: Union[int, List[Optional[int]], None] = None, options: Optional[Dict[str, Any]] = None
+    ) -> Tuple[NDArray[Any], Dict[str, Any]]:
+        """Begins contests everywhere, or where options['reset_mask'] is True."""
+        which = (options or {}).get("reset_mask")
+        super().reset(seed=seed if isinstance(seed, int) else None)
+        if seed is None and not self._seeded:
+            seed = int(self.np_random.integers(2**62))
+        seeds = [seed + i for i in range(self.num_envs)] if isinstance(seed, int) else seed or [None] * self.num_envs
+        if len(seeds) != self.num_envs:
+            raise ValueError(f"{len(seeds)} seeds for {self.num_envs} environments")
+        for contest, own in enumerate(seeds):
+            if which is None or which[contest]:
+                self._batch.seed(contest, own)
+        if isinstance(seed, int):
+            self._batch.native.seed_choices(seed)
+        self._seeded = True
+        self._batch.native.start(None if which is None else np.ascontiguousarray(which, dtype=np.uint8))
+        return self._given(self._batch.observations), self._infos()
+
+    def step(
+        self, actions: NDArray[np.int64]
+    ) -> Tuple[NDArray[Any], NDArray[Any], NDArray[Any], NDArray[Any], Dict[str, Any]]:
+        """One step everywhere. Raises labmouse.Error, and does nothing, where an action is none."""
+        batch = self._batch
+        batch.native.step(np.ascontiguousarray(actions, dtype=np.int64))
+        given = self._given
+        return given(batch.observations), given(batch.rewards), given(batch.ended), given(self._truncations), self._infos()
+
+    def draw_valid_actions(self, into: Optional[NDArray[np.int64]] = None) -> NDArray[np.int64]:
+        """A valid action for each environment, each as likely as the others; seeded by reset(seed=int)."""
+        actions = np.empty(self.num_envs, np.int64) if into is None else into
+        self._batch.native.draw_valid_choices(actions)
+        return actions
+
+    @property
+    def sightings(self) -> NDArray[np.int16]:
+        """The observation 'sighting' of all environments, whatever the chosen observation is: shape (num_envs, 16)."""
+        return self._batch.rows
+
+    @property
+    def nbytes_per_env(self) -> int:
+        """Bytes that an environment takes: state, observation and all other arrays; without mazes of a list."""
+        batch = self._batch
+        arrays = (batch.rewards, batch.returns, batch.ended, batch.masks, batch.states, batch.numbers, batch.observations)
+        bytes_of_rows = 0 if batch.rows.dtype == batch.observations.dtype else batch.rows.nbytes
+        return batch.native.bytes_a_contest + (sum(array.nbytes for array in arrays) + bytes_of_rows) // self.num_envs
+
+    def _given(self, array: NDArray[Any]) -> NDArray[Any]:
+        return array.copy() if self._copy else array
+
+    def _infos(self) -> Dict[str, Any]:
+        return {name: self._given(values) for name, values in self._batch.infos().items()}
