@@ -30,7 +30,7 @@ STEP = [
 
 
 class Replay:
-    """The page with one contest in it: one HTML file, shown in a notebook as the page's player."""
+    """The page with one contest in it: one HTML file. It opens with the result; a click on the contest plays it."""
 
     def __init__(self, html: str, height: int) -> None:
         self.html = html
@@ -136,7 +136,7 @@ class Record:
             file.write(self.text)
 
     def replay(self, height: int = 720) -> Replay:
-        """The page's player with this contest, `height` pixels high. Raises Error where the package has no page."""
+        """The page with this contest, `height` pixels high. Raises Error where the package has no page."""
         return Replay(self._held.report(), height)
 
     def __repr__(self) -> str:
