@@ -282,12 +282,29 @@ TEST(ContestBatch, StartsAnewOnlyWhereItIsAsked) {
   for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(played.row(i, RowColumn::steps_left), i == 1 ? 1000 : 999);
 }
 
-TEST(ContestBatch, DrawsEveryValidChoiceAndNoOther) {
+TEST(ContestBatch, AResetThatLeavesItInAGoalHasNotEnteredIt) {
+  const std::vector<Maze> mazes(1, empty_generator.make({{3, 3}, 1, 0}).with_goals(CellSet::of({0, 0})));
+  Played played(ContestBatch(1, mazes, MazeOrder::drawn), false);
+  const auto choose = [&](int choice) {
+    played.choices = {choice};
+    ASSERT_TRUE(played.batch.step(played.choices));
+  };
+  choose(reset_choice);
+  EXPECT_EQ(played.row(0, RowColumn::goal_entered), 0);
+  choose(0 + longest_choice);  // a turn, which ends in the goal
+  EXPECT_EQ(played.row(0, RowColumn::goal_entered), 1);
+  choose(reset_choice);
+  choose(reset_choice);
+  EXPECT_EQ(played.ended[0], 0);
+  choose(0 + longest_choice);
+  EXPECT_EQ(played.ended[0], 1);
+}
+
+TEST(ContestBatch, DrawsNoChoiceThatIsNotValid) {
   const std::vector<Maze> mazes(1, contest_generator.make({{12, 12}, 3, 0}));
   Played played(ContestBatch(500, mazes, MazeOrder::drawn), false);
   Dice dice(9);
   for (int step = 0; step < 20; ++step) {
-    std::map<std::int64_t, int> drawn;
     played.batch.draw_valid_choices(dice, played.choices);
     for (std::size_t i = 0; i < played.n; ++i)
       EXPECT_EQ(played.masks[i * choice_count + static_cast<std::size_t>(played.choices[i])], 1);
