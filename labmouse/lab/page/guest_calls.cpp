@@ -38,7 +38,7 @@ struct GuestContest {
 };
 
 /// All contests that go on. A page that forgets to end some does not fill the memory.
-constexpr std::size_t most_contests = 8;
+constexpr std::size_t most_held_contests = 8;
 std::vector<std::unique_ptr<GuestContest>> contests;
 int last_id = 0;
 
@@ -95,7 +95,7 @@ PageReply answer_guest_begin(const ReadJson& json, std::string_view) {
   const bool races = request.has("races") && request.flag("races");
   if (!request.error().empty()) return failed(request.error());
   if (races) seed = contest_seed(seed, maze.name, 0);
-  if (contests.size() == most_contests) contests.erase(contests.begin());
+  if (contests.size() == most_held_contests) contests.erase(contests.begin());
   contests.push_back(std::make_unique<GuestContest>(++last_id, std::move(mouse), std::move(maze), rules, seed));
   return answered(next_lines(*contests.back()));
 }

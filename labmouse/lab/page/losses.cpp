@@ -15,7 +15,7 @@ namespace labmouse {
 namespace {
 
 /// The page has one thread, in which nothing else is answered meanwhile.
-constexpr std::size_t most_contests = 5'000;
+constexpr std::size_t most_contests_with_losses = 5'000;
 
 struct Entrant {
   Contestant mouse;
@@ -26,8 +26,9 @@ std::vector<Entrant> read_entrants(PageRequest& request) {
   std::vector<Entrant> entrants;
   const ReadJson& list = request.list("contests");
   if (list.empty()) request.reject("'contests' is empty");
-  if (list.size() > most_contests)
-    request.reject(fmt::format("{} contests are too many for the page, whose limit is {}", list.size(), most_contests));
+  if (list.size() > most_contests_with_losses)
+    request.reject(fmt::format("{} contests are too many for the page, whose limit is {}", list.size(),
+                               most_contests_with_losses));
   for (const ReadJson& each : list) {
     if (!request.error().empty()) break;
     PageRequest fields(each);
