@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "labmouse/lab/galleries/race_folder.hpp"
@@ -78,6 +79,19 @@ TEST(ToyWorld, IsAGroupOfTheJsonOfARace) {
   EXPECT_EQ(group["mice"].size(), 2U);
   EXPECT_EQ(group["mice"][0]["results"].size(), 3U * runs);
   EXPECT_TRUE(group["mice"][0]["results"][0].contains("stumbles"));
+}
+
+/// The page's tests show this race: what stands in tests/toy/results.json is what a race says.
+TEST(ToyWorld, HasResultsThatThePageShows) {
+  RaceOrder order = order_with("40");
+  order.runs = 2;
+  const Race race = hold_race(read_specs("flood,certify").contestants, some_mazes(), order);
+  const auto json = nlohmann::json::parse(json_of(race, {}));
+  std::ifstream file(std::filesystem::path(LABMOUSE_SOURCE_DIR) / "tests/toy/results.json");
+  const auto kept = nlohmann::json::parse(file, nullptr, false);
+  ASSERT_TRUE(kept.is_object());
+  EXPECT_EQ(kept["groups"], json["groups"]) << json.dump(1);
+  EXPECT_EQ(kept["groups"][0]["columns"], nlohmann::json({"stumbles a contest"}));
 }
 
 TEST(ToyWorld, HasALineOfCsvForEachContest) {

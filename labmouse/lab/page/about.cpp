@@ -67,6 +67,7 @@ PageReply answer_about(const ReadJson&, std::string_view) {
                    {"rules", rules_of_capstone()},
                    {"most_side", max_side},
                    {"robots", page_robots_json()},
+                   {"robot_keys", page_robot_keys_json()},
                    {"drive_rules", page_rules_json()}});
 }
 

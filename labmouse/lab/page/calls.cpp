@@ -31,6 +31,7 @@ constexpr std::array calls = {
     Call{"read_link", answer_read_link},
     Call{"run", answer_run},
     Call{"drive", answer_drive},
+    Call{"robot", answer_robot},
     Call{"unpack", answer_unpack},
     Call{"race", answer_race},
     Call{"compare", answer_compare},

@@ -30,7 +30,8 @@ PageReply answer_drive(const ReadJson& json, std::string_view) {
   const std::string spec = request.text("mouse");
   const NamedMaze maze = request.maze();
   const std::uint64_t seed = request.seed();
-  const std::string robot_name = request.text("robot"), rules_name = request.text("rules");
+  if (!request.has("robot")) request.reject("'robot' is missing");
+  const std::string rules_name = request.text("rules");
   request.reject(too_large(maze));
   if (!request.error().empty()) return failed(request.error());
   const SpecResult mice = read_page_mice({&spec, 1});
@@ -38,8 +39,8 @@ PageReply answer_drive(const ReadJson& json, std::string_view) {
   if (mice.contestants.size() != 1) return failed(fmt::format("'{}' names several mice; name exactly one", spec));
   const Contestant& mouse = mice.contestants.front();
   if (auto reason = refuse_to_drive(mice.contestants); !reason.empty()) return failed(std::move(reason));
-  std::optional<DriveModel> model = page_robot(robot_name);
-  if (!model) return failed(fmt::format("the page has no robot '{}'", robot_name));
+  PageRobot robot = page_robot(json["robot"]);
+  if (!robot.error.empty()) return failed(std::move(robot.error));
   std::optional<DriveRules> rules = page_rules(rules_name);
   if (!rules) return failed(fmt::format("the page has no rules '{}'", rules_name));
   DriveRecordFile file;
@@ -48,8 +49,8 @@ PageReply answer_drive(const ReadJson& json, std::string_view) {
   file.mouse = mouse.name;
   file.settings = settings_in_seconds(mouse);
   file.seed = seed;
-  share_route_tables(*model);
-  file.model = std::make_shared<DriveModel>(std::move(*model));
+  share_route_tables(robot.model);
+  file.model = std::make_shared<DriveModel>(std::move(robot.model));
   file.rules = std::move(*rules);
   const auto mind = mouse.drive(brief(maze.maze, file.rules, *file.model, seed));
   file.record = drive(maze.maze, file.rules, *file.model, *mind);

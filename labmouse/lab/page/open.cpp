@@ -1,4 +1,4 @@
-// A dropped file, whatever it is: a maze, a record, or the results of a race.
+// A dropped file, whatever it is: a maze, a record, the results of a race, or a robot.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,6 +12,7 @@
 #include "labmouse/lab/plays/maze_data.hpp"
 #include "labmouse/lab/plays/play.hpp"
 #include "labmouse/lab/plays/play_seconds.hpp"
+#include "labmouse/lab/system/file_names.hpp"
 #include "labmouse/lab/system/version.hpp"
 #include "labmouse/lab/text/encoding.hpp"
 
@@ -108,6 +109,11 @@ PageReply open_maze(const std::string& name, std::string_view content) {
   return answered({{"kind", "maze"}, {"maze", maze_data(name, *read.maze)}});
 }
 
+/// A robot is opened as it is: where it is edited, it is said what is wrong with it.
+PageReply open_robot(const std::string& name, std::string_view text) {
+  return answered({{"kind", "robot"}, {"name", stem_of(name)}, {"text", text}});
+}
+
 }  // namespace
 
 PageReply answer_open(const ReadJson& json, std::string_view bytes) {
@@ -121,6 +127,7 @@ PageReply answer_open(const ReadJson& json, std::string_view bytes) {
   if (const auto foreign = foreign_encoding(bytes); !foreign.empty())
     return failed(fmt::format("{} {}", name, foreign));
   if (is_markup(text)) return open_markup(name, text);
+  if (name.ends_with(".toml")) return open_robot(name, text);
   if (text.front() != '{' && text.front() != '[') return open_maze(name, bytes);
   if (is_too_deep(text))
     return failed(fmt::format("{} is JSON, but its lists and objects are nested too deeply", name));

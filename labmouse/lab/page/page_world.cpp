@@ -16,7 +16,8 @@ std::string setting_in(PageRequest& request, const WorldSetting& setting) {
     return fmt::format("{}", request.whole(key.c_str(), static_cast<int>(setting.low), static_cast<int>(most)));
   }
   std::string text = request.text(key.c_str());
-  if (text.find('/') != std::string::npos || text.ends_with(".toml"))
+  const bool has_text = text.find('\n') != std::string::npos;
+  if (!has_text && (text.find('/') != std::string::npos || text.ends_with(".toml") || text == "-"))
     request.reject(fmt::format("'{}' is a file, which the page cannot read", key));
   return text;
 }

@@ -9,7 +9,8 @@
 namespace labmouse {
 
 /// `world`, by its name (the home world where it is missing), with those of its settings that the request has; null
-/// where it is refused. A page reads no files: a setting that names one is refused.
+/// where it is refused. A page reads no files: a setting that names one is
+/// refused, and a text that would be in one can be given below its name.
 std::shared_ptr<const World> read_page_world(PageRequest& request);
 
 }  // namespace labmouse

@@ -94,6 +94,7 @@ Json play_json(const RecordFile& file) {
   play["reasons"] = Json::array();
   for (const StepReasons& choice : file.run.reasons) play["reasons"].push_back(choice_json(choice));
   play["events"] = Json::array();
+  play["again"] = again_json("run", rules_json(file.rules), [](const RosterEntry&) { return true; });
   return play;
 }
 

@@ -9,11 +9,11 @@
 #include "labmouse/contest/drive_gates.hpp"
 #include "labmouse/contest/drive_score.hpp"
 #include "labmouse/lab/bounds/drive_bound.hpp"
-#include "labmouse/lab/pictures/drive_path.hpp"
 #include "labmouse/lab/plays/drive_frames.hpp"
 #include "labmouse/lab/plays/fields.hpp"
 #include "labmouse/lab/plays/maze_data.hpp"
 #include "labmouse/lab/records/drive_json.hpp"
+#include "labmouse/lab/robots/robot_json.hpp"
 #include "labmouse/mouse/drive/fastest.hpp"
 
 namespace labmouse {
@@ -155,6 +155,12 @@ double share_visited(const DriveRecordFile& contest, const Json& play, const Jso
 
 }  // namespace
 
+Json path_json(const std::vector<DrivePathPoint>& points) {
+  PathLists lists;
+  lists.add(points);
+  return lists.json();
+}
+
 Json play_json(const DriveRecordFile& contest) {
   const DriveRun best = best_run(contest);
   Json play = header_json(contest, best);
@@ -165,6 +171,8 @@ Json play_json(const DriveRecordFile& contest) {
   play["reasons"] = Json::array();
   play["events"] = Json::array();
   play["drive"] = drive_json(contest, best, first_frames);
+  const Json conditions = {{"robot", labmouse::robot_json(contest.model->robot)}, {"rules", contest.rules.name}};
+  play["again"] = again_json("drive", conditions, [](const RosterEntry& mouse) { return mouse.drives; });
   return play;
 }
 

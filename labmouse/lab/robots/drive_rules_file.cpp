@@ -115,11 +115,12 @@ DriveRulesResult read_drive_rules(std::string_view text, std::string_view name) 
 
 FoundRules find_rules(const std::string& name) {
   const NamedText found = find_text("rules", builtin_rules(), name);
+  const std::string called = name_alone(name);
   if (!found.error.empty()) return {{}, {found.error}};
-  DriveRulesResult read = read_drive_rules(found.text, name);
+  DriveRulesResult read = read_drive_rules(found.text, called);
   if (read.rules) return {std::move(*read.rules), {}};
   FoundRules none;
-  for (const Problem& problem : read.problems) none.errors.push_back(describe(name, problem));
+  for (const Problem& problem : read.problems) none.errors.push_back(describe(called, problem));
   return none;
 }
 

@@ -9,7 +9,7 @@
 
 #include "labmouse/lab/robots/robot_file.hpp"
 #include "labmouse/lab/robots/robot_json.hpp"
-#include "labmouse/lab/robots/robot_keys.hpp"
+#include "labmouse/lab/robots/robot_text.hpp"
 #include "labmouse/lab/text/printable.hpp"
 #include "labmouse/mouse/robot/fitted_turn.hpp"
 #include "labmouse/mouse/robot/straights.hpp"
@@ -22,28 +22,17 @@ using Remarks = std::map<std::string, std::string, std::less<>>;
 /// Five digits are as much as published turns tell.
 double rounded(double value) { return std::stod(fmt::format("{:.5g}", value)); }
 
-/// A file of all numbers of a robot, in the order of its keys, each with its remark or the other one.
+/// A file of all numbers of a robot, each with its remark or the other one.
 std::string robot_text(const Robot& robot, const Remarks& remarks, const std::string& otherwise) {
   Json parameters = robot_json(robot)["parameters"];
   if (!robot.fixed) {
     parameters["curve.speeds"] = robot.speeds;
     parameters["stop"] = robot.stop == Stop::goal ? "goal" : "beyond";
   }
-  std::string text, section;
-  for (const RobotKey& key : robot_keys()) {
-    const std::string name(key.name);
-    if (!parameters.contains(name)) continue;
-    const auto dot = name.find('.');
-    if (dot != std::string::npos && name.substr(0, dot) != section)
-      text += fmt::format("\n[{}]\n", section = name.substr(0, dot));
-    const Json& value = parameters[name];
-    const auto remark = remarks.find(name);
-    const std::string written = value.is_number() ? fmt::format("{}", value.get<double>()) : value.dump();
-    text += fmt::format(
-        "{:<29} # {}{}\n", fmt::format("{} = {}", dot == std::string::npos ? name : name.substr(dot + 1), written),
-        key.unit.empty() ? "" : fmt::format("{}, ", key.unit), remark == remarks.end() ? otherwise : remark->second);
-  }
-  return text;
+  return labmouse::robot_text(ReadJson::parse(parameters.dump()), [&](std::string_view key) {
+    const auto remark = remarks.find(key);
+    return remark == remarks.end() ? otherwise : remark->second;
+  });
 }
 
 std::string from_base(const Robot& base) { return fmt::format("from {}: turns do not determine it", shown(base.name)); }

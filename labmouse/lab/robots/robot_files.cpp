@@ -29,7 +29,7 @@ FoundRobot found(const std::string& name, std::string_view text) {
 FoundRobot find_robot(const std::string& name) {
   const NamedText text = find_text("robot", builtin_robots(), name);
   if (!text.error.empty()) return {{}, {}, {text.error}, {}};
-  return found(name, text.text);
+  return found(name_alone(name), text.text);
 }
 
 }  // namespace labmouse

@@ -12,7 +12,8 @@ struct RobotKey {
   enum class With : unsigned char { always, curves, turns, search_speed, search_times };
   enum class Kind : unsigned char { number, whole, number_or_false, yes_or_no, end };
 
-  std::string_view name;  ///< with its section: "straight.speed"
+  std::string_view name;     ///< with its section: "straight.speed"
+  std::string_view meaning;  ///< as in docs/robots.md
   std::string_view unit;
   double low = 0.0;
   double high = 0.0;
@@ -24,6 +25,9 @@ struct RobotKey {
 
 /// All of them, in the order of docs/robots.md.
 std::span<const RobotKey> robot_keys();
+
+/// Of which key a sentence about a robot speaks first, by its name or in words ("search speed"); empty for none.
+std::string_view key_in(std::string_view sentence);
 
 /// "50 to 20000 mm/s"
 std::string range_of(const RobotKey& key);

@@ -27,9 +27,8 @@ std::string turns_text(const Robot& robot, const DriveModel& model) {
   std::string text = fmt::format("{:<5} {:>7} {:>8}", "turn", "mm/s", "ms");
   if (!robot.fixed) text += fmt::format(" {:>8} {:>8} {:>8} {:>9}", "lead in", "lead out", "curve mm", "clearance");
   text += "\n";
-  for (std::size_t i = 0; i < model.shapes.size(); ++i) {
+  for (const std::size_t i : shown_turns(model)) {
     const DrivenTurn& turn = model.tables.turns[i];
-    if ((begins_diagonal(turn.turn) && !ends_diagonal(turn.turn)) || turn.end_speed != turn.speed) continue;
     const bool first = i == 0 || model.tables.turns[i - 1].turn != turn.turn;
     text += turn_line(robot, turn, model.shapes[i], first);
   }
@@ -68,6 +67,16 @@ std::string remark_lines(const Robot& robot, const DriveModel& model) {
 }
 
 }  // namespace
+
+std::vector<std::size_t> shown_turns(const DriveModel& model) {
+  std::vector<std::size_t> shown;
+  for (std::size_t i = 0; i < model.shapes.size(); ++i) {
+    const DrivenTurn& turn = model.tables.turns[i];
+    if ((begins_diagonal(turn.turn) && !ends_diagonal(turn.turn)) || turn.end_speed != turn.speed) continue;
+    shown.push_back(i);
+  }
+  return shown;
+}
 
 std::string hash_words(const DriveTables& tables) { return fmt::format("{:016x}", tables.hash); }
 

@@ -1,9 +1,9 @@
+#include "labmouse/lab/routes/route_data.hpp"
 
 #include "labmouse/lab/records/drive_json.hpp"
 #include "labmouse/lab/routes/route_report.hpp"
 #include "labmouse/lab/standings/race_json.hpp"
 #include "labmouse/lab/system/version.hpp"
-#include "labmouse/lab/text/json.hpp"
 #include "labmouse/mouse/robot/drive_profile.hpp"
 
 namespace labmouse {
@@ -21,8 +21,10 @@ Json segment_json(const DriveRoute& route, std::size_t i, const DriveModel& mode
           {"speed_out", profile.speed_at(profile.duration())}};
 }
 
-Json report_json(const RouteReport& report, const NamedMaze& maze, const DriveModel& model) {
-  Json json = {{"name", maze.name}};
+}  // namespace
+
+Json route_json(const RouteReport& report, const std::string& maze, const DriveModel& model) {
+  Json json = {{"name", maze}};
   if (!report.error.empty()) {
     json["error"] = report.error;
     return json;
@@ -43,8 +45,6 @@ Json report_json(const RouteReport& report, const NamedMaze& maze, const DriveMo
   return json;
 }
 
-}  // namespace
-
 std::string json_of(const std::vector<RouteReport>& reports, const std::vector<NamedMaze>& mazes,
                     const DriveModel& model) {
   Json json = {{"labmouse", version()},
@@ -52,7 +52,8 @@ std::string json_of(const std::vector<RouteReport>& reports, const std::vector<N
                {"cell", model.tables.cell},
                {"tables", hash_text(model.tables.hash)}};
   json["mazes"] = Json::array();
-  for (std::size_t i = 0; i < reports.size(); ++i) json["mazes"].push_back(report_json(reports[i], mazes[i], model));
+  for (std::size_t i = 0; i < reports.size(); ++i)
+    json["mazes"].push_back(route_json(reports[i], mazes[i].name, model));
   return text_of(json);
 }
 

@@ -26,6 +26,7 @@ std::vector<Declaration> about_shapes() {
             field("most_side", number, "Largest side of a maze."),
             field("robots", list(object({field("name", text), field("cell", number)})),
                   "For contests in seconds: robots with the side of their cells in mm, and rules with their sources."),
+            field("robot_keys", list(named("RobotKey")), "What may stand in a robot file, in the order of its form."),
             field("drive_rules", list(object({field("name", text), field("source", text)})))})},
   };
 }

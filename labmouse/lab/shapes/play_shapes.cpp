@@ -90,7 +90,12 @@ std::vector<Declaration> play_shapes() {
             field("scores", list(or_null(number)),
                   "What had been scored by each frame, whether or not it was solved in the end; in seconds null before "
                   "the first run."),
-            maybe("drive", named("Drive"), "Only in seconds.")})},
+            maybe("drive", named("Drive"), "Only in seconds."),
+            maybe("again",
+                  object({field("call", words({"run", "drive"})), field("with", named("Fields")),
+                          field("mice", list(text))}),
+                  "How another mouse holds the same contest: the call, what it is asked besides, and who can. Missing "
+                  "where none can.")})},
   };
 }
 

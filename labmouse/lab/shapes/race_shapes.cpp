@@ -51,7 +51,8 @@ std::vector<Declaration> race_shapes() {
       {"Opened", "`open`: what a dropped file turned out to be.",
        either({object({field("kind", word("maze")), field("maze", named("MazeData"))}),
                object({field("kind", word("record")), field("play", named("Play"))}),
-               object({field("kind", word("results")), field("results", named("RaceResults"))})})},
+               object({field("kind", word("results")), field("results", named("RaceResults"))}),
+               object({field("kind", word("robot")), field("name", text), field("text", text)})})},
       {"Report",
        "What a report page carries in its first block. The records are in the second, so that the table need not wait "
        "for them. `mazes`: by name, as the link of `link`.",

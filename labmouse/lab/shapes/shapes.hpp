@@ -23,6 +23,7 @@ std::vector<Declaration> maze_shapes();
 std::vector<Declaration> about_shapes();
 std::vector<Declaration> play_shapes();
 std::vector<Declaration> drive_shapes();
+std::vector<Declaration> robot_shapes();
 std::vector<Declaration> race_shapes();
 std::vector<Declaration> guest_shapes();
 std::vector<CallShape> call_shapes();

@@ -1,7 +1,10 @@
 #include "labmouse/lab/standings/race_json.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
+#include "labmouse/lab/standings/common_fields.hpp"
 #include "labmouse/lab/standings/race_notes.hpp"
 #include "labmouse/lab/standings/standings.hpp"
 #include "labmouse/lab/system/version.hpp"
@@ -57,12 +60,44 @@ void set_origin(const Contestant& mouse, Json& json) {
   if (mouse.sandboxed) json["sandboxed"] = *mouse.sandboxed;
 }
 
+/// The columns of the leaderboard without those that readers make of other fields.
+std::vector<const Column*> own_columns(const Race& race) {
+  std::vector<const Column*> own;
+  for (const Column& column : race.world().fields().columns)
+    if (column.text != columns::solved && column.text != columns::mean_all) own.push_back(&column);
+  return own;
+}
+
+std::string trimmed(const std::string& text) {
+  const auto first = text.find_first_not_of(' ');
+  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(' ') - first + 1);
+}
+
+/// What a reader has to know of the world to show its race, who may never have heard of it.
+void describe_world(const Race& race, Json& json) {
+  const World& world = race.world();
+  const ScorePlace place = world.score_place();
+  json["unit"] = world.unit();
+  json["score"] = {{"key", place.key}, {"inner", place.inner}, {"unit", place.unit}};
+  json["failure_score"] = world.failure_score() ? Json(*world.failure_score()) : Json(nullptr);
+  json["columns"] = Json::array();
+  for (const Column* column : own_columns(race))
+    json["columns"].push_back(trimmed(fmt::format("{} {}", column->first, column->second)));
+}
+
+Json cells_json(const Race& race, const Standing& standing) {
+  Json cells = Json::array();
+  for (const Column* column : own_columns(race)) cells.push_back(trimmed(column->text(race, standing)));
+  return cells;
+}
+
 Json mice_json(const Race& race) {
   Json mice = Json::array();
   for (const Standing& standing : standings_of(race)) {
     Json& json = mice.emplace_back(Json::object());
     for (const MouseField& field : race.world().fields().mouse) set(json, field.key, field.of(race, standing));
     set_origin(race.mice[standing.mouse], json);
+    if (!race.world().is_home()) json["cells"] = cells_json(race, standing);
     json["results"] = results_json(race, standing.mouse);
   }
   return mice;
@@ -74,6 +109,7 @@ void set_conditions(const Race& race, Json& json) {
 
 Json group_json(const Race& race) {
   Json json = {{"world", race.world().name()}, {"formula", race.world().formula()}};
+  describe_world(race, json);
   set_conditions(race, json);
   json["stopped"] = race.stopped;
   json["mazes"] = mazes_json(race);

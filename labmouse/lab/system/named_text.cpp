@@ -15,6 +15,7 @@ NamedText find_text(std::string_view kind, const std::vector<std::pair<std::stri
     if (known == name) return {std::string(text), ""};
     names.push_back(known);
   }
+  if (const auto end = name.find('\n'); end != std::string::npos) return {name.substr(end + 1), ""};
   if (name == "-" || name.find('/') != std::string::npos || name.ends_with(".toml")) {
     FileContent file = read_file(name);
     return {std::move(file.content), file.error.empty() ? "" : fmt::format("{}: error: {}", shown(name), file.error)};

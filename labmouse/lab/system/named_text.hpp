@@ -15,9 +15,13 @@ struct NamedText {
 };
 
 /// The built-in text of that name, or that of a file, whose name has a slash or ends in `.toml`, or is `-`. `kind` is
-/// what such a thing is called: "robot".
+/// what such a thing is called: "robot". Where there are no files, a text can be given with its name: in the first of
+/// its lines.
 template <class Builtin>
 NamedText find_text(std::string_view kind, const Builtin& builtins, const std::string& name);
+
+/// The name alone, of one that a text was given with.
+inline std::string name_alone(const std::string& name) { return name.substr(0, name.find('\n')); }
 
 /// The same of a list of names and texts.
 NamedText find_text(std::string_view kind, const std::vector<std::pair<std::string_view, std::string_view>>& builtins,

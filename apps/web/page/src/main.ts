@@ -22,6 +22,7 @@ import { createLive } from './views/live';
 import { createRace } from './views/race';
 import { createReplay } from './views/replay';
 import { createWrite } from './views/write';
+import { createRobot } from './views/robot';
 import type { EarlyPage, LoadedRace, Page } from './views/view';
 import './styles/page.css';
 import './styles/shell.css';
@@ -109,6 +110,7 @@ const takeFiles = fileTaker(core, notices, {
   },
   plays: (plays) => page.replay(plays),
   results: (results) => showResults(results),
+  robot: (robot) => stage.show('robot', robot),
   atHand: () =>
     (['draw', 'live'] as const).flatMap((name) => {
       const maze = stage.view(name)?.maze?.();
@@ -179,6 +181,7 @@ async function startViews() {
   stage.add('live', createLive(whole));
   stage.add('draw', createDraw(whole));
   stage.add('write', createWrite(whole));
+  stage.add('robot', createRobot(whole));
 }
 
 async function start() {

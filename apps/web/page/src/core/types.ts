@@ -105,6 +105,8 @@ export interface About {
   most_side: number;
   /** For contests in seconds: robots with the side of their cells in mm, and rules with their sources. */
   robots: { name: string; cell: number }[];
+  /** What may stand in a robot file, in the order of its form. */
+  robot_keys: RobotKey[];
   drive_rules: { name: string; source: string }[];
 }
 
@@ -241,6 +243,11 @@ export interface Play {
   scores: (number | null)[];
   /** Only in seconds. */
   drive?: Drive;
+  /**
+   * How another mouse holds the same contest: the call, what it is asked besides, and who can. Missing where none
+   * can.
+   */
+  again?: { call: 'run' | 'drive'; with: Fields; mice: string[] };
 }
 
 /** What a run of a contest in seconds is worth by the rules, in microseconds. */
@@ -320,6 +327,93 @@ export interface Drive {
   path: DrivePath;
   /** The fastest run that the maze allows, from time 0; without points where there is none. */
   best: DrivePath;
+}
+
+/** A number of a robot file. */
+export interface RobotKey {
+  /** With its section: `straight.speed`. */
+  name: string;
+  meaning: string;
+  unit: string;
+  /** In words, with the unit. */
+  range: string;
+  low: number;
+  high: number;
+  /** In which forms of the file it has a meaning. */
+  with: 'always' | 'curves' | 'turns' | 'search_speed' | 'search_times';
+  needed: boolean;
+  kind: 'number' | 'whole' | 'number_or_false' | 'yes_or_no' | 'end';
+  of_diagonals: boolean;
+}
+
+export type RobotValue = number | boolean | string;
+
+/** A kind of turn: its path and what it takes. Lengths in mm, null where only times are known; places in cells. */
+export interface RobotTurn {
+  turn: string;
+  /** The fastest first. */
+  speeds: { speed: number; ms: number }[];
+  /** Through two cells by two: the lead, the curve, the lead. */
+  path: Cell[];
+  /** Walls from post to post as [x, y, x, y]: those that must be open, and those that may stand. */
+  open: [number, number, number, number][];
+  standing: [number, number, number, number][];
+  lead_in: number | null;
+  lead_out: number | null;
+  length: number | null;
+  clearance: number | null;
+}
+
+/** What follows from a robot; times in milliseconds. */
+export interface RobotResult {
+  /** In one line. */
+  line: string;
+  turns: RobotTurn[];
+  /** From one turn at `speed` to the next: so many steps of that length in so many milliseconds. */
+  straights: { kind: string; step: string; speed: number; times: { steps: number; ms: number }[] }[];
+  /** The moves of a search. */
+  search: { cell: number; turn: number; back: number; quarter: number; half_cell: number };
+  /** The hash of its tables. */
+  tables: string;
+}
+
+/** The fastest route of a maze as `labmouse route --format json` has it; times in microseconds. */
+export interface RobotRoute {
+  name: string;
+  time_us: number;
+  gate_to_gate_us: number;
+  without_diagonals_us: number | null;
+  diagonal_gain: number | null;
+  small_turns_us: number | null;
+  gain_over_small_turns: number | null;
+  cells: number;
+  fewest_cells: number;
+  fewest_cells_us: number | null;
+  route: string;
+  segments: unknown[];
+  path: DrivePath;
+}
+
+/** A sentence about a robot, and the key that it belongs to; empty for none. */
+export interface RobotSentence {
+  key: string;
+  text: string;
+}
+
+/**
+ * `robot`: the text of its file, what stands there, and what follows; `result` is null where there are problems.
+ */
+export interface RobotAnswer {
+  text: string;
+  values: Record<string, RobotValue>;
+  /** Those that have a meaning beside those values. */
+  keys: string[];
+  problems: (RobotSentence & { line: number; column: number })[];
+  remarks: RobotSentence[];
+  result: RobotResult | null;
+  route: RobotRoute | null;
+  /** Why there is none in that maze; empty where nothing is wrong. */
+  no_route: string;
 }
 
 /** One contest in the results of a race; docs/races.md has the fields. */
@@ -425,6 +519,10 @@ export type Opened = {
 } | {
   kind: 'results';
   results: RaceResults;
+} | {
+  kind: 'robot';
+  name: string;
+  text: string;
 };
 
 /**
@@ -551,12 +649,36 @@ export interface Calls {
   };
   /** A contest of a mouse of the roster, as `labmouse run MOUSE MAZE --seed N --explain`. */
   run: {
-    request: { mouse: string; maze: MazeData; seed: number; budget?: number };
+    request: {
+      mouse: string;
+      maze: MazeData;
+      seed: number;
+      budget?: number;
+      exploration_factor?: number;
+      stride?: number;
+    };
     answer: { play: Play; record: string };
   };
-  /** A contest in seconds of a mouse that drives there. `record` is empty where it cannot be saved. */
+  /**
+   * A robot that the page brings (`built_in`), with those values, or of the text in `bytes`; and the best route of
+   * a maze.
+   */
+  robot: {
+    request: {
+      name: string;
+      built_in?: string;
+      values?: Record<string, RobotValue>;
+      maze?: MazeData;
+    };
+    bytes?: Uint8Array;
+    answer: RobotAnswer;
+  };
+  /**
+   * A contest in seconds of a mouse that drives there. `record` is empty where it cannot be saved. `robot`: a name;
+   * a name with the text of its file in the lines below; or as results have it.
+   */
   drive: {
-    request: { mouse: string; maze: MazeData; seed: number; robot: string; rules: string };
+    request: { mouse: string; maze: MazeData; seed: number; robot: string | Fields; rules: string };
     answer: { play: Play; record: string };
   };
   /** A packed record of a report. A mouse of the roster has its reasons again. */

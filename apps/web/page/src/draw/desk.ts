@@ -61,6 +61,7 @@ export function createDesk(page: Page, first: MazeData): Desk {
       const opened = await page.core.call('open', { name: fileName }, content);
       if (opened.kind === 'results')
         return page.tell(`${fileName} holds the results of a race; drop it on the page instead.`);
+      if (opened.kind === 'robot') return page.tell(`${fileName} is a robot; drop it on the page instead.`);
       load(opened.kind === 'maze' ? opened.maze : opened.play.maze);
       page.tell(`${fileName} is open; undo restores the previous drawing.`);
     } catch (error) {

@@ -1,4 +1,5 @@
 // Contests in links: a mouse, its seed and the conditions under which it runs, as the core runs them.
+import { isMine } from '../robot/mine';
 import type { Core } from '../core/client';
 import type { About, MazeData, Play } from '../core/types';
 import type { Moment } from './address';
@@ -59,7 +60,9 @@ export function driveOf({ robot, rules }: Pick<Moment, 'robot' | 'rules'>, about
     if (list.some((one) => one.name === name)) return name;
     throw new Error(`This link cannot be followed: this page has no ${what} '${name.slice(0, 40)}'.`);
   };
-  return { robot: known(about.robots, robot, 'robot'), rules: known(about.drive_rules, rules, 'rules') };
+  // One of the view Robot stands in the link with all of its numbers.
+  const ours = robot !== undefined && isMine(robot) ? robot : known(about.robots, robot, 'robot');
+  return { robot: ours, rules: known(about.drive_rules, rules, 'rules') };
 }
 
 /** The contests that a link names, in that maze. */

@@ -1,5 +1,6 @@
 // The walk before the last change, to be seen beside the one after it.
 import type { Play } from '../core/types';
+import { nameOf } from '../robot/mine';
 
 /** What was run, and what came of it. */
 export interface Walk {
@@ -18,7 +19,8 @@ function changes(before: Walk, now: Walk): string {
   const parts = [
     before.spec !== now.spec && `${before.spec} → ${now.spec}`,
     before.seed !== now.seed && `seed ${before.seed} → ${now.seed}`,
-    before.drive?.robot !== now.drive?.robot && `robot ${before.drive?.robot} → ${now.drive?.robot}`,
+    before.drive?.robot !== now.drive?.robot &&
+      `robot ${nameOf(before.drive?.robot ?? '')} → ${nameOf(now.drive?.robot ?? '')}`,
     before.drive?.rules !== now.drive?.rules && `rules ${before.drive?.rules} → ${now.drive?.rules}`,
     !now.drive && before.budget !== now.budget && `budget ${before.budget} → ${now.budget}`,
   ];

@@ -1,6 +1,7 @@
 // In which world a mouse runs: in steps, or in seconds with a robot and rules.
 import type { About } from '../core/types';
 import { h } from '../ui/dom';
+import { isMine, myRobot, nameOf, onMyRobot, setMyRobot } from '../robot/mine';
 import { field } from '../ui/field';
 
 export interface WorldChoice {
@@ -27,7 +28,10 @@ export function createWorldChoice({ mice, robots, drive_rules }: About, changed:
   const source = h('span', {});
   const drivers = mice.filter(({ drives }) => drives).map(({ name }) => name);
   const worldNote = h('span', {});
-  const robotRow = field('Robot', robot);
+  /** That of the view Robot, where there is one. */
+  const own = h('option', { hidden: true });
+  robot.append(own);
+  const robotRow = field('Robot', robot, h('a', { href: '#robot' }, 'Change its numbers'));
   const rulesRow = field('Rules', rules, source);
 
   function update() {
@@ -36,6 +40,19 @@ export function createWorldChoice({ mice, robots, drive_rules }: About, changed:
     worldNote.textContent = seconds ? `mice that can drive: ${drivers.join(', ')}` : '';
     source.textContent = drive_rules.find(({ name }) => name === rules.value)?.source ?? '';
   }
+  function offerMine() {
+    const mine = myRobot();
+    const chosen = robot.value === own.value && !own.hidden;
+    if (mine === null && chosen) robot.value = robots[0].name;
+    own.hidden = mine === null;
+    own.disabled = mine === null;
+    own.value = mine ?? '';
+    own.textContent = mine === null ? '' : `${nameOf(mine)}, my robot`;
+    if (mine !== null && chosen) robot.value = mine;
+    if (chosen && world.value === 'seconds') changed();
+  }
+  onMyRobot(offerMine);
+  offerMine();
   const set = (of: HTMLSelectElement, value: string | undefined) => {
     if (value !== undefined && [...of.options].some((option) => option.value === value)) of.value = value;
   };
@@ -51,6 +68,7 @@ export function createWorldChoice({ mice, robots, drive_rules }: About, changed:
     drive: () => (world.value === 'seconds' ? { robot: robot.value, rules: rules.value } : null),
     choose(wantedRobot, wantedRules) {
       world.value = wantedRobot === undefined ? 'steps' : 'seconds';
+      if (wantedRobot !== undefined && isMine(wantedRobot)) setMyRobot(wantedRobot);
       set(robot, wantedRobot);
       set(rules, wantedRules);
       update();

@@ -13,6 +13,7 @@ import { keyHelp, listen } from './keys';
 import { usualLayers, type Layers } from './layers';
 import { createLegend } from './legend';
 import { count, createMeter } from './meter';
+import { createParting } from './parting-panel';
 import { createReasons } from './reasons';
 import { createRuns } from './runs';
 import { createSide, type Shown } from './side';
@@ -131,9 +132,10 @@ export function createPlayer(page: Page, ...lead: (HTMLElement | (HTMLElement & 
   const legend = createLegend(state, actions);
   const curves = createCurves(state, actions);
   const runs = createRuns(state, actions);
+  const parting = createParting(state, actions);
   const numbers: Panel[] = [createFacts(state), createReasons(state)];
   const below: Panel[] = [createSteps(state, actions), createWords(state), createFiles(page, state)];
-  const panels = [transport, legend, curves, runs, ...numbers, ...below];
+  const panels = [transport, legend, curves, runs, parting, ...numbers, ...below];
   const element = h(
     'div',
     { class: 'player', hidden: true },
@@ -143,6 +145,7 @@ export function createPlayer(page: Page, ...lead: (HTMLElement | (HTMLElement & 
       { class: 'panel' },
       ...lead,
       moment,
+      parting.element,
       curves.element,
       runs.element,
       h('div', { class: 'numbers' }, ...numbers.map((panel) => panel.element)),

@@ -2,7 +2,6 @@
 import { isNumber, number, scoreText } from './format';
 import type { Board, Cell, Contest } from './contests';
 import { meanOf } from './contests';
-import { worldOf } from './worlds';
 
 /** One contest: "solved, score 39.100 = exploration 117, speed 35 (1 beyond the shortest)". */
 export function contestText(contest: Contest, optimum: number | null): string {
@@ -33,9 +32,9 @@ export function cellText(board: Board, mouse: number, maze: number): string {
   if (cell.contests.length === 0) return `${where}: no contest`;
   const what =
     cell.contests.length === 1
-      ? contestText(cell.contests[0], board.world === 'steps' ? optimum : null)
+      ? contestText(cell.contests[0], board.shows.comparesRuns ? optimum : null)
       : several(cell);
-  const { best } = worldOf(board.world);
+  const { best } = board.shows;
   const ratio = cell.ratio === null ? '' : `, score / ${best} ${number(cell.ratio, 3)}`;
   return `${where}: ${what}; ${best} ${scoreText(bound)}${ratio}`;
 }

@@ -3,7 +3,6 @@ import type { MazeData, PackedRecord, Play } from '../core/types';
 import type { EarlyPage, LoadedRace } from '../views/view';
 import type { Board, Contest } from './contests';
 import { isNumber, scoreText } from './format';
-import { worldOf } from './worlds';
 
 export interface ContestPlay {
   play: Play;
@@ -39,7 +38,7 @@ async function runAgain(
   maze: MazeData,
   contest: Contest,
 ): Promise<Found | null> {
-  const { again } = worldOf(board.world);
+  const { again } = board.shows;
   if (!again || contest.seed === null || !(await isOurs(page, mouse))) return null;
   return again(page.core, board.conditions, { mouse, maze, seed: contest.seed });
 }
@@ -75,7 +74,7 @@ export async function contestPlay(
   const contest = board.cells[at.mouse][at.maze].contests[at.position];
   const records = await race.records(mouse, name).catch((error) => (page.complain(error), []));
   const packed = recordOf(records, contest, at.position);
-  if (!packed && !worldOf(board.world).again)
+  if (!packed && !board.shows.again)
     throw new Error(
       `There is no record of ${mouse} in ${short}, and contests in the world ${board.world} are replayed from their records. Drop the record here.`,
     );

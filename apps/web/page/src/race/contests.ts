@@ -2,7 +2,7 @@
 import type { Fields, RaceGroup, RaceResults } from '../core/types';
 import { shortNames } from '../report/names';
 import { orNull } from './format';
-import { stepsGroup, worldOf, type RacedWorld } from './worlds';
+import { homeGroup, worldOf, type RacedWorld } from './worlds';
 
 export interface Contest {
   outcome: string;
@@ -48,6 +48,8 @@ export interface BoardMaze {
 
 export interface Board {
   world: string;
+  /** What is shown of that world. */
+  shows: RacedWorld;
   /** What its results depend on, such as the budget. */
   conditions: Fields;
   mice: BoardMouse[];
@@ -96,9 +98,8 @@ function row<Result extends { maze: string }>(
   return contests.map(cellOf);
 }
 
-function mazesOf({ mazes, world }: RaceGroup): BoardMaze[] {
+function mazesOf({ mazes }: RaceGroup, { bound, optimum }: RacedWorld): BoardMaze[] {
   const short = shortNames(mazes.map(({ name }) => name));
-  const { bound, optimum } = worldOf(world);
   return mazes.map((maze, index) => ({
     name: maze.name,
     short: short[index],
@@ -126,10 +127,11 @@ function contestOf(world: RacedWorld, result: RaceGroup['mice'][number]['results
 
 /** One race. */
 export function boardOf(group: RaceGroup): Board {
-  const world = worldOf(group.world);
-  const mazes = mazesOf(group);
+  const world = worldOf(group);
+  const mazes = mazesOf(group, world);
   return {
     world: group.world,
+    shows: world,
     conditions: group,
     mice: group.mice.map((mouse, index) => mouseOf(mouse.name, index, mouse.contestant === false)),
     mazes,
@@ -139,6 +141,6 @@ export function boardOf(group: RaceGroup): Board {
 
 /** All races of these results that have mice, each world's by itself. */
 export const groupsOf = (results: RaceResults): RaceGroup[] =>
-  [stepsGroup({ ...results }), ...(results.groups ?? [])].filter(({ mice }) => mice.length > 0);
+  [homeGroup({ ...results }), ...(results.groups ?? [])].filter(({ mice }) => mice.length > 0);
 
 export const boardsOf = (results: RaceResults): Board[] => groupsOf(results).map(boardOf);

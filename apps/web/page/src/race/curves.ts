@@ -8,7 +8,6 @@ import { grid, ratiosOf, shares } from './curves-data';
 import { number } from './format';
 import { nameLines, roomForNames } from './line-names';
 import { styleOf } from './mouse-styles';
-import { worldOf } from './worlds';
 
 const shownAtFirst = 6;
 const marks = [1, 1.1, 1.25, 1.5, 2, 3, 5, 10, 20, 50, 100];
@@ -76,7 +75,7 @@ function asTable(board: Board, data: ReturnType<typeof ratiosOf>[], best: string
 }
 
 export function curves(board: Board): Curves {
-  const { best } = worldOf(board.world);
+  const { best } = board.shows;
   const data = board.mice.map(({ index }) => ratiosOf(board, index));
   const chosen = new Set(board.mice.slice(0, shownAtFirst).map(({ index }) => index));
   let log = true;

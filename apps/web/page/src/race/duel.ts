@@ -9,7 +9,7 @@ import { pairsOf, type Pair } from './duel-data';
 import { duelWords } from './duel-words';
 import { number, scoreText, signed } from './format';
 import { sortedTable } from './sorted-table';
-import { worldOf } from './worlds';
+import { isHome } from './worlds';
 
 export interface Duel {
   element: HTMLElement;
@@ -37,7 +37,7 @@ export function duel(page: EarlyPage, board: Board, open: (a: number, b: number,
   const picture = h('div', { class: 'bars' }, canvas);
 
   const name = (mouse: number) => board.mice[mouse].shown;
-  const { unit } = worldOf(board.world);
+  const { unit, failure } = board.shows;
   const mazeName = (maze: number) => board.mazes[maze].short;
   const pairText = (pair: Pair) =>
     `${mazeName(pair.maze)}: ${name(a)} ${scoreText(pair.a)}, ${name(b)} ${scoreText(pair.b)}, difference ${signed(pair.difference, 3)}`;
@@ -87,7 +87,7 @@ export function duel(page: EarlyPage, board: Board, open: (a: number, b: number,
   async function choose() {
     const now = ++asked;
     const { rules } = await page.ready;
-    const fresh = pairsOf(board, a, b, rules.failure_score);
+    const fresh = pairsOf(board, a, b, isHome(board) ? rules.failure_score : failure);
     // In the order of the mazes, as the command line does: the bootstrap draws by position.
     const seed = page.race()?.results.seed;
     const answer =

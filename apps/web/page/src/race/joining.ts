@@ -17,7 +17,7 @@ export function joined(pieces: RaceResults[], stopped: boolean): RaceResults | n
     ...group,
     mice: sorted(
       pieces.flatMap((piece) => piece.groups?.[index]?.mice ?? []),
-      (mouse) => orNull(mouse[worldOf(group.world).mean]),
+      (mouse) => orNull(mouse[worldOf(group).mean]),
       'ascending',
     ),
   }));

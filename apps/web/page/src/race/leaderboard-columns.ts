@@ -68,8 +68,9 @@ function intervalColumn<Row>(
 }
 
 /** Those of a race; the figures of its world stand behind those that all have. */
-export function columnsOf({ world: name, mice }: RaceGroup, mazes: number): Column<RacedMouse>[] {
-  const world = worldOf(name);
+export function columnsOf(group: RaceGroup, mazes: number): Column<RacedMouse>[] {
+  const world = worldOf(group);
+  const { mice } = group;
   const mean = (mouse: RacedMouse) => mouse[world.mean];
   return [
     nameColumn<RacedMouse>((mouse) => mouse.contestant === false),

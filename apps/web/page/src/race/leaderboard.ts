@@ -4,7 +4,7 @@ import { h } from '../ui/dom';
 import { isNumber } from './format';
 import { columnsOf } from './leaderboard-columns';
 import { legendOf, sortedTable } from './sorted-table';
-import { worldOf } from './worlds';
+import { isHome, worldOf } from './worlds';
 
 export interface Leaderboard {
   world: string;
@@ -14,7 +14,7 @@ export interface Leaderboard {
 
 /** What `labmouse race` says below its table; where the results lack it, what it always says. */
 function notesOf({ notes, world, formula }: RaceGroup): string[] {
-  if (world !== 'steps') return [`World of ${world}. Score: ${formula}; lower is better.`];
+  if (!isHome({ world })) return [`World of ${world}. Score: ${formula}; lower is better.`];
   if (Array.isArray(notes) && notes.length > 0) return notes.map(String);
   return [
     'Score: speed-run steps + exploration steps / 30; lower is better.',
@@ -24,8 +24,8 @@ function notesOf({ notes, world, formula }: RaceGroup): string[] {
 
 /** `onOrder` is told the positions of the mice in their new order. */
 export function leaderboard(group: RaceGroup, onOrder: (order: number[]) => void): Leaderboard {
-  const label = group.world === 'steps' ? 'Leaderboard' : `Leaderboard, ${group.world}`;
-  const { bound } = worldOf(group.world);
+  const label = `Leaderboard${worldOf(group).title}`;
+  const { bound } = worldOf(group);
   const columns = columnsOf(group, group.mazes.filter((maze) => isNumber(bound(maze))).length);
   const place = new Map(group.mice.map((mouse, index) => [mouse, index]));
   const table = sortedTable({

@@ -7,7 +7,6 @@ import { cellAt, matrixLayout, moved, widthFor, type Layout, type Place, type Wi
 import { matrixLegend } from './matrix-legend';
 import { paintMatrix } from './matrix-paint';
 import { mazeOrders, orderedMazes, type MazeOrder } from './maze-order';
-import { worldOf } from './worlds';
 
 export interface Matrix {
   element: HTMLElement;
@@ -29,7 +28,7 @@ export function matrix(board: Board, open: (mouse: number, maze: number, contest
   let layout: Layout = matrixLayout(mazes.length, mice.length, 600, 'fit');
   let cursor: Place = { row: 0, column: 0 };
   const letters = Math.max(0, ...board.mazes.map(({ short }) => short.length));
-  const { best } = worldOf(board.world);
+  const { best } = board.shows;
 
   const canvas = h('canvas', { 'aria-hidden': 'true' });
   const mark = h('div', { class: 'mark', hidden: true });

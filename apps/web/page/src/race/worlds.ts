@@ -27,6 +27,14 @@ export interface Figures {
 }
 
 export interface RacedWorld {
+  /** Behind the titles of its pictures; empty for the world at the top of results. */
+  title: string;
+  /** What a contest without a score counts in means; null where it has no place there. */
+  failure: number | null;
+  /** Whether a speed run is compared with the shortest one. */
+  comparesRuns?: boolean;
+  /** Whether the core can say in which cells its contests lose their score. */
+  losesCells?: boolean;
   /** Of scores and their differences. */
   unit: string;
   /** What the best possible score is called, and what it is. */
@@ -61,7 +69,9 @@ const ratioColumn = (best: string): FigureColumn => ({
   digits: 3,
 });
 
-const steps: RacedWorld = {
+const steps: Known = {
+  comparesRuns: true,
+  losesCells: true,
   unit: 'steps',
   best: 'best',
   bestMeaning: 'best possible score, that of a mouse that knows the maze',
@@ -115,7 +125,7 @@ const steps: RacedWorld = {
   again: (core, { budget }, contest) => core.call('run', { ...contest, ...(isNumber(budget) && { budget }) }),
 };
 
-const inSeconds: RacedWorld = {
+const inSeconds: Known = {
   unit: 's',
   best: 'best',
   bestMeaning: 'best possible score, that of the fastest route, driven at once',
@@ -164,12 +174,12 @@ const inSeconds: RacedWorld = {
   again: (core, { robot, rules }, contest) =>
     core.call('drive', {
       ...contest,
-      robot: String(inner(robot, 'name') ?? ''),
+      robot: robot as Fields,
       rules: String(inner(rules, 'name') ?? ''),
     }),
 };
 
-const mms: RacedWorld = {
+const mms: Known = {
   unit: 'points',
   best: 'best',
   bestMeaning: 'best possible score',
@@ -195,9 +205,25 @@ const mms: RacedWorld = {
   ],
 };
 
-/** Of a world that this page does not know. */
-const other: RacedWorld = {
-  unit: 'points',
+/** Words and figures that a page has beyond those that results bring. */
+type Known = Omit<RacedWorld, 'title' | 'failure'>;
+
+/** The score where the world says that it stands. */
+function placedScore(result: Fields, place: unknown): number | null {
+  const {
+    key = 'score',
+    inner: field = '',
+    unit = 1,
+  } = (place ?? {}) as { key?: string; inner?: string; unit?: number };
+  const value = field === '' ? result[key] : inner(result[key], field);
+  return isNumber(value) ? value * unit : null;
+}
+
+const texts = (list: unknown): string[] => (Array.isArray(list) ? list.map(String) : []);
+
+/** Of any other world: what its results say of it. */
+const described = ({ unit, score, columns }: RaceGroup): Known => ({
+  unit: typeof unit === 'string' ? unit : 'points',
   best: 'best',
   bestMeaning: 'best possible score',
   mean: 'mean_score',
@@ -205,13 +231,29 @@ const other: RacedWorld = {
   solved: 'solved',
   bound: ({ bound }) => orNull(bound),
   optimum: () => null,
-  contest: (result) => ({ score: orNull(result.score) }),
-  columns: [ratioColumn('best')],
-};
+  contest: (result) => ({ score: placedScore(result, score) }),
+  columns: [
+    ratioColumn('best'),
+    ...texts(columns).map((title, i) => ({
+      title,
+      meaning: 'A figure of this world.',
+      value: (mouse: Fields) => Number.parseFloat(texts(mouse.cells)[i]),
+      digits: 2,
+    })),
+  ],
+});
 
-const worlds = new Map(Object.entries({ steps, seconds: inSeconds, mms }));
+const known = new Map(Object.entries({ steps, seconds: inSeconds, mms }));
 
-export const worldOf = (name: string): RacedWorld => worlds.get(name) ?? other;
+/** What the page shows of the world of a race. */
+export function worldOf(group: RaceGroup): RacedWorld {
+  const title = isHome(group) ? '' : `, ${group.world}`;
+  return { ...(known.get(group.world) ?? described(group)), title, failure: orNull(group.failure_score) };
+}
+
+/** The world whose race stands at the top of results. */
+const home = 'steps';
+export const isHome = ({ world }: { world: string }): boolean => world === home;
 
 /** The race at the top of results, as the groups are. */
-export const stepsGroup = (fields: Fields): RaceGroup => ({ ...fields, world: 'steps' }) as RaceGroup;
+export const homeGroup = (fields: Fields): RaceGroup => ({ ...fields, world: home }) as RaceGroup;

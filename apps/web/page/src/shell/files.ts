@@ -11,6 +11,8 @@ export interface Takers {
   mazes(mazes: MazeData[]): void;
   plays(plays: { play: Play; record: string }[]): void;
   results(results: RaceResults): void;
+  /** A robot file; what is wrong with it is said where it is edited. */
+  robot(robot: { name: string; text: string }): void;
   /** Mazes at hand, for records that lack theirs, and where they are. */
   atHand(): { place: string; maze: MazeData }[];
 }
@@ -23,9 +25,10 @@ async function read(file: File): Promise<OneFile> {
 const counted = (count: number, one: string) => `${count} ${one}${count === 1 ? '' : 's'}`;
 
 /** What was opened, in words, and what of it is to be known at once. */
-export function summary({ mazes, plays, results }: SortedOut): string {
+export function summary({ mazes, plays, results, robots }: SortedOut): string {
   const parts = [mazes.length && counted(mazes.length, 'maze'), plays.length && counted(plays.length, 'record')];
   if (results.length > 0) parts.push('the results of a race');
+  if (robots.length > 0) parts.push(counted(robots.length, 'robot'));
   const opened = parts.filter(Boolean).join(', ');
   const cut = plays.filter(({ play }) => !play.ended);
   const rest = [
@@ -71,6 +74,7 @@ export function fileTaker(core: Page['core'], notices: Notices, takers: Takers):
     if (sorted.mazes.length > 0) takers.mazes(sorted.mazes);
     if (sorted.results.length > 0) takers.results(sorted.results[sorted.results.length - 1]);
     if (sorted.plays.length > 0) takers.plays(sorted.plays.slice(0, 2));
+    if (sorted.robots.length > 0) takers.robot(sorted.robots[sorted.robots.length - 1]);
     notices.tell(summary(sorted));
   };
 }

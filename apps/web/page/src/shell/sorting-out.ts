@@ -10,6 +10,7 @@ export interface SortedOut {
   mazes: MazeData[];
   plays: { play: Play; record: string }[];
   results: RaceResults[];
+  robots: { name: string; text: string }[];
   failures: { file: OneFile; error: unknown }[];
 }
 
@@ -18,6 +19,7 @@ export type Open = (file: OneFile, maze?: MazeData) => Promise<Opened>;
 function add(sorted: SortedOut, file: OneFile, opened: Opened) {
   if (opened.kind === 'maze') sorted.mazes.push(opened.maze);
   else if (opened.kind === 'results') sorted.results.push(opened.results);
+  else if (opened.kind === 'robot') sorted.robots.push({ name: opened.name, text: opened.text });
   else sorted.plays.push({ play: opened.play, record: new TextDecoder().decode(file.bytes) });
 }
 
@@ -36,7 +38,7 @@ export async function openIn(
 
 /** Opens all; a record that lacks its maze takes one that was dropped with it. */
 export async function sortOut(files: OneFile[], open: Open): Promise<SortedOut> {
-  const sorted: SortedOut = { mazes: [], plays: [], results: [], failures: [] };
+  const sorted: SortedOut = { mazes: [], plays: [], results: [], robots: [], failures: [] };
   const failed: SortedOut['failures'] = [];
   for (const file of files)
     await open(file).then(

@@ -7,6 +7,7 @@ import { createEveryone } from '../live/everyone';
 import { createMazeChoice } from '../live/maze-choice';
 import { createWorldChoice } from '../live/world-choice';
 import { createMouseChoice } from '../live/mouse-choice';
+import { withoutRemarks } from '../robot/mine';
 import { h } from '../ui/dom';
 import { complainAt, field } from '../ui/field';
 import { createLatest } from '../ui/latest';
@@ -96,7 +97,8 @@ export function createLive(page: Page): LiveView {
   async function addressFor({ spec, maze, seed, budget, drive }: Chosen, moment = {}) {
     const place = await placeOf(page.core, page.about, maze);
     const steps = drive || budget === rules.budget ? {} : { budget };
-    return addressOf('live', { mice: [spec], ...place, seeds: [seed], ...steps, ...drive, ...moment });
+    const driven = drive && { ...drive, robot: withoutRemarks(drive.robot) };
+    return addressOf('live', { mice: [spec], ...place, seeds: [seed], ...steps, ...driven, ...moment });
   }
   async function follow(hash: string) {
     if (hash === written) return;

@@ -11,7 +11,6 @@ import { leaderboard } from '../race/leaderboard';
 import { matrix } from '../race/matrix';
 import { facts, part } from '../race/parts';
 import { welcome } from '../race/welcome';
-import { worldOf } from '../race/worlds';
 import { h } from '../ui/dom';
 import { onTones } from '../ui/tones';
 import type { EarlyPage, LoadedRace, View } from './view';
@@ -62,10 +61,9 @@ export function createRace(page: EarlyPage): View {
           )
         : null;
     // In seconds what a move loses depends on speed and heading, too: it is no matter of cells.
-    const lost = board.world === 'steps' ? heat(page, race, board) : null;
+    const lost = board.shows.losesCells ? heat(page, race, board) : null;
     parts.push(cells, lines, ...(pair ? [pair] : []), ...(lost ? [lost] : []));
-    const world = board.world === 'steps' ? '' : `, ${board.world}`;
-    const best = worldOf(board.world).bestMeaning;
+    const { title: world, bestMeaning: best } = board.shows;
     return {
       board,
       cells,

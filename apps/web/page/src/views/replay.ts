@@ -6,6 +6,7 @@ import { mazeAt, placeOf } from '../link/mazes';
 import type { Camera } from '../maze/camera';
 import { isSameMaze } from '../maze/same';
 import { h } from '../ui/dom';
+import { createBeside } from '../player/beside';
 import { createPlayer } from '../player/player';
 import type { Shown } from '../player/side';
 import '../styles/replay.css';
@@ -85,7 +86,8 @@ function createWelcome(page: Page) {
 
 export function createReplay(page: Page): View {
   const another = h('button', { type: 'button', onclick: () => show([]) }, 'Another record');
-  const player = createPlayer(page, h('div', { class: 'row another' }, another));
+  const beside = createBeside(page, (plays) => show(plays));
+  const player = createPlayer(page, h('div', { class: 'row another' }, another, beside.element));
   /** A link that was followed goes along, so that a reload of the page leads to this moment. */
   player.rested(() => {
     const now = player.moment();
@@ -112,6 +114,7 @@ export function createReplay(page: Page): View {
     linked = null;
     welcome.hidden = plays.length > 0;
     player.show(plays, 'start', time, look);
+    beside.show(plays);
     // The button that was pressed is gone; the keys are the player's now.
     if (plays.length > 0) player.element.focus({ preventScroll: true });
     else welcome.querySelector('select')?.focus();

@@ -72,7 +72,8 @@ describe('what was opened', () => {
     play: { mouse: 'flood', ended, outcome: ended ? 'solved' : 'the record breaks off after step 3' } as Play,
     record: '',
   });
-  const summaryOf = (...plays: ReturnType<typeof record>[]) => summary({ mazes: [], plays, results: [], failures: [] });
+  const summaryOf = (...plays: ReturnType<typeof record>[]) =>
+    summary({ mazes: [], plays, results: [], robots: [], failures: [] });
   it('is told with the fact that a record breaks off, and where', () => {
     expect(summaryOf(record(true))).not.toContain('breaks off');
     expect(summaryOf(record(true), record(false))).toContain('flood: the record breaks off after step 3');

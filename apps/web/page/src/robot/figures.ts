@@ -1,0 +1,134 @@
+// What follows from a robot, in tables and drawings, beside the robot that it began from.
+import type { RobotResult, RobotRoute, RobotTurn } from '../core/types';
+import { h, svg } from '../ui/dom';
+import { decimal } from './number';
+
+/** `220.4 ms`, and in what it was before where that is another. */
+export function changedText(now: number, before: number | null | undefined, unit: string, digits: number) {
+  const text = unit === '' ? decimal(now, digits) : `${decimal(now, digits)} ${unit}`;
+  if (before === null || before === undefined || decimal(before, digits) === decimal(now, digits))
+    return h('span', {}, text);
+  return h('span', { class: 'changed' }, text, h('small', {}, ` was ${decimal(before, digits)}`));
+}
+
+const line = ([x1, y1, x2, y2]: [number, number, number, number], kind: string) =>
+  svg('line', { class: kind, x1, y1: 2 - y1, x2, y2: 2 - y2 });
+
+const points = (path: RobotTurn['path']) => path.map(([x, y]) => `${x},${2 - y}`).join(' ');
+
+/** The path among its walls, over that of the robot it began from. */
+function drawing({ turn, path, open, standing }: RobotTurn, before: RobotTurn | undefined) {
+  const [end, last] = [path[path.length - 1], path[path.length - 2]];
+  const angle = (Math.atan2(end[0] - last[0], end[1] - last[1]) * 180) / Math.PI;
+  return svg(
+    'svg',
+    { viewBox: '-0.1 -0.1 2.2 2.2', role: 'img', 'aria-label': `The path of turn ${turn} among its walls` },
+    ...open.map((wall) => line(wall, 'open')),
+    ...standing.map((wall) => line(wall, 'standing')),
+    before && points(before.path) !== points(path)
+      ? svg('polyline', { class: 'before', points: points(before.path) })
+      : null,
+    svg('polyline', { class: 'path', points: points(path) }),
+    svg('circle', { class: 'from', cx: path[0][0], cy: 2 - path[0][1], r: 0.05 }),
+    svg('path', {
+      class: 'to',
+      d: 'M0 -0.09L0.07 0.06L-0.07 0.06Z',
+      transform: `translate(${end[0]} ${2 - end[1]}) rotate(${angle})`,
+    }),
+  );
+}
+
+function turnFigure(turn: RobotTurn, before: RobotTurn | undefined) {
+  const mm = (name: string, value: number | null, was: number | null | undefined) =>
+    value === null ? [] : [h('dt', {}, name), h('dd', {}, changedText(value, was, 'mm', 1))];
+  const speeds = turn.speeds.map(({ speed, ms }, i) =>
+    h(
+      'tr',
+      {},
+      h('td', {}, changedText(speed, before?.speeds[i]?.speed, '', 1)),
+      h('td', {}, changedText(ms, before?.speeds[i]?.ms, '', 3)),
+    ),
+  );
+  return h(
+    'figure',
+    { class: 'robot-turn', 'data-turn': turn.turn },
+    drawing(turn, before),
+    h('figcaption', {}, h('strong', {}, turn.turn)),
+    h(
+      'table',
+      { 'aria-label': `Speeds of turn ${turn.turn}` },
+      h('thead', {}, h('tr', {}, h('th', { scope: 'col' }, 'mm/s'), h('th', { scope: 'col' }, 'ms'))),
+      h('tbody', {}, ...speeds),
+    ),
+    h(
+      'dl',
+      { class: 'figures' },
+      ...mm('straight before', turn.lead_in, before?.lead_in),
+      ...mm('straight after', turn.lead_out, before?.lead_out),
+      ...mm('curve', turn.length, before?.length),
+      ...mm('room to posts', turn.clearance, before?.clearance),
+    ),
+  );
+}
+
+export const turnFigures = ({ turns }: RobotResult, before: RobotResult | null) =>
+  turns.map((turn) =>
+    turnFigure(
+      turn,
+      before?.turns.find((one) => one.turn === turn.turn),
+    ),
+  );
+
+const moves: [keyof RobotResult['search'], string][] = [
+  ['cell', 'a cell straight on'],
+  ['turn', 'a quarter turn inside a cell'],
+  ['back', 'into a cell, around, and out again'],
+  ['quarter', 'a quarter turn on the spot'],
+  ['half_cell', 'half a cell, from rest or to rest'],
+];
+
+const table = (label: string, rows: HTMLElement[]) =>
+  h('div', { class: 'scroll' }, h('table', { 'aria-label': label }, h('tbody', {}, ...rows)));
+
+const row = (name: string, value: HTMLElement) => h('tr', {}, h('th', { scope: 'row' }, name), h('td', {}, value));
+
+export const searchTable = ({ search }: RobotResult, before: RobotResult | null) =>
+  table(
+    'Moves of a search',
+    moves.map(([key, name]) => row(name, changedText(search[key], before?.search[key], 'ms', 3))),
+  );
+
+export function straightTables({ straights }: RobotResult, before: RobotResult | null) {
+  return straights.map(({ kind, step, speed, times }) => {
+    const was = before?.straights.find((one) => one.kind === kind)?.times;
+    return h(
+      'div',
+      {},
+      h('h4', {}, `${kind === 'straight' ? 'Straights' : 'Diagonals'} between turns at ${decimal(speed, 0)} mm/s`),
+      table(
+        `Times of ${kind === 'straight' ? 'straights' : 'diagonals'}`,
+        times.map(({ steps, ms }) =>
+          row(`${steps} ${step}`, changedText(ms, was?.find((one) => one.steps === steps)?.ms, 'ms', 3)),
+        ),
+      ),
+    );
+  });
+}
+
+const seconds = (microseconds: number | null | undefined) =>
+  microseconds === null || microseconds === undefined ? null : microseconds / 1e6;
+
+/** The times of the best route, with those of the robot it began from. */
+export function routeTable(route: RobotRoute, before: RobotRoute | null) {
+  const time = (name: string, key: 'time_us' | 'gate_to_gate_us' | 'without_diagonals_us' | 'small_turns_us') => {
+    const now = seconds(route[key]);
+    return now === null ? [] : [row(name, changedText(now, seconds(before?.[key]), 's', 3))];
+  };
+  return table('The best route', [
+    ...time('from rest to the centre of the goal', 'time_us'),
+    ...time('gate to gate: from leaving the start cell to entering a goal', 'gate_to_gate_us'),
+    ...time('the best without diagonals', 'without_diagonals_us'),
+    ...time('the best with the small turns of a search (S90) alone', 'small_turns_us'),
+    row('cells entered', h('span', {}, `${route.cells}, of at least ${route.fewest_cells}`)),
+  ]);
+}

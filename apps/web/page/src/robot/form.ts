@@ -1,0 +1,146 @@
+// The numbers of a robot as a form, built from the keys that the core lists.
+import type { RobotKey, RobotSentence, RobotValue } from '../core/types';
+import { h } from '../ui/dom';
+import { field, type Field } from '../ui/field';
+
+export type Values = Record<string, RobotValue>;
+
+export interface RobotForm {
+  element: HTMLElement;
+  /** The values of another robot; the keys are those that have a meaning beside them. */
+  show(values: Values, keys: string[]): void;
+  values(): Values;
+  /** Says each sentence at its field; gives back those without one. */
+  say(problems: RobotSentence[], remarks: RobotSentence[]): RobotSentence[];
+}
+
+const titles: Record<string, string> = {
+  '': 'Robot',
+  straight: 'Straights',
+  diagonal: 'Diagonals',
+  curve: 'Curves',
+  layout: 'Published paths of turns',
+  turns: 'Published times of turns',
+  search: 'Search',
+};
+
+const sectionOf = (key: string) => (key.includes('.') ? key.split('.', 1)[0] : '');
+const shortOf = (key: string) => key.slice(key.indexOf('.') + 1).replaceAll('_', ' ');
+
+interface Row {
+  element: Field;
+  remark: HTMLElement;
+  /** Undefined where nothing is given; a text where the browser can make no number of it. */
+  read(): RobotValue | undefined;
+}
+
+function numberRow(key: RobotKey, value: RobotValue | undefined, input: () => void) {
+  const control = h('input', {
+    type: 'number',
+    inputmode: 'decimal',
+    step: key.kind === 'whole' ? 1 : 'any',
+    min: key.low,
+    max: key.high,
+    value: typeof value === 'number' ? value : '',
+    placeholder: key.needed ? '' : 'default',
+    required: key.needed,
+    oninput: input,
+  });
+  const never = h('input', {
+    type: 'checkbox',
+    checked: value === false,
+    onchange: () => {
+      control.disabled = never.checked;
+      input();
+    },
+  });
+  control.disabled = value === false;
+  const read = (): RobotValue | undefined => {
+    if (key.kind === 'number_or_false' && never.checked) return false;
+    if (control.validity.badInput) return 'no number';
+    return control.value === '' ? undefined : control.valueAsNumber;
+  };
+  const beside = key.kind === 'number_or_false' && h('label', { class: 'check' }, never, `${key.name} is not driven`);
+  return { control, beside, read };
+}
+
+function choiceRow(key: RobotKey, value: RobotValue | undefined, input: () => void) {
+  const options = key.kind === 'end' ? ['goal', 'beyond'] : ['true', 'false'];
+  const control = h(
+    'select',
+    { onchange: input },
+    h('option', { value: '' }, 'default'),
+    ...options.map((one) => h('option', { value: one, selected: String(value) === one }, one)),
+  );
+  const read = () => (control.value === '' ? undefined : key.kind === 'end' ? control.value : control.value === 'true');
+  return { control, beside: false as const, read };
+}
+
+/** `changed` hears of every edit; `again` where other keys have a meaning after it. */
+export function createRobotForm(keys: RobotKey[], changed: () => void): RobotForm {
+  const element = h('div', { class: 'robot-form' });
+  const rows = new Map<string, Row>();
+  let shown = '';
+
+  function rowOf(key: RobotKey, value: RobotValue | undefined): HTMLElement {
+    const isChoice = key.kind === 'yes_or_no' || key.kind === 'end';
+    const { control, beside, read } = (isChoice ? choiceRow : numberRow)(key, value, changed);
+    const unit = key.unit && ` (${key.unit})`;
+    const help = h('span', {}, key.meaning, h('span', { class: 'range' }, ` ${key.range}`));
+    const row = field(`${shortOf(key.name)}${unit}`, control, help);
+    control.dataset.key = key.name;
+    const remark = h('span', { class: 'field-remark', role: 'status' });
+    row.append(...(beside ? [beside] : []), remark);
+    rows.set(key.name, { element: row, remark, read });
+    return row;
+  }
+  function sectionElement(section: string, of: RobotKey[], values: Values) {
+    const title = titles[section] ?? section;
+    const fields = of.map((key) => rowOf(key, values[key.name]));
+    const isGiven = section !== 'layout' || of.some(({ name }) => name in values);
+    return h(
+      'details',
+      { class: 'card', open: isGiven, 'data-section': section },
+      h('summary', {}, h('h3', {}, title)),
+      h('div', { class: 'parameters' }, ...fields),
+    );
+  }
+  return {
+    element,
+    show(values, wanted) {
+      const now = JSON.stringify([values, wanted]);
+      if (now === shown) return;
+      shown = now;
+      rows.clear();
+      const of = keys.filter(({ name }) => wanted.includes(name));
+      const sections = [...new Set(of.map(({ name }) => sectionOf(name)))];
+      element.replaceChildren(
+        ...sections.map((section) =>
+          sectionElement(
+            section,
+            of.filter(({ name }) => sectionOf(name) === section),
+            values,
+          ),
+        ),
+      );
+    },
+    values() {
+      const values: Values = {};
+      for (const [name, { read }] of rows) {
+        const value = read();
+        if (value !== undefined) values[name] = value;
+      }
+      shown = '';
+      return values;
+    },
+    say(problems, remarks) {
+      for (const [name, { element: row, remark }] of rows) {
+        const mine = ({ key }: RobotSentence) => key === name;
+        row.complain(problems.find(mine)?.text ?? '');
+        const words = remarks.find(mine)?.text ?? '';
+        if (remark.textContent !== words) remark.replaceChildren(words);
+      }
+      return [...problems, ...remarks].filter(({ key }) => !rows.has(key));
+    },
+  };
+}

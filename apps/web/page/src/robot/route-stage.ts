@@ -1,0 +1,57 @@
+// The best route of a maze on a stage, over the one of the robot that it began from.
+import type { DrivePath, MazeData } from '../core/types';
+import { halfX, halfY, type Geometry } from '../maze/geometry';
+import { paintMaze, type Context } from '../maze/painter';
+import { createStage } from '../maze/stage';
+
+export interface RouteStage {
+  element: HTMLElement;
+  show(maze: MazeData, path: DrivePath | null, before: DrivePath | null, words: string): void;
+}
+
+function trace(context: Context, g: Geometry, { x, y }: DrivePath) {
+  context.beginPath();
+  for (let i = 0; i < x.length; ++i) {
+    if (i === 0) context.moveTo(halfX(g, 2 * x[i]), halfY(g, 2 * y[i]));
+    else context.lineTo(halfX(g, 2 * x[i]), halfY(g, 2 * y[i]));
+  }
+  context.stroke();
+}
+
+export function createRouteStage(): RouteStage {
+  let maze: MazeData | null = null;
+  let path: DrivePath | null = null;
+  let before: DrivePath | null = null;
+  const stage = createStage(
+    { width: 16, height: 16 },
+    (context, g, palette) => {
+      if (!maze) return;
+      paintMaze(context, g, palette, maze);
+      context.lineCap = context.lineJoin = 'round';
+      if (before) {
+        context.lineWidth = Math.max(1, g.pitch * 0.06);
+        context.strokeStyle = palette.ink;
+        context.setLineDash([g.pitch * 0.15, g.pitch * 0.2]);
+        trace(context, g, before);
+        context.setLineDash([]);
+      }
+      if (!path) return;
+      context.lineWidth = Math.max(1, g.pitch * 0.13);
+      context.strokeStyle = palette['to-goal'];
+      trace(context, g, path);
+    },
+    { numbers: true },
+  );
+  return {
+    element: stage.element,
+    show(now, newPath, oldPath, words) {
+      const other = !maze || maze.width !== now.width || maze.height !== now.height;
+      maze = now;
+      path = newPath;
+      before = oldPath;
+      stage.describe(words);
+      if (other) stage.resize(now);
+      else stage.redraw();
+    },
+  };
+}

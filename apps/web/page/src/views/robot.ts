@@ -1,0 +1,260 @@
+// The view Robot: the numbers of a robot, and at once what follows from them. It accepts robot files.
+import type { MazeData, RobotAnswer } from '../core/types';
+import { createMazeChoice } from '../live/maze-choice';
+import { routeTable, searchTable, straightTables, turnFigures } from '../robot/figures';
+import { createRobotForm, type Values } from '../robot/form';
+import { isMine, myRobot, nameOf, setMyRobot } from '../robot/mine';
+import { createRouteStage } from '../robot/route-stage';
+import { h } from '../ui/dom';
+import { complainAt, field } from '../ui/field';
+import { createLatest } from '../ui/latest';
+import { meanings } from '../ui/meanings';
+import type { Page, View } from './view';
+import '../styles/forms.css';
+import '../styles/robot.css';
+
+/** What the robot began from: one that the core brings, or a file's text. */
+type Origin = { name: string; text: string | null };
+
+interface Question {
+  name: string;
+  /** Null: as it began. */
+  values: Values | null;
+  maze: MazeData | null;
+}
+
+/** After so many milliseconds the page says that it is at work. */
+const patience = 100;
+
+const turnWords: [string, string][] = [
+  ['45', 'from the middle of a cell onto a diagonal, and backwards off it'],
+  ['90', 'a quarter turn from cell to cell'],
+  ['135', 'from the middle of a cell onto a diagonal that leads back'],
+  ['180', 'a half turn around a wall, from cell to cell'],
+  ['V90', 'a quarter turn from diagonal to diagonal'],
+  ['S90', 'the small quarter turn inside one cell, which searches use'],
+];
+
+export function createRobot(page: Page): View {
+  const { robots, robot_keys: keys } = page.about;
+  let origin: Origin = { name: robots[0]?.name ?? '', text: null };
+  let began: Promise<RobotAnswer> | null = null;
+  let beganFor: MazeData | null = null;
+  let maze: MazeData | null = null;
+  let fileText = '';
+  let isShown = false;
+  let late: ReturnType<typeof setTimeout> | undefined;
+
+  const select = h(
+    'select',
+    { onchange: () => begin({ name: select.value, text: null }) },
+    ...robots.map(({ name, cell }) => h('option', { value: name }, `${name}, cells of ${cell} mm`)),
+  );
+  const opened = h('option', { value: '', hidden: true }, 'a file');
+  select.append(opened);
+  const usual = robots.find(({ name }) => name === 'classic');
+  if (usual) select.value = origin.name = usual.name;
+  const name = h('input', { type: 'text', value: 'my-mouse', spellcheck: 'false', oninput: () => ask() });
+  const nameRow = field('Name', name);
+  const form = createRobotForm(keys, () => ask());
+  const status = h('p', { class: 'verdict', role: 'status' });
+  const others = h('ul', { class: 'robot-sentences' });
+  const stage = createRouteStage();
+  const routeTimes = h('div', {});
+  const turns = h('div', { class: 'robot-turns' });
+  const tables = h('div', { class: 'robot-tables' });
+  const follows = h('div', { class: 'robot-follows' });
+  const mazes = createMazeChoice(page, (next) => {
+    maze = next;
+    ask(false);
+  });
+  const tell = (message: string) => page.tell(message);
+  const save = h(
+    'button',
+    { type: 'button', onclick: () => page.save(`${nameOf(name.value) || 'robot'}.toml`, fileText, 'application/toml') },
+    'Save as TOML',
+  );
+  const use = (view: 'live' | 'race') =>
+    h(
+      'button',
+      {
+        type: 'button',
+        onclick: () => {
+          location.hash = view;
+          tell(`${name.value} can be chosen under Robot, in the world of seconds.`);
+        },
+      },
+      view === 'live' ? 'Drive it in Live' : 'Race with it',
+    );
+  const uses = [save, use('live'), use('race')];
+
+  const bytesOf = ({ text }: Origin): [Uint8Array?] => (text === null ? [] : [new TextEncoder().encode(text)]);
+  const builtIn = ({ name, text }: Origin) => (text === null ? { built_in: name } : {});
+
+  /** The robot that it began from, in this maze. */
+  function beginning(where: MazeData | null): Promise<RobotAnswer> {
+    if (!began || beganFor !== where) {
+      beganFor = where;
+      began = page.core.call(
+        'robot',
+        { name: origin.name, ...builtIn(origin), ...(where && { maze: where }) },
+        ...bytesOf(origin),
+      );
+    }
+    return began;
+  }
+  const latest = createLatest(
+    async ({ name, values, maze }: Question) => {
+      const before = await beginning(maze);
+      if (values === null) return { now: before, before };
+      return { now: await page.core.call('robot', { name, values, ...(maze && { maze }) }), before };
+    },
+    ({ now, before }, { name: called, values, maze }) => {
+      rest();
+      // A form that is being edited is left alone.
+      if (values === null) form.show(now.values, now.keys);
+      else if (JSON.stringify(now.keys) !== JSON.stringify(shownKeys)) form.show(now.values, now.keys);
+      shownKeys = now.keys;
+      show(now, before, maze, values === null);
+      fileText = now.text;
+      const isSame = now.result?.tables === before.result?.tables && origin.text === null;
+      setMyRobot(now.result && !isSame ? `${called}\n${now.text}` : null);
+    },
+    (error) => {
+      rest();
+      complainAt({ name: nameRow }, 'name', error instanceof Error ? error.message : String(error));
+    },
+  );
+  let shownKeys: string[] = [];
+
+  function rest() {
+    clearTimeout(late);
+    follows.removeAttribute('aria-busy');
+  }
+  function ask(edited = true) {
+    if (!isShown) return;
+    clearTimeout(late);
+    late = setTimeout(() => {
+      follows.setAttribute('aria-busy', 'true');
+      status.replaceChildren('Computing …');
+      status.dataset.state = 'fair';
+    }, patience);
+    if (edited) fresh = false;
+    const called = name.value.trim().replaceAll('\n', ' ') || 'robot';
+    latest.ask({ name: called, values: fresh ? null : form.values(), maze });
+  }
+  /** Nothing has been edited since it began. */
+  let fresh = true;
+  function begin(from: Origin) {
+    origin = from;
+    began = null;
+    fresh = true;
+    shownKeys = [];
+    opened.hidden = from.text === null;
+    opened.textContent = from.name;
+    select.value = from.text === null ? from.name : '';
+    if (from.text !== null) name.value = from.name;
+    ask(false);
+  }
+
+  function showRoute({ route, no_route }: RobotAnswer, before: RobotAnswer, where: MazeData | null) {
+    if (!where) return;
+    const was = before.route;
+    if (!route) {
+      stage.show(where, null, null, `${where.name}, without a route`);
+      return routeTimes.replaceChildren(h('p', { class: 'note' }, no_route && `${where.name} ${no_route}`));
+    }
+    const other = was && was.route !== route.route ? was.path : null;
+    const time = `${(route.time_us / 1e6).toFixed(3)} s`;
+    stage.show(where, route.path, other, `The best route of ${where.name}: ${time}`);
+    routeTimes.replaceChildren(
+      routeTable(route, was),
+      h(
+        'p',
+        { class: 'note' },
+        other
+          ? `Another way than that of ${origin.name}, which is the broken line.`
+          : was && `The same way as that of ${origin.name}.`,
+      ),
+      h('details', {}, h('summary', {}, 'Piece by piece'), h('p', { class: 'notation' }, route.route)),
+    );
+  }
+  function show(now: RobotAnswer, before: RobotAnswer, where: MazeData | null, isOrigin: boolean) {
+    complainAt({ name: nameRow }, 'name', '');
+    const rest = form.say(now.problems, now.remarks);
+    others.replaceChildren(...rest.map(({ text }) => h('li', {}, text)));
+    others.hidden = rest.length === 0;
+    follows.classList.toggle('stale', now.result === null);
+    for (const button of uses) button.disabled = now.result === null;
+    status.dataset.state = now.result === null ? 'bad' : now.remarks.length > 0 ? 'fair' : 'good';
+    status.replaceChildren(now.result?.line ?? `Refused: ${now.problems[0]?.text ?? 'no robot'}`);
+    // What is shown below stays that of the last robot that could be.
+    if (!now.result) return showComplaint();
+    const was = isOrigin ? null : before.result;
+    showRoute(now, isOrigin ? { ...before, route: null } : before, where);
+    turns.replaceChildren(...turnFigures(now.result, was));
+    tables.replaceChildren(
+      ...straightTables(now.result, was),
+      h('div', {}, h('h4', {}, 'Moves of a search'), searchTable(now.result, was)),
+    );
+  }
+  /** A field that is folded away is opened where something is wrong with it. */
+  function showComplaint() {
+    const closed = form.element.querySelector('[aria-invalid]')?.closest('details');
+    if (closed) closed.open = true;
+  }
+
+  const start = h(
+    'section',
+    { class: 'card', 'aria-label': 'Start from' },
+    h('h3', {}, 'My robot'),
+    field('Start from', select, h('span', {}, 'the robot that all changes are compared with')),
+    nameRow,
+    h(
+      'div',
+      { class: 'row' },
+      h('button', { type: 'button', onclick: () => begin({ ...origin }) }, 'Undo all changes'),
+      h('button', { type: 'button', onclick: () => page.choose() }, 'Open a TOML file'),
+    ),
+    h('div', { class: 'row' }, ...uses),
+  );
+  follows.append(
+    h('div', { class: 'robot-route' }, stage.element, h('div', {}, h('h3', {}, 'The best route'), routeTimes)),
+    h('h3', {}, 'Turns'),
+    turns,
+    meanings(turnWords),
+    h('h3', {}, 'Straights and the search'),
+    tables,
+  );
+  return {
+    element: h(
+      'section',
+      { 'aria-label': 'Robot', class: 'robot' },
+      h('h2', { class: 'unseen' }, 'Robot'),
+      h(
+        'div',
+        { class: 'desk' },
+        h('div', { class: 'desk-side' }, start, mazes.element, form.element),
+        h('div', { class: 'desk-main' }, status, others, follows),
+      ),
+    ),
+    maze: () => maze,
+    shown() {
+      isShown = true;
+      // A robot that came with an address is edited from there.
+      const given = myRobot();
+      if (given && isMine(given) && given !== `${name.value}\n${fileText}`)
+        begin({ name: nameOf(given), text: given.slice(nameOf(given).length + 1) });
+      if (maze) ask(false);
+      else mazes.refresh();
+    },
+    hidden() {
+      isShown = false;
+    },
+    accept(thing) {
+      const { name: called, text } = thing as { name: string; text: string };
+      isShown = true;
+      begin({ name: called, text });
+    },
+  };
+}

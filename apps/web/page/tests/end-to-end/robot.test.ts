@@ -1,0 +1,110 @@
+// The view Robot: numbers of a robot and what follows from them.
+import { readFileSync, writeFileSync } from 'node:fs';
+import type { Page } from 'playwright-core';
+import { expect, test } from 'vitest';
+import { barriers, drop, native, open, picture, temporary } from './harness';
+
+const view = (page: Page) => page.getByRole('region', { name: 'Robot', exact: true });
+const status = (page: Page) => view(page).locator('.verdict').textContent();
+const input = (page: Page, key: string) => view(page).locator(`[data-key="${key}"]`);
+const errorOf = (page: Page, key: string) =>
+  view(page)
+    .locator('.field', { has: page.locator(`[data-key="${key}"]`) })
+    .locator('.field-error');
+const times = (page: Page, turn: string) =>
+  view(page).locator(`[data-turn="${turn}"] tbody td:last-child`).allTextContents();
+const bestTime = (page: Page) =>
+  view(page).getByRole('table', { name: 'The best route' }).locator('td').first().textContent();
+
+async function opened(options = {}) {
+  const page = await open('#robot', options);
+  await expect.poll(() => bestTime(page)).toMatch(/ s/);
+  return page;
+}
+
+/** The best time of capstone-1 by the command line. */
+function routeTime(robot: string) {
+  const { mazes } = JSON.parse(native('route', 'capstone-1', '--robot', robot, '--format', 'json'));
+  return String(Number((mazes[0].time_us / 1e6).toFixed(3)));
+}
+
+async function savedFile(page: Page) {
+  const [download] = await Promise.all([
+    page.waitForEvent('download'),
+    view(page).getByRole('button', { name: 'Save as TOML' }).click(),
+  ]);
+  return { name: download.suggestedFilename(), content: readFileSync((await download.path())!, 'utf8') };
+}
+
+test('what follows from a robot is what the command line says, also after an edit', async () => {
+  const page = await opened();
+  expect(await status(page)).toBe(/^classic +(.*)$/m.exec(native('robot', 'list'))![1]);
+  expect(await bestTime(page)).toBe(`${routeTime('classic')} s`);
+  const before = await times(page, '90');
+  await input(page, 'curve.lateral_acceleration').fill('12000');
+  await expect.poll(() => times(page, '90')).not.toEqual(before);
+  await expect.poll(() => bestTime(page)).toContain('was');
+  await picture(page, 'robot');
+  expect(await barriers(page)).toEqual([]);
+  const saved = await savedFile(page);
+  expect(saved.name).toBe('my-mouse.toml');
+  const file = temporary('my-mouse.toml');
+  writeFileSync(file, saved.content);
+  expect(await bestTime(page)).toContain(`${routeTime(file)} s`);
+  const shown = native('robot', 'show', file);
+  for (const time of await times(page, '90')) expect(shown).toContain(Number(/^[\d.]+/.exec(time)![0]).toFixed(3));
+  await view(page).getByRole('button', { name: 'Undo all changes' }).click();
+  await expect.poll(() => times(page, '90')).toEqual(before);
+});
+
+test('what is wrong stands at its field, and what followed before stays', async () => {
+  const page = await opened();
+  const time = await bestTime(page);
+  await input(page, 'clearance').fill('70');
+  await expect.poll(() => errorOf(page, 'clearance').textContent()).toContain('63.6 mm');
+  expect(await status(page)).toMatch(/^Refused/);
+  expect(await bestTime(page)).toBe(time);
+  expect(await view(page).getByRole('button', { name: 'Save as TOML' }).isDisabled()).toBe(true);
+  await input(page, 'clearance').fill('');
+  await expect.poll(() => errorOf(page, 'clearance').textContent()).toContain('missing');
+  await input(page, 'clearance').fill('45');
+  await input(page, 'search.pivot_acceleration').fill('17000');
+  const remark = view(page)
+    .locator('.field', { has: page.locator('[data-key="search.pivot_acceleration"]') })
+    .locator('.field-remark');
+  await expect.poll(() => remark.textContent()).toContain('degrees');
+});
+
+test('a file is opened by dropping it, and drives in Live under its name', async () => {
+  const page = await open('#race');
+  await drop(page, { name: 'tank.toml', content: halfWith(900) });
+  await expect.poll(() => view(page).getByLabel('Name').inputValue()).toBe('tank');
+  await expect.poll(() => input(page, 'straight.speed').inputValue()).toBe('900');
+  await input(page, 'straight.speed').fill('1000');
+  await expect.poll(() => bestTime(page)).toContain('was');
+  await view(page).getByRole('button', { name: 'Drive it in Live' }).click();
+  const live = page.getByRole('region', { name: 'Live' });
+  await live.getByLabel('World').selectOption({ label: 'seconds: curves and diagonals' });
+  await live.getByLabel('Robot').selectOption({ label: 'tank, my robot' });
+  await expect.poll(() => live.locator('.verdict').textContent()).toMatch(/score [\d.]+ s/);
+  await expect.poll(() => page.url()).toContain('robot=tank%0A');
+  const score = await live.locator('.verdict').textContent();
+  const other = await open(`#${page.url().split('#')[1]}`);
+  await expect.poll(() => other.getByRole('region', { name: 'Live' }).locator('.verdict').textContent()).toBe(score);
+});
+
+/** `half` with another top speed. */
+const halfWith = (speed: number) =>
+  readFileSync(new URL('../../../../../robots/half.toml', import.meta.url), 'utf8').replace(
+    /\[straight\]\s*\nspeed = \d+/,
+    `[straight]\nspeed = ${speed}`,
+  );
+
+test('it fits a telephone, in light and dark', async () => {
+  for (const colorScheme of ['light', 'dark'] as const) {
+    const page = await opened({ viewport: { width: 390, height: 844 }, colorScheme });
+    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(390);
+    await picture(page, `robot-390-${colorScheme}`);
+    expect(await barriers(page)).toEqual([]);
+  }
+});

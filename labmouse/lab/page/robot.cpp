@@ -1,0 +1,232 @@
+// A robot that is being edited: its numbers, what is wrong with them, and what follows from them.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "labmouse/lab/page/answers.hpp"
+#include "labmouse/lab/page/drive_choices.hpp"
+#include "labmouse/lab/page/request.hpp"
+#include "labmouse/lab/plays/play_seconds.hpp"
+#include "labmouse/lab/robots/builtin_robots.hpp"
+#include "labmouse/lab/robots/robot_file.hpp"
+#include "labmouse/lab/robots/robot_keys.hpp"
+#include "labmouse/lab/robots/robot_remarks.hpp"
+#include "labmouse/lab/robots/robot_table.hpp"
+#include "labmouse/lab/robots/robot_text.hpp"
+#include "labmouse/lab/routes/route_data.hpp"
+#include "labmouse/mouse/drive/fastest.hpp"
+#include "labmouse/mouse/robot/turn_room.hpp"
+
+namespace labmouse {
+namespace {
+
+double ms_of(DriveTime time) { return time / 1e3; }
+
+/// A wall as the line between its posts, in cells from a corner.
+Json wall_line(Wall wall, Cell corner) {
+  const int x = wall.cell.x - corner.x, y = wall.cell.y - corner.y;
+  return wall.side == Heading::north ? Json{x, y + 1, x + 1, y + 1} : Json{x + 1, y, x + 1, y + 1};
+}
+
+Json wall_lines(const std::vector<Wall>& walls, Cell corner) {
+  Json lines = Json::array();
+  for (const Wall wall : walls) lines.push_back(wall_line(wall, corner));
+  return lines;
+}
+
+/// The path of a turn in cells from the corner: its lead, its curve, its lead.
+Json turn_path(const TurnShape& shape, const TurnRoom& room, Cell corner, double cell) {
+  constexpr int pieces = 24;
+  Json points = Json::array();
+  const auto add = [&](double distance) {
+    const MazePoint point = maze_point(room.from, true, shape.at(distance), cell);
+    points.push_back({std::round((point.x - corner.x) * 1e4) / 1e4, std::round((point.y - corner.y) * 1e4) / 1e4});
+  };
+  add(0.0);
+  for (int i = 0; i <= pieces; ++i) add(shape.lead_in + shape.length * i / pieces);
+  add(shape.whole());
+  return points;
+}
+
+/// A kind of turn: its path, which all of its speeds share, and the walls about it.
+Json turn_json(const Robot& robot, const TurnShape& shape) {
+  const TurnRoom room = room_of(shape.turn);
+  // The cell of the first node is that in the south-east of four.
+  const Cell corner = neighbour(room.from.cell, Heading::west);
+  Json json = {{"turn", name_of(shape.turn)},
+               {"speeds", Json::array()},
+               {"path", turn_path(shape, room, corner, robot.cell)},
+               {"open", wall_lines(room.open, corner)},
+               {"standing", wall_lines(room.standing, corner)}};
+  // Where times are given, the curve behind them is not known.
+  const auto known = [&](double value) { return robot.fixed ? Json(nullptr) : Json(value); };
+  json["lead_in"] = known(shape.lead_in);
+  json["lead_out"] = known(shape.lead_out);
+  json["length"] = known(shape.length);
+  json["clearance"] = known(shape.clearance);
+  return json;
+}
+
+Json turns_json(const Robot& robot, const DriveModel& model) {
+  Json turns = Json::array();
+  for (const std::size_t i : shown_turns(model)) {
+    const DrivenTurn& turn = model.tables.turns[i];
+    if (turns.empty() || turns.back()["turn"] != name_of(turn.turn)) turns.push_back(turn_json(robot, model.shapes[i]));
+    turns.back()["speeds"].push_back({{"speed", turn.speed}, {"ms", ms_of(turn.time)}});
+  }
+  return turns;
+}
+
+/// From one turn to the next one of the same kind, the slowest: so many units of the table in so many milliseconds.
+Json straight_json(std::string_view kind, const StraightTimes& times, int units_a_step, const char* step) {
+  Json list = Json::array();
+  if (times.lanes.empty()) return {};
+  const auto slowest =
+      static_cast<std::size_t>(std::min_element(times.lanes.begin(), times.lanes.end(),
+                                                [](const Lane& a, const Lane& b) { return a.speed < b.speed; }) -
+                               times.lanes.begin());
+  for (const int steps : {1, 2, 4, 8, 16})
+    if (const DriveTime time = times.at(steps * units_a_step, slowest, slowest); time < no_time)
+      list.push_back({{"steps", steps}, {"ms", ms_of(time)}});
+  return {{"kind", kind}, {"step", step}, {"speed", times.lanes[slowest].speed}, {"times", std::move(list)}};
+}
+
+Json straights_json(const Robot& robot, const DriveModel& model) {
+  Json straights = Json::array();
+  straights.push_back(straight_json("straight", model.tables.along, 2, "cells"));
+  if (robot.diagonals) straights.push_back(straight_json("diagonal", model.tables.diagonal, 1, "half diagonals"));
+  straights.erase(std::remove(straights.begin(), straights.end(), Json()), straights.end());
+  return straights;
+}
+
+Json search_json(const SearchDrive& search) {
+  return {{"cell", ms_of(search.cell)},
+          {"turn", ms_of(search.turn)},
+          {"back", ms_of(search.back)},
+          {"quarter", ms_of(search.quarter)},
+          {"half_cell", ms_of(search.half_cell)}};
+}
+
+Json robot_result(const Robot& robot, const DriveModel& model) {
+  return {{"line", robot_line(robot, model)},
+          {"turns", turns_json(robot, model)},
+          {"straights", straights_json(robot, model)},
+          {"search", search_json(model.search)},
+          {"tables", hash_words(model.tables)}};
+}
+
+/// The best route of a maze, with the path to draw, or why there is none.
+void add_route(const NamedMaze& maze, const DriveModel& model, Json& answer) {
+  const RouteReport report = route_report(maze.maze, model);
+  answer["no_route"] = report.error;
+  if (!report.error.empty()) return;
+  answer["route"] = route_json(report, maze.name, model);
+  answer["route"]["path"] = path_json(path_of(report.route, 0, model));
+}
+
+Json place_json(std::string_view sentence) { return {{"key", key_in(sentence)}, {"text", sentence}}; }
+
+Json remarks_json(const Robot& robot, const DriveModel& model) {
+  Json remarks = Json::array();
+  for (const std::string& remark : robot_remarks(robot, model)) remarks.push_back(place_json(remark));
+  return remarks;
+}
+
+Json problems_json(const std::vector<Problem>& problems) {
+  Json list = Json::array();
+  for (const Problem& problem : problems) {
+    Json& json = list.emplace_back(place_json(problem.reason));
+    json["line"] = problem.line;
+    json["column"] = problem.column;
+  }
+  return list;
+}
+
+/// The names of the keys that have a meaning beside those values.
+Json keys_of(const Json& values) {
+  RobotForms forms;
+  for (const auto& [name, value] : values.items()) forms.turns = forms.turns || name.starts_with("turns.");
+  forms.search_times = values.contains("search.cell");
+  forms.diagonals = values.value("diagonals", Json(true)) != Json(false);
+  Json keys = Json::array();
+  for (const RobotKey& key : robot_keys())
+    if (forms.has(key) || values.contains(std::string(key.name))) keys.push_back(key.name);
+  return keys;
+}
+
+std::string built_in_text(PageRequest& request) {
+  const std::string name = request.text("built_in");
+  for (const BuiltinRobot& robot : builtin_robots())
+    if (robot.name == name) return std::string(robot.text);
+  request.reject(fmt::format("the page has no robot '{}'", name));
+  return "";
+}
+
+std::string text_of_values(PageRequest& request) {
+  const ReadJson& values = request.json()["values"];
+  if (!values.is_object()) return request.reject("'values' is not an object"), "";
+  for (const auto& [name, value] : values.items()) {
+    const auto is_it = [&, &key_name = name](const RobotKey& key) { return key.name == key_name; };
+    if (std::none_of(robot_keys().begin(), robot_keys().end(), is_it))
+      return request.reject(fmt::format("no robot has '{}'", name)), "";
+    if (!(value.is_number() || value.is_boolean() || value.is_string()))
+      return request.reject(fmt::format("'{}' is no number, truth or text", name)), "";
+  }
+  return robot_text(values);
+}
+
+}  // namespace
+
+PageReply answer_robot(const ReadJson& json, std::string_view bytes) {
+  PageRequest request(json);
+  const std::string name = request.text("name");
+  std::optional<NamedMaze> maze;
+  if (request.has("maze")) maze = request.maze();
+  const std::string text = request.has("built_in") ? built_in_text(request)
+                           : request.has("values") ? text_of_values(request)
+                                                   : std::string(bytes);
+  if (!request.error().empty()) return failed(request.error());
+  RobotResult read = read_robot(text, name);
+  const Json values = robot_values(text);
+  Json answer = {{"text", text},
+                 {"values", values},
+                 {"keys", keys_of(values)},
+                 {"problems", problems_json(read.problems)},
+                 {"remarks", Json::array()},
+                 {"result", nullptr},
+                 {"route", nullptr},
+                 {"no_route", ""}};
+  if (read.robot) {
+    answer["remarks"] = remarks_json(*read.robot, read.model);
+    answer["result"] = robot_result(*read.robot, read.model);
+    if (maze) add_route(*maze, read.model, answer);
+  }
+  return answered(std::move(answer));
+}
+
+Json page_robot_keys_json() {
+  using With = RobotKey::With;
+  using Kind = RobotKey::Kind;
+  constexpr std::array with = {"always", "curves", "turns", "search_speed", "search_times"};
+  constexpr std::array kinds = {"number", "whole", "number_or_false", "yes_or_no", "end"};
+  static_assert(static_cast<std::size_t>(With::search_times) + 1 == with.size());
+  static_assert(static_cast<std::size_t>(Kind::end) + 1 == kinds.size());
+  Json list = Json::array();
+  for (const RobotKey& key : robot_keys())
+    list.push_back({{"name", key.name},
+                    {"meaning", key.meaning},
+                    {"unit", key.unit},
+                    {"range", range_of(key)},
+                    {"low", key.low},
+                    {"high", key.high},
+                    {"with", with[static_cast<std::size_t>(key.with)]},
+                    {"needed", key.needed},
+                    {"kind", kinds[static_cast<std::size_t>(key.kind)]},
+                    {"of_diagonals", key.of_diagonals}});
+  return list;
+}
+
+}  // namespace labmouse
