@@ -90,7 +90,7 @@ TEST(ToyWorld, HasResultsThatThePageShows) {
   std::ifstream file(std::filesystem::path(LABMOUSE_SOURCE_DIR) / "tests/toy/results.json");
   const auto kept = nlohmann::json::parse(file, nullptr, false);
   ASSERT_TRUE(kept.is_object());
-  EXPECT_EQ(kept["groups"], json["groups"]) << json.dump(1);
+  ASSERT_EQ(kept["groups"], json["groups"]) << json.dump(1);
   EXPECT_EQ(kept["groups"][0]["columns"], nlohmann::json({"stumbles a contest"}));
 }
 

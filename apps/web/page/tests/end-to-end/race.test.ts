@@ -266,3 +266,18 @@ test('names are text, whatever they look like', async () => {
   expect(await mice(page)).toContain(name);
   expect(await page.locator('main img, main b').count()).toBe(0);
 });
+
+test('a world that the page has never heard of has all pictures of the others', async () => {
+  const page = await open('#race');
+  const file = new URL('../../../../../tests/toy/results.json', import.meta.url);
+  await drop(page, { name: 'toy.json', content: readFileSync(file) });
+  const table = page.getByRole('region', { name: 'Leaderboard, toy, table' });
+  await table.waitFor();
+  expect(await table.locator('tbody tr:visible th .name').count()).toBe(2);
+  expect(await table.locator('thead').textContent()).toContain('stumbles a contest');
+  await page.getByRole('heading', { name: 'Mice × mazes, toy' }).waitFor();
+  await page.getByRole('heading', { name: 'Distributions, toy' }).waitFor();
+  await page.getByRole('heading', { name: 'Two mice, toy' }).waitFor();
+  await expect.poll(() => page.locator('.race').textContent()).toMatch(/against .* steps on average/);
+  expect(await barriers(page)).toEqual([]);
+});

@@ -108,3 +108,31 @@ test('it fits a telephone, in light and dark', async () => {
     expect(await barriers(page)).toEqual([]);
   }
 });
+
+test('a record of a real mouse is played beside a mouse of ours, up to where they part', async () => {
+  const page = await open('#replay');
+  await drop(page, { name: 'real.jsonl', content: realRecord() });
+  const replay = page.getByRole('region', { name: 'Replay' });
+  await replay.getByLabel('Beside it:').selectOption('flood');
+  await replay.getByRole('button', { name: 'Play it', exact: true }).click();
+  const parting = replay.locator('.parting');
+  await expect.poll(() => parting.textContent()).toMatch(/They part at step \d+, in cell \(\d+,\d+\)/);
+  expect(await replay.locator('.sides canvas').count()).toBe(2);
+  const step = /step (\d+)/.exec((await parting.textContent())!)![1];
+  await parting.getByRole('button', { name: 'Go there' }).click();
+  await expect
+    .poll(() => page.getByRole('slider', { name: 'Moment of the replay' }).inputValue())
+    .toBe(String(Number(step) - 1));
+});
+
+/** The walk of `certify` as a robot may leave it: actions alone, in a maze that is known. */
+function realRecord() {
+  const file = temporary('certify.jsonl');
+  native('run', 'certify', 'capstone-1', '--record', file);
+  const [header, ...lines] = readFileSync(file, 'utf8').trim().split('\n');
+  const { maze } = JSON.parse(header);
+  const steps = lines.map((line) => JSON.parse(line)).filter(({ action }) => action !== undefined);
+  return [{ labmouse: 'record', format: 1, maze }, ...steps.map(({ action }) => ({ action }))]
+    .map((line) => JSON.stringify(line))
+    .join('\n');
+}

@@ -1,0 +1,38 @@
+// A world that the page has never heard of: the race of tests/toy, whose results its native test keeps true.
+import { readFileSync } from 'node:fs';
+import { describe, expect, it } from 'vitest';
+import type { RaceResults } from '../../src/core/types';
+import { cellText } from '../../src/race/cell-text';
+import { boardOf, groupsOf } from '../../src/race/contests';
+import { ratiosOf } from '../../src/race/curves-data';
+import { pairsOf } from '../../src/race/duel-data';
+import { worldOf } from '../../src/race/worlds';
+
+const file = new URL('../../../../../tests/toy/results.json', import.meta.url);
+const results = JSON.parse(readFileSync(file, 'utf8')) as RaceResults;
+const [group] = groupsOf(results);
+const board = boardOf(group);
+
+describe('a world that nobody has told the page of', () => {
+  it('has the unit, the titles and the columns that its results name', () => {
+    const world = worldOf(group);
+    expect([world.unit, world.title, world.failure]).toEqual([group.unit, `, ${group.world}`, null]);
+    const own = world.columns.slice(-1)[0];
+    expect(own.title).toBe((group.columns as string[])[0]);
+    for (const mouse of group.mice) expect(own.value(mouse)).toBe(Number((mouse.cells as string[])[0]));
+  });
+  it('has a matrix of its scores over its bounds', () => {
+    for (const mouse of group.mice)
+      for (const contest of mouse.results) {
+        const cell = board.cells[group.mice.indexOf(mouse)][board.mazes.findIndex(({ name }) => name === contest.maze)];
+        expect(cell.contests.some(({ score, seed }) => score === contest.score && seed === contest.seed)).toBe(true);
+      }
+    expect(cellText(board, 0, 0)).toContain(board.mazes[0].short);
+  });
+  it('has distributions of all its contests, and duels without those that have no score', () => {
+    const scored = group.mice[0].results.filter(({ score }) => score !== null).length;
+    expect(ratiosOf(board, 0).ratios).toHaveLength(scored);
+    expect(ratiosOf(board, 0).contests).toBe(group.mice[0].results.length);
+    for (const { a, b, difference } of pairsOf(board, 0, 1, board.shows.failure)) expect(a - b).toBe(difference);
+  });
+});
