@@ -3,7 +3,7 @@ import type { MazeData, RobotAnswer } from '../core/types';
 import { createMazeChoice } from '../live/maze-choice';
 import { routeTable, searchTable, straightTables, turnFigures } from '../robot/figures';
 import { createRobotForm, type Values } from '../robot/form';
-import { isMine, myRobot, nameOf, setMyRobot } from '../robot/mine';
+import { myRobot, nameOf, setMyRobot } from '../robot/mine';
 import { createRouteStage } from '../robot/route-stage';
 import { h } from '../ui/dom';
 import { complainAt, field } from '../ui/field';
@@ -42,6 +42,8 @@ export function createRobot(page: Page): View {
   let beganFor: MazeData | null = null;
   let maze: MazeData | null = null;
   let fileText = '';
+  /** What this view gave to the others last. */
+  let given: string | null = null;
   let isShown = false;
   let late: ReturnType<typeof setTimeout> | undefined;
 
@@ -118,7 +120,8 @@ export function createRobot(page: Page): View {
       show(now, before, maze, values === null);
       fileText = now.text;
       const isSame = now.result?.tables === before.result?.tables && origin.text === null;
-      setMyRobot(now.result && !isSame ? `${called}\n${now.text}` : null);
+      given = now.result && !isSame ? `${called}\n${now.text}` : null;
+      setMyRobot(given);
     },
     (error) => {
       rest();
@@ -242,9 +245,9 @@ export function createRobot(page: Page): View {
     shown() {
       isShown = true;
       // A robot that came with an address is edited from there.
-      const given = myRobot();
-      if (given && isMine(given) && given !== `${name.value}\n${fileText}`)
-        begin({ name: nameOf(given), text: given.slice(nameOf(given).length + 1) });
+      const mine = myRobot();
+      if (mine !== null && mine !== given) begin({ name: nameOf(mine), text: mine.slice(nameOf(mine).length + 1) });
+      given = mine;
       if (maze) ask(false);
       else mazes.refresh();
     },
@@ -254,6 +257,7 @@ export function createRobot(page: Page): View {
     accept(thing) {
       const { name: called, text } = thing as { name: string; text: string };
       isShown = true;
+      given = myRobot();
       begin({ name: called, text });
     },
   };
