@@ -4,6 +4,7 @@
 #include "labmouse/contest/coverage.hpp"
 #include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/plays/play_frames.hpp"
+#include "labmouse/strategies/roster.hpp"
 #include "tests/lab/page_fixture.hpp"
 #include "tests/lab/record_fixture.hpp"
 #include "tests/says.hpp"
@@ -29,7 +30,12 @@ json play_of(const std::string& mouse, const NamedMaze& maze = test::loop()) {
 
 /// The oracle explores by its shortest run, resets and runs: every number can be seen in the drawing of the hook.
 TEST(PagePlay, HasEachFrameAndEachStep) {
-  const json play = play_of("oracle", test::hook());
+  json play = play_of("oracle", test::hook());
+  // Every mouse of the roster can hold it again, by the same rules.
+  EXPECT_EQ(play["again"]["call"], "run");
+  EXPECT_EQ(play["again"]["with"], play["rules"]);
+  EXPECT_EQ(play["again"]["mice"].size(), roster().size());
+  play.erase("again");
   json expected = json::parse(R"({
     "world": "steps", "mouse": "oracle", "rules": {"budget": 1000, "exploration_factor": 30, "stride": 3}, "seed": 1,
     "outcome": "solved", "solved": true, "optimum": 1, "exploration_steps": 2, "speed_steps": 1,

@@ -6,10 +6,10 @@ test('the page is one file of at most 1.6 megabytes', () => {
   expect(statSync(builtPage).size).toBeLessThanOrEqual(1_600_000);
 });
 
-test('it opens from the disk, names its four views, and asks nothing of a network', async () => {
+test('it opens from the disk, names its views, and asks nothing of a network', async () => {
   const page = await open();
   const views = await page.getByRole('navigation', { name: 'Views' }).getByRole('link').allTextContents();
-  expect(views).toEqual(['Race', 'Replay', 'Live', 'Draw']);
+  expect(views).toEqual(['Race', 'Replay', 'Live', 'Draw', 'Write', 'Robot']);
   expect(await barriers(page)).toEqual([]);
 });
 

@@ -98,7 +98,7 @@ test('a race in seconds is held, and its contests are driven again', async () =>
   await page.getByRole('button', { name: 'Start the race' }).waitFor();
   await page.getByRole('region', { name: 'Race', exact: true }).getByLabel('World').selectOption('seconds');
   const mazes = page.getByRole('group', { name: 'Mazes', exact: true });
-  await page.getByText('Mazes, 43 of').click();
+  await page.getByText(/^Mazes, 43 of/).click();
   await mazes.getByRole('button', { name: 'None' }).click();
   await mazes.getByLabel('contest-05').check();
   await page.getByRole('button', { name: 'Start the race' }).click();
@@ -130,7 +130,7 @@ test('a maze that was opened can race, and is replayed as it was', async () => {
   await page.waitForFunction(() => document.title === 'Live · labmouse');
   await page.getByRole('link', { name: 'Race' }).click();
   const mazes = page.getByRole('group', { name: 'Mazes', exact: true });
-  await page.getByText('Mazes, 43 of').click();
+  await page.getByText(/^Mazes, 43 of/).click();
   await mazes.getByRole('button', { name: 'None' }).click();
   await mazes.getByLabel('my-maze').first().check();
   await page.getByRole('button', { name: 'Start the race' }).click();
@@ -278,6 +278,8 @@ test('a world that the page has never heard of has all pictures of the others', 
   await page.getByRole('heading', { name: 'Mice × mazes, toy' }).waitFor();
   await page.getByRole('heading', { name: 'Distributions, toy' }).waitFor();
   await page.getByRole('heading', { name: 'Two mice, toy' }).waitFor();
-  await expect.poll(() => page.locator('.race').textContent()).toMatch(/against .* steps on average/);
+  await expect
+    .poll(() => page.getByRole('region', { name: 'Race', exact: true }).textContent())
+    .toMatch(/against .* steps on average/);
   expect(await barriers(page)).toEqual([]);
 });
