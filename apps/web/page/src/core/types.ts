@@ -437,6 +437,8 @@ export interface ContestResult {
 
 export interface RacedMouse {
   name: string;
+  /** The SPEC of the mouse, where its name is another. */
+  spec?: string;
   parameters: Record<string, string | number | boolean>;
   contestant: boolean;
   solved: number;

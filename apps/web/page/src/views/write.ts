@@ -92,7 +92,9 @@ export function createWrite(page: Page): View {
     verdict.dataset.state = state;
     verdict.replaceChildren(text);
   }
+  /** What was asked for last stands first. */
   function show(held: Held) {
+    player.element.after(standings);
     hint.hidden = true;
     say(outcomeInWords(held), held.play.solved ? 'good' : 'bad');
     prints.show(held.prints);
@@ -157,6 +159,7 @@ export function createWrite(page: Page): View {
       solved === raced.contests.length ? 'good' : 'bad',
     );
     standings.hidden = false;
+    player.element.before(standings);
     standings.replaceChildren(
       h('h2', {}, 'Leaderboard'),
       leaderboard(group, () => undefined).element,
@@ -203,7 +206,12 @@ export function createWrite(page: Page): View {
         player.element,
       ),
     ),
-    shown: refresh,
+    shown() {
+      refresh();
+      // A program to begin with shows at once what it does; what somebody wrote waits to be asked for.
+      const work = desk.work();
+      if (player.element.hidden && work?.language.templates.some(({ text }) => text === work.text)) void runIt();
+    },
     hidden: () => player.stop(),
     address: desk.address,
     accept(thing) {

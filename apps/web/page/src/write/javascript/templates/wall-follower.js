@@ -1,21 +1,18 @@
-// A mouse that keeps its left hand on the wall until it enters a goal. Then it goes back to the start and leaves each cell
-// as it last left it. Simple, and lost where the goal stands free in the middle: what would you do about that?
-const WAYS = [
-  [0, 1],
-  [1, 0],
-  [0, -1],
-  [-1, 0],
-]; // to the north, east, south and west
+// A mouse that keeps its left hand on the wall until it enters a goal.
+// Then it goes back to the start and leaves each cell as it last left
+// it. Simple, and lost where the goal stands free in the middle: what
+// would you do about that?
+// To the north, east, south and west.
+const WAYS = [[0, 1], [1, 0], [0, -1], [-1, 0]];
 const goals = new Set();
-const lastWay = new Map(); // of each cell the way by which the mouse last left it
-let start,
-  cell,
-  heading,
-  racing = false;
+// Of each cell the way by which the mouse last left it.
+const lastWay = new Map();
+let start, cell, heading, racing = false;
 
 const nameOf = ([x, y]) => `${x},${y}`;
 
-// Turns by -90, 0 or 90 degrees, then goes so many cells; `way` is where it looks then.
+// Turns by -90, 0 or 90 degrees, then goes so many cells; `way` is
+// where it looks then.
 function move(degrees, cells) {
   heading = (heading + degrees / 90 + 4) % 4;
   if (cells > 0) lastWay.set(nameOf(cell), heading);
@@ -23,7 +20,8 @@ function move(degrees, cells) {
   return `move ${degrees} ${cells}`;
 }
 
-// One step: `left`, `ahead` and `right` are the open cells up to the next wall.
+// One step: `left`, `ahead` and `right` are the open cells up to the
+// next wall.
 function decide(left, ahead, right) {
   if (!racing && goals.has(nameOf(cell))) {
     racing = true;
@@ -40,17 +38,16 @@ function decide(left, ahead, right) {
   return move(90, 0); // a dead end: it turns round, in two steps
 }
 
-// The conversation with the host, line by line. Notes for yourself go to console.error.
-require('readline')
-  .createInterface({ input: process.stdin })
-  .on('line', (line) => {
-    const [word, ...rest] = line.split(' ');
-    const [a, b, c] = rest.map(Number);
-    if (word === 'start') {
-      start = [[a, b], ['north', 'east', 'south', 'west'].indexOf(rest[2])];
-      [cell, heading] = start;
-    }
-    if (word === 'goal') goals.add(nameOf([a, b]));
-    if (word === 'begin') console.log('labmouse 1');
-    if (word === 'sense') console.log(decide(a, b, c));
-  });
+// The conversation with the host, line by line. Notes for yourself go
+// to console.error.
+require('readline').createInterface({ input: process.stdin }).on('line', (line) => {
+  const [word, ...rest] = line.split(' ');
+  const [a, b, c] = rest.map(Number);
+  if (word === 'start') {
+    start = [[a, b], ['north', 'east', 'south', 'west'].indexOf(rest[2])];
+    [cell, heading] = start;
+  }
+  if (word === 'goal') goals.add(nameOf([a, b]));
+  if (word === 'begin') console.log('labmouse 1');
+  if (word === 'sense') console.log(decide(a, b, c));
+});
