@@ -65,7 +65,8 @@ std::string object_mismatch(const ReadJson& json, const Shape& shape, const std:
     if (std::string wrong = mismatch(*found, field.shape, place); !wrong.empty()) return wrong;
   }
   for (const auto& [name, value] : json.items()) {
-    const bool known = std::any_of(fields.begin(), fields.end(), [&](const auto& field) { return field.name == name; });
+    const auto is_it = [&wanted = name](const ShapeField& field) { return field.name == wanted; };
+    const bool known = std::any_of(fields.begin(), fields.end(), is_it);
     if (!known && !open) return fmt::format("{}.{} is not in its shape", path, name);
   }
   return "";

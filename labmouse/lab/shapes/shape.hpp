@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace labmouse {
@@ -14,8 +15,8 @@ struct Shape {
   enum class Kind { anything, text, number, flag, null, bytes, word, exactly, named, list, tuple, map, object, either };
 
   /// From a kind alone, so that `text` and `number` are shapes.
-  Shape(Kind what, std::string words = {}, std::vector<Shape> several = {})  // NOLINT(google-explicit-constructor)
-      : kind(what), text(std::move(words)), parts(std::move(several)) {}
+  Shape(Kind what);  // NOLINT(google-explicit-constructor)
+  Shape(Kind what, std::string words, std::vector<Shape> several);
 
   Kind kind;
   /// The one word of a word, the number of `exactly`, and the declaration that a named one refers to.
@@ -35,6 +36,10 @@ struct ShapeField {
   bool optional = false;
 };
 
+inline Shape::Shape(Kind what) : kind(what) {}
+inline Shape::Shape(Kind what, std::string words, std::vector<Shape> several)
+    : kind(what), text(std::move(words)), parts(std::move(several)) {}
+
 /// A shape with a name.
 struct Declaration {
   std::string name, meaning;
@@ -52,10 +57,10 @@ constexpr auto null = Shape::Kind::null;
 /// Goes beside the JSON.
 constexpr auto bytes = Shape::Kind::bytes;
 
-inline Shape word(std::string one) { return {Shape::Kind::word, std::move(one)}; }
-inline Shape exactly(int value) { return {Shape::Kind::exactly, std::to_string(value)}; }
+inline Shape word(std::string one) { return {Shape::Kind::word, std::move(one), {}}; }
+inline Shape exactly(int value) { return {Shape::Kind::exactly, std::to_string(value), {}}; }
 /// The shape of the declaration of that name.
-inline Shape named(std::string name) { return {Shape::Kind::named, std::move(name)}; }
+inline Shape named(std::string name) { return {Shape::Kind::named, std::move(name), {}}; }
 inline Shape list(Shape each) { return {Shape::Kind::list, "", {std::move(each)}}; }
 inline Shape tuple(std::vector<Shape> parts) { return {Shape::Kind::tuple, "", std::move(parts)}; }
 /// An object with fields of any name.

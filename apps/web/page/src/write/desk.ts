@@ -180,7 +180,13 @@ export function createDesk(page: Page, changed: () => void): Desk {
       nameRow,
       host,
       h('div', { class: 'row bar' }, h('span', { class: 'note' }, 'Tab indents; Escape, then Tab leads on.'), says),
-      h('details', { class: 'api', open: true }, h('summary', {}, 'What it reads and answers'), help),
+      // On a telephone it would stand between the program and what runs it.
+      h(
+        'details',
+        { class: 'api', open: matchMedia('(min-width: 60rem)').matches },
+        h('summary', {}, 'What it reads and answers'),
+        help,
+      ),
     ),
     work: () => (foreign ? null : now),
     address,
