@@ -33,17 +33,15 @@ StepResult perform(const Maze& maze, const Rules& rules, Pose pose, const Action
 }
 
 Contest::Contest(const Maze& maze, const Rules& rules)
-    : maze_(maze), rules_(rules), pose_{maze.start(), maze.start_heading()} {
+    : maze_(maze), rules_(rules), pose_{maze.start(), maze.start_heading()}, sighting_(look(maze, pose_)) {
   record_.end = pose_;
   if (rules.budget < 1) end(Outcome::out_of_steps);
 }
 
-Sighting Contest::sighting() const { return look(maze_, pose_); }
-
 void Contest::act(const Action& action) {
   assert(!ended_);
   const int clock = static_cast<int>(record_.steps.size()) + 1;
-  record_.steps.push_back({run_, clock, pose_, sighting(), action, false});
+  record_.steps.push_back({run_, clock, pose_, sighting_, action, false});
   switch (action.kind) {
     case Action::Kind::forfeit:
       return end(Outcome::forfeit);
@@ -58,7 +56,8 @@ void Contest::act(const Action& action) {
       if (step(action)) return end(Outcome::solved);
       break;
   }
-  if (clock >= rules_.budget) end(outcome_at_the_end_of_steps(run_, goal_entered_));
+  if (clock >= rules_.budget) return end(outcome_at_the_end_of_steps(run_, goal_entered_));
+  sighting_ = look(maze_, pose_);
 }
 
 bool Contest::step(const Action& action) {

@@ -28,7 +28,7 @@ class Contest {
 
   bool ended() const { return ended_; }
   /// What is read where the mouse stands.
-  Sighting sighting() const;
+  Sighting sighting() const { return sighting_; }
   /// The next action of a contest that has not ended.
   void act(const Action& action);
 
@@ -45,6 +45,7 @@ class Contest {
   Rules rules_;
   Run run_ = Run::exploration;
   Pose pose_;
+  Sighting sighting_;
   bool goal_entered_ = false, ended_ = false;
   RunRecord record_;
 };
