@@ -30,7 +30,7 @@ STEP = [
 
 
 class Replay:
-    """The page with one contest in it: one HTML file. It opens with the result; a click on the contest plays it."""
+    """The page with one contest in it, which its player shows: one HTML file."""
 
     def __init__(self, html: str, height: int) -> None:
         self.html = html
