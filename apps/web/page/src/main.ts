@@ -111,6 +111,7 @@ const takeFiles = fileTaker(core, notices, {
   plays: (plays) => page.replay(plays),
   results: (results) => showResults(results),
   robot: (robot) => stage.show('robot', robot),
+  program: (file) => stage.show('write', { file }),
   atHand: () =>
     (['draw', 'live'] as const).flatMap((name) => {
       const maze = stage.view(name)?.maze?.();
@@ -147,16 +148,25 @@ async function openLink(link: string) {
   }
 }
 
+async function recordsInside(): Promise<PackedRecord[]> {
+  const block = blockText('labmouse-records');
+  return block === null ? [] : (await readRecords(block)).records;
+}
+
 async function loadReport() {
   const text = blockText('labmouse-report');
   if (text === null) return;
   const { results, mazes } = await readReport(text);
-  const records = async () => {
-    const block = blockText('labmouse-records');
-    return block === null ? [] : (await readRecords(block)).records;
-  };
-  setRace(results, { links: new Map(Object.entries(mazes)), records });
+  setRace(results, { links: new Map(Object.entries(mazes)), records: recordsInside });
   report = race;
+}
+
+/** Who opens a report of a single contest wants to see it. */
+async function playTheOnlyContest() {
+  if (!report) return;
+  const records = await recordsInside();
+  const maze = records.length === 1 && (await report.maze(records[0].maze));
+  if (maze) page.replay([await core.call('unpack', { record: records[0], maze })]);
 }
 
 /** What was open when the page was closed; what came in the meantime, by a link or a file, is newer. */
@@ -188,6 +198,7 @@ async function start() {
   addEventListener('hashchange', follow);
   // Whoever tries again has read what went wrong.
   addEventListener('submit', notices.clear, true);
+  const asked = location.hash.length > 1;
   follow();
   if (missing) notices.complain(missing);
   await loadReport().catch(notices.complain);
@@ -195,6 +206,7 @@ async function start() {
   stage.add('race', createRace(page));
   await startViews().catch((error) => missing || notices.complain(error));
   await restore();
+  if (!asked) await playTheOnlyContest().catch(notices.complain);
 }
 
 void start();

@@ -48,7 +48,7 @@ export function createStage(
   paint: (context: Context, geometry: Geometry, palette: Palette) => void,
   options: StageOptions = {},
 ): Stage {
-  const canvas = h('canvas', { role: 'img' });
+  const canvas = h('canvas', { role: 'img', 'aria-label': 'No maze yet' });
   const element = h('div', { class: 'stage' }, canvas);
   const context = canvas.getContext('2d', { alpha: false })!;
   const margins = options.numbers ? numbered : bare;

@@ -79,7 +79,9 @@ export function press(key: string, shift: boolean, state: State, actions: Action
 export function listen(element: HTMLElement, state: State, actions: Actions) {
   document.addEventListener('keydown', (event) => {
     if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
-    if (state.sides.length === 0 || !element.checkVisibility() || needs(event.target, event.key)) return;
+    // Of an editor in a shadow root, the event names only what stands around it.
+    const [target] = event.composedPath();
+    if (state.sides.length === 0 || !element.checkVisibility() || needs(target, event.key)) return;
     if (press(event.key, event.shiftKey, state, actions)) event.preventDefault();
   });
 }

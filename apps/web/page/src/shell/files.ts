@@ -13,12 +13,17 @@ export interface Takers {
   results(results: RaceResults): void;
   /** A robot file; what is wrong with it is said where it is edited. */
   robot(robot: { name: string; text: string }): void;
+  /** A program of a mouse. */
+  program(file: File): void;
   /** Mazes at hand, for records that lack theirs, and where they are. */
   atHand(): { place: string; maze: MazeData }[];
 }
 
 async function read(file: File): Promise<OneFile> {
-  if (file.size > mostBytes) throw new Error(`${file.name} is too large: ${Math.round(file.size / 1e6)} MB`);
+  if (file.size > mostBytes)
+    throw new Error(
+      `${file.name} is too large: ${Math.round(file.size / 1e6)} MB; at most ${mostBytes / 1e6} MB are read`,
+    );
   return { name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) };
 }
 
@@ -61,8 +66,12 @@ export function fileTaker(core: Page['core'], notices: Notices, takers: Takers):
     });
   }
 
-  return async (files) => {
+  return async (dropped) => {
     notices.clear();
+    const programs = dropped.filter(({ name }) => /\.(js|mjs|py)$/i.test(name));
+    const files = dropped.filter((file) => !programs.includes(file));
+    if (programs.length > 0) takers.program(programs[programs.length - 1]);
+    if (files.length === 0) return;
     notices.tell(`Reading ${counted(files.length, 'file')} …`);
     const contents = await Promise.allSettled(files.map(read));
     const sorted = await sortOut(

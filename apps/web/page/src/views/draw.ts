@@ -19,9 +19,7 @@ const isMaze = (thing: unknown): thing is MazeData =>
 const isText = (target: EventTarget | null) =>
   target instanceof HTMLElement && target.matches('input:not([type=radio]):not([type=checkbox]), textarea');
 
-async function firstDrawing(page: Page): Promise<MazeData> {
-  const kept = await restoreDrawing(page);
-  if (kept) return kept;
+async function emptyDrawing(page: Page): Promise<MazeData> {
   const order = { generator: 'empty', width: 16, height: 16, seed: 1, loops: 0 };
   return { ...(await page.core.call('make_maze', order)).maze, name: 'drawing' };
 }
@@ -30,17 +28,24 @@ async function firstDrawing(page: Page): Promise<MazeData> {
 export function createDraw(page: Page): DrawView {
   const element = h('section', { 'aria-label': 'Draw', class: 'draw' });
   let desk: Desk | null = null;
-  const ready = firstDrawing(page).then((maze) => {
-    desk = createDesk(page, maze);
+  /** As long as it is empty, nobody has drawn anything. */
+  let empty: MazeData | null = null;
+  async function start() {
+    const drawing = (await restoreDrawing(page)) ?? (empty = await emptyDrawing(page));
+    desk = createDesk(page, drawing);
     element.append(desk.element);
-  });
+  }
+  const ready = start();
   ready.catch(page.complain);
   document.addEventListener('keydown', (event) => {
     if (!element.hidden && !isText(event.target) && desk?.key(event)) event.preventDefault();
   });
   return {
     element,
-    maze: () => desk?.drawing() ?? null,
+    maze() {
+      const drawing = desk?.drawing() ?? null;
+      return drawing === empty ? null : drawing;
+    },
     shown() {},
     accept(thing) {
       if (isMaze(thing)) void ready.then(() => desk?.load(thing));

@@ -24,12 +24,25 @@ const seed = 1;
 const usualRuns = 20;
 const usualMaze = 'capstone-1';
 
+/** The line of the program in which it failed; null where it did not, or nobody knows. */
+const failedAt = ({ ended }: Held) => (ended?.kind === 'failed' && ended.line) || null;
+
+/** Why a contest was a forfeit; empty where nobody knows. */
+function whyInWords({ play, ended }: Held): string {
+  const [said] = play.last_words.split('\n');
+  if (ended?.kind === 'failed')
+    return `error${ended.line ? ` in line ${ended.line}` : ''}: ${ended.message.split('\n')[0]}`;
+  if (ended?.kind === 'silent') return said.replace(/; does it flush.*/, '; is there a loop without an end?');
+  return said;
+}
+
 /** What came of a contest, in a line. */
-function outcomeInWords({ play }: Held): string {
+function outcomeInWords(held: Held): string {
+  const { play } = held;
   const where = `${play.mouse} in ${play.maze.name || 'this maze'}`;
   if (play.solved)
     return `${where}: solved, score ${play.score?.toFixed(3)}; best possible ${play.bound?.toFixed(3) ?? 'none'}`;
-  const [why] = play.last_words.split('\n');
+  const why = whyInWords(held);
   return `${where}: ${play.outcome}${play.outcome.startsWith('forfeit') && why ? `; ${why}` : ''}`;
 }
 
@@ -99,12 +112,13 @@ export function createWrite(page: Page): View {
     say(outcomeInWords(held), held.play.solved ? 'good' : 'bad');
     prints.show(held.prints);
     player.show([held], 'end');
-    desk.fail(held.failedAt);
+    desk.fail(failedAt(held));
   }
   /** Does that with the program, and says what went wrong with it. */
   async function doing(act: (work: Work, wanted: () => boolean) => Promise<void>) {
     const work = desk.work();
     if (!work) return;
+    if (work.name === '') return desk.complain('Give your mouse a name, by which the leaderboard can call it.');
     stop();
     const mine = ++number;
     busy(true);
@@ -177,7 +191,7 @@ export function createWrite(page: Page): View {
       ),
     );
     page.hold(raced.results, raced.mazes, `The race of ${name} is over.`, undefined, raced.records);
-    if (worst) desk.fail(worst.failedAt);
+    if (worst) desk.fail(failedAt(worst));
     standings.scrollIntoView({ block: 'nearest' });
   }
   refresh();
@@ -215,8 +229,9 @@ export function createWrite(page: Page): View {
     hidden: () => player.stop(),
     address: desk.address,
     accept(thing) {
-      const { link } = thing as { link?: string };
+      const { link, file } = thing as { link?: string; file?: File };
       if (link !== undefined) void desk.receive(link);
+      if (file) void desk.open(file);
     },
   };
 }

@@ -23,8 +23,8 @@ export interface Held {
   started: boolean;
   microseconds: number;
   prints: Print[];
-  /** The line of the program in which it failed; null where it did not, or nobody knows. */
-  failedAt: number | null;
+  /** How the program ended that should not have; null where it did not. */
+  ended: GuestEnd | null;
 }
 
 export interface Entry {
@@ -57,13 +57,19 @@ async function talk(core: Core, session: Session, entry: Entry, first: GuestLine
   let printed = '';
   let rest = '';
   let limit = patience.start;
+  let asked = performance.now();
   session.say({ kind: 'start', program: entry.program });
+  const tell = (lines: string[]) => {
+    for (const line of lines) session.say({ kind: 'hear', line });
+    asked = performance.now();
+  };
   while (!now.ended && wanted()) {
-    const said = await session.next(limit);
+    // What it prints in the meantime is no answer.
+    const said = await session.next(Math.max(0, asked + limit - performance.now()));
     if (!wanted()) return;
     if (said?.kind === 'ready') {
       limit = patience.answer;
-      for (const line of now.lines) session.say({ kind: 'hear', line });
+      tell(now.lines);
     } else if (said?.kind === 'print') {
       printed += said.text;
       kept.print(now.steps, said.text);
@@ -73,11 +79,11 @@ async function talk(core: Core, session: Session, entry: Entry, first: GuestLine
       const output = wellFormed(`${said.lines.join('\n')}\n`);
       now = await core.call('guest_hear', { contest: now.contest, output, printed: wellFormed(printed) });
       printed = '';
-      for (const line of now.lines) session.say({ kind: 'hear', line });
+      tell(now.lines);
     }
     const end = endOf(said, limit);
     if (!end) continue;
-    if (end.kind === 'failed') kept.failedAt = end.line ?? null;
+    kept.ended = end;
     const last = { output: wellFormed(rest), printed: wellFormed(printed), end };
     now = await core.call('guest_hear', { contest: now.contest, ...last });
   }
@@ -85,7 +91,7 @@ async function talk(core: Core, session: Session, entry: Entry, first: GuestLine
 
 class Kept {
   prints: Print[] = [];
-  failedAt: number | null = null;
+  ended: GuestEnd | null = null;
   #room = mostPrinted;
   print(frame: number, text: string) {
     const last = this.prints.at(-1);
@@ -114,5 +120,5 @@ export async function holdContest(
     session.end();
   }
   const held = await core.call('guest_end', { contest: first.contest });
-  return wanted() ? { ...held, prints: kept.prints, failedAt: kept.failedAt } : null;
+  return wanted() ? { ...held, prints: kept.prints, ended: kept.ended } : null;
 }

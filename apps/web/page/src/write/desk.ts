@@ -16,6 +16,8 @@ export interface Desk {
   address(): Promise<string>;
   /** Shows the program of a link. It runs only once somebody has allowed it. */
   receive(link: string): Promise<void>;
+  /** Shows the program of a file. */
+  open(file: File): Promise<void>;
   fail(line: number | null): void;
   /** Says at the name what is wrong with it; nothing where that is empty. */
   complain(message: string): void;
@@ -36,7 +38,7 @@ export function createDesk(page: Page, changed: () => void): Desk {
     ...languages.map(({ id, name }) => h('option', { value: id, selected: id === now.language.id }, name)),
   );
   const name = h('input', { type: 'text', value: now.name, spellcheck: 'false', autocomplete: 'off', maxlength: 40 });
-  const nameRow = field('Its name', name);
+  const nameRow = field('Name of your mouse', name);
   const begin = h('select', {});
   const host = h('div', { class: 'editor' });
   const says = h('p', { class: 'note', role: 'status' });
@@ -126,20 +128,19 @@ export function createDesk(page: Page, changed: () => void): Desk {
     nameRow.complain('');
     wrote();
   });
-  async function openFile() {
+  async function open(file: File) {
+    if (file.size > longestProgram) return page.complain(`${file.name} is too long for the program of a mouse.`);
+    const ending = file.name.split('.').at(-1);
+    const of = languages.find(({ fileName }) => fileName.endsWith(`.${ending}`)) ?? now.language;
+    if (!foreign) putAside();
+    foreign = false;
+    warning.hidden = true;
+    put({ ...now, language: of, text: await file.text() });
+    wrote();
+  }
+  function openFile() {
     const input = h('input', { type: 'file', accept: '.js,.py,.mjs,.txt' });
-    input.onchange = async () => {
-      const file = input.files?.[0];
-      if (!file) return;
-      if (file.size > longestProgram) return page.complain(`${file.name} is too long for the program of a mouse.`);
-      const ending = file.name.split('.').at(-1);
-      const of = languages.find(({ fileName }) => fileName.endsWith(`.${ending}`)) ?? now.language;
-      if (!foreign) putAside();
-      foreign = false;
-      warning.hidden = true;
-      put({ ...now, language: of, text: await file.text() });
-      wrote();
-    };
+    input.onchange = () => input.files?.[0] && void open(input.files[0]);
     input.click();
   }
   const address = async () => `write=${await linkOf(now)}`;
@@ -173,7 +174,7 @@ export function createDesk(page: Page, changed: () => void): Desk {
         h('label', {}, h('span', { class: 'unseen' }, 'Program to begin with'), begin),
         button('Open', openFile),
         button('Save', () => page.save(now.language.fileName, now.text)),
-        button('Share', share),
+        button('Share program', share),
       ),
       warning,
       link.element,
@@ -197,6 +198,7 @@ export function createDesk(page: Page, changed: () => void): Desk {
       warning.hidden = false;
       put(work);
     },
+    open,
     fail: (line) => editor?.fail(line),
     complain: (message) => nameRow.complain(message),
   };

@@ -36,6 +36,7 @@ const leaderboard = (page: Page, name = 'Leaderboard') => page.getByRole('region
 const matrix = (page: Page, at = 0) => page.getByRole('application').nth(at);
 const alert = (page: Page) => page.getByRole('alert').filter({ hasText: /./ }).first();
 const replay = (page: Page) => page.getByRole('region', { name: 'Replay', exact: true });
+const draw = (page: Page) => page.getByRole('region', { name: 'Draw', exact: true });
 const score = (page: Page) =>
   replay(page)
     .locator('.facts tr', { has: page.getByRole('rowheader', { name: 'score', exact: true }) })
@@ -163,6 +164,19 @@ test('a race in seconds replays its records', async () => {
   expect(await page.getByRole('status').first().textContent()).not.toContain('behaves differently');
 });
 
+test('a report of a single contest opens in the player, and a link into it where that leads', async () => {
+  const [folder, report] = [temporary('single'), temporary('single.html')];
+  native('race', '--mice', 'flood', '--mazes', 'contest-05', '--out', folder);
+  native('report', folder, '-o', report, '--page', builtPage);
+  const page = await open('', { file: report });
+  await page.waitForFunction(() => document.title === 'Replay · labmouse');
+  const { mice } = JSON.parse(readFileSync(join(folder, 'results.json'), 'utf8')) as RaceResults;
+  expect(Number(await score(page))).toBeCloseTo((mice[0].results[0] as ContestResult).score!, 3);
+  const linked = await open('#race', { file: report });
+  await leaderboard(linked).waitFor();
+  expect(await linked.title()).toBe('Race · labmouse');
+});
+
 describe('files and links', () => {
   test('dropped results are a race; what they lack can be dropped, too', async () => {
     const strange = temporary('strange.txt');
@@ -234,7 +248,7 @@ describe('files and links', () => {
     const page = await open('#draw', { file: race.report });
     const board = page.getByRole('application', { name: /^Drawing of/ });
     await board.waitFor();
-    await page.getByLabel('Name').last().fill('my maze');
+    await draw(page).getByLabel('Name').fill('my maze');
     await board.focus();
     const verdict = () => page.getByRole('region', { name: 'Judgement' }).getByRole('status').textContent();
     await expect.poll(verdict).not.toBe('');
@@ -254,7 +268,7 @@ describe('files and links', () => {
     await expect.poll(() => alert(page).textContent()).toMatch(/link/);
     await board.waitFor();
     expect(await verdict()).toBe(before);
-    expect(await page.getByLabel('Name').last().inputValue()).toBe('my maze');
+    expect(await draw(page).getByLabel('Name').inputValue()).toBe('my maze');
     await page.getByRole('button', { name: 'Undo' }).click();
     await expect.poll(verdict).not.toBe(before);
   });

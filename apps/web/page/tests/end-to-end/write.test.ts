@@ -6,7 +6,7 @@ import type { AddressInfo } from 'node:net';
 import { join } from 'node:path';
 import type { Page } from 'playwright-core';
 import { expect, test } from 'vitest';
-import { barriers, native, open, picture, program, provoked, root, temporary } from './harness';
+import { barriers, drop, native, open, picture, program, provoked, root, temporary } from './harness';
 
 const templates = join(root, 'apps/web/page/src/write/javascript/templates');
 const template = (name: string) => readFileSync(join(templates, `${name}.js`), 'utf8');
@@ -51,7 +51,7 @@ test('one change, a name, and it stands on the leaderboard', async () => {
   await page.getByRole('link', { name: 'Write your own' }).click();
   const changed = template('flood-fill').replace('LONGEST_STEP_OF_SEARCH = 1', 'LONGEST_STEP_OF_SEARCH = 2');
   await write(page, changed);
-  await view(page).getByLabel('Its name').fill('long-legs');
+  await view(page).getByLabel('Name of your mouse').fill('long-legs');
   await view(page)
     .getByText(/^In mazes/)
     .click();
@@ -101,7 +101,7 @@ test('records are those of the command line, byte for byte', async () => {
     writeFileSync(join(folder, 'mouse.js'), text);
     for (const maze of ['capstone-1', 'contest-01', 'contest-05']) {
       await view(page).getByRole('combobox', { name: 'Maze' }).selectOption(maze);
-      await view(page).getByLabel('Its name').fill(name);
+      await view(page).getByLabel('Name of your mouse').fill(name);
       await run(page, text);
       const [download] = await Promise.all([
         page.waitForEvent('download'),
@@ -172,6 +172,7 @@ test.each([
   ['silence', doing(''), /hung/],
   ['a line without its end', doing(`process.stdout.write('move 0 1')`), /hung.*'move 0 1' without ending the line/],
   ['an endless memory', doing('const all = []; for (;;) all.push(new Array(1e6).fill(all.length));'), /hung|died/],
+  ['prints now and then', doing(`setInterval(() => console.error('soon'), 300);`), /hung.*silent/],
   ['endless prints', doing(`for (;;) console.error('again');`), /too much written/],
   ['a flood of messages', doing('for (;;) self.postMessage({ kind: "print", text: "" });'), /too much written/],
   [
@@ -211,13 +212,14 @@ test('the failing line is marked, and what it printed stands at its step', async
 test('a program is kept, and comes with a link only after a click', async () => {
   const page = await openWrite('#write', { permissions: ['clipboard-read', 'clipboard-write'] });
   await write(page, `// mine\n${template('empty')}`);
-  await view(page).getByLabel('Its name').fill('kept');
-  await button(page, 'Share').click();
-  const link = await view(page).getByLabel('A link to this program').inputValue();
-  expect(link).toContain('#write=');
+  await view(page).getByLabel('Name of your mouse').fill('kept');
+  await button(page, 'Share program').click();
+  const shown = view(page).getByLabel('A link to this program');
+  await expect.poll(() => shown.inputValue()).toContain('#write=');
+  const link = await shown.inputValue();
   await page.reload();
   await expect.poll(() => editor(page).textContent()).toContain('// mine');
-  expect(await view(page).getByLabel('Its name').inputValue()).toBe('kept');
+  expect(await view(page).getByLabel('Name of your mouse').inputValue()).toBe('kept');
 
   await write(page, `// other\n${template('empty')}`);
   await page.evaluate((hash) => (location.hash = hash), link.slice(link.indexOf('#')));
@@ -229,6 +231,26 @@ test('a program is kept, and comes with a link only after a click', async () => 
   expect(await button(page, 'Run').isDisabled()).toBe(false);
   await view(page).getByLabel('Program to begin with').selectOption('What stood here before');
   await expect.poll(() => editor(page).textContent()).toContain('// other');
+});
+
+test('letters that one types go to the program, also while a replay stands beside it', async () => {
+  const page = await openWrite();
+  await expect.poll(() => verdict(page).getAttribute('data-state')).toBe('good');
+  await editor(page).click();
+  await page.keyboard.press('Control+End');
+  const letters = 'abcdefghijklmnopqrstuvwxyz 0123456789 +-=';
+  await page.keyboard.type(`\n// ${letters}`);
+  expect(await editor(page).locator('.cm-line').last().textContent()).toBe(`// ${letters}`);
+});
+
+test('a mouse without a name is asked for one, and a program that is dropped is opened', async () => {
+  const page = await openWrite();
+  await view(page).getByLabel('Name of your mouse').fill('');
+  await button(page, 'Run').click();
+  await expect.poll(() => view(page).getByLabel('Name of your mouse').getAttribute('aria-invalid')).toBe('true');
+  await drop(page, { name: 'robot.py', content: '# dropped\nclass Robot: pass\n' });
+  await expect.poll(() => editor(page).textContent()).toContain('# dropped');
+  expect(await view(page).getByLabel('Language').inputValue()).toBe('python');
 });
 
 test('a link that is none is told of in words', async () => {
