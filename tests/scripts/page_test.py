@@ -34,7 +34,7 @@ class MakePage(unittest.TestCase):
             file.touch()
 
     def test_builds_the_page_and_not_the_program(self):
-        result = self.machine.run("make", "page", cwd=self.clone)
+        result = self.machine.run("make", "--no-print-directory", "page", cwd=self.clone)
         self.assertEqual((result.returncode, result.stdout), (0, "build/page/labmouse.html\n"), result.stderr)
         built = self.machine.called("cmake")
         self.assertEqual([" ".join(call.split()[1:]) for call in built], ["--preset web", "--build --preset web"])
