@@ -174,7 +174,7 @@ export function createDesk(page: Page, changed: () => void): Desk {
         h('label', {}, h('span', { class: 'unseen' }, 'Program to begin with'), begin),
         button('Open', openFile),
         button('Save', () => page.save(now.language.fileName, now.text)),
-        button('Share program', share),
+        button('Share', share),
       ),
       warning,
       link.element,

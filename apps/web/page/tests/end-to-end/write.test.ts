@@ -213,7 +213,7 @@ test('a program is kept, and comes with a link only after a click', async () => 
   const page = await openWrite('#write', { permissions: ['clipboard-read', 'clipboard-write'] });
   await write(page, `// mine\n${template('empty')}`);
   await view(page).getByLabel('Name of your mouse').fill('kept');
-  await button(page, 'Share program').click();
+  await button(page, 'Share').click();
   const shown = view(page).getByLabel('A link to this program');
   await expect.poll(() => shown.inputValue()).toContain('#write=');
   const link = await shown.inputValue();
