@@ -15,7 +15,7 @@ constexpr std::size_t longest_header = std::size_t{1} << 20U;  // bytes of the f
 constexpr const char* how_to_make = "create one with `labmouse race --format json` or `--out`";
 
 /// Reads values and remembers the first that is missing or wrong. In place of that it gives an empty one.
-class Reading {
+class ResultReading {
  public:
   const std::string& error() const { return error_; }
 
@@ -53,7 +53,7 @@ class Reading {
   std::string error_;
 };
 
-ReportMouse read_mouse(const Json& json, const std::string& path, Reading& reading) {
+ReportMouse read_mouse(const Json& json, const std::string& path, ResultReading& reading) {
   ReportMouse mouse;
   mouse.name = reading.text(json, "name", path);
   int number = 0;
@@ -65,7 +65,7 @@ ReportMouse read_mouse(const Json& json, const std::string& path, Reading& readi
   return mouse;
 }
 
-ReportMaze read_raced_maze(const Json& json, const std::string& path, Reading& reading) {
+ReportMaze read_raced_maze(const Json& json, const std::string& path, ResultReading& reading) {
   ReportMaze maze;
   maze.name = reading.text(json, "name", path);
   const auto side = [&](const char* key) {
@@ -77,7 +77,7 @@ ReportMaze read_raced_maze(const Json& json, const std::string& path, Reading& r
   return maze;
 }
 
-ReportWorld read_world(const Json& json, const WorldEntry* entry, const std::string& path, Reading& reading) {
+ReportWorld read_world(const Json& json, const WorldEntry* entry, const std::string& path, ResultReading& reading) {
   ReportWorld world;
   world.entry = entry;
   for (const Json& maze : reading.list(json, "mazes", path))
@@ -88,7 +88,7 @@ ReportWorld read_world(const Json& json, const WorldEntry* entry, const std::str
 }
 
 /// The home world, and those of the groups.
-std::vector<ReportWorld> read_worlds(const Json& json, Reading& reading) {
+std::vector<ReportWorld> read_worlds(const Json& json, ResultReading& reading) {
   std::vector<ReportWorld> worlds;
   worlds.push_back(read_world(json, all_worlds().front(), "", reading));
   if (!json.contains("groups")) return worlds;
@@ -149,7 +149,7 @@ ReadResultsResult read_report_results(std::string_view text) {
   if (std::string other = what_it_is(text); !other.empty()) return {std::nullopt, Problem{0, 0, std::move(other)}};
   Json json;
   if (auto problem = parse(text, json)) return {std::nullopt, std::move(problem)};
-  Reading reading;
+  ResultReading reading;
   reading.text(json, "labmouse", "");
   ReportResults results;
   results.worlds = read_worlds(json, reading);

@@ -35,7 +35,8 @@ std::string tuple_mismatch(const ReadJson& json, const Shape& shape, const std::
 std::string map_mismatch(const ReadJson& json, const Shape& shape, const std::string& path) {
   if (!json.is_object()) return path + " is not an object";
   for (const auto& [name, value] : json.items())
-    if (std::string wrong = mismatch(value, shape.parts[0], path + "." + name); !wrong.empty()) return wrong;
+    if (std::string wrong = mismatch(value, shape.parts[0], fmt::format("{}.{}", path, name)); !wrong.empty())
+      return wrong;
   return "";
 }
 
@@ -58,7 +59,7 @@ std::string object_mismatch(const ReadJson& json, const Shape& shape, const std:
   const std::vector<ShapeField> fields = all_fields(shape, open);
   for (const ShapeField& field : fields) {
     if (field.shape.kind == Kind::bytes) continue;
-    const std::string place = path + "." + field.name;
+    const std::string place = fmt::format("{}.{}", path, field.name);
     const auto found = json.find(field.name);
     if (found == json.end() && !field.optional) return place + " is missing";
     if (found == json.end()) continue;
