@@ -3,6 +3,7 @@ import { defineConfig } from 'vitest/config';
 import { core } from './build/core';
 import { editor, editorScript } from './build/editor';
 import { frame, frameScript } from './build/frame';
+import { noteModules } from './build/notices';
 import { oneFile } from './build/one-file';
 import { micropython, python } from './build/python';
 
@@ -18,7 +19,7 @@ export default defineConfig({
     python(),
     oneFile('labmouse.html', async () => [await editorScript(), { script: frameScript(), modules: [] }]),
   ],
-  worker: { format: 'iife', plugins: () => [core(wasm)], rollupOptions: { treeshake: false } },
+  worker: { format: 'iife', plugins: () => [core(wasm), noteModules()], rollupOptions: { treeshake: false } },
   // The tests read what the page shares with the program.
   server: { fs: { allow: [root] } },
   build: {

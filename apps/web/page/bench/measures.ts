@@ -1,8 +1,8 @@
 // What is measured of the page in Chromium. The tests take a short look, the bench a long one.
-import { readFileSync, statSync } from 'node:fs';
+import { readFileSync } from 'node:fs';
 import type { Page } from 'playwright-core';
 import type { Meter } from '../src/player/meter';
-import { builtPage, drop, native, open, temporary } from '../tests/end-to-end/harness';
+import { drop, native, open, temporary } from '../tests/end-to-end/harness';
 import stated from './stated.json';
 
 declare global {
@@ -125,5 +125,3 @@ export async function memory(page: Page): Promise<number> {
   await session.detach();
   return usedSize / 1e6;
 }
-
-export const size = () => statSync(builtPage).size / 1e6;

@@ -6,7 +6,8 @@ import { afterAll, test } from 'vitest';
 import type { Core } from '../src/core/client';
 import type { Meter } from '../src/player/meter';
 import { builtPage, drop, manyMazes, native, open, temporary } from '../tests/end-to-end/harness';
-import { firstRun, frontDoor, median, memory, playing, size, twoMice, type Figure } from './measures';
+import { firstRun, frontDoor, median, memory, playing, twoMice, type Figure } from './measures';
+import { size } from './size';
 import stated from './stated.json';
 
 declare global {

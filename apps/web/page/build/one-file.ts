@@ -1,7 +1,7 @@
 // One HTML file with everything in it, under a policy that lets nothing else run or load.
 import { createHash } from 'node:crypto';
 import type { Plugin } from 'vite';
-import { notices } from './notices';
+import { notices, workerModules } from './notices';
 
 /** How a policy names a script or a style sheet that stands in a page. */
 export const hash = (text: string) => `'sha256-${createHash('sha256').update(text).digest('base64')}'`;
@@ -59,7 +59,8 @@ export function oneFile(fileName: string, others: () => Promise<Later[]>): Plugi
         .replace('</head>', () => `<style>${style}</style>\n  </head>`)
         .replace(
           '</body>',
-          () => `${notices([...script.moduleIds, ...later.flatMap((one) => one.modules)])}\n  </body>`,
+          () =>
+            `${notices([...script.moduleIds, ...workerModules, ...later.flatMap((one) => one.modules)])}\n  </body>`,
         )
         // Ahead of what a report carries, so that a report that was cut can say so.
         .replace('<!-- labmouse:report -->', (mark) => `<script type="module">${code}</script>\n    ${mark}`);

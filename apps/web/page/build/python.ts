@@ -4,7 +4,8 @@ import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { fileURLToPath } from 'node:url';
 import { gzipSync } from 'node:zlib';
-import { build, type Plugin } from 'vite';
+import { build, type Plugin, type Rollup } from 'vite';
+import { workerModules } from './notices';
 
 const folder = fileURLToPath(new URL('../src/write/python', import.meta.url));
 const loaderFile = createRequire(import.meta.url).resolve(
@@ -38,8 +39,8 @@ function loader(): string {
 
 const pack = (content: string | Uint8Array) => gzipSync(content, { level: 9 }).toString('base64');
 
-/** The script of the worker, built by itself. */
-async function workerScript(): Promise<string> {
+/** The script of the worker, built by itself. MicroPython's loader is inside of it under a name that is no file's. */
+async function workerScript(): Promise<{ script: string; modules: string[] }> {
   const built = await build({
     configFile: false,
     logLevel: 'error',
@@ -51,8 +52,8 @@ async function workerScript(): Promise<string> {
       rollupOptions: { treeshake: false },
     },
   });
-  const [{ output }] = [built].flat() as { output: { code: string }[] }[];
-  return output[0].code;
+  const [{ output }] = [built].flat() as Rollup.RollupOutput[];
+  return { script: output[0].code, modules: [loaderFile, ...output[0].moduleIds] };
 }
 
 /** MicroPython's loader as a module. */
@@ -68,20 +69,15 @@ export function micropython(): Plugin {
 /** The worker's script and MicroPython, packed (gzip, base64). */
 export function python(): Plugin {
   const name = 'virtual:python';
-  let isInside = false;
   return {
     name: 'labmouse-python',
     resolveId: (id) => (id === name ? `\0${name}` : null),
     async load(id) {
       if (id !== `\0${name}`) return null;
-      isInside = true;
-      const packed = { script: pack(await workerScript()), wasm: pack(readFileSync(wasmFile)) };
+      const { script, modules } = await workerScript();
+      for (const module of modules) workerModules.add(module);
+      const packed = { script: pack(script), wasm: pack(readFileSync(wasmFile)) };
       return `export default ${JSON.stringify(packed)};`;
-    },
-    // Its licence has to go with it; the package that npm brings has none in it.
-    transformIndexHtml(html) {
-      const licence = readFileSync(`${folder}/MICROPYTHON-LICENSE`, 'utf8');
-      return isInside ? html.replace('</body>', `<!-- MicroPython\n\n${licence}-->\n  </body>`) : html;
     },
   };
 }

@@ -1,10 +1,5 @@
-import { statSync } from 'node:fs';
 import { expect, test } from 'vitest';
-import { barriers, builtPage, open, provoked } from './harness';
-
-test('the page is one file of at most 1.6 megabytes', () => {
-  expect(statSync(builtPage).size).toBeLessThanOrEqual(1_600_000);
-});
+import { barriers, open, provoked } from './harness';
 
 test('it opens from the disk, names its views, and asks nothing of a network', async () => {
   const page = await open();
