@@ -3,6 +3,9 @@ goal, as water would rise from there, and moves to where they are fewest. It loo
 floods back to the start: that way shows other walls, and often a shorter route. In the fast run it trusts only the
 walls that it has seen open.
 
+It is told nothing of the goal, which is in the centre of most mazes. Where the contest goes on after a fast run to there,
+it tries a reset in all other cells: that leads back to the start only from a goal.
+
 The cell in column x and row y is the number x + 100 * y, and a wall is the sum of its two cells."""
 
 STEPS = [100, 1, -100, -1]  # to the next cell in the north, east, south, west: the directions 0 to 3
@@ -12,8 +15,10 @@ STRAIGHT, LEFT, RIGHT, BACK = 0, -1, 1, 2
 
 class Robot(object):
     def __init__(self, maze_dim):
-        middle = (maze_dim // 2 - 1, maze_dim // 2)
+        middle = ((maze_dim - 1) // 2, maze_dim // 2)  # of an odd number the same twice
         self.goals = [x + 100 * y for x in middle for y in middle]
+        self.others = [x + 100 * y for x in range(maze_dim) for y in range(maze_dim)]
+        self.at_start, self.asked = None, False  # what it sees at the start; whether it tried a reset
         self.is_open = {}  # the walls that it knows; first, those around the maze
         for n in range(maze_dim):
             for cell, direction in ((n + 100 * (maze_dim - 1), 0), (maze_dim - 1 + 100 * n, 1), (n, 2), (100 * n, 3)):
@@ -21,8 +26,15 @@ class Robot(object):
         self.cell, self.heading, self.found, self.racing = START, 0, False, False
 
     def next_move(self, sensors):
+        if self.at_start is None:
+            self.at_start = sensors
+        if self.asked:
+            self.hear(sensors == self.at_start)
         self.look(sensors)
         if self.cell in self.goals:
+            if self.racing or self.goals is self.others:
+                self.asked = True
+                return 'Reset', 'Reset'
             self.found = True
         if self.racing or not self.found:
             return self.move_towards(self.goals)
@@ -30,6 +42,15 @@ class Robot(object):
             self.heading, self.racing = 0, True
             return 'Reset', 'Reset'
         return self.move_towards([START])
+
+    def hear(self, was_goal):
+        """What the reset told: it is back at the start, or where it was and this cell is no goal."""
+        self.asked = False
+        if was_goal:
+            self.goals, self.cell, self.heading, self.racing = [self.cell], START, 0, True
+        else:
+            self.others.remove(self.cell)
+            self.goals, self.found, self.racing = self.others, False, False
 
     def look(self, sensors):
         """Notes the walls that it sees: open ones, and behind them a closed one."""

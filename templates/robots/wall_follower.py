@@ -11,7 +11,7 @@ STEPS = [100, 1, -100, -1]  # to the next cell in the north, east, south, west: 
 
 class Robot(object):
     def __init__(self, maze_dim):
-        middle = (maze_dim // 2 - 1, maze_dim // 2)
+        middle = ((maze_dim - 1) // 2, maze_dim // 2)  # of an odd number the same twice
         self.goals = [x + 100 * y for x in middle for y in middle]
         self.exits = {}  # of each cell, the direction in which it left it last
         self.cell, self.heading, self.racing = 0, 0, False

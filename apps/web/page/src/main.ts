@@ -4,6 +4,7 @@ import { startCore, type Core } from './core/client';
 import type { About, MazeData, PackedRecord, RaceResults } from './core/types';
 import { blockText, readRecords, readReport } from './report/blocks';
 import type { Order } from './race/holding';
+import { myRobot, setMyRobot } from './robot/mine';
 import { loadedRace, type Sources } from './report/loaded';
 import { listenForFiles } from './shell/drop';
 import { fileTaker } from './shell/files';
@@ -177,6 +178,11 @@ async function restore() {
   if (found && !race) {
     setRace(found.results, { raced: found.raced });
     stage.offer('race', found.results);
+  }
+  const robot = await finder.robot();
+  if (robot && myRobot() === null) {
+    setMyRobot(`${robot.name}\n${robot.text}`);
+    stage.offer('robot', robot);
   }
   const live = await finder.live();
   if (live) stage.offer('live', new Link(live));

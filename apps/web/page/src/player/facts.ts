@@ -34,6 +34,10 @@ function madeOf(side: Side): string {
   return factor ? `${track.speed[frame]} + ${track.exploration[frame]} / ${factor}` : '';
 }
 
+/** None where a contest ended without a score: then no moment of it had one. */
+const scoreSoFar = ({ track, scene }: Side): number | null =>
+  track.play.ended && track.play.score === null ? null : track.score[scene.past.frame];
+
 const now: Row[] = [
   { label: 'run', text: runText, live: true },
   {
@@ -52,7 +56,7 @@ const now: Row[] = [
   },
   {
     label: 'score so far',
-    value: (side) => side.track.score[side.scene.past.frame],
+    value: scoreSoFar,
     text: (side, score) => (score === null ? absent : decimal(score, digits(side))),
     live: true,
     score: true,

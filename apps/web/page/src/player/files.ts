@@ -17,7 +17,7 @@ export function createFiles(page: Page, state: State): Panel {
   const chosen = () => state.sides[state.chosen];
   const button = (label: string, onclick: () => void) => h('button', { type: 'button', onclick }, label);
   const save = button('Save record', () => page.save(fileName([chosen()], 'jsonl'), chosen().record));
-  const picture = button('Save picture', () => void savePicture(page, chosen()));
+  const picture = button('Save whole walk (SVG)', () => void savePicture(page, chosen()));
   const pictures = createPictures(page, state);
   return {
     element: h(

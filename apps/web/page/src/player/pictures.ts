@@ -110,11 +110,11 @@ export function createPictures(page: Page, state: State): { buttons: HTMLElement
   }
   const button = (label: string, title: string, act: () => Promise<void>) =>
     h('button', { type: 'button', title, onclick: () => void act().catch(page.complain) }, label);
-  const film = button('Save film', 'The whole contest as a GIF', saveFilm);
+  const film = button('Save film (GIF)', 'The whole contest, as it is played', saveFilm);
   return {
     buttons: [
-      button('Save PNG', 'What is on the stage, as a picture', savePng),
-      button('Save SVG', 'What is on the stage, as a drawing', saveSvg),
+      button('Save moment (PNG)', 'What is on the stage now, in pixels', savePng),
+      button('Save moment (SVG)', 'What is on the stage now, as a drawing', saveSvg),
       film,
     ],
     progress,

@@ -22,8 +22,8 @@ function notesOf({ notes, world, formula }: RaceGroup): string[] {
   ];
 }
 
-/** `onOrder` is told the positions of the mice in their new order. */
-export function leaderboard(group: RaceGroup, onOrder: (order: number[]) => void): Leaderboard {
+/** `onOrder` is told the positions of the mice in their new order; `own` are marked: one's mouse, and what it was before. */
+export function leaderboard(group: RaceGroup, onOrder: (order: number[]) => void, own: string[] = []): Leaderboard {
   const label = `Leaderboard${worldOf(group).title}`;
   const { bound } = worldOf(group);
   const columns = columnsOf(group, group.mazes.filter((maze) => isNumber(bound(maze))).length);
@@ -33,7 +33,8 @@ export function leaderboard(group: RaceGroup, onOrder: (order: number[]) => void
     columns,
     rows: group.mice,
     by: 2,
-    rowClass: (mouse) => (mouse.contestant === false ? 'reference' : ''),
+    rowClass: (mouse) =>
+      mouse.contestant === false ? 'reference' : (['own', 'own before'][own.indexOf(mouse.name)] ?? ''),
     onOrder: (rows) => onOrder(rows.map((row) => place.get(row)!)),
   });
   return {

@@ -1,14 +1,13 @@
 // What follows from a robot, in tables and drawings, beside the robot that it began from.
 import type { RobotResult, RobotRoute, RobotTurn } from '../core/types';
 import { h, svg } from '../ui/dom';
-import { decimal } from './number';
 
-/** `220.4 ms`, and in what it was before where that is another. */
+/** `220.40 ms`, and what it was before where that is another. All figures of a kind have as many digits. */
 export function changedText(now: number, before: number | null | undefined, unit: string, digits: number) {
-  const text = unit === '' ? decimal(now, digits) : `${decimal(now, digits)} ${unit}`;
-  if (before === null || before === undefined || decimal(before, digits) === decimal(now, digits))
+  const text = unit === '' ? now.toFixed(digits) : `${now.toFixed(digits)} ${unit}`;
+  if (before === null || before === undefined || before.toFixed(digits) === now.toFixed(digits))
     return h('span', {}, text);
-  return h('span', { class: 'changed' }, text, h('small', {}, ` was ${decimal(before, digits)}`));
+  return h('span', { class: 'changed' }, text, h('small', {}, ` was ${before.toFixed(digits)}`));
 }
 
 const line = ([x1, y1, x2, y2]: [number, number, number, number], kind: string) =>
@@ -104,7 +103,7 @@ export function straightTables({ straights }: RobotResult, before: RobotResult |
     return h(
       'div',
       {},
-      h('h4', {}, `${kind === 'straight' ? 'Straights' : 'Diagonals'} between turns at ${decimal(speed, 0)} mm/s`),
+      h('h4', {}, `${kind === 'straight' ? 'Straights' : 'Diagonals'} between turns at ${speed.toFixed(0)} mm/s`),
       table(
         `Times of ${kind === 'straight' ? 'straights' : 'diagonals'}`,
         times.map(({ steps, ms }) =>

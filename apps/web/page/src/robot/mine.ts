@@ -1,6 +1,16 @@
 // The robot of the view Robot, which Live and Race offer beside those that the core brings. As the core takes it: its
 // name, and in the lines below it the text of its file.
 
+/** What a robot began from: one that the core brings, or a file's text. */
+export type Origin = { name: string; text: string | null };
+
+/** A robot as the browser keeps it, with what it began from where that is known. */
+export interface KeptRobot {
+  name: string;
+  text: string;
+  origin?: Origin;
+}
+
 let mine: string | null = null;
 const listeners = new Set<() => void>();
 

@@ -2,6 +2,7 @@
 import type { Core } from '../core/client';
 import type { MazeData, Play, RaceResults } from '../core/types';
 import { readAddress, type Moment } from '../link/address';
+import type { KeptRobot } from '../robot/mine';
 import type { Shelf } from './shelf';
 
 /** Of one thing, in characters; what is larger is opened again from its file. */
@@ -27,6 +28,8 @@ export interface Finder {
   /** What Live showed, as its address. */
   live(): Promise<string | null>;
   results(): Promise<{ results: RaceResults; raced: MazeData[] } | null>;
+  /** The robot that was edited, with what it began from. */
+  robot(): Promise<Required<KeptRobot> | null>;
 }
 
 const isText = (value: unknown): value is string => typeof value === 'string' && value.length <= most;
@@ -104,6 +107,19 @@ export function createFinder(core: Core, shelf: Shelf): Finder {
       if (!isText(text)) return null;
       const opened = await core.call('open', { name: 'results' }, bytesOf(text)).catch(() => null);
       return opened?.kind === 'results' ? { results: opened.results, raced: await mazesOf(raced) } : null;
+    },
+    async robot() {
+      const { name, text, origin } = ((await shelf.read('robot')) ?? {}) as Record<string, unknown>;
+      const from = (origin ?? {}) as Record<string, unknown>;
+      if (!isText(name) || !isText(text) || !isText(from.name)) return null;
+      // What is no robot is not kept either.
+      const answers = [{ name, text }, ...(isText(from.text) ? [{ name: from.name, text: from.text }] : [])].map(
+        (one) => core.call('robot', { name: one.name }, bytesOf(one.text)).catch(() => null),
+      );
+      if (!isText(from.text) && !(await core.call('about', {})).robots.some((one) => one.name === from.name))
+        return null;
+      if ((await Promise.all(answers)).some((answer) => !answer?.result)) return null;
+      return { name, text, origin: { name: from.name, text: isText(from.text) ? from.text : null } };
     },
   };
 }

@@ -64,7 +64,7 @@ export function createHome(page: EarlyPage): View {
         h(
           'p',
           {},
-          h('strong', {}, 'In labmouse, mice race through mazes that they have never seen'),
+          h('strong', {}, 'In labmouse, micromouse minds race through mazes that they have never seen'),
           ': each draws its own map, follows the way that it believes in (the dots), then runs as fast as it dares.',
         ),
         h(

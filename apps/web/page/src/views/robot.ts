@@ -1,9 +1,10 @@
 // The view Robot: the numbers of a robot, and at once what follows from them. It accepts robot files.
-import type { MazeData, RobotAnswer } from '../core/types';
+import type { MazeData, RobotAnswer, RobotResult } from '../core/types';
 import { createMazeChoice } from '../live/maze-choice';
 import { routeTable, searchTable, straightTables, turnFigures } from '../robot/figures';
 import { createRobotForm, type Values } from '../robot/form';
-import { myRobot, nameOf, setMyRobot } from '../robot/mine';
+import { hasTimes, keysBeside, withLimits, withTimes, type Part } from '../robot/forms';
+import { myRobot, nameOf, setMyRobot, type KeptRobot, type Origin } from '../robot/mine';
 import { createRouteStage } from '../robot/route-stage';
 import { h } from '../ui/dom';
 import { complainAt, field } from '../ui/field';
@@ -12,9 +13,6 @@ import { meanings } from '../ui/meanings';
 import type { Page, View } from './view';
 import '../styles/forms.css';
 import '../styles/robot.css';
-
-/** What the robot began from: one that the core brings, or a file's text. */
-type Origin = { name: string; text: string | null };
 
 interface Question {
   name: string;
@@ -44,6 +42,8 @@ export function createRobot(page: Page): View {
   let fileText = '';
   /** What this view gave to the others last. */
   let given: string | null = null;
+  /** What followed from the last robot that could be. */
+  let result: RobotResult | null = null;
   let isShown = false;
   let late: ReturnType<typeof setTimeout> | undefined;
 
@@ -122,6 +122,8 @@ export function createRobot(page: Page): View {
       const isSame = now.result?.tables === before.result?.tables && origin.text === null;
       given = now.result && !isSame ? `${called}\n${now.text}` : null;
       setMyRobot(given);
+      for (const part of parts) part.show(now.values);
+      if (now.result) void page.shelf.write('robot', given && { name: called, text: now.text, origin });
     },
     (error) => {
       rest();
@@ -129,6 +131,47 @@ export function createRobot(page: Page): View {
     },
   );
   let shownKeys: string[] = [];
+
+  /** Limits of a robot that has them, in cells of that size where there is one. */
+  async function limitsOf(part: Part, cell: unknown): Promise<Values> {
+    const others = [...robots].sort((a, b) => Number(b.cell === cell) - Number(a.cell === cell));
+    for (const { name } of others) {
+      const { values } = await page.core.call('robot', { name, built_in: name });
+      if (!hasTimes(values, keys, part)) return values;
+    }
+    return {};
+  }
+  /** How a part of the robot is given, and a switch between the two ways. */
+  function createPart(part: Part, label: string, help: string) {
+    const select = h(
+      'select',
+      { onchange: () => void change().catch(page.complain) },
+      h('option', { value: 'limits' }, 'as limits, from which times follow'),
+      h('option', { value: 'times' }, 'as published times'),
+    );
+    /** The limits that the last change took away. */
+    let limits: Values | null = null;
+    async function change() {
+      const values = form.values();
+      if (select.value === 'times') limits = values;
+      if (select.value === 'times' && !result) return;
+      const next =
+        select.value === 'times'
+          ? withTimes(values, keys, part, result!)
+          : withLimits(values, keys, part, limits ?? (await limitsOf(part, values.cell)));
+      form.show(next, keysBeside(next, keys));
+      ask();
+    }
+    return {
+      element: field(label, select, h('span', {}, help)),
+      show: (values: Values) => (select.value = hasTimes(values, keys, part) ? 'times' : 'limits'),
+      forget: () => (limits = null),
+    };
+  }
+  const parts = [
+    createPart('turns', 'Turns are given', 'limits of its curves, or one speed and the time of each turn'),
+    createPart('search', 'The search is given', 'a speed and its pivots, or the time of each move'),
+  ];
 
   function rest() {
     clearTimeout(late);
@@ -153,11 +196,24 @@ export function createRobot(page: Page): View {
     began = null;
     fresh = true;
     shownKeys = [];
+    for (const part of parts) part.forget();
     opened.hidden = from.text === null;
     opened.textContent = from.name;
     select.value = from.text === null ? from.name : '';
     if (from.text !== null) name.value = from.name;
     ask(false);
+  }
+
+  /** A robot that was edited before the page was opened again, with what it began from. */
+  async function reopen({ name: called, text, origin: from = { name: called, text } }: KeptRobot) {
+    begin(from);
+    name.value = called;
+    const edited = await page.core.call('robot', { name: called }, new TextEncoder().encode(text));
+    form.show(edited.values, edited.keys);
+    shownKeys = edited.keys;
+    fresh = false;
+    given = myRobot();
+    ask();
   }
 
   function showRoute({ route, no_route }: RobotAnswer, before: RobotAnswer, where: MazeData | null) {
@@ -193,6 +249,7 @@ export function createRobot(page: Page): View {
     status.replaceChildren(now.result?.line ?? `Refused: ${now.problems[0]?.text ?? 'no robot'}`);
     // What is shown below stays that of the last robot that could be.
     if (!now.result) return showComplaint();
+    result = now.result;
     const was = isOrigin ? null : before.result;
     showRoute(now, isOrigin ? { ...before, route: null } : before, where);
     turns.replaceChildren(...turnFigures(now.result, was));
@@ -220,6 +277,7 @@ export function createRobot(page: Page): View {
       h('button', { type: 'button', onclick: () => page.choose() }, 'Open a TOML file'),
     ),
     h('div', { class: 'row' }, ...uses),
+    ...parts.map(({ element }) => element),
   );
   follows.append(
     h('div', { class: 'robot-route' }, stage.element, h('div', {}, h('h3', {}, 'The best route'), routeTimes)),
@@ -255,10 +313,11 @@ export function createRobot(page: Page): View {
       isShown = false;
     },
     accept(thing) {
-      const { name: called, text } = thing as { name: string; text: string };
-      isShown = true;
+      const robot = thing as KeptRobot;
       given = myRobot();
-      begin({ name: called, text });
+      if (robot.origin) return void reopen(robot).catch(page.complain);
+      isShown = true;
+      begin({ name: robot.name, text: robot.text });
     },
   };
 }

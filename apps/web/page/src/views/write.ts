@@ -1,19 +1,22 @@
 // The view Write: a mouse is written, run in a maze, and raced against the roster.
 import { Stopped } from '../core/client';
 import type { MazeData } from '../core/types';
+import { addressOf, readAddress, type Moment } from '../link/address';
+import { mazeAt, placeOf } from '../link/mazes';
+import { isSameMaze } from '../maze/same';
 import { createPlayer } from '../player/player';
 import { groupsOf } from '../race/contests';
 import { mazesOf } from '../race/holding';
 import { namedApart } from '../race/hold-panel';
 import { leaderboard } from '../race/leaderboard';
 import { h } from '../ui/dom';
-import { holdContest, type Held } from '../write/contest';
+import { holdContest, patience, type Held } from '../write/contest';
 import { createDesk } from '../write/desk';
 import type { Work } from '../write/keeping';
 import { losses } from '../write/losses';
 import { createPrints } from '../write/prints';
 import { createRaceForm } from '../write/race-form';
-import { raceProgram, type Raced } from '../write/racing';
+import { raceProgram, type Raced, type Version } from '../write/racing';
 import { createCage } from '../write/sandbox/cage';
 import type { Page, View } from './view';
 import '../styles/forms.css';
@@ -28,17 +31,20 @@ const usualMaze = 'capstone-1';
 const failedAt = ({ ended }: Held) => (ended?.kind === 'failed' && ended.line) || null;
 
 /** Why a contest was a forfeit; empty where nobody knows. */
-function whyInWords({ play, ended }: Held): string {
+function whyInWords({ play, ended, started }: Held): string {
   const [said] = play.last_words.split('\n');
+  if (ended?.kind === 'silent' && !started)
+    return `it did not begin within ${patience.start / 1000} s; is there a loop without an end outside of its steps?`;
   if (ended?.kind === 'failed')
     return `error${ended.line ? ` in line ${ended.line}` : ''}: ${ended.message.split('\n')[0]}`;
   if (ended?.kind === 'silent') return said.replace(/; does it flush.*/, '; is there a loop without an end?');
   return said;
 }
 
-/** What came of a contest, in a line. */
+/** What came of a contest, in a line; of a program that did not begin, wherever it was. */
 function outcomeInWords(held: Held): string {
   const { play } = held;
+  if (!held.started) return `${play.mouse} did not start: ${whyInWords(held) || play.outcome}`;
   const where = `${play.mouse} in ${play.maze.name || 'this maze'}`;
   if (play.solved)
     return `${where}: solved, score ${play.score?.toFixed(3)}; best possible ${play.bound?.toFixed(3) ?? 'none'}`;
@@ -51,10 +57,29 @@ export function createWrite(page: Page): View {
   /** Counts up with each run and race; one whose number is past is no longer wanted. */
   let number = 0;
 
-  const desk = createDesk(page, () => {
+  /** What the player shows, and of which program. */
+  let shown: { held: Held; text: string } | null = null;
+  /** What the link says that the program came with, until it runs. */
+  let linked: Moment | null = null;
+  /** The maze of a link, which is none of the page's. */
+  let foreign: MazeData | null = null;
+  /** The program as it raced last, and as it was before it was changed. */
+  let raced: Version | null = null;
+  let before: Version | null = null;
+
+  const changed = (allowed: boolean) => {
     stop();
     refresh();
-  });
+    if (allowed && linked) void runIt(linked);
+    linked = null;
+  };
+  async function moment() {
+    if (!shown) return '';
+    const place = await placeOf(page.core, page.about, shown.held.play.maze);
+    const same = shown.text === desk.work()?.text;
+    return addressOf('', { ...place, ...(same && player.moment()) });
+  }
+  const desk = createDesk(page, changed, moment);
   const maze = h('select', {});
   const run = h('button', { type: 'button', class: 'main', onclick: () => void runIt() }, 'Run');
   const race = h('button', { type: 'button', onclick: () => void raceIt() }, 'Race');
@@ -75,7 +100,7 @@ export function createWrite(page: Page): View {
   function refresh() {
     const { mazes: builtin } = page.about;
     const own = namedApart(
-      page.mazes(),
+      [...page.mazes(), ...(foreign ? [foreign] : [])],
       builtin.map(({ name }) => name),
     );
     const chosen = maze.value || usualMaze;
@@ -106,12 +131,20 @@ export function createWrite(page: Page): View {
     verdict.replaceChildren(text);
   }
   /** What was asked for last stands first. */
-  function show(held: Held) {
+  function show(held: Held, text: string, at?: Moment) {
     player.element.after(standings);
     hint.hidden = true;
     say(outcomeInWords(held), held.play.solved ? 'good' : 'bad');
     prints.show(held.prints);
-    player.show([held], 'end');
+    if (at?.time !== undefined) player.show([held], 'start', at.time, at.look);
+    else player.show([held], 'end', 0, at?.look);
+    shown = { held, text };
+    desk.fail(failedAt(held));
+  }
+  /** A program that races nowhere leaves the maze on the stage alone. */
+  function showNoStart(held: Held) {
+    say(outcomeInWords(held), 'bad');
+    prints.show(held.prints);
     desk.fail(failedAt(held));
   }
   /** Does that with the program, and says what went wrong with it. */
@@ -136,13 +169,13 @@ export function createWrite(page: Page): View {
       if (mine === number) busy(false);
     }
   }
-  const runIt = () =>
+  const runIt = (at?: Moment) =>
     doing(async (work, wanted) => {
       say(`${work.name || 'It'} runs …`, 'fair');
       const [chosen] = await mazesOf(page.core, [mazes[maze.selectedIndex].maze]);
       const entry = { language: work.language, program: work.text, name: work.name, maze: chosen, seed };
       const held = await holdContest(page.core, cage, entry, wanted);
-      if (held) show(held);
+      if (held) show(held, work.text, at);
     });
   const raceIt = () =>
     doing(async (work, wanted) => {
@@ -157,29 +190,36 @@ export function createWrite(page: Page): View {
         bar.value = done;
         say(`${what} …`, 'fair');
       };
-      const raced = await raceProgram(page.core, cage, runner, order, report, wanted);
-      if (!raced || !wanted()) return;
-      if ('failed' in raced) return show(raced.failed);
-      showRace(raced);
+      const changed = raced && (raced.runner.program !== work.text || raced.runner.language !== work.language);
+      const last = changed ? raced : before;
+      const race = await raceProgram(page.core, cage, runner, order, report, wanted, last);
+      if (!race || !wanted()) return;
+      if ('failed' in race) return showNoStart(race.failed);
+      before = last;
+      raced = race.now;
+      showRace(race, work.text);
     });
-  function showRace(raced: Raced) {
+  function showRace(raced: Raced, text: string) {
     const [group] = groupsOf(raced.results);
-    const name = raced.contests[0].play.mouse;
-    const place = group.mice.findIndex((mouse) => mouse.name === name) + 1;
-    const solved = raced.contests.filter(({ play }) => play.solved).length;
-    const worst = raced.contests.find(({ play }) => !play.solved);
+    const { contests } = raced.now;
+    const name = contests[0].play.mouse;
+    const old = raced.before?.contests[0].play.mouse;
+    const place = (of: string) => group.mice.findIndex((mouse) => mouse.name === of) + 1;
+    const solved = contests.filter(({ play }) => play.solved).length;
+    const worst = contests.find(({ play }) => !play.solved);
+    const than = old === undefined ? '' : `; ${old} is number ${place(old)}`;
     say(
-      `${name} is number ${place} of ${group.mice.length}: solved ${solved} of ${raced.contests.length} mazes`,
-      solved === raced.contests.length ? 'good' : 'bad',
+      `${name} is number ${place(name)} of ${group.mice.length}: solved ${solved} of ${contests.length} mazes${than}`,
+      solved === contests.length ? 'good' : 'bad',
     );
     standings.hidden = false;
     player.element.before(standings);
     standings.replaceChildren(
       h('h2', {}, 'Leaderboard'),
-      leaderboard(group, () => undefined).element,
+      leaderboard(group, () => undefined, old === undefined ? [name] : [name, old]).element,
       h('h2', {}, `What ${name} lost where`),
-      losses(raced.contests, (held) => {
-        show(held);
+      losses(contests, (held) => {
+        show(held, text);
         player.element.scrollIntoView({ block: 'nearest' });
       }),
       h(
@@ -193,6 +233,24 @@ export function createWrite(page: Page): View {
     page.hold(raced.results, raced.mazes, `The race of ${name} is over.`, undefined, raced.records);
     if (worst) desk.fail(failedAt(worst));
     standings.scrollIntoView({ block: 'nearest' });
+  }
+  /** A program, and behind it where it was seen. */
+  async function receive(link: string) {
+    const [program, ...rest] = link.split('&');
+    const { moment } = readAddress(['write', ...rest].join('&'));
+    const chosen = await mazeAt(page.core, moment);
+    await desk.receive(program);
+    linked = moment;
+    if (!chosen) return;
+    foreign = moment.builtin.length > 0 ? null : chosen;
+    refresh();
+    for (const [i, one] of mazes.entries()) {
+      const same =
+        typeof one.maze === 'string'
+          ? one.maze === moment.builtin[0]
+          : foreign && isSameMaze({ maze: one.maze }, { maze: foreign });
+      if (same) maze.selectedIndex = i;
+    }
   }
   refresh();
   return {
@@ -230,7 +288,7 @@ export function createWrite(page: Page): View {
     address: desk.address,
     accept(thing) {
       const { link, file } = thing as { link?: string; file?: File };
-      if (link !== undefined) void desk.receive(link);
+      if (link !== undefined) void receive(link).catch(page.complain);
       if (file) void desk.open(file);
     },
   };

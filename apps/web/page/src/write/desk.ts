@@ -14,7 +14,7 @@ export interface Desk {
   work(): Work | null;
   /** The text behind `#` that leads to what is written. */
   address(): Promise<string>;
-  /** Shows the program of a link. It runs only once somebody has allowed it. */
+  /** Shows the program of a link, which runs only once somebody has allowed it; rejected in words where there is none. */
   receive(link: string): Promise<void>;
   /** Shows the program of a file. */
   open(file: File): Promise<void>;
@@ -26,8 +26,11 @@ export interface Desk {
 const before = 'before';
 const usualName = 'my-mouse';
 
-/** `changed` hears when what is written is another program, or may run now. */
-export function createDesk(page: Page, changed: () => void): Desk {
+/**
+ * `changed` hears when what is written is another program, and when somebody has allowed that of a link to run. `moment` is
+ * what a link says beside the program, from its first `&` on.
+ */
+export function createDesk(page: Page, changed: (allowed: boolean) => void, moment: () => Promise<string>): Desk {
   let now: Work = kept() ?? { language: languages[0], name: usualName, text: languages[0].templates[0].text };
   let foreign = false;
   let editor: Editor | null = null;
@@ -71,15 +74,16 @@ export function createDesk(page: Page, changed: () => void): Desk {
     help.replaceChildren(reference(now.language.id));
     language.value = now.language.id;
   }
-  /** Puts a program into the editor. */
-  function put(work: Work) {
+  /** Puts a program into the editor; `undoable` as a change of the one that stands there. */
+  function put(work: Work, undoable = false) {
     now = work;
     name.value = work.name;
-    editor?.set(work.text, work.language.id);
+    if (undoable) editor?.replace(work.text);
+    else editor?.set(work.text, work.language.id);
     link.element.hidden = true;
     nameRow.complain('');
     offer();
-    changed();
+    changed(false);
   }
   function wrote() {
     link.element.hidden = true;
@@ -98,7 +102,7 @@ export function createDesk(page: Page, changed: () => void): Desk {
     putAside();
     wrote();
     offer();
-    changed();
+    changed(true);
   }
   function backToMine() {
     foreign = false;
@@ -110,9 +114,11 @@ export function createDesk(page: Page, changed: () => void): Desk {
     const template = now.language.templates[Number(begin.value)];
     if (begin.value === '' || !(back ?? template)) return;
     if (!foreign) putAside();
+    const next = back ?? { ...now, text: template.text };
+    const undoable = !foreign && next.language === now.language;
     foreign = false;
     warning.hidden = true;
-    put(back ?? { ...now, text: template.text });
+    put(next, undoable);
     wrote();
     editor?.focus();
   });
@@ -143,12 +149,13 @@ export function createDesk(page: Page, changed: () => void): Desk {
     input.onchange = () => input.files?.[0] && void open(input.files[0]);
     input.click();
   }
-  const address = async () => `write=${await linkOf(now)}`;
+  const address = async () => `write=${await linkOf(now)}${await moment()}`;
   async function share() {
     link.show(`${location.href.split('#')[0]}#${await address()}`);
     link.element.hidden = false;
     await link.copy();
   }
+  const shared = () => share().catch(page.complain);
   const button = (label: string, onclick: () => unknown) =>
     h('button', { type: 'button', onclick: () => void onclick() }, label);
   offer();
@@ -174,7 +181,7 @@ export function createDesk(page: Page, changed: () => void): Desk {
         h('label', {}, h('span', { class: 'unseen' }, 'Program to begin with'), begin),
         button('Open', openFile),
         button('Save', () => page.save(now.language.fileName, now.text)),
-        button('Share', share),
+        button('Share', shared),
       ),
       warning,
       link.element,
@@ -193,7 +200,7 @@ export function createDesk(page: Page, changed: () => void): Desk {
     address,
     async receive(text) {
       const work = await readLink(text);
-      if (!work) return page.complain('This link does not contain a whole program. Copy the whole link again.');
+      if (!work) throw new Error('This link does not contain a whole program. Copy the whole link again.');
       foreign = true;
       warning.hidden = false;
       put(work);

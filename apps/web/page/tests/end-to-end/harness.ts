@@ -4,7 +4,7 @@ import { existsSync, mkdirSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import axe from 'axe-core';
-import { chromium, type Browser, type BrowserContextOptions, type Page } from 'playwright-core';
+import { chromium, type Browser, type BrowserContextOptions, type Page, type ViewportSize } from 'playwright-core';
 import { expect, inject } from 'vitest';
 
 export const root = resolve(__dirname, '../../../../..');
@@ -21,7 +21,16 @@ export function native(...words: string[]): string {
 }
 
 let browser: Promise<Browser> | null = null;
-const pages: Page[] = [];
+
+/** A page of a test, and under which options it may serve another one; null where no other may have it. */
+interface Lent {
+  page: Page;
+  options: string | null;
+}
+const lent: Lent[] = [];
+/** Pages that no test has: a new one costs a process, most of what opening takes. */
+const spare: Lent[] = [];
+const mostSpare = 4;
 /** What the pages of a test said to the console that they should not have, and what they asked of a network. */
 const complaints: string[] = [];
 
@@ -42,9 +51,25 @@ function theBrowser(): Promise<Browser> {
   return browser;
 }
 
-/** Closes the pages of a test, and fails where they complained. */
+/** Leads nowhere, with nothing kept and no way back. */
+async function cleaned({ page }: Lent) {
+  await page.goto('about:blank');
+  const client = await page.context().newCDPSession(page);
+  await client.send('Storage.clearDataForOrigin', { origin: 'file://', storageTypes: 'all' });
+  await client.send('Page.resetNavigationHistory');
+  await client.detach();
+}
+
+/** Takes the pages of a test back, and fails where they complained. */
 export async function endOfTest() {
-  for (const page of pages.splice(0)) await page.context().close();
+  for (const one of lent.splice(0)) {
+    if (one.options === null || one.page.isClosed()) await one.page.context().close();
+    else {
+      await cleaned(one);
+      spare.push(one);
+      if (spare.length > mostSpare) await spare.shift()!.page.context().close();
+    }
+  }
   expect(complaints.splice(0)).toEqual([]);
 }
 
@@ -65,13 +90,31 @@ interface Opening extends BrowserContextOptions {
   before?: (page: Page) => Promise<unknown>;
 }
 
-/** Opens the page, or another file such as a report, and waits until its frame stands. */
+/** Opens the page, or another file such as a report, in a browser that knows nothing of others, until its frame stands. */
 export async function open(hash = '', { file = builtPage, before, ...options }: Opening = {}) {
-  const context = await (
-    await theBrowser()
-  ).newContext({ viewport: { width: 1280, height: 900 }, acceptDownloads: true, ...options });
+  const { page } = await lend(options, before);
+  await page.goto(pathToFileURL(file).href + hash);
+  await page.getByRole('navigation', { name: 'Views' }).waitFor();
+  return page;
+}
+
+async function lend(options: BrowserContextOptions, before: Opening['before']): Promise<Lent> {
+  const { colorScheme = 'light', reducedMotion = 'no-preference', viewport, ...others } = options;
+  const size = viewport ?? { width: 1280, height: 900 };
+  const key = before ? null : JSON.stringify(others);
+  const found = spare.findIndex((one) => one.options === key);
+  const one =
+    key !== null && found >= 0 ? spare.splice(found, 1)[0] : { page: await newPage(others, size), options: key };
+  lent.push(one);
+  await one.page.setViewportSize(size);
+  await one.page.emulateMedia({ colorScheme, reducedMotion, media: null });
+  await before?.(one.page);
+  return one;
+}
+
+async function newPage(options: BrowserContextOptions, viewport: ViewportSize): Promise<Page> {
+  const context = await (await theBrowser()).newContext({ viewport, acceptDownloads: true, ...options });
   const page = await context.newPage();
-  pages.push(page);
   page.on('console', (message) => {
     if (['error', 'warning'].includes(message.type())) complaints.push(`${message.type()}: ${message.text()}`);
   });
@@ -79,9 +122,6 @@ export async function open(hash = '', { file = builtPage, before, ...options }: 
   page.on('request', (request) => {
     if (/^https?:/.test(request.url())) complaints.push(`asks for ${request.url()}`);
   });
-  await before?.(page);
-  await page.goto(pathToFileURL(file).href + hash);
-  await page.getByRole('navigation', { name: 'Views' }).waitFor();
   return page;
 }
 

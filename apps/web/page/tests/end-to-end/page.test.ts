@@ -9,7 +9,7 @@ test('it opens from the disk, names its views, and asks nothing of a network', a
 });
 
 test('its policy lets no script in that is not its own, and nothing out', async () => {
-  const page = await open();
+  const page = await open('#draw');
   const policy = await page.locator('meta[http-equiv="Content-Security-Policy"]').getAttribute('content');
   expect(policy).toContain("default-src 'none'");
   const blocked = await page.evaluate(async () => {

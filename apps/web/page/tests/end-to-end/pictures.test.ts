@@ -56,7 +56,7 @@ test('a PNG is as large as the stage at two pixels to one, with names and time',
   const canvases = replay(page).locator('.side canvas');
   await expect.poll(() => canvases.count()).toBe(2);
   const boxes = await Promise.all([0, 1].map(async (i) => (await canvases.nth(i).boundingBox())!));
-  const { name, content } = await saved(page, 'Save PNG');
+  const { name, content } = await saved(page, 'Save moment (PNG)');
   expect(name).toBe('ariadne-flood-contest-02.png');
   const { width, height } = pngSize(content);
   const ratio = width / (boxes[0].width + boxes[1].width + 3 * 16);
@@ -68,7 +68,7 @@ test('a PNG is as large as the stage at two pixels to one, with names and time',
 
 test('an SVG holds the names, the time and the maze, and stands by itself', async () => {
   const page = await openReplay(double);
-  const { content } = await saved(page, 'Save SVG');
+  const { content } = await saved(page, 'Save moment (SVG)');
   const found = await page.evaluate((text) => {
     const picture = new DOMParser().parseFromString(text, 'image/svg+xml');
     const words = [...picture.querySelectorAll('text')].map((one) => one.textContent);
@@ -105,13 +105,13 @@ const seenBy = (page: Page, content: Buffer, type: string) =>
 
 test('PNG and SVG show the same tones of a maze', async () => {
   const page = await openReplay(single);
-  expect(await seenBy(page, (await saved(page, 'Save PNG')).content, 'image/png')).toBeGreaterThan(20);
-  expect(await seenBy(page, (await saved(page, 'Save SVG')).content, 'image/svg+xml')).toBeGreaterThan(20);
+  expect(await seenBy(page, (await saved(page, 'Save moment (PNG)')).content, 'image/png')).toBeGreaterThan(20);
+  expect(await seenBy(page, (await saved(page, 'Save moment (SVG)')).content, 'image/svg+xml')).toBeGreaterThan(20);
 });
 
 test('a film has a frame for each step, its clock, and less than five megabytes', async () => {
   const page = await openReplay(single);
-  const { name, content } = await saved(page, 'Save film');
+  const { name, content } = await saved(page, 'Save film (GIF)');
   expect(name).toBe('flood-contest-02.gif');
   const steps = Number(await replay(page).getByRole('slider').getAttribute('max'));
   const gif = readGif(content);
@@ -125,7 +125,7 @@ test('a film has a frame for each step, its clock, and less than five megabytes'
 
 test('two mice in seconds are filmed beside each other', async () => {
   const page = await openReplay('#replay&mouse=ariadne&mouse=flood&in=contest-02&seed=1&robot=classic&rules=all-japan');
-  const { content } = await saved(page, 'Save film');
+  const { content } = await saved(page, 'Save film (GIF)');
   const gif = readGif(content);
   expect(gif.whole).toBe(true);
   expect(gif.width).toBeGreaterThan(1.5 * gif.height);
@@ -141,7 +141,7 @@ test('a film of a long contest in a large maze leaves steps out, and says so', a
   native('run', 'flood', maze, '--budget', '100000', '--record', record);
   await drop(page, { name: 'large.jsonl', content: readFileSync(record) });
   await replay(page).locator('.side canvas').waitFor();
-  const { content } = await saved(page, 'Save film');
+  const { content } = await saved(page, 'Save film (GIF)');
   expect(readGif(content).whole).toBe(true);
   expect(content.length).toBeLessThan(5_000_000);
   await expect.poll(() => page.locator('.status').textContent()).toContain('left out');
@@ -149,10 +149,10 @@ test('a film of a long contest in a large maze leaves steps out, and says so', a
 
 test('a film can be stopped', async () => {
   const page = await openReplay(single);
-  await replay(page).getByRole('button', { name: 'Save film' }).click();
+  await replay(page).getByRole('button', { name: 'Save film (GIF)' }).click();
   await replay(page)
     .getByRole('button', { name: 'Stop the film' })
     .evaluate((button: HTMLButtonElement) => button.click());
   await expect.poll(() => page.locator('.status').textContent()).toBe('The film was stopped.');
-  expect(await replay(page).getByRole('button', { name: 'Save film' }).isEnabled()).toBe(true);
+  expect(await replay(page).getByRole('button', { name: 'Save film (GIF)' }).isEnabled()).toBe(true);
 });

@@ -287,7 +287,7 @@ test('a picture of the record is saved', async () => {
   const page = await opened();
   const [download] = await Promise.all([
     page.waitForEvent('download'),
-    page.getByRole('button', { name: 'Save picture' }).click(),
+    page.getByRole('button', { name: 'Save whole walk (SVG)' }).click(),
   ]);
   expect(download.suggestedFilename()).toBe('ariadne-capstone-1.svg');
   expect(readFileSync((await download.path())!, 'utf8')).toContain('<svg');

@@ -2,7 +2,7 @@
 import { readFileSync, writeFileSync } from 'node:fs';
 import type { Page } from 'playwright-core';
 import { expect, test } from 'vitest';
-import { barriers, drop, native, open, picture, temporary } from './harness';
+import { barriers, drop, keptInBrowser, native, open, picture, temporary } from './harness';
 
 const view = (page: Page) => page.getByRole('region', { name: 'Robot', exact: true });
 const status = (page: Page) => view(page).locator('.verdict').textContent();
@@ -25,7 +25,7 @@ async function opened(options = {}) {
 /** The best time of capstone-1 by the command line. */
 function routeTime(robot: string) {
   const { mazes } = JSON.parse(native('route', 'capstone-1', '--robot', robot, '--format', 'json'));
-  return String(Number((mazes[0].time_us / 1e6).toFixed(3)));
+  return (mazes[0].time_us / 1e6).toFixed(3);
 }
 
 async function savedFile(page: Page) {
@@ -52,7 +52,8 @@ test('what follows from a robot is what the command line says, also after an edi
   writeFileSync(file, saved.content);
   expect(await bestTime(page)).toContain(`${routeTime(file)} s`);
   const shown = native('robot', 'show', file);
-  for (const time of await times(page, '90')) expect(shown).toContain(Number(/^[\d.]+/.exec(time)![0]).toFixed(3));
+  // Three digits each, as there.
+  for (const time of await times(page, '90')) expect(shown).toContain(/^\d+\.\d{3}/.exec(time)![0]);
   await view(page).getByRole('button', { name: 'Undo all changes' }).click();
   await expect.poll(() => times(page, '90')).toEqual(before);
 });
@@ -73,6 +74,59 @@ test('what is wrong stands at its field, and what followed before stays', async 
     .locator('.field', { has: page.locator('[data-key="search.pivot_acceleration"]') })
     .locator('.field-remark');
   await expect.poll(() => remark.textContent()).toContain('degrees');
+});
+
+test('published times take the place of limits, and limits that of times', async () => {
+  const page = await opened();
+  const limits = await bestTime(page);
+  const slowest = (await times(page, '90')).at(-1)!;
+  const given = (label: string) => view(page).getByLabel(label, { exact: true });
+  expect(await given('Turns are given').inputValue()).toBe('limits');
+  await given('Turns are given').selectOption('times');
+  await expect.poll(() => input(page, 'turns.90').inputValue()).toBe(String(Number(slowest)));
+  expect(await input(page, 'turns.speed').inputValue()).toBe('850');
+  expect(await input(page, 'curve.lateral_acceleration').count()).toBe(0);
+  await expect.poll(() => times(page, '90')).toEqual([expect.stringMatching(new RegExp(`^${slowest} was `))]);
+  await given('The search is given').selectOption('times');
+  await expect.poll(() => input(page, 'search.cell').inputValue()).toBe('360');
+  await input(page, 'turns.90').fill('300');
+  await expect.poll(async () => (await times(page, '90'))[0]).toMatch(/^300\.000/);
+  const saved = await savedFile(page);
+  const file = temporary('times.toml');
+  writeFileSync(file, saved.content);
+  expect(saved.content).toContain('[turns]');
+  expect(await bestTime(page)).toContain(routeTime(file));
+  await given('Turns are given').selectOption('limits');
+  await given('The search is given').selectOption('limits');
+  await expect.poll(() => bestTime(page)).toBe(limits);
+  // A robot that began from times takes the limits of one whose cells are as large.
+  await view(page).getByRole('combobox', { name: 'Start from' }).selectOption('mm2021');
+  await expect.poll(() => given('Turns are given').inputValue()).toBe('times');
+  await given('Turns are given').selectOption('limits');
+  await expect.poll(() => input(page, 'curve.yaw_acceleration').inputValue()).toBe('300');
+  await expect.poll(() => status(page)).toContain('cells of 90 mm');
+});
+
+test('an edited robot is there again when the page is opened again, beside what it began from', async () => {
+  const page = await opened();
+  await view(page).getByLabel('Name').fill('kept-one');
+  await input(page, 'curve.lateral_acceleration').fill('12000');
+  await expect.poll(() => bestTime(page)).toContain('was');
+  const time = await bestTime(page);
+  await expect.poll(() => keptInBrowser(page, 'robot')).toContain('kept-one');
+  await page.reload();
+  await expect.poll(() => bestTime(page)).toBe(time);
+  expect(await view(page).getByLabel('Name').inputValue()).toBe('kept-one');
+  expect(await view(page).getByRole('combobox', { name: 'Start from' }).inputValue()).toBe('classic');
+  // Elsewhere, too, without a look at this view.
+  const live = page.getByRole('region', { name: 'Live' });
+  await page.goto(`${page.url().split('#')[0]}#live`);
+  await page.reload();
+  await live.getByLabel('World').selectOption('seconds');
+  await expect.poll(() => live.getByLabel('Robot').locator('option').allTextContents()).toContain('kept-one, my robot');
+  await page.getByRole('link', { name: 'Robot' }).click();
+  await view(page).getByRole('button', { name: 'Undo all changes' }).click();
+  await expect.poll(() => keptInBrowser(page, 'robot')).toBe('null');
 });
 
 test('a file is opened by dropping it, and drives in Live under its name', async () => {

@@ -117,7 +117,7 @@ test('its record and its picture are saved, and the record is opened again', asy
     ]);
     return { name: download.suggestedFilename(), content: readFileSync((await download.path())!, 'utf8') };
   };
-  const drawing = await saved('Save picture');
+  const drawing = await saved('Save whole walk (SVG)');
   expect(drawing.name).toBe('certify-contest-01.svg');
   expect(drawing.content).toContain('<title>certify in contest-01: ');
   const record = await saved('Save record');

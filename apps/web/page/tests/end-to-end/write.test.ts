@@ -79,27 +79,43 @@ test('one change, a name, and it stands on the leaderboard', async () => {
   const results = JSON.parse(
     execFileSync(program, [...words, '--format', 'json', '--directory', folder], { encoding: 'utf8' }),
   );
+  const mean = results.mice[0].penalised_mean.toFixed(3);
   await page.getByRole('link', { name: 'Race', exact: true }).first().click();
   const race = page.getByRole('region', { name: 'Race' });
   await race.getByText('long-legs').first().waitFor();
   const row = race.getByRole('row').filter({ hasText: 'long-legs' }).first();
-  expect(await row.textContent()).toContain(results.mice[0].penalised_mean.toFixed(3));
+  expect(await row.textContent()).toContain(mean);
+
+  // Changed once more, it stands beside what it was; a maze that is new to both is run by both.
+  await page.getByRole('link', { name: 'Write', exact: true }).click();
+  expect(await board.locator('tr.own').allTextContents()).toEqual([expect.stringMatching(/^long-legs\d/)]);
+  await write(page, changed.replace('LONGEST_STEP_OF_SEARCH = 2', 'LONGEST_STEP_OF_SEARCH = 3'));
+  await mazes.getByLabel('contest-05', { exact: true }).uncheck();
+  await button(page, 'Race').click();
+  await expect.poll(() => verdict(page).textContent()).toMatch(/^long-legs is .*; long-legs-before is number \d/);
+  const own = () => board.locator('tr.own').allTextContents();
+  expect((await own()).map((text) => /^[a-z-]+/.exec(text)![0]).sort()).toEqual(['long-legs', 'long-legs-before']);
+  await mazes.getByLabel('contest-05', { exact: true }).check();
+  await button(page, 'Race').click();
+  await expect.poll(async () => (await own()).find((text) => text.startsWith('long-legs-before'))).toContain(mean);
 });
 
 test('records are those of the command line, byte for byte', async () => {
   const page = await openWrite();
   const folder = temporary('same-records');
   mkdirSync(folder);
-  const programs: Record<string, string> = {
-    ...Object.fromEntries(
-      readdirSync(templates).map((name) => [name.replace('.js', ''), readFileSync(join(templates, name), 'utf8')]),
-    ),
-    rubbish: doing(`console.error('a note', [1, 'b'], { c: 3 }); console.log('fly');`),
-    flooded: doing(`console.log('move 0 1\\nmove 0 1');`),
-  };
-  for (const [name, text] of Object.entries(programs)) {
+  const programs: [name: string, text: string, mazes: string[]][] = [
+    ...readdirSync(templates).map((name): [string, string, string[]] => [
+      name.replace('.js', ''),
+      readFileSync(join(templates, name), 'utf8'),
+      ['capstone-1', 'contest-05'],
+    ]),
+    ['rubbish', doing(`console.error('a note', [1, 'b'], { c: 3 }); console.log('fly');`), ['contest-01']],
+    ['flooded', doing(`console.log('move 0 1\\nmove 0 1');`), ['contest-01']],
+  ];
+  for (const [name, text, mazes] of programs) {
     writeFileSync(join(folder, 'mouse.js'), text);
-    for (const maze of ['capstone-1', 'contest-01', 'contest-05']) {
+    for (const maze of mazes) {
       await view(page).getByRole('combobox', { name: 'Maze' }).selectOption(maze);
       await view(page).getByLabel('Name of your mouse').fill(name);
       await run(page, text);
@@ -114,37 +130,25 @@ test('records are those of the command line, byte for byte', async () => {
   }
 }, 180_000);
 
-test.each([
-  ['fetch', `fetch('http://SERVER/').then(told, refused)`],
-  ['fetch of a file', `fetch('file:///etc/passwd').then(told, refused)`],
-  [
-    'WebSocket',
-    `try { const s = new WebSocket('ws://SERVER/'); s.onopen = told; s.onerror = refused; } catch (e) { refused(e); }`,
-  ],
-  [
-    'XMLHttpRequest',
-    `try { const r = new XMLHttpRequest(); r.onload = told; r.onerror = refused; r.open('GET', 'http://SERVER/'); r.send(); } catch (e) { refused(e); }`,
-  ],
-  [
-    'EventSource',
-    `try { const s = new EventSource('http://SERVER/'); s.onopen = told; s.onerror = refused; } catch (e) { refused(e); }`,
-  ],
-  ['importScripts', `try { importScripts('http://SERVER/a.js'); told(); } catch (e) { refused(e); }`],
-  [
-    'importScripts of a blob',
-    `try { importScripts(URL.createObjectURL(new Blob(['1']))); told(); } catch (e) { refused(e); }`,
-  ],
-  ['import', `import('http://SERVER/a.js').then(told, refused)`],
-  ['eval', `try { eval('1'); told(); } catch (e) { refused(e); }`],
-  [
-    'IndexedDB',
-    `try { const r = indexedDB.open('a'); r.onsuccess = told; r.onerror = refused; } catch (e) { refused(e); }`,
-  ],
-  ['caches', `try { caches.open('a').then(told, refused); } catch (e) { refused(e); }`],
-  ['localStorage', `try { localStorage.setItem('a', 'b'); told(); } catch (e) { refused(e); }`],
-  ['the parent', `try { parent.document.title; told(); } catch (e) { refused(e); }`],
-  ['the files of a browser', `try { navigator.storage.getDirectory().then(told, refused); } catch (e) { refused(e); }`],
-])('a program cannot reach %s', async (_, act) => {
+/** Ways out of the sandbox; each says by `told` that it leads out. */
+const waysOut: Record<string, string> = {
+  fetch: `fetch('http://SERVER/').then(told, refused)`,
+  'fetch of a file': `fetch('file:///etc/passwd').then(told, refused)`,
+  WebSocket: `try { const s = new WebSocket('ws://SERVER/'); s.onopen = told; s.onerror = refused; } catch (e) { refused(e); }`,
+  XMLHttpRequest: `try { const r = new XMLHttpRequest(); r.onload = told; r.onerror = refused; r.open('GET', 'http://SERVER/'); r.send(); } catch (e) { refused(e); }`,
+  EventSource: `try { const s = new EventSource('http://SERVER/'); s.onopen = told; s.onerror = refused; } catch (e) { refused(e); }`,
+  importScripts: `try { importScripts('http://SERVER/a.js'); told(); } catch (e) { refused(e); }`,
+  'importScripts of a blob': `try { importScripts(URL.createObjectURL(new Blob(['1']))); told(); } catch (e) { refused(e); }`,
+  import: `import('http://SERVER/a.js').then(told, refused)`,
+  eval: `try { eval('1'); told(); } catch (e) { refused(e); }`,
+  IndexedDB: `try { const r = indexedDB.open('a'); r.onsuccess = told; r.onerror = refused; } catch (e) { refused(e); }`,
+  caches: `try { caches.open('a').then(told, refused); } catch (e) { refused(e); }`,
+  localStorage: `try { localStorage.setItem('a', 'b'); told(); } catch (e) { refused(e); }`,
+  'the parent': `try { parent.document.title; told(); } catch (e) { refused(e); }`,
+  'the files of a browser': `try { navigator.storage.getDirectory().then(told, refused); } catch (e) { refused(e); }`,
+};
+
+test('a program reaches nothing', async () => {
   let asked = 0;
   // Whoever asks is answered, so that nothing but the sandbox is in the way.
   const server = createServer((_, answer) => {
@@ -154,21 +158,27 @@ test.each([
   server.on('upgrade', () => (asked += 1));
   await new Promise<void>((resolve) => server.listen(0, '127.0.0.1', resolve));
   const page = await openWrite();
-  const here = act.replace('SERVER', `127.0.0.1:${(server.address() as AddressInfo).port}`);
-  const said = await run(
-    page,
-    doing(`const told = () => console.log('told'), refused = () => console.log('forfeit'); ${here}`),
+  const here = `127.0.0.1:${(server.address() as AddressInfo).port}`;
+  const tries = Object.entries(waysOut).map(
+    ([name, act]) =>
+      `await new Promise((next) => {
+        const told = () => (console.error('told', '${name}'), next()), refused = () => (console.error('refused', '${name}'), next());
+        ${act.replace('SERVER', here)}
+      });`,
   );
+  await run(page, doing(`${tries.join('\n')} console.log('forfeit');`));
+  const prints = await view(page).getByRole('region', { name: 'Prints' }).locator('pre').allTextContents();
   server.close();
   expect(asked).toBe(0);
-  expect(said).toContain('gave up');
+  expect(prints.join('\n').split('\n')).toEqual(Object.keys(waysOut).map((name) => `refused ${name}`));
+  expect(await verdict(page).textContent()).toContain('gave up');
   // What the browser refuses it still tells of.
   provoked(/Content Security Policy|Refused|ERR_|violates|asks for/i);
 });
 
-test.each([
+const failures: [what: string, program: string, outcome: RegExp][] = [
   ['an endless loop', doing('for (;;);'), /hung.*silent/],
-  ['an endless loop before its first word', 'for (;;);', /hung/],
+  ['an endless loop before its first word', 'for (;;);', /did not start.*within 10 s.*loop without an end/],
   ['silence', doing(''), /hung/],
   ['a line without its end', doing(`process.stdout.write('move 0 1')`), /hung.*'move 0 1' without ending the line/],
   ['an endless memory', doing('const all = []; for (;;) all.push(new Array(1e6).fill(all.length));'), /hung|died/],
@@ -183,15 +193,16 @@ test.each([
   ['an end of its own', doing('process.exit(3)'), /died.*exit code 3/],
   ['an error', `// one\n// two\n${doing('undefined.x')}`, /died.*error in line 7/],
   ['an error in a promise', doing('await null; throw new Error("late")'), /died.*late/],
-  ['a program that cannot be read', 'const a = ;', /died.*line 1.*SyntaxError/],
-  ['a module that is not there', `require('net')`, /died.*line 1.*'net'/],
-])('its failure is its forfeit: %s', async (_, text, outcome) => {
+  ['a program that cannot be read', 'const a = ;', /did not start.*line 1.*SyntaxError/],
+  ['a module that is not there', `require('net')`, /did not start.*line 1.*'net'/],
+];
+
+test('its failure is its forfeit, and the page goes on', async () => {
   const page = await openWrite();
-  expect(await run(page, text)).toMatch(outcome);
+  for (const [what, text, outcome] of failures) expect(await run(page, text), what).toMatch(outcome);
   provoked(/Content Security Policy|Refused|out of memory/i);
-  // And the page goes on.
   expect(await run(page, template('flood-fill'))).toContain('solved');
-});
+}, 120_000);
 
 test('the failing line is marked, and what it printed stands at its step', async () => {
   const page = await openWrite();
@@ -207,6 +218,17 @@ test('the failing line is marked, and what it printed stands at its step', async
   expect(await prints.getByRole('listitem').count()).toBe(2);
   await prints.getByRole('button', { name: 'step 1' }).click();
   await expect.poll(() => prints.locator('[aria-current]').textContent()).toContain('I see sense 0 11 0');
+
+  // A program that cannot start races nowhere, and what is on the stage stays.
+  await view(page).getByRole('combobox', { name: 'Maze' }).selectOption('contest-05');
+  await run(page, template('flood-fill'));
+  await write(page, `${template('flood-fill')}\nconst a = ;`);
+  await button(page, 'Race').click();
+  await expect.poll(() => verdict(page).textContent()).toMatch(/^my-mouse did not start: error in line \d+/);
+  expect(await view(page).locator('.cm-failed').textContent()).toBe('const a = ;');
+  expect(await view(page).getByRole('combobox', { name: 'Maze' }).inputValue()).toBe('contest-05');
+  expect(await view(page).locator('.moment').textContent()).toContain('204 of 204');
+  expect(await view(page).getByRole('img', { name: 'Maze contest-05' }).count()).toBe(1);
 });
 
 test('a program is kept, and comes with a link only after a click', async () => {
@@ -228,9 +250,37 @@ test('a program is kept, and comes with a link only after a click', async () => 
   expect(await button(page, 'Run').isDisabled()).toBe(true);
   expect(await barriers(page)).toEqual([]);
   await button(page, 'Let it run').click();
-  expect(await button(page, 'Run').isDisabled()).toBe(false);
+  await expect.poll(() => button(page, 'Run').isDisabled()).toBe(false);
   await view(page).getByLabel('Program to begin with').selectOption('What stood here before');
   await expect.poll(() => editor(page).textContent()).toContain('// other');
+});
+
+test('a link leads to the maze and the step where one was', async () => {
+  const page = await openWrite();
+  await drop(page, { name: 'own.txt', content: native('make', 'prim', '--size', '6x6', '--seed', '5') });
+  await page.waitForFunction(() => document.title === 'Live · labmouse');
+  await page.getByRole('link', { name: 'Write', exact: true }).click();
+  await view(page).getByRole('combobox', { name: 'Maze' }).selectOption('own.txt');
+  expect(await run(page, `// mine\n${template('flood-fill')}`)).toContain('in own.txt: solved');
+  const slider = (of: Page) => view(of).getByRole('slider', { name: 'Moment of the replay' });
+  await slider(page).fill('3');
+  await button(page, 'Share').click();
+  const shown = view(page).getByLabel('A link to this program');
+  await expect.poll(() => shown.inputValue()).toMatch(/#write=[\w-]+&maze=1\.[\w.-]+&at=3$/);
+  const other = await openWrite(new URL(await shown.inputValue()).hash);
+  await expect
+    .poll(() => view(other).getByRole('combobox', { name: 'Maze' }).locator('option:checked').textContent())
+    .toContain('own.txt · yours');
+  expect(await slider(other).isVisible()).toBe(false);
+  await button(other, 'Let it run').click();
+  await expect.poll(() => slider(other).inputValue()).toBe('3');
+  expect(await verdict(other).textContent()).toContain('solved');
+  // Another program has no step there.
+  await write(other, `// other\n${template('flood-fill')}`);
+  await button(other, 'Share').click();
+  await expect.poll(() => view(other).getByLabel('A link to this program').inputValue()).toMatch(/&maze=1\.[\w.-]+$/);
+  const bad = await openWrite(`${new URL(await shown.inputValue()).hash}&at=4`);
+  await bad.getByText('it says at= twice').waitFor();
 });
 
 test('letters that one types go to the program, also while a replay stands beside it', async () => {
@@ -269,8 +319,15 @@ test.each([
   await picture(page, `write-${name}`);
 });
 
-test('Tab indents, and after Escape it leads out of the editor', async () => {
+test('Tab indents, after Escape it leads out of the editor, and a program to begin with is undone like any change', async () => {
   const page = await openWrite();
+  await write(page, 'mine');
+  await view(page).getByLabel('Program to begin with').selectOption('Wall follower');
+  await expect.poll(() => editor(page).textContent()).toContain('left hand');
+  await page.keyboard.press('Control+z');
+  await expect.poll(() => editor(page).textContent()).toBe('mine');
+  await page.keyboard.press('Control+z');
+  expect(await editor(page).textContent()).not.toBe('mine');
   await write(page, 'a');
   await page.keyboard.press('Tab');
   expect(await editor(page).textContent()).toMatch(/^a\s+$/);

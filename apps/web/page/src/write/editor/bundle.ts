@@ -1,5 +1,5 @@
 // The editor: CodeMirror with what a page of program needs, as a script of its own (build/editor.ts).
-import { defaultKeymap, history, historyKeymap, indentLess, insertTab } from '@codemirror/commands';
+import { defaultKeymap, history, historyKeymap, indentLess, insertTab, isolateHistory } from '@codemirror/commands';
 import {
   bracketMatching,
   HighlightStyle,
@@ -99,6 +99,10 @@ export function create(parent: ShadowRoot, label: string, changed: (text: string
   return {
     text: () => view.state.doc.toString(),
     set: (text, name) => view.setState(state(text, name)),
+    replace(text) {
+      const whole = { from: 0, to: view.state.doc.length, insert: text };
+      view.dispatch({ changes: whole, selection: { anchor: 0 }, annotations: isolateHistory.of('full') });
+    },
     fail(line) {
       const effects: StateEffect<unknown>[] = [setFailed.of(line)];
       if (line !== null) {

@@ -6,7 +6,10 @@ export type EditorLanguage = 'javascript' | 'python';
 
 export interface Editor {
   text(): string;
+  /** Another text, with nothing to undo. */
   set(text: string, language: EditorLanguage): void;
+  /** Another text in the same language, as one change that can be undone. */
+  replace(text: string): void;
   /** Marks the line, from 1, in which the program failed, and shows it; null marks none. */
   fail(line: number | null): void;
   focus(): void;
