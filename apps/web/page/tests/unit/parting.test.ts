@@ -17,6 +17,8 @@ describe('two walks', () => {
   it('part where one of them ends', () => {
     const parting = partingOf(walk([0, 0], [0, 1]), walk([0, 0], [0, 1], [0, 2]));
     expect(parting).toEqual({ frame: 1, cell: [0, 1], actions: [null, 'to 0,2'] });
+    const other = partingOf(walk([0, 0], [0, 1], [0, 2]), walk([0, 0], [0, 1]));
+    expect(other).toEqual({ frame: 1, cell: [0, 1], actions: ['to 0,2', null] });
   });
   it('do not part where they are the same, whatever the steps are called', () => {
     const one = walk([0, 0], [0, 1]);

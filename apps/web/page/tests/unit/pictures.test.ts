@@ -78,4 +78,6 @@ describe('a drawing in SVG', () => {
 it('the tones of a heat map are for all losses from next to nothing to the most', () => {
   expect([lossLevel(0, 5), lossLevel(1e-9, 5), lossLevel(5, 5), lossLevel(0, 0)]).toEqual([0, 1, levels, 0]);
   for (let level = 1; level <= levels; ++level) expect(lossLevel(levelEnd(level, 5), 5)).toBe(level);
+  // Those of little loss are narrow: half of them are for less than a quarter of the most.
+  expect(levelEnd(levels / 2, 8)).toBe(2);
 });

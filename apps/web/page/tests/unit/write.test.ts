@@ -5,6 +5,7 @@ import { holdContest } from '../../src/write/contest';
 import { linkOf, longestProgram, readLink, readWork } from '../../src/write/keeping';
 import { languages } from '../../src/write/languages';
 import { linesBefore, withoutImports, workerSource } from '../../src/write/javascript/source';
+import { nameBefore } from '../../src/write/racing';
 import type { ToWorker } from '../../src/write/runtime';
 import type { Said } from '../../src/write/sandbox/cage';
 import type { Core } from '../../src/core/client';
@@ -20,6 +21,16 @@ test('a program comes back from its link', async () => {
   expect(await readLink(link)).toEqual(work);
 });
 
+test('a link has only what links may have, whatever is in it', async () => {
+  // So many that both signs of base64 that mean something else in links come up.
+  for (let i = 0; i < 40; ++i) {
+    const other = { ...work, text: `${i * 7919} ${'~?>'.repeat(i)}` };
+    const link = await linkOf(other);
+    expect(link).toMatch(/^[\w-]+$/);
+    expect(await readLink(link)).toEqual(other);
+  }
+});
+
 test('what is no link is none', async () => {
   const link = await linkOf(work);
   for (const bad of ['', 'x', 'AAAA', '%', link.slice(0, -9), `${link.slice(0, 9)}A${link.slice(10)}`])
@@ -31,6 +42,7 @@ test('what is no link is none', async () => {
     'null',
     '{"language":"cobol","name":"","text":""}',
     '{"language":"javascript","name":1,"text":""}',
+    JSON.stringify({ language: 'javascript', name: '', text: ' '.repeat(longestProgram + 1) }),
   ])
     expect(readWork(bad)).toBeNull();
 });
@@ -103,10 +115,12 @@ async function contest(said: Said[]) {
       return lines('end' in request);
     },
   } as unknown as Core;
-  const session = { say() {}, next: async () => said.shift() ?? null, end() {} };
+  const waited: number[] = [];
+  const next = async (patience: number) => (waited.push(Math.round(patience / 1000)), said.shift() ?? null);
+  const session = { say() {}, next, end() {} };
   const cage = { start: async () => session, close() {} };
   const entry = { language: javascript, program: '', name: '', maze: {} as MazeData, seed: 1 };
-  return { held: await holdContest(core, cage, entry), heard };
+  return { held: await holdContest(core, cage, entry), heard, waited };
 }
 
 test('a program that says nothing more has hung, and what it had printed is told', async () => {
@@ -117,6 +131,26 @@ test('a program that says nothing more has hung, and what it had printed is told
   ]);
   expect(heard).toEqual([{ contest: 1, output: 'mo', printed: 'a\n', end: { kind: 'silent', seconds: 2 } }]);
   expect(held!.prints).toEqual([{ frame: 0, text: 'a\n' }]);
+});
+
+test('a program has ten seconds to begin, and two for each answer; what it printed is told once', async () => {
+  const { heard, waited } = await contest([
+    { kind: 'print', text: 'a\n' },
+    { kind: 'ready' },
+    { kind: 'print', text: 'b\n' },
+    { kind: 'reply', lines: ['one'] },
+    { kind: 'reply', lines: ['two'] },
+    { kind: 'exited', code: 0 },
+  ]);
+  expect(waited).toEqual([10, 10, 2, 2, 2, 2]);
+  expect(heard).toMatchObject([{ printed: 'a\nb\n' }, { printed: '' }, { printed: '' }]);
+  expect((await contest([])).heard).toMatchObject([{ end: { kind: 'silent', seconds: 10 } }]);
+});
+
+test('the version before is told from the one of now, within the longest name', () => {
+  expect(nameBefore('first', 'second')).toBe('first');
+  expect(nameBefore('mine', 'mine')).toBe('mine-before');
+  expect(nameBefore('m'.repeat(40), 'm'.repeat(40))).toHaveLength(40);
 });
 
 test('what is no Unicode does not reach the core', async () => {
