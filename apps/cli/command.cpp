@@ -1,18 +1,19 @@
 #include "command.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 
+#include "labmouse/lab/system/calls.hpp"
 #include "labmouse/lab/system/file_problems.hpp"
 #include "labmouse/lab/system/files.hpp"
 #include "labmouse/lab/system/streams.hpp"
 #include "labmouse/mouse/pose.hpp"
 #include "labmouse/strategies/parameter.hpp"
+#include "terminal.hpp"
 
 namespace labmouse::cli {
 namespace {
@@ -142,7 +143,7 @@ NamedMaze find_maze(const std::string& path, const Places& places) {
 void print(const std::string& text) { write_out(text, printed); }
 
 void save(const std::string& path, const std::string& content) {
-  if (descriptor_to_write(path) == STDOUT_FILENO) return write_out(content, stdout);
+  if (descriptor_to_write(path) == standard_output) return write_out(content, stdout);
   if (const auto error = write_file(path, content); !error.empty())
     throw UsageError(fmt::format("{}: error: {}", path, error));
 }
@@ -162,13 +163,13 @@ void expect_outputs(std::initializer_list<Output> outputs) {
         throw UsageError(
             fmt::format("error: {} and {} name the same file; use two different files", other->option, one->option));
     require_writable(one->path);
-    if (descriptor_to_write(one->path) == STDOUT_FILENO) printed = stderr;
+    if (descriptor_to_write(one->path) == standard_output) printed = stderr;
   }
 }
 
 bool colours() {
   const char* no_colour = std::getenv("NO_COLOR");
-  return isatty(fileno(printed)) != 0 && (no_colour == nullptr || *no_colour == '\0');
+  return is_terminal(printed) && (no_colour == nullptr || *no_colour == '\0');
 }
 
 }  // namespace labmouse::cli

@@ -1,14 +1,14 @@
 #include "contests.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
+#include <chrono>
 #include <csignal>
 #include <cstdint>
 #include <cstdio>
-#include <ctime>
 
 #include "labmouse/lab/mice/specs.hpp"
+#include "terminal.hpp"
 
 namespace labmouse::cli {
 namespace {
@@ -18,9 +18,8 @@ std::atomic<int> caught_signal{0};
 std::atomic<std::int64_t> caught_at{0};
 
 std::int64_t milliseconds_now() {
-  timespec now{};
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  return std::int64_t{now.tv_sec} * 1000 + now.tv_nsec / 1'000'000;
+  const auto now = std::chrono::steady_clock::now().time_since_epoch();
+  return std::chrono::duration_cast<std::chrono::milliseconds>(now).count();
 }
 
 /// Raises the flag. A terminal that closes and `timeout` send their signal twice at once, so only a later one says that
@@ -30,7 +29,7 @@ void stop_or_end(int number) {
   if (stop_flag.exchange(true) && caught_signal != 0) {
     if (milliseconds_now() - caught_at < patience) return;
     std::signal(number, SIG_DFL);
-    raise(number);
+    std::raise(number);
     return;
   }
   caught_at = milliseconds_now();
@@ -120,7 +119,7 @@ std::unique_ptr<ResultsFolder> take_folder(const std::string& out, bool overwrit
   return folder;
 }
 
-Progress::Progress() : shown_(isatty(STDERR_FILENO) != 0) {}
+Progress::Progress() : shown_(is_terminal(stderr)) {}
 
 Progress::~Progress() {
   if (shown_ && done_ > 0) tell("\r\x1b[K");
@@ -137,15 +136,15 @@ void Progress::advance(std::size_t all) {
 Interruptible::Interruptible() {
   stop_flag = false;
   caught_signal = 0;
-  for (const int number : {SIGHUP, SIGTERM, SIGINT})
+  for (const int number : ending_signals())
     // `nohup` has the hangup ignored, and so it stays.
-    if (std::signal(number, stop_or_end) == SIG_IGN && number == SIGHUP) std::signal(number, SIG_IGN);
+    if (std::signal(number, stop_or_end) == SIG_IGN && is_hangup(number)) std::signal(number, SIG_IGN);
 }
 
 Interruptible::~Interruptible() {
   // What is done has still to be printed, and the first signal may come twice.
   if (caught_signal != 0) return;
-  for (const int number : {SIGHUP, SIGTERM, SIGINT})
+  for (const int number : ending_signals())
     if (std::signal(number, SIG_DFL) == SIG_IGN) std::signal(number, SIG_IGN);
 }
 

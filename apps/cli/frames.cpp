@@ -1,10 +1,9 @@
 #include "frames.hpp"
 
 #include <fmt/format.h>
-#include <sys/ioctl.h>
-#include <unistd.h>
 
 #include "command.hpp"
+#include "terminal.hpp"
 
 namespace labmouse::cli {
 namespace {
@@ -18,19 +17,18 @@ std::string over_the_last(std::string_view text) {
 
 /// A frame that scrolls or wraps cannot be watched.
 void require_room(Size size, int lines) {
-  winsize window{};
-  if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &window) != 0 || window.ws_row == 0) return;
+  const auto window = terminal_size();
   const int columns = 4 * size.width + 4, rows = 2 * size.height + 3 + lines;
-  if (window.ws_col >= columns && window.ws_row >= rows) return;
+  if (!window || (window->columns >= columns && window->rows >= rows)) return;
   throw UsageError(
       fmt::format("error: watching a {}x{} maze needs a terminal of {}x{}, but this one is {}x{}; enlarge the window, "
                   "use a smaller font, or pipe the output into a pager",
-                  size.width, size.height, columns, rows, window.ws_col, window.ws_row));
+                  size.width, size.height, columns, rows, window->columns, window->rows));
 }
 
 }  // namespace
 
-Frames::Frames(Size size, int lines) : moving_(isatty(STDOUT_FILENO) != 0) {
+Frames::Frames(Size size, int lines) : moving_(is_terminal(stdout)) {
   if (!moving_) return;
   require_room(size, lines);
   print("\x1b[2J");

@@ -1,13 +1,13 @@
 // labmouse: the command. One file a subcommand; what they do lies in labmouse/lab.
 #include <fmt/format.h>
 
-#include <csignal>
 #include <cstdio>
 #include <exception>
 
 #include "command.hpp"
 #include "labmouse/lab/system/version.hpp"
 #include "labmouse/lab/text/printable.hpp"
+#include "terminal.hpp"
 
 namespace {
 
@@ -25,10 +25,7 @@ void print_lines(std::string_view text) {
 
 int main(int argc, char** argv) {
   using namespace labmouse::cli;
-  // A reader that leaves early (`| head`) shows as a failed write; see print.
-  std::signal(SIGPIPE, SIG_IGN);
-  // A file that grows beyond `ulimit -f` shows as a failed write, too.
-  std::signal(SIGXFSZ, SIG_IGN);
+  let_writes_fail();
   CommandLine line("labmouse", "labmouse: a laboratory for mice that explore mazes they have never seen",
                    "labmouse " + std::string(labmouse::version()));
   Command& app = line.root();

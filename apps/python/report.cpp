@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <cstdlib>
+#include <atomic>
 #include <filesystem>
 
 #include "embedded_page.hpp"
@@ -10,6 +10,7 @@
 #include "labmouse/lab/galleries/race_folder.hpp"
 #include "labmouse/lab/reports/report_page.hpp"
 #include "labmouse/lab/standings/race_json.hpp"
+#include "labmouse/lab/system/calls.hpp"
 #include "labmouse/lab/system/files.hpp"
 
 namespace fs = std::filesystem;
@@ -21,9 +22,14 @@ namespace {
 class TemporaryFolder {
  public:
   TemporaryFolder() {
-    std::string name = (fs::temp_directory_path() / "labmouse-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw UserError("no temporary folder can be made");
-    path_ = name;
+    static std::atomic<unsigned> folders{0};
+    std::error_code error;
+    const fs::path place = fs::temp_directory_path(error);
+    // Another process of that number may have left its folder when it was killed.
+    do path_ = (place / fmt::format("labmouse-{}-{}", process_number(), folders++)).string();
+    while (!error && !fs::create_directory(path_, error));
+    if (!error) fs::permissions(path_, fs::perms::owner_all, error);
+    if (error) throw UserError("no temporary folder can be made: " + error.message());
   }
   TemporaryFolder(const TemporaryFolder&) = delete;
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;

@@ -4,6 +4,8 @@
 #include <map>
 #include <mutex>
 
+#include "labmouse/guests/process.hpp"
+
 namespace labmouse {
 namespace {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "labmouse/guests/process.hpp"
+#include "labmouse/guests/launch.hpp"
 
 namespace labmouse {
 

@@ -33,6 +33,11 @@ WORDS_OF_NO_VARIABLE = ("namespace|using|template|class|struct|enum|union|static
 GLOBAL = re.compile(rf"^(?!(?:{WORDS_OF_NO_VARIABLE})\b|(?:inline )?{FIXED})"
                     r"[A-Za-z_][^()]*[\w>&*\]]\s+\w+(?:\[[^]]*\])*\s*(?:=[^=]|=$|;|\{)")
 
+# Calls of one system: only in these files, which know that there are others, and in what a build without guests leaves out.
+SYSTEM_HEADER = re.compile(r"(sys|linux|net|netinet|arpa)/|(unistd|fcntl|poll|signal|pthread|sched|spawn|dirent|termios|dlfcn|pwd"
+                           r"|grp|glob|io|process|windows)\.h$")
+SYSTEM_FILES = ("labmouse/lab/system/calls.cpp", "apps/cli/terminal.cpp")
+
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
 
@@ -172,6 +177,27 @@ def cycle_violations(root):
             return
 
 
+def system_violations(root):
+    """What a build without guests compiles includes no header of one system, itself or through others of ours."""
+    guests = re.search(r'set\(LABMOUSE_LEFT_OUT "([^"]*/guests/[^"]*)"\)', (root / "CMakeLists.txt").read_text(encoding="utf-8"))
+    left_out = re.compile(guests[1]) if guests else None
+    reached = set()
+    todo = [path for path in sources(root / "labmouse") + sources(root / "apps") if path.suffix == ".cpp"
+            and not (left_out and left_out.search(f"/{path.relative_to(root).as_posix()}"))]
+    while todo:
+        path = todo.pop()
+        name = path.relative_to(root).as_posix()
+        if path in reached or name in SYSTEM_FILES or not path.exists():
+            continue
+        reached.add(path)
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+            match = INCLUDE.match(line)
+            if match and match[1] == '"':
+                todo += [root / match[2], path.parent / match[2]]
+            elif match and SYSTEM_HEADER.match(match[2]):
+                yield path, number, f"<{match[2]}> is of one system; {SYSTEM_FILES[0]} is for such calls"
+
+
 def static_violations(root):
     """The portable rooms have no variables outside of functions and objects but those that the compiler has fixed."""
     for room in PORTABLE_ROOMS:
@@ -228,7 +254,7 @@ def violations(root):
     page = (root / "ARCHITECTURE.md").read_text(encoding="utf-8")
     rooms, wings = rooms_of(page), wings_of(page)
     found = [*include_violations(root, rooms), *wing_violations(root, wings), *world_violations(root),
-             *cycle_violations(root), *static_violations(root), *link_violations(root, rooms),
+             *cycle_violations(root), *static_violations(root), *system_violations(root), *link_violations(root, rooms),
              *roster_violations(root), *public_header_violations(root)]
     return [f"{path.relative_to(root)}:{number}: error: {reason}" for path, number, reason in found]
 

@@ -134,6 +134,20 @@ class Architecture(unittest.TestCase):
             "labmouse/maze/b.cpp": '#include "labmouse/maze/a.hpp"\n',
         }), ["labmouse/maze/a:1: error: includes itself: labmouse/maze/a -> labmouse/maze/b -> labmouse/maze/a"])
 
+    def test_what_only_one_system_has(self):
+        files = {
+            "labmouse/lab/system/calls.cpp": "#include <unistd.h>\n",
+            "labmouse/lab/kept.cpp": "#include <csignal>\n#include <sys.h>\n",
+            "labmouse/lab/race.cpp": "#include <sys/stat.h>\n",
+            "labmouse/maze/keeper.cpp": '#include <poll.h>\n#include "labmouse/maze/keeper.hpp"\n',
+            "labmouse/maze/keeper.hpp": "#include <unistd.h>\n",
+            "CMakeLists.txt": 'set(LABMOUSE_LEFT_OUT "/guests/.*|/maze/(keeper)[.]cpp$")\n',
+        }
+        reason = "is of one system; labmouse/lab/system/calls.cpp is for such calls"
+        self.assertEqual(violations_of(files), [f"labmouse/lab/race.cpp:1: error: <sys/stat.h> {reason}"])
+        files["labmouse/lab/race.cpp"] = '#include "labmouse/maze/keeper.hpp"\n'
+        self.assertEqual(violations_of(files), [f"labmouse/maze/keeper.hpp:1: error: <unistd.h> {reason}"])
+
     def test_variables_that_last(self):
         for line in ("static int calls = 0;", "  static const std::vector<int> table = [] {", "  static Knowledge known;",
                      "  static std::vector<int> table(100);", "  static std::vector<int> table(size);",

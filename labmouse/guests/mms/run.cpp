@@ -5,6 +5,7 @@
 #include <csignal>
 
 #include "labmouse/guests/patience.hpp"
+#include "labmouse/guests/process.hpp"
 #include "labmouse/guests/quoted_line.hpp"
 
 namespace labmouse {

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "labmouse/guests/launch.hpp"
 #include "labmouse/guests/mms/host.hpp"
-#include "labmouse/guests/process.hpp"
 
 namespace labmouse {
 

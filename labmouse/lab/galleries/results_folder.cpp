@@ -1,15 +1,14 @@
 #include "labmouse/lab/galleries/results_folder.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
-#include <sys/stat.h>
 
+#include <cerrno>
 #include <filesystem>
 #include <fstream>
 #include <vector>
 
 #include "labmouse/lab/races/race_paths.hpp"
+#include "labmouse/lab/system/calls.hpp"
 #include "labmouse/lab/system/file_names.hpp"
 #include "labmouse/lab/system/file_problems.hpp"
 #include "labmouse/lab/system/streams.hpp"
@@ -89,11 +88,10 @@ std::string remove_all(const fs::path& folder, const std::vector<fs::path>& file
 /// An open lock file that is locked by us; its error number is in `error` where there is none.
 Descriptor locked(const std::string& path, int& error) {
   while (true) {
-    Descriptor file = Descriptor::opened(open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
-    error = file.number() < 0 || flock(file.number(), LOCK_EX | LOCK_NB) != 0 ? errno : 0;
-    struct stat status {};
+    Descriptor file = Descriptor::opened(open_lock(path));
+    error = file.number() < 0 ? errno : lock_file(file.number());
     // The race that had it before may have removed it in between, and then it locks nothing.
-    if (error != 0 || (fstat(file.number(), &status) == 0 && status.st_nlink > 0)) return file;
+    if (error != 0 || has_name(file.number())) return file;
   }
 }
 
@@ -130,7 +128,8 @@ std::string ResultsFolder::take(const std::string& path, bool overwrite) {
 
 ResultsFolder::~ResultsFolder() {
   // Before it is unlocked, so that nobody has locked it when it goes.
-  if (!lock_path_.empty()) unlink(lock_path_.c_str());
+  std::error_code unknown;
+  if (!lock_path_.empty()) fs::remove(lock_path_, unknown);
 }
 
 }  // namespace labmouse

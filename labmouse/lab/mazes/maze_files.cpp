@@ -1,12 +1,12 @@
 #include "labmouse/lab/mazes/maze_files.hpp"
 
 #include <fmt/format.h>
-#include <glob.h>
 
 #include <algorithm>
 #include <filesystem>
 
 #include "labmouse/lab/mazes/builtin_mazes.hpp"
+#include "labmouse/lab/system/calls.hpp"
 #include "labmouse/lab/system/files.hpp"
 #include "labmouse/lab/system/streams.hpp"
 #include "labmouse/lab/text/printable.hpp"
@@ -59,18 +59,15 @@ void add_folder(const std::string& folder, MazeCollection& collection, std::vect
 
 /// Adds what a pattern matches; false where it matches nothing.
 bool add_matches(const std::string& pattern, MazeCollection& collection) {
-  glob_t matches{};
-  const bool found = glob(pattern.c_str(), 0, nullptr, &matches) == 0;
-  for (std::size_t i = 0; found && i < matches.gl_pathc; ++i) {
-    const std::string path = matches.gl_pathv[i];
+  const std::vector<std::string> paths = paths_like(pattern);
+  for (const std::string& path : paths) {
     std::error_code unknown;
     if (fs::is_directory(path, unknown))
       add_folder(path, collection, collection.skipped);
     else
       add_file(path, read_found_file(path), collection, collection.skipped);
   }
-  globfree(&matches);
-  return found;
+  return !paths.empty();
 }
 
 bool add_builtin(const std::string& name, MazeCollection& collection) {

@@ -1,4 +1,6 @@
 // What a build without guests says of them: LABMOUSE_GUESTS, for systems other than Linux.
+#include "labmouse/guests/capstone.hpp"
+#include "labmouse/guests/command_line.hpp"
 #include "labmouse/guests/mms/run.hpp"
 #include "labmouse/lab/mice/guest_specs.hpp"
 
@@ -7,6 +9,10 @@ namespace labmouse {
 void read_guest_spec(std::string_view, const GuestOptions&, SpecResult& result) {
   result.error = "this build starts no programs; on Linux, build it with -DLABMOUSE_GUESTS=ON";
 }
+
+std::string program_path(std::string_view, std::string_view) { return ""; }
+
+std::string python_version(const std::string&, bool) { return ""; }
 
 MmsRun run_mms(const Launch&, const Maze&, const MmsOptions&,
                const std::function<void(const MmsEvent&, const MmsHost&)>&) {

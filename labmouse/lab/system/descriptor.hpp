@@ -1,10 +1,10 @@
 // An open file of the system.
 #pragma once
 
-#include <unistd.h>
-
 #include <cerrno>
 #include <utility>
+
+#include "labmouse/lab/system/calls.hpp"
 
 namespace labmouse {
 
@@ -31,7 +31,7 @@ class Descriptor {
   /// Closes it now. Returns the error number of a system that only now says that it could not write, or 0.
   int close() {
     const int number = std::exchange(number_, -1);
-    return number >= 0 && owned_ && ::close(number) != 0 ? errno : 0;
+    return number >= 0 && owned_ && close_descriptor(number) != 0 ? errno : 0;
   }
 
  private:

@@ -9,8 +9,10 @@ std::string cause_of(int error_number) {
   switch (error_number) {
     case ENOSPC:
       return "no space left on the device";
+#ifdef EDQUOT  // not on Windows
     case EDQUOT:
       return "the disk quota is exceeded";
+#endif
     case EFBIG:
       return "the file would exceed the limit of `ulimit -f` or of the file system";
     case EROFS:

@@ -1,11 +1,11 @@
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/stat.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <mutex>
 
+#include "labmouse/lab/system/calls.hpp"
 #include "labmouse/lab/system/descriptor.hpp"
 #include "labmouse/lab/system/file_problems.hpp"
 #include "labmouse/lab/system/files.hpp"
@@ -14,6 +14,8 @@
 
 namespace labmouse {
 namespace {
+
+namespace fs = std::filesystem;
 
 FileContent unreadable(int error_number) {
   if (error_number == ENOENT) return {"", "no such file"};
@@ -30,8 +32,7 @@ FileContent read_all(int descriptor, std::size_t expected, std::size_t most_byte
   std::string content(std::min(expected, most_bytes) + least, '\0');
   std::size_t size = 0;
   while (true) {
-    const ssize_t count = read(descriptor, content.data() + size, content.size() - size);
-    if (count < 0 && errno == EINTR) continue;
+    const std::ptrdiff_t count = read_some(descriptor, content.data() + size, content.size() - size);
     if (count < 0) return unreadable(errno);
     size += static_cast<std::size_t>(count);
     if (size > most_bytes) return {"", fmt::format("is too large: more than {} bytes", most_bytes)};
@@ -52,12 +53,12 @@ struct Streams {
 FileContent read_stream(const std::string& path, int descriptor, std::size_t most_bytes) {
   static Streams streams;
   const std::lock_guard lock(streams.mutex);
-  const std::string name = descriptor == STDIN_FILENO ? "-" : path;
+  const std::string name = descriptor == standard_input ? "-" : path;
   auto known = streams.contents.find(name);
   if (known == streams.contents.end()) {
     // A pipe that has a name waits here for somebody who writes.
-    const Descriptor opened = descriptor >= 0 ? Descriptor::borrowed(descriptor)
-                                              : Descriptor::opened(open(path.c_str(), O_RDONLY | O_CLOEXEC));
+    const Descriptor opened =
+        descriptor >= 0 ? Descriptor::borrowed(descriptor) : Descriptor::opened(open_to_read(path));
     if (opened.number() < 0) return unreadable(errno);
     known = streams.contents.emplace(name, read_all(opened.number(), 0, most_bytes)).first;
   }
@@ -67,7 +68,7 @@ FileContent read_stream(const std::string& path, int descriptor, std::size_t mos
 
 FileContent read_regular(const std::string& path, std::size_t bytes, std::size_t most_bytes) {
   if (bytes > most_bytes) return too_large(bytes, most_bytes);
-  const Descriptor opened = Descriptor::opened(open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  const Descriptor opened = Descriptor::opened(open_to_read(path));
   return opened.number() < 0 ? unreadable(errno) : read_all(opened.number(), bytes, most_bytes);
 }
 
@@ -75,10 +76,14 @@ FileContent read_path(const std::string& path, std::size_t most_bytes, bool stre
   if (path.empty()) return {"", "the path of the file is empty"};
   if (const auto descriptor = descriptor_to_read(path); descriptor && streams)
     return read_stream(path, *descriptor, most_bytes);
-  struct stat status {};
-  if (stat(path.c_str(), &status) != 0) return unreadable(errno);
-  if (S_ISDIR(status.st_mode)) return unreadable(EISDIR);
-  if (S_ISREG(status.st_mode)) return read_regular(path, static_cast<std::size_t>(status.st_size), most_bytes);
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (!fs::exists(status)) return unreadable(error ? error.value() : ENOENT);
+  if (fs::is_directory(status)) return unreadable(EISDIR);
+  if (fs::is_regular_file(status)) {
+    const auto size = fs::file_size(path, error);
+    return error ? unreadable(error.value()) : read_regular(path, static_cast<std::size_t>(size), most_bytes);
+  }
   return streams ? read_stream(path, -1, most_bytes) : FileContent{"", "is a pipe or a device, not a regular file"};
 }
 

@@ -1,10 +1,10 @@
 #include "labmouse/lab/system/streams.hpp"
 
-#include <unistd.h>
-
 #include <charconv>
 #include <filesystem>
 #include <string_view>
+
+#include "labmouse/lab/system/calls.hpp"
 
 namespace labmouse {
 namespace {
@@ -24,13 +24,13 @@ std::optional<int> numbered(std::string_view path) {
 }  // namespace
 
 std::optional<int> descriptor_to_read(const std::string& path) {
-  if (path == "-" || path == "/dev/stdin") return STDIN_FILENO;
+  if (path == "-" || path == "/dev/stdin") return standard_input;
   return numbered(path);
 }
 
 std::optional<int> descriptor_to_write(const std::string& path) {
-  if (path == "-" || path == "/dev/stdout") return STDOUT_FILENO;
-  if (path == "/dev/stderr") return STDERR_FILENO;
+  if (path == "-" || path == "/dev/stdout") return standard_output;
+  if (path == "/dev/stderr") return standard_error;
   return numbered(path);
 }
 
