@@ -1,10 +1,12 @@
 #include "briefing.hpp"
 
+#include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
 #include "bindings.hpp"
+#include "labmouse/mouse/robot/drive_model.hpp"
 
 namespace nb = nanobind;
 
@@ -33,11 +35,32 @@ void bind_briefings(nb::module_& module) {
           },
           "The goal cells.")
       .def_prop_ro(
-          "stride", [](const PythonBriefing& told) { return told.briefing.motion.longest; },
-          "The longest movement of a step, in cells.")
+          "world", [](const PythonBriefing& told) { return told.briefing.in_seconds() ? "seconds" : "strides"; },
+          "'strides' or 'seconds'.")
       .def_prop_ro(
-          "budget", [](const PythonBriefing& told) { return told.briefing.budget; },
-          "Steps that both runs may take together.")
+          "stride",
+          [](const PythonBriefing& told) {
+            return told.briefing.in_seconds() ? max_drive_side : told.briefing.motion.longest;
+          },
+          "The longest movement of a step, in cells: 3 by the rules; in seconds any straight that it has seen to be "
+          "open.")
+      .def_prop_ro(
+          "budget",
+          [](const PythonBriefing& told) {
+            return told.briefing.in_seconds() ? std::nullopt : std::optional(told.briefing.budget);
+          },
+          "Steps that both runs may take together; None in seconds.")
+      .def_prop_ro(
+          "time_limit",
+          [](const PythonBriefing& told) {
+            const auto& drive = told.briefing.drive;
+            return told.briefing.in_seconds() ? std::optional(static_cast<double>(drive.time_limit) / 1e6)
+                                              : std::nullopt;
+          },
+          "Seconds that it may be in the maze; None in steps.")
+      .def_prop_ro(
+          "sight", [](const PythonBriefing& told) { return told.briefing.sight; },
+          "Cells that a reading reaches at most: in a reading of so many, no wall was seen at the end.")
       .def_prop_ro(
           "seed", [](const PythonBriefing& told) { return told.briefing.seed; },
           "For a mouse that throws dice: the same contest always has the same seed; below 2**64.");

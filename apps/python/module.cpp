@@ -1,10 +1,15 @@
 // labmouse._native: the library for Python. What it computes comes from the library; what a user sees first is in
 // apps/python/labmouse.
+#include <fmt/format.h>
+#include <nanobind/stl/filesystem.h>
 #include <nanobind/stl/string.h>
 
+#include <filesystem>
 #include <string>
 
 #include "bindings.hpp"
+#include "errors.hpp"
+#include "labmouse/lab/system/files.hpp"
 #include "labmouse/lab/system/version.hpp"
 
 NB_MODULE(_native, module) {
@@ -14,6 +19,16 @@ NB_MODULE(_native, module) {
   module.def(
       "version", [] { return std::string(labmouse::version()); }, "The release, and the commit where it is known.");
   labmouse::python::bind_errors(module);
+  module.def(
+      "write_file",
+      [](const std::filesystem::path& path, const std::string& text) {
+        const std::string file = path.string();
+        if (const auto error = labmouse::write_file(file, text); !error.empty())
+          throw labmouse::python::UserError(fmt::format("{}: error: {}", file, error));
+      },
+      nanobind::arg("path"), nanobind::arg("text"),
+      nanobind::sig("def write_file(path: str | os.PathLike[str], text: str) -> None"),
+      "Writes a file whole or not at all. Raises Error.");
   labmouse::python::bind_mazes(module);
   labmouse::python::bind_sightings(module);
   labmouse::python::bind_briefings(module);

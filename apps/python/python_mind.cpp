@@ -5,14 +5,20 @@
 
 #include <array>
 #include <cstring>
+#include <map>
 #include <vector>
 
 #include "bindings.hpp"
 #include "briefing.hpp"
 #include "errors.hpp"
+#include "labmouse/contest/drive.hpp"
 #include "labmouse/contest/simulator.hpp"
 #include "labmouse/lab/mazes/maze_link.hpp"
+#include "labmouse/lab/robots/drive_rules_file.hpp"
+#include "labmouse/lab/robots/robot_files.hpp"
+#include "labmouse/lab/seconds/seconds_entry.hpp"
 #include "labmouse/lab/text/printable.hpp"
+#include "labmouse/mouse/drive/fastest.hpp"
 #include "sightings.hpp"
 
 namespace nb = nanobind;
@@ -61,7 +67,7 @@ std::optional<Action> action_of(PyObject* answer) {
 class PythonMind final : public Strategy {
  public:
   PythonMind(const std::shared_ptr<const MouseMaker>& maker, const Briefing& briefing, const std::atomic<bool>* stop)
-      : maker_(maker), knowledge_(briefing.size), stop_(stop) {
+      : maker_(maker), knowledge_(briefing.size), stop_(stop), in_seconds_(briefing.in_seconds()) {
     try {
       mouse_ = maker_->maker()(nb::cast(PythonBriefing{briefing}));
       decide_ = mouse_.attr("decide");
@@ -93,9 +99,12 @@ class PythonMind final : public Strategy {
       return Action::forfeit(reason_);
     }
     if (action->kind == Action::Kind::forfeit) {
-      reason_ = action->reason;
-      last_words_ = "it answered 'forfeit'";
+      // After a run in seconds it is asked whether there is more to do.
+      reason_ = has_run_ ? ForfeitReason::finished : action->reason;
+      if (!has_run_) last_words_ = "it answered 'forfeit'";
+      return Action::forfeit(reason_);
     }
+    has_run_ = has_run_ || (in_seconds_ && action->kind == Action::Kind::reset);
     return *action;
   }
 
@@ -124,7 +133,9 @@ class PythonMind final : public Strategy {
   nb::object mouse_, decide_;
   Knowledge knowledge_;
   const std::atomic<bool>* stop_;
+  const bool in_seconds_;
   bool started_ = false;
+  bool has_run_ = false;
   ForfeitReason reason_ = ForfeitReason::none;
   std::string last_words_;
 };
@@ -141,6 +152,29 @@ std::string death() {
   append(actions, Action::forfeit(ForfeitReason::died));
   return actions;
 }
+
+/// Keeps what a mouse did, for another process.
+class KeptMind final : public Strategy {
+ public:
+  explicit KeptMind(std::unique_ptr<Strategy> mouse) : mouse_(std::move(mouse)) {}
+
+  Action decide(const Sighting& seen) override {
+    const Action action = mouse_->decide(seen);
+    append(actions_, action);
+    return action;
+  }
+  const Knowledge& knowledge() const override { return mouse_->knowledge(); }
+
+  /// The actions, the last words and whether it started.
+  nb::tuple played() const {
+    return nb::make_tuple(nb::bytes(actions_.data(), actions_.size()), std::string(mouse_->last_words()),
+                          mouse_->started());
+  }
+
+ private:
+  std::unique_ptr<Strategy> mouse_;
+  std::string actions_;
+};
 
 /// What a mouse did in another process, step by step.
 class PlayedMind final : public Strategy {
@@ -168,13 +202,14 @@ class PlayedMind final : public Strategy {
   std::size_t next_ = 0;
 };
 
-/// The mind that another process played; null where the contest is to be held here.
-std::unique_ptr<Strategy> played_elsewhere(const MouseMaker& maker, const Maze& maze, const Rules& rules,
-                                           std::uint64_t seed) {
+/// The mind that another process played, given what play() takes behind the maker; null where the contest is to be held
+/// here.
+template <class... Contest>
+std::unique_ptr<Strategy> played_elsewhere(const MouseMaker& maker, const Maze& maze, const Contest&... contest) {
   const nb::gil_scoped_acquire lock;
   if (maker.elsewhere().is_none()) return nullptr;
   try {
-    const nb::object played = maker.elsewhere()(link_of({"", maze}), rules.budget, rules.stride, seed);
+    const nb::object played = maker.elsewhere()(link_of({"", maze}), contest...);
     if (played.is_none()) return nullptr;
     const auto actions = nb::cast<nb::bytes>(played[0]);
     return std::make_unique<PlayedMind>(maze.size(), std::string_view(actions.c_str(), actions.size()),
@@ -184,40 +219,88 @@ std::unique_ptr<Strategy> played_elsewhere(const MouseMaker& maker, const Maze& 
   }
 }
 
-/// Holds a contest in this process, for another one: the actions, the last words and whether the mouse started.
-nb::tuple play(nb::object maker, const std::string& link, int budget, int stride, std::uint64_t seed) {
-  const ReadLinkResult maze = read_link(link);
-  if (!maze.maze) throw UserError(maze.error);
+std::unique_ptr<Strategy> mind_of(nb::object maker, const Briefing& briefing) {
+  return std::make_unique<PythonMind>(std::make_shared<const MouseMaker>(std::move(maker), nb::none()), briefing,
+                                      nullptr);
+}
+
+Maze maze_of(const std::string& link) {
+  ReadLinkResult read = read_link(link);
+  if (!read.maze) throw UserError(read.error);
+  return std::move(read.maze->maze);
+}
+
+/// Holds a contest in steps in this process, for another one.
+nb::tuple play_in_steps(nb::object maker, const std::string& link, int budget, int stride, std::uint64_t seed) {
+  const Maze maze = maze_of(link);
   Rules rules;
   rules.budget = budget;
   rules.stride = stride;
-  const auto mouse = python_contestant({"", std::move(maker), false, nb::none()}, nullptr);
-  const auto mind = mouse.make(maze.maze->maze, rules, seed);
-  const RunRecord record = run(maze.maze->maze, rules, *mind);
-  std::string actions;
-  for (const StepRecord& step : record.steps) append(actions, step.action);
-  return nb::make_tuple(nb::bytes(actions.data(), actions.size()), record.last_words, mind->started());
+  KeptMind mind(mind_of(std::move(maker), brief(maze, rules, seed)));
+  run(maze, rules, mind);
+  return mind.played();
+}
+
+/// A robot and rules, as many contests have them.
+struct Driving {
+  DriveModel model;
+  DriveRules rules;
+};
+
+/// Kept, since a model takes longer to make than a contest to hold. Only with the interpreter's lock.
+const Driving& driving_by(const std::string& robot, const std::string& rules) {
+  static std::map<std::pair<std::string, std::string>, Driving> kept;
+  const auto known = kept.find({robot, rules});
+  if (known != kept.end()) return known->second;
+  FoundRobot found = find_robot(robot);
+  if (!found.errors.empty()) throw UserError(fmt::format("{}", fmt::join(found.errors, "\n")));
+  FoundRules named = find_rules(rules);
+  if (!named.errors.empty()) throw UserError(fmt::format("{}", fmt::join(named.errors, "\n")));
+  Driving& driving = kept[{robot, rules}];
+  driving = {std::move(found.model), std::move(named.rules)};
+  share_route_tables(driving.model);
+  return driving;
+}
+
+/// The same in seconds.
+nb::tuple play_in_seconds(nb::object maker, const std::string& link, const std::string& robot, const std::string& rules,
+                          std::uint64_t seed) {
+  const Maze maze = maze_of(link);
+  const Driving& driving = driving_by(robot, rules);
+  KeptMind mind(mind_of(std::move(maker), brief(maze, driving.rules, driving.model, seed)));
+  drive(maze, driving.rules, driving.model, mind);
+  return mind.played();
 }
 
 }  // namespace
 
-Contestant python_contestant(OwnMouse own, const std::atomic<bool>* stop) {
+Contestant python_contestant(OwnMouse own, const WorldSettings& settings, const std::atomic<bool>* stop) {
   Contestant mouse;
   mouse.name = own.name;
   mouse.uses_chance = own.uses_chance;
-  mouse.make = [shared = std::make_shared<const MouseMaker>(std::move(own.maker), std::move(own.elsewhere)), stop](
-                   const Maze& maze, const Rules& rules, std::uint64_t seed) -> std::unique_ptr<Strategy> {
-    if (auto played = played_elsewhere(*shared, maze, rules, seed)) return played;
+  const auto shared = std::make_shared<const MouseMaker>(std::move(own.maker), std::move(own.elsewhere));
+  mouse.make = [shared, stop](const Maze& maze, const Rules& rules, std::uint64_t seed) -> std::unique_ptr<Strategy> {
+    if (auto played = played_elsewhere(*shared, maze, rules.budget, rules.stride, seed)) return played;
     return std::make_unique<PythonMind>(shared, brief(maze, rules, seed), stop);
+  };
+  mouse.drive = [shared, stop, robot = std::string(value_of(seconds_entry, settings, "robot")),
+                 rules = std::string(value_of(seconds_entry, settings, "rules"))](
+                    const Maze& maze, const Briefing& briefing) -> std::unique_ptr<Strategy> {
+    if (auto played = played_elsewhere(*shared, maze, robot, rules, briefing.seed)) return played;
+    return std::make_unique<PythonMind>(shared, briefing, stop);
   };
   return mouse;
 }
 
 void bind_minds(nb::module_& module) {
   module.def(
-      "play", &play, "maker"_a, "link"_a, "budget"_a, "stride"_a, "seed"_a,
+      "play", &play_in_steps, "maker"_a, "link"_a, "budget"_a, "stride"_a, "seed"_a,
       nb::sig("def play(maker: object, link: str, budget: int, stride: int, seed: int) -> tuple[bytes, str, bool]"),
-      "Holds a contest for another process.");
+      "Holds a contest in steps for another process: the actions, the last words and whether the mouse started.");
+  module.def(
+      "play", &play_in_seconds, "maker"_a, "link"_a, "robot"_a, "rules"_a, "seed"_a,
+      nb::sig("def play(maker: object, link: str, robot: str, rules: str, seed: int) -> tuple[bytes, str, bool]"),
+      "The same in seconds.");
   module.def(
       "death",
       [] {

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "labmouse/lab/mice/contestant.hpp"
+#include "labmouse/lab/races/world_entry.hpp"
 
 namespace labmouse::python {
 
@@ -34,8 +35,8 @@ class MouseMaker {
 };
 
 /// A mouse in Python: its name, what makes it once a contest, and whether it throws dice. `elsewhere` may be None, or
-/// is called before each contest with the maze as a link, the numbers of the rules and the seed: it gives what play()
-/// gave in another process, or None where the contest is to be held here.
+/// is called before each contest with what play() takes behind the maker: it gives what play() gave in another process,
+/// or None where the contest is to be held here.
 struct OwnMouse {
   std::string name;
   nanobind::object maker;
@@ -43,7 +44,8 @@ struct OwnMouse {
   nanobind::object elsewhere;
 };
 
-/// Such a mouse as a contestant. Once `stop`, which may be null, is true, it decides no more.
-Contestant python_contestant(OwnMouse mouse, const std::atomic<bool>* stop);
+/// Such a mouse as a contestant, in steps and in seconds. Other processes need the settings of its world. Once `stop`,
+/// which may be null, is true, it decides no more.
+Contestant python_contestant(OwnMouse mouse, const WorldSettings& settings, const std::atomic<bool>* stop);
 
 }  // namespace labmouse::python

@@ -9,15 +9,19 @@
 #include <nanobind/stl/vector.h>
 
 #include <memory>
+#include <optional>
 
 #include "bindings.hpp"
 #include "entering.hpp"
 #include "errors.hpp"
+#include "labmouse/lab/galleries/race_folder.hpp"
+#include "labmouse/lab/galleries/results_folder.hpp"
 #include "labmouse/lab/numbers/statistics.hpp"
 #include "labmouse/lab/standings/race_json.hpp"
 #include "labmouse/lab/standings/race_notes.hpp"
 #include "labmouse/lab/standings/race_table.hpp"
 #include "labmouse/lab/standings/standings.hpp"
+#include "labmouse/lab/system/files.hpp"
 #include "orders.hpp"
 #include "values.hpp"
 #include "work.hpp"
@@ -38,7 +42,8 @@ struct HeldRace {
 class RunningRace {
  public:
   RunningRace(const GivenMice& mice, std::vector<NamedMaze> mazes, const GivenWorld& world, int runs,
-              std::uint64_t seed, int jobs) {
+              std::uint64_t seed, int jobs, const std::string& out, bool overwrite)
+      : out_(out) {
     if (runs < 1 || runs > 1'000'000) throw UserError(fmt::format("runs is a number from 1 to 1000000, not {}", runs));
     if (jobs < 0 || jobs > 1024) throw UserError(fmt::format("jobs is a number from 0 to 1024, not {}", jobs));
     Field field = enter(choice_of(mice, std::move(mazes), world), &work_.stopped());
@@ -51,11 +56,20 @@ class RunningRace {
     order.seed = seed;
     order.jobs = jobs;
     const std::size_t all = contests_of(field.entry.mice, field.mazes.size(), order);
+    if (!out_.empty()) {
+      folder_ = std::make_unique<ResultsFolder>(out_, overwrite);
+      if (!folder_->error().empty()) throw UserError(folder_->error());
+    }
     work_.start([this, order, all, field = std::move(field)]() mutable {
       RaceHooks hooks;
       hooks.stop = &work_.stopped();
-      hooks.finished = [this, all](const Race&, const ContestResult&, const Held&) { work_.advance(all); };
+      if (!out_.empty()) hooks.keep = RaceFolder::keep;
+      hooks.finished = [this, all](const Race& race, const ContestResult& contest, const Held& held) {
+        work_.advance(all);
+        save(race, contest, held);
+      };
       held_->race = hold_race(std::move(field.entry.mice), std::move(field.mazes), order, hooks);
+      save_results();
     });
   }
 
@@ -67,8 +81,28 @@ class RunningRace {
   }
 
  private:
+  void save(const Race& race, const ContestResult& contest, const Held& held) {
+    if (out_.empty() || !failed_write_.empty()) return;
+    if (!records_) records_.emplace(out_, race);
+    if (failed_write_ = records_->save(contest, held); !failed_write_.empty()) work_.stop();
+  }
+
+  void save_results() {
+    if (out_.empty()) return;
+    const std::string path = fmt::format("{}/{}", out_, results_file_name);
+    if (failed_write_.empty()) {
+      const std::string error = write_file(path, json_of(held_->race, held_->skipped));
+      if (!error.empty()) failed_write_ = fmt::format("{}: error: {}", path, error);
+    }
+    folder_.reset();
+    if (!failed_write_.empty()) throw UserError(failed_write_);
+  }
+
   std::shared_ptr<HeldRace> held_;
   std::vector<std::string> remarks_;
+  std::string out_, failed_write_;
+  std::unique_ptr<ResultsFolder> folder_;
+  std::optional<RaceFolder> records_;
   Work work_;  // last: its thread ends before the others do
 };
 
@@ -161,8 +195,9 @@ void bind_races(nb::module_& module) {
       .def("csv", [](const HeldRace& held) { return csv_of(held.race); })
       .def("json", [](const HeldRace& held) { return json_of(held.race, held.skipped); });
   nb::class_<RunningRace>(module, "RunningRace")
-      .def(nb::init<const GivenMice&, std::vector<NamedMaze>, const GivenWorld&, int, std::uint64_t, int>(), "mice"_a,
-           "mazes"_a, "world"_a, "runs"_a, "seed"_a, "jobs"_a)
+      .def(nb::init<const GivenMice&, std::vector<NamedMaze>, const GivenWorld&, int, std::uint64_t, int,
+                    const std::string&, bool>(),
+           "mice"_a, "mazes"_a, "world"_a, "runs"_a, "seed"_a, "jobs"_a, "out"_a, "overwrite"_a)
       .def_prop_ro("remarks", &RunningRace::remarks)
       .def_prop_ro("done", [](RunningRace& running) { return running.work().done(); })
       .def_prop_ro("all", [](RunningRace& running) { return running.work().all(); })

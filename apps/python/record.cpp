@@ -122,9 +122,9 @@ void bind_records(nb::module_& module) {
       .def_prop_ro("score", [](const HeldContest& held) { return held.result().score; })
       .def_prop_ro("bound", [](const HeldContest& held) { return held.race.facts.front().bound; })
       .def_prop_ro("last_words",
-                   [](const HeldContest& held) -> std::string {
-                     const auto* run = std::any_cast<RunRecord>(&held.held.run);
-                     return run == nullptr ? "" : run->last_words;
+                   [](const HeldContest& held) {
+                     const Value said = figure_of(held.race, held.result(), said_last);
+                     return std::holds_alternative<std::string>(said) ? std::get<std::string>(said) : std::string();
                    })
       .def_prop_ro("svg", [](const HeldContest& held) { return held.held.picture; })
       .def_prop_ro("record", [](const HeldContest& held) { return held.held.record; })

@@ -195,7 +195,8 @@ Race made_up() {
     result.maze = maze;
     result.done = true;
     result.outcome = "out of time";
-    result.figures = {nullptr, 30'000'000, nullptr, nullptr, false, 2, 0, 0, 0.5, 0.25, nullptr, nullptr, nullptr};
+    result.figures = {nullptr, 30'000'000, nullptr, nullptr, false,   2,       0,
+                      0,       0.5,        0.25,    Value(), nullptr, nullptr, nullptr};
     if (value == 0) return;
     result.outcome = "finished";
     result.score = result.counted = static_cast<double>(value) / 1e6;

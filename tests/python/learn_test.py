@@ -128,6 +128,17 @@ def test_arrays_are_the_same_memory_and_not_to_be_written_to():
             array[0] = 0
 
 
+def test_copies_do_not_change():
+    envs = learn.ContestVectorEnv(4, SMALL, copy=True)
+    first, info = envs.reset(seed=1)
+    arrays = first, info["action_mask"], info["return"]
+    before = [array.copy() for array in arrays]
+    for _ in range(5):
+        envs.step(envs.draw_valid_actions())
+    assert all((now == then).all() for now, then in zip(arrays, before))
+    first[0] = 0  # and are their owner's
+
+
 def test_memory_outlives_its_environment():
     seen, _ = learn.ContestVectorEnv(100, "train", "bits").reset(seed=1)
     kept = seen.copy()
@@ -171,6 +182,33 @@ def test_a_wrong_action_is_refused():
 def test_what_cannot_be_is_refused(arguments):
     with pytest.raises(ValueError):
         learn.ContestVectorEnv(**arguments)
+
+
+def test_a_contest_that_has_ended_takes_no_step():
+    env = learn.ContestEnv(SMALL, budget=1)
+    env.reset(seed=1)
+    assert env.step(learn.number_of(90))[2]
+    with pytest.raises(gymnasium.error.ResetNeeded):
+        env.step(learn.number_of(90))
+    env.reset()
+    assert env.step(learn.number_of(90))[2]
+
+
+def test_a_set_is_a_sequence():
+    mazes = learn.MazeSet("test", kind="wilson", size=5, count=4)
+    assert list(mazes) == [mazes[0], mazes[1], mazes[2], mazes[-1]] == mazes[:]
+    assert mazes[-4] == mazes[0] != mazes[-1]
+    for outside in (4, -5):
+        with pytest.raises(IndexError):
+            mazes[outside]
+    assert learn.MazeSet("test", kind="wilson", size=5, loops=0.5)[0] != mazes[0]
+    with pytest.raises(TypeError):
+        len(learn.MazeSet("test"))
+
+
+def test_the_learned_mouse_does_not_drive():
+    record = labmouse.run({"learned": learn.Learned.load()}, "contest-01", world="seconds")
+    assert record.outcome == "forfeit: not started" and "strides" in record.last_words
 
 
 def test_every_action_has_its_number():

@@ -1,5 +1,6 @@
 """Mice that are written in Python."""
 
+import json
 import sys
 import textwrap
 
@@ -114,16 +115,124 @@ def test_it_is_told_what_a_guest_is_told():
     assert (briefing.width, briefing.height) == (maze.width, maze.height)
     assert (briefing.start, briefing.heading, briefing.goals) == (maze.start, maze.heading, maze.goals)
     assert (briefing.stride, briefing.budget, briefing.seed) == (3, 77, 11)
+    assert (briefing.world, briefing.time_limit, briefing.sight) == ("strides", None, 64)
 
 
-def test_it_races_as_well_in_other_processes(monkeypatch):
+def test_it_is_told_what_a_mouse_in_seconds_is_told(tmp_path):
+    told = []
+
+    class Listener:
+        def __init__(self, briefing):
+            told.append(briefing)
+
+        def decide(self, seen):
+            told.append(seen)
+            return "forfeit"
+
+    corridor = labmouse.Maze.parse("o---o---o---o---o---o\n| S               G |\no---o---o---o---o---o\n").with_start((0, 0), "east")
+    labmouse.run(Listener, corridor, world="seconds", robot="classic", rules="all-japan", seed=5)
+    briefing, seen = told
+    assert (briefing.world, briefing.budget, briefing.time_limit, briefing.seed) == ("seconds", None, 300.0, 5)
+    assert (briefing.start, briefing.heading, briefing.goals) == ((0, 0), "east", [(4, 0)])
+    assert briefing.sight == 1 and seen.ahead == 1
+
+
+@pytest.mark.parametrize("options, columns", [
+    ({}, ["outcome", "score", "exploration_steps"]),
+    ({"budget": 50}, ["outcome", "score", "exploration_steps"]),
+    ({"world": "seconds"}, ["outcome", "score_us", "search_us", "decisions"]),
+    ({"world": "seconds", "robot": "half", "rules": "thirtieth"}, ["outcome", "score_us", "search_us", "decisions"]),
+])
+def test_it_races_as_well_in_other_processes(monkeypatch, options, columns):
     import labmouse._workers
 
-    alone = labmouse.race([Wanderer, "flood"], jobs=1)
+    mazes = [labmouse.generate("wilson", seed=seed) for seed in range(5)]
+    alone = labmouse.race([Wanderer, Feeler, "flood"], mazes, jobs=1, **options)
     monkeypatch.setattr(labmouse._workers, "_SECONDS_ALONE", 0.0)
-    together = labmouse.race([Wanderer, "flood"], jobs=2)
-    for column in ("mouse", "maze", "seed", "outcome", "score", "exploration_steps"):
+    together = labmouse.race([Wanderer, Feeler, "flood"], mazes, jobs=2, **options)
+    for column in ["mouse", "maze", "seed", *columns]:
         assert alone.table[column].equals(together.table[column])
+
+
+class Feeler:
+    """Keeps to the wall on its right, and resets in the goal; in seconds it is done after its run."""
+
+    def __init__(self, told):
+        self.told, (self.x, self.y) = told, told.start
+        self.heading = ["north", "east", "south", "west"].index(told.heading)
+        self.has_reset = False
+
+    def decide(self, seen):
+        if self.has_reset:
+            return "forfeit"
+        if (self.x, self.y) in self.told.goals:
+            self.has_reset = True
+            return "reset"
+        turn = 90 if seen.right else 0 if seen.ahead else -90 if seen.left else 180
+        self.heading = (self.heading + turn // 90) % 4
+        self.x += (0, 1, 0, -1)[self.heading]
+        self.y += (1, 0, -1, 0)[self.heading]
+        return turn, 1
+
+
+def test_in_seconds_it_searches_and_is_driven():
+    record = labmouse.run(Feeler, labmouse.generate("wilson", seed=3), world="seconds")
+    assert record.outcome == "finished" and record.score >= record.bound and record.last_words == ""
+    moves = [line for line in map(json.loads, record.text.splitlines()) if "move" in line]
+    assert moves and record.figures["starts"] == 2
+
+
+@pytest.mark.parametrize("answer, outcome", [
+    ("forfeit", "forfeit: gave up"), ("reset", "forfeit: lost"), ((180, 0), "out of time"), ((0, 64), "forfeit: lost"),
+    ((0, -1), "forfeit: lost"), ((45, 1), "forfeit: lost"), (None, "forfeit: rubbish"),
+])
+def test_every_answer_in_seconds_is_a_move_or_a_forfeit(answer, outcome):
+    assert labmouse.run(answering(answer), "contest-01", world="seconds").outcome == outcome
+
+
+def test_what_it_raises_in_seconds_is_its_forfeit_with_the_traceback():
+    class Clumsy:
+        def decide(self, seen):
+            raise ValueError("lost my way")
+
+    class Stillborn:
+        def __init__(self):
+            raise RuntimeError("no")
+
+    record = labmouse.run(Clumsy, "contest-01", world="seconds")
+    assert record.outcome == "forfeit: died"
+    assert "ValueError: lost my way" in record.last_words.splitlines()[0] and "in decide" in record.last_words
+    assert labmouse.run(Stillborn, "contest-01", world="seconds").outcome == "forfeit: not started"
+    race = labmouse.race([Clumsy, "flood"], "contest-01", world="seconds")
+    assert race.complete and race.standings["scored"].tolist() == [1, 0]
+
+
+def test_a_class_is_no_program_for_mms():
+    with pytest.raises(labmouse.Error):
+        labmouse.race(Feeler, "contest-01", world="mms")
+
+
+def test_mice_that_exist_here_alone_race_here(monkeypatch, tmp_path):
+    """Other processes cannot import their module any more."""
+    import labmouse._workers
+
+    (tmp_path / "gone.py").write_text(SOURCE)
+    monkeypatch.syspath_prepend(tmp_path)
+    import gone
+
+    (tmp_path / "gone.py").unlink()
+    monkeypatch.setattr(labmouse._workers, "_SECONDS_ALONE", 0.0)
+    race = labmouse.race({"gone": gone.Wanderer, "flood": "flood"}, jobs=2)
+    alone = labmouse.race({"gone": gone.Wanderer, "flood": "flood"}, jobs=1)
+    assert race.table["outcome"].equals(alone.table["outcome"])
+
+
+def test_the_folder_that_a_race_is_held_in_does_not_matter(monkeypatch, tmp_path):
+    import labmouse._workers
+
+    monkeypatch.setattr(labmouse._workers, "_SECONDS_ALONE", 0.0)
+    monkeypatch.chdir(tmp_path)
+    assert labmouse.race([Feeler, "flood"], "contest-01", jobs=2).complete
 
 
 def test_a_process_that_dies_is_a_forfeit(monkeypatch):

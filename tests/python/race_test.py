@@ -83,6 +83,91 @@ def test_what_makes_no_race_is_refused(bad):
         bad()
 
 
+def test_a_setting_that_is_true_is_a_flag_of_the_command(tmp_path):
+    mouse = tmp_path / "mouse.sh"
+    mouse.write_text("echo nonsense; echo moveForward; read -r answer\n")
+    strict = [labmouse.race(f"mms:sh {mouse}", "contest-01", world="mms", strict=value).table["outcome"][0] for value in (True, False)]
+    assert "invalid" in strict[0] and "invalid" not in strict[1]
+
+
+def test_mazes_and_paths_race_together(tmp_path):
+    made = labmouse.generate("wilson", seed=1)
+    labmouse.generate("wilson", seed=2).save(tmp_path / "two.txt")
+    race = labmouse.race("flood", [made, "contest-01", tmp_path])
+    assert sorted(race.table["maze"]) == sorted([made.name, "contest-01", str(tmp_path / "two.txt")])
+
+
+def test_a_mouse_that_throws_dice_has_several_contests():
+    class Chancy:
+        uses_chance = True
+
+        def decide(self, seen):
+            return "forfeit"
+
+    class Certain(Chancy):
+        uses_chance = False
+
+    table = labmouse.race([Chancy, Certain], MAZES, runs=3).table
+    assert table["mouse"].value_counts().to_dict() == {"Chancy": 6, "Certain": 2}
+    assert table[table["mouse"] == "Chancy"]["seed"].nunique() == 6
+
+
+def test_a_dictionary_names_its_mice():
+    assert labmouse.race({"mine": "flood", "other": "certify"}, MAZES).mice == ["mine", "other"]
+
+
+def test_what_is_saved_is_what_is_given(tmp_path):
+    race = labmouse.race("flood", MAZES)
+    assert race.to_csv(tmp_path / "race.csv") is None and race.to_json(tmp_path / "race.json") is None
+    assert (tmp_path / "race.csv").read_text() == race.to_csv()
+    assert (tmp_path / "race.json").read_text() == race.to_json()
+    with pytest.raises(labmouse.Error):
+        race.to_csv(tmp_path)
+
+
+def test_a_notebook_shows_the_leaderboard():
+    class Idle:
+        def decide(self, seen):
+            return "forfeit"
+
+    race = labmouse.race({"<b>mine": Idle}, MAZES)
+    assert "<b>mine" in str(race)
+    assert "<b>" not in race._repr_html_() and "&lt;b&gt;mine" in race._repr_html_()
+
+
+@pytest.mark.parametrize("low, high, verdict", [(-2, -1, "better"), (1, 2, "worse"), (-1, 1, "no difference shown"), (0, 0, "no difference shown")])
+def test_a_verdict_needs_an_interval_on_one_side_of_0(low, high, verdict):
+    assert labmouse.Comparison("a", "b", 3, 0.0, low, high, 0, 0, 0, 1.0).verdict == verdict
+
+
+@pytest.mark.parametrize("progress", [True, False, None])
+def test_a_bar_is_shown_where_it_is_asked_for(progress, capfd):
+    labmouse.race("random", runs=30, progress=progress)
+    assert ("%" in capfd.readouterr().err) == (progress is True)
+
+
+def test_a_race_leaves_the_folder_of_the_command(command, tmp_path):
+    here, there = tmp_path / "here", tmp_path / "there"
+    race = labmouse.race("flood,random", MAZES, runs=2, out=here)
+    command("race", "--mice", "flood,random", "--mazes", *MAZES, "--runs", "2", "--out", str(there))
+    files = sorted(path.relative_to(here) for path in here.rglob("*") if path.is_file())
+    assert files == sorted(path.relative_to(there) for path in there.rglob("*") if path.is_file())
+    for file in files:
+        if file.suffix in (".jsonl", ".svg"):
+            assert (here / file).read_bytes() == (there / file).read_bytes()
+    assert json.loads(next(here.glob("*.json")).read_text()) == json.loads(race.to_json())
+    with pytest.raises(labmouse.Error):
+        labmouse.race("flood", MAZES, out=here)
+    labmouse.race("flood", MAZES, out=here, overwrite=True)
+    assert not (here / "random").exists()
+
+
+def test_a_folder_that_cannot_be_made_is_an_error(tmp_path):
+    (tmp_path / "file").write_text("")
+    with pytest.raises(labmouse.Error):
+        labmouse.race("flood", MAZES, out=tmp_path / "file" / "folder")
+
+
 def test_results_do_not_depend_on_threads():
     tables = [without_times(labmouse.race("random,flood", MAZES, runs=4, jobs=jobs).table) for jobs in (1, 2)]
     pandas.testing.assert_frame_equal(*tables)
@@ -94,10 +179,16 @@ import labmouse
 class Endless:
     def decide(self, seen):
         return 0, sum(range(300)) * 0  # slow enough to be interrupted
+class Hanging(Endless):  # in other processes it never answers
+    def decide(self, seen):
+        if os.getpid() != here: time.sleep(1000)
+        return super().decide(seen)
+here = os.getpid()
 def interrupt():
     while time.monotonic() < begin + 1.0: time.sleep(0.01)
     sent.append(time.monotonic())
     os.kill(os.getpid(), signal.SIGINT)
+signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell has it ignored in what runs in its background
 sent, begin = [], time.monotonic()
 threading.Thread(target=interrupt).start()
 race = labmouse.race({mice}, labmouse.mazes(), runs=5000, budget=100000, jobs={jobs}, progress=False)
@@ -105,7 +196,7 @@ print(race.complete, time.monotonic() - sent[0])
 """
 
 
-@pytest.mark.parametrize("mice, jobs", [("'random'", 0), ("[Endless]", 1), ("[Endless]", 2)])
+@pytest.mark.parametrize("mice, jobs", [("'random'", 0), ("[Endless]", 1), ("[Endless]", 2), ("[Hanging]", 2)])
 def test_ctrl_c_gives_what_is_done_at_once(mice, jobs):
     ran = subprocess.run([sys.executable, "-c", STOPPED.format(mice=mice, jobs=jobs)], capture_output=True, text=True, timeout=60, check=False)
     complete, seconds = ran.stdout.split()

@@ -2,6 +2,7 @@
 
 import json
 import os
+import random
 import re
 
 import labmouse
@@ -14,6 +15,26 @@ def test_a_record_is_that_of_the_command(command, tmp_path):
     record = labmouse.run("ariadne", "contest-05", seed=9)
     assert record.text == file.read_text()
     assert record.svg == picture.read_text() == record._repr_svg_()
+
+
+def test_a_record_that_is_saved_is_replayed_by_the_command(command, tmp_path):
+    record = labmouse.run("ariadne", "contest-05", seed=9)
+    record.save(tmp_path / "record.jsonl")
+    assert (tmp_path / "record.jsonl").read_text() == record.text
+    assert f"score {record.score:.3f}" in command("replay", str(tmp_path / "record.jsonl"))
+
+
+def test_steps_are_what_the_mouse_saw_and_did():
+    seen_and_done, dice = [], random.Random(1)
+
+    class Noting:
+        def decide(self, seen):
+            seen_and_done.append((*seen, dice.choice((-90, 0, 90)), dice.choice((-1, 1, 2, 3))))
+            return seen_and_done[-1][3:]
+
+    steps = labmouse.run(Noting, "contest-05", budget=50).steps
+    assert [tuple(step) for step in steps[["left", "ahead", "right", "rotation", "movement"]].tolist()] == seen_and_done
+    assert len(set(seen_and_done)) > 10
 
 
 def test_steps_add_up_to_the_score():

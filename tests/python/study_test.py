@@ -3,8 +3,22 @@
 import json
 
 import labmouse
+import pytest
 
 MAZES = ["contest-01", "contest-02", "contest-05", "capstone-1"]
+
+
+@pytest.mark.parametrize("words, options", [
+    (["--folds", "3"], {"folds": 3}), (["--folds", "4", "--no-learning"], {"folds": 4, "learning": False}),
+])
+def test_its_folds_and_whether_mice_learn_are_those_of_the_command(command, words, options):
+    mice = "ariadne:prior=contest,flood"
+    expected = json.loads(command("study", "--mice", mice, "--mazes", *MAZES, *words, "--format", "json"))
+    study = labmouse.study(mice, MAZES, **options)
+    assert [study.data[key] for key in ("folds", "learning", "comparisons")] == [
+        expected[key] for key in ("folds", "learning", "comparisons")]
+    taught = labmouse.study(mice, MAZES, folds=4)
+    assert taught.comparisons.to_dict("records") != study.comparisons.to_dict("records")
 
 
 def test_a_study_gives_the_numbers_of_the_command(command):

@@ -108,8 +108,7 @@ class Race:
 def _saved(text: str, path: "str | os.PathLike[str] | None") -> "str | None":
     if path is None:
         return text
-    with open(path, "w", encoding="utf-8") as file:
-        file.write(text)
+    _native.write_file(path, text)
     return None
 
 
@@ -124,6 +123,8 @@ def race(
     runs: int = 20,
     seed: int = 1,
     jobs: int = 0,
+    out: "str | os.PathLike[str] | None" = None,
+    overwrite: bool = False,
     progress: "bool | None" = None,
     **settings: Setting,
 ) -> Race:
@@ -138,6 +139,8 @@ def race(
     jobs: threads; 0 for as many as there are processors. Results do not depend on it. Where the interpreter runs one
         thread at a time, mice in Python race in processes of their own once the race takes longer than half a second:
         what they leave in global variables stays there. With 1 they stay in this process.
+    out: a folder for the records, a picture for each mouse and maze, and the results, as `--out` leaves it; what an
+        earlier race left there is replaced with `overwrite`, and an error without.
     progress: whether to show a bar; None for where standard error is a terminal, and in notebooks.
 
     Raises Error. Ctrl-C stops the race: it returns what is done, and `complete` is False.
@@ -145,7 +148,7 @@ def race(
     chosen = world_with(world, {"robot": robot, "rules": rules, "budget": budget, **settings})
     who = given(mice)
     workers = for_mice(who.own, jobs)
-    running = _native.RunningRace(who.native(workers), mazes_of(mazes), chosen, runs, seed, jobs)
+    running = _native.RunningRace(who.native(workers), mazes_of(mazes), chosen, runs, seed, jobs, os.fspath(out or ""), overwrite)
     try:
         finish(running, progress, workers)
         return Race(running.result())

@@ -38,8 +38,7 @@ class Replay:
 
     def save(self, path: "str | os.PathLike[str]") -> None:
         """Writes the page to a file that any browser opens, without a server."""
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(self.html)
+        _native.write_file(path, self.html)
 
     def _repr_html_(self) -> str:
         import html
@@ -132,8 +131,7 @@ class Record:
 
     def save(self, path: "str | os.PathLike[str]") -> None:
         """Writes the record to a file, which `labmouse replay` reads."""
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(self.text)
+        _native.write_file(path, self.text)
 
     def replay(self, height: int = 720) -> Replay:
         """The page with this contest, `height` pixels high. Raises Error where the package has no page."""

@@ -4,17 +4,27 @@ import os
 import pickle
 import sys
 
+from ._native import play
+
+#: What such a process runs: it is first told where modules are, this one among them.
+PROGRAM = """
+import pickle, sys
+sys.path[:] = pickle.load(sys.stdin.buffer)
+from labmouse._worker import main
+main()
+"""
+
 
 def main() -> None:
-    """Reads where modules are, then mice, then contests, until the input ends; answers each with what was played."""
-    questions = os.fdopen(os.dup(0), "rb")
+    """Reads mice and says that it has them; then contests, until the input ends, and answers each with what was played."""
+    questions = sys.stdin.buffer
     answers = os.fdopen(os.dup(1), "wb")
-    # What a mouse prints is no answer.
+    # What a mouse prints is no answer, and what it would read is no question to it.
     os.dup2(2, 1)
-    sys.path[:] = pickle.load(questions)
+    sys.stdin = open(os.devnull, encoding="utf-8")
     makers = pickle.load(questions)
-    from ._native import play
-
+    pickle.dump(True, answers)
+    answers.flush()
     while True:
         try:
             mouse, contest = pickle.load(questions)
@@ -23,6 +33,3 @@ def main() -> None:
         pickle.dump(play(makers[mouse], *contest), answers)
         answers.flush()
 
-
-if __name__ == "__main__":
-    main()

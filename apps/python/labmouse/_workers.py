@@ -10,11 +10,12 @@ import time
 from typing import Any, Callable, Union
 
 from ._native import death
+from ._worker import PROGRAM
 
 #: What labmouse._native.play gives.
 Played = tuple[bytes, str, bool]
-#: What a contest is held with: the maze as a link, the numbers of the rules, the seed.
-_Contest = tuple[str, int, int, int]
+#: What that takes behind the maker of the mouse.
+_Contest = tuple[Any, ...]
 
 #: Contests of a short race are over before a process has started: so long they are held here.
 _SECONDS_ALONE = 0.5
@@ -31,8 +32,9 @@ class _Worker:
 
     def __init__(self, mice: bytes) -> None:
         # A session of its own: Ctrl-C is for the process that races.
-        self.process = subprocess.Popen([sys.executable, "-m", "labmouse._worker"], stdin=subprocess.PIPE,
+        self.process = subprocess.Popen([sys.executable, "-c", PROGRAM], stdin=subprocess.PIPE,
                                         stdout=subprocess.PIPE, start_new_session=os.name == "posix")
+        self.has_mice = False
         self.send(sys.path)
         assert self.process.stdin is not None
         self.process.stdin.write(mice)
@@ -40,6 +42,17 @@ class _Worker:
     def send(self, thing: object) -> None:
         assert self.process.stdin is not None
         pickle.dump(thing, self.process.stdin)
+
+    def is_ready(self) -> bool:
+        """Whether it has the mice; waits for it once. Some can be made where they were written alone."""
+        if not self.has_mice:
+            assert self.process.stdin is not None and self.process.stdout is not None
+            try:
+                self.process.stdin.flush()
+                self.has_mice = bool(pickle.load(self.process.stdout))
+            except (EOFError, OSError, pickle.UnpicklingError):
+                self.process.wait()
+        return self.has_mice
 
     def play(self, mouse: int, contest: _Contest) -> Played:
         assert self.process.stdin is not None and self.process.stdout is not None
@@ -59,7 +72,8 @@ class Workers:
         self.lock = threading.Lock()
         self.mice: Union[bytes, None] = None
         self.workers: list[_Worker] = []
-        self.free: queue.SimpleQueue[_Worker] = queue.SimpleQueue()
+        #: Processes with nothing to do; None wakes a thread that waits for one.
+        self.free: queue.SimpleQueue[Union[_Worker, None]] = queue.SimpleQueue()
         self.closed = False
 
     def elsewhere(self, mouse: int) -> Callable[..., Union[Played, None]]:
@@ -72,6 +86,7 @@ class Workers:
             self.closed = True
             for worker in self.workers:
                 worker.process.kill()
+            self.free.put(None)
         for worker in self.workers:
             worker.process.wait()
             for pipe in (worker.process.stdin, worker.process.stdout):
@@ -87,31 +102,39 @@ class Workers:
         worker = self._take()
         if worker is None:
             return None
+        if not worker.is_ready():
+            with self.lock:
+                self.mice = b""
+            self.free.put(None)
+            return None
         try:
             played = worker.play(mouse, contest)
         except (EOFError, OSError, pickle.UnpicklingError):
             if self.closed:
                 return b"", "", True  # no actions: it was interrupted
+            code = worker.process.wait()
             with self.lock:
                 self.workers.remove(worker)
-            code = worker.process.wait()
+            self.free.put(None)
             return _died(f"its process ended with exit code {code}")
         self.free.put(worker)
         return played
 
     def _take(self) -> Union[_Worker, None]:
         """A process that has nothing to do; None where there can be none."""
-        with self.lock:
-            if self.closed:
-                return None
-            if self.mice is None:
-                self.mice = _pickled(self.makers)
-            if not self.mice:
-                return None
-            if self.free.empty() and len(self.workers) < self.most:
-                self.workers.append(_Worker(self.mice))
-                return self.workers[-1]
-        return self.free.get()
+        while True:
+            with self.lock:
+                if self.mice is None:
+                    self.mice = _pickled(self.makers)
+                if self.closed or not self.mice:
+                    self.free.put(None)  # for the next that waits
+                    return None
+                if self.free.empty() and len(self.workers) < self.most:
+                    self.workers.append(_Worker(self.mice))
+                    return self.workers[-1]
+            worker = self.free.get()
+            if worker is not None:
+                return worker
 
 
 def _pickled(makers: "list[object]") -> bytes:

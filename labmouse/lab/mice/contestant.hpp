@@ -12,7 +12,7 @@
 
 #include "labmouse/contest/record.hpp"
 #include "labmouse/contest/rules.hpp"
-#include "labmouse/guests/process.hpp"
+#include "labmouse/guests/launch.hpp"
 #include "labmouse/maze/maze.hpp"
 #include "labmouse/mouse/briefing.hpp"
 #include "labmouse/mouse/strategy.hpp"
@@ -59,8 +59,9 @@ struct Contestant {
   /// In place of `make`, of a mouse whose contests in steps were held elsewhere: the one in that maze with that seed,
   /// which must be there. Empty for all others.
   std::function<EarlierContest(const std::string& maze, std::uint64_t seed)> earlier;
-  /// The same as `make` in seconds; empty for a mouse that does not drive in that world.
-  std::function<std::unique_ptr<Strategy>(const Briefing&)> drive;
+  /// The same as `make` in seconds, told what a mouse in that maze is told there; empty for a mouse that does not drive
+  /// in that world.
+  std::function<std::unique_ptr<Strategy>(const Maze&, const Briefing&)> drive;
   /// How to start a program that talks to mms; nothing for all others, which decide when they are asked.
   std::optional<Launch> program;
   /// Of a guest whether it lives in a sandbox; nothing for all others.

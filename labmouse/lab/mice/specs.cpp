@@ -46,7 +46,9 @@ Contestant contestant_of(const RosterEntry& entry, Settings settings) {
     return entry.make(brief(maze, rules, seed), settings);
   };
   if (entry.drives)
-    contestant.drive = [&entry, settings](const Briefing& briefing) { return entry.make(briefing, settings); };
+    contestant.drive = [&entry, settings](const Maze&, const Briefing& briefing) {
+      return entry.make(briefing, settings);
+    };
   if (can_learn(entry, settings))
     contestant.taught = [&entry, settings](const std::vector<const Maze*>& training, const Rules& rules) {
       Settings learned = settings;

@@ -15,7 +15,7 @@ using F = SecondsFigure;
 using M = SecondsMazeFigure;
 using fields::figure;
 
-constexpr std::array<ContestField, 13> contest_fields = {{{"maze", fields::maze_name},
+constexpr std::array<ContestField, 14> contest_fields = {{{"maze", fields::maze_name},
                                                           {"seed", fields::seed},
                                                           {"outcome", fields::outcome},
                                                           {"score", figure<F::score>},
@@ -27,7 +27,8 @@ constexpr std::array<ContestField, 13> contest_fields = {{{"maze", fields::maze_
                                                           {"decisions", figure<F::decisions>},
                                                           {"replanned", figure<F::replanned>},
                                                           {discovered_share, figure<F::discovered>},
-                                                          {visited_share, figure<F::visited>}}};
+                                                          {visited_share, figure<F::visited>},
+                                                          {said_last, figure<F::words>}}};
 
 constexpr std::array<ContestField, 14> csv_fields = {{{"mouse", fields::mouse_name},
                                                       {"maze", fields::maze_name},

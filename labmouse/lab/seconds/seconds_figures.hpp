@@ -17,6 +17,7 @@ enum class SecondsFigure : std::uint8_t {
   replanned,
   discovered,
   visited,
+  words,     ///< what the mouse had to say; none where it said nothing
   score_us,  ///< of the best run by the rules, and its two times
   gate_to_gate,
   rest_to_centre,

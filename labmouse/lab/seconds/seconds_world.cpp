@@ -53,7 +53,7 @@ std::optional<double> excess_of(const std::optional<MazeTime>& best, const Drive
 
 /// In the order of SecondsFigure.
 std::vector<Value> figures_of(const DriveRecord& record, const DriveScore& score, const DriveBound& bound,
-                              const Coverage& coverage) {
+                              const Coverage& coverage, std::string_view words) {
   bool driven = false, proven = false;
   MazeTime search = 0;
   std::int64_t starts = 0;
@@ -76,6 +76,7 @@ std::vector<Value> figures_of(const DriveRecord& record, const DriveScore& score
           std::int64_t{record.replanned},
           coverage.discovered,
           coverage.visited,
+          words.empty() ? Value() : Value(std::string(words)),
           or_none(score.value()),
           counting != nullptr ? or_none(counting->gate_to_gate) : Value(nullptr),
           counting != nullptr ? or_none(counting->rest_to_centre) : Value(nullptr)};
@@ -127,13 +128,15 @@ class SecondsWorld final : public World {
     const Contestant& mouse = race.mice[result.mouse];
     const NamedMaze& maze = race.mazes[result.maze];
     const auto& prepared = std::any_cast<const Prepared&>(race.facts[result.maze].prepared);
-    const auto mind = mouse.drive(brief(maze.maze, rules_, *model_, result.seed));
+    const auto mind = mouse.drive(maze.maze, brief(maze.maze, rules_, *model_, result.seed));
     DriveRecord record = drive(maze.maze, rules_, *model_, *mind);
     const DriveScore score = labmouse::score(record, rules_);
     result.outcome = outcome_of(record, score);
-    result.figures = figures_of(record, score, prepared.bound, coverage_of(record, maze.maze, prepared.reachable));
+    result.figures = figures_of(record, score, prepared.bound, coverage_of(record, maze.maze, prepared.reachable),
+                                mind->last_words());
+    if (!mind->started()) result.never_started = mind->last_words().substr(0, mind->last_words().find('\n'));
     if (score.value() && best_of(score)) add_score(*score.value(), prepared.bound, result);
-    result.done = true;
+    result.done = record.reason != ForfeitReason::interrupted;
     return kept(mouse, maze, result.seed, std::move(record), keep);
   }
 

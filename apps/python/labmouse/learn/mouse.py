@@ -8,6 +8,7 @@ from typing import Any, Tuple, Union
 import numpy as np
 from numpy.typing import NDArray
 
+from .._native import Error
 from .policy import WEIGHTS, Floats, Policy
 from .spaces import RESET, action_of
 
@@ -87,6 +88,7 @@ class LearnedMouse:
         self._before: "NDArray[np.int16] | None" = None
 
     def decide(self, seen: Any) -> Union[Tuple[int, int], Any]:
+        """The next action, given a labmouse.Sighting: the policy's, or that of the speed run."""
         belief = self._belief
         belief.see(seen.left, seen.ahead, seen.right)
         if self._before is None:
@@ -114,6 +116,8 @@ class Learned:
         self.__name__ = name
 
     def __call__(self, briefing: Any) -> LearnedMouse:
+        if briefing.world != "strides":
+            raise Error(f"{self.__name__} has learned to move in steps, and races in the world strides alone")
         return LearnedMouse(self.weights, briefing)
 
     @classmethod

@@ -17,6 +17,7 @@ from typing import Any, Dict, List, Optional
 import numpy as np
 
 from .. import Maze
+from .._native import write_file
 from .mazes import MazeSet
 from .playing import play
 from .policy import FEATURES, WEIGHTS, Floats
@@ -95,9 +96,7 @@ def main() -> None:
     options = parser.parse_args()
     out = options.__dict__.pop("out")
     result = train(**options.__dict__)
-    with open(out, "w", encoding="utf-8") as file:
-        json.dump(result, file, indent=1)
-        file.write("\n")
+    write_file(out, json.dumps(result, indent=1) + "\n")
 
 
 if __name__ == "__main__":

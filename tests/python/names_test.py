@@ -1,0 +1,46 @@
+"""Every public name says what it is, and is typed."""
+
+import inspect
+import re
+from importlib import resources
+from typing import get_origin
+
+import labmouse
+import pytest
+
+learn = pytest.importorskip("labmouse.learn")
+PUBLIC = [(module, name) for module in (labmouse, learn) for name in module.__all__]
+
+
+def members_of(thing):
+    """The public members that a class defines itself, and its making."""
+    for name, member in vars(thing).items():
+        if not name.startswith("_") and (callable(member) or isinstance(member, (property, classmethod, staticmethod))):
+            yield name, member
+
+
+def docs_of(member):
+    return inspect.getdoc(member.__func__ if isinstance(member, (classmethod, staticmethod)) else member) or ""
+
+
+@pytest.mark.parametrize("module, name", PUBLIC, ids=lambda part: getattr(part, "__name__", part))
+def test_every_public_name_says_what_it_is(module, name):
+    thing = getattr(module, name)
+    if inspect.isclass(thing):
+        assert docs_of(thing)
+        for member_name, member in members_of(thing):
+            inherited = next((vars(base)[member_name] for base in thing.__mro__[1:] if member_name in vars(base)), None)
+            assert docs_of(member) or (inherited is not None and docs_of(inherited)), f"{name}.{member_name}"
+    elif callable(thing) and get_origin(thing) is None:
+        assert docs_of(thing)
+
+
+def test_all_that_is_compiled_is_in_the_stub():
+    stub = resources.files("labmouse").joinpath("_native.pyi").read_text(encoding="utf-8")
+    for name, thing in vars(labmouse._native).items():
+        if name.startswith("_"):
+            continue
+        assert re.search(rf"^(class|def) {name}\b|^{name}: ", stub, re.MULTILINE), name
+        for member in vars(thing) if inspect.isclass(thing) else []:
+            assert member.startswith("_") or re.search(rf"^    (def {member}\b|{member}: )", stub, re.MULTILINE), f"{name}.{member}"
+    assert resources.files("labmouse").joinpath("py.typed").is_file()
