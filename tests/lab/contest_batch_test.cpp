@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 
 #include "labmouse/contest/score.hpp"
@@ -273,6 +274,29 @@ TEST(ContestBatch, PlaysMadeMazesAsThoseOfAList) {
   follow(played, mazes, rules, dice, 9);
 }
 
+TEST(ContestBatch, PlaysMazesInTurn) {
+  const MazeFamily family{&depth_first_generator, {4, 4}, 0, Split::train, 8};
+  Played played(ContestBatch(3, family, MazeOrder::in_turn), false);
+  for (const auto& numbers : {std::vector<std::int64_t>{0, 1, 2}, {3, 4, 5}, {6, 7, 0}, {1, 2, 3}}) {
+    EXPECT_EQ(played.numbers, numbers);
+    played.batch.start();
+  }
+  played.batch.seed(0, 9);
+  played.batch.start(std::vector<std::uint8_t>{1, 0, 0});
+  EXPECT_EQ(played.numbers[0], 0) << "a seed begins from the first";
+}
+
+TEST(ContestBatch, ShowsTheRectangleAroundTheGoals) {
+  CellSet goals = CellSet::of({4, 0});
+  goals.insert({2, 1});
+  const std::vector<Maze> mazes(1, empty_generator.make({{6, 5}, 1, 0}).with_goals(goals));
+  Played played(ContestBatch(1, mazes, MazeOrder::drawn), false);
+  EXPECT_EQ(played.row(0, RowColumn::goal_west), 2);
+  EXPECT_EQ(played.row(0, RowColumn::goal_south), 0);
+  EXPECT_EQ(played.row(0, RowColumn::goal_east), 4);
+  EXPECT_EQ(played.row(0, RowColumn::goal_north), 1);
+}
+
 TEST(ContestBatch, StartsAnewOnlyWhereItIsAsked) {
   const std::vector<Maze> mazes(1, empty_generator.make({{5, 5}, 1, 0}));
   Played played(ContestBatch(3, mazes, MazeOrder::drawn), false);
@@ -298,6 +322,17 @@ TEST(ContestBatch, AResetThatLeavesItInAGoalHasNotEnteredIt) {
   EXPECT_EQ(played.ended[0], 0);
   choose(0 + longest_choice);
   EXPECT_EQ(played.ended[0], 1);
+}
+
+TEST(ContestBatch, DrawsEveryValidChoice) {
+  const std::vector<Maze> mazes(1, contest_generator.make({{12, 12}, 3, 0}));
+  Played played(ContestBatch(2000, mazes, MazeOrder::drawn), false);
+  Dice dice(9);
+  played.batch.draw_valid_choices(dice, played.choices);
+  for (int choice = 0; choice < choice_count; ++choice)
+    EXPECT_EQ(std::count(played.choices.begin(), played.choices.end(), choice) > 0,
+              played.masks[static_cast<std::size_t>(choice)] == 1)
+        << choice;
 }
 
 TEST(ContestBatch, DrawsNoChoiceThatIsNotValid) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 #include <vector>
 
 namespace labmouse {
@@ -30,6 +31,17 @@ TEST(MazeFamily, SplitsShareNoMazeEvenWhereThereAreFew) {
   EXPECT_GT(train.size(), 100U);
   EXPECT_GT(validation.size(), 5U);
   EXPECT_GT(test.size(), 5U);
+}
+
+TEST(MazeFamily, SplitsGoByAllThatMakesMazesDiffer) {
+  const Maze maze = wilson_generator.make({{8, 8}, 1, 0});
+  std::set<Split> by_goal, by_start;
+  for (int i = 0; i < 64; ++i) {
+    by_goal.insert(split_of(maze.with_goals(CellSet::of({i % 8, i / 8}))));
+    by_start.insert(split_of(maze.with_start({i % 8, i / 8}, Heading::north)));
+  }
+  EXPECT_EQ(by_goal.size(), all_splits.size());
+  EXPECT_EQ(by_start.size(), all_splits.size());
 }
 
 TEST(MazeFamily, EqualNumbersGiveEqualMazes) {
