@@ -25,7 +25,8 @@ def main() -> None:
     lines["bound"] = float(race.mazes["bound"].mean())
     figure, axes = plt.subplots(figsize=(7, 4))
     points = written["curve"]
-    axes.plot([point["generation"] for point in points], [point["validation"] for point in points], "o-", label="learned")
+    axes.plot([point["generation"] for point in points], [point["validation"] for point in points], "o-", clip_on=False, zorder=3)
+    axes.annotate("learned", (points[-1]["generation"] * 1.02, points[-1]["validation"]), ha="left", va="center", color="C0", fontsize=8, annotation_clip=False)
     for name, score in lines.items():
         axes.axhline(score, color="grey", linewidth=0.8)
         axes.annotate(f"{name} {score:.1f}", (points[-1]["generation"] * 1.02, score), ha="left", va="top" if name == "ariadne" else "center", fontsize=8, annotation_clip=False)

@@ -1,7 +1,8 @@
 """How fast environments for mazes step on one core: labmouse.learn beside MiniGrid and mazemdp, in one run.
 
     python3 -m venv build/bench-learning
-    build/bench-learning/bin/pip install -r bench/learning/requirements.txt build/dist/labmouse-*.whl
+    build/bench-learning/bin/pip install --require-hashes -r bench/learning/requirements.txt
+    build/bench-learning/bin/pip install --no-deps build/dist/labmouse-*.whl
     build/bench-learning/bin/python bench/learning/speed.py
 
 Figures are steps a second of processor time, the best of three rounds, random valid actions; the drawing of the actions counts.
