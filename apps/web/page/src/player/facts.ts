@@ -6,6 +6,7 @@ import { boundOf, optimumMeaning } from '../ui/terms';
 import { accelerationText, durationText, speedText } from './drive';
 import type { Panel, Side, State } from './state';
 import { counted, decimal, percent, short } from './figures';
+import { scoreAt } from './track';
 import { poseText, readingText, runText } from './words';
 
 interface Row {
@@ -34,10 +35,6 @@ function madeOf(side: Side): string {
   return factor ? `${track.speed[frame]} + ${track.exploration[frame]} / ${factor}` : '';
 }
 
-/** None where a contest ended without a score: then no moment of it had one. */
-const scoreSoFar = ({ track, scene }: Side): number | null =>
-  track.play.ended && track.play.score === null ? null : track.score[scene.past.frame];
-
 const now: Row[] = [
   { label: 'run', text: runText, live: true },
   {
@@ -56,7 +53,7 @@ const now: Row[] = [
   },
   {
     label: 'score so far',
-    value: scoreSoFar,
+    value: ({ track, scene }) => scoreAt(track, scene.past.frame),
     text: (side, score) => (score === null ? absent : decimal(score, digits(side))),
     live: true,
     score: true,

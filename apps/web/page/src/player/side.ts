@@ -6,7 +6,7 @@ import type { Play } from '../core/types';
 import type { Layers } from './layers';
 import { createScene, type Scene, type SceneOptions } from './scene';
 import type { Side } from './state';
-import { prepare, type Track } from './track';
+import { prepare, type Track, scoreAt } from './track';
 import { counted, decimal, mazeText } from './figures';
 import { runText } from './words';
 
@@ -77,7 +77,8 @@ export function createSide(
     update() {
       const { frame } = scene.past;
       const value = track.score[frame];
-      set(score, decimal(scene.moment ? scene.moment.time : value, digits));
+      const shown = scene.moment ? scene.moment.time : scoreAt(track, frame);
+      set(score, shown === null ? '–' : decimal(shown, digits));
       set(best, Number.isNaN(value) ? 'no run so far' : `best so far ${decimal(value)}`);
       set(steps, String(frame));
       set(run, runText({ track, scene }));

@@ -147,3 +147,7 @@ export function frameAt(track: Track, time: number): number {
   }
   return low;
 }
+
+/** The score of a contest in steps at that frame; null where it ended without one: then no moment of it had one. */
+export const scoreAt = ({ play, score }: Track, frame: number): number | null =>
+  play.ended && play.score === null ? null : score[frame];

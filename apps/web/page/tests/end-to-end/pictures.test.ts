@@ -103,6 +103,25 @@ const seenBy = (page: Page, content: Buffer, type: string) =>
     [content.toString('base64'), type],
   );
 
+/** How many pixels of a film's last frame are other than in its first. */
+const changedInFilm = (page: Page, gif: Buffer) =>
+  page.evaluate(async (bytes) => {
+    const data = Uint8Array.from(atob(bytes), (sign) => sign.charCodeAt(0));
+    const decoder = new ImageDecoder({ data, type: 'image/gif' });
+    await decoder.tracks.ready;
+    await decoder.completed;
+    const last = decoder.tracks.selectedTrack!.frameCount - 1;
+    const frames: Uint32Array[] = [];
+    for (const frameIndex of [0, last]) {
+      const { image } = await decoder.decode({ frameIndex });
+      const canvas = new OffscreenCanvas(image.displayWidth, image.displayHeight);
+      const context = canvas.getContext('2d')!;
+      context.drawImage(image, 0, 0);
+      frames.push(new Uint32Array(context.getImageData(0, 0, canvas.width, canvas.height).data.buffer));
+    }
+    return frames[0].reduce((sum, pixel, i) => sum + Number(pixel !== frames[1][i]), 0);
+  }, gif.toString('base64'));
+
 test('PNG and SVG show the same tones of a maze', async () => {
   const page = await openReplay(single);
   expect(await seenBy(page, (await saved(page, 'Save moment (PNG)')).content, 'image/png')).toBeGreaterThan(20);
@@ -119,6 +138,8 @@ test('a film has a frame for each step, its clock, and less than five megabytes'
   expect(Math.min(...gif.delays)).toBeGreaterThanOrEqual(20);
   expect(content.length).toBeLessThan(5_000_000);
   expect(await seenBy(page, content, 'image/gif')).toBeGreaterThan(5);
+  // The mouse has gone elsewhere, and what it saw is drawn by then.
+  expect(await changedInFilm(page, content)).toBeGreaterThan(1000);
   console.log(`film of ${gif.frames} frames, ${gif.width}×${gif.height}: ${content.length} bytes`);
   await expect.poll(() => page.locator('.status').textContent()).toContain('The film is saved');
 });

@@ -219,6 +219,9 @@ test('the failing line is marked, and what it printed stands at its step', async
   await prints.getByRole('button', { name: 'step 1' }).click();
   await expect.poll(() => prints.locator('[aria-current]').textContent()).toContain('I see sense 0 11 0');
 
+  // It failed, so there is no score, nor was there one.
+  expect(await view(page).locator('.ticker .score').textContent()).toBe('–');
+
   // A program that cannot start races nowhere, and what is on the stage stays.
   await view(page).getByRole('combobox', { name: 'Maze' }).selectOption('contest-05');
   await run(page, template('flood-fill'));
