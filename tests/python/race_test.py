@@ -175,7 +175,8 @@ def test_results_do_not_depend_on_threads():
 
 STOPPED = """
 import os, signal, sys, threading, time
-import labmouse
+import labmouse, labmouse._workers
+if {jobs} == 2: labmouse._workers._SECONDS_ALONE = 0.0
 class Endless:
     def decide(self, seen):
         return 0, sum(range(300)) * 0  # slow enough to be interrupted
