@@ -9,6 +9,7 @@
 #include "labmouse/lab/robots/builtin_robots.hpp"
 #include "labmouse/lab/robots/fitted_robot.hpp"
 #include "labmouse/lab/robots/robot_table.hpp"
+#include "labmouse/lab/system/files.hpp"
 
 namespace labmouse::cli {
 namespace {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "command.hpp"
+#include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse::cli {
 namespace {
