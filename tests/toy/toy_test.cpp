@@ -15,6 +15,9 @@
 #include "labmouse/lab/standings/race_json.hpp"
 #include "labmouse/lab/standings/race_table.hpp"
 #include "labmouse/lab/standings/standings.hpp"
+#include "labmouse/lab/store/store.hpp"
+#include "labmouse/lab/store/stored_races.hpp"
+#include "labmouse/lab/store/verification.hpp"
 #include "labmouse/lab/studies/study.hpp"
 #include "labmouse/lab/studies/sweep.hpp"
 #include "labmouse/lab/worlds/entering.hpp"
@@ -125,6 +128,34 @@ TEST(ToyWorld, LeavesRecordsInAFolderAndResultsForAReport) {
   EXPECT_EQ(read.results->worlds.back().entry->name, "toy");
   EXPECT_EQ(read.results->worlds.back().mice.front().seeds.begin()->second.size(), static_cast<std::size_t>(runs));
   std::filesystem::remove_all(folder);
+}
+
+TEST(ToyWorld, IsKeptInAStoreAndComesBack) {
+  const std::string path = testing::TempDir() + "toy-store.db";
+  std::filesystem::remove(path);
+  std::string json[3];
+  for (int i = 0; i < 2; ++i) {
+    const auto store = std::make_shared<Store>(path);
+    RaceOrder order = order_with("70");
+    order.store = store;
+    json[i] = json_of(hold_race(read_specs("flood,certify").contestants, some_mazes(), order), {});
+    EXPECT_EQ(store->finish(), "");
+    EXPECT_EQ(store->recalled(), i == 0 ? 0U : 2U * 3U * runs);
+  }
+  const auto store = std::make_shared<Store>(path);
+  RaceOrder other = order_with("60");
+  other.store = store;
+  hold_race(read_specs("flood").contestants, some_mazes(), other);
+  EXPECT_EQ(store->finish(), "");
+  EXPECT_EQ(store->recalled(), 0U);
+  const StoredRaces stored = stored_races(path, {});
+  ASSERT_EQ(stored.races.size(), 2U) << stored.error;
+  json[2] = json_of(stored.races.front(), {});
+  EXPECT_EQ(json[0], json_of(toy_race(), {}));
+  EXPECT_EQ(json[1], json[0]);
+  EXPECT_EQ(json[2], json[0]);
+  EXPECT_EQ(verify_store(path, {}, {1.0}).equal, 3 * 3 * runs);
+  std::filesystem::remove(path);
 }
 
 TEST(ToyWorld, IsStudied) {

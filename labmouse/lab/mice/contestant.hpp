@@ -67,6 +67,9 @@ struct Contestant {
   /// Of a guest whether it lives in a sandbox; nothing for all others.
   std::optional<bool> sandboxed;
   std::string why_no_sandbox;  ///< where the system has none
+  /// What it is, as a text that is another one where it may play otherwise: for stores of contests. Empty for mice of
+  /// ours, whose names and parameters say it; of a guest it reads files.
+  std::function<std::string()> identity;
   /// Only of a mouse that learns from whole mazes before it races: the same mouse with what these mazes teach in place
   /// of what it brings along. Studies call it with the mazes of all folds but one, in the order of their names; it may
   /// remember nothing from one call to the next, must give equal mice for equal mazes, and keeps uses_chance.
@@ -96,6 +99,7 @@ enum class SandboxUse { where_possible, always, never };
 /// How guests are started.
 struct GuestOptions {
   std::string python;     ///< for capstone robots; empty: the python3 of PATH
+  std::string label;      ///< stands for the content of their files in stores of contests; empty: what they hold
   std::string directory;  ///< where commands run; empty: here
   /// What a lineup says of one guest: what is put before the words of its command and behind them, and variables of its
   /// environment as NAME=VALUE.

@@ -11,6 +11,7 @@
 #include "labmouse/guests/command_line.hpp"
 #include "labmouse/guests/guest_mind.hpp"
 #include "labmouse/guests/sandbox.hpp"
+#include "labmouse/lab/mice/guest_identity.hpp"
 #include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
@@ -183,6 +184,8 @@ void read_guest_spec(std::string_view spec, const GuestOptions& options, SpecRes
   Contestant& mouse = result.contestants.emplace_back(
       kind == "mms:" ? program_of(std::string(spec), launch) : contestant_of(std::string(spec), launch, options.runs));
   mouse.interpreter = guest.interpreter;
+  mouse.identity = [kind = std::string(kind.substr(0, kind.size() - 1)), launch, interpreter = guest.interpreter,
+                    label = options.label] { return guest_identity(kind, launch, interpreter, label); };
   mouse.sandboxed = launch.sandbox;
   if (options.sandbox == SandboxUse::where_possible) mouse.why_no_sandbox = why_no_sandbox();
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include "labmouse/lab/bounds/mms_bound.hpp"
@@ -94,6 +95,11 @@ class MmsWorld final : public World {
             {"presses", std::int64_t{options_.presses}},
             {"simulated_limit", std::int64_t{options_.most_seconds}},
             {"line_limit", std::int64_t{options_.most_lines}}};
+  }
+
+  std::span<const Timing> timings() const override {
+    static constexpr std::array<Timing, 1> all = {{{static_cast<std::size_t>(MmsFigure::seconds), "seconds"}}};
+    return all;
   }
 
   std::string refuse(const Contestant& mouse) const override {

@@ -14,16 +14,31 @@ int runs_of(const Contestant& mouse, const RaceOrder& order) {
   return mouse.uses_chance || order.world->throws_dice() ? order.runs : 1;
 }
 
+/// In turn to each shard, so that no mouse is slow in one of them alone.
 void list_contests(Race& race) {
+  std::size_t number = 0;
   for (std::size_t mouse = 0; mouse < race.mice.size(); ++mouse)
     for (std::size_t maze = 0; maze < race.mazes.size(); ++maze)
       for (int run = 0, runs = runs_of(race.mice[mouse], race.order); run < runs; ++run) {
+        if (number++ % race.order.shard.of + 1 != race.order.shard.number) continue;
         ContestResult& contest = race.results.emplace_back();
         contest.mouse = mouse;
         contest.maze = maze;
         contest.run = run;
         contest.seed = contest_seed(race.order.seed, race.mazes[maze].name, run);
       }
+}
+
+/// Takes from the store what it has. A contest of which something is to be kept has to be held all the same.
+void recall(Race& race, const RaceHooks& hooks) {
+  if (!race.order.store) return;
+  race.order.store->recall(race, [&](const ContestResult& contest) {
+    const Keep keep = hooks.keep ? hooks.keep(contest) : Keep();
+    return !keep.record && !keep.picture;
+  });
+  if (!hooks.finished) return;
+  for (const ContestResult& contest : race.results)
+    if (contest.done) hooks.finished(race, contest, {});
 }
 
 }  // namespace
@@ -36,7 +51,7 @@ std::uint64_t contest_seed(std::uint64_t seed, std::string_view maze_name, int r
 std::size_t contests_of(const std::vector<Contestant>& mice, std::size_t mazes, const RaceOrder& order) {
   std::size_t all = 0;
   for (const Contestant& mouse : mice) all += mazes * static_cast<std::size_t>(runs_of(mouse, order));
-  return all;
+  return (all + order.shard.of - order.shard.number) / order.shard.of;
 }
 
 Race hold_race(std::vector<Contestant> mice, std::vector<NamedMaze> mazes, const RaceOrder& order,
@@ -52,17 +67,21 @@ Race hold_race(std::vector<Contestant> mice, std::vector<NamedMaze> mazes, const
   for_each_parallel(race.mazes.size(), order.jobs,
                     [&](std::size_t i) { race.facts[i] = race.world().facts(race.mazes[i].maze); });
   list_contests(race);
+  recall(race, hooks);
   std::mutex telling;
   for_each_parallel(race.results.size(), order.jobs, [&](std::size_t i) {
     if (hooks.stop != nullptr && hooks.stop->load()) return;
     ContestResult& result = race.results[i];
+    if (result.done || (order.store && order.store->failed())) return;
     const Held held = race.world().hold(race, result, hooks.keep ? hooks.keep(result) : Keep(), hooks.stop);
+    if (result.done && order.store) order.store->keep(race, result);
     if (!hooks.finished || !result.done) return;
     const std::lock_guard lock(telling);
     hooks.finished(race, result, held);
   });
   const auto is_done = [](const ContestResult& result) { return result.done; };
   race.stopped = !std::all_of(race.results.begin(), race.results.end(), is_done);
+  race.order.store.reset();
   return race;
 }
 

@@ -7,9 +7,16 @@
 #include <string>
 #include <vector>
 
+#include "labmouse/lab/races/contest_store.hpp"
 #include "labmouse/lab/races/world.hpp"
 
 namespace labmouse {
+
+/// One of several parts of a race that together are all of it, and share no contest.
+struct Shard {
+  std::size_t number = 1;  ///< 1 to `of`
+  std::size_t of = 1;
+};
 
 struct RaceOrder {
   std::shared_ptr<const World> world;
@@ -18,6 +25,10 @@ struct RaceOrder {
   std::uint64_t seed = 1;
   /// Threads; 0 takes as many as there are processors. Results do not depend on it.
   int jobs = 0;
+  /// Only these contests are held, and listed.
+  Shard shard = {};
+  /// Where contests are taken from and kept; may be null.
+  std::shared_ptr<ContestStore> store = nullptr;
 };
 
 /// One contest and how it went. `mouse` and `maze` are positions in the race's lists.
@@ -55,7 +66,8 @@ struct Race {
 struct RaceHooks {
   /// What is to be kept of a contest, for `finished`; asked from any thread. Nothing, where it is empty.
   std::function<Keep(const ContestResult&)> keep;
-  /// Called after each contest, from any thread but never from two at once.
+  /// Called after each contest, from any thread but never from two at once. Of one that the store had, nothing is held
+  /// again and the last argument is empty.
   std::function<void(const Race&, const ContestResult&, const Held&)> finished;
   /// Asked before each contest; once it is true no other begins.
   const std::atomic<bool>* stop = nullptr;

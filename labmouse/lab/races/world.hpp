@@ -90,6 +90,13 @@ struct Condition {
   Value value;
 };
 
+/// A figure that the clock of a machine has made: its place among the figures of a contest, and the field of JSON that
+/// is made of it.
+struct Timing {
+  std::size_t figure = 0;
+  std::string_view field;
+};
+
 /// Where the score of a contest stands in the JSON of its result, as this world writes it.
 struct ScorePlace {
   std::string_view key = "score";
@@ -110,6 +117,11 @@ class World {
   /// How it scores, in one line without its end.
   virtual std::string formula() const = 0;
   virtual std::vector<Condition> conditions() const = 0;
+  /// To be raised where the same contest comes to another result, or its figures are others: what stores have of
+  /// earlier editions is then held again.
+  virtual int edition() const { return 1; }
+  /// Figures that differ from race to race: stores keep them apart from results.
+  virtual std::span<const Timing> timings() const { return {}; }
   /// What the heading of the leaderboard begins with, such as "world of mms, "; and what it ends with, such as
   /// ", budget 500". Empty where nothing has to be said.
   virtual std::string title() const { return "world of " + std::string(name()) + ", "; }

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "labmouse/lab/races/world.hpp"
+#include "labmouse/lab/text/json.hpp"
 
 namespace labmouse {
 
@@ -60,6 +61,9 @@ struct WorldEntry {
   /// Checks a record's text and packs it for a report.
   PackedFile (*pack)(std::string_view text, const RecordOwner& owner);
   bool is_home = false;
+  /// Makes the world again from an object of its conditions, of which nothing is sure; null where they are none.
+  /// Without it each setting is a condition, with `_` in place of `-`.
+  std::shared_ptr<const World> (*restore)(const ReadJson& conditions) = nullptr;
 };
 
 /// The value of a setting, or its default.

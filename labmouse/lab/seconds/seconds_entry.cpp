@@ -4,8 +4,10 @@
 
 #include <array>
 
+#include "labmouse/lab/records/drive_record_fields.hpp"
 #include "labmouse/lab/robots/drive_rules_file.hpp"
 #include "labmouse/lab/robots/robot_files.hpp"
+#include "labmouse/lab/robots/robot_json.hpp"
 #include "labmouse/lab/seconds/seconds_world.hpp"
 #include "labmouse/lab/text/json.hpp"
 
@@ -27,6 +29,16 @@ WorldResult make(const WorldSettings& chosen) {
           std::move(robot.remarks)};
 }
 
+std::shared_ptr<const World> restore(const ReadJson& conditions) {
+  if (!conditions.is_object() || !conditions.contains("rules") || !conditions.contains("robot")) return nullptr;
+  JsonFields fields(conditions, "");
+  DriveRules rules;
+  read_drive_rules_json(conditions["rules"], rules, fields);
+  DriveModel model = read_robot_json(fields, conditions["robot"]);
+  if (!fields.error().empty() || !model.error.empty()) return nullptr;
+  return seconds_world(rules, std::make_shared<DriveModel>(std::move(model)));
+}
+
 PackedFile failed(Problem problem) { return {"", std::nullopt, std::move(problem)}; }
 
 /// A record in seconds goes in as it is.
@@ -46,7 +58,8 @@ PackedFile pack(std::string_view text, const RecordOwner& owner) {
 
 }  // namespace
 
-const WorldEntry seconds_entry = {"seconds", "a robot that drives curves and diagonals, by the rules of real contests",
-                                  settings, make, pack};
+const WorldEntry seconds_entry = {
+    "seconds", "a robot that drives curves and diagonals, by the rules of real contests", settings, make, pack, false,
+    restore};
 
 }  // namespace labmouse

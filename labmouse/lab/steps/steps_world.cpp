@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <chrono>
 
 #include "labmouse/contest/coverage.hpp"
@@ -106,6 +107,11 @@ class StepsWorld final : public World {
     return fmt::format("speed-run steps + exploration steps / {}", rules_.exploration_factor);
   }
   std::vector<Condition> conditions() const override { return {{"budget", std::int64_t{rules_.budget}}}; }
+  std::span<const Timing> timings() const override {
+    static constexpr std::array<Timing, 1> all = {
+        {{static_cast<std::size_t>(StepsFigure::microseconds), "microseconds_per_decision"}}};
+    return all;
+  }
   std::string title() const override { return ""; }
   std::string heading() const override {
     return rules_.budget == Rules().budget ? "" : fmt::format(", budget {}", rules_.budget);

@@ -1,6 +1,27 @@
 #include "labmouse/lab/worlds/worlds.hpp"
 
+#include <algorithm>
+
+#include "labmouse/lab/text/json.hpp"
+
 namespace labmouse {
+namespace {
+
+/// The text of a setting; nothing where the value is no good one.
+std::optional<std::string> text_of_setting(const WorldSetting& setting, const ReadJson& value) {
+  switch (setting.kind) {
+    case WorldSetting::Kind::flag:
+      return value.is_boolean() ? std::optional(value.get<bool>() ? "true" : "false") : std::nullopt;
+    case WorldSetting::Kind::whole:
+      if (!value.is_number_integer() || value < setting.low || value > setting.high) return std::nullopt;
+      return std::to_string(value.get<std::int64_t>());
+    case WorldSetting::Kind::text:
+      return value.is_string() ? std::optional(value.get<std::string>()) : std::nullopt;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
 
 const WorldEntry* find_world(std::string_view name) {
   for (const WorldEntry* entry : all_worlds())
@@ -9,6 +30,23 @@ const WorldEntry* find_world(std::string_view name) {
 }
 
 std::shared_ptr<const World> default_world(std::string_view name) { return find_world(name)->make({}).world; }
+
+std::shared_ptr<const World> restore_world(std::string_view name, std::string_view conditions) {
+  const WorldEntry* entry = find_world(name);
+  const ReadJson json = ReadJson::parse(conditions, nullptr, false);
+  if (entry == nullptr || !json.is_object()) return nullptr;
+  if (entry->restore != nullptr) return entry->restore(json);
+  WorldSettings settings;
+  for (const WorldSetting& setting : entry->settings) {
+    std::string key(setting.name);
+    std::replace(key.begin(), key.end(), '-', '_');
+    const auto found = json.find(key);
+    const auto text = found == json.end() ? std::nullopt : text_of_setting(setting, *found);
+    if (!text) return nullptr;
+    settings.emplace(setting.name, *text);
+  }
+  return entry->make(settings).world;
+}
 
 std::shared_ptr<const World> home_world() { return all_worlds().front()->make({}).world; }
 

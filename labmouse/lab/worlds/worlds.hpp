@@ -15,6 +15,9 @@ std::span<const WorldEntry* const> all_worlds();
 const WorldEntry* find_world(std::string_view name);
 /// The world of that name with its defaults; the name must be that of one.
 std::shared_ptr<const World> default_world(std::string_view name);
+/// The world of that name under these conditions, an object of JSON as World::conditions has them; null where there is
+/// no such world, or no such conditions.
+std::shared_ptr<const World> restore_world(std::string_view name, std::string_view conditions);
 /// The home world with its defaults.
 std::shared_ptr<const World> home_world();
 

@@ -1,0 +1,11 @@
+# The behaviour signature of this build, as a constant: to compute it takes seconds, so a small program does it once, when
+# the rooms that it depends on were compiled.
+set(LABMOUSE_SIGNATURE_SOURCE ${PROJECT_BINARY_DIR}/generated/build_signature.cpp)
+add_executable(labmouse_signature apps/signature/signature.cpp labmouse/lab/bench/signature.cpp)
+target_compile_options(labmouse_signature PRIVATE ${LABMOUSE_WARNINGS})
+target_link_libraries(labmouse_signature PRIVATE labmouse::contest labmouse::strategies)
+add_custom_command(OUTPUT ${LABMOUSE_SIGNATURE_SOURCE}
+  COMMAND ${CMAKE_COMMAND} -DPROGRAM=$<TARGET_FILE:labmouse_signature> -DOUTPUT=${LABMOUSE_SIGNATURE_SOURCE}
+          -P ${CMAKE_CURRENT_LIST_DIR}/write_signature.cmake
+  DEPENDS labmouse_signature ${CMAKE_CURRENT_LIST_DIR}/write_signature.cmake VERBATIM
+  COMMENT "Computing the behaviour signature")

@@ -1,0 +1,23 @@
+// What a guest is, as far as that can be known without starting it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "labmouse/guests/process.hpp"
+#include "labmouse/lab/mice/contestant.hpp"
+
+namespace labmouse {
+
+/// A text in lines that is another one where the guest may play otherwise: its words, its environment, its limits, its
+/// interpreter's version, and what stands in the files that its words name, and in the others of the same ending beside
+/// these. Folders do not count: the same files elsewhere are the same guest. A `label` stands for all files, where it
+/// is not empty. Reads the files.
+std::string guest_identity(std::string_view kind, const Launch& launch, const std::optional<Interpreter>& interpreter,
+                           const std::string& label);
+
+/// FNV-1a of the bytes, in hexadecimal digits.
+std::string hash_of(std::string_view bytes);
+
+}  // namespace labmouse

@@ -1,0 +1,11 @@
+// The behaviour signature of this build, known without computing it.
+#pragma once
+
+#include <string_view>
+
+namespace labmouse {
+
+/// What signature() (lab/bench) returns, computed when the library was built: cmake/LabmouseSignature.cmake.
+std::string_view build_signature();
+
+}  // namespace labmouse

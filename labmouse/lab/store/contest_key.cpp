@@ -1,0 +1,61 @@
+#include "labmouse/lab/store/contest_key.hpp"
+
+#include <fmt/format.h>
+
+#include "labmouse/lab/mazes/maze_link.hpp"
+#include "labmouse/lab/mice/specs.hpp"
+#include "labmouse/lab/store/build_signature.hpp"
+#include "labmouse/lab/text/json.hpp"
+#include "labmouse/mouse/wall_prior.hpp"
+
+namespace labmouse {
+namespace {
+
+Json json_of_condition(const Value& value) {
+  if (const auto* json = std::get_if<JsonText>(&value)) return Json::parse(json->text);
+  if (const auto* truth = std::get_if<bool>(&value)) return *truth;
+  if (const auto* whole = std::get_if<std::int64_t>(&value)) return *whole;
+  if (const auto* real = std::get_if<double>(&value)) return *real;
+  if (const auto* text = std::get_if<std::string>(&value)) return *text;
+  return nullptr;
+}
+
+/// All numbers of a prior, two digits each.
+std::string prior_text(const WallPrior& prior) {
+  std::string text;
+  for (const std::uint8_t number : prior.walls) text += fmt::format("{:02x}", number);
+  for (const std::uint8_t number : prior.rim) text += fmt::format("{:02x}", number);
+  return text;
+}
+
+}  // namespace
+
+std::string conditions_text(const World& world) {
+  Json json = Json::object();
+  for (const Condition& condition : world.conditions()) json[condition.key] = json_of_condition(condition.value);
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string key_of(const World& world) {
+  std::string fields;
+  for (const ContestField& field : world.fields().contest) fields += fmt::format(" {}", field.key);
+  const auto failure = world.failure_score();
+  return fmt::format("world {}\nedition {}\nformula {}\nfailure {}\nconditions {}\nfields{}\n", world.name(),
+                     world.edition(), world.formula(), failure ? fmt::format("{}", *failure) : "none",
+                     conditions_text(world), fields);
+}
+
+std::string key_of(const World& world, const Contestant& mouse) {
+  if (mouse.identity) return mouse.identity();
+  const RosterEntry* entry = entry_of(mouse);
+  if (entry == nullptr && !mouse.reference) return "";
+  std::string text = fmt::format("mouse {}\n", entry != nullptr ? entry->name : std::string_view(spec_of(mouse)));
+  const Settings settings = world.settings(mouse);
+  for (const Setting& setting : settings.all()) text += fmt::format("{} {}\n", setting.name, setting.value);
+  if (const WallPrior* learned = mouse.settings.attached()) text += fmt::format("learned {}\n", prior_text(*learned));
+  return text + fmt::format("signature {}\n", build_signature());
+}
+
+std::string key_of(const Maze& maze) { return link_of({"", maze}); }
+
+}  // namespace labmouse

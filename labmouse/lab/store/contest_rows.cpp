@@ -1,0 +1,145 @@
+#include "labmouse/lab/store/contest_rows.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ctime>
+
+#include "labmouse/lab/mice/specs.hpp"
+#include "labmouse/lab/store/contest_key.hpp"
+#include "labmouse/lab/store/figures.hpp"
+#include "labmouse/lab/text/json.hpp"
+
+namespace labmouse {
+namespace {
+
+std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+Json json_of_field(const Value& value) {
+  return std::visit(
+      [](const auto& held) -> Json {
+        using Held = std::decay_t<decltype(held)>;
+        if constexpr (std::is_same_v<Held, std::monostate>)
+          return nullptr;
+        else if constexpr (std::is_same_v<Held, JsonText>)
+          return Json::parse(held.text);
+        else
+          return held;
+      },
+      value);
+}
+
+bool is_timing(const World& world, std::string_view field) {
+  return std::any_of(world.timings().begin(), world.timings().end(),
+                     [&](const Timing& timing) { return timing.field == field; });
+}
+
+/// The fields of its JSON that have no column of their own and are no timings.
+std::string fields_text(const Race& race, const ContestResult& result) {
+  Json json = Json::object();
+  for (const ContestField& field : race.world().fields().contest) {
+    if (field.key == "maze" || field.key == "seed" || field.key == "outcome" || is_timing(race.world(), field.key))
+      continue;
+    const Value value = field.of(race, result);
+    if (!std::holds_alternative<std::monostate>(value)) json[std::string(field.key)] = json_of_field(value);
+  }
+  return text_of(json);
+}
+
+}  // namespace
+
+std::string about_text(const Contestant& mouse) {
+  Json json = Json::object();
+  if (mouse.reference) json["reference"] = true;
+  if (mouse.uses_chance) json["uses_chance"] = true;
+  if (mouse.runs > 0) json["runs"] = mouse.runs;
+  if (!mouse.note.empty()) json["note"] = mouse.note;
+  if (mouse.interpreter)
+    json["interpreter"] = {{"path", mouse.interpreter->path}, {"version", mouse.interpreter->version}};
+  if (mouse.sandboxed) json["sandboxed"] = *mouse.sandboxed;
+  if (!mouse.why_no_sandbox.empty()) json["why_no_sandbox"] = mouse.why_no_sandbox;
+  return text_of(json);
+}
+
+void read_about(std::string_view about, Contestant& mouse) {
+  const ReadJson json = ReadJson::parse(about, nullptr, false);
+  const auto flag = [&](const char* key) {
+    return json.contains(key) && json[key].is_boolean() && json[key].get<bool>();
+  };
+  const auto text = [](const ReadJson& object, const char* key) {
+    return object.contains(key) && object[key].is_string() ? object[key].get<std::string>() : "";
+  };
+  if (!json.is_object()) return;
+  mouse.reference = flag("reference");
+  mouse.uses_chance = flag("uses_chance");
+  if (json.contains("runs") && json["runs"].is_number_integer()) mouse.runs = json["runs"].get<int>();
+  mouse.note = text(json, "note");
+  if (json.contains("interpreter") && json["interpreter"].is_object())
+    mouse.interpreter = {text(json["interpreter"], "path"), text(json["interpreter"], "version")};
+  if (json.contains("sandboxed")) mouse.sandboxed = flag("sandboxed");
+  mouse.why_no_sandbox = text(json, "why_no_sandbox");
+}
+
+std::string parameters_text(const World& world, const Contestant& mouse) {
+  Json json = Json::object();
+  const Settings settings = world.settings(mouse);
+  for (const Setting& setting : settings.all()) json[setting.name] = setting.value;
+  return text_of(json);
+}
+
+RaceRows rows_of(const Race& race) {
+  const World& world = race.world();
+  RaceRows rows;
+  rows.world_key = key_of(world);
+  rows.world = world.name();
+  rows.conditions = conditions_text(world);
+  rows.unit = world.unit();
+  rows.race_seed = fmt::format("{}", race.order.seed);
+  for (const Contestant& mouse : race.mice)
+    rows.mice.push_back(
+        {key_of(world, mouse), mouse.name, spec_of(mouse), parameters_text(world, mouse), about_text(mouse)});
+  for (std::size_t i = 0; i < race.mazes.size(); ++i)
+    rows.mazes.push_back(
+        {key_of(race.mazes[i].maze), race.mazes[i].name, race.mazes[i].maze.size(), race.facts[i].bound});
+  return rows;
+}
+
+ContestRow row_of(std::shared_ptr<const RaceRows> rows, const Race& race, const ContestResult& result) {
+  ContestRow row;
+  row.race = std::move(rows);
+  row.mouse = result.mouse;
+  row.maze = result.maze;
+  row.fields = fields_text(race, result);
+  row.result = result;
+  std::vector<Value> timings, figures = std::move(row.result.figures);
+  row.result.figures.clear();
+  for (const Timing& timing : race.world().timings())
+    timings.push_back(std::exchange(figures[timing.figure], Value(0.0)));
+  row.figures = figures_text(figures);
+  if (!timings.empty()) row.timings = figures_text(timings);
+  row.time = static_cast<std::int64_t>(std::time(nullptr));
+  return row;
+}
+
+bool fill_in(const Statement& row, int first, const World& world, ContestResult& result) {
+  auto figures = read_figures(row.text(first + 7));
+  if (!figures) return false;
+  const auto timings = row.is_null(first + 8) ? std::nullopt : read_figures(row.text(first + 8));
+  for (std::size_t i = 0; i < world.timings().size(); ++i) {
+    const std::size_t place = world.timings()[i].figure;
+    if (place >= figures->size()) return false;
+    if (timings && i < timings->size()) (*figures)[place] = (*timings)[i];
+  }
+  result.run = static_cast<int>(row.whole(first));
+  result.outcome = row.text(first + 1);
+  result.outcome_order = static_cast<int>(row.whole(first + 2));
+  result.never_started = row.text(first + 3);
+  result.score = row.real(first + 4);
+  result.counted = row.real(first + 5);
+  result.ratio = row.real(first + 6);
+  result.figures = std::move(*figures);
+  result.done = true;
+  return true;
+}
+
+}  // namespace labmouse

@@ -1,0 +1,26 @@
+// The tables of a store, and how older ones become the present ones. docs/store.md describes them to people.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "labmouse/lab/store/database.hpp"
+
+namespace labmouse {
+
+/// What makes of a store of version i one of version i + 1; of version 0, which is an empty file, one of version 1.
+/// What stands here is never changed: stores out there were made by it.
+std::span<const char* const> migrations();
+
+/// The version of stores that this program writes.
+inline int schema_version(std::span<const char* const> steps = migrations()) { return static_cast<int>(steps.size()); }
+
+/// Opens a store, in its present version: one that is to be written is brought there, all or nothing. The database has
+/// an error where there is no store, or one that this program cannot read.
+Database open_store(const std::string& path, Database::Access access,
+                    std::span<const char* const> steps = migrations());
+
+/// An error of a store as a line for the user; empty where there is none.
+std::string error_line(const std::string& path, const std::string& error);
+
+}  // namespace labmouse

@@ -1,0 +1,32 @@
+// What changes a store besides races: merging others into it, and forgetting.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "labmouse/lab/store/stored_races.hpp"
+
+namespace labmouse {
+
+/// What a merge came to.
+struct Merge {
+  std::int64_t added = 0;              ///< contests that are new in the target
+  std::int64_t equal = 0;              ///< contests that it had already, with the same results
+  std::vector<std::string> conflicts;  ///< contests whose results differ, a line each; then nothing was changed
+  std::string error;                   ///< why there was no merge, as a line for the user
+
+  bool good() const { return conflicts.empty() && error.empty(); }
+};
+
+/// Adds all contests of the stores to the target, which is made where there is none: all of them, or nothing where one
+/// contest has another result in two of them. Timings do not count for that; those that are there first stay.
+Merge merge_stores(const std::vector<std::string>& paths, const std::string& target);
+
+/// Removes the contests that the filter means, and what then belongs to none.
+struct Forgotten {
+  std::int64_t contests = 0;
+  std::string error;
+};
+Forgotten forget(const std::string& path, const StoreFilter& filter);
+
+}  // namespace labmouse

@@ -1,0 +1,336 @@
+#include "labmouse/lab/store/stored_races.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <tuple>
+
+#include "labmouse/lab/mazes/maze_link.hpp"
+#include "labmouse/lab/store/contest_key.hpp"
+#include "labmouse/lab/store/contest_rows.hpp"
+#include "labmouse/lab/store/schema.hpp"
+#include "labmouse/lab/system/parallel.hpp"
+#include "labmouse/lab/text/json.hpp"
+#include "labmouse/lab/text/printable.hpp"
+#include "labmouse/lab/worlds/worlds.hpp"
+#include "labmouse/strategies/roster.hpp"
+
+namespace labmouse {
+namespace {
+
+std::string sql_text(std::string_view text) {
+  std::string quoted = "'";
+  for (const char letter : text) quoted += letter == '\'' ? "''" : std::string(1, letter);
+  return quoted + "'";
+}
+
+Contestant mouse_of(const Statement& row, int first) {
+  Contestant mouse;
+  mouse.name = row.text(first + 1);
+  if (const std::string spec = row.text(first + 2); spec != mouse.name) mouse.spec = spec;
+  const std::string& spec = spec_of(mouse);
+  const RosterEntry* entry = find_mouse(spec.substr(0, spec.find(':')));
+  const ReadJson parameters = ReadJson::parse(row.text(first + 3), nullptr, false);
+  if (entry != nullptr && parameters.is_object()) {
+    mouse.settings = Settings(entry->parameters);
+    for (const Parameter& parameter : entry->parameters) {
+      const auto found = parameters.find(parameter.name);
+      if (found != parameters.end() && found->is_string())
+        mouse.settings.set(parameter.name, found->get<std::string>());
+    }
+  }
+  read_about(row.text(first + 4), mouse);
+  mouse.identity = [key = row.text(first)] { return key; };
+  return mouse;
+}
+
+/// Reads the rows of one world into a race.
+class Reader {
+ public:
+  Reader(Database& database, std::string condition) : database_(database), condition_(std::move(condition)) {}
+
+  /// Nothing where the maze of a row cannot be read.
+  std::optional<Race> read(std::int64_t world_id, std::shared_ptr<const World> world) {
+    Race race;
+    race.order.world = std::move(world);
+    Statement rows =
+        database_.prepare(fmt::format("SELECT contests.mouse, contests.maze, seed, {} FROM contests "
+                                      "LEFT JOIN timings ON timings.contest = contests.id "
+                                      "WHERE contests.world = ?1 AND contests.id IN (SELECT id FROM results{})",
+                                      result_columns, condition_));
+    rows.bind(1, world_id);
+    while (rows.next()) {
+      const auto mouse = place_of(mice_, rows.whole(0)), maze = place_of(mazes_, rows.whole(1));
+      ContestResult contest;
+      contest.mouse = mouse;
+      contest.maze = maze;
+      contest.seed = static_cast<std::uint64_t>(rows.whole(2));
+      if (!fill_in(rows, 3, race.world(), contest)) {
+        database_.fail("is damaged: it has figures that cannot be read");
+        return std::nullopt;
+      }
+      race.results.push_back(std::move(contest));
+    }
+    if (!add_mice(race) || !add_mazes(race)) return std::nullopt;
+    sort(race);
+    race.facts.resize(race.mazes.size());
+    for_each_parallel(race.mazes.size(), 0,
+                      [&](std::size_t i) { race.facts[i] = race.world().facts(race.mazes[i].maze); });
+    return race;
+  }
+
+ private:
+  using Places = std::map<std::int64_t, std::size_t>;
+
+  static std::size_t place_of(Places& places, std::int64_t id) {
+    return places.try_emplace(id, places.size()).first->second;
+  }
+
+  bool add_mice(Race& race) {
+    race.mice.resize(mice_.size());
+    Statement find = database_.prepare("SELECT text, name, spec, parameters, about FROM mice WHERE id = ?1");
+    for (const auto& [id, place] : mice_) {
+      find.bind(1, id);
+      while (find.next()) race.mice[place] = mouse_of(find, 0);
+    }
+    return database_.good();
+  }
+
+  bool add_mazes(Race& race) {
+    std::map<std::size_t, NamedMaze> found;
+    std::map<std::string, int> names;
+    Statement find = database_.prepare("SELECT text, name FROM mazes WHERE id = ?1");
+    for (const auto& [id, place] : mazes_) {
+      find.bind(1, id);
+      while (find.next()) {
+        ReadLinkResult link = read_link(find.text(0));
+        if (!link.maze) {
+          database_.fail("is damaged: it has a maze that cannot be read");
+          return false;
+        }
+        std::string name = find.text(1);
+        // Another maze under the same name.
+        if (const int count = ++names[name]; count > 1) name += fmt::format(" ({})", count);
+        found.emplace(place, NamedMaze{std::move(name), std::move(link.maze->maze)});
+      }
+    }
+    for (auto& [place, maze] : found) race.mazes.push_back(std::move(maze));
+    return database_.good() && race.mazes.size() == mazes_.size();
+  }
+
+  /// Puts things in the order of their names, and gives back the new place of each.
+  template <class Things>
+  static std::vector<std::size_t> sort_by_name(Things& things) {
+    std::vector<std::size_t> order(things.size()), places(things.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return things[a].name < things[b].name; });
+    Things sorted;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      sorted.push_back(std::move(things[order[i]]));
+      places[order[i]] = i;
+    }
+    things = std::move(sorted);
+    return places;
+  }
+
+  static void sort(Race& race) {
+    const auto mice = sort_by_name(race.mice), mazes = sort_by_name(race.mazes);
+    for (ContestResult& contest : race.results) {
+      contest.mouse = mice[contest.mouse];
+      contest.maze = mazes[contest.maze];
+    }
+    std::sort(race.results.begin(), race.results.end(), [](const ContestResult& a, const ContestResult& b) {
+      return std::tie(a.mouse, a.maze, a.run, a.seed) < std::tie(b.mouse, b.maze, b.run, b.seed);
+    });
+  }
+
+  Database& database_;
+  std::string condition_;
+  Places mice_, mazes_;
+};
+
+std::string with(const std::string& condition, const std::string& more) {
+  return condition + (condition.empty() ? " WHERE " : " AND ") + more;
+}
+
+/// Of mice with one name, those that a study taught nothing, and of these the one that raced last.
+std::string only_latest(const std::string& condition) {
+  return fmt::format(
+      "contests.mouse IN (SELECT mouse FROM (SELECT mouse, row_number() OVER (PARTITION BY contests.world, mice.name "
+      "ORDER BY instr(mice.text, char(10) || 'learned ') > 0, max(time) DESC, max(contests.id) DESC) AS place FROM "
+      "contests JOIN mice ON mice.id = mouse WHERE "
+      "contests.id IN (SELECT id FROM results{}) GROUP BY contests.world, mouse) WHERE place = 1)",
+      condition);
+}
+
+/// The one seed that the rows were held with; an error where there are several.
+std::string seed_of(Database& database, const std::string& condition) {
+  std::vector<std::string> seeds;
+  Statement find = database.prepare(
+      fmt::format("SELECT DISTINCT race_seed FROM results{} ORDER BY length(race_seed), race_seed LIMIT 6", condition));
+  while (find.next()) seeds.push_back(find.text(0));
+  if (seeds.size() > 1) {
+    if (seeds.size() == 6) seeds.back() = "...";
+    database.fail(fmt::format("holds races with seeds {}; name one with --seed", fmt::join(seeds, ", ")));
+  }
+  if (seeds.empty()) database.fail("has no such contests");
+  return seeds.empty() ? "" : seeds.front();
+}
+
+StoredRaces read_races(const std::string& path, StoreFilter filter, bool one_race) {
+  StoredRaces found;
+  Database database = open_store(path, Database::Access::read);
+  database.run("BEGIN");
+  std::string condition = condition_of(filter);
+  const std::string seed = one_race && database.good() ? seed_of(database, condition) : "0";
+  std::vector<std::tuple<std::int64_t, std::string, std::string, std::string>> worlds;
+  Statement find = database.prepare("SELECT id, name, conditions, text FROM worlds ORDER BY id");
+  while (find.next()) worlds.emplace_back(find.whole(0), find.text(1), find.text(2), find.text(3));
+  if (one_race) {
+    const std::int64_t all = database.number(
+        fmt::format("SELECT count(DISTINCT mouse) FROM contests WHERE id IN (SELECT id FROM results{})", condition));
+    condition = with(condition, "id IN (SELECT contests.id FROM contests WHERE " + only_latest(condition) + ")");
+    const std::int64_t latest = database.number(
+        fmt::format("SELECT count(DISTINCT mouse) FROM contests WHERE id IN (SELECT id FROM results{})", condition));
+    if (latest < all)
+      found.remarks.push_back(fmt::format("{} with the name of a later one left out",
+                                          all - latest == 1 ? "1 mouse" : fmt::format("{} mice", all - latest)));
+  }
+  for (const auto& [id, name, conditions, text] : worlds) {
+    if (!database.good()) break;
+    if (!filter.worlds.empty() && std::find(filter.worlds.begin(), filter.worlds.end(), name) == filter.worlds.end())
+      continue;
+    auto world = restore_world(name, conditions);
+    if (!world || key_of(*world) != text) {
+      found.remarks.push_back(
+          fmt::format("world {} left out: it is not as this version of labmouse has it", shown(name)));
+      continue;
+    }
+    auto race = Reader(database, condition).read(id, std::move(world));
+    if (!race || race->results.empty()) continue;
+    race->order.seed = std::stoull("0" + (one_race ? seed : "0"));
+    found.races.push_back(std::move(*race));
+  }
+  found.error = error_line(path, database.error());
+  if (found.error.empty() && found.races.empty()) found.error = error_line(path, "has no such contests");
+  return found;
+}
+
+/// Says where not every mouse met every maze equally often with one of its kind: means then do not compare.
+void remark_on_holes(StoredRaces& found) {
+  for (const Race& race : found.races) {
+    std::vector<std::size_t> met(race.mice.size() * race.mazes.size());
+    for (const ContestResult& contest : race.results) met[contest.mouse * race.mazes.size() + contest.maze] = 1;
+    const auto holes = std::count(met.begin(), met.end(), 0U);
+    if (holes > 0)
+      found.remarks.push_back(
+          fmt::format("world {}: the store has no contest for {} of {} pairs of a mouse and a maze, so means are not "
+                      "over the same mazes",
+                      race.world().name(), holes, met.size()));
+  }
+}
+
+constexpr std::array<const char*, 16> export_columns = {
+    "world", "conditions", "mouse", "maze",   "seed",    "run",      "race_seed", "outcome",
+    "score", "counted",    "ratio", "fields", "version", "compiler", "processor", "time"};
+
+std::string joined_columns() { return fmt::format("{}", fmt::join(export_columns, ", ")); }
+
+Json json_of_column(const Statement& rows, int column) {
+  const std::string_view name = export_columns[static_cast<std::size_t>(column)];
+  if (rows.is_null(column)) return nullptr;
+  if (name == "score" || name == "counted" || name == "ratio") return *rows.real(column);
+  if (name == "seed" || name == "run" || name == "time") return rows.whole(column);
+  if (name == "conditions" || name == "fields") {
+    Json json = Json::parse(rows.text(column), nullptr, false);
+    return json.is_discarded() ? Json(rows.text(column)) : json;
+  }
+  return rows.text(column);
+}
+
+std::string json_line(const Statement& rows) {
+  Json json;
+  for (std::size_t i = 0; i < export_columns.size(); ++i)
+    json[export_columns[i]] = json_of_column(rows, static_cast<int>(i));
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string csv_line(const Statement& rows) {
+  std::string line;
+  for (int i = 0; i < static_cast<int>(export_columns.size()); ++i) {
+    const auto real = i >= 8 && i <= 10 ? rows.real(i) : std::nullopt;
+    line += (i > 0 ? "," : "") + csv_field(real ? fmt::format("{}", *real) : rows.text(i));
+  }
+  return line + "\n";
+}
+
+}  // namespace
+
+std::string condition_of(const StoreFilter& filter) {
+  std::string condition;
+  const auto among = [&](const char* column, const std::vector<std::string>& names) {
+    if (names.empty()) return;
+    std::vector<std::string> quoted;
+    for (const std::string& name : names) quoted.push_back(sql_text(name));
+    condition = with(condition, fmt::format("{} IN ({})", column, fmt::join(quoted, ", ")));
+  };
+  among("world", filter.worlds);
+  among("mouse", filter.mice);
+  among("maze", filter.mazes);
+  among("version", filter.versions);
+  if (filter.race_seed) condition = with(condition, fmt::format("race_seed = '{}'", *filter.race_seed));
+  return condition;
+}
+
+StoredRaces stored_races(const std::string& path, const StoreFilter& filter) {
+  StoredRaces found = read_races(path, filter, true);
+  remark_on_holes(found);
+  return found;
+}
+
+StoredRaces all_stored_contests(const std::string& path, const StoreFilter& filter) {
+  return read_races(path, filter, false);
+}
+
+StoredMice stored_mice(const std::string& path, const StoreFilter& filter) {
+  StoredMice found;
+  Database database = open_store(path, Database::Access::read);
+  Statement rows = database.prepare(fmt::format(
+      "SELECT worlds.name, worlds.conditions, mice.name, count(DISTINCT contests.maze), count(*), count(score), "
+      "avg(CASE WHEN bound IS NOT NULL THEN counted END), min(time), max(time) FROM contests "
+      "JOIN worlds ON worlds.id = contests.world JOIN mice ON mice.id = contests.mouse "
+      "LEFT JOIN bounds ON bounds.world = contests.world AND bounds.maze = contests.maze "
+      "WHERE contests.id IN (SELECT id FROM results{}) GROUP BY contests.world, contests.mouse "
+      "ORDER BY contests.world, mice.name, max(time)",
+      condition_of(filter)));
+  while (rows.next())
+    found.mice.push_back({rows.text(0), rows.text(1), rows.text(2), rows.whole(3), rows.whole(4), rows.whole(5),
+                          rows.real(6), rows.whole(7), rows.whole(8)});
+  found.error = error_line(path, database.error());
+  return found;
+}
+
+std::string export_store(const std::string& path, const StoreFilter& filter, ExportFormat format, std::int64_t most,
+                         const std::function<bool(const std::string& lines)>& take) {
+  constexpr std::size_t part = std::size_t{1} << 16U;
+  Database database = open_store(path, Database::Access::read);
+  const std::string last =
+      most > 0 ? fmt::format("(SELECT * FROM results{} ORDER BY id DESC LIMIT {})", condition_of(filter), most)
+               : "results" + condition_of(filter);
+  Statement rows = database.prepare(fmt::format("SELECT {} FROM {} ORDER BY id", joined_columns(), last));
+  std::string lines;
+  if (format == ExportFormat::csv && database.good()) lines = fmt::format("{}\n", fmt::join(export_columns, ","));
+  while (rows.next()) {
+    lines += format == ExportFormat::csv ? csv_line(rows) : json_line(rows);
+    if (lines.size() < part) continue;
+    if (!take(lines)) return "";
+    lines.clear();
+  }
+  if (!lines.empty() && database.good()) take(lines);
+  return error_line(path, database.error());
+}
+
+}  // namespace labmouse
