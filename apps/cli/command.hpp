@@ -95,6 +95,7 @@ void add_replay(Command& app, int& exit);
 void add_score(Command& app, int& exit);
 void add_page(Command& app, int& exit);
 void add_report(Command& app, int& exit);
+void add_store(Command& app, int& exit);
 void add_bench(Command& app, int& exit);
 
 }  // namespace labmouse::cli

@@ -8,6 +8,8 @@
 #include <cstdio>
 
 #include "labmouse/lab/mice/specs.hpp"
+#include "labmouse/lab/text/counted.hpp"
+#include "labmouse/lab/text/printable.hpp"
 #include "terminal.hpp"
 
 namespace labmouse::cli {
@@ -53,6 +55,10 @@ void add_contests(Command& command, Contests& contests) {
   command.add_option("--seed", contests.order.seed, "Seed for all random choices")
       ->check(seed_number())
       ->capture_default_str();
+  command
+      .add_option("--store", contests.store_path,
+                  "File that keeps all contests: those that are there are not held again (docs/store.md)")
+      ->type_name("FILE");
   command.add_option("--jobs", contests.order.jobs, "Number of threads; 0 uses all processors")
       ->check(in_range(0, 1024))
       ->capture_default_str();
@@ -61,7 +67,26 @@ void add_contests(Command& command, Contests& contests) {
 RaceOrder Contests::order_in(std::shared_ptr<const World> chosen) const {
   RaceOrder held = order;
   held.world = std::move(chosen);
+  if (store_path.empty()) return held;
+  if (!store_) store_ = std::make_shared<Store>(store_path);
+  if (store_->failed()) throw UsageError(store_->finish());
+  held.store = store_;
   return held;
+}
+
+void Contests::finish_store(bool below_a_table) const {
+  if (!store_) return;
+  const std::string error = store_->finish();
+  std::string text =
+      fmt::format("Store {}: {} from it, {} added", shown(store_->path()),
+                  counted(static_cast<std::int64_t>(store_->recalled()), "contest", "contests"), store_->added());
+  if (store_->passed_by() > 0)
+    text += fmt::format(", {} not kept, because nothing is known of their mice", store_->passed_by());
+  if (below_a_table)
+    print("\n" + text + ".\n");
+  else
+    tell(text + ".\n");
+  if (!error.empty()) throw UsageError(error);
 }
 
 std::vector<Contestant> mice_of(SpecResult read) {

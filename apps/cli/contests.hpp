@@ -9,6 +9,7 @@
 #include "command.hpp"
 #include "labmouse/lab/galleries/results_folder.hpp"
 #include "labmouse/lab/races/race.hpp"
+#include "labmouse/lab/store/store.hpp"
 #include "worlds.hpp"
 
 namespace labmouse::cli {
@@ -20,7 +21,17 @@ struct Contests {
   /// Without its world, which depends on the mice.
   RaceOrder order;
 
+  /// The file of --store; empty without one.
+  std::string store_path;
+
+  /// Opens the store, where there is one to open; throws UsageError.
   RaceOrder order_in(std::shared_ptr<const World> chosen) const;
+  /// After all contests: waits until the store has them, and says what came from it and what was added, below a table
+  /// or, where a program reads the output, on standard error. Throws UsageError where the store failed.
+  void finish_store(bool below_a_table) const;
+
+ private:
+  mutable std::shared_ptr<Store> store_;
 };
 void add_contests(Command& command, Contests& contests);
 

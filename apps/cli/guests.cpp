@@ -75,6 +75,10 @@ void add_guest_options(Command& command, GuestOptions& guests) {
 void add_racing_guests(Command& command, GuestOptions& guests) {
   add_python(command, guests);
   add_guest_options(command, guests);
+  command
+      .add_option("--label", guests.label,
+                  "In a store of contests, stands for the files of guests: the same label is the same mouse")
+      ->type_name("TEXT");
   command.add_option("--guest-runs", guests.runs, "Contests in each maze for each guest; for guests that throw dice")
       ->type_name("N")
       ->check(in_range(1, 1'000'000))

@@ -54,6 +54,7 @@ int main(int argc, char** argv) {
   add_score(app, exit);
   add_page(app, exit);
   add_report(app, exit);
+  add_store(app, exit);
   add_bench(app, exit);
   try {
     return line.run(argc, argv) ? exit_good : exit;

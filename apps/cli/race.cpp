@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -16,6 +17,7 @@
 #include "labmouse/lab/standings/standings.hpp"
 #include "labmouse/lab/system/files.hpp"
 #include "labmouse/lab/text/printable.hpp"
+#include "labmouse/strategies/parameter.hpp"
 
 namespace labmouse::cli {
 namespace {
@@ -164,6 +166,20 @@ std::vector<Field> fields_of(const RaceOptions& options, std::vector<Entry> entr
   return fields;
 }
 
+/// "3/64"
+std::optional<Shard> shard_of(const std::string& text) {
+  Shard shard;
+  const auto slash = text.find('/');
+  double number = 0.0, of = 0.0;
+  if (slash == std::string::npos || !parse_number(text.substr(0, slash), number) ||
+      !parse_number(text.substr(slash + 1), of))
+    return std::nullopt;
+  constexpr double most = 1e6;
+  if (number != std::floor(number) || of != std::floor(of) || number < 1 || number > of || of > most)
+    return std::nullopt;
+  return Shard{static_cast<std::size_t>(number), static_cast<std::size_t>(of)};
+}
+
 int race(const RaceOptions& options) {
   std::optional<Holding> holding(options);
   std::vector<Entry> entries = options.contests.world.enter(
@@ -190,6 +206,7 @@ int race(const RaceOptions& options) {
     if (options.worst > 0) add(options, worst_of(races[i], options.worst));
     if (baselines[i]) add(options, compare_with_baseline(races[i], *baselines[i]));
   }
+  options.contests.finish_store(options.format == "table");
   if (!failed_write.empty()) throw UsageError(failed_write);
   if (std::any_of(races.begin(), races.end(), [](const Race& each) { return each.stopped; })) return exit_interrupted();
   std::string findings;
@@ -234,13 +251,24 @@ void add_race(Command& app, int& exit) {
   command->add_option("--worst", options->worst, "Print the N mazes in which each mouse lost most")
       ->type_name("N")
       ->check(in_range(1, 1'000'000));
+  auto* shard =
+      command
+          ->add_word(
+              "--shard", [options](const std::string& text) { options->contests.order.shard = *shard_of(text); },
+              "Hold only the I-th of N parts of the race; `labmouse store merge` puts their stores together")
+          ->type_name("I/N")
+          ->check(Check([](const std::string& text) {
+            return shard_of(text) ? "" : fmt::format("{} is no part of a race: write 3/64 for the third of 64", text);
+          }));
   command->add_flag("--shares", options->shares, "Print how much of the mazes each mouse discovered and visited");
   add_racing_guests(*command, options->guests);
   command->footer(
       "Example: labmouse race --mice flood:stride=1,certify --mazes my-mazes/ --format json > today.json\n"
       "         labmouse race --mazes my-mazes/ --baseline today.json\n"
       "         labmouse race --world seconds --robot half --rules thirtieth");
-  command->callback([options, limit, &exit] {
+  command->callback([options, limit, shard, &exit] {
+    if (shard->count() > 0 && options->contests.store_path.empty())
+      throw UsageError("error: --shard needs --store, which keeps the part of the race");
     options->has_limit = limit->count() > 0;
     exit = race(*options);
   });

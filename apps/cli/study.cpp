@@ -40,6 +40,7 @@ int study(const StudyOptions& options) {
   const Study result = hold(options, mice, order, std::move(mazes.mazes));
   if (!result.error.empty()) throw UsageError("error: " + result.error);
   print(options.format == "json" ? json_of(result, mazes.skipped) : table_of(result, colours()));
+  options.contests.finish_store(options.format == "table");
   // A study that was stopped at once has nothing that is worth an earlier file.
   const bool any = result.folds_done > 0;
   if (any && !options.csv.empty()) save(options.csv, csv_of(result));

@@ -39,6 +39,7 @@ int sweep(const SweepOptions& options) {
   const MazeCollection mazes = find_mazes_of(*order.world, options.contests);
   const Sweep result = hold(options, variation, mazes.mazes, order);
   print(table_of(result, colours()));
+  options.contests.finish_store(true);
   // A sweep that was stopped at once has nothing that is worth an earlier file.
   const bool any = !result.points.empty();
   if (any && !options.csv.empty()) save(options.csv, csv_of(result));

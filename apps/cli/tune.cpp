@@ -69,6 +69,8 @@ int tune(const TuneOptions& options) {
   const Tune result = hold(options, ranges, mazes.mazes, order, failed_write);
   if (!result.error.empty()) throw UsageError("error: " + result.error);
   print(table_of(result, colours()));
+  // The last line is a SPEC, for programs to read.
+  options.contests.finish_store(false);
   if (!failed_write.empty()) throw UsageError(failed_write);
   // A search that was stopped at once has nothing that is worth an earlier file.
   if (is_stream(options.log) && !result.evaluations.empty()) save(options.log, csv_of(result));

@@ -1,0 +1,222 @@
+// labmouse store: what a store of contests holds.
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "command.hpp"
+#include "contests.hpp"
+#include "guests.hpp"
+#include "labmouse/lab/standings/race_json.hpp"
+#include "labmouse/lab/standings/race_table.hpp"
+#include "labmouse/lab/store/store_changes.hpp"
+#include "labmouse/lab/store/stored_races.hpp"
+#include "labmouse/lab/store/verification.hpp"
+#include "labmouse/lab/text/counted.hpp"
+#include "labmouse/lab/text/json.hpp"
+#include "labmouse/lab/text/printable.hpp"
+
+namespace labmouse::cli {
+namespace {
+
+struct StoreOptions {
+  std::string file;
+  StoreFilter filter;
+  std::string format = "table";
+  int most = 20;
+  std::vector<std::string> parts;
+  std::string target;
+  VerificationOrder verification;
+};
+
+/// One of the commands of a store, with its file and what picks contests.
+Command* add(Command& command, StoreOptions& options, const std::string& name, const std::string& meaning) {
+  Command* added = command.add_subcommand(name, meaning);
+  added->add_option("file", options.file, "The store")->required()->type_name("FILE");
+  const auto add_names = [&](const char* option, std::vector<std::string>& names, const char* what) {
+    added->add_option(option, names, what)->type_name("NAME")->expected(1)->take_all();
+  };
+  add_names("--world", options.filter.worlds, "Only contests in this world (repeatable)");
+  add_names("--mouse", options.filter.mice, "Only contests of the mouse of this name (repeatable)");
+  add_names("--maze", options.filter.mazes, "Only contests in the maze of this name (repeatable)");
+  add_names("--version", options.filter.versions, "Only contests that this version of labmouse held (repeatable)");
+  added
+      ->add_integer(
+          "--seed", [&options](std::uint64_t seed) { options.filter.race_seed = seed; },
+          "Only contests of races with this seed")
+      ->check(seed_number());
+  return added;
+}
+
+std::string day_of(std::int64_t time) {
+  return fmt::format("{:%Y-%m-%d}", fmt::gmtime(static_cast<std::time_t>(time)));
+}
+
+ExitCode list(const StoreOptions& options) {
+  const StoredMice found = stored_mice(options.file, options.filter);
+  if (!found.error.empty()) throw UsageError(found.error);
+  std::size_t world = 5, mouse = 5;
+  for (const StoredMouse& each : found.mice) {
+    world = std::max(world, each.world.size());
+    mouse = std::max(mouse, each.mouse.size());
+  }
+  std::string text = fmt::format("{:<{}} {:<{}} {:>6} {:>8} {:>7} {:>9}  {:<10}  {:<10}\n", "world", world, "mouse",
+                                 mouse, "mazes", "contests", "solved", "mean", "first", "last");
+  for (const StoredMouse& each : found.mice)
+    text += fmt::format("{:<{}} {:<{}} {:>6} {:>8} {:>7} {:>9}  {}  {}\n", shown(each.world), world, shown(each.mouse),
+                        mouse, each.mazes, each.contests, each.solved,
+                        each.mean ? fmt::format("{:.3f}", *each.mean) : "-", day_of(each.first), day_of(each.last));
+  print(text);
+  return exit_good;
+}
+
+/// A line of the export, for people.
+std::string lines_of_contest(const Json& json) {
+  const auto text = [&](const char* key) {
+    return json[key].is_string() ? json[key].get<std::string>() : json[key].dump();
+  };
+  return shown(fmt::format("{} in {}, world {}, seed {}: {}, score {}", text("mouse"), text("maze"), text("world"),
+                           text("seed"), text("outcome"), text("score"))) +
+         "\n" +
+         shown(fmt::format("    {} labmouse {}, {}, {}",
+                           fmt::format("{:%Y-%m-%d %H:%M:%S}",
+                                       fmt::gmtime(static_cast<std::time_t>(json["time"].get<std::int64_t>()))),
+                           text("version"), text("compiler"), text("processor"))) +
+         "\n" + shown("    " + text("fields")) + "\n";
+}
+
+ExitCode show(const StoreOptions& options) {
+  const std::string error =
+      export_store(options.file, options.filter, ExportFormat::json_lines, options.most, [](const std::string& lines) {
+        for (std::size_t begin = 0; begin < lines.size();) {
+          const auto end = lines.find('\n', begin);
+          print(lines_of_contest(Json::parse(lines.substr(begin, end - begin))));
+          begin = end + 1;
+        }
+        return true;
+      });
+  if (!error.empty()) throw UsageError(error);
+  return exit_good;
+}
+
+ExitCode race_again(const StoreOptions& options) {
+  const StoredRaces found = stored_races(options.file, options.filter);
+  if (!found.error.empty()) throw UsageError(found.error);
+  if (options.format == "csv" && found.races.size() > 1)
+    throw UsageError("error: --format csv can hold only one race; name its --world, or use --format json");
+  std::string text;
+  if (options.format == "json") text = json_of(found.races, {});
+  for (const Race& race : found.races) {
+    if (options.format == "csv") text += csv_of(race);
+    if (options.format == "table") text += (text.empty() ? "" : "\n") + table_of(race, colours());
+  }
+  print(text);
+  for (const std::string& remark : found.remarks) tell(remark + "\n");
+  return exit_good;
+}
+
+ExitCode export_rows(const StoreOptions& options) {
+  const auto format = options.format == "csv" ? ExportFormat::csv : ExportFormat::json_lines;
+  const std::string error = export_store(options.file, options.filter, format, 0, [](const std::string& lines) {
+    print(lines);
+    return true;
+  });
+  if (!error.empty()) throw UsageError(error);
+  return exit_good;
+}
+
+ExitCode merge(const StoreOptions& options) {
+  const Merge merged = merge_stores(options.parts, options.target);
+  if (!merged.error.empty()) throw UsageError(merged.error);
+  for (const std::string& conflict : merged.conflicts) tell(conflict + "\n");
+  if (!merged.conflicts.empty()) {
+    tell("Nothing was merged: the same contest has another result in two stores.\n");
+    return exit_finding;
+  }
+  print(fmt::format("{} added to {}, {} in more than one store with equal results.\n",
+                    counted(merged.added, "contest", "contests"), shown(options.target), merged.equal));
+  return exit_good;
+}
+
+ExitCode verify(StoreOptions options) {
+  const Interruptible interruptible;
+  options.verification.stop = options.verification.guests.stop = &interruptible.stopped();
+  const Verification found = verify_store(options.file, options.filter, options.verification);
+  if (!found.error.empty()) throw UsageError(found.error);
+  for (const std::string& remark : found.remarks) tell(remark + "\n");
+  for (const std::string& difference : found.differences) print(difference + "\n");
+  std::string text = fmt::format("{} held again: {} equal, {} not.", counted(found.held, "contest", "contests"),
+                                 found.equal, found.differences.size());
+  if (found.impossible > 0)
+    text += fmt::format(" Of {} the mouse is not here: another build, another file, or taught by a study.",
+                        counted(found.impossible, "other", "others"));
+  print(text + "\n");
+  if (interruptible.stopped()) return exit_interrupted();
+  return found.differences.empty() ? exit_good : exit_finding;
+}
+
+ExitCode forget_some(const StoreOptions& options) {
+  if (condition_of(options.filter).empty())
+    throw UsageError("error: say which contests to forget, with --world, --mouse, --maze, --version or --seed");
+  const Forgotten forgotten = forget(options.file, options.filter);
+  if (!forgotten.error.empty()) throw UsageError(forgotten.error);
+  print(fmt::format("{} forgotten.\n", counted(forgotten.contests, "contest", "contests")));
+  return exit_good;
+}
+
+}  // namespace
+
+void add_store(Command& app, int& exit) {
+  auto options = std::make_shared<StoreOptions>();
+  Command* command = app.add_subcommand("store", "Look into a store of contests, merge stores, verify or forget");
+  command->require_subcommand();
+  add(*command, *options, "list", "Print a line for each mouse of the store")->callback([options, &exit] {
+    exit = list(*options);
+  });
+  Command* show_command = add(*command, *options, "show", "Print what is known of the last contests");
+  show_command->add_option("--last", options->most, "How many")->check(in_range(1, 1'000'000))->capture_default_str();
+  show_command->callback([options, &exit] { exit = show(*options); });
+  Command* race_command = add(*command, *options, "race", "Print the leaderboard of a race that the store holds");
+  race_command->add_option("--format", options->format, "Output")
+      ->check(one_of({"table", "json", "csv"}))
+      ->capture_default_str();
+  race_command->callback([options, &exit] { exit = race_again(*options); });
+  auto lines = std::make_shared<std::string>("jsonl");
+  Command* export_command = add(*command, *options, "export", "Print all contests, one a line");
+  export_command->add_option("--format", *lines, "Output: JSON lines or CSV")
+      ->check(one_of({"jsonl", "csv"}))
+      ->capture_default_str();
+  export_command->callback([options, lines, &exit] {
+    options->format = *lines;
+    exit = export_rows(*options);
+  });
+  Command* merge_command =
+      command->add_subcommand("merge", "Put the contests of several stores together, or say where they disagree");
+  merge_command->add_option("files", options->parts, "The stores")->required()->type_name("FILE")->expected(1, 1 << 20);
+  merge_command->add_option("-o,--output", options->target, "The store to add them to; made where there is none")
+      ->required()
+      ->type_name("FILE");
+  merge_command->callback([options, &exit] { exit = merge(*options); });
+  Command* verify_command =
+      add(*command, *options, "verify", "Check the file, and hold a random share of its contests again");
+  verify_command->add_option("--share", options->verification.share, "The share, from 0 to 1")
+      ->check(finite_number())
+      ->check(in_range(0.0, 1.0))
+      ->capture_default_str();
+  verify_command->add_option("--pick", options->verification.seed, "Seed of the random choice")
+      ->check(seed_number())
+      ->capture_default_str();
+  verify_command->add_option("--jobs", options->verification.jobs, "Number of threads; 0 uses all processors")
+      ->check(in_range(0, 1024))
+      ->capture_default_str();
+  add_python(*verify_command, options->verification.guests);
+  add_guest_options(*verify_command, options->verification.guests);
+  verify_command->callback([options, &exit] { exit = verify(*options); });
+  add(*command, *options, "forget", "Remove contests")->callback([options, &exit] { exit = forget_some(*options); });
+  command->footer(
+      "Example: labmouse race --store results.db\n         labmouse store race results.db\n"
+      "         labmouse store merge part-*.db -o all.db");
+}
+
+}  // namespace labmouse::cli
