@@ -44,6 +44,7 @@ std::vector<Entry> entries_of(EntriesResult result, std::vector<std::string>& re
 std::vector<Contestant> mice_of(Choice& choice, const std::atomic<bool>* stop) {
   GuestOptions options;
   options.python = choice.python;
+  options.label = choice.label;
   options.stop = stop;
   SpecResult read = choice.specs.empty() ? SpecResult() : read_specs(choice.specs, options);
   if (!read.problems.empty()) throw UserError(fmt::format("{}", fmt::join(read.problems, "\n")));

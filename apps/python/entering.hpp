@@ -21,6 +21,7 @@ struct Choice {
   std::string world;             ///< empty: the one that suits the mice
   WorldSettings settings;        ///< those that were given
   std::string python;            ///< that runs capstone robots
+  std::string label;             ///< as of GuestOptions
 };
 
 /// Mice in their world, and the mazes that it takes.

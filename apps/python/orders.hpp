@@ -2,32 +2,52 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 #include "entering.hpp"
+#include "errors.hpp"
+#include "labmouse/lab/store/store.hpp"
 
 namespace labmouse::python {
 
 /// A mouse in Python by the fields of OwnMouse.
-using GivenMouse = std::tuple<std::string, nanobind::object, bool, nanobind::object>;
-/// SPECs; mice in Python; and the Python that runs capstone robots.
-using GivenMice = std::tuple<std::vector<std::string>, std::vector<GivenMouse>, std::string>;
+using GivenMouse = std::tuple<std::string, nanobind::object, bool, nanobind::object, std::string>;
+/// SPECs; mice in Python; the Python that runs capstone robots; and what stands for the files of guests in stores.
+using GivenMice = std::tuple<std::vector<std::string>, std::vector<GivenMouse>, std::string, std::string>;
 /// The name of a world, or nothing, and its settings.
 using GivenWorld = std::pair<std::string, std::map<std::string, std::string>>;
 
 inline Choice choice_of(const GivenMice& mice, std::vector<NamedMaze> mazes, const GivenWorld& world) {
   Choice choice;
   choice.specs = std::get<0>(mice);
-  for (const auto& [name, maker, uses_chance, elsewhere] : std::get<1>(mice))
-    choice.own.push_back({name, maker, uses_chance, elsewhere});
+  for (const auto& [name, maker, uses_chance, elsewhere, identity] : std::get<1>(mice))
+    choice.own.push_back({name, maker, uses_chance, elsewhere, identity});
   choice.python = std::get<2>(mice);
+  choice.label = std::get<3>(mice);
   choice.mazes = std::move(mazes);
   choice.world = world.first;
   choice.settings = WorldSettings(world.second.begin(), world.second.end());
   return choice;
+}
+
+/// The store of that path, or null where there is none; throws UserError.
+inline std::shared_ptr<Store> store_of(const std::string& path) {
+  if (path.empty()) return nullptr;
+  auto store = std::make_shared<Store>(path);
+  if (store->failed()) throw UserError(store->finish());
+  return store;
+}
+
+/// Waits until it has all contests, and closes it; returns how many came from it. Throws UserError where it failed.
+inline std::size_t finish(std::shared_ptr<Store>& store) {
+  if (!store) return 0;
+  const std::shared_ptr<Store> finished = std::move(store);
+  if (const std::string error = finished->finish(); !error.empty()) throw UserError(error);
+  return finished->recalled();
 }
 
 }  // namespace labmouse::python

@@ -278,6 +278,7 @@ Contestant python_contestant(OwnMouse own, const WorldSettings& settings, const 
   Contestant mouse;
   mouse.name = own.name;
   mouse.uses_chance = own.uses_chance;
+  mouse.identity = [identity = own.identity] { return identity; };
   const auto shared = std::make_shared<const MouseMaker>(std::move(own.maker), std::move(own.elsewhere));
   mouse.make = [shared, stop](const Maze& maze, const Rules& rules, std::uint64_t seed) -> std::unique_ptr<Strategy> {
     if (auto played = played_elsewhere(*shared, maze, rules.budget, rules.stride, seed)) return played;

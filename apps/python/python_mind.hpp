@@ -42,6 +42,7 @@ struct OwnMouse {
   nanobind::object maker;
   bool uses_chance = false;
   nanobind::object elsewhere;
+  std::string identity;  ///< as of Contestant; empty where nothing is known of it
 };
 
 /// Such a mouse as a contestant, in steps and in seconds. Other processes need the settings of its world. Once `stop`,

@@ -36,13 +36,14 @@ namespace {
 struct HeldRace {
   Race race;
   std::vector<SkippedFile> skipped;
+  std::size_t from_store = 0;  ///< contests that were not held, because the store had them
 };
 
 /// A race that is going on.
 class RunningRace {
  public:
   RunningRace(const GivenMice& mice, std::vector<NamedMaze> mazes, const GivenWorld& world, int runs,
-              std::uint64_t seed, int jobs, const std::string& out, bool overwrite)
+              std::uint64_t seed, int jobs, const std::string& out, bool overwrite, const std::string& store)
       : out_(out) {
     if (runs < 1 || runs > 1'000'000) throw UserError(fmt::format("runs is a number from 1 to 1000000, not {}", runs));
     if (jobs < 0 || jobs > 1024) throw UserError(fmt::format("jobs is a number from 0 to 1024, not {}", jobs));
@@ -55,6 +56,7 @@ class RunningRace {
     order.runs = runs;
     order.seed = seed;
     order.jobs = jobs;
+    order.store = store_ = store_of(store);
     const std::size_t all = contests_of(field.entry.mice, field.mazes.size(), order);
     if (!out_.empty()) {
       folder_ = std::make_unique<ResultsFolder>(out_, overwrite);
@@ -77,6 +79,7 @@ class RunningRace {
   const std::vector<std::string>& remarks() const { return remarks_; }
   std::shared_ptr<HeldRace> result() {
     work_.finish();
+    held_->from_store += finish(store_);
     return held_;
   }
 
@@ -103,6 +106,7 @@ class RunningRace {
   std::string out_, failed_write_;
   std::unique_ptr<ResultsFolder> folder_;
   std::optional<RaceFolder> records_;
+  std::shared_ptr<Store> store_;
   Work work_;  // last: its thread ends before the others do
 };
 
@@ -185,6 +189,7 @@ void bind_races(nb::module_& module) {
       .def_prop_ro("seed", [](const HeldRace& held) { return held.race.order.seed; })
       .def_prop_ro("mice", [](const HeldRace& held) { return names(held, true); })
       .def_prop_ro("mazes", [](const HeldRace& held) { return names(held, false); })
+      .def_prop_ro("from_store", [](const HeldRace& held) { return held.from_store; })
       .def_prop_ro("contests", [](const HeldRace& held) { return held.race.results.size(); })
       .def("contest_columns", &contests, nb::sig("def contest_columns(self) -> dict[str, list[object]]"))
       .def("standing_columns", &standings, nb::sig("def standing_columns(self) -> dict[str, list[object]]"))
@@ -196,8 +201,8 @@ void bind_races(nb::module_& module) {
       .def("json", [](const HeldRace& held) { return json_of(held.race, held.skipped); });
   nb::class_<RunningRace>(module, "RunningRace")
       .def(nb::init<const GivenMice&, std::vector<NamedMaze>, const GivenWorld&, int, std::uint64_t, int,
-                    const std::string&, bool>(),
-           "mice"_a, "mazes"_a, "world"_a, "runs"_a, "seed"_a, "jobs"_a, "out"_a, "overwrite"_a)
+                    const std::string&, bool, const std::string&>(),
+           "mice"_a, "mazes"_a, "world"_a, "runs"_a, "seed"_a, "jobs"_a, "out"_a, "overwrite"_a, "store"_a)
       .def_prop_ro("remarks", &RunningRace::remarks)
       .def_prop_ro("done", [](RunningRace& running) { return running.work().done(); })
       .def_prop_ro("all", [](RunningRace& running) { return running.work().all(); })

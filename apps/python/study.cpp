@@ -27,13 +27,14 @@ namespace {
 struct HeldStudy {
   Study study;
   std::vector<SkippedFile> skipped;
+  std::size_t from_store = 0;  ///< contests that were not held, because the store had them
 };
 
 /// A study that is going on.
 class RunningStudy {
  public:
   RunningStudy(const GivenMice& mice, std::vector<NamedMaze> mazes, const GivenWorld& world,
-               const std::tuple<int, bool, int, std::uint64_t, int>& numbers) {
+               const std::tuple<int, bool, int, std::uint64_t, int>& numbers, const std::string& store) {
     StudyOrder order;
     std::tie(order.folds, order.learning, order.race.runs, order.race.seed, order.race.jobs) = numbers;
     if (order.folds < 2) throw UserError(fmt::format("folds is a number from 2, not {}", order.folds));
@@ -45,6 +46,7 @@ class RunningStudy {
     held_ = std::make_shared<HeldStudy>();
     held_->skipped = std::move(field.skipped);
     order.race.world = field.entry.world;
+    order.race.store = store_ = store_of(store);
     work_.start([this, order, field = std::move(field)]() mutable {
       StudyHooks hooks;
       hooks.stop = &work_.stopped();
@@ -57,6 +59,7 @@ class RunningStudy {
   const std::vector<std::string>& remarks() const { return remarks_; }
   std::shared_ptr<HeldStudy> result() {
     work_.finish();
+    held_->from_store += finish(store_);
     if (!held_->study.error.empty()) throw UserError(held_->study.error);
     return held_;
   }
@@ -64,6 +67,7 @@ class RunningStudy {
  private:
   std::shared_ptr<HeldStudy> held_;
   std::vector<std::string> remarks_;
+  std::shared_ptr<Store> store_;
   Work work_;  // last: its thread ends before the others do
 };
 
@@ -72,14 +76,15 @@ class RunningStudy {
 void bind_studies(nb::module_& module) {
   nb::class_<HeldStudy>(module, "HeldStudy")
       .def_prop_ro("complete", [](const HeldStudy& held) { return !held.study.race.stopped; })
+      .def_prop_ro("from_store", [](const HeldStudy& held) { return held.from_store; })
       .def("table", [](const HeldStudy& held) { return table_of(held.study, false); })
       .def("csv", [](const HeldStudy& held) { return csv_of(held.study); })
       .def("json", [](const HeldStudy& held) { return json_of(held.study, held.skipped); })
       .def("svg", [](const HeldStudy& held) { return picture_of(held.study); });
   nb::class_<RunningStudy>(module, "RunningStudy")
       .def(nb::init<const GivenMice&, std::vector<NamedMaze>, const GivenWorld&,
-                    const std::tuple<int, bool, int, std::uint64_t, int>&>(),
-           "mice"_a, "mazes"_a, "world"_a, "numbers"_a)
+                    const std::tuple<int, bool, int, std::uint64_t, int>&, const std::string&>(),
+           "mice"_a, "mazes"_a, "world"_a, "numbers"_a, "store"_a)
       .def_prop_ro("remarks", &RunningStudy::remarks)
       .def_prop_ro("done", [](RunningStudy& running) { return running.work().done(); })
       .def_prop_ro("all", [](RunningStudy& running) { return running.work().all(); })

@@ -209,3 +209,46 @@ def test_importing_is_light():
     ran = subprocess.run([sys.executable, "-c", "import sys, labmouse; print([name for name in ('numpy', 'pandas') if name in sys.modules])"],
                          capture_output=True, text=True, check=True)
     assert ran.stdout.strip() == "[]"
+
+
+class Straight:
+    def decide(self, seen: labmouse.Sighting) -> labmouse.Action:
+        return (0, 3) if seen.ahead else (90, 0)
+
+
+def test_a_store_remembers(tmp_path):
+    store = tmp_path / "results.db"
+    mice = {"flood": "flood", "straight": Straight}
+    first = labmouse.race(mice, MAZES, store=store)
+    second = labmouse.race(mice, MAZES, store=store)
+    assert first.from_store == 0
+    assert second.from_store == len(second.table) == 2 * len(second.mazes)
+    assert second.to_json() == first.to_json()
+    assert labmouse.race("certify", MAZES, store=store).from_store == 0
+    labelled = labmouse.race({"straight": Straight}, MAZES, store=store, label="v1")
+    assert labelled.from_store == 0
+    studied = labmouse.study(["flood", "certify"], MAZES, folds=2, store=store)
+    assert studied.from_store > 0
+
+
+def test_a_mouse_that_a_store_cannot_tell_from_another_needs_a_label(tmp_path):
+    store = tmp_path / "results.db"
+    stride = 3
+
+    def maker():
+        mouse = Straight()
+        mouse.stride = stride
+        return mouse
+
+    with pytest.raises(labmouse.Error, match="label"):
+        labmouse.race({"mouse": maker}, MAZES, store=store)
+    assert labmouse.race({"mouse": maker}, MAZES, store=store, label="v1").from_store == 0
+    assert labmouse.race({"mouse": maker}, MAZES, store=store, label="v1").from_store > 0
+    assert labmouse.race({"mouse": maker}, MAZES, store=store, label="v2").from_store == 0
+
+
+def test_a_bad_store_is_an_error(tmp_path):
+    (tmp_path / "text.db").write_text("no store" * 1000)
+    for path in (tmp_path / "text.db", tmp_path, tmp_path / "missing" / "results.db"):
+        with pytest.raises(labmouse.Error, match="error"):
+            labmouse.race("flood", MAZES, store=path)

@@ -1,7 +1,9 @@
 """Mice that are written in Python, and what the library takes for a mouse."""
 
+import hashlib
 import inspect
 import os
+import platform
 import shutil
 import sys
 from collections.abc import Callable, Iterable, Mapping
@@ -43,6 +45,7 @@ AnyMouse = Union[str, MouseMaker]
 Mice = Union[AnyMouse, Iterable[AnyMouse], Mapping[str, AnyMouse]]
 
 _Own = tuple[str, object, bool]
+_Native = tuple[list[str], list[tuple[str, object, bool, object, str]], str, str]
 
 
 class Given(NamedTuple):
@@ -52,12 +55,13 @@ class Given(NamedTuple):
     own: "list[_Own]"
     """Mice in Python: name, maker, and whether they throw dice."""
 
-    def native(self, workers: "Workers | None") -> "tuple[list[str], list[tuple[str, object, bool, object]], str]":
-        """The mice as the compiled part takes them."""
-        own: list[tuple[str, object, bool, object]] = [
-            (*mouse, workers.elsewhere(number) if workers is not None else None) for number, mouse in enumerate(self.own)
-        ]
-        return self.specs, own, _python()
+    def native(self, workers: "Workers | None", label: "str | None" = None, stored: bool = False) -> "_Native":
+        """The mice as the compiled part takes them; raises Error where nothing is known of one that is to be stored."""
+        own: list[tuple[str, object, bool, object, str]] = []
+        for number, (name, maker, uses_chance) in enumerate(self.own):
+            elsewhere = workers.elsewhere(number) if workers is not None else None
+            own.append((name, maker, uses_chance, elsewhere, _identity(name, maker, label) if stored else ""))
+        return self.specs, own, _python(), label or ""
 
 
 def _takes_briefing(maker: Callable[..., Mouse]) -> bool:
@@ -78,6 +82,33 @@ class Maker:
 
     def __call__(self, briefing: Briefing) -> Mouse:
         return self.maker(briefing) if self.briefs else self.maker()
+
+
+def _source(maker: Any) -> "str | None":
+    """The source of what a mouse is made by, with all of its file; None where more than that may decide what it does."""
+    plain = inspect.isclass(maker) or (inspect.isfunction(maker) and not maker.__closure__ and not maker.__defaults__)
+    if not plain:
+        return None
+    try:
+        module = inspect.getmodule(maker)
+        whole = getattr(module, "__file__", None) is not None
+        return inspect.getsource(module if whole and module is not None else maker)
+    except (OSError, TypeError):
+        return None
+
+
+def _identity(name: str, made: Any, label: "str | None") -> str:
+    """What tells a mouse from another in a store: its label, or the source of what makes it."""
+    maker = made.maker
+    lines = ["python", str(getattr(maker, "__qualname__", type(maker).__qualname__))]
+    if label:
+        return "\n".join([*lines, f"label {label}", ""])
+    source = _source(maker)
+    if source is None:
+        raise Error(f"the source of mouse '{name}' cannot be read, so a store could not tell it from another; "
+                    "give it a label, as in label='v1', and another one when you change it")
+    digest = hashlib.sha256(source.encode()).hexdigest()
+    return "\n".join([*lines, f"source {digest}", f"version {platform.python_version()}", ""])
 
 
 def _own(name: str, maker: Any) -> _Own:

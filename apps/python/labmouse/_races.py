@@ -50,6 +50,11 @@ class Race:
         return self._held.complete
 
     @property
+    def from_store(self) -> int:
+        """Contests that were not held, because the store had them."""
+        return self._held.from_store
+
+    @property
     def world(self) -> str:
         """The name of the world."""
         return self._held.world
@@ -126,6 +131,8 @@ def race(
     out: "str | os.PathLike[str] | None" = None,
     overwrite: bool = False,
     progress: "bool | None" = None,
+    store: "str | os.PathLike[str] | None" = None,
+    label: "str | None" = None,
     **settings: Setting,
 ) -> Race:
     """Races mice on mazes, with the numbers of `labmouse race`.
@@ -142,13 +149,17 @@ def race(
     out: a folder for the records, a picture for each mouse and maze, and the results, as `--out` leaves it; what an
         earlier race left there is replaced with `overwrite`, and an error without.
     progress: whether to show a bar; None for where standard error is a terminal, and in notebooks.
+    store: a file that keeps all contests; those that are there are not held again. Others may use it at the same time.
+    label: in the store, stands for the files of guests and the source of mice in Python: the same label is the same
+        mouse.
 
     Raises Error. Ctrl-C stops the race: it returns what is done, and `complete` is False.
     """
     chosen = world_with(world, {"robot": robot, "rules": rules, "budget": budget, **settings})
     who = given(mice)
     workers = for_mice(who.own, jobs)
-    running = _native.RunningRace(who.native(workers), mazes_of(mazes), chosen, runs, seed, jobs, os.fspath(out or ""), overwrite)
+    running = _native.RunningRace(who.native(workers, label, store is not None), mazes_of(mazes), chosen, runs, seed, jobs,
+                                  os.fspath(out or ""), overwrite, "" if store is None else os.fspath(store))
     try:
         finish(running, progress, workers)
         return Race(running.result())

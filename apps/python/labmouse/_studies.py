@@ -29,6 +29,11 @@ class Study:
         return self._held.complete
 
     @property
+    def from_store(self) -> int:
+        """Contests that were not held, because the store had them."""
+        return self._held.from_store
+
+    @property
     def table(self) -> "pandas.DataFrame":
         """One line a maze, with its fold, its bound and the mean score of each mouse."""
         import pandas
@@ -71,6 +76,8 @@ def study(
     seed: int = 1,
     jobs: int = 0,
     progress: "bool | None" = None,
+    store: "str | os.PathLike[str] | None" = None,
+    label: "str | None" = None,
     **settings: Setting,
 ) -> Study:
     """Compares mice as `labmouse study` does: each maze is held out once, in one of the folds.
@@ -82,7 +89,8 @@ def study(
     who = given(mice)
     workers = for_mice(who.own, jobs)
     try:
-        running = _native.RunningStudy(who.native(workers), mazes_of(mazes), chosen, (folds, learning, runs, seed, jobs))
+        running = _native.RunningStudy(who.native(workers, label, store is not None), mazes_of(mazes), chosen,
+                                       (folds, learning, runs, seed, jobs), "" if store is None else os.fspath(store))
         finish(running, progress, workers)
         return Study(running.result())
     finally:
