@@ -5,6 +5,9 @@
 
 #include "command.hpp"
 #include "labmouse/lab/pictures/drive_picture.hpp"
+#include "labmouse/lab/robots/robot_files.hpp"
+#include "labmouse/lab/routes/region_picture.hpp"
+#include "labmouse/lab/routes/route_regions.hpp"
 #include "labmouse/lab/routes/route_report.hpp"
 #include "labmouse/lab/system/file_names.hpp"
 
@@ -17,7 +20,46 @@ struct RouteOptions {
   std::string robot = "classic";
   std::string format = "table";
   std::string svg;
+  std::string vary, along;
 };
+
+VariedNumber varied_number(const std::string& option, const std::string& text) {
+  VariedNumberResult read = read_varied_number(text);
+  if (!read.error.empty()) throw UsageError(fmt::format("error: {} {}: {}", option, text, read.error));
+  return std::move(read.number);
+}
+
+/// Which route wins where, as one or two numbers of the robot vary.
+int regions(const RouteOptions& options, const std::vector<NamedMaze>& mazes, const DriveModel& model) {
+  constexpr int rows = 33, samples_a_row = 17;
+  constexpr double sharpness_of_rows = 1e-3;
+  if (mazes.size() != 1)
+    throw UsageError(fmt::format("error: --vary looks at one maze, but {} are named", mazes.size()));
+  if (const std::string why = route_report(mazes.front().maze, model).error; !why.empty())
+    throw UsageError(fmt::format("{}: error: {}", mazes.front().name, why));
+  RegionOrder order;
+  order.across = varied_number("--vary", options.vary);
+  if (!options.along.empty()) {
+    order.along = varied_number("--and", options.along);
+    if (order.along->key == order.across.key) throw UsageError("error: --vary and --and name the same number");
+    order.rows = rows;
+    order.samples = samples_a_row;
+    order.sharpness = sharpness_of_rows;
+  }
+  const FoundFamily family = find_robot_family(options.robot);
+  if (!family.family) throw UsageError(family.error);
+  const RouteRegions found = find_regions(mazes.front().maze, *family.family, order);
+  if (found.routes.empty())
+    throw UsageError(fmt::format("error: {}: no robot of this range has a route: {}", mazes.front().name,
+                                 found.rows.front().regions.front().refusal));
+  if (!options.svg.empty())
+    save(options.svg,
+         draw_regions(mazes.front().maze, found, order,
+                      fmt::format("{}: which route wins, for which {}", stem_of(mazes.front().name), options.robot)));
+  print(options.format == "json" ? json_of(found, order, mazes.front().name, options.robot)
+                                 : table_of(found, order, mazes.front().name, options.robot));
+  return exit_good;
+}
 
 int route(const RouteOptions& options) {
   expect_outputs({{"--svg", options.svg}});
@@ -25,6 +67,7 @@ int route(const RouteOptions& options) {
   tell_remarks(robot.remarks);
   const DriveModel& model = robot.model;
   const std::vector<NamedMaze> mazes = find_mazes(options.mazes, options.places).mazes;
+  if (!options.vary.empty()) return regions(options, mazes, model);
   std::vector<RouteReport> reports;
   const RouteReporter reporter(model);
   for (const NamedMaze& maze : mazes) reports.push_back(reporter.report(maze.maze));
@@ -60,6 +103,11 @@ void add_route(Command& app, int& exit) {
   add_robot_option(*command, options->robot);
   command->add_option("--format", options->format, "Output")->check(one_of({"table", "json"}))->capture_default_str();
   command->add_option("--svg", options->svg, "Also save a picture of the route")->type_name("FILE");
+  auto* vary = command
+                   ->add_option("--vary", options->vary,
+                                "Vary a number of the robot file and find the regions in which one route wins")
+                   ->type_name("KEY=FROM:TO");
+  command->add_option("--and", options->along, "Vary a second number, too")->type_name("KEY=FROM:TO")->needs(vary);
   command->footer("Example: labmouse route contest-01 --robot mm2021");
   command->callback([options, &exit] { exit = route(*options); });
 }

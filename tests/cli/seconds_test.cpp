@@ -40,6 +40,35 @@ TEST_F(ADriver, IsToldWhyThereIsNoRoute) {
   EXPECT_THAT(labmouse({"route", "large.txt", "corner.txt"}).out, Says("large.txt: ", "33x33", "32x32"));
 }
 
+TEST_F(ADriver, FindsWhichRouteWinsForWhichRobot) {
+  const std::string grip = "curve.lateral_acceleration=7000:9000";
+  const Ended ended = labmouse({"route", "contest-01", "--vary", grip, "--svg", "regions.svg"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(ended.out, Says("contest-01", "curve.lateral_acceleration", "7000", "9000", "A ", "34", "B ", "32"));
+  EXPECT_THAT(content("regions.svg"), StartsWith("<svg"));
+  const auto json = nlohmann::json::parse(
+      labmouse({"route", "contest-01", "--vary", grip, "--and", "straight.speed=2500:3500", "--format", "json"}).out);
+  EXPECT_EQ(json["routes"].size(), 2U);
+  EXPECT_EQ(json["and"]["key"], "straight.speed");
+  for (const auto& row : json["rows"]) {
+    EXPECT_EQ(row["regions"].front()["from"], 7000);
+    EXPECT_EQ(row["regions"].back()["to"], 9000);
+  }
+}
+
+TEST_F(ADriver, IsToldWhatCannotBeVaried) {
+  const std::string grip = "curve.lateral_acceleration=7000:9000";
+  is_refused({"route", "contest-01", "--vary", "curve.lateral_acceleration"}, "--vary", "KEY=FROM:TO");
+  is_refused({"route", "contest-01", "--vary", "curve.grips=1:2"}, "'curve.grips'");
+  is_refused({"route", "contest-01", "--vary", "curve.lateral_acceleration=9000:7000"}, "FROM", "TO");
+  is_refused({"route", "contest-01", "--vary", grip, "--and", grip}, "--and", "same");
+  is_refused({"route", "contest-01", "--and", grip}, "--vary");
+  is_refused({"route", "contest-01", "contest-02", "--vary", grip}, "--vary", "one maze", "2");
+  is_refused({"route", "contest-01", "--vary", "search.speed=9000:10000"}, "contest-01", "no robot");
+  file("corridor.txt", corridor);
+  is_refused({"route", "corridor.txt", "--vary", grip}, "corridor.txt: error: ", "no route");
+}
+
 TEST_F(ADriver, RacesInSeconds) {
   const Ended ended = race_in_seconds({});
   EXPECT_EQ(ended.code, 0) << ended.err;

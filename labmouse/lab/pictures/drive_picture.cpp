@@ -7,7 +7,7 @@
 
 #include "labmouse/lab/drawing/scene.hpp"
 #include "labmouse/lab/drawing/sheet.hpp"
-#include "labmouse/lab/pictures/drive_path.hpp"
+#include "labmouse/lab/pictures/path_data.hpp"
 #include "labmouse/lab/system/file_names.hpp"
 
 namespace labmouse {
@@ -52,20 +52,9 @@ class SpeedScale {
   double low_ = 0.0, high_ = 0.0;
 };
 
-std::string place(const Frame& frame, const DrivePathPoint& point) {
-  return fmt::format("{:.1f} {:.1f}", frame.origin.x + point.x * Frame::cell,
-                     frame.origin.y + (frame.size.height - point.y) * Frame::cell);
-}
-
 std::string curve_svg(const Tone& tone, double width, const std::string& data) {
   return fmt::format("<path {} stroke-width=\"{:.1f}\" stroke-linejoin=\"round\" stroke-linecap=\"round\" d=\"{}\"/>\n",
                      stroke(tone), width, data);
-}
-
-std::string data_of(const Frame& frame, const Path& path, std::size_t first, std::size_t last) {
-  std::string data;
-  for (std::size_t i = first; i <= last; ++i) data += (i == first ? "M" : "L") + place(frame, path[i]);
-  return data;
 }
 
 /// Each stretch of one level as a line; the speed of a piece is that of its middle.
@@ -75,7 +64,7 @@ std::string coloured(const Frame& frame, const Path& path, const SpeedScale& sca
   for (std::size_t first = 0; first + 1 < path.size();) {
     std::size_t last = first + 1;
     while (last + 1 < path.size() && level(last) == level(first)) ++last;
-    svg += curve_svg(speed_tones[level(first)], 4.0, data_of(frame, path, first, last));
+    svg += curve_svg(speed_tones[level(first)], 4.0, data_through(frame, path, first, last));
     first = last;
   }
   return svg;
@@ -109,7 +98,7 @@ std::string picture(const Maze& maze, const Drives& drives) {
   Legend legend({scene.frame.origin.x, scene.frame.bottom() + 24 + sheet_margin}, width - sheet_margin);
   std::string lines;
   for (const Path& search : drives.searches)
-    if (search.size() > 1) lines += curve_svg(muted, 1.5, data_of(scene.frame, search, 0, search.size() - 1));
+    if (search.size() > 1) lines += curve_svg(muted, 1.5, data_through(scene.frame, search, 0, search.size() - 1));
   if (!lines.empty())
     legend.add(24, fmt::format("<path {} stroke-width=\"1.5\" d=\"M0 0h24\"/>", stroke(muted)), "searching");
   if (drives.fast.size() > 1) legend.add(70, ramp(), scale.words());

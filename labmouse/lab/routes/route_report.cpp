@@ -3,23 +3,14 @@
 #include <fmt/format.h>
 
 #include "labmouse/contest/drive_gates.hpp"
+#include "labmouse/lab/routes/one_plan.hpp"
 #include "labmouse/mouse/distance.hpp"
 #include "labmouse/mouse/drive/fastest.hpp"
 
 namespace labmouse {
 namespace {
 
-Pose start_of(const Maze& maze) { return {maze.start(), maze.start_heading()}; }
-
 using Tables = std::shared_ptr<const RouteTables>;
-
-DriveRoute fastest_route(const Maze& maze, const WallSet& passages, const Tables& tables) {
-  FastestRoutes routes(maze.size(), tables);
-  routes.fill(passages, maze.goals());
-  DriveRoute route;
-  routes.route_from(start_of(maze), route);
-  return route;
-}
 
 /// The robot with some of its turns alone.
 template <class Keep>
