@@ -59,6 +59,9 @@ TEST(LostSteps, AreLostWhereTheMouseStood) {
   EXPECT_EQ(lost.exploration[at(maze.maze.start())], 2);
   EXPECT_EQ(lost.exploration[at(record.end.cell)], 1);
   EXPECT_EQ(lost.speed[at(maze.maze.start())], 1);
+  std::vector<int> by_step(record.steps.size());
+  by_step[0] = by_step[1] = by_step[2 + way.size()] = by_step[4 + way.size()] = 1;
+  EXPECT_EQ(LossMeter(maze.maze, rules).by_step(record), by_step);
   EXPECT_EQ(total(lost.exploration), 3);
   EXPECT_EQ(total(lost.speed), 1);
 }

@@ -126,7 +126,9 @@ TEST(PageOpens, RecordsOfMms) {
     "checked": "", "ended": true, "x": [1, 1, 5, 1], "y": [1, 1, 1, 1], "heading": [0, 2, 2, 0], "run": [0, 0, 0, 0],
     "action": ["turnRight", "moveForward 5", "ackReset"], "blocked": [false, true, false],
     "left": [], "ahead": [], "right": [], "known": [], "goal_frame": null, "reset_frame": 3, "entered": [[], [1, 2], []],
-    "route": [[0, 0], [1, 0]], "distances": [1, 0, 1], "reasons": [],
+    "route": [[0, 0], [1, 0]], "distances": [1, 0, 1], "reasons": [], "loses": [],
+    "traits": {"clock": "seconds", "unit": "", "digits": 1, "bound": "the best possible score under the rules of mms",
+               "runs": ["running"], "draws": true, "pictured": false},
     "events": [
       {"frame": 0, "kind": "colour", "cell": [0, 0], "colour": "G"},
       {"frame": 1, "kind": "text", "cell": [1, 0], "text": "here it is"},

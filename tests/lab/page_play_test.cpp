@@ -36,6 +36,7 @@ TEST(PagePlay, HasEachFrameAndEachStep) {
   EXPECT_EQ(play["again"]["with"], play["rules"]);
   EXPECT_EQ(play["again"]["mice"].size(), roster().size());
   play.erase("again");
+  EXPECT_TRUE(play["traits"].erase("bound"));
   json expected = json::parse(R"({
     "world": "steps", "mouse": "oracle", "rules": {"budget": 1000, "exploration_factor": 30, "stride": 3}, "seed": 1,
     "outcome": "solved", "solved": true, "optimum": 1, "exploration_steps": 2, "speed_steps": 1,
@@ -44,7 +45,9 @@ TEST(PagePlay, HasEachFrameAndEachStep) {
     "action": ["ahead 1", "reset", "ahead 1"], "blocked": [false, false, false],
     "left": [0, 0, 0], "ahead": [1, 0, 1], "right": [1, 0, 1],
     "known": [0, -1, 0, 0,  0, 0, 1, 0], "goal_frame": 1, "reset_frame": 2, "entered": [[2], [], [2]],
-    "route": [[0, 0], [0, 1]], "distances": [1, 2, 0, 3], "reasons": [], "events": []
+    "route": [[0, 0], [0, 1]], "distances": [1, 2, 0, 3], "reasons": [], "events": [], "loses": [0, 0, 0],
+    "traits": {"clock": "steps", "unit": "", "digits": 3, "runs": ["exploration", "speed run"], "draws": false,
+               "pictured": true}
   })");
   expected["maze"] = data_of(test::hook());
   expected["score"] = expected["bound"] = 1 + 2 / 30.0;

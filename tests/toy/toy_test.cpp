@@ -7,9 +7,11 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "labmouse/lab/galleries/race_folder.hpp"
 #include "labmouse/lab/mice/specs.hpp"
+#include "labmouse/lab/reports/report_records.hpp"
 #include "labmouse/lab/reports/report_results.hpp"
 #include "labmouse/lab/standings/baseline.hpp"
 #include "labmouse/lab/standings/race_json.hpp"
@@ -21,6 +23,7 @@
 #include "labmouse/lab/studies/study.hpp"
 #include "labmouse/lab/studies/sweep.hpp"
 #include "labmouse/lab/worlds/entering.hpp"
+#include "tests/lab/page_fixture.hpp"
 #include "tests/says.hpp"
 
 namespace labmouse {
@@ -95,6 +98,70 @@ TEST(ToyWorld, HasResultsThatThePageShows) {
   ASSERT_TRUE(kept.is_object());
   ASSERT_EQ(kept["groups"], json["groups"]) << json.dump(1);
   EXPECT_EQ(kept["groups"][0]["columns"], nlohmann::json({"stumbles a contest"}));
+}
+
+/// The lines of a record, but for the version that wrote it.
+nlohmann::json lines_of(const std::string& record) {
+  nlohmann::json lines = nlohmann::json::array();
+  std::istringstream text(record);
+  for (std::string line; std::getline(text, line);) lines.push_back(nlohmann::json::parse(line));
+  lines.front().erase("version");
+  return lines;
+}
+
+/// They show a report of a single contest, too: tests/toy/report.json has what such a report carries, and the contest's
+/// record in lines.
+TEST(ToyWorld, HasAReportThatThePageShows) {
+  const std::string folder = testing::TempDir() + "toy-report";
+  std::filesystem::remove_all(folder);
+  RaceOrder order = order_with("40");
+  order.runs = 1;
+  RaceHooks hooks;
+  hooks.keep = RaceFolder::keep;
+  std::string record;
+  hooks.finished = [&](const Race& race, const ContestResult& contest, const Held& held) {
+    record = held.record;
+    EXPECT_EQ(RaceFolder(folder, race).save(contest, held), "");
+  };
+  const Race race = hold_race(read_specs("certify").contestants, {some_mazes().front()}, order, hooks);
+  const auto json = nlohmann::json::parse(json_of(race, {}));
+  const ReadResultsResult results = read_report_results(json.dump());
+  ASSERT_TRUE(results.results);
+  const ReportRecords records = read_report_records(*results.results, folder);
+  std::filesystem::remove_all(folder);
+  EXPECT_TRUE(records.notes.empty());
+  const nlohmann::json report = {{"groups", json["groups"]},
+                                 {"records", nlohmann::json::parse(records.json)["records"]},
+                                 {"record", lines_of(record)}};
+  std::ifstream file(std::filesystem::path(LABMOUSE_SOURCE_DIR) / "tests/toy/report.json");
+  ASSERT_EQ(nlohmann::json::parse(file, nullptr, false), report) << report.dump(1);
+}
+
+/// Whoever knows no world by its name learns from `about` what a race in one is asked, and holds it.
+TEST(ToyWorld, IsOfferedAndHeldByThePage) {
+  const auto worlds = test::answer("about", nlohmann::json::object())["worlds"];
+  ASSERT_EQ(worlds.back()["name"], "toy");
+  const nlohmann::json setting = {{"name", "clumsiness"},
+                                  {"type", "whole"},
+                                  {"default", "50"},
+                                  {"meaning", "How often a mouse stumbles"},
+                                  {"low", 0},
+                                  {"high", 100}};
+  EXPECT_EQ(worlds.back()["settings"], nlohmann::json::array({setting}));
+  EXPECT_FALSE(worlds.back().contains("call"));
+  const auto& mice = worlds.back()["mice"];
+  EXPECT_NE(std::find(mice.begin(), mice.end(), "flood"), mice.end());
+  const auto maze = maze_data("contest-01", some_mazes().front().maze);
+  const auto race = test::said("race", {{"mice", {"flood"}},
+                                        {"mazes", {nlohmann::json::parse(maze.dump())}},
+                                        {"seed", 1},
+                                        {"runs", 2},
+                                        {"world", "toy"},
+                                        {"clumsiness", 100}});
+  const auto& groups = race["answer"]["results"]["groups"];
+  ASSERT_EQ(groups.size(), 1U);
+  EXPECT_EQ(groups[0]["clumsiness"], 100);
+  EXPECT_EQ(groups[0]["mice"][0]["results"][0]["outcome"], "stumbled");
 }
 
 TEST(ToyWorld, HasALineOfCsvForEachContest) {

@@ -1,6 +1,6 @@
 // A world of one file: mice that stumble. Each contest is three runs of the capstone's; dice decide before each whether
-// the mouse stumbles in it, and the best of the others counts. Where it stumbles in all three, the contest has no
-// score.
+// the mouse stumbles in it, and the best of the others counts and is recorded. Where it stumbles in all three, the
+// contest has no score.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,6 +13,8 @@
 #include "labmouse/lab/standings/common_fields.hpp"
 #include "labmouse/lab/standings/mouse_figures.hpp"
 #include "labmouse/lab/standings/race_notes.hpp"
+#include "labmouse/lab/steps/steps_entry.hpp"
+#include "labmouse/lab/steps/steps_files.hpp"
 #include "tests/toy/toy_entry.hpp"
 
 namespace labmouse {
@@ -67,11 +69,13 @@ class ToyWorld final : public World {
     std::int64_t stumbles = 0;
     for (std::uint64_t run = 0; run < 3; ++run) {
       const bool stumbled = dice.below(100) < percent_;
-      if (keep.record) held.record += fmt::format("{{\"run\":{},\"stumbled\":{}}}\n", run + 1, stumbled);
       if (stumbled && ++stumbles > 0) continue;
       const auto mind = race.mice[result.mouse].make(maze, Rules(), result.seed + run);
-      const auto value = score(labmouse::run(maze, Rules(), *mind), Rules()).value;
-      if (value && (!result.score || *value < *result.score)) result.score = value;
+      const RunRecord record = labmouse::run(maze, Rules(), *mind);
+      const auto value = score(record, Rules()).value;
+      if (!value || (result.score && *value >= *result.score)) continue;
+      result.score = value;
+      if (keep.record) held.record = record_of(race, result, record);
     }
     result.outcome = result.score ? "finished" : "stumbled";
     result.counted = result.score;
@@ -85,6 +89,13 @@ class ToyWorld final : public World {
   std::string notes(const Race&) const override { return score_note(*this); }
 
  private:
+  /// Of its best run, as records in steps are, under the name of this world.
+  std::string record_of(const Race& race, const ContestResult& result, const RunRecord& record) const {
+    RecordFile file = record_file_of(race.mice[result.mouse], race.mazes[result.maze], Rules(), result.seed, record);
+    file.world = name();
+    return write_record(file);
+  }
+
   int percent_;
 };
 
@@ -96,9 +107,7 @@ WorldResult make(const WorldSettings& chosen) {
   return {std::make_shared<ToyWorld>(std::stoi(value_of(toy_entry, chosen, "clumsiness"))), ""};
 }
 
-PackedFile pack(std::string_view, const RecordOwner& owner) {
-  return {fmt::format("{{\"mouse\":\"{}\",\"maze\":\"{}\"}}", owner.mouse, owner.maze), std::nullopt, std::nullopt};
-}
+PackedFile pack(std::string_view text, const RecordOwner& owner) { return steps_entry.pack(text, owner); }
 
 }  // namespace
 

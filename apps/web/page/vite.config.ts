@@ -37,7 +37,7 @@ export default defineConfig({
     fileParallelism: false,
     projects: [
       // Patience with a busy machine: a look at the core takes a second on an idle one.
-      { extends: true, test: { name: 'unit', include: ['tests/unit/**/*.test.ts'], testTimeout: 60_000 } },
+      { extends: true, test: { name: 'unit', include: ['tests/unit/**/*.test.{ts,tsx}'], testTimeout: 60_000 } },
       {
         extends: true,
         test: {

@@ -1,6 +1,7 @@
 // What the core brings, and how fast it is.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 #include "labmouse/contest/rules.hpp"
@@ -11,7 +12,9 @@
 #include "labmouse/lab/mice/mice_json.hpp"
 #include "labmouse/lab/page/answers.hpp"
 #include "labmouse/lab/page/drive_choices.hpp"
+#include "labmouse/lab/page/request.hpp"
 #include "labmouse/lab/system/version.hpp"
+#include "labmouse/lab/worlds/entering.hpp"
 #include "labmouse/maze/generators/generator.hpp"
 #include "labmouse/strategies/roster.hpp"
 
@@ -47,6 +50,52 @@ Json mazes() {
   return list;
 }
 
+/// What can be chosen where a setting takes a name of what the page brings; null for all others.
+Json choices_of(const WorldSetting& setting) {
+  const Json things = setting.name == "robot"   ? page_robots_json()
+                      : setting.name == "rules" ? page_rules_json()
+                                                : Json();
+  Json names;
+  for (const Json& thing : things) names.push_back(thing["name"]);
+  return names;
+}
+
+/// A setting of a world, as parameters of mice are.
+Json setting_json(const WorldSetting& setting) {
+  using Kind = WorldSetting::Kind;
+  Json json = {{"name", setting.name}, {"default", setting.default_value}, {"meaning", setting.meaning}};
+  json["type"] = setting.kind == Kind::whole ? "whole" : setting.kind == Kind::flag ? "flag" : "text";
+  if (setting.kind == Kind::whole) {
+    json["low"] = setting.low;
+    json["high"] = std::min<std::int64_t>(setting.high, most_page_steps);
+  }
+  if (Json choices = choices_of(setting); !choices.empty()) {
+    json["type"] = "choice";
+    json["choices"] = std::move(choices);
+  }
+  return json;
+}
+
+/// The worlds in which mice of the roster race.
+Json worlds() {
+  Json list = Json::array();
+  for (const WorldEntry* entry : all_worlds()) {
+    Json settings = Json::array(), mice = Json::array();
+    for (const WorldSetting& setting : entry->settings) settings.push_back(setting_json(setting));
+    for (const Contestant& mouse : residents_of(*entry->make({}).world)) mice.push_back(mouse.name);
+    if (mice.empty()) continue;
+    list.push_back({{"name", entry->name},
+                    {"summary", entry->summary},
+                    {"home", entry->is_home},
+                    {"settings", std::move(settings)},
+                    {"mice", std::move(mice)}});
+    // The calls that hold one contest with all of its play.
+    if (entry->is_home) list.back()["call"] = "run";
+    if (entry->name == "seconds") list.back()["call"] = "drive";
+  }
+  return list;
+}
+
 Json rules_of_capstone() {
   const Rules rules;
   return {{"budget", rules.budget},
@@ -65,6 +114,7 @@ PageReply answer_about(const ReadJson&, std::string_view) {
                    {"formats", named(all_formats())},
                    {"generators", named(all_generators())},
                    {"rules", rules_of_capstone()},
+                   {"worlds", worlds()},
                    {"most_side", max_side},
                    {"robots", page_robots_json()},
                    {"robot_keys", page_robot_keys_json()},

@@ -6,6 +6,16 @@
 
 namespace labmouse {
 
+Json traits_json(const PlayTraits& traits) {
+  return {{"clock", traits.in_steps ? "steps" : "seconds"},
+          {"unit", traits.unit},
+          {"digits", traits.digits},
+          {"bound", traits.bound},
+          {"runs", traits.runs},
+          {"draws", traits.draws},
+          {"pictured", traits.pictured}};
+}
+
 Json route_json(const Maze& maze, const Rules& rules) {
   Pose pose = {maze.start(), maze.start_heading()};
   const std::vector<Action> actions = shortest_run(maze, rules);

@@ -1,12 +1,27 @@
 // What several answers have in common.
 #pragma once
 
+#include <string_view>
+#include <vector>
+
 #include "labmouse/contest/rules.hpp"
 #include "labmouse/lab/text/json.hpp"
 #include "labmouse/maze/maze.hpp"
 #include "labmouse/strategies/roster.hpp"
 
 namespace labmouse {
+
+/// What the world of a contest is like, for those who show it: `Traits` in apps/web/page/src/core/types.ts.
+struct PlayTraits {
+  bool in_steps = true;  ///< its clock counts them
+  std::string_view unit = "";
+  int digits = 3;
+  std::string_view bound;
+  std::vector<std::string_view> runs;
+  bool draws = false;
+  bool pictured = true;
+};
+Json traits_json(const PlayTraits& traits);
 
 /// The cells in which the steps of a shortest run end, the start first; empty where there is no way.
 Json route_json(const Maze& maze, const Rules& rules);

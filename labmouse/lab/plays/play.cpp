@@ -9,6 +9,7 @@
 #include "labmouse/lab/plays/maze_data.hpp"
 #include "labmouse/lab/plays/play_frames.hpp"
 #include "labmouse/lab/records/explanation.hpp"
+#include "labmouse/lab/steps/lost_steps.hpp"
 #include "labmouse/lab/steps/steps_files.hpp"
 #include "labmouse/lab/text/optional_json.hpp"
 
@@ -39,7 +40,9 @@ Json header_json(const RecordFile& file) {
   const Score result = score(file.run, file.rules);
   const Bound bound = bound_of(*file.maze, file.rules);
   const Coverage coverage = coverage_of(file.run, *file.maze);
-  return {{"world", "steps"},
+  return {{"world", file.world.empty() ? "steps" : file.world},
+          {"traits", traits_json({.bound = "the best possible score: that of a mouse that knows the maze",
+                                  .runs = {"exploration", "speed run"}})},
           {"mouse", file.mouse},
           {"maze", maze_data(file.maze_name, *file.maze)},
           {"rules", rules_json(file.rules)},
@@ -94,7 +97,9 @@ Json play_json(const RecordFile& file) {
   play["reasons"] = Json::array();
   for (const StepReasons& choice : file.run.reasons) play["reasons"].push_back(choice_json(choice));
   play["events"] = Json::array();
-  play["again"] = again_json("run", rules_json(file.rules), [](const RosterEntry&) { return true; });
+  play["loses"] = LossMeter(*file.maze, file.rules).by_step(file.run);
+  if (file.world.empty())
+    play["again"] = again_json("run", rules_json(file.rules), [](const RosterEntry&) { return true; });
   return play;
 }
 

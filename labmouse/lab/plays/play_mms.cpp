@@ -149,6 +149,12 @@ Json counts_json(const MmsStatistics& statistics, const MmsRecordFile& file) {
 Json header_json(const MmsRecordFile& file) {
   const MmsBound bound = mms_bound_of(*file.maze);
   return {{"world", "mms"},
+          {"traits", traits_json({.in_steps = false,
+                                  .digits = 1,
+                                  .bound = "the best possible score under the rules of mms",
+                                  .runs = {"running"},
+                                  .draws = true,
+                                  .pictured = false})},
           {"mouse", file.mouse},
           {"maze", maze_data(file.maze_name, as_in_mms(*file.maze))},
           {"rules", nullptr},
@@ -206,6 +212,7 @@ PlayResult play_json(const MmsRecordFile& file) {
   play["route"] = best_way(maze);
   play["distances"] = distances_json(maze, 1);
   play["reasons"] = Json::array();
+  play["loses"] = Json::array();
   return {std::move(play), ""};
 }
 

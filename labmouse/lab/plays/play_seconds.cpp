@@ -124,6 +124,10 @@ Json drive_json(const DriveRecordFile& contest, const DriveRun& best, const std:
 Json header_json(const DriveRecordFile& contest, const DriveRun& best) {
   const auto value = score(contest.record, contest.rules).value();
   return {{"world", "seconds"},
+          {"traits", traits_json({.in_steps = false,
+                                  .unit = "s",
+                                  .bound = "the best possible score: that of the fastest run, made at once",
+                                  .runs = {"search", "way home", "fast run"}})},
           {"mouse", contest.mouse},
           {"maze", maze_data(contest.maze_name, *contest.maze)},
           {"rules", nullptr},
@@ -169,6 +173,7 @@ Json play_json(const DriveRecordFile& contest) {
   play["distances"] = distances_json(*contest.maze, 1);
   play["visited"] = share_visited(contest, play, play["distances"]);
   play["reasons"] = Json::array();
+  play["loses"] = Json::array();
   play["events"] = Json::array();
   play["drive"] = drive_json(contest, best, first_frames);
   const Json conditions = {{"robot", labmouse::robot_json(contest.model->robot)}, {"rules", contest.rules.name}};

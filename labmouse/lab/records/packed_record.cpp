@@ -99,6 +99,7 @@ void read_outcome(const std::string& name, JsonFields& fields, RecordFile& file)
 std::string read_rest(const ReadJson& json, JsonFields& fields, RecordFile& file) {
   file.ended = false;
   if (fields.has("seed")) file.seed = read_seed(json["seed"], fields);
+  if (fields.has("world")) file.world = fields.text("world");
   if (fields.has("outcome")) read_outcome(fields.text("outcome"), fields, file);
   if (fields.has("last_words")) file.run.last_words = fields.text("last_words").substr(0, longest_last_words);
   std::string error = fields.error();
@@ -115,6 +116,7 @@ Json pack_record(const RecordFile& file) {
     json["seed"] = file.seed;
   else
     json["seed"] = fmt::format("{}", file.seed);
+  if (!file.world.empty()) json["world"] = file.world;
   if (file.rules != Rules())
     json["rules"] = {{"budget", file.rules.budget},
                      {"exploration_factor", file.rules.exploration_factor},

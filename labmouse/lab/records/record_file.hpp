@@ -22,6 +22,7 @@ struct GivenFields {
 
 /// A record with all that is needed to understand it years later. One that a robot wrote may lack much of it.
 struct RecordFile {
+  std::string world;  ///< its name, where it is another one than that of these rules alone
   std::string maze_name;
   std::optional<Maze> maze;  ///< always there when written
   std::string mouse;

@@ -39,6 +39,7 @@ std::string read_header(const ReadJson& json, RecordFile& file) {
     fields.fail("has a format other than 1, which this version cannot read");
   if (!fields.error().empty()) return fields.error();
   if (fields.has("version")) file.version = fields.text("version");
+  if (fields.has("world")) file.world = fields.text("world");
   if (fields.has("seed") && !json["seed"].is_number_unsigned()) return "'seed' is not a number from 0 to 2^64 - 1";
   if (fields.has("seed")) file.seed = json["seed"].get<std::uint64_t>();
   std::string error;

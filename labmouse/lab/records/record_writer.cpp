@@ -20,16 +20,18 @@ Json mouse_json(const RecordFile& file) {
 }
 
 Json header_json(const RecordFile& file) {
-  return {{"labmouse", "record"},
-          {"format", 1},
-          {"version", version()},
-          {"maze", record_maze_json(file.maze_name, *file.maze)},
-          {"mouse", mouse_json(file)},
-          {"seed", file.seed},
-          {"rules",
-           {{"budget", file.rules.budget},
-            {"exploration_factor", file.rules.exploration_factor},
-            {"stride", file.rules.stride}}}};
+  Json header = {{"labmouse", "record"},
+                 {"format", 1},
+                 {"version", version()},
+                 {"maze", record_maze_json(file.maze_name, *file.maze)},
+                 {"mouse", mouse_json(file)},
+                 {"seed", file.seed},
+                 {"rules",
+                  {{"budget", file.rules.budget},
+                   {"exploration_factor", file.rules.exploration_factor},
+                   {"stride", file.rules.stride}}}};
+  if (!file.world.empty()) header["world"] = file.world;
+  return header;
 }
 
 Json action_json(const Action& action) {

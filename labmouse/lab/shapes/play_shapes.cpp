@@ -29,13 +29,22 @@ std::vector<Declaration> play_shapes() {
                        field("text", text)}),
                object({field("frame", number), field("kind", word("clear colours"))}),
                object({field("frame", number), field("kind", word("clear texts"))})})},
+      {"Traits", "What the world of a contest is like, for those who show it.",
+       object({field("clock", words({"steps", "seconds"}),
+                     "What it counts. Where that is steps, each is a turn and a straight move."),
+               field("unit", text, "Behind scores: \"s\"; empty where they need none."),
+               field("digits", number, "Decimals of scores."), field("bound", text, "What the best possible score is."),
+               field("runs", list(text), "What its runs are called, by the numbers in `run`: \"speed run\"."),
+               field("draws", flag, "Whether the map of the mouse is what its program draws, and not `known`."),
+               field("pictured", flag, "Whether `picture` draws its record.")})},
       {"Play",
        "One contest, frame by frame: frame 0 is before the first step, frame i after step i; the last is the end. "
        "Lists `clock`, `x`, `y`, `heading`, `run` have one entry a frame, those of steps one entry a step: step i "
        "leads from frame i to i + 1. In seconds a step is a move of a search, a straight or a turn, or being carried "
        "to the start.",
        object(
-           {field("world", words({"steps", "mms", "seconds"})),
+           {field("world", text, "Its name; what it is like stands in `traits`."),
+            field("traits", named("Traits")),
             field("mouse", text),
             field("maze", named("MazeData")),
             field("rules", or_null(named("Rules")), "As in the record; only of a contest in steps."),
@@ -55,12 +64,11 @@ std::vector<Declaration> play_shapes() {
             field("counts", list(object({field("name", text), field("value", number)}))),
             field("checked", text, "How far a record that lacks fields was checked; empty where it gives all."),
             field("ended", flag, "False where the record breaks off."),
-            field("clock", list(number), "Steps in `steps`, seconds in the other worlds."),
+            field("clock", list(number), "Steps or seconds, as `traits` says."),
             field("x", list(number), "In half cells: the centre of cell (0,0) is (1,1)."),
             field("y", list(number)),
             field("heading", list(number), "Eighths of a turn clockwise from north."),
-            field("run", list(number),
-                  "0 exploration, 1 speed run; in seconds 0 search, 1 way home, 2 fast run. In mms always 0."),
+            field("run", list(number), "The position of its name in `runs` of `traits`."),
             field(
                 "action", list(text),
                 "What was asked for, in words: \"right, 3\", \"ahead 2\", \"reset\", \"moveForward 2\", \"left V90\"."),
@@ -87,6 +95,9 @@ std::vector<Declaration> play_shapes() {
                   "Steps (in mms cells) to the goal from each cell in the whole maze; -1 where there is no way."),
             field("reasons", list(named("Reasons"))),
             field("events", list(named("MmsEvent"))),
+            field("loses", list(number),
+                  "What each step falls behind a shortest way, in steps; after the goal each step of the exploration "
+                  "does. Empty where a step has no such measure."),
             field("scores", list(or_null(number)),
                   "What had been scored by each frame, whether or not it was solved in the end; in seconds null before "
                   "the first run."),

@@ -16,9 +16,9 @@ LossMeter::LossMeter(const Maze& maze, const Rules& rules)
   for (std::size_t i = 0; i < goal_.size(); ++i) goal_[i] = maze.is_goal(size_.cell_at(static_cast<int>(i)));
 }
 
-std::optional<LostSteps> LossMeter::lost(const RunRecord& record) const {
-  if (record.outcome != Outcome::solved) return std::nullopt;
-  LostSteps lost = {std::vector<int>(distances_.size()), std::vector<int>(distances_.size())};
+std::vector<int> LossMeter::by_step(const RunRecord& record) const {
+  std::vector<int> losses(record.steps.size());
+  if (optimum_ == 0) return losses;
   Run run = Run::exploration;
   // What is left of the run before the step; a run begins with all of the shortest one.
   int left = optimum_;
@@ -36,9 +36,20 @@ std::optional<LostSteps> LossMeter::lost(const RunRecord& record) const {
     goal_entered = goal_entered || (step.action.kind == Action::Kind::step && goal_[end]);
     const bool arrived = run == Run::exploration && goal_entered;
     const int after = arrived ? 0 : distances_[end];
-    const int loss = goes_back ? 0 : 1 + after - left;
-    (run == Run::speed ? lost.speed : lost.exploration)[static_cast<std::size_t>(size_.index(step.pose.cell))] += loss;
+    if (!goes_back) losses[i] = 1 + after - left;
     left = after;
+  }
+  return losses;
+}
+
+std::optional<LostSteps> LossMeter::lost(const RunRecord& record) const {
+  if (record.outcome != Outcome::solved) return std::nullopt;
+  LostSteps lost = {std::vector<int>(distances_.size()), std::vector<int>(distances_.size())};
+  const std::vector<int> losses = by_step(record);
+  for (std::size_t i = 0; i < losses.size(); ++i) {
+    const StepRecord& step = record.steps[i];
+    (step.run == Run::speed ? lost.speed : lost.exploration)[static_cast<std::size_t>(size_.index(step.pose.cell))] +=
+        losses[i];
   }
   return lost;
 }

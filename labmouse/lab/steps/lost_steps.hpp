@@ -37,6 +37,10 @@ class LossMeter {
  public:
   LossMeter(const Maze& maze, const Rules& rules);
 
+  /// What each step of that contest in this maze lost, also where it was not solved. Where no goal can be reached,
+  /// nothing is lost.
+  std::vector<int> by_step(const RunRecord& record) const;
+
   /// Where that contest in this maze lost its steps; nothing where it was not solved and so has no score.
   std::optional<LostSteps> lost(const RunRecord& record) const;
 

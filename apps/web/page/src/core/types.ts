@@ -62,7 +62,7 @@ export interface Rules {
   stride: number;
 }
 
-export type ParameterType = 'whole' | 'real' | 'flag' | 'choice' | 'list' | 'prior';
+export type ParameterType = 'whole' | 'real' | 'flag' | 'choice' | 'list' | 'prior' | 'text';
 
 export interface Parameter {
   name: string;
@@ -92,6 +92,19 @@ export interface Named {
   summary: string;
 }
 
+/** A world in which mice of the roster race. */
+export interface WorldInPage {
+  name: string;
+  summary: string;
+  /** Whether it is meant where a race names none. */
+  home: boolean;
+  /** What a race there is asked besides. */
+  settings: Parameter[];
+  mice: string[];
+  /** What holds one contest there with its play; missing where only races are held. */
+  call?: 'run' | 'drive';
+}
+
 /** `about`: what the core brings. */
 export interface About {
   version: string;
@@ -101,6 +114,7 @@ export interface About {
   formats: Named[];
   generators: Named[];
   rules: Rules & { failure_score: number };
+  worlds: WorldInPage[];
   /** Largest side of a maze. */
   most_side: number;
   /** For contests in seconds: robots with the side of their cells in mm, and rules with their sources. */
@@ -164,13 +178,33 @@ export type MmsEvent = {
   kind: 'clear texts';
 };
 
+/** What the world of a contest is like, for those who show it. */
+export interface Traits {
+  /** What it counts. Where that is steps, each is a turn and a straight move. */
+  clock: 'steps' | 'seconds';
+  /** Behind scores: "s"; empty where they need none. */
+  unit: string;
+  /** Decimals of scores. */
+  digits: number;
+  /** What the best possible score is. */
+  bound: string;
+  /** What its runs are called, by the numbers in `run`: "speed run". */
+  runs: string[];
+  /** Whether the map of the mouse is what its program draws, and not `known`. */
+  draws: boolean;
+  /** Whether `picture` draws its record. */
+  pictured: boolean;
+}
+
 /**
  * One contest, frame by frame: frame 0 is before the first step, frame i after step i; the last is the end. Lists
  * `clock`, `x`, `y`, `heading`, `run` have one entry a frame, those of steps one entry a step: step i leads from
  * frame i to i + 1. In seconds a step is a move of a search, a straight or a turn, or being carried to the start.
  */
 export interface Play {
-  world: 'steps' | 'mms' | 'seconds';
+  /** Its name; what it is like stands in `traits`. */
+  world: string;
+  traits: Traits;
   mouse: string;
   maze: MazeData;
   /** As in the record; only of a contest in steps. */
@@ -197,14 +231,14 @@ export interface Play {
   checked: string;
   /** False where the record breaks off. */
   ended: boolean;
-  /** Steps in `steps`, seconds in the other worlds. */
+  /** Steps or seconds, as `traits` says. */
   clock: number[];
   /** In half cells: the centre of cell (0,0) is (1,1). */
   x: number[];
   y: number[];
   /** Eighths of a turn clockwise from north. */
   heading: number[];
-  /** 0 exploration, 1 speed run; in seconds 0 search, 1 way home, 2 fast run. In mms always 0. */
+  /** The position of its name in `runs` of `traits`. */
   run: number[];
   /** What was asked for, in words: "right, 3", "ahead 2", "reset", "moveForward 2", "left V90". */
   action: string[];
@@ -236,6 +270,11 @@ export interface Play {
   distances: number[];
   reasons: Reasons[];
   events: MmsEvent[];
+  /**
+   * What each step falls behind a shortest way, in steps; after the goal each step of the exploration does. Empty
+   * where a step has no such measure.
+   */
+  loses: number[];
   /**
    * What had been scored by each frame, whether or not it was solved in the end; in seconds null before the first
    * run.
@@ -688,17 +727,17 @@ export interface Calls {
     request: { record: PackedRecord; maze: MazeData };
     answer: { play: Play; record: string };
   };
-  /** A race in the one thread that the page has: keep it small. Without mice: all of the roster. */
+  /**
+   * A race in the one thread that the page has: keep it small. Without mice: all of the roster. The settings of its
+   * world stand beside `world`, by their names.
+   */
   race: {
-    request: {
+    request: Fields & {
       mice: string[];
       mazes: MazeData[];
       seed: number;
       runs: number;
-      budget?: number;
       world?: string;
-      robot?: string;
-      rules?: string;
       played?: PlayedMouse[];
     };
     answer: { results: RaceResults };

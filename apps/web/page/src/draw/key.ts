@@ -1,5 +1,5 @@
 // What the signs of the drawing mean.
-import { sample, type Sample } from '../player/samples';
+import { sample, type SampleName } from '../player/samples';
 import { h } from '../ui/dom';
 
 export interface Key {
@@ -8,7 +8,7 @@ export interface Key {
   setRoute(drawn: boolean): void;
 }
 
-const entry = (name: Sample, words: string) => h('li', {}, sample(name), h('span', {}, words));
+const entry = (name: SampleName, words: string) => h('li', {}, sample(name), h('span', {}, words));
 
 export function createKey(): Key {
   const route = entry('exploration', 'a shortest run');

@@ -1,6 +1,6 @@
 // The tools above the drawing: what the pointer draws, back and forth, and changes of the whole.
 import type { MazeData } from '../core/types';
-import { icon, type Icon } from '../player/icons';
+import { icon, type IconName } from '../player/icons';
 import { h } from '../ui/dom';
 import type { Editor } from './editor';
 import { mirrored, rotated, withTurnedStart } from './model';
@@ -40,7 +40,7 @@ export function createTools(
   );
   const button = (label: string, title: string, onclick: () => void) =>
     h('button', { type: 'button', title, onclick }, label);
-  const sign = (name: Icon, label: string, keys: string, onclick: () => void) =>
+  const sign = (name: IconName, label: string, keys: string, onclick: () => void) =>
     h('button', { type: 'button', 'aria-label': label, title: `${label} (${keys})`, onclick }, icon(name));
   const changing = (change: (maze: MazeData) => MazeData) => () => editor.change(change(editor.maze()));
   const undo = sign('undo', 'Undo', 'Ctrl+Z', editor.undo);

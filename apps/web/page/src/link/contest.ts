@@ -21,10 +21,9 @@ export function contestOf(core: Core, { mouse, maze, seed, budget, drive }: Cont
 
 /** What was asked for, so that a play came of it; null where the page runs no such contest. */
 function asked(play: Play): Contest | null {
-  const { mouse, maze, seed, rules, drive, world } = play;
-  if (seed === null || world === 'mms') return null;
-  if (world === 'seconds')
-    return drive ? { mouse, maze, seed, drive: { robot: drive.robot.name, rules: drive.rules.name } } : null;
+  const { mouse, maze, seed, rules, drive, again } = play;
+  if (seed === null || !again) return null;
+  if (drive) return { mouse, maze, seed, drive: { robot: drive.robot.name, rules: drive.rules.name } };
   return { mouse, maze, seed, ...(rules && { budget: rules.budget }) };
 }
 
@@ -52,8 +51,14 @@ export function contestsInMoment(contests: Contest[], about: About): Pick<Moment
   };
 }
 
-/** The robot and the rules that a link names; null in steps. Throws in words where the page has them not. */
-export function driveOf({ robot, rules }: Pick<Moment, 'robot' | 'rules'>, about: About): Contest['drive'] | null {
+/** What is driven where, as a link says: robot and rules, in the world that has them. */
+export interface Driven {
+  world: string;
+  with: NonNullable<Contest['drive']>;
+}
+
+/** The robot and the rules that a link names; null where it names none. Throws in words where the page has them not. */
+export function driveOf({ robot, rules }: Pick<Moment, 'robot' | 'rules'>, about: About): Driven | null {
   if (robot === undefined && rules === undefined) return null;
   const known = (list: { name: string }[], name: string | undefined, what: string) => {
     if (name === undefined) return list[0]?.name ?? '';
@@ -62,11 +67,12 @@ export function driveOf({ robot, rules }: Pick<Moment, 'robot' | 'rules'>, about
   };
   // One of the view Robot stands in the link with all of its numbers.
   const ours = robot !== undefined && isMine(robot) ? robot : known(about.robots, robot, 'robot');
-  return { robot: ours, rules: known(about.drive_rules, rules, 'rules') };
+  const world = about.worlds.find(({ call }) => call === 'drive')?.name ?? '';
+  return { world, with: { robot: ours, rules: known(about.drive_rules, rules, 'rules') } };
 }
 
 /** The contests that a link names, in that maze. */
 export function contestsOf({ mice, seeds, budget, robot, rules }: Moment, about: About, maze: MazeData): Contest[] {
-  const drive = driveOf({ robot, rules }, about) ?? undefined;
+  const drive = driveOf({ robot, rules }, about)?.with;
   return mice.map((mouse, i) => ({ mouse, maze, seed: seeds[i] ?? seeds[0] ?? 1, budget, drive }));
 }

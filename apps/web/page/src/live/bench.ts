@@ -4,7 +4,6 @@ import { isSameMaze } from '../maze/same';
 import type { Camera } from '../maze/camera';
 import { createPlayer, type Player } from '../player/player';
 import { h } from '../ui/dom';
-import { boundOf } from '../ui/terms';
 import { createLatest } from '../ui/latest';
 import type { Page } from '../views/view';
 import { comparisonInWords, type Walk } from './comparison';
@@ -31,7 +30,7 @@ const score = (value: number | null, unit: string) => (value === null ? 'none' :
 
 /** What came of a walk, in a line. */
 function outcomeInWords({ spec, play }: Walk): string {
-  const unit = play.drive ? ' s' : '';
+  const unit = play.traits.unit && ` ${play.traits.unit}`;
   const known = play.bound === null ? 'no goal can be reached' : `best possible ${score(play.bound, unit)}`;
   return `${spec} in ${play.maze.name || 'this maze'}: ${play.outcome}, score ${score(play.score, unit)}, ${known}`;
 }
@@ -71,7 +70,7 @@ export function createBench(page: Page, refused: (message: string) => void): Ben
     refused('');
     stale(false);
     outcome.dataset.state = walk.play.solved ? 'good' : 'bad';
-    outcome.title = `best possible: ${boundOf(walk.play.world)}`;
+    outcome.title = `best possible: ${walk.play.traits.bound}`;
     outcome.replaceChildren(outcomeInWords(walk));
     words.replaceChildren(before ? comparisonInWords(before, walk) : '');
     compare.disabled = before === null;

@@ -37,7 +37,7 @@ const types: Record<string, Parameter['type']> = { 'whole number': 'whole', numb
 const typeOf = ({ type }: Parameter) => types[type] ?? type;
 const isNumber = (parameter: Parameter) => typeOf(parameter) === 'whole' || typeOf(parameter) === 'real';
 
-function controlOf(parameter: Parameter, value: string): [Control, ...HTMLElement[]] {
+export function controlOf(parameter: Parameter, value: string): [Control, ...HTMLElement[]] {
   const { low, high, choices = [] } = parameter;
   if (typeOf(parameter) === 'flag') return [h('input', { type: 'checkbox', checked: value === 'yes' })];
   if (isNumber(parameter)) {
@@ -50,7 +50,7 @@ function controlOf(parameter: Parameter, value: string): [Control, ...HTMLElemen
 }
 
 /** The value in a control, as the SPEC has it; null where the browser can make nothing of what stands there. */
-function read(control: Control): string | null {
+export function read(control: Control): string | null {
   if (control instanceof HTMLInputElement && control.type === 'checkbox') return control.checked ? 'yes' : 'no';
   return control.validity.badInput ? null : control.value.trim();
 }

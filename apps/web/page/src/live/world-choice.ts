@@ -1,76 +1,158 @@
-// In which world a mouse runs: in steps, or in seconds with a robot and rules.
-import type { About } from '../core/types';
-import { h } from '../ui/dom';
+// In which world mice run, and what is set of it: all that the core has, each with its settings.
+import type { About, Parameter, WorldInPage } from '../core/types';
 import { isMine, myRobot, nameOf, onMyRobot, setMyRobot } from '../robot/mine';
+import { calledOf } from '../race/worlds';
+import { h } from '../ui/dom';
 import { field } from '../ui/field';
+import { controlOf, read } from './parameters';
+
+/** Settings of a world by their names, as the core's `race` takes them. */
+export type Settings = Record<string, string | number | boolean>;
 
 export interface WorldChoice {
   element: HTMLElement;
-  /** The robot and the rules of a contest in seconds; null in steps. */
+  /** The world, and what is set of it: nothing of the home world, whose settings are the view's own. */
+  chosen(): { world: WorldInPage; settings: Settings };
+  /** What a contest that is driven needs; null in worlds where nothing is. */
   drive(): { robot: string; rules: string } | null;
-  /** In seconds with those, or in steps where there is no robot. A name that is none stays as it was. */
-  choose(robot?: string, rules?: string): void;
+  /** Chooses that world, or the home world where there is no name. A setting that is none stays as it was. */
+  choose(name?: string, settings?: Settings): void;
 }
 
-export function createWorldChoice({ mice, robots, drive_rules }: About, changed: () => void): WorldChoice {
-  const select = (options: [string, string][]) =>
-    h(
-      'select',
-      { onchange: () => (update(), changed()) },
-      ...options.map(([value, text]) => h('option', { value }, text)),
-    );
-  const world = select([
-    ['steps', 'steps, as in the capstone project'],
-    ['seconds', 'seconds: curves and diagonals'],
-  ]);
-  const robot = select(robots.map(({ name, cell }) => [name, `${name}, cells of ${cell} mm`]));
-  const rules = select(drive_rules.map(({ name }) => [name, name]));
-  const source = h('span', {});
-  const drivers = mice.filter(({ drives }) => drives).map(({ name }) => name);
-  const worldNote = h('span', {});
-  /** That of the view Robot, where there is one. */
-  const own = h('option', { hidden: true });
-  robot.append(own);
-  const robotRow = field('Robot', robot, h('a', { href: '#robot' }, 'Change its numbers'));
-  const rulesRow = field('Rules', rules, source);
+interface Row {
+  element: HTMLElement;
+  read(): string | number | boolean;
+  write(value: string | number | boolean): void;
+}
 
-  function update() {
-    const seconds = world.value === 'seconds';
-    robotRow.hidden = rulesRow.hidden = !seconds;
-    worldNote.textContent = seconds ? `mice that can drive: ${drivers.join(', ')}` : '';
-    source.textContent = drive_rules.find(({ name }) => name === rules.value)?.source ?? '';
-  }
+const capital = (text: string) => text[0].toUpperCase() + text.slice(1);
+
+/** Text of a control as the core takes a value of that type. */
+function valueOf(text: string | null, { type, default: usual }: Parameter) {
+  if (type === 'flag') return text === 'yes';
+  return type === 'whole' ? Number(text || usual) : (text ?? usual);
+}
+
+/** A setting that is typed or ticked. */
+function plainRow(setting: Parameter, changed: () => void): Row {
+  const [control, ...beside] = controlOf(setting, setting.default);
+  control.addEventListener('input', changed);
+  const element = field(capital(setting.name), control, h('span', {}, setting.meaning));
+  element.append(...beside);
+  return {
+    element,
+    read: () => valueOf(read(control), setting),
+    write(value) {
+      if (control instanceof HTMLInputElement && control.type === 'checkbox') control.checked = value === true;
+      else control.value = String(value);
+    },
+  };
+}
+
+/** A setting that is one of several; `words` of each, and a line that follows from the chosen one. */
+function listRow(setting: Parameter, changed: () => void, words = (name: string) => name, help?: HTMLElement) {
+  const select = h(
+    'select',
+    { onchange: changed },
+    ...(setting.choices ?? []).map((name) => h('option', { value: name }, words(name))),
+  );
+  select.value = setting.default;
+  const row: Row = {
+    element: field(capital(setting.name), select, help ?? h('span', {}, setting.meaning)),
+    read: () => select.value,
+    write(value) {
+      if ([...select.options].some((option) => option.value === value)) select.value = String(value);
+    },
+  };
+  return { ...row, select };
+}
+
+/** Among the robots is that of the view Robot, where there is one. */
+function robotRow(setting: Parameter, { robots }: About, changed: () => void): Row {
+  const cells = (name: string) => `${name}, cells of ${robots.find((one) => one.name === name)?.cell} mm`;
+  const { select, ...row } = listRow(setting, changed, cells, h('a', { href: '#robot' }, 'Change its numbers'));
+  const own = h('option', { hidden: true });
+  select.append(own);
   function offerMine() {
     const mine = myRobot();
-    const chosen = robot.value === own.value && !own.hidden;
-    if (mine === null && chosen) robot.value = robots[0].name;
+    const chosen = select.value === own.value && !own.hidden;
+    if (mine === null && chosen) select.value = robots[0].name;
     own.hidden = mine === null;
     own.disabled = mine === null;
     own.value = mine ?? '';
     own.textContent = mine === null ? '' : `${nameOf(mine)}, my robot`;
-    if (mine !== null && chosen) robot.value = mine;
-    if (chosen && world.value === 'seconds') changed();
+    if (mine !== null && chosen) select.value = mine;
+    if (chosen) changed();
   }
   onMyRobot(offerMine);
   offerMine();
-  const set = (of: HTMLSelectElement, value: string | undefined) => {
-    if (value !== undefined && [...of.options].some((option) => option.value === value)) of.value = value;
+  return {
+    ...row,
+    write(value) {
+      if (isMine(String(value))) setMyRobot(String(value));
+      row.write(value);
+    },
   };
+}
+
+function rulesRow(setting: Parameter, { drive_rules: all }: About, changed: () => void): Row {
+  const source = h('span', {});
+  const show = () => (source.textContent = all.find(({ name }) => name === select.value)?.source ?? '');
+  const { select, ...row } = listRow(setting, () => (show(), changed()), undefined, source);
+  show();
+  return { ...row, write: (value) => (row.write(value), show()) };
+}
+
+function rowOf(setting: Parameter, about: About, changed: () => void): Row {
+  if (setting.name === 'robot') return robotRow(setting, about, changed);
+  if (setting.name === 'rules') return rulesRow(setting, about, changed);
+  return setting.choices ? listRow(setting, changed) : plainRow(setting, changed);
+}
+
+/** `worlds` are offered. */
+export function createWorldChoice(about: About, changed: () => void, worlds = about.worlds): WorldChoice {
+  const select = h(
+    'select',
+    { onchange: () => (update(), changed()) },
+    ...worlds.map((one) => h('option', { value: one.name }, `${calledOf(one)}: ${one.summary}`)),
+  );
+  const home = worlds.find((one) => one.home) ?? worlds[0];
+  const world = () => worlds.find(({ name }) => name === select.value) ?? home;
+  const soon = (of: WorldInPage) => () => of === world() && changed();
+  const rows = new Map(
+    worlds.map((one) => [
+      one.name,
+      new Map(one.home ? [] : one.settings.map((setting) => [setting.name, rowOf(setting, about, soon(one))])),
+    ]),
+  );
+  const note = h('span', {});
+  const element = h(
+    'div',
+    { hidden: worlds.length < 2 },
+    field('World', select, note),
+    ...[...rows.values()].flatMap((list) => [...list.values()].map((row) => row.element)),
+  );
+  function update() {
+    const { name, mice } = world();
+    for (const [one, list] of rows) for (const row of list.values()) row.element.hidden = one !== name;
+    note.textContent = mice.length < home.mice.length ? `mice that run there: ${mice.join(', ')}` : '';
+  }
+  function chosen() {
+    const list = [...rows.get(world().name)!].map(([name, row]) => [name, row.read()]);
+    return { world: world(), settings: Object.fromEntries(list) as Settings };
+  }
+  select.value = home.name;
   update();
   return {
-    element: h(
-      'div',
-      { hidden: robots.length === 0 || drive_rules.length === 0 },
-      field('World', world, worldNote),
-      robotRow,
-      rulesRow,
-    ),
-    drive: () => (world.value === 'seconds' ? { robot: robot.value, rules: rules.value } : null),
-    choose(wantedRobot, wantedRules) {
-      world.value = wantedRobot === undefined ? 'steps' : 'seconds';
-      if (wantedRobot !== undefined && isMine(wantedRobot)) setMyRobot(wantedRobot);
-      set(robot, wantedRobot);
-      set(rules, wantedRules);
+    element,
+    chosen,
+    drive() {
+      const { world, settings } = chosen();
+      return world.call === 'drive' ? { robot: String(settings.robot), rules: String(settings.rules) } : null;
+    },
+    choose(name = home.name, settings = {}) {
+      select.value = name;
+      for (const [key, value] of Object.entries(settings)) rows.get(name)?.get(key)?.write(value);
       update();
     },
   };

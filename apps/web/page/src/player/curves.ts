@@ -4,12 +4,15 @@ import 'uplot/dist/uPlot.min.css';
 import { h } from '../ui/dom';
 import { onTones, paperWidth, tone } from '../ui/tones';
 import { accelerationText, clockText, kinds, speedText, type DriveTrack } from './drive';
-import type { Actions, Panel, Side, State } from './state';
+import type { Actions, Side, State } from './state';
 
 const stepped = uPlot.paths.stepped!({ align: 1 });
 const height = 190;
 
-export interface Curves extends Panel {
+export interface Curves {
+  element: HTMLElement;
+  /** After the frame has changed, some times a second while it plays. */
+  update(): void;
   /** Moves the mark of the present moment; in every frame of the browser. */
   tick(): void;
 }

@@ -40,20 +40,20 @@ export const usualLayers: Readonly<Layers> = {
 
 /** Whether a play has anything for that layer. */
 export function has(play: Play, layer: LayerName): boolean {
-  const mms = play.world === 'mms';
-  const seconds = play.world === 'seconds';
+  const { draws, runs } = play.traits;
   switch (layer) {
     case 'rays':
-      return !mms && !seconds;
+      return play.left.length > 0;
     case 'exploration':
-      return !seconds;
+      return !play.drive;
     case 'wrong':
+      return !draws;
     case 'speed':
-      return !mms;
+      return runs.length > 1;
     case 'candidates':
       return play.reasons.length > 0;
     case 'mms':
-      return mms;
+      return draws;
     case 'best':
       return play.route.length > 1 || (play.drive?.best.t.length ?? 0) > 1;
     default:
@@ -68,3 +68,5 @@ export function toggled(layers: Layers, layer: LayerName, believes: boolean): Pa
   if (layers.distances === 'none') return { distances: 'true' };
   return { distances: layers.distances === 'true' && believes ? 'believed' : 'none' };
 }
+
+export const isUsual = (layers: Layers) => layerNames.every((name) => layers[name] === usualLayers[name]);

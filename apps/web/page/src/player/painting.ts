@@ -44,8 +44,8 @@ export function createPlace(track: Track): Place {
 /** Everything but the mouse and its rays; `plan` also where it means to go. */
 export function paintBelow(brush: Brush, plan = false) {
   const { context, g, palette, track, layers, past } = brush;
-  const mms = track.play.world === 'mms';
-  const crowded = layers.exploration || layers.speed || layers.distances !== 'none' || mms;
+  const { draws } = track.play.traits;
+  const crowded = layers.exploration || layers.speed || layers.distances !== 'none' || draws;
   paintGround(context, g, palette);
   paintFloor(brush);
   paintLetters(context, g, palette, track.maze, crowded);
@@ -53,7 +53,7 @@ export function paintBelow(brush: Brush, plan = false) {
   if (layers.best) (track.drive ? paintFastest : paintBest)(brush);
   if (layers.exploration && !track.drive) paintExploration(brush);
   if (layers.speed) (track.drive ? paintDriven : paintSpeedRun)(brush);
-  if (layers.mms && mms) paintMmsTexts(brush);
+  if (layers.mms && draws) paintMmsTexts(brush);
   if (layers.distances !== 'none') paintDistances(brush);
   if (layers.candidates) paintCandidates(brush);
   paintNumbers(context, g, palette);

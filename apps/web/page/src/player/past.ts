@@ -77,7 +77,7 @@ export function moveTo(past: Past, frame: number) {
   past.frame = frame;
 }
 
-/** Whether the mouse knows that wall at that frame; in mms, whether it drew it. */
+/** Whether the mouse knows that wall at that frame; where its map is what it draws, whether it drew it. */
 export function knows(past: Past, wall: number): boolean {
-  return past.track.play.world === 'mms' ? past.drawn[wall] !== 0 : past.track.known[wall] <= past.frame;
+  return past.track.play.traits.draws ? past.drawn[wall] !== 0 : past.track.known[wall] <= past.frame;
 }

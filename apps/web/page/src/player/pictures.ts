@@ -1,10 +1,9 @@
 // What is on the stage, saved: as a picture of this moment, or as a film of the whole contest.
-import { FilmStopped, makeFilm, mostBytes } from '../film/film';
+import { makeFilm, mostBytes } from '../film/film';
 import type { Piece } from '../film/plan';
 import { fit, numbered } from '../maze/geometry';
 import { readPalette } from '../maze/palette';
 import { h } from '../ui/dom';
-import type { Page } from '../views/view';
 import { createSheet, timeText, type Pictured } from './sheet';
 import type { Side, State } from './state';
 
@@ -56,67 +55,31 @@ const asFilmed = ({ track, name, hue, scene }: Side): Pictured => ({
   geometry: fit(track.maze, filmSide, filmSide, 1, numbered),
 });
 
-export function createPictures(page: Page, state: State): { buttons: HTMLElement[]; progress: HTMLElement } {
-  const bar = h('progress', { max: 1, value: 0, 'aria-label': 'Progress of the film' });
-  let wanted = true;
-  const stop = h('button', { type: 'button', onclick: () => (wanted = false) }, 'Stop the film');
-  const progress = h('div', { class: 'row filming', hidden: true }, bar, stop);
+const sheetOf = ({ sides, layers }: State) => createSheet(sides.map(asSeen), layers, readPalette());
 
-  const sheet = () => createSheet(state.sides.map(asSeen), state.layers, readPalette());
-  async function savePng() {
-    const { width, height, paint } = sheet();
-    const canvas = h('canvas', { width, height });
-    paint(canvas.getContext('2d', { alpha: false })!, state.clock.time);
-    const blob = await new Promise<Blob | null>((resolve) => canvas.toBlob(resolve, 'image/png'));
-    if (!blob) throw new Error('This browser could not make the picture. Make the window smaller, and try again.');
-    page.save(fileName(state.sides, 'png'), new Uint8Array(await blob.arrayBuffer()), 'image/png');
-  }
-  async function saveSvg() {
-    page.save(fileName(state.sides, 'svg'), sheet().svg(state.clock.time), 'image/svg+xml');
-  }
-  async function saveFilm() {
-    const sides = [...state.sides];
-    const { width, height, paint } = createSheet(sides.map(asFilmed), { ...state.layers }, readPalette());
-    const [{ track }] = sides;
-    wanted = true;
-    bar.value = 0;
-    progress.hidden = false;
-    film.disabled = true;
-    try {
-      const made = await makeFilm(
-        {
-          width,
-          height,
-          paint,
-          end: state.clock.end,
-          inSteps: sides.every((side) => side.track.play.world === 'steps'),
-          fast: sides.flatMap(fastRuns),
-          cells: Math.max(...sides.map((side) => side.track.cells)),
-        },
-        (share) => (bar.value = share),
-        () => wanted,
-      );
-      page.save(fileName(sides, 'gif'), made.gif, 'image/gif');
-      const size = `${(made.gif.length / 1e6).toFixed(1)} MB, ${made.frames} frames to ${timeText(track, state.clock.end)}`;
-      const less = made.shortened ? `; steps are left out, to stay below ${mostBytes / 1e6} MB` : '';
-      page.tell(`The film is saved: ${size}${less}.`);
-    } catch (error) {
-      if (!(error instanceof FilmStopped)) throw error;
-      page.tell('The film was stopped.');
-    } finally {
-      progress.hidden = true;
-      film.disabled = false;
-    }
-  }
-  const button = (label: string, title: string, act: () => Promise<void>) =>
-    h('button', { type: 'button', title, onclick: () => void act().catch(page.complain) }, label);
-  const film = button('Save film (GIF)', 'The whole contest, as it is played', saveFilm);
-  return {
-    buttons: [
-      button('Save moment (PNG)', 'What is on the stage now, in pixels', savePng),
-      button('Save moment (SVG)', 'What is on the stage now, as a drawing', saveSvg),
-      film,
-    ],
-    progress,
-  };
+export async function pngOf(state: State): Promise<Uint8Array<ArrayBuffer>> {
+  const { width, height, paint } = sheetOf(state);
+  const canvas = h('canvas', { width, height });
+  paint(canvas.getContext('2d', { alpha: false })!, state.clock.time);
+  const blob = await new Promise<Blob | null>((resolve) => canvas.toBlob(resolve, 'image/png'));
+  if (!blob) throw new Error('This browser could not make the picture. Make the window smaller, and try again.');
+  return new Uint8Array(await blob.arrayBuffer());
+}
+
+export const svgOf = (state: State): string => sheetOf(state).svg(state.clock.time);
+
+/** The whole contest as a GIF, and what is to be said of it. `report` hears of the share that is done. */
+export async function filmOf(
+  { sides, layers, clock: { end } }: State,
+  report: (share: number) => void,
+  wanted: () => boolean,
+): Promise<{ gif: Uint8Array<ArrayBuffer>; words: string }> {
+  const { width, height, paint } = createSheet(sides.map(asFilmed), { ...layers }, readPalette());
+  const inSteps = sides.every((side) => side.track.play.traits.clock === 'steps');
+  const cells = Math.max(...sides.map((side) => side.track.cells));
+  const plan = { width, height, paint, end, inSteps, fast: sides.flatMap(fastRuns), cells };
+  const { gif, frames, shortened } = await makeFilm(plan, report, wanted);
+  const size = `${(gif.length / 1e6).toFixed(1)} MB, ${frames} frames to ${timeText(sides[0].track, end)}`;
+  const less = shortened ? `; steps are left out, to stay below ${mostBytes / 1e6} MB` : '';
+  return { gif, words: `The film is saved: ${size}${less}.` };
 }

@@ -35,7 +35,7 @@ const size = 14;
 
 /** The clock of a film and of a picture. */
 export const timeText = (track: Track, time: number): string =>
-  track.play.world === 'steps' ? counted(Math.floor(time), 'step') : `${decimal(time, 2)} s`;
+  track.play.traits.clock === 'steps' ? counted(Math.floor(time), 'step') : `${decimal(time, 2)} s`;
 
 /** Something that paints one play at any time, on the canvas that its geometry is of. */
 function painterOf({ track, hue, beliefs, geometry: g }: Pictured, layers: Layers, palette: Palette) {

@@ -1,4 +1,5 @@
 // What a player shows at the moment, and what its parts may do to it.
+import { isSameMaze } from '../maze/same';
 import type { Tone } from '../maze/palette';
 import type { Clock } from './clock';
 import type { Layers } from './layers';
@@ -29,7 +30,8 @@ export interface State {
   folded: boolean;
 }
 
-export type Mark = 'start' | 'goal' | 'speed' | 'end';
+/** `loss`: the first step that falls behind a shortest way. */
+export type Mark = 'start' | 'goal' | 'speed' | 'end' | 'loss';
 
 export interface Actions {
   toggle(): void;
@@ -52,18 +54,26 @@ export interface Actions {
   enlarge(): void;
 }
 
-/** A part of the player beside its pictures. */
-export interface Panel {
-  element: HTMLElement;
-  /** After the frame has changed, some times a second while it plays; with anything else that has changed. */
-  update(): void;
+/**
+ * What a part of the player beside its pictures is made from: after the frame has changed, some times a second while it
+ * plays, and with anything else that has changed.
+ */
+export interface PanelProps {
+  state: State;
+  actions: Actions;
 }
+
+/** Whether the steps and the scores of two contests mean the same; those of two worlds, or of two mazes, do not. */
+export const isComparable = (sides: Side[]): boolean =>
+  sides.length === 2 &&
+  sides[0].track.play.world === sides[1].track.play.world &&
+  isSameMaze(sides[0].track.play, sides[1].track.play);
 
 /** When that mark is in a contest; null where it never comes. */
 export function timeOf({ track }: Side, mark: Mark): number | null {
   if (mark === 'start') return 0;
   if (mark === 'end') return track.time[track.last];
-  const frame = mark === 'goal' ? track.goalFrame : track.resetFrame;
+  const frame = { goal: track.goalFrame, speed: track.resetFrame, loss: track.lossFrame }[mark];
   return frame < 0 ? null : track.time[frame];
 }
 

@@ -10,7 +10,7 @@ export interface Track {
   cells: number;
   /** The last frame; there are as many steps. */
   last: number;
-  /** When each frame is: steps, or seconds in the other worlds; never falling. */
+  /** When each frame is, as the clock of its world counts; never falling. */
   time: Float64Array;
   /** Half cells and eighths of a turn clockwise from north. */
   x: Int16Array;
@@ -40,6 +40,8 @@ export interface Track {
   /** The first frames of the two marks, and of the speed run; -1 where they never came. */
   goalFrame: number;
   resetFrame: number;
+  /** The frame before the first step that falls behind a shortest way; -1 for none. */
+  lossFrame: number;
   /** Only in seconds. */
   drive: DriveTrack | null;
 }
@@ -55,8 +57,9 @@ function times(play: Play): Float64Array {
 function jumps(play: Play, last: number): Uint8Array {
   const jump = new Uint8Array(last);
   for (let i = 0; i < last; ++i) {
-    const crooked = play.world === 'steps' && play.x[i] !== play.x[i + 1] && play.y[i] !== play.y[i + 1];
-    jump[i] = play.world === 'seconds' || crooked || /^(ack)?reset/i.test(play.action[i]) ? 1 : 0;
+    const straight = play.x[i] === play.x[i + 1] || play.y[i] === play.y[i + 1];
+    const crooked = play.traits.clock === 'steps' && !straight;
+    jump[i] = play.drive || crooked || /^(ack)?reset/i.test(play.action[i]) ? 1 : 0;
   }
   return jump;
 }
@@ -82,14 +85,14 @@ function lastReasons(play: Play, last: number): Int32Array {
   return at;
 }
 
-/** The frame with which the (first) speed run begins; mms has none. */
-const resetOf = (play: Play) => (play.world === 'mms' ? -1 : (play.reset_frame ?? -1));
+/** The frame with which the (first) speed run begins, in worlds that have them. */
+const resetOf = (play: Play) => (play.traits.runs.length < 2 ? -1 : (play.reset_frame ?? -1));
 
 function fans(play: Play, last: number): Uint8Array {
   const fan = new Uint8Array(last + 1);
   const stops = new Map<number, number>();
   const reset = resetOf(play);
-  if (reset < 0 || play.world === 'seconds') return fan;
+  if (reset < 0 || play.drive) return fan;
   for (let frame = reset + 1; frame <= last; ++frame) {
     const place = play.y[frame] * (2 * play.maze.width + 1) + play.x[frame];
     const earlier = stops.get(place) ?? 0;
@@ -132,6 +135,7 @@ export function prepare(play: Play): Track {
     changes: mmsChanges(play.events, play.maze, last),
     goalFrame: play.goal_frame ?? -1,
     resetFrame: resetOf(play),
+    lossFrame: play.loses.findIndex((lost) => lost > 0),
     drive: play.drive ? prepareDrive(play.drive) : null,
   };
 }

@@ -7,14 +7,10 @@ import type { Track } from './track';
 type Side = { track: Track; scene: Scene };
 type Named = Side & { name: string };
 
-const runsInSeconds = ['search', 'way home', 'fast run'];
-
 export function runText({ track, scene }: Side): string {
   const { frame } = scene.past;
   if (frame === track.last) return track.play.ended ? 'ended' : 'incomplete';
-  if (track.play.world === 'mms') return 'running';
-  if (track.drive) return runsInSeconds[track.run[frame]];
-  return track.run[frame] === 1 ? 'speed run' : 'exploration';
+  return track.play.traits.runs[track.run[frame]];
 }
 
 export function poseText({ track, scene }: Side): string {

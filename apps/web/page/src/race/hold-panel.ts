@@ -122,7 +122,7 @@ export function holdPanel(page: EarlyPage, about: About, open = false): HoldPane
   const world = createWorldChoice(about, () => mice.offer(entrants()));
   const entrants = () =>
     about.mice
-      .filter(({ drives }) => drives || world.drive() === null)
+      .filter(({ name }) => world.chosen().world.mice.includes(name))
       .map(({ name, summary }) => ({ name, about: summary, on: usual.includes(name) }));
   const mice = picks('Mice', entrants(), open);
   const builtin = about.mazes.map(({ name, width, height }) => ({ name, about: `${width}×${height}`, on: true }));
@@ -186,13 +186,13 @@ export function holdPanel(page: EarlyPage, about: About, open = false): HoldPane
     }
   }
   function chosen(): Order {
-    const drive = world.drive();
+    const { world: where, settings } = world.chosen();
     return {
       mice: mice.chosen(),
       mazes: mazes.chosen().map((name) => own.get(name) ?? name),
       runs: runs.read(),
       seed: seed.read(),
-      ...(drive && { world: { world: 'seconds', ...drive } }),
+      ...(!where.home && { world: { ...settings, world: where.name } }),
     };
   }
   /** A maze of a link is one of the user's from now on, unless it is that already. */
@@ -203,7 +203,7 @@ export function holdPanel(page: EarlyPage, about: About, open = false): HoldPane
     return take(maze);
   }
   function set(order: Order) {
-    world.choose(order.world?.robot, order.world?.rules);
+    world.choose(order.world?.world, order.world);
     mice.offer(entrants());
     const names = order.mazes.map((maze) => (typeof maze === 'string' ? maze : take(maze)));
     mazes.choose(names);

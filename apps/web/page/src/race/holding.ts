@@ -1,6 +1,7 @@
 // A race in the page, mouse by mouse, so that the page stays lively between the pieces.
 import { Stopped, type Core } from '../core/client';
 import type { MazeData, RaceResults } from '../core/types';
+import type { Settings } from '../live/world-choice';
 import { joined } from './joining';
 
 export interface Order {
@@ -10,8 +11,8 @@ export interface Order {
   /** Contests of each mouse that throws dice, in each maze. */
   runs: number;
   seed: number;
-  /** The world, with what it has to be told; steps where it is missing. */
-  world?: { world: string; robot: string; rules: string };
+  /** The world, with what is set of it; the home world where it is missing. */
+  world?: Settings & { world: string };
 }
 
 export interface Progress {

@@ -7,7 +7,7 @@ import { placesOf } from '../link/mazes';
 import type { Order } from './holding';
 
 /** Contests that take a second or two on any machine. */
-const quick = { steps: 150, seconds: 12 };
+const quick = { home: 150, others: 12 };
 
 /** How many contests there are: mice that throw no dice run once in each maze. */
 function contestsOf(about: About, { mice, mazes, runs }: Order): number {
@@ -17,11 +17,17 @@ function contestsOf(about: About, { mice, mazes, runs }: Order): number {
 
 /** Whether a race may begin without a click. */
 export const isQuick = (about: About, order: Order): boolean =>
-  contestsOf(about, order) <= (order.world ? quick.seconds : quick.steps);
+  contestsOf(about, order) <= (order.world ? quick.others : quick.home);
+
+/** What a link says of a world besides the home world: those that are driven can be told in one. */
+function drivenIn({ world, robot, rules }: NonNullable<Order['world']>): Pick<Moment, 'robot' | 'rules'> {
+  if (typeof robot === 'string' && typeof rules === 'string') return { robot, rules };
+  throw new Error(`A link holds no races in the world ${world}. Send the results instead.`);
+}
 
 export async function orderMoment(core: Core, about: About, order: Order): Promise<Partial<Moment>> {
   const { mice, mazes, runs, seed, world } = order;
-  const drive = world && { robot: world.robot, rules: world.rules };
+  const drive = world && drivenIn(world);
   return { mice, ...(await placesOf(core, about, mazes)), seeds: [seed], runs, ...drive };
 }
 
@@ -39,6 +45,6 @@ export async function orderIn(core: Core, about: About, moment: Moment): Promise
     mazes: [...new Set(named), ...linked],
     runs,
     seed: seeds[0] ?? 1,
-    ...(drive && { world: { world: 'seconds', ...drive } }),
+    ...(drive && { world: { ...drive.with, world: drive.world } }),
   };
 }

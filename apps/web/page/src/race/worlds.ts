@@ -253,6 +253,8 @@ export function worldOf(group: RaceGroup): RacedWorld {
 
 /** The world whose race stands at the top of results. */
 const home = 'steps';
+/** What a world that the core offers is called here: results know the home world under that name. */
+export const calledOf = (world: { name: string; home: boolean }): string => (world.home ? home : world.name);
 export const isHome = ({ world }: { world: string }): boolean => world === home;
 
 /** The race at the top of results, as the groups are. */

@@ -2,7 +2,7 @@
 import { createFrontRace } from '../home/race';
 import { meet, pairs, type Met } from '../home/pairs';
 import { addressOf, readAddress } from '../link/address';
-import { icon, type Icon } from '../player/icons';
+import { icon, type IconName } from '../player/icons';
 import { h } from '../ui/dom';
 import type { EarlyPage, View } from './view';
 import '../styles/home.css';
@@ -15,7 +15,7 @@ export function createHome(page: EarlyPage): View {
   /** Somebody stopped it, or asked for less motion: it waits. */
   let waits = still.matches;
 
-  const sign = (label: string, onclick: () => void, ...signs: Icon[]) =>
+  const sign = (label: string, onclick: () => void, ...signs: IconName[]) =>
     h('button', { type: 'button', 'aria-label': label, title: label, onclick }, ...signs.map(icon));
   const toggle = sign('Run', () => wait(race.isRunning()));
   const other = sign('Another race', () => void begin(), 'end');

@@ -50,7 +50,8 @@ export function createLive(page: Page): LiveView {
   budget.addEventListener('input', () => (everyone.clear(), changed()));
   const budgetRow = field('Budget', budget, h('span', {}, `limit for both runs together; ${rules.budget} in contests`));
   const seedRow = field('Seed', seed);
-  const world = createWorldChoice(page.about, () => (showWorld(), changed()));
+  const single = page.about.worlds.filter(({ call }) => call);
+  const world = createWorldChoice(page.about, () => (showWorld(), changed()), single);
   const bench = createBench(page, (message) => {
     complainAt({ seed: seedRow, budget: budgetRow, mouse }, 'mouse', message);
     if (message) showComplaint();
@@ -109,7 +110,7 @@ export function createLive(page: Page): LiveView {
     if (moment.mice.length > 0) mouse.choose(moment.mice[0]);
     if (moment.seeds.length > 0) seed.value = String(moment.seeds[0]);
     if (moment.budget !== undefined) budget.value = String(moment.budget);
-    if (drive || moment.mice.length > 0) (world.choose(drive?.robot, drive?.rules), showWorld());
+    if (drive || moment.mice.length > 0) (world.choose(drive?.world, drive?.with), showWorld());
     if (moment.time !== undefined || moment.look) bench.begin(moment);
     const linked = await mazeAt(page.core, moment);
     written = hash;

@@ -157,6 +157,25 @@ export async function drop(page: Page, ...files: { name: string; content: string
   for (const type of ['dragenter', 'dragover', 'drop']) await page.dispatchEvent('body', type, { dataTransfer: data });
 }
 
+/** Waits until the replay shows that: part of what stands above the picture. */
+export const replayed = (page: Page, text: string) =>
+  page.locator('.replay figcaption', { hasText: text }).first().waitFor();
+
+/** Chooses a contest at the side of the replay, and waits until it is shown. */
+export async function choose(page: Page, mice: string[], maze: string, world?: string): Promise<void> {
+  const choices = page.locator('.replay .choices');
+  const captions = page.locator('.replay figcaption');
+  await captions.first().waitFor();
+  if ((await choices.getAttribute('open')) === null) await choices.locator('summary').click();
+  const select = (label: string, value: string) => choices.getByLabel(label, { exact: true }).selectOption(value);
+  if (world) await select('World', world);
+  await select('Maze', maze);
+  await select('Mouse', mice[0]);
+  await select('Beside it', mice[1] ?? '');
+  const shown = async () => (await captions.allTextContents()).map((text) => text.split(':', 1)[0].split(',', 1)[0]);
+  await expect.poll(shown).toEqual(mice.map((mouse) => `${mouse} in ${maze}`));
+}
+
 /** What the browser keeps for the page under that name, as JSON. */
 export function keptInBrowser(page: Page, key: string): Promise<string> {
   return page.evaluate(

@@ -2,7 +2,7 @@
 import { readFileSync, writeFileSync } from 'node:fs';
 import type { Page } from 'playwright-core';
 import { expect, test } from 'vitest';
-import { drop, native, open, temporary } from './harness';
+import { drop, native, open, temporary, replayed } from './harness';
 
 const replay = (page: Page) => page.getByRole('region', { name: 'Replay' });
 
@@ -161,7 +161,7 @@ test('a film of a long contest in a large maze leaves steps out, and says so', a
   const record = temporary('large.jsonl');
   native('run', 'flood', maze, '--budget', '100000', '--record', record);
   await drop(page, { name: 'large.jsonl', content: readFileSync(record) });
-  await replay(page).locator('.side canvas').waitFor();
+  await replayed(page, '64 × 64');
   const { content } = await saved(page, 'Save film (GIF)');
   expect(readGif(content).whole).toBe(true);
   expect(content.length).toBeLessThan(5_000_000);

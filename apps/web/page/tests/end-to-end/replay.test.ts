@@ -1,18 +1,11 @@
 import { readFileSync, writeFileSync } from 'node:fs';
-import type { Page } from 'playwright-core';
+import type { Locator, Page } from 'playwright-core';
 import { expect, test } from 'vitest';
-import { barriers, drop, native, open, picture, temporary } from './harness';
+import { barriers, choose, drop, native, open, picture, replayed, temporary } from './harness';
 
-/** Runs the example with those mice in that maze. */
-async function example(page: Page, mice = 'ariadne', maze = 'capstone-1') {
-  const line = page.locator('.replay .welcome p', { hasText: `${mice} in` }).first();
-  await line.getByRole('combobox').selectOption(maze);
-  await line.getByRole('button', { name: 'Run' }).click();
-  await page.locator('.replay .player canvas').first().waitFor();
-}
-async function opened(mice?: string, options = {}) {
+async function opened(mice = ['ariadne'], options = {}) {
   const page = await open('#replay', options);
-  await example(page, mice);
+  await choose(page, mice, 'capstone-1');
   return page;
 }
 
@@ -52,18 +45,38 @@ test('an example is played, and the keys lead through it', async () => {
   expect(await fact(page, 'score so far')).toBe('0.000');
 });
 
-test('who starts it by keyboard is in the player, and back in the choice', async () => {
+test('there is an example at once, and who chooses another stays where they choose', async () => {
   const page = await open('#replay');
-  const run = page.locator('.replay .welcome').getByRole('button', { name: 'Run' }).first();
-  await run.focus();
-  await page.keyboard.press('Enter');
-  const player = page.getByRole('group', { name: 'Player' });
-  await player.waitFor();
-  expect(await player.evaluate((element) => element === document.activeElement)).toBe(true);
+  const caption = page.locator('.replay figcaption h3');
+  await expect.poll(() => caption.textContent()).toMatch(/^ariadne in .*16 × 16 cells/);
+  const mouse = page.locator('.replay .choices').getByLabel('Mouse');
+  await mouse.focus();
+  await mouse.selectOption('flood');
+  await expect.poll(() => caption.textContent()).toMatch(/^flood in /);
+  expect(await mouse.evaluate((element) => element === document.activeElement)).toBe(true);
+});
+
+test('a mouse that was written stands beside ours', async () => {
+  const page = await open('#write');
+  await page.getByRole('region', { name: 'Write', exact: true }).getByLabel('Name').fill('my-own');
+  await page.getByRole('link', { name: 'Replay' }).click();
+  await choose(page, ['flood'], 'capstone-1');
+  const mice = page.locator('.replay .choices').getByLabel('Beside it');
+  await mice.selectOption({ label: 'my-own, in JavaScript' });
+  await expect.poll(() => moment(page)).toContain('my-own after 0 of');
+});
+
+test('who opens a record is in the player', async () => {
+  const file = temporary('own.jsonl');
+  native('run', 'flood', 'contest-02', '--record', file);
+  const page = await open('#replay');
+  await drop(page, { name: 'own.jsonl', content: readFileSync(file) });
+  await expect.poll(() => moment(page)).toContain('flood after 0 of');
+  const focused = (place: Locator) => place.evaluate((element) => element === document.activeElement);
+  expect(await focused(page.getByRole('group', { name: 'Player' }))).toBe(true);
   await page.keyboard.press('Tab');
-  expect(await scrubber(page).evaluate((element) => element === document.activeElement)).toBe(true);
-  await page.getByRole('button', { name: 'Another record' }).press('Enter');
-  expect(await page.evaluate(() => document.activeElement?.tagName)).toBe('SELECT');
+  expect(await focused(scrubber(page))).toBe(true);
+  expect(await page.locator('.replay .choices').getAttribute('open')).toBeNull();
 });
 
 test('it plays, and stops at the end', async () => {
@@ -108,8 +121,7 @@ test('each layer changes the picture, and is kept', async () => {
   }
   expect(await page.locator('.replay').getByLabel('Visits').isChecked()).toBe(false);
   expect(await page.locator('.replay .legend').textContent()).toContain('steps to the goal, in the whole maze');
-  await page.getByRole('button', { name: 'Another record' }).click();
-  await example(page);
+  await choose(page, ['flood'], 'capstone-1');
   expect(await page.locator('.replay').getByLabel('Wrong guesses').isChecked()).toBe(true);
   expect(await page.locator('.replay').getByLabel('Walls').inputValue()).toBe('whole');
 });
@@ -137,7 +149,7 @@ test('reasons are told, and why it stopped', async () => {
 });
 
 test('two mice run on one clock and are compared', async () => {
-  const page = await opened('ariadne and flood');
+  const page = await opened(['ariadne', 'flood']);
   await press(page, 'ArrowRight', 1);
   expect(await moment(page)).toContain('flood after 1 of 52 steps');
   await press(page, 'End', 112);
@@ -200,8 +212,8 @@ test('who wants less motion sees whole steps', async () => {
 
 test('nothing is in the way of anybody, in light and dark, at every width', async () => {
   const page = await open('#replay');
+  await choose(page, ['ariadne'], 'capstone-1');
   expect(await barriers(page)).toEqual([]);
-  await example(page);
   await scrubber(page).fill('100');
   for (const key of ['6', '9']) await page.keyboard.press(key);
   await expect.poll(() => steps(page)).toBe(100);
@@ -237,7 +249,7 @@ test('a program for mms is replayed with what it drew', async () => {
   native('mms', `python3 ${file}`, '--maze', 'capstone-1', '--record', record);
   const page = await open('#replay');
   await drop(page, { name: 'draws.jsonl', content: readFileSync(record) });
-  await page.locator('.replay .player canvas').waitFor();
+  await replayed(page, 'mms:');
   const drawn = page.locator('.replay').getByLabel('Drawn by the program');
   const painted = await pixels(page);
   await drawn.uncheck();
@@ -276,7 +288,7 @@ test.each([1280, 390])('a name of any length stays in its place: %i pixels', asy
   };
   const page = await open('#replay', { viewport: { width, height: 800 } });
   await drop(page, { name: 'a.jsonl', content: long('nobody') }, { name: 'b.jsonl', content: long('others') });
-  await page.locator('.replay .player canvas').first().waitFor();
+  await replayed(page, 'nobody');
   await expect.poll(() => page.evaluate(() => document.documentElement.scrollWidth)).toBe(width);
   const numbers = await page.locator('.replay .facts').evaluate((facts) => [facts.scrollWidth, facts.clientWidth]);
   expect(numbers[0]).toBeLessThanOrEqual(numbers[1]);

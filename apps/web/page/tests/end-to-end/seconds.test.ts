@@ -2,15 +2,12 @@
 import { readFileSync } from 'node:fs';
 import type { Page } from 'playwright-core';
 import { expect, test } from 'vitest';
-import { barriers, drop, open, picture } from './harness';
+import { barriers, choose, drop, open, picture } from './harness';
 
 /** Drives the example, with its maze. */
 async function driven(options = {}) {
   const page = await open('#replay', options);
-  const line = page.locator('.replay .welcome p', { hasText: 'certify in seconds in' });
-  await line.getByRole('combobox').selectOption('contest-01');
-  await line.getByRole('button', { name: 'Run' }).click();
-  await page.locator('.replay .player canvas').first().waitFor();
+  await choose(page, ['certify'], 'contest-01', 'seconds');
   return page;
 }
 
@@ -122,7 +119,7 @@ test('its record and its picture are saved, and the record is opened again', asy
   expect(drawing.content).toContain('<title>certify in contest-01: ');
   const record = await saved('Save record');
   expect(record.name).toBe('certify-contest-01.jsonl');
-  await page.getByRole('button', { name: 'Another record' }).click();
+  await choose(page, ['ariadne'], 'contest-02', 'seconds');
   await drop(page, record);
   await expect.poll(() => moment(page)).toBe(whole);
   await drop(page, { name: 'changed.jsonl', content: record.content.replace(/"gate_out":\d/, '"gate_out":9') });

@@ -3,7 +3,7 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Page } from 'playwright-core';
 import { expect, test } from 'vitest';
-import { barriers, drop, keptInBrowser, native, open, picture, root } from './harness';
+import { barriers, drop, keptInBrowser, native, open, picture, root, replayed } from './harness';
 
 const tell = (page: Page) => page.locator('.status');
 
@@ -119,7 +119,7 @@ test('a record that the page cannot run again has no link, and says so', async (
   const page = await opened('#replay');
   const record = native('run', 'flood', 'capstone-1', '--record', '-').replaceAll('"flood"', '"guest:my-mouse"');
   await drop(page, { name: 'record.jsonl', content: record.slice(record.indexOf('{')) });
-  await page.locator('.side').waitFor();
+  await replayed(page, 'guest:my-mouse');
   await page.getByRole('button', { name: 'Copy link' }).click();
   await page
     .getByRole('alert')
@@ -143,7 +143,7 @@ test('a reload keeps maze, record, moment, results and drawing, until it is swit
   await expect.poll(() => page.locator('.verdict').first().textContent()).toContain('in mine');
   const record = native('run', 'flood', 'capstone-1', '--record', '-');
   await drop(page, { name: 'record.jsonl', content: record.slice(record.indexOf('{')) });
-  await page.getByRole('region', { name: 'Replay' }).locator('.side').waitFor();
+  await replayed(page, 'flood in capstone-1');
   await position(page).fill('12');
   await kept(page, 'moment').toContain('at=12');
   await drop(page, {
@@ -170,7 +170,7 @@ test('a reload keeps maze, record, moment, results and drawing, until it is swit
   await kept(page, 'results').toBe('null');
   await page.reload();
   await page.getByRole('link', { name: 'Replay' }).click();
-  await page.getByRole('heading', { name: 'See an example' }).waitFor();
+  await replayed(page, 'ariadne in');
   await withMenu(page, async (box) => expect(await box.getByLabel(/Keep what is open/).isChecked()).toBe(false));
 });
 

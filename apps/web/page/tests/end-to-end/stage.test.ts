@@ -1,17 +1,14 @@
 // The picture comes first: how large it is, what is beside it on the first screen, and closer looks at it.
 import type { Locator, Page } from 'playwright-core';
 import { expect, test } from 'vitest';
-import { open } from './harness';
+import { choose, open } from './harness';
 
 const desk = { width: 1440, height: 900 };
 const phone = { width: 390, height: 844 };
 
 async function replayed(mice: string, options: object) {
   const page = await open('#replay', options);
-  const line = page.locator('.replay .welcome p', { hasText: `${mice} in` }).first();
-  await line.getByRole('combobox').selectOption('contest-01');
-  await line.getByRole('button', { name: 'Run' }).click();
-  await page.locator('.replay .stage canvas').first().waitFor();
+  await choose(page, mice.split(' and '), 'contest-01');
   return page;
 }
 async function walked(options: object) {

@@ -47,7 +47,7 @@ test('a record is replayed to its end', async () => {
     },
     readFileSync(file, 'utf8'),
   );
-  await page.waitForSelector('.replay .player canvas');
+  await page.waitForFunction(() => document.querySelector('.replay figcaption')?.textContent?.includes('capstone-1'));
   await page.keyboard.press('End');
   await page.waitForFunction(
     (count) => document.querySelector('.replay .moment')?.textContent?.includes(`after ${count} of ${count} steps`),

@@ -5,11 +5,11 @@ import { fileURLToPath } from 'node:url';
 import { expect, it } from 'vitest';
 
 const root = fileURLToPath(new URL('../../src', import.meta.url));
-const files = readdirSync(root, { recursive: true, encoding: 'utf8' }).filter((file) => file.endsWith('.ts'));
+const files = readdirSync(root, { recursive: true, encoding: 'utf8' }).filter((file) => /\.tsx?$/.test(file));
 const importsOf = (file: string) =>
   [...readFileSync(join(root, file), 'utf8').matchAll(/(?:from|import) '(\.[^']+)'/g)]
-    .map(([, path]) => `${relative(root, join(root, dirname(file), path))}.ts`)
-    .filter((path) => files.includes(path));
+    .map(([, path]) => relative(root, join(root, dirname(file), path)))
+    .flatMap((path) => files.filter((one) => one === `${path}.ts` || one === `${path}.tsx`));
 
 it('imports go in no circle', () => {
   const done = new Set<string>();

@@ -1,5 +1,5 @@
 // Small plays for tests, written by hand.
-import type { MazeData, Play } from '../../src/core/types';
+import type { MazeData, Play, Traits } from '../../src/core/types';
 
 /**
  * Three by two cells; the goal is (2,0):
@@ -20,10 +20,21 @@ export const maze: MazeData = {
   goals: [[2, 0]],
 };
 
+const inSteps: Traits = {
+  clock: 'steps',
+  unit: '',
+  digits: 3,
+  bound: 'the best possible score',
+  runs: ['exploration', 'speed run'],
+  draws: false,
+  pictured: true,
+};
+
 /** Explores by three steps, goes back from the goal by one, resets, runs by three steps. */
 export function steps(changes: Partial<Play> = {}): Play {
   return {
     world: 'steps',
+    traits: inSteps,
     mouse: 'hand',
     maze,
     rules: { budget: 1000, exploration_factor: 30, stride: 3 },
@@ -65,6 +76,7 @@ export function steps(changes: Partial<Play> = {}): Play {
     distances: [3, 1, 0, 2, 2, 1],
     reasons: [],
     events: [],
+    loses: [0, 0, 0, 1, 0, 0, 0, 0],
     scores: [0, 1, 2, 3, 4, 5, 35, 65, 95].map((thirtieths) => thirtieths / 30),
     ...changes,
   };
@@ -74,6 +86,8 @@ export function steps(changes: Partial<Play> = {}): Play {
 export function mms(changes: Partial<Play> = {}): Play {
   return steps({
     world: 'mms',
+    traits: { ...inSteps, clock: 'seconds', digits: 1, runs: ['running'], draws: true, pictured: false },
+    loses: [],
     rules: null,
     clock: [0, 0.5, 0.5, 1.25, 2],
     x: [1, 1, 1, 2, 1],
@@ -113,6 +127,8 @@ export function seconds(changes: Partial<Play> = {}): Play {
   return {
     ...steps(),
     world: 'seconds',
+    traits: { ...inSteps, clock: 'seconds', unit: 's', runs: ['search', 'way home', 'fast run'] },
+    loses: [],
     rules: null,
     outcome: 'finished',
     score: 1.5,

@@ -36,5 +36,5 @@ export function paintFloor(brush: Brush) {
   if (layers.visits) paintHeat(brush);
   if (layers.distances !== 'none') paintDistanceTones(brush);
   paintPlates(context, g, palette, track.maze, layers.visits ? thick(g, 0.1) : 0);
-  if (layers.mms && track.play.world === 'mms') paintColours(brush);
+  if (layers.mms && track.play.traits.draws) paintColours(brush);
 }

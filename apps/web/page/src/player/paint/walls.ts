@@ -57,16 +57,16 @@ function paintBorder(brush: Brush) {
 
 export function paintWalls(brush: Brush) {
   const { context, g, palette, track, layers } = brush;
-  const mms = track.play.world === 'mms';
+  const { draws } = track.play.traits;
   const whole = layers.walls === 'whole';
-  if (!whole && !mms) paintUnknown(brush);
+  if (!whole && !draws) paintUnknown(brush);
   paintPosts(context, g, palette);
-  if (whole || mms || layers.wrong) {
-    context.fillStyle = mms && whole ? palette.ink : layers.wrong && !mms ? palette.wrong : palette.faint;
+  if (whole || draws || layers.wrong) {
+    context.fillStyle = draws && whole ? palette.ink : layers.wrong && !draws ? palette.wrong : palette.faint;
     paintClosed(brush, false);
   }
   context.fillStyle = palette.ink;
   paintClosed(brush, true);
   paintBorder(brush);
-  if (mms && (layers.mms || !whole)) paintDrawn(brush);
+  if (draws && (layers.mms || !whole)) paintDrawn(brush);
 }

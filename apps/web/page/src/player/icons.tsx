@@ -1,5 +1,5 @@
 // The signs on the player's buttons.
-import { svg } from '../ui/dom';
+import { elementOf } from '../ui/element';
 
 const lens = 'M10 3a7 7 0 1 0 0 14a7 7 0 1 0 0-14zM10 5a5 5 0 1 1 0 10a5 5 0 1 1 0-10zM15 16.4l1.4-1.4 5 5-1.4 1.4z';
 
@@ -19,9 +19,12 @@ const shapes = {
   loop: 'M5 11a7 7 0 0 1 12-4l-2 2h6V3l-2.5 2.5A10 10 0 0 0 2 11zM19 13a7 7 0 0 1-12 4l2-2H3v6l2.5-2.5A10 10 0 0 0 22 13z',
 };
 
-export type Icon = keyof typeof shapes;
+export type IconName = keyof typeof shapes;
 
-export function icon(name: Icon): SVGElement {
-  const path = svg('path', { d: shapes[name], fill: 'currentColor' });
-  return svg('svg', { viewBox: '0 0 24 24', width: 18, height: 18, 'aria-hidden': 'true', focusable: 'false' }, path);
-}
+export const Icon = ({ name }: { name: IconName }) => (
+  <svg viewBox="0 0 24 24" width={18} height={18} aria-hidden="true" focusable="false">
+    <path d={shapes[name]} fill="currentColor" />
+  </svg>
+);
+
+export const icon = (name: IconName): SVGElement => elementOf(<Icon name={name} />);

@@ -1,27 +1,29 @@
 // The player: one contest, or two beside each other on one clock.
 import type { Camera } from '../maze/camera';
 import type { Tone } from '../maze/palette';
+import { render } from 'preact';
 import { h } from '../ui/dom';
 import type { Page } from '../views/view';
 import '../styles/player.css';
 import { fetchBeliefs } from './beliefs';
 import { createClock, seek, start, tick, usual } from './clock';
 import { createCurves } from './curves';
-import { createFacts } from './facts';
-import { createFiles } from './files';
-import { keyHelp, listen } from './keys';
-import { usualLayers, type Layers } from './layers';
-import { createLegend } from './legend';
-import { count, createMeter } from './meter';
-import { createParting } from './parting-panel';
-import { createReasons } from './reasons';
-import { createRuns } from './runs';
-import { createSide, type Shown } from './side';
-import { nextTime, timeOf, type Actions, type Panel, type Side, type State } from './state';
-import { createSteps } from './steps';
-import { createTransport } from './transport';
-import { createWords } from './last-words';
+import { Facts } from './facts';
 import { mazeText } from './figures';
+import { Files } from './files';
+import { KeyHelp, listen } from './keys';
+import { LastWords } from './last-words';
+import { usualLayers, type Layers } from './layers';
+import { Legend } from './legend';
+import { count, createMeter } from './meter';
+import { PartingPoint } from './parting-panel';
+import { Reasons } from './reasons';
+import { Runs } from './runs';
+import { createSide, type Shown } from './side';
+import { Standing } from '../ui/element';
+import { nextTime, timeOf, type Actions, type Side, type State } from './state';
+import { Steps } from './steps';
+import { Transport } from './transport';
 import { momentText, namesOf } from './words';
 
 export interface Player {
@@ -127,43 +129,50 @@ export function createPlayer(page: Page, ...lead: (HTMLElement | (HTMLElement & 
   };
 
   const sides = h('div', { class: 'sides' });
-  const moment = h('p', { class: 'moment' });
-  const transport = createTransport(state, actions);
-  const legend = createLegend(state, actions);
+  const transport = h('div', { class: 'transport' });
+  const parts = h('div', { class: 'parts' });
   const curves = createCurves(state, actions);
-  const runs = createRuns(state, actions);
-  const parting = createParting(state, actions);
-  const numbers: Panel[] = [createFacts(state), createReasons(state)];
-  const below: Panel[] = [createSteps(state, actions), createWords(state), createFiles(page, state)];
-  const panels = [transport, legend, curves, runs, parting, ...numbers, ...below];
   const element = h(
     'div',
     { class: 'player', hidden: true },
-    h('div', { class: 'theatre' }, sides, transport.element),
-    h(
-      'div',
-      { class: 'panel' },
-      ...lead,
-      moment,
-      parting.element,
-      curves.element,
-      runs.element,
-      h('div', { class: 'numbers' }, ...numbers.map((panel) => panel.element)),
-      legend.element,
-      h('div', { class: 'below' }, ...below.map((panel) => panel.element), keyHelp()),
-    ),
+    h('div', { class: 'theatre' }, sides, transport),
+    h('div', { class: 'panel' }, ...lead, parts),
   );
   Object.assign(element, { meter });
+
+  function Panel() {
+    const props = { state, actions };
+    return (
+      <>
+        <p class="moment" aria-live={clock.playing ? 'off' : 'polite'}>
+          {state.sides.map(momentText).join('\n')}
+        </p>
+        <PartingPoint {...props} />
+        <Standing element={curves.element} />
+        <Runs {...props} />
+        <div class="numbers">
+          <Facts {...props} />
+          <Reasons {...props} />
+        </div>
+        <Legend {...props} />
+        <div class="below">
+          <Steps {...props} />
+          <LastWords {...props} />
+          <Files page={page} state={state} />
+          <KeyHelp />
+        </div>
+      </>
+    );
+  }
 
   /** Numbers, lists and words. */
   function refresh() {
     dirty = false;
     for (const side of state.sides) side.update();
-    for (const panel of panels) panel.update();
+    render(<Transport state={state} actions={actions} />, transport);
+    render(<Panel />, parts);
+    curves.update();
     for (const one of lead) if ('update' in one) one.update(clock.time);
-    moment.setAttribute('aria-live', clock.playing ? 'off' : 'polite');
-    const text = state.sides.map(momentText).join('\n');
-    if (moment.textContent !== text) moment.textContent = text;
     if (!clock.playing)
       for (const side of state.sides)
         side.scene.stage.describe(`Maze ${mazeText(side.track.maze)}. ${momentText(side)}`);
@@ -248,7 +257,8 @@ export function createPlayer(page: Page, ...lead: (HTMLElement | (HTMLElement & 
       clock.playing = false;
       clock.end = Math.max(0, ...state.sides.map(({ track }) => track.time[track.last]));
       clock.time = at === 'end' ? clock.end : Math.min(time, clock.end);
-      clock.unit = state.sides.some(({ track }) => track.play.world === 'steps') ? usual.steps : usual.seconds;
+      const inSteps = state.sides.some(({ track }) => track.play.traits.clock === 'steps');
+      clock.unit = inSteps ? usual.steps : usual.seconds;
       if (layers.distances === 'believed' && !state.sides.some(believes)) layers.distances = 'true';
       if (layers.distances === 'believed') void believe();
       if (look && state.sides.length > 0) {

@@ -1,10 +1,8 @@
 // The numbers of the moment and of the whole contest; of two contests beside each other, with their differences.
-import { isSameMaze } from '../maze/same';
-import { h } from '../ui/dom';
-import { meanings } from '../ui/meanings';
-import { boundOf, optimumMeaning } from '../ui/terms';
+import { Meanings } from '../ui/meanings';
+import { optimumMeaning } from '../ui/terms';
 import { accelerationText, durationText, speedText } from './drive';
-import type { Panel, Side, State } from './state';
+import { isComparable, type PanelProps, type Side } from './state';
 import { counted, decimal, percent, short } from './figures';
 import { scoreAt } from './track';
 import { poseText, readingText, runText } from './words';
@@ -15,17 +13,18 @@ interface Row {
   /** A number, to be subtracted; `text` says it. Null where it does not apply. */
   value?: (side: Side) => number | null;
   text: (side: Side, value: number | null) => string;
-  /** Where it changes with the frame. */
-  live?: boolean;
-  /** A score, which has three decimals (one in mms) wherever it stands. */
+  /** A score, which has as many decimals as the world says wherever it stands. */
   score?: boolean;
+  /** Whether it says anything of such a contest; of all where that is missing. */
+  has?: (side: Side) => boolean;
 }
 
 const absent = '–';
 const orAbsent = (write: (value: number) => string) => (_: Side, value: number | null) =>
   value === null ? absent : write(value);
-const isMms = (side: Side) => side.track.play.world === 'mms';
-const digits = (side: Side) => (isMms(side) ? 1 : 3);
+const digits = ({ track }: Side) => track.play.traits.digits;
+const scored = (side: Side, value: number | null) => (value === null ? absent : decimal(value, digits(side)));
+const hasRuns = ({ track }: Side) => track.play.traits.runs.length > 1;
 
 /** `3 + 17/30`: what the score of that moment is made of. */
 function madeOf(side: Side): string {
@@ -36,76 +35,86 @@ function madeOf(side: Side): string {
 }
 
 const now: Row[] = [
-  { label: 'run', text: runText, live: true },
+  { label: 'run', text: runText },
   {
     label: 'steps',
     value: (side) => side.scene.past.frame,
     text: (side, frame) => `${frame} of ${side.track.last}`,
-    live: true,
   },
-  { label: 'mouse at', text: poseText, live: true },
-  { label: 'left, ahead, right', text: readingText, live: true },
+  { label: 'mouse at', text: poseText },
+  { label: 'left, ahead, right', text: readingText, has: ({ track }) => track.play.left.length > 0 },
   {
     label: 'speed + exploration',
     meaning: () => 'what the score is made of: steps of the speed run, and a share of those of the exploration',
     text: madeOf,
-    live: true,
+    has: ({ track }) => track.play.rules !== null,
   },
   {
     label: 'score so far',
     value: ({ track, scene }) => scoreAt(track, scene.past.frame),
-    text: (side, score) => (score === null ? absent : decimal(score, digits(side))),
-    live: true,
+    text: scored,
     score: true,
   },
+  {
+    label: 'time',
+    value: (side) => side.track.time[side.scene.past.frame],
+    text: (side, time) => `${decimal(time!, 1)} of ${decimal(side.track.time[side.track.last], 1)} s`,
+    has: ({ track }) => track.play.traits.clock === 'seconds',
+  },
 ];
-
-const seconds: Row = {
-  label: 'time in mms',
-  value: (side) => side.track.time[side.scene.past.frame],
-  text: (side, time) => `${decimal(time!, 1)} of ${decimal(side.track.time[side.track.last], 1)} s`,
-  live: true,
-};
 
 const whole: Row[] = [
   { label: 'outcome', text: ({ track }) => track.play.outcome },
   {
     label: 'score',
     value: ({ track }) => track.play.score,
-    text: (side, v) => (v === null ? absent : decimal(v, digits(side))),
+    text: scored,
     score: true,
   },
   {
     label: 'best possible',
-    meaning: ({ track }) => boundOf(track.play.world),
+    meaning: ({ track }) => track.play.traits.bound,
     value: ({ track }) => track.play.bound,
-    text: (side, v) => (v === null ? absent : decimal(v, digits(side))),
+    text: scored,
     score: true,
   },
   {
     label: 'exploration',
     value: ({ track }) => track.play.exploration_steps,
     text: orAbsent((v) => counted(v, 'step')),
+    has: hasRuns,
   },
-  { label: 'speed run', value: ({ track }) => track.play.speed_steps, text: orAbsent((v) => counted(v, 'step')) },
+  {
+    label: 'speed run',
+    value: ({ track }) => track.play.speed_steps,
+    text: orAbsent((v) => counted(v, 'step')),
+    has: hasRuns,
+  },
   {
     label: 'shortest run',
     meaning: () => optimumMeaning,
     value: ({ track }) => track.play.optimum,
     text: orAbsent((v) => counted(v, 'step')),
   },
-  { label: 'cells discovered', value: ({ track }) => track.play.discovered, text: orAbsent(percent) },
-  { label: 'cells visited', value: ({ track }) => track.play.visited, text: orAbsent(percent) },
+  {
+    label: 'first lost step',
+    meaning: () => 'the first that falls behind a shortest way to the goal; N goes there',
+    text: ({ track }) => (track.lossFrame < 0 ? absent : String(track.lossFrame + 1)),
+    has: ({ track }) => track.play.loses.length > 0,
+  },
+  {
+    label: 'cells discovered',
+    value: ({ track }) => track.play.discovered,
+    text: orAbsent(percent),
+    has: ({ track }) => track.play.discovered !== null,
+  },
+  {
+    label: 'cells visited',
+    value: ({ track }) => track.play.visited,
+    text: orAbsent(percent),
+    has: ({ track }) => track.play.visited !== null,
+  },
 ];
-
-const ofSteps = new Set([
-  'left, ahead, right',
-  'speed + exploration',
-  'exploration',
-  'speed run',
-  'cells discovered',
-  'cells visited',
-]);
 
 function countRows(sides: Side[]): Row[] {
   const names = new Set(sides.flatMap(({ track }) => track.play.counts.map(({ name }) => name)));
@@ -117,35 +126,32 @@ function countRows(sides: Side[]): Row[] {
 
 /** Rows of a contest in seconds: of its moment, of its present run, of the whole. */
 const driven: Row[] = [
-  { label: 'run', text: runText, live: true },
+  { label: 'run', text: runText },
   {
     label: 'time in the maze',
     value: ({ scene }) => scene.moment?.time ?? null,
     text: (side, time) => `${decimal(time ?? 0)} of ${decimal(side.track.time[side.track.last])} s`,
-    live: true,
   },
-  { label: 'time in this run', text: (side) => durationText(inRun(side)), live: true },
-  { label: 'since the gate', text: (side) => durationText(sinceGate(side)), live: true },
-  { label: 'mouse at', text: poseText, live: true },
+  { label: 'time in this run', text: (side) => durationText(inRun(side)) },
+  { label: 'since the gate', text: (side) => durationText(sinceGate(side)) },
+  { label: 'mouse at', text: poseText },
   {
     label: 'speed',
     value: ({ scene }) => scene.moment?.v ?? null,
     text: orAbsent(speedText),
-    live: true,
   },
-  { label: 'acceleration', text: ({ scene }) => accelerationText(scene.moment?.a ?? 0), live: true },
+  { label: 'acceleration', text: ({ scene }) => accelerationText(scene.moment?.a ?? 0) },
   {
     label: 'best so far',
     value: (side) => numberOr(side.track.score[side.scene.past.frame]),
     text: orAbsent((v) => `${decimal(v)} s`),
-    live: true,
     score: true,
   },
   { label: 'outcome', text: ({ track }) => track.play.outcome },
   { label: 'score', value: ({ track }) => track.play.score, text: orAbsent((v) => `${decimal(v)} s`), score: true },
   {
     label: 'best possible',
-    meaning: ({ track }) => boundOf(track.play.world),
+    meaning: ({ track }) => track.play.traits.bound,
     value: ({ track }) => track.play.bound,
     text: orAbsent((v) => `${decimal(v)} s`),
     score: true,
@@ -186,8 +192,7 @@ function sinceGate({ track, scene: { moment } }: Side): number | null {
 
 function rowsOf(sides: Side[]): Row[] {
   if (sides.every(({ track }) => track.drive)) return driven;
-  const rows = [...now, ...(sides.some(isMms) ? [seconds] : []), ...whole, ...countRows(sides)];
-  return sides.every(isMms) ? rows.filter(({ label }) => !ofSteps.has(label)) : rows;
+  return [...now, ...whole, ...countRows(sides)].filter(({ has }) => !has || sides.some(has));
 }
 
 function amountOf(row: Row, by: number, side: Side): string {
@@ -204,65 +209,45 @@ function difference(row: Row, [first, second]: Side[]): string {
   return Number.parseFloat(text) === 0 ? '0' : (a > b ? '+' : '−') + text;
 }
 
-/** Scores of two worlds, or of two mazes, have no difference that means anything. */
-const areComparable = ([one, other]: Side[]) =>
-  one.track.play.world === other.track.play.world && isSameMaze(one.track.play, other.track.play);
-
-export function createFacts(state: State): Panel {
-  const element = h('section', { class: 'facts' });
-  let sides: Side[] = [];
-  let compared = false;
-  let live: { row: Row; cells: Text[] }[] = [];
-
-  const texts = (row: Row) => {
-    const values = sides.map((side) => row.text(side, row.value?.(side) ?? null));
-    return compared ? [...values, difference(row, sides)] : values;
-  };
-  function tableRow(row: Row): HTMLElement {
-    const cells = texts(row).map((text) => document.createTextNode(text));
-    if (row.live) live.push({ row, cells });
-    return h(
-      'tr',
-      {},
-      h('th', { scope: 'row', title: row.meaning?.(sides[0]) }, row.label),
-      ...cells.map((cell) => h('td', {}, cell)),
-    );
-  }
-  function rebuild() {
-    sides = state.sides;
-    live = [];
-    compared = sides.length === 2 && areComparable(sides);
-    const names = sides.map(({ name }) => name);
-    const heads = compared ? [...names, names.join(' − ')] : names;
-    const head = heads.map((text) => h('th', { scope: 'col', title: text }, text));
-    element.replaceChildren(
-      h('h3', {}, 'Numbers'),
-      h(
-        'div',
-        { class: 'wide', tabindex: 0, role: 'region', 'aria-label': 'Numbers' },
-        h(
-          'table',
-          {},
-          h('thead', {}, h('tr', {}, h('td', {}), ...head)),
-          h('tbody', {}, ...rowsOf(sides).map(tableRow)),
-        ),
-      ),
-      meanings(rowsOf(sides).map(({ label, meaning }) => [label, meaning?.(sides[0])])),
-      ...sides
-        .map(({ track }) => track.play.checked && h('p', { class: 'note' }, track.play.checked))
-        .filter((p) => p !== ''),
-    );
-  }
-  return {
-    element,
-    update() {
-      if (sides !== state.sides) return rebuild();
-      for (const { row, cells } of live) {
-        const fresh = texts(row);
-        cells.forEach((cell, i) => {
-          if (cell.data !== fresh[i]) cell.data = fresh[i];
-        });
-      }
-    },
-  };
+export function Facts({ state: { sides } }: PanelProps) {
+  const rows = rowsOf(sides);
+  const compared = isComparable(sides);
+  const names = sides.map(({ name }) => name);
+  const checked = sides.map(({ track }) => track.play.checked).filter((words) => words !== '');
+  return (
+    <section class="facts">
+      <h3>Numbers</h3>
+      <div class="wide" tabIndex={0} role="region" aria-label="Numbers">
+        <table>
+          <thead>
+            <tr>
+              <td />
+              {[...names, ...(compared ? [names.join(' − ')] : [])].map((name) => (
+                <th scope="col" title={name}>
+                  {name}
+                </th>
+              ))}
+            </tr>
+          </thead>
+          <tbody>
+            {rows.map((row) => (
+              <tr key={row.label}>
+                <th scope="row" title={row.meaning?.(sides[0])}>
+                  {row.label}
+                </th>
+                {sides.map((side) => (
+                  <td>{row.text(side, row.value?.(side) ?? null)}</td>
+                ))}
+                {compared && <td>{difference(row, sides)}</td>}
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      </div>
+      <Meanings of={rows.map(({ label, meaning }) => [label, meaning?.(sides[0])])} />
+      {checked.map((words) => (
+        <p class="note">{words}</p>
+      ))}
+    </section>
+  );
 }

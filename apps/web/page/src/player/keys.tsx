@@ -1,5 +1,4 @@
 // The keyboard, and the help that lists it.
-import { h } from '../ui/dom';
 import { speeds, usualSpeed } from './clock';
 import { layerNames, toggled } from './layers';
 import type { Actions, State } from './state';
@@ -8,7 +7,7 @@ const list: [string, string][] = [
   ['Space', 'play or pause'],
   ['← →', 'one step (move, straight or turn) back or forward; ten with Shift'],
   ['Home End', 'to the start or the end'],
-  ['G R', 'to the first step in the goal, to the speed run'],
+  ['G R N', 'to the first step in the goal, to the speed run, to the first lost step'],
   ['+ −', 'faster or slower'],
   ['T', 'play all of it in 20 seconds'],
   ['L', 'repeat from the start'],
@@ -19,17 +18,23 @@ const list: [string, string][] = [
   ['F', 'full screen'],
 ];
 
-export function keyHelp(): HTMLElement {
-  const rows = list.map(([keys, words]) =>
-    h('tr', {}, h('th', { scope: 'row' }, h('kbd', {}, keys)), h('td', {}, words)),
-  );
-  return h(
-    'details',
-    { class: 'help' },
-    h('summary', {}, 'Keys'),
-    h('table', { 'aria-label': 'Keys' }, h('tbody', {}, ...rows)),
-  );
-}
+export const KeyHelp = () => (
+  <details class="help">
+    <summary>Keys</summary>
+    <table aria-label="Keys">
+      <tbody>
+        {list.map(([keys, words]) => (
+          <tr>
+            <th scope="row">
+              <kbd>{keys}</kbd>
+            </th>
+            <td>{words}</td>
+          </tr>
+        ))}
+      </tbody>
+    </table>
+  </details>
+);
 
 /** Whether an element needs that key itself. */
 function needs(target: EventTarget | null, key: string): boolean {
@@ -66,6 +71,7 @@ export function press(key: string, shift: boolean, state: State, actions: Action
   else if (key === 'End') actions.jump('end');
   else if (key === 'g' || key === 'G') actions.jump('goal');
   else if (key === 'r' || key === 'R') actions.jump('speed');
+  else if (key === 'n' || key === 'N') actions.jump('loss');
   else if (key === '+' || key === '=') faster(1);
   else if (key === '-' || key === '−') faster(-1);
   else if (key === 't' || key === 'T') actions.setSpeed(-1);

@@ -1,0 +1,199 @@
+// The layers as toggles, each with what its signs mean: the legend of the pictures.
+import type { ComponentChildren } from 'preact';
+import type { Play } from '../core/types';
+import { has, isUsual, layerNames, usualLayers, type LayerName, type Layers } from './layers';
+import { Sample, type SampleName } from './samples';
+import type { PanelProps, Side } from './state';
+
+const tints = '; if the cells are too small for numbers, a tone, stronger when nearer';
+
+type Sign = [SampleName, string];
+
+/** What each layer's signs say. */
+function signsOf(layer: LayerName, layers: Layers, { traits, drive }: Play, most: number, fastest: number): Sign[] {
+  const { draws } = traits;
+  const unit = drive ? 'cells' : 'steps';
+  switch (layer) {
+    case 'walls':
+      if (draws)
+        return layers.walls === 'known'
+          ? [
+              ['drawn', 'wall that the program drew, and that exists'],
+              ['unseen', 'wall that it has not drawn yet'],
+            ]
+          : [['walls', 'wall of the maze']];
+      return layers.walls === 'known'
+        ? [
+            ['walls', 'wall that the mouse knows so far'],
+            ['unknown', 'not known yet: open or closed'],
+          ]
+        : [
+            ['walls', 'wall'],
+            ['unseen', 'wall that the mouse does not know yet'],
+          ];
+    case 'wrong':
+      return [['wrong', 'closed, but not known yet: assuming that unknown walls are open is wrong here']];
+    case 'visits':
+      return [['visits', most > 1 ? `1 to ${most} visits to a cell so far` : '1 visit to a cell']];
+    case 'distances':
+      if (layers.distances === 'believed')
+        return [
+          ['distances', `${unit} to the goal as the mouse believed, assuming that all unknown walls are open${tints}`],
+        ];
+      return [['distances', `${unit} to the goal, in the whole maze${tints}`]];
+    case 'rays':
+      return [['rays', 'open cells to the left, ahead and to the right, read before the next step']];
+    case 'exploration':
+      return traits.runs.length < 2
+        ? [
+            ['exploration', 'way to the goal'],
+            ['onwards', 'way from there on'],
+          ]
+        : [
+            ['exploration', 'path of the exploration to the goal'],
+            ['onwards', 'its path from there on'],
+          ];
+    case 'speed':
+      if (drive)
+        return [
+          [
+            'speeds',
+            `its path in this run so far: 0 to ${fastest.toFixed(2)} m/s, in steps of ${(fastest / 6).toFixed(2)}`,
+          ],
+          ['ahead', 'the rest of a fast run'],
+        ];
+      return [['speed', 'speed run; dot: the end of a step, with its number']];
+    case 'best':
+      if (drive) return [['fastest', 'the fastest run that the maze allows']];
+      return [
+        [
+          'best',
+          traits.runs.length < 2
+            ? 'a best possible run, cell by cell'
+            : 'a shortest speed run; ring: the end of a step',
+        ],
+      ];
+    case 'candidates':
+      return [
+        [
+          'candidates',
+          'unseen wall that it considered in its last choice, with the steps of the run through it; pale: not worth it',
+        ],
+        ['chosen', 'the chosen one'],
+      ];
+    case 'mms':
+      return [
+        ['mms', 'colours and texts that the program drew'],
+        ['drawn', 'wall that it drew, and that exists'],
+        ['wrong', 'wall that it drew, but that does not exist'],
+      ];
+  }
+}
+
+const titles: Record<LayerName, string> = {
+  walls: 'Walls',
+  wrong: 'Wrong guesses',
+  visits: 'Visits',
+  distances: 'Distances',
+  rays: 'Sensor rays',
+  exploration: 'Exploration',
+  speed: 'Speed run',
+  best: 'Best possible run',
+  candidates: 'Candidates',
+  mms: 'Drawn by the program',
+};
+
+/** What a layer is called of a robot that drives, where it is called otherwise. */
+const titlesOfDrives: Partial<Record<LayerName, string>> = { speed: 'Path by speed', best: 'Fastest possible run' };
+
+const titleOf = (layer: LayerName, sides: Side[]) =>
+  (sides.every(({ track }) => track.drive) && titlesOfDrives[layer]) || titles[layer];
+
+const Signs = ({ of }: { of: Sign[] }) => (
+  <ul class="signs">
+    {of.map(([name, words]) => (
+      <li>
+        <Sample name={name} />
+        <span>{words}</span>
+      </li>
+    ))}
+  </ul>
+);
+
+/** The modes of a layer that has more than on and off, each with its words. */
+function modesOf(layer: LayerName, sides: Side[]): [string, string][] | null {
+  if (layer === 'walls') {
+    const draws = sides.every(({ track }) => track.play.traits.draws);
+    return [
+      ['known', draws ? 'what the program drew' : 'what the mouse knows'],
+      ['whole', 'the whole maze'],
+    ];
+  }
+  if (layer !== 'distances') return null;
+  const believes = sides.some(({ track }) => track.play.known.length > 0);
+  return [['none', 'none'], ['true', 'true'], ...(believes ? [['believed', 'believed'] as [string, string]] : [])];
+}
+
+function Control({ layer, state: { layers, sides }, actions }: PanelProps & { layer: LayerName }): ComponentChildren {
+  const modes = modesOf(layer, sides);
+  if (!modes)
+    return (
+      <label>
+        <input
+          type="checkbox"
+          checked={layers[layer] === true}
+          onChange={({ currentTarget }) => actions.setLayers({ [layer]: currentTarget.checked })}
+        />{' '}
+        {titleOf(layer, sides)}
+      </label>
+    );
+  return (
+    <>
+      <span>{titles[layer]}</span>
+      <select
+        aria-label={titles[layer]}
+        value={String(layers[layer])}
+        onChange={({ currentTarget }) => actions.setLayers({ [layer]: currentTarget.value })}
+      >
+        {modes.map(([name, words]) => (
+          <option value={name}>{words}</option>
+        ))}
+      </select>
+    </>
+  );
+}
+
+export function Legend(props: PanelProps) {
+  const { layers, sides } = props.state;
+  const most = Math.max(...sides.map(({ track }) => track.mostVisits));
+  const fastest = Math.max(...sides.map(({ track }) => track.drive?.fastest ?? 0));
+  const isOn = (layer: LayerName) => layers[layer] !== false && layers[layer] !== 'none';
+  return (
+    <section class="legend">
+      <h3>Layers</h3>
+      <div class="layers">
+        <Signs
+          of={[
+            ['start', 'start'],
+            ['goal', 'goal'],
+            ['mouse', 'mouse'],
+          ]}
+        />
+        {layerNames
+          .filter((layer) => sides.some(({ track }) => has(track.play, layer)))
+          .map((layer) => (
+            <div key={layer} class={isOn(layer) ? 'layer on' : 'layer'}>
+              <div class="control">
+                <Control layer={layer} {...props} />
+                <kbd>{(layerNames.indexOf(layer) + 1) % 10}</kbd>
+              </div>
+              {isOn(layer) && <Signs of={signsOf(layer, layers, sides[0].track.play, most, fastest)} />}
+            </div>
+          ))}
+      </div>
+      <button type="button" class="quiet" hidden={isUsual(layers)} onClick={() => props.actions.setLayers(usualLayers)}>
+        Layers as at first
+      </button>
+    </section>
+  );
+}

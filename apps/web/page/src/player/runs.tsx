@@ -1,0 +1,80 @@
+// The runs of a contest in seconds, as a list: what each was, how long it took, what it is worth.
+import type { Drive, DriveRun } from '../core/types';
+import { durationText, gateToGate, kinds, madeOf } from './drive';
+import type { PanelProps, Side } from './state';
+
+const heads = ['run', 'begins', 'takes', 'gate to gate', 'known, hoped for', 'counts'];
+
+/** Two times of one run stand side by side: what each is, and which of them counts. */
+const timedBy = ({ gate_to_gate }: Drive['rules']) =>
+  'A run takes its time from rest at the start to the middle of a goal; from gate to gate is the part from leaving the ' +
+  `start cell to entering a goal. These rules count ${gate_to_gate ? 'the time from gate to gate' : 'the whole time from rest'}.`;
+
+function knownText({ known, hoped }: DriveRun): string {
+  if (known === null && hoped === null) return '–';
+  return `${durationText(known)}, ${known === hoped ? 'proven' : durationText(hoped)}`;
+}
+
+interface LineProps {
+  side: Side;
+  index: number;
+  jump: () => void;
+}
+
+function Line({ side, index, jump }: LineProps) {
+  const { runs, drive } = side.track.drive!;
+  const run = runs[index];
+  const value = run.score ? durationText(run.score.value) : '–';
+  return (
+    <tr class={run.score?.best ? 'best' : ''} aria-current={side.scene.moment?.run === index ? 'true' : undefined}>
+      <th scope="row">
+        <button type="button" onClick={jump}>
+          {index + 1} {kinds[run.kind]}
+        </button>
+      </th>
+      <td>{durationText(run.begin)}</td>
+      <td>{durationText(run.end - run.begin)}</td>
+      <td>{durationText(gateToGate(run))}</td>
+      <td>{knownText(run)}</td>
+      <td title={madeOf(run, drive.rules)}>{run.score?.best ? <strong>{value} best</strong> : value}</td>
+    </tr>
+  );
+}
+
+export function Runs({ state: { sides }, actions }: PanelProps) {
+  const driven = sides.filter(({ track }) => track.drive);
+  if (driven.length === 0) return null;
+  return (
+    <section class="drive-runs">
+      <h3>Runs</h3>
+      {driven.map((side) => {
+        const { drive, runs } = side.track.drive!;
+        const jump = ({ begin }: DriveRun) => {
+          actions.choose(sides.indexOf(side));
+          actions.seek(begin / 1e6);
+        };
+        return (
+          <div class="wide" tabIndex={0} role="region" aria-label={`Runs of ${side.name}`}>
+            <table>
+              <caption>
+                {side.name}: robot {drive.robot.name}, rules {drive.rules.name}. {timedBy(drive.rules)}
+              </caption>
+              <thead>
+                <tr>
+                  {heads.map((text) => (
+                    <th scope="col">{text}</th>
+                  ))}
+                </tr>
+              </thead>
+              <tbody>
+                {runs.map((run, index) => (
+                  <Line side={side} index={index} jump={() => jump(run)} />
+                ))}
+              </tbody>
+            </table>
+          </div>
+        );
+      })}
+    </section>
+  );
+}
