@@ -1,6 +1,7 @@
 #include "labmouse/lab/store/store_changes.hpp"
 
 #include <fmt/format.h>
+
 #include <filesystem>
 
 #include "labmouse/lab/store/schema.hpp"
