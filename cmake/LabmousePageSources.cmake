@@ -3,7 +3,7 @@ set(LABMOUSE_PAGE_SOURCES)
 foreach(name IN ITEMS
     bench/distance_speed bench/plain_distance bench/signature bench/speed_json bounds/bounds bounds/drive_bound bounds/mms_bound
     mazes/maze_files mazes/maze_link mice/contestant mice/mice_json mice/mouse_names mice/prior_file mice/prior_learning mice/specs
-    numbers/statistics pictures/drive_path pictures/drive_picture pictures/mms_picture pictures/picture_layers
+    numbers/statistics pictures/drive_path pictures/path_data pictures/drive_picture pictures/mms_picture pictures/picture_layers
     races/race races/race_paths races/value races/world_entry records/drive_json records/drive_notation
     records/drive_record_fields records/drive_record_reader records/drive_record_replay records/drive_record_text
     records/drive_record_writer records/drive_route_check records/explanation records/mms_record
