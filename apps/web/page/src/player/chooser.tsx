@@ -102,7 +102,7 @@ export function Form({ picked, about, own, mazes, choose, open }: FormProps) {
   );
   return (
     <>
-      <div class="row choice">
+      <div class="choice">
         {select('Mouse', 'mouse', mice)}
         {select(
           'Beside it',

@@ -146,7 +146,7 @@ export function createRobot(page: Page): View {
     const select = h(
       'select',
       { onchange: () => void change().catch(page.complain) },
-      h('option', { value: 'limits' }, 'as limits, from which times follow'),
+      h('option', { value: 'limits' }, 'as limits'),
       h('option', { value: 'times' }, 'as published times'),
     );
     /** The limits that the last change took away. */
