@@ -113,7 +113,7 @@ class Reader {
         std::string name = find.text(1);
         // Another maze under the same name.
         if (const int count = ++names[name]; count > 1) name += fmt::format(" ({})", count);
-        found.emplace(place, NamedMaze{std::move(name), std::move(link.maze->maze)});
+        found.emplace(place, NamedMaze{std::move(name), link.maze->maze});
       }
     }
     for (auto& [place, maze] : found) race.mazes.push_back(std::move(maze));
