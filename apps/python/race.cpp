@@ -21,8 +21,10 @@
 #include "labmouse/lab/standings/race_notes.hpp"
 #include "labmouse/lab/standings/race_table.hpp"
 #include "labmouse/lab/standings/standings.hpp"
+#include "labmouse/lab/store/store_changes.hpp"
 #include "labmouse/lab/system/files.hpp"
 #include "orders.hpp"
+#include "part_store.hpp"
 #include "values.hpp"
 #include "work.hpp"
 
@@ -43,7 +45,8 @@ struct HeldRace {
 class RunningRace {
  public:
   RunningRace(const GivenMice& mice, std::vector<NamedMaze> mazes, const GivenWorld& world, int runs,
-              std::uint64_t seed, int jobs, const std::string& out, bool overwrite, const std::string& store)
+              std::uint64_t seed, int jobs, const std::string& out, bool overwrite, const std::string& store,
+              const PickedContests& picked)
       : out_(out) {
     if (runs < 1 || runs > 1'000'000) throw UserError(fmt::format("runs is a number from 1 to 1000000, not {}", runs));
     if (jobs < 0 || jobs > 1024) throw UserError(fmt::format("jobs is a number from 0 to 1024, not {}", jobs));
@@ -57,6 +60,7 @@ class RunningRace {
     order.seed = seed;
     order.jobs = jobs;
     order.store = store_ = store_of(store);
+    if ((part_ = part_of(store_, picked))) order.store = part_;
     const std::size_t all = contests_of(field.entry.mice, field.mazes.size(), order);
     if (!out_.empty()) {
       folder_ = std::make_unique<ResultsFolder>(out_, overwrite);
@@ -82,6 +86,7 @@ class RunningRace {
     held_->from_store += finish(store_);
     return held_;
   }
+  std::vector<PickedContest> missing() const { return missing_of(part_); }
 
  private:
   void save(const Race& race, const ContestResult& contest, const Held& held) {
@@ -107,6 +112,7 @@ class RunningRace {
   std::unique_ptr<ResultsFolder> folder_;
   std::optional<RaceFolder> records_;
   std::shared_ptr<Store> store_;
+  std::shared_ptr<PartStore> part_;
   Work work_;  // last: its thread ends before the others do
 };
 
@@ -180,6 +186,14 @@ nb::dict compare(const HeldRace& held, const std::string& mouse, const std::stri
   return fields;
 }
 
+/// How many contests are new in the target.
+std::int64_t merge(const std::vector<std::string>& paths, const std::string& target) {
+  const Merge merged = merge_stores(paths, target);
+  if (!merged.error.empty()) throw UserError(merged.error);
+  if (!merged.conflicts.empty()) throw UserError(fmt::format("{}", fmt::join(merged.conflicts, "\n")));
+  return merged.added;
+}
+
 }  // namespace
 
 void bind_races(nb::module_& module) {
@@ -201,15 +215,19 @@ void bind_races(nb::module_& module) {
       .def("json", [](const HeldRace& held) { return json_of(held.race, held.skipped); });
   nb::class_<RunningRace>(module, "RunningRace")
       .def(nb::init<const GivenMice&, std::vector<NamedMaze>, const GivenWorld&, int, std::uint64_t, int,
-                    const std::string&, bool, const std::string&>(),
-           "mice"_a, "mazes"_a, "world"_a, "runs"_a, "seed"_a, "jobs"_a, "out"_a, "overwrite"_a, "store"_a)
+                    const std::string&, bool, const std::string&, const PickedContests&>(),
+           "mice"_a, "mazes"_a, "world"_a, "runs"_a, "seed"_a, "jobs"_a, "out"_a, "overwrite"_a, "store"_a,
+           "picked"_a.none() = nb::none())
       .def_prop_ro("remarks", &RunningRace::remarks)
       .def_prop_ro("done", [](RunningRace& running) { return running.work().done(); })
       .def_prop_ro("all", [](RunningRace& running) { return running.work().all(); })
       .def(
           "wait", [](RunningRace& running, double seconds) { return running.work().wait(seconds); }, "seconds"_a)
       .def("stop", [](RunningRace& running) { running.work().stop(); })
+      .def("missing", &RunningRace::missing)
       .def("result", &RunningRace::result);
+  module.def("merge_stores", &merge, "paths"_a, "target"_a, nb::call_guard<nb::gil_scoped_release>(),
+             "As `labmouse store merge`; returns how many contests are new in the target. Raises Error.");
 }
 
 }  // namespace labmouse::python

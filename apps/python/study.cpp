@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <nanobind/stl/map.h>
+#include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/shared_ptr.h>
 #include <nanobind/stl/string.h>
@@ -15,6 +16,7 @@
 #include "entering.hpp"
 #include "errors.hpp"
 #include "orders.hpp"
+#include "part_store.hpp"
 #include "work.hpp"
 
 namespace nb = nanobind;
@@ -34,7 +36,8 @@ struct HeldStudy {
 class RunningStudy {
  public:
   RunningStudy(const GivenMice& mice, std::vector<NamedMaze> mazes, const GivenWorld& world,
-               const std::tuple<int, bool, int, std::uint64_t, int>& numbers, const std::string& store) {
+               const std::tuple<int, bool, int, std::uint64_t, int>& numbers, const std::string& store,
+               const PickedContests& picked) {
     StudyOrder order;
     std::tie(order.folds, order.learning, order.race.runs, order.race.seed, order.race.jobs) = numbers;
     if (order.folds < 2) throw UserError(fmt::format("folds is a number from 2, not {}", order.folds));
@@ -47,6 +50,7 @@ class RunningStudy {
     held_->skipped = std::move(field.skipped);
     order.race.world = field.entry.world;
     order.race.store = store_ = store_of(store);
+    if ((part_ = part_of(store_, picked))) order.race.store = part_;
     work_.start([this, order, field = std::move(field)]() mutable {
       StudyHooks hooks;
       hooks.stop = &work_.stopped();
@@ -63,11 +67,13 @@ class RunningStudy {
     if (!held_->study.error.empty()) throw UserError(held_->study.error);
     return held_;
   }
+  std::vector<PickedContest> missing() const { return missing_of(part_); }
 
  private:
   std::shared_ptr<HeldStudy> held_;
   std::vector<std::string> remarks_;
   std::shared_ptr<Store> store_;
+  std::shared_ptr<PartStore> part_;
   Work work_;  // last: its thread ends before the others do
 };
 
@@ -83,14 +89,15 @@ void bind_studies(nb::module_& module) {
       .def("svg", [](const HeldStudy& held) { return picture_of(held.study); });
   nb::class_<RunningStudy>(module, "RunningStudy")
       .def(nb::init<const GivenMice&, std::vector<NamedMaze>, const GivenWorld&,
-                    const std::tuple<int, bool, int, std::uint64_t, int>&, const std::string&>(),
-           "mice"_a, "mazes"_a, "world"_a, "numbers"_a, "store"_a)
+                    const std::tuple<int, bool, int, std::uint64_t, int>&, const std::string&, const PickedContests&>(),
+           "mice"_a, "mazes"_a, "world"_a, "numbers"_a, "store"_a, "picked"_a.none() = nb::none())
       .def_prop_ro("remarks", &RunningStudy::remarks)
       .def_prop_ro("done", [](RunningStudy& running) { return running.work().done(); })
       .def_prop_ro("all", [](RunningStudy& running) { return running.work().all(); })
       .def(
           "wait", [](RunningStudy& running, double seconds) { return running.work().wait(seconds); }, "seconds"_a)
       .def("stop", [](RunningStudy& running) { running.work().stop(); })
+      .def("missing", &RunningStudy::missing)
       .def("result", &RunningStudy::result);
 }
 

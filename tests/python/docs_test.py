@@ -46,7 +46,8 @@ def test_the_examples_are_typed(tmp_path):
         file = tmp_path / f"{page.stem.lower()}_examples.py"
         file.write_text("\n".join(code for _, code, _ in blocks_of(page)), encoding="utf-8")
         files.append(file)
-    checked = subprocess.run([sys.executable, "-m", "mypy", "--strict", *map(str, files)], capture_output=True, text=True, check=False)
+    checked = subprocess.run([sys.executable, "-m", "mypy", "--strict", "--untyped-calls-exclude=distributed", *map(str, files)],
+                             capture_output=True, text=True, check=False)
     assert checked.returncode == 0, checked.stdout
 
 

@@ -9,7 +9,8 @@ import labmouse
 import pytest
 
 learn = pytest.importorskip("labmouse.learn")
-PUBLIC = [(module, name) for module in (labmouse, learn) for name in module.__all__]
+cluster = pytest.importorskip("labmouse.cluster")
+PUBLIC = [(module, name) for module in (labmouse, learn, cluster) for name in module.__all__]
 
 
 def members_of(thing):

@@ -41,8 +41,9 @@ class Comparison(NamedTuple):
 class Race:
     """A race that was held; `race` makes it. Shown in a notebook as its leaderboard."""
 
-    def __init__(self, held: _native.HeldRace) -> None:
+    def __init__(self, held: _native.HeldRace, from_store: "int | None" = None) -> None:
         self._held = held
+        self._from_store = held.from_store if from_store is None else from_store
 
     @property
     def complete(self) -> bool:
@@ -52,7 +53,7 @@ class Race:
     @property
     def from_store(self) -> int:
         """Contests that were not held, because the store had them."""
-        return self._held.from_store
+        return self._from_store
 
     @property
     def world(self) -> str:

@@ -18,8 +18,9 @@ if TYPE_CHECKING:
 class Study:
     """A study that was held; `study` makes it. Shown in a notebook as its picture."""
 
-    def __init__(self, held: _native.HeldStudy) -> None:
+    def __init__(self, held: _native.HeldStudy, from_store: "int | None" = None) -> None:
         self._held = held
+        self._from_store = held.from_store if from_store is None else from_store
         #: All of it, as `labmouse study --format json` has it.
         self.data: dict[str, Any] = json.loads(held.json())
 
@@ -31,7 +32,7 @@ class Study:
     @property
     def from_store(self) -> int:
         """Contests that were not held, because the store had them."""
-        return self._held.from_store
+        return self._from_store
 
     @property
     def table(self) -> "pandas.DataFrame":

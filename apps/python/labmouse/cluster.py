@@ -1,0 +1,298 @@
+"""Races, studies and sweeps on the machines of a cluster of Dask: docs/cluster.md.
+
+It needs `pip install labmouse[cluster]`.
+"""
+
+import asyncio
+import collections
+import concurrent.futures
+import itertools
+import math
+import os
+import queue
+import tempfile
+import time
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple, Union
+
+from . import _native
+from ._mice import Mice, _python, given
+from ._native import Error, Maze
+from ._progress import finish
+from ._races import Race
+from ._studies import Study
+from ._worlds import Mazes, Setting, mazes_of, world_with
+
+if TYPE_CHECKING:
+    from distributed import Client
+
+__all__ = ["race", "study", "sweep"]
+
+#: The name of a mouse, that of a maze, and the number of the run.
+_Contest = tuple[str, str, int]
+_Running = Union[_native.RunningRace, _native.RunningStudy]
+
+#: What a task should take: long beside what a scheduler needs for one, short beside what a dead worker costs.
+_SECONDS_A_TASK = 1.0
+#: The contests of the first tasks, before any was measured.
+_FIRST = 4
+
+
+class _Plan(NamedTuple):
+    """A race or a study, as any machine can hold a part of it."""
+
+    mice: bytes
+    """Pickled, because some are classes of a notebook."""
+    world: "tuple[str, dict[str, str]]"
+    runs: int
+    seed: int
+    folds: "tuple[int, bool] | None"
+    """Of a study: how many, and whether mice learn."""
+
+    def begin(self, mazes: "list[Maze]", store: str, jobs: int, picked: "list[_Contest] | None") -> _Running:
+        """Holds the picked contests that the store does not have; all of them with None."""
+        import cloudpickle  # type: ignore[import-untyped,unused-ignore]
+
+        specs, own, label = cloudpickle.loads(self.mice)
+        mice = specs, own, _python(), label
+        if self.folds is None:
+            return _native.RunningRace(mice, mazes, self.world, self.runs, self.seed, jobs, "", False, store, picked)
+        return _native.RunningStudy(mice, mazes, self.world, (*self.folds, self.runs, self.seed, jobs), store, picked)
+
+    def missing(self, mazes: "list[Maze]", store: str) -> "tuple[list[_Contest], int]":
+        """The contests that the store does not have, and how many it has."""
+        running = self.begin(mazes, store, 0, [])
+        while not running.wait(0.1):
+            pass
+        held = running.result()
+        return running.missing(), held.from_store
+
+
+def _hold(plan: _Plan, mazes: "list[Maze]", picked: "list[_Contest]") -> "tuple[bytes, float]":
+    """A task of a worker: a store with these contests, and the seconds that they took."""
+    begin = time.perf_counter()
+    with tempfile.TemporaryDirectory() as folder:
+        store = os.path.join(folder, "part.db")
+        running = plan.begin(mazes, store, 1, picked)
+        while not running.wait(1.0):
+            pass
+        running.result()
+        del running  # closes the store
+        return Path(store).read_bytes(), time.perf_counter() - begin
+
+
+class _Spread:
+    """Contests on their way to workers and back into the store, which nobody else writes to."""
+
+    def __init__(self, client: "Client", plan: _Plan, mazes: "list[Maze]", store: str) -> None:
+        self.client: Any = client
+        self.plan = plan
+        self.mazes = mazes
+        self.store = store
+        self.by_name = {maze.name: maze for maze in mazes}
+        missing, self.from_store = plan.missing(mazes, store)
+        # By mazes, so that few tasks compute the bound of the same one.
+        self.waiting = collections.deque(sorted(missing, key=lambda contest: (contest[1], contest[0], contest[2])))
+        self.all = self.from_store + len(missing)
+        self.done = self.from_store
+        self.remarks: list[str] = []
+        self.futures: dict[Any, list[_Contest]] = {}
+        self.finished: queue.SimpleQueue[Any] = queue.SimpleQueue()
+        self.seconds = 0.0
+        self.measured = 0
+        self.largest = _FIRST
+        self.checked = False
+
+    def wait(self, seconds: float) -> bool:
+        """Goes on for about so long; whether all contests are in the store."""
+        if self.client.status in ("closed", "closing"):
+            raise Error(f"{self.store}: the scheduler is gone; what was done is kept: start again to go on")
+        if self.client.status == "running":
+            self._submit()
+        if not self.futures and not self.waiting:
+            return True
+        ended = []
+        try:
+            ended.append(self.finished.get(timeout=seconds))
+            while True:
+                ended.append(self.finished.get_nowait())
+        except queue.Empty:
+            pass
+        self._merge([part for future in ended for part in self._part(future)])
+        return False
+
+    def stop(self) -> None:
+        """Takes back what is not done."""
+        self.waiting.clear()
+        self.client.cancel(list(self.futures))
+        self.futures.clear()
+
+    def _submit(self) -> None:
+        threads = max(1, sum(self.client.nthreads().values())) if self.waiting else 1
+        while self.waiting and len(self.futures) < 2 * threads + 2:
+            size = min(self._size(), math.ceil(len(self.waiting) / threads))
+            self._send([self.waiting.popleft() for _ in range(min(size, len(self.waiting)))])
+
+    def _size(self) -> int:
+        if self.measured == 0:
+            return _FIRST
+        return max(1, min(4 * self.largest, int(_SECONDS_A_TASK * self.measured / self.seconds)))
+
+    def _send(self, picked: "list[_Contest]") -> None:
+        # A study deals all mazes into its folds.
+        names = {maze for _, maze, _ in picked}
+        mazes = self.mazes if self.plan.folds else [self.by_name[name] for name in sorted(names)]
+        future = self.client.submit(_hold, self.plan, mazes, picked, pure=False)
+        self.futures[future] = picked
+        future.add_done_callback(self.finished.put)
+
+    def _part(self, future: Any) -> "list[tuple[list[_Contest], bytes]]":
+        """What came back; nothing where it has to be done again."""
+        from distributed import KilledWorker
+
+        picked = self.futures.pop(future, None)
+        if picked is None:
+            return []
+        try:
+            data, seconds = future.result()
+        except (asyncio.CancelledError, concurrent.futures.CancelledError):  # the scheduler was restarted
+            self.waiting.extendleft(reversed(picked))
+            return []
+        except KilledWorker:
+            if len(picked) == 1:
+                mouse, maze, run = picked[0]
+                raise Error(f"mouse '{mouse}' in maze '{maze}', run {run}: all workers that held this contest died") from None
+            half = len(picked) // 2
+            self._send(picked[:half])
+            self._send(picked[half:])
+            return []
+        self.seconds += seconds
+        self.measured += len(picked)
+        self.largest = max(self.largest, len(picked))
+        return [(picked, data)]
+
+    def _merge(self, parts: "list[tuple[list[_Contest], bytes]]") -> None:
+        if not parts:
+            return
+        with tempfile.TemporaryDirectory() as folder:
+            paths = []
+            for number, (_, data) in enumerate(parts):
+                paths.append(os.path.join(folder, f"part-{number}.db"))
+                Path(paths[-1]).write_bytes(data)
+            _native.merge_stores(paths, self.store)
+        self.done += sum(len(picked) for picked, _ in parts)
+        if not self.checked:
+            self.checked = True
+            self.check({contest for picked, _ in parts for contest in picked})
+
+    def check(self, came: "set[_Contest] | None" = None) -> None:
+        """Raises Error where the workers held other contests than this machine would."""
+        missing = set(self.plan.missing(self.mazes, self.store)[0])
+        if missing & came if came is not None else missing:
+            raise Error(f"{self.store}: the workers held contests of other mice than were asked for; "
+                        "give all machines the same labmouse, the same Python and the same files of guests")
+
+
+def _spread(client: "Client", mice: "Mice | None", mazes: "Mazes | None", store: "str | os.PathLike[str]", label: "str | None",
+            numbers: "tuple[int, int]", folds: "tuple[int, bool] | None", progress: "bool | None",
+            chosen: "tuple[str, dict[str, str]]") -> "tuple[Any, int]":
+    import cloudpickle
+
+    specs, own, _, known = given(mice).native(None, label, True)
+    plan = _Plan(bytes(cloudpickle.dumps((specs, own, known))), chosen, *numbers, folds)
+    field = mazes_of(mazes) or _native.find_mazes([])
+    path = os.fspath(store)
+    spread = _Spread(client, plan, field, path)
+    stopped = True
+    try:
+        finish(spread, progress)
+        stopped = not spread.done == spread.all
+    finally:
+        spread.stop()
+    if not stopped:
+        spread.check()
+    # All of it is in the store now; after Ctrl-C, what is done.
+    running = plan.begin(field, path, 0, None)
+    if stopped:
+        running.stop()
+    finish(running, False)
+    return running.result(), spread.from_store
+
+
+def race(
+    client: "Client",
+    mice: "Mice | None" = None,
+    mazes: "Mazes | None" = None,
+    *,
+    store: "str | os.PathLike[str]",
+    world: "str | None" = None,
+    robot: "str | os.PathLike[str] | None" = None,
+    rules: "str | os.PathLike[str] | None" = None,
+    budget: "int | None" = None,
+    runs: int = 20,
+    seed: int = 1,
+    progress: "bool | None" = None,
+    label: "str | None" = None,
+    **settings: Setting,
+) -> Race:
+    """Races mice on mazes as `labmouse.race`, with the same numbers, on the workers of a `distributed.Client`.
+
+    store: a file of this machine that keeps all contests; those that are there are not held again. A race that was
+        killed goes on where it was when it is started again.
+
+    The other arguments are those of `labmouse.race`. All machines need the same labmouse, and the files of guests,
+    robots and rules under the same paths. Raises Error. Ctrl-C stops the race: it returns what is done.
+    """
+    chosen = world_with(world, {"robot": robot, "rules": rules, "budget": budget, **settings})
+    held, from_store = _spread(client, mice, mazes, store, label, (runs, seed), None, progress, chosen)
+    return Race(held, from_store)
+
+
+def study(
+    client: "Client",
+    mice: Mice,
+    mazes: "Mazes | None" = None,
+    *,
+    store: "str | os.PathLike[str]",
+    folds: int = 5,
+    learning: bool = True,
+    world: "str | None" = None,
+    robot: "str | os.PathLike[str] | None" = None,
+    rules: "str | os.PathLike[str] | None" = None,
+    budget: "int | None" = None,
+    runs: int = 20,
+    seed: int = 1,
+    progress: "bool | None" = None,
+    label: "str | None" = None,
+    **settings: Setting,
+) -> Study:
+    """Compares mice as `labmouse.study`, with the same numbers, on the workers of a `distributed.Client`.
+
+    Mice that learn are taught on this machine and again in each task. `store` is as of `race`, the other arguments are
+    those of `labmouse.study`. Raises Error. Ctrl-C stops it: it returns the folds that are done.
+    """
+    chosen = world_with(world, {"robot": robot, "rules": rules, "budget": budget, **settings})
+    held, from_store = _spread(client, mice, mazes, store, label, (runs, seed), (folds, learning), progress, chosen)
+    return Study(held, from_store)
+
+
+def sweep(
+    client: "Client",
+    mouse: str,
+    vary: "Mapping[str, Iterable[object]]",
+    mazes: "Mazes | None" = None,
+    *,
+    store: "str | os.PathLike[str]",
+    **options: Any,
+) -> Race:
+    """Races a mouse with all combinations of values of its parameters: `sweep(client, 'flood', {'stride': [1, 2]}, ...)`.
+
+    mouse: a SPEC of one mouse. The other arguments are those of `race`. Raises Error.
+    """
+    grid = itertools.product(*([f"{name}={_value(value)}" for value in values] for name, values in vary.items()))
+    return race(client, [":".join([mouse, *settings]) for settings in grid], mazes, store=store, **options)
+
+
+def _value(value: object) -> str:
+    return str(value).lower() if isinstance(value, bool) else str(value)
