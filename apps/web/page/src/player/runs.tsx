@@ -54,25 +54,28 @@ export function Runs({ state: { sides }, actions }: PanelProps) {
           actions.seek(begin / 1e6);
         };
         return (
-          <div class="wide" tabIndex={0} role="region" aria-label={`Runs of ${side.name}`}>
-            <table>
-              <caption>
-                {side.name}: robot {drive.robot.name}, rules {drive.rules.name}. {timedBy(drive.rules)}
-              </caption>
-              <thead>
-                <tr>
-                  {heads.map((text) => (
-                    <th scope="col">{text}</th>
+          <>
+            <p class="note">{timedBy(drive.rules)}</p>
+            <div class="wide" tabIndex={0} role="region" aria-label={`Runs of ${side.name}`}>
+              <table>
+                <caption>
+                  {side.name}: robot {drive.robot.name}, rules {drive.rules.name}
+                </caption>
+                <thead>
+                  <tr>
+                    {heads.map((text) => (
+                      <th scope="col">{text}</th>
+                    ))}
+                  </tr>
+                </thead>
+                <tbody>
+                  {runs.map((run, index) => (
+                    <Line side={side} index={index} jump={() => jump(run)} />
                   ))}
-                </tr>
-              </thead>
-              <tbody>
-                {runs.map((run, index) => (
-                  <Line side={side} index={index} jump={() => jump(run)} />
-                ))}
-              </tbody>
-            </table>
-          </div>
+                </tbody>
+              </table>
+            </div>
+          </>
         );
       })}
     </section>
