@@ -9,6 +9,7 @@ import { groupsOf } from '../race/contests';
 import { mazesOf } from '../race/holding';
 import { namedApart } from '../race/hold-panel';
 import { leaderboard } from '../race/leaderboard';
+import { routeOf } from '../shell/routes';
 import { h } from '../ui/dom';
 import { holdContest, patience, type Held } from '../write/contest';
 import { createDesk } from '../write/desk';
@@ -67,11 +68,19 @@ export function createWrite(page: Page): View {
   let raced: Version | null = null;
   let before: Version | null = null;
 
+  /** Links that are still being read. */
+  let arriving = 0;
+
   const changed = (allowed: boolean) => {
     stop();
     refresh();
     if (allowed && linked) void runIt(linked);
     linked = null;
+    if (allowed || !desk.work()) return;
+    // The program of a link is gone, so the address leads to it no longer.
+    const route = routeOf(location.hash);
+    if (route && 'program' in route) history.replaceState(null, '', '#write');
+    begin();
   };
   async function moment() {
     if (!shown) return '';
@@ -119,6 +128,14 @@ export function createWrite(page: Page): View {
     cage.close();
     page.core.stop('race');
     busy(false);
+    // What was under way comes to no end.
+    if (verdict.dataset.state === 'fair') verdict.hidden = true;
+  }
+  /** A program to begin with shows at once what it does; what somebody wrote waits to be asked for. */
+  function begin() {
+    const work = desk.work();
+    const isTemplate = work?.language.templates.some(({ text }) => text === work.text);
+    if (isTemplate && arriving === 0 && end.hidden && player.element.hidden) void runIt();
   }
   function busy(is: boolean) {
     end.hidden = !is;
@@ -234,6 +251,12 @@ export function createWrite(page: Page): View {
     if (worst) desk.fail(failedAt(worst));
     standings.scrollIntoView({ block: 'nearest' });
   }
+  async function arrive(link: string) {
+    arriving += 1;
+    await receive(link).catch(page.complain);
+    arriving -= 1;
+    begin();
+  }
   /** A program, and behind it where it was seen. */
   async function receive(link: string) {
     const [program, ...rest] = link.split('&');
@@ -280,15 +303,13 @@ export function createWrite(page: Page): View {
     ),
     shown() {
       refresh();
-      // A program to begin with shows at once what it does; what somebody wrote waits to be asked for.
-      const work = desk.work();
-      if (player.element.hidden && work?.language.templates.some(({ text }) => text === work.text)) void runIt();
+      begin();
     },
     hidden: () => player.stop(),
     address: desk.address,
     accept(thing) {
       const { link, file } = thing as { link?: string; file?: File };
-      if (link !== undefined) void receive(link).catch(page.complain);
+      if (link !== undefined) void arrive(link);
       if (file) void desk.open(file);
     },
   };

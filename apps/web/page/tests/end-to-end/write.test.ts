@@ -4,6 +4,7 @@ import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import { join } from 'node:path';
+import { deflateRawSync } from 'node:zlib';
 import type { Page } from 'playwright-core';
 import { expect, test } from 'vitest';
 import { barriers, drop, native, open, picture, program, provoked, root, temporary } from './harness';
@@ -258,6 +259,26 @@ test('a program is kept, and comes with a link only after a click', async () => 
   await expect.poll(() => editor(page).textContent()).toContain('// other');
 });
 
+test('in a fresh browser nothing runs beside the program of a link, and back to mine shows what mine does', async () => {
+  const work = JSON.stringify({ language: 'javascript', name: 'theirs', text: `// theirs\n${template('empty')}` });
+  const page = await openWrite(`#write=${deflateRawSync(work).toString('base64url')}`);
+  await expect.poll(() => editor(page).textContent()).toContain('// theirs');
+  expect(await verdict(page).isVisible()).toBe(false);
+  expect(await button(page, 'Run').isDisabled()).toBe(true);
+  await button(page, 'Back to mine').click();
+  await expect.poll(() => verdict(page).textContent()).toContain('my-mouse in capstone-1: solved');
+  expect(await view(page).getByRole('img', { name: 'Maze capstone-1' }).isVisible()).toBe(true);
+  expect(new URL(page.url()).hash).toBe('#write');
+});
+
+test('what is stopped says no longer that it runs', async () => {
+  const page = await openWrite();
+  await write(page, doing('for (;;);'));
+  await button(page, 'Run').click();
+  await button(page, 'Stop').click();
+  expect(await verdict(page).isVisible()).toBe(false);
+});
+
 test('a link leads to the maze and the step where one was', async () => {
   const page = await openWrite();
   await drop(page, { name: 'own.txt', content: native('make', 'prim', '--size', '6x6', '--seed', '5') });
@@ -306,9 +327,10 @@ test('a mouse without a name is asked for one, and a program that is dropped is 
   expect(await view(page).getByLabel('Language').inputValue()).toBe('python');
 });
 
-test('a link that is none is told of in words', async () => {
+test('a link that is none is told of in words, and what stands there runs', async () => {
   const page = await openWrite('#write=AAAA');
   await page.getByText('does not contain a whole program').waitFor();
+  await expect.poll(() => verdict(page).getAttribute('data-state')).toBe('good');
 });
 
 test.each([
