@@ -14,7 +14,7 @@ namespace labmouse {
 /// What the world of a contest is like, for those who show it: `Traits` in apps/web/page/src/core/types.ts.
 struct PlayTraits {
   bool in_steps = true;  ///< its clock counts them
-  std::string_view unit;
+  std::string_view unit = {};
   int digits = 3;
   std::string_view bound;
   std::vector<std::string_view> runs;

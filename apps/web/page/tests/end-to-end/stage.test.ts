@@ -46,6 +46,14 @@ test('a maze of 16 by 16 has all the height of a window, in each view', async ()
   expect((await boxOf(live.locator('.live .stage canvas'))).height - numbers).toBeGreaterThan(760);
 });
 
+test('the slider has room to be dragged in windows of any width', async () => {
+  const slider = (page: Page) => page.getByRole('slider', { name: 'Moment of the replay' });
+  for (const width of [1024, 1180, 1440]) {
+    const live = await walked({ viewport: { width, height: 700 } });
+    expect((await boxOf(slider(live))).width).toBeGreaterThan(200);
+  }
+});
+
 test('on a telephone maze, controls and slider are on the first screen, also with two mice', async () => {
   const options = { viewport: phone, hasTouch: true };
   const slider = (page: Page) => page.getByRole('slider', { name: 'Moment of the replay' });
