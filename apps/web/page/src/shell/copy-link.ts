@@ -13,7 +13,7 @@ const copied = (text: string) =>
 export async function copyLink(stage: Stage, notices: Notices) {
   const name = stage.current() ?? 'home';
   try {
-    const address = (await stage.view(name)?.address?.()) ?? name;
+    const address = (await stage.view(name)?.address()) ?? name;
     const link = `${location.href.split('#')[0]}#${address}`;
     const taken = await copied(link);
     // A page from a disk lies elsewhere on other machines.

@@ -1,10 +1,13 @@
 // The view Robot: the numbers of a robot, and at once what follows from them. It accepts robot files.
 import type { MazeData, RobotAnswer, RobotResult } from '../core/types';
+import { addressOf, readAddress } from '../link/address';
+import { driveOf } from '../link/contest';
+import { mazeAt, placeOf } from '../link/mazes';
 import { createMazeChoice } from '../live/maze-choice';
 import { routeTable, searchTable, straightTables, turnFigures } from '../robot/figures';
 import { createRobotForm, type Values } from '../robot/form';
 import { hasTimes, keysBeside, withLimits, withTimes, type Part } from '../robot/forms';
-import { myRobot, nameOf, setMyRobot, type KeptRobot, type Origin } from '../robot/mine';
+import { isMine, myRobot, nameOf, setMyRobot, withoutRemarks, type KeptRobot, type Origin } from '../robot/mine';
 import { createRouteStage } from '../robot/route-stage';
 import { h } from '../ui/dom';
 import { complainAt, field } from '../ui/field';
@@ -44,6 +47,10 @@ export function createRobot(page: Page): View {
   let given: string | null = null;
   /** What followed from the last robot that could be. */
   let result: RobotResult | null = null;
+  /** Whether the last robot that was asked for can be none. */
+  let refused = false;
+  /** Whether it stands as it came with a link: then that of this browser is kept. */
+  let linked = false;
   let isShown = false;
   let late: ReturnType<typeof setTimeout> | undefined;
 
@@ -119,11 +126,12 @@ export function createRobot(page: Page): View {
       shownKeys = now.keys;
       show(now, before, maze, values === null);
       fileText = now.text;
+      refused = now.result === null;
       const isSame = now.result?.tables === before.result?.tables && origin.text === null;
       given = now.result && !isSame ? `${called}\n${now.text}` : null;
       setMyRobot(given);
       for (const part of parts) part.show(now.values);
-      if (now.result) void page.shelf.write('robot', given && { name: called, text: now.text, origin });
+      if (now.result && !linked) void page.shelf.write('robot', given && { name: called, text: now.text, origin });
     },
     (error) => {
       rest();
@@ -185,13 +193,22 @@ export function createRobot(page: Page): View {
       status.replaceChildren('Computing …');
       status.dataset.state = 'fair';
     }, patience);
-    if (edited) fresh = false;
+    if (edited) {
+      fresh = false;
+      leaveLink();
+    }
     const called = name.value.trim().replaceAll('\n', ' ') || 'robot';
     latest.ask({ name: called, values: fresh ? null : form.values(), maze });
+  }
+  /** What the address leads to is no longer what is shown. */
+  function leaveLink() {
+    if (linked && isShown) history.replaceState(null, '', '#robot');
+    linked = false;
   }
   /** Nothing has been edited since it began. */
   let fresh = true;
   function begin(from: Origin) {
+    leaveLink();
     origin = from;
     began = null;
     fresh = true;
@@ -202,6 +219,28 @@ export function createRobot(page: Page): View {
     select.value = from.text === null ? from.name : '';
     if (from.text !== null) name.value = from.name;
     ask(false);
+  }
+
+  const originOf = (robot: string): Origin => ({
+    name: nameOf(robot),
+    text: isMine(robot) ? robot.slice(nameOf(robot).length + 1) : null,
+  });
+  async function address() {
+    if (refused) throw new Error('A link cannot hold this robot, for it is refused: mend its numbers first.');
+    const robot = given ?? (origin.text === null ? origin.name : `${origin.name}\n${origin.text}`);
+    return addressOf('robot', {
+      ...(maze && (await placeOf(page.core, page.about, maze))),
+      robot: withoutRemarks(robot),
+    });
+  }
+  async function follow(hash: string) {
+    const { moment } = readAddress(hash);
+    const robot = moment.robot && driveOf({ robot: moment.robot }, page.about)?.with.robot;
+    const where = await mazeAt(page.core, moment);
+    if (robot) begin(originOf(robot));
+    linked = true;
+    if (where && moment.builtin.length > 0) mazes.choose(moment.builtin[0]);
+    else if (where) mazes.give(where);
   }
 
   /** A robot that was edited before the page was opened again, with what it began from. */
@@ -300,11 +339,13 @@ export function createRobot(page: Page): View {
       ),
     ),
     maze: () => maze,
+    address,
+    follow,
     shown() {
       isShown = true;
       // A robot that came with an address is edited from there.
       const mine = myRobot();
-      if (mine !== null && mine !== given) begin({ name: nameOf(mine), text: mine.slice(nameOf(mine).length + 1) });
+      if (mine !== null && mine !== given) begin(originOf(mine));
       given = mine;
       if (maze) ask(false);
       else mazes.refresh();

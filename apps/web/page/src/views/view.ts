@@ -68,8 +68,8 @@ export interface View {
   hidden?(): void;
   /** A dropped or linked thing that is for this view. */
   accept?(thing: unknown): void;
-  /** The text behind `#` that leads to what is seen now; rejected in words where no link can. Missing: the view's name. */
-  address?(): Promise<string>;
+  /** The text behind `#` that leads to what is seen now; rejected in words where no link can. */
+  address(): Promise<string>;
   /** Goes where that text leads, after `shown`; rejected in words where it leads nowhere. */
   follow?(hash: string): Promise<void>;
   /** The maze that this view holds; null where there is none. A record without a maze is offered it. */

@@ -73,6 +73,53 @@ test('a race sets its form up, and is held where it is quick', async () => {
   expect(await linkOf(long)).toBe('#race&mouse=random-move&in=all&seed=1&runs=100');
 });
 
+test('an edited robot in another maze goes into a link, and leaves the one that is kept elsewhere alone', async () => {
+  const view = (page: Page) => page.getByRole('region', { name: 'Robot', exact: true });
+  const key = (page: Page, name: string) => view(page).locator(`[data-key="${name}"]`);
+  const route = (page: Page) => view(page).getByRole('table', { name: 'The best route' }).locator('td').first();
+  const edit = async (page: Page, name: string, acceleration: string) => {
+    await expect.poll(() => route(page).textContent()).toMatch(/ s/);
+    await view(page).getByLabel('Name').fill(name);
+    await key(page, 'curve.lateral_acceleration').fill(acceleration);
+    await expect.poll(() => route(page).textContent()).toContain('was');
+  };
+  const page = await opened('#robot');
+  await edit(page, 'swift', '12000');
+  const inCapstone = await route(page).textContent();
+  await view(page).getByLabel('Built-in maze').selectOption('contest-02');
+  await expect.poll(() => route(page).textContent()).not.toBe(inCapstone);
+  const time = (await route(page).textContent())!.split(' s')[0];
+  const link = await linkOf(page);
+  expect(link).toMatch(/^#robot&in=contest-02&robot=swift%0A/);
+
+  const other = await opened('#robot');
+  await edit(other, 'own-one', '9000');
+  await expect.poll(() => keptInBrowser(other, 'robot')).toContain('own-one');
+  await other.evaluate((hash) => (location.hash = hash), link);
+  await expect.poll(() => route(other).textContent()).toBe(`${time} s`);
+  expect(await view(other).getByLabel('Name').inputValue()).toBe('swift');
+  expect(await key(other, 'curve.lateral_acceleration').inputValue()).toBe('12000');
+  expect(await view(other).getByLabel('Built-in maze').inputValue()).toBe('contest-02');
+  expect(await linkOf(other)).toBe(link);
+  expect(await keptInBrowser(other, 'robot')).toContain('own-one');
+  // So it does where the page begins with it.
+  const fresh = await opened(link);
+  await expect.poll(() => route(fresh).textContent()).toBe(`${time} s`);
+  expect(await view(fresh).getByLabel('Name').inputValue()).toBe('swift');
+  await key(fresh, 'curve.lateral_acceleration').fill('12001');
+  await expect.poll(() => keptInBrowser(fresh, 'robot')).toContain('12001');
+  expect(new URL(fresh.url()).hash).toBe('#robot');
+
+  // What is refused has no link; a robot that the page brings is named.
+  await key(fresh, 'clearance').fill('70');
+  await expect.poll(() => view(fresh).locator('.verdict').getAttribute('data-state')).toBe('bad');
+  await fresh.getByRole('button', { name: 'Copy link' }).click();
+  await fresh.locator('.alert').waitFor();
+  await view(fresh).getByRole('combobox', { name: 'Start from' }).selectOption('half');
+  await expect.poll(() => view(fresh).locator('.verdict').getAttribute('data-state')).toBe('good');
+  expect(await linkOf(fresh)).toBe('#robot&in=contest-02&robot=half');
+});
+
 test('the drawing and the front door have links, too', async () => {
   const draw = await opened('#draw&in=contest-02&zoom=3,8,8');
   await draw.getByRole('heading', { name: /contest-02/ }).waitFor();
@@ -89,6 +136,7 @@ const hostile: [hash: string, words: RegExp][] = [
   ['#live&mouse=flood&evil=1', /'evil'/],
   ['#live&mouse=flood&in=nowhere', /nowhere/],
   ['#live&mouse=flood&robot=nobody', /'nobody'/],
+  ['#robot&robot=nobody', /'nobody'/],
   ['#race&mouse=nobody&in=capstone-1', /'nobody'/],
   ['#race&mouse=flood&in=capstone-1&runs=0', /runs=0/],
   ['#draw&maze=cut', /cut|link/],
