@@ -73,6 +73,7 @@ export function createWrite(page: Page): View {
 
   const changed = (allowed: boolean) => {
     stop();
+    if (!allowed) clear();
     refresh();
     if (allowed && linked) void runIt(linked);
     linked = null;
@@ -98,6 +99,8 @@ export function createWrite(page: Page): View {
   const form = createRaceForm(page);
   const prints = createPrints((frame) => player.seek(frame));
   const player = createPlayer(page, prints);
+  /** Where the prints stand beside a replay. */
+  const panel = prints.parentElement!;
   const standings = h('section', { class: 'race pictures standings', 'aria-label': 'Its race', hidden: true });
   const hint = h(
     'p',
@@ -137,6 +140,15 @@ export function createWrite(page: Page): View {
     const isTemplate = work?.language.templates.some(({ text }) => text === work.text);
     if (isTemplate && arriving === 0 && end.hidden && player.element.hidden) void runIt();
   }
+  /** What was seen is of another program. */
+  function clear() {
+    shown = null;
+    verdict.hidden = standings.hidden = true;
+    hint.hidden = false;
+    prints.show([]);
+    player.show([]);
+    desk.fail(null);
+  }
   function busy(is: boolean) {
     end.hidden = !is;
     run.disabled = race.disabled = is || desk.work() === null;
@@ -151,6 +163,7 @@ export function createWrite(page: Page): View {
   function show(held: Held, text: string, at?: Moment) {
     player.element.after(standings);
     hint.hidden = true;
+    panel.prepend(prints);
     say(outcomeInWords(held), held.play.solved ? 'good' : 'bad');
     prints.show(held.prints);
     if (at?.time !== undefined) player.show([held], 'start', at.time, at.look);
@@ -162,6 +175,7 @@ export function createWrite(page: Page): View {
   function showNoStart(held: Held) {
     say(outcomeInWords(held), 'bad');
     prints.show(held.prints);
+    if (player.element.hidden) verdict.after(prints);
     desk.fail(failedAt(held));
   }
   /** Does that with the program, and says what went wrong with it. */
@@ -192,7 +206,10 @@ export function createWrite(page: Page): View {
       const [chosen] = await mazesOf(page.core, [mazes[maze.selectedIndex].maze]);
       const entry = { language: work.language, program: work.text, name: work.name, maze: chosen, seed };
       const held = await holdContest(page.core, cage, entry, wanted);
-      if (held) show(held, work.text, at);
+      if (!held) return;
+      if (held.started) return show(held, work.text, at);
+      clear();
+      showNoStart(held);
     });
   const raceIt = () =>
     doing(async (work, wanted) => {

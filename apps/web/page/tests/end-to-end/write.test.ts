@@ -271,6 +271,36 @@ test('in a fresh browser nothing runs beside the program of a link, and back to 
   expect(new URL(page.url()).hash).toBe('#write');
 });
 
+test('another program begins with nothing of the one before', async () => {
+  const page = await openWrite();
+  const stage = view(page).locator('.player');
+  expect(await run(page, `${'//\n'.repeat(150)}${doing('undefined.x')}`)).toContain('error in line');
+  await view(page).getByLabel('Language').selectOption('python');
+  await expect.poll(() => editor(page).textContent()).toContain('class Robot');
+  expect(await editor(page).evaluate((content) => content.parentElement!.scrollTop)).toBe(0);
+  await expect.poll(() => verdict(page).textContent(), { timeout: 20_000 }).toContain('solved');
+  expect(await stage.isVisible()).toBe(true);
+  // What somebody wrote waits to be asked for.
+  await view(page).getByLabel('Language').selectOption('javascript');
+  await expect.poll(() => editor(page).textContent()).not.toContain('class Robot');
+  expect(await verdict(page).isVisible()).toBe(false);
+  expect(await stage.isVisible()).toBe(false);
+});
+
+test('of a program that does not start only the error is seen, with what it printed', async () => {
+  const page = await openWrite();
+  const stage = view(page).locator('.player');
+  await stage.waitFor();
+  const prints = view(page).getByRole('region', { name: 'Prints' });
+  expect(await run(page, `console.error('here');\nundefined.x`)).toMatch(/did not start: error in line 2/);
+  expect(await stage.isVisible()).toBe(false);
+  expect(await prints.locator('pre').allTextContents()).toEqual(['here']);
+  expect(await prints.isVisible()).toBe(true);
+  expect(await barriers(page)).toEqual([]);
+  expect(await run(page, doing(`console.error('there'); console.log('forfeit');`))).toContain('gave up');
+  expect(await stage.locator('.prints pre').allTextContents()).toEqual(['there']);
+});
+
 test('what is stopped says no longer that it runs', async () => {
   const page = await openWrite();
   await write(page, doing('for (;;);'));

@@ -98,10 +98,14 @@ export function create(parent: ShadowRoot, label: string, changed: (text: string
   const view = new EditorView({ state: state('', 'javascript'), parent, root: parent });
   return {
     text: () => view.state.doc.toString(),
-    set: (text, name) => view.setState(state(text, name)),
+    set(text, name) {
+      view.setState(state(text, name));
+      view.scrollDOM.scrollTop = 0;
+    },
     replace(text) {
       const whole = { from: 0, to: view.state.doc.length, insert: text };
       view.dispatch({ changes: whole, selection: { anchor: 0 }, annotations: isolateHistory.of('full') });
+      view.scrollDOM.scrollTop = 0;
     },
     fail(line) {
       const effects: StateEffect<unknown>[] = [setFailed.of(line)];
