@@ -320,7 +320,9 @@ std::string export_store(const std::string& path, const StoreFilter& filter, Exp
   const std::string last =
       most > 0 ? fmt::format("(SELECT * FROM results{} ORDER BY id DESC LIMIT {})", condition_of(filter), most)
                : "results" + condition_of(filter);
-  Statement rows = database.prepare(fmt::format("SELECT {} FROM {} ORDER BY id", joined_columns(), last));
+  // Which of two contests is kept first is a matter of threads.
+  const char* order = most > 0 ? "id" : "world, mouse, maze, seed, id";
+  Statement rows = database.prepare(fmt::format("SELECT {} FROM {} ORDER BY {}", joined_columns(), last, order));
   std::string lines;
   if (format == ExportFormat::csv && database.good()) lines = fmt::format("{}\n", fmt::join(export_columns, ","));
   while (rows.next()) {

@@ -50,9 +50,9 @@ struct StoredMice {
 };
 StoredMice stored_mice(const std::string& path, const StoreFilter& filter);
 
-/// Each contest with all that is known of it, as JSON in a line or as CSV with a header, in the order in which they
-/// were kept, a part of the text after the other; stops where `take` returns false. `most` are taken from the end, 0
-/// takes all. Returns what went wrong, or nothing.
+/// Each contest with all that is known of it, as JSON in a line or as CSV with a header, by world, mouse, maze and
+/// seed, a part of the text after the other; stops where `take` returns false. With `most` the last ones alone, in the
+/// order in which they were kept; 0 takes all. Returns what went wrong, or nothing.
 enum class ExportFormat { json_lines, csv };
 std::string export_store(const std::string& path, const StoreFilter& filter, ExportFormat format, std::int64_t most,
                          const std::function<bool(const std::string& lines)>& take);
