@@ -25,7 +25,7 @@ def main():
         contests = len(labmouse.race(**order, jobs=1, store=f"{folder}/alone.db").table)
         print(f"alone: {contests} contests, {spent() - begin[0]:.2f} s of processor, {time.perf_counter() - begin[1]:.2f} s", flush=True)
         for workers in (1, 2):
-            with distributed.LocalCluster(n_workers=workers, threads_per_worker=1, dashboard_address=None) as local:
+            with distributed.LocalCluster(n_workers=workers, threads_per_worker=1, dashboard_address="127.0.0.1:0") as local:
                 with distributed.Client(local) as client:
                     client.run(spent)
                     before = sum(client.run(spent).values())

@@ -238,7 +238,7 @@ void bind_mazes(nb::module_& module) {
           "name"_a, "The same maze under another name.")
       .def("with_start", &with_start, "start"_a, "heading"_a = "north", "The same maze with another start.")
       .def("with_goals", &with_goals, "goals"_a, "The same maze with other goals.")
-      .def(
+      .def_prop_ro(
           "svg", [](const NamedMaze& maze) { return draw_svg(maze.maze, {}); }, "The maze as an SVG picture.")
       .def("_repr_svg_", [](const NamedMaze& maze) { return draw_svg(maze.maze, {}); })
       .def("__repr__", &repr_of)

@@ -211,6 +211,9 @@ void bind_races(nb::module_& module) {
       .def("compare", &compare, "mouse"_a, "against"_a,
            nb::sig("def compare(self, mouse: str, against: str) -> dict[str, typing.Any]"))
       .def("leaderboard", [](const HeldRace& held) { return table_of(held.race, false); })
+      .def("heading", [](const HeldRace& held) { return heading_of(held.race); })
+      .def("cells", [](const HeldRace& held) { return cells_of(held.race); })
+      .def("notes", [](const HeldRace& held) { return notes_of(held.race); })
       .def("csv", [](const HeldRace& held) { return csv_of(held.race); })
       .def("json", [](const HeldRace& held) { return json_of(held.race, held.skipped); });
   nb::class_<RunningRace>(module, "RunningRace")

@@ -1,14 +1,16 @@
-"""Races on a real cluster of processes: the same results as without, and nothing lost when parts of it are killed."""
+"""Races on a real cluster of processes: the same results as without, and nothing lost when parts of it are killed.
 
+Nothing is killed by the clock: a moment is a decision of a mouse, a line of the client or a call, drawn with a fixed seed.
+"""
+
+import collections
+import contextlib
 import os
 import random
 import signal
-import socket
 import sqlite3
 import subprocess
 import sys
-import threading
-import time
 from pathlib import Path
 
 import labmouse
@@ -19,6 +21,118 @@ cluster = pytest.importorskip("labmouse.cluster")
 KILLS = 200 if "LABMOUSE_PROOF" in os.environ else 10
 MICE = ["flood", "random", "certify"]
 MAZES = ["contest-01", "contest-02", "contest-05"]
+SECONDS = 60
+
+SCHEDULER = """
+import asyncio, sys, distributed
+async def main():
+    async with distributed.Scheduler(host="127.0.0.1", port=int(sys.argv[1]), dashboard_address="127.0.0.1:0") as scheduler:
+        print(scheduler.address, flush=True)
+        await scheduler.finished()
+asyncio.run(main())
+"""
+WORKER = """
+import asyncio, sys, distributed, labmouse.cluster
+async def main():
+    async with distributed.Worker(sys.argv[1], nthreads=1, local_directory=sys.argv[2], dashboard=False) as worker:
+        print(worker.address, flush=True)
+        await worker.finished()
+asyncio.run(main())
+"""
+
+
+class Processes:
+    """A scheduler and workers, each a process that can be killed and started again."""
+
+    def __init__(self, folder):
+        self.folder = str(folder)
+        # Workers know the mice of this file by its name.
+        path = [str(Path(__file__).parent), *os.environ.get("PYTHONPATH", "").split(os.pathsep)]
+        self.environment = {**os.environ, "DASK_LOGGING__DISTRIBUTED": "warning", "PYTHONPATH": os.pathsep.join(filter(None, path))}
+        self.all = []
+        self.address = self.start(SCHEDULER, "0")
+
+    def start(self, program, *words):
+        """Returns the first line that it prints: then it is there."""
+        process = subprocess.Popen([sys.executable, "-B", "-c", program, *words], stdout=subprocess.PIPE, text=True,
+                                   env=self.environment)
+        self.all.append(process)
+        return process.stdout.readline().strip()
+
+    def work(self, workers=1):
+        for _ in range(workers):
+            assert self.start(WORKER, self.address, self.folder)
+
+    def restart_scheduler(self):
+        """At the same address; its workers go with it."""
+        self.kill()
+        assert self.start(SCHEDULER, self.address.rpartition(":")[2]) == self.address
+
+    def reap(self, pid):
+        """Waits for the end of one that was killed otherwise."""
+        [process] = [process for process in self.all if process.pid == pid]
+        process.wait(SECONDS)
+        process.stdout.close()
+        self.all.remove(process)
+
+    def kill(self):
+        for process in self.all:
+            process.kill()
+        for process in list(self.all):
+            self.reap(process.pid)
+
+
+@contextlib.contextmanager
+def processes(folder, workers):
+    started = Processes(folder)
+    try:
+        started.work(workers)
+        with distributed.Client(started.address, timeout=SECONDS) as client:
+            if workers:
+                client.wait_for_workers(workers, timeout=SECONDS)
+            yield started, client
+    finally:
+        started.kill()
+
+
+@pytest.fixture(scope="module")
+def client(tmp_path_factory):
+    with processes(tmp_path_factory.mktemp("workers"), 2) as (_, client):
+        yield client
+
+
+@pytest.fixture
+def other(tmp_path):
+    """A cluster that the test may kill, and its client."""
+    with processes(tmp_path, 1) as both:
+        yield both
+
+
+def before_call(patch, number, event, owner, name, after=False):
+    """Calls `event` once, with the call of that number of owner.name: before it, or after it."""
+    real, calls = getattr(owner, name), []
+
+    def call(*words, **named):
+        calls.append(name)
+        if len(calls) == number and not after:
+            event()
+        answer = real(*words, **named)
+        if len(calls) == number and after:
+            event()
+        return answer
+
+    patch.setattr(owner, name, call)
+    return calls
+
+
+def results(race):
+    return race.table.drop(columns="microseconds_per_decision")
+
+
+def kept(store):
+    """Contests of a store, as another program sees them; each can be there once only."""
+    with contextlib.closing(sqlite3.connect(store, timeout=60)) as reading:
+        return reading.execute("SELECT count(*) FROM contests").fetchone()[0]
 
 
 class Turner:
@@ -28,26 +142,6 @@ class Turner:
 
     def decide(self, seen):
         return (0, 1) if seen.ahead else (90, 0)
-
-
-@pytest.fixture(scope="module")
-def client():
-    with distributed.LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None) as local:
-        with distributed.Client(local) as client:
-            yield client
-
-
-def results(race):
-    return race.table.drop(columns="microseconds_per_decision")
-
-
-def kept(store):
-    """Contests of a store, as another program sees them; each can be there once only."""
-    reading = sqlite3.connect(store, timeout=60)
-    try:
-        return reading.execute("SELECT count(*) FROM contests").fetchone()[0]
-    finally:
-        reading.close()
 
 
 def test_a_race_is_that_of_one_machine(client, tmp_path):
@@ -87,100 +181,169 @@ class Deadly:
         os._exit(1)
 
 
-def test_a_mouse_that_kills_workers_is_named(client, tmp_path):
-    with distributed.LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None) as local:
-        with distributed.Client(local) as other, distributed.Client(local) as _:
-            other.run_on_scheduler(lambda dask_scheduler: setattr(dask_scheduler, "allowed_failures", 0))
-            with pytest.raises(labmouse.Error, match="deadly"):
-                cluster.race(other, {"deadly": Deadly}, "contest-01", store=tmp_path / "a.db", label="v1")
+def test_a_mouse_that_kills_workers_is_named(other, tmp_path):
+    started, client = other
+    started.work()
+    client.run_on_scheduler(lambda dask_scheduler: setattr(dask_scheduler, "allowed_failures", 0))
+    with pytest.raises(labmouse.Error, match="deadly"):
+        cluster.race(client, {"deadly": Deadly}, "contest-01", store=tmp_path / "a.db", label="v1")
 
 
-def test_no_contest_is_lost_with_a_worker(client, tmp_path):
-    order = dict(mazes=MAZES, runs=1000, seed=1)
-    alone = results(labmouse.race(["random"], **order))
+class Victim(Turner):
+    """Kills its worker with the decision of that number there, once in a folder."""
+
+    decided = collections.Counter()
+
+    def __init__(self, moment, folder):
+        self.moment = moment
+        self.folder = folder
+
+    def decide(self, seen):
+        self.decided[self.folder] += 1
+        killed = Path(self.folder, "killed")
+        if self.decided[self.folder] == self.moment and not killed.is_symlink():
+            killed.symlink_to(str(os.getpid()))
+            os.kill(os.getpid(), signal.SIGKILL)
+        return super().decide(seen)
+
+
+def victim(moment, folder):
+    def made():
+        return Victim(moment, folder)
+
+    made.uses_chance = True
+    return made
+
+
+def test_no_contest_is_lost_with_a_worker(tmp_path):
+    order = dict(mazes=["contest-01"], runs=12)
+    alone = labmouse.race({"victim": Turner}, **order)
     moments = random.Random(20260101)
-    for kill in range(KILLS):
-        store = tmp_path / f"{kill}.db"
-        held = []
-        racing = threading.Thread(target=lambda: held.append(cluster.race(client, ["random"], store=store, **order)))
-        racing.start()
-        racing.join(moments.uniform(0, 0.6))
-        pids = list(client.run(os.getpid).values())
-        os.kill(moments.choice(pids), signal.SIGKILL)
-        racing.join()
-        assert held and results(held[0]).equals(alone) and kept(store) == len(alone), kill
-        client.wait_for_workers(2)
+    with processes(tmp_path, 2) as (started, client):
+        for kill in range(KILLS):
+            folder = tmp_path / str(kill)
+            folder.mkdir()
+            # One of both workers holds a half of the contests at least, with a thousand decisions each.
+            moment = moments.randint(1, 6000)
+            mice = {"victim": victim(moment, str(folder))}
+            spread = cluster.race(client, mice, store=folder / "a.db", label="v1", **order)
+            assert results(spread).equals(results(alone)) and kept(folder / "a.db") == len(alone.table), moment
+            started.reap(int(os.readlink(folder / "killed")))
+            started.work()
+            client.wait_for_workers(2, timeout=SECONDS)
 
 
+def test_a_race_does_not_wait_for_ever_for_workers(tmp_path, monkeypatch):
+    monkeypatch.setattr(cluster, "_SECONDS_FOR_AN_ANSWER", 0.5)
+    order = dict(mazes=MAZES, runs=1000)
+    with processes(tmp_path, 0) as (started, client):
+        with pytest.raises(labmouse.Error, match="a.db.*workers"):
+            cluster.race(client, "random", store=tmp_path / "a.db", patience=0.5, **order)
+        started.work()
+        with pytest.MonkeyPatch.context() as patch:
+            worker = started.all[-1]
+            before_call(patch, 1, lambda: (worker.kill(), started.reap(worker.pid)), cluster._native, "merge_stores", after=True)
+            with pytest.raises(labmouse.Error, match="a.db.*workers"):
+                cluster.race(client, "random", store=tmp_path / "a.db", patience=0.5, **order)
+        done = kept(tmp_path / "a.db")
+        assert done > 0
+        started.work()
+        spread = cluster.race(client, "random", store=tmp_path / "a.db", **order)
+        assert spread.from_store == done and results(spread).equals(results(labmouse.race("random", **order)))
+
+
+@pytest.mark.parametrize(("owner", "name"), [(cluster._native, "merge_stores"), (distributed.Client, "submit"),
+                                             (distributed.Client, "nthreads"), (distributed.Future, "result")])
+def test_a_scheduler_may_be_restarted(other, tmp_path, monkeypatch, owner, name):
+    started, client = other
+    order = dict(mazes=MAZES, runs=1000)
+
+    def restart():
+        started.restart_scheduler()
+        started.work()
+
+    calls = before_call(monkeypatch, 2, restart, owner, name)
+    spread = cluster.race(client, "random", store=tmp_path / "a.db", **order)
+    assert len(calls) > 2
+    assert results(spread).equals(results(labmouse.race("random", **order)))
+    assert kept(tmp_path / "a.db") == len(spread.table)
+
+
+def test_a_race_ends_with_its_scheduler(tmp_path, monkeypatch):
+    with processes(tmp_path, 1) as (started, _):
+        with distributed.Client(started.address, timeout=1) as client:
+            before_call(monkeypatch, 1, started.kill, cluster._native, "merge_stores", after=True)
+            with pytest.raises(labmouse.Error, match="a.db.*scheduler"):
+                cluster.race(client, "random", MAZES, runs=1000, store=tmp_path / "a.db")
+    assert kept(tmp_path / "a.db") > 0
+
+
+#: A race that says what it has kept, and is sent a signal with a line of its or with a merge.
 CLIENT = """
-import sys, distributed
+import os, signal, sys, distributed
 from labmouse import cluster
-if __name__ == "__main__":
-    with distributed.Client(sys.argv[1]) as client:
-        cluster.race(client, ["random"], ["contest-01", "contest-02", "contest-05"], runs=1000, seed=int(sys.argv[3]), store=sys.argv[2])
+
+signal.signal(signal.SIGINT, signal.default_int_handler)  # in the background a shell switches it off
+address, store, seed, kind, moment, number = sys.argv[1:]
+left = int(moment)
+merge = cluster._native.merge_stores
+
+def tell(paths, target):
+    print(merge(paths, target), flush=True)
+    if kind == "merge":
+        count()
+
+def count():
+    global left
+    left -= 1
+    if left == 0:
+        os.kill(os.getpid(), int(number))
+
+def trace(frame, event, _):
+    if frame.f_code.co_filename != cluster.__file__:
+        return None
+    if event == "line":
+        count()
+    return trace
+
+cluster._native.merge_stores = tell
+with distributed.Client(address) as client:
+    if kind == "line":
+        sys.settrace(trace)
+    race = cluster.race(client, "random", ["contest-01", "contest-02", "contest-05"], runs=1000, seed=int(seed), store=store)
+    sys.settrace(None)
+    print(race.complete, len(race.table))
 """
 
 
+def client_with(client, store, seed, kind, moment, number):
+    words = [sys.executable, "-B", "-c", CLIENT, client.scheduler.address, str(store), str(seed), kind, str(moment), str(int(number))]
+    return subprocess.run(words, stdout=subprocess.PIPE, text=True, timeout=4 * SECONDS, check=False)
+
+
 def test_a_client_that_was_killed_goes_on(client, tmp_path):
-    (tmp_path / "client.py").write_text(CLIENT)
     store = tmp_path / "a.db"
     moments = random.Random(20260102)
-    words = [sys.executable, str(tmp_path / "client.py"), client.scheduler.address, str(store)]
-    before = 0
+    before = killed = 0
     for kill in range(KILLS):
-        racing = subprocess.Popen([*words, str(kill)])
-        try:
-            racing.wait(moments.uniform(0.8, 3))
-        except subprocess.TimeoutExpired:
-            racing.kill()
-            racing.wait()
+        # Many early ones, where it is all new.
+        ran = client_with(client, store, kill // 4, "line", int(10 ** moments.uniform(0, 3.5)), signal.SIGKILL)
         now = kept(store) if store.exists() else 0
-        assert now >= before
+        # The last line is that of a race that was not killed.
+        added = [int(line) for line in ran.stdout.splitlines() if line.isdigit()]
+        assert now >= before + sum(added)
         before = now
-    order = dict(mazes=MAZES, runs=1000, seed=KILLS - 1)
-    spread = cluster.race(client, ["random"], store=store, **order)
-    assert results(spread).equals(results(labmouse.race(["random"], **order)))
-    assert kept(store) >= len(spread.table)
+        killed += ran.returncode == -signal.SIGKILL
+    assert killed > KILLS / 2
+    order = dict(mazes=MAZES, runs=1000, seed=0)
+    spread = cluster.race(client, "random", store=store, **order)
+    assert results(spread).equals(results(labmouse.race("random", **order)))
 
 
-def test_a_scheduler_may_be_restarted(client, tmp_path):
-    with socket.socket() as free:
-        free.bind(("127.0.0.1", 0))
-        port = free.getsockname()[1]
-    address = f"tcp://127.0.0.1:{port}"
-    scheduler = [sys.executable, "-m", "distributed.cli.dask_scheduler", "--host", "127.0.0.1", "--port", str(port), "--no-dashboard"]
-    worker = [sys.executable, "-m", "distributed.cli.dask_worker", address, "--nthreads", "1", "--no-nanny", "--no-dashboard",
-              "--local-directory", str(tmp_path)]
-    running = [subprocess.Popen(scheduler), subprocess.Popen(worker)]
-    try:
-        with distributed.Client(address, timeout=60) as other:
-            other.wait_for_workers(1)
-            order = dict(mazes=MAZES, runs=2000)
-            held = []
-            store = tmp_path / "a.db"
-            racing = threading.Thread(target=lambda: held.append(cluster.race(other, ["random"], store=store, **order)))
-            racing.start()
-            while racing.is_alive() and not (store.exists() and kept(store)):
-                time.sleep(0.01)
-            for process in running:
-                process.kill()
-                process.wait()
-            running = [subprocess.Popen(scheduler), subprocess.Popen(worker)]
-            racing.join()
-            assert held and results(held[0]).equals(results(labmouse.race(["random"], **order)))
-    finally:
-        for process in running:
-            process.kill()
-            process.wait()
-
-
-def test_the_script_of_the_page_holds_all_parts(tmp_path, command, monkeypatch):
-    page = (Path(__file__).resolve().parents[2] / "docs" / "cluster.md").read_text(encoding="utf-8")
-    (tmp_path / "race.sh").write_text(page.split("```sh\n")[1].split("```")[0])
-    monkeypatch.chdir(tmp_path)
-    for part in range(1, 65):
-        subprocess.run(["sh", "race.sh"], check=True, env={**os.environ, "SLURM_ARRAY_TASK_ID": str(part)})
-    command("store", "merge", *sorted(str(file) for file in tmp_path.glob("part-*.db")), "-o", "all.db")
-    race = labmouse.race("flood,random", ["contest-01", "contest-02"], runs=100, store="all.db")
-    assert race.from_store == len(race.table) == 202
-    assert results(race).equals(results(labmouse.race("flood,random", ["contest-01", "contest-02"], runs=100)))
+def test_ctrl_c_keeps_what_is_done(client, tmp_path):
+    store = tmp_path / "a.db"
+    ran = client_with(client, store, 1, "merge", 2, signal.SIGINT)
+    added, complete = ran.stdout.splitlines()[:2], ran.stdout.splitlines()[-1]
+    assert ran.returncode == 0 and complete == f"False {sum(map(int, added))}" and kept(store) == sum(map(int, added))
+    spread = cluster.race(client, "random", MAZES, runs=1000, store=store)
+    assert spread.complete and spread.from_store == sum(map(int, added))

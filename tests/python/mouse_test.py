@@ -227,6 +227,27 @@ def test_mice_that_exist_here_alone_race_here(monkeypatch, tmp_path):
     assert race.table["outcome"].equals(alone.table["outcome"])
 
 
+def test_other_processes_import_from_where_this_one_does(monkeypatch, tmp_path):
+    import os
+
+    import labmouse._workers
+
+    (tmp_path / "nearby.py").write_text(textwrap.dedent("""
+        import os
+
+        class Nearby:
+            def decide(self, seen):
+                return "forfeit" if os.environ["HERE"] == str(os.getpid()) else (0, 0)
+    """))
+    monkeypatch.syspath_prepend(tmp_path)
+    monkeypatch.setenv("HERE", str(os.getpid()))
+    import nearby
+
+    monkeypatch.setattr(labmouse._workers, "_SECONDS_ALONE", 0.0)
+    table = labmouse.race([nearby.Nearby], "contest-01", jobs=2).table
+    assert table["outcome"].tolist() == ["out of steps"]
+
+
 def test_the_folder_that_a_race_is_held_in_does_not_matter(monkeypatch, tmp_path):
     import labmouse._workers
 

@@ -4,6 +4,7 @@ import io
 import json
 import subprocess
 import sys
+from xml.etree import ElementTree
 
 import labmouse
 import pandas
@@ -130,9 +131,15 @@ def test_a_notebook_shows_the_leaderboard():
         def decide(self, seen):
             return "forfeit"
 
-    race = labmouse.race({"<b>mine": Idle}, MAZES)
-    assert "<b>mine" in str(race)
-    assert "<b>" not in race._repr_html_() and "&lt;b&gt;mine" in race._repr_html_()
+    race = labmouse.race({"<b>mine": Idle, "flood": "flood"}, MAZES)
+    shown = ElementTree.fromstring(f"<div>{race._repr_html_()}</div>")
+    first, *rows = [["".join(cell.itertext()) for cell in row] for row in shown.iter("tr")]
+    assert [row[0] for row in rows] == ["flood", "<b>mine"]
+    assert {len(row) for row in rows} == {len(first)}
+    assert [row[1:] for row in rows] == [line.split()[-len(row) + 1:] for row in rows for line in str(race).splitlines()
+                                         if line.startswith(row[0])]
+    for part in str(race).split("\n\n")[0], *str(race).splitlines()[-3:]:  # what is above and below
+        assert part in "".join(shown.itertext())
 
 
 @pytest.mark.parametrize("low, high, verdict", [(-2, -1, "better"), (1, 2, "worse"), (-1, 1, "no difference shown"), (0, 0, "no difference shown")])

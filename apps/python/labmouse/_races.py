@@ -106,9 +106,14 @@ class Race:
         return f"<labmouse.Race of {len(self.mice)} mice on {len(self._held.mazes)} mazes{state}>"
 
     def _repr_html_(self) -> str:
-        import html
+        from html import escape
 
-        return f"<pre>{html.escape(str(self))}</pre>"
+        first, second, *mice = self._held.cells()
+        headings = "".join(f"<th>{escape(upper)}<br/>{escape(lower)}</th>" for upper, lower in zip(first, second))
+        lines = "".join(f"<tr><th>{escape(mouse)}</th>{''.join(f'<td>{escape(cell)}</td>' for cell in cells)}</tr>"
+                        for mouse, *cells in mice)
+        return (f"<p>{escape(self._held.heading())}</p><table><thead><tr>{headings}</tr></thead><tbody>{lines}</tbody></table>"
+                f'<div style="white-space: pre-wrap">{escape(self._held.notes())}</div>')
 
 
 def _saved(text: str, path: "str | os.PathLike[str] | None") -> "str | None":

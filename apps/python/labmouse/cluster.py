@@ -6,6 +6,7 @@ It needs `pip install labmouse[cluster]`.
 import asyncio
 import collections
 import concurrent.futures
+import contextlib
 import itertools
 import math
 import os
@@ -37,6 +38,9 @@ _Running = Union[_native.RunningRace, _native.RunningStudy]
 _SECONDS_A_TASK = 1.0
 #: The contests of the first tasks, before any was measured.
 _FIRST = 4
+#: So often the scheduler is asked for its workers, and so long it has for an answer or for a result, which is a small file.
+_SECONDS_BETWEEN_QUESTIONS = 1.0
+_SECONDS_FOR_AN_ANSWER = 10.0
 
 
 class _Plan(NamedTuple):
@@ -85,8 +89,9 @@ def _hold(plan: _Plan, mazes: "list[Maze]", picked: "list[_Contest]") -> "tuple[
 class _Spread:
     """Contests on their way to workers and back into the store, which nobody else writes to."""
 
-    def __init__(self, client: "Client", plan: _Plan, mazes: "list[Maze]", store: str) -> None:
+    def __init__(self, client: "Client", plan: _Plan, mazes: "list[Maze]", store: str, patience: float) -> None:
         self.client: Any = client
+        self.patience = patience
         self.plan = plan
         self.mazes = mazes
         self.store = store
@@ -103,15 +108,17 @@ class _Spread:
         self.measured = 0
         self.largest = _FIRST
         self.checked = False
+        self.threads = 0
+        self.asked = -math.inf
+        self.had_workers = time.monotonic()
 
     def wait(self, seconds: float) -> bool:
         """Goes on for about so long; whether all contests are in the store."""
-        if self.client.status in ("closed", "closing"):
-            raise Error(f"{self.store}: the scheduler is gone; what was done is kept: start again to go on")
-        if self.client.status == "running":
-            self._submit()
         if not self.futures and not self.waiting:
             return True
+        self._count_threads()
+        if self.client.status == "running":
+            self._submit()
         ended = []
         try:
             ended.append(self.finished.get(timeout=seconds))
@@ -124,12 +131,34 @@ class _Spread:
 
     def stop(self) -> None:
         """Takes back what is not done."""
+        from distributed.client import ClosedClientError
+
         self.waiting.clear()
-        self.client.cancel(list(self.futures))
+        with contextlib.suppress(ClosedClientError, RuntimeError):  # the client, or its thread, has ended
+            self.client.cancel(list(self.futures))
         self.futures.clear()
 
+    def _count_threads(self) -> None:
+        """Raises Error where nobody holds contests: the scheduler is gone, or has had no workers for too long."""
+        again = "what was done is kept: start again to go on"
+        if self.client.status in ("closed", "closing"):
+            raise Error(f"{self.store}: the scheduler is gone; {again}")
+        now = time.monotonic()
+        if now - self.asked < _SECONDS_BETWEEN_QUESTIONS:
+            return
+        self.asked = now
+        self.threads = 0
+        # Where it is just being lost, it may be back at the next question.
+        with contextlib.suppress(OSError, asyncio.TimeoutError):
+            if self.client.status == "running":
+                self.threads = sum(self.client.nthreads(callback_timeout=_SECONDS_FOR_AN_ANSWER).values())
+        if self.threads > 0:
+            self.had_workers = now
+        elif now - self.had_workers > self.patience:
+            raise Error(f"{self.store}: the cluster has had no workers for {self.patience:g} s; {again}")
+
     def _submit(self) -> None:
-        threads = max(1, sum(self.client.nthreads().values())) if self.waiting else 1
+        threads = max(1, self.threads)
         while self.waiting and len(self.futures) < 2 * threads + 2:
             size = min(self._size(), math.ceil(len(self.waiting) / threads))
             self._send([self.waiting.popleft() for _ in range(min(size, len(self.waiting)))])
@@ -144,6 +173,9 @@ class _Spread:
         names = {maze for _, maze, _ in picked}
         mazes = self.mazes if self.plan.folds else [self.by_name[name] for name in sorted(names)]
         future = self.client.submit(_hold, self.plan, mazes, picked, pure=False)
+        self._await(future, picked)
+
+    def _await(self, future: Any, picked: "list[_Contest]") -> None:
         self.futures[future] = picked
         future.add_done_callback(self.finished.put)
 
@@ -155,9 +187,15 @@ class _Spread:
         if picked is None:
             return []
         try:
-            data, seconds = future.result()
-        except (asyncio.CancelledError, concurrent.futures.CancelledError):  # the scheduler was restarted
-            self.waiting.extendleft(reversed(picked))
+            data, seconds = future.result(timeout=_SECONDS_FOR_AN_ANSWER)
+        except (OSError, asyncio.TimeoutError, asyncio.CancelledError, concurrent.futures.CancelledError) as error:
+            if future.status == "error":  # of the task itself
+                raise
+            if isinstance(error, asyncio.TimeoutError):
+                # Its worker died with it, and it is held again; or the way is slow.
+                self._await(future, picked)
+            else:  # the scheduler was restarted
+                self.waiting.extendleft(reversed(picked))
             return []
         except KilledWorker:
             if len(picked) == 1:
@@ -196,14 +234,14 @@ class _Spread:
 
 def _spread(client: "Client", mice: "Mice | None", mazes: "Mazes | None", store: "str | os.PathLike[str]", label: "str | None",
             numbers: "tuple[int, int]", folds: "tuple[int, bool] | None", progress: "bool | None",
-            chosen: "tuple[str, dict[str, str]]") -> "tuple[Any, int]":
+            patience: float, chosen: "tuple[str, dict[str, str]]") -> "tuple[Any, int]":
     import cloudpickle
 
     specs, own, _, known = given(mice).native(None, label, True)
     plan = _Plan(bytes(cloudpickle.dumps((specs, own, known))), chosen, *numbers, folds)
     field = mazes_of(mazes) or _native.find_mazes([])
     path = os.fspath(store)
-    spread = _Spread(client, plan, field, path)
+    spread = _Spread(client, plan, field, path, patience)
     stopped = True
     try:
         finish(spread, progress)
@@ -234,18 +272,20 @@ def race(
     seed: int = 1,
     progress: "bool | None" = None,
     label: "str | None" = None,
+    patience: float = 300.0,
     **settings: Setting,
 ) -> Race:
     """Races mice on mazes as `labmouse.race`, with the same numbers, on the workers of a `distributed.Client`.
 
     store: a file of this machine that keeps all contests; those that are there are not held again. A race that was
         killed goes on where it was when it is started again.
+    patience: so many seconds it waits for workers where the cluster has none; then it raises Error.
 
     The other arguments are those of `labmouse.race`. All machines need the same labmouse, and the files of guests,
     robots and rules under the same paths. Raises Error. Ctrl-C stops the race: it returns what is done.
     """
     chosen = world_with(world, {"robot": robot, "rules": rules, "budget": budget, **settings})
-    held, from_store = _spread(client, mice, mazes, store, label, (runs, seed), None, progress, chosen)
+    held, from_store = _spread(client, mice, mazes, store, label, (runs, seed), None, progress, patience, chosen)
     return Race(held, from_store)
 
 
@@ -265,15 +305,16 @@ def study(
     seed: int = 1,
     progress: "bool | None" = None,
     label: "str | None" = None,
+    patience: float = 300.0,
     **settings: Setting,
 ) -> Study:
     """Compares mice as `labmouse.study`, with the same numbers, on the workers of a `distributed.Client`.
 
-    Mice that learn are taught on this machine and again in each task. `store` is as of `race`, the other arguments are
+    Mice that learn are taught on this machine and again in each task. `store` and `patience` are as of `race`, the other arguments are
     those of `labmouse.study`. Raises Error. Ctrl-C stops it: it returns the folds that are done.
     """
     chosen = world_with(world, {"robot": robot, "rules": rules, "budget": budget, **settings})
-    held, from_store = _spread(client, mice, mazes, store, label, (runs, seed), (folds, learning), progress, chosen)
+    held, from_store = _spread(client, mice, mazes, store, label, (runs, seed), (folds, learning), progress, patience, chosen)
     return Study(held, from_store)
 
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 
 #include "labmouse/lab/standings/common_fields.hpp"
 #include "labmouse/lab/standings/mouse_column.hpp"
@@ -14,43 +15,43 @@
 #include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
-namespace {
-
-/// One line of the table: the mouse, and a text for each column, all flush right.
-template <class TextOf>
-std::string line_of(const Race& race, const std::string& mouse, std::size_t width, TextOf text_of) {
-  // Padded by characters, which fmt counts, and not by bytes.
-  std::string line = fmt::format("{:<{}}", mouse, width);
-  for (const Column& column : race.world().fields().columns)
-    line += fmt::format(" {:>{}}", text_of(column), column.width);
-  return line;
-}
 
 std::string heading_of(const Race& race) {
-  return fmt::format("labmouse {}: {}{}, {}, seed {}{}\n\n", version(), race.world().title(),
+  return fmt::format("labmouse {}: {}{}, {}, seed {}{}", version(), race.world().title(),
                      counted(static_cast<int>(race.mice.size()), "mouse", "mice"),
                      counted(static_cast<int>(race.mazes.size()), "maze", "mazes"), race.order.seed,
                      race.world().heading());
 }
 
-}  // namespace
+std::vector<std::vector<std::string>> cells_of(const Race& race) {
+  const MouseColumn names(race);
+  std::vector<std::vector<std::string>> rows = {{""}, {"mouse"}};
+  for (const Column& column : race.world().fields().columns) {
+    rows[0].emplace_back(column.first);
+    rows[1].emplace_back(column.second);
+  }
+  for (const Standing& standing : standings_of(race)) {
+    std::vector<std::string>& row = rows.emplace_back(1, names.of[standing.mouse]);
+    for (const Column& column : race.world().fields().columns) row.push_back(column.text(race, standing));
+  }
+  return rows;
+}
 
 std::string table_of(const Race& race, bool colours) {
-  return heading_of(race) + leaderboard_of(race, colours) + "\n" + notes_of(race);
+  return heading_of(race) + "\n\n" + leaderboard_of(race, colours) + "\n" + notes_of(race);
 }
 
 std::string leaderboard_of(const Race& race, bool colours) {
-  const MouseColumn names(race);
-  const char* bold = colours ? "\x1b[1m" : "";
-  const char* plain = colours ? "\x1b[0m" : "";
+  const std::span<const Column> columns = race.world().fields().columns;
+  const std::size_t width = MouseColumn(race).width;
   std::string text;
-  const auto first = line_of(race, "", names.width, [](const Column& column) { return column.first; });
-  const auto second = line_of(race, "mouse", names.width, [](const Column& column) { return column.second; });
-  for (const std::string& line : {first, second}) text += fmt::format("{}{}{}\n", bold, line, plain);
-  for (const Standing& standing : standings_of(race))
-    text += line_of(race, names.of[standing.mouse], names.width,
-                    [&](const Column& column) { return column.text(race, standing); }) +
-            "\n";
+  int headings = 2;
+  for (const std::vector<std::string>& row : cells_of(race)) {
+    // Padded by characters, which fmt counts, and not by bytes.
+    std::string line = fmt::format("{:<{}}", row.front(), width);
+    for (std::size_t i = 0; i < columns.size(); ++i) line += fmt::format(" {:>{}}", row[i + 1], columns[i].width);
+    text += colours && headings-- > 0 ? fmt::format("\x1b[1m{}\x1b[0m\n", line) : line + "\n";
+  }
   return text;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "labmouse/lab/races/race.hpp"
 
@@ -9,6 +10,12 @@ namespace labmouse {
 
 /// A heading, the leaderboard, and notes below.
 std::string table_of(const Race& race, bool colours);
+
+/// The heading alone, in a line.
+std::string heading_of(const Race& race);
+
+/// The cells of the leaderboard, the mouse first: two rows of headings and a row a mouse.
+std::vector<std::vector<std::string>> cells_of(const Race& race);
 
 /// The leaderboard alone: two lines of headings and a line a mouse.
 std::string leaderboard_of(const Race& race, bool colours);
