@@ -1,11 +1,11 @@
 // What can be done with the contests that are shown: saved, printed, opened elsewhere.
 import { useRef, useState } from 'preact/hooks';
 import { FilmStopped } from '../film/film';
-import type { Page } from '../views/view';
+import type { EarlyPage } from '../views/view';
 import { fileName, filmOf, pngOf, svgOf } from './pictures';
 import type { PanelProps } from './state';
 
-export function Files({ page, state }: Omit<PanelProps, 'actions'> & { page: Page }) {
+export function Files({ page, state }: Omit<PanelProps, 'actions'> & { page: EarlyPage }) {
   const chosen = state.sides[state.chosen];
   const { play, maze } = chosen.track;
   /** Of a film that is made: the share that is done; null while none is. */

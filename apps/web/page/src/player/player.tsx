@@ -3,7 +3,7 @@ import type { Camera } from '../maze/camera';
 import type { Tone } from '../maze/palette';
 import { render } from 'preact';
 import { h } from '../ui/dom';
-import type { Page } from '../views/view';
+import type { EarlyPage } from '../views/view';
 import '../styles/player.css';
 import { fetchBeliefs } from './beliefs';
 import { createClock, seek, start, tick, usual } from './clock';
@@ -62,7 +62,7 @@ export interface Companion {
 }
 
 /** `lead` stands above the numbers. */
-export function createPlayer(page: Page, ...lead: (HTMLElement | (HTMLElement & Companion))[]): Player {
+export function createPlayer(page: EarlyPage, ...lead: (HTMLElement | (HTMLElement & Companion))[]): Player {
   const clock = createClock();
   const state: State = { clock, layers, sides: [], chosen: 0, folded: false };
   const still = matchMedia('(prefers-reduced-motion: reduce)');

@@ -4,7 +4,8 @@ import { headings, placeText } from './figures';
 import type { PanelProps } from './state';
 import type { Track } from './track';
 
-const lineHeight = 24;
+/** As high as fingers need it, or as eyes like it. */
+const fingers = matchMedia('(max-width: 40rem), (pointer: coarse)');
 const spare = 4;
 /** Of the list before it is laid out, in pixels. */
 const usualHeight = 320;
@@ -60,6 +61,7 @@ interface ListProps {
 
 function List({ track, current, seek }: ListProps) {
   const scroller = useRef<HTMLDivElement>(null);
+  const lineHeight = fingers.matches ? 44 : 24;
   const [top, setTop] = useState(0);
   const height = scroller.current?.clientHeight || usualHeight;
   const shown = columns.filter(({ has }) => has?.(track) ?? true);
@@ -99,6 +101,7 @@ function List({ track, current, seek }: ListProps) {
   return (
     <div
       class="scroller"
+      style={{ '--line-height': `${lineHeight}px` }}
       ref={scroller}
       tabIndex={0}
       role="region"

@@ -149,8 +149,8 @@ export function Transport({ state, actions }: PanelProps) {
         </span>
       </div>
       <div class="looks" role="group" aria-label="Picture">
-        <Sign icon="nearer" label="Nearer" keys="Z, wheel, two fingers" act={() => actions.zoom(1)} />
-        <Sign icon="farther" label="Farther" keys="X" act={() => actions.zoom(-1)} />
+        <Sign icon="nearer" label="Nearer" class="nearer" keys="Z, wheel, two fingers" act={() => actions.zoom(1)} />
+        <Sign icon="farther" label="Farther" class="nearer" keys="X" act={() => actions.zoom(-1)} />
         <Sign
           class="screen"
           icon="screen"

@@ -30,12 +30,12 @@ export interface Picks {
   offer(choices: Choice[]): void;
 }
 
-/** `open` shows the list at once; otherwise it is folded away. */
-export function picks(title: string, choices: Choice[], open: boolean): Picks {
+/** A list that is folded away. */
+export function picks(title: string, choices: Choice[]): Picks {
   const on = new Map<string, HTMLInputElement>();
   const list = h('div', { class: 'list' });
   const boxes = () => [...on.values()];
-  const summary = h(open ? 'h3' : 'summary', {});
+  const summary = h('summary', {});
   const chosen = () => boxes().flatMap((box) => (box.checked ? [box.value] : []));
   function count() {
     const names = chosen();
@@ -57,7 +57,7 @@ export function picks(title: string, choices: Choice[], open: boolean): Picks {
   offer(choices);
   return {
     element: h(
-      open ? 'div' : 'details',
+      'details',
       { class: 'picks' },
       summary,
       h(
@@ -118,15 +118,15 @@ export interface HoldPanel {
 }
 
 /** The form, once it is known what the core brings. */
-export function holdPanel(page: EarlyPage, about: About, open = false): HoldPanel {
+export function holdPanel(page: EarlyPage, about: About): HoldPanel {
   const world = createWorldChoice(about, () => mice.offer(entrants()));
   const entrants = () =>
     about.mice
       .filter(({ name }) => world.chosen().world.mice.includes(name))
       .map(({ name, summary }) => ({ name, about: summary, on: usual.includes(name) }));
-  const mice = picks('Mice', entrants(), open);
+  const mice = picks('Mice', entrants());
   const builtin = about.mazes.map(({ name, width, height }) => ({ name, about: `${width}×${height}`, on: true }));
-  const mazes = picks('Mazes', builtin, open);
+  const mazes = picks('Mazes', builtin);
   /** Those of the user, by the names under which they are offered. */
   let own = new Map<string, MazeData>();
   /** Those that came with links. */

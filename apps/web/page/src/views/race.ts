@@ -1,19 +1,22 @@
 // The view of a race: who is best, where, by how much, and each contest a click away from its replay.
 import { contestPlay } from '../race/contest-play';
+import { createPlayer } from '../player/player';
 import { addressOf, readAddress } from '../link/address';
 import { orderIn, orderMoment, isQuick } from '../race/linked-order';
 import { boardOf, groupsOf, type Board } from '../race/contests';
 import { curves } from '../race/curves';
 import { duel } from '../race/duel';
+import { exampleRace } from '../race/example';
+import { scoreText } from '../race/format';
 import { heat } from '../race/heat';
 import { holdPanel, type HoldPanel } from '../race/hold-panel';
 import { leaderboard } from '../race/leaderboard';
 import { matrix } from '../race/matrix';
 import { facts, part } from '../race/parts';
-import { welcome } from '../race/welcome';
 import { h } from '../ui/dom';
 import { onTones } from '../ui/tones';
 import type { EarlyPage, LoadedRace, View } from './view';
+import '../styles/forms.css';
 import '../styles/race.css';
 
 /** What can be drawn again for the room and the tones that there are now. */
@@ -28,10 +31,19 @@ function afterFrame(act: () => void) {
 }
 
 export function createRace(page: EarlyPage): View {
-  const element = h('section', { 'aria-label': 'Race', class: 'race' });
+  const element = h('section', { 'aria-label': 'Race', class: 'race-view' });
+  const player = createPlayer(page);
+  const stage = h('div', { class: 'bench' }, player.element);
+  const onStage = h('p', { class: 'note on-stage', role: 'status' });
   let shownRace: LoadedRace | null | undefined;
   let parts: Part[] = [];
   let panel: Promise<HoldPanel> | null = null;
+  /** What stands here until there is a race: null before it was held. */
+  let example: LoadedRace | null = null;
+  /** Whether one is being held. */
+  let holding = false;
+  /** The form as it is before there is a race, with what is chosen in it. */
+  let firstForm: HTMLElement | null = null;
 
   function replayContests(race: LoadedRace, board: Board, at: { mouse: number; maze: number; position: number }[]) {
     page.tell('Opening the replay …');
@@ -92,8 +104,20 @@ export function createRace(page: EarlyPage): View {
     };
   }
 
+  /** The best mouse in the first maze, on the stage. */
+  function perform(race: LoadedRace, board: Board) {
+    contestPlay(page, race, board, { mouse: 0, maze: 0, position: 0 })
+      .then((one) => {
+        if (race !== shownRace) return;
+        player.show([one], 'end');
+        const { mouse, maze, score } = one.play;
+        onStage.replaceChildren(`On the stage: ${mouse} in ${maze.name}, score ${scoreText(score)}.`);
+      })
+      .catch(page.complain);
+  }
+
   /** The tables at once, the pictures after the next frame: they take longer, and need the contests sorted. */
-  function shownRaceParts(race: LoadedRace): HTMLElement[] {
+  function shownRaceParts(race: LoadedRace): { tables: HTMLElement[]; pictures: HTMLElement } {
     const { results } = race;
     const groups = groupsOf(results);
     let boards: ReturnType<typeof boardParts>[] = [];
@@ -124,22 +148,25 @@ export function createRace(page: EarlyPage): View {
       pictures.append(...boards.flatMap(({ elements }) => elements));
       arrangeRows();
       arrange();
+      if (race.order && boards.length > 0) perform(race, boards[0].board);
     });
-    return [
-      h('p', { class: 'note facts' }, facts(results)),
-      part(
-        'Leaderboard',
-        '',
-        h('div', { class: 'row controls' }, search, save, back),
-        ...tables.map((table) => table.element),
-      ),
+    return {
+      tables: [
+        h('p', { class: 'note facts' }, race === example ? `An example: ${facts(results)}` : facts(results)),
+        part(
+          'Leaderboard',
+          '',
+          h('div', { class: 'row controls' }, search, save, back),
+          ...tables.map((table) => table.element),
+        ),
+      ],
       pictures,
-    ];
+    };
   }
 
   function holdPart(first: boolean) {
     const room = h('div', {}, h('p', { class: 'note' }, 'Starting …'));
-    panel = page.ready.then((about) => holdPanel(page, about, first));
+    panel = page.ready.then((about) => holdPanel(page, about));
     panel.then(
       (made) => room.replaceChildren(made.element),
       () =>
@@ -159,13 +186,45 @@ export function createRace(page: EarlyPage): View {
       : h('details', { class: 'part controls' }, h('summary', {}, 'Run another race'), about, room);
   }
 
+  /** A race that was held here has its stage; what came in a file may be large, and be of mice that the page cannot run. */
   function render(race: LoadedRace | null) {
     parts = [];
+    player.show([]);
+    onStage.replaceChildren();
+    const title = h('h2', { class: 'unseen' }, 'Race');
+    const isFirst = race === null || race === example;
+    const hold = isFirst ? (firstForm ??= holdPart(true)) : holdPart(false);
+    if (!isFirst) firstForm = null;
+    if (!race)
+      return element.replaceChildren(
+        title,
+        h('div', { class: 'race-stage' }, h('div', { class: 'race' }, hold), stage),
+      );
+    const { tables, pictures } = shownRaceParts(race);
+    if (!race.order) return element.replaceChildren(title, h('div', { class: 'race' }, ...tables, pictures, hold));
     element.replaceChildren(
-      h('h2', { class: 'unseen' }, 'Race'),
-      ...(race ? shownRaceParts(race) : [welcome(page)]),
-      holdPart(!race),
+      title,
+      h(
+        'div',
+        { class: 'race-stage' },
+        h('div', { class: 'race' }, ...(isFirst ? [hold] : []), onStage, ...tables),
+        stage,
+      ),
+      h('div', { class: 'race' }, pictures, ...(isFirst ? [] : [hold])),
     );
+  }
+  /** Whether the example is still what should stand here. */
+  const lacksRace = () => page.race() === null && !element.hidden;
+  async function hold() {
+    if (holding || example) return;
+    holding = true;
+    // What keeps the core from starting is said by the page itself.
+    const held = await exampleRace(page, lacksRace).catch(() => null);
+    holding = false;
+    if (!held || !lacksRace()) return;
+    shownRace = example = held;
+    render(held);
+    arrange();
   }
   const arrange = () => !element.hidden && parts.forEach((one) => one.arrange());
   onTones(arrange);
@@ -179,7 +238,9 @@ export function createRace(page: EarlyPage): View {
   return {
     element,
     shown() {
-      const race = page.race();
+      const race = page.race() ?? example;
+      // What a link asks for is on its way.
+      if (!race && !location.hash.startsWith('#race&')) void hold();
       if (race !== shownRace) {
         shownRace = race;
         try {
@@ -195,11 +256,13 @@ export function createRace(page: EarlyPage): View {
       );
       arrange();
     },
+    hidden: () => player.stop(),
     async address() {
       const about = await page.ready;
       const form = await panel!;
-      const order = shownRace?.order ?? form.order();
-      if (shownRace && !shownRace.order)
+      const race = page.race();
+      const order = race?.order ?? form.order();
+      if (race && !race.order)
         throw new Error('These results came from a file: send the file. A link holds races of mice that the page has.');
       return addressOf('race', await orderMoment(page.core, about, order));
     },

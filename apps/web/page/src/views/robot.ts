@@ -73,6 +73,8 @@ export function createRobot(page: Page): View {
   const turns = h('div', { class: 'robot-turns' });
   const tables = h('div', { class: 'robot-tables' });
   const follows = h('div', { class: 'robot-follows' });
+  const room = h('div', { class: 'robot-room' }, stage.element);
+  const desk = h('div', { class: 'desk' });
   const mazes = createMazeChoice(page, (next) => {
     maze = next;
     ask(false);
@@ -183,13 +185,13 @@ export function createRobot(page: Page): View {
 
   function rest() {
     clearTimeout(late);
-    follows.removeAttribute('aria-busy');
+    desk.removeAttribute('aria-busy');
   }
   function ask(edited = true) {
     if (!isShown) return;
     clearTimeout(late);
     late = setTimeout(() => {
-      follows.setAttribute('aria-busy', 'true');
+      desk.setAttribute('aria-busy', 'true');
       status.replaceChildren('Computing …');
       status.dataset.state = 'fair';
     }, patience);
@@ -282,7 +284,7 @@ export function createRobot(page: Page): View {
     const rest = form.say(now.problems, now.remarks);
     others.replaceChildren(...rest.map(({ text }) => h('li', {}, text)));
     others.hidden = rest.length === 0;
-    follows.classList.toggle('stale', now.result === null);
+    desk.classList.toggle('stale', now.result === null);
     for (const button of uses) button.disabled = now.result === null;
     status.dataset.state = now.result === null ? 'bad' : now.remarks.length > 0 ? 'fair' : 'good';
     status.replaceChildren(now.result?.line ?? `Refused: ${now.problems[0]?.text ?? 'no robot'}`);
@@ -319,25 +321,20 @@ export function createRobot(page: Page): View {
     ...parts.map(({ element }) => element),
   );
   follows.append(
-    h('div', { class: 'robot-route' }, stage.element, h('div', {}, h('h3', {}, 'The best route'), routeTimes)),
+    h('div', {}, h('h3', {}, 'The best route'), routeTimes),
     h('h3', {}, 'Turns'),
     turns,
     meanings(turnWords),
     h('h3', {}, 'Straights and the search'),
     tables,
   );
+  desk.append(
+    h('div', { class: 'desk-side' }, start, mazes.element, form.element),
+    room,
+    h('div', { class: 'desk-main' }, status, others, follows),
+  );
   return {
-    element: h(
-      'section',
-      { 'aria-label': 'Robot', class: 'robot' },
-      h('h2', { class: 'unseen' }, 'Robot'),
-      h(
-        'div',
-        { class: 'desk' },
-        h('div', { class: 'desk-side' }, start, mazes.element, form.element),
-        h('div', { class: 'desk-main' }, status, others, follows),
-      ),
-    ),
+    element: h('section', { 'aria-label': 'Robot', class: 'robot' }, h('h2', { class: 'unseen' }, 'Robot'), desk),
     maze: () => maze,
     address,
     follow,

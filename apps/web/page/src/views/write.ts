@@ -89,7 +89,8 @@ export function createWrite(page: Page): View {
     const same = shown.text === desk.work()?.text;
     return addressOf('', { ...place, ...(same && player.moment()) });
   }
-  const desk = createDesk(page, changed, moment);
+  const controls = h('div', { class: 'desk-controls' });
+  const desk = createDesk(page, changed, moment, controls);
   const maze = h('select', {});
   const run = h('button', { type: 'button', class: 'main', onclick: () => void runIt() }, 'Run');
   const race = h('button', { type: 'button', onclick: () => void raceIt() }, 'Race');
@@ -99,8 +100,6 @@ export function createWrite(page: Page): View {
   const form = createRaceForm(page);
   const prints = createPrints((frame) => player.seek(frame));
   const player = createPlayer(page, prints);
-  /** Where the prints stand beside a replay. */
-  const panel = prints.parentElement!;
   const standings = h('section', { class: 'race pictures standings', 'aria-label': 'Its race', hidden: true });
   const hint = h(
     'p',
@@ -163,7 +162,6 @@ export function createWrite(page: Page): View {
   function show(held: Held, text: string, at?: Moment) {
     player.element.after(standings);
     hint.hidden = true;
-    panel.prepend(prints);
     say(outcomeInWords(held), held.play.solved ? 'good' : 'bad');
     prints.show(held.prints);
     if (at?.time !== undefined) player.show([held], 'start', at.time, at.look);
@@ -171,11 +169,11 @@ export function createWrite(page: Page): View {
     shown = { held, text };
     desk.fail(failedAt(held));
   }
-  /** A program that races nowhere leaves the maze on the stage alone. */
+  /** Of a program that races nowhere there is nothing on the stage, and what was there is of another one. */
   function showNoStart(held: Held) {
+    clear();
     say(outcomeInWords(held), 'bad');
     prints.show(held.prints);
-    if (player.element.hidden) verdict.after(prints);
     desk.fail(failedAt(held));
   }
   /** Does that with the program, and says what went wrong with it. */
@@ -208,7 +206,6 @@ export function createWrite(page: Page): View {
       const held = await holdContest(page.core, cage, entry, wanted);
       if (!held) return;
       if (held.started) return show(held, work.text, at);
-      clear();
       showNoStart(held);
     });
   const raceIt = () =>
@@ -292,6 +289,13 @@ export function createWrite(page: Page): View {
       if (same) maze.selectedIndex = i;
     }
   }
+  controls.append(
+    h('div', { class: 'row bar' }, h('label', {}, h('span', { class: 'unseen' }, 'Maze'), maze), run, race, end, bar),
+    hint,
+    verdict,
+    prints,
+    form.element,
+  );
   refresh();
   return {
     element: h(
@@ -299,24 +303,7 @@ export function createWrite(page: Page): View {
       { 'aria-label': 'Write', class: 'write' },
       h('h2', { class: 'unseen' }, 'Write a mouse'),
       desk.element,
-      h(
-        'div',
-        { class: 'bench' },
-        h(
-          'div',
-          { class: 'row bar' },
-          h('label', {}, h('span', { class: 'unseen' }, 'Maze'), maze),
-          run,
-          race,
-          end,
-          bar,
-        ),
-        form.element,
-        hint,
-        verdict,
-        standings,
-        player.element,
-      ),
+      h('div', { class: 'bench' }, standings, player.element),
     ),
     shown() {
       refresh();

@@ -28,9 +28,14 @@ const usualName = 'my-mouse';
 
 /**
  * `changed` hears when what is written is another program, and when somebody has allowed that of a link to run. `moment` is
- * what a link says beside the program, from its first `&` on.
+ * what a link says beside the program, from its first `&` on; `below` stands below the editor.
  */
-export function createDesk(page: Page, changed: (allowed: boolean) => void, moment: () => Promise<string>): Desk {
+export function createDesk(
+  page: Page,
+  changed: (allowed: boolean) => void,
+  moment: () => Promise<string>,
+  below: HTMLElement,
+): Desk {
   let now: Work = kept() ?? { language: languages[0], name: usualName, text: languages[0].templates[0].text };
   let foreign = false;
   let editor: Editor | null = null;
@@ -187,14 +192,9 @@ export function createDesk(page: Page, changed: (allowed: boolean) => void, mome
       link.element,
       nameRow,
       host,
-      h('div', { class: 'row bar' }, h('span', { class: 'note' }, 'Tab indents; Escape, then Tab leads on.'), says),
-      // On a telephone it would stand between the program and what runs it.
-      h(
-        'details',
-        { class: 'api', open: matchMedia('(min-width: 60rem)').matches },
-        h('summary', {}, 'What it reads and answers'),
-        help,
-      ),
+      h('div', { class: 'row' }, h('span', { class: 'note' }, 'Tab indents; Escape, then Tab leads on.'), says),
+      below,
+      h('details', { class: 'api' }, h('summary', {}, 'What it reads and answers'), help),
     ),
     work: () => (foreign ? null : now),
     address,

@@ -18,10 +18,9 @@ export function createRaceForm(page: Page): RaceForm {
   const mice = picks(
     'Against',
     about.mice.map(({ name, summary }) => ({ name, about: summary, on: usual.includes(name) })),
-    false,
   );
   const builtin = about.mazes.map(({ name, width, height }) => ({ name, about: `${width}×${height}`, on: true }));
-  const mazes = picks('In mazes', builtin, false);
+  const mazes = picks('In mazes', builtin);
   let own = new Map<string, MazeData>();
   function refresh() {
     const taken = builtin.map(({ name }) => name);

@@ -67,18 +67,58 @@ test('the theme is chosen, and kept', async () => {
   expect(await page.getByLabel('Theme').inputValue()).toBe('dark');
 });
 
-test('a mouse is seen at once', async () => {
+test('a small race is held at once, with its best mouse on the stage, and a race of the user takes its place', async () => {
   const page = await open('#race');
-  await page.getByRole('button', { name: 'See a mouse run' }).click();
-  await page.waitForFunction(() => document.title === 'Replay · labmouse');
+  const view = page.getByRole('region', { name: 'Race', exact: true });
+  await leaderboard(page).waitFor();
+  const [best] = await mice(page);
+  await view.locator('.on-stage', { hasText: best }).waitFor();
+  const [first] = (await view.getByRole('img', { name: /^Maze / }).getAttribute('aria-label'))!.split(',');
+  expect(first).toMatch(/^Maze contest-01/);
+  expect(await view.locator('.note.facts').textContent()).toContain('An example');
+  await view.getByText(/^Mazes, 43 of/).click();
+  const mazes = view.getByRole('group', { name: 'Mazes', exact: true });
+  await mazes.getByRole('button', { name: 'None' }).click();
+  await mazes.getByLabel('contest-05').check();
+  await view.getByRole('button', { name: 'Start the race' }).click();
+  await view.getByRole('img', { name: 'Maze contest-05' }).waitFor();
+  expect(await view.locator('.note.facts').textContent()).not.toContain('An example');
+});
+
+test('no race is held where one was asked for, or the view is not seen', async () => {
+  const calls = async (hash: string) => {
+    const page = await open(hash, {
+      before: (one) =>
+        one.addInitScript(() => {
+          const said: string[] = [];
+          Object.assign(window, { said });
+          const send = Worker.prototype.postMessage as (message: unknown, ...more: unknown[]) => void;
+          Worker.prototype.postMessage = function (this: Worker, message: unknown, ...more: unknown[]) {
+            said.push(JSON.stringify(message) ?? '');
+            return send.call(this, message, ...more);
+          } as typeof Worker.prototype.postMessage;
+        }),
+    });
+    return page;
+  };
+  const races = (page: Page) =>
+    page.evaluate(() => (window as unknown as { said: string[] }).said.filter((one) => /"race"/.test(one)).length);
+  const linked = await calls('#race&mouse=random-move&in=all&seed=1&runs=100');
+  await linked.getByText('The race of this link is set up').waitFor();
+  expect(await races(linked)).toBe(0);
+  const replay = await calls('#replay');
+  await replay.locator('.replay .stage canvas').waitFor();
+  expect(await races(replay)).toBe(0);
+  await replay.getByRole('link', { name: 'Race', exact: true }).click();
+  await leaderboard(replay).waitFor();
+  expect(await races(replay)).toBeGreaterThan(0);
 });
 
 test('a race is held in the page', async () => {
   const page = await open('#race');
   await page.getByRole('button', { name: 'Start the race' }).click();
-  await leaderboard(page).waitFor();
+  await page.getByRole('status').getByText('The race is over: 5 mice, 43 mazes.').waitFor();
   expect(await mice(page)).toHaveLength(5);
-  expect(await page.getByRole('status').first().textContent()).toContain('The race is over: 5 mice, 43 mazes.');
 });
 
 test('a race that ends leaves its user in the view where they are, and offers to show it', async () => {

@@ -1,6 +1,6 @@
 // The picture comes first: how large it is, what is beside it on the first screen, and closer looks at it.
 import type { Locator, Page } from 'playwright-core';
-import { expect, test } from 'vitest';
+import { describe, expect, it, test } from 'vitest';
 import { choose, open } from './harness';
 
 const desk = { width: 1440, height: 900 };
@@ -32,18 +32,61 @@ const pixels = (page: Page) =>
     .first()
     .evaluate((canvas: HTMLCanvasElement) => canvas.toDataURL());
 
-test('a maze of 16 by 16 has all the height of a window, in each view', async () => {
+/** Each view, with a maze of 16 by 16 on its stage. */
+const views: [string, (options: object) => Promise<Page>][] = [
+  ['replay', (options) => replayed('ariadne', options)],
+  ['live', walked],
+  ['draw', (options) => open('#draw', options)],
+  ['race', (options) => open('#race', options)],
+  [
+    'write',
+    async (options) => {
+      const page = await open('#write', options);
+      await page.getByRole('img', { name: 'Maze capstone-1' }).waitFor();
+      await page.getByRole('combobox', { name: 'Maze' }).selectOption('contest-01');
+      await page.getByRole('button', { name: 'Run', exact: true }).click();
+      await page.getByRole('img', { name: 'Maze contest-01' }).waitFor();
+      await page.evaluate(() => scrollTo(0, 0));
+      return page;
+    },
+  ],
+  [
+    'robot',
+    async (options) => {
+      const page = await open('#robot', options);
+      await page
+        .getByRole('region', { name: 'Robot', exact: true })
+        .getByLabel('Built-in maze')
+        .selectOption('contest-01');
+      await page.getByRole('img', { name: 'The best route of contest-01' }).waitFor();
+      return page;
+    },
+  ],
+];
+const labels: Record<string, string> = {
+  race: 'Race',
+  replay: 'Replay',
+  live: 'Live',
+  draw: 'Draw',
+  write: 'Write',
+  robot: 'Robot',
+};
+
+describe.each(views)('the stage of %s', (name, opened) => {
+  const stage = (page: Page) =>
+    page.getByRole('region', { name: labels[name], exact: true }).locator('.stage canvas').first();
   const numbers = 20;
-  for (const [name, page] of [
-    ['replay', await replayed('ariadne', { viewport: desk })],
-    ['draw', await open('#draw', { viewport: desk })],
-  ] as const) {
-    const canvas = page.locator(`.${name} .stage canvas`);
+  it.each([
+    [desk, 760],
+    [{ width: 1024, height: 700 }, 520],
+  ])('has all the height of a window: %o', async (viewport, least) => {
+    const page = await opened({ viewport });
+    const canvas = stage(page);
     await canvas.waitFor();
-    expect((await boxOf(canvas)).height - numbers).toBeGreaterThan(760);
-  }
-  const live = await walked({ viewport: desk });
-  expect((await boxOf(live.locator('.live .stage canvas'))).height - numbers).toBeGreaterThan(760);
+    await expect.poll(async () => (await boxOf(canvas)).height - numbers).toBeGreaterThan(least);
+    await onFirstScreen(page, canvas);
+    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(viewport.width);
+  });
 });
 
 test('the slider has room to be dragged in windows of any width', async () => {
@@ -63,26 +106,32 @@ test('on a telephone maze, controls and slider are on the first screen, also wit
   }
 });
 
-test('what a finger hits is large enough', async () => {
-  const options = { viewport: phone, hasTouch: true };
-  const pages = [
-    await replayed('ariadne', options),
-    await walked(options),
-    await open('#draw', options),
-    await open('#race', options),
-  ];
-  await pages[3].getByRole('button', { name: 'Start the race' }).waitFor();
-  await pages[2].locator('.draw .stage canvas').waitFor();
-  for (const page of pages) {
-    const small = await page.evaluate(() =>
-      [...document.querySelectorAll('button, select, summary, label:has(> input[type=checkbox]), header a')]
-        .filter((one) => one.checkVisibility() && !one.matches('.skip') && !one.closest('tbody'))
-        .filter((one) => one.getBoundingClientRect().height < 44 || one.getBoundingClientRect().width < 44)
-        .map((one) => one.outerHTML.slice(0, 80)),
-    );
-    expect(small).toEqual([]);
-  }
-});
+/** Whatever can be hit, save links inside of sentences, which are as high as their lines, and what only keys reach. */
+const tooSmall = (page: Page) =>
+  page.evaluate(() => {
+    const all = 'a[href], button, select, summary, input, textarea, [role=button], label:has(> input)';
+    const target = (one: Element) =>
+      one.matches('[type=checkbox], [type=radio]') ? (one.closest('label') ?? one) : one;
+    return [...document.querySelectorAll(all)]
+      .map(target)
+      .filter((one) => one.checkVisibility() && !one.matches('.skip, p a') && !one.closest('[inert]'))
+      .filter((one) => {
+        const { width, height } = one.getBoundingClientRect();
+        return Math.round(height) < 44 || Math.round(width) < 44;
+      })
+      .map((one) => `${one.getBoundingClientRect().height} ${one.outerHTML.slice(0, 80)}`);
+  });
+
+it.each([...views, ['home', (options: object) => open('', options)] as const])(
+  'what a finger hits is large enough: %s',
+  async (_, opened) => {
+    const page = await opened({ viewport: phone, hasTouch: true });
+    await page.locator('.stage canvas:visible').first().waitFor();
+    for (const folded of await page.locator('details:visible:not([open]) > summary').all())
+      if (await folded.isVisible()) await folded.click();
+    expect(await tooSmall(page)).toEqual([]);
+  },
+);
 
 test('the wheel and the keys look closer, a drag looks aside, and the whole comes back', async () => {
   const page = await replayed('ariadne', { viewport: desk });

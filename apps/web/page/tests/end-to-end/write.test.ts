@@ -104,7 +104,7 @@ test('one change, a name, and it stands on the leaderboard', async () => {
 test('records are those of the command line, byte for byte', async () => {
   const page = await openWrite();
   const folder = temporary('same-records');
-  mkdirSync(folder);
+  mkdirSync(folder, { recursive: true });
   const programs: [name: string, text: string, mazes: string[]][] = [
     ...readdirSync(templates).map((name): [string, string, string[]] => [
       name.replace('.js', ''),
@@ -298,7 +298,12 @@ test('of a program that does not start only the error is seen, with what it prin
   expect(await prints.isVisible()).toBe(true);
   expect(await barriers(page)).toEqual([]);
   expect(await run(page, doing(`console.error('there'); console.log('forfeit');`))).toContain('gave up');
-  expect(await stage.locator('.prints pre').allTextContents()).toEqual(['there']);
+  expect(await prints.locator('pre').allTextContents()).toEqual(['there']);
+  // Nor does a race leave the stage of the program before.
+  await write(page, `console.error('again');\nundefined.x`);
+  await button(page, 'Race').click();
+  await expect.poll(() => verdict(page).textContent()).toMatch(/did not start/);
+  expect(await stage.isVisible()).toBe(false);
 });
 
 test('what is stopped says no longer that it runs', async () => {
