@@ -117,7 +117,7 @@ class DriveContest {
     if (driver_.place() == driver_.start()) return true;
     if (!begin(DriveRun::Kind::home)) return false;
     while (!out_of_time()) {
-      home_.fill(driver_.known().open(), CellSet::of(maze_.start()));
+      home_.fill(driver_.known().open(), driver_.known().known_cells(), CellSet::of(maze_.start()));
       const Pose& pose = driver_.place().pose;
       const bool home = pose.cell == maze_.start();
       const Action step = home ? search_step(pose.heading, maze_.start_heading(), 0) : home_.step(driver_.place());

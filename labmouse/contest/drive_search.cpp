@@ -28,30 +28,32 @@ void SearchDriver::read() {
   news.for_each([&](Wall wall) { record_.walls.push_back({clock_, wall, known_.open().contains(wall)}); });
 }
 
-void SearchDriver::make(const Action& action, bool replanned) {
-  const SearchPlace next = after_search(place_, action);
-  const MazeTime begin = clock_;
-  clock_ += search_time(model_.search, place_, action);
+int SearchDriver::cells_at_once(int rotation, int most) const {
+  if (rotation != 0 || place_.at_rest) return 1;
+  return dash_length(model_.search, place_.pose, most, [&](Cell cell) { return known_.knows(cell); });
+}
+
+/// Over one edge, or to rest.
+void SearchDriver::pass(const Action& action, MazeTime end) {
   DriveRun& run = record_.runs.back();
-  run.moves.push_back({begin, clock_, place_.pose, action, next.pose, replanned});
-  run.end = clock_;
-  if (run.kind == DriveRun::Kind::search) note_gates(action, begin);
-  place_ = next;
+  if (run.kind == DriveRun::Kind::search) note_gates(action, end);
+  place_ = after_search(place_, action);
+  run.end = clock_ = end;
   read();
 }
 
 /// A goal is entered at the end of a move, and its middle is passed, or stopped in, by the next, unless that is a small
 /// turn.
-void SearchDriver::note_gates(const Action& action, MazeTime begin) {
+void SearchDriver::note_gates(const Action& action, MazeTime end) {
   DriveRun& run = record_.runs.back();
   const SearchPlace next = after_search(place_, action);
   const bool turns = action.rotation % 180 != 0 && action.movement > 0;
   if (run.gate_in && !run.centre && !place_.at_rest && !turns && maze_.is_goal(place_.pose.cell)) {
     const bool passes = action.rotation == 0 && action.movement > 0;
-    run.centre = begin + (passes ? model_.search.cell / 2 : model_.search.half_cell);
+    run.centre = clock_ + (passes ? (end - clock_) / 2 : model_.search.half_cell);
   }
-  if (!run.gate_out && place_.pose.cell == maze_.start() && action.movement > 0) run.gate_out = clock_;
-  if (!run.gate_in && maze_.is_goal(next.pose.cell) && run.gate_out) run.gate_in = clock_;
+  if (!run.gate_out && place_.pose.cell == maze_.start() && action.movement > 0) run.gate_out = end;
+  if (!run.gate_in && maze_.is_goal(next.pose.cell) && run.gate_out) run.gate_in = end;
   goal_entered_ = goal_entered_ || maze_.is_goal(next.pose.cell);
 }
 

@@ -26,15 +26,17 @@ class SearchDriver {
   bool move(const Action& action, bool replanned, Show show) {
     if (!is_search_step(place_, action)) return false;
     if (action.movement == 0) {
-      make(action, replanned);
+      make(action, replanned, show);
       return true;
     }
     Action part = Action::step(action.rotation, 1);
-    for (int edge = 0; edge < action.movement; ++edge) {
+    for (int edge = 0; edge < action.movement; edge += part.movement, part.rotation = 0) {
       if (edge > 0) show(place_.pose, seen_);
-      if (!known_.open().contains(wall_at(place_.pose.cell, after_search(place_, part).pose.heading))) return false;
-      make(part, replanned && edge == 0);
-      part = Action::step(0, 1);
+      part.movement = cells_at_once(part.rotation, action.movement - edge);
+      const Heading heading = after_search(place_, part).pose.heading;
+      for (int cell = 0; cell < part.movement; ++cell)
+        if (!known_.open().contains(wall_at(neighbour(place_.pose.cell, heading, cell), heading))) return false;
+      make(part, replanned && edge == 0, show);
     }
     return true;
   }
@@ -52,8 +54,23 @@ class SearchDriver {
   bool goal_entered() const { return goal_entered_; }
 
  private:
-  void make(const Action& action, bool replanned);
-  void note_gates(const Action& action, MazeTime begin);
+  /// Over how many edges the next part of a move leads: one, or those of a dash.
+  int cells_at_once(int rotation, int most) const;
+  template <class Show>
+  void make(const Action& action, bool replanned, Show show) {
+    const Pose from = place_.pose;
+    const MazeTime begin = clock_;
+    for (int edge = 1; edge < action.movement; ++edge) {
+      pass(Action::step(0, 1), begin + model_.search.dash_part(action.movement, edge));
+      show(place_.pose, seen_);
+    }
+    const bool dash = action.movement > 1;
+    const Action last = dash ? Action::step(0, 1) : action;
+    pass(last, begin + (dash ? model_.search.dash(action.movement) : search_time(model_.search, place_, action)));
+    record_.runs.back().moves.push_back({begin, clock_, from, action, place_.pose, replanned});
+  }
+  void pass(const Action& action, MazeTime end);
+  void note_gates(const Action& action, MazeTime end);
   void read();
 
   const Maze& maze_;

@@ -79,7 +79,7 @@ void Explorer::move(const Action& step) {
     pose_ = after(pose_, step);
     return;
   }
-  clock_->count(place(), step);
+  clock_->count(knowledge_, place(), step);
   const SearchPlace next = after_search(place(), step);
   pose_ = next.pose;
   at_rest_ = next.at_rest;

@@ -1,5 +1,6 @@
 #include "labmouse/mouse/knowledge.hpp"
 
+#include <algorithm>
 #include <cassert>
 
 namespace labmouse {
@@ -17,6 +18,25 @@ WallSet Knowledge::unknown() const {
   WallSet walls = possible_;
   walls -= open_;
   return walls;
+}
+
+bool Knowledge::knows(Cell cell) const {
+  const auto known = [&](Heading side) {
+    const Wall wall = wall_at(cell, side);
+    return open_.contains(wall) || !possible_.contains(wall);
+  };
+  return std::all_of(all_headings.begin(), all_headings.end(), known);
+}
+
+CellSet Knowledge::known_cells() const {
+  const WallSet unseen = unknown();
+  CellSet cells = CellSet::all(size_);
+  for (int y = 0; y < size_.height; ++y) {
+    const std::uint64_t east = unseen.east().row(y), north = unseen.north().row(y);
+    const std::uint64_t south = y > 0 ? unseen.north().row(y - 1) : 0;
+    cells.set_row(y, cells.row(y) & ~(north | south | east | east << 1U));
+  }
+  return cells;
 }
 
 bool Knowledge::learn(Pose pose, Sighting sighting) {

@@ -29,6 +29,10 @@ class Knowledge {
   const WallSet& possible() const { return possible_; }
   /// Walls that have not been seen.
   WallSet unknown() const;
+  /// Whether nothing is left to be seen about a cell.
+  bool knows(Cell cell) const;
+  /// All such cells.
+  CellSet known_cells() const;
 
  private:
   bool agrees(Pose pose, int open_cells) const;

@@ -76,6 +76,83 @@ TEST(Drive, CountsTheTimesOfASearch) {
   EXPECT_EQ(search.moves[2].to, (Pose{{1, 2}, Heading::east}));
 }
 
+/// The same robot at twice its speed over known cells, which it reaches at once.
+const DriveModel& dashing() {
+  static const DriveModel fast = [] {
+    Robot robot = published_robot();
+    robot.known_speed = 600.0;
+    robot.known_acceleration = 200'000.0;
+    return make_drive_model(robot);
+  }();
+  return fast;
+}
+
+const Maze& corridor() {
+  static const Maze maze = test::drawn(R"(
+    o---o
+    |   |
+    o   o
+    |   |
+    o   o
+    | G |
+    o   o
+    |   |
+    o   o
+    |   |
+    o   o
+    | S |
+    o---o
+  )");
+  return maze;
+}
+
+/// Out of the start and to the edge of the last cell, through the goal.
+const std::vector<Action> through_it = {on, Action::step(0, 4)};
+
+TEST(Drive, DashesWhereItHasNothingToRead) {
+  Scripted mouse(then(through_it, {Action::step(180, 0), reset}));
+  const DriveRecord record = drive(corridor(), plain_rules(), dashing(), mouse);
+  // There it has seen nothing before.
+  const DriveRun& search = record.runs.front();
+  EXPECT_EQ(search.moves.size(), 6U);
+  EXPECT_EQ(search.gate_in, 300'000 + 2 * 300'000);
+  EXPECT_EQ(search.centre, *search.gate_in + 150'000);
+  // Home from the middle: half a cell at its search speed, four cells at once at twice that, and into the start.
+  const DriveRun& home = record.runs[1];
+  ASSERT_EQ(home.moves.size(), 3U);
+  EXPECT_EQ(home.moves[1].action, Action::step(0, 4));
+  EXPECT_EQ(home.moves[1].from, (Pose{{0, 4}, Heading::south}));
+  EXPECT_EQ(home.moves[1].to, (Pose{{0, 0}, Heading::south}));
+  EXPECT_EQ(home.moves[1].end - home.moves[1].begin, dashing().search.dash(4));
+  EXPECT_LT(dashing().search.dash(4), 4 * 300'000 * 52 / 100);
+}
+
+TEST(Drive, PassesGatesInADash) {
+  Scripted mouse(then(through_it, then({reset}, then(through_it, {reset}))));
+  const DriveRecord record = drive(corridor(), plain_rules(), dashing(), mouse);
+  ASSERT_GE(record.runs.size(), 5U);
+  const DriveRun& again = record.runs[4];
+  ASSERT_EQ(again.kind, DriveRun::Kind::search);
+  ASSERT_EQ(again.moves.size(), 2U);
+  const SearchDrive& search = dashing().search;
+  const MazeTime out = again.moves[0].end;
+  EXPECT_EQ(again.gate_out, out);
+  EXPECT_EQ(again.gate_in, out + search.dash_part(4, 2));
+  EXPECT_EQ(again.centre, out + (search.dash_part(4, 2) + search.dash_part(4, 3)) / 2);
+  EXPECT_EQ(again.moves[1].end, out + search.dash(4));
+}
+
+TEST(Drive, ShowsWhatItPassesInADash) {
+  Scripted mouse(then(through_it, {Action::step(180, 1), Action::step(0, 3), reset}));
+  drive(corridor(), plain_rules(), dashing(), mouse);
+  std::vector<Cell> shown;
+  for (const auto& [pose, seen] : mouse.shown)
+    if (pose.heading == Heading::south) shown.push_back(pose.cell);
+  ASSERT_GE(shown.size(), 2U);
+  EXPECT_EQ(shown[0], (Cell{0, 3}));
+  EXPECT_EQ(shown[1], (Cell{0, 2}));
+}
+
 TEST(Drive, ComesHomeAndRuns) {
   const DriveRecord record = held(then(to_goal, {reset}));
   ASSERT_EQ(record.runs.size(), 3U);

@@ -46,6 +46,21 @@ TEST(DriveBound, KnowsTheShortestSearchHome) {
   EXPECT_EQ(shortest_search_home(test::ring(), mm2021().search), there + back + stop);
 }
 
+TEST(DriveBound, DashesOnTheWayHomeAlone) {
+  const Maze corridor = test::drawn(R"(
+    o---o---o---o---o---o
+    | S               G |
+    o---o---o---o---o---o
+  )");
+  SearchDrive search = mm2021().search;
+  const MazeTime there = 1'500'000 + 300'000 + 3 * 300'000, stop = 300'000 + 1'500'000;
+  EXPECT_EQ(shortest_search_home(corridor, search), there + 3'000'000 + 3 * 300'000 + stop);
+  for (std::size_t halves = 1; halves < search.onward.size(); ++halves)
+    search.onward[halves] = 100'000 * static_cast<DriveTime>(halves);
+  EXPECT_EQ(shortest_search(corridor, rules_of(30, true), search), 3 * 300'000);
+  EXPECT_EQ(shortest_search_home(corridor, search), there + 3'000'000 + search.dash(3) + stop);
+}
+
 TEST(DriveBound, OfARunIsTheFastestRoute) {
   const DriveBound bound = drive_bound_of(test::ring(), rules_of(0, false), mm2021());
   ASSERT_TRUE(bound.fastest && bound.score);

@@ -4,10 +4,13 @@
 #include <gtest/gtest.h>
 
 #include "labmouse/contest/drive_gates.hpp"
+#include "labmouse/contest/drive_score.hpp"
+#include "labmouse/lab/bounds/drive_bound.hpp"
 #include "labmouse/lab/records/drive_route_check.hpp"
 #include "tests/contest/scripted.hpp"
 #include "tests/lab/drive_record_fixture.hpp"
 #include "tests/says.hpp"
+#include "tests/strategies/random_mazes.hpp"
 
 namespace labmouse {
 namespace {
@@ -80,6 +83,38 @@ TEST(DriveRecordFile, IsReadAsItWasWritten) {
     }
 }
 
+TEST(DriveRecordFile, HoldsDashes) {
+  Robot robot = find_robot("mm2021").robot;
+  robot.known_speed = 600.0;
+  robot.known_acceleration = 5000.0;
+  Dice dice(23);
+  std::size_t dashes = 0;
+  for (int round = 0; round < 12; ++round) {
+    DriveRecordFile written = driven("certify");
+    written.maze = test::any_maze(dice, 12);
+    written.model = std::make_shared<DriveModel>(make_drive_model(robot));
+    const DriveBound bound = drive_bound_of(*written.maze, written.rules, *written.model);
+    for (const RosterEntry* entry : roster())
+      if (entry->name == "certify") {
+        const auto mouse =
+            entry->make(brief(*written.maze, written.rules, *written.model, 1), Settings(entry->parameters));
+        written.record = drive(*written.maze, written.rules, *written.model, *mouse);
+      }
+    const DriveScore result = score(written.record, written.rules);
+    if (result.best) {
+      written.recorded_score = result.runs[*result.best];
+      EXPECT_LE(bound.score, written.recorded_score->value);
+    }
+    const DriveRecordFile file = read(write_drive_record(written));
+    EXPECT_EQ(file.record, written.record);
+    EXPECT_EQ(file.model->search, written.model->search);
+    EXPECT_EQ(replay(file), "");
+    for (const DriveRun& run : file.record.runs)
+      for (const SearchMove& move : run.moves) dashes += move.action.movement > 1 ? 1 : 0;
+  }
+  EXPECT_GT(dashes, 0U);
+}
+
 TEST(DriveRecordFile, SaysOnItsFirstLineWhatItIs) {
   EXPECT_TRUE(is_drive_record(good()));
   EXPECT_FALSE(is_drive_record("{\"labmouse\":\"record\"}\n"));
@@ -112,7 +147,7 @@ TEST(DriveRecordFile, ThatIsNoneIsRefusedWithItsLine) {
   EXPECT_THAT(problem(good() + good()).reason, HasSubstr("end of the record"));
   EXPECT_THAT(problem(changed(good(), "\"run\":\"search\"", "\"run\":\"stroll\"")),
               ProblemAt(2, 1, "run", "search, home, fast"));
-  EXPECT_THAT(problem(changed(good(), "{\"move\":[0,1]", "{\"move\":[0,2]")), ProblemAt(3, 1, "'move'", "0 to 1"));
+  EXPECT_THAT(problem(changed(good(), "{\"move\":[0,1]", "{\"move\":[0,33]")), ProblemAt(3, 1, "'move'", "0 to 32"));
   EXPECT_THAT(problem(changed(good(), "{\"move\"", "{\"love\"")).reason, Says("belong", "seconds"));
   EXPECT_THAT(problem(changed(good(), "\"piece\":\"R90\"", "\"piece\":\"R91\"")).reason,
               Says("piece", "straight", "turn", "speed"));

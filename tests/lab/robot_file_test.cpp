@@ -107,6 +107,19 @@ TEST(RobotFile, ReadsLimits) {
   EXPECT_EQ(result.model.search.cell, 360'000);
 }
 
+TEST(RobotFile, ReadsDashesOfBothKindsOfRobots) {
+  for (const std::string_view text : {by_limits, by_times}) {
+    const RobotResult result =
+        read_robot(changed(text, "[search]\n", "[search]\nknown_speed = 900\nknown_acceleration = 5000\n"), "mine");
+    ASSERT_TRUE(result.robot);
+    EXPECT_EQ(result.robot->known_speed, 900.0);
+    EXPECT_EQ(result.robot->known_acceleration, 5000.0);
+    EXPECT_LT(result.model.search.dash(9), 9 * result.model.search.cell);
+  }
+  EXPECT_THAT(complaints(changed(by_times, "[search]\n", "[search]\nknown_speed = 200\n")),
+              ElementsAre(HasSubstr("search.known_speed")));
+}
+
 TEST(RobotFile, ReadsCommentsInAnyLettersAfterAMark) {
   const RobotResult result = read_robot("\xEF\xBB\xBF# mm/s², é, ミリ\r\n" + std::string(by_limits), "mine");
   ASSERT_TRUE(result.robot);

@@ -36,6 +36,23 @@ TEST_F(ANewMouse, KnowsTheBorderFromBirth) {
   }
 }
 
+TEST_F(ANewMouse, KnowsACellByAllItsWalls) {
+  EXPECT_TRUE(knowledge_.known_cells().empty());
+  ASSERT_TRUE(sees(0, 0, 0));
+  EXPECT_FALSE(knowledge_.knows({1, 1}));
+  ASSERT_TRUE(sees(0, 0, 0, {{1, 1}, Heading::south}));
+  EXPECT_EQ(knowledge_.known_cells(), CellSet::of({1, 1}));
+  EXPECT_TRUE(knowledge_.knows({1, 1}));
+  // In the corner the border is known from birth.
+  ASSERT_TRUE(sees(0, 1, 0, {{3, 3}, Heading::east}));
+  EXPECT_FALSE(knowledge_.knows({4, 3}));
+  ASSERT_TRUE(sees(0, 0, 0, {{4, 3}, Heading::east}));
+  EXPECT_TRUE(knowledge_.knows({4, 3}));
+  CellSet::all({5, 4}).for_each([&](Cell cell) {
+    EXPECT_EQ(knowledge_.knows(cell), knowledge_.known_cells().contains(cell)) << cell.x << cell.y;
+  });
+}
+
 TEST_F(ANewMouse, KnowsNoInnerWall) {
   EXPECT_EQ(knowledge_.unknown(), WallSet::all({5, 4}));
   EXPECT_TRUE(knowledge_.open().empty());

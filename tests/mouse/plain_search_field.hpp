@@ -26,9 +26,9 @@ inline PlainPlace plain(const SearchPlace& place) {
 using PlainToll = std::function<std::optional<std::int64_t>(int x, int y, int heading)>;
 
 /// The least time from every place from which one of the targets can be entered (Dijkstra 1959, over all moves forwards
-/// and then turned round).
+/// and then turned round), with dashes over known cells.
 inline std::map<PlainPlace, std::int64_t> plain_search_times(Size size, const SearchDrive& drive, const PlainToll& toll,
-                                                             const std::vector<Cell>& targets) {
+                                                             const CellSet& known, const std::vector<Cell>& targets) {
   struct Move {
     PlainPlace from;
     std::int64_t time;
@@ -49,6 +49,16 @@ inline std::map<PlainPlace, std::int64_t> plain_search_times(Size size, const Se
             const std::int64_t moving = quarters == 0 ? drive.cell : quarters == 2 ? drive.back : drive.turn;
             into[{x + dx[direction], y + dy[direction], direction, false}].push_back(
                 {from, *extra + (at_rest ? rest + drive.half_cell : moving)});
+            if (at_rest || quarters != 0 || !drive.dashes()) continue;
+            std::int64_t price = *extra;
+            for (int cells = 2;; ++cells) {
+              const int last_x = x + (cells - 1) * dx[direction], last_y = y + (cells - 1) * dy[direction];
+              const auto more = known.contains({last_x, last_y}) ? toll(last_x, last_y, direction) : std::nullopt;
+              if (!more) break;
+              price += *more;
+              into[{last_x + dx[direction], last_y + dy[direction], direction, false}].push_back(
+                  {from, price + drive.dash(cells)});
+            }
           }
   std::map<PlainPlace, std::int64_t> times;
   std::priority_queue<std::pair<std::int64_t, PlainPlace>, std::vector<std::pair<std::int64_t, PlainPlace>>,

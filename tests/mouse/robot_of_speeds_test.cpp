@@ -185,6 +185,33 @@ TEST(RobotOfSpeeds, EndsAtASpeedThatItStopsFrom) {
   EXPECT_EQ(small->speed, 735.0);
 }
 
+TEST(RobotOfSpeeds, DashesOverKnownCells) {
+  Robot robot = small_robot();
+  EXPECT_FALSE(make_drive_model(robot).search.dashes());
+  robot.known_speed = 600.0;
+  robot.known_acceleration = 3000.0;
+  const SearchDrive search = make_drive_model(robot).search;
+  ASSERT_TRUE(search.dashes());
+  EXPECT_EQ(search.cell, 300'000);
+  EXPECT_EQ(search.dash(1), 300'000);
+  const StraightLimits limits = {600.0, 3000.0, 3000.0};
+  for (int cells = 2; cells <= max_drive_side; ++cells)
+    EXPECT_NEAR(search.dash(cells), *seconds_between(cells * robot.cell, 300.0, 300.0, limits) * 1e6, 1.01) << cells;
+  robot.known_acceleration = 0.0;
+  robot.braking = 2000.0;
+  EXPECT_NEAR(make_drive_model(robot).search.dash(4),
+              *seconds_between(4 * robot.cell, 300.0, 300.0, {600.0, 2000.0, 2000.0}) * 1e6, 1.01);
+}
+
+TEST(RobotOfSpeeds, RefusesDashesThatAreNone) {
+  Robot robot = small_robot();
+  robot.known_speed = 300.0;
+  EXPECT_NE(make_drive_model(robot).error.find("search.known_speed"), std::string::npos);
+  robot.known_speed = 0.0;
+  robot.known_acceleration = 3000.0;
+  EXPECT_NE(make_drive_model(robot).error.find("search.known_acceleration"), std::string::npos);
+}
+
 TEST(RobotOfSpeeds, DerivesItsSearch) {
   const DriveModel model = make_drive_model(small_robot());
   EXPECT_EQ(model.search.cell, 300'000);

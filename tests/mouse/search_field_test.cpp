@@ -40,6 +40,42 @@ TEST(SearchMotion, TakesItsTimes) {
   EXPECT_EQ(search_time(drive, rest, Action::step(90, 0)), 1000);
 }
 
+/// The same with dashes, of 170 over two cells and 220 over three.
+SearchDrive with_dashes() {
+  SearchDrive dashing = drive;
+  for (std::size_t halves = 1; halves < dashing.onward.size(); ++halves)
+    dashing.onward[halves] = 35 + 25 * static_cast<DriveTime>(halves);
+  return dashing;
+}
+
+TEST(SearchMotion, DashesOverKnownCells) {
+  const SearchDrive dashing = with_dashes();
+  const SearchPlace edge = at_edge(2, 0, Heading::north), rest = at_rest(2, 0, Heading::north);
+  CellSet known;
+  for (const int y : {0, 1, 2, 5}) known.insert({2, y});
+  // Over the cells 0 to 2; at the edge of 3 it has to read, and the next that it knows is 5.
+  EXPECT_EQ(search_time(dashing, edge, Action::step(0, 3), known), dashing.dash(3));
+  EXPECT_EQ(search_time(dashing, edge, Action::step(0, 6), known), dashing.dash(3) + 100 + dashing.dash(2));
+  EXPECT_EQ(search_time(dashing, edge, Action::step(0, 1), known), 100);
+  EXPECT_EQ(search_time(dashing, edge, Action::step(0, 3), {}), 300);
+  // From rest it is at the search speed behind half a cell.
+  EXPECT_EQ(search_time(dashing, rest, Action::step(0, 3), known), 30 + dashing.dash(2));
+  EXPECT_EQ(search_time(dashing, at_edge(1, 0, Heading::north), Action::step(90, 3), known), 70 + 200);
+  EXPECT_EQ(search_time(drive, edge, Action::step(0, 3), known), 300);
+}
+
+TEST(SearchMotion, PassesTheEdgesOfADashAsFarFromBothEnds) {
+  const SearchDrive dashing = with_dashes();
+  for (int cells = 2; cells <= max_drive_side; ++cells) {
+    EXPECT_EQ(dashing.dash_part(cells, 0), 0);
+    EXPECT_EQ(dashing.dash_part(cells, cells), dashing.dash(cells));
+    for (int edge = 1; edge <= cells; ++edge) {
+      EXPECT_GT(dashing.dash_part(cells, edge), dashing.dash_part(cells, edge - 1));
+      EXPECT_EQ(dashing.dash_part(cells, edge) + dashing.dash_part(cells, cells - edge), dashing.dash(cells));
+    }
+  }
+}
+
 TEST(SearchMotion, KnowsWhatIsNoMove) {
   const SearchPlace edge = at_edge(2, 2, Heading::north), rest = at_rest(2, 2, Heading::north);
   EXPECT_TRUE(is_search_step(edge, Action::step(0, 0)));
@@ -61,7 +97,7 @@ TEST(SearchField, CountsCellsTurnsAndTheWayBack) {
     o---o---o---o
   )");
   SearchField field(maze.size(), drive);
-  field.fill(maze.open_walls(), maze.goals());
+  field.fill(maze.open_walls(), {}, maze.goals());
   // Half a cell, one on, and then the corner, two cells of which the second is a corner, too.
   EXPECT_EQ(field.from(at_rest(0, 0, Heading::north)), 30 + 100 + 70 + 100 + 70);
   EXPECT_EQ(field.from(at_rest(0, 0, Heading::east)), 1000 + 30 + 100 + 70 + 100 + 70);
@@ -79,7 +115,7 @@ TEST(SearchField, AddsWhatWallsCost) {
   prices.set(wall_at({0, 0}, Heading::east), 7);
   prices.set(wall_at({1, 0}, Heading::east), 0);
   SearchField field({3, 1}, drive);
-  field.fill(prices, 11, CellSet::of({2, 0}));
+  field.fill(prices, 11, {}, CellSet::of({2, 0}));
   EXPECT_EQ(field.from(at_edge(0, 0, Heading::east)), 200 + 77);
   EXPECT_EQ(field.from(at_edge(1, 0, Heading::east)), 100);
 }
@@ -92,14 +128,27 @@ SearchDrive any_drive(Dice& dice) {
   times.cell = 50 + dice.below(2 * times.half_cell - 50);
   times.turn = 50 + dice.below(2 * times.half_cell + times.quarter - 50);
   times.back = 50 + dice.below(2 * times.half_cell + 2 * times.quarter - 50);
+  if (dice.chance(1, 2)) {
+    const int saved = 1 + dice.below(times.cell / 4 + 1);
+    for (std::size_t halves = 1; halves < times.onward.size(); ++halves)
+      times.onward[halves] = 1 + static_cast<DriveTime>(halves) * (times.cell / 2 - saved / 2);
+  }
   return times;
 }
 
-void expect_plain_times(const Maze& maze, const SearchDrive& times, const SearchField& field,
+CellSet any_cells(Size size, Dice& dice) {
+  CellSet cells;
+  CellSet::all(size).for_each([&](Cell cell) {
+    if (dice.chance(3, 4)) cells.insert(cell);
+  });
+  return cells;
+}
+
+void expect_plain_times(const Maze& maze, const SearchDrive& times, const SearchField& field, const CellSet& known,
                         const test::PlainToll& toll) {
   std::vector<Cell> targets;
   maze.goals().for_each([&](Cell cell) { targets.push_back(cell); });
-  const auto plain = test::plain_search_times(maze.size(), times, toll, targets);
+  const auto plain = test::plain_search_times(maze.size(), times, toll, known, targets);
   for (int index = 0; index < maze.size().area(); ++index)
     for (const Heading heading : all_headings)
       for (const bool rest : {false, true}) {
@@ -114,9 +163,10 @@ TEST(SearchField, IsThatOfAPlainSearchInAnyMaze) {
   for (int round = 0; round < 60; ++round) {
     const Maze maze = test::any_maze(dice, 12);
     const SearchDrive times = any_drive(dice);
+    const CellSet known = any_cells(maze.size(), dice);
     SearchField field(maze.size(), times);
-    field.fill(maze.open_walls(), maze.goals());
-    expect_plain_times(maze, times, field, [&](int x, int y, int heading) -> std::optional<std::int64_t> {
+    field.fill(maze.open_walls(), known, maze.goals());
+    expect_plain_times(maze, times, field, known, [&](int x, int y, int heading) -> std::optional<std::int64_t> {
       if (!maze.is_open({x, y}, all_headings[static_cast<unsigned>(heading)])) return std::nullopt;
       return 0;
     });
@@ -128,13 +178,17 @@ TEST(SearchField, IsThatOfAPlainSearchOverPrices) {
   for (int round = 0; round < 60; ++round) {
     const Maze maze = test::any_maze(dice, 10);
     const SearchDrive times = any_drive(dice);
+    const CellSet known = any_cells(maze.size(), dice);
     WallPrices prices(maze.size());
     WallSet::all(maze.size()).for_each([&](Wall wall) {
-      prices.set(wall, dice.chance(1, 3) ? WallPrices::closed : dice.below(WallPrices::highest + 1));
+      // What was seen costs nothing more.
+      const bool seen = known.contains(wall.cell) || known.contains(neighbour(wall.cell, wall.side));
+      const int price = seen ? 0 : dice.below(WallPrices::highest + 1);
+      prices.set(wall, dice.chance(1, 3) ? WallPrices::closed : price);
     });
     SearchField field(maze.size(), times);
-    field.fill(prices, 13, maze.goals());
-    expect_plain_times(maze, times, field, [&](int x, int y, int heading) -> std::optional<std::int64_t> {
+    field.fill(prices, 13, known, maze.goals());
+    expect_plain_times(maze, times, field, known, [&](int x, int y, int heading) -> std::optional<std::int64_t> {
       const Wall wall = wall_at({x, y}, all_headings[static_cast<unsigned>(heading)]);
       if (on_border(wall, maze.size()) || !prices.passable(wall)) return std::nullopt;
       return 13 * prices.of(wall);
@@ -147,15 +201,16 @@ TEST(SearchField, LeadsByItsStepsInTheTimeThatItSays) {
   for (int round = 0; round < 60; ++round) {
     const Maze maze = test::any_maze(dice, 16);
     const SearchDrive times = any_drive(dice);
+    const CellSet known = any_cells(maze.size(), dice);
     SearchField field(maze.size(), times);
-    field.fill(maze.open_walls(), maze.goals());
+    field.fill(maze.open_walls(), known, maze.goals());
     SearchPlace place = {{maze.start(), maze.start_heading()}, true};
     if (field.from(place) == no_time) continue;
     std::int64_t spent = 0;
     const DriveTime said = field.from(place);
     for (Action step = field.step(place); step.movement > 0; step = field.step(place)) {
       ASSERT_EQ(step.kind, Action::Kind::step);
-      spent += search_time(times, place, step);
+      spent += search_time(times, place, step, known);
       place = after_search(place, step);
     }
     EXPECT_TRUE(maze.is_goal(place.pose.cell));

@@ -62,6 +62,15 @@ const DriveModel& large() {
   return model;
 }
 
+const DriveModel& dashing() {
+  static const DriveModel model = [] {
+    Robot robot = published_robot();
+    robot.known_speed = 900.0;
+    return model_of(robot);
+  }();
+  return model;
+}
+
 DriveRules rules_of(int divisor, std::int64_t seconds = 3600) {
   DriveRules rules;
   rules.time_limit = seconds * 1'000'000;
@@ -137,6 +146,7 @@ TEST_P(EveryDriver, NeverLosesItsWay) {
   for (const int divisor : {0, 30}) {
     expect_good_contests(generated_mazes(), rules_of(divisor), published());
     expect_good_contests(generated_mazes(), rules_of(divisor), large());
+    expect_good_contests(generated_mazes(), rules_of(divisor), dashing());
   }
 }
 
@@ -152,6 +162,28 @@ TEST_P(EveryDriver, LooksAsFarAsItsSensorsReach) {
     robot.sight = sight;
     expect_good_contests(generated_mazes(), rules_of(30), make_drive_model(robot));
   }
+}
+
+TEST_P(EveryDriver, DashesThroughWhatItKnows) {
+  const auto search_time_of = [](const DriveRecord& record, std::size_t& dashes) {
+    MazeTime time = 0;
+    for (const DriveRun& run : record.runs) {
+      if (run.kind == DriveRun::Kind::fast) continue;
+      time += run.end - run.begin;
+      for (const SearchMove& move : run.moves) dashes += move.action.movement > 1 ? 1 : 0;
+    }
+    return time;
+  };
+  MazeTime slow = 0, fast = 0;
+  std::size_t none = 0, dashes = 0;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    const Maze maze = find_generator("depth-first")->make({{16, 16}, seed, 0});
+    slow += search_time_of(contest(mouse(), maze, rules_of(0), published()), none);
+    fast += search_time_of(contest(mouse(), maze, rules_of(0), dashing()), dashes);
+  }
+  EXPECT_EQ(none, 0U);
+  EXPECT_GT(dashes, 0U);
+  EXPECT_LT(fast, slow);
 }
 
 TEST_P(EveryDriver, GivesTheSameRecordAgain) {

@@ -60,14 +60,26 @@ class SearchHome {
       if (!maze_.is_open(place.pose.cell, heading)) continue;
       const Action step = search_step(place.pose.heading, heading, 1);
       const Pose next = after_search(place, step).pose;
-      const bool home = on_the_way_home || maze_.is_goal(next.cell);
-      const std::size_t spot = 8 * static_cast<std::size_t>(maze_.size().index(next.cell)) +
-                               2 * static_cast<std::size_t>(next.heading) + (home ? 1 : 0);
-      const MazeTime then = time + search_time(search_, place, step);
-      if (then >= times_[spot]) continue;
-      times_[spot] = then;
-      waiting_.emplace(then, spot);
+      reach(next, time + search_time(search_, place, step), on_the_way_home || maze_.is_goal(next.cell));
     }
+    if (on_the_way_home && !place.at_rest && search_.dashes()) dash_from(place.pose, time);
+  }
+
+  /// On the way home nothing is left to be read.
+  void dash_from(const Pose& edge, MazeTime time) {
+    Pose next = edge;
+    for (int cells = 1; maze_.is_open(next.cell, next.heading); ++cells) {
+      next.cell = neighbour(next.cell, next.heading);
+      reach(next, time + search_.dash(cells), true);
+    }
+  }
+
+  void reach(const Pose& next, MazeTime time, bool home) {
+    const std::size_t spot = 8 * static_cast<std::size_t>(maze_.size().index(next.cell)) +
+                             2 * static_cast<std::size_t>(next.heading) + (home ? 1 : 0);
+    if (time >= times_[spot]) return;
+    times_[spot] = time;
+    waiting_.emplace(time, spot);
   }
 
   const Maze& maze_;
@@ -88,7 +100,7 @@ std::optional<MazeTime> shortest_search_home(const Maze& maze, const SearchDrive
 std::optional<MazeTime> shortest_search(const Maze& maze, const DriveRules& rules, const SearchDrive& search) {
   std::optional<MazeTime> least;
   SearchField to_goal(maze.size(), search);
-  to_goal.fill(maze.open_walls(), maze.goals());
+  to_goal.fill(maze.open_walls(), {}, maze.goals());
   for (const Heading heading : all_headings) {
     if (!maze.is_open(maze.start(), heading)) continue;
     const SearchPlace start = start_of(maze);

@@ -25,8 +25,8 @@ struct DriveBound {
 /// For a maze up to 32×32.
 DriveBound drive_bound_of(const Maze& maze, const DriveRules& rules, const DriveModel& model);
 
-/// The least time of a search from the start to a goal and on, to rest at the start again; nothing where there is no
-/// way.
+/// The least time of a search from the start to a goal and on, to rest at the start again, where all cells are known
+/// once a goal was entered; nothing where there is no way.
 std::optional<MazeTime> shortest_search_home(const Maze& maze, const SearchDrive& search);
 
 /// The least time of a search to a goal by the clock of the rules; nothing where there is no way, or it takes too long.

@@ -103,11 +103,10 @@ Json straights_json(const Robot& robot, const DriveModel& model) {
 }
 
 Json search_json(const SearchDrive& search) {
-  return {{"cell", ms_of(search.cell)},
-          {"turn", ms_of(search.turn)},
-          {"back", ms_of(search.back)},
-          {"quarter", ms_of(search.quarter)},
-          {"half_cell", ms_of(search.half_cell)}};
+  return {{"cell", ms_of(search.cell)},           {"turn", ms_of(search.turn)},
+          {"back", ms_of(search.back)},           {"quarter", ms_of(search.quarter)},
+          {"half_cell", ms_of(search.half_cell)}, {"known_2", ms_of(search.dash(2))},
+          {"known_8", ms_of(search.dash(8))}};
 }
 
 Json robot_result(const Robot& robot, const DriveModel& model) {

@@ -64,9 +64,10 @@ class SearchPath {
     append(points_, at_);
     if (move.action.movement == 0)
       look_about(quarters, at_rest);
-    else
+    else if (move.action.movement == 1)
       leave(quarters, at_rest);
-    for (int cell = 1; cell < move.action.movement; ++cell) ahead(1.0, search_.cell, speed_);
+    else
+      dash(move.action.movement);
     fit(first, move);
   }
 
@@ -90,6 +91,14 @@ class SearchPath {
       straight(0.5, stop, speed_, 0.0);
       pivot(quarters, search_.back - 2.0 * stop);
       straight(0.5, stop, 0.0, speed_);
+    }
+  }
+
+  /// Over each cell at the mean of its speed there.
+  void dash(int cells) {
+    for (int edge = 1; edge <= cells; ++edge) {
+      const double time = search_.dash_part(cells, edge) - search_.dash_part(cells, edge - 1);
+      ahead(1.0, time, edge < cells ? model_.tables.cell / (time / 1e6) : speed_);
     }
   }
 

@@ -139,7 +139,8 @@ std::string Reading::read_move(const ReadJson& json) {
   SearchMove move;
   const ReadJson& action = fields.list("move");
   if (action.size() != 2) return "the line has a move that is not [rotation, cells]";
-  move.action = Action::step(fields.whole(action[0], "move", -180, 180), fields.whole(action[1], "move", 0, 1));
+  move.action =
+      Action::step(fields.whole(action[0], "move", -180, 180), fields.whole(action[1], "move", 0, max_drive_side));
   move.from = pose_in(fields, "from", size());
   move.to = pose_in(fields, "to", size());
   move.begin = fields.long_whole("begin", 0, longest_time);

@@ -186,6 +186,8 @@ Robot robot_of(const RobotReader& reader, std::string_view name, RobotText kind)
   robot.sight = static_cast<int>(reader.number("sight", 1.0));
   robot.search_speed = reader.number("search.speed");
   robot.search_turn_speed = reader.number("search.turn_speed");
+  robot.known_speed = reader.number("search.known_speed");
+  robot.known_acceleration = reader.number("search.known_acceleration");
   robot.pivot_speed = reader.number("search.pivot_speed");
   robot.pivot_acceleration = reader.number("search.pivot_acceleration");
   set_layouts(robot, reader);

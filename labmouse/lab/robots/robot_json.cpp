@@ -46,6 +46,8 @@ void add_omissions(Json& json, const Robot& robot) {
 }
 
 void add_search(Json& json, const Robot& robot) {
+  if (robot.known_speed > 0.0) json["search.known_speed"] = robot.known_speed;
+  if (robot.known_acceleration > 0.0) json["search.known_acceleration"] = robot.known_acceleration;
   if (robot.search.cell == 0) {
     json["search.speed"] = robot.search_speed;
     if (robot.search_turn_speed > 0.0) json["search.turn_speed"] = robot.search_turn_speed;

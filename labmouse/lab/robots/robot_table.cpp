@@ -55,9 +55,14 @@ std::string ends_line(const Robot& robot) {
 }
 
 std::string search_line(const SearchDrive& search) {
-  return fmt::format("{:<9} cell {}, turn {}, back {}, quarter on the spot {}, half a cell from rest {}\n", "search",
-                     milliseconds_text(search.cell), milliseconds_text(search.turn), milliseconds_text(search.back),
-                     milliseconds_text(search.quarter), milliseconds_text(search.half_cell));
+  std::string lines =
+      fmt::format("{:<9} cell {}, turn {}, back {}, quarter on the spot {}, half a cell from rest {}\n", "search",
+                  milliseconds_text(search.cell), milliseconds_text(search.turn), milliseconds_text(search.back),
+                  milliseconds_text(search.quarter), milliseconds_text(search.half_cell));
+  if (search.dashes())
+    lines += fmt::format("{:<9} 2 known cells {}, 4 {}, 8 {}\n", "dashes", milliseconds_text(search.dash(2)),
+                         milliseconds_text(search.dash(4)), milliseconds_text(search.dash(8)));
+  return lines;
 }
 
 std::string remark_lines(const Robot& robot, const DriveModel& model) {

@@ -11,13 +11,14 @@ namespace labmouse {
 
 /// A heap of edges, each of which is in it at most once and knows its place, so that it can be moved forward:
 /// Dijkstra's search needs no more room than one place an edge.
+template <class Time>
 class EdgeHeap {
  public:
   static constexpr std::uint16_t nowhere = 0xffff;
 
   EdgeHeap() = default;
   /// Over two arrays with room for all edges, and the times by which they wait, which others write.
-  EdgeHeap(std::uint16_t* heap, std::uint16_t* places, const DriveTime* times)
+  EdgeHeap(std::uint16_t* heap, std::uint16_t* places, const Time* times)
       : heap_(heap), places_(places), times_(times) {}
 
   void clear(std::size_t edges) {
@@ -56,7 +57,7 @@ class EdgeHeap {
 
   std::uint16_t* heap_ = nullptr;
   std::uint16_t* places_ = nullptr;  ///< by edge
-  const DriveTime* times_ = nullptr;
+  const Time* times_ = nullptr;
   std::size_t size_ = 0;
 };
 

@@ -15,7 +15,9 @@ class SearchClock {
   /// For a briefing in seconds, with fields.
   explicit SearchClock(const Briefing& briefing);
 
-  void count(const SearchPlace& from, const Action& step) { time_ += search_time(search_, from, step); }
+  void count(const Knowledge& knowledge, const SearchPlace& from, const Action& step) {
+    time_ += search_time(search_, from, step, search_.dashes() ? knowledge.known_cells() : CellSet());
+  }
 
   /// Whether the way home and the fastest known run would no longer fit into the time after another look. Never where
   /// no run is known. Uses the briefing's fields.

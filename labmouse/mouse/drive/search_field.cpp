@@ -10,6 +10,9 @@ namespace {
 /// Of two times; what comes to no_time or more is none.
 DriveTime sum(std::int64_t a, std::int64_t b) { return static_cast<DriveTime>(std::min<std::int64_t>(no_time, a + b)); }
 
+/// Every move takes some time, whatever it saves.
+DriveTime some_time(DriveTime time) { return std::max(time, 1); }
+
 /// The price of a closed wall.
 constexpr std::uint8_t closed = 0xff;
 
@@ -28,19 +31,19 @@ SearchField::SearchField(Size size, const SearchDrive& drive)
 SearchField::SearchField(Size size, const SearchDrive& drive, std::span<std::byte> memory)
     : size_(size), drive_(drive) {
   assert(drive.cell > 0 && drive.turn > 0 && drive.back > 0);
-  assert(memory.size() >= bytes_for(size) && 4 * size.area() < EdgeHeap::nowhere);
+  assert(memory.size() >= bytes_for(size) && 4 * size.area() < EdgeHeap<DriveTime>::nowhere);
   const auto edges = static_cast<std::size_t>(4 * size.area());
   times_ = new (memory.data()) DriveTime[edges];
   auto* const numbers = new (memory.data() + edges * sizeof(DriveTime)) std::uint16_t[2 * edges];
-  heap_ = EdgeHeap(numbers, numbers + edges, times_);
+  heap_ = EdgeHeap<DriveTime>(numbers, numbers + edges, times_);
   prices_ = new (numbers + 2 * edges) std::uint8_t[edges / 2];
   std::fill(times_, times_ + edges, no_time);
   std::fill(prices_, prices_ + edges / 2, closed);
 }
 
 template <class Price>
-void SearchField::set_prices(DriveTime unit, Price price) {
-  unit_ = unit;
+void SearchField::set_prices(const SearchTolls& tolls, Price price) {
+  tolls_ = tolls;
   for (int index = 0; index < size_.area(); ++index)
     for (const Heading heading : {Heading::north, Heading::east}) {
       const Wall wall = wall_at(size_.cell_at(index), heading);
@@ -52,20 +55,25 @@ DriveTime SearchField::toll(Cell cell, Heading heading) const {
   const Wall wall = wall_at(cell, heading);
   if (!size_.contains(wall.cell)) return no_time;
   const std::uint8_t price = prices_[wall_of(wall)];
-  return price == closed ? no_time : sum(0, std::int64_t{price} * unit_);
+  if (price == closed) return no_time;
+  const DriveTime saved =
+      tolls_.savings.empty() ? 0 : tolls_.savings[static_cast<std::size_t>(size_.index(neighbour(cell, heading)))];
+  return price == 0 ? -saved : sum(tolls_.base - saved, std::int64_t{price} * tolls_.unit);
 }
 
-void SearchField::fill(const WallSet& passages, const CellSet& targets) {
-  set_prices(0, [&](Wall wall) { return passages.contains(wall) ? 0 : closed; });
-  search(targets);
+void SearchField::fill(const WallSet& passages, const CellSet& known, const CellSet& targets) {
+  set_prices({drive_}, [&](Wall wall) { return passages.contains(wall) ? 0 : closed; });
+  search(known, targets);
 }
 
-void SearchField::fill(const WallPrices& prices, DriveTime unit, const CellSet& targets) {
-  set_prices(unit, [&](Wall wall) { return prices.passable(wall) ? prices.of(wall) : closed; });
-  search(targets);
+void SearchField::fill(const WallPrices& prices, const SearchTolls& tolls, const CellSet& known,
+                       const CellSet& targets) {
+  set_prices(tolls, [&](Wall wall) { return prices.of(wall) < tolls.closed ? prices.of(wall) : closed; });
+  search(known, targets);
 }
 
-void SearchField::search(const CellSet& targets) {
+void SearchField::search(const CellSet& known, const CellSet& targets) {
+  known_ = known;
   targets_ = targets;
   const auto edges = static_cast<std::size_t>(4 * size_.area());
   std::fill(times_, times_ + edges, no_time);
@@ -89,26 +97,51 @@ void SearchField::reach(std::size_t edge, DriveTime time) {
 void SearchField::expand(Pose pose, DriveTime time) {
   const Cell before = neighbour(pose.cell, pose.heading, -1);
   if (!size_.contains(before)) return;
-  const DriveTime rest = sum(time, toll(before, pose.heading));
-  if (rest == no_time) return;
-  reach(edge_of(before, pose.heading), sum(rest, drive_.cell));
-  reach(edge_of(before, left_of(pose.heading)), sum(rest, drive_.turn));
-  reach(edge_of(before, right_of(pose.heading)), sum(rest, drive_.turn));
-  reach(edge_of(before, opposite(pose.heading)), sum(rest, drive_.back));
+  const DriveTime extra = toll(before, pose.heading);
+  if (extra == no_time) return;
+  const auto by = [&](Heading heading, DriveTime move) {
+    reach(edge_of(before, heading), sum(time, some_time(move + extra)));
+  };
+  by(pose.heading, tolls_.drive.cell);
+  by(left_of(pose.heading), tolls_.drive.turn);
+  by(right_of(pose.heading), tolls_.drive.turn);
+  by(opposite(pose.heading), tolls_.drive.back);
+  if (drive_.dashes()) expand_dashes(pose, time);
+}
+
+/// The same for dashes that end at this edge. What their walls cost is nothing: known cells have no unseen ones.
+void SearchField::expand_dashes(Pose pose, DriveTime time) {
+  Cell before = neighbour(pose.cell, pose.heading, -1);
+  for (int cells = 2; known_.contains(before); ++cells) {
+    before = neighbour(before, pose.heading, -1);
+    if (toll(before, pose.heading) == no_time) return;
+    reach(edge_of(before, pose.heading), sum(time, drive_.dash(cells)));
+  }
 }
 
 DriveTime SearchField::through(const SearchPlace& place, const Move& move) const {
   const Heading direction = turned(place.pose.heading, move.quarters);
   const DriveTime extra = toll(place.pose.cell, direction);
   if (extra == no_time) return no_time;
-  return sum(sum(extra, move.time), times_[edge_of(neighbour(place.pose.cell, direction), direction)]);
+  return sum(some_time(extra + move.time),
+             times_[edge_of(neighbour(place.pose.cell, direction, move.cells), direction)]);
 }
 
 template <class Visit>
 void SearchField::for_each_move(const SearchPlace& place, Visit visit) const {
   for (const int quarters : {0, -1, 1, 2}) {
     const Heading direction = turned(place.pose.heading, quarters);
-    visit(Move{quarters, search_time(drive_, place, search_step(place.pose.heading, direction, 1))});
+    visit(Move{quarters, 1, search_time(tolls_.drive, place, search_step(place.pose.heading, direction, 1))});
+    if (quarters == 0 && !place.at_rest && drive_.dashes()) for_each_dash(place.pose, visit);
+  }
+}
+
+template <class Visit>
+void SearchField::for_each_dash(const Pose& edge, Visit visit) const {
+  Cell next = neighbour(edge.cell, edge.heading);
+  for (int cells = 2; known_.contains(next) && toll(next, edge.heading) != no_time; ++cells) {
+    visit(Move{0, cells, drive_.dash(cells)});
+    next = neighbour(next, edge.heading);
   }
 }
 
@@ -126,7 +159,7 @@ Action SearchField::step(const SearchPlace& place) const {
   if (least == no_time) return best;
   for_each_move(place, [&](const Move& move) {
     if (best.kind == Action::Kind::forfeit && through(place, move) == least)
-      best = search_step(place.pose.heading, turned(place.pose.heading, move.quarters), 1);
+      best = search_step(place.pose.heading, turned(place.pose.heading, move.quarters), move.cells);
   });
   return best;
 }

@@ -16,6 +16,17 @@
 
 namespace labmouse {
 
+/// How a mind counts the moves of a search where it expects something of walls that it has not seen.
+struct SearchTolls {
+  SearchDrive drive;                ///< the moves
+  DriveTime unit = 0;               ///< for each unit of an unseen wall's price
+  DriveTime base = 0;               ///< for each wall that has a price
+  int closed = WallPrices::closed;  ///< a wall of that price or more is taken for closed
+  /// By the number of a cell: what entering it saves. A move still takes some time. Must outlive the field's use, and
+  /// be 0 for known cells; may be empty.
+  std::span<const DriveTime> savings = {};
+};
+
 /// Times in microseconds to enter any of some cells by the moves of a search; a pivot on the way is none of them, but
 /// for that of a mouse at rest. Takes all memory that it will need: for mazes up to 64×64, or for 32×32 and less.
 class SearchField {
@@ -26,20 +37,22 @@ class SearchField {
   SearchField(Size size, const SearchDrive& drive, std::span<std::byte> memory);
   static std::size_t bytes_for(Size size);
 
-  /// Finds all times over the given passages (all inside the size) to the given cells.
-  void fill(const WallSet& passages, const CellSet& targets);
-  /// The same over walls that are not closed, where each unit of a wall's price counts as so many microseconds.
-  void fill(const WallPrices& prices, DriveTime unit, const CellSet& targets);
+  /// Finds all times over the given passages (all inside the size) to the given cells, with dashes over known ones.
+  void fill(const WallSet& passages, const CellSet& known, const CellSet& targets);
+  /// The same over walls that are not closed, counted by those tolls, and so are from() and step() until the next fill.
+  void fill(const WallPrices& prices, const SearchTolls& tolls, const CellSet& known, const CellSet& targets);
 
   /// The time from a place; 0 in the cells themselves, no_time where none of them can be reached.
   DriveTime from(const SearchPlace& place) const;
-  /// The first move of a fastest way from a place, over one edge: of equally fast ones straight on, to the left, to the
-  /// right, back. In one of the cells already it stays, as Action::step(0, 0); where there is no way it forfeits.
+  /// The first move of a fastest way from a place, over one edge or a dash: of equally fast ones straight on, the
+  /// fewest edges first, to the left, to the right, back. In one of the cells already it stays, as Action::step(0, 0);
+  /// where there is no way it forfeits.
   Action step(const SearchPlace& place) const;
 
  private:
   struct Move {
     int quarters;
+    int cells;
     DriveTime time;
   };
 
@@ -50,25 +63,29 @@ class SearchField {
     return static_cast<std::size_t>(2 * size_.index(wall.cell) + (wall.side == Heading::east ? 1 : 0));
   }
   template <class Price>
-  void set_prices(DriveTime unit, Price price);
+  void set_prices(const SearchTolls& tolls, Price price);
   DriveTime toll(Cell cell, Heading heading) const;
-  void search(const CellSet& targets);
+  void search(const CellSet& known, const CellSet& targets);
   void reach(std::size_t edge, DriveTime time);
   void expand(Pose pose, DriveTime time);
+  void expand_dashes(Pose pose, DriveTime time);
   DriveTime through(const SearchPlace& place, const Move& move) const;
   template <class Visit>
   void for_each_move(const SearchPlace& place, Visit visit) const;
+  template <class Visit>
+  void for_each_dash(const Pose& edge, Visit visit) const;
 
   Size size_;
   SearchDrive drive_;
+  CellSet known_;
   CellSet targets_;
   std::unique_ptr<std::byte[]> own_;  ///< where the memory is its own
   /// By edge_of: the time from the edge by which the cell is entered in that heading.
   DriveTime* times_;
   /// By wall_of: what passing it costs besides the time, in units, or `closed`.
   std::uint8_t* prices_;
-  DriveTime unit_ = 0;
-  EdgeHeap heap_;
+  SearchTolls tolls_;
+  EdgeHeap<DriveTime> heap_;
 };
 
 }  // namespace labmouse

@@ -14,7 +14,6 @@ DriveTime pivot_time(const SearchDrive& drive, const Action& step) {
 }
 
 DriveTime time_to_first_edge(const SearchDrive& drive, const Action& step) {
-  if (step.rotation == 0) return drive.cell;
   return step.rotation == 180 ? drive.back : drive.turn;
 }
 
@@ -32,12 +31,23 @@ SearchPlace after_search(const SearchPlace& from, const Action& step) {
   return {{neighbour(from.pose.cell, heading, step.movement), heading}, step.movement == 0};
 }
 
-DriveTime search_time(const SearchDrive& drive, const SearchPlace& from, const Action& step) {
+DriveTime search_time(const SearchDrive& drive, const SearchPlace& from, const Action& step, const CellSet& known) {
   assert(is_search_step(from, step));
-  const DriveTime edges = (step.movement - 1) * drive.cell;
   if (step.movement == 0) return (from.at_rest ? 0 : drive.half_cell) + pivot_time(drive, step);
-  if (from.at_rest) return pivot_time(drive, step) + drive.half_cell + edges;
-  return time_to_first_edge(drive, step) + edges;
+  DriveTime time = 0;
+  int edges = 0;
+  if (from.at_rest || step.rotation != 0) {
+    time = from.at_rest ? pivot_time(drive, step) + drive.half_cell : time_to_first_edge(drive, step);
+    edges = 1;
+  }
+  const Heading heading = after_search(from, step).pose.heading;
+  while (edges < step.movement) {
+    const Pose edge = {neighbour(from.pose.cell, heading, edges), heading};
+    const int dash = dash_length(drive, edge, step.movement - edges, [&](Cell cell) { return known.contains(cell); });
+    time += drive.dash(dash);
+    edges += dash;
+  }
+  return time;
 }
 
 Action search_step(Heading heading, Heading direction, int cells) {

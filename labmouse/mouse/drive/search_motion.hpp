@@ -7,7 +7,8 @@
 //       on
 //     ±90, k   a small turn, then straight on    any, 0   stops in the middle, pivots, and looks
 //
-// where the first of the k edges is that of the cell it is in. At rest, a rotation is a pivot.
+// where the first of the k edges is that of the cell it is in. At rest, a rotation is a pivot. "Straight on" over cells
+// that are known is a dash, where the robot makes them: there is nothing to be read before its end.
 #pragma once
 
 #include "labmouse/grid/wall_set.hpp"
@@ -31,8 +32,17 @@ bool is_search_step(const SearchPlace& from, const Action& step);
 /// Where such a step leads, if all walls on its way are open.
 SearchPlace after_search(const SearchPlace& from, const Action& step);
 
-/// How long it takes.
-DriveTime search_time(const SearchDrive& drive, const SearchPlace& from, const Action& step);
+/// How long it takes, where the walls of those cells are known.
+DriveTime search_time(const SearchDrive& drive, const SearchPlace& from, const Action& step, const CellSet& known = {});
+
+/// Over how many edges the mouse dashes from an edge, at most so many: as far as it need not read a cell. At least one.
+template <class Knows>
+int dash_length(const SearchDrive& drive, const Pose& edge, int most, Knows knows) {
+  int cells = 1;
+  if (drive.dashes())
+    while (cells < most && knows(neighbour(edge.cell, edge.heading, cells))) ++cells;
+  return cells;
+}
 
 /// The step over so many edges in a direction.
 Action search_step(Heading heading, Heading direction, int cells);

@@ -17,6 +17,21 @@ struct SearchDrive {
   DriveTime back = 0;       ///< stops in the middle of the cell, pivots, and leaves it where it came in
   DriveTime quarter = 0;    ///< a quarter turn on the spot, at rest
   DriveTime half_cell = 0;  ///< from rest in the middle of a cell to its edge, or from there to rest
+  /// From an edge so many half cells straight on, faster and faster, through cells whose walls are all known: the first
+  /// half of a dash, whose second half is as long. All 0 where known cells are driven as others are.
+  std::array<DriveTime, max_drive_side + 1> onward{};
+
+  bool dashes() const { return onward.back() != 0; }
+  /// Straight on over so many edges, where the walls of all cells behind the first are known.
+  DriveTime dash(int cells) const {
+    return cells < 2 || !dashes() ? cells * cell : 2 * onward[static_cast<std::size_t>(cells)];
+  }
+  /// The part of a dash to its edge of that number.
+  DriveTime dash_part(int cells, int edge) const {
+    if (cells < 2 || !dashes()) return edge * cell;
+    const auto half = [&](int edges) { return onward[static_cast<std::size_t>(2 * edges)]; };
+    return 2 * edge <= cells ? half(edge) : dash(cells) - half(cells - edge);
+  }
 
   friend bool operator==(const SearchDrive&, const SearchDrive&) = default;
 };
@@ -64,6 +79,8 @@ struct Robot {
   bool diagonals = true;      ///< whether it drives any
   double search_speed = 0.0;  ///< mm/s
   double search_turn_speed = 0.0;   ///< mm/s, on a path of its own; 0: at the search speed, on the path of S90
+  double known_speed = 0.0;         ///< mm/s, of a search over straights of known cells; 0: as over others
+  double known_acceleration = 0.0;  ///< mm/s², there; 0: the lesser of acceleration and braking
   double pivot_speed = 0.0;         ///< rad/s, turning on the spot
   double pivot_acceleration = 0.0;  ///< rad/s²
   SearchDrive search;               ///< where its `cell` is 0, it follows from the three numbers before it

@@ -60,9 +60,8 @@ OwnTurn own_turn(const Robot& robot) {
   return {before.seconds(lead_in) + turn.shape.length / own + after.seconds(lead_out), ""};
 }
 
-}  // namespace
-
-SearchModel search_model(const Robot& robot, const TurnShape& small_turn, double small_turn_speed) {
+/// Over cells one by one, as the robot gives it or as follows from its search speed.
+SearchModel cell_by_cell(const Robot& robot, const TurnShape& small_turn, double small_turn_speed) {
   if (robot.search.cell != 0) return {robot.search, {}};
   const double speed = robot.search_speed;
   if (!(speed > 0.0 && robot.pivot_speed > 0.0 && robot.pivot_acceleration > 0.0))
@@ -81,6 +80,34 @@ SearchModel search_model(const Robot& robot, const TurnShape& small_turn, double
   drive.quarter = microseconds(pivot_seconds(robot, pi / 2.0));
   drive.back = 2 * drive.half_cell + microseconds(pivot_seconds(robot, pi));
   return {drive, {}};
+}
+
+/// Adds dashes over known cells, from and to the speed at which the robot searches.
+void add_dashes(const Robot& robot, SearchModel& model) {
+  const double speed = robot.search.cell != 0 ? robot.cell / (robot.search.cell / 1e6) : robot.search_speed;
+  if (robot.known_speed <= speed) {
+    model.error = "its speed over known cells, " + millimetres(robot.known_speed) +
+                  "/s, is not above that of its search, " + millimetres(speed) + "/s; raise or omit search.known_speed";
+    return;
+  }
+  const double given = robot.known_acceleration, least = std::min(robot.acceleration, robot.braking);
+  const double rate = given > 0.0 ? given : least;
+  for (std::size_t halves = 1; halves < model.drive.onward.size(); ++halves) {
+    const double length = static_cast<double>(halves) * robot.cell / 2.0;
+    model.drive.onward[halves] = microseconds(seconds_onward(length, speed, {robot.known_speed, rate, rate}));
+  }
+}
+
+}  // namespace
+
+SearchModel search_model(const Robot& robot, const TurnShape& small_turn, double small_turn_speed) {
+  SearchModel model = cell_by_cell(robot, small_turn, small_turn_speed);
+  if (!model.error.empty()) return model;
+  if (robot.known_speed > 0.0)
+    add_dashes(robot, model);
+  else if (robot.known_acceleration > 0.0)
+    model.error = "search.known_acceleration has no effect without search.known_speed";
+  return model;
 }
 
 }  // namespace labmouse

@@ -84,7 +84,9 @@ class Driver final : public Explorer {
   }
 
   Action step_towards(const CellSet& cells) {
-    ways_.fill(outlook_.prices(), search_.cell / prices_a_cell, cells);
+    SearchTolls tolls{search_};
+    tolls.unit = search_.cell / prices_a_cell;
+    ways_.fill(outlook_.prices(), tolls, knowledge().known_cells(), cells);
     return hopeful_step(ways_, knowledge(), place());
   }
 
@@ -101,12 +103,13 @@ class Driver final : public Explorer {
   /// stand in the field; afterwards the way home does.
   DriveTime detour() {
     DriveTime travel = 0;
+    const CellSet known = knowledge().known_cells();
     SearchPlace at = place();
     for (Action step = ways_.step(at); step.movement > 0; step = ways_.step(at)) {
-      travel += search_time(search_, at, step);
+      travel += search_time(search_, at, step, known);
       at = after_search(at, step);
     }
-    ways_.fill(knowledge().possible(), CellSet::of(briefing().start.cell));
+    ways_.fill(knowledge().possible(), known, CellSet::of(briefing().start.cell));
     return travel + ways_.from(at) - ways_.from(place());
   }
 

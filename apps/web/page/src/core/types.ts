@@ -411,7 +411,15 @@ export interface RobotResult {
   /** From one turn at `speed` to the next: so many steps of that length in so many milliseconds. */
   straights: { kind: string; step: string; speed: number; times: { steps: number; ms: number }[] }[];
   /** The moves of a search. */
-  search: { cell: number; turn: number; back: number; quarter: number; half_cell: number };
+  search: {
+    cell: number;
+    turn: number;
+    back: number;
+    quarter: number;
+    half_cell: number;
+    known_2: number;
+    known_8: number;
+  };
   /** The hash of its tables. */
   tables: string;
 }

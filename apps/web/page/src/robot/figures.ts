@@ -84,6 +84,8 @@ const moves: [keyof RobotResult['search'], string][] = [
   ['back', 'into a cell, around, and out again'],
   ['quarter', 'a quarter turn on the spot'],
   ['half_cell', 'half a cell, from rest or to rest'],
+  ['known_2', 'two known cells straight on'],
+  ['known_8', 'eight known cells straight on'],
 ];
 
 const table = (label: string, rows: HTMLElement[]) =>
