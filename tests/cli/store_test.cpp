@@ -1,4 +1,6 @@
 // Stores of contests, as a user has them: kept, killed, full, shared and read with other programs.
+#include <sys/mount.h>
+
 #include <chrono>
 #include <functional>
 #include <random>
@@ -132,6 +134,53 @@ TEST_F(AUserOfAStore, IsToldThatTheDiskIsFull) {
   EXPECT_EQ(kept("full.db"), 40000U);
   EXPECT_EQ(shell("ulimit -f 8; labmouse race --mice flood --mazes corridor.txt --store new.db").code, 2);
   EXPECT_EQ(labmouse({"race", "--mice", "flood", "--mazes", "corridor.txt", "--store", "new.db"}).code, 0);
+}
+
+/// A disk of its own, as small as that, where this user may make one.
+class SmallDisk {
+ public:
+  SmallDisk(std::filesystem::path folder, const char* size) : folder_(std::move(folder)) {
+    std::filesystem::create_directories(folder_);
+    is_there_ = mount("none", folder_.c_str(), "tmpfs", 0, (std::string("size=") + size).c_str()) == 0;
+  }
+  SmallDisk(const SmallDisk&) = delete;
+  SmallDisk& operator=(const SmallDisk&) = delete;
+  ~SmallDisk() {
+    if (is_there_) umount2(folder_.c_str(), MNT_DETACH);
+  }
+
+  bool is_there() const { return is_there_; }
+
+ private:
+  std::filesystem::path folder_;
+  bool is_there_ = false;
+};
+
+TEST_F(AUserOfAStore, GoesOnAfterADiskWasFull) {
+  const SmallDisk disk(folder_ / "disk", "2m");
+  if (!disk.is_there()) GTEST_SKIP() << "this user may not mount a tmpfs: a disk that is full is not tried";
+  const auto race = [&](const char* runs) {
+    return labmouse({"race", "--mice", "random", "--mazes", "corridor.txt", "--runs", runs, "--format", "csv",
+                     "--store", "disk/full.db"});
+  };
+  const Ended full = race("40000");
+  EXPECT_EQ(full.code, 2);
+  EXPECT_THAT(full.err, Says("disk/full.db: error: cannot be written", "no space"));
+  // It says what it did, and keeps a part of that.
+  const std::size_t before = kept("disk/full.db");
+  EXPECT_GT(before, 0U);
+  EXPECT_EQ(labmouse({"store", "verify", "disk/full.db", "--share", "0.01"}).code, 0);
+  // Neither does a merge leave anything where there is no room for it.
+  const Ended merged = labmouse({"store", "merge", "disk/full.db", "-o", "disk/all.db"});
+  EXPECT_EQ(merged.code, 2);
+  EXPECT_THAT(merged.err, Says("disk/all.db", "error: cannot be written", "no space"));
+  for (const auto& entry : std::filesystem::directory_iterator(folder_ / "disk"))
+    EXPECT_THAT(entry.path().filename().string(), testing::StartsWith("full.db"));
+  EXPECT_EQ(shell("mount -o remount,size=64m disk").code, 0);
+  const Ended again = race("40000");
+  EXPECT_EQ(again.code, 0) << again.err;
+  EXPECT_THAT(again.err, HasSubstr(std::to_string(before) + " contests from it"));
+  EXPECT_EQ(kept("disk/full.db"), 40000U);
 }
 
 TEST_F(AUserOfAStore, IsRefusedWithALine) {

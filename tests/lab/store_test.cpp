@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
 #include "labmouse/lab/standings/race_json.hpp"
 #include "labmouse/lab/standings/race_table.hpp"
@@ -19,6 +20,7 @@
 #include "labmouse/lab/studies/study.hpp"
 #include "labmouse/lab/studies/sweep.hpp"
 #include "labmouse/lab/studies/tune.hpp"
+#include "labmouse/lab/system/file_lock.hpp"
 #include "labmouse/lab/text/json.hpp"
 #include "labmouse/lab/worlds/worlds.hpp"
 #include "tests/lab/race_fixture.hpp"
@@ -375,6 +377,46 @@ TEST_F(AStore, MergesNothingWhereAPartIsNone) {
   EXPECT_THAT(merge_stores({path(), path("missing")}, path("new.db")).error, HasSubstr("missing"));
   EXPECT_THAT(merge_stores({path()}, path("text")).error, HasSubstr("text"));
   EXPECT_FALSE(fs::exists(path("new.db")));
+}
+
+TEST_F(AStore, IsRidOfWhatAKilledMergeLeft) {
+  race("flood", {test::loop()}, test::in_steps(), "part.db");
+  // What it had put together does not belong to another merge.
+  race("certify,manhattan", {test::loop()}, test::in_steps(), "all.db.merging-1");
+  for (const char* left : {"all.db.merging-1-wal", "all.db.merging-1-lock", "all.db.merging-7", "all.db.merging-7-lock",
+                           "all.db.merging-9-shm", "all.db.merging-8", "all.db.merging-notes", "other.db.merging-7"})
+    std::ofstream(path(left)) << "left";
+  int error = 0;
+  const Descriptor at_work = locked_file(path("all.db.merging-8-lock"), error);
+  ASSERT_EQ(error, 0);
+  const Merge merge = merge_stores({path("part.db")}, path("all.db"));
+  EXPECT_TRUE(merge.good()) << merge.error;
+  EXPECT_EQ(number("SELECT count(*) FROM contests", "all.db"), 1);
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder_)) names.push_back(entry.path().filename().string());
+  EXPECT_THAT(names, testing::UnorderedElementsAre("part.db", "all.db", "all.db.merging-8", "all.db.merging-8-lock",
+                                                   "all.db.merging-notes", "other.db.merging-7"));
+}
+
+TEST_F(AStore, TakesSeveralMergesAtOnce) {
+  constexpr std::size_t all = 6;
+  for (int round = 0; round < 5; ++round) {
+    const std::string target = "all-" + std::to_string(round) + ".db";
+    for (std::size_t number = 1; number <= all; ++number)
+      if (round == 0)
+        race(three_mice, {test::loop(), test::corridor(), test::without_route()}, shard(number, all),
+             "part-" + std::to_string(number));
+    std::vector<std::thread> threads;
+    for (std::size_t number = 1; number <= all; ++number)
+      threads.emplace_back([this, target, number] {
+        const Merge merge = merge_stores({path("part-" + std::to_string(number))}, path(target));
+        EXPECT_TRUE(merge.good()) << merge.error;
+      });
+    for (std::thread& thread : threads) thread.join();
+    EXPECT_EQ(number("SELECT count(*) FROM contests", target), static_cast<std::int64_t>(contests_of_three));
+  }
+  for (const auto& entry : fs::directory_iterator(folder_))
+    EXPECT_THAT(entry.path().filename().string(), testing::Not(HasSubstr("merging")));
 }
 
 TEST_F(AStore, Forgets) {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "labmouse/lab/races/race_paths.hpp"
-#include "labmouse/lab/system/calls.hpp"
+#include "labmouse/lab/system/file_lock.hpp"
 #include "labmouse/lab/system/file_names.hpp"
 #include "labmouse/lab/system/file_problems.hpp"
 #include "labmouse/lab/system/streams.hpp"
@@ -85,16 +85,6 @@ std::string remove_all(const fs::path& folder, const std::vector<fs::path>& file
   return "";
 }
 
-/// An open lock file that is locked by us; its error number is in `error` where there is none.
-Descriptor locked(const std::string& path, int& error) {
-  while (true) {
-    Descriptor file = Descriptor::opened(open_lock(path));
-    error = file.number() < 0 ? errno : lock_file(file.number());
-    // The race that had it before may have removed it in between, and then it locks nothing.
-    if (error != 0 || has_name(file.number())) return file;
-  }
-}
-
 /// Makes the folder. Returns what went wrong, or nothing.
 std::string make(const std::string& path) {
   if (path.empty()) return "the path of the folder is empty";
@@ -116,7 +106,7 @@ std::string ResultsFolder::take(const std::string& path, bool overwrite) {
   if (std::string reason = make(path); !reason.empty()) return reason;
   const std::string lock_path = (fs::path(path) / lock_name).string();
   int error = 0;
-  lock_ = locked(lock_path, error);
+  lock_ = locked_file(lock_path, error);
   if (error == EWOULDBLOCK) return "another race is writing to this folder; wait, or choose another folder";
   if (error != 0) return "cannot write: " + cause_of(error);
   lock_path_ = lock_path;

@@ -2,15 +2,20 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cerrno>
 #include <filesystem>
+#include <optional>
 
 #include "labmouse/lab/store/schema.hpp"
-#include "labmouse/lab/system/calls.hpp"
+#include "labmouse/lab/system/file_lock.hpp"
 #include "labmouse/lab/system/file_problems.hpp"
 #include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
 namespace {
+
+namespace fs = std::filesystem;
 
 /// So many conflicts are named; where there is one there are often many.
 constexpr int named_conflicts = 10;
@@ -111,9 +116,100 @@ void merge_one(Database& database, const std::string& path, const std::string& c
 /// Why a store cannot be read by a merge; empty where it can.
 std::string refuse(const std::string& path, const std::string& target) {
   std::error_code none;
-  if (std::filesystem::equivalent(path, target, none)) return error_line(path, "is the target of the merge itself");
+  if (fs::equivalent(path, target, none)) return error_line(path, "is the target of the merge itself");
   return error_line(path, open_store(path, Database::Access::read).error());
 }
+
+/// Gives a store its name, unless a store has that; whether it is done, which a merge that failed is, too. Another
+/// program may make the target at this moment: it must not be lost, so the name is given only where there is none.
+bool becomes(const std::string& beside, const std::string& target, Merge& merge) {
+  std::error_code error;
+  if (fs::exists(target, error)) return false;
+  fs::create_hard_link(beside, target, error);
+  if (error == std::errc::file_exists) return false;
+  // Some file systems have no second names.
+  if (error) fs::rename(beside, target, error);
+  if (error) merge.error = error_line(target, "cannot be written: " + cause_of(error.value()));
+  return true;
+}
+
+/// Where a merge did not go well, nothing was changed.
+Merge as_it_ended(Merge merge) {
+  if (!merge.good()) merge.added = merge.equal = 0;
+  return merge;
+}
+
+/// A file beside the target in which a merge puts its parts together, for as long as this lives. One that was killed
+/// left its own: nobody has locked that any more, so the next merge into the target removes it.
+class FileBeside {
+ public:
+  explicit FileBeside(const std::string& target) : begin_(target + ".merging-") {
+    for (int number = 1; path_.empty() && error_ == 0; ++number)
+      if (auto file = taken(std::to_string(number), error_)) {
+        path_ = begin_ + std::to_string(number);
+        lock_.emplace(std::move(*file));
+      }
+    remove_leftovers(fs::path(target));
+  }
+  FileBeside(const FileBeside&) = delete;
+  FileBeside& operator=(const FileBeside&) = delete;
+  ~FileBeside() {
+    // Before it is unlocked, so that nobody has locked it when it goes.
+    if (lock_) remove(path_);
+  }
+
+  /// Why there is none; empty where there is one.
+  std::string error() const { return error_ == 0 ? "" : "cannot be written: " + cause_of(error_); }
+  const std::string& path() const { return path_; }
+
+ private:
+  static constexpr const char* lock_ending = "-lock";
+
+  /// Locks the file of that number and empties it; nothing where another merge has it, or where it cannot be made.
+  std::optional<Descriptor> taken(const std::string& number, int& error) const {
+    Descriptor file = locked_file(begin_ + number + lock_ending, error);
+    if (error == EWOULDBLOCK)
+      error = 0;
+    else if (error == 0) {
+      remove_store(begin_ + number);
+      return file;
+    }
+    return std::nullopt;
+  }
+
+  void remove_leftovers(const fs::path& target) const {
+    const std::string begin = target.filename().string() + ".merging-";
+    const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+    std::vector<std::string> numbers;
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+      const std::string name = entry->path().filename().string();
+      if (!name.starts_with(begin)) continue;
+      const std::string rest = name.substr(begin.size()), number = rest.substr(0, rest.find('-'));
+      const bool is_number = !number.empty() && std::all_of(number.begin(), number.end(),
+                                                            [](char letter) { return letter >= '0' && letter <= '9'; });
+      if (is_number && begin_ + number != path_) numbers.push_back(number);
+    }
+    for (const std::string& number : numbers) {
+      int unknown = 0;
+      if (const auto lock = taken(number, unknown)) remove(begin_ + number);
+    }
+  }
+
+  static void remove_store(const std::string& path) {
+    std::error_code unknown;
+    for (const char* ending : {"", "-wal", "-shm"}) fs::remove(path + ending, unknown);
+  }
+  static void remove(const std::string& path) {
+    std::error_code unknown;
+    remove_store(path);
+    fs::remove(path + lock_ending, unknown);
+  }
+
+  std::string begin_, path_;
+  std::optional<Descriptor> lock_;
+  int error_ = 0;
+};
 
 }  // namespace
 
@@ -122,28 +218,19 @@ Merge merge_stores(const std::vector<std::string>& paths, const std::string& tar
   for (const std::string& path : paths)
     if (merge.error = refuse(path, target); !merge.error.empty()) return merge;
   // The parts are put together beside the target, which then changes in one transaction, or by a new name.
-  const std::string beside = fmt::format("{}.merging-{}", target, process_number());
-  std::error_code none;
-  const bool is_new = !std::filesystem::exists(target, none);
+  const FileBeside beside(target);
+  if (merge.error = error_line(target, beside.error()); !merge.error.empty()) return merge;
   {
-    Database database = open_store(beside, Database::Access::create);
+    Database database = open_store(beside.path(), Database::Access::create);
     for (const std::string& path : paths) merge_one(database, path, path, merge);
-    if (merge.error.empty()) merge.error = error_line(beside, database.error());
+    if (merge.error.empty()) merge.error = error_line(beside.path(), database.error());
   }
-  if (merge.good() && !is_new) {
-    merge.added = merge.equal = 0;
-    Database database = open_store(target, Database::Access::write);
-    merge_one(database, beside, target, merge);
-    if (merge.error.empty()) merge.error = error_line(target, database.error());
-  }
-  if (merge.good() && is_new) {
-    std::error_code error;
-    std::filesystem::rename(beside, target, error);
-    if (error) merge.error = error_line(target, "cannot be written: " + cause_of(error.value()));
-  }
-  for (const char* ending : {"", "-wal", "-shm"}) std::filesystem::remove(beside + ending, none);
-  if (!merge.good()) merge.added = merge.equal = 0;
-  return merge;
+  if (!merge.good() || becomes(beside.path(), target, merge)) return as_it_ended(std::move(merge));
+  merge.added = merge.equal = 0;
+  Database database = open_store(target, Database::Access::write);
+  merge_one(database, beside.path(), target, merge);
+  if (merge.error.empty()) merge.error = error_line(target, database.error());
+  return as_it_ended(std::move(merge));
 }
 
 Forgotten forget(const std::string& path, const StoreFilter& filter) {
