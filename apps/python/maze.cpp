@@ -3,10 +3,8 @@
 #include <nanobind/ndarray.h>
 #include <nanobind/operators.h>
 #include <nanobind/stl/filesystem.h>
-#include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
-#include <nanobind/stl/variant.h>
 #include <nanobind/stl/vector.h>
 
 #include <algorithm>
@@ -19,6 +17,7 @@
 #include "labmouse/lab/mazes/maze_files.hpp"
 #include "labmouse/lab/mazes/maze_link.hpp"
 #include "labmouse/lab/system/files.hpp"
+#include "labmouse/lab/text/printable.hpp"
 #include "labmouse/maze/generators/generator.hpp"
 #include "labmouse/strategies/parameter.hpp"
 
@@ -32,6 +31,23 @@ using Place = std::pair<int, int>;
 /// Cells by row and column; the southernmost row comes first.
 using CellFlags = nb::ndarray<nb::numpy, bool, nb::ndim<2>>;
 using GivenFlags = nb::ndarray<const bool, nb::ndim<2>, nb::c_contig, nb::device::cpu>;
+
+/// What a user gave, as that type; throws UserError where it is none. The binding's own error would be several lines.
+template <class T>
+T given(nb::handle value, const char* name, const char* kind) {
+  T found;
+  if (!nb::try_cast(value, found))
+    throw UserError(fmt::format("{} must be {}, not {}", name, kind, shown(nb::repr(value).c_str())));
+  return found;
+}
+std::string text_in(nb::handle value, const char* name) { return given<std::string>(value, name, "a text"); }
+std::filesystem::path path_in(nb::handle value) {
+  return given<std::filesystem::path>(value, "path", "the path of a file or the name of a built-in maze");
+}
+Place place_in(nb::handle value, const char* name) { return given<Place>(value, name, "a cell (x, y)"); }
+std::vector<Place> places_in(nb::handle value, const char* name) {
+  return given<std::vector<Place>>(value, name, "a list of cells (x, y)");
+}
 
 Heading heading_named(const std::string& name) {
   std::vector<std::string_view> names;
@@ -70,8 +86,9 @@ NamedMaze load(const std::filesystem::path& path) {
   return std::move(found.mazes.front());
 }
 
-NamedMaze parse(const std::string& text, const std::string& name) {
-  ReadResult read = read_maze(text);
+NamedMaze parse(nb::handle text, nb::handle given_name) {
+  const std::string name = text_in(given_name, "name");
+  ReadResult read = read_maze(text_in(text, "text"));
   if (!read.maze) throw error_of({{name, read.problems}});
   return {name, *std::move(read.maze)};
 }
@@ -84,13 +101,18 @@ std::vector<NamedMaze> find(const std::vector<std::filesystem::path>& paths) {
   return std::move(found.mazes);
 }
 
-NamedMaze generate(const std::string& kind, const std::variant<int, Place>& size, std::uint64_t seed, double loops) {
+NamedMaze generate(nb::handle given_kind, nb::handle size, nb::handle given_seed, nb::handle given_loops) {
+  const std::string kind = text_in(given_kind, "kind");
+  const auto seed = given<std::uint64_t>(given_seed, "seed", "a whole number from 0 to 18446744073709551615");
+  const auto loops = given<double>(given_loops, "loops", "a share from 0 to 1");
   const Generator* generator = find_generator(kind);
   if (generator == nullptr)
     throw UserError(fmt::format("unknown kind '{}'; {}", kind, suggestion(kind, all_generators())));
   if (!(loops >= 0.0 && loops <= 1.0)) throw UserError(fmt::format("loops is a share from 0 to 1, not {}", loops));
-  const int* side = std::get_if<int>(&size);
-  const auto [width, height] = side != nullptr ? Place(*side, *side) : std::get<Place>(size);
+  int side = 0;
+  const auto [width, height] = nb::try_cast(size, side, false)
+                                   ? Place(side, side)
+                                   : given<Place>(size, "size", "a number of cells, or (width, height)");
   const GeneratorOrder order{{width, height}, seed, static_cast<int>(loops * 1000.0 + 0.5)};
   if (const auto reason = generator->refuses(order); !reason.empty()) throw UserError(std::string(reason));
   std::string name = fmt::format("{}-{}x{}-{}", kind, width, height, seed);
@@ -98,8 +120,13 @@ NamedMaze generate(const std::string& kind, const std::variant<int, Place>& size
   return {std::move(name), generator->make(order)};
 }
 
-NamedMaze from_walls(const GivenFlags& north, const GivenFlags& east, Place start, const std::string& heading,
-                     const std::optional<std::vector<Place>>& goals, const std::string& name) {
+NamedMaze from_walls(nb::handle given_north, nb::handle given_east, nb::handle start, nb::handle heading,
+                     nb::handle given_goals, nb::handle name) {
+  constexpr const char* flags = "an array of bool of the shape (height, width)";
+  const auto north = given<GivenFlags>(given_north, "north", flags),
+             east = given<GivenFlags>(given_east, "east", flags);
+  const auto goals = given_goals.is_none() ? std::vector<Place>() : places_in(given_goals, "goals");
+  if (goals.empty() && !given_goals.is_none()) throw UserError("a maze needs at least one goal; None is the centre");
   const Size size{static_cast<int>(north.shape(1)), static_cast<int>(north.shape(0))};
   if (north.shape(0) != east.shape(0) || north.shape(1) != east.shape(1))
     throw UserError(fmt::format("north has the shape ({}, {}) and east ({}, {}); both must be (height, width)",
@@ -118,9 +145,9 @@ NamedMaze from_walls(const GivenFlags& north, const GivenFlags& east, Place star
       draft.open(cell, side);
     }
   }
-  draft.set_start(cell_in(size, start, "start"), heading_named(heading));
-  for (const auto& goal : goals.value_or(std::vector<Place>())) draft.add_goal(cell_in(size, goal, "goal"));
-  return {name, Maze(draft)};
+  draft.set_start(cell_in(size, place_in(start, "start"), "start"), heading_named(text_in(heading, "heading")));
+  for (const Place& goal : goals) draft.add_goal(cell_in(size, goal, "goal"));
+  return {text_in(name, "name"), Maze(draft)};
 }
 
 CellFlags walls_of(const Maze& maze, Heading side) {
@@ -139,7 +166,8 @@ std::vector<Place> goals_of(const Maze& maze) {
   return goals;
 }
 
-std::string written(const NamedMaze& maze, const std::string& format_name) {
+std::string written(const NamedMaze& maze, nb::handle given_format) {
+  const std::string format_name = text_in(given_format, "format");
   const Format* format = find_format(format_name);
   if (format == nullptr)
     throw UserError(fmt::format("unknown format '{}'; {}", format_name, suggestion(format_name, all_formats())));
@@ -149,19 +177,22 @@ std::string written(const NamedMaze& maze, const std::string& format_name) {
   return *result.content;
 }
 
-void save(const NamedMaze& maze, const std::filesystem::path& path, const std::optional<std::string>& format) {
-  const std::string file = path.string();
+void save(const NamedMaze& maze, nb::handle path, nb::handle format) {
+  const std::string file = given<std::filesystem::path>(path, "path", "the path of a file").string();
   const std::string suggested = file.ends_with(".maz") ? "maz" : file.ends_with(".num") ? "num" : "drawing";
-  const std::string content = written(maze, format.value_or(suggested));
+  const nb::str chosen(suggested.c_str());
+  const std::string content = written(maze, format.is_none() ? nb::handle(chosen) : format);
   if (const auto error = write_file(file, content); !error.empty())
     throw UserError(fmt::format("{}: error: {}", file, error));
 }
 
-NamedMaze with_start(const NamedMaze& maze, Place start, const std::string& heading) {
-  return {maze.name, maze.maze.with_start(cell_in(maze.maze.size(), start, "start"), heading_named(heading))};
+NamedMaze with_start(const NamedMaze& maze, nb::handle start, nb::handle heading) {
+  const Cell cell = cell_in(maze.maze.size(), place_in(start, "start"), "start");
+  return {maze.name, maze.maze.with_start(cell, heading_named(text_in(heading, "heading")))};
 }
 
-NamedMaze with_goals(const NamedMaze& maze, const std::vector<Place>& goals) {
+NamedMaze with_goals(const NamedMaze& maze, nb::handle given_goals) {
+  const std::vector<Place> goals = places_in(given_goals, "goals");
   CellSet cells;
   for (const auto& goal : goals) cells.insert(cell_in(maze.maze.size(), goal, "goal"));
   if (cells.empty()) throw UserError("a maze needs at least one goal");
@@ -191,18 +222,23 @@ void bind_mazes(nb::module_& module) {
       "Cells are (x, y): x counts eastwards and y northwards from (0, 0), the south-west corner. Two\n"
       "mazes are equal where walls, start, heading and goals are, whatever their names.")
       .def(
-          "__init__", [](NamedMaze* self, const std::filesystem::path& path) { new (self) NamedMaze(load(path)); },
-          "path"_a, nb::sig("def __init__(self, path: str | os.PathLike[str]) -> None"),
+          "__init__", [](NamedMaze* self, nb::handle path) { new (self) NamedMaze(load(path_in(path))); }, "path"_a,
+          nb::sig("def __init__(self, path: str | os.PathLike[str]) -> None"),
           "Reads a maze file of any format (docs/formats.md), or takes a built-in maze by its name.\n\n"
           "Raises Error with file, line, column and reason where there is none.")
       .def_static("parse", &parse, "text"_a, "name"_a = "maze",
+                  nb::sig("def parse(text: str, name: str = 'maze') -> Maze"),
                   "The maze of a text in any format. Raises Error with line, column and reason.")
-      .def_static("from_walls", &from_walls, "north"_a, "east"_a, "start"_a = Place(0, 0), "heading"_a = "north",
-                  "goals"_a = nb::none(), "name"_a = "maze",
-                  "The maze of two arrays of bool of the shape (height, width).\n\n"
-                  "north[y, x] says whether there is a wall north of the cell (x, y), and east[y, x] whether there is\n"
-                  "one east of it. The border must be closed: north[-1, :] and east[:, -1] are all True. `goals` is a\n"
-                  "list of cells, or None for the centre. Raises Error where they make no maze.")
+      .def_static(
+          "from_walls", &from_walls, "north"_a, "east"_a, "start"_a = Place(0, 0), "heading"_a = "north",
+          "goals"_a = nb::none(), "name"_a = "maze",
+          nb::sig("def from_walls(north: NDArray[numpy.bool_], east: NDArray[numpy.bool_], start: tuple[int, int] "
+                  "= (0, 0), heading: str = 'north', goals: Sequence[tuple[int, int]] | None = None, "
+                  "name: str = 'maze') -> Maze"),
+          "The maze of two arrays of bool of the shape (height, width).\n\n"
+          "north[y, x] says whether there is a wall north of the cell (x, y), and east[y, x] whether there is\n"
+          "one east of it. The border must be closed: north[-1, :] and east[:, -1] are all True. `goals` is a\n"
+          "list of cells, or None for the centre. Raises Error where they make no maze.")
       .def_prop_ro(
           "name", [](const NamedMaze& maze) { return maze.name; },
           "What results call it: the path of its file, or the name of a built-in or generated maze.")
@@ -225,19 +261,22 @@ void bind_mazes(nb::module_& module) {
       .def_prop_ro(
           "east", [](const NamedMaze& maze) { return walls_of(maze.maze, Heading::east); }, nb::rv_policy::automatic,
           "A new array of bool of the shape (height, width): whether there is a wall east of the cell [y, x].")
-      .def("text", &written, "format"_a = "drawing",
+      .def("text", &written, "format"_a = "drawing", nb::sig("def text(self, format: str = 'drawing') -> str"),
            "The maze as a text: 'drawing', 'capstone', 'num' or 'maz'. Raises Error where the format cannot hold it.")
       .def("save", &save, "path"_a, "format"_a = nb::none(),
            nb::sig("def save(self, path: str | os.PathLike[str], format: str | None = None) -> None"),
            "Writes it to a file; the format is that of the path's ending (.maz, .num), otherwise a drawing.")
       .def(
           "named",
-          [](const NamedMaze& maze, const std::string& name) {
-            return NamedMaze{name, maze.maze};
+          [](const NamedMaze& maze, nb::handle name) {
+            return NamedMaze{text_in(name, "name"), maze.maze};
           },
-          "name"_a, "The same maze under another name.")
-      .def("with_start", &with_start, "start"_a, "heading"_a = "north", "The same maze with another start.")
-      .def("with_goals", &with_goals, "goals"_a, "The same maze with other goals.")
+          "name"_a, nb::sig("def named(self, name: str) -> Maze"), "The same maze under another name.")
+      .def("with_start", &with_start, "start"_a, "heading"_a = "north",
+           nb::sig("def with_start(self, start: tuple[int, int], heading: str = 'north') -> Maze"),
+           "The same maze with another start.")
+      .def("with_goals", &with_goals, "goals"_a,
+           nb::sig("def with_goals(self, goals: Sequence[tuple[int, int]]) -> Maze"), "The same maze with other goals.")
       .def_prop_ro(
           "svg", [](const NamedMaze& maze) { return draw_svg(maze.maze, {}); }, "The maze as an SVG picture.")
       .def("_repr_svg_", [](const NamedMaze& maze) { return draw_svg(maze.maze, {}); })
@@ -253,6 +292,8 @@ void bind_mazes(nb::module_& module) {
       });
   module.def(
       "generate", &generate, "kind"_a = "contest", "size"_a = 16, "seed"_a = 1, "loops"_a = 0.0,
+      nb::sig("def generate(kind: str = 'contest', size: int | tuple[int, int] = 16, seed: int = 1, "
+              "loops: float = 0.0) -> Maze"),
       "A maze from a generator: 'depth-first', 'prim', 'kruskal', 'wilson', 'division', 'empty' or 'contest'.\n\n"
       "`size` is a side in cells or (width, height), 1 to 64. The same seed gives the same maze everywhere.\n"
       "`loops` is the share, 0 to 1, of the remaining inner walls that is opened afterwards.\n"

@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 #include <nanobind/stl/string.h>
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <map>
+#include <mutex>
+#include <utility>
 #include <vector>
 
 #include "bindings.hpp"
@@ -62,12 +65,50 @@ std::optional<Action> action_of(PyObject* answer) {
   return Action::step(*rotation, *movement);
 }
 
+/// What an answer looks like, which may be anything, one that cannot be shown among them.
+std::string repr_of(const nb::object& answer) {
+  try {
+    return shown(nb::repr(answer).c_str());
+  } catch (nb::python_error&) {
+    return "something that cannot be shown";
+  }
+}
+
+/// Where mice decide, and what stops them. A mouse that never answers hears of it by an exception alone.
+class DecidingThreads {
+ public:
+  void enter(const std::atomic<bool>* stop) {
+    const std::lock_guard lock(mutex_);
+    threads_.emplace_back(stop, PyThread_get_thread_ident());
+  }
+  void leave(const std::atomic<bool>* stop) {
+    const std::lock_guard lock(mutex_);
+    const auto found = std::find(threads_.begin(), threads_.end(), std::pair(stop, PyThread_get_thread_ident()));
+    if (found != threads_.end()) threads_.erase(found);
+  }
+  void interrupt(const std::atomic<bool>* stop) {
+    const std::lock_guard lock(mutex_);
+    for (const auto& [flag, thread] : threads_)
+      if (flag == stop) PyThreadState_SetAsyncExc(thread, PyExc_KeyboardInterrupt);
+  }
+
+ private:
+  std::mutex mutex_;  // for interpreters that run several threads at a time
+  std::vector<std::pair<const std::atomic<bool>*, unsigned long>> threads_;
+};
+
+DecidingThreads& deciding_threads() {
+  static DecidingThreads threads;
+  return threads;
+}
+
 /// Holds the interpreter's lock from its making to its end, which are in the same thread: to take it once a decision
 /// costs more than the decision. Python lets other threads in while it runs a mouse's own code.
 class PythonMind final : public Strategy {
  public:
   PythonMind(const std::shared_ptr<const MouseMaker>& maker, const Briefing& briefing, const std::atomic<bool>* stop)
       : maker_(maker), knowledge_(briefing.size), stop_(stop), in_seconds_(briefing.in_seconds()) {
+    deciding_threads().enter(stop_);
     try {
       mouse_ = maker_->maker()(nb::cast(PythonBriefing{briefing}));
       decide_ = mouse_.attr("decide");
@@ -77,9 +118,13 @@ class PythonMind final : public Strategy {
     }
   }
 
+  PythonMind(const PythonMind&) = delete;
+  PythonMind& operator=(const PythonMind&) = delete;
+  ~PythonMind() override { deciding_threads().leave(stop_); }
+
   Action decide(const Sighting& seen) override {
     if (reason_ != ForfeitReason::none) return Action::forfeit(reason_);
-    if (stop_ != nullptr && stop_->load(std::memory_order_relaxed)) {
+    if (is_stopped()) {
       reason_ = ForfeitReason::interrupted;
       return Action::forfeit(reason_);
     }
@@ -94,8 +139,8 @@ class PythonMind final : public Strategy {
     const auto action = action_of(answer.ptr());
     if (!action) {
       reason_ = ForfeitReason::rubbish;
-      last_words_ = fmt::format("it answered {} instead of (rotation, movement), 'reset' or 'forfeit'",
-                                shown(nb::repr(answer).c_str()));
+      last_words_ =
+          fmt::format("it answered {} instead of (rotation, movement), 'reset' or 'forfeit'", repr_of(answer));
       return Action::forfeit(reason_);
     }
     if (action->kind == Action::Kind::forfeit) {
@@ -114,9 +159,11 @@ class PythonMind final : public Strategy {
   std::string_view last_words() override { return last_words_; }
 
  private:
-  /// Keeps what it raised: a sentence, then the traceback.
+  bool is_stopped() const { return stop_ != nullptr && stop_->load(std::memory_order_relaxed); }
+
+  /// Keeps what it raised: a sentence, then the traceback. Once the race is stopped, that was the end of it.
   void give_up(ForfeitReason reason, nb::python_error& error) {
-    reason_ = reason;
+    reason_ = is_stopped() ? ForfeitReason::interrupted : reason;
     std::string kind = nb::cast<std::string>(nb::str(error.type().attr("__name__")));
     std::string message;
     try {
@@ -273,6 +320,11 @@ nb::tuple play_in_seconds(nb::object maker, const std::string& link, const std::
 }
 
 }  // namespace
+
+void stop(Work& work) {
+  work.stop();
+  deciding_threads().interrupt(&work.stopped());
+}
 
 Contestant python_contestant(OwnMouse own, const WorldSettings& settings, const std::atomic<bool>* stop) {
   Contestant mouse;

@@ -9,6 +9,7 @@
 
 #include "labmouse/lab/mice/contestant.hpp"
 #include "labmouse/lab/races/world_entry.hpp"
+#include "work.hpp"
 
 namespace labmouse::python {
 
@@ -48,5 +49,9 @@ struct OwnMouse {
 /// Such a mouse as a contestant, in steps and in seconds. Other processes need the settings of its world. Once `stop`,
 /// which may be null, is true, it decides no more.
 Contestant python_contestant(OwnMouse mouse, const WorldSettings& settings, const std::atomic<bool>* stop);
+
+/// Stops work, and what its mice in this process decide just now: they hear of it as Python's code hears of Ctrl-C.
+/// Only with the interpreter's lock; to be repeated where a mouse takes no notice.
+void stop(Work& work);
 
 }  // namespace labmouse::python

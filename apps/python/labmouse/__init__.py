@@ -12,6 +12,7 @@ from ._races import Comparison, Race, race
 from ._records import Record, Replay, run
 from ._routes import Route, bound, route
 from ._studies import Study, study
+from ._worlds import mazes_of
 
 __version__ = version()
 
@@ -43,4 +44,4 @@ def mazes(*paths: Union[str, "os.PathLike[str]"]) -> "list[Maze]":
 
     Raises Error where a path that is named directly is no maze.
     """
-    return find_mazes(list(paths))
+    return mazes_of(paths) if paths else find_mazes([])

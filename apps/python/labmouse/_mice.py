@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterable, Mapping
 from typing import Any, Literal, NamedTuple, Protocol, Union
 
 from . import _native
+from ._arguments import shown
 from ._native import Briefing, Error
 from ._workers import Workers
 
@@ -134,11 +135,16 @@ def given(mice: "Mice | None") -> Given:
     elif isinstance(mice, str):
         found = [mice]
     elif isinstance(mice, Mapping):
+        for name in mice:
+            if not isinstance(name, str):
+                raise Error(f"{shown(name)} is no name of a mouse; give each one as a text, as in {{'name': mouse}}")
         found = [_named(name, mouse) for name, mouse in mice.items()]
     elif callable(mice) or not isinstance(mice, Iterable):
         found = [_own(_name_of(mice), mice)]
     else:
         found = [mouse if isinstance(mouse, str) else _own(_name_of(mouse), mouse) for mouse in mice]
+    if mice is not None and not found:
+        raise Error("there are no mice here; name one, or omit the mice to race all built-in ones")
     specs = [mouse for mouse in found if isinstance(mouse, str)]
     return Given(specs, [mouse for mouse in found if not isinstance(mouse, str)])
 

@@ -74,6 +74,6 @@ def finish(running: Running, progress: "bool | None", workers: "Workers | None" 
         if workers is not None:
             workers.close()
         while not running.wait(0.05):
-            pass
+            running.stop()  # again, where a mouse in this process took no notice
     finally:
         bar.clear()

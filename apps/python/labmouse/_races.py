@@ -4,6 +4,8 @@ import os
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from . import _native
+from ._arguments import LARGEST_SEED, whole
+from ._arguments import path as _path
 from ._mice import Mice, given
 from ._progress import finish
 from ._workers import for_mice
@@ -119,7 +121,7 @@ class Race:
 def _saved(text: str, path: "str | os.PathLike[str] | None") -> "str | None":
     if path is None:
         return text
-    _native.write_file(path, text)
+    _native.write_file(_path("path", path), text)
     return None
 
 
@@ -163,9 +165,11 @@ def race(
     """
     chosen = world_with(world, {"robot": robot, "rules": rules, "budget": budget, **settings})
     who = given(mice)
+    runs, seed, jobs = whole("runs", runs, 1, 1_000_000), whole("seed", seed, 0, LARGEST_SEED), whole("jobs", jobs, 0, 1024)
+    folder, kept = _path("out", out or ""), _path("store", "" if store is None else store)
     workers = for_mice(who.own, jobs)
     running = _native.RunningRace(who.native(workers, label, store is not None), mazes_of(mazes), chosen, runs, seed, jobs,
-                                  os.fspath(out or ""), overwrite, "" if store is None else os.fspath(store))
+                                  folder, overwrite, kept)
     try:
         finish(running, progress, workers)
         return Race(running.result())

@@ -4,6 +4,8 @@ import os
 from typing import TYPE_CHECKING, Any
 
 from . import _native
+from ._arguments import LARGEST_SEED, whole
+from ._arguments import path as _path
 from ._mice import AnyMouse, given
 from ._progress import finish
 from ._worlds import AnyMaze, Setting, maze_of, world_with
@@ -38,7 +40,7 @@ class Replay:
 
     def save(self, path: "str | os.PathLike[str]") -> None:
         """Writes the page to a file that any browser opens, without a server."""
-        _native.write_file(path, self.html)
+        _native.write_file(_path("path", path), self.html)
 
     def _repr_html_(self) -> str:
         import html
@@ -131,7 +133,7 @@ class Record:
 
     def save(self, path: "str | os.PathLike[str]") -> None:
         """Writes the record to a file, which `labmouse replay` reads."""
-        _native.write_file(path, self.text)
+        _native.write_file(_path("path", path), self.text)
 
     def replay(self, height: int = 720) -> Replay:
         """The page with this contest, `height` pixels high. Raises Error where the package has no page."""
@@ -162,6 +164,6 @@ def run(
     The arguments are those of `race`; `seed` is the contest's own. Raises Error.
     """
     chosen = world_with(world, {"robot": robot, "rules": rules, "budget": budget, **settings})
-    running = _native.RunningContest(given(mouse).native(None), maze_of(maze), chosen, seed)
+    running = _native.RunningContest(given(mouse).native(None), maze_of(maze), chosen, whole("seed", seed, 0, LARGEST_SEED))
     finish(running, progress)
     return Record(running.result())

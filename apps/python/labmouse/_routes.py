@@ -5,6 +5,7 @@ import os
 from typing import Any
 
 from . import _native
+from ._arguments import path
 from ._worlds import AnyMaze, Setting, maze_of, world_with
 
 
@@ -53,4 +54,4 @@ def route(maze: AnyMaze, robot: "str | os.PathLike[str]" = "classic") -> Route:
 
     robot: a built-in one, or a file whose name has a slash or ends in .toml. Raises Error where there is no route.
     """
-    return Route(_native.route(maze_of(maze), os.fspath(robot)))
+    return Route(_native.route(maze_of(maze), path("robot", robot)))

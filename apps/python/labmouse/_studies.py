@@ -6,6 +6,7 @@ import os
 from typing import TYPE_CHECKING, Any
 
 from . import _native
+from ._arguments import LARGEST_SEED, path, whole
 from ._mice import Mice, given
 from ._progress import finish
 from ._workers import for_mice
@@ -88,10 +89,12 @@ def study(
     """
     chosen = world_with(world, {"robot": robot, "rules": rules, "budget": budget, **settings})
     who = given(mice)
+    runs, seed, jobs = whole("runs", runs, 1, 1_000_000), whole("seed", seed, 0, LARGEST_SEED), whole("jobs", jobs, 0, 1024)
+    folds, kept = whole("folds", folds, 2, 1_000_000), path("store", "" if store is None else store)
     workers = for_mice(who.own, jobs)
     try:
         running = _native.RunningStudy(who.native(workers, label, store is not None), mazes_of(mazes), chosen,
-                                       (folds, learning, runs, seed, jobs), "" if store is None else os.fspath(store))
+                                       (folds, learning, runs, seed, jobs), kept)
         finish(running, progress, workers)
         return Study(running.result())
     finally:

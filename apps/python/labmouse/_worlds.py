@@ -4,6 +4,7 @@ import os
 from collections.abc import Iterable
 from typing import Union
 
+from ._arguments import path, shown
 from ._native import Error, Maze, find_mazes
 
 AnyMaze = Union[Maze, str, "os.PathLike[str]"]
@@ -14,6 +15,8 @@ Setting = Union[str, int, bool, float, "os.PathLike[str]", None]
 
 def world_with(world: "str | None", settings: "dict[str, Setting]") -> "tuple[str, dict[str, str]]":
     """A world with those of its settings that are given."""
+    if not isinstance(world or "", str):
+        raise Error(f"world is the name of a world, not {shown(world)}")
     return world or "", {name.replace("_", "-"): _text(value) for name, value in settings.items() if value is not None}
 
 
@@ -27,7 +30,10 @@ def mazes_of(mazes: "Mazes | None") -> "list[Maze]":
     """The mazes; none for all built-in ones. Raises Error where a path leads to none."""
     if mazes is None:
         return []
-    several = [mazes] if isinstance(mazes, (Maze, str, os.PathLike)) else list(mazes)
+    several = list(mazes) if isinstance(mazes, Iterable) and not isinstance(mazes, (str, os.PathLike)) else [mazes]
+    for each in several:
+        if not isinstance(each, (Maze, str, os.PathLike)):
+            raise Error(f"{shown(each)} is no maze; give a Maze, a file, a folder, a pattern or the name of a built-in maze")
     found = [each for each in several if isinstance(each, Maze)]
     paths = [each for each in several if not isinstance(each, Maze)]
     if paths:
@@ -39,4 +45,4 @@ def mazes_of(mazes: "Mazes | None") -> "list[Maze]":
 
 def maze_of(maze: AnyMaze) -> Maze:
     """One maze."""
-    return maze if isinstance(maze, Maze) else Maze(maze)
+    return maze if isinstance(maze, Maze) else Maze(path("a maze", maze))

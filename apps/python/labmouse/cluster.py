@@ -18,6 +18,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, Union
 
 from . import _native
+from ._arguments import LARGEST_SEED, path, shown, whole
 from ._mice import Mice, _python, given
 from ._native import Error, Maze
 from ._progress import finish
@@ -237,11 +238,17 @@ def _spread(client: "Client", mice: "Mice | None", mazes: "Mazes | None", store:
             patience: float, chosen: "tuple[str, dict[str, str]]") -> "tuple[Any, int]":
     import cloudpickle
 
+    if not hasattr(client, "submit"):
+        raise Error(f"client is a distributed.Client, not {shown(client)}")
+    runs, seed = numbers
+    numbers = whole("runs", runs, 1, 1_000_000), whole("seed", seed, 0, LARGEST_SEED)
+    if folds is not None:
+        folds = whole("folds", folds[0], 2, 1_000_000), folds[1]
     specs, own, _, known = given(mice).native(None, label, True)
     plan = _Plan(bytes(cloudpickle.dumps((specs, own, known))), chosen, *numbers, folds)
     field = mazes_of(mazes) or _native.find_mazes([])
-    path = os.fspath(store)
-    spread = _Spread(client, plan, field, path, patience)
+    kept = path("store", store)
+    spread = _Spread(client, plan, field, kept, patience)
     stopped = True
     try:
         finish(spread, progress)
@@ -251,7 +258,7 @@ def _spread(client: "Client", mice: "Mice | None", mazes: "Mazes | None", store:
     if not stopped:
         spread.check()
     # All of it is in the store now; after Ctrl-C, what is done.
-    running = plan.begin(field, path, 0, None)
+    running = plan.begin(field, kept, 0, None)
     if stopped:
         running.stop()
     finish(running, False)
@@ -331,6 +338,9 @@ def sweep(
 
     mouse: a SPEC of one mouse. The other arguments are those of `race`. Raises Error.
     """
+    for name, values in vary.items():
+        if isinstance(values, str) or not isinstance(values, Iterable):
+            raise Error(f"vary: the values of '{name}' are a list, as in {{'{name}': [1, 2]}}, not {shown(values)}")
     grid = itertools.product(*([f"{name}={_value(value)}" for value in values] for name, values in vary.items()))
     return race(client, [":".join([mouse, *settings]) for settings in grid], mazes, store=store, **options)
 

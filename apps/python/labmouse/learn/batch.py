@@ -5,9 +5,11 @@ from typing import Any, Dict, Optional
 import numpy as np
 from numpy.typing import NDArray
 
-from .._native import ACTIONS, ROW_COLUMNS, ContestBatch
+from .._arguments import shown as words_of
+from .._arguments import whole
+from .._native import ACTIONS, ROW_COLUMNS, ContestBatch, Error
 from .mazes import Mazes, source_of
-from .observations import memory_of, space_of
+from .observations import OBSERVATIONS, memory_of, space_of
 
 
 def shown(array: NDArray[Any]) -> NDArray[Any]:
@@ -22,7 +24,10 @@ class Batch:
 
     def __init__(self, count: int, mazes: Mazes, observation: str, order: str, budget: int) -> None:
         if order not in ("drawn", "in turn"):
-            raise ValueError(f"unknown order '{order}'; mazes come 'drawn' or 'in turn'")
+            raise Error(f"unknown order {words_of(order)}; mazes come 'drawn' or 'in turn'")
+        if observation not in OBSERVATIONS:
+            raise Error(f"unknown observation {words_of(observation)}; the observations are {', '.join(OBSERVATIONS)}")
+        count, budget = whole("num_envs", count, 1, 2**24), whole("budget", budget, 1, 32767)
         self.native = ContestBatch(count, source_of(mazes), in_turn=order == "in turn", budget=budget)
         self.space = space_of(observation, self.native.size, budget)
         memory = memory_of(count, self.space)
@@ -42,6 +47,16 @@ class Batch:
     def infos(self) -> Dict[str, NDArray[Any]]:
         """What is told besides the observations, for all contests."""
         return {"action_mask": self.masks, "return": self.returns, "state": self.states, "maze": self.numbers}
+
+    def take(self, name: str, values: Any, kind: Any = np.int64) -> NDArray[Any]:
+        """An array of a number for each contest, in place where it is one; raises Error with its name."""
+        try:
+            array = np.ascontiguousarray(values, dtype=kind)
+        except (TypeError, ValueError):
+            raise Error(f"{name} are whole numbers, not {words_of(values)}") from None
+        if array.shape != self.rewards.shape:
+            raise Error(f"{name} have the shape {array.shape}; give the shape {self.rewards.shape}")
+        return array
 
     def seed(self, contest: int, seed: Optional[int]) -> None:
         if seed is not None:

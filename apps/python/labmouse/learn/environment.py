@@ -7,6 +7,7 @@ import numpy as np
 from gymnasium import spaces
 from numpy.typing import NDArray
 
+from .._arguments import whole
 from .batch import Batch
 from .mazes import Mazes
 from .spaces import ACTIONS
@@ -59,7 +60,7 @@ class ContestEnv(gymnasium.Env[NDArray[Any], np.int64]):
         """One step. Raises labmouse.Error where there is no such action."""
         if not self._running:
             raise gymnasium.error.ResetNeeded("the contest has ended; reset() begins the next one")
-        self._actions[0] = action
+        self._actions[0] = whole("an action", action, 0, ACTIONS - 1)
         self._batch.native.step(self._actions)
         self._running = not self._batch.ended[0]
         reward, ended = float(self._batch.rewards[0]), bool(self._batch.ended[0])

@@ -4,8 +4,9 @@ import os
 from typing import Iterator, List, Optional, Sequence, Tuple, Union, overload
 
 from .. import Maze
-from .. import mazes as mazes_of_paths
-from .._native import MazeFamily
+from .._arguments import shown, whole
+from .._native import Error, MazeFamily
+from .._worlds import mazes_of
 
 SPLITS = ("train", "validation", "test")
 
@@ -37,9 +38,12 @@ class MazeSet:
         count: Optional[int] = None,
     ) -> None:
         if count is not None and count < 1:
-            raise ValueError(f"a set has at least one maze, not {count}")
+            raise Error(f"count is the number of mazes, at least 1, not {count}")
         self.split, self.kind, self.loops, self.count = split, kind, loops, count
-        self.size = (size, size) if isinstance(size, int) else (int(size[0]), int(size[1]))
+        sides = (size, size) if isinstance(size, int) else tuple(size)
+        if len(sides) != 2:
+            raise Error(f"size is a number of cells, or (width, height), not {shown(size)}")
+        self.size = whole("a side", sides[0], 1, 64), whole("a side", sides[1], 1, 64)
         self._family = MazeFamily(kind, self.size, loops, split, count or 0)
 
     def __len__(self) -> int:
@@ -80,9 +84,4 @@ def source_of(mazes: Mazes) -> Union[MazeFamily, List[Maze]]:
         mazes = MazeSet(mazes)
     if isinstance(mazes, MazeSet):
         return mazes._family
-    if isinstance(mazes, (Maze, str, os.PathLike)):
-        mazes = [mazes]
-    found: List[Maze] = []
-    for maze in mazes:
-        found.extend([maze] if isinstance(maze, Maze) else mazes_of_paths(maze))
-    return found
+    return mazes_of(mazes)

@@ -112,7 +112,7 @@ class Learned:
     def __init__(self, weights: Any, name: str = "learned") -> None:
         self.weights = np.asarray(weights, np.float64)
         if self.weights.shape != (WEIGHTS,):
-            raise ValueError(f"a policy has {WEIGHTS} weights, not {self.weights.size}")
+            raise Error(f"a policy has {WEIGHTS} weights, not {self.weights.size}")
         self.__name__ = name
 
     def __call__(self, briefing: Any) -> LearnedMouse:
@@ -128,7 +128,11 @@ class Learned:
         else:
             with open(path, encoding="utf-8") as file:
                 text = file.read()
-        return cls(json.loads(text)["weights"], name)
+        try:
+            weights = json.loads(text)["weights"]
+        except (ValueError, KeyError, TypeError):
+            raise Error(f"{os.fspath(path or 'mouse.json')}: error: is no mouse that labmouse.learn.train wrote") from None
+        return cls(weights, name)
 
     def shuffled(self, seed: int = 1) -> "Learned":
         """The same weights in another order, for comparison."""

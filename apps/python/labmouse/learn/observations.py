@@ -39,7 +39,7 @@ def space_of(observation: str, size: Tuple[int, int], budget: int) -> spaces.Box
         return spaces.Box(0, 1, (height, width, BELIEF_PLANES), np.uint8)
     if observation == "bits":
         return spaces.Box(0, 65535, (height, width), np.uint16)
-    raise ValueError(f"unknown observation '{observation}'; the observations are {', '.join(OBSERVATIONS)}")
+    raise ValueError(observation)
 
 
 def memory_of(count: int, space: spaces.Box) -> NDArray[Any]:

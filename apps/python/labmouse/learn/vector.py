@@ -8,6 +8,8 @@ from gymnasium.vector import AutoresetMode, VectorEnv
 from gymnasium.vector.utils import batch_space
 from numpy.typing import NDArray
 
+from .._arguments import shown as words_of
+from .._native import Error
 from .batch import Batch
 from .mazes import Mazes
 from .spaces import ACTIONS
@@ -54,19 +56,21 @@ class ContestVectorEnv(VectorEnv[NDArray[Any], NDArray[np.int64], NDArray[Any]])
     ) -> Tuple[NDArray[Any], Dict[str, Any]]:
         """Begins contests everywhere, or where options['reset_mask'] is True."""
         which = (options or {}).get("reset_mask")
+        if which is not None:
+            which = self._batch.take("options['reset_mask']", which, np.uint8)
         super().reset(seed=seed if isinstance(seed, int) else None)
         if seed is None and not self._seeded:
             seed = int(self.np_random.integers(2**62))
         seeds = [seed + i for i in range(self.num_envs)] if isinstance(seed, int) else seed or [None] * self.num_envs
         if len(seeds) != self.num_envs:
-            raise ValueError(f"{len(seeds)} seeds for {self.num_envs} environments")
+            raise Error(f"{len(seeds)} seeds for {self.num_envs} environments")
         for contest, own in enumerate(seeds):
             if which is None or which[contest]:
                 self._batch.seed(contest, own)
         if isinstance(seed, int):
             self._batch.native.seed_choices(seed)
         self._seeded = True
-        self._batch.native.start(None if which is None else np.ascontiguousarray(which, dtype=np.uint8))
+        self._batch.native.start(which)
         return self._given(self._batch.observations), self._infos()
 
     def step(
@@ -74,13 +78,15 @@ class ContestVectorEnv(VectorEnv[NDArray[Any], NDArray[np.int64], NDArray[Any]])
     ) -> Tuple[NDArray[Any], NDArray[Any], NDArray[Any], NDArray[Any], Dict[str, Any]]:
         """One step everywhere. Raises labmouse.Error, and does nothing, where an action is none."""
         batch = self._batch
-        batch.native.step(np.ascontiguousarray(actions, dtype=np.int64))
+        batch.native.step(batch.take("actions", actions))
         given = self._given
         return given(batch.observations), given(batch.rewards), given(batch.ended), given(self._truncations), self._infos()
 
     def draw_valid_actions(self, into: Optional[NDArray[np.int64]] = None) -> NDArray[np.int64]:
         """A valid action for each environment, each as likely as the others; seeded by reset(seed=int)."""
         actions = np.empty(self.num_envs, np.int64) if into is None else into
+        if self._batch.take("actions", actions) is not actions:
+            raise Error(f"actions are written to an array of int64 in one piece, not to {words_of(actions)}")
         self._batch.native.draw_valid_choices(actions)
         return actions
 

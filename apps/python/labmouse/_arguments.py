@@ -1,0 +1,37 @@
+"""What users give, looked at before it goes to the compiled part, which would answer with its own signatures."""
+
+import operator
+import os
+import reprlib
+from typing import Any
+
+from ._native import Error
+
+#: What no compiled number is beyond.
+LARGEST_SEED = 2**64 - 1
+
+
+def whole(name: str, value: Any, low: int, high: int) -> int:
+    """A whole number within these limits; raises Error with its name."""
+    try:
+        number = operator.index(value)
+    except TypeError:
+        number = low - 1
+    if not low <= number <= high:
+        raise Error(f"{name} is a whole number from {low} to {high}, not {shown(value)}")
+    return number
+
+
+def path(name: str, value: Any) -> str:
+    """A path as text; raises Error with its name."""
+    try:
+        return os.fsdecode(value)
+    except TypeError:
+        raise Error(f"{name} is the path of a file, not {shown(value)}") from None
+
+
+def shown(value: Any) -> str:
+    """What a user gave, in a few words on one line."""
+    if hasattr(value, "dtype") and hasattr(value, "shape"):
+        return f"an array of {value.dtype} of the shape {value.shape}"
+    return " ".join(reprlib.repr(value).split())
