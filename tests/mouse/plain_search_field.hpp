@@ -2,6 +2,7 @@
 // pivots on the way, from coordinates alone.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <optional>
@@ -26,7 +27,8 @@ inline PlainPlace plain(const SearchPlace& place) {
 using PlainToll = std::function<std::optional<std::int64_t>(int x, int y, int heading)>;
 
 /// The least time from every place from which one of the targets can be entered (Dijkstra 1959, over all moves forwards
-/// and then turned round), with dashes over known cells.
+/// and then turned round), with dashes over known cells. A
+/// move takes some time, even where the toll is below zero.
 inline std::map<PlainPlace, std::int64_t> plain_search_times(Size size, const SearchDrive& drive, const PlainToll& toll,
                                                              const CellSet& known, const std::vector<Cell>& targets) {
   struct Move {
@@ -48,7 +50,8 @@ inline std::map<PlainPlace, std::int64_t> plain_search_times(Size size, const Se
             if (!extra) continue;
             const std::int64_t moving = quarters == 0 ? drive.cell : quarters == 2 ? drive.back : drive.turn;
             into[{x + dx[direction], y + dy[direction], direction, false}].push_back(
-                {from, *extra + (at_rest ? rest + drive.half_cell : moving)});
+                {from,
+                 (at_rest ? rest : 0) + std::max<std::int64_t>(1, *extra + (at_rest ? drive.half_cell : moving))});
             if (at_rest || quarters != 0 || !drive.dashes()) continue;
             std::int64_t price = *extra;
             for (int cells = 2;; ++cells) {
@@ -57,7 +60,7 @@ inline std::map<PlainPlace, std::int64_t> plain_search_times(Size size, const Se
               if (!more) break;
               price += *more;
               into[{last_x + dx[direction], last_y + dy[direction], direction, false}].push_back(
-                  {from, price + drive.dash(cells)});
+                  {from, std::max<std::int64_t>(1, price + drive.dash(cells))});
             }
           }
   std::map<PlainPlace, std::int64_t> times;

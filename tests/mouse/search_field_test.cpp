@@ -115,9 +115,27 @@ TEST(SearchField, AddsWhatWallsCost) {
   prices.set(wall_at({0, 0}, Heading::east), 7);
   prices.set(wall_at({1, 0}, Heading::east), 0);
   SearchField field({3, 1}, drive);
-  field.fill(prices, 11, {}, CellSet::of({2, 0}));
-  EXPECT_EQ(field.from(at_edge(0, 0, Heading::east)), 200 + 77);
+  SearchTolls tolls{drive};
+  tolls.unit = 11;
+  tolls.base = 5;
+  field.fill(prices, tolls, {}, CellSet::of({2, 0}));
+  EXPECT_EQ(field.from(at_edge(0, 0, Heading::east)), 200 + 77 + 5);
   EXPECT_EQ(field.from(at_edge(1, 0, Heading::east)), 100);
+  tolls.closed = 7;
+  field.fill(prices, tolls, {}, CellSet::of({2, 0}));
+  EXPECT_EQ(field.from(at_edge(0, 0, Heading::east)), no_time);
+}
+
+TEST(SearchField, SavesWhereItEntersCells) {
+  WallPrices prices({3, 1});
+  for (const int x : {0, 1}) prices.set(wall_at({x, 0}, Heading::east), 0);
+  const DriveTime savings[] = {0, 40, 1000};
+  SearchTolls tolls{drive};
+  tolls.savings = savings;
+  SearchField field({3, 1}, drive);
+  field.fill(prices, tolls, {}, CellSet::of({2, 0}));
+  // A move takes some time, whatever it saves.
+  EXPECT_EQ(field.from(at_edge(0, 0, Heading::east)), 100 - 40 + 1);
 }
 
 /// A robot for which no stop on the way can be worth it, as for any whose times follow from its speeds.
@@ -186,13 +204,29 @@ TEST(SearchField, IsThatOfAPlainSearchOverPrices) {
       const int price = seen ? 0 : dice.below(WallPrices::highest + 1);
       prices.set(wall, dice.chance(1, 3) ? WallPrices::closed : price);
     });
-    SearchField field(maze.size(), times);
-    field.fill(prices, 13, known, maze.goals());
-    expect_plain_times(maze, times, field, known, [&](int x, int y, int heading) -> std::optional<std::int64_t> {
-      const Wall wall = wall_at({x, y}, all_headings[static_cast<unsigned>(heading)]);
-      if (on_border(wall, maze.size()) || !prices.passable(wall)) return std::nullopt;
-      return 13 * prices.of(wall);
+    std::vector<DriveTime> savings(static_cast<std::size_t>(maze.size().area()));
+    CellSet::all(maze.size()).for_each([&](Cell cell) {
+      if (!known.contains(cell))
+        savings[static_cast<std::size_t>(maze.size().index(cell))] = dice.below(times.half_cell);
     });
+    // Of a mind that counts turns otherwise.
+    SearchTolls tolls{times};
+    tolls.drive.turn = 50 + dice.below(2 * times.half_cell + times.quarter - 50);
+    tolls.unit = 13;
+    tolls.base = dice.below(100);
+    if (dice.chance(1, 2)) tolls.closed = dice.below(WallPrices::closed);
+    if (dice.chance(2, 3)) tolls.savings = savings;
+    SearchField field(maze.size(), times);
+    field.fill(prices, tolls, known, maze.goals());
+    const auto toll = [&](int x, int y, int heading) -> std::optional<std::int64_t> {
+      const Heading direction = all_headings[static_cast<unsigned>(heading)];
+      const Wall wall = wall_at({x, y}, direction);
+      if (on_border(wall, maze.size()) || prices.of(wall) >= tolls.closed) return std::nullopt;
+      const auto entered = static_cast<std::size_t>(maze.size().index(neighbour({x, y}, direction)));
+      return (prices.of(wall) > 0 ? tolls.base + 13 * prices.of(wall) : 0) -
+             (tolls.savings.empty() ? 0 : savings[entered]);
+    };
+    expect_plain_times(maze, tolls.drive, field, known, toll);
   }
 }
 

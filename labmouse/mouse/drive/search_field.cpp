@@ -106,22 +106,22 @@ void SearchField::expand(Pose pose, DriveTime time) {
   by(left_of(pose.heading), tolls_.drive.turn);
   by(right_of(pose.heading), tolls_.drive.turn);
   by(opposite(pose.heading), tolls_.drive.back);
-  if (drive_.dashes()) expand_dashes(pose, time);
+  if (drive_.dashes()) expand_dashes(pose, time, extra);
 }
 
-/// The same for dashes that end at this edge. What their walls cost is nothing: known cells have no unseen ones.
-void SearchField::expand_dashes(Pose pose, DriveTime time) {
+/// The same for dashes that end at this edge, which alone may cost or save something: known cells have no unseen walls.
+void SearchField::expand_dashes(Pose pose, DriveTime time, DriveTime extra) {
   Cell before = neighbour(pose.cell, pose.heading, -1);
   for (int cells = 2; known_.contains(before); ++cells) {
     before = neighbour(before, pose.heading, -1);
     if (toll(before, pose.heading) == no_time) return;
-    reach(edge_of(before, pose.heading), sum(time, drive_.dash(cells)));
+    reach(edge_of(before, pose.heading), sum(time, some_time(drive_.dash(cells) + extra)));
   }
 }
 
 DriveTime SearchField::through(const SearchPlace& place, const Move& move) const {
   const Heading direction = turned(place.pose.heading, move.quarters);
-  const DriveTime extra = toll(place.pose.cell, direction);
+  const DriveTime extra = toll(neighbour(place.pose.cell, direction, move.cells - 1), direction);
   if (extra == no_time) return no_time;
   return sum(some_time(extra + move.time),
              times_[edge_of(neighbour(place.pose.cell, direction, move.cells), direction)]);
@@ -138,6 +138,7 @@ void SearchField::for_each_move(const SearchPlace& place, Visit visit) const {
 
 template <class Visit>
 void SearchField::for_each_dash(const Pose& edge, Visit visit) const {
+  if (toll(edge.cell, edge.heading) == no_time) return;
   Cell next = neighbour(edge.cell, edge.heading);
   for (int cells = 2; known_.contains(next) && toll(next, edge.heading) != no_time; ++cells) {
     visit(Move{0, cells, drive_.dash(cells)});

@@ -68,7 +68,7 @@ class SearchField {
   void search(const CellSet& known, const CellSet& targets);
   void reach(std::size_t edge, DriveTime time);
   void expand(Pose pose, DriveTime time);
-  void expand_dashes(Pose pose, DriveTime time);
+  void expand_dashes(Pose pose, DriveTime time, DriveTime extra);
   DriveTime through(const SearchPlace& place, const Move& move) const;
   template <class Visit>
   void for_each_move(const SearchPlace& place, Visit visit) const;
