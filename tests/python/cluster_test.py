@@ -11,6 +11,7 @@ import signal
 import sqlite3
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 import labmouse
@@ -166,12 +167,71 @@ def test_a_study_and_a_sweep_are_those_of_one_machine(client, tmp_path):
     assert results(swept).equals(results(labmouse.race(["flood:stride=1", "flood:stride=2"], mazes)))
 
 
+def test_a_sweep_races_all_combinations_of_two_parameters(client, tmp_path):
+    mazes, values = MAZES[:2], [(bias, join) for bias in (1, 2.5) for join in (True, False)]
+    swept = cluster.sweep(client, "two-way", {"bias": [1, 2.5], "join_legs": (True, False)}, mazes, store=tmp_path / "a.db")
+    mice = [f"two-way:bias={bias}:join_legs={'yes' if join else 'no'}" for bias, join in values]
+    alone = labmouse.race(mice, mazes)
+    columns = ["maze", "score", "outcome"]
+    assert len(swept.mice) == 4 and len(swept.table) == 8
+    assert [swept.table[swept.table["mouse"] == mouse][columns].values.tolist() for mouse in swept.mice] == [
+        alone.table[alone.table["mouse"] == mouse][columns].values.tolist() for mouse in alone.mice]
+    assert swept.table["score"].nunique() > 2
+    with pytest.raises(labmouse.Error, match="^[^\n]*bias[^\n]*$"):
+        cluster.sweep(client, "two-way", {"bias": 3}, mazes, store=tmp_path / "a.db")
+
+
+def test_what_the_store_has_is_preferred(client, tmp_path):
+    store = tmp_path / "a.db"
+    cluster.race(client, "flood", MAZES[:2], store=store)
+    with contextlib.closing(sqlite3.connect(store, timeout=60)) as changing, changing:
+        changing.execute("UPDATE contests SET outcome = 'as it was kept'")
+    again = cluster.race(client, "flood,certify", MAZES, store=store)
+    kept_before = again.table[again.table["outcome"] == "as it was kept"]
+    assert again.from_store == len(kept_before) == 2 and len(again.table) == 6
+    assert set(kept_before["mouse"]) == {"flood"}
+
+
+@contextlib.contextmanager
+def another_user():
+    """Who may not write to our files, also where the tests run as root."""
+    if os.geteuid() == 0:
+        os.seteuid(65534)
+    try:
+        yield
+    finally:
+        if os.getuid() == 0:
+            os.seteuid(0)
+
+
+def test_a_store_that_cannot_be_written_is_refused_before_anything_is_sent(client, monkeypatch):
+    with tempfile.TemporaryDirectory() as folder:
+        os.chmod(folder, 0o755)
+        store = Path(folder, "a.db")
+        cluster.race(client, "flood", "contest-01", store=store)
+        store.chmod(0o444)
+        os.chmod(folder, 0o555)
+        sent = []
+        monkeypatch.setattr(client, "submit", lambda *words, **named: sent.append(words))
+        with another_user(), pytest.raises(labmouse.Error, match="^[^\n]*a.db: error: cannot be written[^\n]*$"):
+            cluster.race(client, "flood,certify", "contest-01", store=store)
+        assert sent == []
+        os.chmod(folder, 0o755)
+        assert kept(store) == 1
+
+
 def test_what_is_wrong_is_said_before_anything_is_sent(client, tmp_path):
     with pytest.raises(labmouse.Error, match="flod"):
         cluster.race(client, "flod", store=tmp_path / "a.db")
     (tmp_path / "text.db").write_text("no store" * 1000)
     with pytest.raises(labmouse.Error, match="text.db"):
         cluster.race(client, "flood", store=tmp_path / "text.db")
+    for options in ({"runs": 0}, {"seed": -1}, {"store": 3}):
+        with pytest.raises(labmouse.Error, match=next(iter(options))):
+            cluster.race(client, "flood", **{"store": tmp_path / "a.db", **options})
+    with pytest.raises(labmouse.Error, match="client"):
+        cluster.race(None, "flood", store=tmp_path / "a.db")
+    assert not (tmp_path / "a.db").exists()
 
 
 class Deadly:

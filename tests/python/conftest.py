@@ -2,6 +2,7 @@
 
 import subprocess
 
+import labmouse
 import pytest
 
 
@@ -14,3 +15,12 @@ def command():
         return ran.stdout if ran.returncode == 0 else ran.stderr
 
     return run
+
+
+@pytest.fixture
+def programs():
+    """For mice that are programs: skips the test where the package was built without them."""
+    with pytest.raises(labmouse.Error) as error:
+        labmouse.race("guest:no-such-program")
+    if "starts no programs" in str(error.value):
+        pytest.skip("this package starts no programs: LABMOUSE_GUESTS is off")

@@ -44,7 +44,7 @@ Wanderer = names["Wanderer"]
 
 
 @pytest.mark.parametrize("maze", ["contest-01", "contest-05", "capstone-1"])
-def test_its_walk_is_that_of_the_same_mouse_as_a_guest(tmp_path, maze):
+def test_its_walk_is_that_of_the_same_mouse_as_a_guest(programs, tmp_path, maze):
     program = tmp_path / "guest.py"
     program.write_text(GUEST)
     here = labmouse.run(Wanderer, maze, seed=3)

@@ -32,7 +32,7 @@ def test_a_race_gives_the_numbers_of_the_command(command, world):
     pandas.testing.assert_frame_equal(without_times(pandas.read_csv(io.StringIO(race.to_csv()))), expected)
 
 
-def test_a_race_in_mms_gives_the_numbers_of_the_command(command, tmp_path):
+def test_a_race_in_mms_gives_the_numbers_of_the_command(programs, command, tmp_path):
     mouse = tmp_path / "mouse.sh"
     mouse.write_text("while :; do echo moveForward; read -r answer; [ \"$answer\" = ack ] || echo turnRight; done\n")
     spec = f"mms:sh {mouse}"
@@ -84,7 +84,7 @@ def test_what_makes_no_race_is_refused(bad):
         bad()
 
 
-def test_a_setting_that_is_true_is_a_flag_of_the_command(tmp_path):
+def test_a_setting_that_is_true_is_a_flag_of_the_command(programs, tmp_path):
     mouse = tmp_path / "mouse.sh"
     mouse.write_text("echo nonsense; echo moveForward; read -r answer\n")
     strict = [labmouse.race(f"mms:sh {mouse}", "contest-01", world="mms", strict=value).table["outcome"][0] for value in (True, False)]
@@ -226,7 +226,9 @@ RACE = "labmouse.race([{}], labmouse.mazes(), runs=5000, budget=100000, jobs={},
     ("labmouse.run(Lost, 'contest-01')", False), ("labmouse.run(guest, 'contest-01')", False),
     ("labmouse.study([Lost, 'flood'], labmouse.mazes()[:4], folds=2, progress=False)", False),
 ])
-def test_ctrl_c_gives_what_is_done_at_once(held, elsewhere):
+def test_ctrl_c_gives_what_is_done_at_once(request, held, elsewhere):
+    if "guest" in held:
+        request.getfixturevalue("programs")
     code = STOPPED.format(held=held, elsewhere=elsewhere)
     ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60, check=False)
     assert ran.returncode == 0, ran.stderr
