@@ -19,6 +19,13 @@ const withoutText: Record<string, { version: string; licence: string; file: stri
   },
 };
 
+/** What may stand in a comment of HTML. */
+const inComment = (text: string) => text.trim().replaceAll('--', '- -');
+
+/** The licences of what the core is made of besides our own: the compiler brings no texts that all systems have. */
+export const coreLicences = (): string =>
+  inComment(readFileSync(fileURLToPath(new URL('../src/core/LICENCES', import.meta.url)), 'utf8'));
+
 /** The text of a library's licence, without what may not stand in a comment. */
 export function licenceOf(folder: string, name: string): string {
   const file = readdirSync(folder).find((one) => /^(licen[sc]e|copying)/i.test(one));
@@ -28,12 +35,10 @@ export function licenceOf(folder: string, name: string): string {
   const { version, license } = JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8'));
   if (ours && (version !== ours.version || license !== ours.licence))
     throw new Error(`${name} is ${version} under ${license}: compare ${ours.file} with it, and say so in ${here}`);
-  return readFileSync(file ? join(folder, file) : ours.file, 'utf8')
-    .trim()
-    .replaceAll('--', '- -');
+  return inComment(readFileSync(file ? join(folder, file) : ours.file, 'utf8'));
 }
 
-/** One comment of HTML for all libraries that these modules are of; those with one text stand together. */
+/** One comment of HTML for all libraries that these modules and the core are of; those with one text stand together. */
 export function notices(modules: Iterable<string>): string {
   const folders = new Map<string, string>();
   for (const id of modules) {
@@ -46,7 +51,7 @@ export function notices(modules: Iterable<string>): string {
     texts.set(text, [...(texts.get(text) ?? []), name]);
   }
   const parts = [...texts].map(([text, names]) => `${names.join(', ')}\n\n${text}`);
-  return parts.length > 0 ? `<!-- This page contains libraries of others.\n\n${parts.join('\n\n\n')}\n-->` : '';
+  return `<!-- This page contains libraries of others.\n\n${[...parts, coreLicences()].join('\n\n\n')}\n-->`;
 }
 
 /** What the page's own workers are made of, as they are built. */

@@ -1,10 +1,10 @@
 // The built file, without a browser: what it weighs, and whose work is inside.
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { afterAll, expect, test } from 'vitest';
 import { pythonSize, size, wholeSize } from '../../bench/size';
-import { licenceOf } from '../../build/notices';
+import { coreLicences, licenceOf } from '../../build/notices';
 
 const page = resolve(__dirname, '../..');
 const file = resolve(page, '../../../build/page/labmouse.html');
@@ -23,6 +23,13 @@ test('the licence of each library is inside', () => {
     expect(notices).toMatch(new RegExp(`^(.*, )?${name}(,.*)?$`, 'm'));
     expect(notices).toContain(licenceOf(join(page, 'node_modules', name), name));
   }
+  expect(notices).toContain(coreLicences());
+});
+
+const musl = '/usr/share/emscripten/system/lib/libc/musl/COPYRIGHT';
+
+test.skipIf(!existsSync(musl))('the licence of musl is that of the compiler that is here', () => {
+  expect(coreLicences()).toContain(readFileSync(musl, 'utf8').trim().replaceAll('--', '- -'));
 });
 
 const folder = mkdtempSync(join(tmpdir(), 'labmouse-licences-'));
