@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <optional>
 
 #include "command.hpp"
 #include "labmouse/lab/pictures/drive_picture.hpp"
@@ -31,21 +32,15 @@ VariedNumber varied_number(const std::string& option, const std::string& text) {
 
 /// Which route wins where, as one or two numbers of the robot vary.
 int regions(const RouteOptions& options, const std::vector<NamedMaze>& mazes, const DriveModel& model) {
-  constexpr int rows = 33, samples_a_row = 17;
-  constexpr double sharpness_of_rows = 1e-3;
   if (mazes.size() != 1)
     throw UsageError(fmt::format("error: --vary looks at one maze, but {} are named", mazes.size()));
   if (const std::string why = route_report(mazes.front().maze, model).error; !why.empty())
     throw UsageError(fmt::format("{}: error: {}", mazes.front().name, why));
-  RegionOrder order;
-  order.across = varied_number("--vary", options.vary);
-  if (!options.along.empty()) {
-    order.along = varied_number("--and", options.along);
-    if (order.along->key == order.across.key) throw UsageError("error: --vary and --and name the same number");
-    order.rows = rows;
-    order.samples = samples_a_row;
-    order.sharpness = sharpness_of_rows;
-  }
+  const VariedNumber across = varied_number("--vary", options.vary);
+  std::optional<VariedNumber> along;
+  if (!options.along.empty()) along = varied_number("--and", options.along);
+  if (along && along->key == across.key) throw UsageError("error: --vary and --and name the same number");
+  const RegionOrder order = order_of(across, along);
   const FoundFamily family = find_robot_family(options.robot);
   if (!family.family) throw UsageError(family.error);
   const RouteRegions found = find_regions(mazes.front().maze, *family.family, order);
@@ -54,8 +49,7 @@ int regions(const RouteOptions& options, const std::vector<NamedMaze>& mazes, co
                                  found.rows.front().regions.front().refusal));
   if (!options.svg.empty())
     save(options.svg,
-         draw_regions(mazes.front().maze, found, order,
-                      fmt::format("{}: which route wins, for which {}", stem_of(mazes.front().name), options.robot)));
+         draw_regions(mazes.front().maze, found, order, title_of_regions(mazes.front().name, options.robot)));
   print(options.format == "json" ? json_of(found, order, mazes.front().name, options.robot)
                                  : table_of(found, order, mazes.front().name, options.robot));
   return exit_good;

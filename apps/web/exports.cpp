@@ -47,6 +47,7 @@ LABMOUSE_EXPORT(labmouse_read_link) void labmouse_read_link() { call("read_link"
 LABMOUSE_EXPORT(labmouse_run) void labmouse_run() { call("run"); }
 LABMOUSE_EXPORT(labmouse_drive) void labmouse_drive() { call("drive"); }
 LABMOUSE_EXPORT(labmouse_robot) void labmouse_robot() { call("robot"); }
+LABMOUSE_EXPORT(labmouse_regions) void labmouse_regions() { call("regions"); }
 LABMOUSE_EXPORT(labmouse_unpack) void labmouse_unpack() { call("unpack"); }
 LABMOUSE_EXPORT(labmouse_race) void labmouse_race() { call("race"); }
 LABMOUSE_EXPORT(labmouse_compare) void labmouse_compare() { call("compare"); }

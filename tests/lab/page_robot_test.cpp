@@ -11,6 +11,8 @@
 #include "labmouse/lab/robots/robot_files.hpp"
 #include "labmouse/lab/robots/robot_keys.hpp"
 #include "labmouse/lab/robots/robot_table.hpp"
+#include "labmouse/lab/routes/region_picture.hpp"
+#include "labmouse/lab/routes/route_regions.hpp"
 #include "labmouse/lab/routes/route_report.hpp"
 #include "tests/lab/page_fixture.hpp"
 #include "tests/says.hpp"
@@ -95,6 +97,64 @@ TEST(PageRobot, HasTheRouteOfTheCommandLine) {
                                       {"built_in", "classic"},
                                       {"maze", data_of({"large", Maze(MazeDraft({33, 4}, MazeDraft::Inside::open))})}});
   EXPECT_THAT(large["no_route"].get<std::string>(), Says("33x4", "32x32"));
+}
+
+json range(const char* key, double from, double to) { return {{"key", key}, {"from", from}, {"to", to}}; }
+
+json asked_regions(const NamedMaze& maze) {
+  return {{"name", "classic"},
+          {"built_in", "classic"},
+          {"maze", data_of(maze)},
+          {"vary", range("curve.lateral_acceleration", 4000, 16000)}};
+}
+
+TEST(PageRegions, AreThoseOfTheCommandLine) {
+  const NamedMaze maze = maze_named("contest-01");
+  const RobotFamily classic = *find_robot_family("classic").family;
+  const auto expect_same = [&](const json& asked, const RegionOrder& order) {
+    const json said = answer("regions", asked);
+    const RouteRegions found = find_regions(maze.maze, classic, order);
+    EXPECT_EQ(said["regions"], json::parse(json_of(found, order, maze.name, "classic")));
+    EXPECT_EQ(said["svg"], draw_regions(maze.maze, found, order, "contest-01: which route wins, for which classic"));
+  };
+  json asked = asked_regions(maze);
+  const VariedNumber grip = {"curve.lateral_acceleration", 4000, 16000};
+  expect_same(asked, order_of(grip, std::nullopt));
+  asked["and"] = range("straight.acceleration", 4000, 5000);
+  expect_same(asked, order_of(grip, VariedNumber{"straight.acceleration", 4000, 5000}));
+}
+
+TEST(PageRegions, AreThoseOfARobotThatIsEdited) {
+  json asked = asked_regions(maze_named("contest-01"));
+  const json builtin = answer("regions", asked)["regions"];
+  asked["values"] = built_in("classic")["values"];
+  asked.erase("built_in");
+  EXPECT_EQ(answer("regions", asked)["regions"], builtin);
+  asked["values"]["straight.acceleration"] = 30000;
+  EXPECT_NE(answer("regions", asked)["regions"], builtin);
+}
+
+TEST(PageRegions, TakeNoOtherRequests) {
+  const json good = asked_regions(maze_named("contest-01"));
+  const auto error_with = [&](const char* field, const json& value) {
+    json asked = good;
+    asked[field] = value;
+    return error_of("regions", asked);
+  };
+  EXPECT_THAT(error_with("vary", range("wheels", 1, 2)), HasSubstr("'wheels'"));
+  EXPECT_THAT(error_with("vary", range("curve.speeds", 1, 2)), HasSubstr("'curve.speeds'"));
+  EXPECT_THAT(error_with("vary", range("clearance", 5, 5)), HasSubstr("'vary' needs a range"));
+  EXPECT_THAT(error_with("and", range("clearance", 6, 5)), HasSubstr("'and' needs a range"));
+  EXPECT_THAT(error_with("and", good["vary"]), HasSubstr("the same number"));
+  EXPECT_THAT(error_with("vary", 5), HasSubstr("'vary'"));
+  EXPECT_THAT(error_with("vary", range("clearance", 60000, 70000)), HasSubstr("no robot of this range"));
+  json refused = good;
+  refused.erase("built_in");
+  refused["values"] = {{"cell", 180}};
+  EXPECT_THAT(error_of("regions", refused), HasSubstr("refused"));
+  json large = good;
+  large["maze"] = data_of({"large", Maze(MazeDraft({33, 4}, MazeDraft::Inside::open))});
+  EXPECT_THAT(error_of("regions", large), Says("33x4", "32x32"));
 }
 
 TEST(PageRobot, WritesWhatItReads) {

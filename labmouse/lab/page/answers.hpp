@@ -42,6 +42,7 @@ PageReply answer_read_link(const ReadJson& request, std::string_view bytes);
 PageReply answer_run(const ReadJson& request, std::string_view bytes);
 PageReply answer_drive(const ReadJson& request, std::string_view bytes);
 PageReply answer_robot(const ReadJson& request, std::string_view bytes);
+PageReply answer_regions(const ReadJson& request, std::string_view bytes);
 PageReply answer_unpack(const ReadJson& request, std::string_view bytes);
 PageReply answer_race(const ReadJson& request, std::string_view bytes);
 PageReply answer_compare(const ReadJson& request, std::string_view bytes);

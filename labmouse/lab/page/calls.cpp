@@ -32,6 +32,7 @@ constexpr std::array calls = {
     Call{"run", answer_run},
     Call{"drive", answer_drive},
     Call{"robot", answer_robot},
+    Call{"regions", answer_regions},
     Call{"unpack", answer_unpack},
     Call{"race", answer_race},
     Call{"compare", answer_compare},

@@ -9,8 +9,8 @@
 #include "labmouse/lab/page/answers.hpp"
 #include "labmouse/lab/page/drive_choices.hpp"
 #include "labmouse/lab/page/request.hpp"
+#include "labmouse/lab/page/robot_request.hpp"
 #include "labmouse/lab/plays/play_seconds.hpp"
-#include "labmouse/lab/robots/builtin_robots.hpp"
 #include "labmouse/lab/robots/robot_file.hpp"
 #include "labmouse/lab/robots/robot_keys.hpp"
 #include "labmouse/lab/robots/robot_remarks.hpp"
@@ -156,27 +156,6 @@ Json keys_of(const Json& values) {
   return keys;
 }
 
-std::string built_in_text(PageRequest& request) {
-  const std::string name = request.text("built_in");
-  for (const BuiltinRobot& robot : builtin_robots())
-    if (robot.name == name) return std::string(robot.text);
-  request.reject(fmt::format("the page has no robot '{}'", name));
-  return "";
-}
-
-std::string text_of_values(PageRequest& request) {
-  const ReadJson& values = request.json()["values"];
-  if (!values.is_object()) return request.reject("'values' is not an object"), "";
-  for (const auto& [name, value] : values.items()) {
-    const auto is_it = [&, &key_name = name](const RobotKey& key) { return key.name == key_name; };
-    if (std::none_of(robot_keys().begin(), robot_keys().end(), is_it))
-      return request.reject(fmt::format("no robot has '{}'", name)), "";
-    if (!(value.is_number() || value.is_boolean() || value.is_string()))
-      return request.reject(fmt::format("'{}' is no number, truth or text", name)), "";
-  }
-  return robot_text(values);
-}
-
 }  // namespace
 
 PageReply answer_robot(const ReadJson& json, std::string_view bytes) {
@@ -184,9 +163,7 @@ PageReply answer_robot(const ReadJson& json, std::string_view bytes) {
   const std::string name = request.text("name");
   std::optional<NamedMaze> maze;
   if (request.has("maze")) maze = request.maze();
-  const std::string text = request.has("built_in") ? built_in_text(request)
-                           : request.has("values") ? text_of_values(request)
-                                                   : std::string(bytes);
+  const std::string text = robot_text_of(request, bytes);
   if (!request.error().empty()) return failed(request.error());
   RobotResult read = read_robot(text, name);
   const Json values = robot_values(text);

@@ -10,6 +10,7 @@
 #include "labmouse/lab/drawing/scene.hpp"
 #include "labmouse/lab/drawing/sheet.hpp"
 #include "labmouse/lab/pictures/path_data.hpp"
+#include "labmouse/lab/system/file_names.hpp"
 
 namespace labmouse {
 namespace {
@@ -163,6 +164,10 @@ std::string draw_regions(const Maze& maze, const RouteRegions& regions, const Re
       fmt::format("{} routes, each of which is the fastest for some of the robots.", regions.routes.size()),
       {}};
   return sheet.with(svg);
+}
+
+std::string title_of_regions(const std::string& maze, const std::string& robot) {
+  return fmt::format("{}: which route wins, for which {}", stem_of(maze), robot);
 }
 
 }  // namespace labmouse

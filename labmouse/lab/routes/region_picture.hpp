@@ -12,4 +12,7 @@ namespace labmouse {
 std::string draw_regions(const Maze& maze, const RouteRegions& regions, const RegionOrder& order,
                          const std::string& title);
 
+/// The title of that picture.
+std::string title_of_regions(const std::string& maze, const std::string& robot);
+
 }  // namespace labmouse

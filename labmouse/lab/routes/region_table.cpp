@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "labmouse/lab/records/drive_notation.hpp"
+#include "labmouse/lab/routes/region_data.hpp"
 #include "labmouse/lab/routes/route_regions.hpp"
 #include "labmouse/lab/standings/race_json.hpp"
 #include "labmouse/lab/system/version.hpp"
@@ -115,8 +116,8 @@ std::string table_of(const RouteRegions& regions, const RegionOrder& order, cons
                     counted(regions.plans, "plan", "plans"), order.sharpness * (order.across.to - order.across.from));
 }
 
-std::string json_of(const RouteRegions& regions, const RegionOrder& order, const std::string& maze,
-                    const std::string& robot) {
+Json regions_json(const RouteRegions& regions, const RegionOrder& order, const std::string& maze,
+                  const std::string& robot) {
   Json json = {{"labmouse", version()}, {"robot", robot}, {"maze", maze}, {"vary", number_json(order.across)}};
   json["and"] = order.along ? number_json(*order.along) : Json(nullptr);
   json["plans"] = regions.plans;
@@ -125,11 +126,16 @@ std::string json_of(const RouteRegions& regions, const RegionOrder& order, const
     json["routes"].push_back(route_json(regions.routes[i], static_cast<int>(i)));
   json["rows"] = Json::array();
   for (const RegionRow& row : regions.rows) {
-    Json regions_json = Json::array();
-    for (const RouteRegion& region : row.regions) regions_json.push_back(region_json(region));
-    json["rows"].push_back({{"at", order.along ? Json(row.at) : Json(nullptr)}, {"regions", std::move(regions_json)}});
+    Json row_json = Json::array();
+    for (const RouteRegion& region : row.regions) row_json.push_back(region_json(region));
+    json["rows"].push_back({{"at", order.along ? Json(row.at) : Json(nullptr)}, {"regions", std::move(row_json)}});
   }
-  return text_of(json);
+  return json;
+}
+
+std::string json_of(const RouteRegions& regions, const RegionOrder& order, const std::string& maze,
+                    const std::string& robot) {
+  return text_of(regions_json(regions, order, maze, robot));
 }
 
 }  // namespace labmouse

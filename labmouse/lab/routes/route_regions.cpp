@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
+#include <utility>
 
 #include "labmouse/lab/routes/one_plan.hpp"
 #include "labmouse/lab/system/parallel.hpp"
@@ -197,6 +198,17 @@ class Search {
 };
 
 }  // namespace
+
+RegionOrder order_of(VariedNumber across, std::optional<VariedNumber> along) {
+  RegionOrder order;
+  order.across = std::move(across);
+  order.along = std::move(along);
+  if (!order.along) return order;
+  order.rows = 33;
+  order.samples = 17;
+  order.sharpness = 1e-3;
+  return order;
+}
 
 RouteRegions find_regions(const Maze& maze, const RobotFamily& family, const RegionOrder& order) {
   return Search(maze, family, order).find();

@@ -27,6 +27,9 @@ struct RegionOrder {
   int jobs = 0;             ///< threads; 0: as many as there are processors
 };
 
+/// How closely the command line and the page look: at one number, or at a map of two with fewer values a row.
+RegionOrder order_of(VariedNumber across, std::optional<VariedNumber> along);
+
 /// One of the routes that are the fastest somewhere. The passages that it leads through tell it from others: which
 /// turns it takes there may change within its regions.
 struct RegionRoute {

@@ -1,41 +1,13 @@
 #include "labmouse/lab/routes/varied_number.hpp"
 
-#include <charconv>
-#include <cmath>
-#include <optional>
-
-#include "labmouse/lab/robots/robot_family.hpp"
 #include "labmouse/lab/robots/robot_keys.hpp"
 
 namespace labmouse {
-namespace {
-
-std::optional<double> number_in(std::string_view text) {
-  double number = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(number)) return std::nullopt;
-  return number;
-}
-
-}  // namespace
 
 std::string unit_of(const VariedNumber& number) {
   for (const RobotKey& key : robot_keys())
     if (key.name == number.key) return std::string(key.unit);
   return "";
-}
-
-VariedNumberResult read_varied_number(std::string_view text) {
-  const auto refused = [](std::string why) { return VariedNumberResult{{}, std::move(why)}; };
-  const auto equals = text.find('=');
-  const auto colon = equals == std::string_view::npos ? equals : text.find(':', equals);
-  if (colon == std::string_view::npos)
-    return refused("write KEY=FROM:TO, such as curve.lateral_acceleration=5000:40000");
-  const std::string_view key = text.substr(0, equals);
-  if (std::string why = why_not_varied(key); !why.empty()) return refused(std::move(why));
-  const auto from = number_in(text.substr(equals + 1, colon - equals - 1)), to = number_in(text.substr(colon + 1));
-  if (!from || !to || !(*from < *to)) return refused("FROM and TO must be numbers, and FROM the smaller one");
-  return {{std::string(key), *from, *to}, ""};
 }
 
 }  // namespace labmouse

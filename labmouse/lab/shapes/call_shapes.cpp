@@ -34,6 +34,13 @@ std::vector<CallShape> call_shapes() {
        object({field("name", text), maybe("built_in", text), maybe("values", map(named("RobotValue"))),
                maybe("maze", named("MazeData"))}),
        named("RobotAnswer"), CallBytes::optional},
+      {"regions",
+       "Which route of a maze wins for which robot, as one or two numbers of it vary; the robot as for `robot`. The "
+       "picture is that of `labmouse route --vary --svg`.",
+       object({field("name", text), maybe("built_in", text), maybe("values", map(named("RobotValue"))),
+               field("maze", named("MazeData")), field("vary", named("VariedRange")),
+               maybe("and", named("VariedRange"))}),
+       object({field("regions", named("RouteRegions")), field("svg", text)}), CallBytes::optional},
       {"drive",
        "A contest in seconds of a mouse that drives there. `record` is empty where it cannot be saved. `robot`: a "
        "name; a "

@@ -441,6 +441,42 @@ export interface RobotRoute {
   path: DrivePath;
 }
 
+/** A number of a robot by its key, in the key's unit, and how far it is varied. */
+export interface VariedRange {
+  key: string;
+  from: number;
+  to: number;
+}
+
+/** Where one route stays the fastest, from the first value planned to the last; null where none is. */
+export type RouteRegion = {
+  from: number;
+  to: number;
+  route: string;
+  time_from_us: number;
+  time_to_us: number;
+  runner_up: string | null;
+  /** By how much the best other route is slower. */
+  margin: number | null;
+} | {
+  from: number;
+  to: number;
+  route: null;
+  refusal: string;
+};
+
+/** Which route wins for which robot, as `labmouse route --vary --format json` has it. */
+export interface RouteRegions {
+  labmouse: string;
+  robot: string;
+  maze: string;
+  vary: VariedRange & { unit: string };
+  and: VariedRange & { unit: string } | null;
+  plans: number;
+  routes: { name: string; cells: number; route: string; passes: [number, number, string][] }[];
+  rows: { at: number | null; regions: RouteRegion[] }[];
+}
+
 /** A sentence about a robot, and the key that it belongs to; empty for none. */
 export interface RobotSentence {
   key: string;
@@ -721,6 +757,22 @@ export interface Calls {
     };
     bytes?: Uint8Array;
     answer: RobotAnswer;
+  };
+  /**
+   * Which route of a maze wins for which robot, as one or two numbers of it vary; the robot as for `robot`. The
+   * picture is that of `labmouse route --vary --svg`.
+   */
+  regions: {
+    request: {
+      name: string;
+      built_in?: string;
+      values?: Record<string, RobotValue>;
+      maze: MazeData;
+      vary: VariedRange;
+      and?: VariedRange;
+    };
+    bytes?: Uint8Array;
+    answer: { regions: RouteRegions; svg: string };
   };
   /**
    * A contest in seconds of a mouse that drives there. `record` is empty where it cannot be saved. `robot`: a name;

@@ -117,11 +117,11 @@ export function paintNumbers(context: Context, g: Geometry, palette: Palette) {
   for (let y = 0; y < g.height; y += every) context.fillText(textOf(y), column, rowAt(g, y) - half);
 }
 
-/** A whole maze, without anything in it. */
-export function paintMaze(context: Context, g: Geometry, palette: Palette, maze: MazeData) {
+/** A whole maze; `corner` where something is painted over it, which would cover its letters. */
+export function paintMaze(context: Context, g: Geometry, palette: Palette, maze: MazeData, corner = false) {
   paintGround(context, g, palette);
   paintPlates(context, g, palette, maze);
-  paintLetters(context, g, palette, maze);
+  paintLetters(context, g, palette, maze, corner);
   paintPosts(context, g, palette);
   paintWalls(context, g, palette, closedWalls(maze));
   if (g.left > g.wall) paintNumbers(context, g, palette);

@@ -1,5 +1,7 @@
 // The list of all steps: a table of which only the lines in view exist.
 import { useLayoutEffect, useRef, useState } from 'preact/hooks';
+import { Meanings } from '../ui/meanings';
+import { turnMeanings } from '../ui/terms';
 import { headings, placeText } from './figures';
 import type { PanelProps } from './state';
 import type { Track } from './track';
@@ -138,6 +140,7 @@ export function Steps({ state, actions }: PanelProps) {
           </button>
         ))}
       </div>
+      {track.drive && <Meanings of={turnMeanings.map(([name, meaning]) => [`turn ${name}`, meaning])} />}
       <List key={track} track={track} current={scene.past.frame} seek={actions.seek} />
     </section>
   );

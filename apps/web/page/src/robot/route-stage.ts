@@ -26,7 +26,7 @@ export function createRouteStage(): RouteStage {
     { width: 16, height: 16 },
     (context, g, palette) => {
       if (!maze) return;
-      paintMaze(context, g, palette, maze);
+      paintMaze(context, g, palette, maze, path !== null);
       context.lineCap = context.lineJoin = 'round';
       if (before) {
         context.lineWidth = Math.max(1, g.pitch * 0.06);

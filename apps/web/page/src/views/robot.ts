@@ -7,12 +7,14 @@ import { createMazeChoice } from '../live/maze-choice';
 import { routeTable, searchTable, straightTables, turnFigures } from '../robot/figures';
 import { createRobotForm, type Values } from '../robot/form';
 import { hasTimes, keysBeside, withLimits, withTimes, type Part } from '../robot/forms';
+import { createRegions } from '../robot/regions';
 import { isMine, myRobot, nameOf, setMyRobot, withoutRemarks, type KeptRobot, type Origin } from '../robot/mine';
 import { createRouteStage } from '../robot/route-stage';
 import { h } from '../ui/dom';
 import { complainAt, field } from '../ui/field';
 import { createLatest } from '../ui/latest';
 import { meanings } from '../ui/meanings';
+import { turnMeanings } from '../ui/terms';
 import type { Page, View } from './view';
 import '../styles/forms.css';
 import '../styles/robot.css';
@@ -27,15 +29,6 @@ interface Question {
 /** After so many milliseconds the page says that it is at work. */
 const patience = 100;
 
-const turnWords: [string, string][] = [
-  ['45', 'from the middle of a cell onto a diagonal, and backwards off it'],
-  ['90', 'a quarter turn from cell to cell'],
-  ['135', 'from the middle of a cell onto a diagonal that leads back'],
-  ['180', 'a half turn around a wall, from cell to cell'],
-  ['V90', 'a quarter turn from diagonal to diagonal'],
-  ['S90', 'the small quarter turn inside one cell, which searches use'],
-];
-
 export function createRobot(page: Page): View {
   const { robots, robot_keys: keys } = page.about;
   let origin: Origin = { name: robots[0]?.name ?? '', text: null };
@@ -49,6 +42,8 @@ export function createRobot(page: Page): View {
   let result: RobotResult | null = null;
   /** Whether the last robot that was asked for can be none. */
   let refused = false;
+  /** The numbers of the robot that stands there. */
+  let nowValues: Values = {};
   /** Whether it stands as it came with a link: then that of this browser is kept. */
   let linked = false;
   let isShown = false;
@@ -69,6 +64,9 @@ export function createRobot(page: Page): View {
   const status = h('p', { class: 'verdict', role: 'status' });
   const others = h('ul', { class: 'robot-sentences' });
   const stage = createRouteStage();
+  const regions = createRegions(page, keys, () =>
+    maze && !refused ? { name: robotName(), values: nowValues, maze } : null,
+  );
   const routeTimes = h('div', {});
   const turns = h('div', { class: 'robot-turns' });
   const tables = h('div', { class: 'robot-tables' });
@@ -133,6 +131,8 @@ export function createRobot(page: Page): View {
       given = now.result && !isSame ? `${called}\n${now.text}` : null;
       setMyRobot(given);
       for (const part of parts) part.show(now.values);
+      nowValues = now.values;
+      regions.offer(now.values);
       if (now.result && !linked) void page.shelf.write('robot', given && { name: called, text: now.text, origin });
     },
     (error) => {
@@ -183,6 +183,7 @@ export function createRobot(page: Page): View {
     createPart('search', 'The search is given', 'a speed and its pivots, or the time of each move'),
   ];
 
+  const robotName = () => name.value.trim().replaceAll('\n', ' ') || 'robot';
   function rest() {
     clearTimeout(late);
     desk.removeAttribute('aria-busy');
@@ -199,8 +200,7 @@ export function createRobot(page: Page): View {
       fresh = false;
       leaveLink();
     }
-    const called = name.value.trim().replaceAll('\n', ' ') || 'robot';
-    latest.ask({ name: called, values: fresh ? null : form.values(), maze });
+    latest.ask({ name: robotName(), values: fresh ? null : form.values(), maze });
   }
   /** What the address leads to is no longer what is shown. */
   function leaveLink() {
@@ -322,9 +322,10 @@ export function createRobot(page: Page): View {
   );
   follows.append(
     h('div', {}, h('h3', {}, 'The best route'), routeTimes),
+    regions.element,
     h('h3', {}, 'Turns'),
     turns,
-    meanings(turnWords),
+    meanings(turnMeanings),
     h('h3', {}, 'Straights and the search'),
     tables,
   );

@@ -59,6 +59,78 @@ test('what follows from a robot is what the command line says, also after an edi
   await expect.poll(() => times(page, '90')).toEqual(before);
 });
 
+const regions = (page: Page) => view(page).getByRole('region', { name: 'Which route wins', exact: true });
+const winners = (page: Page) =>
+  regions(page)
+    .getByRole('table', { name: 'Which route wins' })
+    .locator('tbody tr')
+    .evaluateAll((rows) => rows.map((row) => [...row.children].map(({ textContent }) => textContent)));
+
+test('which route wins for which robot is what the command line says, in words, numbers and picture', async () => {
+  const page = await opened();
+  await view(page).getByLabel('Name').fill('classic');
+  await view(page).getByLabel('Built-in maze').selectOption('contest-01');
+  await expect.poll(() => bestTime(page)).toMatch(/ s/);
+  await view(page).getByRole('img', { name: 'The best route of contest-01' }).waitFor();
+  const place = regions(page);
+  await place.getByLabel('Vary', { exact: true }).selectOption('curve.lateral_acceleration');
+  await place.getByLabel('Vary: from').fill('4000');
+  await place.getByLabel('Vary: to').fill('16000');
+  const find = place.getByRole('button', { name: 'Find which route wins' });
+  await find.click();
+  await place.getByText('2 routes win').waitFor();
+  const svg = temporary('regions.svg');
+  const words = ['route', 'contest-01', '--vary', 'curve.lateral_acceleration=4000:16000', '--svg', svg];
+  const said = JSON.parse(native(...words, '--format', 'json'));
+  const saved = async (label: string) => {
+    const [download] = await Promise.all([
+      page.waitForEvent('download'),
+      place.getByRole('button', { name: label }).click(),
+    ]);
+    return readFileSync((await download.path())!, 'utf8');
+  };
+  expect(JSON.parse(await saved('Save as JSON'))).toEqual(said);
+  expect(await saved('Save diagram (SVG)')).toBe(readFileSync(svg, 'utf8'));
+  expect((await winners(page)).map(([route, cells, from, to]) => [route, cells, from, to])).toEqual([
+    ['A', '34', '4000', String(Number(said.rows[0].regions[0].to.toPrecision(6)))],
+    ['B', '32', String(Number(said.rows[0].regions[1].from.toPrecision(6))), '16000'],
+  ]);
+  const drawn = place.getByRole('img', { name: /Which route of contest-01 wins for which classic/ });
+  expect(await drawn.evaluate((image: HTMLImageElement) => image.naturalWidth)).toBe(1080);
+  await drawn.scrollIntoViewIfNeeded();
+  await picture(page, 'robot-regions');
+  expect(await barriers(page)).toEqual([]);
+
+  // What is wrong stands at its number, and what was found is of no other robot.
+  await place.getByLabel('Vary: to').fill('3000');
+  await find.click();
+  await place.getByText("'vary' needs a range").waitFor();
+  expect(await place.getByRole('table').count()).toBe(0);
+  await place.getByLabel('Vary: to').fill('16000');
+  await find.click();
+  await place.getByText('2 routes win').waitFor();
+  await input(page, 'straight.speed').fill('3000');
+  await place.getByText('another one now').waitFor();
+  expect(await place.getByRole('table').count()).toBe(0);
+});
+
+test('of two numbers there is a map, a row for each value of the second', async () => {
+  const page = await opened();
+  const place = regions(page);
+  await place.getByLabel('Vary: from').fill('4000');
+  await place.getByLabel('Vary: to').fill('16000');
+  await place.getByLabel('and', { exact: true }).selectOption('straight.acceleration');
+  await place.getByLabel('and: from').fill('4000');
+  await place.getByLabel('and: to').fill('20000');
+  await place.getByRole('button', { name: 'Find which route wins' }).click();
+  await expect.poll(async () => (await winners(page)).length, { timeout: 50_000 }).toBe(33);
+  const vary = ['--vary', 'curve.lateral_acceleration=4000:16000', '--and', 'straight.acceleration=4000:20000'];
+  const { rows } = JSON.parse(native('route', 'capstone-1', ...vary, '--format', 'json'));
+  const [[lowest, routes]] = (await winners(page)).slice(-1);
+  expect(lowest).toBe('4000');
+  expect(routes!.match(/[A-Z]\d*/g)).toEqual(rows[0].regions.map(({ route }: { route: string }) => route));
+});
+
 test('what is wrong stands at its field, and what followed before stays', async () => {
   const page = await opened();
   const time = await bestTime(page);

@@ -1,0 +1,232 @@
+// Which route of a maze wins for which robot, as one or two of its numbers vary: a form, the diagram, and a table.
+import { Stopped } from '../core/client';
+import type { MazeData, RobotKey, RobotValue, RouteRegion, RouteRegions, VariedRange } from '../core/types';
+import { h } from '../ui/dom';
+import { complainAt, field } from '../ui/field';
+import type { Page } from '../views/view';
+import type { Values } from './form';
+
+/** The robot and the maze that are asked about. */
+export interface Subject {
+  name: string;
+  values: Values;
+  maze: MazeData;
+}
+
+export interface Regions {
+  element: HTMLElement;
+  /** Offers the numbers of a robot; what was found is of another one. */
+  offer(values: Values): void;
+}
+
+/** Grip, which decides most about routes. */
+const usualKey = 'curve.lateral_acceleration';
+
+const isVaried = ({ kind }: RobotKey, value: RobotValue | undefined) =>
+  (kind === 'number' || kind === 'number_or_false') && typeof value === 'number';
+
+/** From half of a number to twice of it, as far as a robot may have it. */
+export function usualRange({ low, high }: Pick<RobotKey, 'low' | 'high'>, value: number): [number, number] {
+  const [from, to] = [Math.max(low, value / 2), Math.min(high, value * 2)];
+  return from < to ? [from, to] : [low, high];
+}
+
+/** As many digits as tell the values of a range apart. */
+export const valueText = (value: number): string => String(Number(value.toPrecision(6)));
+const seconds = (microseconds: number) => (microseconds / 1e6).toFixed(3);
+const withUnit = ({ key, unit }: { key: string; unit: string }) => (unit ? `${key}, ${unit}` : key);
+
+function tableOf(label: string, heads: string[], rows: string[][]): HTMLElement {
+  return h(
+    'div',
+    { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': `${label}, table` },
+    h(
+      'table',
+      { 'aria-label': label },
+      h('thead', {}, h('tr', {}, ...heads.map((head) => h('th', { scope: 'col' }, head)))),
+      h(
+        'tbody',
+        {},
+        ...rows.map(([first, ...rest]) =>
+          h('tr', {}, h('th', { scope: 'row' }, first), ...rest.map((text) => h('td', {}, text))),
+        ),
+      ),
+    ),
+  );
+}
+
+function regionRow(region: RouteRegion, cellsOf: (route: string) => string): string[] {
+  const range = [valueText(region.from), valueText(region.to)];
+  if (region.route === null) return ['none', '', ...range, '', '', region.refusal];
+  const { runner_up, margin } = region;
+  const lead = runner_up === null || margin === null ? '' : `${(100 * margin).toFixed(2)} % ahead of ${runner_up}`;
+  return [
+    region.route,
+    cellsOf(region.route),
+    ...range,
+    seconds(region.time_from_us),
+    seconds(region.time_to_us),
+    lead,
+  ];
+}
+
+/** "A 27431 B": the routes of a row, and between them the values from which the next one wins. */
+const rowText = (regions: RouteRegion[]) =>
+  regions.map(({ route, from }, i) => `${i > 0 ? `${valueText(from)} ` : ''}${route ?? 'none'}`).join(' ');
+
+/** The regions as a table: a line for each, or for each value of the second number. */
+export function regionTable({ vary, and, routes, rows }: RouteRegions): HTMLElement {
+  const cellsOf = (route: string) => String(routes.find(({ name }) => name === route)?.cells ?? '');
+  if (!and)
+    return tableOf(
+      'Which route wins',
+      ['route', 'cells', `from ${withUnit(vary)}`, 'to', 's at from', 's at to', 'lead in the middle'],
+      rows[0].regions.map((region) => regionRow(region, cellsOf)),
+    );
+  return tableOf(
+    'Which route wins',
+    [withUnit(and), `route, the ${vary.key} from which the next one wins, that route, …`],
+    [...rows].reverse().map(({ at, regions }) => [valueText(at!), rowText(regions)]),
+  );
+}
+
+/** A number and how far it varies. */
+function createRange(label: string, keys: RobotKey[], optional: boolean) {
+  const key = h('select', { onchange: () => suggest() });
+  const number = (name: string) =>
+    h('input', { type: 'number', step: 'any', inputmode: 'decimal', 'aria-label': name });
+  const [from, to] = [number(`${label}: from`), number(`${label}: to`)];
+  const unit = h('span', {});
+  const row = h('div', { class: 'row' }, from, 'to', to);
+  let values: Values = {};
+  function suggest() {
+    const chosen = keys.find(({ name }) => name === key.value);
+    const value = values[key.value];
+    row.hidden = !chosen;
+    unit.textContent = chosen?.unit ?? '';
+    if (!chosen || typeof value !== 'number') return;
+    const range = usualRange(chosen, value).map((end) => Number(end.toPrecision(4)));
+    [from.value, to.value] = range.map(String);
+  }
+  return {
+    field: field(label, key, unit),
+    row,
+    /** Those that a robot has; what was chosen stays, with its range, where it can. */
+    offer(now: Values, usual: string) {
+      values = now;
+      const before = key.value;
+      const names = keys.filter((one) => isVaried(one, now[one.name])).map(({ name }) => name);
+      const choices = optional ? ['', ...names] : names;
+      key.replaceChildren(...choices.map((name) => h('option', { value: name }, name || 'nothing else')));
+      key.value = [before, usual].find((name) => choices.includes(name)) ?? choices[0] ?? '';
+      if (key.value !== before || from.value === '') suggest();
+    },
+    /** Null where nothing is varied. */
+    read: (): VariedRange | null =>
+      key.value === '' ? null : { key: key.value, from: from.valueAsNumber, to: to.valueAsNumber },
+  };
+}
+
+/** `subject` is null while there is no robot or no maze. */
+export function createRegions(page: Page, keys: RobotKey[], subject: () => Subject | null): Regions {
+  const vary = createRange('Vary', keys, false);
+  const along = createRange('and', keys, true);
+  const says = h('p', { class: 'note', role: 'status' });
+  const found = h('div', { class: 'regions-found' });
+  const find = h('button', { type: 'button', class: 'main', onclick: () => void start() }, 'Find which route wins');
+  const stop = h('button', { type: 'button', hidden: true, onclick: () => page.core.stop('regions') }, 'Stop');
+  let address = '';
+  let number = 0;
+
+  function clear() {
+    if (address) URL.revokeObjectURL(address);
+    address = '';
+    found.replaceChildren();
+  }
+  function show(regions: RouteRegions, svg: string) {
+    clear();
+    address = URL.createObjectURL(new Blob([svg], { type: 'image/svg+xml' }));
+    const { vary, and, routes, maze, robot } = regions;
+    const what = `Which route of ${maze} wins for which ${robot}, as ${vary.key}${and ? ` and ${and.key}` : ''} vary`;
+    const save = (label: string, ending: string, content: string, type: string) =>
+      h('button', { type: 'button', onclick: () => page.save(`${maze}-regions.${ending}`, content, type) }, label);
+    says.textContent = `${routes.length === 1 ? 'One route wins' : `${routes.length} routes win`} somewhere in this range.`;
+    found.append(
+      h(
+        'div',
+        { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'Diagram' },
+        h('img', { src: address, alt: `${what}. The table below has the same numbers.` }),
+      ),
+      regionTable(regions),
+      h(
+        'p',
+        { class: 'note' },
+        'A route counts by the passages that it leads through. A region between two neighbours with the same route is missed.',
+      ),
+      h(
+        'div',
+        { class: 'row' },
+        save('Save diagram (SVG)', 'svg', svg, 'image/svg+xml'),
+        save('Save as JSON', 'json', `${JSON.stringify(regions, null, 2)}\n`, 'application/json'),
+      ),
+    );
+  }
+  async function start() {
+    const about = subject();
+    const across = vary.read();
+    if (!about || !across) return (says.textContent = 'There is no robot, or no maze.');
+    const second = along.read();
+    const mine = ++number;
+    complain('');
+    clear();
+    find.disabled = true;
+    stop.hidden = false;
+    says.textContent = 'Planning …';
+    try {
+      const answer = await page.core.call('regions', { ...about, vary: across, ...(second && { and: second }) });
+      if (mine === number) show(answer.regions, answer.svg);
+    } catch (error) {
+      if (mine !== number) return;
+      says.textContent = error instanceof Stopped ? 'Stopped.' : '';
+      if (!(error instanceof Stopped)) complain(error instanceof Error ? error.message : String(error));
+    } finally {
+      if (mine === number) {
+        find.disabled = false;
+        stop.hidden = true;
+      }
+    }
+  }
+  /** Says it at the number that it names. */
+  function complain(message: string) {
+    const words = message.replaceAll(/'(vary|and)\.(from|to|key)'/g, "'$1'");
+    complainAt({ vary: vary.field, and: along.field }, 'vary', words);
+  }
+  return {
+    element: h(
+      'section',
+      { class: 'regions', 'aria-label': 'Which route wins' },
+      h('h3', {}, 'Which route wins, for which robot'),
+      h(
+        'p',
+        { class: 'note' },
+        'Vary a number of this robot, or two: the regions are found in which one route of this maze stays the fastest.',
+      ),
+      h('div', { class: 'regions-form' }, vary.field, vary.row, along.field, along.row),
+      h('div', { class: 'row' }, find, stop),
+      says,
+      found,
+    ),
+    offer(values) {
+      vary.offer(values, usualKey);
+      along.offer(values, '');
+      if (find.disabled) page.core.stop('regions');
+      number += 1;
+      find.disabled = false;
+      stop.hidden = true;
+      complain('');
+      if (found.childElementCount > 0) says.textContent = 'The robot or the maze is another one now: find it again.';
+      else says.textContent = '';
+      clear();
+    },
+  };
+}

@@ -1,0 +1,34 @@
+// Apart from the rest: the compiler of the page reads no such numbers.
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include "labmouse/lab/robots/robot_family.hpp"
+#include "labmouse/lab/routes/varied_number.hpp"
+
+namespace labmouse {
+namespace {
+
+std::optional<double> number_in(std::string_view text) {
+  double number = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(number)) return std::nullopt;
+  return number;
+}
+
+}  // namespace
+
+VariedNumberResult read_varied_number(std::string_view text) {
+  const auto refused = [](std::string why) { return VariedNumberResult{{}, std::move(why)}; };
+  const auto equals = text.find('=');
+  const auto colon = equals == std::string_view::npos ? equals : text.find(':', equals);
+  if (colon == std::string_view::npos)
+    return refused("write KEY=FROM:TO, such as curve.lateral_acceleration=5000:40000");
+  const std::string_view key = text.substr(0, equals);
+  if (std::string why = why_not_varied(key); !why.empty()) return refused(std::move(why));
+  const auto from = number_in(text.substr(equals + 1, colon - equals - 1)), to = number_in(text.substr(colon + 1));
+  if (!from || !to || !(*from < *to)) return refused("FROM and TO must be numbers, and FROM the smaller one");
+  return {{std::string(key), *from, *to}, ""};
+}
+
+}  // namespace labmouse
