@@ -34,6 +34,8 @@ export interface Player {
   moment(): { time: number; look?: Camera };
   /** Calls whenever the clock stands still in another moment. */
   rested(listener: () => void): void;
+  /** Plays on from where it is. */
+  play(): void;
   /** Pauses: call it when the player is hidden. */
   stop(): void;
   seek(time: number): void;
@@ -182,6 +184,8 @@ export function createPlayer(page: EarlyPage, ...lead: (HTMLElement | (HTMLEleme
   function frame(now: number) {
     const begin = performance.now();
     asked = 0;
+    // What was shown may be gone since the frame was asked for.
+    if (state.sides.length === 0) return;
     tick(clock, now);
     const smooth = !still.matches;
     for (let i = 0; i < state.sides.length; ++i) {
@@ -266,6 +270,10 @@ export function createPlayer(page: EarlyPage, ...lead: (HTMLElement | (HTMLEleme
         lookTogether(0, look);
       }
       if (state.sides.length > 0) refresh();
+      wake();
+    },
+    play() {
+      start(clock);
       wake();
     },
     stop() {

@@ -13,11 +13,14 @@ import '../styles/replay.css';
 import type { Page, View } from './view';
 
 export function createReplay(page: Page): View {
+  const still = matchMedia('(prefers-reduced-motion: reduce)');
   const chooser = createChooser(page, (plays, asked) => {
     // An example is nothing to come back to.
     isExample = !asked;
     if (asked) page.keepPlays(plays);
     show(plays, true);
+    // Who is on the way elsewhere by now, or asked for less motion, starts it when they like.
+    if (!asked && !element.hidden && !still.matches) player.play();
   });
   const beside = createBeside(page, (plays) => show(plays));
   const player = createPlayer(page, h('div', { class: 'another' }, chooser.element, beside.element));

@@ -45,6 +45,20 @@ test('an example is played, and the keys lead through it', async () => {
   expect(await fact(page, 'score so far')).toBe('0.000');
 });
 
+test('an example plays by itself, and stands still where less motion is asked for', async () => {
+  const page = await open('#replay');
+  const quiet = await open('#replay', { reducedMotion: 'reduce' });
+  const standing = (of: Page) => of.locator('.replay').getByRole('button', { name: 'Play', exact: true });
+  await page.locator('.replay').getByRole('button', { name: 'Pause', exact: true }).waitFor();
+  await expect.poll(async () => Number(await scrubber(page).inputValue())).toBeGreaterThan(0);
+  await standing(quiet).waitFor();
+  // What somebody chooses waits for them.
+  await choose(page, ['flood'], 'capstone-1');
+  await standing(page).waitFor();
+  expect(await steps(page)).toBe(0);
+  expect(await steps(quiet)).toBe(0);
+});
+
 test('there is an example at once, and who chooses another stays where they choose', async () => {
   const page = await open('#replay');
   const caption = page.locator('.replay figcaption h3');
