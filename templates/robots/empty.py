@@ -1,4 +1,4 @@
-"""A mouse of your own, with nothing in it yet: it drives north until it meets a wall, and stays there."""
+"""Your own mouse: ahead until a wall, and no further."""
 
 
 class Robot(object):

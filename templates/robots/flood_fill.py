@@ -1,11 +1,6 @@
-"""Flood fill: it holds every wall for open that it has not seen closed, counts the steps from each cell to the goal, as
-water would rise from there, and moves to where they are fewest. It looks, and floods again. In the fast run it trusts
-only the walls that it has seen open.
+"""Flood fill: takes unseen walls for open, goes to where the goal is nearest, then races on what it has seen.
 
-It is told nothing of the goal, which is in the centre of most mazes. Whether it stands in one a reset tells: that leads
-back to the start only from there. Where the centre is none, it tries all other cells.
-
-The cell in column x and row y is the number x + 100 * y, and a wall is the sum of its two cells."""
+It is not told where the goal is: it tries the centre first. Column x and row y are the number x + 100 * y."""
 
 STEPS = [100, 1, -100, -1]  # to the next cell in the north, east, south, west: the directions 0 to 3
 STRAIGHT, LEFT, RIGHT, BACK = 0, -1, 1, 2
@@ -17,7 +12,7 @@ class Robot(object):
         self.goals = [x + 100 * y for x in middle for y in middle]
         self.others = [x + 100 * y for x in range(maze_dim) for y in range(maze_dim)]
         self.at_start, self.asked = None, False  # what it sees at the start; whether it tried a reset
-        self.is_open = {}  # the walls that it knows; first, those around the maze
+        self.is_open = {}  # the walls that it knows, each the sum of its two cells; first, those around the maze
         for n in range(maze_dim):
             for cell, direction in ((n + 100 * (maze_dim - 1), 0), (maze_dim - 1 + 100 * n, 1), (n, 2), (100 * n, 3)):
                 self.is_open[2 * cell + STEPS[direction]] = False

@@ -1,10 +1,6 @@
-"""A wall follower: it keeps the wall at its left hand until it stands in the goal. In the fast run it takes the way
-that it found, without the detours: it leaves each cell in the direction in which it left it last.
+"""Keeps its left hand on the wall until it enters the goal. Lost where the goal stands free: change that first.
 
-In most mazes of contests the walls around the goal stand apart from all others, so that this mouse circles for ever:
-that is the first thing to change.
-
-The cell in column x and row y is the number x + 100 * y."""
+Column x and row y are the number x + 100 * y."""
 
 STEPS = [100, 1, -100, -1]  # to the next cell in the north, east, south, west: the directions 0 to 3
 

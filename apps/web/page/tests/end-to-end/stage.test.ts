@@ -100,9 +100,19 @@ test('the slider has room to be dragged in windows of any width', async () => {
 test('on a telephone maze, controls and slider are on the first screen, also with two mice', async () => {
   const options = { viewport: phone, hasTouch: true };
   const slider = (page: Page) => page.getByRole('slider', { name: 'Moment of the replay' });
-  for (const page of [await replayed('ariadne and flood', options), await walked(options)]) {
-    await onFirstScreen(page, page.locator('.stage canvas:visible'), slider(page), page.locator('.transport:visible'));
+  const [raced, written] = ['race', 'write'].map((name) => views.find(([view]) => view === name)![1]);
+  const opened = [() => replayed('ariadne and flood', options), walked, raced, written];
+  for (const open of opened) {
+    const page = await open(options);
+    await slider(page).waitFor();
+    const canvases = page.locator('.player .stage canvas:visible');
+    await onFirstScreen(page, canvases, slider(page), page.locator('.transport:visible'));
     expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(phone.width);
+    // Beneath them stands what one does next, before all numbers.
+    const next = page.getByRole('button', { name: /^(Start the race|Run)$/ }).first();
+    const numbers = page.locator('.player .panel:visible').first();
+    if (open === raced) expect(await numbers.count()).toBe(0);
+    if (open === written) expect((await boxOf(next)).y).toBeLessThan((await boxOf(numbers)).y);
   }
 });
 

@@ -53,6 +53,14 @@ const small = readdirSync(mazeFolder)
   .filter((name) => name.endsWith('.txt') && !/contest-(half|1[48]|2\d)-|-30/.test(name))
   .map((name) => join(mazeFolder, name));
 
+describe.each([javascript, python])('what one begins with in $name', ({ templates }) => {
+  it.each(templates)('$name says briefly what it does', ({ text }) => {
+    const [description] = /^(\/\/.*\n)+|^"""[^"]*"""/.exec(text)!;
+    expect(description.length).toBeGreaterThan(20);
+    expect(description.length).toBeLessThan(240);
+  });
+});
+
 describe.skipIf(!existsSync(program))('robots in the page and on the command line', () => {
   const robots: [name: string, text: string][] = [
     ...['wall_follower', 'flood_fill', 'flood_and_return', 'empty'].map((name): [string, string] => [

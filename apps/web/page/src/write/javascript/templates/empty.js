@@ -1,5 +1,4 @@
-// A mouse of your own. It is told where it is, then it is asked at each
-// step what it does.
+// Your own mouse: ahead until a wall, then a turn.
 const goals = [];
 let width, height, stride, start;
 

@@ -1,7 +1,5 @@
-// A mouse that floods the maze: it takes walls that it has not seen for
-// open and goes where the goal is nearest then. From the goal it walks
-// back to the start, on ways that it has not seen, and only then it
-// races on the shortest that it has.
+// Flood fill that walks back to the start on unseen ways before it
+// races: it finds shorter ones.
 // Cells; longer steps search faster and see less.
 const LONGEST_STEP_OF_SEARCH = 1;
 // To the north, east, south and west.

@@ -1,6 +1,5 @@
-// A mouse that floods the maze: it takes walls that it has not seen for
-// open and goes where the goal is nearest then. In a goal it goes back
-// to the start, and takes the shortest way that it has seen open.
+// Flood fill: takes unseen walls for open, goes to where the goal is
+// nearest, then races on what it has seen.
 // Cells; longer steps search faster and see less.
 const LONGEST_STEP_OF_SEARCH = 1;
 // To the north, east, south and west.

@@ -1,7 +1,5 @@
-// A mouse that keeps its left hand on the wall until it enters a goal.
-// Then it goes back to the start and leaves each cell as it last left
-// it. Simple, and lost where the goal stands free in the middle: what
-// would you do about that?
+// Keeps its left hand on the wall until it enters a goal. Lost where the
+// goal stands free: what would you do about that?
 // To the north, east, south and west.
 const WAYS = [[0, 1], [1, 0], [0, -1], [-1, 0]];
 const goals = new Set();
