@@ -8,13 +8,19 @@ import { worldOf } from './worlds';
 
 type RacedMouse = RaceGroup['mice'][number];
 
-function nameColumn<Row extends { name: string }>(reference: (row: Row) => boolean): Column<Row> {
+/** Tones alone would not do: the sign of one's own mouse, and of what it was before. */
+const ownSigns = ['★ yours', '☆ yours, before'];
+
+function nameColumn<Row extends { name: string }>(reference: (row: Row) => boolean, own: string[]): Column<Row> {
+  const signOf = (row: Row) => ownSigns[own.indexOf(row.name)] ?? (reference(row) && 'reference');
   return {
     title: 'mouse',
     meaning: 'Its name, with the parameters that were given. A reference knows the maze and is not a contestant.',
     value: (row) => row.name,
-    show: (row) =>
-      h('span', { class: 'name', title: row.name }, row.name, reference(row) && h('small', {}, 'reference')),
+    show: (row) => {
+      const sign = signOf(row);
+      return h('span', { class: 'name', title: row.name }, row.name, sign && h('small', {}, sign));
+    },
     best: 'ascending',
     class: 'first',
   };
@@ -67,13 +73,13 @@ function intervalColumn<Row>(
   };
 }
 
-/** Those of a race; the figures of its world stand behind those that all have. */
-export function columnsOf(group: RaceGroup, mazes: number): Column<RacedMouse>[] {
+/** Those of a race; the figures of its world stand behind those that all have. `own`: one's mouse, and it before. */
+export function columnsOf(group: RaceGroup, mazes: number, own: string[] = []): Column<RacedMouse>[] {
   const world = worldOf(group);
   const { mice } = group;
   const mean = (mouse: RacedMouse) => mouse[world.mean];
   return [
-    nameColumn<RacedMouse>((mouse) => mouse.contestant === false),
+    nameColumn<RacedMouse>((mouse) => mouse.contestant === false, own),
     solvedColumn(world.solved),
     figure('score, all', world.meanMeaning, mean, 3),
     intervalColumn(mice, mean, (mouse) => mouse.interval, mazes, world.unit),

@@ -26,7 +26,7 @@ function notesOf({ notes, world, formula }: RaceGroup): string[] {
 export function leaderboard(group: RaceGroup, onOrder: (order: number[]) => void, own: string[] = []): Leaderboard {
   const label = `Leaderboard${worldOf(group).title}`;
   const { bound } = worldOf(group);
-  const columns = columnsOf(group, group.mazes.filter((maze) => isNumber(bound(maze))).length);
+  const columns = columnsOf(group, group.mazes.filter((maze) => isNumber(bound(maze))).length, own);
   const place = new Map(group.mice.map((mouse, index) => [mouse, index]));
   const table = sortedTable({
     caption: label,

@@ -99,7 +99,12 @@ export function createRace(page: EarlyPage): View {
                 lost.element,
               ),
             ]
-          : []),
+          : [
+              part(
+                `Where steps are lost${world}`,
+                'This map is drawn of races in steps. Elsewhere a move costs what its speed and heading make of it, so that no cell alone can be blamed: choose a contest above, and compare two mice on one clock.',
+              ),
+            ]),
       ],
     };
   }
