@@ -35,7 +35,7 @@ using GivenFlags = nb::ndarray<const bool, nb::ndim<2>, nb::c_contig, nb::device
 /// What a user gave, as that type; throws UserError where it is none. The binding's own error would be several lines.
 template <class T>
 T given(nb::handle value, const char* name, const char* kind) {
-  T found;
+  T found{};
   if (!nb::try_cast(value, found))
     throw UserError(fmt::format("{} must be {}, not {}", name, kind, shown(nb::repr(value).c_str())));
   return found;
