@@ -188,6 +188,7 @@ export function createChooser(page: Page, shown: (plays: Shown[], asked: boolean
   async function play(asked: boolean) {
     const mine = ++number;
     const wanted = () => mine === number;
+    element.setAttribute('aria-busy', 'true');
     try {
       const [maze] = await mazesOf(core, [mazes.find(({ name }) => name === picked.maze) ?? picked.maze]);
       const plays: Shown[] = [];
@@ -199,8 +200,11 @@ export function createChooser(page: Page, shown: (plays: Shown[], asked: boolean
       shown(plays, asked);
     } catch (error) {
       if (wanted()) page.complain(error);
+    } finally {
+      if (wanted()) rest();
     }
   }
+  const rest = () => element.removeAttribute('aria-busy');
   return {
     element,
     play: () => play(false),
@@ -212,6 +216,9 @@ export function createChooser(page: Page, shown: (plays: Shown[], asked: boolean
       element.open = open;
       draw();
     },
-    forget: () => void (number += 1),
+    forget() {
+      number += 1;
+      rest();
+    },
   };
 }

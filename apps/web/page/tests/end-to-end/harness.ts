@@ -174,6 +174,8 @@ export async function choose(page: Page, mice: string[], maze: string, world?: s
   await select('Beside it', mice[1] ?? '');
   const shown = async () => (await captions.allTextContents()).map((text) => text.split(':', 1)[0].split(',', 1)[0]);
   await expect.poll(shown).toEqual(mice.map((mouse) => `${mouse} in ${maze}`));
+  // Each choice plays it anew: what stands there now is that of the last.
+  await expect.poll(() => choices.getAttribute('aria-busy')).toBe(null);
 }
 
 /** What the browser keeps for the page under that name, as JSON. */
