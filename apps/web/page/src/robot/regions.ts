@@ -15,8 +15,8 @@ export interface Subject {
 
 export interface Regions {
   element: HTMLElement;
-  /** Offers the numbers of a robot; what was found is of another one. */
-  offer(values: Values): void;
+  /** Offers the numbers of a robot in a maze; what was found goes where it is of another one. */
+  offer(values: Values, maze: MazeData | null): void;
 }
 
 /** Grip, which decides most about routes. */
@@ -136,6 +136,7 @@ export function createRegions(page: Page, keys: RobotKey[], subject: () => Subje
   const find = h('button', { type: 'button', class: 'main', onclick: () => void start() }, 'Find which route wins');
   const stop = h('button', { type: 'button', hidden: true, onclick: () => page.core.stop('regions') }, 'Stop');
   let address = '';
+  let offered = '';
   let number = 0;
 
   function clear() {
@@ -216,16 +217,19 @@ export function createRegions(page: Page, keys: RobotKey[], subject: () => Subje
       says,
       found,
     ),
-    offer(values) {
+    offer(values, maze) {
+      const now = JSON.stringify([values, maze]);
+      if (now === offered) return;
+      offered = now;
       vary.offer(values, usualKey);
       along.offer(values, '');
+      const isOld = find.disabled || found.childElementCount > 0;
       if (find.disabled) page.core.stop('regions');
       number += 1;
       find.disabled = false;
       stop.hidden = true;
       complain('');
-      if (found.childElementCount > 0) says.textContent = 'The robot or the maze is another one now: find it again.';
-      else says.textContent = '';
+      says.textContent = isOld ? 'The robot or the maze is another one now: find it again.' : '';
       clear();
     },
   };

@@ -132,7 +132,7 @@ export function createRobot(page: Page): View {
       setMyRobot(given);
       for (const part of parts) part.show(now.values);
       nowValues = now.values;
-      regions.offer(now.values);
+      regions.offer(now.values, maze);
       if (now.result && !linked) void page.shelf.write('robot', given && { name: called, text: now.text, origin });
     },
     (error) => {
@@ -322,7 +322,6 @@ export function createRobot(page: Page): View {
   );
   follows.append(
     h('div', {}, h('h3', {}, 'The best route'), routeTimes),
-    regions.element,
     h('h3', {}, 'Turns'),
     turns,
     meanings(turnMeanings),
@@ -333,6 +332,7 @@ export function createRobot(page: Page): View {
     h('div', { class: 'desk-side' }, start, mazes.element, form.element),
     room,
     h('div', { class: 'desk-main' }, status, others, follows),
+    regions.element,
   );
   return {
     element: h('section', { 'aria-label': 'Robot', class: 'robot' }, h('h2', { class: 'unseen' }, 'Robot'), desk),

@@ -318,6 +318,8 @@ test('a world that the page has never heard of has all pictures of the others', 
   await page.getByRole('heading', { name: 'Mice × mazes, toy' }).waitFor();
   await page.getByRole('heading', { name: 'Distributions, toy' }).waitFor();
   await page.getByRole('heading', { name: 'Two mice, toy' }).waitFor();
+  const lost = page.getByRole('region', { name: 'Where steps are lost, toy' });
+  expect(await lost.textContent()).toContain('This map is drawn of races in steps.');
   await expect
     .poll(() => page.getByRole('region', { name: 'Race', exact: true }).textContent())
     .toMatch(/against .* steps on average/);

@@ -94,6 +94,11 @@ describe('the list of steps', () => {
     expect(heads(mms())).toEqual(['step', 'seconds', ...place, 'does', 'blocked']);
     expect(heads(seconds())).toEqual(['step', 'run', 'seconds', ...place, 'does', 'takes, ms']);
   });
+  it('says what the turns of a robot that drives are', () => {
+    const turns = (play: Play) => texts(list(play, 0), '.meanings dt');
+    expect(turns(seconds())).toContain('turn S90');
+    expect(turns(steps())).toEqual([]);
+  });
   it('has only the lines in view', () => {
     const many = Array.from({ length: 1000 }, (_, i) => i);
     const play = steps({
