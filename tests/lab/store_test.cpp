@@ -370,6 +370,19 @@ TEST_F(AStore, IsNotMergedWithOneThatContradicts) {
   }
 }
 
+TEST_F(AStore, NamesTheFirstConflictsOfTheFirstPartThatHasSome) {
+  race("random", {test::loop()}, test::in_steps(), "one.db");
+  for (const char* name : {"two.db", "three.db"}) {
+    fs::copy_file(path("one.db"), path(name));
+    change("UPDATE contests SET outcome = 'another'", name);
+  }
+  const Merge merge = merge_stores({path("one.db"), path("two.db"), path("three.db")}, path("all.db"));
+  EXPECT_EQ(merge.error, "");
+  ASSERT_THAT(merge.conflicts, SizeIs(11));  // of 20
+  for (const std::string& line : merge.conflicts) EXPECT_THAT(line, HasSubstr("two.db"));
+  EXPECT_THAT(merge.conflicts.back(), HasSubstr("10 more"));
+}
+
 TEST_F(AStore, MergesNothingWhereAPartIsNone) {
   race("flood", {test::loop()});
   std::ofstream(path("text")) << "no store, and long enough to be looked at: " << std::string(4096, 'x');

@@ -4,7 +4,9 @@
 #include <sqlite3.h>
 
 #include <cerrno>
+#include <chrono>
 #include <filesystem>
+#include <thread>
 
 #include "labmouse/lab/system/file_problems.hpp"
 
@@ -96,6 +98,18 @@ bool Database::check(int code) {
 
 void Database::run(const std::string& sql) {
   if (good()) check(sqlite3_exec(database_.get(), sql.c_str(), nullptr, nullptr, nullptr));
+}
+
+void Database::run_patiently(const std::string& sql) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(patience_ms);
+  int code = SQLITE_BUSY;
+  while (good() && primary(code) == SQLITE_BUSY) {
+    code = sqlite3_exec(database_.get(), sql.c_str(), nullptr, nullptr, nullptr);
+    if (primary(code) != SQLITE_BUSY || std::chrono::steady_clock::now() > end)
+      check(code);
+    else
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
 }
 
 Statement Database::prepare(std::string_view sql) {

@@ -35,6 +35,8 @@ class Database {
 
   /// Runs statements that have no values.
   void run(const std::string& sql);
+  /// The same for what needs the file alone: where several programs ask for that at once, SQLite itself waits for none.
+  void run_patiently(const std::string& sql);
   Statement prepare(std::string_view sql);
   /// The number that a statement gives, or 0.
   std::int64_t number(std::string_view sql);

@@ -121,9 +121,13 @@ std::string refuse(const std::string& path, Database::Access access) {
 
 /// Why what the file holds is no store of a version that this program knows; empty where it is one, or nothing at all.
 std::string refuse(Database& database, std::size_t newest) {
+  // All of the same moment: another program may just be making the store.
+  database.run("BEGIN");
   const std::int64_t kind = database.number("PRAGMA application_id");
   const std::int64_t version = database.number("PRAGMA user_version");
-  if (kind != application && (kind != 0 || version != 0 || database.number("SELECT count(*) FROM sqlite_master") > 0))
+  const std::int64_t tables = database.number("SELECT count(*) FROM sqlite_master");
+  database.run("COMMIT");
+  if (kind != application && (kind != 0 || version != 0 || tables > 0))
     return "is a database, but no store of labmouse";
   if (version > static_cast<std::int64_t>(newest))
     return fmt::format("was written by a later labmouse: its version is {}, and this program knows up to {}", version,
@@ -163,7 +167,7 @@ Database open_store(const std::string& path, Database::Access access, std::span<
   const auto version = database.number("PRAGMA user_version");
   if (access != Database::Access::read) {
     // A committed contest is on the disk, whatever happens to the power.
-    database.run("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");
+    database.run_patiently("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");
     migrate(database, steps);
   } else if (database.good() && version < static_cast<std::int64_t>(steps.size())) {
     database.fail(version == 0 ? "is an empty file, and no store yet"

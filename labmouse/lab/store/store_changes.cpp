@@ -177,6 +177,7 @@ class FileBeside {
     return std::nullopt;
   }
 
+  /// Our own is locked, as those of all others at work are.
   void remove_leftovers(const fs::path& target) const {
     const std::string begin = target.filename().string() + ".merging-";
     const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
@@ -188,7 +189,7 @@ class FileBeside {
       const std::string rest = name.substr(begin.size()), number = rest.substr(0, rest.find('-'));
       const bool is_number = !number.empty() && std::all_of(number.begin(), number.end(),
                                                             [](char letter) { return letter >= '0' && letter <= '9'; });
-      if (is_number && begin_ + number != path_) numbers.push_back(number);
+      if (is_number) numbers.push_back(number);
     }
     for (const std::string& number : numbers) {
       int unknown = 0;
