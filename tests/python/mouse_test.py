@@ -274,3 +274,42 @@ def test_a_process_that_dies_is_a_forfeit(monkeypatch):
 def test_an_object_is_refused_for_its_class():
     with pytest.raises(labmouse.Error):
         labmouse.race([answering((0, 0))()], "contest-01")
+
+
+def test_where_one_contest_is_stopped_another_goes_on():
+    import threading
+
+    from labmouse import _native
+    from labmouse._mice import given
+
+    class Waiting:
+        def decide(self, seen):
+            begun[self].set()
+            while not goes_on.is_set():
+                pass
+            return "forfeit"
+
+    class Other(Waiting):
+        pass
+
+    begun, goes_on = {}, threading.Event()
+
+    def started(kind):
+        def made():
+            mouse = kind()
+            begun[mouse] = begun[kind] = threading.Event()
+            return mouse
+
+        begun[kind] = threading.Event()
+        running = _native.RunningContest(given({"it": made}).native(None), labmouse.Maze("contest-01"), ("", {}), 1)
+        while not begun[kind].wait(0.01):
+            pass
+        return running
+
+    one, other = started(Waiting), started(Other)
+    one.stop()
+    while not one.wait(0.05):
+        one.stop()
+    goes_on.set()
+    assert not one.result().complete
+    assert other.result().outcome == "forfeit: gave up"
