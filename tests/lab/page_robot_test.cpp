@@ -124,6 +124,21 @@ TEST(PageRegions, AreThoseOfTheCommandLine) {
   expect_same(asked, order_of(grip, VariedNumber{"straight.acceleration", 4000, 5000}));
 }
 
+TEST(PageRegions, HaveTheTimesOfTheBestRoutesAtTheirEnds) {
+  const NamedMaze maze = maze_named("contest-01");
+  const auto time_with = [&](double grip) {
+    json values = built_in("classic")["values"];
+    values["curve.lateral_acceleration"] = grip;
+    return answer("robot", {{"name", "it"}, {"values", values}, {"maze", data_of(maze)}})["route"]["time_us"];
+  };
+  const json regions = answer("regions", asked_regions(maze))["regions"]["rows"][0]["regions"];
+  ASSERT_EQ(regions.size(), 2U);
+  for (const json& region : regions) {
+    EXPECT_EQ(region["time_from_us"], time_with(region["from"]));
+    EXPECT_EQ(region["time_to_us"], time_with(region["to"]));
+  }
+}
+
 TEST(PageRegions, AreThoseOfARobotThatIsEdited) {
   json asked = asked_regions(maze_named("contest-01"));
   const json builtin = answer("regions", asked)["regions"];
