@@ -7,7 +7,7 @@ namespace labmouse {
 SearchWays::SearchWays(const Briefing& briefing) : field_(briefing.drive.fields->ways()) {}
 
 Action SearchWays::step_towards(const CellSet& cells, const Knowledge& knowledge, const SearchPlace& place) {
-  field_.fill(knowledge.possible(), knowledge.known_cells(), cells);
+  field_.fill(knowledge.possible(), knowledge.known_cells(), cells, &place);
   return hopeful_step(field_, knowledge, place);
 }
 

@@ -230,6 +230,26 @@ TEST(SearchField, IsThatOfAPlainSearchOverPrices) {
   }
 }
 
+TEST(SearchField, FindsForAPlaceWhatItFindsForAll) {
+  Dice dice(14);
+  for (int round = 0; round < 200; ++round) {
+    const Maze maze = test::any_maze(dice, 12);
+    const SearchDrive times = any_drive(dice);
+    const CellSet known = any_cells(maze.size(), dice);
+    const Cell cell = maze.size().cell_at(dice.below(maze.size().area()));
+    SearchPlace place = {{cell, all_headings[static_cast<unsigned>(dice.below(4))]}, dice.chance(1, 4)};
+    SearchField all(maze.size(), times), some(maze.size(), times);
+    all.fill(maze.open_walls(), known, maze.goals());
+    some.fill(maze.open_walls(), known, maze.goals(), &place);
+    for (Action step = all.step(place); step.movement > 0; step = all.step(place)) {
+      ASSERT_EQ(some.from(place), all.from(place));
+      ASSERT_EQ(some.step(place), step);
+      place = after_search(place, step);
+    }
+    EXPECT_EQ(some.from(place), all.from(place));
+  }
+}
+
 TEST(SearchField, LeadsByItsStepsInTheTimeThatItSays) {
   Dice dice(13);
   for (int round = 0; round < 60; ++round) {
@@ -237,8 +257,9 @@ TEST(SearchField, LeadsByItsStepsInTheTimeThatItSays) {
     const SearchDrive times = any_drive(dice);
     const CellSet known = any_cells(maze.size(), dice);
     SearchField field(maze.size(), times);
-    field.fill(maze.open_walls(), known, maze.goals());
     SearchPlace place = {{maze.start(), maze.start_heading()}, true};
+    // Half of them only as far as that place needs.
+    field.fill(maze.open_walls(), known, maze.goals(), dice.chance(1, 2) ? &place : nullptr);
     if (field.from(place) == no_time) continue;
     std::int64_t spent = 0;
     const DriveTime said = field.from(place);

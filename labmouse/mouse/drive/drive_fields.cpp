@@ -8,9 +8,16 @@
 namespace labmouse {
 namespace {
 
-/// The ways lie behind what the routes keep, where the routes themselves are written anew by each fill.
-std::size_t bytes_of_all(Size size, const RouteTables& tables) {
+/// Ways and runs lie behind what the routes keep, where the routes themselves are written anew by each fill.
+std::size_t bytes_with_ways(Size size, const RouteTables& tables) {
   return std::max(tables.bytes_for(size), tables.kept_bytes_for(size) + SearchField::bytes_for(size));
+}
+
+bool has_runs(Size size) { return size.area() <= RunCosts::largest_area; }
+
+std::size_t bytes_of_all(Size size, const RouteTables& tables) {
+  const std::size_t bytes = bytes_with_ways(size, tables);
+  return has_runs(size) ? std::max(bytes, tables.kept_bytes_for(size) + RunCosts::bytes_for(size)) : bytes;
 }
 
 }  // namespace
@@ -22,14 +29,18 @@ std::size_t DriveFields::bytes_for(Size size, const DriveModel& model) {
 MemoryLayout DriveFields::layout(Size size, const DriveModel& model) {
   const Tables tables = route_tables_of(model);
   MemoryLayout layout = tables->layout(size);
-  layout.push_back({"ways", bytes_of_all(size, *tables) - tables->bytes_for(size)});
+  layout.push_back({"ways", bytes_with_ways(size, *tables) - tables->bytes_for(size)});
+  layout.push_back({"runs", bytes_of_all(size, *tables) - bytes_with_ways(size, *tables)});
   return layout;
 }
 
 DriveFields::DriveFields(Size size, const DriveModel& model, const Tables& tables, Memory own, std::byte* memory)
     : own_(std::move(own)),
       routes_(size, tables, {memory, tables->bytes_for(size)}),
-      ways_(size, model.search, {memory + tables->kept_bytes_for(size), SearchField::bytes_for(size)}) {}
+      ways_(size, model.search, {memory + tables->kept_bytes_for(size), SearchField::bytes_for(size)}) {
+  std::byte* const behind = memory + tables->kept_bytes_for(size);
+  if (has_runs(size)) runs_.emplace(size, std::span(behind, RunCosts::bytes_for(size)));
+}
 
 DriveFields::DriveFields(Size size, const DriveModel& model, std::span<std::byte> memory)
     : DriveFields(size, model, route_tables_of(model), nullptr, memory.data()) {

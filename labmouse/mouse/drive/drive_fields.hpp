@@ -3,27 +3,31 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "labmouse/mouse/drive/fastest.hpp"
+#include "labmouse/mouse/drive/run_costs.hpp"
 #include "labmouse/mouse/drive/search_field.hpp"
 
 namespace labmouse {
 
-/// One field for routes of runs and one for ways of a search, which all parts of a mind use in turn: whoever needs one
-/// fills it first, and reads it before the other is filled, which may take its place. They lie in one piece of memory,
-/// whose size follows from the maze and the robot; nothing else is allocated, ever.
+/// One field for routes of runs, one for ways of a search and one for what runs cost about, which all parts of a mind
+/// use in turn: whoever needs one fills it first, and reads it before another is filled, which may take its place. They
+/// lie in one piece of memory, whose size follows from the maze and the robot; nothing else is allocated, ever.
 class DriveFields {
  public:
   /// In memory that must outlive them: bytes_for(size, model), beginning at a multiple of FastestRoutes::alignment.
   DriveFields(Size size, const DriveModel& model, std::span<std::byte> memory);
   static DriveFields in_own_memory(Size size, const DriveModel& model);
   static std::size_t bytes_for(Size size, const DriveModel& model);
-  /// What these bytes are spent on; the ways, as far as they do not lie in the place of labels.
+  /// What these bytes are spent on; ways and runs, as far as they do not lie in the place of others.
   static MemoryLayout layout(Size size, const DriveModel& model);
 
   FastestRoutes& routes() { return routes_; }
   SearchField& ways() { return ways_; }
+  /// Not for mazes of more than RunCosts::largest_area.
+  RunCosts& runs() { return *runs_; }
 
  private:
   using Tables = std::shared_ptr<const RouteTables>;
@@ -33,6 +37,7 @@ class DriveFields {
   Memory own_;  ///< where it is their own
   FastestRoutes routes_;
   SearchField ways_;
+  std::optional<RunCosts> runs_;
 };
 
 }  // namespace labmouse

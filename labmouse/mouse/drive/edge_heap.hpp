@@ -11,14 +11,13 @@ namespace labmouse {
 
 /// A heap of edges, each of which is in it at most once and knows its place, so that it can be moved forward:
 /// Dijkstra's search needs no more room than one place an edge.
-template <class Time>
 class EdgeHeap {
  public:
   static constexpr std::uint16_t nowhere = 0xffff;
 
   EdgeHeap() = default;
   /// Over two arrays with room for all edges, and the times by which they wait, which others write.
-  EdgeHeap(std::uint16_t* heap, std::uint16_t* places, const Time* times)
+  EdgeHeap(std::uint16_t* heap, std::uint16_t* places, const DriveTime* times)
       : heap_(heap), places_(places), times_(times) {}
 
   void clear(std::size_t edges) {
@@ -57,7 +56,7 @@ class EdgeHeap {
 
   std::uint16_t* heap_ = nullptr;
   std::uint16_t* places_ = nullptr;  ///< by edge
-  const Time* times_ = nullptr;
+  const DriveTime* times_ = nullptr;
   std::size_t size_ = 0;
 };
 

@@ -20,7 +20,7 @@ bool SearchClock::must_go_home(const Knowledge& knowledge, const SearchPlace& pl
   fields_.routes().fill_for(start_, knowledge.open(), goals_);
   const DriveTime run = fields_.routes().time_from(start_);
   if (run == no_time) return false;
-  fields_.ways().fill(knowledge.open(), knowledge.known_cells(), CellSet::of(start_.cell));
+  fields_.ways().fill(knowledge.open(), knowledge.known_cells(), CellSet::of(start_.cell), &place);
   return time_ + look + fields_.ways().from(place) + arrival + run > time_limit_;
 }
 

@@ -31,11 +31,11 @@ SearchField::SearchField(Size size, const SearchDrive& drive)
 SearchField::SearchField(Size size, const SearchDrive& drive, std::span<std::byte> memory)
     : size_(size), drive_(drive) {
   assert(drive.cell > 0 && drive.turn > 0 && drive.back > 0);
-  assert(memory.size() >= bytes_for(size) && 4 * size.area() < EdgeHeap<DriveTime>::nowhere);
+  assert(memory.size() >= bytes_for(size) && 4 * size.area() < EdgeHeap::nowhere);
   const auto edges = static_cast<std::size_t>(4 * size.area());
   times_ = new (memory.data()) DriveTime[edges];
   auto* const numbers = new (memory.data() + edges * sizeof(DriveTime)) std::uint16_t[2 * edges];
-  heap_ = EdgeHeap<DriveTime>(numbers, numbers + edges, times_);
+  heap_ = EdgeHeap(numbers, numbers + edges, times_);
   prices_ = new (numbers + 2 * edges) std::uint8_t[edges / 2];
   std::fill(times_, times_ + edges, no_time);
   std::fill(prices_, prices_ + edges / 2, closed);
@@ -61,18 +61,19 @@ DriveTime SearchField::toll(Cell cell, Heading heading) const {
   return price == 0 ? -saved : sum(tolls_.base - saved, std::int64_t{price} * tolls_.unit);
 }
 
-void SearchField::fill(const WallSet& passages, const CellSet& known, const CellSet& targets) {
+void SearchField::fill(const WallSet& passages, const CellSet& known, const CellSet& targets,
+                       const SearchPlace* place) {
   set_prices({drive_}, [&](Wall wall) { return passages.contains(wall) ? 0 : closed; });
-  search(known, targets);
+  search(known, targets, place);
 }
 
-void SearchField::fill(const WallPrices& prices, const SearchTolls& tolls, const CellSet& known,
-                       const CellSet& targets) {
+void SearchField::fill(const WallPrices& prices, const SearchTolls& tolls, const CellSet& known, const CellSet& targets,
+                       const SearchPlace* place) {
   set_prices(tolls, [&](Wall wall) { return prices.of(wall) < tolls.closed ? prices.of(wall) : closed; });
-  search(known, targets);
+  search(known, targets, place);
 }
 
-void SearchField::search(const CellSet& known, const CellSet& targets) {
+void SearchField::search(const CellSet& known, const CellSet& targets, const SearchPlace* place) {
   known_ = known;
   targets_ = targets;
   const auto edges = static_cast<std::size_t>(4 * size_.area());
@@ -81,9 +82,14 @@ void SearchField::search(const CellSet& known, const CellSet& targets) {
   targets.for_each([&](Cell cell) {
     for (const Heading heading : all_headings) reach(edge_of(cell, heading), 0);
   });
+  DriveTime enough = no_time;
   while (!heap_.empty()) {
     const std::size_t edge = heap_.take();
-    expand({size_.cell_at(static_cast<int>(edge / 4)), all_headings[edge % 4]}, times_[edge]);
+    if (times_[edge] > enough) return;
+    const Pose pose = {size_.cell_at(static_cast<int>(edge / 4)), all_headings[edge % 4]};
+    expand(pose, times_[edge]);
+    // Once the time from the place is a sum of final ones, edges that are further off make none that is less.
+    if (place != nullptr && leads_to(*place, pose)) enough = from(*place);
   }
 }
 
@@ -144,6 +150,13 @@ void SearchField::for_each_dash(const Pose& edge, Visit visit) const {
     visit(Move{0, cells, drive_.dash(cells)});
     next = neighbour(next, edge.heading);
   }
+}
+
+/// Whether a move from the place may lead to that edge.
+bool SearchField::leads_to(const SearchPlace& place, const Pose& edge) const {
+  const Cell from = place.pose.cell, to = edge.cell;
+  if (to == neighbour(from, edge.heading)) return true;
+  return drive_.dashes() && (to.x == from.x || to.y == from.y);
 }
 
 DriveTime SearchField::from(const SearchPlace& place) const {

@@ -38,9 +38,12 @@ class SearchField {
   static std::size_t bytes_for(Size size);
 
   /// Finds all times over the given passages (all inside the size) to the given cells, with dashes over known ones.
-  void fill(const WallSet& passages, const CellSet& known, const CellSet& targets);
+  /// Told of a place, it finds no more than what from() and step() of that one need, and of those that its steps lead
+  /// to.
+  void fill(const WallSet& passages, const CellSet& known, const CellSet& targets, const SearchPlace* place = nullptr);
   /// The same over walls that are not closed, counted by those tolls, and so are from() and step() until the next fill.
-  void fill(const WallPrices& prices, const SearchTolls& tolls, const CellSet& known, const CellSet& targets);
+  void fill(const WallPrices& prices, const SearchTolls& tolls, const CellSet& known, const CellSet& targets,
+            const SearchPlace* place = nullptr);
 
   /// The time from a place; 0 in the cells themselves, no_time where none of them can be reached.
   DriveTime from(const SearchPlace& place) const;
@@ -65,10 +68,11 @@ class SearchField {
   template <class Price>
   void set_prices(const SearchTolls& tolls, Price price);
   DriveTime toll(Cell cell, Heading heading) const;
-  void search(const CellSet& known, const CellSet& targets);
+  void search(const CellSet& known, const CellSet& targets, const SearchPlace* place);
   void reach(std::size_t edge, DriveTime time);
   void expand(Pose pose, DriveTime time);
   void expand_dashes(Pose pose, DriveTime time, DriveTime extra);
+  bool leads_to(const SearchPlace& place, const Pose& edge) const;
   DriveTime through(const SearchPlace& place, const Move& move) const;
   template <class Visit>
   void for_each_move(const SearchPlace& place, Visit visit) const;
@@ -85,7 +89,7 @@ class SearchField {
   /// By wall_of: what passing it costs besides the time, in units, or `closed`.
   std::uint8_t* prices_;
   SearchTolls tolls_;
-  EdgeHeap<DriveTime> heap_;
+  EdgeHeap heap_;
 };
 
 }  // namespace labmouse

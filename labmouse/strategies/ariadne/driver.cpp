@@ -1,8 +1,13 @@
 #include "labmouse/strategies/ariadne/driver.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include "labmouse/mouse/drive/drive_fields.hpp"
+#include "labmouse/mouse/drive/run_prices.hpp"
 #include "labmouse/mouse/explorer.hpp"
 #include "labmouse/mouse/robot/drive_model.hpp"
 #include "labmouse/mouse/runs.hpp"
@@ -19,13 +24,37 @@ constexpr PriceTable reluctances = [] {
     table[reluctance] = static_cast<std::uint8_t>(std::min<int>(static_cast<int>(reluctance), WallPrices::highest));
   return table;
 }();
-// Tried on 260 contest mazes under a thirtieth with published times of a robot, November 2026: mean of run and a
-// thirtieth of the search 11.51 s, where flood-return has 11.62 and certify 12.00. Prices from half to twice of this do
-// as well; a hope that no wall is left out of costs 0.04 s.
-/// So many units of price are worth a cell of a search.
+// Found on 257 contest mazes by CMA-ES, all at once, for the mean of three robots (`classic`, `kerise`, `beginner`)
+// under `thirtieth`, November 2026; docs/solver.md says what each part is worth, and what was tried in vain. Where a
+// robot's search takes part, in cells of it.
+
+/// To the goal, no turn takes longer than this part of a cell: corners show more of a maze.
+constexpr double most_for_a_turn = 0.62;
+
+/// How the ways home are counted.
+constexpr double home_turn = 1.33, home_back = 0.7;
+constexpr double home_cells_a_nat = 2.77, home_cells_a_wall = 0.04;
+constexpr int home_closed = 61;  ///< a wall of that price or more (P(open) < 0.15) is taken for closed
+
+/// How runs are hoped for.
+constexpr RunTolls hope_of_runs = {128, 5, 125};
+constexpr double longest_run = 1.12;  ///< of the best known one
+constexpr int least_gain = 37;        ///< milliseconds
+
+/// What an unseen cell is worth, at most and at least; and where time in the maze does not count, at most.
+constexpr double most_for_a_cell = 0.76, least_for_a_cell = 0.017, most_for_a_look = 0.6;
+/// What a millisecond of the gain is worth in a search, by the divisor of the rules; and where there is none.
+constexpr double worth_by_divisor = 0.94 / 30, worth_of_a_look = 4.7;
+
+/// To a look, so many units of price are worth a cell.
 constexpr int prices_a_cell = 40;
-/// Walls that are rather closed than open (P(open) < 0.46) are no hope for a route.
+/// Walls that are rather closed than open (P(open) < 0.46) are no hope for a route, in mazes as small as those that the
+/// prior was made for: there are runs (RunCosts).
 constexpr int no_hope = 25;
+/// A route is a reason to look if it saves so much of the known one; counted is what it saves times P^(trust / 32). And
+/// one through unlikely walls, if it saves so much.
+constexpr double little_part = 0.017, great_part = 0.3;
+constexpr int trust_of_hope = 4;
 
 /// exp(-n / 32), the same on every platform.
 double probability(int reluctance) {
@@ -34,90 +63,159 @@ double probability(int reluctance) {
   return probability;
 }
 
+DriveTime part(double factor, DriveTime time) { return static_cast<DriveTime>(factor * time); }
+
+/// With the fields of the briefing, where its maze has room for corridors.
+RunPrices run_prices(const Briefing& briefing) {
+  if (std::min(briefing.size.width, briefing.size.height) >= run_prices_side)
+    return run_prices_of(briefing.drive.fields->routes());
+  FastestRoutes routes({run_prices_side, run_prices_side}, route_tables_of(*briefing.drive.model));
+  return run_prices_of(routes);
+}
+
 class Driver final : public Explorer {
  public:
   Driver(const Briefing& briefing, const WallPrior* prior)
       : Explorer(briefing),
         search_(briefing.drive.model->search),
         outlook_(briefing, prior),
-        hoped_(this->briefing()),
-        known_(this->briefing()),
-        ways_(this->briefing().drive.fields->ways()) {
+        routes_(std::in_place, this->briefing()),
+        likely_(briefing.size.area() <= RunCosts::largest_area),
+        least_part_(likely_ ? little_part : 0),
+        ways_(this->briefing().drive.fields->ways()),
+        savings_(likely_ ? static_cast<std::size_t>(briefing.size.area()) : 0) {
     outlook_.price(reluctances);
+    if (!likely_) return;
+    runs_ = &this->briefing().drive.fields->runs();
+    runs_->aim(run_prices(this->briefing()), briefing.start, briefing.goals);
   }
 
  private:
   Action explore() override {
-    outlook_.learn(pose(), seen());
-    if (!goal_entered()) {
-      count_plan();
-      return step_towards(briefing().goals);
+    if (outlook_.learn(pose(), seen())) news_ = true;
+    if (!goal_entered()) return to_goal();
+    if (std::exchange(news_, false)) {
+      known_time_.reset();
+      if (runs_ != nullptr) save();
     }
-    const DriveTime known = weighs() ? known_.known_time(knowledge()) : no_time;
-    const bool needs_proof = known == no_time;
-    if (hoped_.plan(hope(needs_proof), knowledge().open())) count_plan();
-    if (hoped_.proven()) return stop();
-    const CellSet viewpoints = viewpoints_of(hoped_.unknown_walls(), knowledge(), briefing().sight);
-    // Standing where the wall could be seen and not seeing it: it is behind.
-    if (viewpoints.contains(pose().cell)) return Action::step(90, 0);
-    const Action step = step_towards(viewpoints);
-    return needs_proof || pays(known) ? step : stop();
+    // Without a run that is known there is nothing to weigh.
+    return weighs() && knows_run() ? home() : look();
+  }
+
+  bool knows_run() { return runs_ != nullptr ? known_ != RunCosts::no_run : known_time() != no_time; }
+
+  /// Of the fastest known route.
+  DriveTime known_time() {
+    if (!known_time_) known_time_ = routes_->known_time(knowledge());
+    return *known_time_;
   }
 
   /// Whether the time in the maze counts, so that it has something to weigh.
   bool weighs() const { return briefing().drive.maze_time_divisor > 0; }
 
-  /// Passages that the mouse hopes for: all that may be open, or those that are likely enough.
-  WallSet hope(bool all) const {
+  Action to_goal() {
+    count_plan();
+    SearchTolls tolls{search_};
+    if (weighs()) tolls.drive.turn = std::min(search_.turn, part(most_for_a_turn, search_.cell));
+    return step_towards(briefing().goals, tolls);
+  }
+
+  Action home() {
+    if (pose().cell == briefing().start.cell) return Action::reset();
+    SearchTolls tolls{search_};
+    tolls.drive.turn = part(home_turn, search_.turn);
+    tolls.drive.back = part(home_back, search_.back);
+    tolls.unit = part(home_cells_a_nat / 32, search_.cell);
+    tolls.base = part(home_cells_a_wall, search_.cell);
+    tolls.closed = home_closed;
+    tolls.savings = savings_;
+    return step_towards(CellSet::of(briefing().start.cell), tolls);
+  }
+
+  /// To where the next unseen wall of the best route that it hopes for can be seen, as certify does.
+  Action look() {
+    if (routes_->plan(hope(), knowledge().open())) count_plan();
+    if (enough() && likely_) hope_for_all();
+    if (enough()) return Action::reset();
+    const CellSet viewpoints = viewpoints_of(routes_->unknown_walls(), knowledge(), briefing().sight);
+    // Standing where the wall could be seen and not seeing it: it is behind.
+    if (viewpoints.contains(pose().cell)) return Action::step(90, 0);
+    SearchTolls tolls{search_};
+    tolls.unit = search_.cell / prices_a_cell;
+    tolls.savings = savings_;
+    return step_towards(viewpoints, tolls);
+  }
+
+  /// Whether the best route that it hopes for is known, or saves little where it exists.
+  bool enough() {
+    if (routes_->proven()) return true;
+    if (least_part_ == 0 || !knows_run()) return false;
+    int reluctance = 0;
+    routes_->unknown_walls().for_each([&](Wall wall) { reluctance += outlook_.prices().of(wall); });
+    const double trust = likely_ ? probability(reluctance * trust_of_hope / 32) : 1;
+    return known_time() != no_time && trust * (known_time() - routes_->hoped_time()) < least_part_ * known_time();
+  }
+
+  /// This may be a maze in which unlikely walls are open. From now on it looks for great gains alone.
+  void hope_for_all() {
+    likely_ = false;
+    least_part_ = great_part;
+    routes_.emplace(briefing());
+    routes_->plan(hope(), knowledge().open());
+    count_plan();
+  }
+
+  /// Passages that it hopes for: all that may be open, or those that are likely enough.
+  WallSet hope() const {
     WallSet walls = knowledge().possible();
-    if (all) return walls;
+    if (!likely_) return walls;
     knowledge().unknown().for_each([&](Wall wall) {
       if (outlook_.prices().of(wall) >= no_hope) walls.erase(wall);
     });
     return walls;
   }
 
-  /// Where there is something to prove, that is done: home on known ways. Else the way home may show something yet.
-  Action stop() {
-    if (!weighs() || pose().cell == briefing().start.cell) return Action::reset();
-    return step_towards(CellSet::of(briefing().start.cell));
+  Action step_towards(const CellSet& cells, const SearchTolls& tolls) {
+    const SearchPlace here = place();
+    ways_.fill(outlook_.prices(), tolls, knowledge().known_cells(), cells, &here);
+    return hopeful_step(ways_, knowledge(), here);
   }
 
-  Action step_towards(const CellSet& cells) {
-    SearchTolls tolls{search_};
-    tolls.unit = search_.cell / prices_a_cell;
-    ways_.fill(outlook_.prices(), tolls, knowledge().known_cells(), cells);
-    return hopeful_step(ways_, knowledge(), place());
+  /// Finds what entering each unseen cell is worth: what the best run through it would gain, by the chance that it
+  /// exists.
+  void save() {
+    count_plan();
+    known_ = runs_->known(outlook_.prices());
+    const bool any = known_ == RunCosts::no_run;
+    runs_->plan(outlook_.prices(), hope_of_runs, any ? RunCosts::no_run : static_cast<int>(longest_run * known_));
+    CellSet::all(briefing().size).for_each([&](Cell cell) {
+      savings_[static_cast<std::size_t>(briefing().size.index(cell))] = knowledge().knows(cell) ? 0 : saving(cell);
+    });
   }
 
-  /// Whether what the hoped-for route could save, by the chance that it exists, is more than the look at its next wall
-  /// costs.
-  bool pays(DriveTime known) {
-    int reluctance = 0;
-    hoped_.unknown_walls().for_each([&](Wall wall) { reluctance += outlook_.prices().of(wall); });
-    const double gain = probability(reluctance) * (known - hoped_.hoped_time());
-    return gain * briefing().drive.maze_time_divisor > detour();
-  }
-
-  /// What the way to the look and from there home takes longer than the one home from here. The way to the look must
-  /// stand in the field; afterwards the way home does.
-  DriveTime detour() {
-    DriveTime travel = 0;
-    const CellSet known = knowledge().known_cells();
-    SearchPlace at = place();
-    for (Action step = ways_.step(at); step.movement > 0; step = ways_.step(at)) {
-      travel += search_time(search_, at, step, known);
-      at = after_search(at, step);
-    }
-    ways_.fill(knowledge().possible(), known, CellSet::of(briefing().start.cell));
-    return travel + ways_.from(at) - ways_.from(place());
+  DriveTime saving(Cell cell) const {
+    const std::optional<HopedRun> run = runs_->through(cell);
+    const int gain = run ? known_ - run->time - least_gain : 0;
+    if (gain <= 0) return 0;
+    // Great gains are surer than small ones to be gains at all; and of the walls of a route some are open together.
+    const double trust = std::sqrt(std::sqrt(gain / (0.1 * known_)));
+    const double worth = weighs() ? worth_by_divisor * briefing().drive.maze_time_divisor : worth_of_a_look;
+    const double most = (weighs() ? most_for_a_cell : most_for_a_look) * search_.cell;
+    const double saved = worth * trust * 1000 * gain * probability(run->price * 16 / 25);
+    return static_cast<DriveTime>(std::min(most, saved) + least_for_a_cell * search_.cell);
   }
 
   SearchDrive search_;
   Outlook outlook_;
-  DriveRuns hoped_;
-  DriveRuns known_;
+  std::optional<DriveRuns> routes_;
+  bool likely_;               ///< hopes only for walls that are likely enough
+  double least_part_;         ///< of the known route's time that a hoped-for one has to save; 0: anything
+  RunCosts* runs_ = nullptr;  ///< where the maze has them
   SearchField& ways_;
+  std::vector<DriveTime> savings_;
+  int known_ = RunCosts::no_run;         ///< the best known run, about
+  std::optional<DriveTime> known_time_;  ///< the same exactly, once it was asked for
+  bool news_ = true;
 };
 
 }  // namespace

@@ -1,11 +1,15 @@
 // ariadne in the world of seconds.
 //
-// Method: to the goal by the least search time, where every unseen wall on the way costs something more, by how likely
-// it is closed. Afterwards as certify does, to the nearest unseen wall of the fastest route that may exist. Where the
-// time in the maze counts, that is one through walls that are likely enough to be open, and the mouse goes to look only
-// while the look pays: while what the route would save, times the chance that all of its walls are open, is more than
-// the detour divided by the divisor of the rules. Then it goes home as flood-return does, and looks about on the way.
-// Where the time in the maze does not count it proves its route.
+// Method: to the goal by the least search time over all that may be open, with turns counted as cheap: corners show
+// more of a maze. What follows depends on the rules.
+//
+// Where the time in the maze counts, the mouse goes home by the least sum of search time and of what unseen walls cost
+// by how likely they are closed, less what unseen cells are worth: what the best run through one would gain over the
+// best known one, by the chance that all of its walls are open (RunCosts).
+//
+// Where it does not count, the mouse goes on as certify does, to the next unseen wall of the fastest route that may
+// exist, over walls that are likely enough to be open and past cells that are worth a look, until such a route would
+// save next to nothing. In mazes larger than those that the prior was learned from it hopes for all walls, and proves.
 #pragma once
 
 #include <memory>

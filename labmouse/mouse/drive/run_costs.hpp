@@ -1,0 +1,104 @@
+// What a run from start to goal would cost that led through a cell, about.
+//
+//   start ... A(e) ... | e | ... V(e) ... goal
+//
+// The run with the least cost through a cell has the least A(e) + V(e) of the edges e by which the cell is entered.
+//
+// A and V are the least sums of RunPrices, and of what unseen walls cost. Method: Bellman and Ford, forwards and
+// backwards, over the edges by which cells are entered, each with the turn right before it. A set of bits says which of
+// them wait, so that it takes little more memory than what it finds. What cannot be part of a run below the limit is
+// left out: forwards by the cells that are left at least, backwards by A.
+//
+// Limits: a run of 65.5 s or more is none; prices count in steps of 4, and up to 1020 in all.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "labmouse/mouse/drive/run_prices.hpp"
+#include "labmouse/mouse/pose.hpp"
+#include "labmouse/mouse/wall_prices.hpp"
+
+namespace labmouse {
+
+/// What unseen walls cost a run. Their prices are -ln P(open) in 1/32.
+struct RunTolls {
+  int per_nat = 0;                  ///< milliseconds for a price of 32
+  int base = 0;                     ///< milliseconds for each wall that has a price
+  int closed = WallPrices::closed;  ///< a wall of this price or more is taken for closed
+};
+
+/// A run that may exist.
+struct HopedRun {
+  int time = 0;   ///< milliseconds, without what prices add
+  int price = 0;  ///< of all its unseen walls
+};
+
+class RunCosts {
+ public:
+  /// In memory that must outlive it: bytes_for(size), beginning at a multiple of two.
+  RunCosts(Size size, std::span<std::byte> memory);
+  static std::size_t bytes_for(Size size);
+  /// Larger mazes than of this area have none: they would take more memory than a chip has for a mind.
+  static constexpr int largest_area = 256;
+
+  /// Which runs these are; before all else.
+  void aim(const RunPrices& run, Pose start, const CellSet& goals);
+  /// The time of the best run over open walls alone, in milliseconds, or no_run.
+  int known(const WallPrices& walls);
+  static constexpr int no_run = 0xffff;
+  /// Finds A and V of all runs that cost less than a limit in milliseconds.
+  void plan(const WallPrices& walls, const RunTolls& tolls, int limit);
+  /// The run with the least cost through a cell other than the start's, if one costs less than the limit.
+  std::optional<HopedRun> through(Cell cell) const;
+
+ private:
+  /// The turn by which the cell before was left.
+  enum Last : unsigned { straight, left, right };
+  static constexpr std::size_t lasts = 3;
+  static constexpr int price_step = 4;
+  /// By state: the least cost in milliseconds, and the sum of prices in that, in steps.
+  struct Field {
+    std::uint16_t* costs = nullptr;
+    std::uint8_t* prices = nullptr;
+  };
+  struct State {
+    Cell cell;  ///< the one that is entered
+    Heading heading;
+    Last last;
+  };
+
+  std::size_t states() const { return 4 * lasts * static_cast<std::size_t>(size_.area()); }
+  std::size_t number_of(const State& state) const;
+  State state_at(std::size_t number) const;
+  void set_walls(const WallPrices& walls, const RunTolls& tolls);
+  /// The price of the wall on that side in steps, or closed.
+  int steps_of(Cell cell, Heading heading) const;
+  int toll(int steps) const { return steps == 0 ? 0 : tolls_.base + steps * price_step * tolls_.per_nat / 32; }
+  int cost_of(Last last, Last next) const;
+  int least_from(Cell cell) const;
+  void clear(Field& field, int limit);
+  void reach(Field& field, std::size_t number, int cost, int steps);
+  void reach_from_start(const State& state, int cost, int steps);
+  void reach_to_goal(const State& state, int cost, int steps);
+  void go_on(std::size_t number);
+  void go_back(std::size_t number);
+  void begin();
+  template <class Expand>
+  void search(Expand expand);
+
+  Size size_;
+  RunPrices run_;
+  Pose start_;
+  CellSet goals_;
+  Cell south_west_, north_east_;  ///< corners of the least rectangle about the goals
+  RunTolls tolls_;
+  int limit_ = no_run;
+  Field from_start_, to_goal_;
+  std::uint16_t* waiting_ = nullptr;  ///< by state, a bit: whether it is to be expanded
+  std::uint8_t* walls_ = nullptr;     ///< by wall: its price in steps, or closed
+};
+
+}  // namespace labmouse
