@@ -25,8 +25,7 @@ constexpr PriceTable reluctances = [] {
   return table;
 }();
 // Found on 257 contest mazes by CMA-ES, all at once, for the mean of three robots (`classic`, `kerise`, `beginner`)
-// under `thirtieth`, November 2026; docs/solver.md says what each part is worth, and what was tried in vain. Where a
-// robot's search takes part, in cells of it.
+// under `thirtieth`, November 2026; docs/solver.md says what was tried in vain. Times of a search are in its cells.
 
 /// To the goal, no turn takes longer than this part of a cell: corners show more of a maze.
 constexpr double most_for_a_turn = 0.62;
