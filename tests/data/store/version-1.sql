@@ -16,9 +16,9 @@ CREATE TABLE mice (
   spec TEXT NOT NULL,
   parameters TEXT NOT NULL,
   about TEXT NOT NULL);
-INSERT INTO mice VALUES(1,replace('mouse random\nstride 3\norder python-3.4\nsignature 72f14def26894c21-1242451e2cb45845\n','\n',char(10)),'random','random','{"stride":"3","order":"python-3.4"}','{"uses_chance":true}');
-INSERT INTO mice VALUES(2,replace('mouse flood\nstride 3\nsignature 72f14def26894c21-1242451e2cb45845\n','\n',char(10)),'flood','flood','{"stride":"3"}','{}');
-INSERT INTO mice VALUES(3,replace('mouse flood\nsignature 72f14def26894c21-1242451e2cb45845\n','\n',char(10)),'flood','flood','{}','{}');
+INSERT INTO mice VALUES(1,replace('mouse random\nstride 3\norder python-3.4\nsignature 72f14def26894c21-c2765e5553db943f\n','\n',char(10)),'random','random','{"stride":"3","order":"python-3.4"}','{"uses_chance":true}');
+INSERT INTO mice VALUES(2,replace('mouse flood\nstride 3\nsignature 72f14def26894c21-c2765e5553db943f\n','\n',char(10)),'flood','flood','{"stride":"3"}','{}');
+INSERT INTO mice VALUES(3,replace('mouse flood\nsignature 72f14def26894c21-c2765e5553db943f\n','\n',char(10)),'flood','flood','{}','{}');
 CREATE TABLE mazes (
   id INTEGER PRIMARY KEY,
   text TEXT NOT NULL UNIQUE,
