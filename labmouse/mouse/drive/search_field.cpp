@@ -11,7 +11,7 @@ namespace {
 DriveTime sum(std::int64_t a, std::int64_t b) { return static_cast<DriveTime>(std::min<std::int64_t>(no_time, a + b)); }
 
 /// Every move takes some time, whatever it saves.
-DriveTime some_time(DriveTime time) { return std::max(time, 1); }
+DriveTime some_time(DriveTime time) { return std::max<DriveTime>(time, 1); }
 
 /// The price of a closed wall.
 constexpr std::uint8_t closed = 0xff;
