@@ -75,6 +75,7 @@ export default defineConfig({
           testTimeout: 120_000,
         },
       },
+      { extends: true, test: { name: 'pictures', include: ['bench/**/*.pictures.ts'] } },
     ],
   },
 });

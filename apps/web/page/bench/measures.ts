@@ -38,8 +38,8 @@ export interface Opening {
   processor: number;
 }
 
-/** Opens the page there, and waits until that element can be seen with another text than that. */
-export async function opening(hash: string, selector: string, before = ''): Promise<Opening> {
+/** Opens the page there, and waits until that element can be seen, or until the number that it shows has changed. */
+export async function opening(hash: string, selector: string, moves = false): Promise<Opening> {
   let earlier = new Map<number, number>();
   const page = await open(hash, {
     before: async (fresh) => {
@@ -47,15 +47,17 @@ export async function opening(hash: string, selector: string, before = ''): Prom
       await fresh.addInitScript(
         (wanted) => {
           window.seen = {};
+          let first = '';
           const look = () => {
             const element = document.querySelector<HTMLElement>(wanted.selector);
-            if (element?.checkVisibility() && (wanted.before === '' || element.textContent !== wanted.before))
-              window.seen.it = performance.now();
+            const text = element?.textContent?.trim() ?? '';
+            first ||= text;
+            if (element?.checkVisibility() && (!wanted.moves || text !== first)) window.seen.it = performance.now();
             else requestAnimationFrame(look);
           };
           requestAnimationFrame(look);
         },
-        { selector, before },
+        { selector, moves },
       );
     },
   });
@@ -70,7 +72,7 @@ export async function opening(hash: string, selector: string, before = ''): Prom
 }
 
 /** The front door, until its race moves. */
-export const frontDoor = () => opening('', '.front-race .clock', '0.00');
+export const frontDoor = () => opening('', '.front-race .clock', true);
 
 /** A mouse in *Live*, until its walk is on the stage. */
 export const firstRun = () => opening('#live', '.live .player canvas');

@@ -179,11 +179,11 @@ async function restore() {
     setRace(found.results, { raced: found.raced });
     stage.offer('race', found.results);
   }
-  const robot = await finder.robot();
+  const [robot, at] = [await finder.robot(), await finder.robotAt()];
   if (robot && myRobot() === null) {
     setMyRobot(`${robot.name}\n${robot.text}`);
-    stage.offer('robot', robot);
-  }
+    stage.offer('robot', { ...robot, at });
+  } else if (at) stage.offer('robot', new Link(at));
   const live = await finder.live();
   if (live) stage.offer('live', new Link(live));
   const { plays, moment } = await finder.plays();

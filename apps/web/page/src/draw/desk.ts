@@ -6,6 +6,7 @@ import { field } from '../ui/field';
 import { filePicker } from '../ui/pick';
 import type { Page } from '../views/view';
 import { mazeText } from '../player/figures';
+import { createLooks } from '../player/looks';
 import { createBoard } from './board';
 import { createEditor } from './editor';
 import { createJudgement } from './judgement';
@@ -32,7 +33,8 @@ const isEqual = (one: MazeData, other: MazeData) => JSON.stringify(one) === JSON
 export function createDesk(page: Page, first: MazeData): Desk {
   const editor = createEditor(first, () => changed());
   const board = createBoard(editor);
-  const tools = createTools(editor, board.setTool, (factor) => board.stage.zoomBy(factor));
+  const room = h('div', { class: 'desk' });
+  const tools = createTools(editor, board.setTool, createLooks(board.stage, room));
   const withRoute = h('input', { type: 'checkbox', checked: true, onchange: () => showRoute() });
   let found: [number, number][] | null = null;
   const showRoute = () => {
@@ -80,7 +82,7 @@ export function createDesk(page: Page, first: MazeData): Desk {
   }
   changed();
 
-  const side = [
+  const drawn = [
     h(
       'section',
       { class: 'card', 'aria-label': 'Drawing' },
@@ -92,10 +94,10 @@ export function createDesk(page: Page, first: MazeData): Desk {
       h('button', { type: 'button', class: 'main', onclick: () => page.live(editor.maze()) }, 'Run a mouse here'),
       board.keys,
     ),
-    judgement.element,
-  ];
-  const below = [
     saving.element,
+  ];
+  const judged = [
+    judgement.element,
     h(
       'section',
       { class: 'card', 'aria-label': 'New drawing' },
@@ -104,13 +106,12 @@ export function createDesk(page: Page, first: MazeData): Desk {
       filePicker('Open a file…', open),
     ),
   ];
+  room.append(
+    h('div', { class: 'desk-main' }, tools.element, board.element),
+    h('div', { class: 'desk-panel' }, h('div', { class: 'cards' }, h('div', {}, ...drawn), h('div', {}, ...judged))),
+  );
   return {
-    element: h(
-      'div',
-      { class: 'desk' },
-      h('div', { class: 'desk-main' }, tools.element, board.element),
-      h('div', { class: 'desk-panel' }, ...side, ...below),
-    ),
+    element: room,
     drawing: editor.maze,
     look: board.stage.camera,
     lookFrom: board.stage.look,

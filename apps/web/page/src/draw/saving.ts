@@ -1,8 +1,15 @@
 // The drawing as a file of any format, as a picture, as a link.
 import type { MazeData } from '../core/types';
+import { fit, numbered } from '../maze/geometry';
+import { paintMaze } from '../maze/painter';
+import { readPalette } from '../maze/palette';
+import { pngOf } from '../maze/saved';
 import { createCopyable } from '../ui/copy';
 import { h } from '../ui/dom';
 import type { Page } from '../views/view';
+
+/** Of the longer side of a saved picture, at most. */
+const pixels = 1600;
 
 const wordsOf = (error: unknown) => (error instanceof Error ? error.message : String(error));
 
@@ -33,6 +40,15 @@ export function createSaving(page: Page, drawing: () => MazeData): Saving {
     const { svg } = await page.core.call('picture', { maze: drawing() });
     page.save(`${drawing().name || 'maze'}.svg`, svg, 'image/svg+xml');
   };
+  const savePixels = async () => {
+    const [maze, palette] = [drawing(), readPalette()];
+    const g = fit(maze, pixels, pixels, 1, numbered);
+    page.save(
+      `${maze.name || 'maze'}.png`,
+      await pngOf(g, (context) => paintMaze(context, g, palette, maze)),
+      'image/png',
+    );
+  };
   const copyLink = async () => {
     const answer = await page.core.call('link', { maze: drawing() });
     link.show(addressWith(answer.link));
@@ -44,6 +60,7 @@ export function createSaving(page: Page, drawing: () => MazeData): Saving {
   const items = [
     ...page.about.formats.map(({ name, summary }) => item(name, summary, () => saveAs(name))),
     item('picture', 'an SVG file', savePicture),
+    item('pixels', 'a PNG file', savePixels),
     item('link', 'to this page, containing the maze', copyLink),
   ];
   return {

@@ -25,11 +25,7 @@ export interface Tools {
   show(): void;
 }
 
-export function createTools(
-  editor: Editor,
-  choose: (tool: Tool | 'look') => void,
-  zoomBy: (factor: number) => void,
-): Tools {
+export function createTools(editor: Editor, choose: (tool: Tool | 'look') => void, looks: HTMLElement): Tools {
   const radios = tools.map(({ tool, label, title }, i) =>
     h(
       'label',
@@ -50,13 +46,8 @@ export function createTools(
       'div',
       { class: 'draw-tools', role: 'toolbar', 'aria-label': 'Drawing' },
       h('fieldset', { class: 'segments' }, h('legend', { class: 'unseen' }, 'Tool'), ...radios),
-      h('span', { class: 'draw-looks' }, undo, redo),
-      h(
-        'span',
-        { class: 'draw-looks', role: 'group', 'aria-label': 'Picture' },
-        sign('nearer', 'Nearer', 'Z', () => zoomBy(1.4)),
-        sign('farther', 'Farther', 'X', () => zoomBy(1 / 1.4)),
-      ),
+      h('span', { class: 'draw-changes' }, undo, redo),
+      looks,
     ),
     changes: h(
       'div',

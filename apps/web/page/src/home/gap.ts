@@ -15,7 +15,9 @@ export function gapInWords(one: Standing, other: Standing): string {
   const [runs, others] = [!Number.isNaN(one.best), !Number.isNaN(other.best)];
   if (runs && others) {
     const by = Math.abs(one.best - other.best);
-    return by < 0.0005 ? 'equally fast' : `${(one.best < other.best ? one : other).name} leads by ${by.toFixed(3)} s`;
+    return by < 0.0005
+      ? `both need ${one.best.toFixed(3)} s`
+      : `${(one.best < other.best ? one : other).name} leads by ${by.toFixed(3)} s`;
   }
   if (runs || others) return `${(runs ? one : other).name} was at the goal first`;
   const by = Math.abs(one.left - other.left);

@@ -1,6 +1,7 @@
 // A race that runs on the front door: two lanes, one clock, the gap.
 import type { Core } from '../core/client';
 import { count, createMeter } from '../player/meter';
+import { partingOf } from '../player/parting';
 import { h } from '../ui/dom';
 import { gapInWords } from './gap';
 import { createLane, type Lane } from './lane';
@@ -9,10 +10,14 @@ import type { Met } from './pairs';
 
 /** Seconds for which the end is shown before the next race. */
 const rest = 5;
+/** Of the contest, for which one sees them go the same way before they part. */
+const lead = 10;
+/** Of a clock that nothing has set: as high as one that is. */
+const unset = '\u00a0';
 
 export interface FrontRace {
   element: HTMLElement;
-  /** Puts two mice at the start, or where they are after so many seconds. */
+  /** Puts two mice where they are after so many seconds, or shortly before they part: what comes before looks the same. */
   set(core: Core, pair: [Met, Met], from?: number): void;
   run(): void;
   pause(): void;
@@ -23,7 +28,7 @@ export interface FrontRace {
 
 /** `ended` hears when a race was shown to its end; the controls stand beside the clock. */
 export function createFrontRace(ended: () => void, ...controls: HTMLElement[]): FrontRace {
-  const clock = h('span', { class: 'clock', role: 'timer', 'aria-live': 'off' }, '0.00');
+  const clock = h('span', { class: 'clock', role: 'timer', 'aria-live': 'off' }, unset);
   const pace = h('span', { class: 'pace' });
   const gap = h('p', { class: 'gap' });
   const lanes = h('div', { class: 'lanes' });
@@ -31,7 +36,7 @@ export function createFrontRace(ended: () => void, ...controls: HTMLElement[]): 
   const element = h(
     'div',
     { class: 'front-race' },
-    h('div', { class: 'board' }, h('p', {}, clock, ' s ', pace), h('span', { class: 'controls' }, ...controls), gap),
+    h('div', { class: 'board' }, gap, h('p', {}, clock, ' s ', pace), h('span', { class: 'controls' }, ...controls)),
     lanes,
   );
   Object.assign(element, { meter });
@@ -76,13 +81,15 @@ export function createFrontRace(ended: () => void, ...controls: HTMLElement[]): 
   }
   return {
     element,
-    set(core, pair, from = 0) {
+    set(core, pair, from) {
       for (const lane of two) lane.close();
+      const parting = partingOf(pair[0].play, pair[1].play);
       two = [createLane(core, pair[0], 'to-goal'), createLane(core, pair[1], 'route')];
       lanes.replaceChildren(...two.map((lane) => lane.element));
       past = 0;
       end = Math.max(...two.map(({ track }) => track.time[track.last]));
-      time = Math.min(from, end);
+      const [{ track }] = two;
+      time = Math.min(from ?? Math.max(0, (parting ? track.time[parting.frame] : 0) - lead), end);
       show();
       for (const lane of two) lane.describe();
     },

@@ -3,6 +3,7 @@
 //   replay&mouse=certify&mouse=flood&in=contest-02&seed=1&robot=classic&rules=all-japan&at=12.5&zoom=2,8,8
 //
 // What comes from a link is read strictly: it was written by anybody.
+import type { VariedRange } from '../core/types';
 import type { Camera } from '../maze/camera';
 
 export interface Moment {
@@ -21,6 +22,9 @@ export interface Moment {
   /** Of contests in seconds. */
   robot?: string;
   rules?: string;
+  /** Of the robot: the number, or the two, over which it is asked which route wins. */
+  vary?: VariedRange;
+  and?: VariedRange;
   /** Which race of the front door. */
   pair?: number;
   /** On the clock of the contest: steps, or seconds in the other worlds. */
@@ -37,6 +41,8 @@ const mostNames = 500;
 const mostSteps = 1_000_000;
 const mostRuns = 100;
 const latest = 1e9;
+/** Of the numbers of a robot, none of which is below 0. */
+const largest = 1e9;
 /** Cells; a camera may look from nowhere else. */
 const farthest = 1_000;
 const closest = 100;
@@ -65,6 +71,15 @@ function cameraOf(key: string, text: string): Camera {
   return { scale, x, y };
 }
 
+/** A number of a robot and how far it varies: its key, from, to. */
+function rangeOf(key: string, text: string): VariedRange {
+  const [name, ...ends] = textOf(key, text).split(',');
+  if (ends.length !== 2)
+    throw new Error(`This link cannot be followed: ${key}=${shown(text)} is not a key and two numbers.`);
+  const [from, to] = ends.map((end) => numberOf(key, end, 0, largest, false));
+  return { key: name, from, to };
+}
+
 const wholeOf = (least: number, most: number) => (key: string, text: string) => numberOf(key, text, least, most, true);
 const listOf = (key: string, text: string) => textOf(key, text).split(',');
 
@@ -81,6 +96,8 @@ const words: Record<string, { field: keyof Moment; read: (key: string, text: str
   runs: { field: 'runs', read: wholeOf(1, mostRuns) },
   robot: { field: 'robot', read: textOf },
   rules: { field: 'rules', read: textOf },
+  vary: { field: 'vary', read: rangeOf },
+  and: { field: 'and', read: rangeOf },
   pair: { field: 'pair', read: wholeOf(1, 100) },
   at: { field: 'time', read: (key, text) => numberOf(key, text, 0, latest, false) },
   zoom: { field: 'look', read: cameraOf },
@@ -93,15 +110,36 @@ const legible = (text: string) =>
 /** No more digits than one can see; never in powers of ten. */
 const brief = (number: number) => String(Number(number.toFixed(3)));
 
+/** Its ends in digits; smaller ones would be in powers of ten. */
+const rangeText = ({ key, from, to }: VariedRange) =>
+  [key, ...[from, to].map((end) => Number(end.toFixed(6)))].join(',');
+
 /** The text behind `#`; throws in words where it would be too long for a link. */
 export function addressOf(view: string, moment: Partial<Moment>): string {
-  const { mice = [], builtin = [], mazes = [], seeds = [], budget, runs, robot, rules, pair, time, look } = moment;
+  const {
+    mice = [],
+    builtin = [],
+    mazes = [],
+    seeds = [],
+    budget,
+    runs,
+    robot,
+    rules,
+    vary,
+    and,
+    pair,
+    time,
+    look,
+  } = moment;
   const parts: [string, string | number | undefined][] = [
     ...mice.map((mouse): [string, string] => ['mouse', mouse]),
     ['in', builtin.length > 0 ? builtin.join(',') : undefined],
     ...mazes.map((maze): [string, string] => ['maze', maze]),
     ['seed', seeds.length > 0 ? seeds.join(',') : undefined],
-    ...Object.entries({ budget, runs, robot, rules, pair }),
+    ...Object.entries({ budget, runs, robot, rules }),
+    ['vary', vary && rangeText(vary)],
+    ['and', and && rangeText(and)],
+    ['pair', pair],
     ['at', time === undefined ? undefined : brief(time)],
     ['zoom', look && look.scale > 1 ? [look.scale, look.x, look.y].map(brief).join(',') : undefined],
   ];

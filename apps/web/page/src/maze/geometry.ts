@@ -26,7 +26,7 @@ export interface Margins {
 }
 
 /** For the numbers of columns and rows. */
-export const numbered: Margins = { left: 24, bottom: 20 };
+export const numbered: Margins = { left: 24, bottom: 18 };
 export const bare: Margins = { left: 0, bottom: 0 };
 
 const leastPitch = 3;

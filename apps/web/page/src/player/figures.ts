@@ -17,4 +17,5 @@ export const short = (value: number) => String(Math.round(value * 1000) / 1000);
 export const percent = (share: number) => `${(100 * share).toFixed(1)} %`;
 
 /** `capstone-1, 12 × 12 cells` */
-export const mazeText = (maze: MazeData) => `${maze.name}, ${maze.width} × ${maze.height} cells`;
+export const sizeText = ({ width, height }: MazeData) => `, ${width} × ${height} cells`;
+export const mazeText = (maze: MazeData) => `${maze.name}${sizeText(maze)}`;

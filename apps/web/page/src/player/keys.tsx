@@ -1,7 +1,9 @@
 // The keyboard, and the help that lists it.
 import { speeds, usualSpeed } from './clock';
 import { layerNames, toggled } from './layers';
+import { lookKeys } from './looks';
 import type { Actions, State } from './state';
+import { needsKey } from '../ui/needs-key';
 
 const list: [string, string][] = [
   ['Space', 'play or pause'],
@@ -36,26 +38,6 @@ export const KeyHelp = () => (
   </details>
 );
 
-/** Whether an element needs that key itself. */
-function needs(target: EventTarget | null, key: string): boolean {
-  if (!(target instanceof HTMLElement)) return false;
-  if (target instanceof HTMLInputElement && (target.type === 'range' || target.type === 'checkbox'))
-    return target.type === 'checkbox' ? key === ' ' : false;
-  if (target.matches('input, select, textarea, [contenteditable]')) return true;
-  return key === ' ' && target.closest('button, a, summary') !== null;
-}
-
-const looking: Record<string, (actions: Actions) => void> = {
-  z: ({ zoom }) => zoom(1),
-  x: ({ zoom }) => zoom(-1),
-  w: ({ pan }) => pan(0, 1),
-  a: ({ pan }) => pan(1, 0),
-  s: ({ pan }) => pan(0, -1),
-  d: ({ pan }) => pan(-1, 0),
-  p: ({ fold }) => fold(),
-  f: ({ enlarge }) => enlarge(),
-};
-
 /** Does what that key is for; says whether it is for anything. */
 export function press(key: string, shift: boolean, state: State, actions: Actions): boolean {
   const { clock, layers, sides } = state;
@@ -75,7 +57,7 @@ export function press(key: string, shift: boolean, state: State, actions: Action
   else if (key === '+' || key === '=') faster(1);
   else if (key === '-' || key === '−') faster(-1);
   else if (key === 't' || key === 'T') actions.setSpeed(-1);
-  else if (looking[key.toLowerCase()]) looking[key.toLowerCase()](actions);
+  else if (lookKeys[key.toLowerCase()]) lookKeys[key.toLowerCase()](actions);
   else if (key === 'l' || key === 'L') actions.setLoop(!clock.loop);
   else return false;
   return true;
@@ -87,7 +69,7 @@ export function listen(element: HTMLElement, state: State, actions: Actions) {
     if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
     // Of an editor in a shadow root, the event names only what stands around it.
     const [target] = event.composedPath();
-    if (state.sides.length === 0 || !element.checkVisibility() || needs(target, event.key)) return;
+    if (state.sides.length === 0 || !element.checkVisibility() || needsKey(target, event.key)) return;
     if (press(event.key, event.shiftKey, state, actions)) event.preventDefault();
   });
 }

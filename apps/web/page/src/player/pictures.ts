@@ -3,7 +3,7 @@ import { makeFilm, mostBytes } from '../film/film';
 import type { Piece } from '../film/plan';
 import { fit, numbered } from '../maze/geometry';
 import { readPalette } from '../maze/palette';
-import { h } from '../ui/dom';
+import { pngOf as pixelsOf } from '../maze/saved';
 import { createSheet, timeText, type Pictured } from './sheet';
 import type { Side, State } from './state';
 
@@ -57,13 +57,9 @@ const asFilmed = ({ track, name, hue, scene }: Side): Pictured => ({
 
 const sheetOf = ({ sides, layers }: State) => createSheet(sides.map(asSeen), layers, readPalette());
 
-export async function pngOf(state: State): Promise<Uint8Array<ArrayBuffer>> {
-  const { width, height, paint } = sheetOf(state);
-  const canvas = h('canvas', { width, height });
-  paint(canvas.getContext('2d', { alpha: false })!, state.clock.time);
-  const blob = await new Promise<Blob | null>((resolve) => canvas.toBlob(resolve, 'image/png'));
-  if (!blob) throw new Error('This browser could not make the picture. Make the window smaller, and try again.');
-  return new Uint8Array(await blob.arrayBuffer());
+export function pngOf(state: State): Promise<Uint8Array<ArrayBuffer>> {
+  const { width: canvasWidth, height: canvasHeight, paint } = sheetOf(state);
+  return pixelsOf({ canvasWidth, canvasHeight, ratio: 1 }, (context) => paint(context, state.clock.time));
 }
 
 export const svgOf = (state: State): string => sheetOf(state).svg(state.clock.time);

@@ -15,6 +15,7 @@ import { KeyHelp, listen } from './keys';
 import { LastWords } from './last-words';
 import { usualLayers, type Layers } from './layers';
 import { Legend } from './legend';
+import { enlarge, panStage, zoomStage } from './looks';
 import { count, createMeter } from './meter';
 import { PartingPoint } from './parting-panel';
 import { Reasons } from './reasons';
@@ -54,10 +55,6 @@ const panelPause = 100;
 /** Of stillness, before a moment is worth keeping. */
 const restPause = 300;
 
-/** Of a step of the keys that look aside, in pixels of the page; and how much nearer one press brings. */
-const aside = 80;
-const nearer = 1.4;
-
 /** Something that goes with the replay, beside the player's own panels. */
 export interface Companion {
   update(time: number): void;
@@ -75,6 +72,7 @@ export function createPlayer(page: EarlyPage, ...lead: (HTMLElement | (HTMLEleme
   let resting: ReturnType<typeof setTimeout> | undefined;
   let restedListener = () => {};
 
+  const stageOfChosen = () => state.sides[state.chosen]?.scene.stage;
   const actions: Actions = {
     toggle() {
       if (clock.playing) clock.playing = false;
@@ -113,21 +111,14 @@ export function createPlayer(page: EarlyPage, ...lead: (HTMLElement | (HTMLEleme
       state.chosen = side;
       wake();
     },
-    zoom(by) {
-      const stage = state.sides[state.chosen]?.scene.stage;
-      if (by === 0) stage?.whole();
-      else stage?.zoomBy(nearer ** by);
-    },
-    pan: (x, y) => state.sides[state.chosen]?.scene.stage.panBy(aside * x, aside * y),
+    zoom: (by) => zoomStage(stageOfChosen(), by),
+    pan: (x, y) => panStage(stageOfChosen(), x, y),
     fold() {
       const folded = element.classList.toggle('folded');
       state.folded = folded;
       refresh();
     },
-    enlarge() {
-      if (document.fullscreenElement) void document.exitFullscreen();
-      else void element.requestFullscreen?.().catch(() => undefined);
-    },
+    enlarge: () => enlarge(element),
   };
 
   const sides = h('div', { class: 'sides' });
@@ -199,7 +190,7 @@ export function createPlayer(page: EarlyPage, ...lead: (HTMLElement | (HTMLEleme
       told = now;
       refresh();
     }
-    if (clock.playing) asked = requestAnimationFrame(frame);
+    if (clock.playing && !document.hidden) asked = requestAnimationFrame(frame);
     count(meter, performance.now() - begin);
   }
   function wake() {
@@ -234,6 +225,7 @@ export function createPlayer(page: EarlyPage, ...lead: (HTMLElement | (HTMLEleme
   }
 
   listen(element, state, actions);
+  document.addEventListener('visibilitychange', () => document.hidden || !clock.playing || wake());
   return {
     element,
     rested: (listener) => void (restedListener = listener),
@@ -265,11 +257,12 @@ export function createPlayer(page: EarlyPage, ...lead: (HTMLElement | (HTMLEleme
       clock.unit = inSteps ? usual.steps : usual.seconds;
       if (layers.distances === 'believed' && !state.sides.some(believes)) layers.distances = 'true';
       if (layers.distances === 'believed') void believe();
+      if (state.sides.length > 0) refresh();
+      // Once its caption is there the stage has its size, and what is beyond a border does not depend on when it came.
       if (look && state.sides.length > 0) {
         state.sides[0].scene.stage.look(look);
         lookTogether(0, look);
       }
-      if (state.sides.length > 0) refresh();
       wake();
     },
     play() {

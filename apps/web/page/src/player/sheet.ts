@@ -7,7 +7,7 @@ import { counted, decimal, mazeText } from './figures';
 import type { Layers } from './layers';
 import { createPlace, paintAbove, paintBelow } from './painting';
 import { createPast, moveTo } from './past';
-import { SvgContext } from './svg-context';
+import { SvgContext } from '../maze/svg-context';
 import { frameAt, type Track } from './track';
 
 /** One of the contests of a picture. */

@@ -3,7 +3,7 @@ import { render } from 'preact';
 import type { Play } from '../core/types';
 import { cellAt } from '../maze/geometry';
 import { h } from '../ui/dom';
-import { counted, decimal, mazeText } from './figures';
+import { counted, decimal, sizeText } from './figures';
 import type { Layers } from './layers';
 import { createScene, type Scene, type SceneOptions } from './scene';
 import type { Side } from './state';
@@ -42,7 +42,11 @@ export function Caption({ name, track, scene }: Pick<Side, 'name' | 'track' | 's
     <>
       <h3>
         {name}
-        <small> in {mazeText(maze)}: </small>
+        <small>
+          {' '}
+          in {maze.name}
+          <span class="size">{sizeText(maze)}</span>:{' '}
+        </small>
         {play.outcome}
       </h3>
       <p class="ticker">

@@ -3,25 +3,10 @@ import { useRef } from 'preact/hooks';
 import type { DriveRun } from '../core/types';
 import { rateOf, speeds } from './clock';
 import { short } from './figures';
-import { Icon, type IconName } from './icons';
+import { Looks } from './looks';
+import { Sign } from './sign';
 import { timeOf, type Mark, type PanelProps, type Side } from './state';
 import { momentText } from './words';
-
-interface SignProps {
-  icon: IconName;
-  label: string;
-  keys: string;
-  class?: string;
-  pressed?: boolean;
-  hidden?: boolean;
-  act: () => void;
-}
-
-const Sign = ({ icon, label, keys, pressed, act, ...rest }: SignProps) => (
-  <button type="button" aria-label={label} title={`${label} (${keys})`} aria-pressed={pressed} onClick={act} {...rest}>
-    <Icon name={icon} />
-  </button>
-);
 
 /** Of a run in seconds. */
 const runTones: Record<DriveRun['kind'], string> = { search: 'to-goal', home: 'onwards', fast: 'route' };
@@ -148,19 +133,7 @@ export function Transport({ state, actions }: PanelProps) {
           />
         </span>
       </div>
-      <div class="looks" role="group" aria-label="Picture">
-        <Sign icon="nearer" label="Nearer" class="nearer" keys="Z, wheel, two fingers" act={() => actions.zoom(1)} />
-        <Sign icon="farther" label="Farther" class="nearer" keys="X" act={() => actions.zoom(-1)} />
-        <Sign
-          class="screen"
-          icon="screen"
-          label="Full screen"
-          keys="F"
-          hidden={!document.fullscreenEnabled}
-          act={actions.enlarge}
-        />
-        <Sign class="fold" icon="panel" label="The panel" keys="P" pressed={!state.folded} act={actions.fold} />
-      </div>
+      <Looks folded={state.folded} actions={actions} />
     </>
   );
 }

@@ -4,8 +4,8 @@ import { cellAt, fit, numbered, type Geometry } from '../maze/geometry';
 import { fontOf } from '../maze/fonts';
 import type { Context } from '../maze/painter';
 import { readPalette, type Palette } from '../maze/palette';
+import { pngOf, svgOf } from '../maze/saved';
 import { createStage, type Stage } from '../maze/stage';
-import { SvgContext } from '../player/svg-context';
 import { h } from '../ui/dom';
 import type { EarlyPage, LoadedRace } from '../views/view';
 import type { Board } from './contests';
@@ -168,20 +168,17 @@ export function heat(page: EarlyPage, race: LoadedRace, board: Board): Heat {
     return { ...g, canvasHeight: g.canvasHeight + 2 * line };
   };
   const scaleWords = () => `Darkest: ${amount(Math.max(...losses()), kind)} of the mean contest in one cell`;
+  function painted() {
+    const [g, palette] = [geometry(shown!), readPalette()];
+    return { g, paint: (context: Context) => paintSaved(context, g, palette, shown!, losses(), scaleWords()) };
+  }
   async function savePng() {
-    const g = geometry(shown!);
-    const canvas = h('canvas', { width: g.canvasWidth, height: g.canvasHeight });
-    paintSaved(canvas.getContext('2d', { alpha: false })!, g, readPalette(), shown!, losses(), scaleWords());
-    const blob = await new Promise<Blob | null>((resolve) => canvas.toBlob(resolve, 'image/png'));
-    if (blob) page.save('lost-steps.png', new Uint8Array(await blob.arrayBuffer()), 'image/png');
+    const { g, paint } = painted();
+    page.save('lost-steps.png', await pngOf(g, paint), 'image/png');
   }
   async function saveSvg() {
-    const g = geometry(shown!);
-    const drawn = new SvgContext();
-    paintSaved(drawn.asContext(), g, readPalette(), shown!, losses(), scaleWords());
-    const box = `width="${g.canvasWidth / 2}" height="${g.canvasHeight / 2}" viewBox="0 0 ${g.canvasWidth} ${g.canvasHeight}"`;
-    const text = `<svg xmlns="http://www.w3.org/2000/svg" ${box}>\n${drawn.elements()}\n</svg>\n`;
-    page.save('lost-steps.svg', text, 'image/svg+xml');
+    const { g, paint } = painted();
+    page.save('lost-steps.svg', svgOf(g, paint), 'image/svg+xml');
   }
 
   const mazes = h('select', {}, ...board.mazes.map(({ short, index }) => h('option', { value: index }, short)));

@@ -101,7 +101,7 @@ export function createRobotForm(keys: RobotKey[], changed: () => void): RobotFor
     return h(
       'details',
       { class: 'card', open: isGiven, 'data-section': section },
-      h('summary', {}, h('h3', {}, title)),
+      h('summary', {}, h('h2', {}, title)),
       h('div', { class: 'parameters' }, ...fields),
     );
   }

@@ -4,11 +4,12 @@
 /** What a robot began from: one that the core brings, or a file's text. */
 export type Origin = { name: string; text: string | null };
 
-/** A robot as the browser keeps it, with what it began from where that is known. */
+/** A robot as the browser keeps it, with what it began from where that is known, and an address of what was asked of it. */
 export interface KeptRobot {
   name: string;
   text: string;
   origin?: Origin;
+  at?: string | null;
 }
 
 let mine: string | null = null;

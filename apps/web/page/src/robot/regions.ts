@@ -13,10 +13,20 @@ export interface Subject {
   maze: MazeData;
 }
 
+/** What is varied: one number, or two. */
+export interface Question {
+  vary?: VariedRange;
+  and?: VariedRange;
+}
+
 export interface Regions {
   element: HTMLElement;
   /** Offers the numbers of a robot in a maze; what was found goes where it is of another one. */
   offer(values: Values, maze: MazeData | null): void;
+  /** What is shown here, or on its way; nothing where nothing is. */
+  question(): Question;
+  /** Puts that into the form and finds it; throws in words where the robot has no such number. */
+  find(question: Question): void;
 }
 
 /** Grip, which decides most about routes. */
@@ -97,7 +107,12 @@ function createRange(label: string, keys: RobotKey[], optional: boolean) {
     h('input', { type: 'number', step: 'any', inputmode: 'decimal', 'aria-label': name });
   const [from, to] = [number(`${label}: from`), number(`${label}: to`)];
   const unit = h('span', {});
-  const row = h('div', { class: 'row' }, from, 'to', to);
+  const row = h(
+    'div',
+    { class: 'field' },
+    h('span', { class: 'label' }, 'Range'),
+    h('div', { class: 'row' }, from, 'to', to),
+  );
   let values: Values = {};
   function suggest() {
     const chosen = keys.find(({ name }) => name === key.value);
@@ -121,31 +136,52 @@ function createRange(label: string, keys: RobotKey[], optional: boolean) {
       key.value = [before, usual].find((name) => choices.includes(name)) ?? choices[0] ?? '';
       if (key.value !== before || from.value === '') suggest();
     },
+    /** Chooses that, or nothing; throws in words where a robot has no such number. */
+    choose(range: VariedRange | undefined) {
+      const wanted = range?.key ?? '';
+      if (![...key.options].some(({ value }) => value === wanted))
+        throw new Error(
+          `This link cannot be followed: no number '${wanted.slice(0, 40)}' of this robot can be varied.`,
+        );
+      key.value = wanted;
+      suggest();
+      if (range) [from.value, to.value] = [range.from, range.to].map(String);
+    },
     /** Null where nothing is varied. */
     read: (): VariedRange | null =>
       key.value === '' ? null : { key: key.value, from: from.valueAsNumber, to: to.valueAsNumber },
   };
 }
 
-/** `subject` is null while there is no robot or no maze. */
-export function createRegions(page: Page, keys: RobotKey[], subject: () => Subject | null): Regions {
+/**
+ * `subject` is null while there is no robot or no maze; `changed` hears before and after each question that is
+ * asked here.
+ */
+export function createRegions(
+  page: Page,
+  keys: RobotKey[],
+  subject: () => Subject | null,
+  changed: () => void,
+): Regions {
   const vary = createRange('Vary', keys, false);
   const along = createRange('and', keys, true);
   const says = h('p', { class: 'note', role: 'status' });
   const found = h('div', { class: 'regions-found' });
-  const find = h('button', { type: 'button', class: 'main', onclick: () => void start() }, 'Find which route wins');
+  const ask = () => (changed(), void start().finally(changed));
+  const find = h('button', { type: 'button', class: 'main', onclick: ask }, 'Find which route wins');
   const stop = h('button', { type: 'button', hidden: true, onclick: () => page.core.stop('regions') }, 'Stop');
   let address = '';
   let offered = '';
   let number = 0;
+  let asked: Question = {};
 
   function clear() {
     if (address) URL.revokeObjectURL(address);
     address = '';
+    asked = {};
     found.replaceChildren();
   }
   function show(regions: RouteRegions, svg: string) {
-    clear();
     address = URL.createObjectURL(new Blob([svg], { type: 'image/svg+xml' }));
     const { vary, and, routes, maze, robot } = regions;
     const what = `Which route of ${maze} wins for which ${robot}, as ${vary.key}${and ? ` and ${and.key}` : ''} vary`;
@@ -180,6 +216,7 @@ export function createRegions(page: Page, keys: RobotKey[], subject: () => Subje
     const mine = ++number;
     complain('');
     clear();
+    asked = { vary: across, ...(second && { and: second }) };
     find.disabled = true;
     stop.hidden = false;
     says.textContent = 'Planning …';
@@ -188,6 +225,7 @@ export function createRegions(page: Page, keys: RobotKey[], subject: () => Subje
       if (mine === number) show(answer.regions, answer.svg);
     } catch (error) {
       if (mine !== number) return;
+      asked = {};
       says.textContent = error instanceof Stopped ? 'Stopped.' : '';
       if (!(error instanceof Stopped)) complain(error instanceof Error ? error.message : String(error));
     } finally {
@@ -231,6 +269,12 @@ export function createRegions(page: Page, keys: RobotKey[], subject: () => Subje
       complain('');
       says.textContent = isOld ? 'The robot or the maze is another one now: find it again.' : '';
       clear();
+    },
+    question: () => asked,
+    find(question) {
+      vary.choose(question.vary);
+      along.choose(question.and);
+      void start();
     },
   };
 }

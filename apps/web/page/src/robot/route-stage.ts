@@ -1,13 +1,19 @@
 // The best route of a maze on a stage, over the one of the robot that it began from.
 import type { DrivePath, MazeData } from '../core/types';
-import { halfX, halfY, type Geometry } from '../maze/geometry';
+import { fit, halfX, halfY, numbered, type Geometry } from '../maze/geometry';
 import { paintMaze, type Context } from '../maze/painter';
-import { createStage } from '../maze/stage';
+import { readPalette, type Palette } from '../maze/palette';
+import { createStage, type Stage } from '../maze/stage';
 
 export interface RouteStage {
-  element: HTMLElement;
+  stage: Stage;
   show(maze: MazeData, path: DrivePath | null, before: DrivePath | null, words: string): void;
+  /** The same for a file: its size, and what paints it. */
+  picture(): { g: Geometry; paint: (context: Context) => void };
 }
+
+/** Of the longer side of a saved picture, at most. */
+const pixels = 1600;
 
 function trace(context: Context, g: Geometry, { x, y }: DrivePath) {
   context.beginPath();
@@ -22,28 +28,25 @@ export function createRouteStage(): RouteStage {
   let maze: MazeData | null = null;
   let path: DrivePath | null = null;
   let before: DrivePath | null = null;
-  const stage = createStage(
-    { width: 16, height: 16 },
-    (context, g, palette) => {
-      if (!maze) return;
-      paintMaze(context, g, palette, maze, path !== null);
-      context.lineCap = context.lineJoin = 'round';
-      if (before) {
-        context.lineWidth = Math.max(1, g.pitch * 0.06);
-        context.strokeStyle = palette.ink;
-        context.setLineDash([g.pitch * 0.15, g.pitch * 0.2]);
-        trace(context, g, before);
-        context.setLineDash([]);
-      }
-      if (!path) return;
-      context.lineWidth = Math.max(1, g.pitch * 0.13);
-      context.strokeStyle = palette['to-goal'];
-      trace(context, g, path);
-    },
-    { numbers: true },
-  );
+  function paint(context: Context, g: Geometry, palette: Palette) {
+    if (!maze) return;
+    paintMaze(context, g, palette, maze, path !== null);
+    context.lineCap = context.lineJoin = 'round';
+    if (before) {
+      context.lineWidth = Math.max(1, g.pitch * 0.06);
+      context.strokeStyle = palette.ink;
+      context.setLineDash([g.pitch * 0.15, g.pitch * 0.2]);
+      trace(context, g, before);
+      context.setLineDash([]);
+    }
+    if (!path) return;
+    context.lineWidth = Math.max(1, g.pitch * 0.13);
+    context.strokeStyle = palette['to-goal'];
+    trace(context, g, path);
+  }
+  const stage = createStage({ width: 16, height: 16 }, paint, { numbers: true });
   return {
-    element: stage.element,
+    stage,
     show(now, newPath, oldPath, words) {
       const other = !maze || maze.width !== now.width || maze.height !== now.height;
       maze = now;
@@ -52,6 +55,10 @@ export function createRouteStage(): RouteStage {
       stage.describe(words);
       if (other) stage.resize(now);
       else stage.redraw();
+    },
+    picture() {
+      const [g, palette] = [fit(maze ?? { width: 1, height: 1 }, pixels, pixels, 1, numbered), readPalette()];
+      return { g, paint: (context) => paint(context, g, palette) };
     },
   };
 }

@@ -29,7 +29,9 @@ export interface Finder {
   live(): Promise<string | null>;
   results(): Promise<{ results: RaceResults; raced: MazeData[] } | null>;
   /** The robot that was edited, with what it began from. */
-  robot(): Promise<Required<KeptRobot> | null>;
+  robot(): Promise<KeptRobot | null>;
+  /** What Robot showed beside that, as its address. */
+  robotAt(): Promise<string | null>;
 }
 
 const isText = (value: unknown): value is string => typeof value === 'string' && value.length <= most;
@@ -82,6 +84,11 @@ export function createFinder(core: Core, shelf: Shelf): Finder {
       .catch(() => null);
     return opened?.kind === 'record' ? [{ play: opened.play, record }] : [];
   }
+  /** An address of that view. */
+  async function addressAt(view: string, key = view): Promise<string | null> {
+    const text = await shelf.read(key);
+    return isText(text) && text.startsWith(`#${view}&`) ? text : null;
+  }
   async function momentOf(): Promise<Moment | null> {
     const text = await shelf.read('moment');
     try {
@@ -98,10 +105,8 @@ export function createFinder(core: Core, shelf: Shelf): Finder {
       for (const one of Array.isArray(list) ? list.slice(0, 2) : []) plays.push(...(await playOf(one)));
       return { plays, moment: await momentOf() };
     },
-    async live() {
-      const text = await shelf.read('live');
-      return isText(text) && text.startsWith('#live&') ? text : null;
-    },
+    live: () => addressAt('live'),
+    robotAt: () => addressAt('robot', 'robot-at'),
     async results() {
       const { text, raced } = ((await shelf.read('results')) ?? {}) as { text?: unknown; raced?: unknown };
       if (!isText(text)) return null;

@@ -31,7 +31,7 @@ export function createMenu(tools: HTMLElement[], shelf: Shelf, notices: Notices)
       { class: 'menu-box' },
       room,
       h('label', { class: 'check' }, keeps, 'Keep what is open for the next time'),
-      h('p', { class: 'note' }, 'In this browser alone: mazes, records, results and the drawing.'),
+      h('p', { class: 'note' }, 'In this browser alone: mazes, records, results, robots, programs and the drawing.'),
       empty,
     ),
   );

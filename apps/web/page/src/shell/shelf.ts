@@ -5,6 +5,8 @@ import { clear, createStore, get, set, type UseStore } from 'idb-keyval';
 /** What is kept is of this version; what another one kept is not read. */
 const version = 1;
 const keepingKey = 'labmouse-keep';
+/** What begins so in the other storage, which answers at once, goes with the rest: programs that were written. */
+export const besides = 'labmouse-write';
 
 export interface Shelf {
   /** Whether anything is to be kept. */
@@ -37,7 +39,14 @@ export function createShelf(): Shelf {
       return otherwise;
     }
   }
-  const empty = () => quietly(clear, undefined);
+  async function empty() {
+    try {
+      for (const key of Object.keys(localStorage)) if (key.startsWith(besides)) localStorage.removeItem(key);
+    } catch {
+      // Then nothing lies there.
+    }
+    await quietly(clear, undefined);
+  }
   return {
     keeps: () => !off,
     async setKeeps(keeps) {

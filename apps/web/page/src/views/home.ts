@@ -27,7 +27,7 @@ export function createHome(page: EarlyPage): View {
   );
 
   function go() {
-    if (isShown && !waits) race.run();
+    if (isShown && !waits && !document.hidden) race.run();
     else race.pause();
     const running = race.isRunning();
     toggle.replaceChildren(icon(running ? 'pause' : 'play'));
@@ -38,7 +38,12 @@ export function createHome(page: EarlyPage): View {
     waits = yes;
     go();
   }
-  async function begin(from = 0) {
+  /** The first race is not even asked for before somebody can see it. */
+  function wake() {
+    if (now || !isShown || document.hidden) go();
+    else if (next === 0) void begin();
+  }
+  async function begin(from?: number) {
     try {
       const met = await meet(page.core, pairs[next++ % pairs.length]);
       now = met;
@@ -54,6 +59,7 @@ export function createHome(page: EarlyPage): View {
     }
   }
   still.addEventListener('change', () => wait(still.matches));
+  document.addEventListener('visibilitychange', wake);
   return {
     element: h(
       'section',
@@ -79,8 +85,7 @@ export function createHome(page: EarlyPage): View {
     ),
     shown() {
       isShown = true;
-      if (now) go();
-      else if (next === 0) void begin();
+      wake();
     },
     address: async () => addressOf('home', { pair: ((next + pairs.length - 1) % pairs.length) + 1, time: race.time() }),
     async follow(hash) {

@@ -34,7 +34,7 @@ export function createRace(page: EarlyPage): View {
   const element = h('section', { 'aria-label': 'Race', class: 'race-view' });
   const player = createPlayer(page);
   const stage = h('div', { class: 'bench' }, player.element);
-  const onStage = h('p', { class: 'note on-stage', role: 'status' });
+  const onStage = h('p', { class: 'unseen on-stage', role: 'status' });
   let shownRace: LoadedRace | null | undefined;
   let parts: Part[] = [];
   let panel: Promise<HoldPanel> | null = null;
@@ -178,17 +178,22 @@ export function createRace(page: EarlyPage): View {
         room.replaceChildren(h('p', { class: 'note' }, 'This page cannot run races, because its core did not start.')),
     );
     const about = h(
-      'p',
+      'details',
       { class: 'note' },
-      'Choose mice and mazes to race in this page. To see results from the command line, write them with ',
-      h('code', {}, 'labmouse race --format json > results.json'),
-      ' and drop the file anywhere on this page. ',
-      h('code', {}, 'labmouse report results.json -o report.html'),
-      ' makes a separate page from them, with the replays.',
+      h('summary', {}, 'Or show results from the command line'),
+      h(
+        'p',
+        {},
+        'Write them with ',
+        h('code', {}, 'labmouse race --format json > results.json'),
+        ' and drop the file anywhere on this page. ',
+        h('code', {}, 'labmouse report results.json -o report.html'),
+        ' makes a separate page from them, with the replays.',
+      ),
     );
     return first
-      ? part('Run a race', '', about, room)
-      : h('details', { class: 'part controls' }, h('summary', {}, 'Run another race'), about, room);
+      ? part('Run a race', 'Choose mice and mazes: the race is held in this page.', room, about)
+      : h('details', { class: 'part controls' }, h('summary', {}, 'Run another race'), room, about);
   }
 
   /** A race that was held here has its stage; what came in a file may be large, and be of mice that the page cannot run. */

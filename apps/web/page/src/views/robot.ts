@@ -1,13 +1,16 @@
 // The view Robot: the numbers of a robot, and at once what follows from them. It accepts robot files.
 import type { MazeData, RobotAnswer, RobotResult } from '../core/types';
-import { addressOf, readAddress } from '../link/address';
+import { addressOf, readAddress, type Moment } from '../link/address';
 import { driveOf } from '../link/contest';
 import { mazeAt, placeOf } from '../link/mazes';
 import { createMazeChoice } from '../live/maze-choice';
+import { isSameMaze } from '../maze/same';
 import { routeTable, searchTable, straightTables, turnFigures } from '../robot/figures';
+import { pngOf, svgOf } from '../maze/saved';
+import { createLooks } from '../player/looks';
 import { createRobotForm, type Values } from '../robot/form';
 import { hasTimes, keysBeside, withLimits, withTimes, type Part } from '../robot/forms';
-import { createRegions } from '../robot/regions';
+import { createRegions, type Question as Varied } from '../robot/regions';
 import { isMine, myRobot, nameOf, setMyRobot, withoutRemarks, type KeptRobot, type Origin } from '../robot/mine';
 import { createRouteStage } from '../robot/route-stage';
 import { h } from '../ui/dom';
@@ -46,6 +49,8 @@ export function createRobot(page: Page): View {
   let nowValues: Values = {};
   /** Whether it stands as it came with a link: then that of this browser is kept. */
   let linked = false;
+  /** Which regions a link asks for, and in which maze (null: in any), until that is shown. */
+  let wanted: { varied: Varied; maze: MazeData | null } | null = null;
   let isShown = false;
   let late: ReturnType<typeof setTimeout> | undefined;
 
@@ -64,15 +69,24 @@ export function createRobot(page: Page): View {
   const status = h('p', { class: 'verdict', role: 'status' });
   const others = h('ul', { class: 'robot-sentences' });
   const stage = createRouteStage();
-  const regions = createRegions(page, keys, () =>
-    maze && !refused ? { name: robotName(), values: nowValues, maze } : null,
+  const regions = createRegions(
+    page,
+    keys,
+    () => (maze && !refused ? { name: robotName(), values: nowValues, maze } : null),
+    () => (leaveLink(), void keep().catch(page.complain)),
   );
   const routeTimes = h('div', {});
   const turns = h('div', { class: 'robot-turns' });
   const tables = h('div', { class: 'robot-tables' });
   const follows = h('div', { class: 'robot-follows' });
-  const room = h('div', { class: 'robot-room' }, stage.element);
+  const caption = h('span', { class: 'robot-line' });
   const desk = h('div', { class: 'desk' });
+  const room = h(
+    'figure',
+    { class: 'robot-room' },
+    h('figcaption', {}, caption, createLooks(stage.stage, desk)),
+    stage.stage.element,
+  );
   const mazes = createMazeChoice(page, (next) => {
     maze = next;
     ask(false);
@@ -95,6 +109,15 @@ export function createRobot(page: Page): View {
       },
       view === 'live' ? 'Drive it in Live' : 'Race with it',
     );
+  const saved = (ending: 'png' | 'svg') => `${fresh ? origin.name : name.value}-${maze?.name || 'route'}.${ending}`;
+  async function savePng() {
+    const { g, paint } = stage.picture();
+    page.save(saved('png'), await pngOf(g, paint), 'image/png');
+  }
+  function saveSvg() {
+    const { g, paint } = stage.picture();
+    page.save(saved('svg'), svgOf(g, paint), 'image/svg+xml');
+  }
   const uses = [save, use('live'), use('race')];
 
   const bytesOf = ({ text }: Origin): [Uint8Array?] => (text === null ? [] : [new TextEncoder().encode(text)]);
@@ -133,7 +156,8 @@ export function createRobot(page: Page): View {
       for (const part of parts) part.show(now.values);
       nowValues = now.values;
       regions.offer(now.values, maze);
-      if (now.result && !linked) void page.shelf.write('robot', given && { name: called, text: now.text, origin });
+      if (maze && wanted && (!wanted.maze || isSameMaze({ maze }, { maze: wanted.maze }))) findWanted(wanted.varied);
+      void keep().catch(page.complain);
     },
     (error) => {
       rest();
@@ -141,6 +165,22 @@ export function createRobot(page: Page): View {
     },
   );
   let shownKeys: string[] = [];
+  function findWanted(varied: Varied) {
+    wanted = null;
+    try {
+      regions.find(varied);
+    } catch (error) {
+      page.complain(error);
+    }
+  }
+  /** For when the page is opened again: an edited robot with what it began from, and what is asked of it in which maze. */
+  async function keep() {
+    if (linked || refused || !maze) return;
+    await page.shelf.write('robot', given && { ...originOf(given), origin });
+    const robot = given === null && origin.text === null ? { robot: origin.name } : {};
+    const place = await placeOf(page.core, page.about, maze);
+    await page.shelf.write('robot-at', `#${addressOf('robot', { ...place, ...robot, ...regions.question() })}`);
+  }
 
   /** Limits of a robot that has them, in cells of that size where there is one. */
   async function limitsOf(part: Part, cell: unknown): Promise<Values> {
@@ -233,20 +273,28 @@ export function createRobot(page: Page): View {
     return addressOf('robot', {
       ...(maze && (await placeOf(page.core, page.about, maze))),
       robot: withoutRemarks(robot),
+      ...regions.question(),
     });
   }
   async function follow(hash: string) {
     const { moment } = readAddress(hash);
+    if (moment.and && !moment.vary)
+      throw new Error('This link cannot be followed: it varies a second number and no first one.');
     const robot = moment.robot && driveOf({ robot: moment.robot }, page.about)?.with.robot;
     const where = await mazeAt(page.core, moment);
     if (robot) begin(originOf(robot));
     linked = true;
+    goTo(moment, where);
+  }
+  /** To that maze, if any, and the regions that are asked for there. */
+  function goTo(moment: Moment, where: MazeData | null) {
+    wanted = moment.vary ? { varied: { vary: moment.vary, and: moment.and }, maze: where } : null;
     if (where && moment.builtin.length > 0) mazes.choose(moment.builtin[0]);
     else if (where) mazes.give(where);
   }
 
-  /** A robot that was edited before the page was opened again, with what it began from. */
-  async function reopen({ name: called, text, origin: from = { name: called, text } }: KeptRobot) {
+  /** A robot that was edited before the page was opened again, with what it began from, and where it was. */
+  async function reopen({ name: called, text, origin: from = { name: called, text }, at }: KeptRobot) {
     begin(from);
     name.value = called;
     const edited = await page.core.call('robot', { name: called }, new TextEncoder().encode(text));
@@ -255,17 +303,26 @@ export function createRobot(page: Page): View {
     fresh = false;
     given = myRobot();
     ask();
+    if (!at) return;
+    const { moment } = readAddress(at);
+    goTo(moment, await mazeAt(page.core, moment));
   }
 
-  function showRoute({ route, no_route }: RobotAnswer, before: RobotAnswer, where: MazeData | null) {
+  function showRoute(called: string, { route, no_route }: RobotAnswer, before: RobotAnswer, where: MazeData | null) {
     if (!where) return;
     const was = before.route;
     if (!route) {
       stage.show(where, null, null, `${where.name}, without a route`);
+      caption.replaceChildren(h('strong', {}, where.name), ' without a route');
       return routeTimes.replaceChildren(h('p', { class: 'note' }, no_route && `${where.name} ${no_route}`));
     }
     const other = was && was.route !== route.route ? was.path : null;
     const time = `${(route.time_us / 1e6).toFixed(3)} s`;
+    const faster = was && was.time_us !== route.time_us ? `, ${origin.name} ${(was.time_us / 1e6).toFixed(3)} s` : '';
+    caption.replaceChildren(
+      h('strong', {}, `${called} in ${where.name}: ${time}`),
+      ` from rest to the centre of the goal${faster}`,
+    );
     stage.show(where, route.path, other, `The best route of ${where.name}: ${time}`);
     routeTimes.replaceChildren(
       routeTable(route, was),
@@ -292,7 +349,7 @@ export function createRobot(page: Page): View {
     if (!now.result) return showComplaint();
     result = now.result;
     const was = isOrigin ? null : before.result;
-    showRoute(now, isOrigin ? { ...before, route: null } : before, where);
+    showRoute(isOrigin ? origin.name : robotName(), now, isOrigin ? { ...before, route: null } : before, where);
     turns.replaceChildren(...turnFigures(now.result, was));
     tables.replaceChildren(
       ...straightTables(now.result, was),
@@ -308,7 +365,7 @@ export function createRobot(page: Page): View {
   const start = h(
     'section',
     { class: 'card', 'aria-label': 'Start from' },
-    h('h3', {}, 'My robot'),
+    h('h2', {}, 'My robot'),
     field('Start from', select, h('span', {}, 'the robot that all changes are compared with')),
     nameRow,
     h(
@@ -322,6 +379,12 @@ export function createRobot(page: Page): View {
   );
   follows.append(
     h('div', {}, h('h3', {}, 'The best route'), routeTimes),
+    h(
+      'div',
+      { class: 'row' },
+      h('button', { type: 'button', onclick: () => void savePng().catch(page.complain) }, 'Save route (PNG)'),
+      h('button', { type: 'button', onclick: saveSvg }, 'Save route (SVG)'),
+    ),
     h('h3', {}, 'Turns'),
     turns,
     meanings(turnMeanings),

@@ -70,6 +70,7 @@ export function createWrite(page: Page): View {
 
   /** Links that are still being read. */
   let arriving = 0;
+  let keptRun: Promise<unknown> | null = page.shelf.read('write');
 
   const changed = (allowed: boolean) => {
     stop();
@@ -81,7 +82,7 @@ export function createWrite(page: Page): View {
     // The program of a link is gone, so the address leads to it no longer.
     const route = routeOf(location.hash);
     if (route && 'program' in route) history.replaceState(null, '', '#write');
-    begin();
+    void begin();
   };
   async function moment() {
     if (!shown) return '';
@@ -133,12 +134,29 @@ export function createWrite(page: Page): View {
     // What was under way comes to no end.
     if (verdict.dataset.state === 'fair') verdict.hidden = true;
   }
-  /** A program to begin with shows at once what it does; what somebody wrote waits to be asked for. */
-  function begin() {
-    const work = desk.work();
-    const isTemplate = work?.language.templates.some(({ text }) => text === work.text);
-    if (isTemplate && arriving === 0 && end.hidden && player.element.hidden) void runIt();
+  /** What ran here when the page was closed, once; null where nothing did. */
+  async function ranBefore(): Promise<{ text: string; at: Moment } | null> {
+    const kept = ((await keptRun) ?? {}) as { text?: unknown; at?: unknown };
+    keptRun = null;
+    if (typeof kept.text !== 'string' || typeof kept.at !== 'string') return null;
+    const at = readAddress(kept.at).moment;
+    await choose(at);
+    return { text: kept.text, at };
   }
+  /** A program to begin with shows at once what it does, and so does one that ran; what is new waits to be asked for. */
+  async function begin() {
+    const isIdle = () => arriving === 0 && end.hidden && player.element.hidden && desk.work() !== null;
+    if (!isIdle()) return;
+    // What lies there may be of any page.
+    const ran = await ranBefore().catch(() => null);
+    const work = desk.work();
+    if (!work || !isIdle()) return;
+    if (ran?.text === work.text) void runIt(ran.at);
+    else if (work.language.templates.some(({ text }) => text === work.text)) void runIt();
+  }
+  const keepRun = async () => {
+    if (shown) await page.shelf.write('write', { text: shown.text, at: `write${await moment()}` });
+  };
   /** What was seen is of another program. */
   function clear() {
     shown = null;
@@ -168,6 +186,7 @@ export function createWrite(page: Page): View {
     else player.show([held], 'end', 0, at?.look);
     shown = { held, text };
     desk.fail(failedAt(held));
+    void keepRun();
   }
   /** Of a program that races nowhere there is nothing on the stage, and what was there is of another one. */
   function showNoStart(held: Held) {
@@ -269,7 +288,7 @@ export function createWrite(page: Page): View {
     arriving += 1;
     await receive(link).catch(page.complain);
     arriving -= 1;
-    begin();
+    void begin();
   }
   /** A program, and behind it where it was seen. */
   async function receive(link: string) {
@@ -278,6 +297,11 @@ export function createWrite(page: Page): View {
     const chosen = await mazeAt(page.core, moment);
     await desk.receive(program);
     linked = moment;
+    select(moment, chosen);
+  }
+  const choose = async (moment: Moment) => select(moment, await mazeAt(page.core, moment));
+  /** Chooses the maze of a link. */
+  function select(moment: Moment, chosen: MazeData | null) {
     if (!chosen) return;
     foreign = moment.builtin.length > 0 ? null : chosen;
     refresh();
@@ -296,6 +320,7 @@ export function createWrite(page: Page): View {
     prints,
     form.element,
   );
+  player.rested(() => void keepRun());
   refresh();
   return {
     element: h(
@@ -307,7 +332,7 @@ export function createWrite(page: Page): View {
     ),
     shown() {
       refresh();
-      begin();
+      void begin();
     },
     hidden: () => player.stop(),
     address: desk.address,

@@ -4,7 +4,7 @@ import { createCopyable } from '../ui/copy';
 import { field } from '../ui/field';
 import type { Page } from '../views/view';
 import { createEditor, type Editor } from './editor/editor';
-import { keep, kept, linkOf, longestProgram, readLink, type Work } from './keeping';
+import { keep, keepAside, kept, linkOf, longestProgram, readLink, type Work } from './keeping';
 import { languages } from './languages';
 import { reference } from './reference';
 
@@ -93,13 +93,15 @@ export function createDesk(
   function wrote() {
     link.element.hidden = true;
     if (foreign) return;
-    says.replaceChildren(keep(now) ? 'Kept in this browser.' : 'This browser keeps nothing: save it as a file.');
+    says.replaceChildren(
+      page.shelf.keeps() && keep(now) ? 'Kept in this browser.' : 'This browser keeps nothing: save it as a file.',
+    );
   }
   /** Keeps what stood there, in case somebody wants it back. */
   function putAside() {
     const own = kept(now.language.id);
     const isTemplate = now.language.templates.some(({ text }) => text === own?.text);
-    if (own && !isTemplate) keepAside(own);
+    if (own && !isTemplate && page.shelf.keeps()) keepAside(own, before);
   }
   function allow() {
     foreign = false;
@@ -187,10 +189,10 @@ export function createDesk(
         button('Open', openFile),
         button('Save', () => page.save(now.language.fileName, now.text)),
         button('Share', shared),
+        nameRow,
       ),
       warning,
       link.element,
-      nameRow,
       host,
       h('div', { class: 'row' }, h('span', { class: 'note' }, 'Tab indents; Escape, then Tab leads on.'), says),
       below,
@@ -209,14 +211,4 @@ export function createDesk(
     fail: (line) => editor?.fail(line),
     complain: (message) => nameRow.complain(message),
   };
-}
-
-/** Under a name of its own, beside what is being written. */
-function keepAside(work: Work) {
-  const { language, name, text } = work;
-  try {
-    localStorage.setItem(`labmouse-write-${before}`, JSON.stringify({ language: language.id, name, text }));
-  } catch {
-    // Then it is gone, as all is that such a browser holds.
-  }
 }

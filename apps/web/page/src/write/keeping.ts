@@ -1,4 +1,5 @@
 // What somebody wrote: kept in the browser, and in links. What comes back from either may be anything.
+import { besides as key } from '../shell/shelf';
 import { languages } from './languages';
 import type { Language } from './runtime';
 
@@ -8,7 +9,6 @@ export interface Work {
   text: string;
 }
 
-const key = 'labmouse-write';
 /** No program of a mouse is longer, in letters. */
 export const longestProgram = 500_000;
 
@@ -43,6 +43,15 @@ export function keep(work: Work): boolean {
     return true;
   } catch {
     return false;
+  }
+}
+
+/** Keeps it under a name of its own, beside what is being written. */
+export function keepAside(work: Work, name: string) {
+  try {
+    localStorage.setItem(`${key}-${name}`, jsonOf(work));
+  } catch {
+    // Then it is gone, as all is that such a browser holds.
   }
 }
 

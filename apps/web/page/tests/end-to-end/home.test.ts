@@ -24,18 +24,30 @@ test('a race runs at once, with its clock, both mice and the gap between them', 
   await picture(page, 'home');
 });
 
+test('it begins shortly before the two mice part, for until then they look the same', async () => {
+  const page = await open('', { reducedMotion: 'reduce' });
+  const what = () => page.locator('.lane .doing').allTextContents();
+  await expect.poll(what).toEqual(['searches', 'searches']);
+  const begun = await clock(page);
+  expect(begun).toBeGreaterThan(0);
+  await page.getByRole('button', { name: 'Run', exact: true }).click();
+  await expect.poll(async () => new Set(await what()).size).toBe(2);
+  expect(await clock(page)).toBeLessThan(begun + 30);
+});
+
 test('it stands still where it was stopped, and where less motion is asked for', async () => {
   const page = await opened();
   await page.getByRole('button', { name: 'Pause' }).click();
   const stopped = [await clock(page), await frames(page)];
   await page.getByRole('button', { name: 'Another race' }).click();
-  await expect.poll(() => clock(page)).toBe(0);
+  await expect.poll(() => clock(page)).not.toBe(stopped[0]);
   expect(await frames(page)).toBe(stopped[1]);
   const still = await opened({ reducedMotion: 'reduce' });
   await still.getByRole('button', { name: 'Run', exact: true }).waitFor();
-  expect([await clock(still), await frames(still)]).toEqual([0, 0]);
+  const [first, painted] = [await clock(still), await frames(still)];
+  expect(painted).toBe(0);
   await still.getByRole('button', { name: 'Run', exact: true }).click();
-  await expect.poll(() => clock(still)).toBeGreaterThan(0);
+  await expect.poll(() => clock(still)).toBeGreaterThan(first);
 });
 
 test('it costs nothing while another view is shown, and goes on afterwards', async () => {
@@ -49,6 +61,91 @@ test('it costs nothing while another view is shown, and goes on afterwards', asy
   await page.goBack();
   await expect.poll(() => frames(page)).toBeGreaterThan(before);
 });
+
+declare global {
+  interface Window {
+    /** Frames of the browser that the page asked for, calls of its core, and a wait for so many frames. */
+    costs: { frames: number; calls: number; pass(frames: number): Promise<void> };
+  }
+}
+
+/** Counts what the page does, from its first line on; whether its tab can be seen, the test says. */
+const counting = (hidden: boolean, options = {}) => ({
+  ...options,
+  before: (page: Page) =>
+    page.addInitScript((first) => {
+      let isHidden = first;
+      Object.defineProperty(document, 'hidden', { get: () => isHidden });
+      addEventListener('turn', () => {
+        isHidden = !isHidden;
+        document.dispatchEvent(new Event('visibilitychange'));
+      });
+      const frame = requestAnimationFrame.bind(window);
+      const pass = async (frames: number) => {
+        for (let i = 0; i < frames; ++i) await new Promise(frame);
+      };
+      window.costs = { frames: 0, calls: 0, pass };
+      window.requestAnimationFrame = (act) => (++window.costs.frames, frame(act));
+      const { postMessage } = Worker.prototype;
+      Worker.prototype.postMessage = function (this: Worker, ...message: [never]) {
+        ++window.costs.calls;
+        postMessage.apply(this, message);
+      };
+    }, hidden),
+});
+/** Hides the tab, or shows it. */
+const turn = (page: Page) => page.evaluate(() => void dispatchEvent(new Event('turn')));
+/** What the page does while the browser paints so many frames, which it does here whether the tab is seen or not. */
+const costsOf = (page: Page) =>
+  page.evaluate(async () => {
+    const { frames, calls, pass } = window.costs;
+    await pass(30);
+    return [window.costs.frames - frames, window.costs.calls - calls];
+  });
+
+/** Once the page has asked its core what it begins with, and has its answers. */
+const settled = (page: Page) => expect.poll(async () => (await costsOf(page))[1]).toBe(0);
+
+test('in a tab that is hidden it costs no frame and no call, and nothing is asked of the core before it is seen', async () => {
+  const page = await open('', counting(true));
+  await page.getByRole('button', { name: 'Watch' }).waitFor();
+  await settled(page);
+  expect(await costsOf(page)).toEqual([0, 0]);
+  expect(await page.locator('.lane').count()).toBe(0);
+  await turn(page);
+  await expect.poll(() => clock(page)).toBeGreaterThan(0);
+  await settled(page);
+  await turn(page);
+  expect(await costsOf(page)).toEqual([0, 0]);
+  const then = await clock(page);
+  await turn(page);
+  await expect.poll(() => clock(page)).toBeGreaterThan(then);
+});
+
+test('a replay in a tab that is hidden costs nothing either', async () => {
+  const page = await open('#replay', counting(false));
+  const position = () => page.getByRole('slider', { name: 'Moment of the replay' }).inputValue();
+  await expect.poll(async () => Number(await position())).toBeGreaterThan(1);
+  await settled(page);
+  await turn(page);
+  // The frame that was asked for comes still.
+  await page.evaluate(() => window.costs.pass(2));
+  expect(await costsOf(page)).toEqual([0, 0]);
+  const then = Number(await position());
+  await turn(page);
+  await expect.poll(async () => Number(await position())).toBeGreaterThan(then);
+});
+
+test.each(['', '#replay', '#live', '#race', '#write', '#draw', '#robot'])(
+  'where less motion is asked for, nothing moves by itself: %s',
+  async (hash) => {
+    const page = await open(hash, counting(false, { reducedMotion: 'reduce' }));
+    await page.locator('.stage canvas:visible').first().waitFor();
+    // What was asked of the core is answered and drawn.
+    await expect.poll(() => costsOf(page)).toEqual([0, 0]);
+    expect(await page.getByRole('button', { name: 'Pause' }).count()).toBe(0);
+  },
+);
 
 test('who wants to see it closely is taken to that moment of it', async () => {
   const page = await opened();

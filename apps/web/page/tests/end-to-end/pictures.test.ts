@@ -6,9 +6,9 @@ import { drop, native, open, temporary, replayed } from './harness';
 
 const replay = (page: Page) => page.getByRole('region', { name: 'Replay' });
 
-async function saved(page: Page, button: string): Promise<{ name: string; content: Buffer }> {
+async function saved(page: Page, button: string, place = replay(page)): Promise<{ name: string; content: Buffer }> {
   const waiting = page.waitForEvent('download', { timeout: 120_000 });
-  await replay(page).getByRole('button', { name: button, exact: true }).click();
+  await place.getByRole('button', { name: button, exact: true }).click();
   const download = await waiting;
   const path = temporary(download.suggestedFilename());
   await download.saveAs(path);
@@ -64,6 +64,25 @@ test('a PNG is as large as the stage at two pixels to one, with names and time',
   expect(ratio).toBeLessThan(2.05);
   expect(Math.abs(height / ratio - boxes[0].height - 60)).toBeLessThan(8);
   writeFileSync(temporary('seen.png'), content);
+});
+
+test('a drawing and the best route of a robot are saved, too', async () => {
+  const page = await open('#draw&in=contest-02');
+  const draw = page.getByRole('region', { name: 'Draw' });
+  await draw.getByRole('heading', { name: /contest-02/ }).waitFor();
+  const drawn = await saved(page, 'pixels', draw);
+  expect(drawn.name).toBe('contest-02.png');
+  expect(pngSize(drawn.content).height).toBeGreaterThan(1500);
+  const other = await open('#robot&in=contest-02&robot=classic');
+  const robot = other.getByRole('region', { name: 'Robot', exact: true });
+  await robot.getByRole('img', { name: /best route of contest-02/ }).waitFor();
+  const pixels = await saved(other, 'Save route (PNG)', robot);
+  expect(pixels.name).toBe('classic-contest-02.png');
+  expect(pngSize(pixels.content)).toEqual(pngSize(drawn.content));
+  const lines = (await saved(other, 'Save route (SVG)', robot)).content.toString();
+  // The route is the one long line.
+  const strokes = [...lines.matchAll(/<path d="([^"]*)" fill="none"/g)].map(([, path]) => path.split('L').length);
+  expect(strokes.filter((pieces) => pieces > 30)).toHaveLength(1);
 });
 
 test('an SVG holds the names, the time and the maze, and stands by itself', async () => {
@@ -169,7 +188,7 @@ test('a film of a long contest in a large maze leaves steps out, and says so', a
 }, 150_000);
 
 test('a film can be stopped', async () => {
-  const page = await openReplay(single);
+  const page = await openReplay('#replay&mouse=random&in=contest-02&seed=1');
   await replay(page).getByRole('button', { name: 'Save film (GIF)' }).click();
   await replay(page)
     .getByRole('button', { name: 'Stop the film' })

@@ -120,6 +120,51 @@ test('an edited robot in another maze goes into a link, and leaves the one that 
   expect(await linkOf(fresh)).toBe('#robot&in=contest-02&robot=half');
 });
 
+test('which route wins for which robot goes into a link, and stays over a reload', async () => {
+  const view = (page: Page) => page.getByRole('region', { name: 'Robot', exact: true });
+  const regions = (page: Page) => page.getByRole('region', { name: 'Which route wins', exact: true });
+  const table = (page: Page) => regions(page).getByRole('table', { name: 'Which route wins' });
+  const rows = (page: Page) => table(page).locator('tbody').textContent();
+  const question = 'vary=curve.lateral_acceleration,4000,16000.5';
+  const page = await opened('#robot&in=contest-01&robot=classic');
+  const place = regions(page);
+  const find = place.getByRole('button', { name: 'Find which route wins' });
+  await view(page)
+    .getByRole('img', { name: /best route of contest-01/ })
+    .waitFor();
+  await place.getByLabel('Vary: from').fill('4000');
+  await place.getByLabel('Vary: to').fill('16000.5');
+  await find.click();
+  await expect.poll(() => table(page).count()).toBe(1);
+  const found = await rows(page);
+  const link = await linkOf(page);
+  expect(link).toBe(`#robot&in=contest-01&robot=classic&${question}`);
+  const other = await opened(link);
+  await expect.poll(() => table(other).count()).toBe(1);
+  expect(await rows(other)).toBe(found);
+  expect(await linkOf(other)).toBe(link);
+  await kept(page, 'robot-at').toContain(question);
+  await page.reload();
+  await expect.poll(() => table(page).count()).toBe(1);
+  expect(await rows(page)).toBe(found);
+
+  // Of two numbers, while they are on their way; what the address led to is no longer shown then.
+  await regions(other).getByLabel('and', { exact: true }).selectOption('straight.acceleration');
+  await regions(other).getByLabel('and: from').fill('4000');
+  await regions(other).getByLabel('and: to').fill('20000');
+  await regions(other).getByRole('button', { name: 'Find which route wins' }).click();
+  const both = await linkOf(other);
+  expect(both).toBe(`${link}&and=straight.acceleration,4000,20000`);
+  expect(new URL(other.url()).hash).toBe('#robot');
+  await page.evaluate((hash) => (location.hash = hash), both);
+  await expect.poll(() => place.getByLabel('and: to').inputValue()).toBe('20000');
+  await place.getByText('Planning').waitFor();
+  // An edit takes them away, also from the link.
+  await page.locator('[data-key="straight.speed"]').fill('2900');
+  await place.getByText('another one now').waitFor();
+  expect(await linkOf(page)).not.toContain('vary');
+});
+
 test('the drawing and the front door have links, too', async () => {
   const draw = await opened('#draw&in=contest-02&zoom=3,8,8');
   await draw.getByRole('heading', { name: /contest-02/ }).waitFor();
@@ -137,6 +182,8 @@ const hostile: [hash: string, words: RegExp][] = [
   ['#live&mouse=flood&in=nowhere', /nowhere/],
   ['#live&mouse=flood&robot=nobody', /'nobody'/],
   ['#robot&robot=nobody', /'nobody'/],
+  ['#robot&vary=nothing,1,2', /'nothing'/],
+  ['#robot&and=straight.speed,1,2', /no first/],
   ['#race&mouse=nobody&in=capstone-1', /'nobody'/],
   ['#race&mouse=flood&in=capstone-1&runs=0', /runs=0/],
   ['#draw&maze=cut', /cut|link/],
@@ -222,6 +269,35 @@ test('a reload keeps maze, record, moment, results and drawing, until it is swit
   await withMenu(page, async (box) => expect(await box.getByLabel(/Keep what is open/).isChecked()).toBe(false));
 });
 
+test('a program that ran is there again, at its step in its maze, and is forgotten with all else', async () => {
+  const page = await open('#write');
+  const view = page.getByRole('region', { name: 'Write', exact: true });
+  const slider = view.getByRole('slider', { name: 'Moment of the replay' });
+  await view.getByRole('img', { name: 'Maze capstone-1' }).waitFor();
+  await view.getByRole('textbox', { name: 'The program' }).focus();
+  await page.keyboard.press('Control+End');
+  await page.keyboard.insertText('// mine\n');
+  await view.getByRole('combobox', { name: 'Maze' }).selectOption('contest-05');
+  await view.getByRole('button', { name: 'Run', exact: true }).click();
+  await view.getByRole('img', { name: 'Maze contest-05' }).waitFor();
+  await slider.fill('5');
+  await kept(page, 'write').toMatch(/mine.*in=contest-05&at=5/);
+  await page.reload();
+  await view.getByRole('img', { name: 'Maze contest-05' }).waitFor();
+  expect(await slider.inputValue()).toBe('5');
+
+  const programs = () => page.evaluate(() => Object.keys(localStorage).filter((key) => /write/.test(key)).length);
+  expect(await programs()).toBeGreaterThan(0);
+  await withMenu(page, async (box) => box.getByLabel(/Keep what is open/).uncheck());
+  await expect.poll(programs).toBe(0);
+  await view.getByRole('textbox', { name: 'The program' }).focus();
+  await page.keyboard.insertText('// more\n');
+  await view.getByText('keeps nothing').waitFor();
+  expect(await programs()).toBe(0);
+  await page.reload();
+  await view.getByRole('img', { name: 'Maze capstone-1' }).waitFor();
+});
+
 test('what is kept is read like a file: nonsense is left alone', async () => {
   const page = await open('#race');
   await page.evaluate(
@@ -236,6 +312,8 @@ test('what is kept is read like a file: nonsense is left alone', async () => {
           into.put({ version: 1, value: [{ record: '<b>', maze: 3 }, null] }, 'plays');
           into.put({ version: 2, value: '#live&mouse=flood&in=contest-02&seed=1' }, 'live');
           into.put({ version: 1, value: { name: 'x', text: 'cell = 180', origin: { name: 'classic' } } }, 'robot');
+          into.put({ version: 1, value: '#robot&in=nowhere' }, 'robot-at');
+          into.put({ version: 1, value: { text: 3, at: '#<b>' } }, 'write');
           into.put('drawn', 'drawing');
           into.put({ version: 1, value: 'replay&at=-1' }, 'moment');
           work.oncomplete = () => done((asking.result.close(), null));
@@ -280,12 +358,17 @@ test('on a telephone all tools are in the menu, in reach of a finger', async () 
   expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(390);
 });
 
-const documented = readFileSync(join(root, 'docs/page.md'), 'utf8').match(/^#(replay|live|race)&\S+$/gm) ?? [];
+const documented = readFileSync(join(root, 'docs/page.md'), 'utf8').match(/^#(replay|live|race|robot)&\S+$/gm) ?? [];
 
 test('the links of the documentation lead somewhere', async () => {
-  expect(documented.length).toBeGreaterThanOrEqual(3);
+  expect(documented.length).toBeGreaterThanOrEqual(4);
   const page = await opened('#draw');
-  const there = { replay: '.side canvas', live: '.verdict[data-state=good]', race: '[aria-label=Leaderboard]' };
+  const there = {
+    replay: '.side canvas',
+    live: '.verdict[data-state=good]',
+    race: '[aria-label=Leaderboard]',
+    robot: '.regions img',
+  };
   for (const link of documented) {
     await page.evaluate((hash) => (location.hash = hash), link);
     await page

@@ -75,7 +75,7 @@ const labels: Record<string, string> = {
 describe.each(views)('the stage of %s', (name, opened) => {
   const stage = (page: Page) =>
     page.getByRole('region', { name: labels[name], exact: true }).locator('.stage canvas').first();
-  const numbers = 20;
+  const numbers = 18;
   it.each([
     [desk, 760],
     [{ width: 1024, height: 700 }, 520],
@@ -84,8 +84,38 @@ describe.each(views)('the stage of %s', (name, opened) => {
     const canvas = stage(page);
     await canvas.waitFor();
     await expect.poll(async () => (await boxOf(canvas)).height - numbers).toBeGreaterThan(least);
-    await onFirstScreen(page, canvas);
+    const caption = page.locator(':is(.player, .robot-room) figcaption:visible');
+    const line = page.locator(':is(.transport, .robot-room .looks, .draw-tools):visible');
+    expect([await caption.count(), await line.count()]).toEqual([name === 'draw' ? 0 : 1, 1]);
+    await onFirstScreen(page, canvas, caption, line);
     expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(viewport.width);
+  });
+  it('has the window to itself where the panels are put away', async () => {
+    const page = await opened({ viewport: desk });
+    const canvas = stage(page);
+    await canvas.waitFor();
+    const panels = page.locator(':is(.panel, .desk-side, .desk-panel, .desk-editor, .race-stage > .race):visible');
+    await expect.poll(() => panels.count()).toBeGreaterThan(0);
+    const before = await boxOf(canvas);
+    // What has the focus may need the key itself.
+    await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
+    await page.keyboard.press('p');
+    await expect.poll(() => panels.count()).toBe(0);
+    await expect.poll(async () => (await boxOf(canvas)).height).toBeGreaterThanOrEqual(before.height);
+    // Nearer by a key and by a button, and the whole again.
+    const close = page.locator('.stage.close:visible');
+    await page.keyboard.press('z');
+    await expect.poll(() => close.count()).toBe(1);
+    await page.keyboard.press('x');
+    await expect.poll(() => close.count()).toBe(0);
+    await page.getByRole('button', { name: 'Nearer' }).click();
+    await expect.poll(() => close.count()).toBe(1);
+    await page.getByRole('button', { name: 'Full screen' }).click();
+    await expect.poll(() => page.evaluate(() => document.fullscreenElement !== null)).toBe(true);
+    await page.keyboard.press('f');
+    await expect.poll(() => page.evaluate(() => document.fullscreenElement)).toBe(null);
+    await page.getByRole('button', { name: 'The panel' }).click();
+    await expect.poll(() => panels.count()).toBeGreaterThan(0);
   });
 });
 

@@ -14,6 +14,8 @@ describe('a moment in a link', () => {
       runs: 20,
       robot: 'mm2021',
       rules: 'all-japan',
+      vary: { key: 'curve.lateral_acceleration', from: 4000, to: 16000.5 },
+      and: { key: 'straight.speed', from: 0, to: 0.000001 },
       pair: 2,
       time: 12.345,
       look: { scale: 2.5, x: 8, y: 7.125 },
@@ -57,6 +59,7 @@ describe('a link that is none', () => {
     ...['live&mouse=', 'live&mouse=a%4', 'live&seed=-1', 'live&seed=1e3', 'live&seed=9007199254740993', 'live&seed=x'],
     ...['live&budget=0', 'live&budget=1000001', 'live&seed=1&seed=2', 'race&runs=101', 'race&seed=1.5'],
     ...['replay&at=-3', 'replay&at=NaN', 'replay&at=1e9', 'replay&at=9999999999', 'replay&at=Infinity'],
+    ...['robot&vary=', 'robot&vary=a', 'robot&vary=a,1', 'robot&vary=a,1,2,3', 'robot&and=a,1,-2', 'robot&vary=a,x,2'],
     ...['replay&zoom=2', 'replay&zoom=0.5,1,1', 'replay&zoom=101,1,1', 'replay&zoom=2,-1,1', 'replay&zoom=2,1,2000'],
   ])('is refused in one line: %s', (text) => {
     expect(refused(text)).toMatch(/^.{10,200}$/);

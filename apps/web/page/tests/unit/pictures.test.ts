@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { framesFor, planFilm } from '../../src/film/plan';
-import { SvgContext } from '../../src/player/svg-context';
+import { SvgContext } from '../../src/maze/svg-context';
 import { levelEnd, levels, lossLevel } from '../../src/race/heat-paint';
 
 describe('a film', () => {

@@ -10,24 +10,61 @@ function onBorder(brush: Brush, wall: number): boolean {
   return wall < track.cells ? wall >= track.cells - g.width : (wall - track.cells) % g.width === g.width - 1;
 }
 
-/** Unknown walls as broken lines, open or not: six dashes and gaps to a cell. */
+const solid: number[] = [];
+
+/**
+ * Three dashes to a cell, on whole pixels, as a pattern that begins with the first of them; and how far that is from the
+ * cell's side.
+ */
+function dashesOf(pitch: number): { first: number; pattern: number[] } {
+  const ends = [1, 2, 3, 4, 5, 6, 8].map((part) => Math.round((part * pitch) / 7));
+  const pattern = ends.slice(1).map((end, i) => end - ends[i]);
+  return { first: ends[0], pattern };
+}
+
+/**
+ * Unknown walls as broken lines, open or not. Those in a row beside each other are one line: a maze of 32 by 32 has six
+ * thousand dashes, each of which would take as long.
+ */
 function paintUnknown(brush: Brush) {
   const { context, g, palette, track, past } = brush;
-  const width = thick(g, 0.03);
-  const back = Math.floor(width / 2);
-  context.fillStyle = palette.faint;
-  for (let wall = 0; wall < 2 * track.cells; ++wall) {
-    if (onBorder(brush, wall) || knows(past, wall)) continue;
-    const cell = wall % track.cells;
-    const x = cell % g.width;
-    const y = (cell - x) / g.width;
-    const dash = g.pitch / 7;
-    for (let i = 1; i < 7; i += 2) {
-      const at = Math.round(i * dash);
-      const length = Math.round((i + 1) * dash) - at;
-      if (wall < track.cells) context.fillRect(columnAt(g, x) + at, rowAt(g, y + 1) - back, length, width);
-      else context.fillRect(columnAt(g, x + 1) - back, rowAt(g, y + 1) + at, width, length);
-    }
+  const { first, pattern } = dashesOf(g.pitch);
+  context.strokeStyle = palette.faint;
+  context.lineWidth = thick(g, 0.03);
+  context.lineCap = 'butt';
+  context.setLineDash(pattern);
+  // Where the line's middle is, so that its rims are on whole pixels.
+  const middle = (context.lineWidth % 2) / 2;
+  context.beginPath();
+  for (let y = 0; y + 1 < g.height; ++y)
+    traceRuns(
+      g.width,
+      (x) => knows(past, y * g.width + x),
+      (from, to) => {
+        context.moveTo(columnAt(g, from) + first, rowAt(g, y + 1) + middle);
+        context.lineTo(columnAt(g, to), rowAt(g, y + 1) + middle);
+      },
+    );
+  for (let x = 0; x + 1 < g.width; ++x)
+    traceRuns(
+      g.height,
+      (y) => knows(past, track.cells + y * g.width + x),
+      (from, to) => {
+        context.moveTo(columnAt(g, x + 1) + middle, rowAt(g, to) + first);
+        context.lineTo(columnAt(g, x + 1) + middle, rowAt(g, from));
+      },
+    );
+  context.stroke();
+  context.setLineDash(solid);
+}
+
+/** Calls with the ends of each run of places that are not `out`. */
+function traceRuns(count: number, out: (place: number) => boolean, trace: (from: number, to: number) => void) {
+  for (let from = 0; from < count;) {
+    let to = from;
+    while (to < count && !out(to)) ++to;
+    if (to > from) trace(from, to);
+    from = to + 1;
   }
 }
 

@@ -1,6 +1,6 @@
 // The part of a canvas' context that the painters use, writing SVG. (Libraries for this set inline styles, which the
 // page's policy forbids.)
-import type { Context } from '../maze/painter';
+import type { Context } from './painter';
 
 const escaped = (text: string) => text.replace(/&/g, '&amp;').replace(/</g, '&lt;').replace(/"/g, '&quot;');
 const brief = (number: number) => String(Math.round(number * 100) / 100);
