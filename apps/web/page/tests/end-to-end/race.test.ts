@@ -184,6 +184,11 @@ test('the table of a report is sorted, searched, and marks references', async ()
   const page = await open('', { file: withBlock('report.html', pack(report)) });
   await leaderboard(page).waitFor();
   expect(await mice(page)).toEqual(['oraclereference', 'certify', 'flood', 'cautious'].sort(byMean));
+  // A reference is a line like all others.
+  const heights = await leaderboard(page)
+    .locator('tbody tr')
+    .evaluateAll((rows) => rows.map((row) => Math.round(row.getBoundingClientRect().height)));
+  expect(Math.max(...heights)).toBeLessThan(Math.min(...heights) + 3);
   await leaderboard(page).getByRole('button', { name: 'mouse' }).click();
   expect(await mice(page)).toEqual(['cautious', 'certify', 'flood', 'oraclereference']);
   expect(await leaderboard(page).locator('[aria-sort]').getAttribute('aria-sort')).toBe('ascending');
