@@ -45,7 +45,7 @@ export function createPlace(track: Track): Place {
 export function paintBelow(brush: Brush, plan = false) {
   const { context, g, palette, track, layers, past } = brush;
   const { draws } = track.play.traits;
-  const crowded = layers.exploration || layers.speed || layers.distances !== 'none' || draws;
+  const crowded = plan || layers.exploration || layers.speed || layers.distances !== 'none' || draws;
   paintGround(context, g, palette);
   paintFloor(brush);
   paintLetters(context, g, palette, track.maze, crowded);

@@ -41,17 +41,20 @@ export function Caption({ name, track, scene }: Pick<Side, 'name' | 'track' | 's
   return (
     <>
       <h3>
-        {name}
-        <small>
-          {' '}
-          in {maze.name}
-          <span class="size">{sizeText(maze)}</span>:{' '}
-        </small>
+        <span class="who">
+          {name}
+          <small>
+            {' '}
+            in {maze.name}
+            <span class="size">{sizeText(maze)}</span>
+          </small>
+        </span>
+        <small>: </small>
         {play.outcome}
       </h3>
       <p class="ticker">
         <span class="score">{shown === null ? '–' : decimal(shown, digits)}</span>
-        <span>{drive ? 's on the clock' : 'score so far'}</span>
+        <span>{drive ? 's on the clock' : frame < last ? 'score so far' : 'score'}</span>
         {drive && <span>{Number.isNaN(value) ? 'no run so far' : `best so far ${decimal(value)}`}</span>}
         {play.bound !== null && <span title={bound}>best possible {decimal(play.bound, digits)}</span>}
         <span>

@@ -306,6 +306,15 @@ test.each([1280, 390])('a name of any length stays in its place: %i pixels', asy
   await expect.poll(() => page.evaluate(() => document.documentElement.scrollWidth)).toBe(width);
   const numbers = await page.locator('.replay .facts').evaluate((facts) => [facts.scrollWidth, facts.clientWidth]);
   expect(numbers[0]).toBeLessThanOrEqual(numbers[1]);
+  // How it ended is not cut off with it.
+  const beyond = await page.locator('.replay figcaption h3').evaluateAll((heads) =>
+    heads.map((head) => {
+      const outcome = document.createRange();
+      outcome.selectNodeContents(head.lastChild!);
+      return outcome.getBoundingClientRect().right - head.getBoundingClientRect().right;
+    }),
+  );
+  expect(Math.max(...beyond)).toBeLessThan(1);
   await picture(page, `replay-long-names-${width}`);
 });
 
