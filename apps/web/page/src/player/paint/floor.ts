@@ -1,7 +1,8 @@
 // Layers that colour the floor. Plates leave a rim of what lies below them.
+import { columnAt, rowAt } from '../../maze/geometry';
 import { fillCell, paintPlates } from '../../maze/painter';
 import { colourSlot } from '../mms-changes';
-import { thick, type Brush } from './brush';
+import { eachRun, thick, type Brush } from './brush';
 import { paintDistanceTones } from './distances';
 import { mmsColours } from './mms-colours';
 
@@ -13,11 +14,15 @@ export function heatLevel(visits: number, most: number, levels: number): number 
 
 function paintHeat({ context, g, palette, past, track }: Brush) {
   const { heat } = palette;
+  const levelOf = (cell: number) => heatLevel(past.visits[cell], track.mostVisits, heat.length);
   for (let level = 1; level <= heat.length; ++level) {
     context.fillStyle = heat[level - 1];
-    for (let cell = 0; cell < track.cells; ++cell)
-      if (heatLevel(past.visits[cell], track.mostVisits, heat.length) === level)
-        fillCell(context, g, cell % g.width, Math.floor(cell / g.width));
+    for (let y = 0; y < g.height; ++y)
+      eachRun(
+        g.width,
+        (x) => levelOf(y * g.width + x) === level,
+        (from, to) => context.fillRect(columnAt(g, from), rowAt(g, y + 1), (to - from) * g.pitch, g.pitch),
+      );
   }
 }
 

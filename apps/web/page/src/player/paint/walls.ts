@@ -2,13 +2,7 @@
 import { columnAt, rowAt } from '../../maze/geometry';
 import { fillBorder, fillWall, paintPosts } from '../../maze/painter';
 import { knows } from '../past';
-import { thick, type Brush } from './brush';
-
-/** Whether a wall is closed where it does not depend on the mouse: on the border. */
-function onBorder(brush: Brush, wall: number): boolean {
-  const { g, track } = brush;
-  return wall < track.cells ? wall >= track.cells - g.width : (wall - track.cells) % g.width === g.width - 1;
-}
+import { eachRun, thick, type Brush } from './brush';
 
 const solid: number[] = [];
 
@@ -22,10 +16,7 @@ function dashesOf(pitch: number): { first: number; pattern: number[] } {
   return { first: ends[0], pattern };
 }
 
-/**
- * Unknown walls as broken lines, open or not. Those in a row beside each other are one line: a maze of 32 by 32 has six
- * thousand dashes, each of which would take as long.
- */
+/** Unknown walls as broken lines, open or not. */
 function paintUnknown(brush: Brush) {
   const { context, g, palette, track, past } = brush;
   const { first, pattern } = dashesOf(g.pitch);
@@ -37,18 +28,18 @@ function paintUnknown(brush: Brush) {
   const middle = (context.lineWidth % 2) / 2;
   context.beginPath();
   for (let y = 0; y + 1 < g.height; ++y)
-    traceRuns(
+    eachRun(
       g.width,
-      (x) => knows(past, y * g.width + x),
+      (x) => !knows(past, y * g.width + x),
       (from, to) => {
         context.moveTo(columnAt(g, from) + first, rowAt(g, y + 1) + middle);
         context.lineTo(columnAt(g, to), rowAt(g, y + 1) + middle);
       },
     );
   for (let x = 0; x + 1 < g.width; ++x)
-    traceRuns(
+    eachRun(
       g.height,
-      (y) => knows(past, track.cells + y * g.width + x),
+      (y) => !knows(past, track.cells + y * g.width + x),
       (from, to) => {
         context.moveTo(columnAt(g, x + 1) + middle, rowAt(g, to) + first);
         context.lineTo(columnAt(g, x + 1) + middle, rowAt(g, from));
@@ -58,20 +49,24 @@ function paintUnknown(brush: Brush) {
   context.setLineDash(solid);
 }
 
-/** Calls with the ends of each run of places that are not `out`. */
-function traceRuns(count: number, out: (place: number) => boolean, trace: (from: number, to: number) => void) {
-  for (let from = 0; from < count;) {
-    let to = from;
-    while (to < count && !out(to)) ++to;
-    if (to > from) trace(from, to);
-    from = to + 1;
-  }
-}
-
-function paintClosed(brush: Brush, known: boolean) {
-  const { context, g, track, past } = brush;
-  for (let wall = 0; wall < track.closed.length; ++wall)
-    if (track.closed[wall] !== 0 && !onBorder(brush, wall) && knows(past, wall) === known) fillWall(context, g, wall);
+/** Those within the border. */
+function paintClosed({ context, g, track, past }: Brush, known: boolean) {
+  const isOne = (wall: number) => track.closed[wall] !== 0 && knows(past, wall) === known;
+  const back = Math.floor(g.wall / 2);
+  for (let y = 0; y + 1 < g.height; ++y)
+    eachRun(
+      g.width,
+      (x) => isOne(y * g.width + x),
+      (from, to) =>
+        context.fillRect(columnAt(g, from) - back, rowAt(g, y + 1) - back, (to - from) * g.pitch + g.wall, g.wall),
+    );
+  for (let x = 0; x + 1 < g.width; ++x)
+    eachRun(
+      g.height,
+      (y) => isOne(track.cells + y * g.width + x),
+      (from, to) =>
+        context.fillRect(columnAt(g, x + 1) - back, rowAt(g, to) - back, g.wall, (to - from) * g.pitch + g.wall),
+    );
 }
 
 /** Walls that a program for mms drew. */
