@@ -1,30 +1,32 @@
-// Flood fill: takes unseen walls for open, goes to where the goal is
-// nearest, then races on what it has seen.
+// Flood fill: takes unseen walls for open, goes to where the
+// goal is nearest, then races on what it has seen.
+
 // Cells; longer steps search faster and see less.
 const LONGEST_STEP_OF_SEARCH = 1;
 // To the north, east, south and west.
 const WAYS = [[0, 1], [1, 0], [0, -1], [-1, 0]];
 const goals = [];
-// True is open, false is closed; what is missing has not been seen.
+// True is open, false is closed; what is missing has not been
+// seen.
 const walls = new Map();
 let width, height, stride, start, x, y, heading, racing = false;
 
-// The wall of a cell on that side, under one name from both of its
-// sides.
+// The wall of a cell on that side, under one name from both
+// of its sides.
 function wallOf(x, y, way) {
   return way < 2 ? `${x},${y},${way}` : `${x + WAYS[way][0]},${y + WAYS[way][1]},${way - 2}`;
 }
 const isInside = (x, y) => x >= 0 && y >= 0 && x < width && y < height;
 
-// Whether the mouse takes the wall for open. In a race it trusts only
-// what it has seen.
+// Whether the mouse takes the wall for open. In a race it
+// trusts only what it has seen.
 function isOpen(x, y, way) {
   if (!isInside(x + WAYS[way][0], y + WAYS[way][1])) return false;
   return walls.get(wallOf(x, y, way)) ?? !racing;
 }
 
-// Steps from each cell to the nearest of the targets, for steps of up
-// to so many cells.
+// Steps from each cell to the nearest of the targets, for
+// steps of up to so many cells.
 function flood(targets, longest) {
   const steps = new Map(targets.map(([x, y]) => [`${x},${y}`, 0]));
   const queue = [...targets];
@@ -40,8 +42,8 @@ function flood(targets, longest) {
   return steps;
 }
 
-// The step that leads nearest to the targets: ahead rather than to a
-// side, and a turn where they lie behind.
+// The step that leads nearest to the targets: ahead rather
+// than to a side, and a turn where they lie behind.
 function towards(targets, longest) {
   const steps = flood(targets, longest);
   let best = { steps: Infinity, degrees: 90, cells: 0 };
@@ -58,8 +60,8 @@ function towards(targets, longest) {
   return best;
 }
 
-// One step: `left`, `ahead` and `right` are the open cells up to the
-// next wall.
+// One step: `left`, `ahead` and `right` are the open cells up
+// to the next wall.
 function decide(left, ahead, right) {
   look(-1, left);
   look(0, ahead);
@@ -76,14 +78,15 @@ function decide(left, ahead, right) {
   return `move ${degrees} ${cells}`;
 }
 
-// Keeps what a reading says: so many open walls, then a closed one.
+// Keeps what a reading says: so many open walls, then a
+// closed one.
 function look(turn, open) {
   const way = (heading + turn + 4) % 4;
   for (let n = 0; n <= open; n++) walls.set(wallOf(x + n * WAYS[way][0], y + n * WAYS[way][1], way), n < open);
 }
 
-// The conversation with the host, line by line. Notes for yourself go
-// to console.error.
+// The conversation with the host, line by line. Notes for
+// yourself go to console.error.
 require('readline').createInterface({ input: process.stdin }).on('line', (line) => {
   const [word, ...rest] = line.split(' ');
   const [a, b, c] = rest.map(Number);

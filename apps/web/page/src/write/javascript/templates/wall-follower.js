@@ -1,5 +1,7 @@
-// Keeps its left hand on the wall until it enters a goal. Lost where the
-// goal stands free: what would you do about that?
+// Keeps its left hand on the wall until it enters a goal.
+// Lost where the goal stands free: what would you do about
+// that?
+
 // To the north, east, south and west.
 const WAYS = [[0, 1], [1, 0], [0, -1], [-1, 0]];
 const goals = new Set();
@@ -9,8 +11,8 @@ let start, cell, heading, racing = false;
 
 const nameOf = ([x, y]) => `${x},${y}`;
 
-// Turns by -90, 0 or 90 degrees, then goes so many cells; `way` is
-// where it looks then.
+// Turns by -90, 0 or 90 degrees, then goes so many cells;
+// `way` is where it looks then.
 function move(degrees, cells) {
   heading = (heading + degrees / 90 + 4) % 4;
   if (cells > 0) lastWay.set(nameOf(cell), heading);
@@ -18,8 +20,8 @@ function move(degrees, cells) {
   return `move ${degrees} ${cells}`;
 }
 
-// One step: `left`, `ahead` and `right` are the open cells up to the
-// next wall.
+// One step: `left`, `ahead` and `right` are the open cells up
+// to the next wall.
 function decide(left, ahead, right) {
   if (!racing && goals.has(nameOf(cell))) {
     racing = true;
@@ -36,8 +38,8 @@ function decide(left, ahead, right) {
   return move(90, 0); // a dead end: it turns round, in two steps
 }
 
-// The conversation with the host, line by line. Notes for yourself go
-// to console.error.
+// The conversation with the host, line by line. Notes for
+// yourself go to console.error.
 require('readline').createInterface({ input: process.stdin }).on('line', (line) => {
   const [word, ...rest] = line.split(' ');
   const [a, b, c] = rest.map(Number);
