@@ -270,7 +270,9 @@ export function createWrite(page: Page): View {
       h('h2', {}, `What ${name} lost where`),
       losses(contests, (held) => {
         show(held, text);
-        player.element.scrollIntoView({ block: 'nearest' });
+        maze.value = held.play.maze.name;
+        refresh();
+        player.element.scrollIntoView();
       }),
       h(
         'p',

@@ -16,6 +16,15 @@ async function walked(options: object) {
   await page.locator('.live .stage canvas').waitFor();
   return page;
 }
+/** Live, with the walk from before a change beside it. */
+async function walkedTwice(options: object) {
+  const page = await walked(options);
+  await page.getByRole('region', { name: 'Mouse' }).getByLabel('Name').selectOption('certify');
+  await page.getByLabel('Compare with before').check();
+  await page.locator('.live .stage canvas').nth(1).waitFor();
+  await page.evaluate(() => scrollTo(0, 0));
+  return page;
+}
 const boxOf = async (place: Locator) => (await place.boundingBox())!;
 /** All of it is in the window as it was opened. */
 async function onFirstScreen(page: Page, ...places: Locator[]) {
@@ -131,7 +140,7 @@ test('on a telephone maze, controls and slider are on the first screen, also wit
   const options = { viewport: phone, hasTouch: true };
   const slider = (page: Page) => page.getByRole('slider', { name: 'Moment of the replay' });
   const [raced, written] = ['race', 'write'].map((name) => views.find(([view]) => view === name)![1]);
-  const opened = [() => replayed('ariadne and flood', options), walked, raced, written];
+  const opened = [() => replayed('ariadne and flood', options), walked, walkedTwice, raced, written];
   for (const open of opened) {
     const page = await open(options);
     await slider(page).waitFor();

@@ -91,6 +91,12 @@ test('one change, a name, and it stands on the leaderboard', async () => {
   await page.getByRole('link', { name: 'Write', exact: true }).click();
   expect(await board.locator('tr.own').allTextContents()).toEqual([expect.stringMatching(/^long-legs★ yours\d/)]);
   expect(await board.getByText('★ yours').count()).toBe(1);
+  // A contest that it lost much in is brought into sight as a whole, and its maze is where it runs next.
+  await view(page).getByRole('button', { name: 'contest-05' }).click();
+  const header = (await page.getByRole('banner').boundingBox())!;
+  const caption = (await view(page).locator('figcaption').boundingBox())!;
+  expect(caption.y).toBeGreaterThanOrEqual(header.height);
+  expect(await view(page).getByRole('combobox', { name: 'Maze' }).inputValue()).toBe('contest-05');
   await write(page, changed.replace('LONGEST_STEP_OF_SEARCH = 2', 'LONGEST_STEP_OF_SEARCH = 3'));
   await mazes.getByLabel('contest-05', { exact: true }).uncheck();
   await button(page, 'Race').click();
