@@ -28,7 +28,7 @@ using namespace std::chrono_literals;
 namespace fs = std::filesystem;
 
 /// How often a wait looks whether it shall stop: a signal wakes only one thread of a program.
-constexpr auto glance = 50ms;
+constexpr auto glance = 10ms;
 /// A program that ends closes its output first; one that has not ended after so long has only closed it.
 constexpr auto between_both = 500ms;
 /// How long a guest that waits for no reply may write on before it is read again; line by line, none fills its pipe

@@ -144,7 +144,7 @@ TEST_F(LearnedMice, CanBeTaughtWhereTheirPriorIsTheDefault) {
 TEST_F(LearnedMice, RaceAsIfTheyHadAFileOfTheMazesThatTheyAreTaughtWith) {
   const std::vector<NamedMaze> training = mazes(5);
   const std::string learned = file("five.prior", file_of(hold_lesson(training, *home_world())));
-  const Contestant taught = mouse("ariadne:travel=30").taught(pointers_to(training), Rules());
+  const Contestant taught = mouse("ariadne:travel=30").taught(pointers_to(training), Rules(), nullptr);
   EXPECT_EQ(taught.name, "ariadne:travel=30");
   const Contestant from_file = mouse("ariadne:travel=30:prior=" + learned);
   EXPECT_EQ(runs_of(taught), runs_of(from_file));

@@ -211,5 +211,13 @@ TEST(LearnPrior, DependsNotOnTheOrder) {
   EXPECT_NE(learn_prior(forwards, {}), learn_prior(alone, {}));
 }
 
+TEST(LearnPrior, ExploresNothingOnceItIsStopped) {
+  const Maze maze = test::loop().maze;
+  const std::vector<const Maze*> mazes = {&maze};
+  const std::atomic<bool> stop = true;
+  EXPECT_EQ(learn_prior(mazes, {}, &stop), learn_prior({}, {}));
+  EXPECT_NE(learn_prior(mazes, {}), learn_prior({}, {}));
+}
+
 }  // namespace
 }  // namespace labmouse

@@ -61,7 +61,8 @@ class Pupil {
   Contestant contestant() const {
     Contestant mouse = test::mice("flood").front();
     mouse.name = "pupil";
-    mouse.taught = [lessons = lessons_](const std::vector<const Maze*>& training, const Rules&) {
+    mouse.taught = [lessons = lessons_](const std::vector<const Maze*>& training, const Rules&,
+                                        const std::atomic<bool>*) {
       lessons->push_back(training.size());
       Contestant taught = test::mice("flood:stride=1").front();
       std::vector<Maze> seen;
@@ -238,6 +239,25 @@ TEST(Study, ThatIsStoppedAtOnceSaysSo) {
   const auto json = nlohmann::json::parse(json_of(study, {}));
   EXPECT_EQ(json["stopped"], true);
   EXPECT_TRUE(json["comparisons"][0]["mean_difference"].is_null());
+}
+
+TEST(Study, ThatIsStoppedWhileItTeachesTeachesNoOther) {
+  std::atomic<bool> stop = false;
+  const Pupil pupil;
+  Contestant first = pupil.contestant(), second = pupil.contestant();
+  second.name = "second";
+  first.taught = [&, teach = first.taught](const std::vector<const Maze*>& training, const Rules& rules,
+                                           const std::atomic<bool>* heard) {
+    EXPECT_EQ(heard, &stop);
+    stop = true;
+    return teach(training, rules, heard);
+  };
+  StudyHooks hooks;
+  hooks.stop = &stop;
+  const Study study = hold_study({first, second}, halls(4), folded(2), hooks);
+  EXPECT_TRUE(study.race.stopped);
+  EXPECT_EQ(study.folds_done, 0);
+  EXPECT_THAT(pupil.lessons(), SizeIs(1));
 }
 
 std::vector<std::string> pairs_of(const Study& study) {

@@ -284,6 +284,58 @@ TEST_P(AWorld, IsLeftHalfDoneWhereItIsStopped) {
   EXPECT_EQ(json["mice"][0]["results"].size() + json["mice"][1]["results"].size(), 1U);
 }
 
+TEST_P(AWorld, KnowsNothingWhereItIsStoppedAtOnce) {
+  const std::atomic<bool> stop = true;
+  RaceHooks hooks;
+  hooks.stop = &stop;
+  const Race held = hold_race(mice(), mazes(), order(), hooks);
+  EXPECT_TRUE(held.stopped);
+  for (const MazeFacts& facts : held.facts) EXPECT_FALSE(facts.found);
+  const std::string table = table_of(held, false);
+  EXPECT_THAT(table, Says("Stopped", fmt::format("0 of {} contests", held.results.size())));
+  EXPECT_THAT(table, Not(HasSubstr(std::string(held.world().why_no_bound()))));
+  EXPECT_THAT(part_of(json_of(held, {})).at("mazes"), SizeIs(mazes().size()));
+}
+
+/// Does what another mind does, and stops its race with a decision.
+class Stopper final : public Strategy {
+ public:
+  Stopper(std::unique_ptr<Strategy> mouse, int last, std::atomic<bool>& stop, std::atomic<int>& decisions)
+      : mouse_(std::move(mouse)), last_(last), stop_(stop), decisions_(decisions) {}
+
+  Action decide(const Sighting& seen) override {
+    if (++decisions_ == last_) stop_ = true;
+    return mouse_->decide(seen);
+  }
+  void show(const Pose& pose, const Sighting& seen) override { mouse_->show(pose, seen); }
+  const Knowledge& knowledge() const override { return mouse_->knowledge(); }
+
+ private:
+  std::unique_ptr<Strategy> mouse_;
+  int last_;
+  std::atomic<bool>& stop_;
+  std::atomic<int>& decisions_;
+};
+
+TEST_P(AWorld, AsksAMouseForNothingOnceItIsStopped) {
+  if (GetParam()->name == "mms") return;  // there mice are programs, which are ended
+  std::atomic<bool> stop = false;
+  std::atomic<int> decisions = 0;
+  Contestant mouse = test::mice("flood").front();
+  mouse.make = [&, make = mouse.make](const Maze& maze, const Rules& rules, std::uint64_t seed) {
+    return std::make_unique<Stopper>(make(maze, rules, seed), 3, stop, decisions);
+  };
+  mouse.drive = [&, drive = mouse.drive](const Maze& maze, const Briefing& briefing) {
+    return std::make_unique<Stopper>(drive(maze, briefing), 3, stop, decisions);
+  };
+  RaceHooks hooks;
+  hooks.stop = &stop;
+  const Race held = hold_race({mouse}, {test::loop()}, order(1), hooks);
+  EXPECT_EQ(decisions, 3);
+  EXPECT_TRUE(held.stopped);
+  EXPECT_FALSE(held.results.front().done);
+}
+
 TEST_P(AWorld, HasStudies) {
   StudyOrder order;
   order.race = this->order();

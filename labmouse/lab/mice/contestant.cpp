@@ -19,8 +19,9 @@ void rename(Contestant& mouse, const std::string& name) {
   mouse.spec = spec_of(mouse);
   mouse.name = name;
   if (!mouse.taught) return;
-  mouse.taught = [teach = mouse.taught, name](const std::vector<const Maze*>& training, const Rules& rules) {
-    Contestant pupil = teach(training, rules);
+  mouse.taught = [teach = mouse.taught, name](const std::vector<const Maze*>& training, const Rules& rules,
+                                              const std::atomic<bool>* stop) {
+    Contestant pupil = teach(training, rules, stop);
     rename(pupil, name);
     return pupil;
   };

@@ -72,8 +72,10 @@ struct Contestant {
   std::function<std::string()> identity;
   /// Only of a mouse that learns from whole mazes before it races: the same mouse with what these mazes teach in place
   /// of what it brings along. Studies call it with the mazes of all folds but one, in the order of their names; it may
-  /// remember nothing from one call to the next, must give equal mice for equal mazes, and keeps uses_chance.
-  std::function<Contestant(const std::vector<const Maze*>& training, const Rules&)> taught;
+  /// remember nothing from one call to the next, must give equal mice for equal mazes, and keeps uses_chance. Once
+  /// `stop`, which may be null, is true, it learns no more, and the mouse is not to be raced.
+  std::function<Contestant(const std::vector<const Maze*>& training, const Rules&, const std::atomic<bool>* stop)>
+      taught;
 };
 
 /// The SPEC of a mouse, whatever it is called.

@@ -177,9 +177,10 @@ PriorFit fit_of(const PriorCounts& counts) {
   return fit;
 }
 
-WallPrior learn_prior(std::span<const Maze* const> mazes, const Rules& rules) {
+WallPrior learn_prior(std::span<const Maze* const> mazes, const Rules& rules, const std::atomic<bool>* stop) {
   PriorCounts counts;
-  for (const Maze* maze : mazes) counts.explore(*maze, rules);
+  for (const Maze* maze : mazes)
+    if (stop == nullptr || !stop->load()) counts.explore(*maze, rules);
   return prior_of(counts);
 }
 

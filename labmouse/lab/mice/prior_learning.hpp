@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <span>
 
@@ -48,7 +49,7 @@ struct PriorFit {
 };
 PriorFit fit_of(const PriorCounts& counts);
 
-/// The prior that mazes teach. Their order makes no difference.
-WallPrior learn_prior(std::span<const Maze* const> mazes, const Rules& rules);
+/// The prior that mazes teach. Their order makes no difference. Once `stop` is true no other maze is explored.
+WallPrior learn_prior(std::span<const Maze* const> mazes, const Rules& rules, const std::atomic<bool>* stop = nullptr);
 
 }  // namespace labmouse

@@ -50,9 +50,10 @@ Contestant contestant_of(const RosterEntry& entry, Settings settings) {
       return entry.make(briefing, settings);
     };
   if (can_learn(entry, settings))
-    contestant.taught = [&entry, settings](const std::vector<const Maze*>& training, const Rules& rules) {
+    contestant.taught = [&entry, settings](const std::vector<const Maze*>& training, const Rules& rules,
+                                           const std::atomic<bool>* stop) {
       Settings learned = settings;
-      learned.attach(std::make_shared<const WallPrior>(learn_prior(training, rules)));
+      learned.attach(std::make_shared<const WallPrior>(learn_prior(training, rules, stop)));
       return contestant_of(entry, std::move(learned));
     };
   contestant.settings = std::move(settings);

@@ -14,6 +14,20 @@ int runs_of(const Contestant& mouse, const RaceOrder& order) {
   return mouse.uses_chance || order.world->throws_dice() ? order.runs : 1;
 }
 
+bool is_stopped(const RaceHooks& hooks) { return hooks.stop != nullptr && hooks.stop->load(); }
+
+/// Finds what the world knows of the mazes; false where it was stopped before it knew all.
+bool find_facts(Race& race, const RaceHooks& hooks) {
+  MazeFacts unknown;
+  unknown.found = false;
+  unknown.figures.resize(race.world().fields().maze.size(), nullptr);
+  race.facts.resize(race.mazes.size(), unknown);
+  for_each_parallel(race.mazes.size(), race.order.jobs, [&](std::size_t i) {
+    if (!is_stopped(hooks)) race.facts[i] = race.world().facts(race.mazes[i].maze);
+  });
+  return std::all_of(race.facts.begin(), race.facts.end(), [](const MazeFacts& facts) { return facts.found; });
+}
+
 /// In turn to each shard, so that no mouse is slow in one of them alone.
 void list_contests(Race& race) {
   std::size_t number = 0;
@@ -63,14 +77,11 @@ Race hold_race(std::vector<Contestant> mice, std::vector<NamedMaze> mazes, const
   const auto by_name = [](const auto& a, const auto& b) { return a.name < b.name; };
   std::sort(race.mice.begin(), race.mice.end(), by_name);
   std::sort(race.mazes.begin(), race.mazes.end(), by_name);
-  race.facts.resize(race.mazes.size());
-  for_each_parallel(race.mazes.size(), order.jobs,
-                    [&](std::size_t i) { race.facts[i] = race.world().facts(race.mazes[i].maze); });
   list_contests(race);
-  recall(race, hooks);
+  if (find_facts(race, hooks)) recall(race, hooks);
   std::mutex telling;
   for_each_parallel(race.results.size(), order.jobs, [&](std::size_t i) {
-    if (hooks.stop != nullptr && hooks.stop->load()) return;
+    if (is_stopped(hooks)) return;
     ContestResult& result = race.results[i];
     if (result.done || (order.store && order.store->failed())) return;
     const Held held = race.world().hold(race, result, hooks.keep ? hooks.keep(result) : Keep(), hooks.stop);

@@ -69,7 +69,7 @@ struct RaceHooks {
   /// Called after each contest, from any thread but never from two at once. Of one that the store had, nothing is held
   /// again and the last argument is empty.
   std::function<void(const Race&, const ContestResult&, const Held&)> finished;
-  /// Asked before each contest; once it is true no other begins.
+  /// Asked before each contest and each decision; once it is true no other begins.
   const std::atomic<bool>* stop = nullptr;
 };
 

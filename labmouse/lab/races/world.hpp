@@ -38,6 +38,8 @@ struct MazeFacts {
   std::vector<Value> figures;
   /// For the world alone: what it would otherwise find out again for each contest.
   std::any prepared;
+  /// False where a race was stopped before it asked; then nothing is known.
+  bool found = true;
 };
 
 /// What is to be kept of a contest, besides its result.

@@ -9,6 +9,7 @@
 #include "labmouse/contest/drive_score.hpp"
 #include "labmouse/lab/bounds/drive_bound.hpp"
 #include "labmouse/lab/mice/specs.hpp"
+#include "labmouse/lab/mice/stoppable.hpp"
 #include "labmouse/lab/pictures/drive_picture.hpp"
 #include "labmouse/lab/records/drive_json.hpp"
 #include "labmouse/lab/robots/robot_json.hpp"
@@ -124,19 +125,22 @@ class SecondsWorld final : public World {
             Prepared{bound, reachable_cells(maze)}};
   }
 
-  Held hold(const Race& race, ContestResult& result, Keep keep, const std::atomic<bool>*) const override {
+  Held hold(const Race& race, ContestResult& result, Keep keep, const std::atomic<bool>* stop) const override {
     const Contestant& mouse = race.mice[result.mouse];
     const NamedMaze& maze = race.mazes[result.maze];
     const auto& prepared = std::any_cast<const Prepared&>(race.facts[result.maze].prepared);
     const auto mind = mouse.drive(maze.maze, brief(maze.maze, rules_, *model_, result.seed));
-    DriveRecord record = drive(maze.maze, rules_, *model_, *mind);
+    Stoppable stoppable(*mind, stop);
+    DriveRecord record = drive(maze.maze, rules_, *model_, stoppable);
+    const bool interrupted = record.reason == ForfeitReason::interrupted;
+    if (interrupted && !keep.record && !keep.picture) return {};
     const DriveScore score = labmouse::score(record, rules_);
     result.outcome = outcome_of(record, score);
     result.figures = figures_of(record, score, prepared.bound, coverage_of(record, maze.maze, prepared.reachable),
                                 mind->last_words());
     if (!mind->started()) result.never_started = mind->last_words().substr(0, mind->last_words().find('\n'));
     if (score.value() && best_of(score)) add_score(*score.value(), prepared.bound, result);
-    result.done = record.reason != ForfeitReason::interrupted;
+    result.done = !interrupted;
     return kept(mouse, maze, result.seed, std::move(record), keep);
   }
 

@@ -68,7 +68,7 @@ std::string left_out_of(const Race& race) {
   int closed = 0;
   std::string first;
   for (std::size_t maze = 0; maze < race.mazes.size(); ++maze)
-    if (!race.facts[maze].bound && closed++ == 0) first = shown(race.mazes[maze].name);
+    if (race.facts[maze].found && !race.facts[maze].bound && closed++ == 0) first = shown(race.mazes[maze].name);
   if (closed == 0) return "";
   return fmt::format("Left out of all means: {} {} ({}{}).\n", counted(closed, "maze", "mazes"),
                      race.world().why_no_bound(), first, closed > 1 ? ", ..." : "");

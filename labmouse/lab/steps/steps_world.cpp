@@ -10,6 +10,7 @@
 #include "labmouse/contest/score.hpp"
 #include "labmouse/contest/simulator.hpp"
 #include "labmouse/lab/bounds/bounds.hpp"
+#include "labmouse/lab/mice/stoppable.hpp"
 #include "labmouse/lab/steps/steps_fields.hpp"
 #include "labmouse/lab/steps/steps_figures.hpp"
 #include "labmouse/lab/steps/steps_files.hpp"
@@ -42,10 +43,12 @@ class Timed final : public Strategy {
 };
 
 /// Holds a contest, or takes one that was held before.
-EarlierContest contest_of(const Contestant& mouse, const NamedMaze& maze, const Rules& rules, std::uint64_t seed) {
+EarlierContest contest_of(const Contestant& mouse, const NamedMaze& maze, const Rules& rules, std::uint64_t seed,
+                          const std::atomic<bool>* stop) {
   if (mouse.earlier) return mouse.earlier(maze.name, seed);
   const auto mind = mouse.make(maze.maze, rules, seed);
-  Timed timed(*mind);
+  Stoppable stoppable(*mind, stop);
+  Timed timed(stoppable);
   RunRecord record = run(maze.maze, rules, timed);
   return {std::move(record), mind->started(), timed.microseconds()};
 }
@@ -129,11 +132,13 @@ class StepsWorld final : public World {
     return {bound.score, {or_none(bound.optimum)}, reachable_cells(maze)};
   }
 
-  Held hold(const Race& race, ContestResult& result, Keep keep, const std::atomic<bool>*) const override {
+  Held hold(const Race& race, ContestResult& result, Keep keep, const std::atomic<bool>* stop) const override {
     const Contestant& mouse = race.mice[result.mouse];
     const NamedMaze& maze = race.mazes[result.maze];
     const MazeFacts& facts = race.facts[result.maze];
-    auto [record, started, microseconds] = contest_of(mouse, maze, rules_, result.seed);
+    auto [record, started, microseconds] = contest_of(mouse, maze, rules_, result.seed, stop);
+    const bool interrupted = reason_of(record) == ForfeitReason::interrupted;
+    if (interrupted && !keep.record && !keep.picture) return {};
     const Score score = labmouse::score(record, rules_);
     const auto& reachable = std::any_cast<const CellSet&>(facts.prepared);
     result.outcome = outcome_of(record);
@@ -145,7 +150,7 @@ class StepsWorld final : public World {
     if (score.value && facts.bound) result.ratio = *score.value / *facts.bound;
     result.figures = figures_of(record, score, coverage_of(record, maze.maze.size(), reachable),
                                 missteps_of(record, rules_), microseconds);
-    result.done = reason_of(record) != ForfeitReason::interrupted;
+    result.done = !interrupted;
     return kept(mouse, maze, rules_, result.seed, std::move(record), keep);
   }
 

@@ -37,7 +37,7 @@ std::vector<Contestant> taught(const std::vector<Contestant>& mice, const Study&
   std::vector<Contestant> pupils;
   for (const Contestant& mouse : mice) {
     const bool learns = mouse.taught && study.order.learning && !stopping(hooks);
-    pupils.push_back(learns ? mouse.taught(training, study.order.race.world->lesson_rules()) : mouse);
+    pupils.push_back(learns ? mouse.taught(training, study.order.race.world->lesson_rules(), hooks.stop) : mouse);
     // A race stands in the order of names, and all folds in the same one.
     pupils.back().name = mouse.name;
   }
@@ -129,7 +129,9 @@ Study hold_study(const std::vector<Contestant>& mice, std::vector<NamedMaze> maz
     race_hooks.finished = [&](const Race&, const ContestResult&, const Held&) { hooks.finished(all); };
   std::vector<Race> races;
   for (int fold = 0; fold < order.folds; ++fold) {
-    Race race = hold_race(taught(mice, study, deal, fold, hooks), held_out(study, deal, fold), order.race, race_hooks);
+    std::vector<Contestant> pupils = taught(mice, study, deal, fold, hooks);
+    if (stopping(hooks)) break;
+    Race race = hold_race(std::move(pupils), held_out(study, deal, fold), order.race, race_hooks);
     // Part of a fold would count some mazes for some mice only.
     if (race.stopped) break;
     races.push_back(std::move(race));

@@ -1,0 +1,36 @@
+// A mind that decides no more once its contest is stopped.
+#pragma once
+
+#include <atomic>
+#include <span>
+#include <string_view>
+
+#include "labmouse/mouse/strategy.hpp"
+
+namespace labmouse {
+
+/// Stands before a mind, which must outlive it, and asks before each of its decisions. A contest that was stopped ends
+/// as a forfeit, interrupted.
+class Stoppable final : public Strategy {
+ public:
+  /// `stop` may be null: then nothing stops it.
+  Stoppable(Strategy& mouse, const std::atomic<bool>* stop) : mouse_(mouse), stop_(stop) {}
+
+  Action decide(const Sighting& seen) override {
+    if (stop_ != nullptr && stop_->load(std::memory_order_relaxed)) return Action::forfeit(ForfeitReason::interrupted);
+    return mouse_.decide(seen);
+  }
+  void show(const Pose& pose, const Sighting& seen) override { mouse_.show(pose, seen); }
+  const Knowledge& knowledge() const override { return mouse_.knowledge(); }
+  std::span<const Counter> counters() const override { return mouse_.counters(); }
+  std::string_view last_words() override { return mouse_.last_words(); }
+  bool started() const override { return mouse_.started(); }
+  void keep_reasons() override { mouse_.keep_reasons(); }
+  const Reasons* reasons() const override { return mouse_.reasons(); }
+
+ private:
+  Strategy& mouse_;
+  const std::atomic<bool>* stop_;
+};
+
+}  // namespace labmouse
