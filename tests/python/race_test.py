@@ -45,6 +45,12 @@ def test_a_race_in_mms_gives_the_numbers_of_the_command(programs, command, tmp_p
     assert len(race.table) == len(MAZES)
 
 
+def test_all_figures_of_the_table_are_numbers():
+    table = labmouse.race("flood,random", MAZES, runs=2).table
+    words = ["mouse", "maze", "outcome"]
+    assert [name for name in table.columns if not pandas.api.types.is_numeric_dtype(table[name])] == words
+
+
 def test_standings_and_comparison_are_those_of_the_command(command):
     words = ["race", "--mazes", *MAZES, "--format", "json", "--mice"]
     both = json.loads(command(*words, "flood,certify"))

@@ -21,7 +21,7 @@ double microseconds_per_decision(const ContestResult& contest) {
 
 Value microseconds(const Race&, const ContestResult& contest) { return microseconds_per_decision(contest); }
 Value rounded_microseconds(const Race&, const ContestResult& contest) {
-  return fmt::format("{:.3f}", microseconds_per_decision(contest));
+  return JsonText{fmt::format("{:.3f}", microseconds_per_decision(contest))};
 }
 
 constexpr std::array<ContestField, 15> contest_fields = {{{"maze", fields::maze_name},
