@@ -9,7 +9,7 @@
 
 #include "labmouse/lab/mazes/maze_files.hpp"
 #include "labmouse/lab/worlds/entering.hpp"
-#include "python_mind.hpp"
+#include "own_mouse.hpp"
 
 namespace labmouse::python {
 

@@ -3,25 +3,20 @@
 #include <fmt/format.h>
 #include <nanobind/stl/string.h>
 
-#include <algorithm>
 #include <array>
-#include <cstring>
-#include <map>
-#include <mutex>
+#include <chrono>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <thread>
 #include <utility>
-#include <vector>
 
-#include "bindings.hpp"
+#if defined(__GLIBCXX__)
+#include <cxxabi.h>
+#endif
+
 #include "briefing.hpp"
-#include "errors.hpp"
-#include "labmouse/contest/drive.hpp"
-#include "labmouse/contest/simulator.hpp"
-#include "labmouse/lab/mazes/maze_link.hpp"
-#include "labmouse/lab/robots/drive_rules_file.hpp"
-#include "labmouse/lab/robots/robot_files.hpp"
-#include "labmouse/lab/seconds/seconds_entry.hpp"
 #include "labmouse/lab/text/printable.hpp"
-#include "labmouse/mouse/drive/fastest.hpp"
 #include "sightings.hpp"
 
 namespace nb = nanobind;
@@ -32,9 +27,6 @@ namespace {
 
 /// Wrong rotations and movements are part of a contest, within what a record can hold, as for guests.
 constexpr long farthest = 1'000'000;
-
-/// Kind, rotation, movement and reason, from one process to another of the same build.
-using PackedAction = std::array<std::int32_t, 4>;
 
 /// The whole number of an object; nothing where it is none, or too large.
 std::optional<int> number_of(PyObject* object) {
@@ -74,43 +66,34 @@ std::string repr_of(const nb::object& answer) {
   }
 }
 
-/// Where mice decide, and what stops them. A mouse that never answers hears of it by an exception alone.
-class DecidingThreads {
- public:
-  void enter(const std::atomic<bool>* stop) {
-    const std::lock_guard lock(mutex_);
-    threads_.emplace_back(stop, PyThread_get_thread_ident());
+/// Calls an object of Python with an argument; null where it raised. Where the interpreter ends while a mouse still
+/// thinks that was left behind, Python up to 3.13 takes its thread down by unwinding it, which destructors do not
+/// survive: the thread waits for the end of the process instead.
+nb::object called(nb::handle callable, nb::handle argument) {
+  std::array<PyObject*, 2> arguments = {nullptr, argument.ptr()};
+  const auto call = [&] {
+    return PyObject_Vectorcall(callable.ptr(), &arguments[1], 1U | PY_VECTORCALL_ARGUMENTS_OFFSET, nullptr);
+  };
+#if defined(__GLIBCXX__)
+  try {
+    return nb::steal(call());
+  } catch (abi::__forced_unwind&) {
+    while (true) std::this_thread::sleep_for(std::chrono::hours(1));
   }
-  void leave(const std::atomic<bool>* stop) {
-    const std::lock_guard lock(mutex_);
-    const auto found = std::find(threads_.begin(), threads_.end(), std::pair(stop, PyThread_get_thread_ident()));
-    if (found != threads_.end()) threads_.erase(found);
-  }
-  void interrupt(const std::atomic<bool>* stop) {
-    const std::lock_guard lock(mutex_);
-    for (const auto& [flag, thread] : threads_)
-      if (flag == stop) PyThreadState_SetAsyncExc(thread, PyExc_KeyboardInterrupt);
-  }
-
- private:
-  std::mutex mutex_;  // for interpreters that run several threads at a time
-  std::vector<std::pair<const std::atomic<bool>*, unsigned long>> threads_;
-};
-
-DecidingThreads& deciding_threads() {
-  static DecidingThreads threads;
-  return threads;
+#else
+  return nb::steal(call());
+#endif
 }
 
-/// Holds the interpreter's lock from its making to its end, which are in the same thread: to take it once a decision
-/// costs more than the decision. Python lets other threads in while it runs a mouse's own code.
+/// Keeps the interpreter's lock: to take it once a decision costs more than the decision. Python lets other threads in
+/// while it runs a mouse's own code.
 class PythonMind final : public Strategy {
  public:
   PythonMind(const std::shared_ptr<const MouseMaker>& maker, const Briefing& briefing, const std::atomic<bool>* stop)
       : maker_(maker), knowledge_(briefing.size), stop_(stop), in_seconds_(briefing.in_seconds()) {
-    deciding_threads().enter(stop_);
     try {
-      mouse_ = maker_->maker()(nb::cast(PythonBriefing{briefing}));
+      mouse_ = called(maker_->maker(), nb::cast(PythonBriefing{briefing}));
+      if (!mouse_.is_valid()) throw nb::python_error();
       decide_ = mouse_.attr("decide");
       started_ = true;
     } catch (nb::python_error& error) {
@@ -118,19 +101,13 @@ class PythonMind final : public Strategy {
     }
   }
 
-  PythonMind(const PythonMind&) = delete;
-  PythonMind& operator=(const PythonMind&) = delete;
-  ~PythonMind() override { deciding_threads().leave(stop_); }
-
   Action decide(const Sighting& seen) override {
     if (reason_ != ForfeitReason::none) return Action::forfeit(reason_);
     if (is_stopped()) {
       reason_ = ForfeitReason::interrupted;
       return Action::forfeit(reason_);
     }
-    std::array<PyObject*, 2> arguments = {nullptr, sighting_of(seen).ptr()};
-    const nb::object answer =
-        nb::steal(PyObject_Vectorcall(decide_.ptr(), &arguments[1], 1U | PY_VECTORCALL_ARGUMENTS_OFFSET, nullptr));
+    const nb::object answer = called(decide_, sighting_of(seen));
     if (!answer.is_valid()) {
       nb::python_error error;
       give_up(ForfeitReason::died, error);
@@ -187,180 +164,11 @@ class PythonMind final : public Strategy {
   std::string last_words_;
 };
 
-void append(std::string& actions, const Action& action) {
-  const PackedAction packed = {static_cast<std::int32_t>(action.kind), action.rotation, action.movement,
-                               static_cast<std::int32_t>(action.reason)};
-  actions.append(reinterpret_cast<const char*>(packed.data()), sizeof packed);
-}
-
-/// The actions of a mouse whose process died.
-std::string death() {
-  std::string actions;
-  append(actions, Action::forfeit(ForfeitReason::died));
-  return actions;
-}
-
-/// Keeps what a mouse did, for another process.
-class KeptMind final : public Strategy {
- public:
-  explicit KeptMind(std::unique_ptr<Strategy> mouse) : mouse_(std::move(mouse)) {}
-
-  Action decide(const Sighting& seen) override {
-    const Action action = mouse_->decide(seen);
-    append(actions_, action);
-    return action;
-  }
-  const Knowledge& knowledge() const override { return mouse_->knowledge(); }
-
-  /// The actions, the last words and whether it started.
-  nb::tuple played() const {
-    return nb::make_tuple(nb::bytes(actions_.data(), actions_.size()), std::string(mouse_->last_words()),
-                          mouse_->started());
-  }
-
- private:
-  std::unique_ptr<Strategy> mouse_;
-  std::string actions_;
-};
-
-/// What a mouse did in another process, step by step.
-class PlayedMind final : public Strategy {
- public:
-  PlayedMind(Size size, std::string_view actions, std::string words, bool started)
-      : knowledge_(size), last_words_(std::move(words)), started_(started) {
-    actions_.resize(actions.size() / sizeof(PackedAction));
-    std::memcpy(actions_.data(), actions.data(), actions_.size() * sizeof(PackedAction));
-  }
-
-  Action decide(const Sighting&) override {
-    if (next_ >= actions_.size()) return Action::forfeit(ForfeitReason::interrupted);
-    const PackedAction& packed = actions_[next_++];
-    return {static_cast<Action::Kind>(packed[0]), packed[1], packed[2], static_cast<ForfeitReason>(packed[3])};
-  }
-  const Knowledge& knowledge() const override { return knowledge_; }
-  bool started() const override { return started_; }
-  std::string_view last_words() override { return last_words_; }
-
- private:
-  Knowledge knowledge_;
-  std::vector<PackedAction> actions_;
-  std::string last_words_;
-  bool started_;
-  std::size_t next_ = 0;
-};
-
-/// The mind that another process played, given what play() takes behind the maker; null where the contest is to be held
-/// here.
-template <class... Contest>
-std::unique_ptr<Strategy> played_elsewhere(const MouseMaker& maker, const Maze& maze, const Contest&... contest) {
-  const nb::gil_scoped_acquire lock;
-  if (maker.elsewhere().is_none()) return nullptr;
-  try {
-    const nb::object played = maker.elsewhere()(link_of({"", maze}), contest...);
-    if (played.is_none()) return nullptr;
-    const auto actions = nb::cast<nb::bytes>(played[0]);
-    return std::make_unique<PlayedMind>(maze.size(), std::string_view(actions.c_str(), actions.size()),
-                                        nb::cast<std::string>(played[1]), nb::cast<bool>(played[2]));
-  } catch (nb::python_error& error) {
-    return std::make_unique<PlayedMind>(maze.size(), death(), error.what(), true);
-  }
-}
-
-std::unique_ptr<Strategy> mind_of(nb::object maker, const Briefing& briefing) {
-  return std::make_unique<PythonMind>(std::make_shared<const MouseMaker>(std::move(maker), nb::none()), briefing,
-                                      nullptr);
-}
-
-Maze maze_of(const std::string& link) {
-  ReadLinkResult read = read_link(link);
-  if (!read.maze) throw UserError(read.error);
-  return std::move(read.maze->maze);
-}
-
-/// Holds a contest in steps in this process, for another one.
-nb::tuple play_in_steps(nb::object maker, const std::string& link, int budget, int stride, std::uint64_t seed) {
-  const Maze maze = maze_of(link);
-  Rules rules;
-  rules.budget = budget;
-  rules.stride = stride;
-  KeptMind mind(mind_of(std::move(maker), brief(maze, rules, seed)));
-  run(maze, rules, mind);
-  return mind.played();
-}
-
-/// A robot and rules, as many contests have them.
-struct Driving {
-  DriveModel model;
-  DriveRules rules;
-};
-
-/// Kept, since a model takes longer to make than a contest to hold. Only with the interpreter's lock.
-const Driving& driving_by(const std::string& robot, const std::string& rules) {
-  static std::map<std::pair<std::string, std::string>, Driving> kept;
-  const auto known = kept.find({robot, rules});
-  if (known != kept.end()) return known->second;
-  FoundRobot found = find_robot(robot);
-  if (!found.errors.empty()) throw UserError(fmt::format("{}", fmt::join(found.errors, "\n")));
-  FoundRules named = find_rules(rules);
-  if (!named.errors.empty()) throw UserError(fmt::format("{}", fmt::join(named.errors, "\n")));
-  Driving& driving = kept[{robot, rules}];
-  driving = {std::move(found.model), std::move(named.rules)};
-  share_route_tables(driving.model);
-  return driving;
-}
-
-/// The same in seconds.
-nb::tuple play_in_seconds(nb::object maker, const std::string& link, const std::string& robot, const std::string& rules,
-                          std::uint64_t seed) {
-  const Maze maze = maze_of(link);
-  const Driving& driving = driving_by(robot, rules);
-  KeptMind mind(mind_of(std::move(maker), brief(maze, driving.rules, driving.model, seed)));
-  drive(maze, driving.rules, driving.model, mind);
-  return mind.played();
-}
-
 }  // namespace
 
-void stop(Work& work) {
-  work.stop();
-  deciding_threads().interrupt(&work.stopped());
-}
-
-Contestant python_contestant(OwnMouse own, const WorldSettings& settings, const std::atomic<bool>* stop) {
-  Contestant mouse;
-  mouse.name = own.name;
-  mouse.uses_chance = own.uses_chance;
-  mouse.identity = [identity = own.identity] { return identity; };
-  const auto shared = std::make_shared<const MouseMaker>(std::move(own.maker), std::move(own.elsewhere));
-  mouse.make = [shared, stop](const Maze& maze, const Rules& rules, std::uint64_t seed) -> std::unique_ptr<Strategy> {
-    if (auto played = played_elsewhere(*shared, maze, rules.budget, rules.stride, seed)) return played;
-    return std::make_unique<PythonMind>(shared, brief(maze, rules, seed), stop);
-  };
-  mouse.drive = [shared, stop, robot = std::string(value_of(seconds_entry, settings, "robot")),
-                 rules = std::string(value_of(seconds_entry, settings, "rules"))](
-                    const Maze& maze, const Briefing& briefing) -> std::unique_ptr<Strategy> {
-    if (auto played = played_elsewhere(*shared, maze, robot, rules, briefing.seed)) return played;
-    return std::make_unique<PythonMind>(shared, briefing, stop);
-  };
-  return mouse;
-}
-
-void bind_minds(nb::module_& module) {
-  module.def(
-      "play", &play_in_steps, "maker"_a, "link"_a, "budget"_a, "stride"_a, "seed"_a,
-      nb::sig("def play(maker: object, link: str, budget: int, stride: int, seed: int) -> tuple[bytes, str, bool]"),
-      "Holds a contest in steps for another process: the actions, the last words and whether the mouse started.");
-  module.def(
-      "play", &play_in_seconds, "maker"_a, "link"_a, "robot"_a, "rules"_a, "seed"_a,
-      nb::sig("def play(maker: object, link: str, robot: str, rules: str, seed: int) -> tuple[bytes, str, bool]"),
-      "The same in seconds.");
-  module.def(
-      "death",
-      [] {
-        const std::string actions = death();
-        return nb::bytes(actions.data(), actions.size());
-      },
-      "What a mouse did whose process died.");
+std::unique_ptr<Strategy> make_python_mind(const std::shared_ptr<const MouseMaker>& maker, const Briefing& briefing,
+                                           const std::atomic<bool>* stop) {
+  return std::make_unique<PythonMind>(maker, briefing, stop);
 }
 
 }  // namespace labmouse::python

@@ -1,15 +1,13 @@
-// A mouse that is an object of Python, in this process or in another.
+// A mind that is an object of Python.
 #pragma once
 
 #include <nanobind/nanobind.h>
 
 #include <atomic>
 #include <memory>
-#include <string>
 
-#include "labmouse/lab/mice/contestant.hpp"
-#include "labmouse/lab/races/world_entry.hpp"
-#include "work.hpp"
+#include "labmouse/mouse/briefing.hpp"
+#include "labmouse/mouse/strategy.hpp"
 
 namespace labmouse::python {
 
@@ -35,23 +33,9 @@ class MouseMaker {
   nanobind::object maker_, elsewhere_;
 };
 
-/// A mouse in Python: its name, what makes it once a contest, and whether it throws dice. `elsewhere` may be None, or
-/// is called before each contest with what play() takes behind the maker: it gives what play() gave in another process,
-/// or None where the contest is to be held here.
-struct OwnMouse {
-  std::string name;
-  nanobind::object maker;
-  bool uses_chance = false;
-  nanobind::object elsewhere;
-  std::string identity;  ///< as of Contestant; empty where nothing is known of it
-};
-
-/// Such a mouse as a contestant, in steps and in seconds. Other processes need the settings of its world. Once `stop`,
-/// which may be null, is true, it decides no more.
-Contestant python_contestant(OwnMouse mouse, const WorldSettings& settings, const std::atomic<bool>* stop);
-
-/// Stops work, and what its mice in this process decide just now: they hear of it as Python's code hears of Ctrl-C.
-/// Only with the interpreter's lock; to be repeated where a mouse takes no notice.
-void stop(Work& work);
+/// The mind of one contest. It holds the interpreter's lock from its making to its end, which are to be in the same
+/// thread. Once `stop`, which may be null, is true, it decides no more: its forfeit is an interruption.
+std::unique_ptr<Strategy> make_python_mind(const std::shared_ptr<const MouseMaker>& maker, const Briefing& briefing,
+                                           const std::atomic<bool>* stop);
 
 }  // namespace labmouse::python

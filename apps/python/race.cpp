@@ -226,7 +226,7 @@ void bind_races(nb::module_& module) {
       .def_prop_ro("all", [](RunningRace& running) { return running.work().all(); })
       .def(
           "wait", [](RunningRace& running, double seconds) { return running.work().wait(seconds); }, "seconds"_a)
-      .def("stop", [](RunningRace& running) { stop(running.work()); })
+      .def("stop", [](RunningRace& running) { running.work().stop(); })
       .def("missing", &RunningRace::missing)
       .def("result", &RunningRace::result);
   module.def("merge_stores", &merge, "paths"_a, "target"_a, nb::call_guard<nb::gil_scoped_release>(),

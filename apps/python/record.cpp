@@ -141,7 +141,7 @@ void bind_records(nb::module_& module) {
       .def_prop_ro("all", [](RunningContest& running) { return running.work().all(); })
       .def(
           "wait", [](RunningContest& running, double seconds) { return running.work().wait(seconds); }, "seconds"_a)
-      .def("stop", [](RunningContest& running) { stop(running.work()); })
+      .def("stop", [](RunningContest& running) { running.work().stop(); })
       .def("result", &RunningContest::result);
 }
 

@@ -96,7 +96,7 @@ void bind_studies(nb::module_& module) {
       .def_prop_ro("all", [](RunningStudy& running) { return running.work().all(); })
       .def(
           "wait", [](RunningStudy& running, double seconds) { return running.work().wait(seconds); }, "seconds"_a)
-      .def("stop", [](RunningStudy& running) { stop(running.work()); })
+      .def("stop", [](RunningStudy& running) { running.work().stop(); })
       .def("missing", &RunningStudy::missing)
       .def("result", &RunningStudy::result);
 }

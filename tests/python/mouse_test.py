@@ -271,6 +271,18 @@ def test_a_process_that_dies_is_a_forfeit(monkeypatch):
     assert race.table[race.table["mouse"] == "Deadly"]["outcome"].tolist() == ["forfeit: died"] * 2
 
 
+@pytest.mark.parametrize("jobs", [1, 2])
+def test_the_time_of_its_decisions_is_its_own(monkeypatch, jobs):
+    import labmouse._workers
+
+    class Thoughtful:
+        def decide(self, seen):
+            return 0, min(range(20000))  # no machine does that in 20 microseconds
+
+    monkeypatch.setattr(labmouse._workers, "_SECONDS_ALONE", 0.0)
+    assert labmouse.race(Thoughtful, "contest-01", budget=20, jobs=jobs).table["microseconds_per_decision"][0] > 20
+
+
 def test_an_object_is_refused_for_its_class():
     with pytest.raises(labmouse.Error):
         labmouse.race([answering((0, 0))()], "contest-01")

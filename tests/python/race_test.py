@@ -209,6 +209,13 @@ class Lost:  # never answers, and hears of nothing that it is told once
 class Unborn(Lost):
     def __init__(self):
         super().decide(None)
+class Stubborn:  # whatever it is told
+    def decide(self, seen):
+        while True:
+            try:
+                time.sleep(0.001)
+            except BaseException:
+                pass
 def interrupt():
     while time.monotonic() < begin + 1.0: time.sleep(0.01)
     sent.append(time.monotonic())
@@ -228,9 +235,13 @@ RACE = "labmouse.race([{}], labmouse.mazes(), runs=5000, budget=100000, jobs={},
     (RACE.format("Slow", 1), False), (RACE.format("Slow", 2), True),
     (RACE.format("Lost", 1), False), (RACE.format("Lost", 2), False), (RACE.format("Lost", 2), True),
     (RACE.format("Unborn", 1), False), (RACE.format("Asleep", 2), True), (RACE.format("Lost, 'random'", 2), True),
+    (RACE.format("Asleep", 1), False), (RACE.format("Asleep, 'flood'", 2), False), (RACE.format("Stubborn", 1), False),
+    (RACE.format("Stubborn", 2), True),
     (RACE.format("guest", 2), False), (RACE.format("guest, Asleep", 2), True),
-    ("labmouse.run(Lost, 'contest-01')", False), ("labmouse.run(guest, 'contest-01')", False),
+    ("labmouse.run(Lost, 'contest-01')", False), ("labmouse.run(Asleep, 'contest-01')", False),
+    ("labmouse.run(Asleep, 'contest-01', world='seconds')", False), ("labmouse.run(guest, 'contest-01')", False),
     ("labmouse.study([Lost, 'flood'], labmouse.mazes()[:4], folds=2, progress=False)", False),
+    ("labmouse.study([Asleep, 'flood'], labmouse.mazes()[:4], folds=2, jobs=1, progress=False)", False),
 ])
 def test_ctrl_c_gives_what_is_done_at_once(request, held, elsewhere):
     if "guest" in held:

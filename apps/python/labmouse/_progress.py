@@ -6,6 +6,10 @@ from typing import Any, Protocol
 from ._workers import Workers
 
 
+#: Python hears of Ctrl-C between waits for compiled work.
+_SECONDS_A_WAIT = 0.01
+
+
 class Running(Protocol):
     """Work in a thread of its own."""
 
@@ -64,16 +68,13 @@ def finish(running: Running, progress: "bool | None", workers: "Workers | None" 
         print(remark, file=sys.stderr)
     bar = _Bar(progress)
     try:
-        # The first waits are short: most work is done at once.
-        seconds = 0.01
-        while not running.wait(seconds):
-            seconds = 0.05
+        while not running.wait(_SECONDS_A_WAIT):
             bar.show(running)
     except KeyboardInterrupt:
         running.stop()
         if workers is not None:
             workers.close()
-        while not running.wait(0.05):
-            running.stop()  # again, where a mouse in this process took no notice
+        while not running.wait(_SECONDS_A_WAIT):
+            pass
     finally:
         bar.clear()

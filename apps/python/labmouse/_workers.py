@@ -13,10 +13,14 @@ from ._native import death
 from ._worker import PROGRAM
 
 #: What labmouse._native.play gives.
-Played = tuple[bytes, str, bool]
+Played = tuple[bytes, str, bool, float]
 #: What that takes behind the maker of the mouse.
 _Contest = tuple[Any, ...]
 
+#: What is raised where a process has ended, or where its pipes are closed.
+_GONE = (EOFError, OSError, ValueError, pickle.UnpicklingError)
+#: What was played of a contest that was interrupted.
+_INTERRUPTED: Played = b"", "", True, 0.0
 #: Contests of a short race are over before a process has started: so long they are held here.
 _SECONDS_ALONE = 0.5
 
@@ -34,10 +38,8 @@ class _Worker:
         # A session of its own: Ctrl-C is for the process that races.
         self.process = subprocess.Popen([sys.executable, "-c", PROGRAM], stdin=subprocess.PIPE,
                                         stdout=subprocess.PIPE, start_new_session=os.name == "posix")
+        self.mice = mice
         self.has_mice = False
-        self.send(sys.path)
-        assert self.process.stdin is not None
-        self.process.stdin.write(mice)
 
     def send(self, thing: object) -> None:
         assert self.process.stdin is not None
@@ -48,9 +50,11 @@ class _Worker:
         if not self.has_mice:
             assert self.process.stdin is not None and self.process.stdout is not None
             try:
+                self.send(sys.path)
+                self.process.stdin.write(self.mice)
                 self.process.stdin.flush()
                 self.has_mice = bool(pickle.load(self.process.stdout))
-            except (EOFError, OSError, pickle.UnpicklingError):
+            except _GONE:
                 self.process.wait()
         return self.has_mice
 
@@ -69,12 +73,15 @@ class Workers:
         self.makers = makers
         self.most = most
         self.begin = time.monotonic()
-        self.lock = threading.Lock()
         self.mice: Union[bytes, None] = None
         self.workers: list[_Worker] = []
+        self.closed = False
+        #: Of the list of workers and of `closed`; nobody who has it waits for anything.
+        self.lock = threading.Lock()
+        #: Processes are started one after the other.
+        self.starting = threading.Lock()
         #: Processes with nothing to do; None wakes a thread that waits for one.
         self.free: queue.SimpleQueue[Union[_Worker, None]] = queue.SimpleQueue()
-        self.closed = False
 
     def elsewhere(self, mouse: int) -> Callable[..., Union[Played, None]]:
         """What the compiled part asks before each contest of the mouse of that number."""
@@ -84,10 +91,11 @@ class Workers:
         """Ends the processes, whatever they do."""
         with self.lock:
             self.closed = True
-            for worker in self.workers:
+            workers = list(self.workers)
+            for worker in workers:
                 worker.process.kill()
-            self.free.put(None)
-        for worker in self.workers:
+        self.free.put(None)
+        for worker in workers:
             worker.process.wait()
             for pipe in (worker.process.stdin, worker.process.stdout):
                 if pipe is not None:
@@ -100,41 +108,46 @@ class Workers:
         if time.monotonic() - self.begin < _SECONDS_ALONE:
             return None
         worker = self._take()
+        if worker is not None and not worker.is_ready():
+            self.mice = b""
+            worker = None
         if worker is None:
-            return None
-        if not worker.is_ready():
-            with self.lock:
-                self.mice = b""
-            self.free.put(None)
-            return None
+            self.free.put(None)  # for the next that waits
+            return _INTERRUPTED if self.closed else None
         try:
             played = worker.play(mouse, contest)
-        except (EOFError, OSError, pickle.UnpicklingError):
+        except _GONE:
             if self.closed:
-                return b"", "", True  # no actions: it was interrupted
+                return _INTERRUPTED
             code = worker.process.wait()
             with self.lock:
                 self.workers.remove(worker)
             self.free.put(None)
-            return _died(f"its process ended with exit code {code}")
+            return death(f"its process ended with exit code {code}")
         self.free.put(worker)
         return played
 
     def _take(self) -> Union[_Worker, None]:
         """A process that has nothing to do; None where there can be none."""
         while True:
-            with self.lock:
-                if self.mice is None:
+            with self.starting:
+                if self.mice is None and not self.closed:
                     self.mice = _pickled(self.makers)
                 if self.closed or not self.mice:
-                    self.free.put(None)  # for the next that waits
                     return None
                 if self.free.empty() and len(self.workers) < self.most:
-                    self.workers.append(_Worker(self.mice))
-                    return self.workers[-1]
+                    return self._started(self.mice)
             worker = self.free.get()
             if worker is not None:
                 return worker
+
+    def _started(self, mice: bytes) -> _Worker:
+        worker = _Worker(mice)
+        with self.lock:
+            self.workers.append(worker)
+            if self.closed:
+                worker.process.kill()
+        return worker
 
 
 def _pickled(makers: "list[object]") -> bytes:
@@ -145,10 +158,6 @@ def _pickled(makers: "list[object]") -> bytes:
         return bytes(cloudpickle.dumps(makers))
     except Exception:  # what a user's object raises can be anything
         return b""
-
-
-def _died(words: str) -> Played:
-    return death(), words, True
 
 
 def _processors() -> int:

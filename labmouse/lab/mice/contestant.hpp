@@ -28,8 +28,8 @@ struct Interpreter {
   friend bool operator==(const Interpreter&, const Interpreter&) = default;
 };
 
-/// A contest in steps that a mouse held before a race, for which it could not be asked again.
-struct EarlierContest {
+/// A contest in steps that a mouse held where a race cannot ask it: before the race, or in a thread or process apart.
+struct ContestElsewhere {
   RunRecord record;
   bool started = true;        ///< as of Strategy
   double microseconds = 0.0;  ///< that its decisions took
@@ -56,9 +56,9 @@ struct Contestant {
   /// Takes part as a measure and not as a contestant (the oracle).
   bool reference = false;
   std::function<std::unique_ptr<Strategy>(const Maze&, const Rules&, std::uint64_t seed)> make;
-  /// In place of `make`, of a mouse whose contests in steps were held elsewhere: the one in that maze with that seed,
-  /// which must be there. Empty for all others.
-  std::function<EarlierContest(const std::string& maze, std::uint64_t seed)> earlier;
+  /// In place of `make`, of a mouse whose contests in steps are held elsewhere: the one in the maze of that name with
+  /// that seed. Empty for all others.
+  std::function<ContestElsewhere(const std::string& name, const Maze&, const Rules&, std::uint64_t seed)> elsewhere;
   /// The same as `make` in seconds, told what a mouse in that maze is told there; empty for a mouse that does not drive
   /// in that world.
   std::function<std::unique_ptr<Strategy>(const Maze&, const Briefing&)> drive;

@@ -28,13 +28,13 @@ std::string refuse_name(const std::string& name) {
   return "";
 }
 
-using Contests = std::map<std::pair<std::string, std::uint64_t>, EarlierContest>;
+using Contests = std::map<std::pair<std::string, std::uint64_t>, ContestElsewhere>;
 
 /// One contest of `played`, whose record has to be of that mouse.
 void read_contest(PageRequest& request, const ReadJson& json, const Contestant& mouse, const RaceOrder& order,
                   Contests& contests) {
   PageRequest fields(json);
-  EarlierContest contest;
+  ContestElsewhere contest;
   contest.microseconds = fields.not_negative("microseconds");
   contest.started = fields.flag("started");
   const std::string text = fields.text("record");
@@ -65,7 +65,9 @@ Contestant read_mouse(PageRequest& request, const ReadJson& json, const std::vec
   for (const NamedMaze& maze : mazes)
     if (!contests->contains({maze.name, contest_seed(order.seed, maze.name, 0)}))
       request.reject(fmt::format("{} has held no contest in {}", mouse.name, maze.name));
-  mouse.earlier = [contests](const std::string& maze, std::uint64_t seed) { return contests->at({maze, seed}); };
+  mouse.elsewhere = [contests](const std::string& name, const Maze&, const Rules&, std::uint64_t seed) {
+    return contests->at({name, seed});
+  };
   return mouse;
 }
 

@@ -42,10 +42,10 @@ class Timed final : public Strategy {
   std::chrono::steady_clock::duration spent_{};
 };
 
-/// Holds a contest, or takes one that was held before.
-EarlierContest contest_of(const Contestant& mouse, const NamedMaze& maze, const Rules& rules, std::uint64_t seed,
-                          const std::atomic<bool>* stop) {
-  if (mouse.earlier) return mouse.earlier(maze.name, seed);
+/// Holds a contest, or takes one that is held elsewhere.
+ContestElsewhere contest_of(const Contestant& mouse, const NamedMaze& maze, const Rules& rules, std::uint64_t seed,
+                            const std::atomic<bool>* stop) {
+  if (mouse.elsewhere) return mouse.elsewhere(maze.name, maze.maze, rules, seed);
   const auto mind = mouse.make(maze.maze, rules, seed);
   Stoppable stoppable(*mind, stop);
   Timed timed(stoppable);
@@ -121,7 +121,7 @@ class StepsWorld final : public World {
   }
 
   std::string refuse(const Contestant& mouse) const override {
-    return mouse.make || mouse.earlier ? "" : fmt::format("mouse '{}' cannot race in steps", mouse.name);
+    return mouse.make || mouse.elsewhere ? "" : fmt::format("mouse '{}' cannot race in steps", mouse.name);
   }
 
   Rules lesson_rules() const override { return rules_; }

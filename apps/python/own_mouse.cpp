@@ -1,0 +1,77 @@
+#include "own_mouse.hpp"
+
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
+
+#include <cstring>
+#include <memory>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include "labmouse/contest/simulator.hpp"
+#include "labmouse/lab/mazes/maze_link.hpp"
+#include "labmouse/lab/seconds/seconds_entry.hpp"
+#include "playing.hpp"
+
+namespace nb = nanobind;
+
+namespace labmouse::python {
+namespace {
+
+using Maker = std::shared_ptr<const MouseMaker>;
+
+Played read_played(const nb::object& told) {
+  const auto [actions, words, started, microseconds] = nb::cast<std::tuple<nb::bytes, std::string, bool, double>>(told);
+  Played played{std::vector<PackedAction>(actions.size() / sizeof(PackedAction)), words, started, microseconds};
+  std::memcpy(played.actions.data(), actions.c_str(), played.actions.size() * sizeof(PackedAction));
+  return played;
+}
+
+/// What another process played, given what play() takes behind the maker; nothing where the contest is to be held here.
+template <class... Contest>
+std::optional<Played> played_elsewhere(const MouseMaker& maker, const Maze& maze, const Contest&... contest) {
+  const nb::gil_scoped_acquire lock;
+  if (maker.elsewhere().is_none()) return std::nullopt;
+  try {
+    const nb::object told = maker.elsewhere()(link_of({"", maze}), contest...);
+    return told.is_none() ? std::nullopt : std::optional(read_played(told));
+  } catch (nb::python_error& error) {
+    return death(error.what());
+  }
+}
+
+Played played_in_steps(const Maker& maker, const Maze& maze, const Rules& rules, std::uint64_t seed,
+                       const std::atomic<bool>* stop) {
+  if (auto played = played_elsewhere(*maker, maze, rules.budget, rules.stride, seed)) return std::move(*played);
+  return play_apart([=](Playing& playing) { play_in_steps(maker, maze, rules, seed, playing); }, stop);
+}
+
+Played played_in_seconds(const Maker& maker, const Maze& maze, const std::string& robot, const std::string& rules,
+                         std::uint64_t seed, const std::atomic<bool>* stop) {
+  if (auto played = played_elsewhere(*maker, maze, robot, rules, seed)) return std::move(*played);
+  return play_apart([=](Playing& playing) { play_in_seconds(maker, maze, robot, rules, seed, playing); }, stop);
+}
+
+}  // namespace
+
+Contestant python_contestant(OwnMouse own, const WorldSettings& settings, const std::atomic<bool>* stop) {
+  Contestant mouse;
+  mouse.name = own.name;
+  mouse.uses_chance = own.uses_chance;
+  mouse.identity = [identity = own.identity] { return identity; };
+  const auto maker = std::make_shared<const MouseMaker>(std::move(own.maker), std::move(own.elsewhere));
+  mouse.elsewhere = [maker, stop](const std::string&, const Maze& maze, const Rules& rules, std::uint64_t seed) {
+    Played played = played_in_steps(maker, maze, rules, seed, stop);
+    const double microseconds = played.microseconds;
+    const auto mind = make_played_mind(maze.size(), std::move(played));
+    return ContestElsewhere{run(maze, rules, *mind), mind->started(), microseconds};
+  };
+  mouse.drive = [maker, stop, robot = value_of(seconds_entry, settings, "robot"),
+                 rules = value_of(seconds_entry, settings, "rules")](const Maze& maze, const Briefing& briefing) {
+    return make_played_mind(maze.size(), played_in_seconds(maker, maze, robot, rules, briefing.seed, stop));
+  };
+  return mouse;
+}
+
+}  // namespace labmouse::python
