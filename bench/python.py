@@ -9,6 +9,7 @@ Times are those of the processor, the best of several, but for Ctrl-C, whose tim
 import statistics
 import subprocess
 import sys
+import tempfile
 import time
 
 import labmouse
@@ -16,8 +17,10 @@ import labmouse
 INTERRUPTED = """
 import os, signal, sys, threading, time
 import labmouse
+from labmouse import learn
+from labmouse.learn.train import train
 def interrupt():
-    time.sleep(1.5)
+    time.sleep({after})
     sent.append(time.monotonic())
     os.kill(os.getpid(), signal.SIGINT)
 class Still:
@@ -26,13 +29,40 @@ class Still:
 class Lost:  # never answers
     def decide(self, seen):
         while True: pass
+class Asleep:  # nor does this one, in compiled code
+    def decide(self, seen):
+        time.sleep(1000)
 guest = "guest:" + sys.executable + ' -c "import time; time.sleep(1000)"'  # nor does that
+envs = learn.ContestVectorEnv(20_000, "train")
+signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell has it ignored in what runs in its background
 sent = []
-threading.Thread(target=interrupt).start()
-race = labmouse.race([{mice}], runs=2000, budget=1000000, jobs={jobs}, progress=False)
+threading.Thread(target=interrupt, daemon=True).start()
+try:
+    {long}
+except KeyboardInterrupt:
+    pass
 print(time.monotonic() - sent[0])
-assert not race.complete
 """
+RACE = "labmouse.race([{mice}], runs=2000, budget=1_000_000, jobs={jobs}, progress=False)"
+#: What takes long, of each kind.
+LONG = {
+    "a race of built-in mice": RACE.format(mice="'random'", jobs=0),
+    "the same with a store": RACE.format(mice="'random'", jobs=0)[:-1] + ", store=sys.argv[1] + '/results.db')",
+    "the same in seconds": "labmouse.race('ariadne,ariadne-deep,certify', learn.MazeSet('test', size=32)[:40], world='seconds', robot='kerise', progress=False)",
+    "a mouse in Python, in this process": RACE.format(mice="Still, 'random'", jobs=1),
+    "one in processes of its own": RACE.format(mice="Still", jobs=2),
+    "one that never answers, in this process": RACE.format(mice="Lost", jobs=1),
+    "the same in processes of its own": RACE.format(mice="Lost", jobs=2),
+    "one that sleeps in compiled code, in this process": RACE.format(mice="Asleep", jobs=1),
+    "the same, one contest": "labmouse.run(Asleep, 'contest-01')",
+    "the same, many in processes": RACE.format(mice="Asleep", jobs=2),
+    "a guest that never answers": RACE.format(mice="guest", jobs=2),
+    "a study of mice that learn": "labmouse.study('ariadne,ariadne-deep', learn.MazeSet('test', size=32)[:100], folds=5, progress=False)",
+    "bounds": "while True: labmouse.bound(learn.MazeSet('test', size=32)[1], world='seconds', robot='kerise')",
+    "routes": "while True: labmouse.route(learn.MazeSet('test', size=32)[1], robot='kerise')",
+    "an environment that makes its mazes": "envs.reset(seed=1)",
+    "a training": "train(seconds=600, generations=10**6, jobs=2, seed=1, size=16, budget=400)",
+}
 
 
 class Still:
@@ -59,19 +89,30 @@ def decisions_a_second() -> float:
     return best
 
 
-def seconds_to_stop(mice: str, jobs: int) -> float:
-    """From the signal to the end of the race, by the clock."""
-    code = INTERRUPTED.format(mice=mice, jobs=jobs)
-    times = [float(subprocess.run([sys.executable, "-c", code], capture_output=True, check=True).stdout) for _ in range(5)]
-    return statistics.median(times)
+def seconds_to_stop(long: str, busy: int) -> list[float]:
+    """From the signal to what is done, by the clock, beside so many programs that do nothing but work."""
+    others = [subprocess.Popen([sys.executable, "-c", "while True: pass"]) for _ in range(busy)]
+    times = []
+    try:
+        for number in range(5):
+            with tempfile.TemporaryDirectory() as folder:
+                code = INTERRUPTED.format(long=long, after=1.5 + 0.13 * number)
+                ran = subprocess.run([sys.executable, "-c", code, folder], capture_output=True, text=True, check=True)
+            times.append(float(ran.stdout.splitlines()[-1]))
+    finally:
+        for other in others:
+            other.kill()
+            other.wait()
+    return times
 
 
 def main() -> None:
     print(f"| importing labmouse | {seconds_of_import():.3f} s |")
     print(f"| decisions of a mouse in Python that always answers the same | {decisions_a_second() / 1e6:.1f} million a second |")
-    stops = {(mice, jobs): seconds_to_stop(mice, jobs) for mice, jobs in (
-        ("'random'", 0), ("Still, 'random'", 1), ("Still", 2), ("Lost", 1), ("Lost", 2), ("guest", 2))}
-    print(f"| from Ctrl-C to what is done, the slowest of {len(stops)} kinds of races | {max(stops.values()):.2f} s |")
+    print("\n| milliseconds from Ctrl-C to what is done: median and slowest of 5 | alone | beside two busy programs |")
+    for name, long in LONG.items():
+        cells = [f"{1000 * statistics.median(times):.0f}, {1000 * max(times):.0f}" for times in (seconds_to_stop(long, 0), seconds_to_stop(long, 2))]
+        print(f"| {name} | {cells[0]} | {cells[1]} |", flush=True)
 
 
 if __name__ == "__main__":

@@ -124,25 +124,50 @@ void check_bound(const LearnBatch& self) {
   if (self.held.empty()) throw UserError("the batch has no memory to write to; bind() gives it some");
 }
 
+/// Hears of Ctrl-C between mazes that are made, of which a batch may need thousands at once.
+class Interruption {
+ public:
+  ContestBatch::Stop stop() {
+    return [this] {
+      if (heard_) return true;
+      const nb::gil_scoped_acquire lock;
+      return heard_ = PyErr_CheckSignals() != 0;
+    };
+  }
+  /// With the interpreter's lock.
+  void raise() const {
+    if (heard_) throw nb::python_error();
+  }
+
+ private:
+  bool heard_ = false;
+};
+
 void step(LearnBatch& self, const Choices& choices) {
   check_bound(self);
   check_size(self, choices.size());
   bool played = false;
+  Interruption interruption;
   {
     const nb::gil_scoped_release released;
-    played = self.batch.step({choices.data(), choices.size()});
+    played = self.batch.step({choices.data(), choices.size()}, interruption.stop());
   }
+  interruption.raise();
   if (!played) throw UserError(fmt::format("actions are numbers from 0 to {}", choice_count - 1));
 }
 
 void start(LearnBatch& self, const std::optional<nb::ndarray<const std::uint8_t, nb::ndim<1>, nb::c_contig>>& which) {
   check_bound(self);
   if (which) check_size(self, which->size());
-  const nb::gil_scoped_release released;
-  if (which)
-    self.batch.start({which->data(), which->size()});
-  else
-    self.batch.start();
+  Interruption interruption;
+  {
+    const nb::gil_scoped_release released;
+    if (which)
+      self.batch.start({which->data(), which->size()}, interruption.stop());
+    else
+      self.batch.start(interruption.stop());
+  }
+  interruption.raise();
 }
 
 }  // namespace

@@ -274,6 +274,21 @@ TEST(ContestBatch, PlaysMadeMazesAsThoseOfAList) {
   follow(played, mazes, rules, dice, 9);
 }
 
+TEST(ContestBatch, MakesNoMazeOnceItIsStopped) {
+  const MazeFamily family{&depth_first_generator, {4, 4}, 0, Split::train, 8};
+  Played played(ContestBatch(3, family, MazeOrder::in_turn), false);
+  int asked = 0;
+  const auto second_on = [&asked] { return ++asked > 1; };
+  played.batch.start(second_on);
+  EXPECT_EQ(asked, 3);
+  EXPECT_EQ(played.numbers, (std::vector<std::int64_t>{3, 1, 2}));
+  EXPECT_EQ(played.ended, (std::vector<std::uint8_t>{0, 1, 1}));
+  // They begin with the next step, in the mazes that they would have had.
+  ASSERT_TRUE(played.batch.step(played.choices));
+  EXPECT_EQ(played.numbers, (std::vector<std::int64_t>{3, 4, 5}));
+  EXPECT_EQ(played.ended, (std::vector<std::uint8_t>{0, 0, 0}));
+}
+
 TEST(ContestBatch, PlaysMazesInTurn) {
   const MazeFamily family{&depth_first_generator, {4, 4}, 0, Split::train, 8};
   Played played(ContestBatch(3, family, MazeOrder::in_turn), false);

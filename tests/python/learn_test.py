@@ -1,6 +1,10 @@
 """labmouse.learn: the contests are those of races, and Gymnasium's own checks pass."""
 
 import json
+import os
+import signal
+import subprocess
+import sys
 import warnings
 
 import numpy as np
@@ -161,6 +165,39 @@ def test_part_of_a_batch_begins_anew():
     envs.step(envs.draw_valid_actions())
     envs.reset(options={"reset_mask": np.array([True, False, True])})
     assert envs.sightings[:, learn.COLUMNS.index("steps_left")].tolist() == [1000, 999, 1000]
+
+
+#: A shell has it ignored in what runs in its background.
+HEARS = "import os, signal, sys; signal.signal(signal.SIGINT, signal.default_int_handler)\n"
+MADE = HEARS + """
+import threading, time
+from labmouse import learn
+envs = learn.ContestVectorEnv(100_000, "train")  # whose mazes take minutes
+threading.Timer(0.5, lambda: (sent.append(time.monotonic()), os.kill(os.getpid(), signal.SIGINT))).start()
+sent = []
+try:
+    envs.reset(seed=1)
+except KeyboardInterrupt:
+    print(time.monotonic() - sent[0])
+"""
+
+
+def test_ctrl_c_is_heard_between_mazes_that_are_made():
+    ran = subprocess.run([sys.executable, "-c", MADE], capture_output=True, text=True, timeout=60, check=True)
+    assert float(ran.stdout) < 5
+
+
+def test_training_that_is_stopped_gives_its_best(tmp_path):
+    code = HEARS + "from labmouse.learn.train import main; main()"
+    words = {"--out": tmp_path / "mouse.json", "--generations": 10**6, "--size": 6, "--budget": 60, "--kind": "depth-first"}
+    with subprocess.Popen([sys.executable, "-c", code, *(str(word) for pair in words.items() for word in pair)],
+                          stdout=subprocess.PIPE, text=True) as training:
+        first = training.stdout.readline()
+        os.kill(training.pid, signal.SIGINT)
+        rest = training.stdout.read()
+    assert training.returncode == 0 and "generation" in first and "interrupted" in rest
+    written = json.loads((tmp_path / "mouse.json").read_text())
+    assert len(written["weights"]) == WEIGHTS and written["curve"]
 
 
 def test_a_wrong_action_is_refused():

@@ -122,8 +122,13 @@ std::uint64_t ContestBatch::next_maze(std::size_t contest) {
   return maze_count_ == 0 ? drawn : drawn % maze_count_;
 }
 
-void ContestBatch::begin(std::size_t contest) {
+void ContestBatch::begin(std::size_t contest, const Stop& stop) {
   Contest& begun = contests_[contest];
+  if (!listed_ && stop && stop()) {
+    begun.ended = true;
+    memory_.ended[contest] = 1;
+    return;
+  }
   const std::uint64_t number = next_maze(contest);
   if (listed_)
     begun.slot = static_cast<std::uint32_t>(number);
@@ -152,17 +157,17 @@ void ContestBatch::begin(std::size_t contest) {
   observe(contest);
 }
 
-void ContestBatch::start() {
-  for (std::size_t i = 0; i < contests_.size(); ++i) begin(i);
+void ContestBatch::start(const Stop& stop) {
+  for (std::size_t i = 0; i < contests_.size(); ++i) begin(i, stop);
 }
 
-void ContestBatch::start(std::span<const std::uint8_t> which) {
+void ContestBatch::start(std::span<const std::uint8_t> which, const Stop& stop) {
   assert(which.size() == contests_.size());
   for (std::size_t i = 0; i < contests_.size(); ++i)
-    if (which[i] != 0) begin(i);
+    if (which[i] != 0) begin(i, stop);
 }
 
-bool ContestBatch::step(std::span<const std::int64_t> choices) {
+bool ContestBatch::step(std::span<const std::int64_t> choices, const Stop& stop) {
   assert(choices.size() == contests_.size());
   const bool in_range = std::all_of(choices.begin(), choices.end(), [](std::int64_t choice) {
     return static_cast<std::uint64_t>(choice) < static_cast<std::uint64_t>(choice_count);
@@ -171,7 +176,7 @@ bool ContestBatch::step(std::span<const std::int64_t> choices) {
   for (std::size_t i = 0; i < contests_.size(); ++i) {
     if (i + fetched_ahead < contests_.size()) prefetch(i + fetched_ahead);
     if (contests_[i].ended)
-      begin(i);
+      begin(i, stop);
     else
       play(i, static_cast<int>(choices[i]));
   }

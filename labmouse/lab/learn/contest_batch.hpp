@@ -14,6 +14,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -87,12 +88,16 @@ class ContestBatch {
   /// From which seed a contest draws its mazes. Equal seeds give equal contests, whatever the others are.
   void seed(int contest, std::uint64_t seed);
 
+  /// Asked before each maze that has to be made, which takes longer than all else. Where it is true the contest stays
+  /// ended, and begins with a later step.
+  using Stop = std::function<bool()>;
+
   /// Begins a new contest everywhere, or where `which` is not 0; their rewards are 0.
-  void start();
-  void start(std::span<const std::uint8_t> which);
+  void start(const Stop& stop = {});
+  void start(std::span<const std::uint8_t> which, const Stop& stop = {});
 
   /// One step of every contest. False, and nothing was done, where a choice is out of range.
-  [[nodiscard]] bool step(std::span<const std::int64_t> choices);
+  [[nodiscard]] bool step(std::span<const std::int64_t> choices, const Stop& stop = {});
 
   /// Draws a valid choice for each contest, each as likely as the others (to 2^-32).
   void draw_valid_choices(Dice& dice, std::span<std::int64_t> choices) const;
@@ -119,7 +124,7 @@ class ContestBatch {
   ContestBatch(int count, Size size, std::size_t slots, MazeOrder order, const Rules& rules);
   void set_slot(std::size_t slot, const Maze& maze);
   std::uint64_t next_maze(std::size_t contest);
-  void begin(std::size_t contest);
+  void begin(std::size_t contest, const Stop& stop);
   void play(std::size_t contest, int choice);
   void move(Contest& contest, int choice) const;
   void settle(std::size_t contest, int choice, bool in_speed_run);

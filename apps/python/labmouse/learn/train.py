@@ -9,7 +9,9 @@ contest of the training counts the less, the more cells the mouse visited; nothi
 
 import argparse
 import json
+import multiprocessing
 import os
+import signal
 import time
 from concurrent.futures import ProcessPoolExecutor
 from typing import Any, Dict, List, Optional
@@ -43,36 +45,45 @@ def ranks(returns: Floats) -> Floats:
 
 
 def train(seconds: float, generations: int, jobs: int, seed: int, size: int, budget: int, kind: str = "contest") -> Dict[str, Any]:
-    """Trains for at most so many seconds or generations; what save() writes."""
+    """Trains for at most so many seconds or generations, or until Ctrl-C; what save() writes of the best policy so far."""
     dice = np.random.default_rng(seed)
     mazes, validation = MazeSet("train", kind=kind, size=size), MazeSet("validation", kind=kind, size=size)[:100]
     mean, momentum, square = np.zeros(WEIGHTS), np.zeros(WEIGHTS), np.zeros(WEIGHTS)
     best, best_score = mean, np.inf
     curve: List[Dict[str, float]] = []
     begin, processor, generation = time.monotonic(), os.times(), 0
-    pool = ProcessPoolExecutor(jobs) if jobs > 1 else None
-    while True:
-        over = generation == generations or time.monotonic() - begin > seconds
-        if generation % 5 == 0 or over:
-            score = -float(play(mean[None], validation).mean())
-            curve.append({"generation": generation, "seconds": time.monotonic() - begin, "validation": score})
-            print(f"generation {generation:4d}  {time.monotonic() - begin:6.1f} s  validation {score:.2f}", flush=True)
-            if score < best_score:
-                best, best_score = mean.copy(), score
-        if over:
-            break
-        first = generation * MAZES
-        noise = dice.standard_normal((PAIRS, WEIGHTS))
-        tried = mean + SPREAD * np.concatenate([noise, -noise])
-        returns = _parts(tried, mazes[first : first + MAZES], budget, pool, jobs).mean(axis=1)
-        rank = ranks(returns)
-        slope = (rank[:PAIRS] - rank[PAIRS:]) @ noise / (2 * PAIRS * SPREAD)
-        generation += 1
-        momentum = 0.9 * momentum + 0.1 * slope
-        square = 0.99 * square + 0.01 * slope**2
-        mean = mean + RATE * (momentum / (1 - 0.9**generation)) / (np.sqrt(square / (1 - 0.99**generation)) + 1e-8)
-    if pool is not None:
-        pool.shutdown()
+    # Ctrl-C is for this process alone.
+    pool = ProcessPoolExecutor(jobs, None, signal.signal, (signal.SIGINT, signal.SIG_IGN)) if jobs > 1 else None
+    try:
+        while True:
+            over = generation == generations or time.monotonic() - begin > seconds
+            if generation % 5 == 0 or over:
+                score = -float(play(mean[None], validation).mean())
+                curve.append({"generation": generation, "seconds": time.monotonic() - begin, "validation": score})
+                print(f"generation {generation:4d}  {time.monotonic() - begin:6.1f} s  validation {score:.2f}", flush=True)
+                if score < best_score:
+                    best, best_score = mean.copy(), score
+            if over:
+                break
+            first = generation * MAZES
+            noise = dice.standard_normal((PAIRS, WEIGHTS))
+            tried = mean + SPREAD * np.concatenate([noise, -noise])
+            returns = _parts(tried, mazes[first : first + MAZES], budget, pool, jobs).mean(axis=1)
+            rank = ranks(returns)
+            slope = (rank[:PAIRS] - rank[PAIRS:]) @ noise / (2 * PAIRS * SPREAD)
+            generation += 1
+            momentum = 0.9 * momentum + 0.1 * slope
+            square = 0.99 * square + 0.01 * slope**2
+            mean = mean + RATE * (momentum / (1 - 0.9**generation)) / (np.sqrt(square / (1 - 0.99**generation)) + 1e-8)
+    except KeyboardInterrupt:
+        for process in multiprocessing.active_children():
+            process.terminate()
+        if not curve:
+            raise
+        print("interrupted", flush=True)
+    finally:
+        if pool is not None:
+            pool.shutdown()
     now = os.times()
     used = sum(now[:4]) - sum(processor[:4])
     return {
