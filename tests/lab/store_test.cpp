@@ -338,6 +338,9 @@ TEST_F(AStore, IsMergedIntoAnother) {
   EXPECT_EQ(number("SELECT count(*) FROM timings", "one.db"), 3);
   // The first that was there stays.
   EXPECT_EQ(number("SELECT count(*) FROM timings WHERE figures = '[1.0]'", "one.db"), 1);
+  change("DELETE FROM timings", "one.db");
+  merge_stores({path("two.db")}, path("one.db"));
+  EXPECT_EQ(number("SELECT count(*) FROM timings", "one.db"), 2);
   EXPECT_EQ(number("SELECT count(*) FROM bounds", "one.db"), 2);
   for (const auto& entry : fs::directory_iterator(folder_))
     EXPECT_THAT(entry.path().filename().string(), testing::Not(HasSubstr("merging")));
@@ -381,6 +384,18 @@ TEST_F(AStore, NamesTheFirstConflictsOfTheFirstPartThatHasSome) {
   ASSERT_THAT(merge.conflicts, SizeIs(11));  // of 20
   for (const std::string& line : merge.conflicts) EXPECT_THAT(line, HasSubstr("two.db"));
   EXPECT_THAT(merge.conflicts.back(), HasSubstr("10 more"));
+}
+
+TEST_F(AStore, MergesNothingOfOneWhoseContestsBelongToNothing) {
+  for (const char* table : {"worlds", "mice", "mazes", "builds"}) {
+    race("flood", {test::loop()}, test::in_steps(), "one.db");
+    race("certify", {test::loop()}, test::in_steps(), "two.db");
+    change(std::string("DELETE FROM ") + table, "two.db");
+    EXPECT_THAT(merge_stores({path("two.db")}, path("one.db")).error, Says("two.db: error: ", "damaged")) << table;
+    EXPECT_EQ(number("SELECT count(*) FROM contests", "one.db"), 1) << table;
+    fs::remove(path("one.db"));
+    fs::remove(path("two.db"));
+  }
 }
 
 TEST_F(AStore, MergesNothingWhereAPartIsNone) {

@@ -63,8 +63,9 @@ void Database::Close::operator()(sqlite3* database) const { sqlite3_close_v2(dat
 void Statement::Finish::operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
 
 Database::Database(const std::string& path, Access access) : path_(path), writes_(access != Access::read) {
-  int flags = SQLITE_OPEN_NOMUTEX | SQLITE_OPEN_EXRESCODE;
-  flags |= writes_ ? SQLITE_OPEN_READWRITE : SQLITE_OPEN_READONLY;
+  // Who only reads may write as well, where the file can be written: so he removes the files beside it when he is the
+  // last.
+  int flags = SQLITE_OPEN_NOMUTEX | SQLITE_OPEN_EXRESCODE | SQLITE_OPEN_READWRITE;
   if (access == Access::create) flags |= SQLITE_OPEN_CREATE;
   const auto open = [&](const std::string& name, int more) {
     sqlite3* opened = nullptr;
@@ -150,6 +151,12 @@ Statement& Statement::bind(int place, const std::optional<double>& value) {
   if (statement_ && database_->good())
     database_->check(value ? sqlite3_bind_double(statement_.get(), place, *value)
                            : sqlite3_bind_null(statement_.get(), place));
+  return *this;
+}
+
+Statement& Statement::bind(int place, const Statement& row, int column) {
+  if (statement_ && row.statement_ && database_->good())
+    database_->check(sqlite3_bind_value(statement_.get(), place, sqlite3_column_value(row.statement_.get(), column)));
   return *this;
 }
 

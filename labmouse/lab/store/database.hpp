@@ -69,6 +69,8 @@ class Statement {
   Statement& bind(int place, std::int64_t value);
   Statement& bind(int place, std::string_view value);
   Statement& bind(int place, const std::optional<double>& value);
+  /// The value in a column of the present row of a statement, of this database or another.
+  Statement& bind(int place, const Statement& row, int column);
 
   /// Goes to the next row; false behind the last one, and then the statement can be used again.
   bool next();

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "labmouse/lab/store/merging.hpp"
 #include "labmouse/lab/store/schema.hpp"
 #include "labmouse/lab/system/file_lock.hpp"
 #include "labmouse/lab/system/file_problems.hpp"
@@ -17,100 +18,24 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// So many conflicts are named; where there is one there are often many.
-constexpr int named_conflicts = 10;
-
-/// What the other store calls by its own numbers, by ours: temporary tables of pairs.
-constexpr const char* add_what_contests_name = R"(
-INSERT INTO main.worlds (text, name, conditions, unit) SELECT text, name, conditions, unit FROM part.worlds
-  WHERE true ON CONFLICT DO NOTHING;
-INSERT INTO main.mice (text, name, spec, parameters, about) SELECT text, name, spec, parameters, about FROM part.mice
-  WHERE true ON CONFLICT DO NOTHING;
-INSERT INTO main.mazes (text, name, width, height) SELECT text, name, width, height FROM part.mazes
-  WHERE true ON CONFLICT DO NOTHING;
-INSERT INTO main.builds (version, compiler, processor) SELECT version, compiler, processor FROM part.builds
-  WHERE true ON CONFLICT DO NOTHING;
-CREATE TEMP TABLE same_world AS SELECT theirs.id AS theirs, ours.id AS ours FROM part.worlds AS theirs
-  JOIN main.worlds AS ours USING (text);
-CREATE TEMP TABLE same_mouse AS SELECT theirs.id AS theirs, ours.id AS ours FROM part.mice AS theirs
-  JOIN main.mice AS ours USING (text);
-CREATE TEMP TABLE same_maze AS SELECT theirs.id AS theirs, ours.id AS ours FROM part.mazes AS theirs
-  JOIN main.mazes AS ours USING (text);
-CREATE TEMP TABLE same_build AS SELECT theirs.id AS theirs, ours.id AS ours FROM part.builds AS theirs
-  JOIN main.builds AS ours USING (version, compiler, processor);
-INSERT INTO main.bounds (world, maze, bound) SELECT same_world.ours, same_maze.ours, bound FROM part.bounds AS theirs
-  JOIN same_world ON same_world.theirs = theirs.world JOIN same_maze ON same_maze.theirs = theirs.maze
-  WHERE true ON CONFLICT DO NOTHING;
-CREATE TEMP TABLE theirs AS SELECT c.id AS id, same_world.ours AS world, same_mouse.ours AS mouse, same_maze.ours AS maze,
-  c.seed AS seed, same_build.ours AS build FROM part.contests AS c
-  JOIN same_world ON same_world.theirs = c.world JOIN same_mouse ON same_mouse.theirs = c.mouse
-  JOIN same_maze ON same_maze.theirs = c.maze JOIN same_build ON same_build.theirs = c.build;
-CREATE TEMP TABLE both AS SELECT theirs.id AS theirs, ours.id AS ours FROM theirs
-  JOIN main.contests AS ours USING (world, mouse, maze, seed);
-)";
-
-constexpr const char* find_conflicts = R"(
-SELECT worlds.name, mice.name, mazes.name, a.seed, a.outcome, b.outcome, a.score, b.score
-  FROM both JOIN main.contests AS a ON a.id = both.ours JOIN part.contests AS b ON b.id = both.theirs
-  JOIN main.worlds ON worlds.id = a.world JOIN main.mice ON mice.id = a.mouse JOIN main.mazes ON mazes.id = a.maze
- WHERE a.outcome <> b.outcome OR a.score IS NOT b.score OR a.counted IS NOT b.counted OR a.ratio IS NOT b.ratio
-    OR a.figures <> b.figures OR a.never_started <> b.never_started
- ORDER BY a.id)";
-
-constexpr const char* add_contests = R"(
-INSERT INTO main.contests (world, mouse, maze, seed, run, race_seed, outcome, outcome_order, never_started, score, counted,
-                           ratio, fields, figures, build, time)
-  SELECT theirs.world, theirs.mouse, theirs.maze, theirs.seed, run, race_seed, outcome, outcome_order, never_started, score,
-         counted, ratio, fields, figures, theirs.build, time
-    FROM theirs JOIN part.contests AS c ON c.id = theirs.id
-   WHERE theirs.id NOT IN (SELECT theirs FROM both) ORDER BY theirs.id;
-)";
-
-constexpr const char* add_timings = R"(
-INSERT INTO main.timings (contest, figures)
-  SELECT ours.id, t.figures FROM theirs JOIN part.timings AS t ON t.contest = theirs.id
-    JOIN main.contests AS ours ON ours.world = theirs.world AND ours.mouse = theirs.mouse AND ours.maze = theirs.maze
-     AND ours.seed = theirs.seed
-   WHERE true ON CONFLICT DO NOTHING;
-)";
-
-constexpr const char* tidy_up = R"(
-DROP TABLE both; DROP TABLE theirs; DROP TABLE same_world; DROP TABLE same_mouse; DROP TABLE same_maze; DROP TABLE same_build;
-)";
-
-std::string score_words(const std::optional<double>& score) { return score ? fmt::format(" ({})", *score) : ""; }
-
-/// Names the first conflicts between the attached store and ours.
-void name_conflicts(Database& database, const std::string& path, Merge& merge) {
-  Statement rows = database.prepare(find_conflicts);
-  int more = 0;
-  while (rows.next()) {
-    if (merge.conflicts.size() >= named_conflicts && ++more > 0) continue;
-    merge.conflicts.push_back(
-        shown(fmt::format("{}: {} in {} with seed {}, world {}: {}{} there, and {}{} otherwise", path, rows.text(1),
-                          rows.text(2), rows.whole(3), rows.text(0), rows.text(5), score_words(rows.real(7)),
-                          rows.text(4), score_words(rows.real(6)))));
+/// Adds stores to the one in a file, in a transaction: all, or none where something is wrong with one of them or
+/// contradicts another. People know them as `called`, where that is not empty.
+void add_to(const std::string& target, Database::Access access, const std::vector<std::string>& paths,
+            const std::string& called, Merge& merge) {
+  Database ours = open_store(target, access);
+  ours.run("BEGIN IMMEDIATE");
+  {
+    Merging merging(ours);
+    for (const std::string& path : paths) {
+      if (!merge.good() || !ours.good()) break;
+      Database theirs = open_store(path, Database::Access::read);
+      merging.add(theirs, called.empty() ? path : called, merge);
+      merge.error = error_line(path, theirs.error());
+    }
   }
-  if (more > 0) merge.conflicts.push_back(fmt::format("and {} more in {}", more, shown(path)));
-}
-
-/// Adds one store in a transaction; not at all where there is a conflict, which names the store `called`.
-void merge_one(Database& database, const std::string& path, const std::string& called, Merge& merge) {
-  if (!merge.conflicts.empty()) return;
-  database.prepare("ATTACH ?1 AS part").bind(1, path).run();
-  database.run("BEGIN IMMEDIATE");
-  database.run(add_what_contests_name);
-  name_conflicts(database, called, merge);
-  if (!merge.conflicts.empty()) {
-    database.roll_back();
-    return;
-  }
-  database.run(add_contests);
-  merge.added += database.changes();
-  merge.equal += database.number("SELECT count(*) FROM both");
-  database.run(add_timings);
-  database.run(tidy_up);
-  database.run("COMMIT; DETACH part");
+  if (merge.good()) ours.run("COMMIT");
+  ours.roll_back();
+  if (merge.error.empty()) merge.error = error_line(target, ours.error());
 }
 
 /// Why a store cannot be read by a merge; empty where it can.
@@ -218,19 +143,18 @@ Merge merge_stores(const std::vector<std::string>& paths, const std::string& tar
   Merge merge;
   for (const std::string& path : paths)
     if (merge.error = refuse(path, target); !merge.error.empty()) return merge;
-  // The parts are put together beside the target, which then changes in one transaction, or by a new name.
   const FileBeside beside(target);
   if (merge.error = error_line(target, beside.error()); !merge.error.empty()) return merge;
-  {
-    Database database = open_store(beside.path(), Database::Access::create);
-    for (const std::string& path : paths) merge_one(database, path, path, merge);
-    if (merge.error.empty()) merge.error = error_line(beside.path(), database.error());
+  std::error_code unknown;
+  if (fs::exists(target, unknown)) {
+    add_to(target, Database::Access::write, paths, "", merge);
+    return as_it_ended(std::move(merge));
   }
+  // A store that is new has its name once it is whole.
+  add_to(beside.path(), Database::Access::create, paths, "", merge);
   if (!merge.good() || becomes(beside.path(), target, merge)) return as_it_ended(std::move(merge));
   merge.added = merge.equal = 0;
-  Database database = open_store(target, Database::Access::write);
-  merge_one(database, beside.path(), target, merge);
-  if (merge.error.empty()) merge.error = error_line(target, database.error());
+  add_to(target, Database::Access::write, {beside.path()}, target, merge);
   return as_it_ended(std::move(merge));
 }
 

@@ -4,19 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "labmouse/lab/store/merging.hpp"
 #include "labmouse/lab/store/stored_races.hpp"
 
 namespace labmouse {
-
-/// What a merge came to.
-struct Merge {
-  std::int64_t added = 0;              ///< contests that are new in the target
-  std::int64_t equal = 0;              ///< contests that it had already, with the same results
-  std::vector<std::string> conflicts;  ///< contests whose results differ, a line each; then nothing was changed
-  std::string error;                   ///< why there was no merge, as a line for the user
-
-  bool good() const { return conflicts.empty() && error.empty(); }
-};
 
 /// Adds all contests of the stores to the target, which is made where there is none: all of them, or nothing where one
 /// contest has another result in two of them. Timings do not count for that; those that are there first stay.
