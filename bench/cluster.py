@@ -1,6 +1,8 @@
-"""What a cluster costs: processor time of one and two workers and of the client, against a race in one process.
+"""What a cluster costs: clock and processor time of one and of two workers, and of the client, against a race in one process.
 
 Usage: PYTHONPATH=build/release/python build/python-tools/bin/python bench/cluster.py [RUNS]
+
+The race in one process is held by one and by two threads, too: more than these gain no two workers can.
 """
 
 import os
@@ -18,37 +20,55 @@ def spent():
     return times.user + times.system
 
 
-def counted(client):
-    """The calls that send a task."""
-    sent, submit = [], client.submit
-    client.submit = lambda *words, **named: sent.append(words) or submit(*words, **named)
-    return sent
+def timed(call):
+    """Seconds of processor here, and by the clock."""
+    begin = spent(), time.perf_counter()
+    call()
+    return spent() - begin[0], time.perf_counter() - begin[1]
+
+
+def tasks_of(client):
+    """The seconds of each task that has ended."""
+    return [part["stop"] - part["start"] for task in client.get_task_stream() for part in task["startstops"] if part["action"] == "compute"]
+
+
+def quantiles(tasks):
+    """The seconds of a task below which a tenth, a half and nine tenths of all work is done."""
+    tasks, done, found = sorted(tasks), 0.0, []
+    for task in tasks:
+        done += task
+        found += [task] * (sum(done >= share * sum(tasks) for share in (0.1, 0.5, 0.9)) - len(found))
+    return found
 
 
 def main():
     order = dict(mice=["random", "ariadne-deep", "certify"], runs=int(sys.argv[1]) if len(sys.argv) > 1 else 2000)
     with tempfile.TemporaryDirectory() as folder:
-        begin = spent(), time.perf_counter()
-        contests = len(labmouse.race(**order, jobs=1, store=f"{folder}/alone.db").table)
-        alone = spent() - begin[0]
-        print(f"alone: {contests} contests, {alone:.2f} s of processor, {time.perf_counter() - begin[1]:.2f} s", flush=True)
-        walls, works = [], []
+        alone, clocks, works = 0.0, [], []
+        for threads in (1, 2):
+            work, clock = timed(lambda: labmouse.race(**order, jobs=threads, progress=False, store=f"{folder}/threads-{threads}.db"))
+            alone = alone or work
+            clocks.append(clock)
+            print(f"alone, {threads} threads: {work:.2f} s of processor, {clock:.2f} s", flush=True)
+        print(f"two threads against one: {clocks[0] / clocks[1] / 2:.2f} by the clock")
+        clocks.clear()
         for workers in (1, 2):
             with distributed.LocalCluster(n_workers=workers, threads_per_worker=1, dashboard_address="127.0.0.1:0") as local:
                 with distributed.Client(local) as client:
-                    client.run(spent)
-                    sent = counted(client)
+                    client.wait_for_workers(workers)
+                    client.run(cluster.race.__module__.__len__)  # they have imported all
+                    client.get_task_stream()
                     before = sum(client.run(spent).values())
-                    begin = spent(), time.perf_counter()
-                    cluster.race(client, **order, store=f"{folder}/{workers}.db")
-                    walls.append(time.perf_counter() - begin[1])
-                    here = spent() - begin[0]
+                    here, clock = timed(lambda: cluster.race(client, **order, progress=False, store=f"{folder}/workers-{workers}.db"))
                     works.append(sum(client.run(spent).values()) - before)
-                    tasks = len(sent)
-                    print(f"{workers} workers: {works[-1]:.2f} s of processor in them, {here:.2f} s in client and scheduler, {walls[-1]:.2f} s;"
-                          f" {tasks} tasks of {works[-1] / tasks:.2f} s, of which {1000 * (works[-1] - alone) / tasks:.0f} ms beside contests,"
-                          f" and {1000 * here / tasks:.0f} ms in client and scheduler for each", flush=True)
-        print(f"two workers against one: {walls[0] / walls[1] / 2:.2f} by the clock, {works[0] / works[1]:.2f} by processor time")
+                    clocks.append(clock)
+                    tasks = tasks_of(client)
+                    low, middle, high = quantiles(tasks)
+                    print(f"{workers} workers: {works[-1]:.2f} s of processor in them, {here:.2f} s in client and scheduler, {clock:.2f} s;"
+                          f" {len(tasks)} tasks; half of the work in those of {middle:.2f} s or more, four fifths in those of {low:.2f} to {high:.2f} s;"
+                          f" for each {1000 * (works[-1] - alone) / len(tasks):.0f} ms in its worker beside contests,"
+                          f" and {1000 * here / len(tasks):.0f} ms in client and scheduler", flush=True)
+        print(f"two workers against one: {clocks[0] / clocks[1] / 2:.2f} by the clock, {works[0] / works[1]:.2f} by processor time")
 
 
 if __name__ == "__main__":

@@ -2,15 +2,12 @@
 #pragma once
 
 #include <map>
-#include <memory>
 #include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 #include "entering.hpp"
-#include "errors.hpp"
-#include "labmouse/lab/store/store.hpp"
 
 namespace labmouse::python {
 
@@ -32,22 +29,6 @@ inline Choice choice_of(const GivenMice& mice, std::vector<NamedMaze> mazes, con
   choice.world = world.first;
   choice.settings = WorldSettings(world.second.begin(), world.second.end());
   return choice;
-}
-
-/// The store of that path, or null where there is none; throws UserError.
-inline std::shared_ptr<Store> store_of(const std::string& path) {
-  if (path.empty()) return nullptr;
-  auto store = std::make_shared<Store>(path);
-  if (store->failed()) throw UserError(store->finish());
-  return store;
-}
-
-/// Waits until it has all contests, and closes it; returns how many came from it. Throws UserError where it failed.
-inline std::size_t finish(std::shared_ptr<Store>& store) {
-  if (!store) return 0;
-  const std::shared_ptr<Store> finished = std::move(store);
-  if (const std::string error = finished->finish(); !error.empty()) throw UserError(error);
-  return finished->recalled();
 }
 
 }  // namespace labmouse::python

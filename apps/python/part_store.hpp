@@ -1,4 +1,4 @@
-// A store that lets a race hold only some of its contests, for a machine that does a part of the work.
+// Stores that let a race hold only some of its contests, for a machine that does a part of the work, or none.
 #pragma once
 
 #include <cstddef>
@@ -9,6 +9,7 @@
 #include <tuple>
 #include <vector>
 
+#include "errors.hpp"
 #include "labmouse/lab/races/race.hpp"
 #include "labmouse/lab/store/store.hpp"
 
@@ -18,6 +19,11 @@ namespace labmouse::python {
 using PickedContest = std::tuple<std::string, std::string, int>;
 /// Nothing where all contests are meant.
 using PickedContests = std::optional<std::vector<PickedContest>>;
+
+/// The path of a store, or nothing; the contests that are held, if the store does not have them; and what the store is
+/// for: to "keep" contests, to "read" what it has and hold nothing, or to "send" its contents on, so that nothing waits
+/// for the disk.
+using GivenStore = std::tuple<std::string, PickedContests, std::string>;
 
 /// Says that all other contests are done, so that none of them is held. What a race says of those has no meaning: only
 /// the store is to be read.
@@ -47,14 +53,54 @@ class PartStore final : public ContestStore {
   std::vector<PickedContest> missing_;
 };
 
-/// The store through which a race sees those contests alone; null where all are meant.
-inline std::shared_ptr<PartStore> part_of(const std::shared_ptr<Store>& store, const PickedContests& picked) {
-  return store && picked ? std::make_shared<PartStore>(store, *picked) : nullptr;
-}
+/// Gives what is in a store, and lets no contest be held.
+class ReadStore final : public ContestStore {
+ public:
+  explicit ReadStore(std::shared_ptr<ContestStore> store) : store_(std::move(store)) {}
 
-/// As of PartStore.
-inline std::vector<PickedContest> missing_of(const std::shared_ptr<PartStore>& part) {
-  return part ? part->missing() : std::vector<PickedContest>();
-}
+  void recall(Race& race, const std::function<bool(const ContestResult&)>& wanted) override {
+    store_->recall(race, wanted);
+  }
+  void keep(const Race&, const ContestResult&) override {}
+  bool failed() const override { return true; }
+
+ private:
+  std::shared_ptr<ContestStore> store_;
+};
+
+/// The store of a race.
+class RaceStore {
+ public:
+  /// Throws UserError.
+  explicit RaceStore(const GivenStore& given) {
+    const auto& [path, picked, use] = given;
+    if (path.empty()) return;
+    store_ = std::make_shared<Store>(path, use == "send" ? Database::Access::scratch : Database::Access::create);
+    if (store_->failed()) throw UserError(store_->finish());
+    shown_ = store_;
+    if (picked) shown_ = part_ = std::make_shared<PartStore>(shown_, *picked);
+    if (use == "read") shown_ = std::make_shared<ReadStore>(shown_);
+  }
+
+  /// What the race sees; null where there is none.
+  const std::shared_ptr<ContestStore>& shown() const { return shown_; }
+
+  /// Once the race has ended: waits until the store has all contests, and closes it. How many came from it, the first
+  /// time. Throws UserError.
+  std::size_t finish() {
+    shown_.reset();
+    if (!store_) return 0;
+    const std::shared_ptr<Store> finished = std::move(store_);
+    if (const std::string error = finished->finish(); !error.empty()) throw UserError(error);
+    return finished->recalled();
+  }
+  /// As of PartStore.
+  std::vector<PickedContest> missing() const { return part_ ? part_->missing() : std::vector<PickedContest>(); }
+
+ private:
+  std::shared_ptr<Store> store_;
+  std::shared_ptr<PartStore> part_;
+  std::shared_ptr<ContestStore> shown_;
+};
 
 }  // namespace labmouse::python

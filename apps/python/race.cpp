@@ -8,8 +8,11 @@
 #include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
+#include <chrono>
+#include <map>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "bindings.hpp"
 #include "entering.hpp"
@@ -44,9 +47,13 @@ struct HeldRace {
 /// A race that is going on.
 class RunningRace {
  public:
+  /// Contests that take about as long as each other: the name of the mouse, and how many cells the maze has.
+  using Kind = std::pair<std::string, int>;
+  /// Contests, and the seconds that they took.
+  using Spent = std::pair<int, double>;
+
   RunningRace(const GivenMice& mice, std::vector<NamedMaze> mazes, const GivenWorld& world, int runs,
-              std::uint64_t seed, int jobs, const std::string& out, bool overwrite, const std::string& store,
-              const PickedContests& picked)
+              std::uint64_t seed, int jobs, const std::string& out, bool overwrite, const GivenStore& store)
       : out_(out) {
     if (runs < 1 || runs > 1'000'000) throw UserError(fmt::format("runs is a number from 1 to 1000000, not {}", runs));
     if (jobs < 0 || jobs > 1024) throw UserError(fmt::format("jobs is a number from 0 to 1024, not {}", jobs));
@@ -59,19 +66,20 @@ class RunningRace {
     order.runs = runs;
     order.seed = seed;
     order.jobs = jobs;
-    order.store = store_ = store_of(store);
-    if ((part_ = part_of(store_, picked))) order.store = part_;
+    order.store = store_.emplace(store).shown();
     const std::size_t all = contests_of(field.entry.mice, field.mazes.size(), order);
     if (!out_.empty()) {
       folder_ = std::make_unique<ResultsFolder>(out_, overwrite);
       if (!folder_->error().empty()) throw UserError(folder_->error());
     }
+    told_ = Clock::now();
     work_.start([this, order, all, field = std::move(field)]() mutable {
       RaceHooks hooks;
       hooks.stop = &work_.stopped();
       if (!out_.empty()) hooks.keep = RaceFolder::keep;
       hooks.finished = [this, all](const Race& race, const ContestResult& contest, const Held& held) {
         work_.advance(all);
+        note_time(race, contest);
         save(race, contest, held);
       };
       held_->race = hold_race(std::move(field.entry.mice), std::move(field.mazes), order, hooks);
@@ -83,12 +91,22 @@ class RunningRace {
   const std::vector<std::string>& remarks() const { return remarks_; }
   std::shared_ptr<HeldRace> result() {
     work_.finish();
-    held_->from_store += finish(store_);
+    held_->from_store += store_->finish();
     return held_;
   }
-  std::vector<PickedContest> missing() const { return missing_of(part_); }
+  std::vector<PickedContest> missing() const { return store_->missing(); }
+  const std::map<Kind, Spent>& spent() const { return spent_; }
 
  private:
+  using Clock = std::chrono::steady_clock;
+
+  void note_time(const Race& race, const ContestResult& contest) {
+    auto& [contests, seconds] = spent_[{race.mice[contest.mouse].name, race.mazes[contest.maze].maze.size().area()}];
+    const auto now = Clock::now();
+    ++contests;
+    seconds += std::chrono::duration<double>(now - std::exchange(told_, now)).count();
+  }
+
   void save(const Race& race, const ContestResult& contest, const Held& held) {
     if (out_.empty() || !failed_write_.empty()) return;
     if (!records_) records_.emplace(out_, race);
@@ -111,8 +129,9 @@ class RunningRace {
   std::string out_, failed_write_;
   std::unique_ptr<ResultsFolder> folder_;
   std::optional<RaceFolder> records_;
-  std::shared_ptr<Store> store_;
-  std::shared_ptr<PartStore> part_;
+  std::optional<RaceStore> store_;
+  std::map<Kind, Spent> spent_;
+  Clock::time_point told_;
   Work work_;  // last: its thread ends before the others do
 };
 
@@ -218,9 +237,8 @@ void bind_races(nb::module_& module) {
       .def("json", [](const HeldRace& held) { return json_of(held.race, held.skipped); });
   nb::class_<RunningRace>(module, "RunningRace")
       .def(nb::init<const GivenMice&, std::vector<NamedMaze>, const GivenWorld&, int, std::uint64_t, int,
-                    const std::string&, bool, const std::string&, const PickedContests&>(),
-           "mice"_a, "mazes"_a, "world"_a, "runs"_a, "seed"_a, "jobs"_a, "out"_a, "overwrite"_a, "store"_a,
-           "picked"_a.none() = nb::none())
+                    const std::string&, bool, const GivenStore&>(),
+           "mice"_a, "mazes"_a, "world"_a, "runs"_a, "seed"_a, "jobs"_a, "out"_a, "overwrite"_a, "store"_a)
       .def_prop_ro("remarks", &RunningRace::remarks)
       .def_prop_ro("done", [](RunningRace& running) { return running.work().done(); })
       .def_prop_ro("all", [](RunningRace& running) { return running.work().all(); })
@@ -228,6 +246,9 @@ void bind_races(nb::module_& module) {
           "wait", [](RunningRace& running, double seconds) { return running.work().wait(seconds); }, "seconds"_a)
       .def("stop", [](RunningRace& running) { running.work().stop(); })
       .def("missing", &RunningRace::missing)
+      .def("spent", &RunningRace::spent,
+           "Contests and seconds by the name of the mouse and the cells of the maze, of a race in one thread that has "
+           "ended.")
       .def("result", &RunningRace::result);
   module.def("merge_stores", &merge, "paths"_a, "target"_a, nb::call_guard<nb::gil_scoped_release>(),
              "As `labmouse store merge`; returns how many contests are new in the target. Raises Error.");

@@ -36,8 +36,7 @@ struct HeldStudy {
 class RunningStudy {
  public:
   RunningStudy(const GivenMice& mice, std::vector<NamedMaze> mazes, const GivenWorld& world,
-               const std::tuple<int, bool, int, std::uint64_t, int>& numbers, const std::string& store,
-               const PickedContests& picked) {
+               const std::tuple<int, bool, int, std::uint64_t, int>& numbers, const GivenStore& store) {
     StudyOrder order;
     std::tie(order.folds, order.learning, order.race.runs, order.race.seed, order.race.jobs) = numbers;
     if (order.folds < 2) throw UserError(fmt::format("folds is a number from 2, not {}", order.folds));
@@ -49,8 +48,7 @@ class RunningStudy {
     held_ = std::make_shared<HeldStudy>();
     held_->skipped = std::move(field.skipped);
     order.race.world = field.entry.world;
-    order.race.store = store_ = store_of(store);
-    if ((part_ = part_of(store_, picked))) order.race.store = part_;
+    order.race.store = store_.emplace(store).shown();
     work_.start([this, order, field = std::move(field)]() mutable {
       StudyHooks hooks;
       hooks.stop = &work_.stopped();
@@ -63,17 +61,16 @@ class RunningStudy {
   const std::vector<std::string>& remarks() const { return remarks_; }
   std::shared_ptr<HeldStudy> result() {
     work_.finish();
-    held_->from_store += finish(store_);
+    held_->from_store += store_->finish();
     if (!held_->study.error.empty()) throw UserError(held_->study.error);
     return held_;
   }
-  std::vector<PickedContest> missing() const { return missing_of(part_); }
+  std::vector<PickedContest> missing() const { return store_->missing(); }
 
  private:
   std::shared_ptr<HeldStudy> held_;
   std::vector<std::string> remarks_;
-  std::shared_ptr<Store> store_;
-  std::shared_ptr<PartStore> part_;
+  std::optional<RaceStore> store_;
   Work work_;  // last: its thread ends before the others do
 };
 
@@ -89,8 +86,8 @@ void bind_studies(nb::module_& module) {
       .def("svg", [](const HeldStudy& held) { return picture_of(held.study); });
   nb::class_<RunningStudy>(module, "RunningStudy")
       .def(nb::init<const GivenMice&, std::vector<NamedMaze>, const GivenWorld&,
-                    const std::tuple<int, bool, int, std::uint64_t, int>&, const std::string&, const PickedContests&>(),
-           "mice"_a, "mazes"_a, "world"_a, "numbers"_a, "store"_a, "picked"_a.none() = nb::none())
+                    const std::tuple<int, bool, int, std::uint64_t, int>&, const GivenStore&>(),
+           "mice"_a, "mazes"_a, "world"_a, "numbers"_a, "store"_a)
       .def_prop_ro("remarks", &RunningStudy::remarks)
       .def_prop_ro("done", [](RunningStudy& running) { return running.work().done(); })
       .def_prop_ro("all", [](RunningStudy& running) { return running.work().all(); })

@@ -11,6 +11,7 @@ import labmouse
 import pytest
 
 ORDER = dict(mice="flood,random", mazes=["contest-01", "contest-02"], runs=100)
+SECONDS = 60
 DAEMONS = ["munged", "slurmctld", "slurmd"]
 #: One node with two processors, whatever the machine has, which looks for jobs at once.
 CONFIGURATION = """
@@ -96,7 +97,8 @@ def slurm(tmp_path_factory):
     environment = {**os.environ, "SLURM_CONF": str(configuration)}
     started = []
     # It returns once it listens; the others wait for each other.
-    subprocess.run(["munged", "--force", *(f"--{option}={own}/munge.{ending}" for option, ending in files.items())], check=True)
+    subprocess.run(["munged", "--force", *(f"--{option}={own}/munge.{ending}" for option, ending in files.items())], check=True,
+                   timeout=SECONDS)
     try:
         for words in (["slurmctld", "-D"], ["slurmd", "-D"]):
             started.append(subprocess.Popen(words, env=environment, stderr=subprocess.DEVNULL))
@@ -105,10 +107,10 @@ def slurm(tmp_path_factory):
         for daemon in reversed(started):
             daemon.terminate()
         for daemon in reversed(started):
-            daemon.wait()
-        subprocess.run(["munged", "--stop", f"--socket={own}/munge.socket"], check=True)
+            daemon.wait(SECONDS)
+        subprocess.run(["munged", "--stop", f"--socket={own}/munge.socket"], check=True, timeout=SECONDS)
 
 
 def test_slurm_holds_all_parts(slurm, folder, command):
-    subprocess.run(["sbatch", "--wait", "race.sh"], check=True, env=slurm)
+    subprocess.run(["sbatch", "--wait", "race.sh"], check=True, env=slurm, timeout=10 * SECONDS)
     is_the_race_of_one_machine(folder, command)

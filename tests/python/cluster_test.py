@@ -7,6 +7,7 @@ import collections
 import contextlib
 import os
 import random
+import select
 import signal
 import sqlite3
 import subprocess
@@ -59,6 +60,8 @@ class Processes:
         process = subprocess.Popen([sys.executable, "-B", "-c", program, *words], stdout=subprocess.PIPE, text=True,
                                    env=self.environment)
         self.all.append(process)
+        ready, _, _ = select.select([process.stdout], [], [], SECONDS)
+        assert ready, f"a process said nothing for {SECONDS} s"
         return process.stdout.readline().strip()
 
     def work(self, workers=1):

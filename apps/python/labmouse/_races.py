@@ -169,7 +169,7 @@ def race(
     folder, kept = _path("out", out or ""), _path("store", "" if store is None else store)
     workers = for_mice(who.own, jobs)
     running = _native.RunningRace(who.native(workers, label, store is not None), mazes_of(mazes), chosen, runs, seed, jobs,
-                                  folder, overwrite, kept)
+                                  folder, overwrite, (kept, None, "keep"))
     try:
         finish(running, progress, workers)
         return Race(running.result())

@@ -94,7 +94,7 @@ def study(
     workers = for_mice(who.own, jobs)
     try:
         running = _native.RunningStudy(who.native(workers, label, store is not None), mazes_of(mazes), chosen,
-                                       (folds, learning, runs, seed, jobs), kept)
+                                       (folds, learning, runs, seed, jobs), (kept, None, "keep"))
         finish(running, progress, workers)
         return Study(running.result())
     finally:

@@ -35,13 +35,26 @@ __all__ = ["race", "study", "sweep"]
 _Contest = tuple[str, str, int]
 _Running = Union[_native.RunningRace, _native.RunningStudy]
 
+#: What contests that take about as long as each other have in common: the mouse, and how many cells the maze has.
+_Kind = tuple[str, int]
+#: By kinds: contests, and the seconds that they took.
+_Spent = dict[_Kind, tuple[int, float]]
+
 #: What a task should take: long beside what a scheduler needs for one, short beside what a dead worker costs.
 _SECONDS_A_TASK = 1.0
-#: The contests of the first tasks, before any was measured.
+#: Towards the end tasks become smaller, down to this, so that all workers end at about the same time.
+_SECONDS_A_LAST_TASK = 0.1
+#: Contests of a kind in a task: so many where none was measured, and later so many times as many as were.
 _FIRST = 4
+#: So long the client waits for a task that has ended, before it looks after the others; Ctrl-C ends the wait.
+_SECONDS_A_WAIT = 0.1
 #: So often the scheduler is asked for its workers, and so long it has for an answer or for a result, which is a small file.
 _SECONDS_BETWEEN_QUESTIONS = 1.0
 _SECONDS_FOR_AN_ANSWER = 10.0
+
+
+#: All contests of a study, in which mice are taught as well.
+_ANY: _Kind = ("", 0)
 
 
 class _Plan(NamedTuple):
@@ -55,36 +68,39 @@ class _Plan(NamedTuple):
     folds: "tuple[int, bool] | None"
     """Of a study: how many, and whether mice learn."""
 
-    def begin(self, mazes: "list[Maze]", store: str, jobs: int, picked: "list[_Contest] | None") -> _Running:
-        """Holds the picked contests that the store does not have; all of them with None."""
+    def begin(self, mazes: "list[Maze]", store: "tuple[str, list[_Contest] | None, str]", jobs: int = 0) -> _Running:
+        """Holds contests. store: its path; those to hold where it does not have them, or None for all; and whether it is to
+        "keep" contests, to "read" alone, so that none is held, or to be "sent" on."""
         import cloudpickle  # type: ignore[import-untyped,unused-ignore]
 
         specs, own, label = cloudpickle.loads(self.mice)
         mice = specs, own, _python(), label
         if self.folds is None:
-            return _native.RunningRace(mice, mazes, self.world, self.runs, self.seed, jobs, "", False, store, picked)
-        return _native.RunningStudy(mice, mazes, self.world, (*self.folds, self.runs, self.seed, jobs), store, picked)
+            return _native.RunningRace(mice, mazes, self.world, self.runs, self.seed, jobs, "", False, store)
+        return _native.RunningStudy(mice, mazes, self.world, (*self.folds, self.runs, self.seed, jobs), store)
 
     def missing(self, mazes: "list[Maze]", store: str) -> "tuple[list[_Contest], int]":
         """The contests that the store does not have, and how many it has."""
-        running = self.begin(mazes, store, 0, [])
+        running = self.begin(mazes, (store, [], "keep"))
         while not running.wait(0.1):
             pass
         held = running.result()
         return running.missing(), held.from_store
 
 
-def _hold(plan: _Plan, mazes: "list[Maze]", picked: "list[_Contest]") -> "tuple[bytes, float]":
+def _hold(plan: _Plan, mazes: "list[Maze]", picked: "list[_Contest]") -> "tuple[bytes, _Spent]":
     """A task of a worker: a store with these contests, and the seconds that they took."""
     begin = time.perf_counter()
     with tempfile.TemporaryDirectory() as folder:
         store = os.path.join(folder, "part.db")
-        running = plan.begin(mazes, store, 1, picked)
+        running = plan.begin(mazes, (store, picked, "send"), 1)
         while not running.wait(1.0):
             pass
         running.result()
+        # What a task takes besides is the smaller, the more contests it has.
+        spent = running.spent() if isinstance(running, _native.RunningRace) else {_ANY: (len(picked), time.perf_counter() - begin)}
         del running  # closes the store
-        return Path(store).read_bytes(), time.perf_counter() - begin
+        return Path(store).read_bytes(), spent
 
 
 class _Spread:
@@ -97,6 +113,7 @@ class _Spread:
         self.mazes = mazes
         self.store = store
         self.by_name = {maze.name: maze for maze in mazes}
+        self.cells = {maze.name: maze.width * maze.height for maze in mazes}
         missing, self.from_store = plan.missing(mazes, store)
         # By mazes, so that few tasks compute the bound of the same one.
         self.waiting = collections.deque(sorted(missing, key=lambda contest: (contest[1], contest[0], contest[2])))
@@ -105,16 +122,14 @@ class _Spread:
         self.remarks: list[str] = []
         self.futures: dict[Any, list[_Contest]] = {}
         self.finished: queue.SimpleQueue[Any] = queue.SimpleQueue()
-        self.seconds = 0.0
-        self.measured = 0
-        self.largest = _FIRST
+        self.spent: _Spent = {}
         self.checked = False
         self.threads = 0
         self.asked = -math.inf
         self.had_workers = time.monotonic()
 
     def wait(self, seconds: float) -> bool:
-        """Goes on for about so long; whether all contests are in the store."""
+        """Goes on until a task has ended, or for so long; whether all contests are in the store."""
         if not self.futures and not self.waiting:
             return True
         self._count_threads()
@@ -122,7 +137,7 @@ class _Spread:
             self._submit()
         ended = []
         try:
-            ended.append(self.finished.get(timeout=seconds))
+            ended.append(self.finished.get(timeout=max(seconds, _SECONDS_A_WAIT)))
             while True:
                 ended.append(self.finished.get_nowait())
         except queue.Empty:
@@ -161,20 +176,26 @@ class _Spread:
     def _submit(self) -> None:
         threads = max(1, self.threads)
         while self.waiting and len(self.futures) < 2 * threads + 2:
-            size = min(self._size(), math.ceil(len(self.waiting) / threads))
-            self._send([self.waiting.popleft() for _ in range(min(size, len(self.waiting)))])
+            enough, seconds = len(self.waiting) / (2 * threads), 0.0
+            picked: list[_Contest] = []
+            while self.waiting and seconds < (_SECONDS_A_TASK if len(picked) < enough else _SECONDS_A_LAST_TASK):
+                picked.append(self.waiting.popleft())
+                seconds += self._seconds_of(picked[-1])
+            self._send(picked)
 
-    def _size(self) -> int:
-        if self.measured == 0:
-            return _FIRST
-        return max(1, min(4 * self.largest, int(_SECONDS_A_TASK * self.measured / self.seconds)))
+    def _seconds_of(self, contest: _Contest) -> float:
+        """What a contest is expected to take; those of which little is known have few in a task."""
+        mouse, maze, _ = contest
+        number, seconds = self.spent.get(_ANY if self.plan.folds else (mouse, self.cells[maze]), (1.0, 0.0))
+        return max(seconds / number, _SECONDS_A_TASK / (_FIRST * number))
 
     def _send(self, picked: "list[_Contest]") -> None:
-        # A study deals all mazes into its folds.
-        names = {maze for _, maze, _ in picked}
-        mazes = self.mazes if self.plan.folds else [self.by_name[name] for name in sorted(names)]
-        future = self.client.submit(_hold, self.plan, mazes, picked, pure=False)
+        future = self.client.submit(_hold, self.plan, self._mazes_of(picked), picked, pure=False)
         self._await(future, picked)
+
+    def _mazes_of(self, picked: "list[_Contest]") -> "list[Maze]":
+        """Those that these contests need: a study deals all mazes into its folds."""
+        return self.mazes if self.plan.folds else [self.by_name[name] for name in sorted({maze for _, maze, _ in picked})]
 
     def _await(self, future: Any, picked: "list[_Contest]") -> None:
         self.futures[future] = picked
@@ -188,7 +209,7 @@ class _Spread:
         if picked is None:
             return []
         try:
-            data, seconds = future.result(timeout=_SECONDS_FOR_AN_ANSWER)
+            data, spent = future.result(timeout=_SECONDS_FOR_AN_ANSWER)
         except (OSError, asyncio.TimeoutError, asyncio.CancelledError, concurrent.futures.CancelledError) as error:
             if future.status == "error":  # of the task itself
                 raise
@@ -206,9 +227,9 @@ class _Spread:
             self._send(picked[:half])
             self._send(picked[half:])
             return []
-        self.seconds += seconds
-        self.measured += len(picked)
-        self.largest = max(self.largest, len(picked))
+        for kind, (number, seconds) in spent.items():
+            before = self.spent.get(kind, (0, 0.0))
+            self.spent[kind] = (before[0] + number, before[1] + seconds)
         return [(picked, data)]
 
     def _merge(self, parts: "list[tuple[list[_Contest], bytes]]") -> None:
@@ -223,14 +244,17 @@ class _Spread:
         self.done += sum(len(picked) for picked, _ in parts)
         if not self.checked:
             self.checked = True
-            self.check({contest for picked, _ in parts for contest in picked})
+            self._check([contest for picked, _ in parts for contest in picked])
 
-    def check(self, came: "set[_Contest] | None" = None) -> None:
+    def _check(self, came: "list[_Contest]") -> None:
         """Raises Error where the workers held other contests than this machine would."""
-        missing = set(self.plan.missing(self.mazes, self.store)[0])
-        if missing & came if came is not None else missing:
-            raise Error(f"{self.store}: the workers held contests of other mice than were asked for; "
-                        "give all machines the same labmouse, the same Python and the same files of guests")
+        if not set(came).isdisjoint(self.plan.missing(self._mazes_of(came), self.store)[0]):
+            raise _other_contests(self.store)
+
+
+def _other_contests(store: str) -> Error:
+    return Error(f"{store}: the workers held contests of other mice than were asked for; "
+                 "give all machines the same labmouse, the same Python and the same files of guests")
 
 
 def _spread(client: "Client", mice: "Mice | None", mazes: "Mazes | None", store: "str | os.PathLike[str]", label: "str | None",
@@ -255,14 +279,13 @@ def _spread(client: "Client", mice: "Mice | None", mazes: "Mazes | None", store:
         stopped = not spread.done == spread.all
     finally:
         spread.stop()
-    if not stopped:
-        spread.check()
     # All of it is in the store now; after Ctrl-C, what is done.
-    running = plan.begin(field, kept, 0, None)
-    if stopped:
-        running.stop()
+    running = plan.begin(field, (kept, None, "read"))
     finish(running, False)
-    return running.result(), spread.from_store
+    held = running.result()
+    if not stopped and not held.complete:
+        raise _other_contests(kept)
+    return held, spread.from_store
 
 
 def race(

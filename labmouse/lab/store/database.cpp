@@ -66,7 +66,7 @@ Database::Database(const std::string& path, Access access) : path_(path), writes
   // Who only reads may write as well, where the file can be written: so he removes the files beside it when he is the
   // last.
   int flags = SQLITE_OPEN_NOMUTEX | SQLITE_OPEN_EXRESCODE | SQLITE_OPEN_READWRITE;
-  if (access == Access::create) flags |= SQLITE_OPEN_CREATE;
+  if (access == Access::create || access == Access::scratch) flags |= SQLITE_OPEN_CREATE;
   const auto open = [&](const std::string& name, int more) {
     sqlite3* opened = nullptr;
     const int code = sqlite3_open_v2(name.c_str(), &opened, flags | more, nullptr);

@@ -22,6 +22,7 @@ class Database {
     read,    ///< of a file that is there
     write,   ///< the same
     create,  ///< where there is no file, makes one
+    scratch  ///< the same, of a file that need not outlive a power cut
   };
 
   Database(const std::string& path, Access access);

@@ -115,7 +115,8 @@ std::string refuse(const std::string& path, Database::Access access) {
   if (std::filesystem::is_directory(status)) return "is a folder; a store is one file";
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
     return "is no regular file, which a store has to be";
-  if (!std::filesystem::exists(status) && access != Database::Access::create) return "there is no such store";
+  const bool makes = access == Database::Access::create || access == Database::Access::scratch;
+  if (!std::filesystem::exists(status) && !makes) return "there is no such store";
   return "";
 }
 
@@ -167,7 +168,9 @@ Database open_store(const std::string& path, Database::Access access, std::span<
   const auto version = database.number("PRAGMA user_version");
   if (access != Database::Access::read) {
     // A committed contest is on the disk, whatever happens to the power.
-    database.run_patiently("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");
+    database.run_patiently(access == Database::Access::scratch
+                               ? "PRAGMA journal_mode = MEMORY; PRAGMA synchronous = OFF"
+                               : "PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");
     migrate(database, steps);
   } else if (database.good() && version < static_cast<std::int64_t>(steps.size())) {
     database.fail(version == 0 ? "is an empty file, and no store yet"

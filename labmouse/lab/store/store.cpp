@@ -115,9 +115,9 @@ class Writing {
 
 }  // namespace
 
-Store::Store(const std::string& path)
+Store::Store(const std::string& path, Database::Access access)
     : path_(path),
-      writing_(open_store(path, Database::Access::create)),
+      writing_(open_store(path, access)),
       reading_(open_store(writing_.good() ? path : "", Database::Access::read)) {
   failed_ = !writing_.good() || !reading_.good();
   if (!failed_) writer_ = std::thread([this] { write_batches(); });

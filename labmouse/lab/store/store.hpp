@@ -19,8 +19,8 @@ namespace labmouse {
 /// Other programs may read and write the same file at the same time.
 class Store final : public ContestStore {
  public:
-  /// Opens the file, or makes it. error() says what is wrong with it.
-  explicit Store(const std::string& path);
+  /// Opens the file, or makes it; finish() says what is wrong with it. With Access::scratch nothing waits for the disk.
+  explicit Store(const std::string& path, Database::Access access = Database::Access::create);
   /// Writes what is left; asked before, finish() says whether that worked.
   ~Store() override;
 
