@@ -99,5 +99,27 @@ TEST(PairedDifference, TakesScoresForEqualThatWereRoundedDifferently) {
   EXPECT_EQ(paired_difference(Values{1 / 600.0, -1 / 600.0}, 1).equal, 0);
 }
 
+TEST(PairedRatio, IsThatOfTheMeansAndNotTheMeanOfRatios) {
+  EXPECT_DOUBLE_EQ(paired_ratio(Values{1.0, 30.0}, Values{2.0, 20.0}, 1).ratio, 31.0 / 22.0);
+}
+
+TEST(PairedRatio, OfValuesInProportionIsCertain) {  // however much the values differ
+  Values values, others;
+  for (int i = 1; i <= 50; ++i) {
+    values.push_back(3.0 * i);
+    others.push_back(2.0 * i);
+  }
+  const PairedRatio found = paired_ratio(values, others, 1);
+  EXPECT_DOUBLE_EQ(found.ratio, 1.5);
+  EXPECT_DOUBLE_EQ(found.interval.low, 1.5);
+  EXPECT_DOUBLE_EQ(found.interval.high, 1.5);
+}
+
+TEST(PairedRatio, OverOnesHasTheIntervalOfTheMean) {
+  Values values;
+  for (int i = 0; i < 30; ++i) values.push_back(i % 7);
+  EXPECT_EQ(paired_ratio(values, Values(values.size(), 1.0), 4).interval, bootstrap_interval(values, 4));
+}
+
 }  // namespace
 }  // namespace labmouse

@@ -8,14 +8,19 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "labmouse/chance/dice.hpp"
 #include "labmouse/lab/races/race_paths.hpp"
+#include "labmouse/lab/seconds/seconds_world.hpp"
 #include "labmouse/lab/standings/race_table.hpp"
 #include "labmouse/lab/standings/standings.hpp"
+#include "labmouse/lab/studies/ratios.hpp"
 #include "labmouse/maze/symmetry.hpp"
 #include "tests/lab/drawing_samples.hpp"
+#include "tests/lab/drive_record_fixture.hpp"
 #include "tests/lab/race_fixture.hpp"
 #include "tests/lab/xml_scanner.hpp"
 #include "tests/says.hpp"
+#include "tests/strategies/random_mazes.hpp"
 
 namespace labmouse {
 namespace {
@@ -289,6 +294,69 @@ TEST(Comparisons, AreOfScoresMazeByMaze) {
   EXPECT_EQ(comparison.found.interval, bootstrap_interval(comparison.differences, 1));
 }
 
+std::vector<std::string> figures_of(const std::vector<FigureRatio>& ratios) {
+  std::vector<std::string> figures;
+  for (const FigureRatio& ratio : ratios) figures.emplace_back(ratio.figure);
+  return figures;
+}
+
+TEST(Ratios, InStepsAreOfScores) {
+  const Study study = study_of("flood,flood:stride=1", five_mazes());
+  const auto ratios = ratios_of(study, comparisons_of(study).front());
+  ASSERT_THAT(figures_of(ratios), ElementsAre("score"));
+  const std::vector<Standing> standings = standings_of(study.race);
+  EXPECT_EQ(ratios[0].mazes, 5);
+  EXPECT_DOUBLE_EQ(ratios[0].found.ratio, *standings[1].mean_all / *standings[0].mean_all);
+  EXPECT_GT(standings[1].mean_all, standings[0].mean_all);
+}
+
+/// Two mice under the rules of that name, in mazes in which they score and that take some time.
+Study in_seconds(std::string_view specs, const std::string& rules, int mazes) {
+  StudyOrder order = folded(2);
+  order.race.world = seconds_world(find_rules(rules).rules, test::drive_model("mm2021"));
+  std::vector<NamedMaze> some;
+  for (Dice dice(5); std::ssize(some) < mazes;) {
+    Maze maze = test::any_maze(dice, 6);
+    maze = maze.with_start({0, 0}, Heading::north).with_goals(centre_of(maze.size()));
+    const NamedMaze named = {"maze-" + std::to_string(some.size()), maze};
+    if (!maze.is_goal(maze.start()) && select_mazes({named}, *order.race.world).mazes.size() == 1)
+      some.push_back(named);
+  }
+  return hold_study(test::mice(specs), std::move(some), order);
+}
+
+TEST(Ratios, InSecondsAreOfTimesToo) {
+  const Study study = in_seconds("flood,certify", "thirtieth", 9);
+  const Comparison comparison = comparisons_of(study).front();
+  const auto ratios = ratios_of(study, comparison);
+  ASSERT_THAT(figures_of(ratios), ElementsAre("score", "search", "best run"));
+  const std::vector<Standing> standings = standings_of(study.race);
+  const auto mean = [&](std::size_t mouse, std::string_view key) {
+    const auto standing =
+        std::find_if(standings.begin(), standings.end(), [&](const Standing& s) { return s.mouse == mouse; });
+    return *number_of(figure_of(study.race, *standing, key));
+  };
+  EXPECT_NEAR(ratios[1].found.ratio, mean(comparison.mouse, "mean_search") / mean(comparison.against, "mean_search"),
+              1e-9);
+  EXPECT_NEAR(ratios[2].found.ratio, mean(comparison.mouse, "mean_best") / mean(comparison.against, "mean_best"), 1e-9);
+  EXPECT_GT(ratios[1].found.ratio, 1.0);
+  EXPECT_LE(ratios[2].found.ratio, 1.0);
+}
+
+TEST(Ratios, CountMazesInWhichBothHaveTheFigure) {
+  Study study = in_seconds("flood,certify", "all-japan", 6);
+  const Comparison comparison = comparisons_of(study).front();
+  for (ContestResult& contest : study.race.results)
+    if (contest.mouse == comparison.mouse && contest.maze == 0) {
+      contest.score.reset();
+      contest.counted.reset();
+    }
+  for (const FigureRatio& ratio : ratios_of(study, comparison)) EXPECT_EQ(ratio.mazes, 5) << ratio.figure;
+  for (ContestResult& contest : study.race.results)
+    if (contest.maze == 1) contest.counted = -2.0;
+  EXPECT_THAT(figures_of(ratios_of(study, comparison)), ElementsAre("search", "best run"));
+}
+
 /// Made up: two mice of which one failed once, and names that trouble readers.
 Study made_up() {
   Study study = study_of("flood,flood:stride=1", {{"a<b>,&\"c\"\x1b", hall(4).maze}, hall(7)});
@@ -309,6 +377,7 @@ TEST(StudyAsTable, HasStandingsDifferencesAndNotes) {
   EXPECT_THAT(table, HasSubstr("\nflood               2/2   1.583     1.1-2.1   1.583  1.000   2.5   0.00 100.0 "));
   EXPECT_THAT(table, HasSubstr("\nflood:stride=1      1/2  50.567   1.1-100.0   1.133  1.062   4.0   0.00  50.0 "));
   EXPECT_THAT(table, HasSubstr("\nflood:stride=1 - flood  +48.983  +0.067 to +97.900     0     0      2  0.500\n"));
+  EXPECT_THAT(table, HasSubstr("\nflood:stride=1 / flood 31.937 [1.062, 47.619]\n"));
   EXPECT_THAT(table, Says("12 duplicates", ":\n  twin = hall-4\n", "  ... and 2 more", "--format json"));
   EXPECT_THAT(table, Says("None of these mice", "learns"));
   EXPECT_THAT(table, Not(HasSubstr("Stopped")));
@@ -345,6 +414,11 @@ TEST(StudyAsJson, HasAllThatTheRaceHasAndMore) {
   EXPECT_EQ(json["comparisons"][0]["against"], "flood");
   EXPECT_EQ(json["comparisons"][0]["losses"], 2);
   EXPECT_EQ(json["comparisons"][0]["sign_test"], 0.5);
+  const auto& ratio = json["comparisons"][0]["ratios"][0];
+  EXPECT_EQ(ratio["figure"], "score");
+  EXPECT_EQ(ratio["mazes"], 2);
+  EXPECT_NEAR(ratio["ratio"].get<double>(), 31.937, 0.001);
+  EXPECT_LT(ratio["interval"][0], ratio["interval"][1]);
   EXPECT_EQ(json["duplicates"].size(), 12U);
   EXPECT_EQ(json["skipped"][0]["path"], "bad.txt");
 }

@@ -1,6 +1,7 @@
 #include "labmouse/lab/numbers/statistics.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 #include "labmouse/chance/dice.hpp"
 
@@ -13,20 +14,46 @@ double mean(std::span<const double> values) {
   return sum / static_cast<double>(values.size());
 }
 
-Interval bootstrap_interval(std::span<const double> values, std::uint64_t seed) {
-  if (values.empty()) return {};
+namespace {
+
+/// The interval of what `of` makes of a sample: `count` of so many values, as pick() names them one by one.
+template <class Of>
+Interval bootstrap(std::size_t count, std::uint64_t seed, Of of) {
   constexpr std::size_t samples = 2000;
   constexpr std::size_t tail = samples / 40;  // 2.5 % on each side
   Dice dice(seed);
-  std::vector<double> means(samples);
-  for (double& sample : means) {
+  std::vector<double> found(samples);
+  for (double& sample : found)
+    sample = of([&] { return static_cast<std::size_t>(dice.below(static_cast<int>(count))); });
+  std::sort(found.begin(), found.end());
+  return {found[tail], found[samples - 1 - tail]};
+}
+
+}  // namespace
+
+Interval bootstrap_interval(std::span<const double> values, std::uint64_t seed) {
+  if (values.empty()) return {};
+  return bootstrap(values.size(), seed, [&](auto pick) {
     double sum = 0.0;
-    for (std::size_t i = 0; i < values.size(); ++i)
-      sum += values[static_cast<std::size_t>(dice.below(static_cast<int>(values.size())))];
-    sample = sum / static_cast<double>(values.size());
-  }
-  std::sort(means.begin(), means.end());
-  return {means[tail], means[samples - 1 - tail]};
+    for (std::size_t i = 0; i < values.size(); ++i) sum += values[pick()];
+    return sum / static_cast<double>(values.size());
+  });
+}
+
+PairedRatio paired_ratio(std::span<const double> values, std::span<const double> others, std::uint64_t seed) {
+  assert(values.size() == others.size() && !values.empty());
+  PairedRatio found;
+  found.ratio = mean(values) / mean(others);
+  found.interval = bootstrap(values.size(), seed, [&](auto pick) {
+    double sum = 0.0, of_others = 0.0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const std::size_t pair = pick();
+      sum += values[pair];
+      of_others += others[pair];
+    }
+    return sum / of_others;
+  });
+  return found;
 }
 
 double sign_test(int below, int above) {

@@ -42,4 +42,13 @@ struct PairedDifference {
 /// apart or the same, and differ by less only where they were rounded on different ways.
 PairedDifference paired_difference(std::span<const double> differences, std::uint64_t seed);
 
+/// The mean of some values over that of others, which belong to them in pairs.
+struct PairedRatio {
+  double ratio = 0.0;
+  Interval interval;  ///< by bootstrap over the pairs
+};
+
+/// As many values as others, at least one of each; the sum of any choice of the others must be above 0.
+PairedRatio paired_ratio(std::span<const double> values, std::span<const double> others, std::uint64_t seed);
+
 }  // namespace labmouse

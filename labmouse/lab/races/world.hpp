@@ -76,6 +76,13 @@ struct Column {
   std::string (*text)(const Race&, const Standing&);
 };
 
+/// A figure that studies compare besides the score: a number above 0 whose ratio between two mice says something, by
+/// its key in the JSON of a contest and as a table calls it.
+struct ComparedFigure {
+  std::string_view key;
+  std::string_view name;
+};
+
 /// All lists in the order in which they are shown.
 struct WorldFields {
   std::span<const ContestField> contest;  ///< of a result in JSON
@@ -83,6 +90,7 @@ struct WorldFields {
   std::span<const MouseField> mouse;      ///< of a mouse in JSON, before its results
   std::span<const MazeField> maze;        ///< of a maze in JSON
   std::span<const Column> columns;
+  std::span<const ComparedFigure> compared = {};
 };
 
 /// Something that results depend on besides mice, mazes and seed: the budget, the robot. A truth, a number, a text or

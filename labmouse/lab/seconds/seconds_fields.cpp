@@ -136,10 +136,12 @@ constexpr std::array<Column, 10> table = {
      {"runs", "each", 4,
       [](const Race& r, const Standing& s) { return columns::number(mean_solved(r, s, "starts"), 1); }}}};
 
+constexpr std::array<ComparedFigure, 2> compared = {{{"search_us", "search"}, {"best_us", "best run"}}};
+
 }  // namespace
 
 const WorldFields& seconds_fields() {
-  static constexpr WorldFields all = {contest_fields, csv_fields, mouse_fields, maze_fields, table};
+  static constexpr WorldFields all = {contest_fields, csv_fields, mouse_fields, maze_fields, table, compared};
   return all;
 }
 

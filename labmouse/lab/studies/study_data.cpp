@@ -2,6 +2,7 @@
 
 #include "labmouse/lab/standings/race_json.hpp"
 #include "labmouse/lab/standings/standings.hpp"
+#include "labmouse/lab/studies/ratios.hpp"
 #include "labmouse/lab/studies/study.hpp"
 #include "labmouse/lab/text/printable.hpp"
 
@@ -20,6 +21,18 @@ Json folds_json(const Study& study) {
   return folds;
 }
 
+Json ratios_json(const Study& study, const Comparison& comparison) {
+  Json ratios = Json::array();
+  for (const FigureRatio& ratio : ratios_of(study, comparison)) {
+    const Interval& interval = ratio.found.interval;
+    ratios.push_back({{"figure", ratio.figure},
+                      {"mazes", ratio.mazes},
+                      {"ratio", ratio.found.ratio},
+                      {"interval", ratio.mazes > 1 ? Json{interval.low, interval.high} : Json(nullptr)}});
+  }
+  return ratios;
+}
+
 Json comparison_json(const Study& study, const Comparison& comparison) {
   const PairedDifference& found = comparison.found;
   return {{"mouse", study.race.mice[comparison.mouse].name},
@@ -30,7 +43,8 @@ Json comparison_json(const Study& study, const Comparison& comparison) {
           {"wins", found.below},
           {"ties", found.equal},
           {"losses", found.above},
-          {"sign_test", found.sign_test}};
+          {"sign_test", found.sign_test},
+          {"ratios", ratios_json(study, comparison)}};
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "labmouse/lab/standings/race_notes.hpp"
 #include "labmouse/lab/standings/race_table.hpp"
 #include "labmouse/lab/studies/dropped_mazes.hpp"
+#include "labmouse/lab/studies/ratios.hpp"
 #include "labmouse/lab/studies/study.hpp"
 #include "labmouse/lab/system/version.hpp"
 #include "labmouse/lab/text/counted.hpp"
@@ -40,6 +41,40 @@ std::string comparisons_text(const Study& study, const std::vector<Comparison>& 
   return text;
 }
 
+std::string ratio_text(const std::vector<FigureRatio>& ratios, std::string_view figure) {
+  const auto found =
+      std::find_if(ratios.begin(), ratios.end(), [&](const FigureRatio& r) { return r.figure == figure; });
+  if (found == ratios.end()) return "-";
+  const Interval& interval = found->found.interval;
+  const std::string ratio = fmt::format("{:.3f}", found->found.ratio);
+  return found->mazes > 1 ? fmt::format("{} [{:.3f}, {:.3f}]", ratio, interval.low, interval.high) : ratio;
+}
+
+/// A line for each comparison and a column for each figure that one of them has; nothing where there is no figure.
+std::string ratios_text(const Study& study, const std::vector<Comparison>& comparisons, bool colours) {
+  std::vector<std::string> names;
+  std::vector<std::vector<FigureRatio>> all;
+  std::vector<std::string_view> figures;
+  std::size_t width = 10;
+  for (const Comparison& comparison : comparisons) {
+    names.push_back(study.race.mice[comparison.mouse].name + " / " + study.race.mice[comparison.against].name);
+    width = std::max(width, names.back().size());
+    all.push_back(ratios_of(study, comparison));
+    for (const FigureRatio& ratio : all.back())
+      if (std::find(figures.begin(), figures.end(), ratio.figure) == figures.end()) figures.push_back(ratio.figure);
+  }
+  if (figures.empty()) return "";
+  std::string heading = fmt::format("{:<{}}", "ratio of", width);
+  for (const std::string_view figure : figures) heading += fmt::format(" {:>22}", figure);
+  std::string text = line(colours, heading);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    text += fmt::format("{:<{}}", names[i], width);
+    for (const std::string_view figure : figures) text += fmt::format(" {:>22}", ratio_text(all[i], figure));
+    text += "\n";
+  }
+  return text + "\n";
+}
+
 /// Which mice were taught from what.
 std::string learning_note(const Study& study) {
   if (study.learners.empty()) return "None of these mice learns; each races as it is.\n";
@@ -56,7 +91,9 @@ std::string learning_note(const Study& study) {
 std::string notes_of(const Study& study, std::size_t comparisons) {
   std::string notes = score_note(*study.order.race.world);
   if (comparisons > 0)
-    notes += "Differences are maze by maze: below 0, and a win, means that the mouse before the minus is better.\n";
+    notes +=
+        "Differences are maze by maze: below 0, and a win, means that the mouse before the minus is better.\n"
+        "Ratios are of the means over the mazes in which both mice have the figure, with 95 % intervals.\n";
   if (comparisons > 1)
     notes += fmt::format("Each of the {} intervals holds on its own: one in twenty misses by chance.\n", comparisons);
   if (study.mice.size() > most_in_all_pairs) notes += "Mice are compared only with the first one named.\n";
@@ -79,7 +116,8 @@ std::string table_of(const Study& study, bool colours) {
                   study.order.folds, study.order.race.seed, world.heading());
   text += leaderboard_of(study.race, colours) + "\n";
   const std::vector<Comparison> comparisons = comparisons_of(study);
-  if (!comparisons.empty()) text += comparisons_text(study, comparisons, colours) + "\n";
+  if (!comparisons.empty())
+    text += comparisons_text(study, comparisons, colours) + "\n" + ratios_text(study, comparisons, colours);
   return text + notes_of(study, comparisons.size());
 }
 
