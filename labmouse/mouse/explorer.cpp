@@ -36,8 +36,8 @@ Explorer::~Explorer() = default;
 Action Explorer::decide(const Sighting& seen) {
   if (!knowledge_.learn(pose_, seen)) return Action::forfeit(ForfeitReason::contradiction);
   seen_ = seen;
-  const bool must_go_home = !racing_ && goal_entered_ && clock_ && clock_->must_go_home(knowledge_, place());
-  const Action action = racing_ ? race() : must_go_home ? Action::reset() : explore();
+  Action action = racing_ ? race() : explore();
+  if (must_go_home_before(action)) action = Action::reset();
   perform(action);
   ++steps_;
   return action;
@@ -47,6 +47,13 @@ void Explorer::show(const Pose& pose, const Sighting& seen) { static_cast<void>(
 
 std::span<const Counter> Explorer::counters() const {
   return clock_ ? std::span<const Counter>(counters_) : std::span<const Counter>();
+}
+
+std::int64_t Explorer::time_left() const { return clock_->time_left(); }
+
+bool Explorer::must_go_home_before(const Action& action) {
+  return clock_ && !racing_ && goal_entered_ && action.kind == Action::Kind::step &&
+         clock_->is_too_late_after(action, knowledge_, place());
 }
 
 Action Explorer::race() {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <memory>
 
 #include "labmouse/mouse/briefing.hpp"
@@ -16,7 +17,7 @@ class DriveFields;
 class SearchClock;
 
 /// A strategy with the bookkeeping done. A mind derives from it and writes explore(). In seconds it goes home when the
-/// time only just allows it, and has no more to do when it has run.
+/// time would not allow it after another step, and has no more to do when it has run.
 class Explorer : public Strategy {
  public:
   explicit Explorer(const Briefing& briefing);
@@ -49,6 +50,8 @@ class Explorer : public Strategy {
   const CellSet& visited() const { return visited_; }
   /// Steps that the budget still allows, the present one among them.
   int steps_left() const { return briefing_.budget - steps_; }
+  /// In seconds: what is left of the time in the maze, in microseconds.
+  std::int64_t time_left() const;
 
   /// Notes that the present decision took a new plan.
   void count_plan() { ++counters_.front().value; }
@@ -59,6 +62,7 @@ class Explorer : public Strategy {
   }
 
  private:
+  bool must_go_home_before(const Action& action);
   void perform(const Action& action);
   void move(const Action& step);
 

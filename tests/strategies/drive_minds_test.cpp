@@ -211,6 +211,23 @@ TEST_P(EveryDriver, RunsInTimeWhereItKnowsARunInTime) {
     }
 }
 
+TEST(DriversThatGoHome, LookOnUntilAnotherStepWouldBeTooMuch) {
+  MazeTime spare = 0;
+  int late = 0;
+  for (const SomeMaze& maze : generated_mazes())
+    for (const int seconds : {30, 40, 45, 50, 60}) {
+      const DriveRules rules = rules_of(0, seconds);
+      const DriveRecord record = contest(*find_mouse("certify"), maze.maze, rules, published());
+      const DriveRun* run = last_run(record);
+      // Until nothing was left to look at, or time had run out before the goal.
+      if (run == nullptr || run->known == run->hoped || run->end > rules.time_limit) continue;
+      spare += rules.time_limit - run->end;
+      ++late;
+    }
+  ASSERT_GT(late, 4);
+  EXPECT_LT(spare / late, 2 * published().search.back);
+}
+
 /// Counts what the mouse takes from the heap while it decides.
 class Counting final : public Strategy {
  public:

@@ -11,17 +11,19 @@ SearchClock::SearchClock(const Briefing& briefing)
       time_limit_(briefing.drive.time_limit),
       fields_(*briefing.drive.fields) {}
 
-bool SearchClock::must_go_home(const Knowledge& knowledge, const SearchPlace& place) {
-  // Stops at home and faces its start; before that a look takes it one cell farther away, or makes it pivot and go on.
+bool SearchClock::is_too_late_after(const Action& step, const Knowledge& knowledge, const SearchPlace& place) {
+  // Stops at home and faces its start.
   const std::int64_t arrival = search_.half_cell + 2 * search_.quarter;
-  const std::int64_t look = 2 * (search_.cell + search_.back + search_.half_cell + 2 * search_.quarter);
+  const std::int64_t then = time_ + time_of(step, knowledge, place);
   // It could go home the way that it came, and then the same way as fast as it searched.
-  if (3 * time_ + look + search_.back + arrival < time_limit_) return false;
+  if (3 * then + search_.back + arrival < time_limit_) return false;
   fields_.routes().fill_for(start_, knowledge.open(), goals_);
   const DriveTime run = fields_.routes().time_from(start_);
   if (run == no_time) return false;
-  fields_.ways().fill(knowledge.open(), knowledge.known_cells(), CellSet::of(start_.cell), &place);
-  return time_ + look + fields_.ways().from(place) + arrival + run > time_limit_;
+  // More walls seen make no way longer.
+  const SearchPlace there = after_search(place, step);
+  fields_.ways().fill(knowledge.open(), knowledge.known_cells(), CellSet::of(start_.cell), &there);
+  return then + fields_.ways().from(there) + arrival + run > time_limit_;
 }
 
 }  // namespace labmouse

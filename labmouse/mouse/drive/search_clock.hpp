@@ -16,14 +16,21 @@ class SearchClock {
   explicit SearchClock(const Briefing& briefing);
 
   void count(const Knowledge& knowledge, const SearchPlace& from, const Action& step) {
-    time_ += search_time(search_, from, step, search_.dashes() ? knowledge.known_cells() : CellSet());
+    time_ += time_of(step, knowledge, from);
   }
 
-  /// Whether the way home and the fastest known run would no longer fit into the time after another look. Never where
-  /// no run is known. Uses the briefing's fields.
-  bool must_go_home(const Knowledge& knowledge, const SearchPlace& place);
+  /// Whether the way home and the fastest known run would no longer fit into the time after that step, whatever it
+  /// shows. Never where no run is known. Uses the briefing's fields.
+  bool is_too_late_after(const Action& step, const Knowledge& knowledge, const SearchPlace& place);
+
+  /// What is left of the time in the maze, in microseconds.
+  std::int64_t time_left() const { return time_limit_ - time_; }
 
  private:
+  DriveTime time_of(const Action& step, const Knowledge& knowledge, const SearchPlace& from) const {
+    return search_time(search_, from, step, search_.dashes() ? knowledge.known_cells() : CellSet());
+  }
+
   Pose start_;
   CellSet goals_;
   SearchDrive search_;
