@@ -27,8 +27,10 @@ constexpr PriceTable reluctances = [] {
 // Found on 257 contest mazes by CMA-ES, all at once, for the mean of three robots (`classic`, `kerise`, `beginner`)
 // under `thirtieth`, November 2026; docs/solver.md says what was tried in vain. Times of a search are in its cells.
 
-/// To the goal, no turn takes longer than this part of a cell: corners show more of a maze.
+/// To the goal, no turn takes longer than this part of a cell: corners show more of a maze. Where the time in the maze
+/// does not count, after this part of the time allowed it matters more to arrive.
 constexpr double most_for_a_turn = 0.62;
+constexpr int part_for_corners = 6;
 
 /// How the ways home are counted.
 constexpr double home_turn = 1.33, home_back = 0.7;
@@ -45,8 +47,11 @@ constexpr double most_for_a_cell = 0.76, least_for_a_cell = 0.017, most_for_a_lo
 /// What a millisecond of the gain is worth in a search, by the divisor of the rules; and where there is none.
 constexpr double worth_by_divisor = 0.94 / 30, worth_of_a_look = 4.7;
 
-/// To a look, so many units of price are worth a cell.
+/// To a look, so many units of price are worth a cell, in mazes as small as those that the prior was made for.
 constexpr int prices_a_cell = 40;
+/// In larger ones, entering an unseen cell on the way to a look saves this part of a cell: it will be asked for sooner
+/// or later, unless the time ends before.
+constexpr double worth_of_news = 0.4;
 /// Walls that are rather closed than open (P(open) < 0.46) are no hope for a route, in mazes as small as those that the
 /// prior was made for: there are runs (RunCosts).
 constexpr int no_hope = 25;
@@ -82,7 +87,7 @@ class Driver final : public Explorer {
         likely_(briefing.size.area() <= RunCosts::largest_area),
         least_part_(likely_ ? little_part : 0),
         ways_(this->briefing().drive.fields->ways()),
-        savings_(likely_ ? static_cast<std::size_t>(briefing.size.area()) : 0) {
+        savings_(static_cast<std::size_t>(briefing.size.area()), part(worth_of_news, search_.cell)) {
     outlook_.price(reluctances);
     if (!likely_) return;
     runs_ = &this->briefing().drive.fields->runs();
@@ -95,7 +100,7 @@ class Driver final : public Explorer {
     if (!goal_entered()) return to_goal();
     if (std::exchange(news_, false)) {
       known_time_.reset();
-      if (runs_ != nullptr) save();
+      runs_ != nullptr ? save() : forget_known_cells();
     }
     // Without a run that is known there is nothing to weigh.
     return weighs() && knows_run() ? home() : look();
@@ -112,10 +117,15 @@ class Driver final : public Explorer {
   /// Whether the time in the maze counts, so that it has something to weigh.
   bool weighs() const { return briefing().drive.maze_time_divisor > 0; }
 
+  bool is_early() const {
+    const std::int64_t limit = briefing().drive.time_limit;
+    return part_for_corners * (limit - time_left()) < limit;
+  }
+
   Action to_goal() {
     count_plan();
     SearchTolls tolls{search_};
-    if (weighs()) tolls.drive.turn = std::min(search_.turn, part(most_for_a_turn, search_.cell));
+    if (weighs() || is_early()) tolls.drive.turn = std::min(search_.turn, part(most_for_a_turn, search_.cell));
     return step_towards(briefing().goals, tolls);
   }
 
@@ -127,7 +137,7 @@ class Driver final : public Explorer {
     tolls.unit = part(home_cells_a_nat / 32, search_.cell);
     tolls.base = part(home_cells_a_wall, search_.cell);
     tolls.closed = home_closed;
-    tolls.savings = savings_;
+    if (runs_ != nullptr) tolls.savings = savings_;
     return step_towards(CellSet::of(briefing().start.cell), tolls);
   }
 
@@ -140,8 +150,8 @@ class Driver final : public Explorer {
     // Standing where the wall could be seen and not seeing it: it is behind.
     if (viewpoints.contains(pose().cell)) return Action::step(90, 0);
     SearchTolls tolls{search_};
-    tolls.unit = search_.cell / prices_a_cell;
-    tolls.savings = savings_;
+    if (runs_ != nullptr) tolls.unit = search_.cell / prices_a_cell;
+    if (runs_ != nullptr || has_time_for_all()) tolls.savings = savings_;
     return step_towards(viewpoints, tolls);
   }
 
@@ -178,6 +188,17 @@ class Driver final : public Explorer {
     const SearchPlace here = place();
     ways_.fill(outlook_.prices(), tolls, knowledge().known_cells(), cells, &here);
     return hopeful_step(ways_, knowledge(), here);
+  }
+
+  /// Whether the mouse could enter each cell in the time allowed.
+  bool has_time_for_all() const {
+    return static_cast<std::int64_t>(briefing().size.area()) * search_.cell <= briefing().drive.time_limit;
+  }
+
+  /// Known cells show nothing new.
+  void forget_known_cells() {
+    knowledge().known_cells().for_each(
+        [&](Cell cell) { savings_[static_cast<std::size_t>(briefing().size.index(cell))] = 0; });
   }
 
   /// Finds what entering each unseen cell is worth: what the best run through it would gain, by the chance that it

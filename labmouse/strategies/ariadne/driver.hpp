@@ -9,7 +9,9 @@
 //
 // Where it does not count, the mouse goes on as certify does, to the next unseen wall of the fastest route that may
 // exist, over walls that are likely enough to be open and past cells that are worth a look, until such a route would
-// save next to nothing. In mazes larger than those that the prior was learned from it hopes for all walls, and proves.
+// save next to nothing. In mazes larger than those that the prior was learned from it hopes for all walls, and proves;
+// its ways to the next wall lead through unseen cells, if there is time for them. Turns count as cheap only early: a
+// mouse that comes to the goal late may not run in time.
 #pragma once
 
 #include <memory>
