@@ -25,7 +25,8 @@ constexpr PriceTable reluctances = [] {
   return table;
 }();
 // Found on 257 contest mazes by CMA-ES, all at once, for the mean of three robots (`classic`, `kerise`, `beginner`)
-// under `thirtieth`, November 2026; docs/solver.md says what was tried in vain. Times of a search are in its cells.
+// under `thirtieth`, November 2026, but for those of looks, which were tried one by one; docs/solver.md says what each
+// is worth. Times of a search are in its cells.
 
 /// To the goal, no turn takes longer than this part of a cell: corners show more of a maze. Where the time in the maze
 /// does not count, after this part of the time allowed it matters more to arrive.
