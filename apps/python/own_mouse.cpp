@@ -11,6 +11,7 @@
 
 #include "labmouse/contest/simulator.hpp"
 #include "labmouse/lab/mazes/maze_link.hpp"
+#include "labmouse/lab/mice/stoppable.hpp"
 #include "labmouse/lab/seconds/seconds_entry.hpp"
 #include "playing.hpp"
 
@@ -41,10 +42,23 @@ std::optional<Played> played_elsewhere(const MouseMaker& maker, const Maze& maze
   }
 }
 
-Played played_in_steps(const Maker& maker, const Maze& maze, const Rules& rules, std::uint64_t seed,
-                       const std::atomic<bool>* stop) {
-  if (auto played = played_elsewhere(*maker, maze, rules.budget, rules.stride, seed)) return std::move(*played);
-  return play_apart([=](Playing& playing) { play_in_steps(maker, maze, rules, seed, playing); }, stop);
+/// The contest in which the mouse did that, as far as it goes.
+ContestElsewhere played_again(const Maze& maze, const Rules& rules, Played played, const std::atomic<bool>* stop) {
+  const double microseconds = played.microseconds;
+  const auto mind = make_played_mind(maze.size(), std::move(played));
+  Stoppable stoppable(*mind, stop);
+  return {run(maze, rules, stoppable), mind->started(), microseconds};
+}
+
+ContestElsewhere contest_in_steps(const Maker& maker, const Maze& maze, const Rules& rules, std::uint64_t seed,
+                                  const std::atomic<bool>* stop) {
+  if (auto played = played_elsewhere(*maker, maze, rules.budget, rules.stride, seed))
+    return played_again(maze, rules, std::move(*played), stop);
+  Played played =
+      play_apart([=](Playing& playing) { playing.keep(play_in_steps(maker, maze, rules, seed, playing)); }, stop);
+  if (played.record) return {std::move(*played.record), played.started, played.microseconds};
+  // The mouse was left behind: what it did until then.
+  return played_again(maze, rules, std::move(played), nullptr);
 }
 
 Played played_in_seconds(const Maker& maker, const Maze& maze, const std::string& robot, const std::string& rules,
@@ -62,10 +76,7 @@ Contestant python_contestant(OwnMouse own, const WorldSettings& settings, const 
   mouse.identity = [identity = own.identity] { return identity; };
   const auto maker = std::make_shared<const MouseMaker>(std::move(own.maker), std::move(own.elsewhere));
   mouse.elsewhere = [maker, stop](const std::string&, const Maze& maze, const Rules& rules, std::uint64_t seed) {
-    Played played = played_in_steps(maker, maze, rules, seed, stop);
-    const double microseconds = played.microseconds;
-    const auto mind = make_played_mind(maze.size(), std::move(played));
-    return ContestElsewhere{run(maze, rules, *mind), mind->started(), microseconds};
+    return contest_in_steps(maker, maze, rules, seed, stop);
   };
   mouse.drive = [maker, stop, robot = value_of(seconds_entry, settings, "robot"),
                  rules = value_of(seconds_entry, settings, "rules")](const Maze& maze, const Briefing& briefing) {

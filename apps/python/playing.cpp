@@ -55,6 +55,7 @@ class WatchedMind final : public Strategy {
     return action;
   }
   const Knowledge& knowledge() const override { return mouse_->knowledge(); }
+  std::string_view last_words() override { return mouse_->last_words(); }
 
  private:
   std::unique_ptr<Strategy> mouse_;
@@ -141,15 +142,20 @@ void Playing::end(std::string last_words, bool started) {
   played_.started = started;
 }
 
+void Playing::keep(RunRecord record) {
+  const std::lock_guard lock(mutex_);
+  played_.record = std::move(record);
+}
+
 Played Playing::take() {
   const std::lock_guard lock(mutex_);
   return std::exchange(played_, {});
 }
 
-void play_in_steps(const std::shared_ptr<const MouseMaker>& maker, const Maze& maze, const Rules& rules,
-                   std::uint64_t seed, Playing& playing) {
+RunRecord play_in_steps(const std::shared_ptr<const MouseMaker>& maker, const Maze& maze, const Rules& rules,
+                        std::uint64_t seed, Playing& playing) {
   WatchedMind mind(make_python_mind(maker, brief(maze, rules, seed), &playing.stopped()), playing);
-  run(maze, rules, mind);
+  return run(maze, rules, mind);
 }
 
 void play_in_seconds(const std::shared_ptr<const MouseMaker>& maker, const Maze& maze, const std::string& robot,

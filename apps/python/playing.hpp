@@ -1,5 +1,5 @@
 // Contests of mice in Python, played where a race can leave them alone: in threads of their own, or in other processes.
-// What a mouse did there is played again where the race is.
+// What a mouse did there is played again where the race is, unless that has its record.
 #pragma once
 
 #include <array>
@@ -8,9 +8,11 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "labmouse/contest/record.hpp"
 #include "labmouse/contest/rules.hpp"
 #include "labmouse/maze/maze.hpp"
 #include "labmouse/mouse/action.hpp"
@@ -27,7 +29,8 @@ struct Played {
   std::vector<PackedAction> actions;
   std::string last_words;
   bool started = true;
-  double microseconds = 0.0;  ///< that its decisions took
+  double microseconds = 0.0;             ///< that its decisions took
+  std::optional<RunRecord> record = {};  ///< of a contest in steps that came to its end in this process
 };
 
 /// What a mouse did whose process died, and why.
@@ -42,6 +45,7 @@ class Playing {
 
   void add(const Action& action, double microseconds);
   void end(std::string last_words, bool started);
+  void keep(RunRecord record);
   /// Once: what was played so far.
   Played take();
 
@@ -52,8 +56,8 @@ class Playing {
 };
 
 /// Play a contest in this thread, in steps and in seconds.
-void play_in_steps(const std::shared_ptr<const MouseMaker>& maker, const Maze& maze, const Rules& rules,
-                   std::uint64_t seed, Playing& playing);
+RunRecord play_in_steps(const std::shared_ptr<const MouseMaker>& maker, const Maze& maze, const Rules& rules,
+                        std::uint64_t seed, Playing& playing);
 void play_in_seconds(const std::shared_ptr<const MouseMaker>& maker, const Maze& maze, const std::string& robot,
                      const std::string& rules, std::uint64_t seed, Playing& playing);
 
