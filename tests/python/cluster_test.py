@@ -391,17 +391,18 @@ def client_with(client, store, seed, kind, moment, number):
 def test_a_client_that_was_killed_goes_on(client, tmp_path):
     store = tmp_path / "a.db"
     moments = random.Random(20260102)
-    before = killed = 0
-    for kill in range(KILLS):
+    before = killed = runs = 0
+    while killed < KILLS:
         # Many early ones, where it is all new.
-        ran = client_with(client, store, kill // 4, "line", int(10 ** moments.uniform(0, 3.5)), signal.SIGKILL)
+        ran = client_with(client, store, runs // 4, "line", int(10 ** moments.uniform(0, 3.5)), signal.SIGKILL)
+        runs += 1
+        assert runs < 2 * KILLS
         now = kept(store) if store.exists() else 0
         # The last line is that of a race that was not killed.
         added = [int(line) for line in ran.stdout.splitlines() if line.isdigit()]
         assert now >= before + sum(added)
         before = now
         killed += ran.returncode == -signal.SIGKILL
-    assert killed > KILLS / 2
     # What a killed merge has left, the next one removes.
     left = [path.name for path in tmp_path.iterdir() if "merging" in path.name]
     assert len(left) <= 4, left
