@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "labmouse/mouse/robot/angles.hpp"
+#include "labmouse/functions/angles.hpp"
 #include "labmouse/mouse/robot/drive_model.hpp"
 #include "labmouse/mouse/robot/turn_room.hpp"
 #include "tests/mouse/drive_robots.hpp"

@@ -80,7 +80,7 @@ DriveProfile::DriveProfile(const DriveModel& model, const DriveRoute& route, std
   else
     set_turn(model, segment_);
   double seconds = 0.0;
-  for (const Phase& phase : phases_) seconds += phase.seconds;
+  for (const Phase& phase : phases()) seconds += phase.seconds;
   if (seconds > 0.0) scale_ = duration_ / seconds;
 }
 
@@ -97,9 +97,9 @@ void DriveProfile::set_straight(const DriveModel& model, const DriveRoute& route
   const double up = (peak * peak - first.speed * first.speed) / (2.0 * limits.acceleration);
   const double down = (peak * peak - end * end) / (2.0 * limits.braking);
   const double even = std::max(0.0, length_ - up - down);
-  phases_ = {{(peak - first.speed) / limits.acceleration, up, first.speed, limits.acceleration},
-             {even / peak, even, peak, 0.0},
-             {(peak - end) / limits.braking, down, peak, -limits.braking}};
+  add({(peak - first.speed) / limits.acceleration, up, first.speed, limits.acceleration});
+  add({even / peak, even, peak, 0.0});
+  add({(peak - end) / limits.braking, down, peak, -limits.braking});
 }
 
 void DriveProfile::set_turn(const DriveModel& model, const DriveSegment& segment) {
@@ -115,14 +115,14 @@ void DriveProfile::set_turn(const DriveModel& model, const DriveSegment& segment
     return;
   }
   const double seconds = duration_ / 1e6;
-  phases_ = {{seconds, length_, length_ / seconds, 0.0}};
+  add({seconds, length_, length_ / seconds, 0.0});
 }
 
 void DriveProfile::set_phases(const TurnDrive& drive) {
   const double step = length_ / TurnDrive::steps;
   for (std::size_t i = 0; i < TurnDrive::steps; ++i) {
     const double from = drive.speeds[i], to = drive.speeds[i + 1];
-    phases_.push_back({2.0 * step / (from + to), step, from, (to * to - from * from) / (2.0 * step)});
+    add({2.0 * step / (from + to), step, from, (to * to - from * from) / (2.0 * step)});
   }
 }
 
@@ -133,7 +133,7 @@ std::array<double, 2> DriveProfile::changes() const {
 
 double DriveProfile::distance_at(double time) const {
   double seconds = time / scale_, driven = 0.0;
-  for (const Phase& phase : phases_) {
+  for (const Phase& phase : phases()) {
     const double spent = std::min(seconds, phase.seconds);
     driven += phase.speed * spent + phase.acceleration * spent * spent / 2.0;
     seconds -= spent;
@@ -143,7 +143,7 @@ double DriveProfile::distance_at(double time) const {
 
 double DriveProfile::speed_at(double time) const {
   double seconds = time / scale_, speed = 0.0;
-  for (const Phase& phase : phases_) {
+  for (const Phase& phase : phases()) {
     if (phase.seconds <= 0.0) continue;
     const double spent = std::min(seconds, phase.seconds);
     speed = phase.speed + phase.acceleration * spent;
@@ -156,7 +156,7 @@ double DriveProfile::speed_at(double time) const {
 double DriveProfile::time_at(double distance) const {
   if (distance <= 0.0) return 0.0;
   double seconds = 0.0;
-  for (const Phase& phase : phases_) {
+  for (const Phase& phase : phases()) {
     if (distance >= phase.length) {
       seconds += phase.seconds;
       distance -= phase.length;

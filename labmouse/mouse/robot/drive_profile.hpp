@@ -3,7 +3,7 @@
 
 #include <array>
 #include <cstddef>
-#include <vector>
+#include <span>
 
 #include "labmouse/mouse/robot/drive_model.hpp"
 #include "labmouse/mouse/robot/route.hpp"
@@ -27,6 +27,11 @@ class DriveProfile {
 
   double length() const { return length_; }
   DriveTime duration() const { return duration_; }
+  /// From the segment's first node to where it begins, in the direction of driving: a straight may begin before its
+  /// node, a turn behind it.
+  double beginning() const { return shape_ != nullptr ? offset_ : -offset_; }
+  /// The shape of a turn; null of a straight.
+  const TurnShape* shape() const { return shape_; }
 
   /// The length driven at a time from 0 to duration().
   double distance_at(double time) const;
@@ -49,6 +54,8 @@ class DriveProfile {
     double acceleration = 0.0;
   };
 
+  std::span<const Phase> phases() const { return std::span(phases_).first(phase_count_); }
+  void add(const Phase& phase) { phases_[phase_count_++] = phase; }
   void set_straight(const DriveModel& model, const DriveRoute& route, std::size_t segment);
   void set_turn(const DriveModel& model, const DriveSegment& segment);
   void set_phases(const TurnDrive& drive);
@@ -58,8 +65,9 @@ class DriveProfile {
   double length_ = 0.0;
   double offset_ = 0.0;  ///< from the first node to the beginning, backwards of a straight, along the shape of a turn
   DriveTime duration_;
-  double scale_ = 1e6;  ///< microseconds that a second of the phases lasts: tables are rounded
-  std::vector<Phase> phases_;
+  double scale_ = 1e6;                          ///< microseconds that a second of the phases lasts: tables are rounded
+  std::array<Phase, TurnDrive::steps> phases_;  ///< of which so many are in use; no heap
+  std::size_t phase_count_ = 0;
   const TurnShape* shape_ = nullptr;
 };
 

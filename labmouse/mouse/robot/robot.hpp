@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "labmouse/hardware/hardware.hpp"
 #include "labmouse/mouse/robot/tables.hpp"
 
 namespace labmouse {
@@ -78,13 +79,14 @@ struct Robot {
   int sight = 1;              ///< cells that its sensors look into each direction
   bool diagonals = true;      ///< whether it drives any
   double search_speed = 0.0;  ///< mm/s
-  double search_turn_speed = 0.0;   ///< mm/s, on a path of its own; 0: at the search speed, on the path of S90
-  double known_speed = 0.0;         ///< mm/s, of a search over straights of known cells; 0: as over others
-  double known_acceleration = 0.0;  ///< mm/s², there; 0: the lesser of acceleration and braking
-  double pivot_speed = 0.0;         ///< rad/s, turning on the spot
-  double pivot_acceleration = 0.0;  ///< rad/s²
-  SearchDrive search;               ///< where its `cell` is 0, it follows from the three numbers before it
-  std::optional<FixedTimes> fixed;  ///< then the limits on curves above have no meaning
+  double search_turn_speed = 0.0;    ///< mm/s, on a path of its own; 0: at the search speed, on the path of S90
+  double known_speed = 0.0;          ///< mm/s, of a search over straights of known cells; 0: as over others
+  double known_acceleration = 0.0;   ///< mm/s², there; 0: the lesser of acceleration and braking
+  double pivot_speed = 0.0;          ///< rad/s, turning on the spot
+  double pivot_acceleration = 0.0;   ///< rad/s²
+  SearchDrive search;                ///< where its `cell` is 0, it follows from the three numbers before it
+  std::optional<FixedTimes> fixed;   ///< then the limits on curves above have no meaning
+  std::optional<Hardware> hardware;  ///< what it is built of, where that is known
   /// By Turn: of those onto a diagonal, and so of those back from it. S90 is always driven, since every maze can be
   /// driven by it.
   std::array<TurnLayout, all_turns.size()> layouts{};

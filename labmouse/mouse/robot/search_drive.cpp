@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "labmouse/mouse/robot/angles.hpp"
+#include "labmouse/functions/angles.hpp"
 #include "labmouse/mouse/robot/fitted_turn.hpp"
 #include "labmouse/mouse/robot/straights.hpp"
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "labmouse/mouse/robot/angles.hpp"
+#include "labmouse/functions/angles.hpp"
 
 namespace labmouse {
 namespace {
@@ -96,6 +96,11 @@ PathPoint TurnShape::at(double distance) const {
   const double back = lead_out + point.ahead;
   return {end.ahead - back * out.cosine - point.aside * out.sine,
           end.aside - back * out.sine + point.aside * out.cosine, end.angle - point.angle};
+}
+
+double TurnShape::curvature_at(double distance) const {
+  const double driven = distance - lead_in;
+  return driven <= 0.0 || driven >= length ? 0.0 : ramp.curvature_at(std::min({driven, length - driven, ramp.length}));
 }
 
 TurnShape shape_at(Turn turn, double speed, const CurveLimits& limits, double cell) {

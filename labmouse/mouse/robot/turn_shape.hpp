@@ -22,6 +22,8 @@ struct TurnShape {
   /// The point after so many mm from the first node, from 0 to lead_in + length + lead_out.
   PathPoint at(double distance) const;
   double whole() const { return lead_in + length + lead_out; }
+  /// How it bends there, rad/mm to the left.
+  double curvature_at(double distance) const;
 };
 
 /// Where a turn leads in cells of that many mm.

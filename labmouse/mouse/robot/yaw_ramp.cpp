@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "labmouse/mouse/robot/angles.hpp"
+#include "labmouse/functions/angles.hpp"
 
 namespace labmouse {
 namespace {
@@ -85,6 +85,15 @@ YawRamp ramp_of_half(double angle, const CurveLimits& limits) {
   // 2 jerk * half³ = angle
   const double half = third_root(angle / (2.0 * jerk));
   return {jerk * half * half, 2.0 * half, half};
+}
+
+double RampPath::curvature_at(double distance) const {
+  if (length <= 0.0) return peak;
+  const double slope = peak / (length - onset);
+  if (distance < onset) return slope * distance * distance / (2.0 * onset);
+  const double left = length - distance;
+  if (left < onset) return peak - slope * left * left / (2.0 * onset);
+  return slope * (distance - onset / 2.0);
 }
 
 PathPoint RampPath::at(double distance) const {

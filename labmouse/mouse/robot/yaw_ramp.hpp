@@ -38,6 +38,8 @@ struct RampPath {
 
   /// The point so many mm from its beginning, from 0 to its length.
   PathPoint at(double distance) const;
+  /// How it bends there, rad/mm.
+  double curvature_at(double distance) const;
 };
 
 }  // namespace labmouse

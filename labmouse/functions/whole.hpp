@@ -1,0 +1,14 @@
+// Small functions of numbers.
+#pragma once
+
+namespace labmouse {
+
+constexpr double square(double number) { return number * number; }
+
+/// The largest whole number that is not above, of one that an int can hold.
+constexpr int whole_below(double number) {
+  const auto whole = static_cast<int>(number);
+  return static_cast<double>(whole) > number ? whole - 1 : whole;
+}
+
+}  // namespace labmouse
