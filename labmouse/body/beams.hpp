@@ -1,0 +1,60 @@
+// What light comes back: infrared beams and a distance sensor against walls and posts.
+//
+// Method: a beam meets one line of the grid after the other. Where it meets one, its spot has a normal footprint along
+// that line; what of that lies on walls and posts comes back, the rest goes on to the next line.
+//
+// Source of the law and its numbers: reflector and wall logs of a half-size mouse (kerikun11/micromouse-kerise-v4),
+// docs/physical.md.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "labmouse/body/field.hpp"
+#include "labmouse/body/specimen.hpp"
+#include "labmouse/functions/angles.hpp"
+#include "labmouse/hardware/hardware.hpp"
+
+namespace labmouse {
+
+/// Where a beam begins, and its direction.
+struct Ray {
+  Position from;
+  Direction direction;
+};
+
+class Beams {
+ public:
+  /// All must outlive it.
+  Beams(const Field& field, const Sensors& sensors, const Specimen& specimen);
+
+  /// The level of a beam in counts, before noise, of a mouse in that position and direction.
+  double level(std::size_t beam, const Position& position, const Direction& ahead) const;
+  /// From the ranger to the first wall or post straight ahead, in mm; 0 where nothing is within its reach.
+  double range(const Position& position, const Direction& ahead) const;
+
+ private:
+  /// A line that a ray meets.
+  struct Crossing {
+    double distance = 0.0;  ///< from the ray's beginning
+    double cosine = 0.0;    ///< of its incidence
+    Cell cell;              ///< the cell that it comes from
+    Heading side{};         ///< the side of that cell that it meets
+    double along = 0.0;     ///< on that side, from the post at its western or southern end
+  };
+
+  template <class Visit>
+  void for_each_crossing(const Ray& ray, Visit visit) const;
+  double share_of(const Crossing& crossing) const;
+  double strength_at(double distance) const;
+
+  const Field& field_;
+  const Sensors& sensors_;
+  const Specimen& specimen_;
+  std::array<Direction, beam_count> directions_{};  ///< to ahead
+  std::array<double, beam_count> calibrated_{};     ///< mm to the wall in the middle of a cell
+  std::array<double, beam_count> gains_{};
+  std::vector<double> strengths_;  ///< exp(-distance / fall) by quarters of a mm
+};
+
+}  // namespace labmouse

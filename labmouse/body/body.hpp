@@ -1,0 +1,62 @@
+// A mouse's body in a maze: what it does under a duty, and what it reads. The truth; it knows no estimate.
+#pragma once
+
+#include <cstdint>
+
+#include "labmouse/body/beams.hpp"
+#include "labmouse/body/contact.hpp"
+#include "labmouse/body/field.hpp"
+#include "labmouse/body/noise_level.hpp"
+#include "labmouse/body/plant.hpp"
+#include "labmouse/body/senses.hpp"
+#include "labmouse/body/specimen.hpp"
+#include "labmouse/hardware/sense.hpp"
+
+namespace labmouse {
+
+/// What a tick brought, of walls.
+enum class Touch : std::uint8_t {
+  none,
+  graze,  ///< along a wall, slowly: it goes on, turned a little, and the first moment of it
+  crash,  ///< the run is over
+};
+
+class Body {
+ public:
+  /// Maze and hardware must outlive it. All chance comes from the seed: what the contest draws, and each moment.
+  Body(const Maze& maze, double cell, const Hardware& hardware, const NoiseLevel& level, std::uint64_t seed);
+  Body(const Body&) = delete;
+  Body& operator=(const Body&) = delete;
+
+  /// A hand puts it there, as well as hands do: at rest, angle in rad to the left of east. Calibrates the gyro.
+  void put(const Position& position, double angle);
+  /// A tick; after a crash the mouse lies still until it is put somewhere.
+  Touch step(const Drive& drive);
+
+  const Sense& sense() const { return senses_.sense(); }
+  const BodyMotion& motion() const { return plant_.motion(); }
+  const Specimen& specimen() const { return specimen_; }
+  const Field& field() const { return field_; }
+  bool crashed() const { return crashed_; }
+  /// What it touched last.
+  const Contact& contact() const { return contact_; }
+  /// Whether the tyres held all that they can in the last so many ticks.
+  bool slid_within(int ticks) const { return since_slide_ < ticks; }
+
+ private:
+  Touch touch(const Contact& contact);
+
+  const Hardware& hardware_;
+  Field field_;
+  Specimen specimen_;
+  Plant plant_;
+  Senses senses_;
+  Dice placement_dice_;
+  bool crashed_ = false;
+  bool grazing_ = false;
+  Contact contact_;
+  int since_slide_ = never;  ///< ticks
+  static constexpr int never = 1 << 30;
+};
+
+}  // namespace labmouse

@@ -1,0 +1,25 @@
+// What a mouse touches.
+//
+// Its chassis is a rectangle. It meets a wall with one of its corners, and a post with a corner or a side.
+#pragma once
+
+#include <optional>
+
+#include "labmouse/body/field.hpp"
+#include "labmouse/functions/angles.hpp"
+#include "labmouse/hardware/hardware.hpp"
+
+namespace labmouse {
+
+/// A touch: which way is out, a heading, and how far in mm; and the wall, where it is one and no lone post.
+struct Contact {
+  Heading out = Heading::north;
+  double depth = 0.0;
+  std::optional<Wall> wall;
+};
+
+/// The deepest touch of a chassis in that position and direction.
+std::optional<Contact> contact_of(const Field& field, const Chassis& chassis, const Position& position,
+                                  const Direction& ahead);
+
+}  // namespace labmouse

@@ -1,0 +1,68 @@
+// How a mouse moves: motors, slip, shaking and the floor, a tick at a time.
+//
+// Method: each of driving on and turning is a motor of the first order with a dead zone. Tyres hold the body sideways
+// by a force that grows with the slip angle, up to a friction circle that speeding up and braking share. What shakes
+// the body is a resonance that noise drives. docs/physical.md has the equations, and where each number comes from.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "labmouse/body/field.hpp"
+#include "labmouse/body/specimen.hpp"
+#include "labmouse/chance/dice.hpp"
+#include "labmouse/functions/angles.hpp"
+#include "labmouse/hardware/sense.hpp"
+
+namespace labmouse {
+
+/// Where a mouse is and how it moves. Angles are to the left, those of the direction from east.
+struct BodyMotion {
+  Position position;      ///< of the middle of the axle
+  Direction ahead;        ///< where the body points
+  double angle = 0.0;     ///< the same in rad, counted on over turns
+  double speed = 0.0;     ///< mm/s
+  double turning = 0.0;   ///< rad/s by the motors
+  double yaw = 0.0;       ///< rad/s of the body, with what shakes it
+  double slip = 0.0;      ///< rad from where it points to where it goes
+  double speeding = 0.0;  ///< mm/s² ahead
+  double sideways = 0.0;  ///< mm/s² to the left
+};
+
+class Plant {
+ public:
+  /// All must outlive it.
+  Plant(const Field& field, const Hardware& hardware, const Specimen& specimen, std::uint64_t seed);
+
+  /// At rest, in that position and direction.
+  void put(const Position& position, double angle);
+  /// A tick under a duty.
+  void step(const Drive& drive);
+  const BodyMotion& motion() const { return motion_; }
+  /// The battery's voltage as a share of that at rest.
+  double voltage() const { return voltage_; }
+  /// Whether its tyres hold no more: it slides outwards.
+  bool slides() const { return slides_; }
+  /// Takes the mouse out of what it touches, and what speed it had towards that: a graze along it.
+  void graze(const Position& position, double turn, double speed_kept);
+  void stop();
+
+ private:
+  void drive_motors(const Drive& drive);
+  void shake();
+  void slide(double before);
+  void move();
+  void cross(const Position& from);
+
+  const Field& field_;
+  const Hardware& hardware_;
+  const Specimen& specimen_;
+  BodyMotion motion_;
+  Dice shaking_dice_;
+  double shaking_ = 0.0, shaking_rate_ = 0.0;  ///< of the resonance, rad/s
+  double shaking_kick_ = 0.0;
+  double voltage_ = 1.0;
+  bool slides_ = false;
+};
+
+}  // namespace labmouse

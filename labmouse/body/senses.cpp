@@ -1,0 +1,115 @@
+#include "labmouse/body/senses.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "labmouse/functions/normal.hpp"
+#include "labmouse/functions/whole.hpp"
+
+namespace labmouse {
+namespace {
+
+double normal(Dice& dice) { return NormalNumber::of(dice.bits()); }
+
+/// To the nearest whole number, cut to what the register holds.
+std::int16_t in_register(double number) {
+  constexpr double most = std::numeric_limits<std::int16_t>::max();
+  const double cut = std::clamp(number, -most, most);
+  return static_cast<std::int16_t>(cut < 0.0 ? cut - 0.5 : cut + 0.5);
+}
+
+}  // namespace
+
+Senses::Senses(const Field& field, const Hardware& hardware, const Specimen& specimen, std::uint64_t seed)
+    : hardware_(hardware),
+      specimen_(specimen),
+      beams_(field, hardware.sensors, specimen),
+      encoder_dice_{Dice(seed_for(seed, "left encoder")), Dice(seed_for(seed, "right encoder"))},
+      gyro_dice_(seed_for(seed, "gyro noise")),
+      bias_dice_(seed_for(seed, "gyro bias")),
+      walk_dice_(seed_for(seed, "gyro walk")),
+      acceleration_dice_{Dice(seed_for(seed, "acceleration ahead")), Dice(seed_for(seed, "acceleration aside"))},
+      infrared_dice_{Dice(seed_for(seed, "infrared", 0)), Dice(seed_for(seed, "infrared", 1)),
+                     Dice(seed_for(seed, "infrared", 2)), Dice(seed_for(seed, "infrared", 3))},
+      range_dice_(seed_for(seed, "ranger")) {}
+
+void Senses::calibrate() { bias_ = specimen_.level(NoiseGroup::gyro) * hardware_.noise.gyro_bias * normal(bias_dice_); }
+
+void Senses::read(const BodyMotion& motion, double voltage) {
+  ++sense_.tick;
+  count(motion);
+  turn(motion);
+  accelerate(motion);
+  shine(motion);
+  range(motion);
+  sense_.millivolts = static_cast<std::uint16_t>(1000.0 * hardware_.motors.volts * voltage + 0.5);
+}
+
+void Senses::count(const BodyMotion& motion) {
+  const Noise& noise = hardware_.noise;
+  const double level = specimen_.level(NoiseGroup::encoders);
+  const double around = hardware_.chassis.half_track * motion.yaw;
+  for (const std::size_t wheel : {std::size_t{0}, std::size_t{1}}) {
+    travel_[wheel] += specimen_.encoder[wheel] * (motion.speed + (wheel == 0 ? -around : around)) * tick_seconds;
+    double shown = travel_[wheel];
+    if (level > 0.0) {
+      const double turns = travel_[wheel] / noise.ripple_length + specimen_.ripple[wheel];
+      shown += level * (noise.ripple * sine_of_turns(turns) + noise.encoder * normal(encoder_dice_[wheel]));
+    }
+    sense_.counts[wheel] = whole_below(shown / hardware_.sensors.count);
+  }
+}
+
+void Senses::turn(const BodyMotion& motion) {
+  const Noise& noise = hardware_.noise;
+  const double level = specimen_.level(NoiseGroup::gyro);
+  constexpr double root_of_tick = 0.0316227766016837933;
+  double rate = specimen_.gyro * motion.yaw;
+  if (level > 0.0) {
+    bias_ += level * noise.gyro_walk * root_of_tick * normal(walk_dice_);
+    rate += bias_ + level * noise.gyro * normal(gyro_dice_);
+  }
+  rate = std::clamp(rate, -hardware_.sensors.gyro_most, hardware_.sensors.gyro_most);
+  sense_.gyro = in_register(rate / hardware_.sensors.gyro_step);
+}
+
+void Senses::accelerate(const BodyMotion& motion) {
+  const double deviation = specimen_.level(NoiseGroup::accelerometer) * hardware_.noise.acceleration;
+  std::array<double, 2> rates = {motion.speeding, motion.sideways};
+  for (std::size_t axis = 0; axis < rates.size(); ++axis) {
+    if (deviation > 0.0) rates[axis] += deviation * normal(acceleration_dice_[axis]);
+    sense_.acceleration[axis] = in_register(rates[axis] / hardware_.sensors.acceleration_step);
+  }
+}
+
+void Senses::shine(const BodyMotion& motion) {
+  const Noise& noise = hardware_.noise;
+  const double factor = specimen_.level(NoiseGroup::infrared);
+  const double memory = noise.infrared_memory, fresh = std::sqrt(1.0 - memory * memory);
+  for (std::size_t beam = 0; beam < beam_count; ++beam) {
+    double level = beams_.level(beam, motion.position, motion.ahead);
+    if (factor > 0.0) {
+      infrared_noise_[beam] = memory * infrared_noise_[beam] + fresh * normal(infrared_dice_[beam]);
+      level += factor * (noise.infrared + noise.infrared_share * level) * infrared_noise_[beam];
+    }
+    sense_.infrared[beam] = in_register(std::clamp(level, 0.0, hardware_.sensors.infrared.most));
+  }
+}
+
+void Senses::range(const BodyMotion& motion) {
+  sense_.range_new = --until_range_ <= 0;
+  if (!sense_.range_new) return;
+  const Ranger& ranger = hardware_.sensors.ranger;
+  until_range_ = static_cast<int>(ranger.period);
+  double distance = beams_.range(motion.position, motion.ahead);
+  if (distance > 0.0) {
+    constexpr double at_rest = 10.0;  // mm/s
+    const bool moves = std::abs(motion.speed) > at_rest;
+    const double deviation = moves ? hardware_.noise.ranger : hardware_.noise.ranger_rest;
+    distance += specimen_.level(NoiseGroup::ranger) * deviation * normal(range_dice_);
+  }
+  sense_.range = static_cast<std::uint16_t>(std::clamp(distance + 0.5, 0.0, ranger.reach));
+}
+
+}  // namespace labmouse

@@ -1,0 +1,49 @@
+// What the hardware makes of how a mouse moves and stands: encoders, gyro, accelerometer, infrared and the ranger, with
+// their errors, as raw integers.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "labmouse/body/beams.hpp"
+#include "labmouse/body/plant.hpp"
+#include "labmouse/chance/dice.hpp"
+#include "labmouse/hardware/sense.hpp"
+
+namespace labmouse {
+
+class Senses {
+ public:
+  /// All must outlive it.
+  Senses(const Field& field, const Hardware& hardware, const Specimen& specimen, std::uint64_t seed);
+
+  /// Calibrates the gyro, at rest.
+  void calibrate();
+  /// Reads everything after a tick.
+  void read(const BodyMotion& motion, double voltage);
+  const Sense& sense() const { return sense_; }
+
+ private:
+  void count(const BodyMotion& motion);
+  void turn(const BodyMotion& motion);
+  void accelerate(const BodyMotion& motion);
+  void shine(const BodyMotion& motion);
+  void range(const BodyMotion& motion);
+
+  const Hardware& hardware_;
+  const Specimen& specimen_;
+  Beams beams_;
+  Sense sense_;
+  /// Dice by source, so that none depends on whether others are thrown.
+  std::array<Dice, 2> encoder_dice_;
+  Dice gyro_dice_, bias_dice_, walk_dice_;
+  std::array<Dice, 2> acceleration_dice_;
+  std::array<Dice, beam_count> infrared_dice_;
+  Dice range_dice_;
+  std::array<double, 2> travel_{};  ///< mm, of each wheel as it counts
+  double bias_ = 0.0;               ///< rad/s
+  std::array<double, beam_count> infrared_noise_{};
+  int until_range_ = 0;  ///< ticks to the next reading
+};
+
+}  // namespace labmouse

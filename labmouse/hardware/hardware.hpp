@@ -1,0 +1,170 @@
+// What a mouse is built of, as its maker would write it down: shape, motors, sensors, and how far each of them strays.
+//
+//              front
+//        +---------------+      x ahead of the middle of the axle, y to the left of it, in mm;
+//        |    3     1    |      angles in rad to the left of ahead
+//        | 2           0 |
+//  wheel |------ + ------| wheel      beams: 0 to the right, 1 and 3 ahead, 2 to the left
+//        |               |
+//        +---------------+
+//              back
+//
+// A duty is a share of what the battery can give, from -1 to 1.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+namespace labmouse {
+
+/// The rectangle that touches walls, about the middle of the axle, in mm.
+struct Chassis {
+  double front = 0.0;
+  double back = 0.0;
+  double half_width = 0.0;
+  double half_track = 0.0;  ///< from the middle to where a wheel rolls
+
+  friend bool operator==(const Chassis&, const Chassis&) = default;
+};
+
+/// One way of a mouse to move: driving on (mm/s) or turning (rad/s). At a steady duty it tends to gain times what is
+/// beyond the dead zone, with that time constant.
+struct MotorAxis {
+  double gain = 0.0;       ///< mm/s or rad/s for a duty of 1
+  double time = 0.0;       ///< s
+  double dead_zone = 0.0;  ///< duty that friction takes
+
+  friend bool operator==(const MotorAxis&, const MotorAxis&) = default;
+};
+
+struct Motors {
+  MotorAxis drive;            ///< of the mean duty of both wheels
+  MotorAxis turn;             ///< of the right wheel's duty less the left one's
+  double turning = 0.0;  ///< duty that turning takes from driving on, for a rad/s
+  double sag = 0.0;      ///< share of the voltage that is lost at full duty of both
+  double volts = 0.0;    ///< of the battery at rest
+
+  friend bool operator==(const Motors&, const Motors&) = default;
+};
+
+struct Tyres {
+  double stiffness = 0.0;  ///< mm/s² of lateral acceleration for a rad of slip
+  double grip = 0.0;       ///< mm/s² in any direction at most
+
+  friend bool operator==(const Tyres&, const Tyres&) = default;
+};
+
+/// Where an infrared sensor sits and looks.
+struct Beam {
+  double ahead = 0.0;
+  double aside = 0.0;
+  double angle = 0.0;
+
+  friend bool operator==(const Beam&, const Beam&) = default;
+};
+
+inline constexpr std::size_t beam_count = 4;
+enum class BeamPlace : std::size_t { right, right_ahead, left, left_ahead };
+
+/// Infrared: it reads gain * exp(-(distance - the distance in the middle of a cell) / fall), up to `most`.
+struct Infrared {
+  std::array<Beam, beam_count> beams{};
+  double gain = 0.0;       ///< counts
+  double fall = 0.0;       ///< mm
+  double most = 0.0;       ///< counts
+  double footprint = 0.0;  ///< mm, deviation of the spot on a wall that it meets at a right angle
+
+  friend bool operator==(const Infrared&, const Infrared&) = default;
+};
+
+/// A distance sensor that looks straight ahead.
+struct Ranger {
+  double ahead = 0.0;    ///< mm before the axle
+  double reach = 0.0;    ///< mm; nothing is seen beyond
+  double period = 11.0;  ///< ms from one reading to the next, whole
+
+  friend bool operator==(const Ranger&, const Ranger&) = default;
+};
+
+struct Sensors {
+  double count = 0.0;            ///< mm of travel of a wheel for a count of its encoder
+  double gyro_step = 0.0;        ///< rad/s for a unit
+  double gyro_most = 0.0;        ///< rad/s
+  double acceleration_step = 0;  ///< mm/s² for a unit
+  Infrared infrared;
+  Ranger ranger;
+
+  friend bool operator==(const Sensors&, const Sensors&) = default;
+};
+
+/// How far what happens strays from the numbers above: standard deviations, unless it says otherwise.
+struct Noise {
+  // Drawn once a contest.
+  double motor_gain = 0.0;     ///< share, of each motor
+  double stiffness = 0.0;      ///< share
+  double grip = 0.0;           ///< share
+  double encoder_scale = 0.0;  ///< share, of each wheel
+  double gyro_scale = 0.0;     ///< share
+  double gyro_bias = 0.0;      ///< rad/s, after each calibration at rest
+  double infrared_gain = 0.0;  ///< share, of each sensor
+  double reflectance = 0.0;    ///< share, of each side of each wall
+  double floor_steps = 0.0;    ///< how many of the boundaries between cells have one, as a share
+  double floor_turn = 0.0;     ///< rad by which such a step turns the mouse
+  double floor_shift = 0.0;    ///< mm by which it moves it aside
+  // At each moment.
+  double ripple = 0.0;           ///< mm, amplitude of an encoder's error over a turn of its magnet
+  double ripple_length = 1.0;    ///< mm of travel in such a turn
+  double encoder = 0.0;          ///< mm
+  double gyro = 0.0;             ///< rad/s
+  double gyro_walk = 0.0;        ///< rad/s for a root of a second
+  double acceleration = 0.0;     ///< mm/s²
+  double infrared = 0.0;         ///< counts
+  double infrared_share = 0.0;   ///< counts for a count of the level, added to that
+  double infrared_memory = 0.0;  ///< how much of one moment's error is left in the next, 0 to 1
+  double ranger_rest = 0.0;      ///< mm, where the mouse stands
+  double ranger = 0.0;           ///< mm, where it moves
+  double shaking = 0.0;          ///< rad/s of yaw, from shaking_speed on, in proportion below
+  double shaking_speed = 1.0;    ///< mm/s
+  double shaking_pitch = 0.0;    ///< rad/s of its resonance
+  double shaking_loss = 0.0;     ///< of the resonance, as a share of critical
+  // Each time that it is put down.
+  double placement = 0.0;       ///< mm, each way
+  double placement_turn = 0.0;  ///< rad
+
+  friend bool operator==(const Noise&, const Noise&) = default;
+};
+
+/// All of it. The cell it is made for is the robot's.
+struct Hardware {
+  Chassis chassis;
+  Motors motors;
+  Tyres tyres;
+  Sensors sensors;
+  Noise noise;
+
+  friend bool operator==(const Hardware&, const Hardware&) = default;
+};
+
+/// The parts of Noise that can be switched one by one.
+enum class NoiseGroup : std::size_t {
+  motors,
+  tyres,
+  floor,
+  encoders,
+  gyro,
+  accelerometer,
+  infrared,
+  ranger,
+  shaking,
+  placement
+};
+inline constexpr std::size_t noise_groups = 10;
+
+constexpr std::string_view name_of(NoiseGroup group) {
+  constexpr std::array<std::string_view, noise_groups> names = {
+      "motors", "tyres", "floor", "encoders", "gyro", "accelerometer", "infrared", "ranger", "shaking", "placement"};
+  return names[static_cast<std::size_t>(group)];
+}
+
+}  // namespace labmouse
