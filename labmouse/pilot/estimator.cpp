@@ -1,0 +1,126 @@
+#include "labmouse/pilot/estimator.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "labmouse/functions/whole.hpp"
+
+namespace labmouse {
+namespace {
+
+/// Errors of gyro and tyres are the same all through a turn; as noise of each tick they count by how long one lasts.
+constexpr double turn_seconds = 0.15;
+
+}  // namespace
+
+Estimator::Estimator(const Hardware& hardware, double cell, double speed_filter)
+    : hardware_(hardware), speed_filter_(speed_filter), floor_steps_a_mm_(hardware.noise.floor_steps / cell) {}
+
+void Estimator::put(const Position& position, const Direction& ahead) {
+  const Noise& noise = hardware_.noise;
+  position_ = position;
+  ahead_ = ahead;
+  bias_ = slip_ = speed_ = turning_ = 0.0;
+  const double scale = any_ ? covariance_[at_scale][at_scale] : square(noise.encoder_scale);
+  covariance_ = {};
+  // A little more than hands are off, so that the first walls are believed.
+  covariance_[at_x][at_x] = covariance_[at_y][at_y] = 4.0 * square(noise.placement);
+  covariance_[at_angle][at_angle] = 4.0 * square(noise.placement_turn);
+  covariance_[at_bias][at_bias] = square(noise.gyro_bias);
+  covariance_[at_scale][at_scale] = scale;
+}
+
+void Estimator::predict(const Sense& sense) {
+  if (!any_) {
+    last_ = sense;
+    any_ = true;
+  }
+  const double counts = 0.5 * ((sense.counts[0] - last_.counts[0]) + (sense.counts[1] - last_.counts[1]));
+  const double shown = counts * hardware_.sensors.count, way = shown * (1.0 - scale_);
+  turning_ = sense.gyro * hardware_.sensors.gyro_step - bias_;
+  const double rate = sense.acceleration[0] * hardware_.sensors.acceleration_step;
+  const double ticks = std::max(1.0, static_cast<double>(sense.tick - last_.tick));
+  speed_ =
+      speed_filter_ * way / (ticks * tick_seconds) + (1.0 - speed_filter_) * (speed_ + rate * ticks * tick_seconds);
+  last_ = sense;
+
+  // Slip as the tyres of the book have it.
+  constexpr double slow = 20.0;
+  const double speed = std::max(std::abs(speed_), slow);
+  const double turn = turning_ * ticks * tick_seconds;
+  slip_ = (slip_ - turn) / (1.0 + hardware_.tyres.stiffness * ticks * tick_seconds / speed);
+  const double most = hardware_.tyres.grip / hardware_.tyres.stiffness;
+  slip_ = std::clamp(slip_, -most, most);
+
+  const Direction went = turned_by(ahead_, turn / 2.0 + slip_);
+  position_ = {position_.x + way * went.cosine, position_.y + way * went.sine};
+  ahead_ = turned_by(ahead_, turn);
+  spread(way, went);
+  add_noise(way);
+}
+
+/// How errors of the angle, the bias and the scale become errors of the position and the angle.
+void Estimator::spread(double way, const Direction& went) {
+  const double x_angle = -way * went.sine, y_angle = way * went.cosine;
+  const double x_scale = -way * went.cosine, y_scale = -way * went.sine;
+  const auto add = [&](Row& x, Row& y, Row& angle, const Row& bias, const Row& scale) {
+    for (std::size_t i = 0; i < states; ++i) {
+      x[i] += x_angle * angle[i] + x_scale * scale[i];
+      y[i] += y_angle * angle[i] + y_scale * scale[i];
+      angle[i] -= tick_seconds * bias[i];
+    }
+  };
+  auto& p = covariance_;
+  add(p[at_x], p[at_y], p[at_angle], p[at_bias], p[at_scale]);
+  for (std::size_t i = 0; i < states; ++i) {
+    p[i][at_x] += x_angle * p[i][at_angle] + x_scale * p[i][at_scale];
+    p[i][at_y] += y_angle * p[i][at_angle] + y_scale * p[i][at_scale];
+    p[i][at_angle] -= tick_seconds * p[i][at_bias];
+  }
+}
+
+void Estimator::add_noise(double way) {
+  const Noise& noise = hardware_.noise;
+  const double turn = turning_ * tick_seconds, length = std::abs(way);
+  constexpr double again = turn_seconds / tick_seconds;
+  // Encoders: ripple and what is left of wheels that slip.
+  const double along = square(0.02 * way) + 2e-5 * length * square(noise.ripple);
+  const double across =
+      again * square(noise.stiffness * slip_ * way) + floor_steps_a_mm_ * square(noise.floor_shift) * length;
+  const double angle = again * square(noise.gyro_scale * turn) + square(noise.gyro * tick_seconds) +
+                       floor_steps_a_mm_ * square(noise.floor_turn) * length;
+  const double c = ahead_.cosine, s = ahead_.sine;
+  covariance_[at_x][at_x] += along * c * c + across * s * s;
+  covariance_[at_y][at_y] += along * s * s + across * c * c;
+  covariance_[at_x][at_y] += (along - across) * c * s;
+  covariance_[at_y][at_x] += (along - across) * c * s;
+  covariance_[at_angle][at_angle] += angle;
+  covariance_[at_bias][at_bias] += square(noise.gyro_walk) * tick_seconds;
+}
+
+bool Estimator::correct(const Observation& seen) {
+  auto& p = covariance_;
+  Row gain{};
+  for (std::size_t i = 0; i < states; ++i)
+    gain[i] = p[i][at_x] * seen.by_x + p[i][at_y] * seen.by_y + p[i][at_angle] * seen.by_angle;
+  const double variance =
+      seen.by_x * gain[at_x] + seen.by_y * gain[at_y] + seen.by_angle * gain[at_angle] + seen.variance;
+  constexpr double most_deviations = 3.0;
+  if (square(seen.error) > square(most_deviations) * variance) return false;
+  const double part = seen.error / variance;
+  position_ = {position_.x + part * gain[at_x], position_.y + part * gain[at_y]};
+  ahead_ = turned_by(ahead_, part * gain[at_angle]);
+  bias_ += part * gain[at_bias];
+  scale_ += part * gain[at_scale];
+  for (std::size_t i = 0; i < states; ++i)
+    for (std::size_t j = 0; j < states; ++j) p[i][j] -= gain[i] * gain[j] / variance;
+  return true;
+}
+
+double Estimator::variance_of(double x, double y, double angle) const {
+  const auto& p = covariance_;
+  return x * (x * p[at_x][at_x] + 2.0 * (y * p[at_x][at_y] + angle * p[at_x][at_angle])) +
+         y * (y * p[at_y][at_y] + 2.0 * angle * p[at_y][at_angle]) + angle * angle * p[at_angle][at_angle];
+}
+
+}  // namespace labmouse

@@ -1,0 +1,70 @@
+// Where a mouse believes to be, and how sure it is.
+//
+// Method: an extended Kalman filter over x, y, the angle, the bias of the gyro, and by how much the encoders overstate
+// a way. Encoders and gyro say how it moved; what is seen of walls corrects it, one number at a time.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "labmouse/functions/angles.hpp"
+#include "labmouse/functions/position.hpp"
+#include "labmouse/hardware/hardware.hpp"
+#include "labmouse/hardware/sense.hpp"
+
+namespace labmouse {
+
+/// A number that was seen, beside what it should be by the estimate: seen less expected, how it should change with x, y
+/// (in mm) and the angle (in rad), and the variance of what was seen.
+struct Observation {
+  double error = 0.0;
+  double by_x = 0.0, by_y = 0.0, by_angle = 0.0;
+  double variance = 1.0;
+};
+
+class Estimator {
+ public:
+  /// The hardware must outlive it.
+  Estimator(const Hardware& hardware, double cell, double speed_filter);
+
+  /// It was put there, about, and stands.
+  void put(const Position& position, const Direction& ahead);
+  /// Of one tick.
+  void predict(const Sense& sense);
+  /// Believes an observation, unless it is more than three deviations off; whether it did.
+  bool correct(const Observation& observation);
+
+  const Position& position() const { return position_; }
+  /// Where it points, and where it goes.
+  const Direction& ahead() const { return ahead_; }
+  Direction way() const { return turned_by(ahead_, slip_); }
+  double slip() const { return slip_; }
+  double speed() const { return speed_; }      ///< mm/s
+  double turning() const { return turning_; }  ///< rad/s
+
+  /// The variance of a sum of x, y and the angle with those weights.
+  double variance_of(double x, double y, double angle) const;
+
+ private:
+  static constexpr std::size_t states = 5;
+  enum State : std::size_t { at_x, at_y, at_angle, at_bias, at_scale };
+  using Row = std::array<double, states>;
+
+  void spread(double way, const Direction& went);
+  void add_noise(double way);
+
+  const Hardware& hardware_;
+  double speed_filter_;
+  double floor_steps_a_mm_;
+  Position position_;
+  Direction ahead_;
+  double bias_ = 0.0;   ///< rad/s that the gyro shows at rest
+  double scale_ = 0.0;  ///< share by which encoders overstate
+  double slip_ = 0.0;
+  double speed_ = 0.0, turning_ = 0.0;
+  std::array<Row, states> covariance_{};
+  Sense last_;
+  bool any_ = false;
+};
+
+}  // namespace labmouse

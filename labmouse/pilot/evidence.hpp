@@ -1,0 +1,23 @@
+// What readings say of a wall.
+#pragma once
+
+#include <cstdint>
+
+namespace labmouse {
+
+/// The logarithm of how much likelier the readings are with the wall than without it, in eighths of a nat: above 0 for
+/// a wall, below 0 for none, 0 where nothing was seen.
+using Evidence = std::int8_t;
+
+inline constexpr int evidence_a_nat = 8;
+
+/// Of the walls to the left, ahead and to the right of a mouse, in a cell.
+struct WallEvidence {
+  Evidence left = 0;
+  Evidence ahead = 0;
+  Evidence right = 0;
+
+  friend constexpr bool operator==(const WallEvidence&, const WallEvidence&) = default;
+};
+
+}  // namespace labmouse

@@ -1,0 +1,96 @@
+// The program of a mouse: it drives the moves of a search and fast routes, by what its sensors read, and says what they
+// show of walls. The belief; it knows no truth.
+//
+//   sense ──► estimator ◄── corrections        pieces of moves and routes ──► target
+//                 │                                                              │
+//                 └──────────────► tracker ◄─────────────────────────────────────┘
+//                                     └──► axis control ──► duties of the motors
+//
+// It takes no memory once it is made, and works off a tick in the same few thousand instructions each time.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "labmouse/mouse/drive/search_motion.hpp"
+#include "labmouse/mouse/knowledge.hpp"
+#include "labmouse/mouse/robot/drive_model.hpp"
+#include "labmouse/mouse/robot/route.hpp"
+#include "labmouse/pilot/axis_control.hpp"
+#include "labmouse/pilot/corrections.hpp"
+#include "labmouse/pilot/estimator.hpp"
+#include "labmouse/pilot/piece.hpp"
+#include "labmouse/pilot/search_manner.hpp"
+#include "labmouse/pilot/tracker.hpp"
+#include "labmouse/pilot/wall_reader.hpp"
+
+namespace labmouse {
+
+/// What of a pilot can be chosen.
+struct PilotChoice {
+  CorrectionChoice corrections;
+  double search_speed = 0.0;  ///< mm/s; 0: the robot's own
+};
+
+class Pilot {
+ public:
+  /// Of a robot with limits and hardware; model and gains' owner must outlive it.
+  Pilot(const DriveModel& model, const Hardware& hardware, Size size, const Gains& gains,
+        const PilotChoice& choice = {});
+
+  /// It was put down at rest in the middle of a cell, about.
+  void put(const Pose& pose);
+  /// What is known of walls, for corrections; must outlive its use. Null: nothing.
+  void know(const Knowledge* known) { known_ = known; }
+  /// Begins a move from place(): a step of a search over one edge, or a dash over more, or to rest.
+  void search(const Action& step);
+  /// From rest, backs up to where runs begin, and drives a route, which must outlive the run; then stops.
+  void run(const DriveRoute& route);
+
+  /// One tick: what the motors do until the next one.
+  Drive tick(const Sense& sense);
+
+  /// Whether the last move is driven: now is the time for the next, or the mouse goes on straight.
+  bool arrived() const { return !moving_; }
+  /// Where it is then, as it believes.
+  const SearchPlace& place() const { return place_; }
+  /// Of the walls about that cell.
+  WallEvidence evidence() const { return reader_.evidence(estimator_); }
+
+  const Estimator& estimator() const { return estimator_; }
+  const Target& target() const { return walk_.target(); }
+  /// Whether a run has left its beginning: its clock is on.
+  bool running() const { return route_ != nullptr && segment_ > 0; }
+
+ private:
+  Position middle_of(Cell cell) const;
+  void add(const Piece& piece);
+  void add_pivot(const Position& at, Direction& ahead, int quarters);
+  void add_stop(const Pose& pose);
+  void begin_next(double late);
+  bool begin_segment(double late);
+  void begin_piece(const Piece& piece, double late, const std::optional<DriveProfile>& profile = std::nullopt);
+
+  const DriveModel& model_;
+  const Hardware& hardware_;
+  double cell_;
+  SearchManner manner_;
+  Estimator estimator_;
+  Corrections corrections_;
+  WallReader reader_;
+  Tracker tracker_;
+  AxisControl control_;
+  const Knowledge* known_ = nullptr;
+
+  SearchPlace place_;
+  std::array<Piece, 6> pieces_{};  ///< that are still to be driven, the next first
+  std::size_t next_ = 0, count_ = 0;
+  const DriveRoute* route_ = nullptr;
+  std::size_t segment_ = 0;
+  PieceWalk walk_;
+  bool moving_ = false;
+  double late_ = 0.0;  ///< seconds of the last tick that belong to the next move
+};
+
+}  // namespace labmouse

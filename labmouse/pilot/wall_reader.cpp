@@ -1,0 +1,151 @@
+#include "labmouse/pilot/wall_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "labmouse/functions/exponential.hpp"
+#include "labmouse/functions/normal.hpp"
+#include "labmouse/functions/whole.hpp"
+#include "labmouse/hardware/beam.hpp"
+
+namespace labmouse {
+namespace {
+
+/// One reading in so many is nothing that the pilot knows of.
+constexpr double odd_readings = 3e-4;
+/// Nothing says more than that.
+constexpr double most_nats = 8.0;
+
+/// Deviations at which a normal number is tried, and how much each of them counts.
+struct Trial {
+  double deviations, weight;
+};
+constexpr std::array<Trial, 7> trials = {
+    {{-3.0, 0.006}, {-2.0, 0.061}, {-1.0, 0.242}, {0.0, 0.382}, {1.0, 0.242}, {2.0, 0.061}, {3.0, 0.006}}};
+
+Evidence evidence_of(double nats) {
+  const double eighths = std::clamp(nats, -most_nats, most_nats) * evidence_a_nat;
+  return static_cast<Evidence>(eighths < 0.0 ? eighths - 0.5 : eighths + 0.5);
+}
+
+/// Student's distribution of three degrees of freedom, but for its constant: like a normal one, with room for what
+/// nobody thinks of.
+double density(double error, double variance) {
+  constexpr double freedom = 3.0;
+  return 1.0 / (square(1.0 + square(error) / (freedom * variance)) * std::sqrt(variance));
+}
+
+}  // namespace
+
+WallReader::WallReader(const Hardware& hardware, double cell)
+    : hardware_(hardware), cell_(cell), views_(hardware.sensors.infrared, cell) {}
+
+void WallReader::begin(const Pose& pose) {
+  pose_ = pose;
+  stretches_ = {};
+  ranged_ = {};
+}
+
+Heading WallReader::side_of(std::size_t beam) const {
+  if (!views_.looks_aside(beam)) return pose_->heading;
+  return views_.looks_left(beam) ? left_of(pose_->heading) : right_of(pose_->heading);
+}
+
+void WallReader::read(const Sense& sense, const Estimator& estimator) {
+  if (!pose_) return;
+  for (std::size_t beam = 0; beam < beam_count; ++beam) read_beam(beam, sense, estimator);
+  if (sense.range_new) read_range(sense, estimator);
+}
+
+void WallReader::read_beam(std::size_t beam, const Sense& sense, const Estimator& estimator) {
+  const Heading side = side_of(beam), heading = pose_->heading;
+  const bool aside = side != heading;
+  View view;
+  if (!views_.see(beam, estimator.position(), estimator.ahead(), pose_->cell, side, aside ? heading : right_of(heading),
+                  view))
+    return;
+  const double begin = line_at(pose_->cell, opposite(aside ? heading : right_of(heading)), cell_);
+  const Position on = way_in(aside ? heading : right_of(heading));
+  const double along = view.along - begin * (on.x + on.y);
+  // Behind the first post, and before the next one; ahead not farther than the front wall of a cell that is entered.
+  constexpr double first = 0.14, last = 0.86, far = 1.1, steep = 0.7;
+  if (along < first * cell_ || along > last * cell_ || view.distance > far * cell_ || view.cosine < steep) return;
+  Stretch& stretch = stretches_[beam];
+  ++stretch.count;
+  stretch.level += sense.infrared[beam];
+  stretch.expected += views_.level_at(beam, view.distance);
+  stretch.along += along;
+  stretch.view = view;
+}
+
+/// How likely a wall ahead makes a reading of the ranger, over how likely none does.
+void WallReader::read_range(const Sense& sense, const Estimator& estimator) {
+  const Ranger& ranger = hardware_.sensors.ranger;
+  const Position on = way_in(pose_->heading);
+  const double face = line_at(pose_->cell, pose_->heading, cell_) * (on.x + on.y) - half_wall_of(cell_);
+  const double expected = face - dot(estimator.position(), on) - ranger.ahead;
+  const double ahead = dot({estimator.ahead().cosine, estimator.ahead().sine}, on);
+  constexpr double straight = 0.985, far = 1.2;
+  if (ahead < straight || expected > far * cell_ || expected > ranger.reach || expected < 0.0) return;
+  const double deviation2 =
+      square(hardware_.noise.ranger) + square(0.01 * cell_) + estimator.variance_of(on.x, on.y, 0.0);
+  const double odd = odd_readings / ranger.reach;
+  double with = odd, without = odd;
+  if (sense.range > 0) with += density(sense.range - expected, deviation2);
+  // Without it the next wall is a cell farther, or too far to be seen.
+  if (sense.range == 0 || sense.range > expected + cell_ / 2.0) without += 1.0 / ranger.reach;
+  ranged_.nats = std::clamp(ranged_.nats + log_of(with / without), -most_nats, most_nats);
+  ranged_.any = true;
+}
+
+/// What of a beam's spot lies on the posts of a wall that is not there.
+double WallReader::post_share(double along, double cosine) const {
+  const double half = half_wall_of(cell_), deviation = hardware_.sensors.infrared.footprint / cosine;
+  const auto below = [&](double point) { return NormalShare::below((point - along) / deviation); };
+  return below(half) - below(-half) + below(cell_ + half) - below(cell_ - half);
+}
+
+/// Of a mean reading, where so much of it is expected.
+double WallReader::likelihood(double level, double expected) const {
+  const Noise& noise = hardware_.noise;
+  const double alike = square(noise.reflectance) + square(noise.infrared_gain) + square(noise.infrared_share);
+  const double variance = alike * square(expected) + square(noise.infrared) + 1.0;
+  return density(level - expected, variance);
+}
+
+double WallReader::nats_of(std::size_t beam, const Estimator& estimator) const {
+  const Stretch& stretch = stretches_[beam];
+  if (stretch.count == 0) return 0.0;
+  const double level = stretch.level / stretch.count, expected = stretch.expected / stretch.count,
+               along = stretch.along / stretch.count;
+  const Infrared& infrared = hardware_.sensors.infrared;
+  const auto& by = stretch.view.distance_by;
+  const auto& along_by = stretch.view.along_by;
+  const double off = std::sqrt(estimator.variance_of(by[0], by[1], by[2]));
+  const double shifted = std::sqrt(estimator.variance_of(along_by[0], along_by[1], along_by[2]));
+  double with = 0.0, without = 0.0;
+  for (const Trial& aside : trials) {
+    const double whole = expected * exp_of(-aside.deviations * off / infrared.fall);
+    for (const Trial& on : trials) {
+      const double weight = aside.weight * on.weight, place = along + on.deviations * shifted;
+      // A mouse that is so far off that the spot is past the post does not see the wall.
+      const double wall = place < 0.0 || place > cell_ ? 0.5 : 1.0;
+      const double posts = std::min(1.0, post_share(place, stretch.view.cosine));
+      with += weight * likelihood(level, std::min(infrared.most, wall * whole));
+      without += weight * likelihood(level, std::min(infrared.most, posts * whole));
+    }
+  }
+  return log_of(with / without);
+}
+
+WallEvidence WallReader::evidence(const Estimator& estimator) const {
+  if (!pose_) return {};
+  double left = 0.0, ahead = ranged_.nats, right = 0.0;
+  for (std::size_t beam = 0; beam < beam_count; ++beam) {
+    const Heading side = side_of(beam);
+    (side == pose_->heading ? ahead : side == left_of(pose_->heading) ? left : right) += nats_of(beam, estimator);
+  }
+  return {evidence_of(left), evidence_of(ahead), evidence_of(right)};
+}
+
+}  // namespace labmouse
