@@ -7,18 +7,12 @@
 #include "labmouse/contest/drive_gates.hpp"
 #include "labmouse/contest/drive_score.hpp"
 #include "labmouse/contest/drive_search.hpp"
+#include "labmouse/contest/plans.hpp"
 #include "labmouse/mouse/drive/fastest.hpp"
 #include "labmouse/mouse/drive/search_field.hpp"
 
 namespace labmouse {
 namespace {
-
-/// What a mouse counted as its plans, or 0.
-std::int64_t plans_of(const Strategy& mouse) {
-  for (const Counter& counter : mouse.counters())
-    if (counter.name == "replanned") return counter.value;
-  return 0;
-}
 
 class DriveContest {
  public:

@@ -48,6 +48,7 @@ struct DriveRun {
   std::optional<MazeTime> gate_out;  ///< left the start cell
   std::optional<MazeTime> gate_in;   ///< first entered a goal
   std::optional<MazeTime> centre;    ///< first in the middle of a goal cell
+  bool touched = false;              ///< whether a hand had touched the mouse in the maze before it
   std::vector<SearchMove> moves;     ///< of a search and a way home
   DriveRoute route;                  ///< of a fast run; its times count from `begin`
   /// What was known at the beginning, and the times of the fastest route that is known to exist and of the fastest that

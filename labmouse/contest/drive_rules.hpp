@@ -19,7 +19,7 @@ struct DriveRules {
   /// Whether the clock runs from gate to gate (leaves the start cell, enters a goal cell) or from rest to the centre of
   /// the goal.
   bool gate_to_gate = true;
-  /// Microseconds added to the time of a run after the mouse was touched; our mice never are.
+  /// Microseconds added to the time of a run after the mouse was touched, which happens in the physical world alone.
   std::int64_t touch_penalty = 0;
   /// Microseconds taken off a run of a mouse that was never touched before it.
   std::int64_t untouched_bonus = 0;

@@ -12,8 +12,9 @@ std::optional<DriveRunScore> score_of(const DriveRun& run, const DriveRules& rul
   const auto& end = rules.gate_to_gate ? run.gate_in : run.centre;
   if (run.kind == DriveRun::Kind::home || !time || *end > rules.time_limit) return std::nullopt;
   score.maze_time = maze_time_part(run.begin, rules);
-  score.bonus = rules.untouched_bonus;
-  score.value = *time + score.maze_time - score.bonus;
+  score.bonus = run.touched ? 0 : rules.untouched_bonus;
+  score.penalty = run.touched ? rules.touch_penalty : 0;
+  score.value = *time + score.maze_time + score.penalty - score.bonus;
   return score;
 }
 

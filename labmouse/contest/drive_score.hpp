@@ -16,6 +16,7 @@ struct DriveRunScore {
   std::optional<MazeTime> rest_to_centre;
   MazeTime maze_time = 0;  ///< its part of the time in the maze before it, as it counts
   MazeTime bonus = 0;      ///< what is taken off because the mouse was not touched
+  MazeTime penalty = 0;    ///< what is added because it was
   MazeTime value = 0;      ///< all together, by the rules
 
   friend bool operator==(const DriveRunScore&, const DriveRunScore&) = default;
@@ -37,7 +38,7 @@ struct DriveScore {
 /// The part of a time in the maze that counts with a run, to the nearest microsecond.
 MazeTime maze_time_part(MazeTime before, const DriveRules& rules);
 
-/// Scores a record. Our mice are never touched.
+/// Scores a record.
 DriveScore score(const DriveRecord& record, const DriveRules& rules);
 
 }  // namespace labmouse

@@ -45,6 +45,13 @@ Action Explorer::decide(const Sighting& seen) {
 
 void Explorer::show(const Pose& pose, const Sighting& seen) { static_cast<void>(knowledge_.learn(pose, seen)); }
 
+void Explorer::carried(std::int64_t clock) {
+  pose_ = briefing_.start;
+  at_rest_ = true;
+  racing_ = false;
+  if (clock_) clock_->set(clock);
+}
+
 std::span<const Counter> Explorer::counters() const {
   return clock_ ? std::span<const Counter>(counters_) : std::span<const Counter>();
 }

@@ -25,6 +25,7 @@ class Explorer : public Strategy {
 
   Action decide(const Sighting& seen) final;
   void show(const Pose& pose, const Sighting& seen) final;
+  void carried(std::int64_t clock) final;
   const Knowledge& knowledge() const final { return knowledge_; }
   /// In seconds, `replanned`: how often it planned anew.
   std::span<const Counter> counters() const override;

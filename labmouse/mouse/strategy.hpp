@@ -30,6 +30,10 @@ class Strategy {
   /// on which others drive it.
   virtual void show(const Pose&, const Sighting&) {}
 
+  /// It was carried to the start, where it stands as in the beginning, so many microseconds after the contest began;
+  /// for minds in seconds alone.
+  virtual void carried(std::int64_t) {}
+
   /// What the mouse believes, for viewers and for the contract tests.
   virtual const Knowledge& knowledge() const = 0;
 

@@ -19,6 +19,9 @@ class SearchClock {
     time_ += time_of(step, knowledge, from);
   }
 
+  /// What the contest's clock says, where the mouse is told.
+  void set(std::int64_t time) { time_ = time; }
+
   /// Whether the way home and the fastest known run would no longer fit into the time after that step, whatever it
   /// shows. Never where no run is known. Uses the briefing's fields.
   bool is_too_late_after(const Action& step, const Knowledge& knowledge, const SearchPlace& place);

@@ -1,0 +1,29 @@
+// One contest in the physical world: a mind decides, a pilot drives, a body slips, misreads and crashes, and an
+// operator carries it back to the start.
+//
+//   search ──reset──► home ──► fast run ──► asked again        crash ──► carried to the start ──► asked again
+//
+// Until minds can doubt, a mind sees corridors of one cell, made of what the pilot's evidence is rather for. The first
+// reading of a wall stays for ever, as in most mice; what speaks against it later is counted, and the contest goes on.
+#pragma once
+
+#include <cstdint>
+
+#include "labmouse/contest/drive_rules.hpp"
+#include "labmouse/contest/physical_conditions.hpp"
+#include "labmouse/contest/physical_record.hpp"
+#include "labmouse/maze/maze.hpp"
+#include "labmouse/mouse/robot/drive_model.hpp"
+#include "labmouse/mouse/strategy.hpp"
+
+namespace labmouse {
+
+/// Holds the contest, in a maze up to 32×32, with a robot that has limits and hardware. The strategy must be new and
+/// briefed as by brief(), with a sight of one cell. All chance comes from the seed.
+PhysicalRecord drive_physically(const Maze& maze, const DriveRules& rules, const DriveModel& model,
+                                const PhysicalConditions& conditions, std::uint64_t seed, Strategy& mouse);
+
+/// Whether the robot can drive there: why not, in a sentence about it; empty where it can.
+std::string why_not_physical(const DriveModel& model);
+
+}  // namespace labmouse

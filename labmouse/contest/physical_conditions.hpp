@@ -1,0 +1,17 @@
+// What a contest in the physical world is held under, besides its rules and its robot.
+#pragma once
+
+#include "labmouse/body/noise_level.hpp"
+#include "labmouse/contest/drive_record.hpp"
+#include "labmouse/pilot/pilot.hpp"
+
+namespace labmouse {
+
+struct PhysicalConditions {
+  NoiseLevel noise;
+  MazeTime handling = 5'000'000;  ///< that it takes to carry a mouse to the start and let it begin
+  PilotChoice pilot;
+  int trace_every = 0;  ///< ticks between two points of the trace; 0: none
+};
+
+}  // namespace labmouse

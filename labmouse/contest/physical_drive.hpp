@@ -1,0 +1,65 @@
+// The moving part of a contest in the physical world: body and pilot, tick by tick, their clock, and what was read.
+#pragma once
+
+#include <cstdint>
+
+#include "labmouse/body/body.hpp"
+#include "labmouse/contest/physical_conditions.hpp"
+#include "labmouse/contest/physical_record.hpp"
+#include "labmouse/mouse/knowledge.hpp"
+#include "labmouse/mouse/sighting.hpp"
+#include "labmouse/pilot/pilot.hpp"
+
+namespace labmouse {
+
+/// Drives, and writes what happens into the record, whose last run it is part of.
+class PhysicalDriver {
+ public:
+  /// All must outlive it.
+  PhysicalDriver(const Maze& maze, const DriveModel& model, const PhysicalConditions& conditions, std::uint64_t seed,
+                 MazeTime time_limit, PhysicalRecord& record);
+
+  /// A hand puts it at the start; it then looks about, by drive_on() and read().
+  void put_at_start();
+  /// A move of a search over one edge, a dash, or to rest; false where the run broke off.
+  bool make(const Action& part, bool replanned);
+  /// A fast run from the start, and until the mouse stands; false where it broke off.
+  bool run(const DriveRoute& route);
+  /// Until the pilot has arrived; false where a crash or the end of the time came before.
+  bool drive_on();
+  /// Takes what the evidence is rather for as the state of walls that it does not know.
+  void read();
+  void wait(MazeTime time) { clock_ += time; }
+
+  /// Where the mouse believes to be, between two moves, and what it takes the walls there for.
+  const SearchPlace& place() const { return pilot_.place(); }
+  Sighting sighting(const Pose& pose) const;
+  const Knowledge& known() const { return known_; }
+  MazeTime clock() const { return clock_; }
+  bool out_of_time() const { return clock_ >= time_limit_; }
+  bool crashed() const { return body_.crashed(); }
+  /// Of a crash.
+  RunEnd cause() const;
+
+ private:
+  bool tick();
+  void note_gates();
+  void trace();
+  int open(Cell cell, Heading side, Evidence evidence);
+  BodyPose true_pose() const { return {body_.motion().position, body_.motion().angle}; }
+
+  const Maze& maze_;
+  double cell_;
+  const PhysicalConditions& conditions_;
+  MazeTime time_limit_;
+  PhysicalRecord& record_;
+  Pose start_;
+  Knowledge known_;
+  Body body_;
+  Pilot pilot_;
+  Drive drive_;
+  bool pending_ = false;  ///< whether the pilot has worked off the present tick
+  MazeTime clock_ = 0;
+};
+
+}  // namespace labmouse
