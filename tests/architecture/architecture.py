@@ -10,7 +10,8 @@ from pathlib import Path
 
 # Behaviour that depends on the platform, the clock or the standard library has no place where the same bits must come
 # out everywhere: these rooms compile for WebAssembly and for microcontrollers.
-PORTABLE_ROOMS = ("grid", "chance", "maze", "mouse", "strategies", "contest")
+PORTABLE_ROOMS = ("functions", "hardware", "grid", "chance", "maze", "mouse", "body", "pilot", "strategies",
+                  "contest")
 BANNED_HEADERS = ("chrono", "filesystem", "fstream", "iostream", "random", "regex", "thread", "unordered_map",
                   "unordered_set")
 

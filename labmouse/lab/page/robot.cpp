@@ -147,7 +147,10 @@ Json problems_json(const std::vector<Problem>& problems) {
 /// The names of the keys that have a meaning beside those values.
 Json keys_of(const Json& values) {
   RobotForms forms;
-  for (const auto& [name, value] : values.items()) forms.turns = forms.turns || name.starts_with("turns.");
+  for (const auto& [name, value] : values.items()) {
+    forms.turns = forms.turns || name.starts_with("turns.");
+    forms.body = forms.body || is_body_section(name.substr(0, name.find('.')));
+  }
   forms.search_times = values.contains("search.cell");
   forms.diagonals = values.value("diagonals", Json(true)) != Json(false);
   Json keys = Json::array();
@@ -186,9 +189,9 @@ PageReply answer_robot(const ReadJson& json, std::string_view bytes) {
 Json page_robot_keys_json() {
   using With = RobotKey::With;
   using Kind = RobotKey::Kind;
-  constexpr std::array with = {"always", "curves", "turns", "search_speed", "search_times"};
+  constexpr std::array with = {"always", "curves", "turns", "search_speed", "search_times", "body"};
   constexpr std::array kinds = {"number", "whole", "number_or_false", "yes_or_no", "end"};
-  static_assert(static_cast<std::size_t>(With::search_times) + 1 == with.size());
+  static_assert(static_cast<std::size_t>(With::body) + 1 == with.size());
   static_assert(static_cast<std::size_t>(Kind::end) + 1 == kinds.size());
   Json list = Json::array();
   for (const RobotKey& key : robot_keys())

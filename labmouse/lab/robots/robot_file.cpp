@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "labmouse/lab/robots/hardware_keys.hpp"
 #include "labmouse/lab/robots/robot_keys.hpp"
 #include "labmouse/lab/text/toml_text.hpp"
 #include "labmouse/mouse/robot/straights.hpp"
@@ -29,7 +30,10 @@ std::pair<std::string_view, std::string_view> split(std::string_view key) {
 class RobotReader {
  public:
   explicit RobotReader(const toml::table& root)
-      : root_(root), forms_{node("turns") != nullptr, node("search.cell") != nullptr, flag("diagonals")} {
+      : root_(root),
+        forms_{node("turns") != nullptr, node("search.cell") != nullptr, flag("diagonals"),
+               std::any_of(root.begin(), root.end(),
+                           [](const auto& entry) { return is_body_section(entry.first.str()); })} {
     for (const RobotKey& key : robot_keys()) read(key);
     for (const auto& [name, value] : root_) check_name("", name, value);
   }
@@ -161,6 +165,20 @@ void set_layouts(Robot& robot, const RobotReader& reader) {
   }
 }
 
+Hardware hardware_of(const RobotReader& reader) {
+  Hardware hardware;
+  for (const HardwareKey& key : hardware_keys()) key.number(hardware) = reader.number(key.key.name) / key.unit;
+  // Files have the left ones alone; to the right all is the same.
+  auto& beams = hardware.sensors.infrared.beams;
+  const auto mirror = [&](BeamPlace left, BeamPlace right) {
+    const Beam& from = beams[static_cast<std::size_t>(left)];
+    beams[static_cast<std::size_t>(right)] = {from.ahead, -from.aside, -from.angle};
+  };
+  mirror(BeamPlace::left, BeamPlace::right);
+  mirror(BeamPlace::left_ahead, BeamPlace::right_ahead);
+  return hardware;
+}
+
 Robot robot_of(const RobotReader& reader, std::string_view name, RobotText kind) {
   Robot robot;
   robot.name = name;
@@ -193,6 +211,7 @@ Robot robot_of(const RobotReader& reader, std::string_view name, RobotText kind)
   set_layouts(robot, reader);
   if (reader.forms().turns) robot.fixed = fixed_times(reader);
   if (reader.forms().search_times) robot.search = search_times(reader);
+  if (reader.forms().body) robot.hardware = hardware_of(reader);
   return robot;
 }
 

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "labmouse/lab/robots/hardware_keys.hpp"
 #include "labmouse/lab/robots/robot_file.hpp"
 
 namespace labmouse {
@@ -78,9 +79,15 @@ std::string toml_of(const ReadJson& parameters, JsonFields& fields) {
   return text;
 }
 
+void add_hardware(Json& json, const Robot& robot) {
+  if (!robot.hardware) return;
+  Hardware hardware = *robot.hardware;
+  for (const HardwareKey& key : hardware_keys()) json[std::string(key.key.name)] = key.number(hardware) * key.unit;
+}
+
 }  // namespace
 
-Json robot_json(const Robot& robot) {
+Json robot_json(const Robot& robot, RobotParts parts) {
   Json parameters = {{"cell", robot.cell},
                      {"sight", robot.sight},
                      {"straight.speed", robot.speed},
@@ -94,6 +101,7 @@ Json robot_json(const Robot& robot) {
   add_turns(parameters, robot);
   add_omissions(parameters, robot);
   add_search(parameters, robot);
+  if (parts == RobotParts::with_body) add_hardware(parameters, robot);
   return {{"name", robot.name}, {"parameters", std::move(parameters)}};
 }
 

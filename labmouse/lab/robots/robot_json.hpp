@@ -8,8 +8,11 @@
 
 namespace labmouse {
 
+/// What of a robot counts: its limits alone, or what it is built of, too.
+enum class RobotParts : unsigned char { limits, with_body };
+
 /// Its name and its parameters, under the keys of robot files: "straight.speed".
-Json robot_json(const Robot& robot);
+Json robot_json(const Robot& robot, RobotParts parts = RobotParts::limits);
 
 /// "fixed" where all nodes have one speed, or "classes".
 inline const char* model_name(const Robot& robot) { return robot.fixed ? "fixed" : "classes"; }

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <vector>
 
+#include "labmouse/lab/robots/hardware_keys.hpp"
 #include "labmouse/mouse/robot/robot.hpp"
 
 namespace labmouse {
@@ -34,7 +36,7 @@ constexpr RobotKey diagonal(std::string_view name, std::string_view meaning, std
   return {name, meaning, unit, low, high, With::always, optional, Kind::number, of_diagonals};
 }
 
-constexpr std::array keys = {
+constexpr std::array limit_keys = {
     RobotKey{"cell", "side of a cell, from the middle of a wall to the middle of the next", "mm", 20.0, 1000.0},
     RobotKey{"clearance",
              "the distance that the middle of the robot keeps in turns from the middle of posts and walls: half its "
@@ -126,7 +128,18 @@ constexpr std::array keys = {
 
 }  // namespace
 
-std::span<const RobotKey> robot_keys() { return keys; }
+std::span<const RobotKey> robot_keys() {
+  static const std::vector<RobotKey> keys = [] {
+    std::vector<RobotKey> all(limit_keys.begin(), limit_keys.end());
+    for (const HardwareKey& key : hardware_keys()) all.push_back(key.key);
+    return all;
+  }();
+  return keys;
+}
+
+bool is_body_section(std::string_view section) {
+  return section == "body" || section == "motors" || section == "sensors" || section == "noise";
+}
 
 std::string_view key_in(std::string_view sentence) {
   std::string_view found;
@@ -140,7 +153,7 @@ std::string_view key_in(std::string_view sentence) {
   };
   // Short names are words of any sentence.
   constexpr std::size_t telling = 6;
-  for (const RobotKey& key : keys) {
+  for (const RobotKey& key : limit_keys) {
     std::string words(key.name);
     if (words.size() < telling) {
       consider(key.name, "'" + words + "'");
@@ -184,6 +197,8 @@ bool RobotForms::has(const RobotKey& key) const {
       return !search_times;
     case With::search_times:
       return search_times;
+    case With::body:
+      return body;
     default:
       return true;
   }

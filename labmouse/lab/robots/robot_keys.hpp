@@ -5,26 +5,14 @@
 #include <string>
 #include <string_view>
 
+#include "labmouse/lab/robots/robot_key.hpp"
+
 namespace labmouse {
 
-/// A robot has curves by its limits or the times of its turns; and for its search a speed or times.
-struct RobotKey {
-  enum class With : unsigned char { always, curves, turns, search_speed, search_times };
-  enum class Kind : unsigned char { number, whole, number_or_false, yes_or_no, end };
-
-  std::string_view name;     ///< with its section: "straight.speed"
-  std::string_view meaning;  ///< as in docs/robots.md
-  std::string_view unit;
-  double low = 0.0;
-  double high = 0.0;
-  With with = With::always;
-  bool needed = true;
-  Kind kind = Kind::number;
-  bool of_diagonals = false;
-};
-
-/// All of them, in the order of docs/robots.md.
+/// All of them, in the order of docs/robots.md, those of hardware_keys() last.
 std::span<const RobotKey> robot_keys();
+/// The sections that say what a robot is built of: a file has all of them or none.
+bool is_body_section(std::string_view section);
 
 /// Of which key a sentence about a robot speaks first, by its name or in words ("search speed"); empty for none.
 std::string_view key_in(std::string_view sentence);
@@ -36,11 +24,12 @@ std::string range_of(const RobotKey& key);
 /// otherwise.
 std::string hint_of(const RobotKey& key, double value);
 
-/// Which of the two ways a file goes, three times.
+/// Which of the two ways a file goes, four times.
 struct RobotForms {
   bool turns = false;
   bool search_times = false;
   bool diagonals = true;
+  bool body = false;
 
   bool has(const RobotKey& key) const;
 };

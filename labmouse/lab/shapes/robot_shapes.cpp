@@ -10,7 +10,7 @@ std::vector<Declaration> robot_shapes() {
       {"RobotKey", "A number of a robot file.",
        object({field("name", text, "With its section: `straight.speed`."), field("meaning", text), field("unit", text),
                field("range", text, "In words, with the unit."), field("low", number), field("high", number),
-               field("with", words({"always", "curves", "turns", "search_speed", "search_times"}),
+               field("with", words({"always", "curves", "turns", "search_speed", "search_times", "body"}),
                      "In which forms of the file it has a meaning."),
                field("needed", flag), field("kind", words({"number", "whole", "number_or_false", "yes_or_no", "end"})),
                field("of_diagonals", flag)})},

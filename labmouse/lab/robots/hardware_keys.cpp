@@ -1,0 +1,145 @@
+#include "labmouse/lab/robots/hardware_keys.hpp"
+
+#include <array>
+
+namespace labmouse {
+namespace {
+
+// Those to the left; to the right all is the same.
+constexpr auto side = static_cast<std::size_t>(BeamPlace::left);
+constexpr auto front = static_cast<std::size_t>(BeamPlace::left_ahead);
+
+constexpr HardwareKey of(std::string_view name, std::string_view meaning, std::string_view unit, double low,
+                         double high, double& (*number)(Hardware&), double factor = 1.0) {
+  RobotKey key{name, meaning, unit, low, high, RobotKey::With::body};
+  if (name == "sensors.ranger_period") key.kind = RobotKey::Kind::whole;
+  return {key, number, factor};
+}
+
+constexpr std::array keys = {
+    of("body.front", "from the middle of the axle to its foremost point", "mm", 1.0, 500.0,
+       [](Hardware& h) -> double& { return h.chassis.front; }),
+    of("body.back", "from the middle of the axle to its hindmost point", "mm", 1.0, 500.0,
+       [](Hardware& h) -> double& { return h.chassis.back; }),
+    of("body.half_width", "from its middle to its side", "mm", 1.0, 500.0,
+       [](Hardware& h) -> double& { return h.chassis.half_width; }),
+    of("body.half_track", "from its middle to where a wheel rolls", "mm", 1.0, 500.0,
+       [](Hardware& h) -> double& { return h.chassis.half_track; }),
+    of("body.slip_stiffness", "lateral acceleration for a rad of slip", "mm/s²", 1000.0, 100000000.0,
+       [](Hardware& h) -> double& { return h.tyres.stiffness; }),
+    of("body.grip", "what the tyres hold in any direction", "mm/s²", 100.0, 200000.0,
+       [](Hardware& h) -> double& { return h.tyres.grip; }),
+    of("motors.drive_gain", "the speed that full duty leads to", "mm/s", 10.0, 100000.0,
+       [](Hardware& h) -> double& { return h.motors.drive.gain; }),
+    of(
+        "motors.drive_time", "the time constant of that", "ms", 1.0, 10000.0,
+        [](Hardware& h) -> double& { return h.motors.drive.time; }, 1000),
+    of("motors.drive_dead_zone", "share of full duty that friction takes", "", 0.0, 0.9,
+       [](Hardware& h) -> double& { return h.motors.drive.dead_zone; }),
+    of("motors.turn_gain", "the yaw speed that full duty of both motors against each other leads to", "rad/s", 1.0,
+       10000.0, [](Hardware& h) -> double& { return h.motors.turn.gain; }),
+    of(
+        "motors.turn_time", "the time constant of that", "ms", 1.0, 10000.0,
+        [](Hardware& h) -> double& { return h.motors.turn.time; }, 1000),
+    of("motors.turn_dead_zone", "share of full duty that friction takes", "", 0.0, 0.9,
+       [](Hardware& h) -> double& { return h.motors.turn.dead_zone; }),
+    of("motors.turning", "share of full duty that a turn of a rad/s takes from driving on", "", 0.0, 0.1,
+       [](Hardware& h) -> double& { return h.motors.turning; }),
+    of("motors.sag", "share of the voltage that is lost at full duty", "", 0.0, 0.9,
+       [](Hardware& h) -> double& { return h.motors.sag; }),
+    of("motors.volts", "of the battery at rest", "V", 0.5, 60.0, [](Hardware& h) -> double& { return h.motors.volts; }),
+    of("sensors.count", "travel of a wheel for a count of its encoder", "mm", 1e-06, 10.0,
+       [](Hardware& h) -> double& { return h.sensors.count; }),
+    of("sensors.gyro_step", "yaw speed for a unit of the gyro", "rad/s", 1e-06, 1.0,
+       [](Hardware& h) -> double& { return h.sensors.gyro_step; }),
+    of("sensors.gyro_most", "the largest yaw speed that it shows", "rad/s", 1.0, 1000.0,
+       [](Hardware& h) -> double& { return h.sensors.gyro_most; }),
+    of("sensors.acceleration_step", "acceleration for a unit of the accelerometer", "mm/s²", 0.001, 1000.0,
+       [](Hardware& h) -> double& { return h.sensors.acceleration_step; }),
+    of("sensors.side_ahead", "how far before the axle the side sensors sit", "mm", -500.0, 500.0,
+       [](Hardware& h) -> double& { return h.sensors.infrared.beams[side].ahead; }),
+    of("sensors.side_aside", "how far from the middle", "mm", 0.0, 500.0,
+       [](Hardware& h) -> double& { return h.sensors.infrared.beams[side].aside; }),
+    of("sensors.side_angle", "how far from straight ahead they look", "rad", 0.8, 1.6,
+       [](Hardware& h) -> double& { return h.sensors.infrared.beams[side].angle; }),
+    of("sensors.front_ahead", "how far before the axle the front sensors sit", "mm", -500.0, 500.0,
+       [](Hardware& h) -> double& { return h.sensors.infrared.beams[front].ahead; }),
+    of("sensors.front_aside", "how far from the middle", "mm", 0.0, 500.0,
+       [](Hardware& h) -> double& { return h.sensors.infrared.beams[front].aside; }),
+    of("sensors.front_angle", "how far from straight ahead they look", "rad", 0.0, 0.75,
+       [](Hardware& h) -> double& { return h.sensors.infrared.beams[front].angle; }),
+    of("sensors.infrared_gain", "what a sensor reads of a wall in the middle of a cell", "counts", 10.0, 30000.0,
+       [](Hardware& h) -> double& { return h.sensors.infrared.gain; }),
+    of("sensors.infrared_fall", "how much farther a wall is that is read as 1/e of that", "mm", 1.0, 500.0,
+       [](Hardware& h) -> double& { return h.sensors.infrared.fall; }),
+    of("sensors.infrared_most", "the largest reading", "counts", 10.0, 32767.0,
+       [](Hardware& h) -> double& { return h.sensors.infrared.most; }),
+    of("sensors.infrared_footprint", "standard deviation of a sensor's spot on a wall", "mm", 0.1, 100.0,
+       [](Hardware& h) -> double& { return h.sensors.infrared.footprint; }),
+    of("sensors.ranger_ahead", "how far before the axle the distance sensor sits", "mm", -500.0, 500.0,
+       [](Hardware& h) -> double& { return h.sensors.ranger.ahead; }),
+    of("sensors.ranger_reach", "the largest distance that it sees", "mm", 1.0, 10000.0,
+       [](Hardware& h) -> double& { return h.sensors.ranger.reach; }),
+    of("sensors.ranger_period", "from one of its readings to the next", "ms", 1.0, 1000.0,
+       [](Hardware& h) -> double& { return h.sensors.ranger.period; }),
+    of("noise.motor_gain", "of each motor, drawn once a contest, as are the next ten", "share", 0.0, 1.0,
+       [](Hardware& h) -> double& { return h.noise.motor_gain; }),
+    of("noise.slip_stiffness", "the same of body.slip_stiffness", "share", 0.0, 1.0,
+       [](Hardware& h) -> double& { return h.noise.stiffness; }),
+    of("noise.grip", "the same of body.grip", "share", 0.0, 1.0, [](Hardware& h) -> double& { return h.noise.grip; }),
+    of("noise.encoder_scale", "of each wheel", "share", 0.0, 1.0,
+       [](Hardware& h) -> double& { return h.noise.encoder_scale; }),
+    of("noise.gyro_scale", "the same of what the gyro shows", "share", 0.0, 1.0,
+       [](Hardware& h) -> double& { return h.noise.gyro_scale; }),
+    of("noise.gyro_bias", "after each calibration at rest", "rad/s", 0.0, 10.0,
+       [](Hardware& h) -> double& { return h.noise.gyro_bias; }),
+    of("noise.infrared_gain", "of each sensor, after its calibration", "share", 0.0, 1.0,
+       [](Hardware& h) -> double& { return h.noise.infrared_gain; }),
+    of("noise.reflectance", "of each side of each wall", "share", 0.0, 1.0,
+       [](Hardware& h) -> double& { return h.noise.reflectance; }),
+    of("noise.floor_steps", "how many boundaries between cells have a step of the floor", "share", 0.0, 1.0,
+       [](Hardware& h) -> double& { return h.noise.floor_steps; }),
+    of("noise.floor_turn", "by how much such a step turns the mouse", "rad", 0.0, 1.0,
+       [](Hardware& h) -> double& { return h.noise.floor_turn; }),
+    of("noise.floor_shift", "by how much it moves the mouse aside", "mm", 0.0, 100.0,
+       [](Hardware& h) -> double& { return h.noise.floor_shift; }),
+    of("noise.ripple", "amplitude of an encoder's error over a turn of its magnet", "mm", 0.0, 10.0,
+       [](Hardware& h) -> double& { return h.noise.ripple; }),
+    of("noise.ripple_length", "travel in such a turn", "mm", 0.1, 1000.0,
+       [](Hardware& h) -> double& { return h.noise.ripple_length; }),
+    of("noise.encoder", "of each moment, as are those that follow", "mm", 0.0, 10.0,
+       [](Hardware& h) -> double& { return h.noise.encoder; }),
+    of("noise.gyro", "the same of the gyro", "rad/s", 0.0, 10.0, [](Hardware& h) -> double& { return h.noise.gyro; }),
+    of("noise.gyro_walk", "how its bias wanders", "rad/s/√s", 0.0, 10.0,
+       [](Hardware& h) -> double& { return h.noise.gyro_walk; }),
+    of("noise.acceleration", "the same of the accelerometer", "mm/s²", 0.0, 100000.0,
+       [](Hardware& h) -> double& { return h.noise.acceleration; }),
+    of("noise.infrared", "the same of an infrared sensor", "counts", 0.0, 10000.0,
+       [](Hardware& h) -> double& { return h.noise.infrared; }),
+    of("noise.infrared_share", "added for each count of the level", "share", 0.0, 1.0,
+       [](Hardware& h) -> double& { return h.noise.infrared_share; }),
+    of("noise.infrared_memory", "how much of one moment's error is left in the next", "share", 0.0, 0.99,
+       [](Hardware& h) -> double& { return h.noise.infrared_memory; }),
+    of("noise.ranger_rest", "of a mouse at rest", "mm", 0.0, 1000.0,
+       [](Hardware& h) -> double& { return h.noise.ranger_rest; }),
+    of("noise.ranger", "of one that moves", "mm", 0.0, 1000.0, [](Hardware& h) -> double& { return h.noise.ranger; }),
+    of("noise.shaking", "yaw speed of what shakes it", "rad/s", 0.0, 100.0,
+       [](Hardware& h) -> double& { return h.noise.shaking; }),
+    of("noise.shaking_speed", "from this speed on; below it shakes in proportion", "mm/s", 1.0, 100000.0,
+       [](Hardware& h) -> double& { return h.noise.shaking_speed; }),
+    of(
+        "noise.shaking_pitch", "frequency of its resonance", "Hz", 0.1, 400.0,
+        [](Hardware& h) -> double& { return h.noise.shaking_pitch; }, 0.15915494309189535),
+    of("noise.shaking_loss", "how damped that is, as a share of critical", "share", 0.01, 2.0,
+       [](Hardware& h) -> double& { return h.noise.shaking_loss; }),
+    of("noise.placement", "of a hand that puts it down, each way", "mm", 0.0, 100.0,
+       [](Hardware& h) -> double& { return h.noise.placement; }),
+    of("noise.placement_turn", "of the same", "rad", 0.0, 1.0,
+       [](Hardware& h) -> double& { return h.noise.placement_turn; }),
+};
+
+}  // namespace
+
+std::span<const HardwareKey> hardware_keys() { return keys; }
+
+}  // namespace labmouse
