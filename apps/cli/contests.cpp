@@ -48,9 +48,11 @@ void add_contests(Command& command, Contests& contests) {
       ->expected(1, 1 << 20)
       ->take_all();
   add_places(command, contests.places);
-  command.add_option("--runs", contests.order.runs, "Contests in each maze for each mouse that throws dice")
-      ->check(in_range(1, 1'000'000))
-      ->capture_default_str();
+  command
+      .add_option("--runs", contests.runs,
+                  "Contests in each maze for each mouse that throws dice, or whose world does; default: 20, in the "
+                  "physical world 3")
+      ->check(in_range(1, 1'000'000));
   contests.world.add_to(command);
   command.add_option("--seed", contests.order.seed, "Seed for all random choices")
       ->check(seed_number())
@@ -67,6 +69,7 @@ void add_contests(Command& command, Contests& contests) {
 RaceOrder Contests::order_in(std::shared_ptr<const World> chosen) const {
   RaceOrder held = order;
   held.world = std::move(chosen);
+  held.runs = runs.value_or(held.world->usual_runs());
   if (store_path.empty()) return held;
   if (!store_) store_ = std::make_shared<Store>(store_path);
   if (store_->failed()) throw UsageError(store_->finish());

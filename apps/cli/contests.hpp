@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,8 +19,9 @@ struct Contests {
   std::vector<std::string> mazes;
   Places places;
   WorldChoice world;
-  /// Without its world, which depends on the mice.
+  /// Without its world, which depends on the mice, and without runs that nobody asked for, which depend on the world.
   RaceOrder order;
+  std::optional<int> runs;
 
   /// The file of --store; empty without one.
   std::string store_path;

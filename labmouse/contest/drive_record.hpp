@@ -16,6 +16,8 @@ namespace labmouse {
 /// Microseconds since the mouse was first put into the maze.
 using MazeTime = std::int64_t;
 
+constexpr double in_seconds(MazeTime time) { return static_cast<double>(time) / 1e6; }
+
 /// A wall as it was first seen.
 struct WallSeen {
   MazeTime time = 0;

@@ -90,10 +90,14 @@ bool PhysicalDriver::tick() {
   return touch != Touch::crash && !out_of_time();
 }
 
-/// Where the true mouse is, for the clock of the run.
+/// Where the true mouse is, for the clock of the run. One that turns home at the edge of a goal has entered it when it
+/// has come there, a moment later.
 void PhysicalDriver::note_gates() {
-  if (record_.drive.runs.empty() || record_.drive.runs.back().kind == DriveRun::Kind::home) return;
-  DriveRun& run = record_.drive.runs.back();
+  auto& runs = record_.drive.runs;
+  if (runs.empty()) return;
+  const bool home = runs.back().kind == DriveRun::Kind::home;
+  if (home && (runs.size() < 2 || runs[runs.size() - 2].gate_in || record_.ends[runs.size() - 2] != RunEnd::done)) return;
+  DriveRun& run = home ? runs[runs.size() - 2] : runs.back();
   const Position& at = body_.motion().position;
   const Cell cell = body_.field().cell_at(at);
   if (!maze_.size().contains(cell)) return;

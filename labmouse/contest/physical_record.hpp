@@ -72,9 +72,8 @@ struct WallTouch {
   friend bool operator==(const WallTouch&, const WallTouch&) = default;
 };
 
-struct PhysicalRecord {
-  /// Runs, walls as the mouse took them, and decisions. Times of gates are those of the true mouse.
-  DriveRecord drive;
+/// What a contest in the physical world adds to one in seconds.
+struct PhysicalNotes {
   std::vector<RunEnd> ends;  ///< of each run
   std::vector<Look> looks;
   std::vector<WallTouch> touches;
@@ -84,6 +83,13 @@ struct PhysicalRecord {
   int misreads = 0;               ///< walls that it took for what they are not
   int contradictions = 0;         ///< readings against what it had taken a wall for
   double frailty = 1.0;           ///< the factor of all noise that this contest drew
+
+  friend bool operator==(const PhysicalNotes&, const PhysicalNotes&) = default;
+};
+
+struct PhysicalRecord : PhysicalNotes {
+  /// Runs, walls as the mouse took them, and decisions. Times of gates are those of the true mouse.
+  DriveRecord drive;
 
   friend bool operator==(const PhysicalRecord&, const PhysicalRecord&) = default;
 };

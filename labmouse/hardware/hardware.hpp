@@ -39,8 +39,8 @@ struct MotorAxis {
 };
 
 struct Motors {
-  MotorAxis drive;            ///< of the mean duty of both wheels
-  MotorAxis turn;             ///< of the right wheel's duty less the left one's
+  MotorAxis drive;       ///< of the mean duty of both wheels
+  MotorAxis turn;        ///< of the right wheel's duty less the left one's
   double turning = 0.0;  ///< duty that turning takes from driving on, for a rad/s
   double sag = 0.0;      ///< share of the voltage that is lost at full duty of both
   double volts = 0.0;    ///< of the battery at rest

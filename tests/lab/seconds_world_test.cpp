@@ -8,6 +8,7 @@
 #include "labmouse/lab/bounds/drive_bound.hpp"
 #include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/records/drive_json.hpp"
+#include "labmouse/lab/seconds/drive_results.hpp"
 #include "labmouse/lab/standings/race_json.hpp"
 #include "labmouse/lab/standings/race_table.hpp"
 #include "labmouse/lab/standings/standings.hpp"

@@ -8,6 +8,7 @@
 #include "labmouse/lab/drawing/scene.hpp"
 #include "labmouse/lab/drawing/sheet.hpp"
 #include "labmouse/lab/pictures/path_data.hpp"
+#include "labmouse/lab/pictures/trace_path.hpp"
 #include "labmouse/lab/system/file_names.hpp"
 
 namespace labmouse {
@@ -28,6 +29,9 @@ constexpr std::array<Tone, 7> speed_tones = {{
     {"speed6", "#f48849", "#f9aa58"},
     {"speed7", "#f0a91e", "#fdd64f"},
 }};
+
+constexpr Tone belief_tone = {"belief", "#0b7285", "#66d9e8"};
+constexpr Tone touch_tone = {"touch", "#c92a2a", "#ff8787"};
 
 using Path = std::vector<DrivePathPoint>;
 
@@ -70,6 +74,18 @@ std::string coloured(const Frame& frame, const Path& path, const SpeedScale& sca
   return svg;
 }
 
+std::string dashed_svg(const std::string& data) {
+  return fmt::format("<path {} stroke-width=\"1.2\" stroke-dasharray=\"3 3\" d=\"{}\"/>\n", stroke(belief_tone), data);
+}
+
+std::string cross_at(double x, double y) {
+  return fmt::format("<path {} stroke-width=\"2\" d=\"M{:.1f} {:.1f}l8 8m0 -8l-8 8\"/>\n", stroke(touch_tone), x - 4,
+                     y - 4);
+}
+std::string cross_svg(const Frame& frame, const DrivePathPoint& at) {
+  return cross_at(frame.origin.x + at.x * Frame::cell, frame.origin.y + (frame.size.height - at.y) * Frame::cell);
+}
+
 std::string ramp() {
   std::string svg;
   for (std::size_t i = 0; i < speed_tones.size(); ++i)
@@ -77,10 +93,18 @@ std::string ramp() {
   return svg;
 }
 
-/// What is drawn: a fast run, over the thin lines of searches.
+std::vector<Tone> tones() {
+  std::vector<Tone> all(speed_tones.begin(), speed_tones.end());
+  all.insert(all.end(), {belief_tone, touch_tone});
+  return all;
+}
+
+/// What is drawn: a fast run, over the thin lines of searches; and where a mouse believed to be, and touched something.
 struct Drives {
   Path fast;
   std::vector<Path> searches;
+  std::vector<Path> beliefs;
+  std::vector<DrivePathPoint> touches;
   std::string title;
   std::string description;
 };
@@ -99,11 +123,15 @@ std::string picture(const Maze& maze, const Drives& drives) {
   std::string lines;
   for (const Path& search : drives.searches)
     if (search.size() > 1) lines += curve_svg(muted, 1.5, data_through(scene.frame, search, 0, search.size() - 1));
-  if (!lines.empty())
+  for (const Path& belief : drives.beliefs)
+    if (belief.size() > 1) lines += dashed_svg(data_through(scene.frame, belief, 0, belief.size() - 1));
+  for (const DrivePathPoint& touch : drives.touches) lines += cross_svg(scene.frame, touch);
+  if (!drives.beliefs.empty()) legend.add(24, dashed_svg("M0 0h24"), "where it believed to be");
+  if (!drives.touches.empty()) legend.add(12, cross_at(6, 0), "touched a wall");
+  if (!drives.searches.empty())
     legend.add(24, fmt::format("<path {} stroke-width=\"1.5\" d=\"M0 0h24\"/>", stroke(muted)), "searching");
   if (drives.fast.size() > 1) legend.add(70, ramp(), scale.words());
-  const Sheet sheet = {width, legend.bottom() + sheet_margin / 2, drives.title, drives.description,
-                       std::vector<Tone>(speed_tones.begin(), speed_tones.end())};
+  const Sheet sheet = {width, legend.bottom() + sheet_margin / 2, drives.title, drives.description, tones()};
   return sheet.with(heading_svg({scene.frame.origin.x, sheet_margin + 14}, width - sheet_margin, drives.title) +
                     floor_svg(scene) + lines + coloured(scene.frame, drives.fast, scale) + walls_svg(scene) +
                     labels_svg(scene) + coordinates_svg(scene) + legend.svg());
@@ -123,19 +151,24 @@ std::size_t coloured_run(const DriveRecordFile& file) {
 }  // namespace
 
 std::string draw_route(const Maze& maze, const DriveRoute& driven, const DriveModel& model, const std::string& title) {
-  return picture(maze,
-                 {path_of(driven, 0, model),
-                  {},
-                  title,
-                  fmt::format("A route of {} pieces that takes {:.3f} s.", driven.segments.size(), driven.time / 1e6)});
+  Drives drives;
+  drives.fast = path_of(driven, 0, model);
+  drives.title = title;
+  drives.description =
+      fmt::format("A route of {} pieces that takes {:.3f} s.", driven.segments.size(), driven.time / 1e6);
+  return picture(maze, drives);
 }
 
 std::string draw_contest(const DriveRecordFile& file) {
   Drives drives;
   const std::size_t best = coloured_run(file);
   DrivePath path({file.maze->start(), file.maze->start_heading()}, *file.model);
+  if (file.physical) {
+    for (std::size_t i = 0; i < file.record.runs.size(); ++i) drives.beliefs.push_back(believed_path(file, i));
+    for (const WallTouch& touch : file.physical->notes.touches) drives.touches.push_back(touched_at(file, touch));
+  }
   for (std::size_t i = 0; i < file.record.runs.size(); ++i) {
-    Path points = path.follow(file.record.runs[i]);
+    Path points = file.physical ? true_path(file, i) : path.follow(file.record.runs[i]);
     if (i == best)
       drives.fast = std::move(points);
     else if (file.record.runs[i].kind != DriveRun::Kind::fast)

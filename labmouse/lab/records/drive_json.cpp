@@ -16,12 +16,15 @@ Json rules_json(const DriveRules& rules) {
 Json score_json(const DriveScore& score) {
   if (!score.best) return nullptr;
   const DriveRunScore& best = score.runs[*score.best];
-  return {{"value", best.value},
-          {"run", best.run + 1},
-          {"gate_to_gate", or_null(best.gate_to_gate)},
-          {"rest_to_centre", or_null(best.rest_to_centre)},
-          {"maze_time", best.maze_time},
-          {"bonus", best.bonus}};
+  Json json = {{"value", best.value},
+               {"run", best.run + 1},
+               {"gate_to_gate", or_null(best.gate_to_gate)},
+               {"rest_to_centre", or_null(best.rest_to_centre)},
+               {"maze_time", best.maze_time},
+               {"bonus", best.bonus}};
+  // Where no mouse is touched there is none, as in records of earlier versions.
+  if (best.penalty != 0) json["penalty"] = best.penalty;
+  return json;
 }
 
 }  // namespace labmouse

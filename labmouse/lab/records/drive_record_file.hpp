@@ -10,11 +10,19 @@
 #include "labmouse/contest/drive_record.hpp"
 #include "labmouse/contest/drive_rules.hpp"
 #include "labmouse/contest/drive_score.hpp"
+#include "labmouse/contest/physical.hpp"
 #include "labmouse/maze/formats/format.hpp"
 #include "labmouse/mouse/robot/drive_model.hpp"
 #include "labmouse/strategies/parameter.hpp"
 
 namespace labmouse {
+
+/// What a record of the physical world has besides.
+struct PhysicalPart {
+  PhysicalConditions conditions;
+  PhysicalNotes notes;
+  int edition = physical_edition;  ///< of the physical world, in which it was driven
+};
 
 /// A record with all that is needed to understand it years later.
 struct DriveRecordFile {
@@ -30,6 +38,7 @@ struct DriveRecordFile {
   DriveRules rules;
   DriveRecord record;
   bool ended = true;                              ///< false where the last line, with the outcome, is missing
+  std::optional<PhysicalPart> physical{};         ///< of the physical world alone
   std::optional<DriveRunScore> recorded_score{};  ///< what the last line gives; a writer puts the score of the record
 };
 

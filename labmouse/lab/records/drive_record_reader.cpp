@@ -1,5 +1,6 @@
 #include "labmouse/lab/records/drive_record_fields.hpp"
 #include "labmouse/lab/records/drive_record_file.hpp"
+#include "labmouse/lab/records/physical_lines.hpp"
 #include "labmouse/lab/records/record_maze.hpp"
 #include "labmouse/lab/robots/robot_json.hpp"
 #include "labmouse/lab/text/json_lines.hpp"
@@ -51,6 +52,7 @@ DriveRunScore read_score(const ReadJson& json, JsonFields& fields) {
     if (!json.is_object() || !json.contains(key) || !json[key].is_null()) *part = time(key);
   score.maze_time = time("maze_time");
   score.bonus = time("bonus");
+  if (fields.has("penalty")) score.penalty = time("penalty");
   score.value = time("value");
   return score;
 }
@@ -69,7 +71,8 @@ std::string Reading::read_header(const ReadJson& json) {
   if (fields.text("labmouse") != "drive record") fields.fail("is not the header of a record in seconds");
   if (fields.whole("format", 0, 1'000'000) != 1)
     fields.fail("has a format other than 1, which this version cannot read");
-  if (fields.text("world") != "seconds") fields.fail("has a world other than seconds");
+  const std::string world = fields.text("world");
+  if (world != "seconds" && world != "physical") fields.fail("has a world other than seconds and physical");
   file_.version = fields.text("version");
   for (const char* key : {"maze", "mouse", "robot", "rules", "seed"})
     if (!fields.has(key)) fields.reject(fmt::format("'{}' is missing", key));
@@ -88,6 +91,13 @@ std::string Reading::read_header(const ReadJson& json) {
   if (fields.error().empty()) file_.model = std::make_shared<DriveModel>(read_robot_json(fields, json["robot"]));
   if (fields.error().empty() && fields.text("model") != model_name(file_.model->robot))
     fields.fail(fmt::format("has a model that is not that of its robot, '{}'", model_name(file_.model->robot)));
+  if (fields.error().empty() && world == "physical") {
+    file_.physical.emplace();
+    if (!fields.has("physical")) fields.reject("'physical' is missing");
+    if (fields.error().empty()) read_conditions(json["physical"], *file_.physical, fields);
+    const std::string why = fields.error().empty() ? why_not_physical(*file_.model) : "";
+    if (!why.empty()) fields.reject("'robot' cannot drive in the physical world: " + why);
+  }
   file_.ended = false;
   return fields.error();
 }
@@ -110,6 +120,7 @@ std::string Reading::begin_run(const ReadJson& json) {
   run.hoped = hope("hoped");
   run.open = walls_in(json, "open", size(), fields);
   run.closed = walls_in(json, "closed", size(), fields);
+  run.touched = file_.physical && fields.has("touched") && fields.flag("touched");
   if (run.kind == DriveRun::Kind::fast) run.route.time = 0;
   runs().push_back(std::move(run));
   running_ = true;
@@ -127,6 +138,7 @@ std::string Reading::end_run(const ReadJson& json) {
   run.gate_out = moment("gate_out");
   run.gate_in = moment("gate_in");
   run.centre = moment("centre");
+  if (file_.physical) file_.physical->notes.ends.push_back(read_run_end(fields));
   running_ = false;
   return fields.error();
 }
@@ -207,6 +219,10 @@ std::string Reading::read_end(const ReadJson& json) {
     file_.recorded_score = read_score(json["score"], score);
     fields.reject(score.error());
   }
+  if (file_.physical) {
+    if (!fields.has("physical")) return "'physical' is missing";
+    read_counts(json["physical"], file_.physical->notes, fields);
+  }
   file_.ended = true;
   return fields.error();
 }
@@ -221,6 +237,11 @@ std::string Reading::read_line(const ReadJson& json) {
   if (json.contains("wall")) return read_wall(json);
   if (json.contains("outcome")) return read_end(json);
   if (json.contains("end")) return end_run(json);
+  if (file_.physical) {
+    JsonFields fields(json, "");
+    if (json.contains("actions")) return read_actions_line(file_.physical->notes, fields), fields.error();
+    if (read_physical_line(json, size(), file_.physical->notes, fields)) return fields.error();
+  }
   return "the line does not belong to a record in seconds: it has no run, move, piece, end, wall or outcome";
 }
 

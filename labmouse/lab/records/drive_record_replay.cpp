@@ -5,6 +5,7 @@
 #include "labmouse/lab/records/drive_json.hpp"
 #include "labmouse/lab/records/drive_record_file.hpp"
 #include "labmouse/lab/records/drive_route_check.hpp"
+#include "labmouse/lab/records/physical_replay.hpp"
 #include "labmouse/mouse/drive/fastest.hpp"
 
 namespace labmouse {
@@ -192,6 +193,8 @@ class Replay {
 
 }  // namespace
 
-std::string replay(const DriveRecordFile& file) { return Replay(file).disagreement(); }
+std::string replay(const DriveRecordFile& file) {
+  return file.physical ? replay_physically(file) : Replay(file).disagreement();
+}
 
 }  // namespace labmouse

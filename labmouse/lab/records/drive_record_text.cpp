@@ -6,8 +6,6 @@
 namespace labmouse {
 namespace {
 
-double in_seconds(MazeTime time) { return static_cast<double>(time) / 1e6; }
-
 std::string number(const std::optional<MazeTime>& time) {
   return time ? fmt::format("{:.3f}", in_seconds(*time)) : "-";
 }
@@ -30,6 +28,7 @@ std::string score_words(const DriveScore& score, const DriveRecord& record, cons
   if (rules.maze_time_divisor > 0)
     words += fmt::format(" + {:.3f} s / {}", in_seconds(record.runs[best.run].begin), rules.maze_time_divisor);
   if (best.bonus > 0) words += fmt::format(" - {:.3f} s untouched", in_seconds(best.bonus));
+  if (best.penalty > 0) words += fmt::format(" + {:.3f} s touched", in_seconds(best.penalty));
   return words + fmt::format(" in run {}", best.run + 1);
 }
 
@@ -51,7 +50,12 @@ std::string result_line(const DriveRecordFile& file) {
 std::string summary_of(const DriveRecordFile& file) {
   std::string text = fmt::format("{:>3}  {:<6} {:>9} {:>9} {:>8} {:>8} {:>8} {:>8}\n", "run", "", "begin s", "end s",
                                  "gates", "centre", "known", "hoped");
-  for (std::size_t i = 0; i < file.record.runs.size(); ++i) text += run_line(file.record.runs[i], i);
+  for (std::size_t i = 0; i < file.record.runs.size(); ++i) {
+    std::string line = run_line(file.record.runs[i], i);
+    if (file.physical && i < file.physical->notes.ends.size())
+      line.insert(line.size() - 1, fmt::format("  {}", name_of(file.physical->notes.ends[i])));
+    text += line;
+  }
   return text + result_line(file) + "\n";
 }
 

@@ -2,6 +2,7 @@
 #include "labmouse/lab/records/drive_json.hpp"
 #include "labmouse/lab/records/drive_notation.hpp"
 #include "labmouse/lab/records/drive_record_file.hpp"
+#include "labmouse/lab/records/physical_lines.hpp"
 #include "labmouse/lab/records/record_maze.hpp"
 #include "labmouse/lab/records/settings_json.hpp"
 #include "labmouse/lab/robots/robot_json.hpp"
@@ -18,20 +19,21 @@ Json driver_json(const DriveRecordFile& file) {
 }
 
 Json header_json(const DriveRecordFile& file) {
-  return {{"labmouse", "drive record"},
-          {"format", 1},
-          {"version", version()},
-          {"world", "seconds"},
-          {"maze", record_maze_json(file.maze_name, *file.maze)},
-          {"mouse", driver_json(file)},
-          {"seed", file.seed},
-          {"robot", robot_json(file.model->robot)},
-          {"model", model_name(file.model->robot)},
-          {"tables", hash_text(file.model->tables.hash)},
-          {"rules", rules_json(file.rules)}};
+  const bool physical = file.physical.has_value();
+  Json json = {{"labmouse", "drive record"},
+               {"format", 1},
+               {"version", version()},
+               {"world", physical ? "physical" : "seconds"},
+               {"maze", record_maze_json(file.maze_name, *file.maze)},
+               {"mouse", driver_json(file)},
+               {"seed", file.seed},
+               {"robot", robot_json(file.model->robot, physical ? RobotParts::with_body : RobotParts::limits)},
+               {"model", model_name(file.model->robot)},
+               {"tables", hash_text(file.model->tables.hash)},
+               {"rules", rules_json(file.rules)}};
+  if (physical) json["physical"] = conditions_json(*file.physical);
+  return json;
 }
-
-Json pose_json(const Pose& pose) { return {pose.cell.x, pose.cell.y, name_of(pose.heading)}; }
 
 Json cells_json(const CellSet& cells, int height) {
   Json rows = Json::array();
@@ -44,9 +46,11 @@ Json walls_json(const WallSet& walls, Size size) {
 }
 
 Json run_json(const DriveRun& run, Size size) {
-  return {{"run", name_of(run.kind)},           {"begin", run.begin},
-          {"known", time_json(run.known)},      {"hoped", time_json(run.hoped)},
-          {"open", walls_json(run.open, size)}, {"closed", walls_json(run.closed, size)}};
+  Json json = {{"run", name_of(run.kind)},           {"begin", run.begin},
+               {"known", time_json(run.known)},      {"hoped", time_json(run.hoped)},
+               {"open", walls_json(run.open, size)}, {"closed", walls_json(run.closed, size)}};
+  if (run.touched) json["touched"] = true;
+  return json;
 }
 
 Json run_end_json(const DriveRun& run) {
@@ -86,6 +90,7 @@ Json end_json(const DriveRecordFile& file) {
   json["decisions"] = record.decisions;
   json["replanned"] = record.replanned;
   json["score"] = score_json(score(record, file.rules));
+  if (file.physical) json["physical"] = counts_json(file.physical->notes);
   return json;
 }
 
@@ -93,17 +98,22 @@ Json end_json(const DriveRecordFile& file) {
 
 std::string write_drive_record(const DriveRecordFile& file) {
   std::string text = record_line(header_json(file));
-  for (const DriveRun& run : file.record.runs) {
+  if (file.physical) text += record_line(actions_json(file.physical->notes.actions));
+  for (std::size_t i = 0; i < file.record.runs.size(); ++i) {
+    const DriveRun& run = file.record.runs[i];
     text += record_line(run_json(run, file.maze->size()));
     for (const SearchMove& move : run.moves) text += record_line(move_json(move));
     for (const DriveSegment& segment : run.route.segments)
       text += record_line(segment_json(segment, file.model->tables));
-    text += record_line(run_end_json(run));
+    Json end = run_end_json(run);
+    if (file.physical) end["how"] = name_of(file.physical->notes.ends[i]);
+    text += record_line(end);
   }
   for (const WallSeen& seen : file.record.walls)
     text += record_line({{"wall", {seen.wall.cell.x, seen.wall.cell.y, name_of(seen.wall.side)}},
                          {"open", seen.open},
                          {"time", seen.time}});
+  if (file.physical) text += physical_lines(file.physical->notes);
   return text + record_line(end_json(file));
 }
 

@@ -8,6 +8,7 @@
 #include "labmouse/lab/robots/drive_rules_file.hpp"
 #include "labmouse/lab/robots/robot_files.hpp"
 #include "labmouse/lab/robots/robot_json.hpp"
+#include "labmouse/lab/seconds/drive_results.hpp"
 #include "labmouse/lab/seconds/seconds_world.hpp"
 #include "labmouse/lab/text/json.hpp"
 
@@ -39,27 +40,14 @@ std::shared_ptr<const World> restore(const ReadJson& conditions) {
   return seconds_world(rules, std::make_shared<DriveModel>(std::move(model)));
 }
 
-PackedFile failed(Problem problem) { return {"", std::nullopt, std::move(problem)}; }
-
-/// A record in seconds goes in as it is.
-PackedFile pack(std::string_view text, const RecordOwner& owner) {
-  ReadDriveRecordResult read = read_drive_record(text);
-  if (!read.file) return failed(read.problems.front());
-  const DriveRecordFile& file = *read.file;
-  if (file.mouse != owner.mouse || file.maze_name != owner.maze || !owner.seeds.contains(file.seed))
-    return failed({0, 0,
-                   fmt::format("does not belong to this race: it is of {} in {} with seed {}", file.mouse,
-                               file.maze_name, file.seed)});
-  if (const std::string wrong = replay(file); !wrong.empty())
-    return failed({0, 0, "the record does not match its maze: " + wrong});
-  const Json json = {{"mouse", file.mouse}, {"maze", file.maze_name}, {"seed", file.seed}, {"drive", text}};
-  return {json.dump(-1, ' ', false, Json::error_handler_t::replace), file.maze, std::nullopt};
-}
-
 }  // namespace
 
-const WorldEntry seconds_entry = {
-    "seconds", "a robot that drives curves and diagonals, by the rules of real contests", settings, make, pack, false,
-    restore};
+const WorldEntry seconds_entry = {"seconds",
+                                  "a robot that drives curves and diagonals, by the rules of real contests",
+                                  settings,
+                                  make,
+                                  pack_drive_record,
+                                  false,
+                                  restore};
 
 }  // namespace labmouse

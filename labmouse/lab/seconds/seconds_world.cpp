@@ -13,6 +13,7 @@
 #include "labmouse/lab/pictures/drive_picture.hpp"
 #include "labmouse/lab/records/drive_json.hpp"
 #include "labmouse/lab/robots/robot_json.hpp"
+#include "labmouse/lab/seconds/drive_results.hpp"
 #include "labmouse/lab/seconds/seconds_fields.hpp"
 #include "labmouse/lab/seconds/seconds_figures.hpp"
 #include "labmouse/lab/standings/common_fields.hpp"
@@ -24,55 +25,26 @@
 namespace labmouse {
 namespace {
 
-double seconds(MazeTime time) { return static_cast<double>(time) / 1e6; }
-
 /// What is found out about a maze once.
 struct Prepared {
   DriveBound bound;
   CellSet reachable;
 };
 
-std::string outcome_of(const DriveRecord& record, const DriveScore& score) {
-  const std::string outcome(name_of(score.outcome));
-  return score.outcome == DriveOutcome::forfeit ? fmt::format("{}: {}", outcome, name_of(record.reason)) : outcome;
-}
-
-/// The fastest of the runs that count.
-std::optional<MazeTime> best_of(const DriveScore& score) {
-  std::optional<MazeTime> best;
-  for (const DriveRunScore& run : score.runs)
-    if (run.rest_to_centre && (!best || *run.rest_to_centre < *best)) best = run.rest_to_centre;
-  return best;
-}
-
-/// How much longer the best run took than the fastest possible one, as a share; nothing without a run or where that
-/// takes no time.
-std::optional<double> excess_of(const std::optional<MazeTime>& best, const DriveBound& bound) {
-  if (!best || !bound.fastest || *bound.fastest == 0) return std::nullopt;
-  return static_cast<double>(*best) / *bound.fastest - 1.0;
-}
-
 /// In the order of SecondsFigure.
 std::vector<Value> figures_of(const DriveRecord& record, const DriveScore& score, const DriveBound& bound,
                               const Coverage& coverage, std::string_view words) {
-  bool driven = false, proven = false;
-  MazeTime search = 0;
-  std::int64_t starts = 0;
-  for (const DriveRun& run : record.runs) {
-    const bool fast = run.kind == DriveRun::Kind::fast;
-    if (!driven) search = fast ? run.begin : run.end;
-    driven = driven || fast;
-    if (fast) proven = run.known == run.hoped;
-    if (run.kind != DriveRun::Kind::home) ++starts;
-  }
+  bool proven = false;
+  for (const DriveRun& run : record.runs)
+    if (run.kind == DriveRun::Kind::fast) proven = run.known == run.hoped;
   const auto best = best_of(score);
   const DriveRunScore* counting = score.best ? &score.runs[*score.best] : nullptr;
   return {score.best ? Value(JsonText{score_json(score).dump()}) : Value(nullptr),
-          std::int64_t{search},
+          std::int64_t{search_time_of(record)},
           or_none(best),
           or_none(excess_of(best, bound)),
           proven,
-          starts,
+          std::int64_t{starts_of(record)},
           std::int64_t{record.decisions},
           std::int64_t{record.replanned},
           coverage.discovered,
@@ -83,21 +55,10 @@ std::vector<Value> figures_of(const DriveRecord& record, const DriveScore& score
           counting != nullptr ? or_none(counting->rest_to_centre) : Value(nullptr)};
 }
 
-/// "1/30 of "
-std::string share_of(int divisor) { return divisor == 1 ? "" : fmt::format("1/{} of ", divisor); }
-
-/// The mean of the bounds.
-std::optional<double> mean_bound(const Race& race) {
-  std::vector<double> bounds;
-  for (const MazeFacts& facts : race.facts)
-    if (facts.bound) bounds.push_back(*facts.bound);
-  return bounds.empty() ? std::nullopt : std::optional(mean(bounds));
-}
-
 class SecondsWorld final : public World {
  public:
   SecondsWorld(const DriveRules& rules, std::shared_ptr<const DriveModel> model)
-      : rules_(rules), model_(sharing(std::move(model))) {}
+      : rules_(rules), model_(sharing_tables(std::move(model))) {}
 
   std::string_view name() const override { return "seconds"; }
   std::string formula() const override { return formula_of(rules_); }
@@ -108,19 +69,14 @@ class SecondsWorld final : public World {
   }
 
   std::string refuse(const Contestant& mouse) const override { return refuse_to_drive({&mouse, 1}); }
-  std::string refuse(const Maze& maze) const override {
-    const Size size = maze.size();
-    if (size.width <= max_drive_side && size.height <= max_drive_side) return "";
-    return fmt::format("is {}x{}; the world in seconds takes mazes up to {}x{}", size.width, size.height,
-                       max_drive_side, max_drive_side);
-  }
+  std::string refuse(const Maze& maze) const override { return refuse_to_drive_in(maze); }
   Settings settings(const Contestant& mouse) const override { return settings_in_seconds(mouse); }
 
   std::string_view unit() const override { return "s"; }
 
   MazeFacts facts(const Maze& maze) const override {
     const DriveBound bound = drive_bound_of(maze, rules_, *model_);
-    return {bound.score ? std::optional(seconds(*bound.score)) : std::nullopt,
+    return {bound.score ? std::optional(in_seconds(*bound.score)) : std::nullopt,
             {or_none(bound.fastest), or_none(bound.score)},
             Prepared{bound, reachable_cells(maze)}};
   }
@@ -139,13 +95,13 @@ class SecondsWorld final : public World {
     result.figures = figures_of(record, score, prepared.bound, coverage_of(record, maze.maze, prepared.reachable),
                                 mind->last_words());
     if (!mind->started()) result.never_started = mind->last_words().substr(0, mind->last_words().find('\n'));
-    if (score.value() && best_of(score)) add_score(*score.value(), prepared.bound, result);
+    if (score.value() && best_of(score)) add_score(*score.value(), prepared.bound, rules_, result);
     result.done = !interrupted;
     return kept(mouse, maze, result.seed, std::move(record), keep);
   }
 
   std::string_view tie_breaker() const override { return "search_us"; }
-  ScorePlace score_place() const override { return {"score", "value", 1e-6, -seconds(rules_.untouched_bonus)}; }
+  ScorePlace score_place() const override { return {"score", "value", 1e-6, -in_seconds(rules_.untouched_bonus)}; }
   const WorldFields& fields() const override { return seconds_fields(); }
   std::string_view why_no_bound() const override { return "in which no mouse could score"; }
 
@@ -159,14 +115,6 @@ class SecondsWorld final : public World {
   }
 
  private:
-  void add_score(MazeTime value, const DriveBound& bound, ContestResult& result) const {
-    result.score = result.counted = seconds(value);
-    // A bonus would leave little or nothing to compare; all have it.
-    const MazeTime bonus = rules_.untouched_bonus;
-    if (const MazeTime best = bound.score.value_or(0) + bonus; bound.score && best > 0)
-      result.ratio = static_cast<double>(value + bonus) / static_cast<double>(best);
-  }
-
   Held kept(const Contestant& mouse, const NamedMaze& maze, std::uint64_t seed, DriveRecord record, Keep keep) const {
     Held held;
     if (keep.record || keep.picture) {
@@ -179,14 +127,6 @@ class SecondsWorld final : public World {
   }
 
   DriveRules rules_;
-  /// A model that shares what all of its contests need.
-  static std::shared_ptr<const DriveModel> sharing(std::shared_ptr<const DriveModel> model) {
-    if (model->route_tables) return model;
-    auto sharing = std::make_shared<DriveModel>(*model);
-    share_route_tables(*sharing);
-    return sharing;
-  }
-
   std::shared_ptr<const DriveModel> model_;
 };
 
@@ -212,17 +152,6 @@ DriveRecordFile drive_record_file_of(const Contestant& mouse, const NamedMaze& m
   const DriveScore scored = score(file.record, rules);
   if (scored.best) file.recorded_score = scored.runs[*scored.best];
   return file;
-}
-
-std::string formula_of(const DriveRules& rules) {
-  std::string text = fmt::format("the best of at most {} in {:g} s, {}", counted(rules.most_runs, "run", "runs"),
-                                 seconds(rules.time_limit), rules.gate_to_gate ? "gate to gate" : "rest to centre");
-  if (rules.maze_time_divisor > 0)
-    text += fmt::format(", plus {}the time in the maze before it", share_of(rules.maze_time_divisor));
-  if (rules.untouched_bonus > 0) text += fmt::format(", minus {:g} s if untouched", seconds(rules.untouched_bonus));
-  if (rules.touch_penalty > 0)
-    text += fmt::format(", plus {:g} s if touched, which never happens here", seconds(rules.touch_penalty));
-  return text;
 }
 
 }  // namespace labmouse

@@ -19,7 +19,4 @@ std::shared_ptr<const World> seconds_world(const DriveRules& rules, std::shared_
 DriveRecordFile drive_record_file_of(const Contestant& mouse, const NamedMaze& maze, const DriveRules& rules,
                                      std::shared_ptr<const DriveModel> model, std::uint64_t seed, DriveRecord record);
 
-/// How rules score, in words.
-std::string formula_of(const DriveRules& rules);
-
 }  // namespace labmouse

@@ -2,6 +2,7 @@
 #include <array>
 
 #include "labmouse/lab/mms/mms_entry.hpp"
+#include "labmouse/lab/physical/physical_entry.hpp"
 #include "labmouse/lab/seconds/seconds_entry.hpp"
 #include "labmouse/lab/steps/steps_entry.hpp"
 #include "labmouse/lab/worlds/worlds.hpp"
@@ -9,7 +10,8 @@
 namespace labmouse {
 
 std::span<const WorldEntry* const> all_worlds() {
-  static constexpr std::array<const WorldEntry*, 3> worlds = {&steps_entry, &seconds_entry, &mms_entry};
+  static constexpr std::array<const WorldEntry*, 4> worlds = {&steps_entry, &seconds_entry, &physical_entry,
+                                                              &mms_entry};
   return worlds;
 }
 

@@ -1,0 +1,19 @@
+#include "labmouse/lab/numbers/wilson.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace labmouse {
+
+Interval wilson_interval(int successes, int trials) {
+  if (trials == 0) return {0.0, 1.0};
+  constexpr double deviations = 1.959963984540054;
+  constexpr double squared = deviations * deviations;
+  const double n = trials, share = successes / n;
+  const double middle = (share + squared / (2.0 * n)) / (1.0 + squared / n);
+  const double reach =
+      deviations / (1.0 + squared / n) * std::sqrt(share * (1.0 - share) / n + squared / (4.0 * n * n));
+  return {std::max(0.0, middle - reach), std::min(1.0, middle + reach)};
+}
+
+}  // namespace labmouse

@@ -1,0 +1,163 @@
+#include "labmouse/lab/physical/physical_fields.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "labmouse/lab/numbers/wilson.hpp"
+#include "labmouse/lab/physical/physical_figures.hpp"
+#include "labmouse/lab/standings/common_fields.hpp"
+#include "labmouse/lab/standings/mouse_figures.hpp"
+
+namespace labmouse {
+namespace {
+
+using F = PhysicalFigure;
+using M = PhysicalMazeFigure;
+using fields::figure;
+
+constexpr std::array<ContestField, 25> contest_fields = {{{"maze", fields::maze_name},
+                                                          {"seed", fields::seed},
+                                                          {"outcome", fields::outcome},
+                                                          {"score", figure<F::score>},
+                                                          {"search_us", figure<F::search>},
+                                                          {"best_us", figure<F::best>},
+                                                          {"excess", figure<F::excess>},
+                                                          {"starts", figure<F::starts>},
+                                                          {"done", figure<F::done>},
+                                                          {"slid", figure<F::slid>},
+                                                          {"strayed", figure<F::strayed>},
+                                                          {"misread", figure<F::misread>},
+                                                          {"walled_in", figure<F::walled_in>},
+                                                          {"late", figure<F::late>},
+                                                          {"carried", figure<F::carried>},
+                                                          {"grazes", figure<F::grazes>},
+                                                          {"misreads", figure<F::misreads>},
+                                                          {"contradictions", figure<F::contradictions>},
+                                                          {"frailty", figure<F::frailty>},
+                                                          {"penalised", figure<F::penalised>},
+                                                          {"decisions", figure<F::decisions>},
+                                                          {"replanned", figure<F::replanned>},
+                                                          {discovered_share, figure<F::discovered>},
+                                                          {visited_share, figure<F::visited>},
+                                                          {said_last, figure<F::words>}}};
+
+constexpr std::array<ContestField, 22> csv_fields = {{{"mouse", fields::mouse_name},
+                                                      {"maze", fields::maze_name},
+                                                      {"seed", fields::seed},
+                                                      {"outcome", fields::outcome},
+                                                      {"score_us", figure<F::score_us>},
+                                                      {"gate_to_gate_us", figure<F::gate_to_gate>},
+                                                      {"rest_to_centre_us", figure<F::rest_to_centre>},
+                                                      {"search_us", figure<F::search>},
+                                                      {"best_us", figure<F::best>},
+                                                      {"fastest_us", fields::of_maze<M::fastest>},
+                                                      {"bound_us", fields::of_maze<M::bound>},
+                                                      {"starts", figure<F::starts>},
+                                                      {"done", figure<F::done>},
+                                                      {"slid", figure<F::slid>},
+                                                      {"strayed", figure<F::strayed>},
+                                                      {"misread", figure<F::misread>},
+                                                      {"walled_in", figure<F::walled_in>},
+                                                      {"late", figure<F::late>},
+                                                      {"carried", figure<F::carried>},
+                                                      {"misreads", figure<F::misreads>},
+                                                      {"frailty", figure<F::frailty>},
+                                                      {"penalised", figure<F::penalised>}}};
+
+constexpr std::array<MazeField, 5> maze_fields = {{{"name", fields::name},
+                                                   {"width", fields::width},
+                                                   {"height", fields::height},
+                                                   {"fastest_us", fields::maze_figure<M::fastest>},
+                                                   {"bound_us", fields::maze_figure<M::bound>}}};
+
+Value figure_at(const ContestResult& contest, F figure) { return contest.figures[static_cast<std::size_t>(figure)]; }
+
+double sum(const Race& race, const Standing& standing, F figure) {
+  double all = 0.0;
+  for_each_counted(race, standing,
+                   [&](const ContestResult& contest) { all += number_of(figure_at(contest, figure)).value_or(0.0); });
+  return all;
+}
+template <F Figure>
+Value count(const Race& race, const Standing& standing) {
+  return static_cast<std::int64_t>(sum(race, standing, Figure));
+}
+
+/// The mean over the contests with a score, a time of it in seconds.
+template <F Figure>
+std::optional<double> mean_seconds(const Race& race, const Standing& standing) {
+  std::vector<double> values;
+  for_each_solved(race, standing, [&](const ContestResult& contest) {
+    if (const auto time = number_of(figure_at(contest, Figure))) values.push_back(*time / 1e6);
+  });
+  return mean_if_any(values);
+}
+
+std::optional<double> penalised(const Race& race, const Standing& standing) {
+  return standing.runs == 0 ? std::nullopt : std::optional(sum(race, standing, F::penalised) / standing.runs);
+}
+
+Interval finished_interval(const Standing& standing) { return wilson_interval(standing.solved, standing.runs); }
+
+Value interval_value(const Interval& interval) { return JsonText{fmt::format("[{},{}]", interval.low, interval.high)}; }
+
+constexpr std::array<MouseField, 22> mouse_fields = {
+    {{"name", fields::name},
+     {"parameters", fields::parameters},
+     {"scored", fields::solved},
+     {"runs", fields::runs},
+     {"finished_interval", [](const Race&, const Standing& s) { return interval_value(finished_interval(s)); }},
+     {"mean_score", fields::mean_all},
+     {"interval", fields::interval},
+     {"mean_ratio", fields::mean_ratio},
+     {"penalised", [](const Race& r, const Standing& s) -> Value { return or_none(penalised(r, s)); }},
+     {"mean_search", [](const Race& r, const Standing& s) -> Value { return or_none(mean_seconds<F::search>(r, s)); }},
+     {"mean_best", [](const Race& r, const Standing& s) -> Value { return or_none(mean_seconds<F::best>(r, s)); }},
+     {"mean_excess", [](const Race& r, const Standing& s) -> Value { return or_none(mean_solved(r, s, "excess")); }},
+     {"starts", count<F::starts>},
+     {"done", count<F::done>},
+     {"slid", count<F::slid>},
+     {"strayed", count<F::strayed>},
+     {"misread", count<F::misread>},
+     {"walled_in", count<F::walled_in>},
+     {"late", count<F::late>},
+     {"carried", count<F::carried>},
+     {"misreads", count<F::misreads>},
+     {"contradictions", count<F::contradictions>}}};
+
+template <F Figure>
+std::string count_text(const Race& race, const Standing& standing) {
+  return fmt::format("{:.0f}", sum(race, standing, Figure));
+}
+
+std::string finished_text(const Race&, const Standing& standing) {
+  const Interval interval = finished_interval(standing);
+  return standing.runs == 0 ? "-" : fmt::format("{:.0f}-{:.0f}", 100.0 * interval.low, 100.0 * interval.high);
+}
+
+constexpr std::array<Column, 13> table = {
+    {{"", "scored", 8, columns::solved},
+     {"95 %", "of 100", 7, finished_text},
+     {"score", "s", 7, columns::mean_all},
+     {"penal-", "ised", 7, [](const Race& r, const Standing& s) { return columns::number(penalised(r, s), 3); }},
+     {"search", "s", 7,
+      [](const Race& r, const Standing& s) { return columns::number(mean_seconds<F::search>(r, s), 1); }},
+     {"best", "run s", 7,
+      [](const Race& r, const Standing& s) { return columns::number(mean_seconds<F::best>(r, s), 3); }},
+     {"", "runs", 5, count_text<F::starts>},
+     {"", "slid", 5, count_text<F::slid>},
+     {"", "strayed", 8, count_text<F::strayed>},
+     {"mis-", "read", 5, count_text<F::misread>},
+     {"walled", "in", 6, count_text<F::walled_in>},
+     {"", "late", 5, count_text<F::late>},
+     {"misread", "walls", 7, count_text<F::misreads>}}};
+
+}  // namespace
+
+const WorldFields& physical_fields() {
+  static constexpr WorldFields all = {contest_fields, csv_fields, mouse_fields, maze_fields, table};
+  return all;
+}
+
+}  // namespace labmouse

@@ -1,0 +1,184 @@
+#include "labmouse/lab/physical/physical_world.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "labmouse/contest/drive.hpp"
+#include "labmouse/contest/drive_coverage.hpp"
+#include "labmouse/contest/drive_score.hpp"
+#include "labmouse/contest/physical.hpp"
+#include "labmouse/lab/bounds/drive_bound.hpp"
+#include "labmouse/lab/mice/specs.hpp"
+#include "labmouse/lab/mice/stoppable.hpp"
+#include "labmouse/lab/physical/physical_fields.hpp"
+#include "labmouse/lab/pictures/drive_picture.hpp"
+#include "labmouse/lab/records/drive_json.hpp"
+#include "labmouse/lab/robots/robot_json.hpp"
+#include "labmouse/lab/seconds/drive_results.hpp"
+#include "labmouse/lab/seconds/seconds_world.hpp"
+#include "labmouse/lab/standings/common_fields.hpp"
+#include "labmouse/lab/text/printable.hpp"
+#include "labmouse/maze/routes.hpp"
+#include "labmouse/mouse/drive/fastest.hpp"
+
+namespace labmouse {
+namespace {
+
+/// A point of the trace so often: every 20 mm at 400 mm/s.
+constexpr int trace_ticks = 50;
+
+/// What is found out about a maze once.
+struct Prepared {
+  DriveBound bound;
+  CellSet reachable;
+};
+
+std::int64_t ends_of(const PhysicalRecord& record, RunEnd end) {
+  return std::count(record.ends.begin(), record.ends.end(), end);
+}
+
+/// Runs from the start that came to their end.
+std::int64_t done_runs(const PhysicalRecord& record) {
+  std::int64_t done = 0;
+  for (std::size_t i = 0; i < record.ends.size(); ++i)
+    if (record.ends[i] == RunEnd::done && record.drive.runs[i].kind != DriveRun::Kind::home) ++done;
+  return done;
+}
+
+/// In the order of PhysicalFigure.
+std::vector<Value> figures_of(const PhysicalRecord& record, const DriveScore& score, const DriveBound& bound,
+                              const DriveRules& rules, const Coverage& coverage, std::string_view words) {
+  const auto best = best_of(score);
+  const DriveRunScore* counting = score.best ? &score.runs[*score.best] : nullptr;
+  const auto grazes =
+      std::count_if(record.touches.begin(), record.touches.end(), [](const WallTouch& touch) { return !touch.crash; });
+  return {score.best ? Value(JsonText{score_json(score).dump()}) : Value(nullptr),
+          std::int64_t{search_time_of(record.drive)},
+          or_none(best),
+          or_none(excess_of(best, bound)),
+          std::int64_t{starts_of(record.drive)},
+          done_runs(record),
+          ends_of(record, RunEnd::slid),
+          ends_of(record, RunEnd::strayed),
+          ends_of(record, RunEnd::misread),
+          ends_of(record, RunEnd::walled_in),
+          ends_of(record, RunEnd::out_of_time),
+          std::int64_t{record.carried},
+          std::int64_t{grazes},
+          std::int64_t{record.misreads},
+          std::int64_t{record.contradictions},
+          record.frailty,
+          in_seconds(score.value().value_or(rules.time_limit)),
+          std::int64_t{record.drive.decisions},
+          std::int64_t{record.drive.replanned},
+          coverage.discovered,
+          coverage.visited,
+          words.empty() ? Value() : Value(std::string(words)),
+          or_none(score.value()),
+          counting != nullptr ? or_none(counting->gate_to_gate) : Value(nullptr),
+          counting != nullptr ? or_none(counting->rest_to_centre) : Value(nullptr)};
+}
+
+class PhysicalWorld final : public World {
+ public:
+  PhysicalWorld(const DriveRules& rules, std::shared_ptr<const DriveModel> model, const PhysicalConditions& conditions)
+      : rules_(rules), model_(sharing_tables(std::move(model))), conditions_(conditions) {}
+
+  std::string_view name() const override { return "physical"; }
+  std::string formula() const override { return formula_of(rules_); }
+  std::vector<Condition> conditions() const override {
+    return {{"rules", JsonText{rules_json(rules_).dump()}},
+            {"robot", JsonText{robot_json(model_->robot, RobotParts::with_body).dump()}},
+            {"tables", hash_text(model_->tables.hash)},
+            {"noise", conditions_.noise.all},
+            {"spread", conditions_.noise.spread},
+            {"search_speed", conditions_.pilot.search_speed}};
+  }
+  int edition() const override { return physical_edition; }
+  std::string heading() const override { return fmt::format(", noise {:g}", conditions_.noise.all); }
+
+  std::string refuse(const Contestant& mouse) const override { return refuse_to_drive({&mouse, 1}); }
+  std::string refuse(const Maze& maze) const override { return refuse_to_drive_in(maze); }
+  Settings settings(const Contestant& mouse) const override { return settings_in_seconds(mouse); }
+
+  std::string_view unit() const override { return "s"; }
+  bool throws_dice() const override { return true; }
+  // Each takes a thousand times as long as one in seconds.
+  int usual_runs() const override { return 3; }
+
+  MazeFacts facts(const Maze& maze) const override {
+    const DriveBound bound = drive_bound_of(maze, rules_, *model_);
+    return {bound.score ? std::optional(in_seconds(*bound.score)) : std::nullopt,
+            {or_none(bound.fastest), or_none(bound.score)},
+            Prepared{bound, reachable_cells(maze)}};
+  }
+
+  Held hold(const Race& race, ContestResult& result, Keep keep, const std::atomic<bool>* stop) const override {
+    const Contestant& mouse = race.mice[result.mouse];
+    const NamedMaze& maze = race.mazes[result.maze];
+    const auto& prepared = std::any_cast<const Prepared&>(race.facts[result.maze].prepared);
+    Briefing briefing = brief(maze.maze, rules_, *model_, result.seed);
+    briefing.sight = 1;
+    const auto mind = mouse.drive(maze.maze, briefing);
+    PhysicalConditions conditions = conditions_;
+    conditions.trace_every = keep.record || keep.picture ? trace_ticks : 0;
+    Stoppable stoppable(*mind, stop);
+    PhysicalRecord record = drive_physically(maze.maze, rules_, *model_, conditions, result.seed, stoppable);
+    const bool interrupted = record.drive.reason == ForfeitReason::interrupted;
+    if (interrupted && !keep.record && !keep.picture) return {};
+    const DriveScore score = labmouse::score(record.drive, rules_);
+    result.outcome = outcome_of(record.drive, score);
+    result.figures = figures_of(record, score, prepared.bound, rules_,
+                                coverage_of(record.drive, maze.maze, prepared.reachable), mind->last_words());
+    if (!mind->started()) result.never_started = mind->last_words().substr(0, mind->last_words().find('\n'));
+    if (score.value()) add_score(*score.value(), prepared.bound, rules_, result);
+    result.done = !interrupted;
+    return kept(mouse, maze, result.seed, conditions, std::move(record), keep);
+  }
+
+  std::string_view tie_breaker() const override { return "search_us"; }
+  ScorePlace score_place() const override { return {"score", "value", 1e-6, -in_seconds(rules_.untouched_bonus)}; }
+  const WorldFields& fields() const override { return physical_fields(); }
+  std::string_view why_no_bound() const override { return "in which no mouse could score"; }
+
+  std::string notes(const Race& race) const override {
+    return fmt::format(
+        "Rules {}: {}. Lower is better; mice that scored in more contests come first.\nRobot {}, cells of {:g} mm, "
+        "noise "
+        "{:g}. The score is the mean of those that scored; 'penalised' counts the others as {:g} s.\nCrashes: the "
+        "tyres "
+        "slid, the mouse strayed from where it believed to be, or it drove into a wall that it had misread.\nBound, {} "
+        "s "
+        "on average: a mouse that never errs and knows the maze but must first search a way there.\n",
+        shown(rules_.name), formula(), shown(model_->robot.name), model_->tables.cell, conditions_.noise.all,
+        in_seconds(rules_.time_limit), columns::number(mean_bound(race), 3));
+  }
+
+ private:
+  Held kept(const Contestant& mouse, const NamedMaze& maze, std::uint64_t seed, const PhysicalConditions& conditions,
+            PhysicalRecord record, Keep keep) const {
+    Held held;
+    if (keep.record || keep.picture) {
+      DriveRecordFile file = drive_record_file_of(mouse, maze, rules_, model_, seed, record.drive);
+      file.physical = PhysicalPart{conditions, record, physical_edition};
+      if (keep.record) held.record = write_drive_record(file);
+      if (keep.picture) held.picture = draw_contest(file);
+    }
+    held.run = std::move(record);
+    return held;
+  }
+
+  DriveRules rules_;
+  std::shared_ptr<const DriveModel> model_;
+  PhysicalConditions conditions_;
+};
+
+}  // namespace
+
+std::shared_ptr<const World> physical_world(const DriveRules& rules, std::shared_ptr<const DriveModel> model,
+                                            const PhysicalConditions& conditions) {
+  return std::make_shared<PhysicalWorld>(rules, std::move(model), conditions);
+}
+
+}  // namespace labmouse

@@ -1,0 +1,53 @@
+#include "labmouse/lab/pictures/trace_path.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace labmouse {
+namespace {
+
+DrivePathPoint point_at(const DriveRecordFile& file, MazeTime time, const BodyPose& pose) {
+  const double cell = file.model->tables.cell;
+  DrivePathPoint point;
+  point.time = static_cast<double>(time);
+  point.x = pose.position.x / cell;
+  point.y = pose.position.y / cell;
+  // In eighths of a turn clockwise from north.
+  point.heading = (std::numbers::pi / 2.0 - pose.angle) / (std::numbers::pi / 4.0);
+  return point;
+}
+
+/// Sets speeds by how far the next point is.
+void set_speeds(std::vector<DrivePathPoint>& points, double cell) {
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const double seconds = (points[i + 1].time - points[i].time) / 1e6;
+    const double way = std::hypot(points[i + 1].x - points[i].x, points[i + 1].y - points[i].y) * cell;
+    points[i].speed = seconds > 0.0 ? way / seconds : 0.0;
+  }
+  if (points.size() > 1) points.back().speed = points[points.size() - 2].speed;
+}
+
+std::vector<DrivePathPoint> path_of(const DriveRecordFile& file, std::size_t index, BodyPose TracePoint::*pose) {
+  const DriveRun& run = file.record.runs[index];
+  std::vector<DrivePathPoint> points;
+  for (const TracePoint& point : file.physical->notes.trace)
+    if (point.time >= run.begin && point.time <= run.end) points.push_back(point_at(file, point.time, point.*pose));
+  set_speeds(points, file.model->tables.cell);
+  return points;
+}
+
+}  // namespace
+
+std::vector<DrivePathPoint> true_path(const DriveRecordFile& file, std::size_t run) {
+  return path_of(file, run, &TracePoint::truth);
+}
+
+std::vector<DrivePathPoint> believed_path(const DriveRecordFile& file, std::size_t run) {
+  return path_of(file, run, &TracePoint::belief);
+}
+
+DrivePathPoint touched_at(const DriveRecordFile& file, const WallTouch& touch) {
+  return point_at(file, touch.time, touch.at);
+}
+
+}  // namespace labmouse

@@ -1,0 +1,194 @@
+#include "labmouse/lab/records/physical_lines.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "labmouse/lab/records/drive_record_fields.hpp"
+#include "labmouse/lab/records/record_maze.hpp"
+
+namespace labmouse {
+namespace {
+
+constexpr std::size_t most_lines = 2'000'000, most_actions = 1'000'000;
+
+/// In whole micrometres and microradians.
+std::int64_t millionths(double number) { return std::llround(number * 1e6); }
+std::int64_t thousandths(double number) { return std::llround(number * 1e3); }
+
+Json body_json(const BodyPose& pose) {
+  return {thousandths(pose.position.x), thousandths(pose.position.y), millionths(pose.angle)};
+}
+
+std::int64_t long_at(const ReadJson& list, std::size_t index, const char* key, JsonFields& fields) {
+  if (index < list.size() && list[index].is_number_integer()) {
+    const auto number = list[index].get<std::int64_t>();
+    if (number >= -longest_time && number <= longest_time) return number;
+  }
+  fields.fail(fmt::format("has a '{}' without a whole number at its place {}", key, index + 1));
+  return 0;
+}
+
+BodyPose body_at(const ReadJson& list, std::size_t index, const char* key, JsonFields& fields) {
+  const auto at = [&](std::size_t i) { return static_cast<double>(long_at(list, index + i, key, fields)); };
+  return {{at(0) / 1e3, at(1) / 1e3}, at(2) / 1e6};
+}
+
+Json decision_json(const Action& action) {
+  if (action.kind == Action::Kind::reset) return "reset";
+  if (action.kind == Action::Kind::forfeit) return name_of(action.reason);
+  return {action.rotation, action.movement};
+}
+
+Action decision_of(const ReadJson& json, JsonFields& fields) {
+  if (json.is_array() && json.size() == 2)
+    return Action::step(fields.whole(json[0], "actions", -180, 180),
+                        fields.whole(json[1], "actions", 0, max_drive_side));
+  if (json == "reset") return Action::reset();
+  for (const ForfeitReason reason : all_forfeit_reasons)
+    if (json == name_of(reason)) return Action::forfeit(reason);
+  fields.fail("has an action that is neither [rotation, cells] nor reset nor a reason to give up");
+  return Action::reset();
+}
+
+void read_look(Size size, PhysicalNotes& notes, JsonFields& fields) {
+  Look look;
+  look.pose = pose_in(fields, "look", size);
+  look.time = fields.long_whole("time", 0, longest_time);
+  const ReadJson& evidence = fields.list("evidence");
+  if (evidence.size() != 3) return fields.fail("has an 'evidence' that is not [left, ahead, right]");
+  const auto at = [&](std::size_t i) {
+    return static_cast<Evidence>(fields.whole(evidence[i], "evidence", -127, 127));
+  };
+  look.evidence = {at(0), at(1), at(2)};
+  notes.looks.push_back(look);
+}
+
+void read_touch(PhysicalNotes& notes, JsonFields& fields) {
+  WallTouch touch;
+  touch.at = body_at(fields.list("touch"), 0, "touch", fields);
+  touch.time = fields.long_whole("time", 0, longest_time);
+  touch.crash = fields.flag("crash");
+  notes.touches.push_back(touch);
+}
+
+void read_trace(PhysicalNotes& notes, JsonFields& fields) {
+  const ReadJson& list = fields.list("trace");
+  if (list.size() != 7 + beam_count)
+    return fields.fail("has a 'trace' that is not a time, two poses and four readings");
+  TracePoint point;
+  point.time = long_at(list, 0, "trace", fields);
+  point.truth = body_at(list, 1, "trace", fields);
+  point.belief = body_at(list, 4, "trace", fields);
+  for (std::size_t beam = 0; beam < beam_count; ++beam)
+    point.infrared[beam] = static_cast<std::int16_t>(fields.whole(list[7 + beam], "trace", 0, 32767));
+  notes.trace.push_back(point);
+}
+
+}  // namespace
+
+Json pose_json(const Pose& pose) { return {pose.cell.x, pose.cell.y, name_of(pose.heading)}; }
+
+Json conditions_json(const PhysicalPart& part) {
+  const PhysicalConditions& conditions = part.conditions;
+  Json groups = Json::object();
+  for (std::size_t i = 0; i < noise_groups; ++i)
+    groups[std::string(name_of(static_cast<NoiseGroup>(i)))] = conditions.noise.groups[i];
+  const CorrectionChoice& corrections = conditions.pilot.corrections;
+  return {{"edition", part.edition},
+          {"noise", conditions.noise.all},
+          {"groups", std::move(groups)},
+          {"spread", conditions.noise.spread},
+          {"handling", conditions.handling},
+          {"search_speed", conditions.pilot.search_speed},
+          {"corrections", {{"sides", corrections.sides}, {"edges", corrections.edges}, {"front", corrections.front}}},
+          {"trace_every", conditions.trace_every}};
+}
+
+Json actions_json(const std::vector<Action>& actions) {
+  Json list = Json::array();
+  for (const Action& action : actions) list.push_back(decision_json(action));
+  return {{"actions", std::move(list)}};
+}
+
+std::string physical_lines(const PhysicalNotes& notes) {
+  std::string text;
+  for (const Look& look : notes.looks)
+    text += record_line({{"look", pose_json(look.pose)},
+                         {"evidence", {look.evidence.left, look.evidence.ahead, look.evidence.right}},
+                         {"time", look.time}});
+  for (const WallTouch& touch : notes.touches)
+    text += record_line({{"touch", body_json(touch.at)}, {"crash", touch.crash}, {"time", touch.time}});
+  for (const TracePoint& point : notes.trace) {
+    Json list = {point.time};
+    for (const BodyPose& pose : {point.truth, point.belief})
+      for (Json& number : body_json(pose)) list.push_back(std::move(number));
+    for (const std::int16_t level : point.infrared) list.push_back(level);
+    text += record_line({{"trace", std::move(list)}});
+  }
+  return text;
+}
+
+Json counts_json(const PhysicalNotes& notes) {
+  return {{"carried", notes.carried},
+          {"misreads", notes.misreads},
+          {"contradictions", notes.contradictions},
+          {"frailty", notes.frailty}};
+}
+
+void read_conditions(const ReadJson& json, PhysicalPart& part, JsonFields& outer) {
+  JsonFields fields(json, "physical");
+  constexpr double most = 1000.0;
+  part.edition = fields.whole("edition", 1, 1'000'000);
+  part.conditions.noise.all = fields.number("noise", 0.0, most);
+  part.conditions.noise.spread = fields.number("spread", 0.0, most);
+  part.conditions.handling = fields.long_whole("handling", 0, longest_time);
+  part.conditions.pilot.search_speed = fields.number("search_speed", 0.0, 20'000.0);
+  part.conditions.trace_every = fields.whole("trace_every", 0, 1'000'000);
+  if (!fields.has("groups") || !fields.has("corrections")) fields.reject("'physical' lacks its groups or corrections");
+  if (fields.error().empty()) {
+    JsonFields groups(json["groups"], "groups"), corrections(json["corrections"], "corrections");
+    for (std::size_t i = 0; i < noise_groups; ++i)
+      part.conditions.noise.groups[i] =
+          groups.number(std::string(name_of(static_cast<NoiseGroup>(i))).c_str(), 0.0, most);
+    part.conditions.pilot.corrections = {corrections.flag("sides"), corrections.flag("edges"),
+                                         corrections.flag("front")};
+    fields.reject(groups.error());
+    fields.reject(corrections.error());
+  }
+  outer.reject(fields.error());
+}
+
+void read_actions_line(PhysicalNotes& notes, JsonFields& fields) {
+  const ReadJson& list = fields.list("actions");
+  if (list.size() > most_actions) return fields.fail(fmt::format("has more than {} actions", most_actions));
+  for (const ReadJson& action : list) notes.actions.push_back(decision_of(action, fields));
+}
+
+RunEnd read_run_end(JsonFields& fields) {
+  const std::string how = fields.text("how");
+  for (const RunEnd end : all_run_ends)
+    if (how == name_of(end)) return end;
+  fields.fail("has an end of a run that this version does not know");
+  return RunEnd::done;
+}
+
+bool read_physical_line(const ReadJson& json, Size size, PhysicalNotes& notes, JsonFields& fields) {
+  if (notes.looks.size() + notes.touches.size() + notes.trace.size() > most_lines)
+    return fields.fail(fmt::format("is one of more than {} lines", most_lines)), true;
+  if (json.contains("look")) return read_look(size, notes, fields), true;
+  if (json.contains("touch")) return read_touch(notes, fields), true;
+  if (json.contains("trace")) return read_trace(notes, fields), true;
+  return false;
+}
+
+void read_counts(const ReadJson& json, PhysicalNotes& notes, JsonFields& outer) {
+  JsonFields fields(json, "physical");
+  notes.carried = fields.whole("carried", 0, 1'000'000);
+  notes.misreads = fields.whole("misreads", 0, 1'000'000);
+  notes.contradictions = fields.whole("contradictions", 0, 1'000'000'000);
+  notes.frailty = fields.number("frailty", 0.0, 1e9);
+  outer.reject(fields.error());
+}
+
+}  // namespace labmouse

@@ -1,0 +1,66 @@
+#include "labmouse/lab/records/physical_replay.hpp"
+
+#include <fmt/format.h>
+
+#include <string_view>
+
+#include "labmouse/contest/script.hpp"
+#include "labmouse/lab/records/drive_json.hpp"
+
+namespace labmouse {
+namespace {
+
+/// Without what a script does not know.
+DriveRecordFile unplanned(DriveRecordFile file) {
+  file.record.replanned = 0;
+  for (DriveRun& run : file.record.runs)
+    for (SearchMove& move : run.moves) move.replanned = false;
+  return file;
+}
+
+std::string_view next_line(std::string_view& text) {
+  const std::string_view line = text.substr(0, text.find('\n'));
+  text.remove_prefix(std::min(text.size(), line.size() + 1));
+  return line;
+}
+
+std::string shortened(std::string_view line) {
+  constexpr std::size_t longest = 120;
+  return line.size() <= longest ? std::string(line) : std::string(line.substr(0, longest)) + "...";
+}
+
+}  // namespace
+
+PhysicalRecord drive_again(const DriveRecordFile& file, int trace_every) {
+  PhysicalConditions conditions = file.physical->conditions;
+  conditions.trace_every = trace_every;
+  Script script(file.maze->size(), file.physical->notes.actions);
+  return drive_physically(*file.maze, file.rules, *file.model, conditions, file.seed, script);
+}
+
+std::string replay_physically(const DriveRecordFile& file) {
+  if (file.physical->edition != physical_edition)
+    return fmt::format(
+        "it was driven in edition {} of the physical world; this version has edition {}, so it can be "
+        "shown and not driven again",
+        file.physical->edition, physical_edition);
+  if (file.tables_hash != file.model->tables.hash)
+    return fmt::format("the hash of the robot's tables is {}; recomputed, it is {}", hash_text(file.tables_hash),
+                       hash_text(file.model->tables.hash));
+  DriveRecordFile again = file;
+  PhysicalRecord driven = drive_again(file, file.physical->conditions.trace_every);
+  again.record = std::move(driven.drive);
+  again.physical->notes = std::move(driven);
+  const std::string recorded = write_drive_record(unplanned(file)), replayed = write_drive_record(unplanned(again));
+  std::string_view a = recorded, b = replayed;
+  for (int line = 1; !a.empty() || !b.empty(); ++line) {
+    const std::string_view was = next_line(a), is = next_line(b);
+    if (was == is) continue;
+    // A record that breaks off agrees as far as it goes.
+    if (!file.ended && a.empty()) return "";
+    return fmt::format("line {}: recorded as {}; driven again, {}", line, shortened(was), shortened(is));
+  }
+  return "";
+}
+
+}  // namespace labmouse

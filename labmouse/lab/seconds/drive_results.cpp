@@ -1,0 +1,113 @@
+#include "labmouse/lab/seconds/drive_results.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "labmouse/lab/records/drive_record_file.hpp"
+#include "labmouse/lab/standings/mouse_figures.hpp"
+#include "labmouse/lab/text/counted.hpp"
+#include "labmouse/lab/text/json.hpp"
+#include "labmouse/mouse/drive/fastest.hpp"
+
+namespace labmouse {
+namespace {
+
+/// "1/30 of "
+std::string share_of(int divisor) { return divisor == 1 ? "" : fmt::format("1/{} of ", divisor); }
+
+}  // namespace
+
+std::string outcome_of(const DriveRecord& record, const DriveScore& score) {
+  const std::string outcome(name_of(score.outcome));
+  return score.outcome == DriveOutcome::forfeit ? fmt::format("{}: {}", outcome, name_of(record.reason)) : outcome;
+}
+
+std::optional<MazeTime> best_of(const DriveScore& score) {
+  std::optional<MazeTime> best;
+  for (const DriveRunScore& run : score.runs)
+    if (run.rest_to_centre && (!best || *run.rest_to_centre < *best)) best = run.rest_to_centre;
+  return best;
+}
+
+std::optional<double> excess_of(const std::optional<MazeTime>& best, const DriveBound& bound) {
+  if (!best || !bound.fastest || *bound.fastest == 0) return std::nullopt;
+  return static_cast<double>(*best) / *bound.fastest - 1.0;
+}
+
+MazeTime search_time_of(const DriveRecord& record) {
+  MazeTime search = 0;
+  for (const DriveRun& run : record.runs) {
+    if (run.kind == DriveRun::Kind::fast) return run.begin;
+    search = run.end;
+  }
+  return search;
+}
+
+int starts_of(const DriveRecord& record) {
+  return static_cast<int>(std::count_if(record.runs.begin(), record.runs.end(),
+                                        [](const DriveRun& run) { return run.kind != DriveRun::Kind::home; }));
+}
+
+void add_score(MazeTime value, const DriveBound& bound, const DriveRules& rules, ContestResult& result) {
+  result.score = result.counted = in_seconds(value);
+  // A bonus would leave little or nothing to compare; all have it.
+  const MazeTime bonus = rules.untouched_bonus;
+  if (const MazeTime best = bound.score.value_or(0) + bonus; bound.score && best > 0)
+    result.ratio = static_cast<double>(value + bonus) / static_cast<double>(best);
+}
+
+std::string refuse_to_drive_in(const Maze& maze) {
+  const Size size = maze.size();
+  if (size.width <= max_drive_side && size.height <= max_drive_side) return "";
+  return fmt::format("is {}x{}; the world in seconds takes mazes up to {}x{}", size.width, size.height, max_drive_side,
+                     max_drive_side);
+}
+
+std::shared_ptr<const DriveModel> sharing_tables(std::shared_ptr<const DriveModel> model) {
+  if (model->route_tables) return model;
+  auto sharing = std::make_shared<DriveModel>(*model);
+  share_route_tables(*sharing);
+  return sharing;
+}
+
+PackedFile pack_drive_record(std::string_view text, const RecordOwner& owner) {
+  ReadDriveRecordResult read = read_drive_record(text);
+  const auto failed = [](Problem problem) { return PackedFile{"", std::nullopt, std::move(problem)}; };
+  if (!read.file) return failed(read.problems.front());
+  DriveRecordFile& file = *read.file;
+  if (file.mouse != owner.mouse || file.maze_name != owner.maze || !owner.seeds.contains(file.seed))
+    return failed({0, 0,
+                   fmt::format("does not belong to this race: it is of {} in {} with seed {}", file.mouse,
+                               file.maze_name, file.seed)});
+  if (const std::string wrong = replay(file); !wrong.empty())
+    return failed({0, 0, "the record does not match its maze: " + wrong});
+  std::string kept(text);
+  if (file.physical && !file.physical->notes.trace.empty()) {
+    // Driving it again brings the trace back.
+    file.physical->notes.trace.clear();
+    file.physical->conditions.trace_every = 0;
+    kept = write_drive_record(file);
+  }
+  const Json json = {{"mouse", file.mouse}, {"maze", file.maze_name}, {"seed", file.seed}, {"drive", kept}};
+  return {json.dump(-1, ' ', false, Json::error_handler_t::replace), file.maze, std::nullopt};
+}
+
+std::optional<double> mean_bound(const Race& race) {
+  std::vector<double> bounds;
+  for (const MazeFacts& facts : race.facts)
+    if (facts.bound) bounds.push_back(*facts.bound);
+  return mean_if_any(bounds);
+}
+
+std::string formula_of(const DriveRules& rules) {
+  std::string text = fmt::format("the best of at most {} in {:g} s, {}", counted(rules.most_runs, "run", "runs"),
+                                 in_seconds(rules.time_limit), rules.gate_to_gate ? "gate to gate" : "rest to centre");
+  if (rules.maze_time_divisor > 0)
+    text += fmt::format(", plus {}the time in the maze before it", share_of(rules.maze_time_divisor));
+  if (rules.untouched_bonus > 0) text += fmt::format(", minus {:g} s if untouched", in_seconds(rules.untouched_bonus));
+  if (rules.touch_penalty > 0) text += fmt::format(", plus {:g} s if touched", in_seconds(rules.touch_penalty));
+  return text;
+}
+
+}  // namespace labmouse

@@ -1,0 +1,43 @@
+// What the results of contests that are driven have in common, in whatever world.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "labmouse/contest/drive_record.hpp"
+#include "labmouse/contest/drive_rules.hpp"
+#include "labmouse/contest/drive_score.hpp"
+#include "labmouse/lab/bounds/drive_bound.hpp"
+#include "labmouse/lab/races/race.hpp"
+#include "labmouse/lab/races/world_entry.hpp"
+
+namespace labmouse {
+
+std::string outcome_of(const DriveRecord& record, const DriveScore& score);
+/// The fastest of the runs that count, from rest to the centre.
+std::optional<MazeTime> best_of(const DriveScore& score);
+/// How much longer the best run took than the fastest possible one, as a share; nothing without a run or where that
+/// takes no time.
+std::optional<double> excess_of(const std::optional<MazeTime>& best, const DriveBound& bound);
+/// In the maze before the first fast run; all of the time where there is none.
+MazeTime search_time_of(const DriveRecord& record);
+/// Runs that began at the start.
+int starts_of(const DriveRecord& record);
+/// Sets the score of a result, and its ratio to the bound.
+void add_score(MazeTime value, const DriveBound& bound, const DriveRules& rules, ContestResult& result);
+
+/// Why no robot of this project drives in a maze; empty where they do.
+std::string refuse_to_drive_in(const Maze& maze);
+/// A model that shares what all of its contests need.
+std::shared_ptr<const DriveModel> sharing_tables(std::shared_ptr<const DriveModel> model);
+
+/// A record for a report, which goes in as it is, but for what driving it again brings back.
+PackedFile pack_drive_record(std::string_view text, const RecordOwner& owner);
+
+/// The mean of the bounds.
+std::optional<double> mean_bound(const Race& race);
+/// How rules score, in words.
+std::string formula_of(const DriveRules& rules);
+
+}  // namespace labmouse
