@@ -91,6 +91,7 @@ void add_robot(Command& app, int& exit);
 void add_rules(Command& app, int& exit);
 void add_bound(Command& app, int& exit);
 void add_route(Command& app, int& exit);
+void add_drive(Command& app, int& exit);
 void add_replay(Command& app, int& exit);
 void add_score(Command& app, int& exit);
 void add_page(Command& app, int& exit);

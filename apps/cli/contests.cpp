@@ -49,9 +49,10 @@ void add_contests(Command& command, Contests& contests) {
       ->take_all();
   add_places(command, contests.places);
   command
-      .add_option("--runs", contests.runs,
-                  "Contests in each maze for each mouse that throws dice, or whose world does; default: 20, in the "
-                  "physical world 3")
+      .add_integer(
+          "--runs", [&contests](std::uint64_t runs) { contests.runs = static_cast<int>(runs); },
+          "Contests in each maze for each mouse that throws dice, or whose world does; default: 20, in the physical "
+          "world 3")
       ->check(in_range(1, 1'000'000));
   contests.world.add_to(command);
   command.add_option("--seed", contests.order.seed, "Seed for all random choices")

@@ -50,6 +50,7 @@ int main(int argc, char** argv) {
   add_rules(app, exit);
   add_bound(app, exit);
   add_route(app, exit);
+  add_drive(app, exit);
   add_replay(app, exit);
   add_score(app, exit);
   add_page(app, exit);

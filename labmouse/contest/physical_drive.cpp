@@ -96,7 +96,8 @@ void PhysicalDriver::note_gates() {
   auto& runs = record_.drive.runs;
   if (runs.empty()) return;
   const bool home = runs.back().kind == DriveRun::Kind::home;
-  if (home && (runs.size() < 2 || runs[runs.size() - 2].gate_in || record_.ends[runs.size() - 2] != RunEnd::done)) return;
+  if (home && (runs.size() < 2 || runs[runs.size() - 2].gate_in || record_.ends[runs.size() - 2] != RunEnd::done))
+    return;
   DriveRun& run = home ? runs[runs.size() - 2] : runs.back();
   const Position& at = body_.motion().position;
   const Cell cell = body_.field().cell_at(at);

@@ -1,0 +1,135 @@
+// labmouse drive: how sure a robot's pilot is along known ways.
+#include <fmt/format.h>
+
+#include <charconv>
+#include <memory>
+#include <string_view>
+
+#include "command.hpp"
+#include "contests.hpp"
+#include "labmouse/contest/physical.hpp"
+#include "labmouse/lab/drives/known_drives.hpp"
+#include "labmouse/lab/robots/robot_files.hpp"
+#include "labmouse/lab/text/printable.hpp"
+#include "labmouse/mouse/drive/fastest.hpp"
+
+namespace labmouse::cli {
+namespace {
+
+struct DriveOptions {
+  std::vector<std::string> mazes;
+  Places places;
+  std::string robot = "kerise";
+  std::string noise = "1";
+  double spread = 0.0, speed = 0.0;
+  bool fast = false, groups = false, corrections = false;
+  int runs = 20;
+  std::uint64_t seed = 1;
+  int jobs = 0;
+  std::string format = "table";
+};
+
+/// The numbers of --noise.
+std::vector<double> noises_of(const std::string& text) {
+  std::vector<double> noises;
+  for (std::string_view rest = text; !rest.empty();) {
+    const std::string_view word = rest.substr(0, rest.find(','));
+    double noise = 0.0;
+    const auto [end, wrong] = std::from_chars(word.data(), word.data() + word.size(), noise);
+    if (wrong != std::errc() || end != word.data() + word.size() || !(noise >= 0.0 && noise <= 100.0))
+      throw UsageError(fmt::format("error: --noise: '{}' is not a number from 0 to 100", shown(word)));
+    noises.push_back(noise);
+    rest.remove_prefix(std::min(rest.size(), word.size() + 1));
+  }
+  if (noises.empty()) throw UsageError("error: --noise needs a number");
+  return noises;
+}
+
+/// What is compared: the noises, or for one of them its groups or the corrections.
+std::vector<DriveCase> cases_of(const DriveOptions& options) {
+  if (options.groups && options.corrections)
+    throw UsageError("error: --groups and --corrections are two comparisons; ask for one of them");
+  if (options.fast && options.corrections)
+    throw UsageError("error: --corrections compares drives by the moves of a search; leave --fast out");
+  std::vector<DriveCase> cases;
+  const std::vector<double> noises = noises_of(options.noise);
+  for (const double noise : noises) {
+    PhysicalConditions conditions;
+    conditions.noise.all = noise;
+    conditions.noise.spread = options.spread;
+    conditions.pilot.search_speed = options.speed;
+    const std::string name = fmt::format("noise {:g}", noise);
+    std::vector<DriveCase> parts = options.groups        ? cases_by_group(conditions)
+                                   : options.corrections ? cases_by_correction(conditions)
+                                                         : std::vector<DriveCase>{{"", conditions}};
+    for (DriveCase& part : parts) {
+      part.name = part.name.empty() ? name : noises.size() > 1 ? name + " " + part.name : part.name;
+      cases.push_back(std::move(part));
+    }
+  }
+  return cases;
+}
+
+int drive(const DriveOptions& options) {
+  const FoundRobot robot = find_robot_or_refuse(options.robot);
+  tell_remarks(robot.remarks);
+  if (const std::string why = why_not_physical(robot.model); !why.empty())
+    throw UsageError(fmt::format("error: {} cannot drive in the physical world: {}", shown(options.robot), why));
+  DriveModel model = robot.model;
+  share_route_tables(model);
+  DriveOrder order;
+  order.model = std::make_shared<DriveModel>(std::move(model));
+  order.way = options.fast ? KnownWay::fast : KnownWay::search;
+  order.runs = options.runs;
+  order.seed = options.seed;
+  order.jobs = options.jobs;
+  const std::vector<NamedMaze> mazes = find_mazes(options.mazes, options.places).mazes;
+  const Interruptible interruptible;
+  const auto tallies = drive_known_ways(order, mazes, cases_of(options), &interruptible.stopped());
+  print(options.format == "json" ? json_of(tallies, order) : table_of(tallies));
+  return interruptible.stopped() ? exit_interrupted() : exit_good;
+}
+
+}  // namespace
+
+void add_drive(Command& app, int& exit) {
+  auto options = std::make_shared<DriveOptions>();
+  Command* command = app.add_subcommand(
+      "drive", "Drive known ways in the physical world: how often the pilot crashes, strays and misreads");
+  command
+      ->add_option("--mazes", options->mazes,
+                   "Maze files, folders, patterns or built-in mazes; default: all built-in mazes")
+      ->type_name("PATH")
+      ->expected(1, 1 << 20)
+      ->take_all();
+  add_places(*command, options->places);
+  command
+      ->add_option("--robot", options->robot, "Built-in robot, or a file whose name contains a slash or ends in .toml")
+      ->type_name("ROBOT")
+      ->capture_default_str();
+  command->add_option("--noise", options->noise, "Factors of all noise, separated by commas: 1 as it was measured")
+      ->type_name("LIST")
+      ->capture_default_str();
+  command->add_option("--spread", options->spread, "How much luck differs from drive to drive, as in races")
+      ->check(in_range(0.0, 10.0))
+      ->capture_default_str();
+  command->add_option("--search-speed", options->speed, "Speed of the moves in mm/s; 0: the robot's own")
+      ->check(in_range(0.0, 20'000.0))
+      ->capture_default_str();
+  command->add_flag("--fast", options->fast, "The fastest route in place of the moves of a search");
+  command->add_flag("--groups", options->groups, "Each group of noise alone");
+  command->add_flag("--corrections", options->corrections, "With all corrections by walls, some, and none");
+  command->add_option("--runs", options->runs, "Drives in each maze")
+      ->check(in_range(1, 1'000'000))
+      ->capture_default_str();
+  command->add_option("--seed", options->seed, "Seed for all random choices")
+      ->check(seed_number())
+      ->capture_default_str();
+  command->add_option("--jobs", options->jobs, "Number of threads; 0 uses all processors")
+      ->check(in_range(0, 1024))
+      ->capture_default_str();
+  command->add_option("--format", options->format, "Output")->check(one_of({"table", "json"}))->capture_default_str();
+  command->callback([options, &exit] { exit = drive(*options); });
+}
+
+}  // namespace labmouse::cli

@@ -1,0 +1,93 @@
+#include "labmouse/lab/drives/known_drives.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "labmouse/chance/dice.hpp"
+#include "labmouse/lab/system/parallel.hpp"
+
+namespace labmouse {
+namespace {
+
+void add(DriveTally& tally, const KnownDrive& drive) {
+  ++tally.runs;
+  tally.crashed += drive.crashed ? 1 : 0;
+  tally.cells += drive.cells;
+  tally.ticks += drive.ticks;
+  tally.grazes += drive.grazes;
+  tally.truth += drive.truth;
+  tally.belief += drive.belief;
+  tally.side += drive.side;
+  tally.front += drive.front;
+  if (!drive.crashed) tally.most_aside.push_back(drive.most_aside);
+}
+
+/// The drives of one maze in one case.
+std::vector<KnownDrive> drives_in(const DriveOrder& order, const NamedMaze& maze, const DriveCase& each,
+                                  const std::atomic<bool>* stop) {
+  std::vector<KnownDrive> drives;
+  for (int run = 0; run < order.runs && (stop == nullptr || !*stop); ++run) {
+    const std::uint64_t seed = seed_for(order.seed, maze.name, static_cast<std::uint64_t>(run));
+    const auto drive = drive_known_way(maze.maze, *order.model, each.conditions, order.way, seed);
+    if (!drive) break;
+    drives.push_back(*drive);
+  }
+  return drives;
+}
+
+}  // namespace
+
+std::vector<DriveTally> drive_known_ways(const DriveOrder& order, std::span<const NamedMaze> mazes,
+                                         std::span<const DriveCase> cases, const std::atomic<bool>* stop) {
+  std::vector<std::vector<KnownDrive>> drives(cases.size() * mazes.size());
+  for_each_parallel(drives.size(), order.jobs, [&](std::size_t i) {
+    drives[i] = drives_in(order, mazes[i % mazes.size()], cases[i / mazes.size()], stop);
+  });
+  std::vector<DriveTally> tallies;
+  for (std::size_t c = 0; c < cases.size(); ++c) {
+    DriveTally& tally = tallies.emplace_back();
+    tally.name = cases[c].name;
+    for (std::size_t m = 0; m < mazes.size(); ++m) {
+      const auto& here = drives[c * mazes.size() + m];
+      if (here.empty()) continue;
+      ++tally.mazes;
+      const auto crashed =
+          std::count_if(here.begin(), here.end(), [](const KnownDrive& drive) { return drive.crashed; });
+      const double share = static_cast<double>(crashed) / static_cast<double>(here.size());
+      if (crashed == 0) ++tally.mazes_without_crash;
+      if (share > tally.worst_share) {
+        tally.worst_share = share;
+        tally.worst_maze = mazes[m].name;
+      }
+      for (const KnownDrive& drive : here) add(tally, drive);
+    }
+    std::sort(tally.most_aside.begin(), tally.most_aside.end());
+  }
+  return tallies;
+}
+
+std::vector<DriveCase> cases_by_group(const PhysicalConditions& conditions) {
+  std::vector<DriveCase> cases = {{"all", conditions}};
+  for (std::size_t group = 0; group < noise_groups; ++group) {
+    DriveCase& alone = cases.emplace_back(DriveCase{std::string(name_of(static_cast<NoiseGroup>(group))), conditions});
+    alone.conditions.noise.groups.fill(0.0);
+    alone.conditions.noise.groups[group] = conditions.noise.groups[group];
+  }
+  return cases;
+}
+
+std::vector<DriveCase> cases_by_correction(const PhysicalConditions& conditions) {
+  std::vector<DriveCase> cases;
+  const auto add_case = [&](const char* name, const CorrectionChoice& choice) {
+    cases.push_back({name, conditions});
+    cases.back().conditions.pilot.corrections = choice;
+  };
+  add_case("all", {true, true, true});
+  add_case("sides", {true, false, false});
+  add_case("edges, front", {false, true, true});
+  add_case("none", {false, false, false});
+  return cases;
+}
+
+}  // namespace labmouse
