@@ -8,7 +8,6 @@
 #pragma once
 
 #include <array>
-#include <vector>
 
 #include "labmouse/body/field.hpp"
 #include "labmouse/body/specimen.hpp"
@@ -36,25 +35,24 @@ class Beams {
  private:
   /// A line that a ray meets.
   struct Crossing {
-    double distance = 0.0;  ///< from the ray's beginning
-    double cosine = 0.0;    ///< of its incidence
-    Cell cell;              ///< the cell that it comes from
-    Heading side{};         ///< the side of that cell that it meets
-    double along = 0.0;     ///< on that side, from the post at its western or southern end
+    double distance = 0.0;    ///< from the ray's beginning
+    double cosine = 0.0;      ///< of its incidence
+    int column = 0, row = 0;  ///< the cell that it comes from
+    Heading side{};           ///< the side of that cell that it meets
+    double along = 0.0;       ///< on that side, from the post at its western or southern end
   };
 
   template <class Visit>
   void for_each_crossing(const Ray& ray, Visit visit) const;
   double share_of(const Crossing& crossing) const;
-  double strength_at(double distance) const;
 
   const Field& field_;
   const Sensors& sensors_;
   const Specimen& specimen_;
+  double per_fall_, per_footprint_;
   std::array<Direction, beam_count> directions_{};  ///< to ahead
-  std::array<double, beam_count> calibrated_{};     ///< mm to the wall in the middle of a cell
-  std::array<double, beam_count> gains_{};
-  std::vector<double> strengths_;  ///< exp(-distance / fall) by quarters of a mm
+  std::array<double, beam_count> gains_{};          ///< counts at no distance
+  std::array<double, beam_count> reaches_{};        ///< mm; farther walls come back as less than half a count
 };
 
 }  // namespace labmouse

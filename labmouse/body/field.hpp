@@ -6,6 +6,10 @@
 //           line 0   1   2
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
 #include "labmouse/functions/position.hpp"
 #include "labmouse/functions/whole.hpp"
 #include "labmouse/hardware/beam.hpp"
@@ -15,24 +19,39 @@ namespace labmouse {
 
 class Field {
  public:
-  /// The maze must outlive it.
-  Field(const Maze& maze, double cell) : maze_(&maze), cell_(cell), half_wall_(half_wall_of(cell)) {}
+  Field(const Maze& maze, double cell);
 
-  const Maze& maze() const { return *maze_; }
   double cell() const { return cell_; }
   double half_wall() const { return half_wall_; }
 
   /// The cell around a point; outside of the maze one that lies outside.
   Cell cell_at(const Position& position) const { return {index_at(position.x), index_at(position.y)}; }
-  int index_at(double coordinate) const { return whole_below(coordinate / cell_); }
-  bool contains(Cell cell) const { return maze_->size().contains(cell); }
+  int index_at(double coordinate) const { return whole_below(coordinate * per_cell_); }
+  bool contains(Cell cell) const { return size_.contains(cell); }
+  bool contains(int column, int row) const {
+    return static_cast<unsigned>(column) < static_cast<unsigned>(size_.width) &&
+           static_cast<unsigned>(row) < static_cast<unsigned>(size_.height);
+  }
   /// Whether a wall stands on that side of a cell; none does of a cell outside.
-  bool stands(Cell cell, Heading side) const { return contains(cell) && !maze_->is_open(cell, side); }
+  bool stands(int column, int row, Heading side) const {
+    if (!contains(column, row)) return false;
+    const auto index = static_cast<std::size_t>(row * size_.width + column);
+    return (walls_[index] >> static_cast<unsigned>(side) & 1U) != 0;
+  }
+  /// Whether one stands on a line across x, in a row, and on a line across y, in a column.
+  bool stands_upright(int line, int row) const {
+    return stands(line, row, Heading::west) || stands(line - 1, row, Heading::east);
+  }
+  bool stands_level(int column, int line) const {
+    return stands(column, line, Heading::south) || stands(column, line - 1, Heading::north);
+  }
 
  private:
-  const Maze* maze_;
+  Size size_;
   double cell_;
+  double per_cell_;
   double half_wall_;
+  std::vector<std::uint8_t> walls_;  ///< of each cell, a bit for each side
 };
 
 }  // namespace labmouse

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "labmouse/functions/exponential.hpp"
 #include "labmouse/functions/normal.hpp"
 
 namespace labmouse {
@@ -26,6 +27,8 @@ double root_of_loss(double loss, double step) { return std::sqrt(loss * step); }
 
 Plant::Plant(const Field& field, const Hardware& hardware, const Specimen& specimen, std::uint64_t seed)
     : field_(field), hardware_(hardware), specimen_(specimen), shaking_dice_(seed_for(seed, "shaking")) {
+  drive_share_ = 1.0 - exp_of(-tick_seconds / hardware.motors.drive.time);
+  turn_share_ = 1.0 - exp_of(-tick_seconds / hardware.motors.turn.time);
   const Noise& noise = hardware.noise;
   const double step = noise.shaking_pitch * tick_seconds;
   shaking_kick_ = 2.0 * specimen.level(NoiseGroup::shaking) * noise.shaking * root_of_loss(noise.shaking_loss, step);
@@ -62,8 +65,8 @@ void Plant::drive_motors(const Drive& drive) {
   const double loss = std::clamp(motion_.speed, -1.0, 1.0) * motors.turning * std::abs(motion_.turning);
   const double onwards = effective((pushed_left + pushed_right) / 2.0, motion_.speed, motors.drive) - loss;
   const double around = effective(pushed_right - pushed_left, motion_.turning, motors.turn);
-  motion_.speed += tick_seconds / motors.drive.time * (motors.drive.gain * onwards - motion_.speed);
-  motion_.turning += tick_seconds / motors.turn.time * (motors.turn.gain * around - motion_.turning);
+  motion_.speed += drive_share_ * (motors.drive.gain * onwards - motion_.speed);
+  motion_.turning += turn_share_ * (motors.turn.gain * around - motion_.turning);
 }
 
 void Plant::shake() {
@@ -91,7 +94,7 @@ void Plant::slide(double before) {
   constexpr double slow = 20.0;  // mm/s
   const double speed = std::max(std::abs(motion_.speed), slow);
   const double most = std::sqrt(std::max(0.0, grip * grip - motion_.speeding * motion_.speeding));
-  const double held = (motion_.slip - motion_.yaw * tick_seconds) / (1.0 + stiffness * tick_seconds / speed);
+  const double held = (motion_.slip - motion_.yaw * tick_seconds) * speed / (speed + stiffness * tick_seconds);
   slides_ = std::abs(stiffness * held) > most;
   if (!slides_) {
     motion_.slip = held;

@@ -58,6 +58,7 @@ class Plant {
   const Hardware& hardware_;
   const Specimen& specimen_;
   BodyMotion motion_;
+  double drive_share_ = 0.0, turn_share_ = 0.0;  ///< of the way to its steady speed that a motor makes in a tick
   Dice shaking_dice_;
   double shaking_ = 0.0, shaking_rate_ = 0.0;  ///< of the resonance, rad/s
   double shaking_kick_ = 0.0;

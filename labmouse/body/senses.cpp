@@ -15,8 +15,7 @@ double normal(Dice& dice) { return NormalNumber::of(dice.bits()); }
 /// To the nearest whole number, cut to what the register holds.
 std::int16_t in_register(double number) {
   constexpr double most = std::numeric_limits<std::int16_t>::max();
-  const double cut = std::clamp(number, -most, most);
-  return static_cast<std::int16_t>(cut < 0.0 ? cut - 0.5 : cut + 0.5);
+  return static_cast<std::int16_t>(whole_below(std::min(std::max(number, -most), most) + 0.5));
 }
 
 }  // namespace
@@ -32,7 +31,8 @@ Senses::Senses(const Field& field, const Hardware& hardware, const Specimen& spe
       acceleration_dice_{Dice(seed_for(seed, "acceleration ahead")), Dice(seed_for(seed, "acceleration aside"))},
       infrared_dice_{Dice(seed_for(seed, "infrared", 0)), Dice(seed_for(seed, "infrared", 1)),
                      Dice(seed_for(seed, "infrared", 2)), Dice(seed_for(seed, "infrared", 3))},
-      range_dice_(seed_for(seed, "ranger")) {}
+      range_dice_(seed_for(seed, "ranger")),
+      infrared_fresh_(std::sqrt(1.0 - square(hardware.noise.infrared_memory))) {}
 
 void Senses::calibrate() { bias_ = specimen_.level(NoiseGroup::gyro) * hardware_.noise.gyro_bias * normal(bias_dice_); }
 
@@ -86,14 +86,14 @@ void Senses::accelerate(const BodyMotion& motion) {
 void Senses::shine(const BodyMotion& motion) {
   const Noise& noise = hardware_.noise;
   const double factor = specimen_.level(NoiseGroup::infrared);
-  const double memory = noise.infrared_memory, fresh = std::sqrt(1.0 - memory * memory);
   for (std::size_t beam = 0; beam < beam_count; ++beam) {
     double level = beams_.level(beam, motion.position, motion.ahead);
     if (factor > 0.0) {
-      infrared_noise_[beam] = memory * infrared_noise_[beam] + fresh * normal(infrared_dice_[beam]);
+      infrared_noise_[beam] =
+          noise.infrared_memory * infrared_noise_[beam] + infrared_fresh_ * normal(infrared_dice_[beam]);
       level += factor * (noise.infrared + noise.infrared_share * level) * infrared_noise_[beam];
     }
-    sense_.infrared[beam] = in_register(std::clamp(level, 0.0, hardware_.sensors.infrared.most));
+    sense_.infrared[beam] = in_register(std::min(std::max(level, 0.0), hardware_.sensors.infrared.most));
   }
 }
 

@@ -40,6 +40,7 @@ class Senses {
   std::array<Dice, 2> acceleration_dice_;
   std::array<Dice, beam_count> infrared_dice_;
   Dice range_dice_;
+  double infrared_fresh_;           ///< of each moment's error of a beam, beside what is left of the one before
   std::array<double, 2> travel_{};  ///< mm, of each wheel as it counts
   double bias_ = 0.0;               ///< rad/s
   std::array<double, beam_count> infrared_noise_{};

@@ -2,7 +2,9 @@
 // platform.
 #pragma once
 
+#include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 
 namespace labmouse {
@@ -42,6 +44,26 @@ constexpr double log_of(double number) {
   double sum = 1.0 / 15;
   for (const double part : inverse) sum = part + square * sum;
   return exponent * ln_2 + 2.0 * z * sum;
+}
+
+namespace fading_table {
+
+inline constexpr int steps = 64, most = 16;
+inline constexpr auto values = [] {
+  std::array<double, steps * most + 1> powers{};
+  for (std::size_t i = 0; i < powers.size(); ++i) powers[i] = exp_of(-static_cast<double>(i) / steps);
+  return powers;
+}();
+
+}  // namespace fading_table
+
+/// e to the power of -number, of a number from 0 on, to a 30,000th of the result; 0 from 16 on. From a table.
+constexpr double fading(double number) {
+  if (number >= fading_table::most) return 0.0;
+  const double place = number * fading_table::steps;
+  const auto index = static_cast<std::size_t>(place);
+  const double rest = place - static_cast<double>(index);
+  return fading_table::values[index] + rest * (fading_table::values[index + 1] - fading_table::values[index]);
 }
 
 }  // namespace labmouse

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -53,7 +54,7 @@ class NormalNumber {
     const auto index = static_cast<std::size_t>(bits >> 53U & (cells - 1));
     const double rest = static_cast<double>(static_cast<std::uint32_t>(bits >> 16U)) * (1.0 / 4294967296.0);
     const double size = table[index] + rest * (table[index + 1] - table[index]);
-    return bits >> 63U != 0 ? -size : size;
+    return std::bit_cast<double>(std::bit_cast<std::uint64_t>(size) | (bits & std::uint64_t{1} << 63U));
   }
 
  private:

@@ -8,7 +8,7 @@ constexpr double square(double number) { return number * number; }
 /// The largest whole number that is not above, of one that an int can hold.
 constexpr int whole_below(double number) {
   const auto whole = static_cast<int>(number);
-  return static_cast<double>(whole) > number ? whole - 1 : whole;
+  return whole - static_cast<int>(static_cast<double>(whole) > number);
 }
 
 }  // namespace labmouse
