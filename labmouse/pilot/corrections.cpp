@@ -74,11 +74,13 @@ void Corrections::apply(const Sense& sense, const Target& target, const Knowledg
 void Corrections::see_side(std::size_t beam, const Sense& sense, const Corridor& corridor, const Knowledge* known,
                            Estimator& estimator) {
   const Heading side = views_.looks_left(beam) ? left_of(corridor.axis) : right_of(corridor.axis);
+  const WallLine wall_line = line_on(corridor.cell, side, corridor.axis, cell_);
   View view;
-  if (!views_.see(beam, estimator.position(), estimator.ahead(), corridor.cell, side, corridor.axis, view)) {
+  if (!views_.see(beam, estimator.position(), estimator.ahead(), wall_line, view)) {
     finders_[beam].forget();
     return;
   }
+  const auto slopes = [&] { return views_.slopes(beam, estimator.ahead(), wall_line, view); };
   const double level = std::max<double>(1.0, sense.infrared[beam]);
   const int line = whole_below(view.along / cell_ + 0.5);
   const double behind = view.along - line * cell_;
@@ -86,26 +88,27 @@ void Corrections::see_side(std::size_t beam, const Sense& sense, const Corridor&
   if (choice_.edges && finders_[beam].needs(behind)) {
     const double share = std::min(1.5, level / views_.level_at(beam, view.distance));
     if (const auto edge = finders_[beam].pass(line, behind, share))
-      see_edge(*edge, view, cell_along(corridor, (line + 0.5) * cell_), side, corridor.axis, known, estimator);
+      see_edge(*edge, slopes(), cell_along(corridor, (line + 0.5) * cell_), side, corridor.axis, known, estimator);
   }
   // Away from posts.
   if (choice_.sides && (sense.tick + beam) % ticks_between == 0 && std::abs(behind) > cell_ / 4.0 &&
       size_.contains(cell) && state_of(known, cell, side, size_) != WallState::open)
-    see_wall(beam, level, view, estimator);
+    see_wall(beam, level, view, slopes(), estimator);
 }
 
-void Corrections::see_wall(std::size_t beam, double level, const View& view, Estimator& estimator) const {
+void Corrections::see_wall(std::size_t beam, double level, const View& view, const ViewSlopes& slopes,
+                           Estimator& estimator) const {
   const Infrared& infrared = hardware_.sensors.infrared;
   constexpr double least = 0.12, most = 0.95;
   if (level < least * infrared.gain || level > most * infrared.most) return;
   const Noise& noise = hardware_.noise;
   const double share = square(noise.reflectance) + square(noise.infrared_gain) + square(noise.infrared / level);
-  estimator.correct({views_.distance_of(beam, level) - view.distance, view.distance_by[0], view.distance_by[1],
-                     view.distance_by[2], square(alike * infrared.fall) * share + 0.25});
+  estimator.correct({views_.distance_of(beam, level) - view.distance, slopes.distance[0], slopes.distance[1],
+                     slopes.distance[2], square(alike * infrared.fall) * share + 0.25});
 }
 
 /// The cell is the one behind the line, on the corridor.
-void Corrections::see_edge(const SeenEdge& seen, const View& view, Cell behind, Heading side, Heading axis,
+void Corrections::see_edge(const SeenEdge& seen, const ViewSlopes& slopes, Cell behind, Heading side, Heading axis,
                            const Knowledge* known, Estimator& estimator) const {
   const Cell before = neighbour(behind, axis, -1);
   const auto fits = [&](Cell cell, bool stands) {
@@ -116,7 +119,7 @@ void Corrections::see_edge(const SeenEdge& seen, const View& view, Cell behind, 
   if (!fits(before, seen.edge == Edge::falls) || !fits(behind, seen.edge == Edge::rises)) return;
   // What the mouse takes for so much behind the line is at the line.
   constexpr double deviation = 0.02;  // of a cell
-  estimator.correct({-seen.behind, view.along_by[0], view.along_by[1], view.along_by[2], square(deviation * cell_)});
+  estimator.correct({-seen.behind, slopes.along[0], slopes.along[1], slopes.along[2], square(deviation * cell_)});
 }
 
 void Corrections::see_front(const Sense& sense, const Corridor& corridor, const Knowledge* known,

@@ -30,6 +30,7 @@ PieceWalk::PieceWalk(const Piece& piece, const std::optional<DriveProfile>& prof
   if (profile_) piece_.seconds = profile_->duration() / 1e6;
   target_.position = piece_.from;
   target_.ahead = piece_.ahead;
+  speed_ = speed_at(0.0);
 }
 
 double PieceWalk::length_at(double seconds) const {
@@ -42,30 +43,31 @@ double PieceWalk::speed_at(double seconds) const {
 
 void PieceWalk::step(double seconds) {
   if (seconds <= 0.0) return;
-  const double before = time_, speed_before = speed_at(before);
   time_ = std::min(time_ + seconds, piece_.seconds);
-  const double speed = speed_at(time_), rate = (speed - speed_before) / seconds;
+  const double length = length_at(time_), speed = speed_at(time_), rate = (speed - speed_) / seconds;
   const double side = piece_.left ? 1.0 : -1.0;
   switch (piece_.kind) {
     case Piece::Kind::straight:
     case Piece::Kind::curve:
       target_.speed = speed;
       target_.speeding = rate;
-      drive(length_at(before), length_at(time_));
+      drive(length_, length);
       break;
     case Piece::Kind::backwards:
       target_.speed = -speed;
       target_.speeding = -rate;
-      drive(-length_at(before), -length_at(time_));
+      drive(-length_, -length);
       break;
     case Piece::Kind::pivot:
       target_.turning = side * speed;
       target_.twisting = side * rate;
-      target_.ahead = turned_by(target_.ahead, side * (length_at(time_) - length_at(before)));
+      target_.ahead = turned_by(target_.ahead, side * (length - length_));
       break;
     case Piece::Kind::rest:
       break;
   }
+  length_ = length;
+  speed_ = speed;
 }
 
 /// From one length to another, along the curve where it is one.

@@ -45,6 +45,7 @@ class PieceWalk {
   double left() const { return piece_.seconds - time_; }
 
  private:
+  /// How far it has come by then, in mm or rad, and how fast it is.
   double length_at(double seconds) const;
   double speed_at(double seconds) const;
   void drive(double from, double to);
@@ -52,7 +53,7 @@ class PieceWalk {
   Piece piece_;
   std::optional<DriveProfile> profile_;
   Target target_;
-  double time_ = 0.0;
+  double time_ = 0.0, length_ = 0.0, speed_ = 0.0;  ///< now
 };
 
 }  // namespace labmouse

@@ -13,59 +13,58 @@ Position way_in(Heading heading) {
   return ways[static_cast<unsigned>(heading)];
 }
 
-double line_at(Cell cell, Heading side, double size) {
-  switch (side) {
-    case Heading::north:
-      return (cell.y + 1) * size;
-    case Heading::east:
-      return (cell.x + 1) * size;
-    case Heading::south:
-      return cell.y * size;
-    case Heading::west:
-      break;
-  }
-  return cell.x * size;
+WallLine line_on(Cell cell, Heading side, Heading axis, double size) {
+  const Position out = way_in(side);
+  const Position middle = {(cell.x + 0.5) * size, (cell.y + 0.5) * size};
+  return {out, way_in(axis), dot(middle, out) + size / 2.0 - half_wall_of(size)};
 }
 
-Views::Views(const Infrared& infrared, double cell) : infrared_(infrared), cell_(cell) {
+Views::Views(const Infrared& infrared, double cell) : infrared_(infrared) {
   for (std::size_t beam = 0; beam < beam_count; ++beam) {
     directions_[beam] = direction_of(infrared.beams[beam].angle);
     calibrated_[beam] = calibrated_distance(infrared.beams[beam], cell);
+    gains_[beam] = infrared.gain * exp_of(calibrated_[beam] / infrared.fall);
     aside_[beam] = labmouse::looks_aside(infrared.beams[beam]);
   }
 }
 
-bool Views::see(std::size_t beam, const Position& position, const Direction& ahead, Cell cell, Heading side,
-                Heading axis, View& view) const {
-  const Beam& at = infrared_.beams[beam];
+/// From the middle of the axle to a sensor.
+Position arm_of(const Beam& beam, const Direction& ahead) {
+  return {beam.ahead * ahead.cosine - beam.aside * ahead.sine, beam.ahead * ahead.sine + beam.aside * ahead.cosine};
+}
+
+Position Views::way_of(std::size_t beam, const Direction& ahead) const {
   const Direction& own = directions_[beam];
-  const Position out = way_in(side), on = way_in(axis);
-  const Position arm = {at.ahead * ahead.cosine - at.aside * ahead.sine,
-                        at.ahead * ahead.sine + at.aside * ahead.cosine};
-  const Position arm_turned = {-arm.y, arm.x};
-  const Position beam_way = {ahead.cosine * own.cosine - ahead.sine * own.sine,
-                             ahead.sine * own.cosine + ahead.cosine * own.sine};
-  const Position way_turned = {-beam_way.y, beam_way.x};
-  const double towards = dot(beam_way, out);
+  return {ahead.cosine * own.cosine - ahead.sine * own.sine, ahead.sine * own.cosine + ahead.cosine * own.sine};
+}
+
+bool Views::see(std::size_t beam, const Position& position, const Direction& ahead, const WallLine& line,
+                View& view) const {
   constexpr double least = 0.2;
-  if (towards < least) return false;
-  // The face lies before the line, as seen along `out`.
-  const double coordinate = line_at(cell, side, cell_) * (out.x + out.y) - half_wall_of(cell_);
-  const Position from = position + arm;
-  view.distance = (coordinate - dot(from, out)) / towards;
-  if (view.distance < 0.0) return false;
-  view.cosine = towards;
-  view.distance_by = {-out.x / towards, -out.y / towards,
-                      -(dot(arm_turned, out) + view.distance * dot(way_turned, out)) / towards};
-  const double beside = dot(beam_way, on);
-  view.along = dot(from, on) + view.distance * beside;
-  view.along_by = {on.x + view.distance_by[0] * beside, on.y + view.distance_by[1] * beside,
-                   dot(arm_turned, on) + view.distance_by[2] * beside + view.distance * dot(way_turned, on)};
-  return true;
+  const Position way = way_of(beam, ahead);
+  view.cosine = dot(way, line.out);
+  if (view.cosine < least) return false;
+  const Position from = position + arm_of(infrared_.beams[beam], ahead);
+  view.distance = (line.face - dot(from, line.out)) / view.cosine;
+  view.along = dot(from, line.on) + view.distance * dot(way, line.on);
+  return view.distance >= 0.0;
+}
+
+ViewSlopes Views::slopes(std::size_t beam, const Direction& ahead, const WallLine& line, const View& view) const {
+  const auto& [out, on, face] = line;
+  // As the mouse turns, sensor and beam turn to the left.
+  const Position arm = arm_of(infrared_.beams[beam], ahead), way = way_of(beam, ahead);
+  const Position turned = {-arm.y - view.distance * way.y, arm.x + view.distance * way.x};
+  const double beside = dot(way, on);
+  ViewSlopes slopes;
+  slopes.distance = {-out.x / view.cosine, -out.y / view.cosine, -dot(turned, out) / view.cosine};
+  slopes.along = {on.x + slopes.distance[0] * beside, on.y + slopes.distance[1] * beside,
+                  dot(turned, on) + slopes.distance[2] * beside};
+  return slopes;
 }
 
 double Views::level_at(std::size_t beam, double distance) const {
-  return std::min(infrared_.most, infrared_.gain * exp_of((calibrated_[beam] - distance) / infrared_.fall));
+  return std::min(infrared_.most, gains_[beam] * fading(distance / infrared_.fall));
 }
 
 double Views::distance_of(std::size_t beam, double level) const {

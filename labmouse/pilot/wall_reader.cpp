@@ -42,13 +42,18 @@ WallReader::WallReader(const Hardware& hardware, double cell)
 
 void WallReader::begin(const Pose& pose) {
   pose_ = pose;
+  for (std::size_t beam = 0; beam < beam_count; ++beam) sights_[beam] = sight_of(beam, pose);
+  front_ = line_on(pose.cell, pose.heading, right_of(pose.heading), cell_);
   stretches_ = {};
-  ranged_ = {};
+  ranged_ = 0.0;
 }
 
-Heading WallReader::side_of(std::size_t beam) const {
-  if (!views_.looks_aside(beam)) return pose_->heading;
-  return views_.looks_left(beam) ? left_of(pose_->heading) : right_of(pose_->heading);
+WallReader::Sight WallReader::sight_of(std::size_t beam, const Pose& pose) const {
+  const bool aside = views_.looks_aside(beam);
+  const Heading side = !aside ? pose.heading : views_.looks_left(beam) ? left_of(pose.heading) : right_of(pose.heading);
+  const Heading axis = aside ? pose.heading : right_of(pose.heading);
+  const Position middle = {(pose.cell.x + 0.5) * cell_, (pose.cell.y + 0.5) * cell_};
+  return {side, line_on(pose.cell, side, axis, cell_), dot(middle, way_in(axis)) - cell_ / 2.0};
 }
 
 void WallReader::read(const Sense& sense, const Estimator& estimator) {
@@ -58,15 +63,10 @@ void WallReader::read(const Sense& sense, const Estimator& estimator) {
 }
 
 void WallReader::read_beam(std::size_t beam, const Sense& sense, const Estimator& estimator) {
-  const Heading side = side_of(beam), heading = pose_->heading;
-  const bool aside = side != heading;
+  const Sight& sight = sights_[beam];
   View view;
-  if (!views_.see(beam, estimator.position(), estimator.ahead(), pose_->cell, side, aside ? heading : right_of(heading),
-                  view))
-    return;
-  const double begin = line_at(pose_->cell, opposite(aside ? heading : right_of(heading)), cell_);
-  const Position on = way_in(aside ? heading : right_of(heading));
-  const double along = view.along - begin * (on.x + on.y);
+  if (!views_.see(beam, estimator.position(), estimator.ahead(), sight.line, view)) return;
+  const double along = view.along - sight.begin;
   // Behind the first post, and before the next one; ahead not farther than the front wall of a cell that is entered.
   constexpr double first = 0.14, last = 0.86, far = 1.1, steep = 0.7;
   if (along < first * cell_ || along > last * cell_ || view.distance > far * cell_ || view.cosine < steep) return;
@@ -76,14 +76,14 @@ void WallReader::read_beam(std::size_t beam, const Sense& sense, const Estimator
   stretch.expected += views_.level_at(beam, view.distance);
   stretch.along += along;
   stretch.view = view;
+  stretch.ahead = estimator.ahead();
 }
 
 /// How likely a wall ahead makes a reading of the ranger, over how likely none does.
 void WallReader::read_range(const Sense& sense, const Estimator& estimator) {
   const Ranger& ranger = hardware_.sensors.ranger;
-  const Position on = way_in(pose_->heading);
-  const double face = line_at(pose_->cell, pose_->heading, cell_) * (on.x + on.y) - half_wall_of(cell_);
-  const double expected = face - dot(estimator.position(), on) - ranger.ahead;
+  const Position& on = front_.out;
+  const double expected = front_.face - dot(estimator.position(), on) - ranger.ahead;
   const double ahead = dot({estimator.ahead().cosine, estimator.ahead().sine}, on);
   constexpr double straight = 0.985, far = 1.2;
   if (ahead < straight || expected > far * cell_ || expected > ranger.reach || expected < 0.0) return;
@@ -94,8 +94,7 @@ void WallReader::read_range(const Sense& sense, const Estimator& estimator) {
   if (sense.range > 0) with += density(sense.range - expected, deviation2);
   // Without it the next wall is a cell farther, or too far to be seen.
   if (sense.range == 0 || sense.range > expected + cell_ / 2.0) without += 1.0 / ranger.reach;
-  ranged_.nats = std::clamp(ranged_.nats + log_of(with / without), -most_nats, most_nats);
-  ranged_.any = true;
+  ranged_ = std::clamp(ranged_ + log_of(with / without), -most_nats, most_nats);
 }
 
 /// What of a beam's spot lies on the posts of a wall that is not there.
@@ -119,10 +118,9 @@ double WallReader::nats_of(std::size_t beam, const Estimator& estimator) const {
   const double level = stretch.level / stretch.count, expected = stretch.expected / stretch.count,
                along = stretch.along / stretch.count;
   const Infrared& infrared = hardware_.sensors.infrared;
-  const auto& by = stretch.view.distance_by;
-  const auto& along_by = stretch.view.along_by;
-  const double off = std::sqrt(estimator.variance_of(by[0], by[1], by[2]));
-  const double shifted = std::sqrt(estimator.variance_of(along_by[0], along_by[1], along_by[2]));
+  const ViewSlopes by = views_.slopes(beam, stretch.ahead, sights_[beam].line, stretch.view);
+  const double off = std::sqrt(estimator.variance_of(by.distance[0], by.distance[1], by.distance[2]));
+  const double shifted = std::sqrt(estimator.variance_of(by.along[0], by.along[1], by.along[2]));
   double with = 0.0, without = 0.0;
   for (const Trial& aside : trials) {
     const double whole = expected * exp_of(-aside.deviations * off / infrared.fall);
@@ -140,9 +138,9 @@ double WallReader::nats_of(std::size_t beam, const Estimator& estimator) const {
 
 WallEvidence WallReader::evidence(const Estimator& estimator) const {
   if (!pose_) return {};
-  double left = 0.0, ahead = ranged_.nats, right = 0.0;
+  double left = 0.0, ahead = ranged_, right = 0.0;
   for (std::size_t beam = 0; beam < beam_count; ++beam) {
-    const Heading side = side_of(beam);
+    const Heading side = sights_[beam].side;
     (side == pose_->heading ? ahead : side == left_of(pose_->heading) ? left : right) += nats_of(beam, estimator);
   }
   return {evidence_of(left), evidence_of(ahead), evidence_of(right)};

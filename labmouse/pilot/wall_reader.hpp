@@ -28,22 +28,23 @@ class WallReader {
   WallEvidence evidence(const Estimator& estimator) const;
 
  private:
-  /// The mean of a beam's readings, and the last view of it.
+  /// What a beam looks at: the line on a side of the cell, and where on it the cell begins.
+  struct Sight {
+    Heading side = Heading::north;
+    WallLine line;
+    double begin = 0.0;
+  };
+  /// A beam's readings of it.
   struct Stretch {
     int count = 0;
-    double level = 0.0, expected = 0.0,
-           along = 0.0;  ///< sums: read, of a whole wall, and where from the cell's beginning on
-    View view;
-  };
-  /// What the ranger said, most recently: nats for a wall.
-  struct Ranged {
-    double nats = 0.0;
-    bool any = false;
+    double level = 0.0, expected = 0.0, along = 0.0;  ///< sums: read, of a whole wall, and where behind the beginning
+    View view;                                        ///< the last one, and where the mouse pointed then
+    Direction ahead;
   };
 
   void read_beam(std::size_t beam, const Sense& sense, const Estimator& estimator);
   void read_range(const Sense& sense, const Estimator& estimator);
-  Heading side_of(std::size_t beam) const;
+  Sight sight_of(std::size_t beam, const Pose& pose) const;
   double nats_of(std::size_t beam, const Estimator& estimator) const;
   double likelihood(double level, double expected) const;
   double post_share(double along, double cosine) const;
@@ -52,8 +53,10 @@ class WallReader {
   double cell_;
   Views views_;
   std::optional<Pose> pose_;
+  std::array<Sight, beam_count> sights_;
   std::array<Stretch, beam_count> stretches_;
-  Ranged ranged_;
+  WallLine front_;
+  double ranged_ = 0.0;  ///< what the ranger says: nats for a wall ahead
 };
 
 }  // namespace labmouse
