@@ -40,15 +40,6 @@ bool back(Turn turn) { return turn == Turn::out45 || turn == Turn::out135; }
 
 std::string words(const TurnOfRobot& it) { return it.robot.name + " " + std::string(name_of(it.turn.turn)); }
 
-TEST(Angles, AreThoseOfTheStandardLibraryButForTheLastBits) {
-  for (double angle = -20.0; angle < 20.0; angle += 0.001) {
-    const Direction direction = direction_of(angle);
-    ASSERT_NEAR(direction.sine, std::sin(angle), 4e-16) << angle;
-    ASSERT_NEAR(direction.cosine, std::cos(angle), 4e-16) << angle;
-  }
-  static_assert(direction_of(0.0).sine == 0.0 && direction_of(0.0).cosine == 1.0);
-}
-
 TEST(TurnRoom, JoinsNodesThatTheTurnLeadsBetween) {
   for (const Turn turn : forward_turns) {
     const TurnRoom room = room_of(turn);

@@ -1,0 +1,238 @@
+// Infrared beams and the ranger against plain sums over walls and posts.
+#include "labmouse/body/beams.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "labmouse/chance/dice.hpp"
+#include "tests/body/boxes.hpp"
+#include "tests/body/plain_mouse.hpp"
+#include "tests/drawn_maze.hpp"
+
+namespace labmouse {
+namespace {
+
+using test::Boxes;
+using test::half_wall;
+
+/// The length of a ray to the first box, and the cosine of its incidence there.
+struct Hit {
+  double distance = 1e9, cosine = 1.0;
+};
+Hit hit_of(const Boxes& boxes, const Position& from, double cosine, double sine) {
+  Hit hit;
+  for (const Boxes::Box& box : boxes.all()) {
+    const double x = ((cosine > 0.0 ? box.west : box.east) - from.x) / cosine;
+    const double y = ((sine > 0.0 ? box.south : box.north) - from.y) / sine;
+    const double x_out = ((cosine > 0.0 ? box.east : box.west) - from.x) / cosine;
+    const double y_out = ((sine > 0.0 ? box.north : box.south) - from.y) / sine;
+    const double in = std::max(x, y);
+    if (in < 0.0 || in > std::min(x_out, y_out) || in >= hit.distance) continue;
+    hit = {in, std::abs(x > y ? cosine : sine)};
+  }
+  return hit;
+}
+
+/// As the method says: line after line, the spot that lies on it in shares, by a sum over its places.
+double level_by_sums(const Boxes& boxes, const Maze& maze, const Infrared& infrared, const Position& from,
+                     double cosine, double sine, double gain) {
+  struct Crossing {
+    double distance, incidence;
+    int line;
+    bool upright;
+  };
+  std::vector<Crossing> crossings;
+  for (int line = 0; line <= maze.size().width; ++line)
+    crossings.push_back({(line * test::cell + (cosine > 0.0 ? -half_wall : half_wall) - from.x) / cosine,
+                         std::abs(cosine), line, true});
+  for (int line = 0; line <= maze.size().height; ++line)
+    crossings.push_back(
+        {(line * test::cell + (sine > 0.0 ? -half_wall : half_wall) - from.y) / sine, std::abs(sine), line, false});
+  std::sort(crossings.begin(), crossings.end(), [](const auto& a, const auto& b) { return a.distance < b.distance; });
+  double level = 0.0, passing = 1.0;
+  for (const Crossing& crossing : crossings) {
+    if (crossing.distance < 0.0) continue;
+    const double middle = crossing.upright ? from.y + crossing.distance * sine : from.x + crossing.distance * cosine;
+    const double deviation = infrared.footprint / crossing.incidence;
+    double share = 0.0, all = 0.0;
+    for (int i = -2000; i <= 2000; ++i) {
+      const double off = i * 0.0025;
+      const double weight = std::exp(-off * off / 2.0);
+      all += weight;
+      if (boxes.covers(crossing.line, middle + off * deviation, crossing.upright)) share += weight;
+    }
+    share /= all;
+    const double slant = crossing.incidence < 0.9 ? crossing.incidence / 0.9 : 1.0;
+    level += passing * share * gain * std::exp(-crossing.distance / infrared.fall) * slant;
+    passing *= 1.0 - share;
+  }
+  return std::min(level, infrared.most);
+}
+
+/// As light goes: many parallel rays, each to the first box that it meets.
+double level_by_rays(const Boxes& boxes, const Infrared& infrared, const Position& from, double cosine, double sine,
+                     double gain) {
+  double level = 0.0, all = 0.0;
+  for (int i = -100; i <= 100; ++i) {
+    const double off = i * 0.04, weight = std::exp(-off * off / 2.0), aside = off * infrared.footprint;
+    const Hit hit = hit_of(boxes, {from.x - aside * sine, from.y + aside * cosine}, cosine, sine);
+    const double slant = hit.cosine < 0.9 ? hit.cosine / 0.9 : 1.0;
+    all += weight;
+    level += weight * gain * std::exp(-hit.distance / infrared.fall) * slant;
+  }
+  return std::min(level / all, infrared.most);
+}
+
+/// A beam of a mouse somewhere in a maze, and what a sensor there reads.
+struct Look {
+  Position from;
+  double cosine, sine;
+  double gain;  ///< at no distance
+  double level;
+};
+
+class InSomeMazes : public testing::Test {
+ protected:
+  template <class Visit>
+  void for_each_look(int count, Visit visit) {
+    const Hardware hardware = test::plain_mouse();
+    const Infrared& infrared = hardware.sensors.infrared;
+    Dice dice(5);
+    const auto share = [&] { return dice.below(1 << 20) / static_cast<double>(1 << 20); };
+    for (int i = 0; i < count; ++i) {
+      const Maze maze = test::some_maze(static_cast<std::uint64_t>(i));
+      const Field field(maze, test::cell);
+      const Specimen specimen(hardware, {}, maze.size(), 1);
+      const Beams beams(field, hardware.sensors, specimen);
+      const Boxes boxes(maze);
+      for (int j = 0; j < 40; ++j) {
+        // A mouse within 15 mm of the middle of a cell does not stand in walls.
+        const Position at = {(dice.below(8) + 0.35 + 0.3 * share()) * test::cell,
+                             (dice.below(8) + 0.35 + 0.3 * share()) * test::cell};
+        const double angle = 2.0 * pi * share();
+        const std::size_t beam = static_cast<std::size_t>(dice.below(4));
+        const Beam& mounted = infrared.beams[beam];
+        const double c = std::cos(angle), s = std::sin(angle);
+        Look look;
+        look.from = {at.x + mounted.ahead * c - mounted.aside * s, at.y + mounted.ahead * s + mounted.aside * c};
+        if (boxes.inside(look.from)) continue;
+        look.cosine = std::cos(angle + mounted.angle);
+        look.sine = std::sin(angle + mounted.angle);
+        // By the gain at the calibrated distance: to a side wall 50 mm from the middle, less half of it.
+        const double out = std::abs(std::sin(mounted.angle)), on = std::cos(mounted.angle);
+        const double calibrated = beam % 2 == 0 ? (test::cell / 2.0 - half_wall - std::abs(mounted.aside)) / out
+                                                : (test::cell / 2.0 - half_wall - mounted.ahead) / on;
+        look.gain = infrared.gain * std::exp(calibrated / infrared.fall);
+        look.level = beams.level(beam, at, direction_of(angle));
+        visit(maze, boxes, infrared, look);
+      }
+    }
+  }
+};
+
+TEST_F(InSomeMazes, ABeamReadsTheSumOverWhatItsSpotLiesOn) {
+  int read = 0;
+  for_each_look(40, [&](const Maze& maze, const Boxes& boxes, const Infrared& infrared, const Look& look) {
+    const double expected = level_by_sums(boxes, maze, infrared, look.from, look.cosine, look.sine, look.gain);
+    // What a beam leaves out is below half a count or behind 98 % of it.
+    ASSERT_NEAR(look.level, expected, 0.6 + 0.008 * expected)
+        << "at " << look.from.x << " " << look.from.y << " towards " << look.cosine << " " << look.sine;
+    read += look.level > 30.0 ? 1 : 0;
+  });
+  EXPECT_GT(read, 500);
+}
+
+/// A bundle of rays meets boxes, not lines: sides of posts, and walls at a slant nearer on one side of the spot.
+TEST_F(InSomeMazes, ABeamReadsAboutWhatABundleOfRaysBringsBack) {
+  std::vector<double> off;
+  for_each_look(100, [&](const Maze&, const Boxes& boxes, const Infrared& infrared, const Look& look) {
+    // Not where both agree that nothing is seen, nor where the sensor is blinded.
+    const double expected = level_by_rays(boxes, infrared, look.from, look.cosine, look.sine, look.gain);
+    if (expected > 30.0 && expected < 3000.0) off.push_back(std::abs(look.level / expected - 1.0));
+  });
+  ASSERT_GT(off.size(), 1000U);
+  std::sort(off.begin(), off.end());
+  EXPECT_LT(off[off.size() / 2], 0.03);
+  EXPECT_LT(off[off.size() * 8 / 10], 0.15);
+}
+
+TEST(Beams, ReadTheirGainInTheMiddleOfACorridor) {
+  const Maze maze = test::drawn(R"(
+    o---o---o
+    |       |
+    o   o   o
+    | S   G |
+    o---o---o
+  )");
+  Hardware hardware = test::plain_mouse();
+  hardware.sensors.infrared.footprint = 0.5;  // all of it on the wall
+  const Field field(maze, test::cell);
+  const Specimen specimen(hardware, {}, maze.size(), 1);
+  const Beams beams(field, hardware.sensors, specimen);
+  const Position middle = {50.0, 50.0};
+  const Direction north{1.0, 0.0}, south{-1.0, 0.0}, west{0.0, -1.0};
+  // Towards the west wall, by the left sensor of a mouse that drives north, and the right one of one that drives south.
+  EXPECT_NEAR(beams.level(2, middle, north), 700.0, 0.1);
+  EXPECT_NEAR(beams.level(0, middle, south), 700.0, 0.1);
+  EXPECT_NEAR(beams.level(1, middle, west), 700.0, 0.1);
+  EXPECT_NEAR(beams.level(3, middle, west), 700.0, 0.1);
+  // 13 mm nearer at a right angle a wall reads e times as much.
+  const double across = std::sin(1.15);
+  EXPECT_NEAR(beams.level(2, {50.0 - 13.0 * across, 50.0}, north), 700.0 * std::exp(1.0), 1.0);
+}
+
+TEST(Beams, ReadNoMoreThanTheirMost) {
+  const Maze maze = test::hall(2);
+  const Hardware hardware = test::plain_mouse();
+  const Field field(maze, test::cell);
+  const Specimen specimen(hardware, {}, maze.size(), 1);
+  const Beams beams(field, hardware.sensors, specimen);
+  EXPECT_EQ(beams.level(1, {28.0, 50.0}, {0.0, -1.0}), 3600.0);
+}
+
+TEST(Beams, ReadWallsAsTheirSidesReflect) {
+  Hardware hardware = test::plain_mouse();
+  hardware.noise.reflectance = 0.3;
+  hardware.noise.infrared_gain = 0.2;
+  hardware.sensors.infrared.footprint = 0.5;
+  const Maze maze = test::hall(4);
+  const Field field(maze, test::cell);
+  const Specimen specimen(hardware, {}, maze.size(), 7);
+  const Beams beams(field, hardware.sensors, specimen);
+  for (int y = 0; y < 4; ++y) {
+    const double expected = 700.0 * specimen.infrared[2] * specimen.reflectance({0, y}, Heading::west);
+    EXPECT_NEAR(beams.level(2, {50.0, y * test::cell + 50.0}, {1.0, 0.0}), expected, 0.1) << y;
+  }
+}
+
+TEST(Ranger, ReadsTheDistanceToTheFirstBoxAhead) {
+  const Hardware hardware = test::plain_mouse();
+  Dice dice(9);
+  int seen = 0;
+  for (int i = 0; i < 40; ++i) {
+    const Maze maze = test::some_maze(static_cast<std::uint64_t>(i));
+    const Field field(maze, test::cell);
+    const Specimen specimen(hardware, {}, maze.size(), 1);
+    const Beams beams(field, hardware.sensors, specimen);
+    const Boxes boxes(maze);
+    for (int j = 0; j < 40; ++j) {
+      const Position at = {(dice.below(8) + 0.4 + 0.002 * dice.below(100)) * test::cell,
+                           (dice.below(8) + 0.4 + 0.002 * dice.below(100)) * test::cell};
+      const double angle = 0.001 + 0.006 * dice.below(1000);
+      const double c = std::cos(angle), s = std::sin(angle);
+      const Position from = {at.x + 20.0 * c, at.y + 20.0 * s};
+      if (boxes.inside(from)) continue;
+      const double expected = hit_of(boxes, from, c, s).distance;
+      ASSERT_NEAR(beams.range(at, direction_of(angle)), expected > 250.0 ? 0.0 : expected, 1e-6)
+          << "at " << at.x << " " << at.y << " towards " << angle;
+      seen += expected <= 250.0 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(seen, 1000);
+}
+
+}  // namespace
+}  // namespace labmouse

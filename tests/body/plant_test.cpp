@@ -1,0 +1,284 @@
+// How a body moves, against the closed forms of its equations.
+#include "labmouse/body/plant.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "labmouse/functions/whole.hpp"
+#include "tests/body/plain_mouse.hpp"
+
+namespace labmouse {
+namespace {
+
+/// A plant in a hall of 64 by 64 cells, from its middle.
+class World {
+ public:
+  explicit World(const Hardware& hardware, const NoiseLevel& level = {}, std::uint64_t seed = 1)
+      : hardware_(hardware),
+        field_(maze_, test::cell),
+        specimen_(hardware_, level, maze_.size(), seed),
+        plant_(field_, hardware_, specimen_, seed) {
+    plant_.put({3250.0, 3250.0}, 0.0);
+  }
+
+  const BodyMotion& after(int ticks, double left, double right) {
+    for (int i = 0; i < ticks; ++i) plant_.step({static_cast<float>(left), static_cast<float>(right)});
+    return plant_.motion();
+  }
+  /// By duties that hold a speed and a yaw rate, of a mouse without noise and losses.
+  const BodyMotion& hold(int ticks, double speed, double turning) {
+    for (int i = 0; i < ticks; ++i) {
+      const auto needed = [](const MotorAxis& axis, double rate) {
+        return rate / axis.gain + (rate > 0.0 ? axis.dead_zone : rate < 0.0 ? -axis.dead_zone : 0.0);
+      };
+      const double on = needed(hardware_.motors.drive, speed), around = needed(hardware_.motors.turn, turning);
+      after(1, on - around / 2.0, on + around / 2.0);
+    }
+    return plant_.motion();
+  }
+  Plant& plant() { return plant_; }
+  const Specimen& specimen() const { return specimen_; }
+
+ private:
+  Hardware hardware_;
+  Maze maze_ = test::hall(64);
+  Field field_;
+  Specimen specimen_;
+  Plant plant_;
+};
+
+TEST(Motors, ApproachTheirSpeedAsTheExponential) {
+  World world(test::plain_mouse());
+  // The motor is past the first moments, in which it breaks loose.
+  const double first = world.after(20, 0.25, 0.25).speed;
+  const double last = 3000.0 * (0.25 - 0.05);
+  for (int tick = 1; tick <= 500; ++tick) {
+    const double expected = last + (first - last) * std::exp(-tick * 0.001 / 0.1);
+    ASSERT_NEAR(world.after(1, 0.25, 0.25).speed, expected, 1e-4) << tick;
+  }
+}
+
+TEST(Motors, TurnAsTheExponentialWhereTheWheelsDiffer) {
+  World world(test::plain_mouse());
+  const double first = world.after(20, -0.1, 0.1).turning;
+  const double last = 80.0 * (0.2 - 0.04);
+  for (int tick = 1; tick <= 400; ++tick) {
+    const double expected = last + (first - last) * std::exp(-tick * 0.001 / 0.08);
+    ASSERT_NEAR(world.after(1, -0.1, 0.1).turning, expected, 1e-5) << tick;
+  }
+  EXPECT_GT(world.plant().motion().angle, 0.0) << "the right wheel ahead turns it to the left";
+  EXPECT_NEAR(world.plant().motion().speed, 0.0, 1e-9);
+}
+
+TEST(Motors, DoNotBreakLooseBelowTheirDeadZone) {
+  World world(test::plain_mouse());
+  EXPECT_EQ(world.after(300, 0.0499, 0.0499).speed, 0.0);
+  EXPECT_GT(world.after(300, 0.0501, 0.0501).speed, 0.0);
+}
+
+TEST(Motors, ComeToRestWithoutDuty) {
+  World world(test::plain_mouse());
+  world.hold(500, 600.0, 0.0);
+  // Friction takes 150 mm/s more than the exponential would: it stands after T ln(1 + 600 / 150).
+  EXPECT_GT(world.after(150, 0.0, 0.0).speed, 15.0);
+  EXPECT_NEAR(world.after(100, 0.0, 0.0).speed, 0.0, 1.0);
+}
+
+TEST(Motors, LoseTheVoltageThatTheirDutyTakes) {
+  Hardware hardware = test::plain_mouse();
+  hardware.motors.sag = 0.1;
+  World world(hardware);
+  // A duty of 0.4 leaves 96 % of the voltage.
+  EXPECT_NEAR(world.after(2000, 0.4, 0.4).speed, 3000.0 * (0.4 * 0.96 - 0.05), 1e-3);
+  EXPECT_NEAR(world.plant().voltage(), 0.96, 1e-7);
+}
+
+TEST(Motors, AreSlowerInTurns) {
+  Hardware hardware = test::plain_mouse();
+  hardware.motors.turning = 0.002;
+  World world(hardware);
+  const BodyMotion& motion = world.after(2000, 0.2, 0.3);
+  EXPECT_NEAR(motion.turning, 80.0 * 0.06, 1e-4);
+  EXPECT_NEAR(motion.speed, 3000.0 * (0.25 - 0.05 - 0.002 * motion.turning), 1e-3);
+}
+
+TEST(Motors, AreCutAtFullDuty) {
+  World full(test::plain_mouse()), over(test::plain_mouse());
+  EXPECT_EQ(full.after(300, 1.0, 1.0).speed, over.after(300, 7.0, 1.5).speed);
+}
+
+TEST(Motors, DifferAsTheContestDrewThem) {
+  Hardware hardware = test::plain_mouse();
+  hardware.noise.motor_gain = 0.1;
+  World world(hardware, {}, 3);
+  const auto& [left, right] = world.specimen().motor;
+  ASSERT_GT(std::abs(right - left), 0.02);
+  const BodyMotion& motion = world.after(3000, 0.3, 0.3);
+  EXPECT_NEAR(motion.speed, 3000.0 * (0.3 * (left + right) / 2.0 - 0.05), 1e-3);
+}
+
+TEST(Slip, IsLateralAccelerationOverStiffness) {
+  World world(test::plain_mouse());
+  for (const double turning : {3.0, 11.0, -7.0}) {
+    const BodyMotion& motion = world.hold(1000, 330.0, turning);
+    EXPECT_NEAR(motion.slip, -motion.speed * motion.yaw / 100000.0, 1e-4 * std::abs(motion.slip)) << turning;
+    EXPECT_NEAR(motion.sideways, motion.speed * motion.yaw, 1e-4 * std::abs(motion.sideways)) << turning;
+  }
+}
+
+TEST(Slip, ComesAndGoesWithSpeedOverStiffness) {
+  World world(test::plain_mouse());
+  world.hold(1000, 500.0, 0.0);
+  // Turned at once, as by the floor, it goes on as before and comes round: the slip dies away.
+  world.plant().graze(world.plant().motion().position, 0.0, 1.0);
+  double slip = 0.0;
+  for (int tick = 0; tick < 60; ++tick) {
+    const BodyMotion& motion = world.hold(1, 500.0, 8.0);
+    // Semi-implicitly: (slip - yaw dt) / (1 + K dt / v).
+    slip = (slip - motion.yaw * 0.001) / (1.0 + 100000.0 * 0.001 / motion.speed);
+    ASSERT_NEAR(motion.slip, slip, 1e-12) << tick;
+  }
+}
+
+TEST(Slip, GoesOutwardsAndDoesNotWidenASteadyCircle) {
+  World world(test::plain_mouse());
+  world.hold(1000, 400.0, 8.0);
+  double west = 1e9, east = -1e9, south = 1e9, north = -1e9;
+  for (int tick = 0; tick < 2000; ++tick) {
+    const Position at = world.hold(1, 400.0, 8.0).position;
+    west = std::min(west, at.x);
+    east = std::max(east, at.x);
+    south = std::min(south, at.y);
+    north = std::max(north, at.y);
+  }
+  EXPECT_LT(world.plant().motion().slip, 0.0) << "a mouse that turns to the left goes to the right of where it points";
+  EXPECT_NEAR(east - west, 2.0 * 400.0 / 8.0, 0.02);
+  EXPECT_NEAR(north - south, 2.0 * 400.0 / 8.0, 0.02);
+}
+
+TEST(Tyres, HoldTheCircleThatTheirGripAllows) {
+  World world(test::plain_mouse());
+  // 600 mm/s at 20 rad/s would need 12 m/s²; they hold 10.
+  world.hold(600, 600.0, 0.0);
+  for (int tick = 0; tick < 200; ++tick) {
+    const BodyMotion& motion = world.hold(1, 600.0, 20.0);
+    if (world.plant().slides()) {
+      EXPECT_NEAR(std::hypot(motion.sideways, motion.speeding), 10000.0, 1e-6);
+    }
+  }
+  EXPECT_TRUE(world.plant().slides());
+  EXPECT_LT(world.plant().motion().slip, -0.1) << "it no longer goes where it points";
+}
+
+TEST(Tyres, HoldLessAsideWhereTheyBrake) {
+  World world(test::plain_mouse());
+  world.hold(600, 600.0, 0.0);
+  double most = 0.0;
+  bool slid = false;
+  for (int tick = 0; tick < 60; ++tick) {
+    const BodyMotion& motion = world.after(1, -0.35, 0.15);
+    ASSERT_LE(std::hypot(motion.sideways, motion.speeding), 10000.0 * (1.0 + 1e-9)) << tick;
+    slid = slid || world.plant().slides();
+    most = std::max(most, std::abs(motion.speeding));
+  }
+  EXPECT_TRUE(slid);
+  EXPECT_GT(most, 4000.0);
+}
+
+TEST(Tyres, PushNoHarderThanTheirGrip) {
+  World world(test::plain_mouse());
+  double before = 0.0;
+  for (int tick = 0; tick < 60; ++tick) {
+    const double speed = world.after(1, 1.0, 1.0).speed;
+    ASSERT_LE(speed - before, 10.0 + 1e-9) << tick;
+    before = speed;
+  }
+  EXPECT_NEAR(before, 600.0, 1.0);
+}
+
+TEST(Tyres, AreAsStiffAndHoldAsMuchAsTheContestDrew) {
+  Hardware hardware = test::plain_mouse();
+  hardware.noise.stiffness = 0.2;
+  World world(hardware, {}, 5);
+  ASSERT_GT(std::abs(world.specimen().stiffness - 1.0), 0.03);
+  const BodyMotion& motion = world.hold(1000, 330.0, 9.0);
+  EXPECT_NEAR(motion.slip, -motion.speed * motion.yaw / (100000.0 * world.specimen().stiffness), 1e-6);
+}
+
+TEST(Plant, DrivesTheArcThatItsSpeedsSay) {
+  World world(test::plain_mouse());
+  world.hold(2000, 300.0, 0.0);
+  const BodyMotion before = world.plant().motion();
+  const BodyMotion& after = world.hold(1000, 300.0, 0.0);
+  EXPECT_NEAR(after.position.x - before.position.x, 300.0, 1e-3);
+  EXPECT_NEAR(after.position.y - before.position.y, 0.0, 1e-9);
+  const double angle = after.angle;
+  EXPECT_NEAR(world.hold(1000, 300.0, 2.0).angle - angle, 2.0, 0.08 * 2.0 * 1.3) << "after its motors have come up";
+  EXPECT_NEAR(std::remainder(std::atan2(after.ahead.sine, after.ahead.cosine) - after.angle, 2.0 * pi), 0.0, 1e-9);
+}
+
+TEST(Shaking, HasTheDeviationAndThePitchOfTheNoise) {
+  Hardware hardware = test::plain_mouse();
+  hardware.noise = test::plain_noise();
+  World world(hardware, test::only(NoiseGroup::shaking), 11);
+  world.hold(2000, 400.0, 0.0);
+  constexpr int ticks = 200'000;
+  double squares = 0.0, steps = 0.0, before = 0.0;
+  for (int tick = 0; tick < ticks; ++tick) {
+    // Round and round: the hall is not long enough.
+    if (tick % 1000 == 0) {
+      const BodyMotion motion = world.plant().motion();
+      world.plant().graze({3250.0, 3250.0}, 0.0, 1.0);
+      ASSERT_EQ(world.plant().motion().speed, motion.speed);
+    }
+    const BodyMotion& motion = world.hold(1, 400.0, 0.0);
+    const double shaking = motion.yaw - motion.turning;
+    squares += shaking * shaking;
+    steps += square(shaking - before);
+    before = shaking;
+  }
+  EXPECT_NEAR(std::sqrt(squares / ticks), 0.25, 0.02);
+  // Of an oscillator its rate's deviation is the pitch times that of its place.
+  EXPECT_NEAR(std::sqrt(steps / squares) * 1000.0, 200.0, 15.0);
+}
+
+TEST(Shaking, FallsWithTheSpeedBelowItsSpeed) {
+  Hardware hardware = test::plain_mouse();
+  hardware.noise = test::plain_noise();
+  World slow(hardware, test::only(NoiseGroup::shaking), 11), fast(hardware, test::only(NoiseGroup::shaking), 11);
+  for (int tick = 0; tick < 1000; ++tick) {
+    slow.hold(1, 60.0, 0.0);
+    fast.hold(1, 300.0, 0.0);
+  }
+  for (int tick = 0; tick < 200; ++tick) {
+    const BodyMotion &a = slow.hold(1, 60.0, 0.0), &b = fast.hold(1, 300.0, 0.0);
+    ASSERT_NEAR(a.yaw - a.turning, (b.yaw - b.turning) * a.speed / b.speed, 1e-9);
+  }
+  EXPECT_EQ(World(hardware, test::only(NoiseGroup::shaking), 11).after(100, 0.0, 0.0).yaw, 0.0);
+}
+
+TEST(Floor, TurnsAndShiftsAMouseWhereItHasAStep) {
+  Hardware hardware = test::plain_mouse();
+  hardware.noise.floor_steps = 1.0;
+  hardware.noise.floor_turn = 0.02;
+  hardware.noise.floor_shift = 1.0;
+  World world(hardware, {}, 4);
+  world.plant().put({3299.0, 3250.0}, 0.0);
+  const FloorStep step = world.specimen().floor_step({{32, 32}, Heading::east});
+  ASSERT_NE(step.turn, 0.0);
+  while (world.hold(1, 300.0, 0.0).position.x < 3300.0) {
+  }
+  EXPECT_NEAR(world.plant().motion().angle, step.turn, 1e-12);
+  EXPECT_NEAR(world.plant().motion().position.y - 3250.0, step.shift, 1e-3);
+  // Back over it, as one who comes the other way meets it: it is turned back.
+  world.plant().put({3301.0, 3250.0}, pi);
+  while (world.hold(1, 300.0, 0.0).position.x >= 3300.0) {
+  }
+  EXPECT_NEAR(world.plant().motion().angle, pi - step.turn, 1e-12);
+  EXPECT_NEAR(world.plant().motion().position.y - 3250.0, step.shift, 1e-3);
+}
+
+}  // namespace
+}  // namespace labmouse

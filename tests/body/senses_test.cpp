@@ -1,0 +1,323 @@
+// What the sensors make of a motion: scales, biases, rounding, and the noise that they should have.
+#include "labmouse/body/senses.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <vector>
+
+#include "labmouse/functions/whole.hpp"
+#include "tests/body/plain_mouse.hpp"
+
+namespace labmouse {
+namespace {
+
+/// The sensors of a mouse in a hall of 8 by 8 cells.
+class Sensed {
+ public:
+  explicit Sensed(const Hardware& hardware, const NoiseLevel& level = {}, std::uint64_t seed = 1)
+      : hardware_(hardware),
+        field_(maze_, test::cell),
+        specimen_(hardware_, level, maze_.size(), seed),
+        senses_(field_, hardware_, specimen_, seed) {
+    motion.position = {350.0, 350.0};
+  }
+
+  const Sense& read() {
+    senses_.read(motion, 1.0);
+    return senses_.sense();
+  }
+  /// So many readings of a number in a row.
+  std::vector<double> readings(int count, const std::function<double(const Sense&)>& number) {
+    std::vector<double> all;
+    for (int i = 0; i < count; ++i) all.push_back(number(read()));
+    return all;
+  }
+  void calibrate() { senses_.calibrate(); }
+  const Specimen& specimen() const { return specimen_; }
+
+  BodyMotion motion;
+
+ private:
+  Hardware hardware_;
+  Maze maze_ = test::hall(8);
+  Field field_;
+  Specimen specimen_;
+  Senses senses_;
+};
+
+Hardware noisy_mouse() {
+  Hardware hardware = test::plain_mouse();
+  hardware.noise = test::plain_noise();
+  return hardware;
+}
+
+double mean_of(const std::vector<double>& numbers) {
+  double sum = 0.0;
+  for (const double number : numbers) sum += number;
+  return sum / static_cast<double>(numbers.size());
+}
+double deviation_of(const std::vector<double>& numbers) {
+  double squares = 0.0;
+  for (const double number : numbers) squares += square(number - mean_of(numbers));
+  return std::sqrt(squares / static_cast<double>(numbers.size()));
+}
+/// How much of one number's error is in the next.
+double memory_of(const std::vector<double>& numbers) {
+  const double mean = mean_of(numbers);
+  double products = 0.0, squares = 0.0;
+  for (std::size_t i = 1; i < numbers.size(); ++i) {
+    products += (numbers[i] - mean) * (numbers[i - 1] - mean);
+    squares += square(numbers[i] - mean);
+  }
+  return products / squares;
+}
+
+TEST(Encoders, CountTheTravelOfEachWheel) {
+  Sensed mouse(test::plain_mouse());
+  mouse.motion.speed = 200.0;
+  mouse.motion.yaw = 3.0;
+  for (int tick = 1; tick <= 1000; ++tick) mouse.read();
+  // Half a track of 16 mm: the left wheel is slower by 48 mm/s.
+  const Sense& sense = mouse.read();
+  EXPECT_NEAR(sense.counts[0] * 0.001, 1.001 * (200.0 - 48.0), 0.0011);
+  EXPECT_NEAR(sense.counts[1] * 0.001, 1.001 * (200.0 + 48.0), 0.0011);
+}
+
+TEST(Encoders, CountBackwards) {
+  Sensed mouse(test::plain_mouse());
+  mouse.motion.speed = -100.0;
+  for (int tick = 0; tick < 100; ++tick) mouse.read();
+  EXPECT_NEAR(mouse.read().counts[0] * 0.001, -10.1, 0.0011);
+}
+
+TEST(Encoders, OverstateByTheScaleThatTheContestDrew) {
+  Sensed mouse(noisy_mouse(), {}, 3);
+  mouse.motion.speed = 500.0;
+  for (int tick = 0; tick < 2000; ++tick) mouse.read();
+  const std::array<double, 2>& scale = mouse.specimen().encoder;
+  EXPECT_GT(std::abs(scale[0] - scale[1]), 0.001);
+  for (const std::size_t wheel : {std::size_t{0}, std::size_t{1}})
+    EXPECT_NEAR(mouse.read().counts[wheel] * 0.001, 1000.7 * scale[wheel], 0.3 + 0.7) << wheel;
+}
+
+TEST(Encoders, AreOffByARippleOverATurnOfTheirMagnets) {
+  Hardware hardware = test::plain_mouse();
+  hardware.noise.ripple = 0.1;
+  hardware.noise.ripple_length = 12.5;
+  Sensed mouse(hardware);
+  mouse.motion.speed = 125.0;
+  // In ten turns, each of a hundred ticks: the part that goes with the turn.
+  double sine = 0.0, cosine = 0.0;
+  for (int tick = 1; tick <= 1000; ++tick) {
+    const double off = mouse.read().counts[0] * 0.001 - tick * 0.125;
+    sine += off * std::sin(2.0 * pi * tick / 100.0) / 500.0;
+    cosine += off * std::cos(2.0 * pi * tick / 100.0) / 500.0;
+  }
+  EXPECT_NEAR(std::hypot(sine, cosine), 0.1, 0.001);
+}
+
+TEST(Encoders, TrembleByTheirNoise) {
+  Hardware hardware = test::plain_mouse();
+  hardware.noise.encoder = 0.02;
+  Sensed mouse(hardware);
+  EXPECT_NEAR(deviation_of(mouse.readings(10'000, [](const Sense& sense) { return sense.counts[0] * 0.001; })), 0.02,
+              0.001);
+}
+
+TEST(Gyro, ShowsTheYawRateInItsUnits) {
+  Sensed mouse(test::plain_mouse());
+  for (const double yaw : {0.0, 0.0004, 0.0006, 3.1416, -12.3456, 29.9994}) {
+    mouse.motion.yaw = yaw;
+    EXPECT_EQ(mouse.read().gyro, std::lround(yaw / 0.001)) << yaw;
+  }
+}
+
+TEST(Gyro, IsCutWhereItCanShowNoMore) {
+  Sensed mouse(test::plain_mouse());
+  mouse.motion.yaw = 31.0;
+  EXPECT_EQ(mouse.read().gyro, 30'000);
+  mouse.motion.yaw = -310.0;
+  EXPECT_EQ(mouse.read().gyro, -30'000);
+}
+
+TEST(Gyro, OverstatesByTheScaleThatTheContestDrew) {
+  Hardware hardware = test::plain_mouse();
+  hardware.noise.gyro_scale = 0.01;
+  Sensed mouse(hardware, {}, 2);
+  ASSERT_GT(std::abs(mouse.specimen().gyro - 1.0), 0.002);
+  mouse.motion.yaw = 20.0;
+  EXPECT_NEAR(mouse.read().gyro * 0.001, 20.0 * mouse.specimen().gyro, 0.0006);
+}
+
+TEST(Gyro, HasABiasOfItsOwnAfterEachCalibration) {
+  Hardware hardware = test::plain_mouse();
+  hardware.noise.gyro_bias = 0.05;
+  Sensed mouse(hardware);
+  EXPECT_EQ(mouse.read().gyro, 0) << "before it there is none";
+  const auto biases = [&] {
+    std::vector<double> all;
+    for (int i = 0; i < 2000; ++i) {
+      mouse.calibrate();
+      all.push_back(mouse.read().gyro * 0.001);
+      EXPECT_EQ(mouse.read().gyro * 0.001, all.back()) << "it stays";
+    }
+    return all;
+  }();
+  EXPECT_NEAR(deviation_of(biases), 0.05, 0.003);
+  EXPECT_NEAR(mean_of(biases), 0.0, 0.004);
+}
+
+TEST(Gyro, WandersByTheRootOfTime) {
+  Hardware hardware = test::plain_mouse();
+  hardware.noise.gyro_walk = 0.05;
+  std::vector<double> ends;
+  for (std::uint64_t seed = 0; seed < 400; ++seed) {
+    Sensed mouse(hardware, {}, seed);
+    ends.push_back(mouse.readings(400, [](const Sense& sense) { return sense.gyro * 0.001; }).back());
+  }
+  EXPECT_NEAR(deviation_of(ends), 0.05 * std::sqrt(0.4), 0.003);
+}
+
+TEST(Gyro, HasWhiteNoise) {
+  Hardware hardware = test::plain_mouse();
+  hardware.noise.gyro = 0.05;
+  Sensed mouse(hardware);
+  const auto readings = mouse.readings(20'000, [](const Sense& sense) { return sense.gyro * 0.001; });
+  EXPECT_NEAR(deviation_of(readings), 0.05, 0.001);
+  EXPECT_NEAR(memory_of(readings), 0.0, 0.03);
+}
+
+TEST(Accelerometer, ShowsBothAxesInItsUnits) {
+  Sensed mouse(test::plain_mouse());
+  mouse.motion.speeding = 2512.0;
+  mouse.motion.sideways = -777.0;
+  EXPECT_EQ(mouse.read().acceleration[0], 502);
+  EXPECT_EQ(mouse.read().acceleration[1], -155);
+}
+
+TEST(Accelerometer, HasWhiteNoise) {
+  Hardware hardware = test::plain_mouse();
+  hardware.noise.acceleration = 400.0;
+  for (const std::size_t axis : {std::size_t{0}, std::size_t{1}}) {
+    Sensed mouse(hardware);
+    const auto readings = mouse.readings(20'000, [&](const Sense& sense) { return sense.acceleration[axis] * 5.0; });
+    EXPECT_NEAR(deviation_of(readings), 400.0, 10.0);
+    EXPECT_NEAR(memory_of(readings), 0.0, 0.03);
+  }
+}
+
+TEST(Infrared, HasNoiseThatGrowsWithTheLevelAndRemembers) {
+  Hardware hardware = test::plain_mouse();
+  hardware.noise.infrared = 30.0;
+  hardware.noise.infrared_share = 0.1;
+  hardware.noise.infrared_memory = 0.4;
+  Sensed mouse(hardware);
+  mouse.motion.position = {50.0, 350.0};
+  mouse.motion.ahead = {1.0, 0.0};  // the west wall is to its left
+  const auto readings = mouse.readings(20'000, [](const Sense& sense) { return double(sense.infrared[2]); });
+  EXPECT_NEAR(mean_of(readings), 700.0, 10.0);
+  EXPECT_NEAR(deviation_of(readings), 30.0 + 0.1 * 700.0, 3.0);
+  EXPECT_NEAR(memory_of(readings), 0.4, 0.03);
+}
+
+TEST(Infrared, IsNeverBelowNothing) {
+  Hardware hardware = test::plain_mouse();
+  hardware.noise.infrared = 30.0;
+  Sensed mouse(hardware);
+  for (int i = 0; i < 1000; ++i)
+    for (const std::int16_t reading : mouse.read().infrared) ASSERT_GE(reading, 0);
+}
+
+TEST(Ranger, ReadsAnewOncePerPeriod) {
+  Sensed mouse(test::plain_mouse());
+  int news = 0;
+  for (int tick = 0; tick < 1000; ++tick) news += mouse.read().range_new ? 1 : 0;
+  EXPECT_EQ(news, 100);
+}
+
+TEST(Ranger, IsLessSureWhereTheMouseMoves) {
+  Hardware hardware = test::plain_mouse();
+  hardware.noise.ranger_rest = 2.0;
+  hardware.noise.ranger = 6.0;
+  hardware.sensors.ranger.period = 1.0;
+  for (const double speed : {0.0, 300.0}) {
+    Sensed mouse(hardware);
+    mouse.motion.position = {700.0, 350.0};
+    mouse.motion.speed = speed;
+    const auto readings = mouse.readings(5000, [](const Sense& sense) { return double(sense.range); });
+    // The face of the east wall, less where the ranger sits.
+    EXPECT_NEAR(mean_of(readings), 800.0 - test::cell / 30.0 - 720.0, 0.3);
+    EXPECT_NEAR(deviation_of(readings), speed > 0.0 ? 6.0 : 2.0, 0.2);
+  }
+}
+
+TEST(Ranger, SeesNothingBeyondItsReach) {
+  Sensed mouse(test::plain_mouse());
+  mouse.motion.position = {500.0, 350.0};
+  EXPECT_EQ(mouse.read().range, 0);
+}
+
+TEST(Battery, IsReadInMillivolts) {
+  const Maze maze = test::hall(4);
+  const Hardware hardware = test::plain_mouse();
+  const Field field(maze, test::cell);
+  const Specimen specimen(hardware, {}, maze.size(), 1);
+  Senses senses(field, hardware, specimen, 1);
+  BodyMotion motion;
+  motion.position = {150.0, 150.0};
+  senses.read(motion, 0.9);
+  EXPECT_EQ(senses.sense().millivolts, 3600);
+}
+
+/// All that a mouse reads at rest before a wall, over some ticks, with a calibration.
+std::vector<Sense> readings_with(const NoiseLevel& level) {
+  Sensed mouse(noisy_mouse(), level, 17);
+  mouse.motion.position = {50.0, 350.0};
+  mouse.motion.ahead = {0.0, -1.0};
+  mouse.motion.speed = 100.0;
+  mouse.motion.yaw = 0.5;
+  mouse.motion.speeding = 300.0;
+  mouse.calibrate();
+  std::vector<Sense> all;
+  for (int i = 0; i < 100; ++i) all.push_back(mouse.read());
+  return all;
+}
+
+template <class Part>
+bool same(const std::vector<Sense>& a, const std::vector<Sense>& b, Part part) {
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (part(a[i]) != part(b[i])) return false;
+  return true;
+}
+
+TEST(Streams, OneSourceOffShiftsNoOther) {
+  const std::vector<Sense> all = readings_with({});
+  for (std::size_t i = 0; i < noise_groups; ++i) {
+    const auto group = static_cast<NoiseGroup>(i);
+    const std::vector<Sense> without = readings_with(test::all_but(group));
+    const auto expect = [&](NoiseGroup of, auto part) {
+      EXPECT_EQ(same(all, without, part), of != group) << name_of(of) << " without " << name_of(group);
+    };
+    expect(NoiseGroup::encoders, [](const Sense& sense) { return sense.counts; });
+    expect(NoiseGroup::gyro, [](const Sense& sense) { return sense.gyro; });
+    expect(NoiseGroup::accelerometer, [](const Sense& sense) { return sense.acceleration; });
+    expect(NoiseGroup::infrared, [](const Sense& sense) { return sense.infrared; });
+    expect(NoiseGroup::ranger, [](const Sense& sense) { return sense.range; });
+  }
+}
+
+TEST(Streams, NoiseIsAsStrongAsItsLevelSays) {
+  Hardware hardware = test::plain_mouse();
+  hardware.noise.gyro = 0.02;
+  NoiseLevel level;
+  level.all = 2.0;
+  level.groups[static_cast<std::size_t>(NoiseGroup::gyro)] = 3.0;
+  Sensed mouse(hardware, level);
+  EXPECT_NEAR(deviation_of(mouse.readings(20'000, [](const Sense& sense) { return sense.gyro * 0.001; })), 0.12, 0.003);
+}
+
+}  // namespace
+}  // namespace labmouse

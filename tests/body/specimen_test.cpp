@@ -1,0 +1,158 @@
+// What a contest draws: one mouse on one day.
+#include "labmouse/body/specimen.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <vector>
+
+#include "labmouse/functions/whole.hpp"
+#include "tests/body/plain_mouse.hpp"
+
+namespace labmouse {
+namespace {
+
+Hardware noisy_mouse() {
+  Hardware hardware = test::plain_mouse();
+  hardware.noise = test::plain_noise();
+  return hardware;
+}
+
+struct Drawn {
+  double mean = 0.0, deviation = 0.0;
+};
+/// Of a number of a thousand mice.
+Drawn drawn(const std::function<double(const Specimen&)>& number, const NoiseLevel& level = {}) {
+  const Hardware hardware = noisy_mouse();
+  std::vector<double> all;
+  for (std::uint64_t seed = 0; seed < 1000; ++seed) all.push_back(number(Specimen(hardware, level, {2, 2}, seed)));
+  Drawn drawn;
+  for (const double one : all) drawn.mean += one / 1000.0;
+  for (const double one : all) drawn.deviation += square(one - drawn.mean) / 1000.0;
+  drawn.deviation = std::sqrt(drawn.deviation);
+  return drawn;
+}
+
+TEST(Specimen, DrawsFactorsAboutOneWithTheDeviationOfTheNoise) {
+  const auto expect = [](double deviation, const std::function<double(const Specimen&)>& number) {
+    const Drawn found = drawn(number);
+    EXPECT_NEAR(found.mean, 1.0, deviation / 8.0);
+    EXPECT_NEAR(found.deviation, deviation, deviation / 10.0);
+  };
+  expect(0.1, [](const Specimen& it) { return it.motor[0]; });
+  expect(0.1, [](const Specimen& it) { return it.motor[1]; });
+  expect(0.2, [](const Specimen& it) { return it.stiffness; });
+  expect(0.1, [](const Specimen& it) { return it.grip; });
+  expect(0.01, [](const Specimen& it) { return it.encoder[0]; });
+  expect(0.01, [](const Specimen& it) { return it.encoder[1]; });
+  expect(0.005, [](const Specimen& it) { return it.gyro; });
+  expect(0.05, [](const Specimen& it) { return it.infrared[3]; });
+  expect(0.05, [](const Specimen& it) { return it.reflectance({1, 0}, Heading::south); });
+}
+
+TEST(Specimen, HasStepsInTheFloorAsOftenAsTheNoiseSays) {
+  const Hardware hardware = noisy_mouse();
+  const Specimen specimen(hardware, {}, {32, 32}, 3);
+  int steps = 0;
+  double turns = 0.0, shifts = 0.0;
+  for (int index = 0; index < 32 * 32; ++index)
+    for (const Heading side : {Heading::north, Heading::east}) {
+      const FloorStep step = specimen.floor_step({Size{32, 32}.cell_at(index), side});
+      steps += step.turn != 0.0 ? 1 : 0;
+      turns += square(step.turn);
+      shifts += square(step.shift);
+    }
+  EXPECT_NEAR(steps / 2048.0, 0.2, 0.03);
+  EXPECT_NEAR(std::sqrt(turns / steps), 0.01, 0.001);
+  EXPECT_NEAR(std::sqrt(shifts / steps), 0.5, 0.05);
+}
+
+TEST(Specimen, IsTheMakersOwnWithoutNoise) {
+  const Hardware hardware = noisy_mouse();
+  NoiseLevel none;
+  none.all = 0.0;
+  const Specimen specimen(hardware, none, {4, 4}, 3);
+  EXPECT_EQ(specimen.motor[0], 1.0);
+  EXPECT_EQ(specimen.stiffness, 1.0);
+  EXPECT_EQ(specimen.grip, 1.0);
+  EXPECT_EQ(specimen.encoder[1], 1.0);
+  EXPECT_EQ(specimen.gyro, 1.0);
+  EXPECT_EQ(specimen.infrared[2], 1.0);
+  EXPECT_EQ(specimen.reflectance({1, 1}, Heading::west), 1.0);
+  EXPECT_EQ(specimen.floor_step({{1, 1}, Heading::north}).turn, 0.0);
+}
+
+TEST(Specimen, DrawsEachNumberWhateverElseIsSwitchedOff) {
+  const Hardware hardware = noisy_mouse();
+  const auto numbers = [&](const NoiseLevel& level, NoiseGroup group) {
+    const Specimen it(hardware, level, {4, 4}, 5);
+    const FloorStep step = [&] {
+      FloorStep largest;
+      for (int index = 0; index < 16; ++index)
+        if (const FloorStep at = it.floor_step({Size{4, 4}.cell_at(index), Heading::north});
+            std::abs(at.turn) > std::abs(largest.turn))
+          largest = at;
+      return largest;
+    }();
+    switch (group) {
+      case NoiseGroup::motors:
+        return std::vector<double>{it.motor[0], it.motor[1]};
+      case NoiseGroup::tyres:
+        return std::vector<double>{it.stiffness, it.grip};
+      case NoiseGroup::floor:
+        return std::vector<double>{step.turn, step.shift};
+      case NoiseGroup::encoders:
+        return std::vector<double>{it.encoder[0], it.encoder[1]};
+      case NoiseGroup::gyro:
+        return std::vector<double>{it.gyro};
+      case NoiseGroup::infrared:
+        return std::vector<double>{it.infrared[0], it.reflectance({2, 2}, Heading::east)};
+      default:
+        return std::vector<double>{};
+    }
+  };
+  for (std::size_t i = 0; i < noise_groups; ++i)
+    for (std::size_t j = 0; j < noise_groups; ++j) {
+      const auto off = static_cast<NoiseGroup>(i), read = static_cast<NoiseGroup>(j);
+      const auto all = numbers({}, read);
+      if (all.empty()) continue;
+      EXPECT_EQ(numbers(test::all_but(off), read) == all, i != j) << name_of(read) << " without " << name_of(off);
+    }
+}
+
+TEST(Specimen, DrawsAFactorOfAllNoiseWithAHeavyTail) {
+  NoiseLevel level;
+  level.spread = 0.5;
+  const Drawn logarithm = drawn([](const Specimen& it) { return std::log(it.frailty()); }, level);
+  EXPECT_NEAR(logarithm.mean, 0.0, 0.05);
+  EXPECT_NEAR(logarithm.deviation, 0.5, 0.05);
+  const Hardware hardware = noisy_mouse();
+  EXPECT_EQ(Specimen(hardware, {}, {2, 2}, 4).frailty(), 1.0) << "none without a spread";
+  const Specimen frail(hardware, level, {2, 2}, 4), plain(hardware, {}, {2, 2}, 4);
+  EXPECT_NEAR((frail.motor[0] - 1.0) / (plain.motor[0] - 1.0), frail.frailty(), 1e-9);
+  EXPECT_NEAR(frail.level(NoiseGroup::ranger), frail.frailty(), 1e-12);
+}
+
+TEST(Specimen, IsTheSameForTheSameSeedAndAnotherForAnother) {
+  const Hardware hardware = noisy_mouse();
+  const Specimen a(hardware, {}, {4, 4}, 1), b(hardware, {}, {4, 4}, 1), c(hardware, {}, {4, 4}, 2);
+  EXPECT_EQ(a.motor, b.motor);
+  EXPECT_EQ(a.reflectance({3, 3}, Heading::north), b.reflectance({3, 3}, Heading::north));
+  EXPECT_NE(a.motor, c.motor);
+}
+
+TEST(Specimen, NeverTurnsAFactorRound) {
+  Hardware hardware = noisy_mouse();
+  NoiseLevel level;
+  level.all = 50.0;
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    const Specimen it(hardware, level, {2, 2}, seed);
+    for (const double factor : {it.motor[0], it.stiffness, it.grip, it.encoder[0], it.gyro, it.infrared[1]})
+      ASSERT_GE(factor, 0.1);
+  }
+}
+
+}  // namespace
+}  // namespace labmouse
