@@ -10,9 +10,6 @@
 namespace labmouse {
 namespace {
 
-/// What comes back where light does not meet a wall almost at a right angle.
-double slant(double cosine) { return cosine < 0.9 ? cosine / 0.9 : 1.0; }
-
 /// The lines across one axis that a ray meets, one after the other.
 struct Lines {
   double next;     ///< distance to the face of the first of them
@@ -118,7 +115,7 @@ double Beams::level(std::size_t beam, const Position& position, const Direction&
     if (crossing.distance > reaches_[beam]) return false;
     const double share = share_of(crossing);
     if (share > 0.0) {
-      level += passing * share * gains_[beam] * fading(crossing.distance * per_fall_) * slant(crossing.cosine) *
+      level += passing * share * gains_[beam] * fading(crossing.distance * per_fall_) * returned_at(crossing.cosine) *
                specimen_.reflectance({crossing.column, crossing.row}, crossing.side);
       passing *= 1.0 - share;
     }

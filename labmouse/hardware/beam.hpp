@@ -26,4 +26,11 @@ inline double calibrated_distance(const Beam& beam, double cell) {
                            : (face - beam.ahead) / direction.cosine;
 }
 
+/// What share of its light comes back where a beam meets a wall, by the cosine of its incidence: all of it almost at a
+/// right angle, less where it is slanted.
+constexpr double returned_at(double cosine) {
+  constexpr double almost_right = 0.9;
+  return cosine < almost_right ? cosine / almost_right : 1.0;
+}
+
 }  // namespace labmouse

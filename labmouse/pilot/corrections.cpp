@@ -86,9 +86,10 @@ void Corrections::see_side(std::size_t beam, const Sense& sense, const Corridor&
   const double behind = view.along - line * cell_;
   const Cell cell = cell_along(corridor, view.along);
   if (choice_.edges && finders_[beam].needs(behind)) {
-    const double share = std::min(1.5, level / views_.level_at(beam, view.distance));
+    const double share = std::min(1.5, level / views_.level_of(beam, view));
     if (const auto edge = finders_[beam].pass(line, behind, share))
-      see_edge(*edge, slopes(), cell_along(corridor, (line + 0.5) * cell_), side, corridor.axis, known, estimator);
+      see_edge(*edge, view, slopes(), cell_along(corridor, (line + 0.5) * cell_), side, corridor.axis, known,
+               estimator);
   }
   // Away from posts.
   if (choice_.sides && (sense.tick + beam) % ticks_between == 0 && std::abs(behind) > cell_ / 4.0 &&
@@ -103,13 +104,13 @@ void Corrections::see_wall(std::size_t beam, double level, const View& view, con
   if (level < least * infrared.gain || level > most * infrared.most) return;
   const Noise& noise = hardware_.noise;
   const double share = square(noise.reflectance) + square(noise.infrared_gain) + square(noise.infrared / level);
-  estimator.correct({views_.distance_of(beam, level) - view.distance, slopes.distance[0], slopes.distance[1],
+  estimator.correct({views_.distance_of(beam, level, view) - view.distance, slopes.distance[0], slopes.distance[1],
                      slopes.distance[2], square(alike * infrared.fall) * share + 0.25});
 }
 
 /// The cell is the one behind the line, on the corridor.
-void Corrections::see_edge(const SeenEdge& seen, const ViewSlopes& slopes, Cell behind, Heading side, Heading axis,
-                           const Knowledge* known, Estimator& estimator) const {
+void Corrections::see_edge(const SeenEdge& seen, const View& view, const ViewSlopes& slopes, Cell behind, Heading side,
+                           Heading axis, const Knowledge* known, Estimator& estimator) const {
   const Cell before = neighbour(behind, axis, -1);
   const auto fits = [&](Cell cell, bool stands) {
     if (!size_.contains(cell)) return false;
@@ -117,9 +118,15 @@ void Corrections::see_edge(const SeenEdge& seen, const ViewSlopes& slopes, Cell 
     return state == WallState::unknown || (state == WallState::closed) == stands;
   };
   if (!fits(before, seen.edge == Edge::falls) || !fits(behind, seen.edge == Edge::rises)) return;
-  // What the mouse takes for so much behind the line is at the line.
+  // What the mouse takes for so much behind the line is at the line; but a slanted beam also sees the side of a post:
+  // before it a wall seems to begin, and behind it to go on. How far is by sums over the light of such beams.
+  const double post_side = 2.0 * half_wall_of(cell_) * std::sqrt(std::max(0.0, 1.0 / square(view.cosine) - 1.0));
+  const double seeming = seen.edge == Edge::rises   ? -0.38 * post_side
+                         : seen.edge == Edge::falls ? 0.2 * post_side
+                                                    : 0.0;
   constexpr double deviation = 0.02;  // of a cell
-  estimator.correct({-seen.behind, slopes.along[0], slopes.along[1], slopes.along[2], square(deviation * cell_)});
+  estimator.correct(
+      {seeming - seen.behind, slopes.along[0], slopes.along[1], slopes.along[2], square(deviation * cell_)});
 }
 
 void Corrections::see_front(const Sense& sense, const Corridor& corridor, const Knowledge* known,

@@ -42,8 +42,8 @@ class Corrections {
   void see_side(std::size_t beam, const Sense& sense, const Corridor& corridor, const Knowledge* known,
                 Estimator& estimator);
   void see_wall(std::size_t beam, double level, const View& view, const ViewSlopes& slopes, Estimator& estimator) const;
-  void see_edge(const SeenEdge& seen, const ViewSlopes& slopes, Cell behind, Heading side, Heading axis,
-                const Knowledge* known, Estimator& estimator) const;
+  void see_edge(const SeenEdge& seen, const View& view, const ViewSlopes& slopes, Cell behind, Heading side,
+                Heading axis, const Knowledge* known, Estimator& estimator) const;
   void see_front(const Sense& sense, const Corridor& corridor, const Knowledge* known, Estimator& estimator) const;
   Cell cell_along(const Corridor& corridor, double along) const;
 

@@ -22,8 +22,7 @@ WallLine line_on(Cell cell, Heading side, Heading axis, double size) {
 Views::Views(const Infrared& infrared, double cell) : infrared_(infrared) {
   for (std::size_t beam = 0; beam < beam_count; ++beam) {
     directions_[beam] = direction_of(infrared.beams[beam].angle);
-    calibrated_[beam] = calibrated_distance(infrared.beams[beam], cell);
-    gains_[beam] = infrared.gain * exp_of(calibrated_[beam] / infrared.fall);
+    gains_[beam] = infrared.gain * exp_of(calibrated_distance(infrared.beams[beam], cell) / infrared.fall);
     aside_[beam] = labmouse::looks_aside(infrared.beams[beam]);
   }
 }
@@ -60,15 +59,17 @@ ViewSlopes Views::slopes(std::size_t beam, const Direction& ahead, const WallLin
   slopes.distance = {-out.x / view.cosine, -out.y / view.cosine, -dot(turned, out) / view.cosine};
   slopes.along = {on.x + slopes.distance[0] * beside, on.y + slopes.distance[1] * beside,
                   dot(turned, on) + slopes.distance[2] * beside};
+  // What is slanted more reads as farther away.
+  if (returned_at(view.cosine) < 1.0) slopes.distance[2] += infrared_.fall / view.cosine * dot({way.y, -way.x}, out);
   return slopes;
 }
 
-double Views::level_at(std::size_t beam, double distance) const {
-  return std::min(infrared_.most, gains_[beam] * fading(distance / infrared_.fall));
+double Views::level_of(std::size_t beam, const View& view) const {
+  return std::min(infrared_.most, gains_[beam] * returned_at(view.cosine) * fading(view.distance / infrared_.fall));
 }
 
-double Views::distance_of(std::size_t beam, double level) const {
-  return calibrated_[beam] - infrared_.fall * log_of(level / infrared_.gain);
+double Views::distance_of(std::size_t beam, double level, const View& view) const {
+  return infrared_.fall * log_of(gains_[beam] * returned_at(view.cosine) / level);
 }
 
 }  // namespace labmouse

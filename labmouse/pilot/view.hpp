@@ -29,7 +29,7 @@ struct View {
 
 /// How a view changes with x, y and the angle of a mouse.
 struct ViewSlopes {
-  std::array<double, 3> distance{};
+  std::array<double, 3> distance{};  ///< of the distance that a reading stands for
   std::array<double, 3> along{};
 };
 
@@ -44,17 +44,16 @@ class Views {
   /// Whether a beam looks to a side rather than ahead, and whether that is the left one.
   bool looks_aside(std::size_t beam) const { return aside_[beam]; }
   bool looks_left(std::size_t beam) const { return infrared_.beams[beam].angle > 0.0; }
-  /// What a whole wall at that distance should read, in counts, and how far a wall is that reads so much.
-  double level_at(std::size_t beam, double distance) const;
-  double distance_of(std::size_t beam, double level) const;
+  /// What a whole wall should read there, in counts, and how far a wall is that reads so much at that incidence.
+  double level_of(std::size_t beam, const View& view) const;
+  double distance_of(std::size_t beam, double level, const View& view) const;
 
  private:
   Position way_of(std::size_t beam, const Direction& ahead) const;
 
   const Infrared& infrared_;
   std::array<Direction, beam_count> directions_{};
-  std::array<double, beam_count> calibrated_{};  ///< mm to the wall in the middle of a cell
-  std::array<double, beam_count> gains_{};       ///< counts at no distance
+  std::array<double, beam_count> gains_{};  ///< counts at no distance
   std::array<bool, beam_count> aside_{};
 };
 

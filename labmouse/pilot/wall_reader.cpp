@@ -73,7 +73,7 @@ void WallReader::read_beam(std::size_t beam, const Sense& sense, const Estimator
   Stretch& stretch = stretches_[beam];
   ++stretch.count;
   stretch.level += sense.infrared[beam];
-  stretch.expected += views_.level_at(beam, view.distance);
+  stretch.expected += views_.level_of(beam, view);
   stretch.along += along;
   stretch.view = view;
   stretch.ahead = estimator.ahead();
