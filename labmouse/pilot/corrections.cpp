@@ -12,8 +12,10 @@ namespace {
 /// A beam corrects each eighth tick: what makes its readings wrong (the wall, its gain) is the same all along a wall,
 /// so more of them would not say more.
 constexpr unsigned ticks_between = 8;
-/// And for the same reason each counts as less exact than it is, by the root of how many there are in passing a wall.
-constexpr double alike = 5.0;
+/// Nor do those of the next walls say all that is new, by the gain.
+constexpr double alike = 1.5;
+/// A mouse that is slower counts as one of that speed, in mm/s.
+constexpr double slow = 50.0;
 
 WallState state_of(const Knowledge* known, Cell cell, Heading side, Size size) {
   const Wall wall = wall_at(cell, side);
@@ -103,9 +105,12 @@ void Corrections::see_wall(std::size_t beam, double level, const View& view, con
   constexpr double least = 0.12, most = 0.95;
   if (level < least * infrared.gain || level > most * infrared.most) return;
   const Noise& noise = hardware_.noise;
+  // Each counts as less exact than it is, by how many there are in passing a wall.
+  const double between = std::max(slow, std::abs(estimator.speed())) * ticks_between * tick_seconds;
+  const double many = std::max(1.0, alike * cell_ / 2.0 / between);
   const double share = square(noise.reflectance) + square(noise.infrared_gain) + square(noise.infrared / level);
   estimator.correct({views_.distance_of(beam, level, view) - view.distance, slopes.distance[0], slopes.distance[1],
-                     slopes.distance[2], square(alike * infrared.fall) * share + 0.25});
+                     slopes.distance[2], many * square(infrared.fall) * share + 0.25});
 }
 
 /// The cell is the one behind the line, on the corridor.

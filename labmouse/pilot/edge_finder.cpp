@@ -1,6 +1,6 @@
 #include "labmouse/pilot/edge_finder.hpp"
 
-#include <cmath>
+#include <algorithm>
 
 namespace labmouse {
 namespace {
@@ -26,19 +26,22 @@ std::optional<SeenEdge> EdgeFinder::pass(int line, double behind, double share) 
     if (behind < -reach_ && behind > -1.5 * reach_) begin(line, behind, share);
     return std::nullopt;
   }
-  const double middle = (behind + last_) / 2.0, mean = (share + last_share_) / 2.0;
+  // What of the step lies in the stretch, with the share in its middle.
+  const double from = std::max(last_, -reach_), to = std::min(behind, reach_), length = to - from;
+  const double middle = (from + to) / 2.0;
+  const double mean = step > 0.0 ? last_share_ + (share - last_share_) * (middle - last_) / step : share;
   last_ = behind;
   last_share_ = share;
-  if (middle < -reach_) return std::nullopt;
-  sum_ += mean * step;
-  moment_ += mean * middle * step;
+  if (length <= 0.0) return std::nullopt;
+  sum_ += mean * length;
+  moment_ += mean * middle * length;
   if (middle < -(1.0 - part) * reach_) {
-    first_sum_ += mean * step;
-    first_length_ += step;
+    first_sum_ += mean * length;
+    first_length_ += length;
   }
   if (middle > (1.0 - part) * reach_) {
-    end_sum_ += mean * step;
-    end_length_ += step;
+    end_sum_ += mean * length;
+    end_length_ += length;
   }
   if (behind < reach_) return std::nullopt;
   running_ = false;

@@ -31,10 +31,9 @@ void Estimator::put(const Position& position, const Direction& ahead) {
 }
 
 void Estimator::predict(const Sense& sense) {
-  if (!any_) {
-    last_ = sense;
-    any_ = true;
-  }
+  if (!any_) last_ = sense;
+  if (any_ && sense.tick == last_.tick) return;
+  any_ = true;
   const double counts = 0.5 * ((sense.counts[0] - last_.counts[0]) + (sense.counts[1] - last_.counts[1]));
   const double shown = counts * hardware_.sensors.count, way = shown * (1.0 - scale_);
   turning_ = sense.gyro * hardware_.sensors.gyro_step - bias_;

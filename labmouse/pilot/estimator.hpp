@@ -29,7 +29,7 @@ class Estimator {
 
   /// It was put there, about, and stands.
   void put(const Position& position, const Direction& ahead);
-  /// Of one tick.
+  /// What was read since the last time: of one tick, or of several where some were left out.
   void predict(const Sense& sense);
   /// Believes an observation, unless it is more than three deviations off; whether it did.
   bool correct(const Observation& observation);

@@ -31,6 +31,7 @@ PieceWalk::PieceWalk(const Piece& piece, const std::optional<DriveProfile>& prof
   target_.position = piece_.from;
   target_.ahead = piece_.ahead;
   speed_ = speed_at(0.0);
+  if (piece_.kind == Piece::Kind::straight || piece_.kind == Piece::Kind::curve) target_.speed = speed_;
 }
 
 double PieceWalk::length_at(double seconds) const {

@@ -1,0 +1,72 @@
+// A body and its pilot in a maze.
+#pragma once
+
+#include <functional>
+
+#include "labmouse/body/body.hpp"
+#include "labmouse/pilot/pilot.hpp"
+
+namespace labmouse::test {
+
+inline NoiseLevel no_noise() {
+  NoiseLevel level;
+  level.all = 0.0;
+  return level;
+}
+
+class Driven {
+ public:
+  Driven(const Maze& maze, const DriveModel& model, const NoiseLevel& level = no_noise(), std::uint64_t seed = 1,
+         const PilotChoice& choice = {})
+      : maze_(maze),
+        cell_(model.tables.cell),
+        body_(maze_, cell_, *model.robot.hardware, level, seed),
+        pilot_(model, *model.robot.hardware, maze_.size(), gains_for(*model.robot.hardware, cell_), choice) {
+    put({maze_.start(), maze_.start_heading()});
+  }
+
+  void put(const Pose& pose) {
+    body_.put(middle_of(pose.cell), pi / 2.0 * (1 - static_cast<int>(pose.heading)));
+    pilot_.put(pose);
+    pending_ = false;
+  }
+  /// Until the pilot has arrived; false after a crash. Each tick is shown to whoever looks.
+  bool drive_on(const std::function<void()>& look = {}) {
+    for (;;) {
+      if (!pending_) duties_ = pilot_.tick(body_.sense());
+      pending_ = true;
+      if (pilot_.arrived()) return true;
+      pending_ = false;
+      ++ticks_;
+      if (body_.step(duties_) == Touch::crash) return false;
+      if (look) look();
+    }
+  }
+  bool search(const Action& step) {
+    pilot_.search(step);
+    return drive_on();
+  }
+
+  Position middle_of(Cell cell) const { return {(cell.x + 0.5) * cell_, (cell.y + 0.5) * cell_}; }
+  /// Of the estimate: where it believes to be, less where it is.
+  Position error() const { return pilot_.estimator().position() - body_.motion().position; }
+  double angle_error() const {
+    const Direction &believed = pilot_.estimator().ahead(), &truth = body_.motion().ahead;
+    return believed.sine * truth.cosine - believed.cosine * truth.sine;
+  }
+  Body& body() { return body_; }
+  Pilot& pilot() { return pilot_; }
+  const Maze& maze() const { return maze_; }
+  int ticks() const { return ticks_; }
+
+ private:
+  Maze maze_;
+  double cell_;
+  Body body_;
+  Pilot pilot_;
+  Drive duties_;
+  bool pending_ = false;
+  int ticks_ = 0;
+};
+
+}  // namespace labmouse::test
