@@ -143,7 +143,11 @@ void Corrections::see_front(const Sense& sense, const Corridor& corridor, const 
   const int line = whole_below((face + half_wall_of(cell_)) / cell_ + 0.5);
   const double error = line * cell_ - half_wall_of(cell_) - face;
   const Cell before = cell_along(corridor, (line - 0.5) * cell_);
-  if (sense.range > 2.0 * cell_ || std::abs(error) > cell_ / 5.0 || !size_.contains(before)) return;
+  // A mouse that knows that it may be far off takes a wall for the nearest one all the same, up to where it could be
+  // another.
+  const double doubt = 2.5 * std::sqrt(estimator.variance_of(on.x, on.y, 0.0));
+  const double most = std::clamp(doubt, 0.2 * cell_, 0.42 * cell_);
+  if (sense.range > 2.0 * cell_ || std::abs(error) > most || !size_.contains(before)) return;
   if (state_of(known, before, corridor.axis, size_) == WallState::open) return;
   const Noise& noise = hardware_.noise;
   // Seen less expected: a wall that is farther than it should be says that the mouse is less far.

@@ -21,13 +21,17 @@ void Estimator::put(const Position& position, const Direction& ahead) {
   position_ = position;
   ahead_ = ahead;
   bias_ = slip_ = speed_ = turning_ = 0.0;
-  const double scale = any_ ? covariance_[at_scale][at_scale] : square(noise.encoder_scale);
+  const auto own = [&](State state, double deviation) { return any_ ? covariance_[state][state] : square(deviation); };
+  const double scale = own(at_scale, noise.encoder_scale), gyro = own(at_gyro, noise.gyro_scale),
+               slip = own(at_slip, noise.stiffness);
   covariance_ = {};
   // A little more than hands are off, so that the first walls are believed.
   covariance_[at_x][at_x] = covariance_[at_y][at_y] = 4.0 * square(noise.placement);
   covariance_[at_angle][at_angle] = 4.0 * square(noise.placement_turn);
   covariance_[at_bias][at_bias] = square(noise.gyro_bias);
   covariance_[at_scale][at_scale] = scale;
+  covariance_[at_gyro][at_gyro] = gyro;
+  covariance_[at_slip][at_slip] = slip;
 }
 
 void Estimator::predict(const Sense& sense) {
@@ -36,7 +40,7 @@ void Estimator::predict(const Sense& sense) {
   any_ = true;
   const double counts = 0.5 * ((sense.counts[0] - last_.counts[0]) + (sense.counts[1] - last_.counts[1]));
   const double shown = counts * hardware_.sensors.count, way = shown * (1.0 - scale_);
-  turning_ = sense.gyro * hardware_.sensors.gyro_step - bias_;
+  turning_ = sense.gyro * hardware_.sensors.gyro_step * (1.0 - gyro_) - bias_;
   const double rate = sense.acceleration[0] * hardware_.sensors.acceleration_step;
   const double ticks = std::max(1.0, static_cast<double>(sense.tick - last_.tick));
   speed_ =
@@ -51,30 +55,28 @@ void Estimator::predict(const Sense& sense) {
   const double most = hardware_.tyres.grip / hardware_.tyres.stiffness;
   slip_ = std::clamp(slip_, -most, most);
 
-  const Direction went = turned_by(ahead_, turn / 2.0 + slip_);
+  const Direction went = turned_by(ahead_, turn / 2.0 + slip());
   position_ = {position_.x + way * went.cosine, position_.y + way * went.sine};
   ahead_ = turned_by(ahead_, turn);
-  spread(way, went);
+  spread(way, turn, went);
   add_noise(way);
 }
 
-/// How errors of the angle, the bias and the scale become errors of the position and the angle.
-void Estimator::spread(double way, const Direction& went) {
+/// How errors of the angle and of what the mouse is like become errors of the position and the angle.
+void Estimator::spread(double way, double turn, const Direction& went) {
   const double x_angle = -way * went.sine, y_angle = way * went.cosine;
   const double x_scale = -way * went.cosine, y_scale = -way * went.sine;
-  const auto add = [&](Row& x, Row& y, Row& angle, const Row& bias, const Row& scale) {
-    for (std::size_t i = 0; i < states; ++i) {
-      x[i] += x_angle * angle[i] + x_scale * scale[i];
-      y[i] += y_angle * angle[i] + y_scale * scale[i];
-      angle[i] -= tick_seconds * bias[i];
-    }
-  };
+  const double x_slip = slip_ * x_angle, y_slip = slip_ * y_angle;
   auto& p = covariance_;
-  add(p[at_x], p[at_y], p[at_angle], p[at_bias], p[at_scale]);
   for (std::size_t i = 0; i < states; ++i) {
-    p[i][at_x] += x_angle * p[i][at_angle] + x_scale * p[i][at_scale];
-    p[i][at_y] += y_angle * p[i][at_angle] + y_scale * p[i][at_scale];
-    p[i][at_angle] -= tick_seconds * p[i][at_bias];
+    p[at_x][i] += x_angle * p[at_angle][i] + x_scale * p[at_scale][i] + x_slip * p[at_slip][i];
+    p[at_y][i] += y_angle * p[at_angle][i] + y_scale * p[at_scale][i] + y_slip * p[at_slip][i];
+    p[at_angle][i] -= tick_seconds * p[at_bias][i] + turn * p[at_gyro][i];
+  }
+  for (std::size_t i = 0; i < states; ++i) {
+    p[i][at_x] += x_angle * p[i][at_angle] + x_scale * p[i][at_scale] + x_slip * p[i][at_slip];
+    p[i][at_y] += y_angle * p[i][at_angle] + y_scale * p[i][at_scale] + y_slip * p[i][at_slip];
+    p[i][at_angle] -= tick_seconds * p[i][at_bias] + turn * p[i][at_gyro];
   }
 }
 
@@ -84,9 +86,11 @@ void Estimator::add_noise(double way) {
   constexpr double again = turn_seconds / tick_seconds;
   // Encoders: ripple and what is left of wheels that slip.
   const double along = square(0.02 * way) + 2e-5 * length * square(noise.ripple);
+  // What is left of them once the mouse knows what it is like.
+  constexpr double rest = 0.2;
   const double across =
-      again * square(noise.stiffness * slip_ * way) + floor_steps_a_mm_ * square(noise.floor_shift) * length;
-  const double angle = again * square(noise.gyro_scale * turn) + square(noise.gyro * tick_seconds) +
+      again * square(rest * noise.stiffness * slip_ * way) + floor_steps_a_mm_ * square(noise.floor_shift) * length;
+  const double angle = again * square(rest * noise.gyro_scale * turn) + square(noise.gyro * tick_seconds) +
                        floor_steps_a_mm_ * square(noise.floor_turn) * length;
   const double c = ahead_.cosine, s = ahead_.sine;
   covariance_[at_x][at_x] += along * c * c + across * s * s;
@@ -111,6 +115,8 @@ bool Estimator::correct(const Observation& seen) {
   ahead_ = turned_by(ahead_, part * gain[at_angle]);
   bias_ += part * gain[at_bias];
   scale_ += part * gain[at_scale];
+  gyro_ += part * gain[at_gyro];
+  more_ += part * gain[at_slip];
   for (std::size_t i = 0; i < states; ++i)
     for (std::size_t j = 0; j < states; ++j) p[i][j] -= gain[i] * gain[j] / variance;
   return true;

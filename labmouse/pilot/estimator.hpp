@@ -1,7 +1,9 @@
 // Where a mouse believes to be, and how sure it is.
 //
-// Method: an extended Kalman filter over x, y, the angle, the bias of the gyro, and by how much the encoders overstate
-// a way. Encoders and gyro say how it moved; what is seen of walls corrects it, one number at a time.
+// Method: an extended Kalman filter over x, y, the angle, the bias of the gyro, and what differs from mouse to mouse:
+// by how much the encoders overstate a way, the gyro a turn, and how much more than in the book the tyres slip.
+// Encoders and gyro say how it moved; what is seen of walls corrects it, one number at a time. What a mouse has found
+// out about itself it keeps when it is put down elsewhere.
 #pragma once
 
 #include <array>
@@ -37,8 +39,8 @@ class Estimator {
   const Position& position() const { return position_; }
   /// Where it points, and where it goes.
   const Direction& ahead() const { return ahead_; }
-  Direction way() const { return turned_by(ahead_, slip_); }
-  double slip() const { return slip_; }
+  Direction way() const { return turned_by(ahead_, slip()); }
+  double slip() const { return slip_ * (1.0 + more_); }
   double speed() const { return speed_; }      ///< mm/s
   double turning() const { return turning_; }  ///< rad/s
 
@@ -46,11 +48,11 @@ class Estimator {
   double variance_of(double x, double y, double angle) const;
 
  private:
-  static constexpr std::size_t states = 5;
-  enum State : std::size_t { at_x, at_y, at_angle, at_bias, at_scale };
+  static constexpr std::size_t states = 7;
+  enum State : std::size_t { at_x, at_y, at_angle, at_bias, at_scale, at_gyro, at_slip };
   using Row = std::array<double, states>;
 
-  void spread(double way, const Direction& went);
+  void spread(double way, double turn, const Direction& went);
   void add_noise(double way);
 
   const Hardware& hardware_;
@@ -60,7 +62,9 @@ class Estimator {
   Direction ahead_;
   double bias_ = 0.0;   ///< rad/s that the gyro shows at rest
   double scale_ = 0.0;  ///< share by which encoders overstate
-  double slip_ = 0.0;
+  double gyro_ = 0.0;   ///< share by which the gyro does
+  double more_ = 0.0;   ///< share by which the tyres slip more
+  double slip_ = 0.0;   ///< as those of the book do
   double speed_ = 0.0, turning_ = 0.0;
   std::array<Row, states> covariance_{};
   Sense last_;
