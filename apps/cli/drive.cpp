@@ -21,7 +21,7 @@ struct DriveOptions {
   Places places;
   std::string robot = "kerise";
   std::string noise = "1";
-  double spread = 0.0, speed = 0.0;
+  double spread = 1.0, speed = 0.0;
   bool fast = false, groups = false, corrections = false;
   int runs = 20;
   std::uint64_t seed = 1;
@@ -110,7 +110,9 @@ void add_drive(Command& app, int& exit) {
   command->add_option("--noise", options->noise, "Factors of all noise, separated by commas: 1 as it was measured")
       ->type_name("LIST")
       ->capture_default_str();
-  command->add_option("--spread", options->spread, "How much luck differs from drive to drive, as in races")
+  command
+      ->add_option("--spread", options->spread,
+                   "How far drives are apart: factor of what each draws of the mouse itself")
       ->check(in_range(0.0, 10.0))
       ->capture_default_str();
   command->add_option("--search-speed", options->speed, "Speed of the moves in mm/s; 0: the robot's own")

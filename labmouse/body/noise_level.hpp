@@ -11,8 +11,8 @@ namespace labmouse {
 struct NoiseLevel {
   double all = 1.0;
   std::array<double, noise_groups> groups = {1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
-  /// How alike the contests of one mouse are not: each draws a factor e^(spread N) for all of its noise.
-  double spread = 0.0;
+  /// Factor of what a contest draws: how far mice and days are apart.
+  double spread = 1.0;
 
   double of(NoiseGroup group) const { return all * groups[static_cast<std::size_t>(group)]; }
 };

@@ -21,9 +21,11 @@ class Specimen {
  public:
   Specimen(const Hardware& hardware, const NoiseLevel& level, Size size, std::uint64_t seed);
 
+  /// How unlucky this contest's draws are: the fourth-power mean of what motors, tyres, encoders and gyro drew, each in
+  /// deviations of a mouse at noise 1 and spread 1. One bad number is enough to break a mouse.
   double frailty() const { return frailty_; }
-  /// The factor of a group's noise in this contest.
-  double level(NoiseGroup group) const { return frailty_ * level_.of(group); }
+  /// The factor of a group's noise.
+  double level(NoiseGroup group) const { return level_.of(group); }
 
   /// As a side of a cell reflects, 1 in the mean.
   double reflectance(Cell cell, Heading side) const;
@@ -38,7 +40,7 @@ class Specimen {
 
  private:
   NoiseLevel level_;
-  double frailty_ = 1.0;
+  double frailty_ = 0.0;
   Size size_;
   std::vector<float> reflectances_;     ///< by four sides of each cell
   std::vector<FloorStep> floor_steps_;  ///< by the north and the east side of each cell; empty without any

@@ -62,8 +62,9 @@ class KnownDriver {
       : maze_(maze),
         cell_(model.tables.cell),
         known_(knowledge_of(maze)),
+        told_(told_of(model, conditions)),
         body_(maze, cell_, *model.robot.hardware, conditions.noise, seed),
-        pilot_(model, *model.robot.hardware, maze.size(), gains_for(*model.robot.hardware, cell_), conditions.pilot) {
+        pilot_(model, told_, maze.size(), gains_for(told_, cell_), conditions.pilot) {
     const Position middle = {(maze.start().x + 0.5) * cell_, (maze.start().y + 0.5) * cell_};
     body_.put(middle, pi / 2.0 * (1 - static_cast<int>(maze.start_heading())));
     pilot_.put({maze.start(), maze.start_heading()});
@@ -126,6 +127,7 @@ class KnownDriver {
   const Maze& maze_;
   double cell_;
   Knowledge known_;
+  Hardware told_;
   Body body_;
   Pilot pilot_;
   KnownDrive drive_;

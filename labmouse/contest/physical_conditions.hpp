@@ -14,4 +14,12 @@ struct PhysicalConditions {
   int trace_every = 0;  ///< ticks between two points of the trace; 0: none
 };
 
+/// What a pilot knows of its hardware: the book, and how far mice like it are spread at noise 1; not how much noise
+/// there is today.
+inline Hardware told_of(const DriveModel& model, const PhysicalConditions& conditions) {
+  Hardware told = *model.robot.hardware;
+  told.noise = spread_by(told.noise, conditions.noise.spread);
+  return told;
+}
+
 }  // namespace labmouse

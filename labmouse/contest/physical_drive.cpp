@@ -35,8 +35,9 @@ PhysicalDriver::PhysicalDriver(const Maze& maze, const DriveModel& model, const 
       record_(record),
       start_{maze.start(), maze.start_heading()},
       known_(maze.size(), 1),
+      told_(told_of(model, conditions)),
       body_(maze, cell_, *model.robot.hardware, conditions.noise, seed),
-      pilot_(model, *model.robot.hardware, maze.size(), gains_for(*model.robot.hardware, cell_), conditions.pilot) {
+      pilot_(model, told_, maze.size(), gains_for(told_, cell_), conditions.pilot) {
   record_.frailty = body_.specimen().frailty();
   pilot_.know(&known_);
 }

@@ -55,6 +55,7 @@ class PhysicalDriver {
   PhysicalRecord& record_;
   Pose start_;
   Knowledge known_;
+  Hardware told_;  ///< what the pilot takes itself for
   Body body_;
   Pilot pilot_;
   Drive drive_;

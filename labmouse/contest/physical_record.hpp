@@ -82,7 +82,7 @@ struct PhysicalNotes {
   int carried = 0;                ///< how often a hand took it to the start
   int misreads = 0;               ///< walls that it took for what they are not
   int contradictions = 0;         ///< readings against what it had taken a wall for
-  double frailty = 1.0;           ///< the factor of all noise that this contest drew
+  double frailty = 0.0;           ///< how unlucky the draws of this contest were, in deviations: Specimen::frailty()
 
   friend bool operator==(const PhysicalNotes&, const PhysicalNotes&) = default;
 };

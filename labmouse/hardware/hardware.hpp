@@ -146,6 +146,14 @@ struct Hardware {
   friend bool operator==(const Hardware&, const Hardware&) = default;
 };
 
+/// The same where what a contest draws of the mouse itself is so many times as far spread.
+constexpr Noise spread_by(Noise noise, double factor) {
+  for (double* share : {&noise.motor_gain, &noise.stiffness, &noise.grip, &noise.encoder_scale, &noise.gyro_scale,
+                        &noise.infrared_gain})
+    *share *= factor;
+  return noise;
+}
+
 /// The parts of Noise that can be switched one by one.
 enum class NoiseGroup : std::size_t {
   motors,

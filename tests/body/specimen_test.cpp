@@ -122,17 +122,40 @@ TEST(Specimen, DrawsEachNumberWhateverElseIsSwitchedOff) {
     }
 }
 
-TEST(Specimen, DrawsAFactorOfAllNoiseWithAHeavyTail) {
+TEST(Specimen, DrawsLogarithmsThatSpreadAsTheyAreTold) {
   NoiseLevel level;
-  level.spread = 0.5;
-  const Drawn logarithm = drawn([](const Specimen& it) { return std::log(it.frailty()); }, level);
-  EXPECT_NEAR(logarithm.mean, 0.0, 0.05);
-  EXPECT_NEAR(logarithm.deviation, 0.5, 0.05);
+  level.spread = 3.0;
+  const Drawn logarithm = drawn([](const Specimen& it) { return std::log(it.stiffness); }, level);
+  EXPECT_NEAR(logarithm.mean, 0.0, 0.06);
+  EXPECT_NEAR(logarithm.deviation, 0.6, 0.06);
   const Hardware hardware = noisy_mouse();
-  EXPECT_EQ(Specimen(hardware, {}, {2, 2}, 4).frailty(), 1.0) << "none without a spread";
-  const Specimen frail(hardware, level, {2, 2}, 4), plain(hardware, {}, {2, 2}, 4);
-  EXPECT_NEAR((frail.motor[0] - 1.0) / (plain.motor[0] - 1.0), frail.frailty(), 1e-9);
-  EXPECT_NEAR(frail.level(NoiseGroup::ranger), frail.frailty(), 1e-12);
+  const Specimen far(hardware, level, {2, 2}, 4), plain(hardware, {}, {2, 2}, 4);
+  for (const auto number : {&Specimen::stiffness, &Specimen::grip, &Specimen::gyro})
+    EXPECT_NEAR(std::log(far.*number), 3.0 * std::log(plain.*number), 1e-9);
+  EXPECT_NEAR(std::log(far.infrared[2]), 3.0 * std::log(plain.infrared[2]), 1e-9);
+  // Walls and floor are the maze's, not the mouse's.
+  EXPECT_EQ(far.reflectance({1, 1}, Heading::north), plain.reflectance({1, 1}, Heading::north));
+  EXPECT_EQ(far.level(NoiseGroup::ranger), 1.0);
+}
+
+TEST(Specimen, IsFrailWhereOneOfItsNumbersIsFarOff) {
+  const Hardware hardware = noisy_mouse();
+  NoiseLevel level, none;
+  level.spread = 2.0;
+  none.all = 0.0;
+  EXPECT_EQ(Specimen(hardware, none, {2, 2}, 4).frailty(), 0.0);
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    const Specimen it(hardware, level, {2, 2}, seed);
+    double fourth = 0.0;
+    const auto add = [&](double factor, double deviation) { fourth += square(square(std::log(factor) / deviation)); };
+    const Noise& noise = hardware.noise;
+    for (const double factor : it.motor) add(factor, noise.motor_gain);
+    add(it.stiffness, noise.stiffness);
+    add(it.grip, noise.grip);
+    for (const double factor : it.encoder) add(factor, noise.encoder_scale);
+    add(it.gyro, noise.gyro_scale);
+    EXPECT_NEAR(it.frailty(), std::sqrt(std::sqrt(fourth / 7.0)), 1e-6);
+  }
 }
 
 TEST(Specimen, IsTheSameForTheSameSeedAndAnotherForAnother) {
@@ -143,14 +166,17 @@ TEST(Specimen, IsTheSameForTheSameSeedAndAnotherForAnother) {
   EXPECT_NE(a.motor, c.motor);
 }
 
-TEST(Specimen, NeverTurnsAFactorRound) {
+TEST(Specimen, NeverIsBeyondATenthOrTenTimes) {
   Hardware hardware = noisy_mouse();
   NoiseLevel level;
-  level.all = 50.0;
+  level.all = 1000.0;
+  level.spread = 10.0;
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     const Specimen it(hardware, level, {2, 2}, seed);
-    for (const double factor : {it.motor[0], it.stiffness, it.grip, it.encoder[0], it.gyro, it.infrared[1]})
-      ASSERT_GE(factor, 0.1);
+    for (const double factor : {it.motor[0], it.stiffness, it.grip, it.encoder[0], it.gyro, it.infrared[1]}) {
+      ASSERT_GE(factor, 0.0999);
+      ASSERT_LE(factor, 10.001);
+    }
   }
 }
 

@@ -24,10 +24,8 @@ constexpr std::array settings = {
     WorldSetting{"rules", "RULES", "Built-in rules in seconds, or a file whose name contains a slash or ends in .toml",
                  WorldSetting::Kind::text, "all-japan"},
     WorldSetting{"noise", "FACTOR", "Factor of all noise: 1 as it was measured, 0 none", WorldSetting::Kind::text, "1"},
-    WorldSetting{
-        "spread", "DEVIATION",
-        "How much luck differs from contest to contest: the deviation of the logarithm of a factor of all noise",
-        WorldSetting::Kind::text, "0"},
+    WorldSetting{"spread", "FACTOR", "How far contests are apart: factor of what each draws of the mouse itself",
+                 WorldSetting::Kind::text, "1"},
     WorldSetting{"search-speed", "SPEED", "Speed of a search in mm/s; 0: the robot's own", WorldSetting::Kind::text,
                  "0"}};
 

@@ -23,7 +23,7 @@ enum class PhysicalFigure : std::uint8_t {
   grazes,
   misreads,  ///< walls that it took for what they are not
   contradictions,
-  frailty,    ///< the factor of all noise that the contest drew
+  frailty,    ///< how unlucky its draws were, in deviations
   penalised,  ///< seconds: the score, or without one the time limit
   decisions,
   replanned,
