@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <span>
 #include <string_view>
 
@@ -21,6 +22,7 @@ class Stoppable final : public Strategy {
     return mouse_.decide(seen);
   }
   void show(const Pose& pose, const Sighting& seen) override { mouse_.show(pose, seen); }
+  void carried(std::int64_t time) override { mouse_.carried(time); }
   const Knowledge& knowledge() const override { return mouse_.knowledge(); }
   std::span<const Counter> counters() const override { return mouse_.counters(); }
   std::string_view last_words() override { return mouse_.last_words(); }
