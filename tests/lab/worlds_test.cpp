@@ -51,6 +51,7 @@ const Trial& trial_of(const WorldEntry& entry) {
   static const std::map<std::string_view, Trial> trials = {
       {"strides", {{"flood,random"}, {{"budget", "40"}}, "flood", "stride=1,2,02"}},
       {"seconds", {{"flood,ariadne"}, {{"rules", "thirtieth"}}, "ariadne", "prior=contest,uniform,contest"}},
+      {"physical", {{"flood,ariadne"}, {{"noise", "2"}}, "ariadne", "prior=contest,uniform,contest"}},
       {"mms",
        {{program + " ask:turnRight ask:moveForward", program + " ask:turnLeft exit:2"},
         {{"presses", "3"}},

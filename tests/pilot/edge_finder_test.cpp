@@ -18,7 +18,8 @@ namespace {
 constexpr double reach = 18.0, half = 3.0, cell = 90.0;
 
 double below(double number) { return std::erfc(-number / std::sqrt(2.0)) / 2.0; }
-/// The share of a wall that a spot of 5 mm sees at a place behind the line, where a wall ends, begins, or a post stands.
+/// The share of a wall that a spot of 5 mm sees at a place behind the line, where a wall ends, begins, or a post
+/// stands.
 double falls(double behind) { return below((half - behind) / 5.0); }
 double rises(double behind) { return 1.0 - below((-half - behind) / 5.0); }
 double post(double behind) { return below((half - behind) / 5.0) - below((-half - behind) / 5.0); }
@@ -58,9 +59,7 @@ TEST(EdgeFinder, FindsNoneAlongAWallOrWithoutOne) {
   EXPECT_FALSE(found([](double) { return 0.0; }));
 }
 
-TEST(EdgeFinder, FindsNoneWhereItComesInTheMiddle) {
-  EXPECT_FALSE(found(falls, 0.0, 0.33, -10.0));
-}
+TEST(EdgeFinder, FindsNoneWhereItComesInTheMiddle) { EXPECT_FALSE(found(falls, 0.0, 0.33, -10.0)); }
 
 TEST(EdgeFinder, FindsNoneWhereTheMouseGoesBackOrJumps) {
   EdgeFinder finder(reach, half);

@@ -156,7 +156,8 @@ TEST(Estimator, LearnsHowMuchItsEncodersOverstate) {
   EXPECT_NEAR(std::hypot(believed.x, believed.y) / std::hypot(driven.x, driven.y), 0.99, 0.002);
 }
 
-/// Over how many deviations an estimate is off: the square of its error by its covariance, of three numbers 3 on average.
+/// Over how many deviations an estimate is off: the square of its error by its covariance, of three numbers 3 on
+/// average.
 class Consistency {
  public:
   void add(test::Driven& driven) {
@@ -181,7 +182,8 @@ class Consistency {
     return sum / static_cast<double>(squares_.size());
   }
   double share_above(double bound) const {
-    return static_cast<double>(std::count_if(squares_.begin(), squares_.end(), [&](double one) { return one > bound; })) /
+    return static_cast<double>(
+               std::count_if(squares_.begin(), squares_.end(), [&](double one) { return one > bound; })) /
            static_cast<double>(squares_.size());
   }
   std::size_t size() const { return squares_.size(); }
@@ -201,7 +203,8 @@ void wander(test::Driven& driven, int moves, std::uint64_t seed, Consistency& co
       const Action step = Action::step(rotation, 1);
       if (driven.maze().is_open(place.pose.cell, after_search(place, step).pose.heading)) ways.push_back(step);
     }
-    const Action step = ways.empty() ? Action::step(180, 1) : ways[static_cast<std::size_t>(dice.below(static_cast<int>(ways.size())))];
+    const Action step =
+        ways.empty() ? Action::step(180, 1) : ways[static_cast<std::size_t>(dice.below(static_cast<int>(ways.size())))];
     if (!driven.search(step)) return;
     consistency.add(driven);
   }

@@ -1,5 +1,6 @@
 // The manoeuvre of real logs: straight, half a turn, straight, at 600 mm/s on a floor without walls, driven with the
-// gains of those logs and with ours. How far the mouse believes to be from where it should be is what the logs say, too.
+// gains of those logs and with ours. How far the mouse believes to be from where it should be is what the logs say,
+// too.
 //
 // Source: 22 logs of 2021 of a half-size mouse (kerikun11/micromouse-kerise-v4, docs/physical.md).
 #include <gtest/gtest.h>
@@ -73,9 +74,9 @@ Strayed drive(const Gains& gains, const Hardware& book, std::uint64_t seed) {
       estimator.predict(body.sense());
       const Target& target = walk.target();
       const Command command = tracker.follow(target, {estimator.position(), estimator.way(), estimator.speed()});
-      EXPECT_NE(body.step(control.control(command, estimator.speed(), estimator.turning(),
-                                          body.sense().millivolts / 1000.0)),
-                Touch::crash);
+      EXPECT_NE(
+          body.step(control.control(command, estimator.speed(), estimator.turning(), body.sense().millivolts / 1000.0)),
+          Touch::crash);
       if (piece.kind == Piece::Kind::rest) continue;
       const Position off = estimator.position() - target.position;
       const Direction way = estimator.way();
@@ -109,8 +110,8 @@ Strayed medians(const Gains& gains, const Hardware& book) {
   return {median(aside), median(along), median(heading), median(yaw)};
 }
 
-/// In the bands of the logs from 10 to 90 %, but for their upper ends, which are failures: 2.3 mm, 3.0 mm and 2.3 degrees
-/// are those of 48 logs of a later mouse that has none.
+/// In the bands of the logs from 10 to 90 %, but for their upper ends, which are failures: 2.3 mm, 3.0 mm and 2.3
+/// degrees are those of 48 logs of a later mouse that has none.
 void expect_as_in_logs(const Strayed& strayed) {
   EXPECT_GT(strayed.aside, 0.33);
   EXPECT_LT(strayed.aside, 2.3);

@@ -141,7 +141,8 @@ TEST(Pilot, ReadsTheWallsAboutEachCell) {
       const WallEvidence evidence = driven.pilot().evidence();
       const auto expect = [&](Evidence read, Heading side) {
         const bool stands = !driven.maze().is_open(pose.cell, side);
-        EXPECT_GT(stands ? read : -read, 4 * evidence_a_nat) << name_of(side) << " of " << int(pose.cell.x) << "," << int(pose.cell.y);
+        EXPECT_GT(stands ? read : -read, 4 * evidence_a_nat)
+            << name_of(side) << " of " << int(pose.cell.x) << "," << int(pose.cell.y);
       };
       expect(evidence.left, left_of(pose.heading));
       expect(evidence.ahead, pose.heading);
@@ -176,7 +177,8 @@ TEST(Pilot, DrivesARouteInItsTimeToItsEnd) {
     }));
     ASSERT_GT(last, first);
     // The route's clock stops in the goal cell's middle or at its edge: half a cell of a stopping mouse between them.
-    EXPECT_NEAR(last - first, static_cast<double>(route.time) / 1000.0, 0.15 * static_cast<double>(route.time) / 1000.0);
+    EXPECT_NEAR(last - first, static_cast<double>(route.time) / 1000.0,
+                0.15 * static_cast<double>(route.time) / 1000.0);
     EXPECT_NEAR(driven.body().motion().speed, 0.0, 10.0);
     EXPECT_EQ(driven.pilot().place().pose.cell, ring().goals().contains({2, 1}) ? Cell(2, 1) : Cell());
     EXPECT_TRUE(driven.pilot().place().at_rest);
@@ -190,8 +192,7 @@ TEST(Pilot, TakesNothingFromTheHeapOnceItIsMade) {
   driven.pilot().know(&known);
   const long before = test::allocations();
   EXPECT_TRUE(driven.drive_on());
-  for (const Action& step : {on, on, right, on, right, stop, back, left, on})
-    EXPECT_TRUE(driven.search(step));
+  for (const Action& step : {on, on, right, on, right, stop, back, left, on}) EXPECT_TRUE(driven.search(step));
   static_cast<void>(driven.pilot().evidence());
   driven.put({ring().start(), ring().start_heading()});
   EXPECT_TRUE(driven.drive_on());

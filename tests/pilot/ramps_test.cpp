@@ -30,8 +30,9 @@ struct Case {
 
 TEST(Ramps, DriveTheirLengthFromOneSpeedToTheOtherWithinTheLimits) {
   const RampLimits limits{800.0, 3000.0, 5000.0};
-  for (const Case& it : {Case{500.0, 0.0, 0.0}, Case{500.0, 300.0, 200.0}, Case{50.0, 300.0, 300.0}, Case{30.0, 0.0, 300.0},
-                         Case{20.0, 400.0, 0.0}, Case{16.0, 400.0, 0.0}, Case{90.0, 800.0, 800.0}}) {
+  for (const Case& it :
+       {Case{500.0, 0.0, 0.0}, Case{500.0, 300.0, 200.0}, Case{50.0, 300.0, 300.0}, Case{30.0, 0.0, 300.0},
+        Case{20.0, 400.0, 0.0}, Case{16.0, 400.0, 0.0}, Case{90.0, 800.0, 800.0}}) {
     const Ramps ramps(it.length, it.from, it.to, limits);
     EXPECT_EQ(ramps.speed_at(0.0), it.from);
     EXPECT_NEAR(ramps.speed_at(ramps.seconds()), it.to, 1e-9) << it.length;

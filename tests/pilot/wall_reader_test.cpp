@@ -33,8 +33,8 @@ const Maze& half_open() {
   return maze;
 }
 
-/// The evidence of a mouse that passes the middle cell northwards, really so far aside and ahead of where it believes to
-/// be, and as sure of its place as so many mm and a share of its angle.
+/// The evidence of a mouse that passes the middle cell northwards, really so far aside and ahead of where it believes
+/// to be, and as sure of its place as so many mm and a share of its angle.
 WallEvidence passing(double aside, double ahead, double sure) {
   NoiseLevel none = test::no_noise();
   const Field field(half_open(), cell);
@@ -71,8 +71,8 @@ TEST(WallReader, IsRightWhereItIsAFewMmAside) {
   }
 }
 
-/// A wall that reads as a post would: the mouse is 20 mm farther from it than it believes. Nothing speaks for either, to
-/// a mouse that may be that far off; one that is sure of its place takes it for none.
+/// A wall that reads as a post would: the mouse is 20 mm farther from it than it believes. Nothing speaks for either,
+/// to a mouse that may be that far off; one that is sure of its place takes it for none.
 TEST(WallReader, IsNotSureWhereTheMouseIsNotSureOfItsPlace) {
   const WallEvidence sure = passing(20.0, 0.0, 0.5), unsure = passing(20.0, 0.0, 20.0);
   EXPECT_LT(std::abs(unsure.left), std::abs(sure.left));
