@@ -52,6 +52,14 @@ class Boxes {
       return at.x > box.west && at.x < box.east && at.y > box.south && at.y < box.north;
     });
   }
+  /// Only those that come so near.
+  Boxes near(const Position& at, double reach) const {
+    Boxes some = *this;
+    std::erase_if(some.boxes_, [&](const Box& box) {
+      return at.x + reach < box.west || at.x - reach > box.east || at.y + reach < box.south || at.y - reach > box.north;
+    });
+    return some;
+  }
 
  private:
   void add(double x, double y, double width, double height) {

@@ -17,12 +17,13 @@ namespace {
 bool overlaps(const test::Boxes& boxes, const Chassis& chassis, const Position& at, double angle, double grown) {
   const double c = std::cos(angle), s = std::sin(angle);
   const double front = chassis.front + grown, back = chassis.back + grown, side = chassis.half_width + grown;
+  const test::Boxes some = boxes.near(at, front + back + side);
   const auto steps = [](double length) { return static_cast<int>(std::ceil(length / 0.5)); };
   const int along = steps(front + back), across = steps(2.0 * side);
   for (int i = 0; i <= along; ++i)
     for (int j = 0; j <= across; ++j) {
       const double x = -back + (front + back) * i / along, y = -side + 2.0 * side * j / across;
-      if (boxes.inside({at.x + x * c - y * s, at.y + x * s + y * c})) return true;
+      if (some.inside({at.x + x * c - y * s, at.y + x * s + y * c})) return true;
     }
   return false;
 }

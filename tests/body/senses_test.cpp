@@ -60,8 +60,9 @@ double mean_of(const std::vector<double>& numbers) {
   return sum / static_cast<double>(numbers.size());
 }
 double deviation_of(const std::vector<double>& numbers) {
+  const double mean = mean_of(numbers);
   double squares = 0.0;
-  for (const double number : numbers) squares += square(number - mean_of(numbers));
+  for (const double number : numbers) squares += square(number - mean);
   return std::sqrt(squares / static_cast<double>(numbers.size()));
 }
 /// How much of one number's error is in the next.

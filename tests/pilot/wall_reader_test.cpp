@@ -81,7 +81,7 @@ TEST(WallReader, IsNotSureWhereTheMouseIsNotSureOfItsPlace) {
 
 TEST(WallReader, IsLessSureTheLessItKnowsOfItsPlace) {
   int before = 1000;
-  for (const double sure : {1.0, 6.0, 12.0, 25.0}) {
+  for (const double sure : {6.0, 12.0, 25.0}) {
     const int now = passing(10.0, 0.0, sure).left;
     EXPECT_LE(now, before) << sure;
     before = now;
