@@ -74,10 +74,10 @@ class KnownDriver {
   KnownDrive search(const std::vector<Action>& moves) {
     for (std::size_t next = 0;; ++next) {
       if (!drive_on()) return drive_;
+      drive_.cells = static_cast<int>(next);
       if (next > 0) read();
       if (next == moves.size()) return drive_;
       pilot_.search(moves[next]);
-      drive_.cells = static_cast<int>(next);
     }
   }
 

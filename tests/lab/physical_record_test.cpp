@@ -53,7 +53,7 @@ TEST(PhysicalRecord, DisagreesWhereAnythingWasChanged) {
   const std::string text = write_drive_record(physical_file("flood-return", traced(2.0), 5));
   EXPECT_EQ(replay(read(text)), "");
   EXPECT_THAT(replay(read(changed(text, "\"seed\":5", "\"seed\":6"))), HasSubstr("driven again"));
-  EXPECT_THAT(replay(read(changed(text, "\"noise\":2", "\"noise\":2.25"))), HasSubstr("driven again"));
+  EXPECT_THAT(replay(read(changed(text, "\"noise\":2.0", "\"noise\":2.25"))), HasSubstr("driven again"));
   EXPECT_THAT(replay(read(changed(text, "\"trace\":[", "\"trace\":[1"))), HasSubstr("driven again"));
 }
 

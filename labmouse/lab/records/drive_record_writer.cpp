@@ -106,7 +106,7 @@ std::string write_drive_record(const DriveRecordFile& file) {
     for (const DriveSegment& segment : run.route.segments)
       text += record_line(segment_json(segment, file.model->tables));
     Json end = run_end_json(run);
-    if (file.physical) end["how"] = name_of(file.physical->notes.ends[i]);
+    if (file.physical && i < file.physical->notes.ends.size()) end["how"] = name_of(file.physical->notes.ends[i]);
     text += record_line(end);
   }
   for (const WallSeen& seen : file.record.walls)
