@@ -1,9 +1,14 @@
 // Includes nothing that a microcontroller lacks: the portable checks compile this file with the rooms below the lab.
 #include "labmouse/lab/bench/signature.hpp"
 
+#include <bit>
+
 #include "labmouse/contest/drive.hpp"
+#include "labmouse/contest/known_drive.hpp"
+#include "labmouse/contest/physical.hpp"
 #include "labmouse/contest/simulator.hpp"
 #include "labmouse/maze/generators/generator.hpp"
+#include "labmouse/mouse/drive/fastest.hpp"
 #include "labmouse/strategies/roster.hpp"
 
 namespace labmouse {
@@ -16,6 +21,8 @@ class Hash {
     add(static_cast<int>(number & 0xffffffff));
     add(static_cast<int>(number >> 32));
   }
+  /// Every bit of it.
+  void add_number(double number) { add_long(std::bit_cast<std::int64_t>(number)); }
   void add(int number) {
     const auto bits = static_cast<std::uint32_t>(number);
     for (unsigned shift = 0; shift < 32; shift += 8) hash_ = (hash_ ^ (bits >> shift & 0xFFU)) * 0x100000001B3U;
@@ -88,6 +95,74 @@ void add_drives(const Maze& maze, const DriveModel& model, Hash& hash) {
   }
 }
 
+/// What such a robot may be built of: a little of everything that there is.
+Hardware hardware() {
+  Hardware all;
+  all.chassis = {26.0, 16.0, 17.0, 15.0};
+  all.motors = {{3000.0, 0.125, 0.0625}, {80.0, 0.1, 0.05}, 0.002, 0.05, 4.0};
+  all.tyres = {100'000.0, 9000.0};
+  Sensors& sensors = all.sensors;
+  sensors.count = 0.001;
+  sensors.gyro_step = 0.001;
+  sensors.gyro_most = 35.0;
+  sensors.acceleration_step = 5.0;
+  sensors.infrared = {
+      {Beam{12, -12, -1.16}, Beam{20, -8, -0.09}, Beam{12, 12, 1.16}, Beam{20, 8, 0.09}}, 700.0, 12.9, 3600.0, 5.0};
+  sensors.ranger = {20.0, 255.0, 11.0};
+  Noise& noise = all.noise;
+  noise.motor_gain = noise.grip = 0.1;
+  noise.stiffness = 0.2;
+  noise.encoder_scale = 0.01;
+  noise.gyro_scale = 0.005;
+  noise.gyro_bias = 0.002;
+  noise.infrared_gain = 0.03;
+  noise.reflectance = 0.05;
+  noise.floor_steps = 0.05;
+  noise.floor_turn = 0.01;
+  noise.floor_shift = 0.5;
+  noise.ripple = 0.1;
+  noise.ripple_length = 12.5;
+  noise.encoder = 0.015;
+  noise.gyro = 0.003;
+  noise.gyro_walk = 0.0003;
+  noise.acceleration = 350.0;
+  noise.infrared = 3.0;
+  noise.infrared_share = 0.005;
+  noise.infrared_memory = 0.4;
+  noise.ranger_rest = 1.5;
+  noise.ranger = 3.0;
+  noise.shaking = 0.25;
+  noise.shaking_speed = 300.0;
+  noise.shaking_pitch = 100.0;
+  noise.shaking_loss = 0.25;
+  noise.placement = 1.0;
+  noise.placement_turn = 0.0175;
+  return all;
+}
+
+void add_known_drive(const KnownDrive& drive, Hash& hash) {
+  hash.add(drive.crashed ? 1 : 0);
+  hash.add_long(drive.ticks);
+  for (const WayErrors* errors : {&drive.truth, &drive.belief})
+    for (const double sum : {errors->along, errors->aside, errors->direction}) hash.add_number(sum);
+  for (const WallReadings* readings : {&drive.side, &drive.front}) hash.add_long(readings->wrong);
+}
+
+void add_physical_contest(const Maze& maze, const DriveModel& model, const PhysicalConditions& conditions, Hash& hash) {
+  DriveRules rules;
+  rules.time_limit = 60'000'000;
+  const RosterEntry& mouse = *find_mouse("flood-return");
+  Briefing briefing = brief(maze, rules, model, 1);
+  briefing.sight = 1;
+  const auto mind = mouse.make(briefing, Settings(mouse.parameters));
+  const PhysicalRecord record = drive_physically(maze, rules, model, conditions, 1, *mind);
+  for (const DriveRun& run : record.drive.runs) add_run(run, hash);
+  for (const RunEnd end : record.ends) hash.add(static_cast<int>(end));
+  for (const TracePoint& point : record.trace)
+    for (const BodyPose* pose : {&point.truth, &point.belief})
+      for (const double number : {pose->position.x, pose->position.y, pose->angle}) hash.add_number(number);
+}
+
 /// Sixteen hexadecimal digits.
 std::string hexadecimal(std::uint64_t number) {
   std::string text;
@@ -125,6 +200,30 @@ std::uint64_t seconds_signature() {
   return hash.value();
 }
 
-std::string signature() { return hexadecimal(behaviour_signature()) + "-" + hexadecimal(seconds_signature()); }
+std::uint64_t physical_signature() {
+  Hash hash;
+  Robot built = robot(false);
+  built.hardware = hardware();
+  DriveModel model = make_drive_model(built);
+  share_route_tables(model);
+  for (const double noise : {0.0, 1.0, 4.0})
+    for (const Generator* generator : all_generators()) {
+      const GeneratorOrder order{Size{7, 5}, 1, 100};
+      if (!generator->refuses(order).empty()) continue;
+      const Maze maze = generator->make(order);
+      PhysicalConditions conditions;
+      conditions.noise.all = noise;
+      conditions.trace_every = 100;
+      for (const KnownWay way : {KnownWay::search, KnownWay::fast})
+        if (const auto drive = drive_known_way(maze, model, conditions, way, 1)) add_known_drive(*drive, hash);
+      add_physical_contest(maze, model, conditions, hash);
+    }
+  return hash.value();
+}
+
+std::string signature() {
+  return hexadecimal(behaviour_signature()) + "-" + hexadecimal(seconds_signature()) + "-" +
+         hexadecimal(physical_signature());
+}
 
 }  // namespace labmouse
