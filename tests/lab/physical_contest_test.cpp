@@ -133,7 +133,7 @@ TEST(PhysicalContest, HasNoMoreRunsAndTimeThanTheRulesGive) {
                             [](const DriveRun& run) { return run.kind != Kind::home; }),
               2);
   }
-  rules.time_limit = 1'500'000;
+  rules.time_limit = 900'000;
   const PhysicalRecord late = driven_physically("certify", test::ring(), at_noise(0.0), 1, rules);
   EXPECT_THAT(late.ends, testing::ElementsAre(RunEnd::out_of_time));
   EXPECT_EQ(late.drive.outcome, DriveOutcome::out_of_time);

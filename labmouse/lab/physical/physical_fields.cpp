@@ -102,7 +102,7 @@ Interval finished_interval(const Standing& standing) { return wilson_interval(st
 
 Value interval_value(const Interval& interval) { return JsonText{fmt::format("[{},{}]", interval.low, interval.high)}; }
 
-constexpr std::array<MouseField, 22> mouse_fields = {
+constexpr std::array<MouseField, 24> mouse_fields = {
     {{"name", fields::name},
      {"parameters", fields::parameters},
      {"scored", fields::solved},
@@ -124,7 +124,11 @@ constexpr std::array<MouseField, 22> mouse_fields = {
      {"late", count<F::late>},
      {"carried", count<F::carried>},
      {"misreads", count<F::misreads>},
-     {"contradictions", count<F::contradictions>}}};
+     {"contradictions", count<F::contradictions>},
+     {"mean_discovered_share",
+      [](const Race& r, const Standing& s) -> Value { return or_none(mean_of_all(r, s, discovered_share)); }},
+     {"mean_visited_share",
+      [](const Race& r, const Standing& s) -> Value { return or_none(mean_of_all(r, s, visited_share)); }}}};
 
 template <F Figure>
 std::string count_text(const Race& race, const Standing& standing) {

@@ -379,7 +379,7 @@ export interface RobotKey {
   low: number;
   high: number;
   /** In which forms of the file it has a meaning. */
-  with: 'always' | 'curves' | 'turns' | 'search_speed' | 'search_times';
+  with: 'always' | 'curves' | 'turns' | 'search_speed' | 'search_times' | 'body';
   needed: boolean;
   kind: 'number' | 'whole' | 'number_or_false' | 'yes_or_no' | 'end';
   of_diagonals: boolean;
