@@ -1,123 +1,25 @@
 #include "labmouse/guests/guest_mind.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-
-#include "labmouse/guests/patience.hpp"
 #include "labmouse/guests/protocol.hpp"
-#include "labmouse/guests/quoted_line.hpp"
 
 namespace labmouse {
-namespace {
-
-using namespace std::chrono_literals;
-
-/// At its end a guest may still put something down.
-constexpr auto grace = 250ms;
-
-ForfeitReason reason_of(TreeLimit limit) {
-  switch (limit) {
-    case TreeLimit::processes:
-      return ForfeitReason::too_many_processes;
-    case TreeLimit::memory:
-      return ForfeitReason::too_much_memory;
-    case TreeLimit::written:
-      return ForfeitReason::too_much_written;
-    case TreeLimit::none:
-      break;
-  }
-  return ForfeitReason::none;
-}
-
-}  // namespace
 
 GuestMind::GuestMind(const Launch& launch, const Briefing& briefing)
-    : limits_(launch.limits),
-      beginning_(launch.beginning),
-      knowledge_(briefing.size),
-      contest_end_(Clock::now() + launch.limits.contest),
-      process_(launch) {
-  if (!process_.error().empty()) {
-    give_up(ForfeitReason::not_started, process_.error());
-    return;
-  }
-  process_.send(briefing_text(briefing));
-  greet();
+    : knowledge_(briefing.size), talk_(launch, guest_greeting) {
+  const auto line = talk_.greet(briefing_text(briefing));
+  if (!line) return;
+  if (const auto verdict = judge_greeting(*line))
+    talk_.give_up(*verdict);
+  else
+    talk_.accept();
 }
-
-GuestMind::~GuestMind() { process_.end(grace); }
 
 Action GuestMind::decide(const Sighting& seen) {
-  if (reason_ != ForfeitReason::none) return Action::forfeit(reason_);
-  process_.send(question(seen));
-  const auto line = hear(limits_.silence, limits_.decision);
-  if (!line) return Action::forfeit(reason_);
-  const Answer answer = judge_answer(*line, process_.lines().rest());
-  if (answer.verdict) give_up(*answer.verdict);
+  const auto line = talk_.ask(question(seen));
+  if (!line) return Action::forfeit(talk_.reason());
+  const Answer answer = judge_answer(*line, talk_.rest());
+  if (answer.verdict) talk_.give_up(*answer.verdict);
   return answer.action;
-}
-
-void GuestMind::greet() {
-  const auto line = hear(limits_.start, limits_.contest);
-  if (!line) return;
-  if (const auto verdict = judge_greeting(*line)) return give_up(*verdict);
-  greeted_ = true;
-}
-
-std::optional<std::string_view> GuestMind::hear(std::chrono::milliseconds silence, std::chrono::nanoseconds work) {
-  Patience patience(silence, work);
-  for (;;) {
-    const auto line = process_.lines().next();
-    if (patience.is_overworked(process_)) {
-      give_up(ForfeitReason::late,
-              fmt::format("it worked for {} of processor time{}; the limit is {} ({})", seconds_text(patience.worked()),
-                          line ? " for its answer " + quoted_line(*line) : " and had not answered", seconds_text(work),
-                          greeted_ ? "--decision-limit" : "--contest-limit"));
-      return std::nullopt;
-    }
-    if (line) return line;
-    if (process_.lines().too_long()) {
-      give_up(too_long(limits_.longest_line, process_.lines().rest()));
-      return std::nullopt;
-    }
-    const GuestEvent event = patience.wait(process_, contest_end_);
-    if (event == GuestEvent::output || patience.is_overworked(process_)) continue;
-    give_up(event, silence);
-    return std::nullopt;
-  }
-}
-
-void GuestMind::give_up(GuestEvent event, std::chrono::milliseconds silence) {
-  switch (event) {
-    case GuestEvent::ended:
-      return give_up(died(describe(process_.status().value_or(ExitStatus())), greeted_, beginning_));
-    case GuestEvent::left:
-      return give_up(ForfeitReason::left, "it ended, but a process that it had started kept its output open");
-    case GuestEvent::closed:
-      return give_up(ForfeitReason::closed, "it closed its standard output");
-    case GuestEvent::exceeded:
-      return give_up(reason_of(process_.exceeded()),
-                     "it and what it started " + describe(process_.exceeded(), limits_));
-    case GuestEvent::interrupted:
-      return give_up(ForfeitReason::interrupted, "it was interrupted");
-    case GuestEvent::output:
-    case GuestEvent::timeout:
-      break;
-  }
-  if (Clock::now() >= contest_end_)
-    return give_up(ForfeitReason::out_of_time,
-                   fmt::format("its contest took longer than {} (--contest-limit)", seconds_text(limits_.contest)));
-  if (process_.deaf()) return give_up(ForfeitReason::closed, "it closed its standard input");
-  const std::string time =
-      fmt::format("{} ({})", seconds_text(silence), greeted_ ? "--silence-limit" : "--start-limit");
-  give_up(hung(time, greeted_, process_.lines().rest(), beginning_));
-}
-
-void GuestMind::give_up(ForfeitReason reason, std::string_view sentence) {
-  reason_ = reason;
-  process_.end(0ms);
-  last_words_ = last_words_of(sentence, process_.errors());
 }
 
 }  // namespace labmouse

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "labmouse/guests/protocol.hpp"
 #include "labmouse/guests/quoted_line.hpp"
 
 namespace labmouse {
@@ -55,11 +54,10 @@ Verdict hung(std::string_view time, bool greeted, std::string_view begun, std::s
   return {ForfeitReason::hung, fmt::format("it was silent for {}{}", time, behind)};
 }
 
-Verdict died(std::string_view how, bool greeted, std::string_view beginning) {
+Verdict died(std::string_view how, bool greeted, std::string_view beginning, std::string_view greeting) {
   std::string before;
   if (!greeted)
-    before =
-        beginning.empty() ? fmt::format(" before it wrote '{}'", guest_greeting) : fmt::format(" before {}", beginning);
+    before = beginning.empty() ? fmt::format(" before it wrote '{}'", greeting) : fmt::format(" before {}", beginning);
   return {ForfeitReason::died, fmt::format("it ended with {}{}", how, before)};
 }
 

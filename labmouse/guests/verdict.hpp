@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "labmouse/guests/protocol.hpp"
 #include "labmouse/mouse/action.hpp"
 
 namespace labmouse {
@@ -35,8 +36,9 @@ Verdict too_long(std::size_t longest, std::string_view line);
 /// what it should have come to, "the Robot of robot.py was made"; empty for the greeting.
 Verdict hung(std::string_view time, bool greeted, std::string_view begun, std::string_view beginning = "");
 
-/// It ended, with "exit code 1" or a word on its error.
-Verdict died(std::string_view how, bool greeted, std::string_view beginning = "");
+/// It ended, with "exit code 1" or a word on its error; `greeting` is what it should have written first.
+Verdict died(std::string_view how, bool greeted, std::string_view beginning = "",
+             std::string_view greeting = guest_greeting);
 
 /// What is kept of a guest that was given up: the sentence, and the last that it wrote to its standard error.
 std::string last_words_of(std::string_view sentence, std::string_view errors);
