@@ -6,13 +6,6 @@
 namespace labmouse {
 namespace {
 
-constexpr MazeTime tick_time = 1000;
-/// A mouse that has slid so many ticks before a crash has crashed because of that.
-constexpr int slide_ticks = 300;
-
-/// To the left of east.
-double angle_of(Heading heading) { return pi / 2.0 * (1 - static_cast<int>(heading)); }
-
 double angle_of(const Direction& ahead) {
   // To the microradian, for traces: a fit to within an eighth of a turn, then a step of Newton's.
   const double c = ahead.cosine, s = ahead.sine;
@@ -29,33 +22,29 @@ double angle_of(const Direction& ahead) {
 PhysicalDriver::PhysicalDriver(const Maze& maze, const DriveModel& model, const PhysicalConditions& conditions,
                                std::uint64_t seed, MazeTime time_limit, PhysicalRecord& record)
     : maze_(maze),
-      cell_(model.tables.cell),
-      conditions_(conditions),
-      time_limit_(time_limit),
       record_(record),
       start_{maze.start(), maze.start_heading()},
       known_(maze.size(), 1),
       told_(told_of(model, conditions)),
-      body_(maze, cell_, *model.robot.hardware, conditions.noise, seed),
-      pilot_(model, told_, maze.size(), gains_for(told_, cell_), conditions.pilot) {
-  record_.frailty = body_.specimen().frailty();
+      body_(maze, model, conditions, seed, time_limit, record),
+      pilot_(model, told_, maze.size(), gains_for(told_, model.tables.cell), conditions.pilot) {
   pilot_.know(&known_);
 }
 
 void PhysicalDriver::put_at_start() {
-  body_.put({(start_.cell.x + 0.5) * cell_, (start_.cell.y + 0.5) * cell_}, angle_of(start_.heading));
+  body_.put_at_start();
   pilot_.put(start_);
   pending_ = false;
 }
 
 bool PhysicalDriver::make(const Action& part, bool replanned) {
   const Pose from = place().pose;
-  const MazeTime begin = clock_;
+  const MazeTime begin = clock();
   pilot_.search(part);
   if (!drive_on()) return false;
   DriveRun& run = record_.drive.runs.back();
-  run.moves.push_back({begin, clock_, from, part, place().pose, replanned});
-  run.end = clock_;
+  run.moves.push_back({begin, clock(), from, part, place().pose, replanned});
+  run.end = clock();
   read();
   return true;
 }
@@ -65,7 +54,7 @@ bool PhysicalDriver::run(const DriveRoute& route) {
   // Its clock begins once it stands where runs begin.
   while (!pilot_.running())
     if (!tick()) return false;
-  record_.drive.runs.back().begin = clock_;
+  record_.drive.runs.back().begin = clock();
   return drive_on();
 }
 
@@ -83,51 +72,35 @@ bool PhysicalDriver::drive_on() {
 bool PhysicalDriver::tick() {
   if (!pending_) drive_ = pilot_.tick(body_.sense());
   pending_ = false;
-  const Touch touch = body_.step(drive_);
-  clock_ += tick_time;
-  if (touch != Touch::none) record_.touches.push_back({clock_, true_pose(), touch == Touch::crash});
-  if (touch != Touch::crash) note_gates();
-  trace();
-  return touch != Touch::crash && !out_of_time();
+  const bool goes_on = body_.step(drive_);
+  if (!body_.crashed()) note_gates();
+  if (body_.trace_due()) {
+    const Estimator& belief = pilot_.estimator();
+    body_.trace(BodyPose{belief.position(), angle_of(belief.ahead())});
+  }
+  return goes_on;
 }
 
-/// Where the true mouse is, for the clock of the run. One that turns home at the edge of a goal has entered it when it
-/// has come there, a moment later.
+/// A mouse that turns home at the edge of a goal has entered it when it has come there, a moment later.
 void PhysicalDriver::note_gates() {
   auto& runs = record_.drive.runs;
   if (runs.empty()) return;
-  const bool home = runs.back().kind == DriveRun::Kind::home;
-  if (home && (runs.size() < 2 || runs[runs.size() - 2].gate_in || record_.ends[runs.size() - 2] != RunEnd::done))
-    return;
-  DriveRun& run = home ? runs[runs.size() - 2] : runs.back();
-  const Position& at = body_.motion().position;
-  const Cell cell = body_.field().cell_at(at);
-  if (!maze_.size().contains(cell)) return;
-  if (!run.gate_out && cell != maze_.start()) run.gate_out = clock_;
-  if (!run.gate_out || !maze_.is_goal(cell)) return;
-  if (!run.gate_in) run.gate_in = clock_;
-  const Direction& ahead = body_.motion().ahead;
-  const double past = (at.x - (cell.x + 0.5) * cell_) * ahead.cosine + (at.y - (cell.y + 0.5) * cell_) * ahead.sine;
-  if (!run.centre && past >= 0.0) run.centre = clock_;
-}
-
-void PhysicalDriver::trace() {
-  const int every = conditions_.trace_every;
-  if (every == 0 || clock_ / tick_time % every != 0) return;
-  const Estimator& belief = pilot_.estimator();
-  record_.trace.push_back({clock_, true_pose(), {belief.position(), angle_of(belief.ahead())}, body_.sense().infrared});
+  const std::size_t last = runs.size() - 1;
+  if (runs[last].kind != DriveRun::Kind::home)
+    body_.note_gates(runs[last]);
+  else if (last > 0 && !runs[last - 1].gate_in && record_.ends[last - 1] == RunEnd::done)
+    body_.note_gates(runs[last - 1]);
 }
 
 RunEnd PhysicalDriver::cause() const {
-  const auto& wall = body_.contact().wall;
-  if (wall && known_.open().contains(*wall)) return RunEnd::misread;
-  return body_.slid_within(slide_ticks) ? RunEnd::slid : RunEnd::strayed;
+  const auto& wall = body_.body().contact().wall;
+  return wall && known_.open().contains(*wall) ? RunEnd::misread : body_.cause();
 }
 
 void PhysicalDriver::read() {
   const Pose& pose = place().pose;
   const WallEvidence evidence = pilot_.evidence();
-  record_.looks.push_back({clock_, pose, evidence});
+  record_.looks.push_back({clock(), pose, evidence});
   const Sighting seen = {open(pose.cell, left_of(pose.heading), evidence.left),
                          open(pose.cell, pose.heading, evidence.ahead),
                          open(pose.cell, right_of(pose.heading), evidence.right)};
@@ -148,7 +121,7 @@ int PhysicalDriver::open(Cell cell, Heading side, Evidence evidence) {
     return state == WallState::open ? 1 : 0;
   }
   if (reads_closed == maze_.is_open(cell, side)) ++record_.misreads;
-  record_.drive.walls.push_back({clock_, wall, !reads_closed});
+  record_.drive.walls.push_back({clock(), wall, !reads_closed});
   return reads_closed ? 0 : 1;
 }
 

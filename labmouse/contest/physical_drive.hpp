@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "labmouse/body/body.hpp"
+#include "labmouse/contest/clocked_body.hpp"
 #include "labmouse/contest/physical_conditions.hpp"
 #include "labmouse/contest/physical_record.hpp"
 #include "labmouse/mouse/knowledge.hpp"
@@ -29,14 +29,14 @@ class PhysicalDriver {
   bool drive_on();
   /// Takes what the evidence is rather for as the state of walls that it does not know.
   void read();
-  void wait(MazeTime time) { clock_ += time; }
+  void wait(MazeTime time) { body_.wait(time); }
 
   /// Where the mouse believes to be, between two moves, and what it takes the walls there for.
   const SearchPlace& place() const { return pilot_.place(); }
   Sighting sighting(const Pose& pose) const;
   const Knowledge& known() const { return known_; }
-  MazeTime clock() const { return clock_; }
-  bool out_of_time() const { return clock_ >= time_limit_; }
+  MazeTime clock() const { return body_.clock(); }
+  bool out_of_time() const { return body_.out_of_time(); }
   bool crashed() const { return body_.crashed(); }
   /// Of a crash.
   RunEnd cause() const;
@@ -44,23 +44,17 @@ class PhysicalDriver {
  private:
   bool tick();
   void note_gates();
-  void trace();
   int open(Cell cell, Heading side, Evidence evidence);
-  BodyPose true_pose() const { return {body_.motion().position, body_.motion().angle}; }
 
   const Maze& maze_;
-  double cell_;
-  const PhysicalConditions& conditions_;
-  MazeTime time_limit_;
   PhysicalRecord& record_;
   Pose start_;
   Knowledge known_;
   Hardware told_;  ///< what the pilot takes itself for
-  Body body_;
+  ClockedBody body_;
   Pilot pilot_;
   Drive drive_;
   bool pending_ = false;  ///< whether the pilot has worked off the present tick
-  MazeTime clock_ = 0;
 };
 
 }  // namespace labmouse

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "labmouse/contest/drive_record.hpp"
+#include "labmouse/contest/pilot_code.hpp"
 #include "labmouse/functions/position.hpp"
 #include "labmouse/pilot/evidence.hpp"
 
@@ -48,7 +49,7 @@ struct BodyPose {
 struct TracePoint {
   MazeTime time = 0;
   BodyPose truth;
-  BodyPose belief;
+  std::optional<BodyPose> belief;  ///< nothing of a mouse whose program does not tell
   std::array<std::int16_t, 4> infrared{};
 
   friend bool operator==(const TracePoint&, const TracePoint&) = default;
@@ -79,6 +80,7 @@ struct PhysicalNotes {
   std::vector<WallTouch> touches;
   std::vector<TracePoint> trace;  ///< every so often, where it was asked for
   std::vector<Action> actions;    ///< all decisions of the mind, in order
+  std::vector<PilotTick> tape;    ///< in place of these, what a program of somebody else's said, tick by tick
   int carried = 0;                ///< how often a hand took it to the start
   int misreads = 0;               ///< walls that it took for what they are not
   int contradictions = 0;         ///< readings against what it had taken a wall for

@@ -167,7 +167,8 @@ TEST(PhysicalContest, TracesBothMice) {
   double largest = 0.0;
   for (std::size_t i = 0; i < traced.trace.size(); ++i) {
     EXPECT_EQ(traced.trace[i].time, 10'000 * static_cast<MazeTime>(i + 1));
-    const Position off = traced.trace[i].belief.position - traced.trace[i].truth.position;
+    ASSERT_TRUE(traced.trace[i].belief);
+    const Position off = traced.trace[i].belief->position - traced.trace[i].truth.position;
     largest = std::max(largest, std::max(std::abs(off.x), std::abs(off.y)));
   }
   EXPECT_GT(largest, 0.01);

@@ -159,8 +159,8 @@ void add_physical_contest(const Maze& maze, const DriveModel& model, const Physi
   for (const DriveRun& run : record.drive.runs) add_run(run, hash);
   for (const RunEnd end : record.ends) hash.add(static_cast<int>(end));
   for (const TracePoint& point : record.trace)
-    for (const BodyPose* pose : {&point.truth, &point.belief})
-      for (const double number : {pose->position.x, pose->position.y, pose->angle}) hash.add_number(number);
+    for (const BodyPose& pose : {point.truth, point.belief.value_or(point.truth)})
+      for (const double number : {pose.position.x, pose.position.y, pose.angle}) hash.add_number(number);
 }
 
 /// Sixteen hexadecimal digits.

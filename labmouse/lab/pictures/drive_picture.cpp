@@ -164,7 +164,8 @@ std::string draw_contest(const DriveRecordFile& file) {
   const std::size_t best = coloured_run(file);
   DrivePath path({file.maze->start(), file.maze->start_heading()}, *file.model);
   if (file.physical) {
-    for (std::size_t i = 0; i < file.record.runs.size(); ++i) drives.beliefs.push_back(believed_path(file, i));
+    for (std::size_t i = 0; i < file.record.runs.size(); ++i)
+      if (Path belief = believed_path(file, i); !belief.empty()) drives.beliefs.push_back(std::move(belief));
     for (const WallTouch& touch : file.physical->notes.touches) drives.touches.push_back(touched_at(file, touch));
   }
   for (std::size_t i = 0; i < file.record.runs.size(); ++i) {

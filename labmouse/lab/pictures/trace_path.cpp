@@ -27,11 +27,14 @@ void set_speeds(std::vector<DrivePathPoint>& points, double cell) {
   if (points.size() > 1) points.back().speed = points[points.size() - 2].speed;
 }
 
-std::vector<DrivePathPoint> path_of(const DriveRecordFile& file, std::size_t index, BodyPose TracePoint::*pose) {
+/// `pose`: which of a point's, if it has it.
+template <class PoseOf>
+std::vector<DrivePathPoint> path_of(const DriveRecordFile& file, std::size_t index, PoseOf pose) {
   const DriveRun& run = file.record.runs[index];
   std::vector<DrivePathPoint> points;
   for (const TracePoint& point : file.physical->notes.trace)
-    if (point.time >= run.begin && point.time <= run.end) points.push_back(point_at(file, point.time, point.*pose));
+    if (const std::optional<BodyPose> at = pose(point); at && point.time >= run.begin && point.time <= run.end)
+      points.push_back(point_at(file, point.time, *at));
   set_speeds(points, file.model->tables.cell);
   return points;
 }
@@ -39,11 +42,11 @@ std::vector<DrivePathPoint> path_of(const DriveRecordFile& file, std::size_t ind
 }  // namespace
 
 std::vector<DrivePathPoint> true_path(const DriveRecordFile& file, std::size_t run) {
-  return path_of(file, run, &TracePoint::truth);
+  return path_of(file, run, [](const TracePoint& point) { return std::optional(point.truth); });
 }
 
 std::vector<DrivePathPoint> believed_path(const DriveRecordFile& file, std::size_t run) {
-  return path_of(file, run, &TracePoint::belief);
+  return path_of(file, run, [](const TracePoint& point) { return point.belief; });
 }
 
 DrivePathPoint touched_at(const DriveRecordFile& file, const WallTouch& touch) {

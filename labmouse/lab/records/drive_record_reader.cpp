@@ -239,7 +239,7 @@ std::string Reading::read_line(const ReadJson& json) {
   if (json.contains("end")) return end_run(json);
   if (file_.physical) {
     JsonFields fields(json, "");
-    if (json.contains("actions")) return read_actions_line(file_.physical->notes, fields), fields.error();
+    if (read_decision_line(json, file_.physical->notes, fields)) return fields.error();
     if (read_physical_line(json, size(), file_.physical->notes, fields)) return fields.error();
   }
   return "the line does not belong to a record in seconds: it has no run, move, piece, end, wall or outcome";

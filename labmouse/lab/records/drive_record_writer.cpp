@@ -98,7 +98,7 @@ Json end_json(const DriveRecordFile& file) {
 
 std::string write_drive_record(const DriveRecordFile& file) {
   std::string text = record_line(header_json(file));
-  if (file.physical) text += record_line(actions_json(file.physical->notes.actions));
+  if (file.physical) text += decision_lines(file.physical->notes);
   for (std::size_t i = 0; i < file.record.runs.size(); ++i) {
     const DriveRun& run = file.record.runs[i];
     text += record_line(run_json(run, file.maze->size()));

@@ -2,15 +2,23 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 
 #include "labmouse/lab/records/drive_record_fields.hpp"
 #include "labmouse/lab/records/record_maze.hpp"
+#include "labmouse/lab/text/number_rows.hpp"
 
 namespace labmouse {
 namespace {
 
-constexpr std::size_t most_lines = 2'000'000, most_actions = 1'000'000;
+constexpr std::size_t most_lines = 2'000'000, most_actions = 1'000'000, most_ticks = 7'200'000;
+/// Of a tape, in one line.
+constexpr std::size_t ticks_a_line = 10'000;
+
+constexpr std::array<std::string_view, 5> words = {"drive", "fast", "goal", "carry", "give up"};
 
 /// In whole micrometres and microradians.
 std::int64_t millionths(double number) { return std::llround(number * 1e6); }
@@ -72,16 +80,50 @@ void read_touch(PhysicalNotes& notes, JsonFields& fields) {
   notes.touches.push_back(touch);
 }
 
+/// A line of the tape: as rows, and the words that are not `drive`, each with the number of its row.
+std::string tape_line(std::span<const PilotTick> ticks) {
+  std::vector<std::int32_t> numbers;
+  Json said = Json::array();
+  for (std::size_t i = 0; i < ticks.size(); ++i) {
+    numbers.insert(numbers.end(), {ticks[i].left, ticks[i].right});
+    if (ticks[i].word != PilotWord::drive) said.push_back({i, words[static_cast<std::size_t>(ticks[i].word)]});
+  }
+  return record_line({{"tape", rows_text(numbers, 2)}, {"said", std::move(said)}});
+}
+
+void read_tape(PhysicalNotes& notes, JsonFields& fields) {
+  std::vector<std::int32_t> numbers;
+  if (!read_rows(fields.text("tape"), 2, 2 * (most_ticks - notes.tape.size()), numbers))
+    return fields.fail(fmt::format("has a 'tape' that is none, or that makes more than {} ticks", most_ticks));
+  const std::size_t first = notes.tape.size();
+  for (std::size_t i = 0; i < numbers.size(); i += 2) {
+    const auto [least, most] = std::minmax(numbers[i], numbers[i + 1]);
+    if (least < -PilotTick::full || most > PilotTick::full)
+      return fields.fail(fmt::format("has duties of more than {}", PilotTick::full));
+    notes.tape.push_back({static_cast<std::int16_t>(numbers[i]), static_cast<std::int16_t>(numbers[i + 1])});
+  }
+  for (const ReadJson& each : fields.list("said")) {
+    const bool whole = each.is_array() && each.size() == 2 && each[0].is_number_unsigned();
+    const auto word = whole ? std::find(words.begin(), words.end(), each[1]) : words.end();
+    const std::size_t row = whole ? each[0].get<std::size_t>() : 0;
+    if (word == words.end() || row >= numbers.size() / 2)
+      return fields.fail("has a 'said' that is not a list of [row, word]");
+    notes.tape[first + row].word = static_cast<PilotWord>(word - words.begin());
+  }
+}
+
 void read_trace(PhysicalNotes& notes, JsonFields& fields) {
   const ReadJson& list = fields.list("trace");
-  if (list.size() != 7 + beam_count)
-    return fields.fail("has a 'trace' that is not a time, two poses and four readings");
+  const bool believes = list.size() == 7 + beam_count;
+  if (!believes && list.size() != 4 + beam_count)
+    return fields.fail("has a 'trace' that is not a time, one or two poses and four readings");
   TracePoint point;
   point.time = long_at(list, 0, "trace", fields);
   point.truth = body_at(list, 1, "trace", fields);
-  point.belief = body_at(list, 4, "trace", fields);
+  if (believes) point.belief = body_at(list, 4, "trace", fields);
   for (std::size_t beam = 0; beam < beam_count; ++beam)
-    point.infrared[beam] = static_cast<std::int16_t>(fields.whole(list[7 + beam], "trace", 0, 32767));
+    point.infrared[beam] =
+        static_cast<std::int16_t>(fields.whole(list[list.size() - beam_count + beam], "trace", 0, 32767));
   notes.trace.push_back(point);
 }
 
@@ -105,10 +147,17 @@ Json conditions_json(const PhysicalPart& part) {
           {"trace_every", conditions.trace_every}};
 }
 
-Json actions_json(const std::vector<Action>& actions) {
+std::string decision_lines(const PhysicalNotes& notes) {
+  std::string text;
+  for (std::span<const PilotTick> rest = notes.tape; !rest.empty();) {
+    const std::size_t count = std::min(rest.size(), ticks_a_line);
+    text += tape_line(rest.first(count));
+    rest = rest.subspan(count);
+  }
+  if (!text.empty()) return text;
   Json list = Json::array();
-  for (const Action& action : actions) list.push_back(decision_json(action));
-  return {{"actions", std::move(list)}};
+  for (const Action& action : notes.actions) list.push_back(decision_json(action));
+  return record_line({{"actions", std::move(list)}});
 }
 
 std::string physical_lines(const PhysicalNotes& notes) {
@@ -121,8 +170,9 @@ std::string physical_lines(const PhysicalNotes& notes) {
     text += record_line({{"touch", body_json(touch.at)}, {"crash", touch.crash}, {"time", touch.time}});
   for (const TracePoint& point : notes.trace) {
     Json list = {point.time};
-    for (const BodyPose& pose : {point.truth, point.belief})
-      for (Json& number : body_json(pose)) list.push_back(std::move(number));
+    for (Json& number : body_json(point.truth)) list.push_back(std::move(number));
+    if (point.belief)
+      for (Json& number : body_json(*point.belief)) list.push_back(std::move(number));
     for (const std::int16_t level : point.infrared) list.push_back(level);
     text += record_line({{"trace", std::move(list)}});
   }
@@ -159,10 +209,13 @@ void read_conditions(const ReadJson& json, PhysicalPart& part, JsonFields& outer
   outer.reject(fields.error());
 }
 
-void read_actions_line(PhysicalNotes& notes, JsonFields& fields) {
+bool read_decision_line(const ReadJson& json, PhysicalNotes& notes, JsonFields& fields) {
+  if (json.contains("tape")) return read_tape(notes, fields), true;
+  if (!json.contains("actions")) return false;
   const ReadJson& list = fields.list("actions");
-  if (list.size() > most_actions) return fields.fail(fmt::format("has more than {} actions", most_actions));
+  if (list.size() > most_actions) return fields.fail(fmt::format("has more than {} actions", most_actions)), true;
   for (const ReadJson& action : list) notes.actions.push_back(decision_of(action, fields));
+  return true;
 }
 
 RunEnd read_run_end(JsonFields& fields) {

@@ -14,8 +14,9 @@ Json pose_json(const Pose& pose);
 
 /// Of the header: noise, its spread and groups, handling, and the speed of a search.
 Json conditions_json(const PhysicalPart& part);
-/// All decisions: [rotation, cells], "reset", or the reason of a forfeit.
-Json actions_json(const std::vector<Action>& actions);
+/// All decisions of a mind: [rotation, cells], "reset", or the reason of a forfeit. Of a program of somebody else's in
+/// place of these the duties that it gave, tick by tick.
+std::string decision_lines(const PhysicalNotes& notes);
 /// What the sensors said, what was touched, and the trace.
 std::string physical_lines(const PhysicalNotes& notes);
 /// Of the last line.
@@ -24,7 +25,8 @@ Json counts_json(const PhysicalNotes& notes);
 // All of these give the fields what is wrong.
 
 void read_conditions(const ReadJson& json, PhysicalPart& part, JsonFields& outer);
-void read_actions_line(PhysicalNotes& notes, JsonFields& fields);
+/// A line of decisions; whether it is one.
+bool read_decision_line(const ReadJson& json, PhysicalNotes& notes, JsonFields& fields);
 /// How a run ended.
 RunEnd read_run_end(JsonFields& fields);
 /// A line of what was seen, touched or traced; whether it is one.

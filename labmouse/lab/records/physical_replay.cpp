@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <string_view>
 
+#include "labmouse/contest/code_contest.hpp"
 #include "labmouse/contest/script.hpp"
+#include "labmouse/contest/taped_code.hpp"
 #include "labmouse/lab/records/drive_json.hpp"
 
 namespace labmouse {
@@ -45,6 +47,7 @@ void cut_like(DriveRecordFile& again, const DriveRecordFile& file) {
   record.reason = file.record.reason;
   record.decisions = file.record.decisions;
   cut_to(notes.actions, kept.actions);
+  cut_to(notes.tape, kept.tape);
   cut_to(notes.ends, kept.ends);
   cut_to(notes.looks, kept.looks);
   cut_to(notes.touches, kept.touches);
@@ -71,6 +74,10 @@ std::string shortened(std::string_view line) {
 PhysicalRecord drive_again(const DriveRecordFile& file, int trace_every) {
   PhysicalConditions conditions = file.physical->conditions;
   conditions.trace_every = trace_every;
+  if (const auto& tape = file.physical->notes.tape; !tape.empty()) {
+    TapedCode code(tape, file.record.reason);
+    return drive_by_code(*file.maze, file.rules, *file.model, conditions, file.seed, code);
+  }
   Script script(file.maze->size(), file.physical->notes.actions);
   return drive_physically(*file.maze, file.rules, *file.model, conditions, file.seed, script);
 }

@@ -9,7 +9,6 @@
 namespace labmouse {
 namespace {
 
-constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 constexpr int gzip_window = MAX_WBITS + 16;  // zlib's way to ask for gzip
 
 /// Deflates all of the bytes through a buffer; the stream has begun.
@@ -49,7 +48,7 @@ std::string base64(std::string_view bytes) {
     unsigned three = 0;
     for (std::size_t i = 0; i < 3; ++i)
       three = three << 8U | (i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : 0U);
-    for (std::size_t i = 0; i < 4; ++i) text += i <= bytes.size() ? digits[three >> (18 - 6 * i) & 63U] : '=';
+    for (std::size_t i = 0; i < 4; ++i) text += i <= bytes.size() ? base64_digits[three >> (18 - 6 * i) & 63U] : '=';
   }
   return text;
 }

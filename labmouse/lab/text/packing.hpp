@@ -6,6 +6,8 @@
 
 namespace labmouse {
 
+inline constexpr std::string_view base64_digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+
 /// The bytes by gzip, as small as it makes them. The same bytes give the same bytes: no time and no name stand in it.
 std::string gzip(std::string_view bytes);
 

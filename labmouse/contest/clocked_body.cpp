@@ -1,0 +1,58 @@
+#include "labmouse/contest/clocked_body.hpp"
+
+namespace labmouse {
+namespace {
+
+constexpr MazeTime tick_time = 1000;
+/// A mouse that has slid so many ticks before a crash has crashed because of that.
+constexpr int slide_ticks = 300;
+
+/// To the left of east.
+double angle_of(Heading heading) { return pi / 2.0 * (1 - static_cast<int>(heading)); }
+
+}  // namespace
+
+ClockedBody::ClockedBody(const Maze& maze, const DriveModel& model, const PhysicalConditions& conditions,
+                         std::uint64_t seed, MazeTime time_limit, PhysicalRecord& record)
+    : maze_(maze),
+      cell_(model.tables.cell),
+      trace_every_(conditions.trace_every),
+      time_limit_(time_limit),
+      record_(record),
+      body_(maze, cell_, *model.robot.hardware, conditions.noise, seed) {
+  record_.frailty = body_.specimen().frailty();
+}
+
+void ClockedBody::put_at_start() {
+  const Cell start = maze_.start();
+  body_.put({(start.x + 0.5) * cell_, (start.y + 0.5) * cell_}, angle_of(maze_.start_heading()));
+}
+
+bool ClockedBody::step(const Drive& duties) {
+  const Touch touch = body_.step(duties);
+  clock_ += tick_time;
+  if (touch != Touch::none) record_.touches.push_back({clock_, pose(), touch == Touch::crash});
+  return touch != Touch::crash && !out_of_time();
+}
+
+void ClockedBody::note_gates(DriveRun& run) const {
+  const Cell cell = this->cell();
+  if (!maze_.size().contains(cell)) return;
+  if (!run.gate_out && cell != maze_.start()) run.gate_out = clock_;
+  if (!run.gate_out || !maze_.is_goal(cell)) return;
+  if (!run.gate_in) run.gate_in = clock_;
+  const BodyMotion& motion = body_.motion();
+  const double past = (motion.position.x - (cell.x + 0.5) * cell_) * motion.ahead.cosine +
+                      (motion.position.y - (cell.y + 0.5) * cell_) * motion.ahead.sine;
+  if (!run.centre && past >= 0.0) run.centre = clock_;
+}
+
+bool ClockedBody::trace_due() const { return trace_every_ > 0 && clock_ / tick_time % trace_every_ == 0; }
+
+void ClockedBody::trace(const std::optional<BodyPose>& belief) {
+  if (trace_due()) record_.trace.push_back({clock_, pose(), belief, body_.sense().infrared});
+}
+
+RunEnd ClockedBody::cause() const { return body_.slid_within(slide_ticks) ? RunEnd::slid : RunEnd::strayed; }
+
+}  // namespace labmouse

@@ -1,0 +1,163 @@
+#include "labmouse/contest/code_contest.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "labmouse/contest/clocked_body.hpp"
+#include "labmouse/contest/drive_score.hpp"
+
+namespace labmouse {
+namespace {
+
+/// A mouse that is slower stands.
+constexpr double rest_speed = 10.0;  // mm/s
+
+class CodeContest {
+ public:
+  CodeContest(const Maze& maze, const DriveRules& rules, const DriveModel& model, const PhysicalConditions& conditions,
+              std::uint64_t seed, PilotCode& code)
+      : maze_(maze),
+        rules_(rules),
+        handling_(conditions.handling),
+        code_(code),
+        body_(maze, model, conditions, seed, rules.time_limit, record_) {}
+
+  PhysicalRecord hold() {
+    body_.put_at_start();
+    rest_ = body_.clock();
+    while (!over_) tick();
+    DriveRecord& drive = record_.drive;
+    if (score(drive, rules_).best)
+      drive.outcome = DriveOutcome::finished;
+    else if (drive.outcome != DriveOutcome::forfeit)
+      drive.outcome = DriveOutcome::out_of_time;
+    return std::move(record_);
+  }
+
+ private:
+  using Kind = DriveRun::Kind;
+
+  void tick() {
+    const PilotTick said = code_.tick(body_.sense());
+    record_.tape.push_back(said);
+    if (said.word == PilotWord::give_up) return give_up();
+    if (said.word == PilotWord::carry) return carry(RunEnd::given_up);
+    if (said.word == PilotWord::fast) next_ = Kind::fast;
+    if (said.word == PilotWord::goal) goal_said_ = true;
+    const bool goes_on = body_.step(said.drive());
+    body_.trace(std::nullopt);
+    if (body_.crashed()) return carry(body_.cause());
+    follow();
+    if (!goes_on) end_contest(RunEnd::out_of_time);
+  }
+
+  DriveRun& run() { return record_.drive.runs.back(); }
+
+  /// Which run it is in.
+  void follow() {
+    const bool home = body_.cell() == maze_.start();
+    const bool rests = home && std::abs(body_.body().motion().speed) < rest_speed;
+    if (!running_ && !home) begin_run();
+    if (!running_) {
+      if (rests) rest_ = body_.clock();
+      return;
+    }
+    const bool on_the_way_home = run().kind == Kind::home;
+    if (!on_the_way_home) body_.note_gates(run());
+    if (!on_the_way_home && goal_said_ && run().gate_in)
+      turn_home();
+    else if (rests)
+      end_run(on_the_way_home ? RunEnd::done : RunEnd::given_up);
+  }
+
+  /// It has left the start cell, where it rested before.
+  void begin_run() {
+    if (starts() >= rules_.most_runs) {
+      over_ = true;
+      return;
+    }
+    open_run(std::exchange(next_, Kind::search), rest_);
+    goal_said_ = false;
+  }
+
+  void open_run(Kind kind, MazeTime begin) {
+    DriveRun run;
+    run.kind = kind;
+    run.begin = begin;
+    run.touched = record_.carried > 0;
+    record_.drive.runs.push_back(std::move(run));
+    record_.ends.push_back(RunEnd::done);
+    running_ = true;
+  }
+
+  void turn_home() {
+    end_run(RunEnd::done);
+    if (!over_) open_run(Kind::home, body_.clock());
+  }
+
+  /// So it ended, unless it had been in a goal before; behind that only a search goes on.
+  void end_run(RunEnd end) {
+    const bool goal = run().gate_in && (run().kind == Kind::fast || !is_crash(end));
+    record_.ends.back() = goal ? RunEnd::done : end;
+    run().end = rest_ = body_.clock();
+    running_ = false;
+    if (run().kind != Kind::home && starts() >= rules_.most_runs) over_ = true;
+  }
+
+  void end_contest(RunEnd end) {
+    if (running_) end_run(end);
+    over_ = true;
+  }
+
+  void carry(RunEnd end) {
+    const bool crashed = body_.crashed();
+    if (running_) end_run(end);
+    over_ = over_ || starts() >= rules_.most_runs;
+    if (over_) return;
+    ++record_.carried;
+    // At least a tick, so that nobody is carried for ever.
+    body_.wait(std::max<MazeTime>(handling_, 1000));
+    over_ = body_.out_of_time();
+    body_.put_at_start();
+    rest_ = body_.clock();
+    if (!over_) code_.carried(crashed);
+  }
+
+  void give_up() {
+    record_.drive.outcome = DriveOutcome::forfeit;
+    record_.drive.reason = code_.reason();
+    end_contest(RunEnd::given_up);
+  }
+
+  int starts() const {
+    const auto& runs = record_.drive.runs;
+    return static_cast<int>(
+        std::count_if(runs.begin(), runs.end(), [](const DriveRun& run) { return run.kind != Kind::home; }));
+  }
+
+  const Maze& maze_;
+  const DriveRules& rules_;
+  MazeTime handling_;
+  PilotCode& code_;
+  PhysicalRecord record_;
+  ClockedBody body_;
+  bool running_ = false, over_ = false;
+  Kind next_ = Kind::search;
+  MazeTime rest_ = 0;       ///< when it last stood in the start cell
+  bool goal_said_ = false;  ///< whether the mouse wants this run to be over
+};
+
+}  // namespace
+
+PilotBriefing pilot_briefing(const Maze& maze, const DriveRules& rules, const DriveModel& model,
+                             const PhysicalConditions& conditions, std::uint64_t seed) {
+  return {maze.size(), {maze.start(), maze.start_heading()}, maze.goals(), model, rules, conditions.handling, seed};
+}
+
+PhysicalRecord drive_by_code(const Maze& maze, const DriveRules& rules, const DriveModel& model,
+                             const PhysicalConditions& conditions, std::uint64_t seed, PilotCode& code) {
+  return CodeContest(maze, rules, model, conditions, seed, code).hold();
+}
+
+}  // namespace labmouse

@@ -1,0 +1,26 @@
+// One contest in the physical world of a mouse whose whole program is somebody else's.
+//
+//   at rest in the start cell ──► run ──► in a goal ──► way home ──► at rest in the start cell
+//                                  └── crash, or wants to be carried ──► carried to the start
+//
+// Where runs begin and end is seen from outside, as the gates and the judges of a contest see it.
+#pragma once
+
+#include <cstdint>
+
+#include "labmouse/contest/physical_conditions.hpp"
+#include "labmouse/contest/physical_record.hpp"
+#include "labmouse/contest/pilot_code.hpp"
+#include "labmouse/maze/maze.hpp"
+
+namespace labmouse {
+
+/// What a program is told of such a contest; maze, rules and model must outlive it.
+PilotBriefing pilot_briefing(const Maze& maze, const DriveRules& rules, const DriveModel& model,
+                             const PhysicalConditions& conditions, std::uint64_t seed);
+
+/// Holds the contest, as drive_physically() does for a mind. The program must be new and briefed as above.
+PhysicalRecord drive_by_code(const Maze& maze, const DriveRules& rules, const DriveModel& model,
+                             const PhysicalConditions& conditions, std::uint64_t seed, PilotCode& code);
+
+}  // namespace labmouse
