@@ -34,11 +34,17 @@ Answer judge_answer(std::string_view line, std::string_view more) {
     return forfeit(
         ForfeitReason::rubbish,
         fmt::format("it answered {} instead of `move ROTATION MOVEMENT`, `reset` or `forfeit`", quoted_line(line)));
-  if (!more.empty())
-    return forfeit(ForfeitReason::flooded, fmt::format("after its answer {} it wrote more: {}", quoted_line(line),
-                                                       quoted_line(more.substr(0, more.find('\n')))));
+  if (!more.empty()) {
+    Verdict verdict = wrote_more(line, more);
+    return forfeit(verdict.reason, std::move(verdict.sentence));
+  }
   if (action->kind == Action::Kind::forfeit) return forfeit(action->reason, "it answered `forfeit`");
   return {*action, std::nullopt};
+}
+
+Verdict wrote_more(std::string_view answer, std::string_view more) {
+  return {ForfeitReason::flooded, fmt::format("after its answer {} it wrote more: {}", quoted_line(answer),
+                                              quoted_line(more.substr(0, more.find('\n'))))};
 }
 
 Verdict too_long(std::size_t longest, std::string_view line) {

@@ -29,6 +29,9 @@ std::optional<Verdict> judge_greeting(std::string_view line);
 /// An answer, a line without its end, and what the guest wrote behind it, which should be nothing.
 Answer judge_answer(std::string_view line, std::string_view more);
 
+/// Behind its answer it wrote more.
+Verdict wrote_more(std::string_view answer, std::string_view more);
+
 /// It wrote a line of more than so many bytes, which begins so.
 Verdict too_long(std::size_t longest, std::string_view line);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "labmouse/guests/line_buffer.hpp"
+#include "labmouse/guests/pilot_protocol.hpp"
 #include "labmouse/guests/protocol.hpp"
 #include "tests/fuzz/check_reader.hpp"
 
@@ -32,6 +33,21 @@ void check_answer(std::string_view line) {
   require(read_answer(fmt::format("move {} {}", action->rotation, action->movement)) == action);
 }
 
+/// The answer of one that drives itself, of any length.
+void check_duties(std::string_view line) {
+  const auto ticks = read_duties(line);
+  if (!ticks) return;
+  require(!ticks->empty() && ticks->size() <= longest_batch);
+  for (const PilotTick& tick : *ticks) {
+    require(tick.left >= -PilotTick::full && tick.right >= -PilotTick::full);
+    require(&tick == &ticks->front() || tick.word == PilotWord::drive);
+  }
+  if (ticks->front().word != PilotWord::drive) return;
+  std::string again = "drive";
+  for (const PilotTick& tick : *ticks) again += fmt::format(" {} {}", tick.left, tick.right);
+  require(read_duties(again) == ticks);
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
@@ -41,6 +57,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   for (const std::string& line : lines) {
     require(line.size() <= longest && line.find_first_of("\r\n") == std::string::npos);
     check_answer(line);
+    check_duties(line);
   }
+  check_duties(text);
+  check_duties(text.substr(0, text.find('\n')));
   return 0;
 }

@@ -89,7 +89,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Misbehaviour{"rubbish", ForfeitReason::rubbish, {"'what?'"}},
                     Misbehaviour{"bytes", ForfeitReason::rubbish, {"'\\0\\xff\\x1b[2J'"}},
                     Misbehaviour{"marked greeting", ForfeitReason::rubbish, {"'\\ufefflabmouse 1'", "byte-order mark"}},
-                    Misbehaviour{"many answers", ForfeitReason::flooded, {"answer 'move 0 0'", "more: 'move 0 0'"}},
+                    Misbehaviour{"many answers", ForfeitReason::flooded, {"answer 'move 90 0'", "more: 'move 90 0'"}},
                     Misbehaviour{"flood", ForfeitReason::flooded, {"wrote more"}},
                     Misbehaviour{"long line", ForfeitReason::flooded, {"4096 bytes", "'aaa"}},
                     Misbehaviour{"flood errors", ForfeitReason::late, {"again and again"}},

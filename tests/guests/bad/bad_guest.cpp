@@ -1,4 +1,5 @@
-// A guest that misbehaves: bad_guest HOW [TAG [MINE OTHERS]]. The tag makes it findable among all processes.
+// A guest that misbehaves: bad_guest HOW [TAG [MINE OTHERS]]. The tag makes it findable among all processes. `pilot
+// HOW` is one that drives a mouse itself.
 #include <poll.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
@@ -14,6 +15,11 @@
 
 namespace {
 
+/// What it says where it behaves: its greeting, an answer, and the beginning of one.
+struct Manners {
+  std::string greeting = "labmouse 1", answer = "move 90 0", begun = "move 0";
+} manners;
+
 void say(const std::string& line) { std::cout << line << std::endl; }
 
 /// Reads lines until one begins with that word; false at the end.
@@ -25,7 +31,7 @@ bool hear(const std::string& word) {
 
 void greet() {
   hear("begin");
-  say("labmouse 1");
+  say(manners.greeting);
 }
 
 void wait_for(int milliseconds) { poll(nullptr, 0, milliseconds); }
@@ -43,7 +49,7 @@ void work(int milliseconds) {
 /// Turns on the spot for as long as it is asked.
 void turn() {
   greet();
-  while (hear("sense")) say("move 90 0");
+  while (hear("sense")) say(manners.answer);
 }
 
 /// A child that left the session and all its signals, and never ends.
@@ -100,12 +106,16 @@ void write_files() {
   }
 }
 
-void misbehave(const std::string& how) {
+void misbehave(std::string how) {
+  if (how.rfind("pilot ", 0) == 0) {
+    how.erase(0, how.find(' ') + 1);
+    manners = {"labmouse pilot 1", "drive 0 0", "drive 0"};
+  }
   if (how == "turn") return turn();
   if (how == "hang at the start") hang();
   if (how == "end at the start") return;
   if (how == "wrong greeting") return say("hello");
-  if (how == "marked greeting") return say("\xEF\xBB\xBFlabmouse 1");
+  if (how == "marked greeting") return say("\xEF\xBB\xBF" + manners.greeting);
   if (how == "mms") return say("mazeWidth");
   if (how == "other version") return say("labmouse 2"), hang();
   if (how == "daemon at the start") return leave_a_daemon(), say("rubbish"), hang();
@@ -113,33 +123,33 @@ void misbehave(const std::string& how) {
   hear("sense");
   if (how == "give up") say("forfeit"), hang();
   if (how == "hang") hang();
-  if (how == "hang within a line") std::cout << "move 0" << std::flush, hang();
+  if (how == "hang within a line") std::cout << manners.begun << std::flush, hang();
   if (how == "write notes") do
-      std::cerr << "a note\n", say("move 90 0");
+      std::cerr << "a note\n", say(manners.answer);
     while (hear("sense"));
-  if (how == "late") work(500), say("move 0 0"), hang();
+  if (how == "late") work(500), say(manners.answer), hang();
   if (how == "work") work(1'000'000);
   if (how == "die") std::cerr << "one\ntwo\nthree: no way out\n", std::exit(3);
   if (how == "end") std::exit(0);
   if (how == "crash") std::cerr << "about to crash\n", std::signal(SIGSEGV, SIG_DFL), raise(SIGSEGV);
   if (how == "rubbish") say("what?"), hang();
   if (how == "bytes") std::cout << std::string("\x00\xff\x1b[2J\n", 7) << std::flush, hang();
-  if (how == "many answers") say("move 0 0\nmove 0 0"), hang();
+  if (how == "many answers") say(manners.answer + "\n" + manners.answer), hang();
   if (how == "flood")
-    for (;;) std::cout << "move 0 0\n";
+    for (;;) std::cout << manners.answer << "\n";
   if (how == "long line")
     for (;;) std::cout << "aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa";
   if (how == "flood errors")
     for (;;) std::cerr << "the same error again and again\n";
   if (how == "errors beside") {
     for (int i = 0; i < 100'000; ++i) std::cerr << "a line that nobody asked for\n";
-    say("move 90 0");
+    say(manners.answer);
     turn();
   }
   if (how == "fork and leave") leave_a_daemon(), std::exit(0);
   if (how == "leave answering") {
     if (fork() != 0) _exit(0);
-    do say("move 90 0");
+    do say(manners.answer);
     while (hear("sense"));
     hang();
   }
