@@ -8,6 +8,8 @@
 #include "command.hpp"
 #include "contests.hpp"
 #include "guests.hpp"
+#include "labmouse/contest/code_contest.hpp"
+#include "labmouse/contest/drive_score.hpp"
 #include "labmouse/contest/score.hpp"
 #include "labmouse/contest/simulator.hpp"
 #include "labmouse/guests/capstone.hpp"
@@ -16,6 +18,8 @@
 #include "labmouse/lab/lineups/lineup_file.hpp"
 #include "labmouse/lab/lineups/lineup_scan.hpp"
 #include "labmouse/lab/mice/specs.hpp"
+#include "labmouse/lab/robots/drive_rules_file.hpp"
+#include "labmouse/lab/robots/robot_files.hpp"
 #include "labmouse/lab/system/files.hpp"
 #include "labmouse/lab/text/last_lines.hpp"
 #include "labmouse/lab/text/printable.hpp"
@@ -75,8 +79,33 @@ Trial try_in_mms(const Contestant& mouse, const Maze& maze) {
   return trial;
 }
 
+Trial try_physically(const Contestant& mouse, const Maze& maze) {
+  const DriveModel model = find_robot("kerise").model;
+  const DriveRules rules = find_rules("all-japan").rules;
+  const PhysicalConditions conditions;
+  constexpr std::uint64_t seed = 1;
+  const auto code = mouse.pilot(pilot_briefing(maze, rules, model, conditions, seed));
+  const PhysicalRecord record = drive_by_code(maze, rules, model, conditions, seed, *code);
+  const DriveScore result = score(record.drive, rules);
+  Trial trial;
+  for (const PilotTick& tick : record.tape)
+    trial.walk += fmt::format("{} {} {};", static_cast<int>(tick.word), tick.left, tick.right);
+  const std::string_view words = code->last_words();
+  const bool forfeit = record.drive.reason != ForfeitReason::none;
+  trial.good = !forfeit || record.drive.reason == ForfeitReason::gave_up;
+  const auto lines = last_lines(words);
+  if (!lines.empty()) trial.last = lines.back();
+  if (!trial.good)
+    trial.how = words.substr(0, words.find('\n'));
+  else
+    trial.how = result.value() ? fmt::format("solved, score {:.3f} s", static_cast<double>(*result.value()) / 1e6)
+                               : "plays, but no run of it counts";
+  return trial;
+}
+
 Trial try_out(const Contestant& mouse, const Maze& maze) {
-  return mouse.program ? try_in_mms(mouse, maze) : try_in_steps(mouse, maze);
+  if (mouse.program) return try_in_mms(mouse, maze);
+  return mouse.pilot ? try_physically(mouse, maze) : try_in_steps(mouse, maze);
 }
 
 std::string kind_of(const Contestant& mouse) {

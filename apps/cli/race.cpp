@@ -224,10 +224,9 @@ void add_race(Command& app, int& exit) {
   auto options = std::make_shared<RaceOptions>();
   Command* command = app.add_subcommand("race", "Race mice on many mazes and print a leaderboard");
   command
-      ->add_option(
-          "--mice", options->mice,
-          "Mice: [NAME=]mouse[:key=value]..., separated by commas, or [NAME=]capstone:FILE, guest:COMMAND, mms:COMMAND "
-          "(repeatable); default: all")
+      ->add_option("--mice", options->mice,
+                   "Mice: [NAME=]mouse[:key=value]..., separated by commas, or [NAME=]capstone:FILE, guest:COMMAND, "
+                   "pilot:COMMAND, mms:COMMAND (repeatable); default: all")
       ->type_name("SPEC")
       ->expected(1)
       ->take_all();

@@ -54,10 +54,9 @@ void add_study(Command& app, int& exit) {
   auto options = std::make_shared<StudyOptions>();
   Command* command = app.add_subcommand("study", "Compare mice in pairs on mazes they have not learned from");
   command
-      ->add_option(
-          "--mice", options->mice,
-          "Mice: [NAME=]mouse[:key=value]..., separated by commas, or [NAME=]capstone:FILE, guest:COMMAND, mms:COMMAND "
-          "(repeatable); the first is the one that others are compared with")
+      ->add_option("--mice", options->mice,
+                   "Mice: [NAME=]mouse[:key=value]..., separated by commas, or [NAME=]capstone:FILE, guest:COMMAND, "
+                   "pilot:COMMAND, mms:COMMAND (repeatable); the first is the one that others are compared with")
       ->type_name("SPEC")
       ->expected(1)
       ->take_all();

@@ -32,9 +32,15 @@ limits = { start = 2, decision = 0.5, contest = 7, memory = 100, processes = 5, 
 name = "Ben's"
 mms = "./ben --quick"
 directory = "ben"
+
+[[mouse]]
+name = "Cleo's"
+pilot = "./cleo 8"
 )");
   ASSERT_THAT(read.problems, SizeIs(0));
-  ASSERT_THAT(read.mice, SizeIs(3));
+  ASSERT_THAT(read.mice, SizeIs(4));
+  EXPECT_EQ(key_of(read.mice[3].kind), "pilot");
+  EXPECT_EQ(read.mice[3].what, "./cleo 8");
   EXPECT_EQ(key_of(read.mice[0].kind), "mouse");
   EXPECT_EQ(read.mice[0].what, "flood:stride=1");
   const LineupMouse& anna = read.mice[1];

@@ -57,12 +57,14 @@ TEST_F(LineupScan, KnowsProgramsByWhatTheySay) {
   file("b/API.py", "print('mazeWidth')\n");
   file("c/run", "#!/bin/sh\necho mazeWidth\n", true);
   file("d/notes.txt", "labmouse 1");
+  file("e/drive.py", "print('labmouse pilot 1', flush=True)\n");
   const auto mice = found();
-  ASSERT_THAT(mice, SizeIs(4));
+  ASSERT_THAT(mice, SizeIs(5));
   EXPECT_EQ(mice[0].kind + " " + mice[0].interpreter, "guest python3");
   EXPECT_EQ(mice[1].kind + " " + mice[1].file, "mms b/Main.py");
   EXPECT_EQ(mice[2].kind + " " + mice[2].interpreter, "mms ");
   EXPECT_EQ(mice[3].kind, "");
+  EXPECT_EQ(mice[4].kind + " " + mice[4].interpreter, "pilot python3");
 }
 
 TEST_F(LineupScan, TakesTheVirtualEnvironmentBesideARobot) {

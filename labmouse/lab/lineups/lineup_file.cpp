@@ -15,10 +15,10 @@ namespace {
 
 using Kind = LineupMouse::Kind;
 
-constexpr std::array<Kind, 4> all_kinds = {Kind::mouse, Kind::capstone, Kind::guest, Kind::mms};
-constexpr std::array<std::string_view, 12> mouse_keys = {"name",        "mouse",     "capstone",    "guest",
-                                                         "mms",         "arguments", "environment", "directory",
-                                                         "interpreter", "runs",      "limits",      "note"};
+constexpr std::array<Kind, 5> all_kinds = {Kind::mouse, Kind::capstone, Kind::guest, Kind::pilot, Kind::mms};
+constexpr std::array<std::string_view, 13> mouse_keys = {"name", "mouse",     "capstone",    "guest",     "pilot",
+                                                         "mms",  "arguments", "environment", "directory", "interpreter",
+                                                         "runs", "limits",    "note"};
 constexpr std::array<std::string_view, 8> limit_keys = {"start",  "decision",  "silence", "contest",
                                                         "memory", "processes", "written", "cpu"};
 
@@ -89,14 +89,15 @@ class LineupReader {
       if (node == nullptr) continue;
       if (++kinds == 2)
         add(node->source().begin,
-            fmt::format("a mouse is one of mouse, capstone, guest and mms; this is '{}' already", key_of(mouse.kind)));
+            fmt::format("a mouse is one of mouse, capstone, guest, pilot and mms; this is '{}' already",
+                        key_of(mouse.kind)));
       if (kinds > 1) continue;
       mouse.kind = kind;
       mouse.what = text(table, key_of(kind));
     }
     if (kinds == 0)
       add(table.source().begin,
-          "this mouse says neither mouse = \"SPEC\" nor capstone = \"FILE\" nor guest or mms = \"COMMAND\"");
+          "this mouse says neither mouse = \"SPEC\" nor capstone = \"FILE\" nor guest, pilot or mms = \"COMMAND\"");
   }
 
   /// A mouse of ours runs within this program.
@@ -210,7 +211,7 @@ void set_mebibytes(const std::optional<int>& mib, std::uint64_t& limit) {
 }  // namespace
 
 std::string_view key_of(LineupMouse::Kind kind) {
-  constexpr std::array<std::string_view, 4> keys = {"mouse", "capstone", "guest", "mms"};
+  constexpr std::array<std::string_view, 5> keys = {"mouse", "capstone", "guest", "pilot", "mms"};
   return keys[static_cast<std::size_t>(kind)];
 }
 

@@ -13,7 +13,7 @@ namespace labmouse {
 
 /// One mouse of a lineup, as its file says it.
 struct LineupMouse {
-  enum class Kind { mouse, capstone, guest, mms };
+  enum class Kind { mouse, capstone, guest, pilot, mms };
 
   std::string name;
   Kind kind = Kind::mouse;

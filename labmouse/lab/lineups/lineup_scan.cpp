@@ -72,6 +72,7 @@ std::optional<Guess> guess_of(const fs::path& path) {
   const std::string interpreter = ending == ".py" ? "python3" : ending == ".js" ? "node" : "";
   const bool main = name == "main.py" || name == "Main.py" || !script;
   if (has(text, "labmouse 1")) return Guess{"guest", interpreter, 2, false};
+  if (has(text, "labmouse pilot 1")) return Guess{"pilot", interpreter, 2, false};
   // The file beside it that only passes words on is not the mouse.
   const bool for_mms = has(text, "mazeWidth") || has(text, "moveForward");
   if (for_mms && name != "API.py" && name != "api.py")

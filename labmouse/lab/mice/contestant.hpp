@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "labmouse/contest/pilot_code.hpp"
 #include "labmouse/contest/record.hpp"
 #include "labmouse/contest/rules.hpp"
 #include "labmouse/guests/launch.hpp"
@@ -62,6 +63,8 @@ struct Contestant {
   /// The same as `make` in seconds, told what a mouse in that maze is told there; empty for a mouse that does not drive
   /// in that world.
   std::function<std::unique_ptr<Strategy>(const Maze&, const Briefing&)> drive;
+  /// A program that drives a mouse in the physical world itself; empty for all others.
+  std::function<std::unique_ptr<PilotCode>(const PilotBriefing&)> pilot;
   /// How to start a program that talks to mms; nothing for all others, which decide when they are asked.
   std::optional<Launch> program;
   /// Of a guest whether it lives in a sandbox; nothing for all others.

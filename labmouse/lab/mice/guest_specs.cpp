@@ -10,8 +10,10 @@
 #include "labmouse/guests/capstone.hpp"
 #include "labmouse/guests/command_line.hpp"
 #include "labmouse/guests/guest_mind.hpp"
+#include "labmouse/guests/guest_pilot.hpp"
 #include "labmouse/guests/sandbox.hpp"
 #include "labmouse/lab/mice/guest_identity.hpp"
+#include "labmouse/lab/mice/pilot_lines.hpp"
 #include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
@@ -32,25 +34,28 @@ std::string anchored(const std::string& path) {
   return error ? path : absolute.string();
 }
 
-Contestant contestant_of(std::string name, Launch launch, int runs) {
-  Contestant contestant;
-  contestant.name = std::move(name);
-  contestant.runs = runs;
-  contestant.make = [launch = std::move(launch)](const Maze& maze, const Rules& rules, std::uint64_t seed) {
-    Launch seeded = launch;
-    seeded.environment.push_back(python_hash_seed(seed));
-    return std::make_unique<GuestMind>(seeded, brief(maze, rules, seed));
-  };
-  return contestant;
+Launch seeded(Launch launch, std::uint64_t seed) {
+  launch.environment.push_back(python_hash_seed(seed));
+  return launch;
 }
 
-/// A program for mms: it has one run in each maze, whatever guests have.
-Contestant program_of(std::string name, Launch launch) {
+/// A guest of that kind, to be started so; in the world of steps it has so many contests in each maze.
+Contestant contestant_of(std::string_view kind, const Launch& launch, int runs) {
   Contestant contestant;
-  contestant.name = std::move(name);
-  contestant.runs = 1;
-  launch.environment.push_back(python_hash_seed(0));
-  contestant.program = std::move(launch);
+  if (kind == "mms:") {
+    // It has one run in each maze, whatever guests have.
+    contestant.runs = 1;
+    contestant.program = seeded(launch, 0);
+  } else if (kind == "pilot:") {
+    contestant.pilot = [launch](const PilotBriefing& briefing) {
+      return std::make_unique<GuestPilot>(seeded(launch, briefing.seed), pilot_lines(briefing));
+    };
+  } else {
+    contestant.runs = runs;
+    contestant.make = [launch](const Maze& maze, const Rules& rules, std::uint64_t seed) {
+      return std::make_unique<GuestMind>(seeded(launch, seed), brief(maze, rules, seed));
+    };
+  }
   return contestant;
 }
 
@@ -181,8 +186,8 @@ void read_guest_spec(std::string_view spec, const GuestOptions& options, SpecRes
   launch.stop = options.stop;
   launch.environment = options.environment;
   launch.sandbox = has_sandbox(options);
-  Contestant& mouse = result.contestants.emplace_back(
-      kind == "mms:" ? program_of(std::string(spec), launch) : contestant_of(std::string(spec), launch, options.runs));
+  Contestant& mouse = result.contestants.emplace_back(contestant_of(kind, launch, options.runs));
+  mouse.name = spec;
   mouse.interpreter = guest.interpreter;
   mouse.identity = [kind = std::string(kind.substr(0, kind.size() - 1)), launch, interpreter = guest.interpreter,
                     label = options.label] { return guest_identity(kind, launch, interpreter, label); };

@@ -243,14 +243,14 @@ const RosterEntry* entry_of(const Contestant& mouse) {
 std::string unknown_mouse(std::string_view name) {
   if (looks_like_a_program(name))
     return fmt::format(
-        "unknown mouse '{}'; to race your own program, write 'capstone:FILE', 'guest:COMMAND' or 'mms:COMMAND', in "
-        "quotes",
+        "unknown mouse '{}'; to race your own program, write 'capstone:FILE', 'guest:COMMAND', 'pilot:COMMAND' or "
+        "'mms:COMMAND', in quotes",
         name);
-  std::vector<std::string_view> names = {oracle_name, "capstone", "guest", "mms"};
+  std::vector<std::string_view> names = {oracle_name, "capstone", "guest", "pilot", "mms"};
   for (const RosterEntry* entry : roster()) names.push_back(entry->name);
   std::string near(nearest_name(name, names));
   if (near == "capstone") near += ":FILE";
-  if (near == "guest" || near == "mms") near += ":COMMAND";
+  if (near == "guest" || near == "pilot" || near == "mms") near += ":COMMAND";
   const auto hint = near.empty() ? std::string() : fmt::format("did you mean '{}'? ", near);
   return fmt::format("unknown mouse '{}'; {}`labmouse mice` lists all mice", name, hint);
 }

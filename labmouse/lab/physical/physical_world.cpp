@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "labmouse/contest/code_contest.hpp"
 #include "labmouse/contest/drive.hpp"
 #include "labmouse/contest/drive_coverage.hpp"
 #include "labmouse/contest/drive_score.hpp"
@@ -48,7 +49,8 @@ std::int64_t done_runs(const PhysicalRecord& record) {
 
 /// In the order of PhysicalFigure.
 std::vector<Value> figures_of(const PhysicalRecord& record, const DriveScore& score, const DriveBound& bound,
-                              const DriveRules& rules, const Coverage& coverage, std::string_view words) {
+                              const DriveRules& rules, const std::optional<Coverage>& coverage,
+                              std::string_view words) {
   const auto best = best_of(score);
   const DriveRunScore* counting = score.best ? &score.runs[*score.best] : nullptr;
   const auto grazes =
@@ -72,8 +74,8 @@ std::vector<Value> figures_of(const PhysicalRecord& record, const DriveScore& sc
           in_seconds(score.value().value_or(rules.time_limit)),
           std::int64_t{record.drive.decisions},
           std::int64_t{record.drive.replanned},
-          coverage.discovered,
-          coverage.visited,
+          coverage ? Value(coverage->discovered) : Value(nullptr),
+          coverage ? Value(coverage->visited) : Value(nullptr),
           words.empty() ? Value() : Value(std::string(words)),
           or_none(score.value()),
           counting != nullptr ? or_none(counting->gate_to_gate) : Value(nullptr),
@@ -98,7 +100,7 @@ class PhysicalWorld final : public World {
   int edition() const override { return physical_edition; }
   std::string heading() const override { return fmt::format(", noise {:g}", conditions_.noise.all); }
 
-  std::string refuse(const Contestant& mouse) const override { return refuse_to_drive({&mouse, 1}); }
+  std::string refuse(const Contestant& mouse) const override { return mouse.pilot ? "" : refuse_to_drive({&mouse, 1}); }
   std::string refuse(const Maze& maze) const override { return refuse_to_drive_in(maze); }
   Settings settings(const Contestant& mouse) const override { return settings_in_seconds(mouse); }
 
@@ -118,20 +120,17 @@ class PhysicalWorld final : public World {
     const Contestant& mouse = race.mice[result.mouse];
     const NamedMaze& maze = race.mazes[result.maze];
     const auto& prepared = std::any_cast<const Prepared&>(race.facts[result.maze].prepared);
-    Briefing briefing = brief(maze.maze, rules_, *model_, result.seed);
-    briefing.sight = 1;
-    const auto mind = mouse.drive(maze.maze, briefing);
     PhysicalConditions conditions = conditions_;
     conditions.trace_every = keep.record || keep.picture ? trace_ticks : 0;
-    Stoppable stoppable(*mind, stop);
-    PhysicalRecord record = drive_physically(maze.maze, rules_, *model_, conditions, result.seed, stoppable);
+    Driven driven = mouse.pilot ? drive_itself(mouse, maze.maze, conditions, result.seed)
+                                : drive_by_mind(mouse, maze.maze, conditions, result.seed, prepared.reachable, stop);
+    PhysicalRecord& record = driven.record;
     const bool interrupted = record.drive.reason == ForfeitReason::interrupted;
     if (interrupted && !keep.record && !keep.picture) return {};
     const DriveScore score = labmouse::score(record.drive, rules_);
     result.outcome = outcome_of(record.drive, score);
-    result.figures = figures_of(record, score, prepared.bound, rules_,
-                                coverage_of(record.drive, maze.maze, prepared.reachable), mind->last_words());
-    if (!mind->started()) result.never_started = mind->last_words().substr(0, mind->last_words().find('\n'));
+    result.figures = figures_of(record, score, prepared.bound, rules_, driven.coverage, driven.words);
+    if (!driven.started) result.never_started = driven.words.substr(0, driven.words.find('\n'));
     if (score.value()) add_score(*score.value(), prepared.bound, rules_, result);
     result.done = !interrupted;
     return kept(mouse, maze, result.seed, conditions, std::move(record), keep);
@@ -156,6 +155,38 @@ class PhysicalWorld final : public World {
   }
 
  private:
+  /// A contest as it was held.
+  struct Driven {
+    PhysicalRecord record;
+    std::optional<Coverage> coverage;  ///< nothing of a mouse that does not tell what it knows
+    std::string words;
+    bool started = true;
+  };
+
+  Driven drive_by_mind(const Contestant& mouse, const Maze& maze, const PhysicalConditions& conditions,
+                       std::uint64_t seed, const CellSet& reachable, const std::atomic<bool>* stop) const {
+    Briefing briefing = brief(maze, rules_, *model_, seed);
+    briefing.sight = 1;
+    const auto mind = mouse.drive(maze, briefing);
+    Driven driven;
+    Stoppable stoppable(*mind, stop);
+    driven.record = drive_physically(maze, rules_, *model_, conditions, seed, stoppable);
+    driven.coverage = coverage_of(driven.record.drive, maze, reachable);
+    driven.words = mind->last_words();
+    driven.started = mind->started();
+    return driven;
+  }
+
+  Driven drive_itself(const Contestant& mouse, const Maze& maze, const PhysicalConditions& conditions,
+                      std::uint64_t seed) const {
+    const auto code = mouse.pilot(pilot_briefing(maze, rules_, *model_, conditions, seed));
+    Driven driven;
+    driven.record = drive_by_code(maze, rules_, *model_, conditions, seed, *code);
+    driven.words = code->last_words();
+    driven.started = code->started();
+    return driven;
+  }
+
   Held kept(const Contestant& mouse, const NamedMaze& maze, std::uint64_t seed, const PhysicalConditions& conditions,
             PhysicalRecord record, Keep keep) const {
     Held held;
