@@ -1,4 +1,5 @@
-// The templates of guests: each solves every built-in maze, and stays short.
+// The templates of guests: each solves every built-in maze, and stays short. Those of pilots finish contests.
+#include <map>
 #include <sstream>
 
 #include "tests/cli/user.hpp"
@@ -71,18 +72,71 @@ TEST_P(ATemplate, SkipsWhatItDoesNotKnowInTheBriefing) {
 }
 
 TEST(Templates, AreShort) {
-  int templates = 0;
+  std::map<std::string, int> templates;
   for (const auto& file : std::filesystem::directory_iterator(path_of(""))) {
     if (!file.is_regular_file() || file.path().filename().string().starts_with(".")) continue;
     SCOPED_TRACE(file.path());
-    ++templates;
+    const std::string kind = file.path().stem().string();
+    ++templates[kind];
     std::istringstream text(content_of(file.path()));
     int lines = 0;
-    for (std::string line; std::getline(text, line); ++lines) EXPECT_LE(line.size(), 110U) << line;
-    EXPECT_LT(lines, 30);
+    for (std::string line; std::getline(text, line); ++lines) EXPECT_LE(line.size(), 120U) << line;
+    EXPECT_LT(lines, kind == "guest" ? 30 : 300);
   }
-  EXPECT_EQ(templates, 3);
+  EXPECT_EQ(templates, (std::map<std::string, int>{{"guest", 3}, {"pilot", 2}}));
 }
+
+class APilotTemplate : public AUser, public testing::WithParamInterface<const char*> {
+ protected:
+  void SetUp() override {
+    if (python3().empty()) GTEST_SKIP() << "no Python 3 is in PATH";
+    file("ring.txt", ring);
+  }
+
+  static constexpr const char* ring =
+      "o---o---o---o\n|           |\no   o---o   o\n|   |   | G |\no   o---o   o\n| S |       |\no---o---o---o\n";
+  std::string spec_ = std::string("pilot:") + GetParam();
+};
+
+TEST_P(APilotTemplate, FinishesContests) {
+  const auto race = AUser::race({"--mice", spec_, "--mazes", "ring.txt", "--runs", "4"});
+  const auto& group = race.at("groups").at(0);
+  EXPECT_EQ(group.at("world"), "physical");
+  for (const auto& result : group.at("mice").at(0).at("results")) {
+    EXPECT_TRUE(result.at("score").is_object()) << result;
+    // A search, and fast runs by what it has seen.
+    EXPECT_GE(result.at("done").get<int>(), 2) << result;
+  }
+}
+
+TEST_P(APilotTemplate, LeavesRecordsThatReplay) {
+  ASSERT_EQ(labmouse({"race", "--mice", "mine=" + spec_, "--mazes", "ring.txt", "--runs", "1", "--out", "out"}).code,
+            0);
+  int records = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_ / "out"))
+    if (entry.path().extension() == ".jsonl") {
+      ++records;
+      EXPECT_EQ(labmouse({"replay", entry.path().string()}).code, 0);
+    }
+  EXPECT_EQ(records, 1);
+}
+
+TEST_P(APilotTemplate, IsFoundAndTriedOutAsOneOfALineup) {
+  std::filesystem::create_directories(folder_ / "class");
+  const bool script = spec_.ends_with(".py");
+  const std::string program = script ? path_of("pilot.py") : spec_.substr(spec_.find(':') + 1);
+  std::filesystem::copy(program, folder_ / "class" / (script ? "mine.py" : "mine"));
+  ASSERT_EQ(labmouse({"lineup", "init", "class"}).code, 0);
+  EXPECT_THAT(content_of(folder_ / "class" / "mice.toml"), testing::HasSubstr("\npilot = \"./mine"));
+  const Ended checked = labmouse({"lineup", "check", "class/mice.toml"});
+  EXPECT_EQ(checked.code, 0) << checked.err;
+  EXPECT_THAT(checked.out, testing::ContainsRegex("mine +pilot +(Python [0-9.]+ +)?solved"));
+  EXPECT_THAT(checked.out, testing::Not(testing::HasSubstr("differs")));
+}
+
+INSTANTIATE_TEST_SUITE_P(In, APilotTemplate,
+                         testing::Values(LABMOUSE_PILOT_TEMPLATE, "python3 " LABMOUSE_SOURCE_DIR "/templates/pilot.py"),
+                         [](const auto& name) { return name.index == 0 ? "c" : "py"; });
 
 TEST(Templates, OfPythonIsPrintedInThePage) {
   const std::string page = content_of(LABMOUSE_SOURCE_DIR "/docs/guests.md");
