@@ -25,6 +25,7 @@ set(LABMOUSE_PUBLIC_HEADERS
   labmouse/mouse/strategy.hpp
   labmouse/strategies/parameter.hpp
   labmouse/strategies/roster.hpp
+  labmouse/contest/code_contest.hpp
   labmouse/contest/drive.hpp
   labmouse/contest/drive_rules.hpp
   labmouse/contest/drive_score.hpp
@@ -36,6 +37,7 @@ set(LABMOUSE_PUBLIC_HEADERS
   labmouse/lab/drawing/drawing.hpp
   labmouse/lab/mazes/maze_files.hpp
   labmouse/lab/mice/contestant.hpp
+  labmouse/lab/mice/pilot_in_c.hpp
   labmouse/lab/mice/specs.hpp
   labmouse/lab/records/record_file.hpp
   labmouse/lab/robots/robot_files.hpp
