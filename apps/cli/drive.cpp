@@ -8,6 +8,7 @@
 #include "command.hpp"
 #include "contests.hpp"
 #include "labmouse/contest/physical.hpp"
+#include "labmouse/lab/drives/drive_log.hpp"
 #include "labmouse/lab/drives/known_drives.hpp"
 #include "labmouse/lab/robots/robot_files.hpp"
 #include "labmouse/lab/text/printable.hpp"
@@ -27,6 +28,7 @@ struct DriveOptions {
   std::uint64_t seed = 1;
   int jobs = 0;
   std::string format = "table";
+  std::string log;
 };
 
 /// The numbers of --noise.
@@ -71,6 +73,7 @@ std::vector<DriveCase> cases_of(const DriveOptions& options) {
 }
 
 int drive(const DriveOptions& options) {
+  expect_outputs({{"--log", options.log}});
   const FoundRobot robot = find_robot_or_refuse(options.robot);
   tell_remarks(robot.remarks);
   if (const std::string why = why_not_physical(robot.model); !why.empty())
@@ -84,8 +87,17 @@ int drive(const DriveOptions& options) {
   order.seed = options.seed;
   order.jobs = options.jobs;
   const std::vector<NamedMaze> mazes = find_mazes(options.mazes, options.places).mazes;
+  const std::vector<DriveCase> cases = cases_of(options);
+  if (!options.log.empty() && (mazes.size() != 1 || cases.size() != 1 || options.runs != 1))
+    throw UsageError("error: --log takes one drive; name one maze with --mazes, and say --runs 1");
+  std::vector<LoggedTick> log;
+  if (!options.log.empty()) order.log = &log;
   const Interruptible interruptible;
-  const auto tallies = drive_known_ways(order, mazes, cases_of(options), &interruptible.stopped());
+  const auto tallies = drive_known_ways(order, mazes, cases, &interruptible.stopped());
+  if (order.log != nullptr) {
+    const DriveModel& driven = *order.model;
+    save(options.log, log_text(log, Field(mazes.front().maze, driven.tables.cell), *driven.robot.hardware));
+  }
   print(options.format == "json" ? json_of(tallies, order) : table_of(tallies));
   return interruptible.stopped() ? exit_interrupted() : exit_good;
 }
@@ -131,6 +143,8 @@ void add_drive(Command& app, int& exit) {
       ->check(in_range(0, 1024))
       ->capture_default_str();
   command->add_option("--format", options->format, "Output")->check(one_of({"table", "json"}))->capture_default_str();
+  command->add_option("--log", options->log, "Save the one drive as the log that its mouse would write, CSV")
+      ->type_name("FILE");
   command->callback([options, &exit] { exit = drive(*options); });
 }
 

@@ -58,15 +58,18 @@ void count(WallReadings& readings, Evidence evidence, bool stands) {
 
 class KnownDriver {
  public:
-  KnownDriver(const Maze& maze, const DriveModel& model, const PhysicalConditions& conditions, std::uint64_t seed)
+  KnownDriver(const Maze& maze, const DriveModel& model, const PhysicalConditions& conditions, std::uint64_t seed,
+              std::vector<LoggedTick>* log)
       : maze_(maze),
         cell_(model.tables.cell),
         known_(knowledge_of(maze)),
         told_(told_of(model, conditions)),
         body_(maze, cell_, *model.robot.hardware, conditions.noise, seed),
-        pilot_(model, told_, maze.size(), gains_for(told_, cell_), conditions.pilot) {
+        pilot_(model, told_, maze.size(), gains_for(told_, cell_), conditions.pilot),
+        log_(log) {
     const Position middle = {(maze.start().x + 0.5) * cell_, (maze.start().y + 0.5) * cell_};
     body_.put(middle, pi / 2.0 * (1 - static_cast<int>(maze.start_heading())));
+    if (log_ != nullptr) stand();
     pilot_.put({maze.start(), maze.start_heading()});
   }
 
@@ -99,10 +102,19 @@ class KnownDriver {
       }
       if (pilot_.arrived()) return true;
       pending_ = false;
+      if (log_ != nullptr) log_->push_back({body_.sense(), duties_, body_.motion()});
       const Touch touch = body_.step(duties_);
       note();
       if (touch == Touch::graze) ++drive_.grazes;
       if (touch == Touch::crash) return drive_.crashed = true, false;
+    }
+  }
+
+  void stand() {
+    constexpr int ticks = 500;
+    for (int tick = 0; tick < ticks; ++tick) {
+      log_->push_back({body_.sense(), {}, body_.motion()});
+      body_.step({});
     }
   }
 
@@ -130,6 +142,7 @@ class KnownDriver {
   Hardware told_;
   Body body_;
   Pilot pilot_;
+  std::vector<LoggedTick>* log_;
   KnownDrive drive_;
   Drive duties_;
   bool pending_ = false;
@@ -151,11 +164,12 @@ WallReadings& WallReadings::operator+=(const WallReadings& other) {
 }
 
 std::optional<KnownDrive> drive_known_way(const Maze& maze, const DriveModel& model,
-                                          const PhysicalConditions& conditions, KnownWay way, std::uint64_t seed) {
+                                          const PhysicalConditions& conditions, KnownWay way, std::uint64_t seed,
+                                          std::vector<LoggedTick>* log) {
   if (way == KnownWay::search) {
     const std::vector<Action> moves = search_moves(maze, model.search);
     if (moves.empty()) return std::nullopt;
-    return KnownDriver(maze, model, conditions, seed).search(moves);
+    return KnownDriver(maze, model, conditions, seed, log).search(moves);
   }
   FastestRoutes routes(maze.size(), route_tables_of(model));
   const Pose start = {maze.start(), maze.start_heading()};
@@ -163,7 +177,7 @@ std::optional<KnownDrive> drive_known_way(const Maze& maze, const DriveModel& mo
   DriveRoute route;
   routes.route_from(start, route);
   if (route.time == no_time || route.segments.empty()) return std::nullopt;
-  return KnownDriver(maze, model, conditions, seed).run(route);
+  return KnownDriver(maze, model, conditions, seed, log).run(route);
 }
 
 int moves_of_known_way(const Maze& maze, const DriveModel& model) {

@@ -4,8 +4,11 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
+#include "labmouse/body/plant.hpp"
 #include "labmouse/contest/physical_conditions.hpp"
+#include "labmouse/hardware/sense.hpp"
 #include "labmouse/maze/maze.hpp"
 #include "labmouse/mouse/robot/drive_model.hpp"
 
@@ -43,9 +46,20 @@ struct KnownDrive {
   WallReadings side, front;  ///< at the edges of a search
 };
 
-/// One drive; nothing where no way leads to a goal. The robot must be one that can drive there.
+/// A tick as a log has it: what the mouse read, what it had its motors do from then on, and how it truly moved when it
+/// read that.
+struct LoggedTick {
+  Sense sense;
+  Drive drive;
+  BodyMotion motion;
+};
+
+/// One drive; nothing where no way leads to a goal. The robot must be one that can drive there. A log, where there is
+/// one, gets all ticks of it up to a crash; the mouse then stands for half a second before it drives, as mice do whose
+/// gyro is calibrated.
 std::optional<KnownDrive> drive_known_way(const Maze& maze, const DriveModel& model,
-                                          const PhysicalConditions& conditions, KnownWay way, std::uint64_t seed);
+                                          const PhysicalConditions& conditions, KnownWay way, std::uint64_t seed,
+                                          std::vector<LoggedTick>* log = nullptr);
 
 /// How many moves of a search lead there; 0 where none do.
 int moves_of_known_way(const Maze& maze, const DriveModel& model);

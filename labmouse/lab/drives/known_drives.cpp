@@ -29,7 +29,7 @@ std::vector<KnownDrive> drives_in(const DriveOrder& order, const NamedMaze& maze
   std::vector<KnownDrive> drives;
   for (int run = 0; run < order.runs && (stop == nullptr || !*stop); ++run) {
     const std::uint64_t seed = seed_for(order.seed, maze.name, static_cast<std::uint64_t>(run));
-    const auto drive = drive_known_way(maze.maze, *order.model, each.conditions, order.way, seed);
+    const auto drive = drive_known_way(maze.maze, *order.model, each.conditions, order.way, seed, order.log);
     if (!drive) break;
     drives.push_back(*drive);
   }

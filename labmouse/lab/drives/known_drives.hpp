@@ -24,7 +24,8 @@ struct DriveOrder {
   KnownWay way = KnownWay::search;
   int runs = 20;  ///< in each maze
   std::uint64_t seed = 1;
-  int jobs = 0;  ///< threads; 0: all processors
+  int jobs = 0;                            ///< threads; 0: all processors
+  std::vector<LoggedTick>* log = nullptr;  ///< of the only drive, where it is to be logged
 };
 
 /// All drives of a case, in mazes in which there is a way.
