@@ -7,9 +7,8 @@
 #include "command.hpp"
 #include "labmouse/lab/pictures/robot_picture.hpp"
 #include "labmouse/lab/robots/builtin_robots.hpp"
-#include "labmouse/lab/robots/fitted_robot.hpp"
 #include "labmouse/lab/robots/robot_table.hpp"
-#include "labmouse/lab/system/files.hpp"
+#include "robot_fit.hpp"
 
 namespace labmouse::cli {
 namespace {
@@ -34,48 +33,6 @@ void list() {
     text += fmt::format("{:<{}}  {}\n", robot.name, width, robot_line(found.robot, found.model));
   }
   print(text);
-}
-
-struct FitOptions {
-  std::string turns;
-  std::string base = "classic";
-  double cell = 0.0;
-};
-
-int fit(const FitOptions& options) {
-  const FileContent file = read_file(options.turns);
-  if (!file.error.empty()) throw UsageError(fmt::format("{}: error: {}", options.turns, file.error));
-  const TurnTable table = read_turn_table(file.content);
-  std::string problems;
-  for (const Problem& problem : table.problems)
-    problems += (problems.empty() ? "" : "\n") + describe(options.turns, problem);
-  if (!problems.empty()) throw UsageError(problems);
-  const Robot base = find_robot_or_refuse(options.base).robot;
-  const double known = options.cell > 0.0 ? options.cell : cell_of(table.turns);
-  const FittedRobot fitted = fitted_robot(table.turns, base, known > 0.0 ? known : base.cell);
-  if (!fitted.error.empty()) throw UsageError(fmt::format("{}: error: {}", options.turns, fitted.error));
-  print(fitted.text);
-  if (fitted.doubt.empty()) return exit_good;
-  tell(fmt::format("{}: {}\n", options.turns, fitted.doubt));
-  return exit_finding;
-}
-
-void add_fit(Command& command, int& exit) {
-  auto options = std::make_shared<FitOptions>();
-  Command* fitting = command.add_subcommand("fit", "Write a robot file from published or measured turns");
-  fitting->add_option("--turns", options->turns, "Table of turns: columns turn, speed, ms, x, y, before, after")
-      ->required()
-      ->type_name("TABLE");
-  fitting->add_option("--base", options->base, "Robot that all other numbers are taken from")
-      ->type_name("ROBOT")
-      ->capture_default_str();
-  fitting
-      ->add_option("--cell", options->cell,
-                   "Side of a cell in mm; default: what S90 with its straights says, or that of the other robot")
-      ->type_name("MM")
-      ->check(in_range(20.0, 1000.0));
-  fitting->footer("Example: labmouse robot fit --turns turns.txt --base kerise > my-mouse.toml");
-  fitting->callback([options, &exit] { exit = fit(*options); });
 }
 
 }  // namespace
@@ -110,7 +67,7 @@ void add_robot(Command& app, int& exit) {
     exit = exit_good;
   });
 
-  add_fit(*command, exit);
+  add_robot_fit(*command, exit);
   command->add_subcommand("list", "List the built-in robots")->callback([&exit] {
     list();
     exit = exit_good;

@@ -4,12 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <map>
 
+#include "labmouse/lab/robots/remarked_robot.hpp"
 #include "labmouse/lab/robots/robot_file.hpp"
-#include "labmouse/lab/robots/robot_json.hpp"
-#include "labmouse/lab/robots/robot_text.hpp"
 #include "labmouse/lab/text/printable.hpp"
 #include "labmouse/mouse/robot/fitted_turn.hpp"
 #include "labmouse/mouse/robot/straights.hpp"
@@ -17,23 +14,8 @@
 namespace labmouse {
 namespace {
 
-using Remarks = std::map<std::string, std::string, std::less<>>;
-
 /// Five digits are as much as published turns tell.
 double rounded(double value) { return std::stod(fmt::format("{:.5g}", value)); }
-
-/// A file of all numbers of a robot, each with its remark or the other one.
-std::string robot_text(const Robot& robot, const Remarks& remarks, const std::string& otherwise) {
-  Json parameters = robot_json(robot)["parameters"];
-  if (!robot.fixed) {
-    parameters["curve.speeds"] = robot.speeds;
-    parameters["stop"] = robot.stop == Stop::goal ? "goal" : "beyond";
-  }
-  return labmouse::robot_text(ReadJson::parse(parameters.dump()), [&](std::string_view key) {
-    const auto remark = remarks.find(key);
-    return remark == remarks.end() ? otherwise : remark->second;
-  });
-}
 
 std::string from_base(const Robot& base) { return fmt::format("from {}: turns do not determine it", shown(base.name)); }
 
@@ -77,12 +59,12 @@ FittedRobot by_limits(const std::vector<KnownTurn>& turns, const Robot& base, do
   robot.yaw_speed = rounded(fit.limits.yaw_speed);
   robot.yaw_jerk = rounded(fit.limits.yaw_jerk);
   robot.lateral_acceleration = rounded(fit.limits.lateral_acceleration);
-  Remarks remarks = {{"cell", cell == base.cell ? from_base(base) : "given"},
-                     {"clearance", "what the paths below keep"},
-                     {"curve.lateral_acceleration", limit_remark(fit.reaches_lateral, fit)},
-                     {"curve.yaw_acceleration", limit_remark(fit.reaches_acceleration, fit)},
-                     {"curve.yaw_speed", limit_remark(fit.reaches_speed, fit)},
-                     {"curve.yaw_jerk", limit_remark(fit.reaches_jerk, fit)}};
+  KeyRemarks remarks = {{"cell", cell == base.cell ? from_base(base) : "given"},
+                        {"clearance", "what the paths below keep"},
+                        {"curve.lateral_acceleration", limit_remark(fit.reaches_lateral, fit)},
+                        {"curve.yaw_acceleration", limit_remark(fit.reaches_acceleration, fit)},
+                        {"curve.yaw_speed", limit_remark(fit.reaches_speed, fit)},
+                        {"curve.yaw_jerk", limit_remark(fit.reaches_jerk, fit)}};
   double hardest = 0.0;
   for (std::size_t i = 0; i < turns.size(); ++i) {
     const KnownTurn& turn = turns[i];
@@ -102,13 +84,14 @@ FittedRobot by_limits(const std::vector<KnownTurn>& turns, const Robot& base, do
     robot.search_speed = small;
     remarks["search.speed"] = "that of S90: as fast as the other robot it could not turn";
   }
-  return checked(robot_text(robot, remarks, from_base(base)), *std::max_element(fit.errors.begin(), fit.errors.end()));
+  return checked(remarked_robot(robot, RobotParts::limits, remarks, from_base(base)),
+                 *std::max_element(fit.errors.begin(), fit.errors.end()));
 }
 
 FittedRobot by_times(const std::vector<KnownTurn>& turns, const Robot& base, double cell) {
   Robot robot = base;
   robot.cell = cell;
-  Remarks remarks = {{"cell", cell == base.cell ? from_base(base) : "given"}};
+  KeyRemarks remarks = {{"cell", cell == base.cell ? from_base(base) : "given"}};
   for (const KnownTurn& turn : turns) {
     if (turn.wide) continue;
     FixedTimes& fixed = *robot.fixed;
@@ -116,7 +99,7 @@ FittedRobot by_times(const std::vector<KnownTurn>& turns, const Robot& base, dou
     *times[static_cast<unsigned>(turn.turn)] = microseconds(turn.milliseconds / 1e3);
     remarks[key_of("turns", turn.turn)] = "given";
   }
-  return checked(robot_text(robot, remarks, from_base(base)), 0.0);
+  return checked(remarked_robot(robot, RobotParts::limits, remarks, from_base(base)), 0.0);
 }
 
 }  // namespace
