@@ -1,10 +1,14 @@
 // Logs are read strictly: what is wrong is said in one line, with its place.
 #include "labmouse/lab/logs/log_file.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
 
 #include "labmouse/lab/mazes/maze_files.hpp"
 #include "tests/says.hpp"
@@ -55,6 +59,16 @@ TEST(LogColumns, SayWhatIsWrongWithThem) {
   EXPECT_THAT(error("time=a,gyro=g/0"), Says("'gyro=g/0'", "factor"));
   EXPECT_THAT(error("time=a,gyro=g%360"), Says("'gyro'", "counter"));
   EXPECT_THAT(error("time=a,left_count=b%1,right_count=c"), Says("'left_count=b%1'", "65536"));
+}
+
+/// One source: the table of docs/logs.md says of each role what the program does.
+TEST(LogColumns, MeanWhatTheDocumentationSays) {
+  std::ifstream file(std::filesystem::path(LABMOUSE_SOURCE_DIR) / "docs/logs.md");
+  std::stringstream text;
+  text << file.rdbuf();
+  for (const LogRoleWords& role : all_log_roles())
+    EXPECT_THAT(text.str(),
+                testing::HasSubstr(fmt::format("\n| `{}` | {} | {} |\n", role.name, role.unit, role.meaning)));
 }
 
 TEST(LogFile, IsReadByNamesNumbersAndAnySeparator) {
