@@ -167,7 +167,7 @@ TEST_F(AUser, ReadsTheRosterAsJson) {
 }
 
 TEST_F(AUser, AsksForTheSignatureAlone) {
-  EXPECT_THAT(labmouse({"bench", "--signature"}).out, testing::MatchesRegex("[0-9a-f]+-[0-9a-f]+\n"));
+  EXPECT_THAT(labmouse({"bench", "--signature"}).out, testing::MatchesRegex("[0-9a-f]+-[0-9a-f]+-[0-9a-f]+\n"));
 }
 
 TEST_F(AUser, AsksForTheMemoryOfMinds) {

@@ -57,7 +57,7 @@ std::string table_of(std::span<const DriveTally> tallies) {
         degrees * deviation(tally.truth.direction, tally.ticks),
         fmt::format("{:.1f}, {:.1f}", quantile(tally.most_aside, 0.5), quantile(tally.most_aside, 0.95)),
         100.0 * share(tally.side.wrong, tally.side.all), 100.0 * share(tally.front.wrong, tally.front.all),
-        tally.crashed == 0 ? "-" : fmt::format("{}", tally.cells / tally.crashed));
+        tally.crashed == 0 || tally.cells == 0 ? "-" : fmt::format("{}", tally.cells / tally.crashed));
   }
   return text;
 }
