@@ -44,7 +44,7 @@ def quantiles(tasks):
 def main():
     order = dict(mice=["random", "ariadne-deep", "certify"], runs=int(sys.argv[1]) if len(sys.argv) > 1 else 2000)
     with tempfile.TemporaryDirectory() as folder:
-        alone, clocks, works = 0.0, [], []
+        alone, clocks, works, shares = 0.0, [], [], []
         for threads in (1, 2):
             work, clock = timed(lambda: labmouse.race(**order, jobs=threads, progress=False, store=f"{folder}/threads-{threads}.db"))
             alone = alone or work
@@ -63,12 +63,15 @@ def main():
                     works.append(sum(client.run(spent).values()) - before)
                     clocks.append(clock)
                     tasks = tasks_of(client)
+                    shares.append(sum(tasks) / workers / clock)
                     low, middle, high = quantiles(tasks)
-                    print(f"{workers} workers: {works[-1]:.2f} s of processor in them, {here:.2f} s in client and scheduler, {clock:.2f} s;"
+                    print(f"{workers} workers: {works[-1]:.2f} s of processor in them, {here:.2f} s in client and scheduler, {clock:.2f} s,"
+                          f" {100 * shares[-1]:.1f} % of which each was in a task;"
                           f" {len(tasks)} tasks; half of the work in those of {middle:.2f} s or more, four fifths in those of {low:.2f} to {high:.2f} s;"
                           f" for each {1000 * (works[-1] - alone) / len(tasks):.0f} ms in its worker beside contests,"
                           f" and {1000 * here / len(tasks):.0f} ms in client and scheduler", flush=True)
-        print(f"two workers against one: {clocks[0] / clocks[1] / 2:.2f} by the clock, {works[0] / works[1]:.2f} by processor time")
+        print(f"two workers against one: {clocks[0] / clocks[1] / 2:.2f} by the clock, {works[0] / works[1]:.2f} by processor time,"
+              f" {works[0] / works[1] * shares[1] / shares[0]:.2f} by that and by how long they were in tasks, as where each has a processor of its own")
 
 
 if __name__ == "__main__":
