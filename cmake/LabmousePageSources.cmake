@@ -3,24 +3,25 @@ set(LABMOUSE_PAGE_SOURCES)
 foreach(name IN ITEMS
     bench/distance_speed bench/plain_distance bench/signature bench/speed_json bounds/bounds bounds/drive_bound bounds/mms_bound
     mazes/maze_files mazes/maze_link mice/contestant mice/mice_json mice/mouse_names mice/prior_file mice/prior_learning mice/specs
-    numbers/statistics pictures/drive_path pictures/path_data pictures/drive_picture pictures/mms_picture pictures/picture_layers
+    numbers/statistics numbers/wilson pictures/drive_path pictures/path_data pictures/drive_picture pictures/trace_path pictures/mms_picture pictures/picture_layers
     races/race races/race_paths races/value races/world_entry records/drive_json records/drive_notation
     records/drive_record_fields records/drive_record_reader records/drive_record_replay records/drive_record_text
     records/drive_record_writer records/drive_route_check records/explanation records/mms_record
-    records/mms_record_reader records/mms_record_replay records/packed_record records/record_maze records/record_parts
+    records/mms_record_reader records/mms_record_replay records/packed_record records/physical_lines records/physical_replay records/record_maze records/record_parts
     records/record_reader records/record_reasons records/record_replay records/record_writer robots/drive_rules_file
     robots/hardware_keys robots/robot_family robots/robot_file robots/robot_files robots/robot_json robots/robot_keys robots/robot_remarks robots/robot_table
     robots/robot_text routes/region_picture routes/region_table routes/route_data
     routes/route_regions routes/route_report routes/varied_number standings/common_fields
     standings/mouse_figures standings/race_json standings/race_notes standings/standings system/file_names
     system/named_text system/streams system/version text/counted text/encoding text/json_lines text/last_lines
+    text/number_rows
     text/printable text/toml_text)
   list(APPEND LABMOUSE_PAGE_SOURCES ${PROJECT_SOURCE_DIR}/labmouse/lab/${name}.cpp)
 endforeach()
 foreach(name IN ITEMS dialogue mms/canvas mms/command mms/host mms/statistics protocol quoted_line verdict)
   list(APPEND LABMOUSE_PAGE_SOURCES ${PROJECT_SOURCE_DIR}/labmouse/guests/${name}.cpp)
 endforeach()
-foreach(wing IN ITEMS drawing steps seconds mms worlds plays page)
+foreach(wing IN ITEMS drawing steps seconds physical mms worlds plays page)
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/labmouse/lab/${wing}/*.cpp)
   # What only terminals and files show.
   list(FILTER sources EXCLUDE REGEX "/(draw_text|draw_plot|mms_summary)[.]cpp$")

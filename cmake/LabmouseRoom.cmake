@@ -23,8 +23,10 @@ function(labmouse_room name)
   # The same bits everywhere: no contraction of floating-point expressions, in no room.
   target_compile_options(${target} ${scope} $<BUILD_INTERFACE:-ffp-contract=off>)
   # Nor by g++ 12, which fuses the product and the sums of two turned directions all the same, where it makes vectors of
-  # them and the processor can (-march=native).
-  target_compile_options(${target} ${scope} $<BUILD_INTERFACE:$<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>>)
+  # them and the processor can (-march=native). clang 14 for WebAssembly makes wrong vectors of two numbers that come of the
+  # middle bits of others.
+  target_compile_options(${target} ${scope} $<BUILD_INTERFACE:$<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>>
+                         $<BUILD_INTERFACE:$<$<PLATFORM_ID:Emscripten>:-fno-slp-vectorize>>)
   if(LABMOUSE_SANITIZE)
     target_compile_options(${target} ${scope} $<BUILD_INTERFACE:-fsanitize=address,undefined>
                            $<BUILD_INTERFACE:-fno-sanitize-recover=all> $<BUILD_INTERFACE:-fno-omit-frame-pointer>)

@@ -3,9 +3,10 @@
 #pragma once
 
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
+
+#include "labmouse/functions/bits.hpp"
 
 namespace labmouse {
 
@@ -13,7 +14,7 @@ inline constexpr double ln_2 = 0.69314718055994530942;
 
 /// 2 to the power of a whole number from -1022 to 1023.
 constexpr double power_of_two(int exponent) {
-  return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + exponent) << 52U);
+  return bits_as<double>(static_cast<std::uint64_t>(1023 + exponent) << 52U);
 }
 
 /// e to a power from -700 to 700; plain sums of doubles, to about 1e-13 of the result.
@@ -31,9 +32,9 @@ constexpr double exp_of(double power) {
 /// The natural logarithm of a normal number above 0; plain sums of doubles, to about 1e-13.
 constexpr double log_of(double number) {
   constexpr std::uint64_t fraction = (std::uint64_t{1} << 52U) - 1;
-  const auto bits = std::bit_cast<std::uint64_t>(number);
+  const auto bits = bits_as<std::uint64_t>(number);
   auto exponent = static_cast<int>(bits >> 52U) - 1023;
-  double mantissa = std::bit_cast<double>((bits & fraction) | std::uint64_t{1023} << 52U);
+  double mantissa = bits_as<double>((bits & fraction) | std::uint64_t{1023} << 52U);
   if (mantissa > 1.4142135623730951) {
     mantissa /= 2.0;
     ++exponent;

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 
+#include "labmouse/functions/bits.hpp"
 #include "labmouse/functions/exponential.hpp"
 
 namespace labmouse {
@@ -54,7 +54,7 @@ class NormalNumber {
     const auto index = static_cast<std::size_t>(bits >> 53U & (cells - 1));
     const double rest = static_cast<double>(static_cast<std::uint32_t>(bits >> 16U)) * (1.0 / 4294967296.0);
     const double size = table[index] + rest * (table[index + 1] - table[index]);
-    return std::bit_cast<double>(std::bit_cast<std::uint64_t>(size) | (bits & std::uint64_t{1} << 63U));
+    return bits_as<double>(bits_as<std::uint64_t>(size) | (bits & std::uint64_t{1} << 63U));
   }
 
  private:

@@ -32,7 +32,6 @@ Position along(const Position& from, const Direction& ahead, double way) {
 Pilot::Pilot(const DriveModel& model, const Hardware& hardware, Size size, const Gains& gains,
              const PilotChoice& choice)
     : model_(model),
-      hardware_(hardware),
       cell_(model.tables.cell),
       manner_(search_manner(model, choice.search_speed)),
       estimator_(hardware, cell_, gains.speed_filter),

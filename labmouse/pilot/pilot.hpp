@@ -73,7 +73,6 @@ class Pilot {
   void begin_piece(const Piece& piece, double late, const std::optional<DriveProfile>& profile = std::nullopt);
 
   const DriveModel& model_;
-  const Hardware& hardware_;
   double cell_;
   SearchManner manner_;
   Estimator estimator_;

@@ -1,12 +1,11 @@
 // Includes nothing that a microcontroller lacks: the portable checks compile this file with the rooms below the lab.
 #include "labmouse/lab/bench/signature.hpp"
 
-#include <bit>
-
 #include "labmouse/contest/drive.hpp"
 #include "labmouse/contest/known_drive.hpp"
 #include "labmouse/contest/physical.hpp"
 #include "labmouse/contest/simulator.hpp"
+#include "labmouse/functions/bits.hpp"
 #include "labmouse/maze/generators/generator.hpp"
 #include "labmouse/mouse/drive/fastest.hpp"
 #include "labmouse/strategies/roster.hpp"
@@ -22,7 +21,7 @@ class Hash {
     add(static_cast<int>(number >> 32));
   }
   /// Every bit of it.
-  void add_number(double number) { add_long(std::bit_cast<std::int64_t>(number)); }
+  void add_number(double number) { add_long(bits_as<std::int64_t>(number)); }
   void add(int number) {
     const auto bits = static_cast<std::uint32_t>(number);
     for (unsigned shift = 0; shift < 32; shift += 8) hash_ = (hash_ ^ (bits >> shift & 0xFFU)) * 0x100000001B3U;

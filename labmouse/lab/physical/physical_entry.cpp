@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <charconv>
+#include <cstdlib>
+#include <string_view>
 
 #include "labmouse/contest/physical.hpp"
 #include "labmouse/lab/physical/physical_world.hpp"
@@ -32,9 +33,12 @@ constexpr std::array settings = {
 /// The number of a setting, or nothing, with what is wrong in the error.
 std::optional<double> number_in(const WorldSettings& chosen, std::string_view name, double high, std::string& error) {
   const std::string text = value_of(physical_entry, chosen, name);
-  double number = 0.0;
-  const auto [end, wrong] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (wrong == std::errc() && end == text.data() + text.size() && number >= 0.0 && number <= high) return number;
+  // Not from_chars, which the page's library lacks for numbers like these.
+  char* end = nullptr;
+  const double number = std::strtod(text.c_str(), &end);
+  const bool whole =
+      !text.empty() && std::string_view("0123456789.").find(text[0]) != std::string_view::npos && *end == '\0';
+  if (whole && number >= 0.0 && number <= high) return number;
   if (error.empty()) error = fmt::format("--{}: '{}' is not a number from 0 to {:g}", name, shown(text), high);
   return std::nullopt;
 }
