@@ -43,7 +43,7 @@ void Senses::read(const BodyMotion& motion, double voltage) {
   accelerate(motion);
   shine(motion);
   range(motion);
-  sense_.millivolts = static_cast<std::uint16_t>(1000.0 * hardware_.motors.volts * voltage + 0.5);
+  sense_.millivolts = static_cast<std::uint16_t>(whole_below(1000.0 * hardware_.motors.volts * voltage + 0.5));
 }
 
 void Senses::count(const BodyMotion& motion) {

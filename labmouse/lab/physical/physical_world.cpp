@@ -192,7 +192,7 @@ class PhysicalWorld final : public World {
     Held held;
     if (keep.record || keep.picture) {
       DriveRecordFile file = drive_record_file_of(mouse, maze, rules_, model_, seed, record.drive);
-      file.physical = PhysicalPart{conditions, record, physical_edition};
+      file.physical = PhysicalPart{conditions, static_cast<const PhysicalNotes&>(record), physical_edition};
       if (keep.record) held.record = write_drive_record(file);
       if (keep.picture) held.picture = draw_contest(file);
     }
