@@ -57,7 +57,26 @@ async function clickCell(page: Page, mouse: string, column: number, board = 0) {
   await cells.focus();
   await page.keyboard.press('Home');
   for (let i = 0; i < column; ++i) await page.keyboard.press('ArrowRight');
-  const box = (await cells.locator('.mark').boundingBox())!;
+  // Once it no longer moves: rows that are left out go with the next frame, and what is focused is scrolled to.
+  const mark = () =>
+    cells
+      .locator('.mark')
+      .evaluate(
+        (element) =>
+          new Promise<DOMRect>((resolve) =>
+            requestAnimationFrame(() =>
+              requestAnimationFrame(() => resolve(element.getBoundingClientRect().toJSON() as DOMRect)),
+            ),
+          ),
+      );
+  let box = await mark();
+  await expect
+    .poll(async () => {
+      const before = JSON.stringify(box);
+      box = await mark();
+      return JSON.stringify(box) === before;
+    })
+    .toBe(true);
   await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
 }
 
