@@ -45,10 +45,10 @@ enum labmouse_word {
   LABMOUSE_FORFEIT /* the contest is over, in place of the duties */
 };
 
-/* What it has the motors do until the next tick: duties from -LABMOUSE_FULL to LABMOUSE_FULL. */
+/* What it has the motors do until the next tick: duties from -LABMOUSE_FULL to LABMOUSE_FULL; beside them a labmouse_word, and
+   any other number is LABMOUSE_FORFEIT. */
 struct labmouse_drive {
-  int32_t left, right;
-  enum labmouse_word word;
+  int32_t left, right, word;
 };
 
 /* What the robot is built of, as in its file (docs/robots.md): body.front, in mm, is body_front. */
@@ -207,14 +207,14 @@ static void labmouse_answer(void *memory, char *text, int batch) {
   static const char *const words[] = {"drive", "fast", "goal", "carry", "forfeit"};
   struct labmouse_sense sense;
   struct labmouse_drive said[LABMOUSE_LONGEST_BATCH];
-  enum labmouse_word word = LABMOUSE_DRIVE;
-  int count = 0, i;
+  int word = LABMOUSE_DRIVE, count = 0, i;
   while (count < LABMOUSE_LONGEST_BATCH && labmouse_take_sense(&text, &sense)) {
     said[count] = labmouse_pilot.tick(memory, &sense);
     if (said[count].word != LABMOUSE_DRIVE) word = said[count].word;
     ++count;
   }
   for (; count > 0 && count < batch && count < LABMOUSE_LONGEST_BATCH; ++count) said[count] = said[count - 1];
+  if (word < LABMOUSE_DRIVE || word > LABMOUSE_FORFEIT) word = LABMOUSE_FORFEIT;
   fputs(words[word], stdout);
   for (i = 0; i < count && word < LABMOUSE_CARRY; ++i) printf(" %d %d", (int)said[i].left, (int)said[i].right);
   putchar('\n');

@@ -56,7 +56,7 @@ constexpr Table noting = {[](const labmouse_briefing* told) -> void* {
                             auto& senses = static_cast<Calls*>(memory)->senses;
                             senses.push_back(*sense);
                             if (senses.size() == 3) return {0, 0, LABMOUSE_CARRY};
-                            if (senses.size() == 5) return {0, 0, static_cast<labmouse_word>(17)};
+                            if (senses.size() == 5) return {0, 0, 17};
                             return {100'000, -100'000, LABMOUSE_DRIVE};
                           },
                           [](void* memory, int crashed) { static_cast<Calls*>(memory)->crashes.push_back(crashed); },
