@@ -48,7 +48,7 @@ RACE = "labmouse.race([{mice}], runs=2000, budget=1_000_000, jobs={jobs}, progre
 LONG = {
     "a race of built-in mice": RACE.format(mice="'random'", jobs=0),
     "the same with a store": RACE.format(mice="'random'", jobs=0)[:-1] + ", store=sys.argv[1] + '/results.db')",
-    "the same in seconds": "labmouse.race('ariadne,ariadne-deep,certify', learn.MazeSet('test', size=32)[:40], world='seconds', robot='kerise', progress=False)",
+    "the same in seconds": "labmouse.race('ariadne,ariadne-deep,certify', learn.MazeSet('test', size=32)[:400], world='seconds', robot='kerise', progress=False)",
     "a mouse in Python, in this process": RACE.format(mice="Still, 'random'", jobs=1),
     "one in processes of its own": RACE.format(mice="Still", jobs=2),
     "one that never answers, in this process": RACE.format(mice="Lost", jobs=1),
