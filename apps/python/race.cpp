@@ -52,10 +52,11 @@ class RunningRace {
   /// Contests, and the seconds that they took.
   using Spent = std::pair<int, double>;
 
-  RunningRace(const GivenMice& mice, std::vector<NamedMaze> mazes, const GivenWorld& world, int runs,
+  RunningRace(const GivenMice& mice, std::vector<NamedMaze> mazes, const GivenWorld& world, std::optional<int> runs,
               std::uint64_t seed, int jobs, const std::string& out, bool overwrite, const GivenStore& store)
       : out_(out) {
-    if (runs < 1 || runs > 1'000'000) throw UserError(fmt::format("runs is a number from 1 to 1000000, not {}", runs));
+    if (runs && (*runs < 1 || *runs > 1'000'000))
+      throw UserError(fmt::format("runs is a number from 1 to 1000000, not {}", *runs));
     if (jobs < 0 || jobs > 1024) throw UserError(fmt::format("jobs is a number from 0 to 1024, not {}", jobs));
     Field field = enter(choice_of(mice, std::move(mazes), world), &work_.stopped());
     remarks_ = std::move(field.remarks);
@@ -63,7 +64,7 @@ class RunningRace {
     held_->skipped = std::move(field.skipped);
     RaceOrder order;
     order.world = field.entry.world;
-    order.runs = runs;
+    order.runs = runs.value_or(order.world->usual_runs());
     order.seed = seed;
     order.jobs = jobs;
     order.store = store_.emplace(store).shown();
@@ -236,7 +237,7 @@ void bind_races(nb::module_& module) {
       .def("csv", [](const HeldRace& held) { return csv_of(held.race); })
       .def("json", [](const HeldRace& held) { return json_of(held.race, held.skipped); });
   nb::class_<RunningRace>(module, "RunningRace")
-      .def(nb::init<const GivenMice&, std::vector<NamedMaze>, const GivenWorld&, int, std::uint64_t, int,
+      .def(nb::init<const GivenMice&, std::vector<NamedMaze>, const GivenWorld&, std::optional<int>, std::uint64_t, int,
                     const std::string&, bool, const GivenStore&>(),
            "mice"_a, "mazes"_a, "world"_a, "runs"_a, "seed"_a, "jobs"_a, "out"_a, "overwrite"_a, "store"_a)
       .def_prop_ro("remarks", &RunningRace::remarks)

@@ -32,15 +32,19 @@ struct HeldStudy {
   std::size_t from_store = 0;  ///< contests that were not held, because the store had them
 };
 
+/// Folds; whether mice learn; contests in a maze, or what is usual in the world; the seed; and jobs.
+using GivenNumbers = std::tuple<int, bool, std::optional<int>, std::uint64_t, int>;
+
 /// A study that is going on.
 class RunningStudy {
  public:
   RunningStudy(const GivenMice& mice, std::vector<NamedMaze> mazes, const GivenWorld& world,
-               const std::tuple<int, bool, int, std::uint64_t, int>& numbers, const GivenStore& store) {
+               const GivenNumbers& numbers, const GivenStore& store) {
     StudyOrder order;
-    std::tie(order.folds, order.learning, order.race.runs, order.race.seed, order.race.jobs) = numbers;
+    std::optional<int> runs;
+    std::tie(order.folds, order.learning, runs, order.race.seed, order.race.jobs) = numbers;
     if (order.folds < 2) throw UserError(fmt::format("folds is a number from 2, not {}", order.folds));
-    if (order.race.runs < 1) throw UserError(fmt::format("runs is a number from 1, not {}", order.race.runs));
+    if (runs && *runs < 1) throw UserError(fmt::format("runs is a number from 1, not {}", *runs));
     if (order.race.jobs < 0 || order.race.jobs > 1024)
       throw UserError(fmt::format("jobs is a number from 0 to 1024, not {}", order.race.jobs));
     Field field = enter(choice_of(mice, std::move(mazes), world), &work_.stopped());
@@ -48,6 +52,7 @@ class RunningStudy {
     held_ = std::make_shared<HeldStudy>();
     held_->skipped = std::move(field.skipped);
     order.race.world = field.entry.world;
+    order.race.runs = runs.value_or(order.race.world->usual_runs());
     order.race.store = store_.emplace(store).shown();
     work_.start([this, order, field = std::move(field)]() mutable {
       StudyHooks hooks;
@@ -85,8 +90,8 @@ void bind_studies(nb::module_& module) {
       .def("json", [](const HeldStudy& held) { return json_of(held.study, held.skipped); })
       .def("svg", [](const HeldStudy& held) { return picture_of(held.study); });
   nb::class_<RunningStudy>(module, "RunningStudy")
-      .def(nb::init<const GivenMice&, std::vector<NamedMaze>, const GivenWorld&,
-                    const std::tuple<int, bool, int, std::uint64_t, int>&, const GivenStore&>(),
+      .def(nb::init<const GivenMice&, std::vector<NamedMaze>, const GivenWorld&, const GivenNumbers&,
+                    const GivenStore&>(),
            "mice"_a, "mazes"_a, "world"_a, "numbers"_a, "store"_a)
       .def_prop_ro("remarks", &RunningStudy::remarks)
       .def_prop_ro("done", [](RunningStudy& running) { return running.work().done(); })

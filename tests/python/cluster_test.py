@@ -161,6 +161,14 @@ def test_a_race_is_that_of_one_machine(client, tmp_path):
     assert labmouse.race(MICE, runs=3, store=tmp_path / "a.db").from_store == len(more.table) - len(more.mazes)
 
 
+def test_the_physical_world_is_that_of_one_machine(client, tmp_path):
+    options = dict(world="physical", noise=2)
+    alone = labmouse.race("flood,certify", MAZES[:2], **options)
+    spread = cluster.race(client, "flood,certify", MAZES[:2], store=tmp_path / "a.db", **options)
+    assert spread.complete and len(spread.table) == 12 and spread.table.equals(alone.table)
+    assert labmouse.race("flood,certify", MAZES[:2], store=tmp_path / "a.db", **options).from_store == 12
+
+
 def test_a_study_and_a_sweep_are_those_of_one_machine(client, tmp_path):
     mazes = labmouse.mazes()[:6]
     alone = labmouse.study("flood,random,ariadne", mazes, folds=2, runs=3)

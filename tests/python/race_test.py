@@ -13,6 +13,8 @@ import pytest
 WORLDS = {
     "strides": (["ariadne,flood,random"], ["--world", "strides", "--runs", "3"], {"runs": 3}),
     "seconds": (["certify,ariadne"], ["--world", "seconds", "--robot", "half"], {"robot": "half"}),
+    # As many runs as are usual there.
+    "physical": (["certify,flood"], ["--world", "physical", "--noise", "2"], {"noise": 2}),
 }
 MAZES = ["contest-01", "contest-05"]
 
@@ -30,6 +32,11 @@ def test_a_race_gives_the_numbers_of_the_command(command, world):
     expected = without_times(pandas.read_csv(io.StringIO(printed)))
     pandas.testing.assert_frame_equal(without_times(race.table), expected, check_dtype=False, rtol=0, atol=0)
     pandas.testing.assert_frame_equal(without_times(pandas.read_csv(io.StringIO(race.to_csv()))), expected)
+
+
+def test_a_mouse_that_throws_dice_has_as_many_contests_as_in_the_command(command):
+    printed = command("race", "--mice", "random,flood", "--mazes", "contest-01", "--format", "csv")
+    assert len(labmouse.race("random,flood", "contest-01").table) == len(printed.splitlines()) - 1 > 10
 
 
 def test_a_race_in_mms_gives_the_numbers_of_the_command(programs, command, tmp_path):

@@ -22,6 +22,11 @@ def whole(name: str, value: Any, low: int, high: int) -> int:
     return number
 
 
+def runs_given(runs: Any) -> "int | None":
+    """Contests in a maze; None for as many as are usual in the world. Raises Error."""
+    return None if runs is None else whole("runs", runs, 1, 1_000_000)
+
+
 def path(name: str, value: Any) -> str:
     """A path as text; raises Error with its name."""
     try:

@@ -4,7 +4,7 @@ import os
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from . import _native
-from ._arguments import LARGEST_SEED, whole
+from ._arguments import LARGEST_SEED, runs_given, whole
 from ._arguments import path as _path
 from ._mice import Mice, given
 from ._progress import finish
@@ -133,7 +133,7 @@ def race(
     robot: "str | os.PathLike[str] | None" = None,
     rules: "str | os.PathLike[str] | None" = None,
     budget: "int | None" = None,
-    runs: int = 20,
+    runs: "int | None" = None,
     seed: int = 1,
     jobs: int = 0,
     out: "str | os.PathLike[str] | None" = None,
@@ -147,10 +147,11 @@ def race(
 
     mice: SPECs, classes with `decide(self, seen)`, or a dictionary of both by names; None for all built-in ones.
     mazes: mazes, files, folders or patterns; None for all built-in mazes.
-    world: 'strides', 'seconds' or 'mms'; None for the one that suits the mice. `robot` and `rules` are settings of
-        'seconds' (a built-in name or a file), `budget` (steps of a contest) of 'strides'; other settings have the
-        names of the command line's options.
-    runs: contests in each maze of a mouse that throws dice. seed: for all random choices.
+    world: 'strides', 'seconds', 'physical' or 'mms'; None for the one that suits the mice. `robot` and `rules` are
+        settings of 'seconds' and 'physical' (a built-in name or a file), `budget` (steps of a contest) of 'strides';
+        other settings have the names of the command line's options.
+    runs: contests in each maze of a mouse that throws dice, and of each mouse in 'physical'; None for 20, and 3 in
+        'physical'. seed: for all random choices.
     jobs: threads; 0 for as many as there are processors. Results do not depend on it. Where the interpreter runs one
         thread at a time, mice in Python race in processes of their own once the race takes longer than half a second:
         what they leave in global variables stays there. With 1 they stay in this process.
@@ -165,7 +166,7 @@ def race(
     """
     chosen = world_with(world, {"robot": robot, "rules": rules, "budget": budget, **settings})
     who = given(mice)
-    runs, seed, jobs = whole("runs", runs, 1, 1_000_000), whole("seed", seed, 0, LARGEST_SEED), whole("jobs", jobs, 0, 1024)
+    runs, seed, jobs = runs_given(runs), whole("seed", seed, 0, LARGEST_SEED), whole("jobs", jobs, 0, 1024)
     folder, kept = _path("out", out or ""), _path("store", "" if store is None else store)
     workers = for_mice(who.own, jobs)
     running = _native.RunningRace(who.native(workers, label, store is not None), mazes_of(mazes), chosen, runs, seed, jobs,

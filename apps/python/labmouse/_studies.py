@@ -6,7 +6,7 @@ import os
 from typing import TYPE_CHECKING, Any
 
 from . import _native
-from ._arguments import LARGEST_SEED, path, whole
+from ._arguments import LARGEST_SEED, path, runs_given, whole
 from ._mice import Mice, given
 from ._progress import finish
 from ._workers import for_mice
@@ -74,7 +74,7 @@ def study(
     robot: "str | os.PathLike[str] | None" = None,
     rules: "str | os.PathLike[str] | None" = None,
     budget: "int | None" = None,
-    runs: int = 20,
+    runs: "int | None" = None,
     seed: int = 1,
     jobs: int = 0,
     progress: "bool | None" = None,
@@ -89,7 +89,7 @@ def study(
     """
     chosen = world_with(world, {"robot": robot, "rules": rules, "budget": budget, **settings})
     who = given(mice)
-    runs, seed, jobs = whole("runs", runs, 1, 1_000_000), whole("seed", seed, 0, LARGEST_SEED), whole("jobs", jobs, 0, 1024)
+    runs, seed, jobs = runs_given(runs), whole("seed", seed, 0, LARGEST_SEED), whole("jobs", jobs, 0, 1024)
     folds, kept = whole("folds", folds, 2, 1_000_000), path("store", "" if store is None else store)
     workers = for_mice(who.own, jobs)
     try:

@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, Union
 
 from . import _native
-from ._arguments import LARGEST_SEED, path, shown, whole
+from ._arguments import LARGEST_SEED, path, runs_given, shown, whole
 from ._mice import Mice, _python, given
 from ._native import Error, Maze
 from ._progress import finish
@@ -63,7 +63,7 @@ class _Plan(NamedTuple):
     mice: bytes
     """Pickled, because some are classes of a notebook."""
     world: "tuple[str, dict[str, str]]"
-    runs: int
+    runs: "int | None"
     seed: int
     folds: "tuple[int, bool] | None"
     """Of a study: how many, and whether mice learn."""
@@ -258,14 +258,14 @@ def _other_contests(store: str) -> Error:
 
 
 def _spread(client: "Client", mice: "Mice | None", mazes: "Mazes | None", store: "str | os.PathLike[str]", label: "str | None",
-            numbers: "tuple[int, int]", folds: "tuple[int, bool] | None", progress: "bool | None",
+            numbers: "tuple[int | None, int]", folds: "tuple[int, bool] | None", progress: "bool | None",
             patience: float, chosen: "tuple[str, dict[str, str]]") -> "tuple[Any, int]":
     import cloudpickle
 
     if not hasattr(client, "submit"):
         raise Error(f"client is a distributed.Client, not {shown(client)}")
     runs, seed = numbers
-    numbers = whole("runs", runs, 1, 1_000_000), whole("seed", seed, 0, LARGEST_SEED)
+    numbers = runs_given(runs), whole("seed", seed, 0, LARGEST_SEED)
     if folds is not None:
         folds = whole("folds", folds[0], 2, 1_000_000), folds[1]
     specs, own, _, known = given(mice).native(None, label, True)
@@ -298,7 +298,7 @@ def race(
     robot: "str | os.PathLike[str] | None" = None,
     rules: "str | os.PathLike[str] | None" = None,
     budget: "int | None" = None,
-    runs: int = 20,
+    runs: "int | None" = None,
     seed: int = 1,
     progress: "bool | None" = None,
     label: "str | None" = None,
@@ -331,7 +331,7 @@ def study(
     robot: "str | os.PathLike[str] | None" = None,
     rules: "str | os.PathLike[str] | None" = None,
     budget: "int | None" = None,
-    runs: int = 20,
+    runs: "int | None" = None,
     seed: int = 1,
     progress: "bool | None" = None,
     label: "str | None" = None,
