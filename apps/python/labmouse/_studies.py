@@ -58,7 +58,9 @@ class Study:
         return self._held.table()
 
     def __repr__(self) -> str:
-        return f"<labmouse.Study of {', '.join(mouse['name'] for mouse in self.data['mice'])}>"
+        # Worlds with tables of their own have their mice in groups.
+        mice = self.data["mice"] + [mouse for group in self.data.get("groups", []) for mouse in group["mice"]]
+        return f"<labmouse.Study of {', '.join(mouse['name'] for mouse in mice)}>"
 
     def _repr_svg_(self) -> str:
         return self.svg
