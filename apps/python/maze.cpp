@@ -32,12 +32,17 @@ using Place = std::pair<int, int>;
 using CellFlags = nb::ndarray<nb::numpy, bool, nb::ndim<2>>;
 using GivenFlags = nb::ndarray<const bool, nb::ndim<2>, nb::c_contig, nb::device::cpu>;
 
+/// What a user gave, on one line and short, whatever it is.
+std::string few_words_of(nb::handle value) {
+  return shown(nb::cast<std::string>(nb::module_::import_("labmouse._arguments").attr("shown")(value)));
+}
+
 /// What a user gave, as that type; throws UserError where it is none. The binding's own error would be several lines.
 template <class T>
 T given(nb::handle value, const char* name, const char* kind) {
   T found{};
   if (!nb::try_cast(value, found))
-    throw UserError(fmt::format("{} must be {}, not {}", name, kind, shown(nb::repr(value).c_str())));
+    throw UserError(fmt::format("{} must be {}, not {}", name, kind, few_words_of(value)));
   return found;
 }
 std::string text_in(nb::handle value, const char* name) { return given<std::string>(value, name, "a text"); }

@@ -53,6 +53,7 @@ WRONG = {
     "a seed that is a text": (lambda: labmouse.generate(seed="a"), ["seed", "'a'", "whole number"]),
     "loops": (lambda: labmouse.generate(loops=2), ["loops", "2", "from 0 to 1"]),
     "walls in one row": (lambda: labmouse.Maze.from_walls(FLAGS[0], FLAGS[0]), ["north", "(height, width)"]),
+    "a large maze in lists": (lambda: labmouse.Maze.from_walls([[True] * 64] * 64, FLAGS), ["north", "bool"]),
     "walls in lists": (lambda: labmouse.Maze.from_walls(FLAGS, [[True]]), ["east", "bool"]),
     "walls of two shapes": (lambda: labmouse.Maze.from_walls(FLAGS[:3], FLAGS), ["(3, 4)", "(4, 4)"]),
     "a start": (lambda: labmouse.Maze.from_walls(FLAGS, FLAGS, start=(9, 0)), ["start", "(9,0)", "4x4"]),
@@ -79,6 +80,10 @@ WRONG = {
     "an observation": (lambda: learn.ContestEnv(observation="sight"), ["'sight'", "sighting"]),
     "an order": (lambda: learn.ContestEnv(order="x"), ["'x'", "drawn"]),
     "a set of mazes": (lambda: learn.MazeSet("tain"), ["tain", "train"]),
+    "the number of a maze below 0": (lambda: learn.MazeSet()[-1], ["-1", "from 0"]),
+    "a text for the number of a maze": (lambda: learn.MazeSet()["x"], ["'x'", "whole number"]),
+    "a turn by half a right angle": (lambda: learn.number_of(45, 1), ["45", "1"]),
+    "the file of a learned mouse": (lambda: learn.Learned.load("nowhere.json"), ["nowhere.json", "No such file"]),
     "the size of a set": (lambda: learn.MazeSet(size=(3,)), ["size", "(3,)", "(width, height)"]),
     "the budget of an environment": (lambda: learn.ContestEnv(budget="x"), ["budget", "'x'", "1 to 32767"]),
     "half an environment": (lambda: learn.ContestVectorEnv(2.5), ["num_envs", "2.5", "whole number"]),
@@ -101,7 +106,7 @@ def test_what_is_wrong_is_said_in_one_line(what):
         act()
     (line,) = str(error.value).splitlines()
     assert [word for word in words if word not in line] == [], line
-    assert len(line) < 500
+    assert len(line) < 200
 
 
 def test_a_file_that_is_wrong_is_said_with_its_place(tmp_path):

@@ -39,4 +39,5 @@ def shown(value: Any) -> str:
     """What a user gave, in a few words on one line."""
     if hasattr(value, "dtype") and hasattr(value, "shape"):
         return f"an array of {value.dtype} of the shape {value.shape}"
-    return " ".join(reprlib.repr(value).split())
+    words = " ".join(reprlib.repr(value).split())
+    return words if len(words) <= 80 else words[:77] + "..."

@@ -61,6 +61,7 @@ class MazeSet:
                 raise TypeError("this set has no end; the slice needs one")
             end = self.count if self.count is not None else number.stop
             return [self[i] for i in range(*number.indices(end))]
+        number = whole("the number of a maze", number, 0 if self.count is None else -(2**63), 2**63 - 1)
         if self.count is not None and not -self.count <= number < self.count:
             raise IndexError(f"the set has {self.count} mazes; there is no maze {number}")
         return self._family.maze(number + self.count if self.count is not None and number < 0 else number)

@@ -122,12 +122,18 @@ class Learned:
 
     @classmethod
     def load(cls, path: "Union[str, os.PathLike[str], None]" = None, name: str = "learned") -> "Learned":
-        """The mouse of a file that labmouse.learn.train has written; without a path, the one of the package."""
+        """The mouse of a file that labmouse.learn.train has written; without a path, the one of the package.
+
+        Raises labmouse.Error where the file is none.
+        """
         if path is None:
             text = resources.files(__package__).joinpath("mouse.json").read_text(encoding="utf-8")
         else:
-            with open(path, encoding="utf-8") as file:
-                text = file.read()
+            try:
+                with open(path, encoding="utf-8", errors="replace") as file:
+                    text = file.read()
+            except OSError as error:
+                raise Error(f"{os.fspath(path)}: error: {error.strerror}") from None
         try:
             weights = json.loads(text)["weights"]
         except (ValueError, KeyError, TypeError):

@@ -2,15 +2,18 @@
 
 from typing import Optional
 
-from .._native import ACTIONS, RESET, action_of
+from .._native import ACTIONS, RESET, Error, action_of
 
 __all__ = ["ACTIONS", "RESET", "action_of", "number_of"]
 
 
 def number_of(rotation: Optional[int], movement: int = 0) -> int:
-    """The number of a step by its rotation (-90, 0, 90 degrees) and movement (-3 to 3 cells); of the reset for None."""
+    """The number of a step by its rotation (-90, 0, 90 degrees) and movement (-3 to 3 cells); of the reset for None.
+
+    Raises labmouse.Error where there is no such step.
+    """
     if rotation is None:
         return RESET
     if rotation not in (-90, 0, 90) or not -3 <= movement <= 3:
-        raise ValueError(f"no action turns by {rotation} degrees and moves by {movement} cells")
+        raise Error(f"no action turns by {rotation} degrees and moves by {movement} cells")
     return 7 * (rotation // 90 + 1) + movement + 3
