@@ -1,5 +1,6 @@
 #include "briefing.hpp"
 
+#include <fmt/format.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
@@ -36,7 +37,7 @@ void bind_briefings(nb::module_& module) {
           "The goal cells.")
       .def_prop_ro(
           "world", [](const PythonBriefing& told) { return told.briefing.in_seconds() ? "seconds" : "strides"; },
-          "'strides' or 'seconds'.")
+          "'strides' or 'seconds', which is also what a mouse of the physical world is told.")
       .def_prop_ro(
           "stride",
           [](const PythonBriefing& told) {
@@ -63,7 +64,13 @@ void bind_briefings(nb::module_& module) {
           "Cells that a reading reaches at most: in a reading of so many, no wall was seen at the end.")
       .def_prop_ro(
           "seed", [](const PythonBriefing& told) { return told.briefing.seed; },
-          "For a mouse that throws dice: the same contest always has the same seed; below 2**64.");
+          "For a mouse that throws dice: the same contest always has the same seed; below 2**64.")
+      .def("__repr__", [](const PythonBriefing& told) {
+        const Briefing& briefing = told.briefing;
+        return fmt::format("<labmouse.Briefing {}x{} from ({}, {}) {}, in {}>", briefing.size.width,
+                           briefing.size.height, briefing.start.cell.x, briefing.start.cell.y,
+                           name_of(briefing.start.heading), briefing.in_seconds() ? "seconds" : "strides");
+      });
 }
 
 }  // namespace labmouse::python

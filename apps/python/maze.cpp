@@ -270,7 +270,8 @@ void bind_mazes(nb::module_& module) {
            "The maze as a text: 'drawing', 'capstone', 'num' or 'maz'. Raises Error where the format cannot hold it.")
       .def("save", &save, "path"_a, "format"_a = nb::none(),
            nb::sig("def save(self, path: str | os.PathLike[str], format: str | None = None) -> None"),
-           "Writes it to a file; the format is that of the path's ending (.maz, .num), otherwise a drawing.")
+           "Writes it to a file; the format is that of the path's ending (.maz, .num), otherwise a drawing. Raises "
+           "Error where the format cannot hold it, or the file cannot be written.")
       .def(
           "named",
           [](const NamedMaze& maze, nb::handle name) {
@@ -279,9 +280,10 @@ void bind_mazes(nb::module_& module) {
           "name"_a, nb::sig("def named(self, name: str) -> Maze"), "The same maze under another name.")
       .def("with_start", &with_start, "start"_a, "heading"_a = "north",
            nb::sig("def with_start(self, start: tuple[int, int], heading: str = 'north') -> Maze"),
-           "The same maze with another start.")
+           "The same maze with another start. Raises Error where that is no cell of the maze.")
       .def("with_goals", &with_goals, "goals"_a,
-           nb::sig("def with_goals(self, goals: Sequence[tuple[int, int]]) -> Maze"), "The same maze with other goals.")
+           nb::sig("def with_goals(self, goals: Sequence[tuple[int, int]]) -> Maze"),
+           "The same maze with other goals, one at least. Raises Error where they are no cells of the maze.")
       .def_prop_ro(
           "svg", [](const NamedMaze& maze) { return draw_svg(maze.maze, {}); }, "The maze as an SVG picture.")
       .def("_repr_svg_", [](const NamedMaze& maze) { return draw_svg(maze.maze, {}); })

@@ -135,6 +135,9 @@ def test_it_is_told_what_a_mouse_in_seconds_is_told(tmp_path):
     assert (briefing.world, briefing.budget, briefing.time_limit, briefing.seed) == ("seconds", None, 300.0, 5)
     assert (briefing.start, briefing.heading, briefing.goals) == ((0, 0), "east", [(4, 0)])
     assert briefing.sight == 1 and seen.ahead == 1
+    assert "5x1 from (0, 0) east" in repr(briefing)
+    labmouse.run(Listener, corridor, world="physical")
+    assert (told[2].world, told[2].time_limit) == ("seconds", 300.0)
 
 
 @pytest.mark.parametrize("options, columns", [
@@ -142,6 +145,7 @@ def test_it_is_told_what_a_mouse_in_seconds_is_told(tmp_path):
     ({"budget": 50}, ["outcome", "score", "exploration_steps"]),
     ({"world": "seconds"}, ["outcome", "score_us", "search_us", "decisions"]),
     ({"world": "seconds", "robot": "half", "rules": "thirtieth"}, ["outcome", "score_us", "search_us", "decisions"]),
+    ({"world": "physical", "runs": 1}, ["outcome", "score_us", "search_us", "strayed", "misreads"]),
 ])
 def test_it_races_as_well_in_other_processes(monkeypatch, options, columns):
     import labmouse._workers

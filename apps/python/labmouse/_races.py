@@ -23,7 +23,7 @@ class Comparison(NamedTuple):
     mazes: int
     """Mazes in which both have a score that counts."""
     mean: float
-    """In the world's unit; below 0, `mouse` is better."""
+    """In the world's unit, steps, seconds or points; below 0, `mouse` is better."""
     low: float
     """The 95 % interval of the mean, by bootstrap over the mazes."""
     high: float
@@ -69,7 +69,8 @@ class Race:
 
     @property
     def table(self) -> "pandas.DataFrame":
-        """One line a contest, with the columns of `labmouse race --format csv`: docs/races.md has their units."""
+        """One line a contest, with the columns of `labmouse race --format csv`: docs/races.md has their units, and of seconds
+        docs/seconds.md."""
         import pandas
 
         return pandas.DataFrame(self._held.contest_columns())
@@ -83,7 +84,8 @@ class Race:
 
     @property
     def mazes(self) -> "pandas.DataFrame":
-        """One line a maze, with its bound: the best possible score there."""
+        """One line a maze, with its bound: the best possible score there. Microseconds where a column ends in `_us`; otherwise
+        steps or points, as the world has it."""
         import pandas
 
         return pandas.DataFrame(self._held.maze_columns())
@@ -93,11 +95,17 @@ class Race:
         return Comparison(**self._held.compare(mouse, against))
 
     def to_csv(self, path: "str | os.PathLike[str] | None" = None) -> "str | None":
-        """What `labmouse race --format csv` prints: written to a file, or returned where no path is given."""
+        """What `labmouse race --format csv` prints: written to a file, or returned where no path is given.
+
+        Raises Error where the file cannot be written.
+        """
         return _saved(self._held.csv(), path)
 
     def to_json(self, path: "str | os.PathLike[str] | None" = None) -> "str | None":
-        """What `labmouse race --format json` prints: written to a file, or returned where no path is given."""
+        """What `labmouse race --format json` prints: written to a file, or returned where no path is given.
+
+        Raises Error where the file cannot be written.
+        """
         return _saved(self._held.json(), path)
 
     def __str__(self) -> str:

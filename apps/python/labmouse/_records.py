@@ -39,7 +39,7 @@ class Replay:
         self.height = height
 
     def save(self, path: "str | os.PathLike[str]") -> None:
-        """Writes the page to a file that any browser opens, without a server."""
+        """Writes the page to a file that any browser opens, without a server. Raises Error where it cannot be written."""
         _native.write_file(_path("path", path), self.html)
 
     def _repr_html_(self) -> str:
@@ -87,7 +87,7 @@ class Record:
 
     @property
     def score(self) -> "float | None":
-        """In the unit of the world; lower is better. None where the contest was not solved."""
+        """Steps, seconds or points, as the world has it; lower is better. None where the contest was not solved."""
         return self._held.score
 
     @property
@@ -132,7 +132,7 @@ class Record:
         return self._held.record
 
     def save(self, path: "str | os.PathLike[str]") -> None:
-        """Writes the record to a file, which `labmouse replay` reads."""
+        """Writes the record to a file, which `labmouse replay` reads. Raises Error where it cannot be written."""
         _native.write_file(_path("path", path), self.text)
 
     def replay(self, height: int = 720) -> Replay:
@@ -161,7 +161,8 @@ def run(
 ) -> Record:
     """Holds one contest of one mouse in one maze, with the numbers of `labmouse run`.
 
-    The arguments are those of `race`; `seed` is the contest's own. Raises Error.
+    The arguments are those of `race`; `seed` is the contest's own. Raises Error. Ctrl-C stops it: it returns the record
+    so far, and `complete` is False.
     """
     chosen = world_with(world, {"robot": robot, "rules": rules, "budget": budget, **settings})
     running = _native.RunningContest(given(mouse).native(None), maze_of(maze), chosen, whole("seed", seed, 0, LARGEST_SEED))
