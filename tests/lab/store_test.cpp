@@ -675,6 +675,34 @@ TEST_F(AStore, SaysThatItIsDamaged) {
   EXPECT_THAT(verify_store(path("holed.db"), {}, {}).error, HasSubstr("holed.db: error: "));
 }
 
+TEST_F(AStore, IsNeverReadWithoutWhatADamagedPageHeld) {
+  constexpr std::size_t page = 4096, header = 100;
+  race(three_mice);
+  const auto text_of = [](const std::string& file) {
+    std::string text, error = export_store(file, {}, ExportFormat::csv, 0, [&](const std::string&lines) {
+                        text += lines;
+                        return true;
+                      });
+    return std::pair(text, error);
+  };
+  const auto whole = text_of(path());
+  const std::size_t mice = stored_mice(path(), {}).mice.size();
+  for (std::size_t at = page; at < fs::file_size(path()); at += page) {
+    // The pages of SQLite begin with what is there; what they say of it may be gone.
+    fs::copy_file(path(), path("holed.db"), fs::copy_options::overwrite_existing);
+    {
+      std::fstream file(path("holed.db"), std::ios::in | std::ios::out | std::ios::binary);
+      file.seekp(static_cast<std::streamoff>(at + header));
+      file << std::string(page - header, '\0');
+    }
+    const auto listed = stored_mice(path("holed.db"), {});
+    EXPECT_TRUE(!listed.error.empty() || listed.mice.size() == mice) << at;
+    const auto exported = text_of(path("holed.db"));
+    EXPECT_TRUE(!exported.second.empty() || exported == whole) << at;
+    EXPECT_NE(stored_races(path("holed.db"), {}).error.empty(), listed.error != "") << at;
+  }
+}
+
 TEST_F(AStore, SaysWhatIsWrongWithItsRows) {
   race("flood", {test::loop()});
   change("UPDATE contests SET figures = '{'");

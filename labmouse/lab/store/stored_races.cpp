@@ -182,7 +182,7 @@ std::string seed_of(Database& database, const std::string& condition) {
 
 StoredRaces read_races(const std::string& path, StoreFilter filter, bool one_race) {
   StoredRaces found;
-  Database database = open_store(path, Database::Access::read);
+  Database database = open_whole_store(path);
   database.run("BEGIN");
   std::string condition = condition_of(filter);
   const std::string seed = one_race && database.good() ? seed_of(database, condition) : "0";
@@ -297,7 +297,7 @@ StoredRaces all_stored_contests(const std::string& path, const StoreFilter& filt
 
 StoredMice stored_mice(const std::string& path, const StoreFilter& filter) {
   StoredMice found;
-  Database database = open_store(path, Database::Access::read);
+  Database database = open_whole_store(path);
   Statement rows = database.prepare(fmt::format(
       "SELECT worlds.name, worlds.conditions, mice.name, count(DISTINCT contests.maze), count(*), count(score), "
       "avg(CASE WHEN bound IS NOT NULL THEN counted END), min(time), max(time) FROM contests "
@@ -316,7 +316,7 @@ StoredMice stored_mice(const std::string& path, const StoreFilter& filter) {
 std::string export_store(const std::string& path, const StoreFilter& filter, ExportFormat format, std::int64_t most,
                          const std::function<bool(const std::string& lines)>& take) {
   constexpr std::size_t part = std::size_t{1} << 16U;
-  Database database = open_store(path, Database::Access::read);
+  Database database = open_whole_store(path);
   const std::string last =
       most > 0 ? fmt::format("(SELECT * FROM results{} ORDER BY id DESC LIMIT {})", condition_of(filter), most)
                : "results" + condition_of(filter);

@@ -9,23 +9,11 @@
 #include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/store/contest_key.hpp"
 #include "labmouse/lab/store/figures.hpp"
-#include "labmouse/lab/store/schema.hpp"
 #include "labmouse/lab/system/parallel.hpp"
 #include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
 namespace {
-
-/// What SQLite and the tables' references say is wrong with the file as a whole; empty where nothing is.
-std::string damage_of(const std::string& path) {
-  Database database = open_store(path, Database::Access::read);
-  Statement check = database.prepare("PRAGMA integrity_check(1)");
-  while (check.next())
-    if (const std::string found = check.text(0); found != "ok") database.fail("is damaged: " + found);
-  if (database.number("SELECT count(*) FROM pragma_foreign_key_check") > 0)
-    database.fail("is damaged: rows belong to others that are not there");
-  return error_line(path, database.error());
-}
 
 /// Puts the mice of the race in the place of their descriptions; false for those that are not here.
 std::vector<bool> revive(Race& race, const GuestOptions& guests) {
@@ -59,7 +47,6 @@ std::string words_of(const ContestResult& result) {
 
 Verification verify_store(const std::string& path, const StoreFilter& filter, const VerificationOrder& order) {
   Verification found;
-  if (found.error = damage_of(path); !found.error.empty()) return found;
   StoredRaces stored = all_stored_contests(path, filter);
   found.remarks = std::move(stored.remarks);
   found.error = std::move(stored.error);
