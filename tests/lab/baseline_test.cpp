@@ -13,6 +13,7 @@ namespace {
 
 using test::Says;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 std::string compared(const Race& now, std::string_view earlier_json) {
   const auto read = read_baseline(earlier_json, now.world());
@@ -71,6 +72,17 @@ TEST(Baseline, AFailureCountsAsTheFailureScore) {
 TEST(Baseline, MazesInCommonAreCompared) {
   const Race earlier = hold_race(test::mice("flood"), {test::loop()}, test::in_steps());
   EXPECT_THAT(compared(test::race_of("flood"), json_of(earlier, {})), HasSubstr("1 maze ("));
+}
+
+TEST(Baseline, OneMazeShowsNoDifference) {
+  for (const char* mice : {"oracle", "flood:stride=1"}) {
+    const Race earlier = hold_race(test::mice(mice), {test::loop()}, test::in_steps());
+    const Race now = hold_race(test::mice("flood:stride=1,oracle"), {test::loop()}, test::in_steps());
+    const std::string text = compared(now, json_of(earlier, {}));
+    EXPECT_THAT(text, HasSubstr(" over 1 maze ("));
+    EXPECT_THAT(text, Not(HasSubstr(": better\n")));
+    EXPECT_THAT(text, Not(HasSubstr(": worse\n")));
+  }
 }
 
 TEST(Baseline, WithoutACommonMazeItSaysSo) {

@@ -158,6 +158,7 @@ def test_a_notebook_shows_the_leaderboard():
 @pytest.mark.parametrize("low, high, verdict", [(-2, -1, "better"), (1, 2, "worse"), (-1, 1, "no difference shown"), (0, 0, "no difference shown")])
 def test_a_verdict_needs_an_interval_on_one_side_of_0(low, high, verdict):
     assert labmouse.Comparison("a", "b", 3, 0.0, low, high, 0, 0, 0, 1.0).verdict == verdict
+    assert labmouse.Comparison("a", "b", 1, 0.0, low, high, 0, 0, 0, 1.0).verdict == "no difference shown"
 
 
 @pytest.mark.parametrize("progress", [True, False, None])

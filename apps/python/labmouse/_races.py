@@ -36,7 +36,9 @@ class Comparison(NamedTuple):
 
     @property
     def verdict(self) -> str:
-        """'better', 'worse' or 'no difference shown', of `mouse`."""
+        """'better', 'worse' or 'no difference shown', of `mouse`. One maze says nothing about others."""
+        if self.mazes < 2:
+            return "no difference shown"
         return "better" if self.high < 0 else "worse" if self.low > 0 else "no difference shown"
 
 

@@ -91,7 +91,11 @@ std::string compare(const Race& race, std::size_t mouse, const std::string& old_
                        shown(race.mazes.front().name), old.empty() ? "none" : shown(old.begin()->first));
   const PairedDifference found = paired_difference(differences, race.order.seed);
   const Interval& interval = found.interval;
-  const char* verdict = interval.high < 0.0 ? "better" : interval.low > 0.0 ? "worse" : "no difference shown";
+  // One maze says nothing about others.
+  const bool shows = found.count > 1;
+  const char* verdict = shows && interval.high < 0.0  ? "better"
+                        : shows && interval.low > 0.0 ? "worse"
+                                                      : "no difference shown";
   return fmt::format("{}: {:+.3f} [{:+.3f}, {:+.3f}] over {} ({} better, {} equal, {} worse): {}\n", name, found.mean,
                      interval.low, interval.high, found.count == 1 ? "1 maze" : fmt::format("{} mazes", found.count),
                      found.below, found.equal, found.above, verdict);
