@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "labmouse/functions/whole.hpp"
@@ -271,6 +273,64 @@ TEST(Battery, IsReadInMillivolts) {
   motion.position = {150.0, 150.0};
   senses.read(motion, 0.9);
   EXPECT_EQ(senses.sense().millivolts, 3600);
+}
+
+/// The noise of each source by itself, all from one seed: by its name, its values in a row.
+std::vector<std::pair<std::string, std::vector<double>>> noise_by_source() {
+  std::vector<std::pair<std::string, std::vector<double>>> sources;
+  const auto add = [&](const std::string& name, const std::function<void(Noise&)>& make, const Direction& ahead,
+                       const std::function<double(const Sense&)>& number) {
+    Hardware hardware = test::plain_mouse();
+    hardware.sensors.ranger.period = 1.0;
+    make(hardware.noise);
+    Sensed mouse(hardware, {}, 23);
+    mouse.motion.position = {50.0, 350.0};
+    mouse.motion.ahead = ahead;
+    sources.emplace_back(name, mouse.readings(2000, number));
+  };
+  constexpr Direction north = {1.0, 0.0}, south = {-1.0, 0.0}, west = {0.0, -1.0};
+  for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
+    add(
+        "encoder", [](Noise& noise) { noise.encoder = 0.05; }, north,
+        [i](const Sense& sense) { return double(sense.counts[i]); });
+    add(
+        "acceleration", [](Noise& noise) { noise.acceleration = 400.0; }, north,
+        [i](const Sense& sense) { return double(sense.acceleration[i]); });
+  }
+  add(
+      "gyro", [](Noise& noise) { noise.gyro = 0.1; }, north, [](const Sense& sense) { return double(sense.gyro); });
+  double before = 0.0;
+  add(
+      "bias of the gyro", [](Noise& noise) { noise.gyro_walk = 3.0; }, north,
+      [&](const Sense& sense) { return double(sense.gyro) - std::exchange(before, double(sense.gyro)); });
+  // Each beam where it sees the west wall.
+  const std::array<Direction, beam_count> ways = {south, west, north, west};
+  for (std::size_t beam = 0; beam < beam_count; ++beam)
+    add(
+        "infrared", [](Noise& noise) { noise.infrared = 30.0; }, ways[beam],
+        [beam](const Sense& sense) { return double(sense.infrared[beam]); });
+  add(
+      "ranger", [](Noise& noise) { noise.ranger_rest = 5.0; }, west,
+      [](const Sense& sense) { return double(sense.range); });
+  return sources;
+}
+
+double correlation_of(const std::vector<double>& a, const std::vector<double>& b) {
+  const double mean_a = mean_of(a), mean_b = mean_of(b);
+  double products = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) products += (a[i] - mean_a) * (b[i] - mean_b);
+  return products / static_cast<double>(a.size()) / deviation_of(a) / deviation_of(b);
+}
+
+TEST(Noise, IsAnotherOfEachSource) {
+  const auto sources = noise_by_source();
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    EXPECT_GT(deviation_of(sources[i].second), 0.5) << sources[i].first << " has none";
+    // Of two thousand numbers that have nothing to do with each other it is 0.022 in the mean.
+    for (std::size_t j = 0; j < i; ++j)
+      EXPECT_LT(std::abs(correlation_of(sources[i].second, sources[j].second)), 0.1)
+          << sources[i].first << " " << i << ", " << sources[j].first << " " << j;
+  }
 }
 
 /// All that a mouse reads at rest before a wall, over some ticks, with a calibration.
