@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <regex>
 
 #include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/standings/race_table.hpp"
@@ -75,7 +76,11 @@ TEST(PilotRace, IsTheSameAgain) {
   }
   EXPECT_NE(first.results[0].score, first.results[1].score);
   // It may have seen anything, and nobody knows.
-  EXPECT_FALSE(number_of(figure(first.results[0], PhysicalFigure::discovered)));
+  for (const PhysicalFigure unknown : {PhysicalFigure::discovered, PhysicalFigure::misread, PhysicalFigure::walled_in,
+                                       PhysicalFigure::misreads, PhysicalFigure::contradictions})
+    EXPECT_FALSE(number_of(figure(first.results[0], unknown)));
+  EXPECT_TRUE(number_of(figure(first.results[0], PhysicalFigure::strayed)));
+  EXPECT_TRUE(std::regex_search(table_of(first, false), std::regex("pilot_template.* 0 +0 +- +- +0 +-")));
   EXPECT_THAT(table_of(first, false), HasSubstr("pilot_template"));
 }
 

@@ -73,15 +73,21 @@ constexpr std::array<MazeField, 5> maze_fields = {{{"name", fields::name},
 
 Value figure_at(const ContestResult& contest, F figure) { return contest.figures[static_cast<std::size_t>(figure)]; }
 
-double sum(const Race& race, const Standing& standing, F figure) {
+/// Over all contests; nothing where it is unknown of all of them.
+std::optional<double> sum(const Race& race, const Standing& standing, F figure) {
   double all = 0.0;
-  for_each_counted(race, standing,
-                   [&](const ContestResult& contest) { all += number_of(figure_at(contest, figure)).value_or(0.0); });
-  return all;
+  bool known = standing.runs == 0;
+  for_each_counted(race, standing, [&](const ContestResult& contest) {
+    const auto number = number_of(figure_at(contest, figure));
+    known = known || number;
+    all += number.value_or(0.0);
+  });
+  return known ? std::optional(all) : std::nullopt;
 }
 template <F Figure>
 Value count(const Race& race, const Standing& standing) {
-  return static_cast<std::int64_t>(sum(race, standing, Figure));
+  const auto all = sum(race, standing, Figure);
+  return all ? Value(static_cast<std::int64_t>(*all)) : Value(nullptr);
 }
 
 /// The mean over the contests with a score, a time of it in seconds.
@@ -95,7 +101,8 @@ std::optional<double> mean_seconds(const Race& race, const Standing& standing) {
 }
 
 std::optional<double> penalised(const Race& race, const Standing& standing) {
-  return standing.runs == 0 ? std::nullopt : std::optional(sum(race, standing, F::penalised) / standing.runs);
+  const auto all = sum(race, standing, F::penalised);
+  return standing.runs == 0 || !all ? std::nullopt : std::optional(*all / standing.runs);
 }
 
 Interval finished_interval(const Standing& standing) { return wilson_interval(standing.solved, standing.runs); }
@@ -132,7 +139,7 @@ constexpr std::array<MouseField, 24> mouse_fields = {
 
 template <F Figure>
 std::string count_text(const Race& race, const Standing& standing) {
-  return fmt::format("{:.0f}", sum(race, standing, Figure));
+  return columns::number(sum(race, standing, Figure), 0);
 }
 
 std::string finished_text(const Race&, const Standing& standing) {

@@ -6,7 +6,8 @@
 namespace labmouse {
 
 /// The figures of a contest, by their places in ContestResult::figures. Times are whole microseconds; counts are of
-/// runs from the start, searches among them, unless they say otherwise.
+/// runs from the start, searches among them, unless they say otherwise. What nobody knows of a mouse whose whole
+/// program is somebody else's is null.
 enum class PhysicalFigure : std::uint8_t {
   score,   ///< an object of its parts; null where no run counts
   search,  ///< in the maze before the first fast run; all of the time where there is none

@@ -47,10 +47,12 @@ std::int64_t done_runs(const PhysicalRecord& record) {
   return done;
 }
 
-/// In the order of PhysicalFigure.
+/// In the order of PhysicalFigure. Of a mouse that does not tell what it knows there is no coverage, and nobody can say
+/// what it takes walls for.
 std::vector<Value> figures_of(const PhysicalRecord& record, const DriveScore& score, const DriveBound& bound,
                               const DriveRules& rules, const std::optional<Coverage>& coverage,
                               std::string_view words) {
+  const auto if_told = [&](std::int64_t count) { return coverage ? Value(count) : Value(nullptr); };
   const auto best = best_of(score);
   const DriveRunScore* counting = score.best ? &score.runs[*score.best] : nullptr;
   const auto grazes =
@@ -63,13 +65,13 @@ std::vector<Value> figures_of(const PhysicalRecord& record, const DriveScore& sc
           done_runs(record),
           ends_of(record, RunEnd::slid),
           ends_of(record, RunEnd::strayed),
-          ends_of(record, RunEnd::misread),
-          ends_of(record, RunEnd::walled_in),
+          if_told(ends_of(record, RunEnd::misread)),
+          if_told(ends_of(record, RunEnd::walled_in)),
           ends_of(record, RunEnd::out_of_time),
           std::int64_t{record.carried},
           std::int64_t{grazes},
-          std::int64_t{record.misreads},
-          std::int64_t{record.contradictions},
+          if_told(record.misreads),
+          if_told(record.contradictions),
           record.frailty,
           in_seconds(score.value().value_or(rules.time_limit)),
           std::int64_t{record.drive.decisions},
