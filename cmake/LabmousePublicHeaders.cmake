@@ -23,12 +23,14 @@ set(LABMOUSE_PUBLIC_HEADERS
   labmouse/mouse/robot/robot.hpp
   labmouse/mouse/sighting.hpp
   labmouse/mouse/strategy.hpp
+  labmouse/pilot/parts.hpp
   labmouse/strategies/parameter.hpp
   labmouse/strategies/roster.hpp
   labmouse/contest/code_contest.hpp
   labmouse/contest/drive.hpp
   labmouse/contest/drive_rules.hpp
   labmouse/contest/drive_score.hpp
+  labmouse/contest/physical.hpp
   labmouse/contest/record.hpp
   labmouse/contest/rules.hpp
   labmouse/contest/score.hpp
@@ -37,6 +39,7 @@ set(LABMOUSE_PUBLIC_HEADERS
   labmouse/lab/drawing/drawing.hpp
   labmouse/lab/mazes/maze_files.hpp
   labmouse/lab/mice/contestant.hpp
+  labmouse/lab/mice/parts_in_c.hpp
   labmouse/lab/mice/pilot_in_c.hpp
   labmouse/lab/mice/specs.hpp
   labmouse/lab/records/record_file.hpp

@@ -123,7 +123,7 @@ class KnownDriver {
     const BodyMotion& motion = body_.motion();
     ++drive_.ticks;
     add_errors(drive_.truth, motion.position, turned_by(motion.ahead, motion.slip), target);
-    add_errors(drive_.belief, pilot_.estimator().position(), pilot_.estimator().way(), target);
+    add_errors(drive_.belief, pilot_.estimate().position, pilot_.estimate().way(), target);
     const Position off = motion.position - target.position;
     drive_.most_aside = std::max(drive_.most_aside, std::abs(off.y * target.ahead.cosine - off.x * target.ahead.sine));
   }

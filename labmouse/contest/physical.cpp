@@ -15,14 +15,14 @@ namespace {
 class PhysicalContest {
  public:
   PhysicalContest(const Maze& maze, const DriveRules& rules, const DriveModel& model,
-                  const PhysicalConditions& conditions, std::uint64_t seed, Strategy& mouse)
+                  const PhysicalConditions& conditions, std::uint64_t seed, Strategy& mouse, const PilotParts& parts)
       : maze_(maze),
         rules_(rules),
         model_(model),
         handling_(conditions.handling),
         mouse_(mouse),
         start_{maze.start(), maze.start_heading()},
-        driver_(maze, model, conditions, seed, rules.time_limit, record_),
+        driver_(maze, model, conditions, seed, rules.time_limit, record_, parts),
         routes_(maze.size(), route_tables_of(model)),
         home_(maze.size(), model.search) {}
 
@@ -231,8 +231,9 @@ class PhysicalContest {
 }  // namespace
 
 PhysicalRecord drive_physically(const Maze& maze, const DriveRules& rules, const DriveModel& model,
-                                const PhysicalConditions& conditions, std::uint64_t seed, Strategy& mouse) {
-  return PhysicalContest(maze, rules, model, conditions, seed, mouse).hold();
+                                const PhysicalConditions& conditions, std::uint64_t seed, Strategy& mouse,
+                                const PilotParts& parts) {
+  return PhysicalContest(maze, rules, model, conditions, seed, mouse, parts).hold();
 }
 
 std::string why_not_physical(const DriveModel& model) {

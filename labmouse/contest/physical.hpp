@@ -22,9 +22,12 @@ namespace labmouse {
 inline constexpr int physical_edition = 1;
 
 /// Holds the contest, in a maze up to 32×32, with a robot that has limits and hardware. The strategy must be new and
-/// briefed as by brief(), with a sight of one cell. All chance comes from the seed.
+/// briefed as by brief(), with a sight of one cell. All chance comes from the seed. Parts of the pilot that are
+/// somebody else's must be new, too; what they say is not part of the record, which can be shown and not be driven
+/// again.
 PhysicalRecord drive_physically(const Maze& maze, const DriveRules& rules, const DriveModel& model,
-                                const PhysicalConditions& conditions, std::uint64_t seed, Strategy& mouse);
+                                const PhysicalConditions& conditions, std::uint64_t seed, Strategy& mouse,
+                                const PilotParts& parts = {});
 
 /// Whether the robot can drive there: why not, in a sentence about it; empty where it can.
 std::string why_not_physical(const DriveModel& model);

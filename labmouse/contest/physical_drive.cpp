@@ -20,14 +20,15 @@ double angle_of(const Direction& ahead) {
 }  // namespace
 
 PhysicalDriver::PhysicalDriver(const Maze& maze, const DriveModel& model, const PhysicalConditions& conditions,
-                               std::uint64_t seed, MazeTime time_limit, PhysicalRecord& record)
+                               std::uint64_t seed, MazeTime time_limit, PhysicalRecord& record, const PilotParts& parts)
     : maze_(maze),
       record_(record),
       start_{maze.start(), maze.start_heading()},
       known_(maze.size(), 1),
       told_(told_of(model, conditions)),
       body_(maze, model, conditions, seed, time_limit, record),
-      pilot_(model, told_, maze.size(), gains_for(told_, model.tables.cell), conditions.pilot) {
+      pilot_(model, told_, maze.size(), gains_for(told_, model.tables.cell), conditions.pilot, parts) {
+  record_.foreign_parts = parts.any();
   pilot_.know(&known_);
 }
 
@@ -75,8 +76,8 @@ bool PhysicalDriver::tick() {
   const bool goes_on = body_.step(drive_);
   if (!body_.crashed()) note_gates();
   if (body_.trace_due()) {
-    const Estimator& belief = pilot_.estimator();
-    body_.trace(BodyPose{belief.position(), angle_of(belief.ahead())});
+    const PoseEstimate& belief = pilot_.estimate();
+    body_.trace(BodyPose{belief.position, angle_of(belief.ahead)});
   }
   return goes_on;
 }

@@ -17,7 +17,7 @@ class PhysicalDriver {
  public:
   /// All must outlive it.
   PhysicalDriver(const Maze& maze, const DriveModel& model, const PhysicalConditions& conditions, std::uint64_t seed,
-                 MazeTime time_limit, PhysicalRecord& record);
+                 MazeTime time_limit, PhysicalRecord& record, const PilotParts& parts);
 
   /// A hand puts it at the start; it then looks about, by drive_on() and read().
   void put_at_start();

@@ -116,6 +116,69 @@ struct labmouse_pilot {
 /* Yours. */
 extern const struct labmouse_pilot labmouse_pilot;
 
+/* For parts of labmouse's own pilot that are yours: that pilot drives the moves, and asks your parts in place of its own. They
+   are linked in with labmouse; main() below is for whole pilots. */
+
+/* That of an angle to the left of east. */
+struct labmouse_direction {
+  double cosine, sine;
+};
+
+/* Where the mouse should be at a tick, and how it should move there. */
+struct labmouse_target {
+  double x, y;
+  struct labmouse_direction ahead; /* where it should go */
+  double speed;                    /* mm/s, below 0 backwards */
+  double speeding;                 /* mm/s^2 */
+  double turning;                  /* rad/s */
+  double twisting;                 /* rad/s^2 */
+};
+
+/* Where it believes to be. */
+struct labmouse_estimate {
+  double x, y;
+  struct labmouse_direction ahead; /* where it points */
+  double slip;                     /* rad, from there to where it goes */
+  double speed;                    /* mm/s */
+  double turning;                  /* rad/s */
+  double covariance[3][3];         /* of x, y in mm and the angle in rad: how sure it is */
+};
+
+/* Of the walls to its left, ahead and to its right: the logarithm of how much likelier what it read is with the wall than
+   without it, in eighths of a nat, -127 to 127. */
+struct labmouse_evidence {
+  int left, ahead, right;
+};
+
+/* Duties from -LABMOUSE_FULL to LABMOUSE_FULL. */
+struct labmouse_duties {
+  int32_t left, right;
+};
+
+/* Parts: functions, of which any may be null. A part without its `estimate`, its `evidence`, or its `follow` is labmouse's. */
+struct labmouse_parts {
+  /* As of a pilot. */
+  void *(*begin)(const struct labmouse_briefing *briefing);
+  /* The estimator: the mouse was put there, about, and stands. */
+  void (*put)(void *memory, double x, double y, struct labmouse_direction ahead);
+  /* Called for each tick, in order, with where the mouse should be by then. Numbers that make no sense are not believed: the
+     estimate before stays. */
+  struct labmouse_estimate (*estimate)(void *memory, const struct labmouse_sense *sense,
+                                       const struct labmouse_target *target);
+  /* The reader of walls: which cell it reads from now on, as seen in that heading; a tick, after the estimate; and what was
+     read of that cell so far. */
+  void (*look)(void *memory, struct labmouse_cell cell, enum labmouse_heading heading);
+  void (*read)(void *memory, const struct labmouse_sense *sense, const struct labmouse_estimate *estimate);
+  struct labmouse_evidence (*evidence)(void *memory, const struct labmouse_estimate *estimate);
+  /* The tracker: the mouse stands, and begins anew. */
+  void (*rest)(void *memory);
+  /* Called for each tick, last. */
+  struct labmouse_duties (*follow)(void *memory, const struct labmouse_sense *sense, const struct labmouse_target *target,
+                                   const struct labmouse_estimate *estimate);
+  /* The contest has ended. */
+  void (*end)(void *memory);
+};
+
 #ifdef __cplusplus
 }
 #endif

@@ -122,10 +122,12 @@ bool Estimator::correct(const Observation& seen) {
   return true;
 }
 
-double Estimator::variance_of(double x, double y, double angle) const {
-  const auto& p = covariance_;
-  return x * (x * p[at_x][at_x] + 2.0 * (y * p[at_x][at_y] + angle * p[at_x][at_angle])) +
-         y * (y * p[at_y][at_y] + 2.0 * angle * p[at_y][at_angle]) + angle * angle * p[at_angle][at_angle];
+PoseEstimate Estimator::estimate() const {
+  PoseEstimate told = {position_, ahead_, slip(), speed_, turning_, {}};
+  static_assert(at_x == 0 && at_y == 1 && at_angle == 2);
+  for (std::size_t row = 0; row < told.covariance.size(); ++row)
+    std::copy_n(covariance_[row].begin(), told.covariance.size(), told.covariance[row].begin());
+  return told;
 }
 
 }  // namespace labmouse

@@ -13,6 +13,7 @@
 #include "labmouse/functions/position.hpp"
 #include "labmouse/hardware/hardware.hpp"
 #include "labmouse/hardware/sense.hpp"
+#include "labmouse/pilot/pose_estimate.hpp"
 
 namespace labmouse {
 
@@ -43,9 +44,9 @@ class Estimator {
   double slip() const { return slip_ * (1.0 + more_); }
   double speed() const { return speed_; }      ///< mm/s
   double turning() const { return turning_; }  ///< rad/s
-
-  /// The variance of a sum of x, y and the angle with those weights.
-  double variance_of(double x, double y, double angle) const;
+  PoseEstimate estimate() const;
+  /// As of PoseEstimate.
+  double variance_of(double x, double y, double angle) const { return estimate().variance_of(x, y, angle); }
 
  private:
   static constexpr std::size_t states = 7;

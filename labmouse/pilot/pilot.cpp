@@ -23,6 +23,22 @@ Direction direction_of_node(const DriveNode& node) {
   return directions[static_cast<unsigned>(eighths(node))];
 }
 
+/// Numbers that one can reckon with: within a kilometre and a second, and a direction of length one.
+bool makes_sense(const PoseEstimate& estimate) {
+  constexpr double most = 1e6, exact = 1e-3;
+  const auto within = [](double number) { return number >= -most && number <= most; };
+  const auto& [sine, cosine] = estimate.ahead;
+  bool all = within(estimate.position.x) && within(estimate.position.y) && within(estimate.slip) &&
+             within(estimate.speed) && within(estimate.turning) &&
+             std::abs(sine * sine + cosine * cosine - 1.0) <= exact;
+  for (const auto& row : estimate.covariance)
+    for (const double number : row) all = all && within(number);
+  return all;
+}
+
+/// From -1 to 1, and 0 of what is no number.
+float duty_of(float duty) { return duty >= -1.0F ? std::min(duty, 1.0F) : duty < -1.0F ? -1.0F : 0.0F; }
+
 Position along(const Position& from, const Direction& ahead, double way) {
   return {from.x + way * ahead.cosine, from.y + way * ahead.sine};
 }
@@ -30,15 +46,14 @@ Position along(const Position& from, const Direction& ahead, double way) {
 }  // namespace
 
 Pilot::Pilot(const DriveModel& model, const Hardware& hardware, Size size, const Gains& gains,
-             const PilotChoice& choice)
+             const PilotChoice& choice, const PilotParts& parts)
     : model_(model),
       cell_(model.tables.cell),
       manner_(search_manner(model, choice.search_speed)),
-      estimator_(hardware, cell_, gains.speed_filter),
-      corrections_(hardware, cell_, size, choice.corrections),
+      parts_(parts),
+      estimator_(hardware, cell_, size, choice.corrections, gains.speed_filter),
       reader_(hardware, cell_),
-      tracker_(gains.tracker),
-      control_(gains, hardware.motors) {}
+      tracker_(gains, hardware.motors) {}
 
 Position Pilot::middle_of(Cell cell) const { return {(cell.x + 0.5) * cell_, (cell.y + 0.5) * cell_}; }
 
@@ -46,11 +61,12 @@ void Pilot::put(const Pose& pose) {
   place_ = {pose, true};
   route_ = nullptr;
   next_ = count_ = 0;
-  estimator_.put(middle_of(pose.cell), direction_in(pose.heading));
-  corrections_.forget();
-  tracker_.reset();
-  control_.reset();
-  reader_.begin(pose);
+  estimate_ = {};
+  estimate_.position = middle_of(pose.cell);
+  estimate_.ahead = direction_in(pose.heading);
+  estimator().put(estimate_.position, estimate_.ahead);
+  tracker().reset();
+  reader().begin(pose);
   // It looks about before it drives.
   begin_piece(Piece::rest(middle_of(pose.cell), direction_in(pose.heading), settling), 0.0);
 }
@@ -119,7 +135,7 @@ void Pilot::search(const Action& step) {
     add(Piece::straight(
         edge, ahead, dashes ? Ramps(length, speed, speed, {manner_.known_speed, known, known}) : Ramps(length, speed)));
   }
-  reader_.begin(to.pose);
+  reader().begin(to.pose);
   place_ = to;
   // What is left of the present tick belongs to the new move.
   begin_next(std::exchange(late_, 0.0));
@@ -184,9 +200,8 @@ bool Pilot::begin_segment(double late) {
 }
 
 Drive Pilot::tick(const Sense& sense) {
-  estimator_.predict(sense);
-  corrections_.apply(sense, walk_.target(), known_, estimator_);
-  reader_.read(sense, estimator_);
+  believe(estimator().estimate(sense, walk_.target(), known_));
+  reader().read(sense, estimate_);
   double seconds = tick_seconds;
   while (moving_ && walk_.left() < seconds) {
     seconds -= walk_.left();
@@ -195,10 +210,13 @@ Drive Pilot::tick(const Sense& sense) {
   }
   walk_.step(seconds);
   late_ = moving_ ? 0.0 : seconds;
-  const Target& target = walk_.target();
-  const Course course = {estimator_.position(), estimator_.way(), estimator_.speed()};
-  const Command command = tracker_.follow(target, course);
-  return control_.control(command, estimator_.speed(), estimator_.turning(), sense.millivolts / 1000.0);
+  const Drive duties = tracker().follow(sense, walk_.target(), estimate_);
+  return parts_.tracker == nullptr ? duties : Drive{duty_of(duties.left), duty_of(duties.right)};
+}
+
+/// What makes no sense is not believed; only somebody else's part says such.
+void Pilot::believe(const PoseEstimate& estimate) {
+  if (parts_.estimator == nullptr || makes_sense(estimate)) estimate_ = estimate;
 }
 
 }  // namespace labmouse

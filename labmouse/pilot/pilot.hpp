@@ -17,12 +17,9 @@
 #include "labmouse/mouse/knowledge.hpp"
 #include "labmouse/mouse/robot/drive_model.hpp"
 #include "labmouse/mouse/robot/route.hpp"
-#include "labmouse/pilot/axis_control.hpp"
-#include "labmouse/pilot/corrections.hpp"
-#include "labmouse/pilot/estimator.hpp"
 #include "labmouse/pilot/piece.hpp"
+#include "labmouse/pilot/reference_parts.hpp"
 #include "labmouse/pilot/search_manner.hpp"
-#include "labmouse/pilot/tracker.hpp"
 #include "labmouse/pilot/wall_reader.hpp"
 
 namespace labmouse {
@@ -37,7 +34,7 @@ class Pilot {
  public:
   /// Of a robot with limits and hardware; model and gains' owner must outlive it.
   Pilot(const DriveModel& model, const Hardware& hardware, Size size, const Gains& gains,
-        const PilotChoice& choice = {});
+        const PilotChoice& choice = {}, const PilotParts& parts = {});
 
   /// It was put down at rest in the middle of a cell, about.
   void put(const Pose& pose);
@@ -56,14 +53,21 @@ class Pilot {
   /// Where it is then, as it believes.
   const SearchPlace& place() const { return place_; }
   /// Of the walls about that cell.
-  WallEvidence evidence() const { return reader_.evidence(estimator_); }
+  WallEvidence evidence() const {
+    return parts_.reader ? parts_.reader->evidence(estimate_) : reader_.evidence(estimate_);
+  }
 
-  const Estimator& estimator() const { return estimator_; }
+  /// Where it believes to be.
+  const PoseEstimate& estimate() const { return estimate_; }
   const Target& target() const { return walk_.target(); }
   /// Whether a run has left its beginning: its clock is on.
   bool running() const { return route_ != nullptr && segment_ > 0; }
 
  private:
+  EstimatorPart& estimator() { return parts_.estimator ? *parts_.estimator : estimator_; }
+  ReaderPart& reader() { return parts_.reader ? *parts_.reader : reader_; }
+  TrackerPart& tracker() { return parts_.tracker ? *parts_.tracker : tracker_; }
+  void believe(const PoseEstimate& estimate);
   Position middle_of(Cell cell) const;
   void add(const Piece& piece);
   void add_pivot(const Position& at, Direction& ahead, int quarters);
@@ -75,11 +79,11 @@ class Pilot {
   const DriveModel& model_;
   double cell_;
   SearchManner manner_;
-  Estimator estimator_;
-  Corrections corrections_;
+  PilotParts parts_;
+  CorrectedEstimator estimator_;
   WallReader reader_;
-  Tracker tracker_;
-  AxisControl control_;
+  MotorTracker tracker_;
+  PoseEstimate estimate_;
   const Knowledge* known_ = nullptr;
 
   SearchPlace place_;

@@ -56,16 +56,16 @@ WallReader::Sight WallReader::sight_of(std::size_t beam, const Pose& pose) const
   return {side, line_on(pose.cell, side, axis, cell_), dot(middle, way_in(axis)) - cell_ / 2.0};
 }
 
-void WallReader::read(const Sense& sense, const Estimator& estimator) {
+void WallReader::read(const Sense& sense, const PoseEstimate& estimate) {
   if (!pose_) return;
-  for (std::size_t beam = 0; beam < beam_count; ++beam) read_beam(beam, sense, estimator);
-  if (sense.range_new) read_range(sense, estimator);
+  for (std::size_t beam = 0; beam < beam_count; ++beam) read_beam(beam, sense, estimate);
+  if (sense.range_new) read_range(sense, estimate);
 }
 
-void WallReader::read_beam(std::size_t beam, const Sense& sense, const Estimator& estimator) {
+void WallReader::read_beam(std::size_t beam, const Sense& sense, const PoseEstimate& estimate) {
   const Sight& sight = sights_[beam];
   View view;
-  if (!views_.see(beam, estimator.position(), estimator.ahead(), sight.line, view)) return;
+  if (!views_.see(beam, estimate.position, estimate.ahead, sight.line, view)) return;
   const double along = view.along - sight.begin;
   // Behind the first post, and before the next one; ahead not farther than the front wall of a cell that is entered.
   constexpr double first = 0.14, last = 0.86, far = 1.1, steep = 0.7;
@@ -76,19 +76,19 @@ void WallReader::read_beam(std::size_t beam, const Sense& sense, const Estimator
   stretch.expected += views_.level_of(beam, view);
   stretch.along += along;
   stretch.view = view;
-  stretch.ahead = estimator.ahead();
+  stretch.ahead = estimate.ahead;
 }
 
 /// How likely a wall ahead makes a reading of the ranger, over how likely none does.
-void WallReader::read_range(const Sense& sense, const Estimator& estimator) {
+void WallReader::read_range(const Sense& sense, const PoseEstimate& estimate) {
   const Ranger& ranger = hardware_.sensors.ranger;
   const Position& on = front_.out;
-  const double expected = front_.face - dot(estimator.position(), on) - ranger.ahead;
-  const double ahead = dot({estimator.ahead().cosine, estimator.ahead().sine}, on);
+  const double expected = front_.face - dot(estimate.position, on) - ranger.ahead;
+  const double ahead = dot({estimate.ahead.cosine, estimate.ahead.sine}, on);
   constexpr double straight = 0.985, far = 1.2;
   if (ahead < straight || expected > far * cell_ || expected > ranger.reach || expected < 0.0) return;
   const double deviation2 =
-      square(hardware_.noise.ranger) + square(0.01 * cell_) + estimator.variance_of(on.x, on.y, 0.0);
+      square(hardware_.noise.ranger) + square(0.01 * cell_) + estimate.variance_of(on.x, on.y, 0.0);
   const double odd = odd_readings / ranger.reach;
   double with = odd, without = odd;
   if (sense.range > 0) with += density(sense.range - expected, deviation2);
@@ -112,15 +112,18 @@ double WallReader::likelihood(double level, double expected) const {
   return density(level - expected, variance);
 }
 
-double WallReader::nats_of(std::size_t beam, const Estimator& estimator) const {
+double WallReader::nats_of(std::size_t beam, const PoseEstimate& estimate) const {
   const Stretch& stretch = stretches_[beam];
   if (stretch.count == 0) return 0.0;
   const double level = stretch.level / stretch.count, expected = stretch.expected / stretch.count,
                along = stretch.along / stretch.count;
   const Infrared& infrared = hardware_.sensors.infrared;
   const ViewSlopes by = views_.slopes(beam, stretch.ahead, sights_[beam].line, stretch.view);
-  const double off = std::sqrt(estimator.variance_of(by.distance[0], by.distance[1], by.distance[2]));
-  const double shifted = std::sqrt(estimator.variance_of(by.along[0], by.along[1], by.along[2]));
+  // A mouse that may be a whole cell off knows nothing.
+  const auto deviation = [&](const std::array<double, 3>& slopes) {
+    return std::min(cell_, std::sqrt(estimate.variance_of(slopes[0], slopes[1], slopes[2])));
+  };
+  const double off = deviation(by.distance), shifted = deviation(by.along);
   double with = 0.0, without = 0.0;
   for (const Trial& aside : trials) {
     const double whole = expected * exp_of(-aside.deviations * off / infrared.fall);
@@ -136,12 +139,12 @@ double WallReader::nats_of(std::size_t beam, const Estimator& estimator) const {
   return log_of(with / without);
 }
 
-WallEvidence WallReader::evidence(const Estimator& estimator) const {
+WallEvidence WallReader::evidence(const PoseEstimate& estimate) const {
   if (!pose_) return {};
   double left = 0.0, ahead = ranged_, right = 0.0;
   for (std::size_t beam = 0; beam < beam_count; ++beam) {
     const Heading side = sights_[beam].side;
-    (side == pose_->heading ? ahead : side == left_of(pose_->heading) ? left : right) += nats_of(beam, estimator);
+    (side == pose_->heading ? ahead : side == left_of(pose_->heading) ? left : right) += nats_of(beam, estimate);
   }
   return {evidence_of(left), evidence_of(ahead), evidence_of(right)};
 }

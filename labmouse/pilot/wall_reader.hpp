@@ -9,23 +9,19 @@
 #include <optional>
 
 #include "labmouse/mouse/pose.hpp"
-#include "labmouse/pilot/estimator.hpp"
-#include "labmouse/pilot/evidence.hpp"
+#include "labmouse/pilot/parts.hpp"
 #include "labmouse/pilot/view.hpp"
 
 namespace labmouse {
 
-class WallReader {
+class WallReader final : public ReaderPart {
  public:
   /// The hardware must outlive it.
   WallReader(const Hardware& hardware, double cell);
 
-  /// Reads that cell from now on, as seen in that heading.
-  void begin(const Pose& pose);
-  /// One tick.
-  void read(const Sense& sense, const Estimator& estimator);
-  /// What was read so far.
-  WallEvidence evidence(const Estimator& estimator) const;
+  void begin(const Pose& pose) override;
+  void read(const Sense& sense, const PoseEstimate& estimate) override;
+  WallEvidence evidence(const PoseEstimate& estimate) const override;
 
  private:
   /// What a beam looks at: the line on a side of the cell, and where on it the cell begins.
@@ -42,10 +38,10 @@ class WallReader {
     Direction ahead;
   };
 
-  void read_beam(std::size_t beam, const Sense& sense, const Estimator& estimator);
-  void read_range(const Sense& sense, const Estimator& estimator);
+  void read_beam(std::size_t beam, const Sense& sense, const PoseEstimate& estimate);
+  void read_range(const Sense& sense, const PoseEstimate& estimate);
   Sight sight_of(std::size_t beam, const Pose& pose) const;
-  double nats_of(std::size_t beam, const Estimator& estimator) const;
+  double nats_of(std::size_t beam, const PoseEstimate& estimate) const;
   double likelihood(double level, double expected) const;
   double post_share(double along, double cosine) const;
 

@@ -49,9 +49,9 @@ class Driven {
 
   Position middle_of(Cell cell) const { return {(cell.x + 0.5) * cell_, (cell.y + 0.5) * cell_}; }
   /// Of the estimate: where it believes to be, less where it is.
-  Position error() const { return pilot_.estimator().position() - body_.motion().position; }
+  Position error() const { return pilot_.estimate().position - body_.motion().position; }
   double angle_error() const {
-    const Direction &believed = pilot_.estimator().ahead(), &truth = body_.motion().ahead;
+    const Direction &believed = pilot_.estimate().ahead, &truth = body_.motion().ahead;
     return believed.sine * truth.cosine - believed.cosine * truth.sine;
   }
   Body& body() { return body_; }

@@ -161,7 +161,7 @@ TEST(Estimator, LearnsHowMuchItsEncodersOverstate) {
 class Consistency {
  public:
   void add(test::Driven& driven) {
-    const Estimator& estimator = driven.pilot().estimator();
+    const PoseEstimate& estimator = driven.pilot().estimate();
     const auto of = [&](double x, double y, double angle) { return estimator.variance_of(x, y, angle); };
     // The entries of the covariance, by the variances of sums.
     const double xx = of(1, 0, 0), yy = of(0, 1, 0), aa = of(0, 0, 1), xy = (of(1, 1, 0) - xx - yy) / 2.0,

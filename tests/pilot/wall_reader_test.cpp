@@ -52,9 +52,9 @@ WallEvidence passing(double aside, double ahead, double sure) {
     Sense sense;
     for (std::size_t beam = 0; beam < beam_count; ++beam)
       sense.infrared[beam] = static_cast<std::int16_t>(beams.level(beam, truth, {1.0, 0.0}) + 0.5);
-    reader.read(sense, estimator);
+    reader.read(sense, estimator.estimate());
   }
-  return reader.evidence(estimator);
+  return reader.evidence(estimator.estimate());
 }
 
 TEST(WallReader, IsSureWhereItIsInTheMiddle) {
@@ -89,13 +89,36 @@ TEST(WallReader, IsLessSureTheLessItKnowsOfItsPlace) {
   EXPECT_LT(before, 8 * evidence_a_nat);
 }
 
+/// What the ranger says of a wall ahead that is 40 mm farther than it should be, to a mouse as sure of its place as
+/// that.
+Evidence ranging(double sure) {
+  Hardware book = hardware();
+  book.noise.placement = sure / 2.0;
+  WallReader reader(book, cell);
+  reader.begin({{1, 1}, Heading::north});
+  Estimator estimator(book, cell, 0.2);
+  const Position at = {135.0, 100.0};
+  estimator.put(at, {1.0, 0.0});
+  Sense sense;
+  sense.range_new = true;
+  const double face = 2.0 * cell - half_wall_of(cell);
+  sense.range = static_cast<std::uint16_t>(face - at.y - book.sensors.ranger.ahead + 40.0);
+  reader.read(sense, estimator.estimate());
+  return reader.evidence(estimator.estimate()).ahead;
+}
+
+TEST(WallReader, TakesAWallThatIsFartherForOneTheLessItKnowsOfItsPlace) {
+  EXPECT_GT(ranging(20.0), ranging(0.5));
+  EXPECT_GT(ranging(10.0), ranging(0.5));
+}
+
 TEST(WallReader, SaysNothingOfACellThatItHasNotSeen) {
   WallReader reader(hardware(), cell);
   Estimator estimator(hardware(), cell, 0.2);
   estimator.put({135.0, 135.0}, {1.0, 0.0});
-  EXPECT_EQ(reader.evidence(estimator), WallEvidence{});
+  EXPECT_EQ(reader.evidence(estimator.estimate()), WallEvidence{});
   reader.begin({{1, 1}, Heading::north});
-  EXPECT_EQ(reader.evidence(estimator), WallEvidence{});
+  EXPECT_EQ(reader.evidence(estimator.estimate()), WallEvidence{});
 }
 
 TEST(WallReader, ForgetsTheCellBefore) {
@@ -107,10 +130,10 @@ TEST(WallReader, ForgetsTheCellBefore) {
   reader.begin({{1, 1}, Heading::north});
   Sense sense;
   sense.infrared = {700, 0, 700, 0};
-  for (int i = 0; i < 50; ++i) reader.read(sense, estimator);
-  ASSERT_NE(reader.evidence(estimator), WallEvidence{});
+  for (int i = 0; i < 50; ++i) reader.read(sense, estimator.estimate());
+  ASSERT_NE(reader.evidence(estimator.estimate()), WallEvidence{});
   reader.begin({{1, 2}, Heading::north});
-  EXPECT_EQ(reader.evidence(estimator), WallEvidence{});
+  EXPECT_EQ(reader.evidence(estimator.estimate()), WallEvidence{});
 }
 
 /// Among walls for which the evidence is as strong, how many are read wrongly.

@@ -137,14 +137,17 @@ Json conditions_json(const PhysicalPart& part) {
   for (std::size_t i = 0; i < noise_groups; ++i)
     groups[std::string(name_of(static_cast<NoiseGroup>(i)))] = conditions.noise.groups[i];
   const CorrectionChoice& corrections = conditions.pilot.corrections;
-  return {{"edition", part.edition},
-          {"noise", conditions.noise.all},
-          {"groups", std::move(groups)},
-          {"spread", conditions.noise.spread},
-          {"handling", conditions.handling},
-          {"search_speed", conditions.pilot.search_speed},
-          {"corrections", {{"sides", corrections.sides}, {"edges", corrections.edges}, {"front", corrections.front}}},
-          {"trace_every", conditions.trace_every}};
+  Json json = {
+      {"edition", part.edition},
+      {"noise", conditions.noise.all},
+      {"groups", std::move(groups)},
+      {"spread", conditions.noise.spread},
+      {"handling", conditions.handling},
+      {"search_speed", conditions.pilot.search_speed},
+      {"corrections", {{"sides", corrections.sides}, {"edges", corrections.edges}, {"front", corrections.front}}},
+      {"trace_every", conditions.trace_every}};
+  if (part.notes.foreign_parts) json["foreign_parts"] = true;
+  return json;
 }
 
 std::string decision_lines(const PhysicalNotes& notes) {
@@ -195,6 +198,7 @@ void read_conditions(const ReadJson& json, PhysicalPart& part, JsonFields& outer
   part.conditions.handling = fields.long_whole("handling", 0, longest_time);
   part.conditions.pilot.search_speed = fields.number("search_speed", 0.0, 20'000.0);
   part.conditions.trace_every = fields.whole("trace_every", 0, 1'000'000);
+  part.notes.foreign_parts = fields.has("foreign_parts") && fields.flag("foreign_parts");
   if (!fields.has("groups") || !fields.has("corrections")) fields.reject("'physical' lacks its groups or corrections");
   if (fields.error().empty()) {
     JsonFields groups(json["groups"], "groups"), corrections(json["corrections"], "corrections");

@@ -88,6 +88,9 @@ std::string replay_physically(const DriveRecordFile& file) {
         "it was driven in edition {} of the physical world; this version has edition {}, so it can be "
         "shown and not driven again",
         file.physical->edition, physical_edition);
+  if (file.physical->notes.foreign_parts)
+    return "parts of its pilot were somebody's own, and the record does not have what they said; it can be shown and "
+           "not driven again";
   if (file.tables_hash != file.model->tables.hash)
     return fmt::format("the hash of the robot's tables is {}; recomputed, it is {}", hash_text(file.tables_hash),
                        hash_text(file.model->tables.hash));

@@ -1,0 +1,23 @@
+// Parts of our pilot that are somebody else's, in C and linked in, by their table of functions.
+#pragma once
+
+#include <memory>
+
+#include "labmouse/contest/pilot_code.hpp"
+#include "labmouse/hardware/labmouse_pilot.h"
+#include "labmouse/pilot/parts.hpp"
+
+namespace labmouse {
+
+/// Such parts for one contest.
+class PartsInC {
+ public:
+  virtual ~PartsInC() = default;
+  /// For drive_physically(); they live as long as this.
+  virtual PilotParts parts() = 0;
+};
+
+/// The table must outlive it; its functions may be called from several threads at once, each for contests of its own.
+std::unique_ptr<PartsInC> parts_in_c(const struct labmouse_parts& table, const PilotBriefing& briefing);
+
+}  // namespace labmouse

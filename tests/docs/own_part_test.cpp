@@ -1,0 +1,70 @@
+// The estimator of docs/pilots.md drives with our other parts, and is worse than ours.
+#include "own_part.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "labmouse/contest/drive.hpp"
+#include "labmouse/lab/robots/drive_rules_file.hpp"
+#include "labmouse/lab/robots/robot_files.hpp"
+#include "labmouse/mouse/drive/fastest.hpp"
+#include "labmouse/strategies/roster.hpp"
+#include "tests/drawn_maze.hpp"
+
+namespace labmouse {
+namespace {
+
+const Maze& ring() {
+  static const Maze maze = test::drawn(R"(
+    o---o---o---o
+    |           |
+    o   o---o   o
+    |   |   | G |
+    o   o---o   o
+    | S |       |
+    o---o---o---o
+  )");
+  return maze;
+}
+
+struct Contest {
+  DriveRules rules = find_rules("all-japan").rules;
+  DriveModel model = find_robot("kerise").model;
+  PhysicalConditions conditions;
+
+  Contest() {
+    share_route_tables(model);
+    conditions.trace_every = 10;
+  }
+  std::unique_ptr<Strategy> mind() const {
+    Briefing briefing = brief(ring(), rules, model, 1);
+    briefing.sight = 1;
+    const RosterEntry& entry = *find_mouse("flood-return");
+    return entry.make(briefing, Settings(entry.parameters));
+  }
+};
+
+/// How far from where it was it ever believed to be, in mm.
+double farthest(const PhysicalRecord& record) {
+  double most = 0.0;
+  for (const TracePoint& point : record.trace) {
+    const Position off = point.belief->position - point.truth.position;
+    most = std::max({most, std::abs(off.x), std::abs(off.y)});
+  }
+  return most;
+}
+
+TEST(DeadReckoning, DrivesAndGoesAstray) {
+  const Contest contest;
+  const auto own = contest.mind(), other = contest.mind();
+  const PhysicalRecord ours = drive_physically(ring(), contest.rules, contest.model, contest.conditions, 1, *other);
+  const PhysicalRecord reckoned =
+      drive_by_dead_reckoning(ring(), contest.rules, contest.model, contest.conditions, *own);
+  ASSERT_FALSE(reckoned.drive.runs.empty());
+  EXPECT_FALSE(reckoned.drive.runs.front().moves.empty());
+  EXPECT_GT(farthest(reckoned), 2.0 * farthest(ours));
+}
+
+}  // namespace
+}  // namespace labmouse
