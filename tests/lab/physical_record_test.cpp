@@ -57,6 +57,22 @@ TEST(PhysicalRecord, DisagreesWhereAnythingWasChanged) {
   EXPECT_THAT(replay(read(changed(text, "\"trace\":[", "\"trace\":[1"))), HasSubstr("driven again"));
 }
 
+/// A header alone may not ask for more than a machine has: the trace of a long contest, or a contest of years.
+TEST(PhysicalRecord, IsRefusedWhereItsContestWouldBeTooLong) {
+  const std::string text = write_drive_record(physical_file("flood", at_noise(0.0)));
+  const auto problem = [&](const std::string& limit, const std::string& every) {
+    const ReadDriveRecordResult result =
+        read_drive_record(changed(changed(text, "\"time_limit\":300000000", "\"time_limit\":" + limit),
+                                  "\"trace_every\":0", "\"trace_every\":" + every));
+    return result.file ? "" : result.problems.front().reason;
+  };
+  EXPECT_EQ(problem("300000000", "1"), "");
+  EXPECT_EQ(problem("7200000000", "15"), "");
+  // It says how often the contest may be traced.
+  EXPECT_THAT(problem("7200000000", "1"), Says("trace", "500000", "15 ms"));
+  EXPECT_THAT(problem("7200000001", "0"), Says("time_limit", "7200"));
+}
+
 TEST(PhysicalRecord, OfAnotherEditionIsShownAndNotDriven) {
   DriveRecordFile file = physical_file("flood", traced(1.0));
   file.physical->edition = physical_edition + 1;

@@ -97,6 +97,7 @@ std::string Reading::read_header(const ReadJson& json) {
     if (fields.error().empty()) read_conditions(json["physical"], *file_.physical, fields);
     const std::string why = fields.error().empty() ? why_not_physical(*file_.model) : "";
     if (!why.empty()) fields.reject("'robot' cannot drive in the physical world: " + why);
+    if (fields.error().empty()) fields.reject(why_not_driven(file_.physical->conditions, file_.rules.time_limit));
   }
   file_.ended = false;
   return fields.error();

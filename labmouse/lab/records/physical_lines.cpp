@@ -189,6 +189,21 @@ Json counts_json(const PhysicalNotes& notes) {
           {"frailty", notes.frailty}};
 }
 
+std::string why_not_driven(const PhysicalConditions& conditions, MazeTime time_limit) {
+  constexpr MazeTime second = 1'000'000, millisecond = 1000, longest = 7200 * second;
+  // A replay holds them twice, and twice as text: some 150 MB.
+  constexpr MazeTime most_points = 500'000;
+  if (time_limit > longest)
+    return fmt::format("'time_limit' is more than {} s, which is the most in the physical world", longest / second);
+  const MazeTime points = conditions.trace_every > 0 ? time_limit / (conditions.trace_every * millisecond) : 0;
+  if (points <= most_points) return "";
+  return fmt::format(
+      "a point of the trace each {} ms makes up to {} of them in {} s, and a record has at most {}; trace it each {} "
+      "ms",
+      conditions.trace_every, points, time_limit / second, most_points,
+      (time_limit / millisecond + most_points - 1) / most_points);
+}
+
 void read_conditions(const ReadJson& json, PhysicalPart& part, JsonFields& outer) {
   JsonFields fields(json, "physical");
   constexpr double most = 1000.0;

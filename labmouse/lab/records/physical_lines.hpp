@@ -22,6 +22,10 @@ std::string physical_lines(const PhysicalNotes& notes);
 /// Of the last line.
 Json counts_json(const PhysicalNotes& notes);
 
+/// Why a contest under these conditions is too long to be driven for its record, with what to do; empty where it is
+/// not.
+std::string why_not_driven(const PhysicalConditions& conditions, MazeTime time_limit);
+
 // All of these give the fields what is wrong.
 
 void read_conditions(const ReadJson& json, PhysicalPart& part, JsonFields& outer);
