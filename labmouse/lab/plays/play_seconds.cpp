@@ -9,6 +9,8 @@
 #include "labmouse/contest/drive_gates.hpp"
 #include "labmouse/contest/drive_score.hpp"
 #include "labmouse/lab/bounds/drive_bound.hpp"
+#include "labmouse/lab/pictures/trace_path.hpp"
+#include "labmouse/lab/plays/bodies.hpp"
 #include "labmouse/lab/plays/drive_frames.hpp"
 #include "labmouse/lab/plays/fields.hpp"
 #include "labmouse/lab/plays/maze_data.hpp"
@@ -102,28 +104,31 @@ Json drive_json(const DriveRecordFile& contest, const DriveRun& best, const std:
   DrivePath path({contest.maze->start(), contest.maze->start_heading()}, *contest.model);
   PathLists lists, best_lists;
   Json runs = Json::array();
+  const bool traced = contest.physical && !contest.physical->notes.trace.empty();
   for (std::size_t i = 0; i < contest.record.runs.size(); ++i) {
     Json run = run_json(contest.record.runs[i]);
     run["frame"] = first_frames[i];
     run["from"] = lists.size();
-    lists.add(path.follow(contest.record.runs[i]));
+    lists.add(traced ? true_path(contest, i) : path.follow(contest.record.runs[i]));
     run["to"] = lists.size();
     run["score"] = score_json(scores, i);
     runs.push_back(std::move(run));
   }
   best_lists.add(path_of(best.route, 0, *contest.model));
-  return {{"robot", robot_json(contest.model->robot, contest.model->tables)},
-          {"rules", rules_json(contest.rules)},
-          {"decisions", contest.record.decisions},
-          {"replanned", contest.record.replanned},
-          {"runs", std::move(runs)},
-          {"path", lists.json()},
-          {"best", best_lists.json()}};
+  Json drive = {{"robot", robot_json(contest.model->robot, contest.model->tables)},
+                {"rules", rules_json(contest.rules)},
+                {"decisions", contest.record.decisions},
+                {"replanned", contest.record.replanned},
+                {"runs", std::move(runs)},
+                {"path", lists.json()},
+                {"best", best_lists.json()}};
+  if (traced) drive["bodies"] = bodies_json(contest);
+  return drive;
 }
 
 Json header_json(const DriveRecordFile& contest, const DriveRun& best) {
   const auto value = score(contest.record, contest.rules).value();
-  return {{"world", "seconds"},
+  return {{"world", contest.physical ? "physical" : "seconds"},
           {"traits", traits_json({.in_steps = false,
                                   .unit = "s",
                                   .bound = "the best possible score: that of the fastest run, made at once",

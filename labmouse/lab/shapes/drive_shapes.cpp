@@ -34,6 +34,28 @@ std::vector<Declaration> drive_shapes() {
                field("heading", list(number), "Eighths of a turn clockwise from north, without a leap within a run."),
                field("v", list(number), "mm/s."),
                field("a", list(number), "mm/s² along the path from this point to the next one.")})},
+      {"DriveBodies",
+       "Both mice of a contest in the physical world: the true one drives the path, the other one is where it believes "
+       "to be. Lengths are in cells, times in microseconds.",
+       object(
+           {field("front", number, "From the middle of the axle."), field("back", number), field("half_width", number),
+            field("belief",
+                  object({field("x", list(number)), field("y", list(number)), field("heading", list(number))}),
+                  "Of the path's points, one by one, headings without a leap from the true ones; without points of a "
+                  "mouse whose program does not tell."),
+            field("beams", list(object({field("ahead", number), field("left", number), field("angle", number)})),
+                  "Where its infrared sensors are, and where they look: eighths of a turn clockwise from ahead."),
+            field("distances", list(number),
+                  "Of each point of the path one by each beam: how far the wall is that they read; 0 for none."),
+            field(
+                "looks",
+                list(object({field("time", number), field("x", number), field("y", number), field("heading", number),
+                             field("evidence", list(number))})),
+                "What it read of the walls to the left, ahead and to the right of a cell as it entered it, in eighths "
+                "of a nat: above 0 for a wall. Headings in eighths of a turn."),
+            field("touches",
+                  list(object({field("time", number), field("x", number), field("y", number), field("crash", flag)})),
+                  "Where the true mouse touched a wall.")})},
       {"Drive", "What only a play in seconds has.",
        object(
            {field("robot", object({field("name", text), field("cell", number), field("hash", text)}),
@@ -49,7 +71,8 @@ std::vector<Declaration> drive_shapes() {
             field("decisions", number), field("replanned", number), field("runs", list(named("DriveRun"))),
             field("path", named("DrivePath")),
             field("best", named("DrivePath"),
-                  "The fastest run that the maze allows, from time 0; without points where there is none.")})},
+                  "The fastest run that the maze allows, from time 0; without points where there is none."),
+            maybe("bodies", named("DriveBodies"), "Of a record in the physical world that has a trace.")})},
   };
 }
 

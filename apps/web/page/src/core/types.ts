@@ -342,6 +342,33 @@ export interface DrivePath {
   a: number[];
 }
 
+/**
+ * Both mice of a contest in the physical world: the true one drives the path, the other one is where it believes to
+ * be. Lengths are in cells, times in microseconds.
+ */
+export interface DriveBodies {
+  /** From the middle of the axle. */
+  front: number;
+  back: number;
+  half_width: number;
+  /**
+   * Of the path's points, one by one, headings without a leap from the true ones; without points of a mouse whose
+   * program does not tell.
+   */
+  belief: { x: number[]; y: number[]; heading: number[] };
+  /** Where its infrared sensors are, and where they look: eighths of a turn clockwise from ahead. */
+  beams: { ahead: number; left: number; angle: number }[];
+  /** Of each point of the path one by each beam: how far the wall is that they read; 0 for none. */
+  distances: number[];
+  /**
+   * What it read of the walls to the left, ahead and to the right of a cell as it entered it, in eighths of a nat:
+   * above 0 for a wall. Headings in eighths of a turn.
+   */
+  looks: { time: number; x: number; y: number; heading: number; evidence: number[] }[];
+  /** Where the true mouse touched a wall. */
+  touches: { time: number; x: number; y: number; crash: boolean }[];
+}
+
 /** What only a play in seconds has. */
 export interface Drive {
   /** `cell`: the side of a cell in mm; `hash`: of its tables. */
@@ -366,6 +393,8 @@ export interface Drive {
   path: DrivePath;
   /** The fastest run that the maze allows, from time 0; without points where there is none. */
   best: DrivePath;
+  /** Of a record in the physical world that has a trace. */
+  bodies?: DriveBodies;
 }
 
 /** A number of a robot file. */

@@ -43,7 +43,7 @@ export function has(play: Play, layer: LayerName): boolean {
   const { draws, runs } = play.traits;
   switch (layer) {
     case 'rays':
-      return play.left.length > 0;
+      return play.left.length > 0 || play.drive?.bodies !== undefined;
     case 'exploration':
       return !play.drive;
     case 'wrong':

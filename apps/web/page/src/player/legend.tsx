@@ -42,6 +42,13 @@ function signsOf(layer: LayerName, layers: Layers, { traits, drive }: Play, most
         ];
       return [['distances', `${unit} to the goal, in the whole maze${tints}`]];
     case 'rays':
+      if (drive)
+        return [
+          ['rays', 'infrared beams, as far as what they read says'],
+          ['believed', 'the mouse that it thinks it is; where it differs it may crash'],
+          ['wrong', 'a wall that it read about the cell, and a cross where it touched one'],
+          ['exploration', 'no wall that it read there; paler where it was less sure'],
+        ];
       return [['rays', 'open cells to the left, ahead and to the right, read before the next step']];
     case 'exploration':
       return traits.runs.length < 2
@@ -104,7 +111,11 @@ const titles: Record<LayerName, string> = {
 };
 
 /** What a layer is called of a robot that drives, where it is called otherwise. */
-const titlesOfDrives: Partial<Record<LayerName, string>> = { speed: 'Path by speed', best: 'Fastest possible run' };
+const titlesOfDrives: Partial<Record<LayerName, string>> = {
+  speed: 'Path by speed',
+  best: 'Fastest possible run',
+  rays: 'Beams and beliefs',
+};
 
 const titleOf = (layer: LayerName, sides: Side[]) =>
   (sides.every(({ track }) => track.drive) && titlesOfDrives[layer]) || titles[layer];

@@ -3,6 +3,7 @@ import { paintGround, paintLetters, paintNumbers } from '../maze/painter';
 import { createMoment, goTo, type Moment } from './drive';
 import { createPose, poseAt, type Pose } from './motion';
 import type { Brush } from './paint/brush';
+import { paintBodies } from './paint/bodies';
 import { paintCandidates } from './paint/candidates';
 import { paintDistances } from './paint/distances';
 import { paintDriven, paintDriving, paintFastest, poseOf } from './paint/drive';
@@ -66,4 +67,5 @@ export function paintAbove(brush: Brush, { pose, moment }: Place) {
   if (layers.rays) paintRays(brush);
   if (layers.speed && moment) paintDriving(brush, moment);
   paintMouse(brush, pose, track.drive ? mouseInSeconds : 1);
+  if (layers.rays && moment) paintBodies(brush, moment);
 }

@@ -20,7 +20,7 @@ const levels = (tone: string) => [1, 2, 3, 4, 5, 6].map((level, i) => box(`${ton
 const shapes: Record<
   | LayerName
   | ('mouse' | 'start' | 'goal' | 'unknown' | 'onwards' | 'chosen' | 'unseen' | 'drawn')
-  | ('speeds' | 'ahead' | 'fastest'),
+  | ('speeds' | 'ahead' | 'fastest' | 'believed'),
   () => ComponentChildren
 > = {
   walls: () => line('s-ink', { 'stroke-width': 4 }),
@@ -30,6 +30,9 @@ const shapes: Record<
   visits: () => levels('f-heat'),
   distances: () => letter('12', { x: 18, y: 14, 'font-size': 13 }),
   rays: () => [line('s-muted', { 'stroke-width': 2 }), <path class="s-muted" d="M33 3v12" stroke-width={2} />],
+  believed: () => (
+    <rect class="s-candidate" x={8} y={3} width={20} height={12} fill="none" stroke-width={2} stroke-dasharray="3 3" />
+  ),
   exploration: () => line('s-to-goal'),
   onwards: () => line('s-onwards', { 'stroke-dasharray': '6 4' }),
   speed: () => [

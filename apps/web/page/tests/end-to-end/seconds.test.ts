@@ -1,8 +1,9 @@
 // Contests in seconds, in Replay and in Live.
-import { readFileSync } from 'node:fs';
+import { readdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
 import type { Page } from 'playwright-core';
 import { expect, test } from 'vitest';
-import { barriers, choose, drop, open, picture } from './harness';
+import { barriers, choose, drop, native, open, picture, temporary } from './harness';
 
 /** Drives the example, with its maze. */
 async function driven(options = {}) {
@@ -124,6 +125,40 @@ test('its record and its picture are saved, and the record is opened again', asy
   await expect.poll(() => moment(page)).toBe(whole);
   await drop(page, { name: 'changed.jsonl', content: record.content.replace(/"gate_out":\d/, '"gate_out":9') });
   await expect.poll(() => page.locator('.alerts').textContent()).toContain('recorded as leaving the start at');
+});
+
+test('a record of the physical world shows the true mouse and the one that it thinks it is', async () => {
+  const folder = temporary('slips');
+  native(
+    ...[
+      'race',
+      '--world',
+      'physical',
+      '--mice',
+      'flood-return',
+      '--mazes',
+      'contest-05',
+      '--runs',
+      '1',
+      '--noise',
+      '3',
+    ],
+    ...['--out', folder, '--overwrite'],
+  );
+  const page = await open('#replay');
+  const [name] = readdirSync(join(folder, 'flood-return')).filter((file) => file.endsWith('.jsonl'));
+  await drop(page, { name, content: readFileSync(join(folder, 'flood-return', name)) });
+  await expect.poll(() => moment(page)).toContain('flood-return at 0.000 of');
+  const half = (await end(page)) / 2;
+  await scrub(page, half);
+  await expect.poll(() => clock(page)).toBeCloseTo(half, 2);
+  const layer = page.locator('.replay').getByRole('checkbox', { name: 'Beams and beliefs' });
+  expect(await layer.isChecked()).toBe(true);
+  const both = await pixels(page);
+  await layer.uncheck();
+  await expect.poll(() => pixels(page)).not.toBe(both);
+  await layer.check();
+  await expect.poll(() => pixels(page)).toBe(both);
 });
 
 test('nothing is in the way of anybody, in light and dark, at every width', async () => {
