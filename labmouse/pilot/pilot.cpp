@@ -23,7 +23,7 @@ Direction direction_of_node(const DriveNode& node) {
   return directions[static_cast<unsigned>(eighths(node))];
 }
 
-/// Numbers that one can reckon with: within a kilometre and a second, and a direction of length one.
+/// Numbers that one can reckon with: up to a million of their units, and a direction of length one.
 bool makes_sense(const PoseEstimate& estimate) {
   constexpr double most = 1e6, exact = 1e-3;
   const auto within = [](double number) { return number >= -most && number <= most; };
