@@ -55,6 +55,9 @@ test('a replay is shown from its top, and the way back leads to where one was', 
   await page.getByRole('link', { name: 'Race' }).click();
   await page.waitForFunction(() => document.title === 'Race · labmouse');
   expect(await scrolled()).toBe(300);
+  // Nor do keys that lead to what stands in the header.
+  await page.keyboard.press('Shift+Tab');
+  expect(await scrolled()).toBe(300);
 });
 
 test('the theme is chosen, and kept', async () => {
