@@ -22,6 +22,9 @@ export interface Moment {
   /** Of contests in seconds. */
   robot?: string;
   rules?: string;
+  /** Another world, and what is set of it where that is not the usual: each a name, =, and its value. */
+  world?: string;
+  set?: string[];
   /** Of the robot: the number, or the two, over which it is asked which route wins. */
   vary?: VariedRange;
   and?: VariedRange;
@@ -96,6 +99,8 @@ const words: Record<string, { field: keyof Moment; read: (key: string, text: str
   runs: { field: 'runs', read: wholeOf(1, mostRuns) },
   robot: { field: 'robot', read: textOf },
   rules: { field: 'rules', read: textOf },
+  world: { field: 'world', read: textOf },
+  set: { field: 'set', read: (key, text) => [textOf(key, text)], many: true },
   vary: { field: 'vary', read: rangeOf },
   and: { field: 'and', read: rangeOf },
   pair: { field: 'pair', read: wholeOf(1, 100) },
@@ -125,6 +130,8 @@ export function addressOf(view: string, moment: Partial<Moment>): string {
     runs,
     robot,
     rules,
+    world,
+    set = [],
     vary,
     and,
     pair,
@@ -136,7 +143,8 @@ export function addressOf(view: string, moment: Partial<Moment>): string {
     ['in', builtin.length > 0 ? builtin.join(',') : undefined],
     ...mazes.map((maze): [string, string] => ['maze', maze]),
     ['seed', seeds.length > 0 ? seeds.join(',') : undefined],
-    ...Object.entries({ budget, runs, robot, rules }),
+    ...Object.entries({ budget, runs, robot, rules, world }),
+    ...set.map((setting): [string, string] => ['set', setting]),
     ['vary', vary && rangeText(vary)],
     ['and', and && rangeText(and)],
     ['pair', pair],
@@ -173,7 +181,7 @@ export function readAddress(hash: string): { view: string; moment: Moment } {
     if (seen.has(key) && !word.many) throw new Error(`This link cannot be followed: it says ${key}= twice.`);
     seen.add(key);
     const value = word.read(key, decoded(part.slice(equals + 1)));
-    const before = word.many ? (moment[word.field] as unknown[]) : [];
+    const before = word.many ? ((moment[word.field] ?? []) as unknown[]) : [];
     Object.assign(moment, { [word.field]: Array.isArray(value) ? [...before, ...value] : value });
     if (Array.isArray(value) && before.length + value.length > mostNames)
       throw new Error(`This link cannot be followed: it says ${key}= more than ${mostNames} times.`);

@@ -27,9 +27,9 @@ interface Row {
 
 const capital = (text: string) => text[0].toUpperCase() + text.slice(1);
 
-/** Text of a control as the core takes a value of that type. */
-function valueOf(text: string | null, { type, default: usual }: Parameter) {
-  if (type === 'flag') return text === 'yes';
+/** Text of a control, of a default or of a link as the core takes a value of that type. */
+export function typed(text: string | null, { type, default: usual }: Parameter): Settings[string] {
+  if (type === 'flag') return text === 'yes' || text === 'true';
   return type === 'whole' ? Number(text || usual) : (text ?? usual);
 }
 
@@ -41,7 +41,7 @@ function plainRow(setting: Parameter, changed: () => void): Row {
   element.append(...beside);
   return {
     element,
-    read: () => valueOf(read(control), setting),
+    read: () => typed(read(control), setting),
     write(value) {
       if (control instanceof HTMLInputElement && control.type === 'checkbox') control.checked = value === true;
       else control.value = String(value);

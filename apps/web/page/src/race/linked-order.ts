@@ -1,9 +1,11 @@
 // A race in a link: what is asked for, and nothing of what comes of it.
 import type { Core } from '../core/client';
-import type { About } from '../core/types';
+import type { About, WorldInPage } from '../core/types';
 import type { Moment } from '../link/address';
 import { driveOf } from '../link/contest';
 import { placesOf } from '../link/mazes';
+import { typed, type Settings } from '../live/world-choice';
+import { isMine, withoutRemarks } from '../robot/mine';
 import type { Order } from './holding';
 
 /** Contests that take a second or two on any machine. */
@@ -19,32 +21,73 @@ function contestsOf(about: About, { mice, mazes, runs }: Order): number {
 export const isQuick = (about: About, order: Order): boolean =>
   contestsOf(about, order) <= (order.world ? quick.others : quick.home);
 
-/** What a link says of a world besides the home world: those that are driven can be told in one. */
-function drivenIn({ world, robot, rules }: NonNullable<Order['world']>): Pick<Moment, 'robot' | 'rules'> {
-  if (typeof robot === 'string' && typeof rules === 'string') return { robot, rules };
-  throw new Error(`A link holds no races in the world ${world}. Send the results instead.`);
+type World = NonNullable<Order['world']>;
+
+/** What a link says of a world: of the one that is driven in the page its robot and rules, as links of contests do. */
+function worldMoment(about: About, { world, ...settings }: World): Partial<Moment> {
+  const known = about.worlds.find(({ name }) => name === world);
+  if (!known) throw new Error(`A link holds no races in the world ${world}. Send the results instead.`);
+  const told = (name: string) => {
+    const text = String(settings[name]);
+    return isMine(text) ? withoutRemarks(text) : text;
+  };
+  if (known.call === 'drive') return { robot: told('robot'), rules: told('rules') };
+  const set = known.settings.filter(
+    (one) => (settings[one.name] ?? typed(one.default, one)) !== typed(one.default, one),
+  );
+  return { world, set: set.map(({ name }) => `${name}=${told(name)}`) };
+}
+
+/** A setting as a link says it, as the core takes it; throws in words where the world has none such. */
+function settingIn({ name: world, settings }: WorldInPage, text: string): [string, Settings[string]] {
+  const [name] = text.split('=', 1);
+  const told = text.slice(name.length + 1);
+  const setting = settings.find((one) => one.name === name);
+  const value = setting && typed(told, setting);
+  const fits = !Number.isNaN(value) && (setting?.choices?.includes(told) ?? true);
+  if (value === undefined || !(fits || (name === 'robot' && isMine(told))))
+    throw new Error(`This link cannot be followed: the world ${world} has no '${text.slice(0, 40)}'.`);
+  return [name, value];
+}
+
+/** The world that a link names; undefined for the home world. */
+function worldIn(about: About, { world, set = [], robot, rules }: Moment): Order['world'] {
+  const drive = driveOf({ robot, rules }, about);
+  const known = about.worlds.find(({ name }) => name === (world ?? drive?.world));
+  if (world !== undefined && (!known || drive))
+    throw new Error(`This link cannot be followed: this page has no races in the world '${world.slice(0, 40)}' so.`);
+  if (set.length > 0 && world === undefined) throw new Error(`This link cannot be followed: it says set= of no world.`);
+  if (drive) return { ...drive.with, world: drive.world };
+  if (!known || known.home) return undefined;
+  const usual = known.settings.map((setting) => [setting.name, typed(setting.default, setting)]);
+  return { ...Object.fromEntries([...usual, ...set.map((text) => settingIn(known, text))]), world: known.name };
 }
 
 export async function orderMoment(core: Core, about: About, order: Order): Promise<Partial<Moment>> {
   const { mice, mazes, runs, seed, world } = order;
-  const drive = world && drivenIn(world);
-  return { mice, ...(await placesOf(core, about, mazes)), seeds: [seed], runs, ...drive };
+  return {
+    mice,
+    ...(await placesOf(core, about, mazes)),
+    seeds: [seed],
+    runs,
+    ...(world && worldMoment(about, world)),
+  };
 }
 
 /** What a link asks for; throws in words where that is no race. */
 export async function orderIn(core: Core, about: About, moment: Moment): Promise<Order> {
-  const { mice, builtin, mazes, seeds, runs = 1, robot, rules } = moment;
+  const { mice, builtin, mazes, seeds, runs = 1 } = moment;
   if (mice.length === 0 || builtin.length + mazes.length === 0)
     throw new Error('This link cannot be followed: a race needs at least one mouse and one maze.');
   if (seeds.length > 1) throw new Error('This link cannot be followed: a race has one seed.');
   const named = builtin.join() === 'all' ? about.mazes.map(({ name }) => name) : builtin;
   const linked = await Promise.all(mazes.map(async (link) => (await core.call('read_link', { link })).maze));
-  const drive = driveOf({ robot, rules }, about);
+  const world = worldIn(about, moment);
   return {
     mice: [...new Set(mice)],
     mazes: [...new Set(named), ...linked],
     runs,
     seed: seeds[0] ?? 1,
-    ...(drive && { world: { ...drive.with, world: drive.world } }),
+    ...(world && { world }),
   };
 }

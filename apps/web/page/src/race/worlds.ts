@@ -222,14 +222,14 @@ function placedScore(result: Fields, place: unknown): number | null {
 const texts = (list: unknown): string[] => (Array.isArray(list) ? list.map(String) : []);
 
 /** Of any other world: what its results say of it. */
-const described = ({ unit, score, columns }: RaceGroup): Known => ({
+const described = ({ unit, score, columns, mice }: RaceGroup): Known => ({
   unit: typeof unit === 'string' ? unit : 'points',
   best: 'best',
   bestMeaning: 'best possible score',
   mean: 'mean_score',
   meanMeaning: 'Mean score over all contests.',
-  solved: 'solved',
-  bound: ({ bound }) => orNull(bound),
+  solved: mice.some((mouse) => 'scored' in mouse) ? 'scored' : 'solved',
+  bound: ({ bound, bound_us }) => orNull(bound) ?? seconds(bound_us),
   optimum: () => null,
   contest: (result) => ({ score: placedScore(result, score) }),
   columns: [

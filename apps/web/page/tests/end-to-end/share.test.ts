@@ -3,6 +3,8 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Page } from 'playwright-core';
 import { expect, test } from 'vitest';
+import type { RaceResults } from '../../src/core/types';
+import { boardsOf } from '../../src/race/contests';
 import { barriers, drop, keptInBrowser, native, open, picture, root, replayed } from './harness';
 
 const tell = (page: Page) => page.locator('.status');
@@ -71,6 +73,31 @@ test('a race sets its form up, and is held where it is quick', async () => {
   expect(await long.getByRole('spinbutton', { name: 'runs' }).inputValue()).toBe('100');
   expect(await long.getByRole('region', { name: 'Leaderboard', exact: true }).count()).toBe(0);
   expect(await linkOf(long)).toBe('#race&mouse=random-move&in=all&seed=1&runs=100');
+});
+
+test('a race in any world that the page has is that of the command line, in all views and in a link', async () => {
+  const about = await (await opened('#draw')).evaluate(() => window.labmouse.call('about', {}));
+  const others = about.worlds.filter(({ home, call }) => !home && !call);
+  expect(others.length).toBeGreaterThan(0);
+  for (const { name, mice, settings } of others) {
+    const [first, second] = mice;
+    const set = settings.find(({ name }) => name === 'rules')!.choices!.at(-1)!;
+    const link = `#race&mouse=${first}&mouse=${second}&in=capstone-1,contest-02&seed=5&runs=2&world=${name}&set=rules=${set}`;
+    const page = await opened(link);
+    await page.getByRole('region', { name: `Leaderboard, ${name}, table` }).waitFor();
+    expect(await linkOf(page)).toBe(link);
+    const saved = page.waitForEvent('download');
+    await page.getByRole('button', { name: 'Save results' }).click();
+    const held = JSON.parse(readFileSync(await (await saved).path(), 'utf8')) as RaceResults;
+    const words = ['--mice', `${first},${second}`, '--mazes', 'capstone-1', 'contest-02', '--seed', '5', '--runs', '2'];
+    const asked = ['race', '--world', name, '--rules', set, ...words, '--format', 'json'];
+    expect(held.groups).toEqual((JSON.parse(native(...asked)) as RaceResults).groups);
+    // What each mouse did is known and has its place: no cell without a colour, and how many contests have a score.
+    const [board] = boardsOf(held);
+    expect(board.cells.flat().every(({ contests, ratio }) => contests.length === 2 && ratio !== null)).toBe(true);
+    const rows = page.getByRole('region', { name: `Leaderboard, ${name}, table` }).locator('tbody tr:visible');
+    for (const row of await rows.allTextContents()) expect(row).toContain('4 of 4');
+  }
 });
 
 test('an edited robot in another maze goes into a link, and leaves the one that is kept elsewhere alone', async () => {

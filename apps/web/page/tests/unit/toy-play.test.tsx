@@ -17,7 +17,8 @@ import { Transport } from '../../src/player/transport';
 import { momentText } from '../../src/player/words';
 import { contestPlay } from '../../src/race/contest-play';
 import { boardsOf } from '../../src/race/contests';
-import { orderMoment } from '../../src/race/linked-order';
+import { addressOf, readAddress } from '../../src/link/address';
+import { orderIn, orderMoment } from '../../src/race/linked-order';
 import { loadedRace } from '../../src/report/loaded';
 import type { EarlyPage } from '../../src/views/view';
 import { seconds, steps } from './plays';
@@ -117,6 +118,23 @@ describe.skipIf(!existsSync(wasm))('a contest of a world that nobody has told th
     const order = { mice: ['flood'], mazes: ['contest-01'], runs: 1, seed: 1 };
     const raced = { ...world.chosen().settings, world: 'toy' };
     await expect(orderMoment(core, about, { ...order, world: raced })).rejects.toThrow('world toy');
+    // A link holds what is not the usual of any world that the core has.
+    const known = { ...about, worlds: [...about.worlds, toy] };
+    for (const set of [
+      { shoes: 'clogs', clumsiness: 7, asleep: false },
+      { shoes: 'none', clumsiness: 50, asleep: true },
+    ]) {
+      const asked = { ...order, world: { ...set, world: 'toy' } };
+      const hash = `#${addressOf('race', await orderMoment(core, known, asked))}`;
+      expect(hash.includes('set=shoes')).toBe(set.shoes !== 'none');
+      expect(await orderIn(core, known, readAddress(hash).moment)).toEqual(asked);
+    }
+    const linked = (text: string) =>
+      orderIn(core, known, readAddress(`#race&mouse=flood&in=contest-01&${text}`).moment);
+    for (const wrong of ['world=mars', 'world=toy&set=shoes=boots', 'world=toy&set=height=3', 'set=asleep=true'])
+      await expect(linked(wrong)).rejects.toThrow('cannot be followed');
+    await expect(linked('world=toy&robot=classic')).rejects.toThrow('cannot be followed');
+    await expect(linked('world=toy&set=clumsiness=much')).rejects.toThrow("no 'clumsiness=much'");
     world.choose('seconds', { robot: about.robots[1].name });
     expect(world.drive()?.robot).toBe(about.robots[1].name);
   });
