@@ -92,6 +92,19 @@ export function createWrite(page: Page): View {
   }
   const controls = h('div', { class: 'desk-controls' });
   const desk = createDesk(page, changed, moment, controls);
+  // Before the editor and the browser, which would write a line, and save the page.
+  desk.element.addEventListener(
+    'keydown',
+    (event) => {
+      if (!(event.ctrlKey || event.metaKey) || event.altKey || event.shiftKey) return;
+      if (event.key === 'Enter') run.click();
+      else if (event.key === 's') desk.save();
+      else return;
+      event.preventDefault();
+      event.stopPropagation();
+    },
+    { capture: true },
+  );
   const maze = h('select', {});
   const run = h('button', { type: 'button', class: 'main', onclick: () => void runIt() }, 'Run');
   const race = h('button', { type: 'button', onclick: () => void raceIt() }, 'Race');

@@ -12,6 +12,8 @@ export interface Desk {
   element: HTMLElement;
   /** What is written, or null while it may not run. */
   work(): Work | null;
+  /** Saves it as a file. */
+  save(): void;
   /** The text behind `#` that leads to what is written. */
   address(): Promise<string>;
   /** Shows the program of a link, which runs only once somebody has allowed it; rejected in words where there is none. */
@@ -156,6 +158,7 @@ export function createDesk(
     input.onchange = () => input.files?.[0] && void open(input.files[0]);
     input.click();
   }
+  const save = () => page.save(now.language.fileName, now.text);
   const address = async () => `write=${await linkOf(now)}${await moment()}`;
   async function share() {
     link.show(`${location.href.split('#')[0]}#${await address()}`);
@@ -187,18 +190,24 @@ export function createDesk(
         languages.length > 1 && h('label', {}, h('span', { class: 'unseen' }, 'Language'), language),
         h('label', {}, h('span', { class: 'unseen' }, 'Program to begin with'), begin),
         button('Open', openFile),
-        button('Save', () => page.save(now.language.fileName, now.text)),
+        button('Save', save),
         button('Share', shared),
         nameRow,
       ),
       warning,
       link.element,
       host,
-      h('div', { class: 'row' }, h('span', { class: 'note' }, 'Tab indents; Escape, then Tab leads on.'), says),
+      h(
+        'div',
+        { class: 'row' },
+        h('span', { class: 'note' }, 'Ctrl+Enter runs, Ctrl+S saves. Tab indents; Escape, then Tab leads on.'),
+        says,
+      ),
       below,
       h('details', { class: 'api' }, h('summary', {}, 'What it reads and answers'), help),
     ),
     work: () => (foreign ? null : now),
+    save,
     address,
     async receive(text) {
       const work = await readLink(text);

@@ -386,6 +386,18 @@ test.each([
   await picture(page, `write-${name}`);
 });
 
+test('keys run the program and save it as a file, and change nothing in it', async () => {
+  const page = await openWrite();
+  await expect.poll(() => verdict(page).getAttribute('data-state')).toBe('good');
+  await write(page, 'throw Error("here")');
+  await page.keyboard.press('Control+Enter');
+  await expect.poll(() => verdict(page).textContent()).toContain('here');
+  const saved = page.waitForEvent('download');
+  await page.keyboard.press('Control+s');
+  expect((await saved).suggestedFilename()).toBe('mouse.js');
+  expect(readFileSync(await (await saved).path(), 'utf8')).toBe('throw Error("here")');
+});
+
 test('Tab indents, after Escape it leads out of the editor, and a program to begin with is undone like any change', async () => {
   const page = await openWrite();
   await write(page, 'mine');
