@@ -76,7 +76,7 @@ export async function contestPlay(
   const packed = recordOf(records, contest, at.position);
   if (!packed && !board.shows.again)
     throw new Error(
-      `There is no record of ${mouse} in ${short}, and contests in the world ${board.world} are replayed from their records. Drop the record here.`,
+      `There is no record of ${mouse} in ${short}, and contests in the world ${board.world} are replayed from their records. Drop the record here ('labmouse race --out DIR' saves records).`,
     );
   if (!packed && !(await isOurs(page, mouse)))
     throw new Error(

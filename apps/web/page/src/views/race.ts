@@ -4,6 +4,7 @@ import { createPlayer } from '../player/player';
 import { addressOf, readAddress } from '../link/address';
 import { orderIn, orderMoment, isQuick } from '../race/linked-order';
 import { boardOf, groupsOf, type Board } from '../race/contests';
+import { worldOf } from '../race/worlds';
 import { curves } from '../race/curves';
 import { duel } from '../race/duel';
 import { exampleRace } from '../race/example';
@@ -109,6 +110,15 @@ export function createRace(page: EarlyPage): View {
     };
   }
 
+  /**
+   * Whether one of its contests can be put on a stage: what came in a file may be large, and be of mice that the page cannot
+   * run, and there are worlds in which it runs none again.
+   */
+  function hasStage({ order, results }: LoadedRace) {
+    const [group] = groupsOf(results);
+    return order !== undefined && group !== undefined && worldOf(group).again !== undefined;
+  }
+
   /** The best mouse in the first maze, on the stage. */
   function perform(race: LoadedRace, board: Board) {
     contestPlay(page, race, board, { mouse: 0, maze: 0, position: 0 })
@@ -153,7 +163,7 @@ export function createRace(page: EarlyPage): View {
       pictures.append(...boards.flatMap(({ elements }) => elements));
       arrangeRows();
       arrange();
-      if (race.order && boards.length > 0) perform(race, boards[0].board);
+      if (hasStage(race)) perform(race, boards[0].board);
     });
     return {
       tables: [
@@ -196,7 +206,6 @@ export function createRace(page: EarlyPage): View {
       : h('details', { class: 'part controls' }, h('summary', {}, 'Run another race'), room, about);
   }
 
-  /** A race that was held here has its stage; what came in a file may be large, and be of mice that the page cannot run. */
   function render(race: LoadedRace | null) {
     parts = [];
     player.show([]);
@@ -211,7 +220,7 @@ export function createRace(page: EarlyPage): View {
         h('div', { class: 'race-stage' }, h('div', { class: 'race' }, hold), stage),
       );
     const { tables, pictures } = shownRaceParts(race);
-    if (!race.order) return element.replaceChildren(title, h('div', { class: 'race' }, ...tables, pictures, hold));
+    if (!hasStage(race)) return element.replaceChildren(title, h('div', { class: 'race' }, ...tables, pictures, hold));
     element.replaceChildren(
       title,
       h(

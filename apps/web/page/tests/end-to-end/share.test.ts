@@ -95,6 +95,7 @@ test('a race in any world that the page has is that of the command line, in all 
     // What each mouse did is known and has its place: no cell without a colour, and how many contests have a score.
     const [board] = boardsOf(held);
     expect(board.cells.flat().every(({ contests, ratio }) => contests.length === 2 && ratio !== null)).toBe(true);
+    expect(await page.locator('.alert').count()).toBe(0);
     const rows = page.getByRole('region', { name: `Leaderboard, ${name}, table` }).locator('tbody tr:visible');
     for (const row of await rows.allTextContents()) expect(row).toContain('4 of 4');
   }
@@ -393,7 +394,7 @@ test('the links of the documentation lead somewhere', async () => {
   const there = {
     replay: '.side canvas',
     live: '.verdict[data-state=good]',
-    race: '[aria-label=Leaderboard]',
+    race: '[aria-label^=Leaderboard]',
     robot: '.regions img',
   };
   for (const link of documented) {
