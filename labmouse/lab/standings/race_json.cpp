@@ -73,6 +73,13 @@ std::string trimmed(const std::string& text) {
   return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
+/// Both lines of its heading as one; a word that is parted between them is whole again.
+std::string title_of(const Column& column) {
+  if (column.first.ends_with('-'))
+    return std::string(column.first.substr(0, column.first.size() - 1)) + std::string(column.second);
+  return trimmed(fmt::format("{} {}", column.first, column.second));
+}
+
 /// What a reader has to know of the world to show its race, who may never have heard of it.
 void describe_world(const Race& race, Json& json) {
   const World& world = race.world();
@@ -81,8 +88,7 @@ void describe_world(const Race& race, Json& json) {
   json["score"] = {{"key", place.key}, {"inner", place.inner}, {"unit", place.unit}};
   json["failure_score"] = world.failure_score() ? Json(*world.failure_score()) : Json(nullptr);
   json["columns"] = Json::array();
-  for (const Column* column : own_columns(race))
-    json["columns"].push_back(trimmed(fmt::format("{} {}", column->first, column->second)));
+  for (const Column* column : own_columns(race)) json["columns"].push_back(title_of(*column));
 }
 
 Json cells_json(const Race& race, const Standing& standing) {

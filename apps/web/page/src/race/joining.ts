@@ -1,8 +1,15 @@
 // The pieces of a race that was held in the page, one mouse each, as one race.
-import type { RaceResults } from '../core/types';
+import type { RaceGroup, RaceResults } from '../core/types';
 import { orNull } from './format';
 import { sorted } from './sorting';
 import { worldOf } from './worlds';
+
+/** Where a contest without a score has no place in means, mice that scored in more contests come first. */
+function inOrder(group: RaceGroup, mice: RaceGroup['mice']): RaceGroup['mice'] {
+  const { mean, solved, countsFailures } = worldOf(group);
+  const byMean = sorted(mice, (mouse) => orNull(mouse[mean]), 'ascending');
+  return countsFailures ? byMean : sorted(byMean, (mouse) => orNull(mouse[solved]), 'descending');
+}
 
 /** All mice of those races in the same mazes, best first; null where there is no race. */
 export function joined(pieces: RaceResults[], stopped: boolean): RaceResults | null {
@@ -15,10 +22,9 @@ export function joined(pieces: RaceResults[], stopped: boolean): RaceResults | n
   );
   const groups = first.groups?.map((group, index) => ({
     ...group,
-    mice: sorted(
+    mice: inOrder(
+      group,
       pieces.flatMap((piece) => piece.groups?.[index]?.mice ?? []),
-      (mouse) => orNull(mouse[worldOf(group).mean]),
-      'ascending',
     ),
   }));
   // The notes speak of the race as a whole, so those of pieces cannot be put together.

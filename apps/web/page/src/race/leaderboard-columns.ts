@@ -40,11 +40,12 @@ const figure = <Row>(
   pick: (row: Row) => unknown,
   digits: number,
   best: Column<Row>['best'] = 'ascending',
+  text = (row: Row) => number(pick(row), digits),
 ): Column<Row> => ({
   title,
   meaning,
   value: (row) => orNull(pick(row)),
-  show: (row) => number(pick(row), digits),
+  show: text,
   best,
 });
 
@@ -73,6 +74,12 @@ function intervalColumn<Row>(
   };
 }
 
+/**
+ * The column by which the program orders mice: where a contest without a score has no place in means, mice that scored in
+ * more contests come first, and equals stay as they stand in the results.
+ */
+export const orderedBy = (group: RaceGroup): number => (worldOf(group).countsFailures ? 2 : 1);
+
 /** Those of a race; the figures of its world stand behind those that all have. `own`: one's mouse, and it before. */
 export function columnsOf(group: RaceGroup, mazes: number, own: string[] = []): Column<RacedMouse>[] {
   const world = worldOf(group);
@@ -81,8 +88,10 @@ export function columnsOf(group: RaceGroup, mazes: number, own: string[] = []): 
   return [
     nameColumn<RacedMouse>((mouse) => mouse.contestant === false, own),
     solvedColumn(world.solved),
-    figure('score, all', world.meanMeaning, mean, 3),
+    figure(world.countsFailures ? 'score, all' : 'score', world.meanMeaning, mean, 3),
     intervalColumn(mice, mean, (mouse) => mouse.interval, mazes, world.unit),
-    ...world.columns.map(({ title, meaning, value, digits, best }) => figure(title, meaning, value, digits, best)),
+    ...world.columns.map(({ title, meaning, value, digits, best, text }) =>
+      figure(title, meaning, value, digits, best, text),
+    ),
   ];
 }

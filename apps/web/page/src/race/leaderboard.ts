@@ -2,7 +2,7 @@
 import type { RaceGroup } from '../core/types';
 import { h } from '../ui/dom';
 import { isNumber } from './format';
-import { columnsOf } from './leaderboard-columns';
+import { columnsOf, orderedBy } from './leaderboard-columns';
 import { legendOf, sortedTable } from './sorted-table';
 import { isHome, worldOf } from './worlds';
 
@@ -32,7 +32,7 @@ export function leaderboard(group: RaceGroup, onOrder: (order: number[]) => void
     caption: label,
     columns,
     rows: group.mice,
-    by: 2,
+    by: orderedBy(group),
     rowClass: (mouse) =>
       mouse.contestant === false ? 'reference' : (['own', 'own before'][own.indexOf(mouse.name)] ?? ''),
     onOrder: (rows) => onOrder(rows.map((row) => place.get(row)!)),

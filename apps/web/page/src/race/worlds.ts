@@ -10,6 +10,8 @@ export interface FigureColumn {
   meaning: string;
   value: (mouse: Fields) => unknown;
   digits: number;
+  /** What stands in the cell, where that is not the value with its digits. */
+  text?: (mouse: Fields) => string;
   best?: 'ascending' | 'descending';
 }
 
@@ -31,6 +33,8 @@ export interface RacedWorld {
   title: string;
   /** What a contest without a score counts in means; null where it has no place there. */
   failure: number | null;
+  /** Whether contests without a score count in the mean; where they do not, mice that scored in more come first. */
+  countsFailures: boolean;
   /** Whether a speed run is compared with the shortest one. */
   comparesRuns?: boolean;
   /** Whether the core can say in which cells its contests lose their score. */
@@ -70,6 +74,7 @@ const ratioColumn = (best: string): FigureColumn => ({
 });
 
 const steps: Known = {
+  countsFailures: true,
   comparesRuns: true,
   losesCells: true,
   unit: 'steps',
@@ -126,6 +131,7 @@ const steps: Known = {
 };
 
 const inSeconds: Known = {
+  countsFailures: false,
   unit: 's',
   best: 'best',
   bestMeaning: 'best possible score, that of the fastest route, driven at once',
@@ -179,7 +185,51 @@ const inSeconds: Known = {
     }),
 };
 
+const count = (title: string, key: string, meaning: string): FigureColumn => ({
+  title,
+  meaning,
+  value: (mouse) => mouse[key],
+  digits: 0,
+});
+
+/** The ends of an interval of shares, as whole per cent. */
+function shares(interval: unknown): string {
+  if (!Array.isArray(interval) || !interval.every(isNumber)) return '–';
+  return interval.map((end) => (100 * end).toFixed(0)).join('–');
+}
+
+const physical: Known = {
+  ...inSeconds,
+  bestMeaning: 'best possible score, that of a mouse that never errs and knows the maze',
+  columns: [
+    {
+      title: 'scored, 95 %',
+      meaning: 'Share of the contests that ended with a score, in per cent: the interval (Wilson) in which it lies.',
+      value: ({ finished_interval: ends }) => Array.isArray(ends) && ends[0],
+      digits: 2,
+      text: ({ finished_interval }) => shares(finished_interval),
+      best: 'descending',
+    },
+    {
+      title: 'penalised, s',
+      meaning: 'Mean score over all contests, in seconds; one without a score counts the time limit.',
+      value: (mouse) => mouse.penalised,
+      digits: 3,
+    },
+    ...inSeconds.columns.slice(0, 3),
+    count('runs', 'starts', 'Runs that began at the start, searches among them.'),
+    count('slid', 'slid', 'Runs that ended in a crash because the tyres did not hold.'),
+    count('strayed', 'strayed', 'Runs that ended in a crash because the mouse was not where it believed to be.'),
+    count('misread', 'misread', 'Runs that ended in a crash into a wall that the mouse took for open.'),
+    count('walled in', 'walled_in', "Runs that ended because the mouse's own map had no way left."),
+    count('late', 'late', 'Runs that the end of the time cut short.'),
+    count('misread walls', 'misreads', 'Walls that it took for what they are not.'),
+  ],
+  again: undefined,
+};
+
 const mms: Known = {
+  countsFailures: true,
   unit: 'points',
   best: 'best',
   bestMeaning: 'best possible score',
@@ -222,12 +272,15 @@ function placedScore(result: Fields, place: unknown): number | null {
 const texts = (list: unknown): string[] => (Array.isArray(list) ? list.map(String) : []);
 
 /** Of any other world: what its results say of it. */
-const described = ({ unit, score, columns, mice }: RaceGroup): Known => ({
+const described = ({ unit, score, columns, mice, failure_score }: RaceGroup): Known => ({
+  countsFailures: isNumber(failure_score),
   unit: typeof unit === 'string' ? unit : 'points',
   best: 'best',
   bestMeaning: 'best possible score',
   mean: 'mean_score',
-  meanMeaning: 'Mean score over all contests.',
+  meanMeaning: isNumber(failure_score)
+    ? 'Mean score over all contests.'
+    : 'Mean score over the contests that have one.',
   solved: mice.some((mouse) => 'scored' in mouse) ? 'scored' : 'solved',
   bound: ({ bound, bound_us }) => orNull(bound) ?? seconds(bound_us),
   optimum: () => null,
@@ -239,11 +292,12 @@ const described = ({ unit, score, columns, mice }: RaceGroup): Known => ({
       meaning: 'A figure of this world.',
       value: (mouse: Fields) => Number.parseFloat(texts(mouse.cells)[i]),
       digits: 2,
+      text: (mouse: Fields) => texts(mouse.cells)[i] ?? '–',
     })),
   ],
 });
 
-const known = new Map(Object.entries({ steps, seconds: inSeconds, mms }));
+const known = new Map(Object.entries({ steps, seconds: inSeconds, physical, mms }));
 
 /** What the page shows of the world of a race. */
 export function worldOf(group: RaceGroup): RacedWorld {

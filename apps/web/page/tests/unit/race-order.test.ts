@@ -33,6 +33,24 @@ const race = (name: string, mean: number | null, stopped = false) =>
   }) as unknown as RaceResults;
 
 describe('joined', () => {
+  it('ranks by how many contests have a score first, where a contest without one has no place in means', () => {
+    const piece = (name: string, scored: number, mean_score: number | null, failure_score: number | null) => ({
+      ...race(name, null),
+      groups: [{ world: 'elsewhere', failure_score, mazes: [], mice: [{ name, scored, mean_score }] }],
+    });
+    const order = (failure: number | null) => {
+      const mice: [string, number, number | null][] = [
+        ['lucky', 1, 3],
+        ['none', 0, null],
+        ['slow', 4, 9],
+        ['fast', 4, 5],
+      ];
+      const pieces = mice.map(([name, scored, mean]) => piece(name, scored, mean, failure) as unknown as RaceResults);
+      return joined(pieces, false)!.groups![0].mice.map(({ name }) => name);
+    };
+    expect(order(null)).toEqual(['fast', 'slow', 'lucky', 'none']);
+    expect(order(2000)).toEqual(['lucky', 'fast', 'slow', 'none']);
+  });
   it('brings the best mouse first, and those without a mean last', () => {
     const all = joined([race('poor', 50), race('none', null), race('good', 20)], false)!;
     expect(all.mice.map(({ name }) => name)).toEqual(['good', 'poor', 'none']);

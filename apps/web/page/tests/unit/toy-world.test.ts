@@ -1,12 +1,13 @@
 // A world that the page has never heard of: the race of tests/toy, whose results its native test keeps true.
 import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
-import type { RaceResults } from '../../src/core/types';
+import type { RaceGroup, RaceResults } from '../../src/core/types';
 import { cellText } from '../../src/race/cell-text';
 import { boardOf, groupsOf } from '../../src/race/contests';
 import { ratiosOf } from '../../src/race/curves-data';
+import { columnsOf, orderedBy } from '../../src/race/leaderboard-columns';
 import { pairsOf } from '../../src/race/duel-data';
-import { worldOf } from '../../src/race/worlds';
+import { homeGroup, worldOf } from '../../src/race/worlds';
 
 const file = new URL('../../../../../tests/toy/results.json', import.meta.url);
 const results = JSON.parse(readFileSync(file, 'utf8')) as RaceResults;
@@ -19,7 +20,24 @@ describe('a world that nobody has told the page of', () => {
     expect([world.unit, world.title, world.failure]).toEqual([group.unit, `, ${group.world}`, null]);
     const own = world.columns.slice(-1)[0];
     expect(own.title).toBe((group.columns as string[])[0]);
-    for (const mouse of group.mice) expect(own.value(mouse)).toBe(Number((mouse.cells as string[])[0]));
+    for (const mouse of group.mice) {
+      const [cell] = mouse.cells as string[];
+      expect([own.value(mouse), own.text!(mouse)]).toEqual([Number(cell), cell]);
+    }
+  });
+  it('has its bounds in microseconds, too, and contests with a score under either name', () => {
+    const mazes = group.mazes.map((maze) => ({ ...maze, bound: undefined, bound_us: 2e6 }));
+    const mice = group.mice.map((mouse) => ({ ...mouse, solved: undefined, scored: 1 }));
+    const other = { ...group, mazes, mice } as unknown as RaceGroup;
+    expect(boardOf(other).mazes.map(({ bound }) => bound)).toEqual(mazes.map(() => 2));
+    expect(worldOf(other).solved).toBe('scored');
+    expect(worldOf(group).solved).toBe('solved');
+  });
+  it('ranks as the program does: by how many contests have a score, where the others have no place in means', () => {
+    const columns = columnsOf(group, 2);
+    expect(columns[orderedBy(group)].title).toBe('solved');
+    expect(orderedBy(homeGroup({ ...group, failure_score: undefined }))).toBe(2);
+    expect(columns[orderedBy({ ...group, failure_score: 100 })].title).toContain('score');
   });
   it('has a matrix of its scores over its bounds', () => {
     for (const mouse of group.mice)
