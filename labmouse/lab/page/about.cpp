@@ -82,11 +82,14 @@ Json worlds() {
   for (const WorldEntry* entry : all_worlds()) {
     Json settings = Json::array(), mice = Json::array();
     for (const WorldSetting& setting : entry->settings) settings.push_back(setting_json(setting));
-    for (const Contestant& mouse : residents_of(*entry->make({}).world)) mice.push_back(mouse.name);
+    const auto world = entry->make({}).world;
+    for (const Contestant& mouse : residents_of(*world)) mice.push_back(mouse.name);
     if (mice.empty()) continue;
     list.push_back({{"name", entry->name},
                     {"summary", entry->summary},
                     {"home", entry->is_home},
+                    {"throws_dice", world->throws_dice()},
+                    {"usual_runs", world->usual_runs()},
                     {"settings", std::move(settings)},
                     {"mice", std::move(mice)}});
     // The calls that hold one contest with all of its play.

@@ -20,6 +20,8 @@ std::vector<Declaration> about_shapes() {
       {"WorldInPage", "A world in which mice of the roster race.",
        object({field("name", text), field("summary", text),
                field("home", flag, "Whether it is meant where a race names none."),
+               field("throws_dice", flag, "Whether contests differ for mice, too, that throw no dice themselves."),
+               field("usual_runs", number, "Contests in each maze of a mouse that meets dice, where nobody says."),
                field("settings", list(named("Parameter")), "What a race there is asked besides."),
                field("mice", list(text)),
                maybe("call", words({"run", "drive"}),

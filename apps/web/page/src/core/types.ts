@@ -98,6 +98,10 @@ export interface WorldInPage {
   summary: string;
   /** Whether it is meant where a race names none. */
   home: boolean;
+  /** Whether contests differ for mice, too, that throw no dice themselves. */
+  throws_dice: boolean;
+  /** Contests in each maze of a mouse that meets dice, where nobody says. */
+  usual_runs: number;
   /** What a race there is asked besides. */
   settings: Parameter[];
   mice: string[];

@@ -9,9 +9,6 @@ import { counted } from './format';
 import { holdRace, type Order } from './holding';
 
 export const usual = ['ariadne', 'flood-return', 'certify', 'flood', 'frontier'];
-/** As the command line has it. */
-const usualRuns = 20;
-
 /** So many are named while the list is folded. */
 const mostNamed = 6;
 
@@ -95,7 +92,7 @@ export function namedApart(mazes: MazeData[], taken: string[]): MazeData[] {
   });
 }
 
-const whole = (label: string, value: number, most: number) => {
+const whole = (label: string | Node, value: number, most: number) => {
   const input = h('input', { type: 'number', min: 1, max: most, step: 1, value, required: true });
   const read = () => Math.max(1, Math.min(most, Math.round(input.valueAsNumber) || value));
   return {
@@ -119,7 +116,7 @@ export interface HoldPanel {
 
 /** The form, once it is known what the core brings. */
 export function holdPanel(page: EarlyPage, about: About): HoldPanel {
-  const world = createWorldChoice(about, () => mice.offer(entrants()));
+  const world = createWorldChoice(about, enter);
   const entrants = () =>
     about.mice
       .filter(({ name }) => world.chosen().world.mice.includes(name))
@@ -141,8 +138,19 @@ export function holdPanel(page: EarlyPage, about: About): HoldPanel {
     mazes.offer([...offered, ...builtin]);
   }
   refresh();
-  const runs = whole('runs of mice that throw dice', usualRuns, 100);
+  const whose = h('span', {});
+  let { world: where } = world.chosen();
+  const runs = whole(whose, where.usual_runs, 100);
   const seed = whole('seed', 1, 2 ** 53 - 1);
+  /** Offers what there is in the chosen world: its mice, and as many runs as are usual there, unless others were chosen. */
+  function enter() {
+    const { usual_runs: before } = where;
+    where = world.chosen().world;
+    if (runs.read() === before) runs.write(where.usual_runs);
+    whose.textContent = where.throws_dice ? 'runs of each mouse' : 'runs of mice that throw dice';
+    mice.offer(entrants());
+  }
+  enter();
   const bar = h('progress', { max: 1, value: 0, 'aria-label': 'Progress of the race' });
   const doing = h('span', { class: 'note' });
   const running = h(
@@ -204,7 +212,7 @@ export function holdPanel(page: EarlyPage, about: About): HoldPanel {
   }
   function set(order: Order) {
     world.choose(order.world?.world, order.world);
-    mice.offer(entrants());
+    enter();
     const names = order.mazes.map((maze) => (typeof maze === 'string' ? maze : take(maze)));
     mazes.choose(names);
     mice.choose(order.mice);

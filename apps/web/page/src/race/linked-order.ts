@@ -1,6 +1,6 @@
 // A race in a link: what is asked for, and nothing of what comes of it.
 import type { Core } from '../core/client';
-import type { About, WorldInPage } from '../core/types';
+import type { About, Parameter, WorldInPage } from '../core/types';
 import type { Moment } from '../link/address';
 import { driveOf } from '../link/contest';
 import { placesOf } from '../link/mazes';
@@ -11,9 +11,10 @@ import type { Order } from './holding';
 /** Contests that take a second or two on any machine. */
 const quick = { home: 150, others: 12 };
 
-/** How many contests there are: mice that throw no dice run once in each maze. */
-function contestsOf(about: About, { mice, mazes, runs }: Order): number {
-  const throwing = (mouse: string) => about.mice.find(({ name }) => name === mouse)?.throws_dice ?? true;
+/** How many contests there are: where neither mouse nor world throws dice, one in each maze. */
+function contestsOf(about: About, { mice, mazes, runs, world }: Order): number {
+  const dicey = about.worlds.find(({ name }) => name === world?.world)?.throws_dice ?? false;
+  const throwing = (mouse: string) => dicey || (about.mice.find(({ name }) => name === mouse)?.throws_dice ?? true);
   return mice.reduce((sum, mouse) => sum + (throwing(mouse) ? runs : 1), 0) * mazes.length;
 }
 
@@ -23,7 +24,7 @@ export const isQuick = (about: About, order: Order): boolean =>
 
 type World = NonNullable<Order['world']>;
 
-/** What a link says of a world: of the one that is driven in the page its robot and rules, as links of contests do. */
+/** What a link says of a world: where the page drives contests, robot and rules as links of contests do. */
 function worldMoment(about: About, { world, ...settings }: World): Partial<Moment> {
   const known = about.worlds.find(({ name }) => name === world);
   if (!known) throw new Error(`A link holds no races in the world ${world}. Send the results instead.`);
@@ -43,22 +44,28 @@ function settingIn({ name: world, settings }: WorldInPage, text: string): [strin
   const [name] = text.split('=', 1);
   const told = text.slice(name.length + 1);
   const setting = settings.find((one) => one.name === name);
-  const value = setting && typed(told, setting);
-  const fits = !Number.isNaN(value) && (setting?.choices?.includes(told) ?? true);
-  if (value === undefined || !(fits || (name === 'robot' && isMine(told))))
+  if (!setting || !mayBe(told, setting))
     throw new Error(`This link cannot be followed: the world ${world} has no '${text.slice(0, 40)}'.`);
-  return [name, value];
+  return [name, typed(told, setting)];
+}
+
+/** Whether that text is a value of that setting; numbers with a point stand in texts, which the core reads. */
+function mayBe(told: string, { name, type, choices }: Parameter): boolean {
+  if (type === 'flag') return told === 'true' || told === 'false';
+  if (type === 'whole') return /^\d{1,15}$/.test(told);
+  return choices === undefined || choices.includes(told) || (name === 'robot' && isMine(told));
 }
 
 /** The world that a link names; undefined for the home world. */
 function worldIn(about: About, { world, set = [], robot, rules }: Moment): Order['world'] {
   const drive = driveOf({ robot, rules }, about);
-  const known = about.worlds.find(({ name }) => name === (world ?? drive?.world));
-  if (world !== undefined && (!known || drive))
-    throw new Error(`This link cannot be followed: this page has no races in the world '${world.slice(0, 40)}' so.`);
-  if (set.length > 0 && world === undefined) throw new Error(`This link cannot be followed: it says set= of no world.`);
-  if (drive) return { ...drive.with, world: drive.world };
-  if (!known || known.home) return undefined;
+  if (world === undefined) {
+    if (set.length > 0) throw new Error('This link cannot be followed: it says set= without world=.');
+    return drive ? { ...drive.with, world: drive.world } : undefined;
+  }
+  const known = about.worlds.find(({ name, home }) => name === world && !home);
+  if (!known) throw new Error(`This link cannot be followed: this page knows no other world '${world.slice(0, 40)}'.`);
+  if (drive) throw new Error('This link cannot be followed: next to world=, the robot and the rules stand in set=.');
   const usual = known.settings.map((setting) => [setting.name, typed(setting.default, setting)]);
   return { ...Object.fromEntries([...usual, ...set.map((text) => settingIn(known, text))]), world: known.name };
 }

@@ -103,7 +103,7 @@ describe.skipIf(!existsSync(wasm))('a contest of a world that nobody has told th
   });
   it('is ordered by what the core says of its world', async () => {
     const toy: WorldInPage = {
-      ...{ name: 'toy', summary: 'mice that stumble', home: false, mice: ['flood'] },
+      ...{ name: 'toy', summary: 'mice that stumble', home: false, throws_dice: true, usual_runs: 3, mice: ['flood'] },
       settings: [
         { name: 'clumsiness', type: 'whole', default: '50', meaning: 'How often', low: 0, high: 100 },
         { name: 'asleep', type: 'flag', default: 'false', meaning: 'Whether it sleeps' },
@@ -131,10 +131,19 @@ describe.skipIf(!existsSync(wasm))('a contest of a world that nobody has told th
     }
     const linked = (text: string) =>
       orderIn(core, known, readAddress(`#race&mouse=flood&in=contest-01&${text}`).moment);
-    for (const wrong of ['world=mars', 'world=toy&set=shoes=boots', 'world=toy&set=height=3', 'set=asleep=true'])
-      await expect(linked(wrong)).rejects.toThrow('cannot be followed');
-    await expect(linked('world=toy&robot=classic')).rejects.toThrow('cannot be followed');
-    await expect(linked('world=toy&set=clumsiness=much')).rejects.toThrow("no 'clumsiness=much'");
+    const home = about.worlds.find(({ home }) => home)!;
+    for (const wrong of [
+      ...[
+        'world=mars',
+        `world=${home.name}&set=${home.settings[0].name}=5`,
+        'set=asleep=true',
+        'world=toy&robot=classic',
+      ],
+      ...['shoes=boots', 'height=3', 'clumsiness=much', 'clumsiness=', 'asleep=maybe', 'asleep'].map(
+        (text) => `world=toy&set=${text}`,
+      ),
+    ])
+      await expect(linked(wrong), wrong).rejects.toThrow('cannot be followed');
     world.choose('seconds', { robot: about.robots[1].name });
     expect(world.drive()?.robot).toBe(about.robots[1].name);
   });
