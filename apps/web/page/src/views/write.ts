@@ -1,6 +1,6 @@
 // The view Write: a mouse is written, run in a maze, and raced against the roster.
 import { Stopped } from '../core/client';
-import type { MazeData } from '../core/types';
+import type { MazeData, Play } from '../core/types';
 import { addressOf, readAddress, type Moment } from '../link/address';
 import { mazeAt, placeOf } from '../link/mazes';
 import { isSameMaze } from '../maze/same';
@@ -42,13 +42,16 @@ function whyInWords({ play, ended, started }: Held): string {
   return said;
 }
 
-/** What came of a contest, in a line; of a program that did not begin, wherever it was. */
-function outcomeInWords(held: Held): string {
+/** What came of a contest, in a line, and of the one before it; of a program that did not begin, wherever it was. */
+function outcomeInWords(held: Held, before?: Play): string {
   const { play } = held;
   if (!held.started) return `${play.mouse} did not start: ${whyInWords(held) || play.outcome}`;
   const where = `${play.mouse} in ${play.maze.name || 'this maze'}`;
-  if (play.solved)
-    return `${where}: solved, score ${play.score?.toFixed(3)}; best possible ${play.bound?.toFixed(3) ?? 'none'}`;
+  if (play.solved) {
+    const was = before?.solved && before.score !== play.score && isSameMaze(before, play);
+    const scores = `score ${play.score?.toFixed(3)}${was ? `, before ${before.score?.toFixed(3)}` : ''}`;
+    return `${where}: solved, ${scores}; best possible ${play.bound?.toFixed(3) ?? 'none'}, lower is better`;
+  }
   const why = whyInWords(held);
   return `${where}: ${play.outcome}${play.outcome.startsWith('forfeit') && why ? `; ${why}` : ''}`;
 }
@@ -193,7 +196,7 @@ export function createWrite(page: Page): View {
   function show(held: Held, text: string, at?: Moment) {
     player.element.after(standings);
     hint.hidden = true;
-    say(outcomeInWords(held), held.play.solved ? 'good' : 'bad');
+    say(outcomeInWords(held, shown?.held.play), held.play.solved ? 'good' : 'bad');
     prints.show(held.prints);
     if (at?.time !== undefined) player.show([held], 'start', at.time, at.look);
     else player.show([held], 'end', 0, at?.look);

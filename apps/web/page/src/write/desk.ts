@@ -200,7 +200,7 @@ export function createDesk(
       h(
         'div',
         { class: 'row' },
-        h('span', { class: 'note' }, 'Ctrl+Enter runs, Ctrl+S saves. Tab indents; Escape, then Tab leads on.'),
+        h('span', { class: 'note' }, 'Ctrl+Enter runs, Ctrl+S saves; Escape, then Tab leads on.'),
         says,
       ),
       below,

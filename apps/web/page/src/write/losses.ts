@@ -41,7 +41,7 @@ export function losses(contests: Held[], open: (held: Held) => void): HTMLElemen
           heading('score', 'speed-run steps + exploration steps / 30; lower is better'),
           heading('best', 'the best possible score of this maze'),
           heading('lost', 'the score above the best possible'),
-          heading('search steps', 'each costs a thirtieth of a step of the speed run'),
+          heading('explor. steps', 'each costs a thirtieth of a step of the speed run'),
           heading('steps too many', 'of the speed run, above those of the shortest one'),
         ),
       ),

@@ -386,6 +386,19 @@ test.each([
   await picture(page, `write-${name}`);
 });
 
+test('a run says what the score was before, in the same maze', async () => {
+  const page = await openWrite();
+  const said = () => verdict(page).textContent();
+  await expect.poll(said).toContain('solved, score');
+  const [, before] = /score (\d+\.\d{3});/.exec((await said())!)!;
+  await write(page, template('flood-fill').replace('LONGEST_STEP_OF_SEARCH = 1', 'LONGEST_STEP_OF_SEARCH = 3'));
+  await button(page, 'Run').click();
+  await expect.poll(said).toContain(`, before ${before}; best possible`);
+  await view(page).getByRole('combobox', { name: 'Maze' }).selectOption('contest-05');
+  await button(page, 'Run').click();
+  await expect.poll(said).toMatch(/in contest-05: solved, score \d+\.\d{3}; best possible/);
+});
+
 test('keys run the program and save it as a file, and change nothing in it', async () => {
   const page = await openWrite();
   await expect.poll(() => verdict(page).getAttribute('data-state')).toBe('good');
