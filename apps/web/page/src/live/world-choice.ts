@@ -25,7 +25,8 @@ interface Row {
   write(value: string | number | boolean): void;
 }
 
-const capital = (text: string) => text[0].toUpperCase() + text.slice(1);
+/** The name of a setting for people. */
+const capital = (name: string) => name[0].toUpperCase() + name.slice(1).replaceAll('-', ' ');
 
 /** Text of a control, of a default or of a link as the core takes a value of that type. */
 export function typed(text: string | null, { type, default: usual }: Parameter): Settings[string] {
@@ -128,7 +129,7 @@ export function createWorldChoice(about: About, changed: () => void, worlds = ab
   const note = h('span', {});
   const element = h(
     'div',
-    { hidden: worlds.length < 2 },
+    { class: 'world-choice', hidden: worlds.length < 2 },
     field('World', select, note),
     ...[...rows.values()].flatMap((list) => [...list.values()].map((row) => row.element)),
   );

@@ -105,11 +105,15 @@ export function createNotices(): Notices {
     alerts,
     tell: (message, ...remedies) =>
       status.replaceChildren(
-        message,
-        ...remedies.flatMap(({ label, act }) => [
-          ' ',
-          h('button', { type: 'button', onclick: () => (status.replaceChildren(), act()) }, label),
-        ]),
+        h(
+          'span',
+          {},
+          message,
+          ...remedies.flatMap(({ label, act }) => [
+            ' ',
+            h('button', { type: 'button', onclick: () => (status.replaceChildren(), act()) }, label),
+          ]),
+        ),
       ),
     complain(error, ...remedies) {
       open.push(alertOf(error, remedies, dismiss));

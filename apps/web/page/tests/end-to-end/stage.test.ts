@@ -171,16 +171,19 @@ const tooSmall = (page: Page) =>
       .map((one) => `${one.getBoundingClientRect().height} ${one.outerHTML.slice(0, 80)}`);
   });
 
-it.each([...views, ['home', (options: object) => open('', options)] as const])(
-  'what a finger hits is large enough: %s',
-  async (_, opened) => {
-    const page = await opened({ viewport: phone, hasTouch: true });
-    await page.locator('.stage canvas:visible').first().waitFor();
-    for (const folded of await page.locator('details:visible:not([open]) > summary').all())
-      if (await folded.isVisible()) await folded.click();
-    expect(await tooSmall(page)).toEqual([]);
-  },
-);
+const inSeconds = '#live&mouse=certify&in=contest-02&seed=1&robot=classic&rules=all-japan';
+const others = [
+  ['home', (options: object) => open('', options)],
+  ['live in seconds', (options: object) => open(inSeconds, options)],
+] as const;
+
+it.each([...views, ...others])('what a finger hits is large enough: %s', async (_, opened) => {
+  const page = await opened({ viewport: phone, hasTouch: true });
+  await page.locator('.stage canvas:visible').first().waitFor();
+  for (const folded of await page.locator('details:visible:not([open]) > summary').all())
+    if (await folded.isVisible()) await folded.click();
+  expect(await tooSmall(page)).toEqual([]);
+});
 
 test('the wheel and the keys look closer, a drag looks aside, and the whole comes back', async () => {
   const page = await replayed('ariadne', { viewport: desk });
