@@ -2,6 +2,7 @@
 
 It is not told where the goal is: it tries the centre first. Column x and row y are the number x + 100 * y."""
 
+LONGEST_STEP_OF_SEARCH = 3  # cells: shorter ones search more slowly and see more
 STEPS = [100, 1, -100, -1]  # to the next cell in the north, east, south, west: the directions 0 to 3
 START = 0
 STRAIGHT, LEFT, RIGHT, BACK = 0, -1, 1, 2
@@ -82,7 +83,8 @@ class Robot(object):
     def ends(self, cell, direction):
         """The cells that one step reaches in a direction, the nearest first."""
         ends, step = [], STEPS[direction]
-        while len(ends) < 3 and self.is_open.get(2 * cell + step, not self.racing):
+        most = 3 if self.racing else LONGEST_STEP_OF_SEARCH
+        while len(ends) < most and self.is_open.get(2 * cell + step, not self.racing):
             cell += step
             ends.append(cell)
         return ends

@@ -51,7 +51,7 @@ export function createDesk(
   const nameRow = field('Name of your mouse', name);
   const begin = h('select', {});
   const host = h('div', { class: 'editor' });
-  const says = h('p', { class: 'note', role: 'status' });
+  const says = h('span', { role: 'status' });
   const warning = h(
     'div',
     { class: 'warning', role: 'alert', hidden: true },
@@ -197,12 +197,7 @@ export function createDesk(
       warning,
       link.element,
       host,
-      h(
-        'div',
-        { class: 'row' },
-        h('span', { class: 'note' }, 'Ctrl+Enter runs, Ctrl+S saves; Escape, then Tab leads on.'),
-        says,
-      ),
+      h('p', { class: 'note' }, 'Ctrl+Enter runs, Ctrl+S saves; Escape, then Tab leads on. ', says),
       below,
       h('details', { class: 'api' }, h('summary', {}, 'What it reads and answers'), help),
     ),
