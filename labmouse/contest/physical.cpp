@@ -20,6 +20,7 @@ class PhysicalContest {
         rules_(rules),
         model_(model),
         handling_(conditions.handling),
+        weighs_(conditions.map == MapKind::belief),
         mouse_(mouse),
         start_{maze.start(), maze.start_heading()},
         driver_(maze, model, conditions, seed, rules.time_limit, record_, parts),
@@ -39,7 +40,7 @@ class PhysicalContest {
 
  private:
   /// Where a mouse is after a run, or after a part of one.
-  enum class After { on_the_way, at_start, at_goal, crashed, over };
+  enum class After { on_the_way, at_start, searching_again, at_goal, crashed, over };
 
   /// Runs until the mind, the rules or the time end it.
   void hold_runs() {
@@ -52,17 +53,22 @@ class PhysicalContest {
       action = Action::reset();
       if (after == After::at_goal) {
         // It says at the goal what it will do at the start, and drives there.
-        action = decide(start_);
+        action = decide({start_, true});
         if (action.kind == Action::Kind::forfeit) return give_up(action.reason);
         after = drive_home();
       }
       if (after == After::over) return;
+      if (after == After::searching_again) {
+        mouse_.carried(driver_.clock());
+        action = decide(driver_.place());
+      }
       if (after == After::crashed) action = carry_to_start();
     }
   }
 
   Action carry_to_start() {
     ++record_.carried;
+    if (weighs_) driver_.doubt_last();
     driver_.wait(handling_);
     driver_.put_at_start();
     mouse_.carried(driver_.clock());
@@ -73,7 +79,7 @@ class PhysicalContest {
   Action decide_at_start() {
     driver_.drive_on();
     driver_.read();
-    return decide(start_);
+    return decide({start_, true});
   }
 
   int starts() const {
@@ -99,6 +105,7 @@ class PhysicalContest {
     run.known = routes_.time_from(start_);
     record_.drive.runs.push_back(std::move(run));
     record_.ends.push_back(RunEnd::done);
+    doubts_ = 0;
     return true;
   }
 
@@ -112,9 +119,26 @@ class PhysicalContest {
     return driver_.crashed() ? end_run(driver_.cause(), After::crashed) : end_run(RunEnd::out_of_time, After::over);
   }
 
-  Action decide(const Pose& pose) {
+  Action decide(const SearchPlace& place) {
+    Action action = ask(place);
+    // A mouse that sees no way has misread a wall.
+    while (weighs_ && is_no_way(action) && doubts_++ < most_doubts && doubt(place.pose.cell)) action = ask(place);
+    return action;
+  }
+
+  static bool is_no_way(const Action& action) {
+    return action.kind == Action::Kind::forfeit && action.reason == ForfeitReason::no_way;
+  }
+
+  bool doubt(Cell cell) {
+    return (goal_believed_ && driver_.doubt_way(cell, CellSet::of(start_.cell))) ||
+           driver_.doubt_way(cell, maze_.goals());
+  }
+
+  Action ask(const SearchPlace& place) {
     const std::int64_t plans = plans_of(mouse_);
-    const Action action = mouse_.decide(driver_.sighting(pose));
+    const Action action = weighs_ && mouse_.considers() ? mouse_.consider(driver_.belief(), place, driver_.clock())
+                                                        : mouse_.decide(driver_.sighting(place.pose));
     replanned_ = plans_of(mouse_) > plans;
     record_.actions.push_back(action);
     ++record_.drive.decisions;
@@ -132,37 +156,38 @@ class PhysicalContest {
   After search(Action action) {
     while (action.kind == Action::Kind::step) {
       if (const After after = move(action); after != After::on_the_way) return after;
-      action = decide(driver_.place().pose);
+      action = decide(driver_.place());
     }
+    if (weighs_ && is_no_way(action)) return end_run(RunEnd::walled_in, After::crashed);
     if (action.kind == Action::Kind::forfeit) {
       give_up(action.reason);
       return end_run(action.reason == ForfeitReason::no_way ? RunEnd::walled_in : RunEnd::given_up, After::over);
     }
-    if (!goal_believed_) return lost();
+    if (!goal_believed_) return give_up_on_it();
     end_run(RunEnd::done, After::on_the_way);
     return drive_home();
   }
 
   /// One action of the mind, edge by edge with a reading at each.
   After move(const Action& action) {
-    if (!is_search_step(driver_.place(), action)) return lost();
+    if (!is_search_step(driver_.place(), action)) return give_up_on_it();
     if (action.movement == 0) return make(action, replanned_);
     Action part = Action::step(action.rotation, 1);
     for (int edge = 0; edge < action.movement; edge += part.movement, part.rotation = 0) {
       const SearchPlace place = driver_.place();
-      if (edge > 0) mouse_.show(place.pose, driver_.sighting(place.pose));
+      if (edge > 0 && !weighs_) mouse_.show(place.pose, driver_.sighting(place.pose));
       part.movement = cells_at_once(part.rotation, action.movement - edge);
       const Heading heading = after_search(place, part).pose.heading;
       for (int cell = 0; cell < part.movement; ++cell)
         if (!driver_.known().open().contains(wall_at(neighbour(place.pose.cell, heading, cell), heading)))
-          return lost();
+          return weighs_ && edge > 0 ? After::on_the_way : give_up_on_it();
       if (const After after = make(part, replanned_ && edge == 0); after != After::on_the_way) return after;
     }
     return After::on_the_way;
   }
 
   /// The mind asked for something that it cannot have.
-  After lost() {
+  After give_up_on_it() {
     give_up(ForfeitReason::lost);
     return end_run(RunEnd::given_up, After::over);
   }
@@ -191,10 +216,11 @@ class PhysicalContest {
       if (place.pose.cell != start_.cell) {
         home_.fill(driver_.known().open(), driver_.known().known_cells(), CellSet::of(start_.cell));
         step = home_.step(place);
-        if (step.kind != Action::Kind::step) return end_run(RunEnd::walled_in, After::over);
+        if (step.kind != Action::Kind::step)
+          return weighs_ ? end_run(RunEnd::walled_in, After::crashed) : end_run(RunEnd::walled_in, After::over);
       }
       if (const After after = make(step, false); after != After::on_the_way) return after;
-      mouse_.show(driver_.place().pose, driver_.sighting(driver_.place().pose));
+      if (!weighs_) mouse_.show(driver_.place().pose, driver_.sighting(driver_.place().pose));
     }
     return end_run(RunEnd::done, After::at_start);
   }
@@ -202,6 +228,8 @@ class PhysicalContest {
   After run_fast() {
     routes_.route_from(start_, route_);
     if (route_.time == no_time || route_.segments.empty()) {
+      if (weighs_ && doubts_++ < most_doubts && driver_.doubt_way(start_.cell, maze_.goals()))
+        return end_run(RunEnd::walled_in, After::searching_again);
       give_up(ForfeitReason::no_way);
       return end_run(RunEnd::walled_in, After::over);
     }
@@ -217,6 +245,7 @@ class PhysicalContest {
   const DriveRules& rules_;
   const DriveModel& model_;
   MazeTime handling_;
+  bool weighs_;  ///< whether the map does: then the mind gets another chance where its walls leave none
   Strategy& mouse_;
   PhysicalRecord record_;
   Pose start_;
@@ -225,6 +254,8 @@ class PhysicalContest {
   SearchField home_;
   DriveRoute route_;
   bool replanned_ = false;
+  static constexpr int most_doubts = 8;
+  int doubts_ = 0;              ///< in this run
   bool goal_believed_ = false;  ///< whether it believes to have been in a goal
 };
 

@@ -3,6 +3,7 @@
 
 #include "labmouse/body/noise_level.hpp"
 #include "labmouse/contest/drive_record.hpp"
+#include "labmouse/mouse/belief.hpp"
 #include "labmouse/pilot/pilot.hpp"
 
 namespace labmouse {
@@ -11,6 +12,7 @@ struct PhysicalConditions {
   NoiseLevel noise;
   MazeTime handling = 5'000'000;  ///< that it takes to carry a mouse to the start and let it begin
   PilotChoice pilot;
+  MapKind map = MapKind::first;
   int trace_every = 0;  ///< ticks between two points of the trace; 0: none
 };
 

@@ -24,18 +24,20 @@ PhysicalDriver::PhysicalDriver(const Maze& maze, const DriveModel& model, const 
     : maze_(maze),
       record_(record),
       start_{maze.start(), maze.start_heading()},
-      known_(maze.size(), 1),
+      belief_(maze.size(), conditions.map),
+      weighs_(conditions.map == MapKind::belief),
       told_(told_of(model, conditions)),
       body_(maze, model, conditions, seed, time_limit, record),
       pilot_(model, told_, maze.size(), gains_for(told_, model.tables.cell), conditions.pilot, parts) {
   record_.foreign_parts = parts.any();
-  pilot_.know(&known_);
+  pilot_.know(&belief_.view());
 }
 
 void PhysicalDriver::put_at_start() {
   body_.put_at_start();
   pilot_.put(start_);
   pending_ = false;
+  told_last_ = {};
 }
 
 bool PhysicalDriver::make(const Action& part, bool replanned) {
@@ -46,6 +48,7 @@ bool PhysicalDriver::make(const Action& part, bool replanned) {
   DriveRun& run = record_.drive.runs.back();
   run.moves.push_back({begin, clock(), from, part, place().pose, replanned});
   run.end = clock();
+  if (weighs_) pass(from);
   read();
   return true;
 }
@@ -95,39 +98,52 @@ void PhysicalDriver::note_gates() {
 
 RunEnd PhysicalDriver::cause() const {
   const auto& wall = body_.body().contact().wall;
-  return wall && known_.open().contains(*wall) ? RunEnd::misread : body_.cause();
+  return wall && known().open().contains(*wall) ? RunEnd::misread : body_.cause();
+}
+
+/// It has come through the walls on its way.
+void PhysicalDriver::pass(const Pose& from) {
+  constexpr int surely = 6 * evidence_a_nat;
+  const Pose& to = place().pose;
+  for (Cell cell = to.cell; cell != from.cell; cell = neighbour(cell, opposite(to.heading)))
+    add(wall_at(cell, opposite(to.heading)), -surely);
 }
 
 void PhysicalDriver::read() {
   const Pose& pose = place().pose;
   const WallEvidence evidence = pilot_.evidence();
   record_.looks.push_back({clock(), pose, evidence});
-  const Sighting seen = {open(pose.cell, left_of(pose.heading), evidence.left),
-                         open(pose.cell, pose.heading, evidence.ahead),
-                         open(pose.cell, right_of(pose.heading), evidence.right)};
-  [[maybe_unused]] const bool agrees = known_.learn(pose, seen);
-  assert(agrees);
+  take(pose.cell, left_of(pose.heading), evidence.left);
+  take(pose.cell, pose.heading, evidence.ahead);
+  take(pose.cell, right_of(pose.heading), evidence.right);
 }
 
-/// 1 where the mouse takes the wall for open.
-int PhysicalDriver::open(Cell cell, Heading side, Evidence evidence) {
+void PhysicalDriver::take(Cell cell, Heading side, Evidence evidence) {
   const Wall wall = wall_at(cell, side);
-  const bool reads_closed = evidence > 0;
   // Nobody has to read the border.
-  if (on_border(wall, maze_.size())) return 0;
-  const WallState state = known_.state(wall);
-  if (state != WallState::unknown) {
-    constexpr int telling = 2 * evidence_a_nat;
-    if (std::abs(evidence) >= telling && reads_closed != (state == WallState::closed)) ++record_.contradictions;
-    return state == WallState::open ? 1 : 0;
+  if (!on_border(wall, maze_.size())) add(wall, evidence);
+}
+
+void PhysicalDriver::add(Wall wall, int evidence) {
+  const Belief::News news = belief_.add(wall, evidence);
+  if (weighs_) told_last_[told_count_++ % told_last_.size()] = {wall, evidence};
+  if (news == Belief::News::none) return;
+  if (news != Belief::News::learned) ++record_.contradictions;
+  if (news == Belief::News::contradicted) return;
+  const bool open = known().open().contains(wall);
+  if (open != maze_.is_open(wall.cell, wall.side)) ++record_.misreads;
+  record_.drive.walls.push_back({clock(), wall, open});
+}
+
+void PhysicalDriver::doubt_last() {
+  for (Told& told : told_last_) {
+    if (told.evidence != 0) belief_.add(told.wall, -told.evidence / 2);
+    told = {};
   }
-  if (reads_closed == maze_.is_open(cell, side)) ++record_.misreads;
-  record_.drive.walls.push_back({clock(), wall, !reads_closed});
-  return reads_closed ? 0 : 1;
 }
 
 Sighting PhysicalDriver::sighting(const Pose& pose) const {
-  const auto open_to = [&](Heading side) { return known_.open().contains(wall_at(pose.cell, side)) ? 1 : 0; };
+  const auto open_to = [&](Heading side) { return known().open().contains(wall_at(pose.cell, side)) ? 1 : 0; };
   return {open_to(left_of(pose.heading)), open_to(pose.heading), open_to(right_of(pose.heading))};
 }
 

@@ -1,12 +1,13 @@
 // The moving part of a contest in the physical world: body and pilot, tick by tick, their clock, and what was read.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "labmouse/contest/clocked_body.hpp"
 #include "labmouse/contest/physical_conditions.hpp"
 #include "labmouse/contest/physical_record.hpp"
-#include "labmouse/mouse/knowledge.hpp"
+#include "labmouse/mouse/belief.hpp"
 #include "labmouse/mouse/sighting.hpp"
 #include "labmouse/pilot/pilot.hpp"
 
@@ -34,7 +35,12 @@ class PhysicalDriver {
   /// Where the mouse believes to be, between two moves, and what it takes the walls there for.
   const SearchPlace& place() const { return pilot_.place(); }
   Sighting sighting(const Pose& pose) const;
-  const Knowledge& known() const { return known_; }
+  const Knowledge& known() const { return belief_.view(); }
+  const Belief& belief() const { return belief_; }
+  /// Counts the last readings by half: they may be of other walls.
+  void doubt_last();
+  /// Belief::doubt_way().
+  bool doubt_way(Cell from, const CellSet& to) { return belief_.doubt_way(from, to); }
   MazeTime clock() const { return body_.clock(); }
   bool out_of_time() const { return body_.out_of_time(); }
   bool crashed() const { return body_.crashed(); }
@@ -42,14 +48,25 @@ class PhysicalDriver {
   RunEnd cause() const;
 
  private:
+  /// A reading, to be taken back.
+  struct Told {
+    Wall wall;
+    int evidence = 0;
+  };
+
   bool tick();
   void note_gates();
-  int open(Cell cell, Heading side, Evidence evidence);
+  void pass(const Pose& from);
+  void add(Wall wall, int evidence);
+  void take(Cell cell, Heading side, Evidence evidence);
 
   const Maze& maze_;
   PhysicalRecord& record_;
   Pose start_;
-  Knowledge known_;
+  Belief belief_;
+  bool weighs_;                       ///< whether its map does
+  std::array<Told, 12> told_last_{};  ///< the last readings, in turn
+  std::size_t told_count_ = 0;
   Hardware told_;  ///< what the pilot takes itself for
   ClockedBody body_;
   Pilot pilot_;

@@ -11,7 +11,7 @@
 #include "labmouse/contest/drive_record.hpp"
 #include "labmouse/contest/pilot_code.hpp"
 #include "labmouse/functions/position.hpp"
-#include "labmouse/pilot/evidence.hpp"
+#include "labmouse/mouse/evidence.hpp"
 
 namespace labmouse {
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 #include "labmouse/mouse/drive/drive_fields.hpp"
 #include "labmouse/mouse/drive/search_clock.hpp"
@@ -36,11 +37,30 @@ Explorer::~Explorer() = default;
 Action Explorer::decide(const Sighting& seen) {
   if (!knowledge_.learn(pose_, seen)) return Action::forfeit(ForfeitReason::contradiction);
   seen_ = seen;
+  return decide();
+}
+
+Action Explorer::decide() {
   Action action = racing_ ? race() : explore();
   if (must_go_home_before(action)) action = Action::reset();
   perform(action);
   ++steps_;
   return action;
+}
+
+Action Explorer::consider(const Belief& belief, const SearchPlace& place, std::int64_t time) {
+  knowledge_ = belief.view();
+  pose_ = place.pose;
+  at_rest_ = place.at_rest;
+  clock_->set(time);
+  if (std::exchange(version_, belief.version()) != belief.version()) {
+    // The goal that it had entered may have been another cell, or the way there none.
+    to_goal_.fill(knowledge_.open(), briefing_.goals);
+    goal_entered_ = goal_entered_ && to_goal_.reaches(briefing_.start.cell);
+    renew();
+  }
+  if (!racing_) arrive();
+  return decide();
 }
 
 void Explorer::show(const Pose& pose, const Sighting& seen) { static_cast<void>(knowledge_.learn(pose, seen)); }
@@ -74,9 +94,7 @@ void Explorer::perform(const Action& action) {
     case Action::Kind::step:
       move(action);
       assert(briefing_.size.contains(pose_.cell));
-      if (racing_) break;
-      visited_.insert(pose_.cell);
-      if (briefing_.goals.contains(pose_.cell)) goal_entered_ = true;
+      if (!racing_) arrive();
       break;
     case Action::Kind::reset:
       assert(goal_entered_ && !racing_);
@@ -86,6 +104,11 @@ void Explorer::perform(const Action& action) {
     case Action::Kind::forfeit:
       break;
   }
+}
+
+void Explorer::arrive() {
+  visited_.insert(pose_.cell);
+  if (briefing_.goals.contains(pose_.cell)) goal_entered_ = true;
 }
 
 void Explorer::move(const Action& step) {

@@ -26,6 +26,8 @@ class Explorer : public Strategy {
   Action decide(const Sighting& seen) final;
   void show(const Pose& pose, const Sighting& seen) final;
   void carried(std::int64_t clock) final;
+  bool considers() const final { return clock_ != nullptr; }
+  Action consider(const Belief& belief, const SearchPlace& place, std::int64_t time) final;
   const Knowledge& knowledge() const final { return knowledge_; }
   /// In seconds, `replanned`: how often it planned anew.
   std::span<const Counter> counters() const override;
@@ -37,6 +39,9 @@ class Explorer : public Strategy {
   /// One action of the speed run; unless a mind has its own, the next on the shortest known route, planned anew at each
   /// step because the readings may have shown a shorter one.
   virtual Action race();
+
+  /// Walls are not what they were taken for: what was planned by them is to be planned anew at the next explore().
+  virtual void renew() {}
 
   /// In seconds it has fields to plan in, which all parts of a mind share.
   const Briefing& briefing() const { return briefing_; }
@@ -63,6 +68,8 @@ class Explorer : public Strategy {
   }
 
  private:
+  Action decide();
+  void arrive();
   bool must_go_home_before(const Action& action);
   void perform(const Action& action);
   void move(const Action& step);
@@ -75,6 +82,7 @@ class Explorer : public Strategy {
   CellSet visited_;
   DistanceField to_goal_;
   int steps_ = 0;
+  int version_ = 0;  ///< of the belief that it knows
   bool at_rest_ = true;
   bool goal_entered_ = false;
   bool racing_ = false;

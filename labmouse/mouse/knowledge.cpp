@@ -46,6 +46,20 @@ bool Knowledge::learn(Pose pose, Sighting sighting) {
   return true;
 }
 
+void Knowledge::learn(Wall wall, bool open) {
+  assert(!on_border(wall, size_) && state(wall) == WallState::unknown);
+  if (open)
+    open_.insert(wall);
+  else
+    possible_.erase(wall);
+}
+
+void Knowledge::forget(Wall wall) {
+  assert(!on_border(wall, size_));
+  open_.erase(wall);
+  possible_.insert(wall);
+}
+
 bool Knowledge::agrees(Pose pose, int open_cells) const {
   if (open_cells < 0 || open_cells >= max_side || open_cells > sight_) return false;
   Cell cell = pose.cell;

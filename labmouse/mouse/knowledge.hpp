@@ -9,7 +9,8 @@ namespace labmouse {
 
 enum class WallState : std::uint8_t { unknown, open, closed };
 
-/// Belief about one maze. It only grows: a wall that was learned never changes. The border is known from birth.
+/// Belief about one maze. It only grows, unless a Belief behind it forgets a wall: a wall that was learned never
+/// changes. The border is known from birth.
 class Knowledge {
  public:
   /// Of a mouse whose readings reach `sight` cells: one of so many shows no wall at its end.
@@ -23,6 +24,11 @@ class Knowledge {
   /// known.
   [[nodiscard]] bool learn(Pose pose, Sighting sighting);
 
+  /// Learns an inner wall that is unknown.
+  void learn(Wall wall, bool open);
+  /// Makes an inner wall unknown. What was planned by it has to be planned anew.
+  void forget(Wall wall);
+
   /// Walls known to be open: passages.
   const WallSet& open() const { return open_; }
   /// Walls not known to be closed: open and unknown ones, what an optimist walks through. Contains open().
@@ -33,6 +39,8 @@ class Knowledge {
   bool knows(Cell cell) const;
   /// All such cells.
   CellSet known_cells() const;
+
+  friend bool operator==(const Knowledge&, const Knowledge&) = default;
 
  private:
   bool agrees(Pose pose, int open_cells) const;

@@ -17,6 +17,8 @@ class StrideRuns {
 
   /// Finds the runs by what is known now; whether it had to plan for that.
   bool plan(const Knowledge& knowledge);
+  /// Plans anew, whatever it has planned.
+  void forget() {}
 
   /// Whether the best known run is the best of all.
   bool proven() const { return hoped_.length() == known_ && known_ < unreachable; }
@@ -44,6 +46,9 @@ class DriveRuns {
   bool plan(const Knowledge& knowledge) { return plan(knowledge.possible(), knowledge.open()); }
   /// The same over passages that a mind hopes for; those that come to its hopes later are seen with the next new plan.
   bool plan(const WallSet& hoped, const WallSet& open);
+
+  /// Plans anew the next time: walls have come back that it had left out.
+  void forget() { planned_ = false; }
 
   /// Once all walls of the hoped-for route are open, it is the best known one, too. Nothing is left to prove where no
   /// route can be driven.

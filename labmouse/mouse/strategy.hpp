@@ -6,6 +6,8 @@
 #include <string_view>
 
 #include "labmouse/mouse/action.hpp"
+#include "labmouse/mouse/belief.hpp"
+#include "labmouse/mouse/drive/search_motion.hpp"
 #include "labmouse/mouse/knowledge.hpp"
 #include "labmouse/mouse/reasons.hpp"
 #include "labmouse/mouse/sighting.hpp"
@@ -33,6 +35,15 @@ class Strategy {
   /// It was carried to the start, where it stands as in the beginning, so many microseconds after the contest began;
   /// for minds in seconds alone.
   virtual void carried(std::int64_t) {}
+
+  /// Whether it can think about walls that are not what they were taken for: then it is asked by consider() alone,
+  /// where its map may change its mind.
+  virtual bool considers() const { return false; }
+  /// The next action, in place of decide(), by what a map that readings have already come to believes now: where the
+  /// mouse is, and so many microseconds after the contest began.
+  virtual Action consider(const Belief&, const SearchPlace&, std::int64_t) {
+    return Action::forfeit(ForfeitReason::contradiction);
+  }
 
   /// What the mouse believes, for viewers and for the contract tests.
   virtual const Knowledge& knowledge() const = 0;

@@ -14,9 +14,12 @@ Action SearchWays::step_towards(const CellSet& cells, const Knowledge& knowledge
 Action hopeful_step(const SearchField& field, const Knowledge& knowledge, const SearchPlace& place) {
   const Action step = field.step(place);
   if (step.kind != Action::Kind::step || step.movement == 0) return step;
-  // Only the wall behind a mouse at rest can be unknown: the other three were just read.
   const Heading direction = after_search(place, step).pose.heading;
-  return knowledge.open().contains(wall_at(place.pose.cell, direction)) ? step : Action::step(90, 0);
+  if (knowledge.open().contains(wall_at(place.pose.cell, direction))) return step;
+  // Of a mouse that reads well only the wall behind it, at rest, can be unknown: the other three were just read. One
+  // that has its doubts stops, and looks that way.
+  return step.rotation == 180 || (place.at_rest && step.rotation == 0) ? Action::step(90, 0)
+                                                                       : Action::step(step.rotation, 0);
 }
 
 CellSet viewpoints_of(const WallSet& walls, const Knowledge& knowledge, int sight) {

@@ -5,9 +5,9 @@
 #pragma once
 
 #include "labmouse/hardware/sense.hpp"
+#include "labmouse/mouse/evidence.hpp"
 #include "labmouse/mouse/knowledge.hpp"
 #include "labmouse/mouse/pose.hpp"
-#include "labmouse/pilot/evidence.hpp"
 #include "labmouse/pilot/pose_estimate.hpp"
 #include "labmouse/pilot/target.hpp"
 

@@ -8,6 +8,7 @@
 #include <array>
 #include <optional>
 
+#include "labmouse/mouse/evidence.hpp"
 #include "labmouse/mouse/pose.hpp"
 #include "labmouse/pilot/parts.hpp"
 #include "labmouse/pilot/view.hpp"

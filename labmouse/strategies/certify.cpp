@@ -34,6 +34,8 @@ class Certify final : public Explorer {
     return runs_.last_call(steps_left()) || runs_.proven() ? Action::reset() : go_and_look();
   }
 
+  void renew() override { runs_.forget(); }
+
   Action enter_goal() {
     // The start may be a goal; a step has to end there.
     if (briefing().goals.contains(pose().cell)) return Action::step(0, 0);

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <set>
 
 #include "labmouse/contest/physical.hpp"
@@ -157,6 +159,42 @@ TEST(PhysicalContest, WhatAMouseHasReadStays) {
   }
   EXPECT_GT(contradictions, 0);
   EXPECT_GT(misreads, 0);
+}
+
+PhysicalConditions weighing(PhysicalConditions conditions) {
+  conditions.map = MapKind::belief;
+  return conditions;
+}
+
+TEST(PhysicalContest, AMapThatWeighsChangesNothingWhereAllReadingsAgree) {
+  for (const char* mouse : {"flood", "flood-return", "certify", "ariadne"})
+    EXPECT_EQ(driven_physically(mouse, test::ring(), weighing(at_noise(0.0))),
+              driven_physically(mouse, test::ring(), at_noise(0.0)))
+        << mouse;
+}
+
+TEST(PhysicalContest, AMapThatWeighsTurnsWallsOverAndLosesFewerContests) {
+  std::array<int, all_map_kinds.size()> finished{};
+  int turned = 0;
+  for (const MapKind kind : all_map_kinds)
+    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+      PhysicalConditions conditions = rough();
+      conditions.map = kind;
+      const PhysicalRecord record = driven_physically("certify", test::ring(), conditions, seed);
+      finished[static_cast<std::size_t>(kind)] += record.drive.outcome == DriveOutcome::finished ? 1 : 0;
+      std::map<Wall, bool> taken;
+      for (const WallSeen& wall : record.drive.walls) {
+        const auto [before, is_new] = taken.try_emplace(wall.wall, wall.open);
+        if (is_new) continue;
+        ++turned;
+        EXPECT_EQ(kind, MapKind::belief);
+        before->second = wall.open;
+      }
+      EXPECT_NE(record.drive.reason, ForfeitReason::lost) << seed;
+      EXPECT_NE(record.drive.reason, ForfeitReason::contradiction) << seed;
+    }
+  EXPECT_GT(finished[1], finished[0]);
+  EXPECT_GT(turned, 0);
 }
 
 TEST(PhysicalContest, TracesBothMice) {

@@ -49,6 +49,25 @@ TEST(PhysicalRecord, IsReadAsItWasWritten) {
     }
 }
 
+TEST(PhysicalRecord, OfAMapThatWeighsDrivesAgain) {
+  int turned = 0;
+  for (const std::uint64_t seed : {1, 2, 3, 4, 5, 6}) {
+    PhysicalConditions conditions = traced(5.0);
+    conditions.map = MapKind::belief;
+    const DriveRecordFile file = read(write_drive_record(physical_file("certify", conditions, seed)));
+    EXPECT_EQ(file.physical->conditions.map, MapKind::belief);
+    EXPECT_EQ(replay(file), "") << seed;
+    turned += file.physical->notes.contradictions;
+  }
+  EXPECT_GT(turned, 0);
+}
+
+TEST(PhysicalRecord, WithoutAKindOfMapIsOfOneThatNeverForgets) {
+  const std::string text = write_drive_record(physical_file("certify", traced(2.0)));
+  EXPECT_EQ(read(changed(text, ",\"map\":\"first\"", "")).physical->conditions.map, MapKind::first);
+  EXPECT_FALSE(read_drive_record(changed(text, "\"map\":\"first\"", "\"map\":\"last\"")).file);
+}
+
 TEST(PhysicalRecord, DisagreesWhereAnythingWasChanged) {
   const std::string text = write_drive_record(physical_file("flood-return", traced(2.0), 5));
   EXPECT_EQ(replay(read(text)), "");

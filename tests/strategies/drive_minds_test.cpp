@@ -3,8 +3,10 @@
 
 #include <algorithm>
 
+#include "labmouse/chance/dice.hpp"
 #include "labmouse/contest/drive.hpp"
 #include "labmouse/contest/drive_score.hpp"
+#include "labmouse/mouse/belief.hpp"
 #include "labmouse/mouse/drive/drive_fields.hpp"
 #include "labmouse/mouse/runs.hpp"
 #include "labmouse/strategies/roster.hpp"
@@ -284,6 +286,64 @@ TEST_P(EveryDriver, DrivesInMemoryThatIsGiven) {
       EXPECT_EQ(drive(maze, rules_of(30), model, *mind), contest(mouse(), maze, rules_of(30), model))
           << model.robot.name << " in " << generated_mazes()[i].name;
     }
+}
+
+/// Readings of a maze that is another one each time that one looks.
+class Nonsense {
+ public:
+  explicit Nonsense(std::uint64_t seed) : dice_(seed) {}
+
+  /// Of the walls about the place, or about the cell that a mouse has just come through, too.
+  void read(Belief& belief, const Pose& pose) {
+    for (const Heading side : {left_of(pose.heading), pose.heading, right_of(pose.heading)})
+      static_cast<void>(belief.add(wall_at(pose.cell, side), dice_.below(129) - 64));
+  }
+  bool carries() { return dice_.below(50) == 0; }
+
+ private:
+  Dice dice_;
+};
+
+TEST_P(EveryDriver, StandsAnyReadings) {
+  const Maze maze = generated_mazes().front().maze;
+  const DriveRules rules = rules_of(30);
+  const DriveModel& model = published();
+  int turned = 0;
+  for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(2500 / test::slowness); ++seed) {
+    Nonsense nonsense(seed);
+    const auto mind = make(mouse(), maze, rules, model);
+    ASSERT_TRUE(mind->considers());
+    Belief belief(maze.size(), MapKind::belief);
+    SearchPlace place = {{maze.start(), maze.start_heading()}, true};
+    for (int decision = 0; decision < 400; ++decision) {
+      nonsense.read(belief, place.pose);
+      if (nonsense.carries()) {
+        place = {{maze.start(), maze.start_heading()}, true};
+        mind->carried(1000 * decision);
+        nonsense.read(belief, place.pose);
+      }
+      const Action action = mind->consider(belief, place, 1000 * decision);
+      if (action.kind == Action::Kind::reset) {
+        mind->carried(1000 * decision);
+        place = {{maze.start(), maze.start_heading()}, true};
+        continue;
+      }
+      if (action.kind == Action::Kind::forfeit) {
+        ASSERT_EQ(action.reason, ForfeitReason::no_way) << seed << ' ' << decision;
+        if (!belief.doubt_way(place.pose.cell, maze.goals()) &&
+            !belief.doubt_way(place.pose.cell, CellSet::of(maze.start())))
+          break;
+        continue;
+      }
+      ASSERT_TRUE(is_search_step(place, action)) << seed << ' ' << decision;
+      const SearchPlace next = after_search(place, action);
+      for (Cell cell = place.pose.cell; cell != next.pose.cell; cell = neighbour(cell, next.pose.heading))
+        ASSERT_TRUE(belief.view().open().contains(wall_at(cell, next.pose.heading))) << seed << ' ' << decision;
+      place = next;
+    }
+    turned += belief.version();
+  }
+  EXPECT_GT(turned, 100);
 }
 
 INSTANTIATE_TEST_SUITE_P(Roster, EveryDriver, testing::ValuesIn(drivers()), test::mouse_name);

@@ -18,11 +18,14 @@ class Stoppable final : public Strategy {
   Stoppable(Strategy& mouse, const std::atomic<bool>* stop) : mouse_(mouse), stop_(stop) {}
 
   Action decide(const Sighting& seen) override {
-    if (stop_ != nullptr && stop_->load(std::memory_order_relaxed)) return Action::forfeit(ForfeitReason::interrupted);
-    return mouse_.decide(seen);
+    return stopped() ? Action::forfeit(ForfeitReason::interrupted) : mouse_.decide(seen);
   }
   void show(const Pose& pose, const Sighting& seen) override { mouse_.show(pose, seen); }
   void carried(std::int64_t time) override { mouse_.carried(time); }
+  bool considers() const override { return mouse_.considers(); }
+  Action consider(const Belief& belief, const SearchPlace& place, std::int64_t time) override {
+    return stopped() ? Action::forfeit(ForfeitReason::interrupted) : mouse_.consider(belief, place, time);
+  }
   const Knowledge& knowledge() const override { return mouse_.knowledge(); }
   std::span<const Counter> counters() const override { return mouse_.counters(); }
   std::string_view last_words() override { return mouse_.last_words(); }
@@ -31,6 +34,8 @@ class Stoppable final : public Strategy {
   const Reasons* reasons() const override { return mouse_.reasons(); }
 
  private:
+  bool stopped() const { return stop_ != nullptr && stop_->load(std::memory_order_relaxed); }
+
   Strategy& mouse_;
   const std::atomic<bool>* stop_;
 };

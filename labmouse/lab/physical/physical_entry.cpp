@@ -9,6 +9,7 @@
 #include "labmouse/contest/physical.hpp"
 #include "labmouse/lab/physical/physical_world.hpp"
 #include "labmouse/lab/records/drive_record_fields.hpp"
+#include "labmouse/lab/records/physical_lines.hpp"
 #include "labmouse/lab/robots/drive_rules_file.hpp"
 #include "labmouse/lab/robots/robot_files.hpp"
 #include "labmouse/lab/robots/robot_json.hpp"
@@ -28,7 +29,11 @@ constexpr std::array settings = {
     WorldSetting{"spread", "FACTOR", "How far contests are apart: factor of what each draws of the mouse itself",
                  WorldSetting::Kind::text, "1"},
     WorldSetting{"search-speed", "SPEED", "Speed of a search in mm/s; 0: the robot's own", WorldSetting::Kind::text,
-                 "0"}};
+                 "0"},
+    WorldSetting{"map", "KIND",
+                 "What mice do with a reading against their map: nothing, the first one stays (first), or weigh it "
+                 "(belief)",
+                 WorldSetting::Kind::text, "first"}};
 
 /// The number of a setting, or nothing, with what is wrong in the error.
 std::optional<double> number_in(const WorldSettings& chosen, std::string_view name, double high, std::string& error) {
@@ -56,6 +61,11 @@ WorldResult make(const WorldSettings& chosen) {
   conditions.noise.all = number_in(chosen, "noise", 100.0, error).value_or(0.0);
   conditions.noise.spread = number_in(chosen, "spread", 10.0, error).value_or(0.0);
   conditions.pilot.search_speed = number_in(chosen, "search-speed", 20'000.0, error).value_or(0.0);
+  const std::string map = value_of(physical_entry, chosen, "map");
+  if (const std::optional<MapKind> kind = map_kind_of(map))
+    conditions.map = *kind;
+  else if (error.empty())
+    error = fmt::format("--map: '{}' is neither first nor belief", shown(map));
   if (!error.empty()) return {nullptr, error};
   return {physical_world(rules.rules, std::make_shared<DriveModel>(std::move(robot.model)), conditions), "",
           std::move(robot.remarks)};
@@ -71,6 +81,7 @@ std::shared_ptr<const World> restore(const ReadJson& json) {
   conditions.noise.all = fields.number("noise", 0.0, 100.0);
   conditions.noise.spread = fields.number("spread", 0.0, 10.0);
   conditions.pilot.search_speed = fields.number("search_speed", 0.0, 20'000.0);
+  if (json.contains("map")) conditions.map = map_kind_in(fields);
   if (!fields.error().empty() || !model.error.empty() || !why_not_physical(model).empty()) return nullptr;
   return physical_world(rules, std::make_shared<DriveModel>(std::move(model)), conditions);
 }

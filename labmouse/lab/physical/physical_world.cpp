@@ -97,7 +97,8 @@ class PhysicalWorld final : public World {
             {"tables", hash_text(model_->tables.hash)},
             {"noise", conditions_.noise.all},
             {"spread", conditions_.noise.spread},
-            {"search_speed", conditions_.pilot.search_speed}};
+            {"search_speed", conditions_.pilot.search_speed},
+            {"map", std::string(name_of(conditions_.map))}};
   }
   int edition() const override { return physical_edition; }
   std::string heading() const override { return fmt::format(", noise {:g}", conditions_.noise.all); }

@@ -144,6 +144,7 @@ Json conditions_json(const PhysicalPart& part) {
       {"spread", conditions.noise.spread},
       {"handling", conditions.handling},
       {"search_speed", conditions.pilot.search_speed},
+      {"map", name_of(conditions.map)},
       {"corrections", {{"sides", corrections.sides}, {"edges", corrections.edges}, {"front", corrections.front}}},
       {"trace_every", conditions.trace_every}};
   if (part.notes.foreign_parts) json["foreign_parts"] = true;
@@ -204,6 +205,12 @@ std::string why_not_driven(const PhysicalConditions& conditions, MazeTime time_l
       (time_limit / millisecond + most_points - 1) / most_points);
 }
 
+MapKind map_kind_in(JsonFields& fields) {
+  const std::optional<MapKind> kind = map_kind_of(fields.text("map"));
+  if (!kind) fields.fail("has a 'map' that is neither first nor belief");
+  return kind.value_or(MapKind::first);
+}
+
 void read_conditions(const ReadJson& json, PhysicalPart& part, JsonFields& outer) {
   JsonFields fields(json, "physical");
   constexpr double most = 1000.0;
@@ -212,6 +219,8 @@ void read_conditions(const ReadJson& json, PhysicalPart& part, JsonFields& outer
   part.conditions.noise.spread = fields.number("spread", 0.0, most);
   part.conditions.handling = fields.long_whole("handling", 0, longest_time);
   part.conditions.pilot.search_speed = fields.number("search_speed", 0.0, 20'000.0);
+  // Records of old have none.
+  if (fields.has("map")) part.conditions.map = map_kind_in(fields);
   part.conditions.trace_every = fields.whole("trace_every", 0, 1'000'000);
   part.notes.foreign_parts = fields.has("foreign_parts") && fields.flag("foreign_parts");
   if (!fields.has("groups") || !fields.has("corrections")) fields.reject("'physical' lacks its groups or corrections");

@@ -83,7 +83,8 @@ class Driver final : public Explorer {
   Driver(const Briefing& briefing, const WallPrior* prior)
       : Explorer(briefing),
         search_(briefing.drive.model->search),
-        outlook_(briefing, prior),
+        prior_(prior),
+        outlook_(this->briefing(), prior),
         routes_(std::in_place, this->briefing()),
         likely_(briefing.size.area() <= RunCosts::largest_area),
         least_part_(likely_ ? little_part : 0),
@@ -97,7 +98,7 @@ class Driver final : public Explorer {
 
  private:
   Action explore() override {
-    if (outlook_.learn(pose(), seen())) news_ = true;
+    if (outlook_.learn(knowledge())) news_ = true;
     if (!goal_entered()) return to_goal();
     if (std::exchange(news_, false)) {
       known_time_.reset();
@@ -105,6 +106,14 @@ class Driver final : public Explorer {
     }
     // Without a run that is known there is nothing to weigh.
     return weighs() && knows_run() ? home() : look();
+  }
+
+  /// Expects and hopes anew.
+  void renew() override {
+    outlook_ = Outlook(briefing(), prior_);
+    outlook_.price(reluctances);
+    routes_->forget();
+    news_ = true;
   }
 
   bool knows_run() { return runs_ != nullptr ? known_ != RunCosts::no_run : known_time() != no_time; }
@@ -227,6 +236,7 @@ class Driver final : public Explorer {
   }
 
   SearchDrive search_;
+  const WallPrior* prior_;
   Outlook outlook_;
   std::optional<DriveRuns> routes_;
   bool likely_;               ///< hopes only for walls that are likely enough

@@ -56,6 +56,13 @@ bool Outlook::learn(Pose pose, const Sighting& seen) {
   return news;
 }
 
+bool Outlook::learn(const Knowledge& knowledge) {
+  WallSet news = unknown_;
+  news -= knowledge.unknown();
+  news.for_each([&](Wall wall) { learn(wall, knowledge.open().contains(wall)); });
+  return !news.empty();
+}
+
 void Outlook::learn(Wall wall, bool open) {
   weigh(wall, open);
   unknown_.erase(wall);

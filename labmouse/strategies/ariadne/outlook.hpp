@@ -6,6 +6,7 @@
 
 #include "labmouse/grid/wall_set.hpp"
 #include "labmouse/mouse/briefing.hpp"
+#include "labmouse/mouse/knowledge.hpp"
 #include "labmouse/mouse/sighting.hpp"
 #include "labmouse/mouse/wall_contexts.hpp"
 #include "labmouse/mouse/wall_prices.hpp"
@@ -24,6 +25,8 @@ class Outlook {
 
   /// Learns what a reading shows, one that agrees with those before. True where it shows a wall that was unknown.
   bool learn(Pose pose, const Sighting& seen);
+  /// Learns all that is known.
+  bool learn(const Knowledge& knowledge);
   /// Prices all unseen walls anew, by a table that must live as long as it is in use.
   void price(const PriceTable& table);
 
