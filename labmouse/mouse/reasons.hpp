@@ -29,7 +29,7 @@ struct Candidate {
 /// What a mind went by.
 enum class Ground : std::uint8_t {
   candidates,  ///< the lowest score of its candidates, or that none of them was worth its price
-  flood,       ///< a flood fill: for want of time it weighs nothing
+  flood,       ///< a flood fill: it weighs no candidates, for want of time or because the maze is too large
   no_loops,    ///< it takes the maze for one without loops, and stops at the goal
 };
 

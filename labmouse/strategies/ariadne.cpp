@@ -24,7 +24,8 @@ constexpr std::string_view method =
     "best choice. Afterwards a wall is worth a look as long as T(e), plus something for the way, is less than the cost "
     "of the shortest known run. When no wall is, the mouse resets at once, wherever it stands. It decides again "
     "whenever it has seen something new. If the walls seen so far look like those of a maze without loops, it stops at "
-    "the goal: there is no second route.";
+    "the goal: there is no second route. In mazes of more than 400 cells it floods to the goal and back towards the "
+    "start, and only decides by these prices when to stop.";
 
 constexpr std::string_view source = "Our own.";
 
@@ -43,7 +44,8 @@ class Ariadne final : public Explorer {
         outlook_(briefing, prior),
         costs_(this->briefing()),
         views_(this->briefing(), knowledge()),
-        way_(briefing.size, briefing.motion) {
+        way_(briefing.size, briefing.motion),
+        is_large_(briefing.size.area() > ariadne::largest_to_weigh) {
     outlook_.price(policy_.before.prices);
   }
 
@@ -72,9 +74,10 @@ class Ariadne final : public Explorer {
       phase_ = &policy_.after;
       outlook_.price(phase_->prices);
     }
-    if (!goal_entered() && in_a_hurry()) return flood_step();
+    if (!goal_entered() && (is_large_ || in_a_hurry())) return flood_to(briefing().goals);
     if (news || just_entered || !target_ || pose().cell == target_->seen_from) choose();
     if (goal_entered() && (!target_ || last_call())) return Action::reset();
+    if (goal_entered() && is_large_) return flood_home();
     return target_ ? go() : Action::forfeit(ForfeitReason::no_way);
   }
 
@@ -95,10 +98,15 @@ class Ariadne final : public Explorer {
     return 8 * briefing().budget < 7 * briefing().size.area() || 2 * steps_left() < briefing().budget;
   }
 
-  Action flood_step() {
+  Action flood_to(const CellSet& cells) {
     give_ground(Ground::flood);
-    way_.fill(knowledge().possible(), briefing().goals);
+    way_.fill(knowledge().possible(), cells);
     return optimistic_step(way_);
+  }
+
+  Action flood_home() {
+    const Cell start = briefing().start.cell;
+    return pose().cell == start ? Action::reset() : flood_to(CellSet::of(start));
   }
 
   /// The last moment at which the reset and the known run still fit into the budget, or a moment past that. Costs stand
@@ -286,6 +294,7 @@ class Ariadne final : public Explorer {
   EdgeCosts costs_;
   Views views_;
   DistanceField way_;  ///< over known passages from the target
+  bool is_large_;
   std::optional<ariadne::Viewpoint> nearest_goal_;
   int known_ = unreachable;  ///< length of the shortest known run from start to goal
   std::optional<Candidate> target_;

@@ -97,8 +97,12 @@ class AriadneReferee final : public Strategy {
       return;
     }
     after_the_goal_ = goal_entered_;
-    if (!goal_entered_ && in_a_hurry()) {
-      judge_flood(action);
+    if (!goal_entered_ && (is_large() || in_a_hurry())) {
+      judge_flood(action, briefing_.goals);
+      return;
+    }
+    if (is_large()) {
+      judge_way_home(action, news || just_entered);
       return;
     }
     const bool chooses = news || just_entered || !target_ || pose_.cell == target_->seen_from;
@@ -122,19 +126,38 @@ class AriadneReferee final : public Strategy {
     return 8 * briefing_.budget < 7 * briefing_.size.area() || 2 * steps_left() < briefing_.budget;
   }
 
-  /// A step of a flood fill: nearer to the goal by all that could be open, or a turn to look behind.
-  void judge_flood(const Action& action) const {
+  bool is_large() const { return briefing_.size.area() > 400; }
+
+  /// After the goal in a large maze: home by a flood as long as any wall is worth a look.
+  void judge_way_home(const Action& action, bool chooses) {
+    const bool last_call = steps_left() <= std::max(known_, 1) + 1;
+    const bool at_start = pose_.cell == briefing_.start.cell;
+    if (action.kind != Action::Kind::reset) {
+      ASSERT_FALSE(at_start || last_call);
+      judge_flood(action, CellSet::of(briefing_.start.cell));
+      return;
+    }
+    if (at_start || last_call) return;
+    stopped_content_ = true;
+    ASSERT_TRUE(chooses) << "stops where there is something new, and only there";
+    ASSERT_NE(mouse_.reasons(), nullptr);
+    ASSERT_NO_FATAL_FAILURE(judge_choice(*mouse_.reasons()));
+    ASSERT_FALSE(target_);
+  }
+
+  /// A step of a flood fill: nearer to the cells by all that could be open, or a turn to look behind.
+  void judge_flood(const Action& action, const CellSet& cells) const {
     ASSERT_NE(mouse_.reasons(), nullptr);
     ASSERT_EQ(mouse_.reasons()->ground, Ground::flood);
     ASSERT_TRUE(mouse_.reasons()->candidates.empty());
-    if (!could_reach_a_goal()) {
+    if (!goal_entered_ && !could_reach_a_goal()) {
       ASSERT_EQ(action, Action::forfeit(ForfeitReason::no_way));
       return;
     }
     ASSERT_EQ(action.kind, Action::Kind::step);
     ASSERT_TRUE(is_seen_to_be_open(action));
     const auto price = [&](Wall wall) { return knowledge_.possible().contains(wall) ? 0 : int{WallPrices::closed}; };
-    const std::vector<int> steps = plain_costs({briefing_.size, briefing_.motion, 1, price}, briefing_.goals);
+    const std::vector<int> steps = plain_costs({briefing_.size, briefing_.motion, 1, price}, cells);
     if (action.movement == 0) {
       ASSERT_EQ(action, Action::step(90, 0));
     } else {

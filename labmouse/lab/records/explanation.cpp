@@ -90,8 +90,8 @@ std::string heading_of(const StepRecord& step, std::size_t candidates, bool goal
 /// The first step of a flood; those that follow it are not told of.
 std::string flood_of(const StepRecord& step) {
   return fmt::format(
-      "\nstep {} at ({},{}): floods from here on. The budget is small for this maze, or half of it was\n"
-      "used without reaching the goal, so it takes the shortest way that could be open.\n",
+      "\nstep {} at ({},{}): floods from here on. The maze is large, its budget is small for it, or half of\n"
+      "that was used without reaching the goal, so it takes the shortest way that could be open.\n",
       step.step, int{step.pose.cell.x}, int{step.pose.cell.y});
 }
 
@@ -166,7 +166,7 @@ std::string explanation_of(const RecordFile& file, int candidates) {
 }
 
 std::string ground_words(const Reasons& reasons) {
-  if (reasons.ground == Ground::flood) return "a flood, for lack of time to weigh candidates";
+  if (reasons.ground == Ground::flood) return "a flood, for lack of time to weigh candidates or in a large maze";
   if (reasons.ground == Ground::no_loops) return "the walls seen look like those of a maze without loops";
   if (reasons.candidates.empty()) return "no unseen wall is left that a better run could pass";
   const std::string all = counted(static_cast<int>(reasons.candidates.size()), "candidate", "candidates");

@@ -16,6 +16,10 @@ inline constexpr int step_price = costs_a_step;
 /// Weights of costs, and scores, are in 1/256.
 inline constexpr int one = 256;
 
+/// In mazes of more cells the next wall says too little of a run to go and look at it: there the mouse floods, and only
+/// weighs when to stop.
+inline constexpr int largest_to_weigh = 400;
+
 /// The weights of one phase of the exploration.
 struct Phase {
   PriceTable prices{};  ///< of unseen walls
