@@ -86,9 +86,10 @@ class Ariadne final : public Explorer {
     return Explorer::race();
   }
 
-  /// Whether the walls say that there is one way only, clearly: e^2 to one.
+  /// Whether the walls say that there is one way only, clearly: e^2 to one, and e^16 in large mazes, because a prior
+  /// that was learned from few of them is a little wrong about each of many walls.
   bool stops_at_the_goal() const {
-    constexpr int clearly = 2 * 32;
+    const int clearly = 2 * 32 * (is_large_ ? 8 : 1);
     return policy_.loop_free || (policy_.may_be_loop_free && outlook_.evidence_against_loops() > clearly);
   }
 

@@ -88,7 +88,8 @@ class AriadneReferee final : public Strategy {
       return;
     }
     const bool just_entered = goal_entered_ && !after_the_goal_;
-    if (just_entered && (policy_.loop_free || (policy_.may_be_loop_free && outlook_.evidence_against_loops() > 64))) {
+    if (just_entered && (policy_.loop_free ||
+                         (policy_.may_be_loop_free && outlook_.evidence_against_loops() > 64 * (is_large() ? 8 : 1)))) {
       ASSERT_EQ(action, Action::reset());
       ASSERT_NE(mouse_.reasons(), nullptr);
       ASSERT_EQ(mouse_.reasons()->ground, Ground::no_loops);
