@@ -3,8 +3,9 @@
 //
 //   search ──reset──► home ──► fast run ──► asked again        crash ──► carried to the start ──► asked again
 //
-// Until minds can doubt, a mind sees corridors of one cell, made of what the pilot's evidence is rather for. The first
-// reading of a wall stays for ever, as in most mice; what speaks against it later is counted, and the contest goes on.
+// A mind sees corridors of one cell, made of what the pilot's evidence is rather for. By the map of the conditions the
+// first reading of a wall stays for ever, as in most mice, and what speaks against it later is counted; or readings are
+// weighed, walls turn over, and a mind that sees no way any more looks again.
 #pragma once
 
 #include <cstdint>

@@ -129,17 +129,22 @@ void PhysicalDriver::add(Wall wall, int evidence) {
   if (weighs_) told_last_[told_count_++ % told_last_.size()] = {wall, evidence};
   if (news == Belief::News::none) return;
   if (news != Belief::News::learned) ++record_.contradictions;
-  if (news == Belief::News::contradicted) return;
+  if (news != Belief::News::contradicted) note(wall);
+}
+
+/// What it takes that wall for from now on.
+void PhysicalDriver::note(Wall wall) {
   const bool open = known().open().contains(wall);
   if (open != maze_.is_open(wall.cell, wall.side)) ++record_.misreads;
   record_.drive.walls.push_back({clock(), wall, open});
 }
 
 void PhysicalDriver::doubt_last() {
-  for (Told& told : told_last_) {
-    if (told.evidence != 0) belief_.add(told.wall, -told.evidence / 2);
-    told = {};
-  }
+  for (const Told& told : told_last_)
+    if (told.evidence != 0 && known().state(told.wall) != WallState::unknown &&
+        belief_.add(told.wall, -told.evidence / 2) == Belief::News::turned)
+      note(told.wall);
+  told_last_ = {};
 }
 
 Sighting PhysicalDriver::sighting(const Pose& pose) const {

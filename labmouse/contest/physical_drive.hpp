@@ -58,6 +58,7 @@ class PhysicalDriver {
   void note_gates();
   void pass(const Pose& from);
   void add(Wall wall, int evidence);
+  void note(Wall wall);
   void take(Cell cell, Heading side, Evidence evidence);
 
   const Maze& maze_;
