@@ -24,7 +24,7 @@ constexpr std::string_view method =
     "best choice. Afterwards a wall is worth a look as long as T(e), plus something for the way, is less than the cost "
     "of the shortest known run. When no wall is, the mouse resets at once, wherever it stands. It decides again "
     "whenever it has seen something new. If the walls seen so far look like those of a maze without loops, it stops at "
-    "the goal: there is no second route. In mazes of more than 400 cells it floods to the goal and back towards the "
+    "the goal: there is no second route. In mazes of more than 900 cells it floods to the goal and back towards the "
     "start, and only decides by these prices when to stop.";
 
 constexpr std::string_view source = "Our own.";
@@ -187,7 +187,7 @@ class Ariadne final : public Explorer {
   }
 
   void consider_walls() {
-    views_.for_each_unseen([&](Wall wall) { consider(wall); });
+    views_.for_each_unseen([&](Wall wall) { consider_wall(wall); });
   }
 
   void consider_all() {
@@ -195,7 +195,7 @@ class Ariadne final : public Explorer {
     consider_goal();
   }
 
-  void consider(Wall wall) {
+  void consider_wall(Wall wall) {
     if (!outlook_.prices().passable(wall)) return;
     Candidate candidate;
     candidate.wall = wall;

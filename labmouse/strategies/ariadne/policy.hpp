@@ -18,7 +18,7 @@ inline constexpr int one = 256;
 
 /// In mazes of more cells the next wall says too little of a run to go and look at it: there the mouse floods, and only
 /// weighs when to stop.
-inline constexpr int largest_to_weigh = 400;
+inline constexpr int largest_to_weigh = 900;
 
 /// The weights of one phase of the exploration.
 struct Phase {
