@@ -50,12 +50,13 @@ Json mazes() {
   return list;
 }
 
-/// What can be chosen where a setting takes a name of what the page brings; null for all others.
+/// What can be chosen where a setting takes one of a few words, or a name of what the page brings; null for all others.
 Json choices_of(const WorldSetting& setting) {
   const Json things = setting.name == "robot"   ? page_robots_json()
                       : setting.name == "rules" ? page_rules_json()
                                                 : Json();
   Json names;
+  for (const std::string_view choice : setting.choices) names.push_back(choice);
   for (const Json& thing : things) names.push_back(thing["name"]);
   return names;
 }

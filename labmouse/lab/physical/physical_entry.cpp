@@ -20,6 +20,8 @@
 namespace labmouse {
 namespace {
 
+constexpr std::array map_kinds = {name_of(MapKind::first), name_of(MapKind::belief)};
+
 constexpr std::array settings = {
     WorldSetting{"robot", "ROBOT", "Built-in robot, or a file whose name contains a slash or ends in .toml",
                  WorldSetting::Kind::text, "kerise"},
@@ -33,7 +35,7 @@ constexpr std::array settings = {
     WorldSetting{"map", "KIND",
                  "What mice do with a reading against their map: nothing, the first one stays (first), or weigh it "
                  "(belief)",
-                 WorldSetting::Kind::text, "first"}};
+                 WorldSetting::Kind::text, "first", 0, 0, map_kinds}};
 
 /// The number of a setting, or nothing, with what is wrong in the error.
 std::optional<double> number_in(const WorldSettings& chosen, std::string_view name, double high, std::string& error) {

@@ -25,6 +25,8 @@ struct WorldSetting {
   Kind kind = Kind::text;
   std::string_view default_value;  ///< "true" or "false" for a flag
   std::int64_t low = 0, high = 0;  ///< of a whole number
+  /// All values of a text that takes one of a few words; empty where it takes others, too.
+  std::span<const std::string_view> choices = {};
 };
 
 /// Settings by name; those that are not there have their defaults.

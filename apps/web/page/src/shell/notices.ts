@@ -108,11 +108,11 @@ export function createNotices(): Notices {
         h(
           'span',
           {},
-          message,
-          ...remedies.flatMap(({ label, act }) => [
-            ' ',
+          h('span', { class: 'said', title: message }, message),
+          ' ',
+          ...remedies.map(({ label, act }) =>
             h('button', { type: 'button', onclick: () => (status.replaceChildren(), act()) }, label),
-          ]),
+          ),
         ),
       ),
     complain(error, ...remedies) {

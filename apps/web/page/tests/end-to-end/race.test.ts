@@ -126,6 +126,8 @@ test('a race is held in the page', async () => {
 
 test('a race that ends leaves its user in the view where they are, and offers to show it', async () => {
   const page = await open('#race');
+  // Where the header has little room.
+  await page.setViewportSize({ width: 1024, height: 700 });
   await page.getByRole('button', { name: 'Start the race' }).click();
   await page.getByRole('link', { name: 'Draw' }).click();
   const status = page.getByRole('status').first();
