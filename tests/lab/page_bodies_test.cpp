@@ -48,7 +48,8 @@ TEST(PageBodies, AreBothMicePointByPoint) {
 
 TEST(PageBodies, HaveBeamsThatEndAtTheWall) {
   const json bodies = played(recorded(0.0, 20))["drive"]["bodies"];
-  const Hardware& hardware = *test::drive_model("kerise")->robot.hardware;
+  const auto model = test::drive_model("kerise");
+  const Hardware& hardware = *model->robot.hardware;
   const Beam& right = hardware.sensors.infrared.beams[0];
   EXPECT_NEAR(bodies["beams"][0]["left"].get<double>(), right.aside / 90.0, 1e-4);
   EXPECT_GT(bodies["beams"][0]["angle"].get<double>(), 1.0) << "clockwise";
