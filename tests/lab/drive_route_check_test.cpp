@@ -9,6 +9,7 @@
 #include "labmouse/mouse/drive/fastest.hpp"
 #include "tests/lab/drive_record_fixture.hpp"
 #include "tests/says.hpp"
+#include "tests/slowness.hpp"
 #include "tests/strategies/random_mazes.hpp"
 
 namespace labmouse {
@@ -122,19 +123,19 @@ TEST(DriveRouteCheck, AgreesWithTheFastestRoutes) {
   Dice dice(23);
   int driven = 0;
   for (const char* robot : {"mm2021", "classic", "kerise", "beginner"})
-    for (int i = 0; i < 40; ++i) {
+    for (int i = 0; i < test::fewer(40); ++i) {
       const Course course = fastest(test::any_maze(dice, 9), robot);
       if (course.route.time == no_time) continue;
       EXPECT_EQ(course.checked(), "") << test::drawing_of(course.maze);
       driven += course.route.segments.empty() ? 0 : 1;
     }
-  EXPECT_GT(driven, 10);
+  EXPECT_GT(driven, test::fewer(10));
 }
 
 TEST(DriveRouteCheck, KnowsTheTimeOfEachSegmentToTheMicrosecond) {
   Dice dice(29);
   for (const char* robot : {"mm2021", "classic", "kerise", "beginner"})
-    for (int i = 0; i < 15; ++i) {
+    for (int i = 0; i < test::fewer(15); ++i) {
       const Course course = fastest(test::any_maze(dice, 9), robot);
       for (std::size_t segment = 0; segment < course.route.segments.size(); ++segment)
         for (const DriveTime by : {-1, 1}) {

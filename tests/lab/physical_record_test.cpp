@@ -4,6 +4,7 @@
 #include "labmouse/lab/pictures/drive_picture.hpp"
 #include "tests/lab/physical_fixture.hpp"
 #include "tests/says.hpp"
+#include "tests/slowness.hpp"
 
 namespace labmouse {
 namespace {
@@ -101,9 +102,10 @@ TEST(PhysicalRecord, OfAnotherEditionIsShownAndNotDriven) {
 
 TEST(PhysicalRecord, OfWhichTheEndIsMissingAgreesAsFarAsItGoes) {
   const std::string text = write_drive_record(physical_file("flood", traced(1.0)));
-  std::size_t lines = 0;
+  std::size_t line = 0, lines = 0;
   for (std::size_t end = text.find('\n'); end != std::string::npos && end + 1 < text.size();
        end = text.find('\n', end + 1)) {
+    if (++line % (test::sanitized ? 8 : 1) != 0) continue;
     const ReadDriveRecordResult part = read_drive_record(std::string_view(text).substr(0, end + 1));
     if (!part.file) continue;
     ++lines;

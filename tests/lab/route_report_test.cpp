@@ -9,6 +9,7 @@
 #include "labmouse/mouse/drive/fastest.hpp"
 #include "tests/drawn_maze.hpp"
 #include "tests/says.hpp"
+#include "tests/slowness.hpp"
 #include "tests/strategies/random_mazes.hpp"
 
 namespace labmouse {
@@ -127,7 +128,7 @@ class EveryShortestWay {
 TEST(RouteReport, FindsTheFastestRouteOfTheFewestCells) {
   Dice dice(3);
   int known = 0;
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < test::fewer(200); ++i) {
     SCOPED_TRACE(i);
     const Maze maze = test::any_maze(dice, 6);
     const RouteReport report = route_report(maze, mm2021());
@@ -137,7 +138,7 @@ TEST(RouteReport, FindsTheFastestRouteOfTheFewestCells) {
     ++known;
     EXPECT_EQ(*report.fewest_cells_time, EveryShortestWay(maze, mm2021(), report.fewest_cells).best);
   }
-  EXPECT_GT(known, 50);
+  EXPECT_GT(known, test::fewer(50));
 }
 
 TEST(RouteReport, IsATable) {

@@ -109,10 +109,10 @@ export function createNotices(): Notices {
           'span',
           {},
           h('span', { class: 'said', title: message }, message),
-          ' ',
-          ...remedies.map(({ label, act }) =>
+          ...remedies.flatMap(({ label, act }) => [
+            ' ',
             h('button', { type: 'button', onclick: () => (status.replaceChildren(), act()) }, label),
-          ),
+          ]),
         ),
       ),
     complain(error, ...remedies) {
