@@ -92,6 +92,7 @@ void add_rules(Command& app, int& exit);
 void add_bound(Command& app, int& exit);
 void add_route(Command& app, int& exit);
 void add_drive(Command& app, int& exit);
+void add_hazards(Command& app, int& exit);
 void add_replay(Command& app, int& exit);
 void add_score(Command& app, int& exit);
 void add_page(Command& app, int& exit);

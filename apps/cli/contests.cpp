@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <chrono>
 #include <csignal>
 #include <cstdint>
 #include <cstdio>
+#include <string_view>
 
 #include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/text/counted.hpp"
@@ -183,6 +185,21 @@ void Interruptible::stop() { stop_flag = true; }
 
 ExitCode exit_interrupted() {
   return static_cast<ExitCode>(exit_signal + (caught_signal != 0 ? caught_signal.load() : SIGINT));
+}
+
+std::vector<double> noises_of(const std::string& text) {
+  std::vector<double> noises;
+  for (std::string_view rest = text; !rest.empty();) {
+    const std::string_view word = rest.substr(0, rest.find(','));
+    double noise = 0.0;
+    const auto [end, wrong] = std::from_chars(word.data(), word.data() + word.size(), noise);
+    if (wrong != std::errc() || end != word.data() + word.size() || !(noise >= 0.0 && noise <= 100.0))
+      throw UsageError(fmt::format("error: --noise: '{}' is not a number from 0 to 100", shown(word)));
+    noises.push_back(noise);
+    rest.remove_prefix(std::min(rest.size(), word.size() + 1));
+  }
+  if (noises.empty()) throw UsageError("error: --noise needs a number");
+  return noises;
 }
 
 }  // namespace labmouse::cli

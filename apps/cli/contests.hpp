@@ -57,6 +57,9 @@ MazeCollection find_mazes_of(const World& world, const Contests& contests);
 /// Takes the folder of --out for one race, until the pointer goes; nothing where none was asked for. Throws UsageError.
 std::unique_ptr<ResultsFolder> take_folder(const std::string& out, bool overwrite);
 
+/// The numbers of --noise, which commas part; throws UsageError.
+std::vector<double> noises_of(const std::string& text);
+
 /// A bar on standard error, where that is a terminal.
 class Progress {
  public:

@@ -1,9 +1,7 @@
 // labmouse drive: how sure a robot's pilot is along known ways.
 #include <fmt/format.h>
 
-#include <charconv>
 #include <memory>
-#include <string_view>
 
 #include "command.hpp"
 #include "contests.hpp"
@@ -30,22 +28,6 @@ struct DriveOptions {
   std::string format = "table";
   std::string log;
 };
-
-/// The numbers of --noise.
-std::vector<double> noises_of(const std::string& text) {
-  std::vector<double> noises;
-  for (std::string_view rest = text; !rest.empty();) {
-    const std::string_view word = rest.substr(0, rest.find(','));
-    double noise = 0.0;
-    const auto [end, wrong] = std::from_chars(word.data(), word.data() + word.size(), noise);
-    if (wrong != std::errc() || end != word.data() + word.size() || !(noise >= 0.0 && noise <= 100.0))
-      throw UsageError(fmt::format("error: --noise: '{}' is not a number from 0 to 100", shown(word)));
-    noises.push_back(noise);
-    rest.remove_prefix(std::min(rest.size(), word.size() + 1));
-  }
-  if (noises.empty()) throw UsageError("error: --noise needs a number");
-  return noises;
-}
 
 /// What is compared: the noises, or for one of them its groups or the corrections.
 std::vector<DriveCase> cases_of(const DriveOptions& options) {

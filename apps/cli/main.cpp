@@ -51,6 +51,7 @@ int main(int argc, char** argv) {
   add_bound(app, exit);
   add_route(app, exit);
   add_drive(app, exit);
+  add_hazards(app, exit);
   add_replay(app, exit);
   add_score(app, exit);
   add_page(app, exit);

@@ -64,9 +64,10 @@ ExitCode list(const StoreOptions& options) {
   std::string text = fmt::format("{:<{}} {:<{}} {:>6} {:>8} {:>7} {:>9}  {:<10}  {:<10}\n", "world", world, "mouse",
                                  mouse, "mazes", "contests", "solved", "mean", "first", "last");
   for (const StoredMouse& each : found.mice)
-    text += fmt::format("{:<{}} {:<{}} {:>6} {:>8} {:>7} {:>9}  {}  {}\n", shown(each.world), world, shown(each.mouse),
+    text += fmt::format("{:<{}} {:<{}} {:>6} {:>8} {:>7} {:>9}  {}  {}", shown(each.world), world, shown(each.mouse),
                         mouse, each.mazes, each.contests, each.solved,
-                        each.mean ? fmt::format("{:.3f}", *each.mean) : "-", day_of(each.first), day_of(each.last));
+                        each.mean ? fmt::format("{:.3f}", *each.mean) : "-", day_of(each.first), day_of(each.last)) +
+            (each.apart.empty() ? "" : "  " + shown(each.apart)) + "\n";
   print(text);
   return exit_good;
 }

@@ -16,6 +16,7 @@
 #include "labmouse/lab/store/schema.hpp"
 #include "labmouse/lab/store/store_changes.hpp"
 #include "labmouse/lab/store/stored_races.hpp"
+#include "labmouse/lab/store/told_apart.hpp"
 #include "labmouse/lab/store/verification.hpp"
 #include "labmouse/lab/studies/study.hpp"
 #include "labmouse/lab/studies/sweep.hpp"
@@ -31,6 +32,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using test::Says;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
@@ -533,6 +535,39 @@ TEST_F(AStore, HasPairsInAView) {
   EXPECT_EQ(number("SELECT count(*) FROM pairs"), 2);
 }
 
+TEST(ConditionsOfAStore, AreToldApartByWhatDiffers) {
+  const auto told = [](const std::vector<std::string>& conditions) { return told_apart(conditions); };
+  EXPECT_THAT(told({R"({"budget":500})", R"({"budget":1000})"}), ElementsAre("budget 500", "budget 1000"));
+  EXPECT_THAT(told({R"({"budget":500})"}), ElementsAre(""));
+  EXPECT_THAT(told({R"({"budget":500})", R"({"budget":500,"sight":1})"}), ElementsAre("sight none", "sight 1"));
+  EXPECT_THAT(told({R"({"robot":{"name":"a","parameters":{"x":1}},"tables":"1"})",
+                    R"({"robot":{"name":"b","parameters":{"x":2}},"tables":"2"})"}),
+              ElementsAre("robot a", "robot b"));
+  EXPECT_THAT(told({R"({"robot":{"name":"a","parameters":{"x":1,"y":1,"z":1}}})",
+                    R"({"robot":{"name":"a","parameters":{"x":2,"y":2,"z":2}}})"}),
+              ElementsAre("robot x 1, robot y 1, ...", "robot x 2, robot y 2, ..."));
+  EXPECT_THAT(told({"[]", R"({"budget":1})"}), ElementsAre("", ""));
+  const auto deep = [](int depth, const std::string& inner) {
+    std::string text;
+    for (int i = 0; i < depth; ++i) text += R"({"a":)";
+    return text + inner + std::string(static_cast<std::size_t>(depth), '}');
+  };
+  EXPECT_THAT(told({deep(5, "1"), deep(5, "2")}), ElementsAre("a a a {...}", "a a a {...}"));
+  EXPECT_THAT(told({deep(100'000, "1"), deep(100'000, "2")}), ElementsAre("", ""));
+}
+
+TEST_F(AStore, TellsRacesOfOneWorldApart) {
+  race("flood", {test::loop()});
+  EXPECT_EQ(stored_mice(path(), {}).mice.front().apart, "");
+  Rules rules;
+  rules.budget = 999;
+  race("flood", {test::loop()}, test::in_steps(rules));
+  const StoredMice mice = stored_mice(path(), {});
+  ASSERT_THAT(mice.mice, SizeIs(2));
+  EXPECT_EQ(mice.mice[0].apart, "budget 1000");
+  EXPECT_EQ(mice.mice[1].apart, "budget 999");
+}
+
 TEST_F(AStore, ListsAndExports) {
   race("flood,random");
   const StoredMice mice = stored_mice(path(), {});
@@ -759,6 +794,48 @@ TEST_F(AStore, ThatCannotBeWrittenIsReadOnly) {
     EXPECT_THAT(Store(path()).finish(), HasSubstr("results.db: error: cannot be written"));
     EXPECT_THAT(stored_mice(path(), {}).mice, SizeIs(1));
   }
+}
+
+/// Whoever walks such a text by recursion ends.
+TEST_F(AStore, WithEndlesslyNestedTextsIsShownAndRefused) {
+  constexpr int deep = 300'000;
+  const std::string lists = std::string(deep, '[') + std::string(deep, ']');
+  std::string objects;
+  for (int i = 0; i < deep; ++i) objects += "{\"name\":";
+  objects += "1" + std::string(deep, '}');
+  for (const char* column :
+       {"contests.fields", "contests.figures", "worlds.conditions", "mice.about", "mice.parameters"})
+    for (const std::string& text : {lists, objects}) {
+      SCOPED_TRACE(column);
+      fs::remove(path());
+      race("flood", {test::loop()});
+      const std::string name = column;
+      change("UPDATE " + name.substr(0, name.find('.')) + " SET " + name.substr(name.find('.') + 1) + " = '" + text +
+             "'");
+      std::size_t lines = 0;
+      EXPECT_EQ(export_store(path(), {}, ExportFormat::json_lines, 0,
+                             [&](const std::string& part) { return lines += part.size(), true; }),
+                "");
+      EXPECT_GT(lines, 0U);
+      EXPECT_THAT(stored_mice(path(), {}).mice, SizeIs(1));
+      stored_races(path(), {});
+      verify_store(path(), {}, {1.0});
+    }
+}
+
+TEST(Json, IsNotReadWhereItIsTooDeep) {
+  const auto nested = [](std::size_t depth) { return std::string(depth, '[') + std::string(depth, ']'); };
+  EXPECT_TRUE(read_json(nested(30)).is_array());
+  EXPECT_TRUE(read_json(nested(1'000'000)).is_discarded());
+  EXPECT_TRUE(read_ordered_json(nested(30)).is_array());
+  EXPECT_TRUE(read_ordered_json(nested(1'000'000)).is_discarded());
+  EXPECT_TRUE(read_json("no JSON").is_discarded());
+  // Brackets in texts, and marks of quotation in those, are none.
+  EXPECT_FALSE(is_too_deep("\"" + std::string(100, '[') + "\""));
+  EXPECT_FALSE(is_too_deep(R"(["\"[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[["])"));
+  std::string many = "[";
+  for (int i = 0; i < 1000; ++i) many += "[],";
+  EXPECT_FALSE(is_too_deep(many + "[]]"));
 }
 
 // Worlds.

@@ -46,10 +46,10 @@ export default defineConfig({
           globalSetup: 'tests/end-to-end/folder.ts',
           setupFiles: 'tests/end-to-end/setup.ts',
           isolate: false,
-          testTimeout: 60_000,
+          testTimeout: 150_000,
           // Patience with a busy machine: a second try, and long looks.
           retry: 1,
-          expect: { poll: { timeout: 15_000 } },
+          expect: { poll: { timeout: 45_000 } },
           hookTimeout: 60_000,
         },
       },

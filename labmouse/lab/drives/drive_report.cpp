@@ -10,10 +10,6 @@
 namespace labmouse {
 namespace {
 
-double share(std::int64_t part, std::int64_t all) {
-  return all == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(all);
-}
-
 double deviation(double squares, std::int64_t ticks) {
   return ticks == 0 ? 0.0 : std::sqrt(squares / static_cast<double>(ticks));
 }
@@ -34,7 +30,7 @@ Json errors_json(const WayErrors& errors, std::int64_t ticks) {
 }
 
 Json readings_json(const WallReadings& readings) {
-  return {{"all", readings.all}, {"wrong", readings.wrong}, {"share", share(readings.wrong, readings.all)}};
+  return {{"all", readings.all}, {"wrong", readings.wrong}, {"share", share_of(readings.wrong, readings.all)}};
 }
 
 }  // namespace
@@ -50,13 +46,13 @@ std::string table_of(std::span<const DriveTally> tallies) {
     const Interval interval = wilson_interval(tally.crashed, tally.runs);
     text += fmt::format(
         "{:<14} {:>6} {:>8.2f} {:>13} {:>7.0f} {:>7.0f} {:>6.2f} {:>6.2f} {:>6.2f} {:>11} {:>9.4f} {:>9.4f} {:>8}\n",
-        shown(tally.name), tally.runs, 100.0 * share(tally.crashed, tally.runs),
+        shown(tally.name), tally.runs, 100.0 * share_of(tally.crashed, tally.runs),
         fmt::format("{:.2f}-{:.2f}", 100.0 * interval.low, 100.0 * interval.high),
-        100.0 * share(tally.mazes_without_crash, tally.mazes), 100.0 * tally.worst_share,
+        100.0 * share_of(tally.mazes_without_crash, tally.mazes), 100.0 * tally.worst_share,
         deviation(tally.truth.aside, tally.ticks), deviation(tally.truth.along, tally.ticks),
         degrees * deviation(tally.truth.direction, tally.ticks),
         fmt::format("{:.1f}, {:.1f}", quantile(tally.most_aside, 0.5), quantile(tally.most_aside, 0.95)),
-        100.0 * share(tally.side.wrong, tally.side.all), 100.0 * share(tally.front.wrong, tally.front.all),
+        100.0 * share_of(tally.side.wrong, tally.side.all), 100.0 * share_of(tally.front.wrong, tally.front.all),
         tally.crashed == 0 || tally.cells == 0 ? "-" : fmt::format("{}", tally.cells / tally.crashed));
   }
   return text;

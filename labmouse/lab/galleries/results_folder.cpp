@@ -29,7 +29,7 @@ std::string mouse_of(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   stream.read(line.data(), static_cast<std::streamsize>(line.size()));
   line.resize(static_cast<std::size_t>(stream.gcount()));
-  const ReadJson header = ReadJson::parse(line.substr(0, line.find('\n')), nullptr, false);
+  const ReadJson header = read_json(line.substr(0, line.find('\n')));
   const auto mouse = header.is_object() && header.contains("labmouse") ? header.find("mouse") : header.end();
   if (mouse == header.end() || !mouse->is_object() || !mouse->contains("name")) return "";
   return mouse->at("name").is_string() ? mouse->at("name").get<std::string>() : "";

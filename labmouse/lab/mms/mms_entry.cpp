@@ -48,7 +48,7 @@ int first_bad_line(std::string_view text) {
 /// A record of mms goes in as it is.
 PackedFile pack(std::string_view text, const RecordOwner& owner) {
   if (const int line = first_bad_line(text); line > 0) return failed({line, 1, "the line is not JSON"});
-  Json header = Json::parse(text.substr(0, text.find('\n')), nullptr, false);
+  Json header = read_ordered_json(text.substr(0, text.find('\n')));
   if (!header.is_object() || header.value("labmouse", Json()) != "mms record")
     return failed({1, 1, "is not the header of an mms record"});
   // But for that word its header is that of a record, so that one reader serves both.

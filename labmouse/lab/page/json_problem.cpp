@@ -52,19 +52,4 @@ Problem json_problem(std::string_view text) {
           static_cast<int>(before.size() - line_begin) + 1, "not valid JSON: " + without_place(mistake.words)};
 }
 
-bool is_too_deep(std::string_view text) {
-  constexpr int most = 32;  // a race's JSON is 7 deep
-  int depth = 0;
-  bool quoted = false;
-  for (std::size_t i = 0; i < text.size() && depth <= most; ++i) {
-    const char letter = text[i];
-    if (quoted && letter == '\\') ++i;
-    if (letter == '"') quoted = !quoted;
-    if (quoted) continue;
-    if (letter == '[' || letter == '{') ++depth;
-    if (letter == ']' || letter == '}') --depth;
-  }
-  return depth > most;
-}
-
 }  // namespace labmouse

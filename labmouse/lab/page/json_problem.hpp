@@ -10,8 +10,4 @@ namespace labmouse {
 /// The first mistake with its line and column.
 Problem json_problem(std::string_view text);
 
-/// Whether lists and objects stand in each other deeper than anything that labmouse writes: such a text is not worth
-/// the memory that reading it takes.
-bool is_too_deep(std::string_view text);
-
 }  // namespace labmouse

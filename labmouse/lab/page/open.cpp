@@ -15,6 +15,7 @@
 #include "labmouse/lab/system/file_names.hpp"
 #include "labmouse/lab/system/version.hpp"
 #include "labmouse/lab/text/encoding.hpp"
+#include "labmouse/lab/text/json.hpp"
 
 namespace labmouse {
 namespace {
@@ -39,7 +40,7 @@ std::string gist(std::string_view text) {
 
 /// What stands in the field `labmouse` of a record's first line, or of the JSON as a whole where it is one line.
 std::string kind_of_first_line(std::string_view text) {
-  const ReadJson json = ReadJson::parse(text.substr(0, text.find('\n')), nullptr, false);
+  const ReadJson json = read_json(text.substr(0, text.find('\n')));
   if (json.is_object() && json.contains("labmouse") && json["labmouse"].is_string())
     return json["labmouse"].get<std::string>();
   const std::string begin = gist(text);
@@ -91,7 +92,7 @@ std::string writer_of(const ReadJson& json) {
 }
 
 PageReply open_results(const std::string& name, std::string_view text) {
-  const ReadJson json = ReadJson::parse(text, nullptr, false);
+  const ReadJson json = read_json(text);
   if (json.is_discarded()) return failed(fmt::format("{} is not valid JSON", name), {json_problem(text)});
   if (!json.is_object() || !json.contains("mice"))
     return failed(fmt::format("{} is JSON, but neither a record nor the results of a race", name));

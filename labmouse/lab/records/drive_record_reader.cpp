@@ -3,6 +3,7 @@
 #include "labmouse/lab/records/physical_lines.hpp"
 #include "labmouse/lab/records/record_maze.hpp"
 #include "labmouse/lab/robots/robot_json.hpp"
+#include "labmouse/lab/text/json.hpp"
 #include "labmouse/lab/text/json_lines.hpp"
 
 namespace labmouse {
@@ -258,7 +259,7 @@ ReadDriveRecordResult read_drive_record(std::string_view text) {
 }
 
 bool is_drive_record(std::string_view text) {
-  const ReadJson header = ReadJson::parse(text.substr(0, text.find('\n')), nullptr, false);
+  const ReadJson header = read_json(text.substr(0, text.find('\n')));
   return header.is_object() && header.contains("labmouse") && header["labmouse"] == "drive record";
 }
 

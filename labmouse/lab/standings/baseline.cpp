@@ -107,7 +107,7 @@ ReadBaselineResult read_baseline(std::string_view json_text, const World& world)
   const auto no_race = [] {
     return ReadBaselineResult{std::nullopt, "is not the JSON of a race; create one with `labmouse race --format json`"};
   };
-  const ReadJson json = ReadJson::parse(json_text, nullptr, false);
+  const ReadJson json = read_json(json_text);
   if (!json.is_object() || !json.contains("labmouse") || !json.contains("mice")) return no_race();
   const ReadJson* held = part_of(json, world);
   if (held == nullptr)

@@ -62,7 +62,7 @@ std::string about_text(const Contestant& mouse) {
 }
 
 void read_about(std::string_view about, Contestant& mouse) {
-  const ReadJson json = ReadJson::parse(about, nullptr, false);
+  const ReadJson json = read_json(about);
   const auto flag = [&](const char* key) {
     return json.contains(key) && json[key].is_boolean() && json[key].get<bool>();
   };

@@ -61,7 +61,8 @@ std::optional<std::string> read_text(const ReadJson& json) {
 std::optional<Value> read_object(const ReadJson& json) {
   if (json.size() == 1 && json.contains("json")) {
     auto text = read_text(json["json"]);
-    return text && ReadJson::accept(*text) ? std::optional<Value>(JsonText{std::move(*text)}) : std::nullopt;
+    return text && !is_too_deep(*text) && ReadJson::accept(*text) ? std::optional<Value>(JsonText{std::move(*text)})
+                                                                  : std::nullopt;
   }
   if (json.size() == 1 && json.contains("real")) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -94,7 +95,7 @@ std::string figures_text(std::span<const Value> figures) {
 }
 
 std::optional<std::vector<Value>> read_figures(std::string_view text) {
-  const ReadJson json = ReadJson::parse(text, nullptr, false);
+  const ReadJson json = read_json(text);
   if (!json.is_array()) return std::nullopt;
   std::vector<Value> figures;
   for (const ReadJson& each : json) {

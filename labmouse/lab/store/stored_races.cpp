@@ -11,6 +11,7 @@
 #include "labmouse/lab/store/contest_key.hpp"
 #include "labmouse/lab/store/contest_rows.hpp"
 #include "labmouse/lab/store/schema.hpp"
+#include "labmouse/lab/store/told_apart.hpp"
 #include "labmouse/lab/system/parallel.hpp"
 #include "labmouse/lab/text/json.hpp"
 #include "labmouse/lab/text/printable.hpp"
@@ -32,7 +33,7 @@ Contestant mouse_of(const Statement& row, int first) {
   if (const std::string spec = row.text(first + 2); spec != mouse.name) mouse.spec = spec;
   const std::string& spec = spec_of(mouse);
   const RosterEntry* entry = find_mouse(spec.substr(0, spec.find(':')));
-  const ReadJson parameters = ReadJson::parse(row.text(first + 3), nullptr, false);
+  const ReadJson parameters = read_json(row.text(first + 3));
   if (entry != nullptr && parameters.is_object()) {
     mouse.settings = Settings(entry->parameters);
     for (const Parameter& parameter : entry->parameters) {
@@ -44,6 +45,21 @@ Contestant mouse_of(const Statement& row, int first) {
   read_about(row.text(first + 4), mouse);
   mouse.identity = [key = row.text(first)] { return key; };
   return mouse;
+}
+
+void tell_apart(std::vector<StoredMouse>& mice) {
+  std::map<std::string, std::vector<std::string>> conditions;  // by world
+  for (const StoredMouse& mouse : mice) {
+    std::vector<std::string>& of_world = conditions[mouse.world];
+    if (std::find(of_world.begin(), of_world.end(), mouse.conditions) == of_world.end())
+      of_world.push_back(mouse.conditions);
+  }
+  for (const auto& [world, of_world] : conditions) {
+    const std::vector<std::string> told = told_apart(of_world);
+    for (StoredMouse& mouse : mice)
+      for (std::size_t i = 0; i < of_world.size(); ++i)
+        if (mouse.world == world && mouse.conditions == of_world[i]) mouse.apart = told[i];
+  }
 }
 
 /// Reads the rows of one world into a race.
@@ -245,8 +261,9 @@ Json json_of_column(const Statement& rows, int column) {
   if (name == "score" || name == "counted" || name == "ratio") return *rows.real(column);
   if (name == "seed" || name == "run" || name == "time") return rows.whole(column);
   if (name == "conditions" || name == "fields") {
-    Json json = Json::parse(rows.text(column), nullptr, false);
-    return json.is_discarded() ? Json(rows.text(column)) : json;
+    const std::string text = rows.text(column);
+    Json json = read_ordered_json(text);
+    return json.is_discarded() ? Json(text) : json;
   }
   return rows.text(column);
 }
@@ -307,8 +324,9 @@ StoredMice stored_mice(const std::string& path, const StoreFilter& filter) {
       "ORDER BY contests.world, mice.name, max(time)",
       condition_of(filter)));
   while (rows.next())
-    found.mice.push_back({rows.text(0), rows.text(1), rows.text(2), rows.whole(3), rows.whole(4), rows.whole(5),
+    found.mice.push_back({rows.text(0), rows.text(1), rows.text(2), "", rows.whole(3), rows.whole(4), rows.whole(5),
                           rows.real(6), rows.whole(7), rows.whole(8)});
+  tell_apart(found.mice);
   found.error = error_line(path, database.error());
   return found;
 }

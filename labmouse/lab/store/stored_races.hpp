@@ -40,6 +40,7 @@ StoredRaces all_stored_contests(const std::string& path, const StoreFilter& filt
 /// A mouse of a world in a store.
 struct StoredMouse {
   std::string world, conditions, mouse;
+  std::string apart;  ///< what tells its conditions from others of that world; empty where there are no others
   std::int64_t mazes = 0, contests = 0, solved = 0;
   std::optional<double> mean;        ///< of what its contests count, in mazes that count
   std::int64_t first = 0, last = 0;  ///< seconds since 1970

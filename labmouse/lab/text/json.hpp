@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 namespace labmouse {
 
@@ -10,5 +11,15 @@ using Json = nlohmann::ordered_json;
 /// JSON that was read: a field is found in a time that grows with the logarithm of their number, which a hostile file
 /// chooses.
 using ReadJson = nlohmann::json;
+
+/// Whether lists and objects stand in each other deeper than anything that labmouse writes. Such a text is not to be
+/// read: the library copies, compares and writes what it read by recursion, which a hostile file could make as deep as
+/// it is long.
+bool is_too_deep(std::string_view text);
+
+/// What a text of unknown origin says; discarded where it is no JSON or too deep.
+ReadJson read_json(std::string_view text);
+/// The same, with the fields of objects in the order in which they stand there.
+Json read_ordered_json(std::string_view text);
 
 }  // namespace labmouse

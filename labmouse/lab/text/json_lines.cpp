@@ -1,5 +1,7 @@
 #include "labmouse/lab/text/json_lines.hpp"
 
+#include "labmouse/lab/text/json.hpp"
+
 namespace labmouse {
 namespace {
 
@@ -21,7 +23,7 @@ std::vector<Problem> read_json_lines(std::string_view text, const LineReader& re
   for (int number = 1; !text.empty(); ++number) {
     const auto line = next_line(text);
     if (line.find_first_not_of(" \t\r") == std::string_view::npos) continue;
-    const ReadJson json = ReadJson::parse(line, nullptr, false);
+    const ReadJson json = read_json(line);
     if (json.is_discarded() && !empty && text.empty() && !last_is_whole && reader.may_break_off()) break;
     if (json.is_discarded()) return {{number, 1, "the line is not JSON"}};
     if (auto error = empty ? reader.header(json) : reader.line(json); !error.empty())

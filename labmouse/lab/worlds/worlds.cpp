@@ -33,7 +33,7 @@ std::shared_ptr<const World> default_world(std::string_view name) { return find_
 
 std::shared_ptr<const World> restore_world(std::string_view name, std::string_view conditions) {
   const WorldEntry* entry = find_world(name);
-  const ReadJson json = ReadJson::parse(conditions, nullptr, false);
+  const ReadJson json = read_json(conditions);
   if (entry == nullptr || !json.is_object()) return nullptr;
   if (entry->restore != nullptr) return entry->restore(json);
   WorldSettings settings;

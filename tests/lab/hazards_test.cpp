@@ -1,0 +1,148 @@
+#include "labmouse/lab/hazards/hazards.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "labmouse/lab/text/json.hpp"
+#include "tests/lab/physical_fixture.hpp"
+#include "tests/lab/race_fixture.hpp"
+#include "tests/says.hpp"
+#include "tests/slowness.hpp"
+
+namespace labmouse {
+namespace {
+
+using test::at_noise;
+using test::mice;
+using test::Says;
+using ::testing::SizeIs;
+
+std::vector<NamedMaze> rings() { return {{"ring", test::ring()}, {"other", test::ring()}}; }
+
+HazardOrder order(std::vector<double> noises, int runs) {
+  HazardOrder order;
+  order.model = test::drive_model("kerise");
+  order.rules = find_rules("all-japan").rules;
+  order.noises = std::move(noises);
+  order.runs = runs;
+  return order;
+}
+
+std::int64_t ends(const ManoeuvreCount& count) {
+  return std::accumulate(count.after.begin(), count.after.end(), std::int64_t{0});
+}
+
+ManoeuvreCount all_of(const HazardTally& tally) {
+  ManoeuvreCount sum;
+  for (std::size_t level = 0; level < astray_levels; ++level) sum += tally.at(level);
+  return sum;
+}
+
+TEST(Hazards, AreNoneWithoutNoise) {
+  const auto tallies = measure_hazards(order({0.0}, 1), mice("flood-return,certify"), rings());
+  ASSERT_THAT(tallies, SizeIs(1));
+  EXPECT_EQ(tallies[0].contests, 4);
+  EXPECT_EQ(tallies[0].finished, 4);
+  EXPECT_EQ(all_of(tallies[0]).crashes, 0);
+  EXPECT_EQ(tallies[0].at(astray_levels - 1).times, 0);
+  for (const auto& readings : tallies[0].readings)
+    for (const ReadingCount& count : readings) EXPECT_EQ(count.wrong, 0);
+  for (const Manoeuvre manoeuvre : {Manoeuvre::corridor, Manoeuvre::turn, Manoeuvre::halt, Manoeuvre::start,
+                                    Manoeuvre::run_straight, Manoeuvre::run_turn})
+    EXPECT_GT(tallies[0].of(manoeuvre).times, 0) << name_of(manoeuvre);
+}
+
+/// Counted once more, without asking at what.
+TEST(Hazards, CountEachManoeuvreAndEachCrashOnce) {
+  const double cell = test::drive_model("kerise")->tables.cell;
+  PhysicalConditions conditions = at_noise(4.0);
+  conditions.trace_every = 5;
+  std::int64_t crashes = 0;
+  for (std::uint64_t seed = 1; seed <= test::fewer(40U); ++seed) {
+    const PhysicalRecord record = test::driven_physically("flood-return", test::ring(), conditions, seed);
+    HazardTally tally;
+    count_hazards(record, test::ring(), cell, tally);
+    std::int64_t moves = 0, segments = 0, crashed = 0;
+    for (std::size_t i = 0; i < record.drive.runs.size(); ++i) {
+      const DriveRun& run = record.drive.runs[i];
+      moves += static_cast<std::int64_t>(run.moves.size());
+      crashed += is_crash(record.ends[i]) ? 1 : 0;
+      if (run.kind == DriveRun::Kind::fast && record.ends[i] == RunEnd::done)
+        segments += static_cast<std::int64_t>(run.route.segments.size());
+    }
+    const ManoeuvreCount all = all_of(tally);
+    EXPECT_EQ(all.crashes, crashed) << seed;
+    EXPECT_EQ(ends(all), all.times - all.crashes);
+    EXPECT_GE(ends(all), moves + segments);
+    std::int64_t in_search = 0;
+    for (const Manoeuvre manoeuvre : all_manoeuvres)
+      if (manoeuvre < Manoeuvre::run_straight) in_search += ends(tally.of(manoeuvre));
+    EXPECT_EQ(in_search, moves);
+    std::int64_t readings = 0;
+    for (const auto& of_kind : tally.readings)
+      for (const ReadingCount& count : of_kind) {
+        readings += count.times;
+        EXPECT_LE(count.wrong + count.silent, count.times);
+      }
+    EXPECT_LE(readings, 3 * static_cast<std::int64_t>(record.looks.size()));
+    EXPECT_GT(readings, 0);
+    crashes += crashed;
+  }
+  EXPECT_GT(crashes, 0);
+}
+
+TEST(Hazards, KnowHowFarAstrayAMouseIs) {
+  EXPECT_EQ(astray_level(0.0), 0U);
+  EXPECT_EQ(astray_level(0.019), 0U);
+  EXPECT_EQ(astray_level(0.02), 1U);
+  EXPECT_EQ(astray_level(0.5), astray_levels - 1);
+  // A mouse that goes one cell north with an error of 10 mm before and none behind.
+  PhysicalRecord record;
+  DriveRun run;
+  run.begin = 0;
+  run.end = 600'000;
+  const Pose first = {test::ring().start(), Heading::north};
+  run.moves.push_back({0, 300'000, first, Action::step(0, 1), {{0, 1}, Heading::north}});
+  run.moves.push_back({300'000, 600'000, {{0, 1}, Heading::north}, Action::step(0, 1), {{0, 2}, Heading::north}});
+  record.drive.runs.push_back(run);
+  record.ends.push_back(RunEnd::done);
+  const auto point = [](MazeTime time, double by) {
+    return TracePoint{time, {{45.0 + by, 45.0}, 0.0}, BodyPose{{45.0, 45.0}, 0.0}};
+  };
+  record.trace = {point(0, 0.0), point(295'000, 10.0), point(600'000, 0.0)};
+  HazardTally tally;
+  count_hazards(record, test::ring(), 90.0, tally);
+  const std::size_t level = astray_level(10.0 / 90.0);
+  EXPECT_EQ(tally.manoeuvres[static_cast<std::size_t>(Manoeuvre::start)][0].after[level], 1);
+  EXPECT_EQ(tally.at(level).times, 1);
+  EXPECT_EQ(tally.at(level).after[0], 1);
+}
+
+TEST(Hazards, GrowWithNoiseAndAreTheSameOnAnyNumberOfThreads) {
+  HazardOrder asked = order({1.0, 5.0}, test::sanitized ? 2 : 6);
+  asked.jobs = 1;
+  const auto two = mice("flood-return,certify");
+  const auto alone = measure_hazards(asked, two, rings());
+  asked.jobs = 4;
+  const auto together = measure_hazards(asked, two, rings());
+  EXPECT_EQ(json_of(alone, asked, two), json_of(together, asked, two));
+  EXPECT_GT(alone[1].at(astray_levels - 1).times, alone[0].at(astray_levels - 1).times);
+}
+
+TEST(Hazards, AreATableAndJson) {
+  const HazardOrder asked = order({2.0}, 1);
+  const auto two = mice("flood-return,certify");
+  const auto tallies = measure_hazards(asked, two, rings());
+  const std::string table = table_of(tallies);
+  for (const Manoeuvre manoeuvre : all_manoeuvres) EXPECT_THAT(table, Says(std::string(name_of(manoeuvre))));
+  const ReadJson json = ReadJson::parse(json_of(tallies, asked, two));
+  EXPECT_THAT(json["mice"].get<std::vector<std::string>>(), ::testing::UnorderedElementsAre("certify", "flood-return"));
+  EXPECT_EQ(json["noises"][0]["contests"], 4);
+  EXPECT_EQ(json["noises"][0]["manoeuvres"]["corridor"].size(), astray_levels);
+  EXPECT_EQ(json["noises"][0]["readings"]["gap ahead"].size(), astray_levels);
+}
+
+}  // namespace
+}  // namespace labmouse
