@@ -13,9 +13,9 @@ inline constexpr bool sanitized = __has_feature(address_sanitizer);
 inline constexpr bool sanitized = false;
 #endif
 
-/// Of that many cases a long test takes one: of 40 under the sanitizers, where all takes ten times as long, and of 4
+/// Of that many cases a long test takes one: of 20 under the sanitizers, where all takes ten times as long, and of 4
 /// otherwise; `make proof` sets LABMOUSE_PROOF and takes all.
-inline const int slowness = sanitized ? 40 : std::getenv("LABMOUSE_PROOF") == nullptr ? 4 : 1;
+inline const int slowness = sanitized ? 20 : std::getenv("LABMOUSE_PROOF") == nullptr ? 4 : 1;
 
 /// Of so many cases an eighth under the sanitizers, and all otherwise.
 template <class Count>

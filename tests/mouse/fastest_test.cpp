@@ -17,6 +17,9 @@
 namespace labmouse {
 namespace {
 
+/// As test::slowness; the plain planner takes long, most of all under the sanitizers.
+const int rarely = (test::sanitized ? 2 : 1) * test::slowness;
+
 struct NamedRobot {
   const char* name;
   Robot (*make)();
@@ -120,7 +123,7 @@ TEST_P(AnyRobot, IsPlannedForExactlyInEmptyMazes) {
 
 TEST_P(AnyRobot, IsPlannedForExactlyInMazesByDice) {
   Dice dice(7);
-  for (int i = 0; i < 2000 / test::slowness; i += GetParam().every) {
+  for (int i = 0; i < 2000 / rarely; i += GetParam().every) {
     SCOPED_TRACE(i);
     expect_exact(test::any_maze(dice, i % 10 == 0 ? 32 : 14));
     if (HasFailure()) return;
@@ -130,7 +133,7 @@ TEST_P(AnyRobot, IsPlannedForExactlyInMazesByDice) {
 TEST_P(AnyRobot, IsPlannedForExactlyInRealMazes) {
   const auto files = test::maze_files();
   if (files.empty()) GTEST_SKIP() << "no maze files in " << test::folder_of_mazes() << "; set LABMOUSE_MAZES";
-  for (std::size_t i = 0; i < files.size(); i += static_cast<std::size_t>(test::slowness * GetParam().every))
+  for (std::size_t i = 0; i < files.size(); i += static_cast<std::size_t>(rarely * GetParam().every))
     if (const auto maze = test::maze_in_file(files[i]); maze && fits(*maze)) {
       SCOPED_TRACE(files[i]);
       expect_exact(*maze);
@@ -186,7 +189,7 @@ DriveTables shaken(DriveTables tables, Dice& dice) {
 TEST(ShakenTables, ArePlannedForExactly) {
   Dice dice(10);
   const DriveModel model = make_drive_model(large_robot());
-  for (int i = 0; i < 300 / test::slowness; ++i) {
+  for (int i = 0; i < 300 / rarely; ++i) {
     SCOPED_TRACE(i);
     const DriveTables tables = shaken(model.tables, dice);
     const Maze maze = i % 10 == 0 ? Maze(MazeDraft({9, 9}, MazeDraft::Inside::open)) : test::any_maze(dice, 14);
@@ -211,7 +214,7 @@ TEST(CoarseTimes, ArePlannedForExactly) {
   Dice dice(12);
   for (const Robot& robot : {published_robot(), small_robot(), large_robot()}) {
     const DriveTables tables = coarse(make_drive_model(robot).tables);
-    for (int i = 0; i < 1000 / test::slowness; ++i) {
+    for (int i = 0; i < 1000 / rarely; ++i) {
       SCOPED_TRACE(i);
       const Maze maze = test::any_maze(dice, 14);
       FastestRoutes routes(maze.size(), tables), some(maze.size(), tables);
@@ -231,7 +234,7 @@ TEST(OddTurns, ArePlannedForExactly) {
     robot.fixed = FixedTimes{200.0, time, time + 300, time + 700, time + 900, time + 500, std::min(time, 400'000)};
     const DriveModel model = make_drive_model(robot);
     ASSERT_EQ(model.error, "");
-    for (int i = 0; i < 100 / test::slowness; ++i) {
+    for (int i = 0; i < 100 / rarely; ++i) {
       SCOPED_TRACE(i);
       const Maze maze = test::any_maze(dice, i % 10 == 0 ? 32 : 14);
       FastestRoutes routes(maze.size(), model.tables), some(maze.size(), model.tables);
@@ -263,7 +266,7 @@ TEST(EqualSpeeds, InManyLanesAreAsOneSpeed) {
     *times = twice;
   }
   Dice dice(8);
-  for (int i = 0; i < 200 / test::slowness; ++i) {
+  for (int i = 0; i < 200 / rarely; ++i) {
     const Maze maze = test::any_maze(dice, 32);
     FastestRoutes one(maze.size(), model.tables), lanes(maze.size(), many);
     one.fill(maze.open_walls(), maze.goals());
@@ -282,7 +285,7 @@ TEST(SomeTurns, ArePlannedForExactly) {
     DriveModel model = make_drive_model(robot);
     std::erase_if(model.tables.turns, [](const DrivenTurn& turn) { return turn.turn != Turn::s90; });
     Dice dice(9);
-    for (int i = 0; i < 100 / test::slowness; ++i) {
+    for (int i = 0; i < 100 / rarely; ++i) {
       SCOPED_TRACE(i);
       const Maze maze = test::any_maze(dice, 14);
       FastestRoutes routes(maze.size(), model.tables);
