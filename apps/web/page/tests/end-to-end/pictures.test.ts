@@ -2,7 +2,7 @@
 import { readFileSync, writeFileSync } from 'node:fs';
 import type { Page } from 'playwright-core';
 import { expect, test } from 'vitest';
-import { drop, native, open, temporary, replayed } from './harness';
+import { drop, native, open, proof, replayed, temporary } from './harness';
 
 const replay = (page: Page) => page.getByRole('region', { name: 'Replay' });
 
@@ -163,7 +163,7 @@ test('a film has a frame for each step, its clock, and less than five megabytes'
   await expect.poll(() => page.locator('.status').textContent()).toContain('The film is saved');
 });
 
-test('two mice in seconds are filmed beside each other', async () => {
+test.runIf(proof)('two mice in seconds are filmed beside each other', async () => {
   const page = await openReplay('#replay&mouse=ariadne&mouse=flood&in=contest-02&seed=1&robot=classic&rules=all-japan');
   const { content } = await saved(page, 'Save film (GIF)');
   const gif = readGif(content);
@@ -173,19 +173,23 @@ test('two mice in seconds are filmed beside each other', async () => {
   console.log(`film of ${gif.frames} frames, ${gif.width}×${gif.height}: ${content.length} bytes`);
 });
 
-test('a film of a long contest in a large maze leaves steps out, and says so', async () => {
-  const page = await open('#replay');
-  const maze = temporary('large.txt');
-  writeFileSync(maze, native('make', 'prim', '--size', '64x64', '--seed', '1'));
-  const record = temporary('large.jsonl');
-  native('run', 'flood', maze, '--budget', '100000', '--record', record);
-  await drop(page, { name: 'large.jsonl', content: readFileSync(record) });
-  await replayed(page, '64 × 64');
-  const { content } = await saved(page, 'Save film (GIF)');
-  expect(readGif(content).whole).toBe(true);
-  expect(content.length).toBeLessThan(5_000_000);
-  await expect.poll(() => page.locator('.status').textContent()).toContain('left out');
-}, 150_000);
+test.runIf(proof)(
+  'a film of a long contest in a large maze leaves steps out, and says so',
+  async () => {
+    const page = await open('#replay');
+    const maze = temporary('large.txt');
+    writeFileSync(maze, native('make', 'prim', '--size', '64x64', '--seed', '1'));
+    const record = temporary('large.jsonl');
+    native('run', 'flood', maze, '--budget', '100000', '--record', record);
+    await drop(page, { name: 'large.jsonl', content: readFileSync(record) });
+    await replayed(page, '64 × 64');
+    const { content } = await saved(page, 'Save film (GIF)');
+    expect(readGif(content).whole).toBe(true);
+    expect(content.length).toBeLessThan(5_000_000);
+    await expect.poll(() => page.locator('.status').textContent()).toContain('left out');
+  },
+  150_000,
+);
 
 test('a film can be stopped', async () => {
   const page = await openReplay('#replay&mouse=random&in=contest-02&seed=1');

@@ -190,7 +190,7 @@ test('an edited robot is there again when the page is opened again, beside what 
   await input(page, 'curve.lateral_acceleration').fill('12000');
   await expect.poll(() => bestTime(page)).toContain('was');
   const time = await bestTime(page);
-  await expect.poll(() => keptInBrowser(page, 'robot')).toContain('kept-one');
+  await expect.poll(() => keptInBrowser(page, 'robot')).toContain('12000');
   await page.reload();
   await expect.poll(() => bestTime(page)).toBe(time);
   expect(await view(page).getByLabel('Name').inputValue()).toBe('kept-one');
