@@ -11,7 +11,7 @@ namespace labmouse {
 struct NoiseLevel {
   double all = 1.0;
   std::array<double, noise_groups> groups = {1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
-  /// Factor of what a contest draws: how far mice and days are apart.
+  /// Factor of what a contest draws of the mouse itself: how far mice and days are apart.
   double spread = 1.0;
 
   double of(NoiseGroup group) const { return all * groups[static_cast<std::size_t>(group)]; }

@@ -51,7 +51,8 @@ Specimen::Specimen(const Hardware& hardware, const NoiseLevel& level, Size size,
   for (double& factor : motor) factor = own(motors, NoiseGroup::motors, noise.motor_gain);
   stiffness = own(tyres, NoiseGroup::tyres, noise.stiffness);
   grip = own(tyres, NoiseGroup::tyres, noise.grip);
-  for (double& factor : encoder) factor = own(encoders, NoiseGroup::encoders, noise.encoder_scale);
+  // How far apart the scales of encoders are is known from logs, and not spread.
+  for (double& factor : encoder) factor = encoders.factor(level.of(NoiseGroup::encoders) * noise.encoder_scale);
   for (double& turns : ripple) turns = encoders.share();
   gyro = own(gyros, NoiseGroup::gyro, noise.gyro_scale);
   frailty_ = std::sqrt(std::sqrt(fourth_powers / drawn));

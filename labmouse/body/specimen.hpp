@@ -21,7 +21,7 @@ class Specimen {
  public:
   Specimen(const Hardware& hardware, const NoiseLevel& level, Size size, std::uint64_t seed);
 
-  /// How unlucky this contest's draws are: the fourth-power mean of what motors, tyres, encoders and gyro drew, each in
+  /// How unlucky this contest's draws are: the fourth-power mean of what motors, tyres and gyro drew, each in
   /// deviations of a mouse at noise 1 and spread 1. One bad number is enough to break a mouse.
   double frailty() const { return frailty_; }
   /// The factor of a group's noise.

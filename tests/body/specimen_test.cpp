@@ -132,7 +132,11 @@ TEST(Specimen, DrawsLogarithmsThatSpreadAsTheyAreTold) {
   const Specimen far(hardware, level, {2, 2}, 4), plain(hardware, {}, {2, 2}, 4);
   for (const auto number : {&Specimen::stiffness, &Specimen::grip, &Specimen::gyro})
     EXPECT_NEAR(std::log(far.*number), 3.0 * std::log(plain.*number), 1e-9);
+  EXPECT_NEAR(std::log(far.motor[0]), 3.0 * std::log(plain.motor[0]), 1e-9);
   EXPECT_NEAR(std::log(far.infrared[2]), 3.0 * std::log(plain.infrared[2]), 1e-9);
+  // How far the scales of encoders are apart was measured.
+  EXPECT_NE(plain.encoder[0], 1.0);
+  EXPECT_EQ(far.encoder, plain.encoder);
   // Walls and floor are the maze's, not the mouse's.
   EXPECT_EQ(far.reflectance({1, 1}, Heading::north), plain.reflectance({1, 1}, Heading::north));
   EXPECT_EQ(far.level(NoiseGroup::ranger), 1.0);
@@ -152,10 +156,29 @@ TEST(Specimen, IsFrailWhereOneOfItsNumbersIsFarOff) {
     for (const double factor : it.motor) add(factor, noise.motor_gain);
     add(it.stiffness, noise.stiffness);
     add(it.grip, noise.grip);
-    for (const double factor : it.encoder) add(factor, noise.encoder_scale);
     add(it.gyro, noise.gyro_scale);
-    EXPECT_NEAR(it.frailty(), std::sqrt(std::sqrt(fourth / 7.0)), 1e-6);
+    EXPECT_NEAR(it.frailty(), std::sqrt(std::sqrt(fourth / 5.0)), 1e-6);
   }
+}
+
+/// As its pilot is told.
+TEST(Specimen, IsSpreadByTheSameNumbersThatItsPilotIsTold) {
+  const Noise book = test::plain_noise(), told = spread_by(book, 3.0);
+  Hardware as_told = noisy_mouse();
+  as_told.noise = told;
+  NoiseLevel level;
+  level.spread = 3.0;
+  const Hardware hardware = noisy_mouse();
+  const Specimen far(hardware, level, {2, 2}, 4), plain(as_told, {}, {2, 2}, 4);
+  EXPECT_EQ(told.encoder_scale, book.encoder_scale);
+  EXPECT_EQ(told.motor_gain, 3.0 * book.motor_gain);
+  for (const auto number : {&Specimen::stiffness, &Specimen::grip, &Specimen::gyro})
+    EXPECT_NEAR(far.*number, plain.*number, 1e-9);
+  for (std::size_t wheel : {0U, 1U}) {
+    EXPECT_NEAR(far.motor[wheel], plain.motor[wheel], 1e-9);
+    EXPECT_NEAR(far.encoder[wheel], plain.encoder[wheel], 1e-9);
+  }
+  EXPECT_NEAR(far.infrared[1], plain.infrared[1], 1e-9);
 }
 
 TEST(Specimen, IsTheSameForTheSameSeedAndAnotherForAnother) {
