@@ -8,8 +8,13 @@
 namespace labmouse {
 namespace {
 
-/// Errors of gyro and tyres are the same all through a turn; as noise of each tick they count by how long one lasts.
+/// Errors of gyro and slip are the same all through a turn; as noise of each tick they count by how long one lasts.
 constexpr double turn_seconds = 0.15;
+/// What is left of the gyro's error once the mouse knows what it is like, and how wrongly it feels its slip, as shares.
+constexpr double gyro_rest = 0.2, slip_rest = 0.3;
+/// A mouse feels how it slips where it turns faster than that, in rad/s, and drives faster than that, in mm/s; and does
+/// not believe more than that, in rad.
+constexpr double least_turning = 2.0, least_speed = 100.0, most_slip = 0.5;
 
 }  // namespace
 
@@ -20,10 +25,9 @@ void Estimator::put(const Position& position, const Direction& ahead) {
   const Noise& noise = hardware_.noise;
   position_ = position;
   ahead_ = ahead;
-  bias_ = slip_ = speed_ = turning_ = 0.0;
+  bias_ = book_slip_ = felt_slip_ = speed_ = turning_ = 0.0;
   const auto own = [&](State state, double deviation) { return any_ ? covariance_[state][state] : square(deviation); };
-  const double scale = own(at_scale, noise.encoder_scale), gyro = own(at_gyro, noise.gyro_scale),
-               slip = own(at_slip, noise.stiffness);
+  const double scale = own(at_scale, noise.encoder_scale), gyro = own(at_gyro, noise.gyro_scale);
   covariance_ = {};
   // A little more than hands are off, so that the first walls are believed.
   covariance_[at_x][at_x] = covariance_[at_y][at_y] = 4.0 * square(noise.placement);
@@ -31,7 +35,6 @@ void Estimator::put(const Position& position, const Direction& ahead) {
   covariance_[at_bias][at_bias] = square(noise.gyro_bias);
   covariance_[at_scale][at_scale] = scale;
   covariance_[at_gyro][at_gyro] = gyro;
-  covariance_[at_slip][at_slip] = slip;
 }
 
 void Estimator::predict(const Sense& sense) {
@@ -51,31 +54,41 @@ void Estimator::predict(const Sense& sense) {
   constexpr double slow = 20.0;
   const double speed = std::max(std::abs(speed_), slow);
   const double turn = turning_ * ticks * tick_seconds;
-  slip_ = (slip_ - turn) / (1.0 + hardware_.tyres.stiffness * ticks * tick_seconds / speed);
+  book_slip_ = (book_slip_ - turn) / (1.0 + hardware_.tyres.stiffness * ticks * tick_seconds / speed);
   const double most = hardware_.tyres.grip / hardware_.tyres.stiffness;
-  slip_ = std::clamp(slip_, -most, most);
+  book_slip_ = std::clamp(book_slip_, -most, most);
+  // As it is: what pulls the mouse aside bends its way, and what it turns beyond that is slip. Over more than a turn
+  // the noise of its accelerometer would add up to more than it slips.
+  if (feels_slip()) {
+    const double pulled = sense.acceleration[1] * hardware_.sensors.acceleration_step;
+    felt_slip_ += pulled / speed_ * ticks * tick_seconds - turn;
+    felt_slip_ = std::clamp(felt_slip_, -most_slip, most_slip);
+  } else {
+    felt_slip_ = book_slip_;
+  }
 
-  const Direction went = turned_by(ahead_, turn / 2.0 + slip());
+  const Direction went = turned_by(ahead_, turn / 2.0 + felt_slip_);
   position_ = {position_.x + way * went.cosine, position_.y + way * went.sine};
   ahead_ = turned_by(ahead_, turn);
   spread(way, turn, went);
   add_noise(way);
 }
 
+bool Estimator::feels_slip() const { return std::abs(turning_) > least_turning && speed_ > least_speed; }
+
 /// How errors of the angle and of what the mouse is like become errors of the position and the angle.
 void Estimator::spread(double way, double turn, const Direction& went) {
   const double x_angle = -way * went.sine, y_angle = way * went.cosine;
   const double x_scale = -way * went.cosine, y_scale = -way * went.sine;
-  const double x_slip = slip_ * x_angle, y_slip = slip_ * y_angle;
   auto& p = covariance_;
   for (std::size_t i = 0; i < states; ++i) {
-    p[at_x][i] += x_angle * p[at_angle][i] + x_scale * p[at_scale][i] + x_slip * p[at_slip][i];
-    p[at_y][i] += y_angle * p[at_angle][i] + y_scale * p[at_scale][i] + y_slip * p[at_slip][i];
+    p[at_x][i] += x_angle * p[at_angle][i] + x_scale * p[at_scale][i];
+    p[at_y][i] += y_angle * p[at_angle][i] + y_scale * p[at_scale][i];
     p[at_angle][i] -= tick_seconds * p[at_bias][i] + turn * p[at_gyro][i];
   }
   for (std::size_t i = 0; i < states; ++i) {
-    p[i][at_x] += x_angle * p[i][at_angle] + x_scale * p[i][at_scale] + x_slip * p[i][at_slip];
-    p[i][at_y] += y_angle * p[i][at_angle] + y_scale * p[i][at_scale] + y_slip * p[i][at_slip];
+    p[i][at_x] += x_angle * p[i][at_angle] + x_scale * p[i][at_scale];
+    p[i][at_y] += y_angle * p[i][at_angle] + y_scale * p[i][at_scale];
     p[i][at_angle] -= tick_seconds * p[i][at_bias] + turn * p[i][at_gyro];
   }
 }
@@ -86,11 +99,11 @@ void Estimator::add_noise(double way) {
   constexpr double again = turn_seconds / tick_seconds;
   // Encoders: ripple and what is left of wheels that slip.
   const double along = square(0.02 * way) + 2e-5 * length * square(noise.ripple);
-  // What is left of them once the mouse knows what it is like.
-  constexpr double rest = 0.2;
-  const double across =
-      again * square(rest * noise.stiffness * slip_ * way) + floor_steps_a_mm_ * square(noise.floor_shift) * length;
-  const double angle = again * square(rest * noise.gyro_scale * turn) + square(noise.gyro * tick_seconds) +
+  // What the noise of the accelerometer adds up to in a turn, and the more a mouse slips, what it feels wrongly.
+  const double shaken = feels_slip() ? noise.acceleration / speed_ * std::sqrt(tick_seconds * turn_seconds) : 0.0;
+  const double across = again * (square(shaken) + square(slip_rest * felt_slip_)) * square(way) +
+                        floor_steps_a_mm_ * square(noise.floor_shift) * length;
+  const double angle = again * square(gyro_rest * noise.gyro_scale * turn) + square(noise.gyro * tick_seconds) +
                        floor_steps_a_mm_ * square(noise.floor_turn) * length;
   const double c = ahead_.cosine, s = ahead_.sine;
   covariance_[at_x][at_x] += along * c * c + across * s * s;
@@ -116,14 +129,13 @@ bool Estimator::correct(const Observation& seen) {
   bias_ += part * gain[at_bias];
   scale_ += part * gain[at_scale];
   gyro_ += part * gain[at_gyro];
-  more_ += part * gain[at_slip];
   for (std::size_t i = 0; i < states; ++i)
     for (std::size_t j = 0; j < states; ++j) p[i][j] -= gain[i] * gain[j] / variance;
   return true;
 }
 
 PoseEstimate Estimator::estimate() const {
-  PoseEstimate told = {position_, ahead_, slip(), speed_, turning_, {}};
+  PoseEstimate told = {position_, ahead_, book_slip_, speed_, turning_, {}};
   static_assert(at_x == 0 && at_y == 1 && at_angle == 2);
   for (std::size_t row = 0; row < told.covariance.size(); ++row)
     std::copy_n(covariance_[row].begin(), told.covariance.size(), told.covariance[row].begin());

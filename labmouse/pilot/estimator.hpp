@@ -1,9 +1,9 @@
 // Where a mouse believes to be, and how sure it is.
 //
 // Method: an extended Kalman filter over x, y, the angle, the bias of the gyro, and what differs from mouse to mouse:
-// by how much the encoders overstate a way, the gyro a turn, and how much more than in the book the tyres slip.
-// Encoders and gyro say how it moved; what is seen of walls corrects it, one number at a time. What a mouse has found
-// out about itself it keeps when it is put down elsewhere.
+// by how much the encoders overstate a way, and the gyro a turn. Encoders and gyro say how it moved, and in turns the
+// accelerometer how it slips; what is seen of walls corrects it, one number at a time. What a mouse has found out about
+// itself it keeps when it is put down elsewhere.
 #pragma once
 
 #include <array>
@@ -41,7 +41,9 @@ class Estimator {
   /// Where it points, and where it goes.
   const Direction& ahead() const { return ahead_; }
   Direction way() const { return turned_by(ahead_, slip()); }
-  double slip() const { return slip_ * (1.0 + more_); }
+  /// As it feels it. An estimate tells of the slip of the book instead: a mouse that steers by what it feels while its
+  /// tyres slide turns in more, and slides more.
+  double slip() const { return felt_slip_; }
   double speed() const { return speed_; }      ///< mm/s
   double turning() const { return turning_; }  ///< rad/s
   PoseEstimate estimate() const;
@@ -49,12 +51,14 @@ class Estimator {
   double variance_of(double x, double y, double angle) const { return estimate().variance_of(x, y, angle); }
 
  private:
-  static constexpr std::size_t states = 7;
-  enum State : std::size_t { at_x, at_y, at_angle, at_bias, at_scale, at_gyro, at_slip };
+  static constexpr std::size_t states = 6;
+  enum State : std::size_t { at_x, at_y, at_angle, at_bias, at_scale, at_gyro };
   using Row = std::array<double, states>;
 
   void spread(double way, double turn, const Direction& went);
   void add_noise(double way);
+  /// Whether it turns and drives fast enough to feel how it slips.
+  bool feels_slip() const;
 
   const Hardware& hardware_;
   double speed_filter_;
@@ -64,8 +68,7 @@ class Estimator {
   double bias_ = 0.0;   ///< rad/s that the gyro shows at rest
   double scale_ = 0.0;  ///< share by which encoders overstate
   double gyro_ = 0.0;   ///< share by which the gyro does
-  double more_ = 0.0;   ///< share by which the tyres slip more
-  double slip_ = 0.0;   ///< as those of the book do
+  double book_slip_ = 0.0, felt_slip_ = 0.0;
   double speed_ = 0.0, turning_ = 0.0;
   std::array<Row, states> covariance_{};
   Sense last_;

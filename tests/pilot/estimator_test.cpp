@@ -75,6 +75,70 @@ TEST(Estimator, KnowsHowFastItIs) {
   }
 }
 
+/// Of tyres that are not those of the book: they give way more, or slide all through a curve.
+TEST(Estimator, FeelsHowItSlips) {
+  for (const bool slides : {false, true}) {
+    Hardware built = hardware();
+    (slides ? built.tyres.grip : built.tyres.stiffness) /= 6.0;
+    OnAFloor mouse(built, test::no_noise());
+    mouse.drive(400, 0.2, 0.2);
+    bool slid = false;
+    for (int curve = 0; curve < 3; ++curve) {
+      for (int i = 0; i < 15; ++i) {
+        mouse.drive(10, 0.1, 0.3);
+        slid = slid || mouse.body().slid_within(1);
+        const double slip = mouse.body().motion().slip;
+        EXPECT_NEAR(mouse.estimator().slip(), slip, 0.02 + 0.1 * std::abs(slip));
+      }
+      EXPECT_GT(std::abs(mouse.body().motion().slip), 0.08) << "more than the book has it";
+      mouse.drive(200, 0.2, 0.2);
+      EXPECT_NEAR(mouse.estimator().slip(), 0.0, 0.01);
+    }
+    EXPECT_EQ(slid, slides);
+    EXPECT_LT(mouse.error(), 25.0) << "after a metre and a half";
+  }
+}
+
+/// What a mouse is told of its slip would make one that slides turn in.
+TEST(Estimator, TellsOfTheSlipOfTheBook) {
+  Hardware built = hardware();
+  built.tyres.grip /= 6.0;
+  OnAFloor mouse(built, test::no_noise());
+  mouse.drive(400, 0.2, 0.2);
+  mouse.drive(150, 0.1, 0.3);
+  EXPECT_GT(std::abs(mouse.estimator().slip()), 0.08);
+  EXPECT_LT(std::abs(mouse.estimator().estimate().slip), 0.06);
+}
+
+/// How sure a mouse is across its way behind a curve at 330 mm/s and 8 rad/s, whose accelerometer feels so much of what
+/// a mouse feels that does not slip, and has that noise.
+double across_a_curve(double felt, double noise) {
+  Hardware book = hardware();
+  book.noise = {};
+  book.noise.acceleration = noise;
+  Estimator estimator(book, 90.0, 0.2);
+  estimator.put({0.0, 0.0}, {1.0, 0.0});
+  constexpr double speed = 330.0, turning = 8.0;
+  Sense sense;
+  for (int tick = 0; tick < 150; ++tick) {
+    ++sense.tick;
+    for (auto& counts : sense.counts) counts += static_cast<int>(speed * tick_seconds / book.sensors.count);
+    sense.gyro = static_cast<std::int16_t>(turning / book.sensors.gyro_step);
+    sense.acceleration[1] = static_cast<std::int16_t>(felt * speed * turning / book.sensors.acceleration_step);
+    estimator.predict(sense);
+  }
+  const Direction way = estimator.way();
+  return std::sqrt(estimator.variance_of(-way.sine, way.cosine, 0.0));
+}
+
+TEST(Estimator, IsLessSureAsideTheMoreItSlipsAndTheLessExactlyItFeelsThat) {
+  EXPECT_LT(across_a_curve(1.0, 0.0), 0.6);
+  EXPECT_GT(across_a_curve(0.8, 0.0), 1.0);
+  EXPECT_GT(across_a_curve(0.6, 0.0), 1.5 * across_a_curve(0.8, 0.0));
+  EXPECT_GT(across_a_curve(1.0, 350.0), 1.2 * across_a_curve(1.0, 0.0));
+  EXPECT_GT(across_a_curve(1.0, 700.0), 1.4 * across_a_curve(1.0, 350.0));
+}
+
 TEST(Estimator, CountsATickOnce) {
   OnAFloor mouse(hardware(), test::no_noise());
   mouse.drive(300, 0.2, 0.25);
