@@ -13,8 +13,8 @@ namespace {
 
 /// One reading in so many is nothing that the pilot knows of.
 constexpr double odd_readings = 3e-4;
-/// Nothing says more than that.
-constexpr double most_nats = 8.0;
+/// Nothing says more than that, and what would say less of a side says nothing.
+constexpr double most_nats = 8.0, least_nats = 1.0;
 
 /// Deviations at which a normal number is tried, and how much each of them counts.
 struct Trial {
@@ -24,6 +24,7 @@ constexpr std::array<Trial, 7> trials = {
     {{-3.0, 0.006}, {-2.0, 0.061}, {-1.0, 0.242}, {0.0, 0.382}, {1.0, 0.242}, {2.0, 0.061}, {3.0, 0.006}}};
 
 Evidence evidence_of(double nats) {
+  if (std::abs(nats) < least_nats) return 0;
   const double eighths = std::clamp(nats, -most_nats, most_nats) * evidence_a_nat;
   return static_cast<Evidence>(eighths < 0.0 ? eighths - 0.5 : eighths + 0.5);
 }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -119,6 +120,20 @@ TEST(WallReader, SaysNothingOfACellThatItHasNotSeen) {
   EXPECT_EQ(reader.evidence(estimator.estimate()), WallEvidence{});
   reader.begin({{1, 1}, Heading::north});
   EXPECT_EQ(reader.evidence(estimator.estimate()), WallEvidence{});
+}
+
+/// A wall that reads as a post would, seen as less and less of it: there is no evidence of less than a nat, and there
+/// is some of hardly more.
+TEST(WallReader, SaysNothingWhereItWouldSayLittle) {
+  int silent = 0, least = 1000;
+  for (double aside = 0.0; aside < 30.0; aside += 0.25) {
+    const int left = std::abs(passing(aside, 0.0, 20.0).left);
+    silent += left == 0 ? 1 : 0;
+    if (left != 0) least = std::min(least, left);
+  }
+  EXPECT_GT(silent, 2);
+  EXPECT_GE(least, evidence_a_nat);
+  EXPECT_LT(least, evidence_a_nat + evidence_a_nat / 2);
 }
 
 TEST(WallReader, ForgetsTheCellBefore) {
