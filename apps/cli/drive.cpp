@@ -20,7 +20,7 @@ struct DriveOptions {
   Places places;
   std::string robot = "kerise";
   std::string noise = "1";
-  double spread = 1.0, speed = 0.0;
+  double spread = field_spread, speed = 0.0;
   bool fast = false, groups = false, corrections = false;
   int runs = 20;
   std::uint64_t seed = 1;

@@ -21,7 +21,7 @@ struct HazardOptions {
   Places places;
   std::string robot = "kerise", rules = "all-japan", noise = "1,2,3";
   std::string map = std::string(name_of(MapKind::first));
-  double spread = 1.0, speed = 0.0;
+  double spread = field_spread, speed = 0.0;
   int runs = 1;
   std::uint64_t seed = 1;
   int jobs = 0;

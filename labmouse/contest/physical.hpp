@@ -20,7 +20,7 @@
 namespace labmouse {
 
 /// Raised where the same contest comes to another end: records of other editions can be shown, but not driven again.
-inline constexpr int physical_edition = 1;
+inline constexpr int physical_edition = 2;
 
 /// Holds the contest, in a maze up to 32×32, with a robot that has limits and hardware. The strategy must be new and
 /// briefed as by brief(), with a sight of one cell. All chance comes from the seed. Parts of the pilot that are

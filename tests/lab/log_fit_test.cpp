@@ -17,6 +17,7 @@
 #include "labmouse/lab/robots/robot_files.hpp"
 #include "labmouse/mouse/drive/fastest.hpp"
 #include "tests/lab/log_simulator.hpp"
+#include "tests/lab/physical_fixture.hpp"
 #include "tests/says.hpp"
 #include "tests/slowness.hpp"
 
@@ -81,7 +82,7 @@ TEST(LogFit, RecoversTheNumbersOfOurWorldWithinItsErrors) {
   for (std::uint64_t seed = 1; logs < test::fewer(40); ++seed) {
     const Maze& maze = mazes.mazes[seed % mazes.mazes.size()].maze;
     std::vector<LoggedTick> ticks;
-    const PhysicalConditions conditions;
+    const PhysicalConditions conditions = test::at_noise(1.0);
     const auto drive = drive_known_way(maze, found.model, conditions, KnownWay::fast, seed, &ticks);
     if (!drive || drive->crashed || ticks.size() < 5000) continue;
     ++logs;

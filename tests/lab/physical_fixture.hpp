@@ -7,8 +7,10 @@
 
 namespace labmouse::test {
 
+/// So much of the noise of a robot's file, and mice as far apart as that says.
 inline PhysicalConditions at_noise(double factor) {
   PhysicalConditions conditions;
+  conditions.noise = {};
   conditions.noise.all = factor;
   return conditions;
 }

@@ -98,6 +98,17 @@ TEST(PhysicalWorld, IsMadeOfWhatItIsToldAndMadeAgainOfItsConditions) {
   EXPECT_TRUE(group.at("robot").at("parameters").contains("body.front"));
 }
 
+TEST(PhysicalWorld, IsAsFarSpreadAsTheFieldUnlessTold) {
+  EXPECT_EQ(PhysicalConditions{}.noise.spread, field_spread);
+  const WorldResult made = physical_entry.make({});
+  ASSERT_TRUE(made.world) << made.error;
+  const auto conditions = made.world->conditions();
+  const auto spread =
+      std::find_if(conditions.begin(), conditions.end(), [](const Condition& each) { return each.key == "spread"; });
+  ASSERT_NE(spread, conditions.end());
+  EXPECT_EQ(spread->value, Value(field_spread));
+}
+
 TEST(PhysicalWorld, RefusesWhatItCannotUse) {
   for (const auto& [name, value] : {std::pair("noise", "much"),
                                     {"noise", "-1"},

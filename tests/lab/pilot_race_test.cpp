@@ -32,7 +32,7 @@ std::vector<Contestant> pilots(const std::string& word = "") {
   return mice("pilot:" LABMOUSE_PILOT_TEMPLATE + (word.empty() ? word : " " + word));
 }
 
-std::shared_ptr<const World> world(const PhysicalConditions& conditions = {}) {
+std::shared_ptr<const World> world(const PhysicalConditions& conditions = test::at_noise(1.0)) {
   DriveRules rules = find_rules("all-japan").rules;
   rules.time_limit = 60'000'000;
   return physical_world(rules, test::drive_model("kerise"), conditions);

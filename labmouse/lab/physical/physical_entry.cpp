@@ -29,7 +29,7 @@ constexpr std::array settings = {
                  WorldSetting::Kind::text, "all-japan"},
     WorldSetting{"noise", "FACTOR", "Factor of all noise: 1 as it was measured, 0 none", WorldSetting::Kind::text, "1"},
     WorldSetting{"spread", "FACTOR", "How far contests are apart: factor of what each draws of the mouse itself",
-                 WorldSetting::Kind::text, "1"},
+                 WorldSetting::Kind::text, "4.25"},  // field_spread
     WorldSetting{"search-speed", "SPEED", "Speed of a search in mm/s; 0: the robot's own", WorldSetting::Kind::text,
                  "0"},
     WorldSetting{"map", "KIND",
