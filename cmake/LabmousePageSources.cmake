@@ -1,6 +1,7 @@
 # What the page asks for of the lab and the guests: the sources of its WebAssembly module and of the fuzzer of its calls.
 set(LABMOUSE_PAGE_SOURCES)
 foreach(name IN ITEMS
+    hazards/hazard_file hazards/hazard_odds hazards/hazard_tally
     bench/distance_speed bench/plain_distance bench/signature bench/speed_json bounds/bounds bounds/drive_bound bounds/mms_bound
     mazes/maze_files mazes/maze_link mice/contestant mice/mice_json mice/mouse_names mice/prior_file mice/prior_learning mice/specs
     numbers/statistics numbers/wilson pictures/drive_path pictures/path_data pictures/drive_picture pictures/trace_path pictures/mms_picture pictures/picture_layers

@@ -187,19 +187,21 @@ ExitCode exit_interrupted() {
   return static_cast<ExitCode>(exit_signal + (caught_signal != 0 ? caught_signal.load() : SIGINT));
 }
 
-std::vector<double> noises_of(const std::string& text) {
-  std::vector<double> noises;
+std::vector<double> numbers_of(std::string_view option, const std::string& text, double most) {
+  std::vector<double> numbers;
   for (std::string_view rest = text; !rest.empty();) {
     const std::string_view word = rest.substr(0, rest.find(','));
-    double noise = 0.0;
-    const auto [end, wrong] = std::from_chars(word.data(), word.data() + word.size(), noise);
-    if (wrong != std::errc() || end != word.data() + word.size() || !(noise >= 0.0 && noise <= 100.0))
-      throw UsageError(fmt::format("error: --noise: '{}' is not a number from 0 to 100", shown(word)));
-    noises.push_back(noise);
+    double number = 0.0;
+    const auto [end, wrong] = std::from_chars(word.data(), word.data() + word.size(), number);
+    if (wrong != std::errc() || end != word.data() + word.size() || !(number >= 0.0 && number <= most))
+      throw UsageError(fmt::format("error: {}: '{}' is not a number from 0 to {:g}", option, shown(word), most));
+    numbers.push_back(number);
     rest.remove_prefix(std::min(rest.size(), word.size() + 1));
   }
-  if (noises.empty()) throw UsageError("error: --noise needs a number");
-  return noises;
+  if (numbers.empty()) throw UsageError(fmt::format("error: {} needs a number", option));
+  return numbers;
 }
+
+std::vector<double> noises_of(const std::string& text) { return numbers_of("--noise", text, 100.0); }
 
 }  // namespace labmouse::cli

@@ -3,12 +3,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "command.hpp"
 #include "contests.hpp"
 #include "labmouse/contest/physical.hpp"
+#include "labmouse/lab/physical/fidelity.hpp"
+#include "labmouse/lab/physical/physical_entry.hpp"
 #include "labmouse/lab/robots/robot_files.hpp"
+#include "labmouse/lab/system/files.hpp"
 #include "labmouse/lab/text/printable.hpp"
 #include "labmouse/mouse/drive/fastest.hpp"
 
@@ -19,14 +23,40 @@ struct HazardOptions {
   std::vector<std::string> mice;
   std::vector<std::string> mazes;
   Places places;
-  std::string robot = "kerise", rules = "all-japan", noise = "1,2,3";
+  std::string robot = "kerise", rules = "all-japan", noise = "1,2,3", pace = "1";
   std::string map = std::string(name_of(MapKind::first));
   double spread = field_spread, speed = 0.0;
   int runs = 1;
   std::uint64_t seed = 1;
   int jobs = 0;
   std::string format = "table";
+  std::string save, check;
+  double within = 3.0, interval_within = 5.0;
 };
+
+/// Holds all contests in the fallible world, too; whether they end alike.
+int check_hazards(const HazardOptions& options, HazardOrder order, const std::vector<Contestant>& mice,
+                  const std::vector<NamedMaze>& mazes) {
+  const FoundHazards hazards = find_hazards(options.check);
+  if (!hazards.file) throw UsageError(hazards.error);
+  if (const std::string why = why_not_fallible(*order.model, order.noises.back(), *hazards.file); !why.empty())
+    throw UsageError("error: " + why);
+  const FidelityBars bars = {options.within / 100.0, options.interval_within / 100.0};
+  const Interruptible interruptible;
+  const auto all = compare_worlds(order, *hazards.file, mice, mazes, &interruptible.stopped());
+  if (interruptible.stopped()) return exit_interrupted();
+  print(table_of(all, bars));
+  const bool good = std::all_of(all.begin(), all.end(), [&](const Fidelity& each) { return is_faithful(each, bars); });
+  return good ? exit_good : exit_finding;
+}
+
+/// Numbers from the least pace to 1; throws UsageError.
+std::vector<double> paces_of(const std::string& list) {
+  std::vector<double> paces = numbers_of("--pace", list, 1.0);
+  for (const double pace : paces)
+    if (pace < least_pace) throw UsageError(fmt::format("error: --pace: {:g} is less than {:g}", pace, least_pace));
+  return paces;
+}
 
 int hazards(const HazardOptions& options) {
   const FoundRobot robot = find_robot_or_refuse(options.robot);
@@ -42,6 +72,7 @@ int hazards(const HazardOptions& options) {
   order.conditions.pilot.search_speed = options.speed;
   order.conditions.map = *map_kind_of(options.map);
   order.noises = noises_of(options.noise);
+  order.paces = paces_of(options.pace);
   order.runs = options.runs;
   order.seed = options.seed;
   order.jobs = options.jobs;
@@ -51,10 +82,16 @@ int hazards(const HazardOptions& options) {
     if (!mouse.drive)
       throw UsageError(fmt::format("error: --mice: {} does not drive by decisions in seconds", shown(mouse.name)));
   const std::vector<NamedMaze> mazes = find_mazes(options.mazes, options.places).mazes;
+  if (!options.check.empty()) return check_hazards(options, std::move(order), mice, mazes);
   const Interruptible interruptible;
   const auto tallies = measure_hazards(order, mice, mazes, &interruptible.stopped());
-  print(options.format == "json" ? json_of(tallies, order, mice) : table_of(tallies));
-  return interruptible.stopped() ? exit_interrupted() : exit_good;
+  if (interruptible.stopped()) return exit_interrupted();
+  if (!options.save.empty())
+    if (const std::string error = write_file(options.save, write_hazards(tallies, order, mice, mazes.size()));
+        !error.empty())
+      throw UsageError(fmt::format("{}: error: {}", shown(options.save), error));
+  print(options.format == "json" ? json_of(tallies, order, mice, mazes.size()) : table_of(tallies));
+  return exit_good;
 }
 
 }  // namespace
@@ -87,6 +124,11 @@ void add_hazards(Command& app, int& exit) {
       ->type_name("LIST")
       ->capture_default_str();
   command
+      ->add_option("--pace", options->pace,
+                   "Parts of their usual pace at which mice are driven, separated by commas, up to 1")
+      ->type_name("LIST")
+      ->capture_default_str();
+  command
       ->add_option("--spread", options->spread,
                    "How far contests are apart: factor of what each draws of the mouse itself")
       ->check(in_range(0.0, 10.0))
@@ -107,6 +149,22 @@ void add_hazards(Command& app, int& exit) {
       ->check(in_range(0, 1024))
       ->capture_default_str();
   command->add_option("--format", options->format, "Output")->check(one_of({"table", "json"}))->capture_default_str();
+  command->add_option("--save", options->save, "Keep all counts in a file, for race --world fallible --hazards FILE")
+      ->type_name("FILE");
+  command
+      ->add_option(
+          "--check", options->check,
+          "Instead hold the same contests in the fallible world by these hazards, and exit with 1 where another "
+          "share of them is finished")
+      ->type_name("HAZARDS");
+  command->add_option("--within", options->within, "With --check: points of 100 by which shares may differ")
+      ->check(in_range(0.0, 100.0))
+      ->capture_default_str();
+  command
+      ->add_option("--interval-within", options->interval_within,
+                   "With --check: points of 100 within which the difference's 95 % interval has to lie")
+      ->check(in_range(0.0, 100.0))
+      ->capture_default_str();
   command->callback([options, &exit] { exit = hazards(*options); });
 }
 

@@ -9,6 +9,7 @@
 #include "command.hpp"
 #include "contests.hpp"
 #include "guests.hpp"
+#include "labmouse/lab/curves/noise_curves.hpp"
 #include "labmouse/lab/galleries/race_folder.hpp"
 #include "labmouse/lab/races/never_started.hpp"
 #include "labmouse/lab/standings/baseline.hpp"
@@ -16,6 +17,7 @@
 #include "labmouse/lab/standings/race_table.hpp"
 #include "labmouse/lab/standings/standings.hpp"
 #include "labmouse/lab/system/files.hpp"
+#include "labmouse/lab/text/counted.hpp"
 #include "labmouse/lab/text/printable.hpp"
 #include "labmouse/strategies/parameter.hpp"
 
@@ -34,6 +36,7 @@ struct RaceOptions {
   bool has_limit = false;
   int worst = 0;
   bool shares = false;
+  std::string curves;
 };
 
 /// Mice in their world, and the mazes that it takes.
@@ -112,6 +115,33 @@ std::string save_results(const RaceOptions& options, const std::vector<Race>& ra
   return error.empty() ? "" : fmt::format("{}: error: {}", path, error);
 }
 
+bool same_worlds(const std::vector<Entry>& entries) {
+  return entries.size() > 1 && entries[0].world->name() == entries[1].world->name();
+}
+
+/// What needs races of several noises, or cannot be had of them; throws UsageError.
+void check_noises(const RaceOptions& options, const std::vector<Entry>& entries) {
+  if (!options.curves.empty() && !same_worlds(entries))
+    throw UsageError(
+        "error: --curves draws what becomes of mice as noise grows; give several, such as --world fallible "
+        "--noise 0,1,2,3,4");
+  if (!options.out.empty() && same_worlds(entries))
+    throw UsageError("error: --out keeps the records of one race; give one --noise, or leave --out away");
+}
+
+/// The races of several noises side by side; nothing where there are none.
+void report_curves(const RaceOptions& options, const std::vector<Race>& races) {
+  const std::vector<NoiseCurve> curves = noise_curves(races);
+  if (curves.empty()) return;
+  if (options.format == "table") print("\n" + table_of(curves));
+  if (options.curves.empty()) return;
+  const Race& race = races.back();
+  const std::string title = fmt::format("Contests finished: world {}, {}", race.world().name(),
+                                        counted(static_cast<std::int64_t>(race.mazes.size()), "maze", "mazes"));
+  if (const std::string error = write_file(options.curves, draw_curves(curves, title)); !error.empty())
+    throw UsageError(fmt::format("{}: error: {}", shown(options.curves), error));
+}
+
 /// What is more than the results goes beside them: below a table, to standard error where a program reads the output.
 void add(const RaceOptions& options, const std::string& text) {
   if (options.format == "table")
@@ -184,6 +214,7 @@ int race(const RaceOptions& options) {
   std::optional<Holding> holding(options);
   std::vector<Entry> entries = options.contests.world.enter(
       find_contestants(with_lineups(options.mice, options.lineups), options.contests.world, options.guests));
+  check_noises(options, entries);
   const auto baselines = load_baselines(options, entries);
   const auto worlds =
       std::count_if(entries.begin(), entries.end(), [](const Entry& entry) { return !entry.mice.empty(); });
@@ -206,6 +237,7 @@ int race(const RaceOptions& options) {
     if (options.worst > 0) add(options, worst_of(races[i], options.worst));
     if (baselines[i]) add(options, compare_with_baseline(races[i], *baselines[i]));
   }
+  report_curves(options, races);
   options.contests.finish_store(options.format == "table");
   if (!failed_write.empty()) throw UsageError(failed_write);
   if (std::any_of(races.begin(), races.end(), [](const Race& each) { return each.stopped; })) return exit_interrupted();
@@ -259,12 +291,17 @@ void add_race(Command& app, int& exit) {
           ->check(Check([](const std::string& text) {
             return shard_of(text) ? "" : fmt::format("{} is no part of a race: write 3/64 for the third of 64", text);
           }));
+  command
+      ->add_option("--curves", options->curves,
+                   "Draw the share of finished contests against --noise 0,1,2,3,4, and what ended the others, as SVG")
+      ->type_name("FILE");
   command->add_flag("--shares", options->shares, "Print how much of the mazes each mouse discovered and visited");
   add_racing_guests(*command, options->guests);
   command->footer(
       "Example: labmouse race --mice flood:stride=1,certify --mazes my-mazes/ --format json > today.json\n"
       "         labmouse race --mazes my-mazes/ --baseline today.json\n"
-      "         labmouse race --world seconds --robot half --rules thirtieth");
+      "         labmouse race --world seconds --robot half --rules thirtieth\n"
+      "         labmouse race --world fallible --noise 0,1,2,3,4 --curves noise.svg");
   command->callback([options, limit, shard, &exit] {
     if (shard->count() > 0 && options->contests.store_path.empty())
       throw UsageError("error: --shard needs --store, which keeps the part of the race");

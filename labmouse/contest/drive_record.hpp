@@ -51,8 +51,9 @@ struct DriveRun {
   std::optional<MazeTime> gate_in;   ///< first entered a goal
   std::optional<MazeTime> centre;    ///< first in the middle of a goal cell
   bool touched = false;              ///< whether a hand had touched the mouse in the maze before it
-  std::vector<SearchMove> moves;     ///< of a search and a way home
-  DriveRoute route;                  ///< of a fast run; its times count from `begin`
+  double pace = 1.0;              ///< the part of its usual pace at which the mouse was driven, where it has a choice
+  std::vector<SearchMove> moves;  ///< of a search and a way home
+  DriveRoute route;               ///< of a fast run; its times count from `begin`
   /// What was known at the beginning, and the times of the fastest route that is known to exist and of the fastest that
   /// may exist; no_time where there is none.
   WallSet open;

@@ -2,6 +2,8 @@
 
 #include <cassert>
 
+#include "labmouse/contest/drive_gates.hpp"
+
 namespace labmouse {
 
 Sighting look(const Maze& maze, Pose pose, int sight) {
@@ -36,32 +38,15 @@ int SearchDriver::cells_at_once(int rotation, int most) const {
 /// Over one edge, or to rest.
 void SearchDriver::pass(const Action& action, MazeTime end) {
   DriveRun& run = record_.runs.back();
-  if (run.kind == DriveRun::Kind::search) note_gates(action, end);
+  const bool searches = run.kind == DriveRun::Kind::search;
+  if (searches) note_gates(run, maze_, model_.search, place_, action, clock_, end);
   place_ = after_search(place_, action);
+  goal_entered_ = goal_entered_ || (searches && maze_.is_goal(place_.pose.cell));
   run.end = clock_ = end;
   read();
 }
 
-/// A goal is entered at the end of a move, and its middle is passed, or stopped in, by the next, unless that is a small
-/// turn.
-void SearchDriver::note_gates(const Action& action, MazeTime end) {
-  DriveRun& run = record_.runs.back();
-  const SearchPlace next = after_search(place_, action);
-  const bool turns = action.rotation % 180 != 0 && action.movement > 0;
-  if (run.gate_in && !run.centre && !place_.at_rest && !turns && maze_.is_goal(place_.pose.cell)) {
-    const bool passes = action.rotation == 0 && action.movement > 0;
-    run.centre = clock_ + (passes ? (end - clock_) / 2 : model_.search.half_cell);
-  }
-  if (!run.gate_out && place_.pose.cell == maze_.start() && action.movement > 0) run.gate_out = end;
-  if (!run.gate_in && maze_.is_goal(next.pose.cell) && run.gate_out) run.gate_in = end;
-  goal_entered_ = goal_entered_ || maze_.is_goal(next.pose.cell);
-}
-
-void SearchDriver::stop_search() {
-  DriveRun& run = record_.runs.back();
-  if (run.gate_in && !run.centre && !place_.at_rest && maze_.is_goal(place_.pose.cell))
-    run.centre = clock_ + model_.search.half_cell;
-}
+void SearchDriver::stop_search() { note_stop(record_.runs.back(), maze_, model_.search, place_, clock_); }
 
 void SearchDriver::put(const SearchPlace& place, MazeTime clock) {
   place_ = place;

@@ -70,7 +70,6 @@ class SearchDriver {
     record_.runs.back().moves.push_back({begin, clock_, from, action, place_.pose, replanned});
   }
   void pass(const Action& action, MazeTime end);
-  void note_gates(const Action& action, MazeTime end);
   void read();
 
   const Maze& maze_;

@@ -22,6 +22,9 @@ struct PhysicalConditions {
   int trace_every = 0;  ///< ticks between two points of the trace; 0: none
 };
 
+/// As slowly as a mouse can be driven, as a part of its usual pace.
+inline constexpr double least_pace = 0.2;
+
 /// What a pilot knows of its hardware: the book, and how far mice like it are spread at noise 1; not how much noise
 /// there is today.
 inline Hardware told_of(const DriveModel& model, const PhysicalConditions& conditions) {

@@ -1,7 +1,10 @@
 #include "labmouse/contest/physical_drive.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
+
+#include "labmouse/mouse/drive/fastest.hpp"
 
 namespace labmouse {
 namespace {
@@ -17,44 +20,59 @@ double angle_of(const Direction& ahead) {
   return angle;
 }
 
+/// On a straight way from a cell.
+WallSet walls_between(Cell from, const Pose& to) {
+  WallSet walls;
+  for (Cell cell = to.cell; cell != from; cell = neighbour(cell, opposite(to.heading)))
+    walls.insert(wall_at(cell, opposite(to.heading)));
+  return walls;
+}
+
 }  // namespace
 
 PhysicalDriver::PhysicalDriver(const Maze& maze, const DriveModel& model, const PhysicalConditions& conditions,
                                std::uint64_t seed, MazeTime time_limit, PhysicalRecord& record, const PilotParts& parts)
-    : maze_(maze),
-      record_(record),
+    : record_(record),
       start_{maze.start(), maze.start_heading()},
-      belief_(maze.size(), conditions.map),
-      weighs_(conditions.map == MapKind::belief),
+      walls_(maze, conditions.map, record),
       told_(told_of(model, conditions)),
       body_(maze, model, conditions, seed, time_limit, record),
       pilot_(model, told_, maze.size(), gains_for(told_, model.tables.cell), conditions.pilot, parts) {
   record_.foreign_parts = parts.any();
-  pilot_.know(&belief_.view());
+  pilot_.know(&walls_.known());
 }
 
 void PhysicalDriver::put_at_start() {
   body_.put_at_start();
   pilot_.put(start_);
   pending_ = false;
-  told_last_ = {};
+  walls_.put_down();
 }
+
+void PhysicalDriver::look_about() {
+  drive_on();
+  read();
+}
+
+void PhysicalDriver::read() { walls_.read(clock(), place().pose, pilot_.evidence()); }
 
 bool PhysicalDriver::make(const Action& part, bool replanned) {
   const Pose from = place().pose;
   const MazeTime begin = clock();
   pilot_.search(part);
+  in_its_way_ = walls_.standing(walls_between(from.cell, place().pose));
   if (!drive_on()) return false;
   DriveRun& run = record_.drive.runs.back();
   run.moves.push_back({begin, clock(), from, part, place().pose, replanned});
   run.end = clock();
-  if (weighs_) pass(from);
+  if (walls_.weighs()) walls_.pass(clock(), from.cell, place().pose);
   read();
   return true;
 }
 
 bool PhysicalDriver::run(const DriveRoute& route) {
   pilot_.run(route);
+  in_its_way_ = walls_.standing(walls_of(route));
   // Its clock begins once it stands where runs begin.
   while (!pilot_.running())
     if (!tick()) return false;
@@ -96,60 +114,12 @@ void PhysicalDriver::note_gates() {
     body_.note_gates(runs[last - 1]);
 }
 
+/// A mouse whose way leads through a wall has misread it, whatever it touches first: the wall, or a post beside it.
 RunEnd PhysicalDriver::cause() const {
-  const auto& wall = body_.body().contact().wall;
-  return wall && known().open().contains(*wall) ? RunEnd::misread : body_.cause();
-}
-
-/// It has come through the walls on its way.
-void PhysicalDriver::pass(const Pose& from) {
-  constexpr int surely = 6 * evidence_a_nat;
-  const Pose& to = place().pose;
-  for (Cell cell = to.cell; cell != from.cell; cell = neighbour(cell, opposite(to.heading)))
-    add(wall_at(cell, opposite(to.heading)), -surely);
-}
-
-void PhysicalDriver::read() {
-  const Pose& pose = place().pose;
-  const WallEvidence evidence = pilot_.evidence();
-  record_.looks.push_back({clock(), pose, evidence});
-  take(pose.cell, left_of(pose.heading), evidence.left);
-  take(pose.cell, pose.heading, evidence.ahead);
-  take(pose.cell, right_of(pose.heading), evidence.right);
-}
-
-void PhysicalDriver::take(Cell cell, Heading side, Evidence evidence) {
-  const Wall wall = wall_at(cell, side);
-  // Nobody has to read the border.
-  if (!on_border(wall, maze_.size())) add(wall, evidence);
-}
-
-void PhysicalDriver::add(Wall wall, int evidence) {
-  const Belief::News news = belief_.add(wall, evidence);
-  if (weighs_) told_last_[told_count_++ % told_last_.size()] = {wall, evidence};
-  if (news == Belief::News::none) return;
-  if (news != Belief::News::learned) ++record_.contradictions;
-  if (news != Belief::News::contradicted) note(wall);
-}
-
-/// What it takes that wall for from now on.
-void PhysicalDriver::note(Wall wall) {
-  const bool open = known().open().contains(wall);
-  if (open != maze_.is_open(wall.cell, wall.side)) ++record_.misreads;
-  record_.drive.walls.push_back({clock(), wall, open});
-}
-
-void PhysicalDriver::doubt_last() {
-  for (const Told& told : told_last_)
-    if (told.evidence != 0 && known().state(told.wall) != WallState::unknown &&
-        belief_.add(told.wall, -told.evidence / 2) == Belief::News::turned)
-      note(told.wall);
-  told_last_ = {};
-}
-
-Sighting PhysicalDriver::sighting(const Pose& pose) const {
-  const auto open_to = [&](Heading side) { return known().open().contains(wall_at(pose.cell, side)) ? 1 : 0; };
-  return {open_to(left_of(pose.heading)), open_to(pose.heading), open_to(right_of(pose.heading))};
+  const Cell cell = body_.cell();
+  const auto stands = [&](Heading side) { return in_its_way_.contains(wall_at(cell, side)); };
+  const bool inside = walls_.size().contains(cell);
+  return inside && std::any_of(all_headings.begin(), all_headings.end(), stands) ? RunEnd::misread : body_.cause();
 }
 
 }  // namespace labmouse

@@ -11,17 +11,22 @@ namespace labmouse {
 /// Plays its actions in order and forfeits when there is no other. It knows nothing and looks at nothing.
 class Script final : public Strategy {
  public:
-  Script(Size size, std::vector<Action> actions) : knowledge_(size), actions_(std::move(actions)) {}
+  /// With the pace of each run; of those beyond the list it is the usual one.
+  Script(Size size, std::vector<Action> actions, std::vector<double> paces = {})
+      : knowledge_(size), actions_(std::move(actions)), paces_(std::move(paces)) {}
 
   Action decide(const Sighting&) override {
     return next_ < actions_.size() ? actions_[next_++] : Action::forfeit(ForfeitReason::finished);
   }
+  double pace(bool) override { return run_ < paces_.size() ? paces_[run_++] : 1.0; }
   const Knowledge& knowledge() const override { return knowledge_; }
 
  private:
   Knowledge knowledge_;
   std::vector<Action> actions_;
   std::size_t next_ = 0;
+  std::vector<double> paces_;
+  std::size_t run_ = 0;
 };
 
 }  // namespace labmouse

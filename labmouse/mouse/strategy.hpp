@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -44,6 +45,12 @@ class Strategy {
   virtual Action consider(const Belief&, const SearchPlace&, std::int64_t) {
     return Action::forfeit(ForfeitReason::contradiction);
   }
+
+  /// At which part of its usual pace it wants to be driven, up to 1: asked as a run begins that is a fast one over
+  /// known walls, or else a search or a way home. Only worlds in which things go wrong listen to it.
+  virtual double pace(bool /*fast*/) { return 1.0; }
+  /// What its map does with readings against it; without an answer the conditions of the contest say so.
+  virtual std::optional<MapKind> map_kind() const { return std::nullopt; }
 
   /// What the mouse believes, for viewers and for the contract tests.
   virtual const Knowledge& knowledge() const = 0;

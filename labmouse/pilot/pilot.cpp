@@ -53,7 +53,8 @@ Pilot::Pilot(const DriveModel& model, const Hardware& hardware, Size size, const
       parts_(parts),
       estimator_(hardware, cell_, size, choice.corrections, gains.speed_filter),
       reader_(hardware, cell_),
-      tracker_(gains, hardware.motors) {}
+      tracker_(gains, hardware.motors),
+      pace_(choice.pace) {}
 
 Position Pilot::middle_of(Cell cell) const { return {(cell.x + 0.5) * cell_, (cell.y + 0.5) * cell_}; }
 
@@ -160,6 +161,16 @@ void Pilot::begin_piece(const Piece& piece, double late, const std::optional<Dri
   walk_ = PieceWalk(piece, profile);
   walk_.step(late);
   moving_ = true;
+  aim();
+}
+
+/// Where the walk is, moving as slowly as the pace is.
+void Pilot::aim() {
+  target_ = walk_.target();
+  target_.speed *= pace_;
+  target_.turning *= pace_;
+  target_.speeding *= pace_ * pace_;
+  target_.twisting *= pace_ * pace_;
 }
 
 /// The next piece that is to be driven, from so many seconds on; without one the mouse has arrived.
@@ -200,17 +211,18 @@ bool Pilot::begin_segment(double late) {
 }
 
 Drive Pilot::tick(const Sense& sense) {
-  believe(estimator().estimate(sense, walk_.target(), known_));
+  believe(estimator().estimate(sense, target_, known_));
   reader().read(sense, estimate_);
-  double seconds = tick_seconds;
+  double seconds = pace_ * tick_seconds;
   while (moving_ && walk_.left() < seconds) {
     seconds -= walk_.left();
     walk_.step(walk_.left());
     begin_next(0.0);
   }
   walk_.step(seconds);
+  aim();
   late_ = moving_ ? 0.0 : seconds;
-  const Drive duties = tracker().follow(sense, walk_.target(), estimate_);
+  const Drive duties = tracker().follow(sense, target_, estimate_);
   return parts_.tracker == nullptr ? duties : Drive{duty_of(duties.left), duty_of(duties.right)};
 }
 

@@ -28,6 +28,7 @@ namespace labmouse {
 struct PilotChoice {
   CorrectionChoice corrections;
   double search_speed = 0.0;  ///< mm/s; 0: the robot's own
+  double pace = 1.0;          ///< of all that it drives: at one half everything takes twice its time
 };
 
 class Pilot {
@@ -38,6 +39,9 @@ class Pilot {
 
   /// It was put down at rest in the middle of a cell, about.
   void put(const Pose& pose);
+  /// From the next move on all is driven as fast as a part of the usual pace says, above 0: the same curves, in slow
+  /// motion.
+  void set_pace(double pace) { pace_ = pace; }
   /// What is known of walls, for corrections; must outlive its use. Null: nothing.
   void know(const Knowledge* known) { known_ = known; }
   /// Begins a move from place(): a step of a search over one edge, or a dash over more, or to rest.
@@ -59,7 +63,7 @@ class Pilot {
 
   /// Where it believes to be.
   const PoseEstimate& estimate() const { return estimate_; }
-  const Target& target() const { return walk_.target(); }
+  const Target& target() const { return target_; }
   /// Whether a run has left its beginning: its clock is on.
   bool running() const { return route_ != nullptr && segment_ > 0; }
 
@@ -73,6 +77,7 @@ class Pilot {
   void add_pivot(const Position& at, Direction& ahead, int quarters);
   void add_stop(const Pose& pose);
   void begin_next(double late);
+  void aim();
   bool begin_segment(double late);
   void begin_piece(const Piece& piece, double late, const std::optional<DriveProfile>& profile = std::nullopt);
 
@@ -92,8 +97,10 @@ class Pilot {
   const DriveRoute* route_ = nullptr;
   std::size_t segment_ = 0;
   PieceWalk walk_;
+  double pace_;
+  Target target_;  ///< of the walk, at that pace
   bool moving_ = false;
-  double late_ = 0.0;  ///< seconds of the last tick that belong to the next move
+  double late_ = 0.0;  ///< seconds of the last tick, at the usual pace, that belong to the next move
 };
 
 }  // namespace labmouse

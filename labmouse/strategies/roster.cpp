@@ -32,9 +32,21 @@ std::span<const RosterEntry* const> roster() {
   return entries;
 }
 
+std::span<const RosterEntry* const> only_drivers() {
+  static constexpr std::array entries = {&festina_mouse};
+  return entries;
+}
+
+std::vector<const RosterEntry*> all_mice() {
+  std::vector<const RosterEntry*> all(roster().begin(), roster().end());
+  all.insert(all.end(), only_drivers().begin(), only_drivers().end());
+  return all;
+}
+
 const RosterEntry* find_mouse(std::string_view name) {
-  for (const RosterEntry* entry : roster())
-    if (entry->name == name) return entry;
+  for (const auto& entries : {roster(), only_drivers()})
+    for (const RosterEntry* entry : entries)
+      if (entry->name == name) return entry;
   return nullptr;
 }
 

@@ -1,10 +1,11 @@
-// The roster: every mouse that labmouse brings, in one plain table.
+// The roster: every mouse that labmouse brings, in two plain tables.
 #pragma once
 
 #include <memory>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "labmouse/mouse/briefing.hpp"
 #include "labmouse/mouse/strategy.hpp"
@@ -28,6 +29,8 @@ struct RosterEntry {
 
   /// Whether it drives in the world of seconds, too.
   bool drives = false;
+  /// Whether it plays in steps.
+  bool walks = true;
 
   static bool never(const Settings&) { return false; }
   static bool always(const Settings&) { return true; }
@@ -53,9 +56,14 @@ extern const RosterEntry flood_return_mouse;
 extern const RosterEntry certify_mouse;
 extern const RosterEntry ariadne_mouse;
 extern const RosterEntry ariadne_deep_mouse;
+extern const RosterEntry festina_mouse;
 
-/// All of them, from the simplest to the best.
+/// All that play in steps, from the simplest to the best.
 std::span<const RosterEntry* const> roster();
+/// Those that only drive, behind them.
+std::span<const RosterEntry* const> only_drivers();
+/// All of both.
+std::vector<const RosterEntry*> all_mice();
 
 /// The entry of that name, or null.
 const RosterEntry* find_mouse(std::string_view name);

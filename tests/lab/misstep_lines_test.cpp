@@ -9,6 +9,7 @@
 #include "labmouse/contest/script.hpp"
 #include "labmouse/lab/standings/race_json.hpp"
 #include "labmouse/lab/standings/race_table.hpp"
+#include "labmouse/lab/worlds/entering.hpp"
 #include "tests/lab/record_fixture.hpp"
 #include "tests/says.hpp"
 
@@ -74,7 +75,7 @@ TEST(MisstepLines, OfSeveralAreInThePlural) {
 TEST(MisstepLines, OfAMouseWithoutMisstepsThereAreNone) { EXPECT_EQ(misstep_lines(played(solution)), ""); }
 
 TEST(MisstepLines, OfOurMiceThereAreNone) {
-  EXPECT_EQ(misstep_lines(hold_race(all_contestants(), {test::loop(), test::hook()}, test::in_steps())), "");
+  EXPECT_EQ(misstep_lines(hold_race(residents_of(*home_world()), {test::loop(), test::hook()}, test::in_steps())), "");
 }
 
 TEST(MisstepLines, OfARaceAreTotalsWithTheFirstStep) {

@@ -14,7 +14,7 @@ using ::testing::HasSubstr;
 
 TEST(MouseList, HasEveryMouseAndEveryParameter) {
   const std::string list = mouse_list();
-  for (const RosterEntry* mouse : roster()) {
+  for (const RosterEntry* mouse : all_mice()) {
     EXPECT_THAT(list, HasSubstr(std::string(mouse->name) + "  "));
     for (const Parameter& parameter : mouse->parameters)
       EXPECT_THAT(list, HasSubstr("    " + std::string(parameter.name) + "=" + std::string(parameter.default_value)));
@@ -22,7 +22,7 @@ TEST(MouseList, HasEveryMouseAndEveryParameter) {
 }
 
 TEST(MouseSheet, SaysHowAMouseWorksAndWhoseIdeaItIs) {
-  for (const RosterEntry* mouse : roster()) {
+  for (const RosterEntry* mouse : all_mice()) {
     const NamedText sheet = mouse_sheet(std::string(mouse->name));
     EXPECT_EQ(sheet.error, "");
     // Both are whole sentences.

@@ -41,7 +41,7 @@ inline DriveRecordFile physical_file(const std::string& mouse, const PhysicalCon
   file.rules = find_rules("all-japan").rules;
   PhysicalRecord record = driven_physically(mouse, *file.maze, conditions, seed);
   file.record = std::move(record.drive);
-  file.physical = PhysicalPart{conditions, std::move(record)};
+  file.physical = PhysicalPart{conditions, std::move(record), physical_edition, "", ""};
   const DriveScore result = score(file.record, file.rules);
   if (result.best) file.recorded_score = result.runs[*result.best];
   return file;

@@ -101,7 +101,7 @@ const DriveRun* last_run(const DriveRecord& record) {
 
 std::vector<const RosterEntry*> drivers() {
   std::vector<const RosterEntry*> mice;
-  for (const RosterEntry* entry : roster())
+  for (const RosterEntry* entry : all_mice())
     if (entry->drives) mice.push_back(entry);
   return mice;
 }

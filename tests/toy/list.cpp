@@ -11,8 +11,8 @@
 namespace labmouse {
 
 std::span<const WorldEntry* const> all_worlds() {
-  static constexpr std::array<const WorldEntry*, 5> worlds = {&steps_entry, &seconds_entry, &physical_entry, &mms_entry,
-                                                              &toy_entry};
+  static constexpr std::array<const WorldEntry*, 6> worlds = {&steps_entry,    &seconds_entry, &physical_entry,
+                                                              &fallible_entry, &mms_entry,     &toy_entry};
   return worlds;
 }
 

@@ -157,11 +157,11 @@ def race(
 
     mice: SPECs, classes with `decide(self, seen)`, or a dictionary of both by names; None for all built-in ones.
     mazes: mazes, files, folders or patterns; None for all built-in mazes.
-    world: 'strides', 'seconds', 'physical' or 'mms'; None for the one that suits the mice. `robot` and `rules` are
-        settings of 'seconds' and 'physical' (a built-in name or a file), `budget` (steps of a contest) of 'strides';
+    world: 'strides', 'seconds', 'physical', 'fallible' or 'mms'; None for the one that suits the mice. `robot` and `rules` are
+        settings of those in seconds (a built-in name or a file), `budget` (steps of a contest) of 'strides';
         other settings have the names of the command line's options.
-    runs: contests in each maze of a mouse that throws dice, and of each mouse in 'physical'; None for 20, and 3 in
-        'physical'. seed: for all random choices.
+    runs: contests in each maze of a mouse that throws dice, and of each mouse in 'physical' and 'fallible'; None for
+        20, and 3 in 'physical'. seed: for all random choices.
     jobs: threads; 0 for as many as there are processors. Results do not depend on it. Where the interpreter runs one
         thread at a time, mice in Python race in processes of their own once the race takes longer than half a second:
         what they leave in global variables stays there. With 1 they stay in this process.

@@ -12,20 +12,21 @@ constexpr double turning = 0.1;
 
 class HazardCounter {
  public:
-  HazardCounter(const PhysicalRecord& record, const Maze& maze, double cell, HazardTally& tally)
-      : record_(record), maze_(maze), cell_(cell), tally_(tally) {}
+  HazardCounter(const PhysicalRecord& record, const Maze& maze, double cell, HazardCounts& counts)
+      : record_(record), maze_(maze), cell_(cell), counts_(counts) {}
 
   void count() {
-    ++tally_.contests;
-    tally_.finished += record_.drive.outcome == DriveOutcome::finished ? 1 : 0;
+    ++counts_.contests;
+    counts_.finished += record_.drive.outcome == DriveOutcome::finished ? 1 : 0;
     for (const Look& look : record_.looks) count_look(look);
     for (std::size_t i = 0; i < record_.drive.runs.size(); ++i) {
       const DriveRun& run = record_.drive.runs[i];
-      const bool crashed = is_crash(record_.ends[i]);
+      const RunEnd end = record_.ends[i];
+      if (i == 0 || is_crash(record_.ends[i - 1])) ++counts_.put[level_at(run.begin)];
       if (run.kind == DriveRun::Kind::fast)
-        count_fast(run, crashed);
+        count_fast(run, end);
       else
-        count_moves(run, crashed);
+        count_moves(run, end);
     }
   }
 
@@ -49,43 +50,32 @@ class HazardCounter {
     ++count.times;
     ++count.after[level_at(end)];
   }
-  void add_crash(Manoeuvre manoeuvre, MazeTime begin) {
+  /// A wall that was taken for a gap stands in the way of any manoeuvre.
+  void add_crash(Manoeuvre manoeuvre, MazeTime begin, RunEnd end) {
+    if (end == RunEnd::misread) return;
     ManoeuvreCount& count = count_of(manoeuvre, begin);
     ++count.times;
     ++count.crashes;
+    count.slid += end == RunEnd::slid ? 1 : 0;
   }
   ManoeuvreCount& count_of(Manoeuvre manoeuvre, MazeTime begin) {
-    return tally_.manoeuvres[static_cast<std::size_t>(manoeuvre)][level_at(begin)];
+    return counts_.manoeuvres[static_cast<std::size_t>(manoeuvre)][level_at(begin)];
   }
 
-  Manoeuvre straight_through(const Pose& pose) const {
-    const int walls = (maze_.is_open(pose.cell, left_of(pose.heading)) ? 0 : 1) +
-                      (maze_.is_open(pose.cell, right_of(pose.heading)) ? 0 : 1);
-    return walls == 0 ? Manoeuvre::open_cell : walls == 1 ? Manoeuvre::half_cell : Manoeuvre::corridor;
-  }
-
-  Manoeuvre manoeuvre_of(const SearchMove& move, bool at_rest) const {
-    if (move.action.movement == 0) return Manoeuvre::halt;
-    if (at_rest) return Manoeuvre::start;
-    if (move.action.movement > 1) return Manoeuvre::dash;
-    return move.action.rotation == 0 ? straight_through(move.from) : Manoeuvre::turn;
-  }
-
-  void count_moves(const DriveRun& run, bool crashed) {
-    bool at_rest = true;
-    MazeTime time = run.begin;
+  void count_moves(const DriveRun& run, RunEnd end) {
     const Pose start = {maze_.start(), maze_.start_heading()};
-    Pose pose = run.moves.empty() ? start : run.moves.front().from;
+    SearchPlace place = {run.moves.empty() ? start : run.moves.front().from, true};
+    MazeTime time = run.begin;
     // A way home goes on from where a search or a fast run ended: at rest only after the latter.
-    if (run.kind == DriveRun::Kind::home) at_rest = began_at_rest(run);
+    if (run.kind == DriveRun::Kind::home) place.at_rest = began_at_rest(run);
     for (const SearchMove& move : run.moves) {
-      add(manoeuvre_of(move, at_rest), move.begin, move.end);
-      at_rest = move.action.movement == 0;
+      add(manoeuvre_of(maze_, place, move.action), move.begin, move.end);
+      place = {move.to, move.action.movement == 0};
       time = move.end;
-      pose = move.to;
     }
-    if (!crashed) return;
-    add_crash(at_rest ? Manoeuvre::start : turned_before(run.end) ? Manoeuvre::turn : straight_through(pose), time);
+    if (!is_crash(end)) return;
+    const Manoeuvre moving = turned_before(run.end) ? Manoeuvre::turn : straight_through(maze_, place.pose);
+    add_crash(place.at_rest ? Manoeuvre::start : moving, time, end);
   }
 
   /// A way home behind a fast run begins at rest; behind a search it goes on.
@@ -104,18 +94,12 @@ class HazardCounter {
     return std::abs(std::remainder(last->belief->angle - early->belief->angle, 6.283185307179586)) > turning;
   }
 
-  static Manoeuvre manoeuvre_of(const DriveSegment& segment) {
-    return segment.kind == DriveSegment::Kind::turn ? Manoeuvre::run_turn
-           : segment.diagonal()                     ? Manoeuvre::run_diagonal
-                                                    : Manoeuvre::run_straight;
-  }
-
-  void count_fast(const DriveRun& run, bool crashed) {
+  void count_fast(const DriveRun& run, RunEnd end) {
     const auto& segments = run.route.segments;
     const MazeTime driven = run.end - run.begin;
     for (const DriveSegment& segment : segments) {
-      if (crashed && (segment.end > driven || &segment == &segments.back()))
-        return add_crash(manoeuvre_of(segment), run.begin + segment.begin);
+      if (is_crash(end) && (segment.end > driven || &segment == &segments.back()))
+        return add_crash(manoeuvre_of(segment), run.begin + segment.begin, end);
       if (segment.end > driven) return;
       add(manoeuvre_of(segment), run.begin + segment.begin, run.begin + segment.end);
     }
@@ -130,62 +114,25 @@ class HazardCounter {
   }
 
   void count_reading(Cell cell, Heading side, Evidence evidence, bool ahead, std::size_t level) {
-    if (on_border(wall_at(cell, side), maze_.size())) return;
-    const bool open = maze_.is_open(cell, side);
-    const Reading reading =
-        ahead ? (open ? Reading::gap_ahead : Reading::wall_ahead) : (open ? Reading::gap_beside : Reading::wall_beside);
-    ReadingCount& count = tally_.readings[static_cast<std::size_t>(reading)][level];
-    ++count.times;
-    count.silent += evidence == 0 ? 1 : 0;
-    count.wrong += evidence != 0 && (evidence < 0) != open ? 1 : 0;
+    const Wall wall = wall_at(cell, side);
+    if (on_border(wall, maze_.size())) return;
+    const Reading reading = reading_of(maze_.is_open(cell, side), ahead, read_.contains(wall));
+    read_.insert(wall);
+    ReadingCount& count = counts_.readings[static_cast<std::size_t>(reading)][level];
+    ++count.by_evidence[evidence_class(evidence)];
   }
 
   const PhysicalRecord& record_;
   const Maze& maze_;
   double cell_;
-  HazardTally& tally_;
+  HazardCounts& counts_;
+  WallSet read_;  ///< at least once so far
 };
 
 }  // namespace
 
-ManoeuvreCount& ManoeuvreCount::operator+=(const ManoeuvreCount& other) {
-  times += other.times;
-  crashes += other.crashes;
-  for (std::size_t i = 0; i < after.size(); ++i) after[i] += other.after[i];
-  return *this;
-}
-
-ReadingCount& ReadingCount::operator+=(const ReadingCount& other) {
-  times += other.times;
-  wrong += other.wrong;
-  silent += other.silent;
-  return *this;
-}
-
-HazardTally& HazardTally::operator+=(const HazardTally& other) {
-  contests += other.contests;
-  finished += other.finished;
-  for (std::size_t i = 0; i < manoeuvres.size(); ++i)
-    for (std::size_t level = 0; level < astray_levels; ++level) manoeuvres[i][level] += other.manoeuvres[i][level];
-  for (std::size_t i = 0; i < readings.size(); ++i)
-    for (std::size_t level = 0; level < astray_levels; ++level) readings[i][level] += other.readings[i][level];
-  return *this;
-}
-
-ManoeuvreCount HazardTally::of(Manoeuvre manoeuvre) const {
-  ManoeuvreCount sum;
-  for (const ManoeuvreCount& count : manoeuvres[static_cast<std::size_t>(manoeuvre)]) sum += count;
-  return sum;
-}
-
-ManoeuvreCount HazardTally::at(std::size_t level) const {
-  ManoeuvreCount sum;
-  for (const auto& counts : manoeuvres) sum += counts[level];
-  return sum;
-}
-
-void count_hazards(const PhysicalRecord& record, const Maze& maze, double cell, HazardTally& tally) {
-  HazardCounter(record, maze, cell, tally).count();
+void count_hazards(const PhysicalRecord& record, const Maze& maze, double cell, HazardCounts& counts) {
+  HazardCounter(record, maze, cell, counts).count();
 }
 
 }  // namespace labmouse

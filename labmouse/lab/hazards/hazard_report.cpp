@@ -1,5 +1,9 @@
 #include <fmt/format.h>
 
+#include <initializer_list>
+
+#include "labmouse/contest/physical.hpp"
+#include "labmouse/lab/hazards/hazard_file.hpp"
 #include "labmouse/lab/hazards/hazards.hpp"
 #include "labmouse/lab/numbers/wilson.hpp"
 #include "labmouse/lab/text/json.hpp"
@@ -40,63 +44,139 @@ std::string line_of(std::string_view name, const ManoeuvreCount& count) {
                      per_thousand(count.crashes, count.times), near(count));
 }
 
-std::string line_of(std::string_view name, const ReadingCount& beside, const ReadingCount& ahead) {
+/// Of readings of walls and gaps.
+struct Misreads {
+  std::int64_t times = 0;
+  std::int64_t wrong = 0;
+};
+
+Misreads misreads_of(const HazardCounts& counts, std::initializer_list<Reading> readings, std::size_t level) {
+  Misreads sum;
+  for (const Reading reading : readings) {
+    const ReadingCount& count = counts.readings[static_cast<std::size_t>(reading)][level];
+    sum.times += count.times();
+    sum.wrong += count.wrong(reading);
+  }
+  return sum;
+}
+
+std::string line_of(std::string_view name, const Misreads& beside, const Misreads& ahead) {
   return fmt::format("{:<14} {:>9} {} {:>9} {}\n", name, beside.times, per_thousand(beside.wrong, beside.times),
                      ahead.times, per_thousand(ahead.wrong, ahead.times));
 }
 
+/// "finished 81.2 % (79.0-83.1)"
+std::string finished_text_of(const HazardCounts& counts) {
+  const Interval finished = interval_of(counts.finished, counts.contests);
+  return fmt::format("{} contests, {:.1f} % finished ({:.1f}-{:.1f})", counts.contests,
+                     100.0 * share_of(counts.finished, counts.contests), 100.0 * finished.low, 100.0 * finished.high);
+}
+
 std::string table_of(const HazardTally& tally) {
-  const Interval finished = interval_of(tally.finished, tally.contests);
+  const HazardCounts counts = tally.all();
   std::string text =
-      fmt::format("Noise {:g}: {} contests, {:.1f} % finished ({:.1f}-{:.1f})\n", tally.noise, tally.contests,
-                  100.0 * share_of(tally.finished, tally.contests), 100.0 * finished.low, 100.0 * finished.high);
+      fmt::format("Noise {:g}{}: {}\n", tally.noise, tally.pace == 1.0 ? "" : fmt::format(", pace {:g}", tally.pace),
+                  finished_text_of(counts));
+  if (tally.noise > 0.0) {
+    text += "\nThe luckiest 30 of 100 contests, the next 30, 20, 13, and the last 7:\n";
+    for (const HazardCounts& some : tally.by_luck)
+      if (some.contests > 0) text += "  " + finished_text_of(some) + "\n";
+  }
   const auto heading = [](std::string_view first) {
     return fmt::format("{:<14} {:>9} {:>8} {:>9} {:>15} {:>8}\n", first, "times", "crashes", "of 1000", "95 %",
                        "near %");
   };
   text += "\n" + heading("manoeuvre");
-  for (const Manoeuvre manoeuvre : all_manoeuvres) text += line_of(name_of(manoeuvre), tally.of(manoeuvre));
+  for (const Manoeuvre manoeuvre : all_manoeuvres) text += line_of(name_of(manoeuvre), counts.of(manoeuvre));
   text += "\n" + heading("astray, %");
-  for (std::size_t level = 0; level < astray_levels; ++level) text += line_of(name_of_level(level), tally.at(level));
+  for (std::size_t level = 0; level < astray_levels; ++level) text += line_of(name_of_level(level), counts.at(level));
   text += fmt::format("\n{:<14} {:>9} {:>9} {:>15} {:>9} {:>9} {:>15}\n", "readings", "beside", "wrong of", "95 %",
                       "ahead", "wrong of", "95 %");
   text += fmt::format("{:<14} {:>9} {:>9} {:>15} {:>9} {:>9}\n", "astray, %", "", "1000", "", "", "1000");
   for (std::size_t level = 0; level < astray_levels; ++level) {
-    const auto both = [&](Reading wall, Reading gap) {
-      ReadingCount sum = tally.readings[static_cast<std::size_t>(wall)][level];
-      sum += tally.readings[static_cast<std::size_t>(gap)][level];
-      return sum;
-    };
-    text += line_of(name_of_level(level), both(Reading::wall_beside, Reading::gap_beside),
-                    both(Reading::wall_ahead, Reading::gap_ahead));
+    using enum Reading;
+    text += line_of(name_of_level(level),
+                    misreads_of(counts, {wall_beside, gap_beside, wall_beside_again, gap_beside_again}, level),
+                    misreads_of(counts, {wall_ahead, gap_ahead, wall_ahead_again, gap_ahead_again}, level));
   }
   return text;
 }
 
-Json json_of(const ManoeuvreCount& count) {
-  const Interval interval = interval_of(count.crashes, count.times);
-  return {{"times", count.times},
-          {"crashes", count.crashes},
-          {"crash_interval", {interval.low, interval.high}},
-          {"after", count.after}};
+Json interval_json(std::int64_t part, std::int64_t all) {
+  const Interval interval = interval_of(part, all);
+  return {interval.low, interval.high};
 }
 
-Json json_of(const ReadingCount& count) {
-  const Interval interval = interval_of(count.wrong, count.times);
+Json json_of(const ManoeuvreCount& count) {
   return {{"times", count.times},
-          {"wrong", count.wrong},
-          {"silent", count.silent},
-          {"wrong_interval", {interval.low, interval.high}}};
+          {"crashes", count.crashes},
+          {"slid", count.slid},
+          {"after", count.after},
+          {"crash_interval", interval_json(count.crashes, count.times)}};
+}
+
+Json json_of(const ReadingCount& count, Reading reading) {
+  return {{"by_evidence", count.by_evidence},
+          {"wrong", count.wrong(reading)},
+          {"wrong_interval", interval_json(count.wrong(reading), count.times())}};
+}
+
+Json json_of(const HazardCounts& counts) {
+  Json json = {{"contests", counts.contests},
+               {"finished", counts.finished},
+               {"finished_interval", interval_json(counts.finished, counts.contests)},
+               {"put", counts.put}};
+  for (const Manoeuvre manoeuvre : all_manoeuvres)
+    for (const ManoeuvreCount& count : counts.manoeuvres[static_cast<std::size_t>(manoeuvre)])
+      json["manoeuvres"][std::string(name_of(manoeuvre))].push_back(json_of(count));
+  for (const Reading reading : all_readings)
+    for (const ReadingCount& count : counts.readings[static_cast<std::size_t>(reading)])
+      json["readings"][std::string(name_of(reading))].push_back(json_of(count, reading));
+  return json;
 }
 
 Json json_of(const HazardTally& tally) {
-  Json json = {{"noise", tally.noise}, {"contests", tally.contests}, {"finished", tally.finished}};
-  for (const Manoeuvre manoeuvre : all_manoeuvres)
-    for (const ManoeuvreCount& count : tally.manoeuvres[static_cast<std::size_t>(manoeuvre)])
-      json["manoeuvres"][std::string(name_of(manoeuvre))].push_back(json_of(count));
+  Json json = {{"noise", tally.noise}, {"pace", tally.pace}};
+  for (const HazardCounts& counts : tally.by_luck) json["by_luck"].push_back(json_of(counts));
+  return json;
+}
+
+/// Of a file: of each manoeuvre times, crashes, those that slid, and how far astray it was after the others.
+Json counts_json(const HazardCounts& counts) {
+  Json json = {{"contests", counts.contests}, {"finished", counts.finished}, {"put", counts.put}};
+  for (const Manoeuvre manoeuvre : all_manoeuvres) {
+    Json& list = json["manoeuvres"][std::string(name_of(manoeuvre))];
+    for (const ManoeuvreCount& count : counts.manoeuvres[static_cast<std::size_t>(manoeuvre)]) {
+      list.push_back({count.times, count.crashes, count.slid});
+      for (const std::int64_t after : count.after) list.back().push_back(after);
+    }
+  }
   for (const Reading reading : all_readings)
-    for (const ReadingCount& count : tally.readings[static_cast<std::size_t>(reading)])
-      json["readings"][std::string(name_of(reading))].push_back(json_of(count));
+    for (const ReadingCount& count : counts.readings[static_cast<std::size_t>(reading)])
+      json["readings"][std::string(name_of(reading))].push_back(count.by_evidence);
+  return json;
+}
+
+Json counts_json(const HazardTally& tally) {
+  Json json = {{"noise", tally.noise}, {"pace", tally.pace}};
+  for (const HazardCounts& counts : tally.by_luck) json["by_luck"].push_back(counts_json(counts));
+  return json;
+}
+
+Json heading_of(const HazardOrder& order, std::span<const Contestant> mice, std::size_t mazes) {
+  Json json = {{"edition", physical_edition},
+               {"robot", order.model->robot.name},
+               {"tables", fmt::format("{:016x}", order.model->tables.hash)},
+               {"rules", order.rules.name},
+               {"spread", order.conditions.noise.spread},
+               {"search_speed", order.conditions.pilot.search_speed},
+               {"map", std::string(name_of(order.conditions.map))},
+               {"seed", order.seed},
+               {"runs", order.runs},
+               {"mazes", mazes},
+               {"astray_limits", astray_limits},
+               {"luck_limits", luck_limits}};
+  for (const Contestant& mouse : mice) json["mice"].push_back(mouse.name);
   return json;
 }
 
@@ -108,17 +188,18 @@ std::string table_of(std::span<const HazardTally> tallies) {
   return text;
 }
 
-std::string json_of(std::span<const HazardTally> tallies, const HazardOrder& order, std::span<const Contestant> mice) {
-  Json json = {{"robot", order.model->robot.name},
-               {"rules", order.rules.name},
-               {"spread", order.conditions.noise.spread},
-               {"search_speed", order.conditions.pilot.search_speed},
-               {"map", std::string(name_of(order.conditions.map))},
-               {"seed", order.seed},
-               {"runs", order.runs},
-               {"astray_limits", astray_limits}};
-  for (const Contestant& mouse : mice) json["mice"].push_back(mouse.name);
+std::string json_of(std::span<const HazardTally> tallies, const HazardOrder& order, std::span<const Contestant> mice,
+                    std::size_t mazes) {
+  Json json = heading_of(order, mice, mazes);
   for (const HazardTally& tally : tallies) json["noises"].push_back(json_of(tally));
+  return json.dump() + "\n";
+}
+
+std::string write_hazards(std::span<const HazardTally> tallies, const HazardOrder& order,
+                          std::span<const Contestant> mice, std::size_t mazes) {
+  Json json = {{"labmouse_hazards", hazard_format}};
+  json.update(heading_of(order, mice, mazes));
+  for (const HazardTally& tally : tallies) json["noises"].push_back(counts_json(tally));
   return json.dump() + "\n";
 }
 

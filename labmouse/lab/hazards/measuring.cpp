@@ -12,12 +12,13 @@ namespace {
 /// Ticks between two points of the trace: a mouse goes a few millimetres in that time.
 constexpr int ticks_a_point = 5;
 
-/// The contests of one mouse in one maze under one noise.
-HazardTally tally_of(const HazardOrder& order, double noise, const Contestant& mouse, const NamedMaze& maze,
-                     const std::atomic<bool>* stop) {
+/// The contests of one mouse in one maze under one noise at one pace.
+HazardTally tally_of(const HazardOrder& order, double pace, double noise, const Contestant& mouse,
+                     const NamedMaze& maze, const std::atomic<bool>* stop) {
   HazardTally tally;
   PhysicalConditions conditions = order.conditions;
   conditions.noise.all = noise;
+  conditions.pilot.pace = pace;
   conditions.trace_every = ticks_a_point;
   for (int run = 0; run < order.runs && (stop == nullptr || !*stop); ++run) {
     const std::uint64_t seed = contest_seed(order.seed, maze.name, run);
@@ -25,27 +26,33 @@ HazardTally tally_of(const HazardOrder& order, double noise, const Contestant& m
     briefing.sight = 1;
     const auto mind = mouse.drive(maze.maze, briefing);
     const PhysicalRecord record = drive_physically(maze.maze, order.rules, *order.model, conditions, seed, *mind);
-    count_hazards(record, maze.maze, order.model->tables.cell, tally);
+    const std::size_t luck = luck_class(record.frailty, noise * conditions.noise.spread);
+    count_hazards(record, maze.maze, order.model->tables.cell, tally.by_luck[luck]);
   }
   return tally;
+}
+
+std::vector<double> sorted(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  return values;
 }
 
 }  // namespace
 
 std::vector<HazardTally> measure_hazards(const HazardOrder& order, std::span<const Contestant> mice,
                                          std::span<const NamedMaze> mazes, const std::atomic<bool>* stop) {
+  std::vector<HazardTally> tallies;
+  for (const double pace : sorted(order.paces))
+    for (const double noise : sorted(order.noises)) tallies.push_back({noise, pace, {}});
   const std::size_t pairs = mice.size() * mazes.size();
-  std::vector<HazardTally> parts(order.noises.size() * pairs);
+  std::vector<HazardTally> parts(tallies.size() * pairs);
   for_each_parallel(parts.size(), order.jobs, [&](std::size_t i) {
     const std::size_t pair = i % pairs;
-    parts[i] = tally_of(order, order.noises[i / pairs], mice[pair % mice.size()], mazes[pair / mice.size()], stop);
+    const HazardTally& of = tallies[i / pairs];
+    parts[i] = tally_of(order, of.pace, of.noise, mice[pair % mice.size()], mazes[pair / mice.size()], stop);
   });
-  std::vector<HazardTally> tallies;
-  for (std::size_t n = 0; n < order.noises.size(); ++n) {
-    HazardTally& tally = tallies.emplace_back();
-    tally.noise = order.noises[n];
-    for (std::size_t pair = 0; pair < pairs; ++pair) tally += parts[n * pairs + pair];
-  }
+  for (std::size_t i = 0; i < parts.size(); ++i) tallies[i / pairs] += parts[i];
   return tallies;
 }
 

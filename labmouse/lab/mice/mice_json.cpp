@@ -27,12 +27,14 @@ Json parameter_json(const Parameter& parameter) {
 
 Json mice_json() {
   Json mice = Json::array();
-  for (const RosterEntry* mouse : roster()) {
+  for (const RosterEntry* mouse : all_mice()) {
     Json parameters = Json::array();
     for (const Parameter& parameter : mouse->parameters) parameters.push_back(parameter_json(parameter));
     mice.push_back({{"name", mouse->name},
                     {"summary", mouse->summary},
                     {"throws_dice", mouse->uses_chance(Settings(mouse->parameters))},
+                    {"walks", mouse->walks},
+                    {"drives", mouse->drives},
                     {"parameters", std::move(parameters)},
                     {"method", mouse->method},
                     {"source", mouse->source}});

@@ -56,9 +56,9 @@ std::string in_lines(std::string_view text, std::string_view indent) {
 
 std::string mouse_list() {
   std::size_t width = 0;
-  for (const RosterEntry* mouse : roster()) width = std::max(width, mouse->name.size());
+  for (const RosterEntry* mouse : all_mice()) width = std::max(width, mouse->name.size());
   std::string text;
-  for (const RosterEntry* mouse : roster())
+  for (const RosterEntry* mouse : all_mice())
     text += fmt::format("{:<{}}  {}\n{}", mouse->name, width, summary_of(*mouse), parameter_lines(*mouse));
   return text + fmt::format("{:<{}}  {}\n", "oracle", width, oracle_summary);
 }

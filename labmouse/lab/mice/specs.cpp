@@ -42,9 +42,10 @@ Contestant contestant_of(const RosterEntry& entry, Settings settings) {
     if (const Setting& setting = settings.all()[i]; setting.value != entry.parameters[i].default_value)
       contestant.name += ":" + setting.name + "=" + setting.value;
   contestant.uses_chance = entry.uses_chance(settings);
-  contestant.make = [&entry, settings](const Maze& maze, const Rules& rules, std::uint64_t seed) {
-    return entry.make(brief(maze, rules, seed), settings);
-  };
+  if (entry.walks)
+    contestant.make = [&entry, settings](const Maze& maze, const Rules& rules, std::uint64_t seed) {
+      return entry.make(brief(maze, rules, seed), settings);
+    };
   if (entry.drives)
     contestant.drive = [&entry, settings](const Maze&, const Briefing& briefing) {
       return entry.make(briefing, settings);
@@ -247,7 +248,7 @@ std::string unknown_mouse(std::string_view name) {
         "'mms:COMMAND', in quotes",
         name);
   std::vector<std::string_view> names = {oracle_name, "capstone", "guest", "pilot", "mms"};
-  for (const RosterEntry* entry : roster()) names.push_back(entry->name);
+  for (const RosterEntry* entry : all_mice()) names.push_back(entry->name);
   std::string near(nearest_name(name, names));
   if (near == "capstone") near += ":FILE";
   if (near == "guest" || near == "pilot" || near == "mms") near += ":COMMAND";
@@ -304,7 +305,10 @@ SpecResult read_variant(const Contestant& mouse, std::span<const Setting> values
 
 namespace {
 
-bool counts_in_seconds(const Parameter& parameter) { return parameter.type == ParameterType::prior; }
+/// Of a mouse that only drives all do.
+bool counts_in_seconds(const RosterEntry& entry, const Parameter& parameter) {
+  return !entry.walks || parameter.type == ParameterType::prior;
+}
 
 /// Why one of the mice, all of which drive, has a parameter that says nothing there; empty without one.
 std::string refuse_idle_settings(std::span<const Contestant> mice) {
@@ -312,8 +316,9 @@ std::string refuse_idle_settings(std::span<const Contestant> mice) {
     const RosterEntry* entry = entry_of(mouse);
     for (std::size_t i = 0; entry != nullptr && i < entry->parameters.size(); ++i) {
       const Parameter& parameter = entry->parameters[i];
-      if (counts_in_seconds(parameter) || mouse.settings.all()[i].value == parameter.default_value) continue;
-      const auto counting = std::find_if(entry->parameters.begin(), entry->parameters.end(), counts_in_seconds);
+      if (counts_in_seconds(*entry, parameter) || mouse.settings.all()[i].value == parameter.default_value) continue;
+      const auto counting = std::find_if(entry->parameters.begin(), entry->parameters.end(),
+                                         [&](const Parameter& other) { return counts_in_seconds(*entry, other); });
       return fmt::format("parameter '{}' of mouse '{}' has no effect in seconds; parameters that do: {}",
                          parameter.name, entry->name,
                          counting == entry->parameters.end() ? "none" : fmt::format("'{}'", counting->name));
@@ -328,7 +333,7 @@ std::string refuse_to_drive(std::span<const Contestant> mice) {
   const auto stays = std::find_if(mice.begin(), mice.end(), [](const Contestant& mouse) { return !mouse.drive; });
   if (stays == mice.end()) return refuse_idle_settings(mice);
   std::vector<std::string_view> drivers;
-  for (const RosterEntry* entry : roster())
+  for (const RosterEntry* entry : all_mice())
     if (entry->drives) drivers.push_back(entry->name);
   return fmt::format("mouse '{}' cannot drive in seconds; mice that can are {}", stays->name, fmt::join(drivers, ", "));
 }
@@ -336,8 +341,9 @@ std::string refuse_to_drive(std::span<const Contestant> mice) {
 Settings settings_in_seconds(const Contestant& mouse) {
   const RosterEntry* entry = entry_of(mouse);
   if (entry == nullptr) return {};
+  if (!entry->walks) return mouse.settings;
   for (const Parameter& parameter : entry->parameters) {
-    if (!counts_in_seconds(parameter)) continue;
+    if (!counts_in_seconds(*entry, parameter)) continue;
     Settings settings({&parameter, 1});
     settings.set(parameter.name, mouse.settings.choice(parameter.name));
     return settings;
@@ -347,7 +353,7 @@ Settings settings_in_seconds(const Contestant& mouse) {
 
 std::vector<Contestant> all_contestants() {
   std::vector<Contestant> contestants;
-  for (const RosterEntry* entry : roster()) contestants.push_back(contestant_of(*entry, Settings(entry->parameters)));
+  for (const RosterEntry* entry : all_mice()) contestants.push_back(contestant_of(*entry, Settings(entry->parameters)));
   return contestants;
 }
 

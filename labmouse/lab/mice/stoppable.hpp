@@ -26,6 +26,8 @@ class Stoppable final : public Strategy {
   Action consider(const Belief& belief, const SearchPlace& place, std::int64_t time) override {
     return stopped() ? Action::forfeit(ForfeitReason::interrupted) : mouse_.consider(belief, place, time);
   }
+  double pace(bool fast) override { return mouse_.pace(fast); }
+  std::optional<MapKind> map_kind() const override { return mouse_.map_kind(); }
   const Knowledge& knowledge() const override { return mouse_.knowledge(); }
   std::span<const Counter> counters() const override { return mouse_.counters(); }
   std::string_view last_words() override { return mouse_.last_words(); }

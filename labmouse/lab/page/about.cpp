@@ -33,7 +33,6 @@ Json mice() {
   const std::map<std::string, std::string> types = {{"whole number", "whole"}, {"number", "real"}, {"yes/no", "flag"}};
   Json list = mice_json();
   for (Json& mouse : list) {
-    mouse["drives"] = find_mouse(mouse["name"].get<std::string>())->drives;
     for (Json& parameter : mouse["parameters"])
       if (const auto type = types.find(parameter["type"].get<std::string>()); type != types.end())
         parameter["type"] = type->second;

@@ -8,6 +8,7 @@
 
 #include "labmouse/contest/physical.hpp"
 #include "labmouse/lab/physical/physical_world.hpp"
+#include "labmouse/lab/records/drive_json.hpp"
 #include "labmouse/lab/records/drive_record_fields.hpp"
 #include "labmouse/lab/records/physical_lines.hpp"
 #include "labmouse/lab/robots/drive_rules_file.hpp"
@@ -22,24 +23,61 @@ namespace {
 
 constexpr std::array map_kinds = {name_of(MapKind::first), name_of(MapKind::belief)};
 
+constexpr WorldSetting robot_setting = {"robot", "ROBOT",
+                                        "Built-in robot, or a file whose name contains a slash or ends in .toml",
+                                        WorldSetting::Kind::text, "kerise"};
+constexpr WorldSetting rules_setting = {
+    "rules", "RULES", "Built-in rules in seconds, or a file whose name contains a slash or ends in .toml",
+    WorldSetting::Kind::text, "all-japan"};
+constexpr WorldSetting noise_setting = {
+    "noise",
+    "FACTOR",
+    "Factor of all noise: 1 as it was measured, 0 none; several, separated by commas, make a race each",
+    WorldSetting::Kind::text,
+    "1",
+    0,
+    0,
+    {},
+    true};
+constexpr WorldSetting pace_setting = {
+    "pace", "SHARE", "Part of its usual pace at which a mouse is driven, slow motion along the same curves: up to 1",
+    WorldSetting::Kind::text, "1"};
+constexpr WorldSetting map_setting = {
+    "map",
+    "KIND",
+    "What mice do with a reading against their map: nothing, the first one stays (first), or weigh it (belief)",
+    WorldSetting::Kind::text,
+    "first",
+    0,
+    0,
+    map_kinds};
+
 constexpr std::array settings = {
-    WorldSetting{"robot", "ROBOT", "Built-in robot, or a file whose name contains a slash or ends in .toml",
-                 WorldSetting::Kind::text, "kerise"},
-    WorldSetting{"rules", "RULES", "Built-in rules in seconds, or a file whose name contains a slash or ends in .toml",
-                 WorldSetting::Kind::text, "all-japan"},
-    WorldSetting{"noise", "FACTOR", "Factor of all noise: 1 as it was measured, 0 none", WorldSetting::Kind::text, "1"},
+    robot_setting,
+    rules_setting,
+    noise_setting,
     WorldSetting{"spread", "FACTOR", "How far contests are apart: factor of what each draws of the mouse itself",
                  WorldSetting::Kind::text, "4.25"},  // field_spread
     WorldSetting{"search-speed", "SPEED", "Speed of a search in mm/s; 0: the robot's own", WorldSetting::Kind::text,
                  "0"},
-    WorldSetting{"map", "KIND",
-                 "What mice do with a reading against their map: nothing, the first one stays (first), or weigh it "
-                 "(belief)",
-                 WorldSetting::Kind::text, "first", 0, 0, map_kinds}};
+    pace_setting,
+    map_setting};
+
+constexpr std::array fallible_settings = {
+    robot_setting,
+    rules_setting,
+    noise_setting,
+    pace_setting,
+    map_setting,
+    WorldSetting{"hazards", "HAZARDS",
+                 "What goes wrong how often: built-in, or a file whose name contains a slash or ends in .json, which "
+                 "labmouse hazards --save writes",
+                 WorldSetting::Kind::text, "kerise"}};
 
 /// The number of a setting, or nothing, with what is wrong in the error.
-std::optional<double> number_in(const WorldSettings& chosen, std::string_view name, double high, std::string& error) {
-  const std::string text = value_of(physical_entry, chosen, name);
+std::optional<double> number_in(const WorldEntry& entry, const WorldSettings& chosen, std::string_view name,
+                                double high, std::string& error) {
+  const std::string text = value_of(entry, chosen, name);
   // Not from_chars, which the page's library lacks for numbers like these.
   char* end = nullptr;
   const double number = std::strtod(text.c_str(), &end);
@@ -50,48 +88,129 @@ std::optional<double> number_in(const WorldSettings& chosen, std::string_view na
   return std::nullopt;
 }
 
-WorldResult make(const WorldSettings& chosen) {
-  FoundRobot robot = find_robot(value_of(physical_entry, chosen, "robot"));
-  if (!robot.errors.empty()) return {nullptr, fmt::format("{}", fmt::join(robot.errors, "\n"))};
-  FoundRules rules = find_rules(value_of(physical_entry, chosen, "rules"));
-  if (!rules.errors.empty()) return {nullptr, fmt::format("{}", fmt::join(rules.errors, "\n"))};
-  if (const std::string why = why_not_physical(robot.model); !why.empty())
-    return {nullptr,
-            fmt::format("--robot: {} cannot drive in the physical world: {}", shown(robot.model.robot.name), why)};
-  std::string error;
+/// What both worlds are made of, or what is wrong with it.
+struct Parts {
+  DriveRules rules;
+  std::shared_ptr<const DriveModel> model;
   PhysicalConditions conditions;
-  conditions.noise.all = number_in(chosen, "noise", 100.0, error).value_or(0.0);
-  conditions.noise.spread = number_in(chosen, "spread", 10.0, error).value_or(0.0);
-  conditions.pilot.search_speed = number_in(chosen, "search-speed", 20'000.0, error).value_or(0.0);
-  const std::string map = value_of(physical_entry, chosen, "map");
+  std::vector<std::string> remarks;
+  std::string error;
+};
+
+Parts parts_of(const WorldEntry& entry, const WorldSettings& chosen) {
+  Parts parts;
+  FoundRobot robot = find_robot(value_of(entry, chosen, "robot"));
+  FoundRules rules = find_rules(value_of(entry, chosen, "rules"));
+  if (!robot.errors.empty())
+    parts.error = fmt::format("{}", fmt::join(robot.errors, "\n"));
+  else if (!rules.errors.empty())
+    parts.error = fmt::format("{}", fmt::join(rules.errors, "\n"));
+  else if (const std::string why = why_not_physical(robot.model); !why.empty())
+    parts.error = fmt::format("--robot: {} cannot drive in the physical world: {}", shown(robot.model.robot.name), why);
+  if (!parts.error.empty()) return parts;
+  parts.conditions.noise.all = number_in(entry, chosen, "noise", 100.0, parts.error).value_or(0.0);
+  parts.conditions.pilot.pace = number_in(entry, chosen, "pace", 1.0, parts.error).value_or(1.0);
+  if (parts.error.empty() && parts.conditions.pilot.pace < least_pace)
+    parts.error = fmt::format("--pace: {:g} is less than {:g}", parts.conditions.pilot.pace, least_pace);
+  const std::string map = value_of(entry, chosen, "map");
   if (const std::optional<MapKind> kind = map_kind_of(map))
-    conditions.map = *kind;
-  else if (error.empty())
-    error = fmt::format("--map: '{}' is neither first nor belief", shown(map));
-  if (!error.empty()) return {nullptr, error};
-  return {physical_world(rules.rules, std::make_shared<DriveModel>(std::move(robot.model)), conditions), "",
-          std::move(robot.remarks)};
+    parts.conditions.map = *kind;
+  else if (parts.error.empty())
+    parts.error = fmt::format("--map: '{}' is neither first nor belief", shown(map));
+  parts.rules = rules.rules;
+  parts.model = std::make_shared<DriveModel>(std::move(robot.model));
+  parts.remarks = std::move(robot.remarks);
+  return parts;
+}
+
+WorldResult make(const WorldSettings& chosen) {
+  Parts parts = parts_of(physical_entry, chosen);
+  if (!parts.error.empty()) return {nullptr, parts.error};
+  PhysicalConditions& conditions = parts.conditions;
+  conditions.noise.spread = number_in(physical_entry, chosen, "spread", 10.0, parts.error).value_or(0.0);
+  conditions.pilot.search_speed =
+      number_in(physical_entry, chosen, "search-speed", 20'000.0, parts.error).value_or(0.0);
+  if (!parts.error.empty()) return {nullptr, parts.error};
+  return {physical_world(parts.rules, parts.model, conditions), "", std::move(parts.remarks)};
+}
+
+std::shared_ptr<const World> fallible_of(const DriveRules& rules, std::shared_ptr<const DriveModel> model,
+                                         PhysicalConditions conditions, const HazardFile& hazards) {
+  conditions.noise.spread = hazards.spread;
+  conditions.pilot.search_speed = 0.0;
+  return fallible_world(rules, std::move(model), conditions, hazards);
+}
+
+WorldResult make_fallible(const WorldSettings& chosen) {
+  Parts parts = parts_of(fallible_entry, chosen);
+  if (!parts.error.empty()) return {nullptr, parts.error};
+  const FoundHazards hazards = find_hazards(value_of(fallible_entry, chosen, "hazards"));
+  if (!hazards.file) return {nullptr, hazards.error};
+  if (const std::string why = why_not_fallible(*parts.model, parts.conditions.noise.all, *hazards.file); !why.empty())
+    return {nullptr, why};
+  return {fallible_of(parts.rules, parts.model, parts.conditions, *hazards.file), "", std::move(parts.remarks)};
+}
+
+/// What both worlds were made of; nothing where the conditions are none.
+std::optional<Parts> restored_parts(const ReadJson& json) {
+  if (!json.is_object() || !json.contains("rules") || !json.contains("robot")) return std::nullopt;
+  JsonFields fields(json, "");
+  Parts parts;
+  read_drive_rules_json(json["rules"], parts.rules, fields);
+  DriveModel model = read_robot_json(fields, json["robot"]);
+  parts.conditions.noise.all = fields.number("noise", 0.0, 100.0);
+  parts.conditions.noise.spread = fields.number("spread", 0.0, 10.0);
+  parts.conditions.pilot.search_speed = fields.number("search_speed", 0.0, 20'000.0);
+  if (json.contains("pace")) parts.conditions.pilot.pace = fields.number("pace", least_pace, 1.0);
+  if (json.contains("map")) parts.conditions.map = map_kind_in(fields);
+  if (!fields.error().empty() || !model.error.empty() || !why_not_physical(model).empty()) return std::nullopt;
+  parts.model = std::make_shared<DriveModel>(std::move(model));
+  return parts;
 }
 
 std::shared_ptr<const World> restore(const ReadJson& json) {
-  if (!json.is_object() || !json.contains("rules") || !json.contains("robot")) return nullptr;
-  JsonFields fields(json, "");
-  DriveRules rules;
-  read_drive_rules_json(json["rules"], rules, fields);
-  DriveModel model = read_robot_json(fields, json["robot"]);
-  PhysicalConditions conditions;
-  conditions.noise.all = fields.number("noise", 0.0, 100.0);
-  conditions.noise.spread = fields.number("spread", 0.0, 10.0);
-  conditions.pilot.search_speed = fields.number("search_speed", 0.0, 20'000.0);
-  if (json.contains("map")) conditions.map = map_kind_in(fields);
-  if (!fields.error().empty() || !model.error.empty() || !why_not_physical(model).empty()) return nullptr;
-  return physical_world(rules, std::make_shared<DriveModel>(std::move(model)), conditions);
+  const std::optional<Parts> parts = restored_parts(json);
+  return parts ? physical_world(parts->rules, parts->model, parts->conditions) : nullptr;
+}
+
+/// Hazards of a file are restored where the program brings the same.
+std::shared_ptr<const World> restore_fallible(const ReadJson& json) {
+  const std::optional<Parts> parts = restored_parts(json);
+  if (!parts || !json.contains("hazards") || !json["hazards"].is_string()) return nullptr;
+  const std::string name = json["hazards"].get<std::string>();
+  if (name.find_first_of("/.\n-") != std::string::npos) return nullptr;
+  const FoundHazards hazards = find_hazards(name);
+  if (!hazards.file || json.value("hazards_hash", "") != hazards.file->hash ||
+      !why_not_fallible(*parts->model, parts->conditions.noise.all, *hazards.file).empty())
+    return nullptr;
+  return fallible_of(parts->rules, parts->model, parts->conditions, *hazards.file);
 }
 
 }  // namespace
 
+std::string why_not_fallible(const DriveModel& model, double noise, const HazardFile& hazards) {
+  if (hazards.tables != hash_text(model.tables.hash))
+    return fmt::format(
+        "--hazards: {} were counted of the robot {}, which is not that of --robot, {}; count those of yours with "
+        "`labmouse hazards --robot {} --save FILE`",
+        shown(hazards.name), shown(hazards.robot), shown(model.robot.name), shown(model.robot.name));
+  if (hazards.search_speed != 0.0)
+    return fmt::format("--hazards: {} were counted at a speed of its own, {:g} mm/s; count them with --search-speed 0",
+                       shown(hazards.name), hazards.search_speed);
+  if (const double most = hazards.tallies.back().noise; noise > most)
+    return fmt::format("--noise: {:g} is more than {:g}, the most under which {} were counted", noise, most,
+                       shown(hazards.name));
+  return "";
+}
+
 const WorldEntry physical_entry = {
     "physical", "the same robot as it is: it slips, misreads and crashes", settings, make, pack_drive_record, false,
     restore};
+
+const WorldEntry fallible_entry = {
+    "fallible",        "the world in seconds with what goes wrong in the physical one, by dice: fast",
+    fallible_settings, make_fallible,
+    pack_drive_record, false,
+    restore_fallible};
 
 }  // namespace labmouse

@@ -1,10 +1,18 @@
-// The physical world on the list of all worlds.
+// The physical world and the fallible one on the list of all worlds.
 #pragma once
 
+#include <string>
+
+#include "labmouse/lab/hazards/hazard_file.hpp"
 #include "labmouse/lab/races/world_entry.hpp"
+#include "labmouse/mouse/robot/drive_model.hpp"
 
 namespace labmouse {
 
 extern const WorldEntry physical_entry;
+extern const WorldEntry fallible_entry;
+
+/// Why such hazards say nothing of a robot under that noise, naming the options that chose them; empty where they do.
+std::string why_not_fallible(const DriveModel& model, double noise, const HazardFile& hazards);
 
 }  // namespace labmouse

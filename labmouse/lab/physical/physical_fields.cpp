@@ -16,7 +16,7 @@ using F = PhysicalFigure;
 using M = PhysicalMazeFigure;
 using fields::figure;
 
-constexpr std::array<ContestField, 25> contest_fields = {{{"maze", fields::maze_name},
+constexpr std::array<ContestField, 26> contest_fields = {{{"maze", fields::maze_name},
                                                           {"seed", fields::seed},
                                                           {"outcome", fields::outcome},
                                                           {"score", figure<F::score>},
@@ -40,9 +40,10 @@ constexpr std::array<ContestField, 25> contest_fields = {{{"maze", fields::maze_
                                                           {"replanned", figure<F::replanned>},
                                                           {discovered_share, figure<F::discovered>},
                                                           {visited_share, figure<F::visited>},
+                                                          {"ended_by", figure<F::ended_by>},
                                                           {said_last, figure<F::words>}}};
 
-constexpr std::array<ContestField, 22> csv_fields = {{{"mouse", fields::mouse_name},
+constexpr std::array<ContestField, 23> csv_fields = {{{"mouse", fields::mouse_name},
                                                       {"maze", fields::maze_name},
                                                       {"seed", fields::seed},
                                                       {"outcome", fields::outcome},
@@ -63,7 +64,8 @@ constexpr std::array<ContestField, 22> csv_fields = {{{"mouse", fields::mouse_na
                                                       {"carried", figure<F::carried>},
                                                       {"misreads", figure<F::misreads>},
                                                       {"frailty", figure<F::frailty>},
-                                                      {"penalised", figure<F::penalised>}}};
+                                                      {"penalised", figure<F::penalised>},
+                                                      {"ended_by", figure<F::ended_by>}}};
 
 constexpr std::array<MazeField, 5> maze_fields = {{{"name", fields::name},
                                                    {"width", fields::width},

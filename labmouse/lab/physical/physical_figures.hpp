@@ -30,6 +30,7 @@ enum class PhysicalFigure : std::uint8_t {
   replanned,
   discovered,
   visited,
+  ended_by,  ///< a name of RunEnd: what ended a contest without a score; null where it has one
   words,     ///< what the mouse had to say; none where it said nothing
   score_us,  ///< of the best run by the rules, and its two times
   gate_to_gate,

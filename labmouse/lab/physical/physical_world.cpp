@@ -8,6 +8,7 @@
 #include "labmouse/contest/drive.hpp"
 #include "labmouse/contest/drive_coverage.hpp"
 #include "labmouse/contest/drive_score.hpp"
+#include "labmouse/contest/fallible.hpp"
 #include "labmouse/contest/physical.hpp"
 #include "labmouse/lab/bounds/drive_bound.hpp"
 #include "labmouse/lab/mice/specs.hpp"
@@ -47,6 +48,15 @@ std::int64_t done_runs(const PhysicalRecord& record) {
   return done;
 }
 
+/// What ended a contest without a score.
+RunEnd end_of(const PhysicalRecord& record) {
+  if (record.drive.outcome == DriveOutcome::forfeit)
+    return record.drive.reason == ForfeitReason::no_way ? RunEnd::walled_in : RunEnd::given_up;
+  for (auto end = record.ends.rbegin(); end != record.ends.rend(); ++end)
+    if (*end != RunEnd::done) return *end;
+  return RunEnd::out_of_time;
+}
+
 /// In the order of PhysicalFigure. Of a mouse that does not tell what it knows there is no coverage, and nobody can say
 /// what it takes walls for.
 std::vector<Value> figures_of(const PhysicalRecord& record, const DriveScore& score, const DriveBound& bound,
@@ -78,13 +88,14 @@ std::vector<Value> figures_of(const PhysicalRecord& record, const DriveScore& sc
           std::int64_t{record.drive.replanned},
           coverage ? Value(coverage->discovered) : Value(nullptr),
           coverage ? Value(coverage->visited) : Value(nullptr),
+          score.best ? Value(nullptr) : Value(std::string(name_of(end_of(record)))),
           words.empty() ? Value() : Value(std::string(words)),
           or_none(score.value()),
           counting != nullptr ? or_none(counting->gate_to_gate) : Value(nullptr),
           counting != nullptr ? or_none(counting->rest_to_centre) : Value(nullptr)};
 }
 
-class PhysicalWorld final : public World {
+class PhysicalWorld : public World {
  public:
   PhysicalWorld(const DriveRules& rules, std::shared_ptr<const DriveModel> model, const PhysicalConditions& conditions)
       : rules_(rules), model_(sharing_tables(std::move(model))), conditions_(conditions) {}
@@ -98,6 +109,7 @@ class PhysicalWorld final : public World {
             {"noise", conditions_.noise.all},
             {"spread", conditions_.noise.spread},
             {"search_speed", conditions_.pilot.search_speed},
+            {"pace", conditions_.pilot.pace},
             {"map", std::string(name_of(conditions_.map))}};
   }
   int edition() const override { return physical_edition; }
@@ -157,6 +169,18 @@ class PhysicalWorld final : public World {
         in_seconds(rules_.time_limit), columns::number(mean_bound(race), 3));
   }
 
+ protected:
+  /// What a record of this world has besides.
+  virtual void complete(PhysicalPart&) const {}
+  /// The contest of a mouse that decides.
+  virtual PhysicalRecord contest_of(const Maze& maze, const PhysicalConditions& conditions, std::uint64_t seed,
+                                    Strategy& mouse) const {
+    return drive_physically(maze, rules_, *model_, conditions, seed, mouse);
+  }
+
+  const DriveRules& rules() const { return rules_; }
+  const DriveModel& model() const { return *model_; }
+
  private:
   /// A contest as it was held.
   struct Driven {
@@ -166,14 +190,15 @@ class PhysicalWorld final : public World {
     bool started = true;
   };
 
-  Driven drive_by_mind(const Contestant& mouse, const Maze& maze, const PhysicalConditions& conditions,
-                       std::uint64_t seed, const CellSet& reachable, const std::atomic<bool>* stop) const {
+  Driven drive_by_mind(const Contestant& mouse, const Maze& maze, PhysicalConditions& conditions, std::uint64_t seed,
+                       const CellSet& reachable, const std::atomic<bool>* stop) const {
     Briefing briefing = brief(maze, rules_, *model_, seed);
     briefing.sight = 1;
     const auto mind = mouse.drive(maze, briefing);
+    conditions.map = mind->map_kind().value_or(conditions.map);
     Driven driven;
     Stoppable stoppable(*mind, stop);
-    driven.record = drive_physically(maze, rules_, *model_, conditions, seed, stoppable);
+    driven.record = contest_of(maze, conditions, seed, stoppable);
     driven.coverage = coverage_of(driven.record.drive, maze, reachable);
     driven.words = mind->last_words();
     driven.started = mind->started();
@@ -195,7 +220,8 @@ class PhysicalWorld final : public World {
     Held held;
     if (keep.record || keep.picture) {
       DriveRecordFile file = drive_record_file_of(mouse, maze, rules_, model_, seed, record.drive);
-      file.physical = PhysicalPart{conditions, static_cast<const PhysicalNotes&>(record), physical_edition};
+      file.physical = PhysicalPart{conditions, static_cast<const PhysicalNotes&>(record), edition(), "", ""};
+      complete(*file.physical);
       if (keep.record) held.record = write_drive_record(file);
       if (keep.picture) held.picture = draw_contest(file);
     }
@@ -208,7 +234,48 @@ class PhysicalWorld final : public World {
   PhysicalConditions conditions_;
 };
 
+/// The same by dice.
+class FallibleWorld final : public PhysicalWorld {
+ public:
+  FallibleWorld(const DriveRules& rules, std::shared_ptr<const DriveModel> model, const PhysicalConditions& conditions,
+                const HazardFile& hazards)
+      : PhysicalWorld(rules, std::move(model), conditions),
+        hazards_name_(hazards.name),
+        hazards_hash_(hazards.hash),
+        hazards_(hazards_of(hazards)) {}
+
+  std::string_view name() const override { return "fallible"; }
+  std::vector<Condition> conditions() const override {
+    std::vector<Condition> all = PhysicalWorld::conditions();
+    all.push_back({"hazards", hazards_name_});
+    all.push_back({"hazards_hash", hazards_hash_});
+    return all;
+  }
+  int edition() const override { return fallible_edition; }
+  std::string refuse(const Contestant& mouse) const override { return refuse_to_drive({&mouse, 1}); }
+  int usual_runs() const override { return 20; }
+
+ private:
+  PhysicalRecord contest_of(const Maze& maze, const PhysicalConditions& conditions, std::uint64_t seed,
+                            Strategy& mouse) const override {
+    return drive_fallibly(maze, rules(), model(), conditions, hazards_, seed, mouse);
+  }
+
+  void complete(PhysicalPart& part) const override {
+    part.hazards = hazards_name_;
+    part.hazards_hash = hazards_hash_;
+  }
+
+  std::string hazards_name_, hazards_hash_;
+  Hazards hazards_;
+};
+
 }  // namespace
+
+std::shared_ptr<const World> fallible_world(const DriveRules& rules, std::shared_ptr<const DriveModel> model,
+                                            const PhysicalConditions& conditions, const HazardFile& hazards) {
+  return std::make_shared<FallibleWorld>(rules, std::move(model), conditions, hazards);
+}
 
 std::shared_ptr<const World> physical_world(const DriveRules& rules, std::shared_ptr<const DriveModel> model,
                                             const PhysicalConditions& conditions) {

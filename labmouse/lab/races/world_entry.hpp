@@ -27,6 +27,8 @@ struct WorldSetting {
   std::int64_t low = 0, high = 0;  ///< of a whole number
   /// All values of a text that takes one of a few words; empty where it takes others, too.
   std::span<const std::string_view> choices = {};
+  /// Whether a race may have several values, separated by commas: then it is held once for each.
+  bool listed = false;
 };
 
 /// Settings by name; those that are not there have their defaults.

@@ -17,11 +17,13 @@
 
 namespace labmouse {
 
-/// What a record of the physical world has besides.
+/// What a record of the physical world, or of the fallible one, has besides.
 struct PhysicalPart {
   PhysicalConditions conditions;
   PhysicalNotes notes;
-  int edition = physical_edition;  ///< of the physical world, in which it was driven
+  int edition = physical_edition;  ///< of its world, in which it was driven
+  std::string hazards;             ///< by whose dice it was held; empty in the physical world
+  std::string hazards_hash;
 };
 
 /// A record with all that is needed to understand it years later.

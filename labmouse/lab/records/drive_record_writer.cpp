@@ -50,6 +50,7 @@ Json run_json(const DriveRun& run, Size size) {
                {"known", time_json(run.known)},      {"hoped", time_json(run.hoped)},
                {"open", walls_json(run.open, size)}, {"closed", walls_json(run.closed, size)}};
   if (run.touched) json["touched"] = true;
+  if (run.pace != 1.0) json["pace"] = run.pace;
   return json;
 }
 

@@ -147,7 +147,9 @@ Json conditions_json(const PhysicalPart& part) {
       {"map", name_of(conditions.map)},
       {"corrections", {{"sides", corrections.sides}, {"edges", corrections.edges}, {"front", corrections.front}}},
       {"trace_every", conditions.trace_every}};
+  if (conditions.pilot.pace != 1.0) json["pace"] = conditions.pilot.pace;
   if (part.notes.foreign_parts) json["foreign_parts"] = true;
+  if (part.notes.by_dice) json["hazards"] = {{"name", part.hazards}, {"hash", part.hazards_hash}};
   return json;
 }
 
@@ -221,8 +223,16 @@ void read_conditions(const ReadJson& json, PhysicalPart& part, JsonFields& outer
   part.conditions.pilot.search_speed = fields.number("search_speed", 0.0, 20'000.0);
   // Records of old have none.
   if (fields.has("map")) part.conditions.map = map_kind_in(fields);
+  if (fields.has("pace")) part.conditions.pilot.pace = fields.number("pace", 0.01, 1.0);
   part.conditions.trace_every = fields.whole("trace_every", 0, 1'000'000);
   part.notes.foreign_parts = fields.has("foreign_parts") && fields.flag("foreign_parts");
+  part.notes.by_dice = fields.has("hazards");
+  if (part.notes.by_dice) {
+    JsonFields hazards(json["hazards"], "hazards");
+    part.hazards = hazards.text("name");
+    part.hazards_hash = hazards.text("hash");
+    fields.reject(hazards.error());
+  }
   if (!fields.has("groups") || !fields.has("corrections")) fields.reject("'physical' lacks its groups or corrections");
   if (fields.error().empty()) {
     JsonFields groups(json["groups"], "groups"), corrections(json["corrections"], "corrections");

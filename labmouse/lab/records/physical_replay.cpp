@@ -4,11 +4,15 @@
 
 #include <algorithm>
 #include <string_view>
+#include <vector>
 
 #include "labmouse/contest/code_contest.hpp"
+#include "labmouse/contest/fallible.hpp"
 #include "labmouse/contest/script.hpp"
 #include "labmouse/contest/taped_code.hpp"
+#include "labmouse/lab/hazards/hazard_file.hpp"
 #include "labmouse/lab/records/drive_json.hpp"
+#include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
 namespace {
@@ -69,6 +73,14 @@ std::string shortened(std::string_view line) {
   return line.size() <= longest ? std::string(line) : std::string(line.substr(0, longest)) + "...";
 }
 
+/// The hazards by which a contest was held, where the program brings them.
+std::optional<HazardFile> hazards_behind(const PhysicalPart& part) {
+  // A file of that name may be another one.
+  if (part.hazards.find_first_of("/.\n-") != std::string::npos) return std::nullopt;
+  FoundHazards found = find_hazards(part.hazards);
+  return found.file && found.file->hash == part.hazards_hash ? std::move(found.file) : std::nullopt;
+}
+
 }  // namespace
 
 PhysicalRecord drive_again(const DriveRecordFile& file, int trace_every) {
@@ -78,16 +90,27 @@ PhysicalRecord drive_again(const DriveRecordFile& file, int trace_every) {
     TapedCode code(tape, file.record.reason);
     return drive_by_code(*file.maze, file.rules, *file.model, conditions, file.seed, code);
   }
-  Script script(file.maze->size(), file.physical->notes.actions);
+  std::vector<double> paces;
+  for (const DriveRun& run : file.record.runs) paces.push_back(run.pace);
+  Script script(file.maze->size(), file.physical->notes.actions, std::move(paces));
+  if (file.physical->notes.by_dice) {
+    const Hazards hazards = hazards_of(*hazards_behind(*file.physical));
+    return drive_fallibly(*file.maze, file.rules, *file.model, conditions, hazards, file.seed, script);
+  }
   return drive_physically(*file.maze, file.rules, *file.model, conditions, file.seed, script);
 }
 
 std::string replay_physically(const DriveRecordFile& file) {
-  if (file.physical->edition != physical_edition)
+  const bool by_dice = file.physical->notes.by_dice;
+  if (const int edition = by_dice ? fallible_edition : physical_edition; file.physical->edition != edition)
     return fmt::format(
-        "it was driven in edition {} of the physical world; this version has edition {}, so it can be "
+        "it was driven in edition {} of the {} world; this version has edition {}, so it can be "
         "shown and not driven again",
-        file.physical->edition, physical_edition);
+        file.physical->edition, by_dice ? "fallible" : "physical", edition);
+  if (by_dice && !hazards_behind(*file.physical))
+    return fmt::format(
+        "it was held by the hazards {} ({}), which labmouse does not bring; it can be shown and not driven again",
+        shown(file.physical->hazards), shown(file.physical->hazards_hash));
   if (file.physical->notes.foreign_parts)
     return "parts of its pilot were somebody's own, and the record does not have what they said; it can be shown and "
            "not driven again";

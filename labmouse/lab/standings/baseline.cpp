@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "labmouse/lab/standings/standings.hpp"
 #include "labmouse/lab/text/json.hpp"
 #include "labmouse/lab/text/printable.hpp"
@@ -50,14 +52,28 @@ const std::vector<double>* find_scores(const Scores& scores, const std::string& 
   return found;
 }
 
-/// The part of a race's JSON that holds a world; null where there is none.
+bool has_conditions_of(const ReadJson& group, const World& world) {
+  const auto conditions = world.conditions();
+  return std::all_of(conditions.begin(), conditions.end(), [&](const Condition& condition) {
+    const auto* text = std::get_if<std::string>(&condition.value);
+    const ReadJson value = text != nullptr ? ReadJson(*text) : ReadJson::parse(text_of(condition.value));
+    return group.contains(condition.key) && group[condition.key] == value;
+  });
+}
+
+/// The part of a race's JSON that holds a world, of several the one under the same conditions; null where there is
+/// none.
 const ReadJson* part_of(const ReadJson& json, const World& world) {
   if (world.is_home())
     return json["mice"].is_array() && json["mice"].empty() && json.contains("groups") ? nullptr : &json;
   if (!json.contains("groups") || !json["groups"].is_array()) return nullptr;
-  for (const ReadJson& group : json["groups"])
-    if (group.is_object() && group.contains("world") && group["world"] == world.name()) return &group;
-  return nullptr;
+  const ReadJson* some = nullptr;
+  for (const ReadJson& group : json["groups"]) {
+    if (!group.is_object() || !group.contains("world") || group["world"] != world.name()) continue;
+    if (has_conditions_of(group, world)) return &group;
+    if (some == nullptr) some = &group;
+  }
+  return some;
 }
 
 /// A condition that differs, in a line: lists and objects by their names, where they have one.

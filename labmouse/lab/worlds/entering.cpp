@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <tuple>
 
 #include "labmouse/lab/mice/specs.hpp"
 
@@ -41,10 +42,50 @@ bool has(const WorldEntry& entry, std::string_view setting) {
                      [&](const WorldSetting& each) { return each.name == setting; });
 }
 
+std::vector<std::string> values_of(std::string_view list) {
+  std::vector<std::string> values;
+  for (;;) {
+    const auto comma = list.find(',');
+    values.emplace_back(list.substr(0, comma));
+    if (comma == std::string_view::npos) return values;
+    list.remove_prefix(comma + 1);
+  }
+}
+
+/// One set of settings for each value of those that may have several.
+std::vector<WorldSettings> each_of(const WorldEntry& entry, const WorldSettings& settings) {
+  std::vector<WorldSettings> all = {settings};
+  for (const WorldSetting& setting : entry.settings) {
+    const auto given = settings.find(setting.name);
+    if (!setting.listed || given == settings.end()) continue;
+    std::vector<WorldSettings> more;
+    for (const WorldSettings& chosen : all)
+      for (std::string& value : values_of(given->second)) {
+        more.push_back(chosen);
+        more.back()[given->first] = std::move(value);
+      }
+    all = std::move(more);
+  }
+  return all;
+}
+
+/// A race for each value of the settings that may have several.
+EntriesResult enter_each(const std::vector<Contestant>& mice, const WorldEntry& entry, const WorldSettings& settings) {
+  EntriesResult result;
+  for (const WorldSettings& chosen : each_of(entry, settings)) {
+    EntriesResult one = enter_one(mice, entry, chosen);
+    if (!one.error.empty()) return one;
+    // What is said of a mouse or a robot is the same of each.
+    if (result.entries.empty()) std::tie(result.left_out, result.remarks) = std::tie(one.left_out, one.remarks);
+    std::move(one.entries.begin(), one.entries.end(), std::back_inserter(result.entries));
+  }
+  return result;
+}
+
 }  // namespace
 
 EntriesResult enter(std::vector<Contestant> mice, std::string_view world, const WorldSettings& settings) {
-  if (!world.empty()) return enter_one(std::move(mice), *find_world(world), settings);
+  if (!world.empty()) return enter_each(mice, *find_world(world), settings);
   std::vector<std::vector<Contestant>> by_world(all_worlds().size());
   for (Contestant& mouse : mice) {
     const std::size_t home = home_of(mouse);
@@ -78,6 +119,11 @@ std::string unused_setting(const std::vector<Entry>& entries, const WorldSetting
 
 EntriesResult sole_entry(std::vector<Entry> entries) {
   std::erase_if(entries, [](const Entry& entry) { return entry.mice.empty(); });
+  if (entries.size() > 1 && entries[0].world->name() == entries[1].world->name())
+    return {{},
+            fmt::format("error: only a race in the world {} takes several values, separated by commas; give one",
+                        entries[0].world->name()),
+            {}};
   if (entries.size() > 1)
     return {{},
             fmt::format("error: '{}' races in the world {}, but '{}' in the world {}; name mice of one world",
@@ -89,7 +135,10 @@ EntriesResult sole_entry(std::vector<Entry> entries) {
 
 std::vector<Contestant> residents_of(const World& world) {
   std::vector<Contestant> mice = all_contestants();
-  std::erase_if(mice, [&](const Contestant& mouse) { return !world.refuse(mouse).empty(); });
+  // Those that only drive differ from others where things go wrong.
+  std::erase_if(mice, [&](const Contestant& mouse) {
+    return !world.refuse(mouse).empty() || (!mouse.make && !world.throws_dice());
+  });
   return mice;
 }
 

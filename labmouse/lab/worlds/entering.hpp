@@ -22,8 +22,8 @@ struct EntriesResult {
   std::vector<std::string> remarks = {};  ///< of the worlds
 };
 
-/// All mice race in the world of that name. Where it is empty, each races in the first world on the list that takes it;
-/// the home world has an entry then, even if nobody does.
+/// All mice race in the world of that name, once for each value of a setting that has several. Where it is empty, each
+/// races in the first world on the list that takes it; the home world has an entry then, even if nobody does.
 EntriesResult enter(std::vector<Contestant> mice, std::string_view world, const WorldSettings& settings);
 
 /// Why one of these settings counts in none of the worlds that the mice race in; empty where each counts in one.

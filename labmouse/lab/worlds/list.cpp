@@ -10,8 +10,8 @@
 namespace labmouse {
 
 std::span<const WorldEntry* const> all_worlds() {
-  static constexpr std::array<const WorldEntry*, 4> worlds = {&steps_entry, &seconds_entry, &physical_entry,
-                                                              &mms_entry};
+  static constexpr std::array<const WorldEntry*, 5> worlds = {&steps_entry, &seconds_entry, &physical_entry,
+                                                              &fallible_entry, &mms_entry};
   return worlds;
 }
 

@@ -8,22 +8,23 @@ SearchClock::SearchClock(const Briefing& briefing)
     : start_(briefing.start),
       goals_(briefing.goals),
       search_(briefing.drive.model->search),
+      pace_(briefing.drive.pace),
       time_limit_(briefing.drive.time_limit),
       fields_(*briefing.drive.fields) {}
 
 bool SearchClock::is_too_late_after(const Action& step, const Knowledge& knowledge, const SearchPlace& place) {
   // Stops at home and faces its start.
-  const std::int64_t arrival = search_.half_cell + 2 * search_.quarter;
+  const std::int64_t arrival = slowed(search_.half_cell + 2 * search_.quarter);
   const std::int64_t then = time_ + time_of(step, knowledge, place);
   // It could go home the way that it came, and then the same way as fast as it searched.
-  if (3 * then + search_.back + arrival < time_limit_) return false;
+  if (3 * then + slowed(search_.back) + arrival < time_limit_) return false;
   fields_.routes().fill_for(start_, knowledge.open(), goals_);
   const DriveTime run = fields_.routes().time_from(start_);
   if (run == no_time) return false;
   // More walls seen make no way longer.
   const SearchPlace there = after_search(place, step);
   fields_.ways().fill(knowledge.open(), knowledge.known_cells(), CellSet::of(start_.cell), &there);
-  return then + fields_.ways().from(there) + arrival + run > time_limit_;
+  return then + slowed(fields_.ways().from(there)) + arrival + run > time_limit_;
 }
 
 }  // namespace labmouse

@@ -30,13 +30,18 @@ class SearchClock {
   std::int64_t time_left() const { return time_limit_ - time_; }
 
  private:
-  DriveTime time_of(const Action& step, const Knowledge& knowledge, const SearchPlace& from) const {
-    return search_time(search_, from, step, search_.dashes() ? knowledge.known_cells() : CellSet());
+  std::int64_t time_of(const Action& step, const Knowledge& knowledge, const SearchPlace& from) const {
+    return slowed(search_time(search_, from, step, search_.dashes() ? knowledge.known_cells() : CellSet()));
+  }
+
+  std::int64_t slowed(std::int64_t time) const {
+    return pace_ == 1.0 ? time : static_cast<std::int64_t>(static_cast<double>(time) / pace_);
   }
 
   Pose start_;
   CellSet goals_;
   SearchDrive search_;
+  double pace_;  ///< the part of the usual one at which it searches
   std::int64_t time_limit_;
   std::int64_t time_ = 0;
   DriveFields& fields_;

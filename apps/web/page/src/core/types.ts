@@ -78,7 +78,9 @@ export interface Mouse {
   name: string;
   summary: string;
   throws_dice: boolean;
-  /** Whether it drives in the world of seconds, too. */
+  /** Whether it plays in steps. */
+  walks?: boolean;
+  /** Whether it drives in the worlds in seconds. */
   drives?: boolean;
   parameters: Parameter[];
   /** How it does that, in sentences. */

@@ -71,7 +71,13 @@ export function createEveryone(
     const mine = ++number;
     element.hidden = false;
     element.scrollIntoView({ block: 'nearest' });
-    const specs = [...new Set([...page.about.mice.map(({ name }) => name), 'oracle', now.spec])];
+    const specs = [
+      ...new Set([
+        ...page.about.mice.filter(({ walks }) => walks !== false).map(({ name }) => name),
+        'oracle',
+        now.spec,
+      ]),
+    ];
     table.begin(`All mice in ${now.maze.name || 'this maze'}, seed ${now.seed}`);
     progress.max = specs.length;
     progress.value = 0;

@@ -297,11 +297,12 @@ const described = ({ unit, score, columns, mice, failure_score }: RaceGroup): Kn
   ],
 });
 
-const known = new Map(Object.entries({ steps, seconds: inSeconds, physical, mms }));
+const known = new Map(Object.entries({ steps, seconds: inSeconds, physical, fallible: physical, mms }));
 
 /** What the page shows of the world of a race. */
 export function worldOf(group: RaceGroup): RacedWorld {
-  const title = isHome(group) ? '' : `, ${group.world}`;
+  const noise = isNumber(group.noise) ? `, noise ${group.noise}` : '';
+  const title = isHome(group) ? '' : `, ${group.world}${noise}`;
   return { ...(known.get(group.world) ?? described(group)), title, failure: orNull(group.failure_score) };
 }
 

@@ -33,7 +33,8 @@ const isMaze = (thing: unknown): thing is MazeData =>
 
 /** The view Live: one mouse in one maze, run at once. It accepts mazes. */
 export function createLive(page: Page): LiveView {
-  const { mice, rules } = page.about;
+  const { rules } = page.about;
+  const mice = page.about.mice.filter(({ walks }) => walks !== false);
   let maze: MazeData | null = null;
   let written = '';
   let isShown = false;

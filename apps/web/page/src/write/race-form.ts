@@ -17,7 +17,9 @@ export function createRaceForm(page: Page): RaceForm {
   const { about } = page;
   const mice = picks(
     'Against',
-    about.mice.map(({ name, summary }) => ({ name, about: summary, on: usual.includes(name) })),
+    about.mice
+      .filter(({ walks }) => walks !== false)
+      .map(({ name, summary }) => ({ name, about: summary, on: usual.includes(name) })),
   );
   const builtin = about.mazes.map(({ name, width, height }) => ({ name, about: `${width}×${height}`, on: true }));
   const mazes = picks('In mazes', builtin);

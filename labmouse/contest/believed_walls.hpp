@@ -1,0 +1,58 @@
+// What a mouse in a contest takes walls for: readings come in, and the record learns what they changed.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "labmouse/contest/physical_record.hpp"
+#include "labmouse/maze/maze.hpp"
+#include "labmouse/mouse/belief.hpp"
+#include "labmouse/mouse/sighting.hpp"
+
+namespace labmouse {
+
+class BelievedWalls {
+ public:
+  /// Maze and record must outlive it.
+  BelievedWalls(const Maze& maze, MapKind map, PhysicalRecord& record);
+
+  /// Takes what the evidence is rather for as the state of walls that it does not know.
+  void read(MazeTime time, const Pose& pose, const WallEvidence& evidence);
+  /// The mouse has come from there, straight on in the heading in which it is: the walls on its way are surely open.
+  void pass(MazeTime time, Cell from, const Pose& to);
+  /// Counts the last readings by half: they may be of other walls.
+  void doubt_last(MazeTime time);
+  /// What is read from now on has nothing to do with the last readings.
+  void put_down() { told_last_ = {}; }
+  /// Belief::doubt_way().
+  bool doubt_way(Cell from, const CellSet& to) { return belief_.doubt_way(from, to); }
+
+  Size size() const { return maze_.size(); }
+  /// Whether its map weighs readings.
+  bool weighs() const { return weighs_; }
+  const Knowledge& known() const { return belief_.view(); }
+  const Belief& belief() const { return belief_; }
+  Sighting sighting(const Pose& pose) const;
+  /// Of these walls those that stand.
+  WallSet standing(const WallSet& walls) const;
+
+ private:
+  /// A reading, to be taken back.
+  struct Told {
+    Wall wall;
+    int evidence = 0;
+  };
+
+  void take(MazeTime time, Cell cell, Heading side, Evidence evidence);
+  void add(MazeTime time, Wall wall, int evidence);
+  void note(MazeTime time, Wall wall);
+
+  const Maze& maze_;
+  PhysicalRecord& record_;
+  Belief belief_;
+  bool weighs_;
+  std::array<Told, 12> told_last_{};  ///< the last readings, in turn
+  std::size_t told_count_ = 0;
+};
+
+}  // namespace labmouse

@@ -1,0 +1,172 @@
+#include "labmouse/contest/fallible_drive.hpp"
+
+#include <algorithm>
+
+#include "labmouse/body/specimen.hpp"
+#include "labmouse/contest/drive_gates.hpp"
+#include "labmouse/mouse/drive/fastest.hpp"
+
+namespace labmouse {
+namespace {
+
+double frailty_of(const DriveModel& model, const PhysicalConditions& conditions, Size size, std::uint64_t seed) {
+  return Specimen(*model.robot.hardware, conditions.noise, size, seed).frailty();
+}
+
+MazeTime part_of(MazeTime time, double part) { return static_cast<MazeTime>(static_cast<double>(time) * part); }
+
+}  // namespace
+
+FallibleDriver::FallibleDriver(const Maze& maze, const DriveModel& model, const PhysicalConditions& conditions,
+                               const Hazards& hazards, std::uint64_t seed, MazeTime time_limit, PhysicalRecord& record)
+    : maze_(maze),
+      model_(model),
+      time_limit_(time_limit),
+      record_(record),
+      walls_(maze, conditions.map, record),
+      dice_(seed_for(seed, "hazards")),
+      hazards_(hazards),
+      noise_(conditions.noise.all),
+      noise_share_(share()) {
+  record.by_dice = true;
+  record.frailty = frailty_of(model, conditions, maze.size(), seed);
+  set_pace(conditions.pilot.pace);
+}
+
+/// A contest between two noises that were counted is held under one of them, the likelier the nearer it is; and so a
+/// run between two paces.
+void FallibleDriver::set_pace(double pace) {
+  pace_ = pace;
+  const auto paces = between(hazards_.paces, pace, [](const HazardsAtPace& at) { return at.pace; });
+  const HazardsAtPace& at_pace = hazards_.paces[share() < paces.part ? paces.above : paces.below];
+  const auto noises = between(at_pace.noises, noise_, [](const HazardsAtNoise& at) { return at.noise; });
+  const HazardsAtNoise& at = at_pace.noises[noise_share_ < noises.part ? noises.above : noises.below];
+  odds_ = &at.by_luck[luck_class(record_.frailty, noise_ * hazards_.spread)];
+}
+
+MazeTime FallibleDriver::slowed(MazeTime time) const {
+  return pace_ == 1.0 ? time : static_cast<MazeTime>(static_cast<double>(time) / pace_);
+}
+
+/// From 0 to 1.
+double FallibleDriver::share() { return static_cast<double>(dice_.bits() >> 11U) * (1.0 / 9007199254740992.0); }
+
+std::size_t FallibleDriver::one_of(std::span<const double> shares) {
+  double left = share();
+  std::size_t place = 0;
+  while (place + 1 < shares.size() && left >= shares[place]) left -= shares[place++];
+  return place;
+}
+
+void FallibleDriver::put_at_start() {
+  place_ = {{maze_.start(), maze_.start_heading()}, true};
+  astray_ = one_of(odds_->put);
+  crashed_ = false;
+  walls_.put_down();
+}
+
+void FallibleDriver::look_about() {
+  const Heading heading = place_.pose.heading;
+  WallEvidence seen;
+  seen.left = read_wall(left_of(heading), false);
+  seen.ahead = read_wall(heading, true);
+  seen.right = read_wall(right_of(heading), false);
+  walls_.read(clock_, place_.pose, seen);
+}
+
+Evidence FallibleDriver::read_wall(Heading side, bool ahead) {
+  const Wall wall = wall_at(place_.pose.cell, side);
+  // Nobody has to read the border.
+  if (on_border(wall, maze_.size())) return 0;
+  const bool again = read_.contains(wall);
+  read_.insert(wall);
+  const Reading reading = reading_of(maze_.is_open(place_.pose.cell, side), ahead, again);
+  return evidence_in(one_of(odds_->readings[static_cast<std::size_t>(reading)][astray_]));
+}
+
+FallibleDriver::Went FallibleDriver::drive(Manoeuvre manoeuvre, bool way_is_open) {
+  const ManoeuvreHazard& hazard = odds_->manoeuvres[static_cast<std::size_t>(manoeuvre)][astray_];
+  if (!way_is_open) return {true, RunEnd::misread, 0.5};
+  if (share() < hazard.crash) return {true, share() < hazard.slid ? RunEnd::slid : RunEnd::strayed, share()};
+  astray_ = one_of(hazard.after);
+  return {};
+}
+
+bool FallibleDriver::crash(RunEnd cause, MazeTime time) {
+  if (!reach(time)) return false;
+  crashed_ = true;
+  cause_ = cause;
+  return false;
+}
+
+bool FallibleDriver::reach(MazeTime time) {
+  clock_ = std::min(time, time_limit_);
+  return clock_ < time_limit_;
+}
+
+bool FallibleDriver::is_open(const Action& part) const {
+  const Heading heading = after_search(place_, part).pose.heading;
+  for (int cell = 0; cell < part.movement; ++cell)
+    if (!maze_.is_open(neighbour(place_.pose.cell, heading, cell), heading)) return false;
+  return true;
+}
+
+bool FallibleDriver::make(const Action& part, bool replanned) {
+  const SearchPlace from = place_;
+  const MazeTime begin = clock_;
+  const MazeTime time =
+      slowed(part.movement > 1 ? model_.search.dash(part.movement) : search_time(model_.search, place_, part));
+  const Went went = drive(manoeuvre_of(maze_, place_, part), is_open(part));
+  if (went.crashed) return crash(went.cause, begin + part_of(time, went.part));
+  if (!reach(begin + time)) return false;
+  advance(part, begin, clock_);
+  DriveRun& run = record_.drive.runs.back();
+  run.moves.push_back({begin, clock_, from.pose, part, place_.pose, replanned});
+  run.end = clock_;
+  if (walls_.weighs()) walls_.pass(clock_, from.pose.cell, place_.pose);
+  look_about();
+  return true;
+}
+
+/// Goes on edge by edge. A search that has ended at the edge of a goal comes to its middle on the way home.
+void FallibleDriver::advance(const Action& part, MazeTime begin, MazeTime end) {
+  auto& runs = record_.drive.runs;
+  const bool home = runs.back().kind == DriveRun::Kind::home;
+  if (home && runs.size() > 1) note_stop(runs[runs.size() - 2], maze_, model_.search, place_, begin);
+  for (int edge = 1; edge <= std::max(1, part.movement); ++edge) {
+    const bool last = edge >= part.movement;
+    const Action step = part.movement > 1 ? Action::step(0, 1) : part;
+    const MazeTime arrival = last ? end : begin + slowed(model_.search.dash_part(part.movement, edge));
+    if (!home) note_gates(runs.back(), maze_, model_.search, place_, step, begin, arrival);
+    place_ = after_search(place_, step);
+  }
+}
+
+bool FallibleDriver::run(const DriveRoute& route) {
+  DriveRun& run = record_.drive.runs.back();
+  const MazeTime begin = run.begin = clock_;
+  set_gates(run, maze_, model_);
+  const auto happen = [&](std::optional<MazeTime>& gate) {
+    if (gate) gate = begin + slowed(*gate - begin);
+    if (gate > clock_) gate.reset();
+  };
+  bool stands = true;
+  for (const DriveSegment& segment : route.segments) {
+    DriveRoute piece;
+    piece.segments.push_back(segment);
+    const WallSet needed = walls_of(piece);
+    bool open = true;
+    needed.for_each([&](Wall wall) { open = open && maze_.is_open(wall.cell, wall.side); });
+    const Went went = drive(manoeuvre_of(segment), open);
+    stands = went.crashed
+                 ? crash(went.cause, begin + slowed(segment.begin + part_of(segment.end - segment.begin, went.part)))
+                 : reach(begin + slowed(segment.end));
+    if (!stands) break;
+  }
+  for (auto* gate : {&run.gate_out, &run.gate_in, &run.centre}) happen(*gate);
+  run.end = clock_;
+  if (!route.segments.empty()) place_ = {{route.segments.back().to.cell, route.segments.back().to.heading}, true};
+  return stands;
+}
+
+}  // namespace labmouse

@@ -1,0 +1,101 @@
+// What can go wrong in a contest: at which manoeuvre, with a mouse how far astray, and at which reading of a wall.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "labmouse/maze/maze.hpp"
+#include "labmouse/mouse/drive/search_motion.hpp"
+#include "labmouse/mouse/robot/route.hpp"
+
+namespace labmouse {
+
+/// What a mouse does from one place to the next: a move of a search or of a way home, or a segment of a fast run.
+enum class Manoeuvre : std::uint8_t {
+  open_cell,  ///< straight through a cell without a wall beside
+  half_cell,  ///< with one
+  corridor,   ///< with two
+  dash,       ///< straight through several known cells
+  turn,       ///< a quarter turn through a cell
+  turn_back,  ///< to rest in a cell, turned about on the spot, and out of it
+  halt,       ///< to rest in a cell, and turned on the spot
+  start,      ///< from rest out of a cell
+  run_straight,
+  run_diagonal,
+  run_turn,
+};
+
+inline constexpr std::array all_manoeuvres = {Manoeuvre::open_cell,    Manoeuvre::half_cell, Manoeuvre::corridor,
+                                              Manoeuvre::dash,         Manoeuvre::turn,      Manoeuvre::turn_back,
+                                              Manoeuvre::halt,         Manoeuvre::start,     Manoeuvre::run_straight,
+                                              Manoeuvre::run_diagonal, Manoeuvre::run_turn};
+
+constexpr std::string_view name_of(Manoeuvre manoeuvre) {
+  constexpr std::array<std::string_view, all_manoeuvres.size()> names = {
+      "open cell", "half cell", "corridor",     "dash",         "turn",    "turn back",
+      "halt",      "start",     "run straight", "run diagonal", "run turn"};
+  return names[static_cast<std::size_t>(manoeuvre)];
+}
+
+/// Straight on through the cell of that pose.
+Manoeuvre straight_through(const Maze& maze, const Pose& pose);
+/// A move of a search, over one edge, a dash or to rest.
+Manoeuvre manoeuvre_of(const Maze& maze, const SearchPlace& from, const Action& action);
+/// A segment of a fast run.
+Manoeuvre manoeuvre_of(const DriveSegment& segment);
+
+/// How far astray a mouse is, by the distance between where it is and where it believes to be: below 2, 4, 8 and 16 %
+/// of a cell, and beyond.
+inline constexpr std::array<double, 4> astray_limits = {0.02, 0.04, 0.08, 0.16};
+inline constexpr std::size_t astray_levels = astray_limits.size() + 1;
+
+/// The level of a distance, as a share of a cell.
+constexpr std::size_t astray_level(double share) {
+  std::size_t level = 0;
+  while (level < astray_limits.size() && share >= astray_limits[level]) ++level;
+  return level;
+}
+
+/// How unlucky a contest's draws are, by their frailty over noise and spread. The classes hold 30, 30, 20, 13 and 7 of
+/// 100 contests: most of what goes wrong does so in the last.
+inline constexpr std::array<double, 4> luck_limits = {0.922, 1.211, 1.453, 1.733};
+inline constexpr std::size_t luck_classes = luck_limits.size() + 1;
+
+/// The class of a contest with that frailty; the first where nothing was drawn.
+constexpr std::size_t luck_class(double frailty, double noise_and_spread) {
+  std::size_t luck = 0;
+  while (luck < luck_limits.size() && frailty > luck_limits[luck] * noise_and_spread) ++luck;
+  return luck;
+}
+
+/// What is read: whether the wall is there, whether it is ahead or beside, and whether it was read before in the
+/// contest: what is read again is what was hard to read.
+enum class Reading : std::uint8_t {
+  wall_beside,
+  gap_beside,
+  wall_ahead,
+  gap_ahead,
+  wall_beside_again,
+  gap_beside_again,
+  wall_ahead_again,
+  gap_ahead_again
+};
+
+inline constexpr std::array all_readings = {
+    Reading::wall_beside,       Reading::gap_beside,       Reading::wall_ahead,       Reading::gap_ahead,
+    Reading::wall_beside_again, Reading::gap_beside_again, Reading::wall_ahead_again, Reading::gap_ahead_again};
+
+constexpr std::string_view name_of(Reading reading) {
+  constexpr std::array<std::string_view, all_readings.size()> names = {
+      "wall beside",       "gap beside",       "wall ahead",       "gap ahead",
+      "wall beside again", "gap beside again", "wall ahead again", "gap ahead again"};
+  return names[static_cast<std::size_t>(reading)];
+}
+
+constexpr Reading reading_of(bool open, bool ahead, bool again) {
+  return static_cast<Reading>((open ? 1 : 0) + (ahead ? 2 : 0) + (again ? 4 : 0));
+}
+constexpr bool is_of_wall(Reading reading) { return static_cast<int>(reading) % 2 == 0; }
+
+}  // namespace labmouse

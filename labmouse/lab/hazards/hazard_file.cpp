@@ -1,0 +1,155 @@
+#include "labmouse/lab/hazards/hazard_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "labmouse/chance/dice.hpp"
+#include "labmouse/lab/hazards/builtin_hazards.hpp"
+#include "labmouse/lab/system/named_text.hpp"
+#include "labmouse/lab/text/json.hpp"
+#include "labmouse/lab/text/json_fields.hpp"
+#include "labmouse/lab/text/printable.hpp"
+
+namespace labmouse {
+namespace {
+
+constexpr std::int64_t most_counted = std::int64_t{1} << 40U;
+
+/// Reads counts; what is wrong with any of them is in `error`.
+class HazardReader {
+ public:
+  std::string error;
+
+  HazardTally tally(const ReadJson& json) {
+    JsonFields fields(json, "noises");
+    HazardTally tally;
+    tally.noise = fields.number("noise", 0.0, 100.0);
+    tally.pace = fields.number("pace", 0.01, 1.0);
+    const ReadJson& by_luck = list_of(fields, "by_luck", luck_classes);
+    for (std::size_t luck = 0; luck < by_luck.size(); ++luck) tally.by_luck[luck] = counts(by_luck[luck]);
+    note(fields);
+    return tally;
+  }
+
+ private:
+  void note(const JsonFields& fields) {
+    if (error.empty()) error = fields.error();
+  }
+
+  /// A list of so many; an empty one where it is none.
+  const ReadJson& list_of(JsonFields& fields, const char* key, std::size_t size) {
+    static const ReadJson none = ReadJson::array();
+    const ReadJson& list = fields.list(key);
+    if (list.size() == size) return list;
+    fields.reject(fmt::format("'{}' has {} entries in place of {}", key, list.size(), size));
+    return none;
+  }
+
+  template <std::size_t Size>
+  void numbers(const ReadJson& list, std::string_view what, std::array<std::int64_t, Size>& into) {
+    if (!error.empty()) return;
+    if (!list.is_array() || list.size() != Size) {
+      error = fmt::format("'{}' has an entry that is no list of {} counts", what, Size);
+      return;
+    }
+    for (std::size_t i = 0; i < Size; ++i) {
+      if (!list[i].is_number_unsigned() || list[i].get<std::uint64_t>() > std::uint64_t{most_counted}) {
+        error = fmt::format("'{}' has an entry that is no count", what);
+        return;
+      }
+      into[i] = list[i].get<std::int64_t>();
+    }
+  }
+
+  HazardCounts counts(const ReadJson& json) {
+    JsonFields fields(json, "by_luck");
+    HazardCounts counts;
+    counts.contests = fields.long_whole("contests", 0, most_counted);
+    counts.finished = fields.long_whole("finished", 0, counts.contests);
+    numbers(fields.list("put"), "put", counts.put);
+    if (!fields.has("manoeuvres") || !fields.has("readings"))
+      fields.reject("'by_luck' lacks its manoeuvres or readings");
+    note(fields);
+    if (!error.empty()) return counts;
+    JsonFields manoeuvres(json["manoeuvres"], "manoeuvres"), readings(json["readings"], "readings");
+    for (const Manoeuvre manoeuvre : all_manoeuvres) {
+      const ReadJson& list = list_of(manoeuvres, std::string(name_of(manoeuvre)).c_str(), astray_levels);
+      for (std::size_t level = 0; level < list.size(); ++level)
+        counts.manoeuvres[static_cast<std::size_t>(manoeuvre)][level] = manoeuvre_count(list[level]);
+    }
+    for (const Reading reading : all_readings) {
+      const ReadJson& list = list_of(readings, std::string(name_of(reading)).c_str(), astray_levels);
+      for (std::size_t level = 0; level < list.size(); ++level)
+        numbers(list[level], name_of(reading), counts.readings[static_cast<std::size_t>(reading)][level].by_evidence);
+    }
+    note(manoeuvres);
+    note(readings);
+    return counts;
+  }
+
+  /// Times, crashes, those that slid, and how far astray it was after the others.
+  ManoeuvreCount manoeuvre_count(const ReadJson& json) {
+    std::array<std::int64_t, 3 + astray_levels> entries{};
+    numbers(json, "manoeuvres", entries);
+    ManoeuvreCount count = {entries[0], entries[1], entries[2], {}};
+    std::copy(entries.begin() + 3, entries.end(), count.after.begin());
+    const std::int64_t ended = std::accumulate(entries.begin() + 3, entries.end(), count.crashes);
+    if (error.empty() && (ended != count.times || count.slid > count.crashes))
+      error = "'manoeuvres' has counts that do not add up";
+    return count;
+  }
+};
+
+bool comes_before(const HazardTally& a, const HazardTally& b) {
+  return a.pace < b.pace || (a.pace == b.pace && a.noise < b.noise);
+}
+
+/// "hazards/mine.json" is mine.
+std::string short_name(const std::string& name) {
+  std::string alone = name.substr(name.rfind('/') + 1);
+  return alone.ends_with(".json") ? alone.substr(0, alone.size() - 5) : alone;
+}
+
+}  // namespace
+
+FoundHazards read_hazards(std::string_view text, const std::string& name) {
+  const auto wrong = [&](std::string_view why) {
+    return FoundHazards{std::nullopt, fmt::format("{}: error: {}", shown(name), why)};
+  };
+  const ReadJson json = read_json(text);
+  if (!json.is_object() || !json.contains("labmouse_hazards"))
+    return wrong("is no file of hazards; `labmouse hazards --save` writes one");
+  JsonFields fields(json, "");
+  HazardFile file;
+  file.name = short_name(name);
+  if (fields.whole("labmouse_hazards", 1, 1'000'000) != hazard_format)
+    fields.reject(fmt::format("'labmouse_hazards' is not {}, the only format that this version knows", hazard_format));
+  file.robot = fields.text("robot");
+  file.tables = fields.text("tables");
+  file.edition = fields.whole("edition", 1, 1'000'000);
+  file.spread = fields.number("spread", 0.0, 1000.0);
+  file.search_speed = fields.number("search_speed", 0.0, 20'000.0);
+  HazardReader reader;
+  const ReadJson& noises = fields.list("noises");
+  if (noises.empty() || noises.size() > 100) fields.reject("'noises' has no entries, or more than 100");
+  if (!fields.error().empty()) return wrong(fields.error());
+  for (const ReadJson& noise : noises) {
+    file.tallies.push_back(reader.tally(noise));
+    if (!reader.error.empty()) return wrong(reader.error);
+    const std::size_t count = file.tallies.size();
+    if (count > 1 && !comes_before(file.tallies[count - 2], file.tallies[count - 1]))
+      return wrong("'noises' do not increase, by pace and noise");
+  }
+  file.hash = fmt::format("{:016x}", seed_for(0, text));
+  return {std::move(file), ""};
+}
+
+FoundHazards find_hazards(const std::string& name) {
+  const NamedText text = find_text("table of hazards", builtin_hazards(), name, ".json");
+  if (!text.error.empty()) return {std::nullopt, text.error};
+  return read_hazards(text.text, name_alone(name));
+}
+
+}  // namespace labmouse

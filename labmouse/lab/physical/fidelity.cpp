@@ -1,0 +1,95 @@
+#include "labmouse/lab/physical/fidelity.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "labmouse/lab/physical/physical_world.hpp"
+#include "labmouse/lab/text/printable.hpp"
+
+namespace labmouse {
+namespace {
+
+/// Contests of one maze.
+struct MazeCount {
+  int contests = 0, physical = 0, fallible = 0;
+};
+
+Fidelity fidelity_of(const Race& physical, const Race& fallible, std::size_t mouse, double noise) {
+  Fidelity sum = {physical.mice[mouse].name, noise, 0, 0, 0, 0.0, std::nullopt};
+  std::vector<MazeCount> by_maze(physical.mazes.size());
+  for (std::size_t i = 0; i < physical.results.size(); ++i) {
+    const ContestResult& one = physical.results[i];
+    if (one.mouse != mouse || !counts(physical, one)) continue;
+    MazeCount& count = by_maze[one.maze];
+    ++count.contests;
+    count.physical += one.score ? 1 : 0;
+    count.fallible += fallible.results[i].score ? 1 : 0;
+  }
+  std::vector<double> differences;
+  for (const MazeCount& count : by_maze) {
+    if (count.contests == 0) continue;
+    sum.contests += count.contests;
+    sum.physical += count.physical;
+    sum.fallible += count.fallible;
+    differences.push_back(1.0 * (count.fallible - count.physical) / count.contests);
+  }
+  if (sum.contests > 0) sum.difference = 1.0 * (sum.fallible - sum.physical) / sum.contests;
+  if (differences.size() > 1) sum.interval = bootstrap_interval(differences, 1);
+  return sum;
+}
+
+}  // namespace
+
+std::vector<Fidelity> compare_worlds(const HazardOrder& order, const HazardFile& hazards,
+                                     std::span<const Contestant> mice, std::span<const NamedMaze> mazes,
+                                     const std::atomic<bool>* stop) {
+  std::vector<Fidelity> all;
+  RaceHooks hooks;
+  hooks.stop = stop;
+  for (const double noise : order.noises) {
+    PhysicalConditions conditions = order.conditions;
+    conditions.noise.all = noise;
+    conditions.noise.spread = hazards.spread;
+    const auto race_in = [&](std::shared_ptr<const World> world) {
+      RaceOrder race;
+      race.world = std::move(world);
+      race.runs = order.runs;
+      race.seed = order.seed;
+      race.jobs = order.jobs;
+      return hold_race({mice.begin(), mice.end()}, {mazes.begin(), mazes.end()}, race, hooks);
+    };
+    const Race physical = race_in(physical_world(order.rules, order.model, conditions));
+    const Race fallible = race_in(fallible_world(order.rules, order.model, conditions, hazards));
+    if (physical.stopped || fallible.stopped) return all;
+    for (std::size_t mouse = 0; mouse < physical.mice.size(); ++mouse)
+      all.push_back(fidelity_of(physical, fallible, mouse, noise));
+  }
+  return all;
+}
+
+bool is_faithful(const Fidelity& fidelity, const FidelityBars& bars) {
+  const bool near = std::abs(fidelity.difference) <= bars.difference;
+  return near &&
+         (!fidelity.interval || (fidelity.interval->low >= -bars.interval && fidelity.interval->high <= bars.interval));
+}
+
+std::string table_of(std::span<const Fidelity> all, const FidelityBars& bars) {
+  std::size_t width = 5;
+  for (const Fidelity& each : all) width = std::max(width, shown(each.mouse).size());
+  std::string text = fmt::format("{:<{}} {:>6} {:>9} {:>10} {:>10} {:>11} {:>15}\n", "mouse", width, "noise",
+                                 "contests", "physical %", "fallible %", "difference", "95 %");
+  for (const Fidelity& each : all) {
+    const auto percent = [&](int finished) { return 100.0 * finished / std::max(1, each.contests); };
+    text += fmt::format(
+        "{:<{}} {:>6g} {:>9} {:>10.1f} {:>10.1f} {:>+11.1f} {:>15}{}\n", shown(each.mouse), width, each.noise,
+        each.contests, percent(each.physical), percent(each.fallible), 100.0 * each.difference,
+        each.interval ? fmt::format("{:+.1f} to {:+.1f}", 100.0 * each.interval->low, 100.0 * each.interval->high)
+                      : "-",
+        is_faithful(each, bars) ? "" : "  too far");
+  }
+  return text;
+}
+
+}  // namespace labmouse

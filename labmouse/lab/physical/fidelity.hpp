@@ -1,0 +1,41 @@
+// How well the fallible world tells what the physical one would: the same contests in both, with the same draws.
+#pragma once
+
+#include <atomic>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "labmouse/lab/hazards/hazard_file.hpp"
+#include "labmouse/lab/hazards/hazards.hpp"
+#include "labmouse/lab/numbers/statistics.hpp"
+
+namespace labmouse {
+
+/// A mouse under one noise.
+struct Fidelity {
+  std::string mouse;
+  double noise = 0.0;
+  int contests = 0;
+  int physical = 0, fallible = 0;  ///< of them finished with a score, in each world
+  /// By how much the share is larger in the fallible world, with its interval over mazes; nothing of one maze alone.
+  double difference = 0.0;
+  std::optional<Interval> interval;
+};
+
+/// Both shares may differ by so much, and the ends of the interval by so much, from 0 to 1.
+struct FidelityBars {
+  double difference = 0.03;
+  double interval = 0.05;
+};
+
+/// Holds all contests of an order in both worlds: for each mouse and noise what came of it.
+std::vector<Fidelity> compare_worlds(const HazardOrder& order, const HazardFile& hazards,
+                                     std::span<const Contestant> mice, std::span<const NamedMaze> mazes,
+                                     const std::atomic<bool>* stop = nullptr);
+
+bool is_faithful(const Fidelity& fidelity, const FidelityBars& bars);
+std::string table_of(std::span<const Fidelity> all, const FidelityBars& bars);
+
+}  // namespace labmouse

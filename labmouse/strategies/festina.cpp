@@ -1,0 +1,140 @@
+// festina: makes haste slowly. It searches as another mind does, with a map that doubts, at a pace that its body bears,
+// and runs faster from try to try.
+//
+// Limits: what it knows of its body is how its runs ended; of the noise of the day it is told nothing.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "labmouse/mouse/robot/drive_model.hpp"
+#include "labmouse/strategies/roster.hpp"
+
+namespace labmouse {
+namespace {
+
+constexpr std::string_view method =
+    "Where a mind decides, another one explores for it, ariadne unless told. What festina decides is what its map does "
+    "with "
+    "readings against it, and the pace. Its map doubts: readings are weighed against each other, and where no way is "
+    "left "
+    "the mouse looks again. It searches at its usual pace, and after each crash in a search more slowly: a mouse whose "
+    "tyres slid slides in the next run, too. Fast runs begin at a pace of their own; after a crash the next is slower "
+    "by a "
+    "factor, and after one that came to its end below the usual pace the next is faster, up to the middle between what "
+    "went well and what did not, until that is no more than a tenth away. In worlds where nothing goes wrong all paces "
+    "are the same, and it is the mind that explores for it.";
+
+constexpr std::string_view source =
+    "Search slowly, run faster and faster: what builders of contest mice do by buttons between their runs.";
+
+constexpr std::array<Parameter, 5> parameters = {
+    {{"mind", ParameterType::choice, "ariadne", 0.0, 0.0, "ariadne/certify/flood-return", "who explores"},
+     {"search", ParameterType::real, "1", 0.2, 1.0, {}, "pace of the first search"},
+     {"slower", ParameterType::real, "0.8", 0.3, 1.0, {}, "factor of the pace of searches after a crash in one"},
+     {"run", ParameterType::real, "0.8", 0.2, 1.0, {}, "pace of the first fast run"},
+     {"step", ParameterType::real, "0.75", 0.3, 0.95, {}, "factor of the pace of fast runs after a crash in one"}}};
+
+/// A search has to come to its goal within half of the time: that takes about half of the cells, each with its turns.
+double least_pace_of(const Briefing& briefing) {
+  constexpr double least = 0.3, turns = 1.25;
+  if (!briefing.in_seconds()) return least;
+  const double cells = turns * briefing.size.area() * briefing.drive.model->search.cell;
+  return std::clamp(cells / static_cast<double>(briefing.drive.time_limit), least, 1.0);
+}
+
+/// The pace of fast runs: how fast one went well, and how fast one did not.
+class RunLadder {
+ public:
+  RunLadder(double first, double step) : next_(first), step_(step) {}
+
+  double pace() const { return next_; }
+  void crashed() {
+    bad_ = std::min(bad_.value_or(1.0), next_);
+    next_ = good_ ? middle() : std::max(least, next_ * step_);
+  }
+  /// Whether another run is worth trying.
+  bool went_well() {
+    good_ = std::max(good_.value_or(0.0), next_);
+    if (*good_ >= 1.0) return false;
+    next_ = bad_ ? middle() : std::min(1.0, next_ / step_);
+    return next_ > near * *good_;
+  }
+
+ private:
+  static constexpr double least = 0.25, near = 1.1;
+  double middle() const { return std::sqrt(*good_ * *bad_); }
+
+  double next_, step_;
+  std::optional<double> good_, bad_;
+};
+
+class Festina final : public Strategy {
+ public:
+  Festina(std::unique_ptr<Strategy> mind, const Settings& settings, double search_pace, double least_pace)
+      : mind_(std::move(mind)),
+        search_pace_(search_pace),
+        least_pace_(least_pace),
+        slower_(settings.real("slower")),
+        ladder_(settings.real("run"), settings.real("step")) {}
+
+  Action decide(const Sighting& seen) override { return then(mind_->decide(seen)); }
+  void show(const Pose& pose, const Sighting& seen) override { mind_->show(pose, seen); }
+  void carried(std::int64_t time) override {
+    if (running_)
+      ladder_.crashed();
+    else
+      search_pace_ = std::max(least_pace_, search_pace_ * slower_);
+    mind_->carried(time);
+  }
+  bool considers() const override { return mind_->considers(); }
+  Action consider(const Belief& belief, const SearchPlace& place, std::int64_t time) override {
+    return then(mind_->consider(belief, place, time));
+  }
+  double pace(bool fast) override {
+    running_ = fast;
+    return fast ? ladder_.pace() : search_pace_;
+  }
+  std::optional<MapKind> map_kind() const override { return MapKind::belief; }
+  const Knowledge& knowledge() const override { return mind_->knowledge(); }
+  std::span<const Counter> counters() const override { return mind_->counters(); }
+  std::string_view last_words() override { return mind_->last_words(); }
+  void keep_reasons() override { mind_->keep_reasons(); }
+  const Reasons* reasons() const override { return mind_->reasons(); }
+
+ private:
+  /// Asked after a fast run, the other mind has no more to do; whether to run again is festina's to say.
+  Action then(const Action& action) {
+    const bool over = action.kind == Action::Kind::forfeit && action.reason == ForfeitReason::finished;
+    return running_ && over && ladder_.went_well() ? Action::reset() : action;
+  }
+
+  std::unique_ptr<Strategy> mind_;
+  double search_pace_, least_pace_;
+  double slower_;
+  RunLadder ladder_;
+  bool running_ = false;  ///< whether its last run was, or is, a fast one
+};
+
+std::unique_ptr<Strategy> make(const Briefing& briefing, const Settings& settings) {
+  const RosterEntry& entry = *find_mouse(settings.choice("mind"));
+  const double least = least_pace_of(briefing), pace = std::max(settings.real("search"), least);
+  Briefing told = briefing;
+  told.drive.pace = pace;
+  return std::make_unique<Festina>(entry.make(told, Settings(entry.parameters)), settings, pace, least);
+}
+
+}  // namespace
+
+constinit const RosterEntry festina_mouse = {
+    "festina",
+    "doubts its map, searches more slowly after crashes, and runs faster from try to try",
+    method,
+    source,
+    parameters,
+    make,
+    RosterEntry::never,
+    true,
+    false};
+
+}  // namespace labmouse
