@@ -6,6 +6,7 @@
 #include "command.hpp"
 #include "explain.hpp"
 #include "labmouse/lab/pictures/drive_picture.hpp"
+#include "labmouse/lab/records/drive_story.hpp"
 #include "labmouse/lab/steps/steps_files.hpp"
 #include "records.hpp"
 #include "walk.hpp"
@@ -27,10 +28,11 @@ struct ReplayOptions {
 };
 
 int replay_in_seconds(const ReplayOptions& options, const std::string& text) {
-  refuse_in_seconds(*options.command, {"--maze", "--watch", "--delay", "--explain", "--candidates"});
+  refuse_in_seconds(*options.command, {"--maze", "--watch", "--delay", "--candidates"});
   const auto file = load_drive_record(options.file, text);
   if (!file) return exit_finding;
   print(summary_of(*file));
+  if (options.explain.wanted) print("\n" + story_of(*file));
   if (!options.svg.empty()) save(options.svg, draw_contest(*file));
   return exit_good;
 }

@@ -1,0 +1,141 @@
+#include "labmouse/lab/records/drive_story.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace labmouse {
+namespace {
+
+using Kind = DriveRun::Kind;
+
+std::string text_of(MazeTime time) { return fmt::format("{:.3f} s", in_seconds(time)); }
+
+class Story {
+ public:
+  explicit Story(const DriveRecordFile& file) : file_(file), record_(file.record) {}
+
+  std::string text() {
+    for (std::size_t i = 0; i < record_.runs.size(); ++i) {
+      set_out(i);
+      come_to_an_end(i);
+    }
+    look_at_walls();
+    // What was read as a run began belongs behind its beginning.
+    std::stable_sort(lines_.begin(), lines_.end(), [](const Line& a, const Line& b) { return a.time < b.time; });
+    std::string text;
+    for (const Line& line : lines_) text += fmt::format("{:>9.3f}  {}\n", in_seconds(line.time), line.text);
+    return text;
+  }
+
+ private:
+  struct Line {
+    MazeTime time = 0;
+    std::string text;
+  };
+
+  void add(MazeTime time, std::string text) { lines_.push_back({time, std::move(text)}); }
+
+  /// Without a body nothing goes wrong.
+  RunEnd end_of(std::size_t run) const {
+    return file_.physical && run < file_.physical->notes.ends.size() ? file_.physical->notes.ends[run] : RunEnd::done;
+  }
+  /// The last run of that kind before one.
+  std::optional<std::size_t> last(Kind kind, std::size_t before) const {
+    while (before-- > 0)
+      if (record_.runs[before].kind == kind) return before;
+    return std::nullopt;
+  }
+
+  /// ", at 0.64 of its usual pace: slower than before, since it crashed"
+  std::string pace_words(std::size_t i) const {
+    const DriveRun& run = record_.runs[i];
+    const auto before = last(run.kind, i);
+    const double last_pace = before ? record_.runs[*before].pace : run.pace;
+    if (run.pace == 1.0 && last_pace == 1.0) return "";
+    std::string words =
+        run.pace == 1.0 ? ", at its usual pace" : fmt::format(", at {:.2f} of its usual pace", run.pace);
+    if (run.pace < last_pace) words += ": slower than the last one, which did not end well";
+    if (run.pace > last_pace) words += ": faster than the last one";
+    return words;
+  }
+
+  void set_out(std::size_t i) {
+    const DriveRun& run = record_.runs[i];
+    if (i > 0 && (is_crash(end_of(i - 1)) || end_of(i - 1) == RunEnd::walled_in) && run.touched)
+      add(run.begin, "was carried to the start");
+    const std::string pace = pace_words(i);
+    switch (run.kind) {
+      case Kind::search:
+        return add(run.begin, (last(Kind::search, i) ? "searches again" : "searches") + pace);
+      case Kind::home:
+        return add(run.begin, "goes home" + why_home(i) + pace);
+      case Kind::fast:
+        return add(run.begin, "runs by the fastest route that it knows" +
+                                  (run.known < no_time ? ", of " + text_of(run.known) : "") + pace);
+    }
+  }
+
+  /// Known is known where it says so; hoped for where that was asked.
+  std::string why_home(std::size_t i) const {
+    const DriveRun& run = record_.runs[i];
+    if (i > 0 && record_.runs[i - 1].kind == Kind::fast) return " from its run";
+    if (run.known >= no_time || run.hoped >= no_time) return "";
+    return run.hoped < run.known
+               ? fmt::format(": it knows a route of {}, and none of {}, which may be, is worth the way",
+                             text_of(run.known), text_of(run.hoped))
+               : fmt::format(": no route can be faster than that of {} which it knows", text_of(run.known));
+  }
+
+  void come_to_an_end(std::size_t i) {
+    const DriveRun& run = record_.runs[i];
+    switch (end_of(i)) {
+      case RunEnd::done:
+        if (run.kind == Kind::fast && run.gate_in && run.gate_out)
+          add(*run.gate_in,
+              fmt::format("is in the goal, {} after the start's gate", text_of(*run.gate_in - *run.gate_out)));
+        return;
+      case RunEnd::given_up:
+        return add(run.end, "gives up");
+      case RunEnd::slid:
+        return add(run.end, "crashes: its tyres did not hold");
+      case RunEnd::strayed:
+        return add(run.end, "crashes: it is not where it believes to be, or not where it should be");
+      case RunEnd::misread:
+        return add(run.end, "crashes into a wall that it took for a gap");
+      case RunEnd::walled_in:
+        return add(run.end, "sees no way any more: walls on it must be misread");
+      case RunEnd::out_of_time:
+        return add(run.end, "has no time left");
+    }
+  }
+
+  /// Those that it took for something before.
+  void look_at_walls() {
+    WallSet open, closed;
+    for (const WallSeen& seen : record_.walls) {
+      WallSet &now = seen.open ? open : closed, &other = seen.open ? closed : open;
+      const std::string wall =
+          fmt::format("the wall {} of ({}, {})", name_of(seen.wall.side), seen.wall.cell.x, seen.wall.cell.y);
+      if (other.contains(seen.wall))
+        add(seen.time, fmt::format("takes {} for {} after all", wall, seen.open ? "open" : "closed"));
+      else if (now.contains(seen.wall))
+        add(seen.time, fmt::format("looked at {} again, in doubt: it is {}", wall, seen.open ? "open" : "closed"));
+      other.erase(seen.wall);
+      now.insert(seen.wall);
+    }
+  }
+
+  const DriveRecordFile& file_;
+  const DriveRecord& record_;
+  std::vector<Line> lines_;
+};
+
+}  // namespace
+
+std::string story_of(const DriveRecordFile& file) { return Story(file).text(); }
+
+}  // namespace labmouse
