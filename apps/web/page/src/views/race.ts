@@ -13,6 +13,8 @@ import { heat } from '../race/heat';
 import { holdPanel, type HoldPanel } from '../race/hold-panel';
 import { leaderboard } from '../race/leaderboard';
 import { matrix } from '../race/matrix';
+import { noisePicture } from '../race/noise';
+import { noiseCurves } from '../race/noise-data';
 import { facts, part } from '../race/parts';
 import { h } from '../ui/dom';
 import { onTones } from '../ui/tones';
@@ -160,6 +162,12 @@ export function createRace(page: EarlyPage): View {
     afterFrame(() => {
       if (race !== shownRace) return;
       boards = groups.map((group) => boardParts(race, boardOf(group)));
+      const noisy = noiseCurves(groups);
+      if (noisy) {
+        const picture = noisePicture(noisy);
+        parts.push(picture);
+        pictures.append(part('As noise grows', 'The share of contests that each mouse finished.', picture.element));
+      }
       pictures.append(...boards.flatMap(({ elements }) => elements));
       arrangeRows();
       arrange();
