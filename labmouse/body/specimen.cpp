@@ -56,8 +56,13 @@ Specimen::Specimen(const Hardware& hardware, const NoiseLevel& level, Size size,
   for (double& turns : ripple) turns = encoders.share();
   gyro = own(gyros, NoiseGroup::gyro, noise.gyro_scale);
   frailty_ = std::sqrt(std::sqrt(fourth_powers / drawn));
-  for (double& factor : infrared)
-    factor = beams.factor(level.spread * level.of(NoiseGroup::infrared) * noise.infrared_gain);
+  double squares = 0.0;
+  for (double& factor : infrared) {
+    const double off = level.spread * level.of(NoiseGroup::infrared) * noise.infrared_gain * beams.next();
+    squares += square(off);
+    factor = factor_of(off);
+  }
+  eyes_apart_ = std::sqrt(squares / beam_count);
 
   const auto area = static_cast<std::size_t>(size.area());
   Draws walls(seed, "reflectance"), floor(seed, "floor");
@@ -74,6 +79,8 @@ Specimen::Specimen(const Hardware& hardware, const NoiseLevel& level, Size size,
               level.of(NoiseGroup::floor) * noise.floor_shift * shift};
   }
 }
+
+double Specimen::weakest() const { return std::min({motor[0], motor[1], grip}); }
 
 double Specimen::reflectance(Cell cell, Heading side) const {
   return reflectances_[static_cast<std::size_t>(4 * size_.index(cell) + static_cast<int>(side))];

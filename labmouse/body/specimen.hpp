@@ -24,6 +24,10 @@ class Specimen {
   /// How unlucky this contest's draws are: the fourth-power mean of what motors, tyres and gyro drew, each in
   /// deviations of a mouse at noise 1 and spread 1. One bad number is enough to break a mouse.
   double frailty() const { return frailty_; }
+  /// The least factor of its motors and its grip.
+  double weakest() const;
+  /// How far its infrared sensors are from what they should be: the root mean square of their factors' logarithms.
+  double eyes_apart() const { return eyes_apart_; }
   /// The factor of a group's noise.
   double level(NoiseGroup group) const { return level_.of(group); }
 
@@ -40,7 +44,7 @@ class Specimen {
 
  private:
   NoiseLevel level_;
-  double frailty_ = 0.0;
+  double frailty_ = 0.0, eyes_apart_ = 0.0;
   Size size_;
   std::vector<float> reflectances_;     ///< by four sides of each cell
   std::vector<FloorStep> floor_steps_;  ///< by the north and the east side of each cell; empty without any

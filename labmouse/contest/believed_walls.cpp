@@ -39,12 +39,14 @@ void BelievedWalls::note(MazeTime time, Wall wall) {
   record_.drive.walls.push_back({time, wall, open});
 }
 
-void BelievedWalls::doubt_last(MazeTime time) {
-  for (const Told& told : told_last_)
-    if (told.evidence != 0 && known().state(told.wall) != WallState::unknown &&
-        belief_.add(told.wall, -told.evidence / 2) == Belief::News::turned)
-      note(time, told.wall);
+void BelievedWalls::doubt_last() {
+  for (const Told& told : told_last_) belief_.doubt(told.wall, told.evidence);
   told_last_ = {};
+}
+
+void BelievedWalls::forget_all() {
+  WallSet::all(size()).for_each([&](Wall wall) { belief_.forget(wall); });
+  put_down();
 }
 
 WallSet BelievedWalls::standing(const WallSet& walls) const {

@@ -21,9 +21,10 @@ class BelievedWalls {
   /// The mouse has come from there, straight on in the heading in which it is: the walls on its way are surely open.
   void pass(MazeTime time, Cell from, const Pose& to);
   /// Counts the last readings by half: they may be of other walls.
-  void doubt_last(MazeTime time);
+  void doubt_last();
   /// What is read from now on has nothing to do with the last readings.
   void put_down() { told_last_ = {}; }
+  void forget_all();
   /// Belief::doubt_way().
   bool doubt_way(Cell from, const CellSet& to) { return belief_.doubt_way(from, to); }
 

@@ -161,7 +161,7 @@ Briefing brief(const Maze& maze, const DriveRules& rules, const DriveModel& mode
   briefing.goals = maze.goals();
   briefing.seed = seed;
   briefing.sight = model.robot.sight;
-  briefing.drive = {&model, rules.time_limit, 1.0, rules.maze_time_divisor};
+  briefing.drive = {&model, rules.time_limit, 1.0, rules.maze_time_divisor, rules.most_runs, rules.untouched_bonus};
   return briefing;
 }
 

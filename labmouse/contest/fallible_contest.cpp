@@ -53,6 +53,11 @@ class FallibleContest {
   void hold_runs() {
     Action action = decide_at_start();
     for (;;) {
+      if (weighs_ && is_no_way(action)) {
+        if (driver_.out_of_time()) return;
+        action = begin_anew();
+        continue;
+      }
       After after = After::over;
       if (action.kind == Action::Kind::step && begin(DriveRun::Kind::search)) after = search(action);
       if (action.kind == Action::Kind::reset && begin(DriveRun::Kind::fast)) after = run_fast();
@@ -61,7 +66,7 @@ class FallibleContest {
       if (after == After::at_goal) {
         // It says at the goal what it will do at the start, and drives there.
         action = decide({start_, true});
-        if (action.kind == Action::Kind::forfeit) return give_up(action.reason);
+        if (action.kind == Action::Kind::forfeit && !(weighs_ && is_no_way(action))) return give_up(action.reason);
         after = drive_home();
       }
       if (after == After::over) return;
@@ -75,11 +80,18 @@ class FallibleContest {
 
   Action carry_to_start() {
     ++record_.carried;
-    if (weighs_) walls_.doubt_last(driver_.clock());
+    if (weighs_) walls_.doubt_last();
     driver_.wait(handling_);
     driver_.put_at_start();
     mouse_.carried(driver_.clock());
     return decide_at_start();
+  }
+
+  /// At the start with a map that has no way left, whatever is doubted: the mouse begins with an empty one.
+  Action begin_anew() {
+    walls_.forget_all();
+    doubts_ = 0;
+    return carry_to_start();
   }
 
   /// Stands at the start, looks, and decides.
@@ -197,10 +209,20 @@ class FallibleContest {
       part.movement = cells_at_once(part.rotation, action.movement - edge);
       const Heading heading = after_search(place, part).pose.heading;
       for (int cell = 0; cell < part.movement; ++cell)
-        if (!walls_.known().open().contains(wall_at(neighbour(place.pose.cell, heading, cell), heading)))
-          return weighs_ && edge > 0 ? After::on_the_way : give_up_on_it();
+        if (const Wall wall = wall_at(neighbour(place.pose.cell, heading, cell), heading);
+            !walls_.known().open().contains(wall))
+          return weighs_ ? look_at(wall, edge > 0) : give_up_on_it();
       if (const After after = make(part, replanned_ && edge == 0); after != After::on_the_way) return after;
     }
+    return After::on_the_way;
+  }
+
+  /// Instead of driving through a wall that does not seem to be open, or not any more.
+  After look_at(Wall wall, bool moved) {
+    if (moved) return After::on_the_way;
+    // It was doubted where the mouse stands.
+    if (walls_.known().state(wall) != WallState::unknown) return give_up_on_it();
+    driver_.look_about();
     return After::on_the_way;
   }
 
@@ -252,8 +274,8 @@ class FallibleContest {
     if (route_.time == no_time || route_.segments.empty()) {
       if (weighs_ && doubts_++ < most_doubts && walls_.doubt_way(start_.cell, maze_.goals()))
         return end_run(RunEnd::walled_in, After::searching_again);
-      give_up(ForfeitReason::no_way);
-      return end_run(RunEnd::walled_in, After::over);
+      if (!weighs_) give_up(ForfeitReason::no_way);
+      return end_run(RunEnd::walled_in, weighs_ ? After::crashed : After::over);
     }
     DriveRun& run = record_.drive.runs.back();
     run.route = route_;

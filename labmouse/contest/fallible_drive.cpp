@@ -9,10 +9,6 @@
 namespace labmouse {
 namespace {
 
-double frailty_of(const DriveModel& model, const PhysicalConditions& conditions, Size size, std::uint64_t seed) {
-  return Specimen(*model.robot.hardware, conditions.noise, size, seed).frailty();
-}
-
 MazeTime part_of(MazeTime time, double part) { return static_cast<MazeTime>(static_cast<double>(time) * part); }
 
 }  // namespace
@@ -29,7 +25,9 @@ FallibleDriver::FallibleDriver(const Maze& maze, const DriveModel& model, const 
       noise_(conditions.noise.all),
       noise_share_(share()) {
   record.by_dice = true;
-  record.frailty = frailty_of(model, conditions, maze.size(), seed);
+  const Specimen mouse(*model.robot.hardware, conditions.noise, maze.size(), seed);
+  record.frailty = mouse.frailty();
+  luck_ = luck_of(mouse);
   set_pace(conditions.pilot.pace);
 }
 
@@ -41,7 +39,7 @@ void FallibleDriver::set_pace(double pace) {
   const HazardsAtPace& at_pace = hazards_.paces[share() < paces.part ? paces.above : paces.below];
   const auto noises = between(at_pace.noises, noise_, [](const HazardsAtNoise& at) { return at.noise; });
   const HazardsAtNoise& at = at_pace.noises[noise_share_ < noises.part ? noises.above : noises.below];
-  odds_ = &at.by_luck[luck_class(record_.frailty, noise_ * hazards_.spread)];
+  odds_ = &at.by_luck[static_cast<std::size_t>(luck_)];
 }
 
 MazeTime FallibleDriver::slowed(MazeTime time) const {
@@ -67,21 +65,29 @@ void FallibleDriver::put_at_start() {
 
 void FallibleDriver::look_about() {
   const Heading heading = place_.pose.heading;
+  const double clear = share();
   WallEvidence seen;
-  seen.left = read_wall(left_of(heading), false);
-  seen.ahead = read_wall(heading, true);
-  seen.right = read_wall(right_of(heading), false);
+  seen.left = read_wall(left_of(heading), false, clear);
+  seen.ahead = read_wall(heading, true, clear);
+  seen.right = read_wall(right_of(heading), false, clear);
   walls_.read(clock_, place_.pose, seen);
 }
 
-Evidence FallibleDriver::read_wall(Heading side, bool ahead) {
+/// Where a mouse reads nothing it is by where it stands, and so for all walls about it: what is less clear than a wall
+/// has to be is not read.
+Evidence FallibleDriver::read_wall(Heading side, bool ahead, double clear) {
   const Wall wall = wall_at(place_.pose.cell, side);
   // Nobody has to read the border.
   if (on_border(wall, maze_.size())) return 0;
   const bool again = read_.contains(wall);
   read_.insert(wall);
   const Reading reading = reading_of(maze_.is_open(place_.pose.cell, side), ahead, again);
-  return evidence_in(one_of(odds_->readings[static_cast<std::size_t>(reading)][astray_]));
+  ReadingHazard shares = odds_->readings[static_cast<std::size_t>(reading)][astray_];
+  double& silent = shares[evidence_class(0)];
+  if (clear < silent) return 0;
+  for (double& told : shares) told /= 1.0 - silent;
+  silent = 0.0;
+  return evidence_in(one_of(shares));
 }
 
 FallibleDriver::Went FallibleDriver::drive(Manoeuvre manoeuvre, bool way_is_open) {

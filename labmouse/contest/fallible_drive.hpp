@@ -49,7 +49,7 @@ class FallibleDriver final : public ContestDriver {
   bool reach(MazeTime time);
   bool is_open(const Action& part) const;
   void advance(const Action& part, MazeTime begin, MazeTime end);
-  Evidence read_wall(Heading side, bool ahead);
+  Evidence read_wall(Heading side, bool ahead, double clear);
 
   const Maze& maze_;
   const DriveModel& model_;
@@ -59,6 +59,7 @@ class FallibleDriver final : public ContestDriver {
   Dice dice_;
   const Hazards& hazards_;
   double noise_;
+  Luck luck_ = Luck::sound;
   double noise_share_;  ///< of this contest: which of two noises that were counted it is held under
   const HazardsByLuck* odds_ = nullptr;
   double pace_ = 1.0;

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "labmouse/contest/luck.hpp"
 #include "labmouse/contest/manoeuvre.hpp"
 #include "labmouse/mouse/evidence.hpp"
 

@@ -57,18 +57,6 @@ constexpr std::size_t astray_level(double share) {
   return level;
 }
 
-/// How unlucky a contest's draws are, by their frailty over noise and spread. The classes hold 30, 30, 20, 13 and 7 of
-/// 100 contests: most of what goes wrong does so in the last.
-inline constexpr std::array<double, 4> luck_limits = {0.922, 1.211, 1.453, 1.733};
-inline constexpr std::size_t luck_classes = luck_limits.size() + 1;
-
-/// The class of a contest with that frailty; the first where nothing was drawn.
-constexpr std::size_t luck_class(double frailty, double noise_and_spread) {
-  std::size_t luck = 0;
-  while (luck < luck_limits.size() && frailty > luck_limits[luck] * noise_and_spread) ++luck;
-  return luck;
-}
-
 /// What is read: whether the wall is there, whether it is ahead or beside, and whether it was read before in the
 /// contest: what is read again is what was hard to read.
 enum class Reading : std::uint8_t {

@@ -39,8 +39,13 @@ Belief::News Belief::add(Wall wall, int evidence) {
   return News::turned;
 }
 
-void Belief::weaken(Wall wall) {
-  if (!on_border(wall, size_)) odds_[index_of(wall)] = static_cast<std::int8_t>(odds_[index_of(wall)] / 2);
+void Belief::doubt(Wall wall, int evidence) {
+  if (on_border(wall, size_) || view_.state(wall) == WallState::unknown) return;
+  std::int8_t& odds = odds_[index_of(wall)];
+  const int less = odds - evidence / 2;
+  odds = static_cast<std::int8_t>(view_.state(wall) == WallState::closed
+                                      ? std::clamp(less, std::min<int>(0, odds), most)
+                                      : std::clamp(less, -most, std::max<int>(0, odds)));
 }
 
 void Belief::forget(Wall wall) {

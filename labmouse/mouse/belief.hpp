@@ -59,8 +59,8 @@ class Belief {
 
   /// Takes in a reading of a wall. Of a wall that was unknown 0 says that it is open.
   News add(Wall wall, int evidence);
-  /// Counts what spoke for a wall's state by half.
-  void weaken(Wall wall);
+  /// Counts a reading that it took in by half. What spoke for the wall's state is never taken for less than nothing.
+  void doubt(Wall wall, int evidence);
   /// Makes an inner wall unknown.
   void forget(Wall wall);
   /// Forgets the walls taken for closed on that way between cells on which the odds against it are least in all.

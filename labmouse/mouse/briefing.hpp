@@ -18,6 +18,8 @@ struct DriveBriefing {
   std::int64_t time_limit = 0;        ///< microseconds in the maze
   double pace = 1.0;                  ///< the part of its usual pace at which it will search
   int maze_time_divisor = 0;          ///< so many microseconds in the maze count as one of a run; 0 where they do not
+  int most_runs = 5;
+  std::int64_t untouched_bonus = 0;  ///< microseconds off the runs of a mouse that no hand has touched
   /// Where the mouse is to plan, if its memory is somebody else's: made for this maze and model, for this mouse alone,
   /// and outlives it. Null: it takes its own.
   DriveFields* fields = nullptr;

@@ -60,7 +60,11 @@ Action Explorer::consider(const Belief& belief, const SearchPlace& place, std::i
     renew();
   }
   if (!racing_) arrive();
-  return decide();
+  // Whether the next step leads into a goal it will know when it is there.
+  const bool entered = goal_entered_;
+  const Action action = decide();
+  goal_entered_ = entered;
+  return action;
 }
 
 void Explorer::show(const Pose& pose, const Sighting& seen) { static_cast<void>(knowledge_.learn(pose, seen)); }

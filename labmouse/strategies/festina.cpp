@@ -14,25 +14,31 @@ namespace labmouse {
 namespace {
 
 constexpr std::string_view method =
-    "Where a mind decides, another one explores for it, ariadne unless told. What festina decides is what its map does "
-    "with "
-    "readings against it, and the pace. Its map doubts: readings are weighed against each other, and where no way is "
-    "left "
-    "the mouse looks again. It searches at its usual pace, and after each crash in a search more slowly: a mouse whose "
-    "tyres slid slides in the next run, too. Fast runs begin at a pace of their own; after a crash the next is slower "
-    "by a "
-    "factor, and after one that came to its end below the usual pace the next is faster, up to the middle between what "
-    "went well and what did not, until that is no more than a tenth away. In worlds where nothing goes wrong all paces "
-    "are the same, and it is the mind that explores for it.";
+    "Where a mind decides, another one explores for it: ariadne where the time in the maze counts, certify where it "
+    "does "
+    "not. What festina decides is what its map does with readings against it, and the pace. Its map doubts: readings "
+    "are "
+    "weighed against each other, and where no way is left the mouse looks again. It searches at its usual pace, and "
+    "after "
+    "each crash in a search more slowly: a mouse whose tyres slid slides in the next run, too. Fast runs begin at 0.8 "
+    "of "
+    "the usual pace where a crash is dear, because runs are few or a mouse that was never touched has a bonus, and at "
+    "the "
+    "usual one where it is not; after a crash the next is slower by a factor, and after one that came to its end below "
+    "the usual pace the next is faster, up to the middle between what went well and what did not, until that is no "
+    "more "
+    "than a tenth away. In worlds where nothing goes wrong all paces are the same, and it is the mind that explores "
+    "for "
+    "it.";
 
 constexpr std::string_view source =
     "Search slowly, run faster and faster: what builders of contest mice do by buttons between their runs.";
 
 constexpr std::array<Parameter, 5> parameters = {
-    {{"mind", ParameterType::choice, "ariadne", 0.0, 0.0, "ariadne/certify/flood-return", "who explores"},
+    {{"mind", ParameterType::choice, "by-rules", 0.0, 0.0, "by-rules/ariadne/certify/flood-return", "who explores"},
      {"search", ParameterType::real, "1", 0.2, 1.0, {}, "pace of the first search"},
      {"slower", ParameterType::real, "0.8", 0.3, 1.0, {}, "factor of the pace of searches after a crash in one"},
-     {"run", ParameterType::real, "0.8", 0.2, 1.0, {}, "pace of the first fast run"},
+     {"run", ParameterType::real, "0", 0.0, 1.0, {}, "pace of the first fast run; 0: as the rules ask for"},
      {"step", ParameterType::real, "0.75", 0.3, 0.95, {}, "factor of the pace of fast runs after a crash in one"}}};
 
 /// A search has to come to its goal within half of the time: that takes about half of the cells, each with its turns.
@@ -41,6 +47,19 @@ double least_pace_of(const Briefing& briefing) {
   if (!briefing.in_seconds()) return least;
   const double cells = turns * briefing.size.area() * briefing.drive.model->search.cell;
   return std::clamp(cells / static_cast<double>(briefing.drive.time_limit), least, 1.0);
+}
+
+/// What a crash costs is a run of a few, or the bonus of a mouse that was never touched.
+double first_run_pace(const Briefing& briefing, double chosen) {
+  constexpr double careful = 0.8, least = 0.2;
+  constexpr int many_runs = 10;
+  if (chosen > 0.0) return std::max(chosen, least);
+  return briefing.drive.most_runs < many_runs || briefing.drive.untouched_bonus > 0 ? careful : 1.0;
+}
+
+const RosterEntry& explorer_for(const Briefing& briefing, std::string_view chosen) {
+  if (chosen != "by-rules") return *find_mouse(chosen);
+  return briefing.drive.maze_time_divisor > 0 ? ariadne_mouse : certify_mouse;
 }
 
 /// The pace of fast runs: how fast one went well, and how fast one did not.
@@ -71,12 +90,13 @@ class RunLadder {
 
 class Festina final : public Strategy {
  public:
-  Festina(std::unique_ptr<Strategy> mind, const Settings& settings, double search_pace, double least_pace)
+  Festina(std::unique_ptr<Strategy> mind, const Settings& settings, double search_pace, double least_pace,
+          double run_pace)
       : mind_(std::move(mind)),
         search_pace_(search_pace),
         least_pace_(least_pace),
         slower_(settings.real("slower")),
-        ladder_(settings.real("run"), settings.real("step")) {}
+        ladder_(run_pace, settings.real("step")) {}
 
   Action decide(const Sighting& seen) override { return then(mind_->decide(seen)); }
   void show(const Pose& pose, const Sighting& seen) override { mind_->show(pose, seen); }
@@ -117,11 +137,12 @@ class Festina final : public Strategy {
 };
 
 std::unique_ptr<Strategy> make(const Briefing& briefing, const Settings& settings) {
-  const RosterEntry& entry = *find_mouse(settings.choice("mind"));
+  const RosterEntry& entry = explorer_for(briefing, settings.choice("mind"));
   const double least = least_pace_of(briefing), pace = std::max(settings.real("search"), least);
   Briefing told = briefing;
   told.drive.pace = pace;
-  return std::make_unique<Festina>(entry.make(told, Settings(entry.parameters)), settings, pace, least);
+  return std::make_unique<Festina>(entry.make(told, Settings(entry.parameters)), settings, pace, least,
+                                   first_run_pace(briefing, settings.real("run")));
 }
 
 }  // namespace

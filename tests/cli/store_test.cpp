@@ -124,10 +124,11 @@ TEST_F(AUserOfAStore, KeepsWhatIsDoneAtCtrlC) {
 TEST_F(AUserOfAStore, IsToldThatTheDiskIsFull) {
   // A file that may not grow further is what a full disk is to a program.
   const std::string race = "labmouse race --mice random --mazes corridor.txt --runs 40000 --format csv --store full.db";
-  const Ended full = shell("ulimit -f 2000; " + race);
+  const Ended full = shell("ulimit -f 2000; " + race + " > /dev/null");
   EXPECT_EQ(full.code, 2);
   EXPECT_THAT(full.err, HasSubstr("full.db: error: cannot be written"));
-  EXPECT_THAT(shell("ulimit -f 8; " + race + " --seed 2").err, HasSubstr("full.db: error: cannot be written"));
+  EXPECT_THAT(shell("ulimit -f 8; " + race + " --seed 2 > /dev/null").err,
+              HasSubstr("full.db: error: cannot be written"));
   EXPECT_EQ(labmouse({"store", "verify", "full.db", "--share", "0.01"}).code, 0);
   const Ended again = shell(race);
   EXPECT_EQ(again.code, 0) << again.err;

@@ -173,18 +173,88 @@ TEST(Fallible, IsTheSameAgainByTheSameSeedAndAnotherByAnother) {
 }
 
 TEST(Fallible, IsUnluckyAllThroughAContest) {
-  // Only the unluckiest crash: either none or all runs of a contest do.
+  // Only weak mice crash: either none or all runs of a contest do.
   Hazards hazards = harmless();
-  at(hazards.paces.front().noises.front().by_luck.back(), Manoeuvre::turn).crash = 1.0;
+  auto& by_luck = hazards.paces.front().noises.front().by_luck;
+  for (std::size_t luck = static_cast<std::size_t>(Luck::weak_below_40); luck < luck_classes; ++luck)
+    at(by_luck[luck], Manoeuvre::turn).crash = 1.0;
+  PhysicalConditions conditions = at_noise(1.0);
+  conditions.noise.spread = 5.0;
   int unlucky = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
-    const PhysicalRecord record = driven("flood", hazards, seed);
-    const bool last = luck_class(record.frailty, 1.0) + 1 == luck_classes;
-    EXPECT_EQ(record.carried > 0, last) << seed;
-    unlucky += last ? 1 : 0;
+    const PhysicalRecord record = driven("flood", hazards, seed, conditions);
+    const Specimen mouse(*test::drive_model("kerise")->robot.hardware, conditions.noise, test::ring().size(), seed);
+    const bool weak = luck_of(mouse) >= Luck::weak_below_40;
+    EXPECT_EQ(record.carried > 0, weak) << seed;
+    unlucky += weak ? 1 : 0;
   }
   EXPECT_GT(unlucky, 0);
   EXPECT_LT(unlucky, 20);
+}
+
+TEST(Fallible, ReadsAllWallsAboutItOrNone) {
+  const auto hazards = with([](HazardsByLuck& some) {
+    for (auto& reading : some.readings)
+      for (ReadingHazard& shares : reading) {
+        for (double& share : shares) share /= 2.0;
+        shares[evidence_class(0)] = 0.5;
+      }
+  });
+  int silent = 0, looks = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const Maze maze = test::ring();
+    const PhysicalRecord record = driven("flood-return", hazards, seed, at_noise(1.0), maze);
+    for (const Look& look : record.looks) {
+      std::vector<Evidence> inner;
+      const Heading ahead = look.pose.heading;
+      for (const auto& [side, evidence] :
+           {std::pair(left_of(ahead), look.evidence.left), std::pair(ahead, look.evidence.ahead),
+            std::pair(right_of(ahead), look.evidence.right)})
+        if (!on_border(wall_at(look.pose.cell, side), maze.size())) inner.push_back(evidence);
+      if (inner.empty()) continue;
+      ++looks;
+      silent += inner.front() == 0 ? 1 : 0;
+      EXPECT_TRUE(
+          std::all_of(inner.begin(), inner.end(), [&](Evidence each) { return (each == 0) == (inner.front() == 0); }));
+    }
+  }
+  EXPECT_NEAR(static_cast<double>(silent) / looks, 0.5, 0.1);
+}
+
+TEST(Fallible, DrivesByWhatWeakMiceDoUnderOtherNoisesWhereFewWereCounted) {
+  HazardFile file;
+  const auto weak = static_cast<std::size_t>(Luck::weak_below_15);
+  const auto turn = static_cast<std::size_t>(Manoeuvre::turn);
+  for (const double noise : {1.0, 2.0}) {
+    file.tallies.push_back({noise, 1.0, {}});
+    file.tallies.back().by_luck[0].manoeuvres[turn][0] = {100'000, 0, 0, {100'000}};
+  }
+  file.tallies.back().by_luck[weak].manoeuvres[turn][0] = {1000, 900, 900, {100}};
+  // The first noise of the world is that at which nothing goes wrong.
+  const HazardsAtNoise at_one = hazards_of(file).paces.front().noises[1];
+  ASSERT_EQ(at_one.noise, 1.0);
+  EXPECT_GT(at_one.by_luck[weak].manoeuvres[turn][0].crash, 0.8);
+  EXPECT_LT(at_one.by_luck[0].manoeuvres[turn][0].crash, 0.01);
+}
+
+TEST(Fallible, HasSoundMiceAndWeakOnes) {
+  const auto model = test::drive_model("kerise");
+  NoiseLevel level;
+  level.spread = 8.0;
+  std::array<int, luck_classes> times{};
+  for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+    level.all = 1.0 + static_cast<double>(seed % 3);
+    const Specimen mouse(*model->robot.hardware, level, {2, 2}, seed);
+    const Luck luck = luck_of(mouse);
+    ++times[static_cast<std::size_t>(luck)];
+    const double weakest = mouse.weakest();
+    EXPECT_EQ(luck <= Luck::eyes_far_apart, weakest >= 0.4) << weakest;
+    EXPECT_EQ(luck == Luck::weak_below_15, weakest < 0.15) << weakest;
+    EXPECT_EQ(luck == Luck::weak_below_25, weakest >= 0.2 && weakest < 0.25) << weakest;
+    EXPECT_EQ(luck == Luck::sound, weakest >= 0.4 && mouse.eyes_apart() <= 0.4) << mouse.eyes_apart();
+    EXPECT_EQ(luck == Luck::eyes_far_apart, weakest >= 0.4 && mouse.eyes_apart() > 0.8) << mouse.eyes_apart();
+  }
+  EXPECT_THAT(times, Each(::testing::Gt(0)));
 }
 
 TEST(Fallible, IsHeldUnderTheNearestNoisesThatWereCounted) {
@@ -286,7 +356,7 @@ TEST(Festina, SearchesNoSlowerThanATimeLimitAllows) {
     briefing.size = size;
     briefing.goals = CellSet::of({1, 1});
     briefing.sight = 1;
-    briefing.drive = {model.get(), find_rules("all-japan").rules.time_limit, 1.0, 0};
+    briefing.drive = {.model = model.get(), .time_limit = find_rules("all-japan").rules.time_limit};
     const auto mouse = festina_mouse.make(briefing, Settings(festina_mouse.parameters));
     const double first = mouse->pace(false);
     for (int crash = 0; crash < 20; ++crash) mouse->carried(0);
@@ -295,6 +365,34 @@ TEST(Festina, SearchesNoSlowerThanATimeLimitAllows) {
   EXPECT_EQ(pace({16, 16}).first, 1.0);
   EXPECT_LT(pace({16, 16}).second, 0.5);
   EXPECT_EQ(pace({32, 32}).second, 1.0);
+}
+
+TEST(Festina, IsAsCarefulAsTheRulesAskFor) {
+  const auto model = test::drive_model("kerise");
+  const auto first = [&](const std::string& rules, Settings settings) {
+    const Briefing briefing = brief(test::ring(), find_rules(rules).rules, *model, 1);
+    return festina_mouse.make(briefing, settings)->pace(true);
+  };
+  const Settings plain(festina_mouse.parameters);
+  EXPECT_LT(first("all-japan", plain), 1.0);  // five runs
+  EXPECT_LT(first("apec", plain), 1.0);       // a bonus for the untouched
+  EXPECT_EQ(first("uk", plain), 1.0);
+  const Contestant told = test::mice("festina:run=0.5").front();
+  EXPECT_EQ(told.drive(test::ring(), brief(test::ring(), find_rules("uk").rules, *model, 1))->pace(true), 0.5);
+}
+
+TEST(Festina, ExploresByTheRules) {
+  // Where the time in the maze counts, certify explores longer than ariadne.
+  const auto model = test::drive_model("kerise");
+  const Maze maze = maze_named("contest-05").value();
+  const auto searched = [&](const std::string& rules, const std::string& spec) {
+    const Briefing briefing = brief(maze, find_rules(rules).rules, *model, 1);
+    const auto mouse = test::mice(spec).front().drive(maze, briefing);
+    return drive(maze, find_rules(rules).rules, *model, *mouse).decisions;
+  };
+  EXPECT_EQ(searched("all-japan", "festina"), searched("all-japan", "certify"));
+  EXPECT_EQ(searched("thirtieth", "festina"), searched("thirtieth", "ariadne"));
+  EXPECT_NE(searched("thirtieth", "certify"), searched("thirtieth", "ariadne"));
 }
 
 TEST(Festina, IsTheMindThatExploresForItWhereNothingGoesWrong) {

@@ -52,9 +52,9 @@ TEST(PhysicalRecord, IsReadAsItWasWritten) {
 
 TEST(PhysicalRecord, OfAMapThatWeighsDrivesAgain) {
   int turned = 0;
-  for (const std::uint64_t seed : {1, 2, 3, 4, 5, 6}) {
-    PhysicalConditions conditions = traced(5.0);
-    conditions.noise.spread = 2.0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    PhysicalConditions conditions = traced(4.0);
+    conditions.noise.spread = 4.0;
     conditions.map = MapKind::belief;
     const DriveRecordFile file = read(write_drive_record(physical_file("certify", conditions, seed)));
     EXPECT_EQ(file.physical->conditions.map, MapKind::belief);

@@ -65,7 +65,7 @@ TEST(Belief, TheBorderIsClosedWhateverIsRead) {
   const Wall border = wall_at({0, 0}, Heading::west);
   for (int i = 0; i < 10; ++i) EXPECT_EQ(belief.add(border, -64), News::none);
   belief.forget(border);
-  belief.weaken(border);
+  belief.doubt(border, 64);
   EXPECT_EQ(belief.odds(border), Belief::most);
   EXPECT_EQ(belief.view().state(border), WallState::closed);
 }
@@ -73,7 +73,7 @@ TEST(Belief, TheBorderIsClosedWhateverIsRead) {
 TEST(Belief, AForgottenWallIsUnknownAndCanBeLearnedAnew) {
   Belief belief(size, MapKind::belief);
   static_cast<void>(belief.add(wall, 64));
-  belief.weaken(wall);
+  belief.doubt(wall, 64);
   EXPECT_EQ(belief.odds(wall), 32);
   belief.forget(wall);
   EXPECT_EQ(state_of(belief), WallState::unknown);
@@ -82,6 +82,26 @@ TEST(Belief, AForgottenWallIsUnknownAndCanBeLearnedAnew) {
   EXPECT_EQ(belief.version(), 1);
   EXPECT_EQ(belief.add(wall, -3), News::learned);
   EXPECT_EQ(state_of(belief), WallState::open);
+}
+
+TEST(Belief, DoubtTakesNoWallForItsOpposite) {
+  // Told three times, of which it has kept one and a third.
+  for (const int evidence : {48, -48}) {
+    Belief belief(size, MapKind::belief);
+    for (int i = 0; i < 3; ++i) static_cast<void>(belief.add(wall, evidence));
+    const WallState before = state_of(belief);
+    for (int i = 0; i < 3; ++i) belief.doubt(wall, evidence);
+    EXPECT_EQ(belief.odds(wall), 0);
+    EXPECT_EQ(state_of(belief), before);
+    EXPECT_EQ(belief.version(), 0);
+    // What spoke against it counts by half, too.
+    belief.doubt(wall, -evidence);
+    EXPECT_EQ(belief.odds(wall), evidence / 2);
+  }
+  Belief empty(size, MapKind::belief);
+  empty.doubt(wall, 64);
+  EXPECT_EQ(empty.odds(wall), 0);
+  EXPECT_EQ(state_of(empty), WallState::unknown);
 }
 
 TEST(Belief, DoubtsTheWayOnWhichTheWallsAreLeastSure) {

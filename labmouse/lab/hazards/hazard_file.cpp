@@ -47,9 +47,10 @@ class HazardReader {
     return none;
   }
 
+  /// Nothing stands for nothing but zeros.
   template <std::size_t Size>
   void numbers(const ReadJson& list, std::string_view what, std::array<std::int64_t, Size>& into) {
-    if (!error.empty()) return;
+    if (!error.empty() || (list.is_array() && list.empty())) return;
     if (!list.is_array() || list.size() != Size) {
       error = fmt::format("'{}' has an entry that is no list of {} counts", what, Size);
       return;

@@ -78,9 +78,10 @@ std::string table_of(const HazardTally& tally) {
       fmt::format("Noise {:g}{}: {}\n", tally.noise, tally.pace == 1.0 ? "" : fmt::format(", pace {:g}", tally.pace),
                   finished_text_of(counts));
   if (tally.noise > 0.0) {
-    text += "\nThe luckiest 30 of 100 contests, the next 30, 20, 13, and the last 7:\n";
-    for (const HazardCounts& some : tally.by_luck)
-      if (some.contests > 0) text += "  " + finished_text_of(some) + "\n";
+    text += "\n";
+    for (const Luck luck : all_luck)
+      if (const HazardCounts& some = tally.by_luck[static_cast<std::size_t>(luck)]; some.contests > 0)
+        text += fmt::format("{:<15} {}\n", name_of(luck), finished_text_of(some));
   }
   const auto heading = [](std::string_view first) {
     return fmt::format("{:<14} {:>9} {:>8} {:>9} {:>15} {:>8}\n", first, "times", "crashes", "of 1000", "95 %",
@@ -141,19 +142,23 @@ Json json_of(const HazardTally& tally) {
   return json;
 }
 
-/// Of a file: of each manoeuvre times, crashes, those that slid, and how far astray it was after the others.
+/// Of a file: of each manoeuvre times, crashes, those that slid, and how far astray it was after the others; nothing
+/// where it was never counted.
 Json counts_json(const HazardCounts& counts) {
   Json json = {{"contests", counts.contests}, {"finished", counts.finished}, {"put", counts.put}};
   for (const Manoeuvre manoeuvre : all_manoeuvres) {
     Json& list = json["manoeuvres"][std::string(name_of(manoeuvre))];
     for (const ManoeuvreCount& count : counts.manoeuvres[static_cast<std::size_t>(manoeuvre)]) {
-      list.push_back({count.times, count.crashes, count.slid});
+      list.push_back(Json::array());
+      if (count.times == 0) continue;
+      list.back() = {count.times, count.crashes, count.slid};
       for (const std::int64_t after : count.after) list.back().push_back(after);
     }
   }
   for (const Reading reading : all_readings)
     for (const ReadingCount& count : counts.readings[static_cast<std::size_t>(reading)])
-      json["readings"][std::string(name_of(reading))].push_back(count.by_evidence);
+      json["readings"][std::string(name_of(reading))].push_back(count.times() > 0 ? Json(count.by_evidence)
+                                                                                  : Json::array());
   return json;
 }
 
@@ -174,8 +179,8 @@ Json heading_of(const HazardOrder& order, std::span<const Contestant> mice, std:
                {"seed", order.seed},
                {"runs", order.runs},
                {"mazes", mazes},
-               {"astray_limits", astray_limits},
-               {"luck_limits", luck_limits}};
+               {"astray_limits", astray_limits}};
+  for (const Luck luck : all_luck) json["luck"].push_back(std::string(name_of(luck)));
   for (const Contestant& mouse : mice) json["mice"].push_back(mouse.name);
   return json;
 }

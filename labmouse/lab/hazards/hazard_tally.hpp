@@ -47,7 +47,7 @@ struct HazardCounts {
   friend bool operator==(const HazardCounts&, const HazardCounts&) = default;
 };
 
-/// All that was counted under one noise at one pace, by how unlucky the draws of a contest were.
+/// All that was counted under one noise at one pace, by what the draws of a contest made of the mouse.
 struct HazardTally {
   double noise = 0.0;
   double pace = 1.0;  ///< the part of the usual pace at which mice were driven

@@ -5,6 +5,7 @@
 #include "labmouse/lab/hazards/hazards.hpp"
 #include "labmouse/lab/races/race.hpp"
 #include "labmouse/lab/system/parallel.hpp"
+#include "labmouse/mouse/drive/fastest.hpp"
 
 namespace labmouse {
 namespace {
@@ -26,7 +27,8 @@ HazardTally tally_of(const HazardOrder& order, double pace, double noise, const 
     briefing.sight = 1;
     const auto mind = mouse.drive(maze.maze, briefing);
     const PhysicalRecord record = drive_physically(maze.maze, order.rules, *order.model, conditions, seed, *mind);
-    const std::size_t luck = luck_class(record.frailty, noise * conditions.noise.spread);
+    const Specimen body(*order.model->robot.hardware, conditions.noise, maze.maze.size(), seed);
+    const auto luck = static_cast<std::size_t>(luck_of(body));
     count_hazards(record, maze.maze, order.model->tables.cell, tally.by_luck[luck]);
   }
   return tally;
@@ -40,8 +42,12 @@ std::vector<double> sorted(std::vector<double> values) {
 
 }  // namespace
 
-std::vector<HazardTally> measure_hazards(const HazardOrder& order, std::span<const Contestant> mice,
+std::vector<HazardTally> measure_hazards(const HazardOrder& ordered, std::span<const Contestant> mice,
                                          std::span<const NamedMaze> mazes, const std::atomic<bool>* stop) {
+  HazardOrder order = ordered;
+  DriveModel model = *order.model;
+  share_route_tables(model);
+  order.model = std::make_shared<const DriveModel>(std::move(model));
   std::vector<HazardTally> tallies;
   for (const double pace : sorted(order.paces))
     for (const double noise : sorted(order.noises)) tallies.push_back({noise, pace, {}});

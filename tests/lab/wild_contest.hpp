@@ -1,0 +1,75 @@
+// A contest in which readings of walls mean nothing: what a mind believes turns over at every step.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "labmouse/chance/dice.hpp"
+#include "labmouse/contest/drive.hpp"
+#include "labmouse/contest/fallible.hpp"
+#include "labmouse/lab/robots/drive_rules_file.hpp"
+#include "labmouse/lab/robots/robot_files.hpp"
+#include "labmouse/maze/generators/generator.hpp"
+#include "labmouse/mouse/drive/fastest.hpp"
+#include "labmouse/strategies/roster.hpp"
+
+namespace labmouse::test {
+
+struct WildContest {
+  std::uint64_t seed = 1;
+  std::size_t mind = 0;  ///< of wild_minds
+  int side = 6;          ///< of the maze, in cells
+  int loops = 100;       ///< thousandths
+  double wild = 0.5;     ///< the share of readings that any wall may have given
+  double crash = 0.02;   ///< of manoeuvres
+};
+
+inline constexpr std::array<std::string_view, 5> wild_minds = {"flood", "flood-return", "certify", "ariadne",
+                                                               "festina"};
+inline constexpr MazeTime wild_time = 20'000'000;
+/// A move takes a twentieth of a second at least; what is more is a mind that goes round and round.
+inline constexpr int most_decisions = 20 * (wild_time / 1'000'000);
+
+/// As many readings as that are of any evidence, the others right and sure.
+inline Hazards wild_hazards(double wild, double crash) {
+  HazardsAtNoise noise = no_hazards();
+  noise.noise = 1.0;
+  for (HazardsByLuck& some : noise.by_luck) {
+    for (auto& levels : some.readings)
+      for (ReadingHazard& shares : levels)
+        for (double& share : shares) share = (1.0 - wild) * share + wild / static_cast<double>(evidence_classes);
+    for (auto& levels : some.manoeuvres)
+      for (ManoeuvreHazard& hazard : levels) hazard.crash = crash;
+  }
+  Hazards hazards;
+  hazards.paces = {{1.0, {noise}}};
+  return hazards;
+}
+
+inline PhysicalRecord held(const WildContest& contest) {
+  static const DriveModel model = [] {
+    DriveModel kerise = find_robot("kerise").model;
+    share_route_tables(kerise);
+    return kerise;
+  }();
+  DriveRules rules = find_rules("all-japan").rules;
+  rules.time_limit = wild_time;
+  const Maze maze =
+      depth_first_generator.make({{contest.side, contest.side}, seed_for(contest.seed, "maze"), contest.loops});
+  PhysicalConditions conditions;
+  conditions.map = MapKind::belief;
+  Briefing briefing = brief(maze, rules, model, contest.seed);
+  briefing.sight = 1;
+  const RosterEntry& entry = *find_mouse(wild_minds[contest.mind % wild_minds.size()]);
+  const auto mind = entry.make(briefing, Settings(entry.parameters));
+  return drive_fallibly(maze, rules, model, conditions, wild_hazards(contest.wild, contest.crash), contest.seed, *mind);
+}
+
+/// Whether the contest came to an end that is no fault of the mind: with a score, or by the time or the rules.
+inline bool came_to_its_end(const PhysicalRecord& record) {
+  const bool in_time = record.drive.runs.empty() || record.drive.runs.back().end <= wild_time;
+  return record.drive.outcome != DriveOutcome::forfeit && in_time;
+}
+
+}  // namespace labmouse::test
