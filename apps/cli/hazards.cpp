@@ -39,7 +39,8 @@ int check_hazards(const HazardOptions& options, HazardOrder order, const std::ve
                   const std::vector<NamedMaze>& mazes) {
   const FoundHazards hazards = find_hazards(options.check);
   if (!hazards.file) throw UsageError(hazards.error);
-  if (const std::string why = why_not_fallible(*order.model, order.noises.back(), *hazards.file); !why.empty())
+  const double most_noise = *std::max_element(order.noises.begin(), order.noises.end());
+  if (const std::string why = why_not_fallible(*order.model, most_noise, *hazards.file); !why.empty())
     throw UsageError("error: " + why);
   const FidelityBars bars = {options.within / 100.0, options.interval_within / 100.0};
   const Interruptible interruptible;
@@ -156,7 +157,8 @@ void add_hazards(Command& app, int& exit) {
           "--check", options->check,
           "Instead hold the same contests in the fallible world by these hazards, and exit with 1 where another "
           "share of them is finished")
-      ->type_name("HAZARDS");
+      ->type_name("HAZARDS")
+      ->excludes("--pace", "--spread", "--search-speed", "--save", "--format");
   command->add_option("--within", options->within, "With --check: points of 100 by which shares may differ")
       ->check(in_range(0.0, 100.0))
       ->capture_default_str();

@@ -16,7 +16,8 @@ class BelievedWalls {
   /// Maze and record must outlive it.
   BelievedWalls(const Maze& maze, MapKind map, PhysicalRecord& record);
 
-  /// Takes what the evidence is rather for as the state of walls that it does not know.
+  /// Takes what the evidence is rather for as the state of walls that it does not know, and weighs it with what it
+  /// knows of others.
   void read(MazeTime time, const Pose& pose, const WallEvidence& evidence);
   /// The mouse has come from there, straight on in the heading in which it is: the walls on its way are surely open.
   void pass(MazeTime time, Cell from, const Pose& to);

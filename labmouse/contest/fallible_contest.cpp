@@ -223,7 +223,8 @@ class FallibleContest {
     // It was doubted where the mouse stands.
     if (walls_.known().state(wall) != WallState::unknown) return give_up_on_it();
     driver_.look_about();
-    return After::on_the_way;
+    // It cannot see what is behind it.
+    return walls_.known().state(wall) == WallState::unknown ? give_up_on_it() : After::on_the_way;
   }
 
   /// The mind asked for something that it cannot have.

@@ -53,6 +53,8 @@ std::size_t FallibleDriver::one_of(std::span<const double> shares) {
   double left = share();
   std::size_t place = 0;
   while (place + 1 < shares.size() && left >= shares[place]) left -= shares[place++];
+  // What rounding has left over belongs to what there is.
+  while (place > 0 && shares[place] <= 0.0) --place;
   return place;
 }
 
@@ -138,12 +140,15 @@ bool FallibleDriver::make(const Action& part, bool replanned) {
 void FallibleDriver::advance(const Action& part, MazeTime begin, MazeTime end) {
   auto& runs = record_.drive.runs;
   const bool home = runs.back().kind == DriveRun::Kind::home;
-  if (home && runs.size() > 1) note_stop(runs[runs.size() - 2], maze_, model_.search, place_, begin);
+  if (home && runs.size() > 1 && runs.back().moves.empty())
+    note_stop(runs[runs.size() - 2], maze_, model_.search, place_, begin);
+  MazeTime from = begin;
   for (int edge = 1; edge <= std::max(1, part.movement); ++edge) {
     const bool last = edge >= part.movement;
     const Action step = part.movement > 1 ? Action::step(0, 1) : part;
     const MazeTime arrival = last ? end : begin + slowed(model_.search.dash_part(part.movement, edge));
-    if (!home) note_gates(runs.back(), maze_, model_.search, place_, step, begin, arrival);
+    if (!home) note_gates(runs.back(), maze_, model_.search, place_, step, from, arrival);
+    from = arrival;
     place_ = after_search(place_, step);
   }
 }

@@ -1,8 +1,8 @@
 // What a contest's draws make of a mouse: one that is sound, or one that is weak somewhere, all through the contest.
 //
-// Counted in the physical world, what breaks mice is the weakest of their motors and their tyres: with less than a
-// quarter of what the book says hardly any finishes at its usual pace, and with more than 0.4 it hardly matters how
-// much more. Among those, it is infrared sensors that differ from each other which make mice misread.
+// Counted in the physical world, what breaks mice is the weakest of their motors and their tyres: with less than 0.3 of
+// what the book says hardly any finishes at its usual pace, and with more than 0.4 it hardly matters how much more. Of
+// those, it is infrared sensors far from the book that make mice misread.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ namespace labmouse {
 
 enum class Luck : std::uint8_t {
   sound,           ///< no motor and no tyre has less than 0.4 of what the book says
-  eyes_apart,      ///< the same with infrared sensors that are more than 0.4 apart, in logarithms (root mean square)
+  eyes_apart,      ///< the same with infrared sensors more than 0.4 from the book, in logarithms (root mean square)
   eyes_far_apart,  ///< or more than 0.8
   weak_below_40,   ///< the weakest has less than 0.4, and so on
   weak_below_30,

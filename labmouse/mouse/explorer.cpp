@@ -76,6 +76,10 @@ void Explorer::carried(std::int64_t clock) {
   if (clock_) clock_->set(clock);
 }
 
+void Explorer::searches_at(double pace) {
+  if (clock_) clock_->set_pace(pace);
+}
+
 std::span<const Counter> Explorer::counters() const {
   return clock_ ? std::span<const Counter>(counters_) : std::span<const Counter>();
 }

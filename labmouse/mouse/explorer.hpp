@@ -25,6 +25,7 @@ class Explorer : public Strategy {
 
   Action decide(const Sighting& seen) final;
   void show(const Pose& pose, const Sighting& seen) final;
+  void searches_at(double pace) final;
   void carried(std::int64_t clock) final;
   bool considers() const final { return clock_ != nullptr; }
   Action consider(const Belief& belief, const SearchPlace& place, std::int64_t time) final;

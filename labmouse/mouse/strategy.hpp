@@ -33,8 +33,8 @@ class Strategy {
   /// on which others drive it.
   virtual void show(const Pose&, const Sighting&) {}
 
-  /// It was carried to the start, where it stands as in the beginning, so many microseconds after the contest began;
-  /// for minds in seconds alone.
+  /// It stands at the start as in the beginning, so many microseconds after the contest began: a hand carried it there,
+  /// or it has not come away from there, for want of a way; for minds in seconds alone.
   virtual void carried(std::int64_t) {}
 
   /// Whether it can think about walls that are not what they were taken for: then it is asked by consider() alone,
@@ -49,6 +49,8 @@ class Strategy {
   /// At which part of its usual pace it wants to be driven, up to 1: asked as a run begins that is a fast one over
   /// known walls, or else a search or a way home. Only worlds in which things go wrong listen to it.
   virtual double pace(bool /*fast*/) { return 1.0; }
+  /// From now on it searches at that part of the robot's own pace, other than its briefing says; for minds in seconds.
+  virtual void searches_at(double) {}
   /// What its map does with readings against it; without an answer the conditions of the contest say so.
   virtual std::optional<MapKind> map_kind() const { return std::nullopt; }
 

@@ -15,21 +15,14 @@ namespace {
 
 constexpr std::string_view method =
     "Where a mind decides, another one explores for it: ariadne where the time in the maze counts, certify where it "
-    "does "
-    "not. What festina decides is what its map does with readings against it, and the pace. Its map doubts: readings "
-    "are "
-    "weighed against each other, and where no way is left the mouse looks again. It searches at its usual pace, and "
-    "after "
-    "each crash in a search more slowly: a mouse whose tyres slid slides in the next run, too. Fast runs begin at 0.8 "
-    "of "
-    "the usual pace where a crash is dear, because runs are few or a mouse that was never touched has a bonus, and at "
-    "the "
-    "usual one where it is not; after a crash the next is slower by a factor, and after one that came to its end below "
-    "the usual pace the next is faster, up to the middle between what went well and what did not, until that is no "
-    "more "
-    "than a tenth away. In worlds where nothing goes wrong all paces are the same, and it is the mind that explores "
-    "for "
-    "it.";
+    "does not. What festina decides is what its map does with readings against it, and the pace. Its map doubts: "
+    "readings are weighed against each other, and where no way is left the mouse looks again. It searches at its "
+    "usual pace, and after each crash in a search more slowly: a mouse whose tyres slid slides in the next run, "
+    "too. Fast runs begin at 0.8 of the usual pace where a crash is dear, because runs are few or a mouse that was "
+    "never touched has a bonus, and at the usual one where it is not; after a crash the next is slower by a factor, "
+    "and after one that came to its end below the usual pace the next is faster; once there are both, the next is "
+    "in the middle between them, as long as that is more than a tenth faster than what went well, or the last one "
+    "crashed. In worlds where nothing goes wrong all paces are the same, and it is the mind that explores for it.";
 
 constexpr std::string_view source =
     "Search slowly, run faster and faster: what builders of contest mice do by buttons between their runs.";
@@ -46,7 +39,7 @@ double least_pace_of(const Briefing& briefing) {
   constexpr double least = 0.3, turns = 1.25;
   if (!briefing.in_seconds()) return least;
   const double cells = turns * briefing.size.area() * briefing.drive.model->search.cell;
-  return std::clamp(cells / static_cast<double>(briefing.drive.time_limit), least, 1.0);
+  return std::clamp(cells / (briefing.drive.pace * static_cast<double>(briefing.drive.time_limit)), least, 1.0);
 }
 
 /// What a crash costs is a run of a few, or the bonus of a mouse that was never touched.
@@ -91,8 +84,9 @@ class RunLadder {
 class Festina final : public Strategy {
  public:
   Festina(std::unique_ptr<Strategy> mind, const Settings& settings, double search_pace, double least_pace,
-          double run_pace)
+          double run_pace, double usual_pace)
       : mind_(std::move(mind)),
+        usual_pace_(usual_pace),
         search_pace_(search_pace),
         least_pace_(least_pace),
         slower_(settings.real("slower")),
@@ -105,6 +99,7 @@ class Festina final : public Strategy {
       ladder_.crashed();
     else
       search_pace_ = std::max(least_pace_, search_pace_ * slower_);
+    mind_->searches_at(usual_pace_ * search_pace_);
     mind_->carried(time);
   }
   bool considers() const override { return mind_->considers(); }
@@ -130,6 +125,7 @@ class Festina final : public Strategy {
   }
 
   std::unique_ptr<Strategy> mind_;
+  double usual_pace_;  ///< the part of the robot's own that is 1 to it
   double search_pace_, least_pace_;
   double slower_;
   RunLadder ladder_;
@@ -140,9 +136,9 @@ std::unique_ptr<Strategy> make(const Briefing& briefing, const Settings& setting
   const RosterEntry& entry = explorer_for(briefing, settings.choice("mind"));
   const double least = least_pace_of(briefing), pace = std::max(settings.real("search"), least);
   Briefing told = briefing;
-  told.drive.pace = pace;
+  told.drive.pace = briefing.drive.pace * pace;
   return std::make_unique<Festina>(entry.make(told, Settings(entry.parameters)), settings, pace, least,
-                                   first_run_pace(briefing, settings.real("run")));
+                                   first_run_pace(briefing, settings.real("run")), briefing.drive.pace);
 }
 
 }  // namespace

@@ -65,7 +65,7 @@ TEST(Hazards, CountEachManoeuvreAndEachCrashOnce) {
   for (std::uint64_t seed = 1; seed <= test::fewer(40U); ++seed) {
     const PhysicalRecord record = test::driven_physically("flood-return", test::ring(), conditions, seed);
     HazardCounts tally;
-    count_hazards(record, test::ring(), cell, tally);
+    count_hazards(record, test::ring(), cell, 1.0, tally);
     std::int64_t moves = 0, segments = 0, crashed = 0;
     for (std::size_t i = 0; i < record.drive.runs.size(); ++i) {
       const DriveRun& run = record.drive.runs[i];
@@ -116,7 +116,7 @@ TEST(Hazards, KnowHowFarAstrayAMouseIs) {
   };
   record.trace = {point(0, 0.0), point(295'000, 10.0), point(600'000, 0.0)};
   HazardCounts tally;
-  count_hazards(record, test::ring(), 90.0, tally);
+  count_hazards(record, test::ring(), 90.0, 1.0, tally);
   const std::size_t level = astray_level(10.0 / 90.0);
   EXPECT_EQ(tally.manoeuvres[static_cast<std::size_t>(Manoeuvre::start)][0].after[level], 1);
   EXPECT_EQ(tally.at(level).times, 1);

@@ -12,8 +12,8 @@ constexpr double turning = 0.1;
 
 class HazardCounter {
  public:
-  HazardCounter(const PhysicalRecord& record, const Maze& maze, double cell, HazardCounts& counts)
-      : record_(record), maze_(maze), cell_(cell), counts_(counts) {}
+  HazardCounter(const PhysicalRecord& record, const Maze& maze, double cell, double pace, HazardCounts& counts)
+      : record_(record), maze_(maze), cell_(cell), pace_(pace), counts_(counts) {}
 
   void count() {
     ++counts_.contests;
@@ -95,13 +95,17 @@ class HazardCounter {
   }
 
   void count_fast(const DriveRun& run, RunEnd end) {
+    // A route's times are those of the usual pace, and the clock's are not.
+    const auto clock = [&](DriveTime time) {
+      return run.begin + static_cast<MazeTime>(static_cast<double>(time) / (pace_ * run.pace));
+    };
     const auto& segments = run.route.segments;
-    const MazeTime driven = run.end - run.begin;
     for (const DriveSegment& segment : segments) {
-      if (is_crash(end) && (segment.end > driven || &segment == &segments.back()))
-        return add_crash(manoeuvre_of(segment), run.begin + segment.begin, end);
-      if (segment.end > driven) return;
-      add(manoeuvre_of(segment), run.begin + segment.begin, run.begin + segment.end);
+      const MazeTime begins = clock(segment.begin), ends = clock(segment.end);
+      if (is_crash(end) && (ends > run.end || &segment == &segments.back()))
+        return add_crash(manoeuvre_of(segment), begins, end);
+      if (ends > run.end || (run.gate_in && begins >= *run.gate_in)) return;
+      add(manoeuvre_of(segment), begins, ends);
     }
   }
 
@@ -125,14 +129,15 @@ class HazardCounter {
   const PhysicalRecord& record_;
   const Maze& maze_;
   double cell_;
+  double pace_;  ///< the usual one
   HazardCounts& counts_;
   WallSet read_;  ///< at least once so far
 };
 
 }  // namespace
 
-void count_hazards(const PhysicalRecord& record, const Maze& maze, double cell, HazardCounts& counts) {
-  HazardCounter(record, maze, cell, counts).count();
+void count_hazards(const PhysicalRecord& record, const Maze& maze, double cell, double pace, HazardCounts& counts) {
+  HazardCounter(record, maze, cell, pace, counts).count();
 }
 
 }  // namespace labmouse

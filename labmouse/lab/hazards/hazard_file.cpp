@@ -147,6 +147,12 @@ FoundHazards read_hazards(std::string_view text, const std::string& name) {
   return {std::move(file), ""};
 }
 
+std::optional<HazardFile> brought_hazards(const std::string& name, std::string_view hash) {
+  if (name.find_first_of("/.\n-") != std::string::npos) return std::nullopt;
+  FoundHazards found = find_hazards(name);
+  return found.file && found.file->hash == hash ? std::move(found.file) : std::nullopt;
+}
+
 FoundHazards find_hazards(const std::string& name) {
   const NamedText text = find_text("table of hazards", builtin_hazards(), name, ".json");
   if (!text.error.empty()) return {std::nullopt, text.error};

@@ -38,8 +38,11 @@ FoundHazards read_hazards(std::string_view text, const std::string& name);
 /// The built-in ones of that name, or those of a file, whose name has a slash or ends in `.json`.
 FoundHazards find_hazards(const std::string& name);
 
-/// How likely all of it is, by what was counted. Where little was counted, what was counted of all contests counts,
-/// too, and where that is little, what was counted of all manoeuvres.
+/// Those of that name and hash which the program brings, or nothing: a file of that name may be another one.
+std::optional<HazardFile> brought_hazards(const std::string& name, std::string_view hash);
+
+/// How likely all of it is, by what was counted. Where little was counted of a class of luck, what was counted of it
+/// under all noises counts, too; where that is little, what was counted of all classes; then that of all manoeuvres.
 Hazards hazards_of(const HazardFile& file);
 
 }  // namespace labmouse

@@ -16,7 +16,7 @@ Interval interval_of(std::int64_t part, std::int64_t all) {
   return wilson_interval(static_cast<int>(part), static_cast<int>(all));
 }
 
-/// "4-8 %", or what is below the first limit or above the last.
+/// "4 to 8", or what is below the first limit or above the last.
 std::string name_of_level(std::size_t level) {
   const auto percent = [](double limit) { return fmt::format("{:g}", 100.0 * limit); };
   if (level == 0) return "below " + percent(astray_limits.front());
@@ -65,7 +65,7 @@ std::string line_of(std::string_view name, const Misreads& beside, const Misread
                      ahead.times, per_thousand(ahead.wrong, ahead.times));
 }
 
-/// "finished 81.2 % (79.0-83.1)"
+/// "522 contests, 81.2 % finished (79.0-83.1)"
 std::string finished_text_of(const HazardCounts& counts) {
   const Interval finished = interval_of(counts.finished, counts.contests);
   return fmt::format("{} contests, {:.1f} % finished ({:.1f}-{:.1f})", counts.contests,

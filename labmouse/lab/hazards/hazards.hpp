@@ -24,10 +24,10 @@
 
 namespace labmouse {
 
-/// Counts what happened in a contest whose mouse told where it believed to be, with a point of the trace every few
-/// ticks. What a mouse does behind the goal of a fast run counts nowhere, and neither does what it did when the time
-/// was over.
-void count_hazards(const PhysicalRecord& record, const Maze& maze, double cell, HazardCounts& counts);
+/// Counts what happened in a contest, at that usual pace, whose mouse told where it believed to be, with a point of the
+/// trace every few ticks. What a mouse does behind the goal of a fast run counts nowhere, and neither does what it did
+/// when the time was over.
+void count_hazards(const PhysicalRecord& record, const Maze& maze, double cell, double pace, HazardCounts& counts);
 
 struct HazardOrder {
   std::shared_ptr<const DriveModel> model;

@@ -25,11 +25,12 @@ HazardTally tally_of(const HazardOrder& order, double pace, double noise, const 
     const std::uint64_t seed = contest_seed(order.seed, maze.name, run);
     Briefing briefing = brief(maze.maze, order.rules, *order.model, seed);
     briefing.sight = 1;
+    briefing.drive.pace = pace;
     const auto mind = mouse.drive(maze.maze, briefing);
     const PhysicalRecord record = drive_physically(maze.maze, order.rules, *order.model, conditions, seed, *mind);
     const Specimen body(*order.model->robot.hardware, conditions.noise, maze.maze.size(), seed);
     const auto luck = static_cast<std::size_t>(luck_of(body));
-    count_hazards(record, maze.maze, order.model->tables.cell, tally.by_luck[luck]);
+    count_hazards(record, maze.maze, order.model->tables.cell, pace, tally.by_luck[luck]);
   }
   return tally;
 }

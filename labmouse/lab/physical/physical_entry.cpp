@@ -177,16 +177,21 @@ std::shared_ptr<const World> restore(const ReadJson& json) {
 std::shared_ptr<const World> restore_fallible(const ReadJson& json) {
   const std::optional<Parts> parts = restored_parts(json);
   if (!parts || !json.contains("hazards") || !json["hazards"].is_string()) return nullptr;
-  const std::string name = json["hazards"].get<std::string>();
-  if (name.find_first_of("/.\n-") != std::string::npos) return nullptr;
-  const FoundHazards hazards = find_hazards(name);
-  if (!hazards.file || json.value("hazards_hash", "") != hazards.file->hash ||
-      !why_not_fallible(*parts->model, parts->conditions.noise.all, *hazards.file).empty())
-    return nullptr;
-  return fallible_of(parts->rules, parts->model, parts->conditions, *hazards.file);
+  if (!json.contains("hazards_hash") || !json["hazards_hash"].is_string()) return nullptr;
+  const auto hazards = brought_hazards(json["hazards"].get<std::string>(), json["hazards_hash"].get<std::string>());
+  if (!hazards || !why_not_fallible(*parts->model, parts->conditions.noise.all, *hazards).empty()) return nullptr;
+  return fallible_of(parts->rules, parts->model, parts->conditions, *hazards);
 }
 
 }  // namespace
+
+/// The most noise that was counted at every pace.
+double most_noise_of(const HazardFile& hazards) {
+  double most = hazards.tallies.back().noise;
+  for (std::size_t i = 0; i + 1 < hazards.tallies.size(); ++i)
+    if (hazards.tallies[i].pace != hazards.tallies[i + 1].pace) most = std::min(most, hazards.tallies[i].noise);
+  return most;
+}
 
 std::string why_not_fallible(const DriveModel& model, double noise, const HazardFile& hazards) {
   if (hazards.tables != hash_text(model.tables.hash))
@@ -197,7 +202,12 @@ std::string why_not_fallible(const DriveModel& model, double noise, const Hazard
   if (hazards.search_speed != 0.0)
     return fmt::format("--hazards: {} were counted at a speed of its own, {:g} mm/s; count them with --search-speed 0",
                        shown(hazards.name), hazards.search_speed);
-  if (const double most = hazards.tallies.back().noise; noise > most)
+  if (hazards.edition != physical_edition)
+    return fmt::format(
+        "--hazards: {} were counted in edition {} of the physical world, which is edition {} now; count "
+        "them again with `labmouse hazards --save FILE`",
+        shown(hazards.name), hazards.edition, physical_edition);
+  if (const double most = most_noise_of(hazards); noise > most)
     return fmt::format("--noise: {:g} is more than {:g}, the most under which {} were counted", noise, most,
                        shown(hazards.name));
   return "";

@@ -194,6 +194,7 @@ class PhysicalWorld : public World {
                        const CellSet& reachable, const std::atomic<bool>* stop) const {
     Briefing briefing = brief(maze, rules_, *model_, seed);
     briefing.sight = 1;
+    briefing.drive.pace = conditions.pilot.pace;
     const auto mind = mouse.drive(maze, briefing);
     conditions.map = mind->map_kind().value_or(conditions.map);
     Driven driven;

@@ -50,7 +50,9 @@ class Story {
     return std::nullopt;
   }
 
-  /// ", at 0.64 of its usual pace: slower than before, since it crashed"
+  bool did_not_end_well(std::size_t run) const { return is_crash(end_of(run)) || end_of(run) == RunEnd::walled_in; }
+
+  /// ", at 0.64 of its usual pace: slower than the last one, which did not end well"
   std::string pace_words(std::size_t i) const {
     const DriveRun& run = record_.runs[i];
     const auto before = last(run.kind, i);
@@ -58,15 +60,16 @@ class Story {
     if (run.pace == 1.0 && last_pace == 1.0) return "";
     std::string words =
         run.pace == 1.0 ? ", at its usual pace" : fmt::format(", at {:.2f} of its usual pace", run.pace);
-    if (run.pace < last_pace) words += ": slower than the last one, which did not end well";
+    if (run.pace < last_pace) words += ": slower than the last one";
+    if (run.pace < last_pace && did_not_end_well(*before)) words += ", which did not end well";
     if (run.pace > last_pace) words += ": faster than the last one";
     return words;
   }
 
   void set_out(std::size_t i) {
     const DriveRun& run = record_.runs[i];
-    if (i > 0 && (is_crash(end_of(i - 1)) || end_of(i - 1) == RunEnd::walled_in) && run.touched)
-      add(run.begin, "was carried to the start");
+    const bool stayed = i > 0 && record_.runs[i - 1].kind == Kind::fast && end_of(i - 1) == RunEnd::walled_in;
+    if (i > 0 && did_not_end_well(i - 1) && run.touched && !stayed) add(run.begin, "was carried to the start");
     const std::string pace = pace_words(i);
     switch (run.kind) {
       case Kind::search:

@@ -12,7 +12,7 @@ namespace labmouse {
 /// [x, y, heading]
 Json pose_json(const Pose& pose);
 
-/// Of the header: noise, its spread and groups, handling, and the speed of a search.
+/// Of the header: the edition, and under which conditions and by whose dice the contest was held.
 Json conditions_json(const PhysicalPart& part);
 /// All decisions of a mind: [rotation, cells], "reset", or the reason of a forfeit. Of a program of somebody else's in
 /// place of these the duties that it gave, tick by tick.

@@ -73,12 +73,8 @@ std::string shortened(std::string_view line) {
   return line.size() <= longest ? std::string(line) : std::string(line.substr(0, longest)) + "...";
 }
 
-/// The hazards by which a contest was held, where the program brings them.
 std::optional<HazardFile> hazards_behind(const PhysicalPart& part) {
-  // A file of that name may be another one.
-  if (part.hazards.find_first_of("/.\n-") != std::string::npos) return std::nullopt;
-  FoundHazards found = find_hazards(part.hazards);
-  return found.file && found.file->hash == part.hazards_hash ? std::move(found.file) : std::nullopt;
+  return brought_hazards(part.hazards, part.hazards_hash);
 }
 
 }  // namespace

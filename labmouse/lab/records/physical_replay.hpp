@@ -11,7 +11,8 @@ namespace labmouse {
 /// where the record first disagrees, or nothing. Who drove, and how often it planned, is taken over unchecked.
 std::string replay_physically(const DriveRecordFile& file);
 
-/// The contest as it is held again, with a point of the trace each so many ticks.
+/// The contest of a record that replay_physically() agrees with as it is held again, with a point of the trace each so
+/// many ticks.
 PhysicalRecord drive_again(const DriveRecordFile& file, int trace_every);
 
 }  // namespace labmouse

@@ -19,6 +19,8 @@ class SearchClock {
     time_ += time_of(step, knowledge, from);
   }
 
+  /// From now on the mouse searches at that part of its usual pace.
+  void set_pace(double pace) { pace_ = pace; }
   /// What the contest's clock says, where the mouse is told.
   void set(std::int64_t time) { time_ = time; }
 
