@@ -20,6 +20,7 @@ namespace labmouse::cli {
 namespace {
 
 struct HazardOptions {
+  const Command* command = nullptr;
   std::vector<std::string> mice;
   std::vector<std::string> mazes;
   Places places;
@@ -37,6 +38,8 @@ struct HazardOptions {
 /// Holds all contests in the fallible world, too; whether they end alike.
 int check_hazards(const HazardOptions& options, HazardOrder order, const std::vector<Contestant>& mice,
                   const std::vector<NamedMaze>& mazes) {
+  for (const std::string name : {"--pace", "--spread", "--search-speed", "--save", "--format"})
+    if (options.command->count(name) > 0) throw UsageError(fmt::format("error: {} cannot be used with --check", name));
   const FoundHazards hazards = find_hazards(options.check);
   if (!hazards.file) throw UsageError(hazards.error);
   const double most_noise = *std::max_element(order.noises.begin(), order.noises.end());
@@ -157,8 +160,7 @@ void add_hazards(Command& app, int& exit) {
           "--check", options->check,
           "Instead hold the same contests in the fallible world by these hazards, and exit with 1 where another "
           "share of them is finished")
-      ->type_name("HAZARDS")
-      ->excludes("--pace", "--spread", "--search-speed", "--save", "--format");
+      ->type_name("HAZARDS");
   command->add_option("--within", options->within, "With --check: points of 100 by which shares may differ")
       ->check(in_range(0.0, 100.0))
       ->capture_default_str();
@@ -167,6 +169,7 @@ void add_hazards(Command& app, int& exit) {
                    "With --check: points of 100 within which the difference's 95 % interval has to lie")
       ->check(in_range(0.0, 100.0))
       ->capture_default_str();
+  options->command = command;
   command->callback([options, &exit] { exit = hazards(*options); });
 }
 

@@ -524,7 +524,8 @@ TEST(FallibleWorld, KeepsRecordsThatAreDrivenAgainByTheHazardsThatTheProgramBrin
     ASSERT_TRUE(read.file) << describe("", read.problems.front());
     EXPECT_TRUE(read.file->physical->notes.by_dice);
     EXPECT_EQ(read.file->physical->conditions.map, MapKind::belief);
-    EXPECT_LT(read.file->record.runs.back().pace, 1.0);
+    const auto& runs = read.file->record.runs;
+    EXPECT_TRUE(std::any_of(runs.begin(), runs.end(), [](const DriveRun& run) { return run.pace < 1.0; }));
     EXPECT_EQ(replay_physically(*read.file), "");
     read.file->record.runs.front().pace = 0.5;
     EXPECT_THAT(replay_physically(*read.file), HasSubstr("line"));

@@ -72,8 +72,10 @@ TEST(Hazards, CountEachManoeuvreAndEachCrashOnce) {
       moves += static_cast<std::int64_t>(run.moves.size());
       // Walls that were misread are no manoeuvre's fault.
       crashed += is_crash(record.ends[i]) && record.ends[i] != RunEnd::misread ? 1 : 0;
+      // What it drives behind the goal counts nowhere.
       if (run.kind == DriveRun::Kind::fast && record.ends[i] == RunEnd::done)
-        segments += static_cast<std::int64_t>(run.route.segments.size());
+        for (const DriveSegment& segment : run.route.segments)
+          segments += run.begin + segment.begin < run.gate_in ? 1 : 0;
     }
     const ManoeuvreCount all = all_of(tally);
     EXPECT_EQ(all.crashes, crashed) << seed;
@@ -94,6 +96,34 @@ TEST(Hazards, CountEachManoeuvreAndEachCrashOnce) {
     crashes += crashed;
   }
   EXPECT_GT(crashes, 0);
+}
+
+TEST(Hazards, CountACrashAtWhatWasDrivenAtThatPace) {
+  PhysicalRecord record = test::driven_physically("flood-return", test::ring(), at_noise(0.0), 1);
+  auto& runs = record.drive.runs;
+  const auto fast = std::find_if(runs.begin(), runs.end(), [](const DriveRun& run) {
+    return run.kind == DriveRun::Kind::fast && run.route.segments.size() > 1;
+  });
+  ASSERT_NE(fast, runs.end());
+  const auto& segments = fast->route.segments;
+  ASSERT_NE(manoeuvre_of(segments[0]), manoeuvre_of(segments[1]));
+  // It crashes when at its usual pace it had come into the second segment.
+  fast->gate_in.reset();
+  fast->end = fast->begin + (segments[1].begin + segments[1].end) / 2;
+  record.ends[static_cast<std::size_t>(fast - runs.begin())] = RunEnd::slid;
+  runs.erase(fast + 1, runs.end());
+  record.ends.resize(runs.size());
+  const auto crashes_at = [&](double pace, std::size_t segment) {
+    HazardCounts tally;
+    count_hazards(record, test::ring(), 90.0, pace, tally);
+    return tally.of(manoeuvre_of(segments[segment])).crashes;
+  };
+  EXPECT_EQ(crashes_at(1.0, 1), 1);
+  EXPECT_EQ(crashes_at(1.0, 0), 0);
+  EXPECT_EQ(crashes_at(0.2, 0), 1);
+  EXPECT_EQ(crashes_at(0.2, 1), 0);
+  fast->pace = 0.2;
+  EXPECT_EQ(crashes_at(1.0, 0), 1);
 }
 
 TEST(Hazards, KnowHowFarAstrayAMouseIs) {
