@@ -74,12 +74,12 @@ test('a race sets its form up, and is held where it is quick', async () => {
   expect(await linkOf(long)).toBe('#race&mouse=random-move&in=all&seed=1&runs=100');
 });
 
-/** What is set of a world in the link of a test: nothing that is usual there, but its robot, for not all can drive in all worlds. */
+/** What is set of a world in the link of a test: nothing that is usual there, but its names, for not all can drive in all worlds. */
 const unusual = ({ settings }: WorldInPage) =>
-  settings.map(({ name, choices, default: usual }): [string, string] => [
-    name,
-    name === 'robot' ? usual : (choices?.at(-1) ?? String(2 * Number(usual))),
-  ]);
+  settings.map(({ name, choices, default: usual }): [string, string] => {
+    if (name === 'robot' || name === 'hazards') return [name, usual];
+    return [name, choices?.at(-1) ?? String(name === 'pace' ? 0.5 : 2 * Number(usual))];
+  });
 
 test('a race of a link is that of the command line, in every other world, with what is set of it', async () => {
   const about = await (await opened('#draw')).evaluate(() => window.labmouse.call('about', {}));
@@ -96,7 +96,8 @@ test('a race of a link is that of the command line, in every other world, with w
     const mazes = ['capstone-1', 'contest-02'];
     const link = `#race&mouse=${first}&mouse=${second}&in=${mazes.join()}&seed=5&runs=2&${where.join('&')}`;
     const page = await opened(link);
-    const table = page.getByRole('region', { name: `Leaderboard, ${name}, table` });
+    // Where there is noise its title says how much.
+    const table = page.getByRole('region', { name: new RegExp(`^Leaderboard, ${name}(, noise [\\d.]+)?, table$`) });
     await table.waitFor();
     expect(await linkOf(page)).toBe(link);
     const words = ['--mice', `${first},${second}`, '--mazes', ...mazes, '--seed', '5', '--runs', '2', '--world', name];
