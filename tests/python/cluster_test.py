@@ -339,7 +339,8 @@ def test_a_scheduler_may_be_restarted(other, tmp_path, monkeypatch, owner, name)
 
     calls = before_call(monkeypatch, 2, restart, owner, name)
     spread = cluster.race(client, "random", store=tmp_path / "a.db", **order)
-    assert len(calls) > 2
+    # How often it asks how many workers there are is up to the time that a race takes.
+    assert len(calls) >= 2
     assert results(spread).equals(results(labmouse.race("random", **order)))
     assert kept(tmp_path / "a.db") == len(spread.table)
 
