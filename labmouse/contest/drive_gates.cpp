@@ -1,34 +1,65 @@
 #include "labmouse/contest/drive_gates.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "labmouse/mouse/robot/drive_profile.hpp"
 
 namespace labmouse {
 namespace {
 
+/// How far a point lies at least from a cell of that side, in mm; 0 in it.
+double distance_to(Cell cell, double side, const DriveSpot& spot) {
+  const auto beyond = [side](double place, int from) {
+    return std::max({from * side - place, place - (from + 1) * side, 0.0});
+  };
+  return std::max(beyond(spot.x, cell.x), beyond(spot.y, cell.y));
+}
+
+/// How far it is at least to the outside of a cell, from a point in it.
+double distance_out_of(Cell cell, double side, const DriveSpot& spot) {
+  return std::min(
+      {spot.x - cell.x * side, (cell.x + 1) * side - spot.x, spot.y - cell.y * side, (cell.y + 1) * side - spot.y});
+}
+
 /// The first moment of a route, in microseconds, at which arrived(Cell) holds of the cell that the mouse's middle is
-/// in.
-template <class Arrived>
-MazeTime first_moment(const DriveModel& model, const DriveRoute& route, Arrived arrived) {
+/// in. Steps for which left(DriveSpot), how far that is away at least, is too much are not looked at.
+template <class Arrived, class Left>
+MazeTime first_moment(const DriveModel& model, const DriveRoute& route, Arrived arrived, Left left) {
   constexpr int steps_a_cell = 64, halvings = 40;
+  // Curves are sums that are rounded.
+  constexpr double sure_part = 0.99;
   const double cell = model.tables.cell;
   for (std::size_t i = 0; i < route.segments.size(); ++i) {
     const DriveProfile profile(model, route, i);
-    const auto arrived_at = [&](double distance) {
-      const DriveSpot spot = profile.spot(distance);
+    const auto arrived_at = [&](const DriveSpot& spot) {
       return arrived(Cell{static_cast<int>(std::floor(spot.x / cell)), static_cast<int>(std::floor(spot.y / cell))});
     };
     const int steps = static_cast<int>(profile.length() / cell * steps_a_cell) + 1;
-    for (int step = 1; step <= steps; ++step) {
+    const double stride = profile.length() / steps;
+    const auto strides_from = [&](const DriveSpot& spot) {
+      return 1 + static_cast<int>(std::clamp(sure_part * left(spot) / stride, 0.0, static_cast<double>(steps)));
+    };
+    for (int step = strides_from(profile.spot(0.0)); step <= steps;) {
       double before = profile.length() * (step - 1) / steps, behind = profile.length() * step / steps;
-      if (!arrived_at(behind)) continue;
+      if (const DriveSpot spot = profile.spot(behind); !arrived_at(spot)) {
+        step += strides_from(spot);
+        continue;
+      }
       for (int halving = 0; halving < halvings; ++halving)
-        (arrived_at((before + behind) / 2) ? behind : before) = (before + behind) / 2;
+        (arrived_at(profile.spot((before + behind) / 2)) ? behind : before) = (before + behind) / 2;
       return route.segments[i].begin + static_cast<MazeTime>(std::llround(profile.time_at(behind)));
     }
   }
   return route.time;
+}
+
+/// How far a point lies at least from the nearest of some cells.
+double distance_to(const CellSet& cells, double side, const DriveSpot& spot) {
+  double least = std::numeric_limits<double>::infinity();
+  cells.for_each([&](Cell cell) { least = std::min(least, distance_to(cell, side, spot)); });
+  return least;
 }
 
 }  // namespace
@@ -37,8 +68,15 @@ void set_gates(DriveRun& run, const Maze& maze, const DriveModel& model) {
   run.centre = run.begin + run.route.time;
   run.gate_out = run.gate_in = run.begin;
   if (run.route.segments.empty()) return;
-  run.gate_out = run.begin + first_moment(model, run.route, [&](Cell cell) { return cell != maze.start(); });
-  run.gate_in = run.begin + first_moment(model, run.route, [&](Cell cell) { return maze.is_goal(cell); });
+  const Cell start = maze.start();
+  const CellSet& goals = maze.goals();
+  const double side = model.tables.cell;
+  run.gate_out = run.begin + first_moment(
+                                 model, run.route, [&](Cell cell) { return cell != start; },
+                                 [&](const DriveSpot& spot) { return distance_out_of(start, side, spot); });
+  run.gate_in = run.begin + first_moment(
+                                model, run.route, [&](Cell cell) { return maze.is_goal(cell); },
+                                [&](const DriveSpot& spot) { return distance_to(goals, side, spot); });
 }
 
 void note_gates(DriveRun& search, const Maze& maze, const SearchDrive& drive, const SearchPlace& from,
