@@ -34,24 +34,27 @@ MemoryLayout DriveFields::layout(Size size, const DriveModel& model) {
   return layout;
 }
 
-DriveFields::DriveFields(Size size, const DriveModel& model, const Tables& tables, Memory own, std::byte* memory)
-    : own_(std::move(own)),
-      routes_(size, tables, {memory, tables->bytes_for(size)}),
-      ways_(size, model.search, {memory + tables->kept_bytes_for(size), SearchField::bytes_for(size)}) {
-  std::byte* const behind = memory + tables->kept_bytes_for(size);
-  if (has_runs(size)) runs_.emplace(size, std::span(behind, RunCosts::bytes_for(size)));
+DriveFields::DriveFields(Size size, const Tables& tables, SearchField ways, std::byte* memory)
+    : routes_(size, tables, {memory, tables->bytes_for(size)}), ways_(std::move(ways)) {
+  if (has_runs(size)) runs_.emplace(size, std::span(memory + tables->kept_bytes_for(size), RunCosts::bytes_for(size)));
 }
 
 DriveFields::DriveFields(Size size, const DriveModel& model, std::span<std::byte> memory)
-    : DriveFields(size, model, route_tables_of(model), nullptr, memory.data()) {
+    : DriveFields(
+          size, route_tables_of(model),
+          SearchField(size, model.search,
+                      memory.subspan(route_tables_of(model)->kept_bytes_for(size), SearchField::bytes_for(size))),
+          memory.data()) {
   assert(memory.size() >= bytes_for(size, model));
 }
 
 DriveFields DriveFields::in_own_memory(Size size, const DriveModel& model) {
   const Tables tables = route_tables_of(model);
   Memory memory(new std::byte[bytes_of_all(size, *tables)]);
-  std::byte* const begin = memory.get();
-  return {size, model, tables, std::move(memory), begin};
+  DriveFields fields(size, tables, SearchField(size, model.search), memory.get());
+  fields.own_ = std::move(memory);
+  fields.home_.emplace(size, model.search);
+  return fields;
 }
 
 }  // namespace labmouse

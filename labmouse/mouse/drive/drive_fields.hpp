@@ -19,6 +19,7 @@ class DriveFields {
  public:
   /// In memory that must outlive them: bytes_for(size, model), beginning at a multiple of FastestRoutes::alignment.
   DriveFields(Size size, const DriveModel& model, std::span<std::byte> memory);
+  /// In memory of their own, of which they take more and are faster.
   static DriveFields in_own_memory(Size size, const DriveModel& model);
   static std::size_t bytes_for(Size size, const DriveModel& model);
   /// What these bytes are spent on; ways and runs, as far as they do not lie in the place of others.
@@ -26,17 +27,20 @@ class DriveFields {
 
   FastestRoutes& routes() { return routes_; }
   SearchField& ways() { return ways_; }
+  /// For ways that lead home. In memory of their own another field than ways(), so that both have little to repair.
+  SearchField& home() { return home_ ? *home_ : ways_; }
   /// Not for mazes of more than RunCosts::largest_area.
   RunCosts& runs() { return *runs_; }
 
  private:
   using Tables = std::shared_ptr<const RouteTables>;
   using Memory = std::unique_ptr<std::byte[]>;
-  DriveFields(Size size, const DriveModel& model, const Tables& tables, Memory own, std::byte* memory);
+  DriveFields(Size size, const Tables& tables, SearchField ways, std::byte* memory);
 
   Memory own_;  ///< where it is their own
   FastestRoutes routes_;
   SearchField ways_;
+  std::optional<SearchField> home_;
   std::optional<RunCosts> runs_;
 };
 

@@ -25,6 +25,7 @@ class EdgeHeap {
     for (std::size_t edge = 0; edge < edges; ++edge) places_[edge] = nowhere;
   }
   bool empty() const { return size_ == 0; }
+  bool contains(std::size_t edge) const { return places_[edge] != nowhere; }
   /// Puts an edge in whose time has become less, or moves it forward.
   void reach(std::size_t edge) {
     std::size_t place = places_[edge];
@@ -33,22 +34,35 @@ class EdgeHeap {
       put(heap_[(place - 1) / 2], place);
     put(edge, place);
   }
+  std::size_t first() const { return heap_[0]; }
   /// Takes out the first one.
   std::size_t take() {
     const std::size_t first = heap_[0], last = heap_[--size_];
     places_[first] = nowhere;
-    if (size_ == 0) return first;
-    std::size_t place = 0;
-    for (std::size_t next = 1; next < size_; next = 2 * place + 1) {
-      if (next + 1 < size_ && times_[heap_[next + 1]] < times_[heap_[next]]) ++next;
-      if (times_[last] <= times_[heap_[next]]) break;
-      put(heap_[next], std::exchange(place, next));
-    }
-    put(last, place);
+    if (size_ > 0) put_off(last, 0);
     return first;
+  }
+  /// Takes an edge out, if it waits.
+  void remove(std::size_t edge) {
+    const std::size_t place = places_[edge];
+    if (place == nowhere) return;
+    places_[edge] = nowhere;
+    const std::size_t last = heap_[--size_];
+    if (place == size_) return;
+    put_off(last, place);
+    reach(last);
   }
 
  private:
+  /// Puts an edge in a place that is free, or moves it back from there.
+  void put_off(std::size_t edge, std::size_t place) {
+    for (std::size_t next = 2 * place + 1; next < size_; next = 2 * place + 1) {
+      if (next + 1 < size_ && times_[heap_[next + 1]] < times_[heap_[next]]) ++next;
+      if (times_[edge] <= times_[heap_[next]]) break;
+      put(heap_[next], std::exchange(place, next));
+    }
+    put(edge, place);
+  }
   void put(std::size_t edge, std::size_t place) {
     heap_[place] = static_cast<std::uint16_t>(edge);
     places_[edge] = static_cast<std::uint16_t>(place);

@@ -80,16 +80,23 @@ struct RouteTables::Parts {
   drive::Leaps leaps;
   /// Where the turns of each kind begin in the tables.
   std::array<std::size_t, all_turns.size() + 1> first{};
-  std::unique_ptr<const drive::SearchMaker> searches;
+  std::unique_ptr<drive::SearchMaker> searches;
 };
 
 RouteTables::RouteTables(const DriveTables& tables, Size largest) : parts_(std::make_unique<Parts>(tables, largest)) {}
 RouteTables::~RouteTables() = default;
+std::shared_ptr<const RouteTables> RouteTables::that_keep_bounds(const DriveTables& tables) {
+  const auto made = std::make_shared<RouteTables>(tables);
+  made->parts_->searches->keep_bounds();
+  return made;
+}
 
 std::shared_ptr<const RouteTables> route_tables_of(const DriveModel& model) {
   return model.route_tables ? model.route_tables : std::make_shared<const RouteTables>(model.tables);
 }
-void share_route_tables(DriveModel& model) { model.route_tables = route_tables_of(model); }
+void share_route_tables(DriveModel& model) {
+  if (!model.route_tables) model.route_tables = RouteTables::that_keep_bounds(model.tables);
+}
 
 class FastestRoutes::Search {
  public:

@@ -61,8 +61,8 @@ class FixedSearch final : public Search {
 
   static constexpr std::size_t labels = L::nodes + stretch;
 
-  FixedSearch(Size size, const FixedTables& tables, const Leaps& leaps, DriveTime* times)
-      : tables_(tables), size_(size), leaps_(leaps.of<Word>()), times_(times), waiting_(tables.shift) {}
+  FixedSearch(Size size, const FixedTables& tables, const Leaps& leaps, KeptBounds<L::nodes>& kept, DriveTime* times)
+      : tables_(tables), size_(size), leaps_(leaps.of<Word>()), kept_(kept), times_(times), waiting_(tables.shift) {}
 
   void fill(const WallSet& passages, const CellSet& goals, int start) override {
     if (start != everywhere) aim_at(start);
@@ -117,10 +117,15 @@ class FixedSearch final : public Search {
   void aim_at(int start) {
     if (start == start_) return;
     start_ = start;
+    if (const auto* known = kept_.find(size_, start)) {
+      bounds_ = *known;
+      return;
+    }
     begin(WallSet::all(size_));
     spread(start, 0);
     finish(no_time, NoBounds());
     bounds_.set([&](int node) { return node % L::points == 0 ? no_time : times_[L::opposite(node)]; });
+    kept_.keep(size_, start, bounds_);
   }
 
   void begin(const WallSet& passages) {
@@ -200,6 +205,7 @@ class FixedSearch final : public Search {
   const FixedTables& tables_;
   Size size_;
   const std::uint16_t* leaps_;
+  KeptBounds<L::nodes>& kept_;
   int start_ = everywhere;
   L lattice_;
   /// Of a mouse that rolls at a node, turned round, until the end.
@@ -223,7 +229,11 @@ class FixedSearches final : public SearchMaker {
     return is_small(size) ? FixedSearch<std::uint32_t>::layout() : FixedSearch<std::uint64_t>::layout();
   }
   SearchInPlace make(Size size, std::byte* memory) const override {
-    return is_small(size) ? made<std::uint32_t>(size, memory) : made<std::uint64_t>(size, memory);
+    return is_small(size) ? made<std::uint32_t>(size, memory, small_) : made<std::uint64_t>(size, memory, large_);
+  }
+  void keep_bounds() override {
+    small_.begin();
+    large_.begin();
   }
 
  private:
@@ -232,13 +242,15 @@ class FixedSearches final : public SearchMaker {
     return {aligned(sizeof(FixedSearch<Word>)), aligned(sizeof(DriveTime) * FixedSearch<Word>::labels)};
   }
   template <class Word>
-  SearchInPlace made(Size size, std::byte* memory) const {
+  SearchInPlace made(Size size, std::byte* memory, KeptBounds<Lattice<Word>::nodes>& kept) const {
     auto* const labels = new (memory + bytes_of<Word>().kept) DriveTime[FixedSearch<Word>::labels];
-    return SearchInPlace(new (memory) FixedSearch<Word>(size, tables_, leaps_, labels));
+    return SearchInPlace(new (memory) FixedSearch<Word>(size, tables_, leaps_, kept, labels));
   }
 
   FixedTables tables_;
   const Leaps& leaps_;
+  mutable KeptBounds<Lattice<std::uint32_t>::nodes> small_;
+  mutable KeptBounds<Lattice<std::uint64_t>::nodes> large_;
 };
 
 }  // namespace

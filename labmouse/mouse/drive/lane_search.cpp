@@ -32,8 +32,8 @@ class LaneSearch final : public Search {
  public:
   using L = Lattice<Word>;
 
-  LaneSearch(Size size, const BothWays& lanes, const Leaps& leaps)
-      : lanes_(lanes), size_(size), leaps_(leaps.of<Word>()), waiting_(lanes.shift) {
+  LaneSearch(Size size, const BothWays& lanes, const Leaps& leaps, KeptBounds<L::nodes>& kept)
+      : lanes_(lanes), size_(size), leaps_(leaps.of<Word>()), kept_(kept), waiting_(lanes.shift) {
     forget(rolling_, labels);
     forget(turning_, labels);
   }
@@ -124,6 +124,10 @@ class LaneSearch final : public Search {
   void aim_at(int start) {
     if (start == start_) return;
     start_ = start;
+    if (const auto* known = kept_.find(size_, start)) {
+      bounds_ = *known;
+      return;
+    }
     begin(WallSet::all(size_));
     spread(start, 0, lanes_.backwards.finish(0), lattice_.run(start));
     finish(lanes_.backwards, NoBounds(), [] { return no_time; });
@@ -132,6 +136,7 @@ class LaneSearch final : public Search {
       const DriveTime* times = &rolling_[label(L::opposite(node))];
       return *std::min_element(times + first_slot_a_speed[kind_of(node)] * Speeds, times + end_slot(node));
     });
+    kept_.keep(size_, start, bounds_);
   }
 
   void begin(const WallSet& passages) {
@@ -295,6 +300,7 @@ class LaneSearch final : public Search {
   const BothWays& lanes_;
   Size size_;
   const std::uint16_t* leaps_;
+  KeptBounds<L::nodes>& kept_;
   int start_ = everywhere;
   L lattice_;
   DriveTime rolling_[labels];  ///< by label
@@ -327,13 +333,20 @@ class LaneSearches final : public SearchMaker {
   }
   std::size_t table_bytes() const override { return lanes_.onwards.bytes() + lanes_.backwards.bytes(); }
   SearchInPlace make(Size size, std::byte* memory) const override {
-    if (is_small(size)) return SearchInPlace(new (memory) LaneSearch<std::uint32_t, Speeds>(size, lanes_, leaps_));
-    return SearchInPlace(new (memory) LaneSearch<std::uint64_t, Speeds>(size, lanes_, leaps_));
+    if (is_small(size))
+      return SearchInPlace(new (memory) LaneSearch<std::uint32_t, Speeds>(size, lanes_, leaps_, small_));
+    return SearchInPlace(new (memory) LaneSearch<std::uint64_t, Speeds>(size, lanes_, leaps_, large_));
+  }
+  void keep_bounds() override {
+    small_.begin();
+    large_.begin();
   }
 
  private:
   BothWays lanes_;
   const Leaps& leaps_;
+  mutable KeptBounds<Lattice<std::uint32_t>::nodes> small_;
+  mutable KeptBounds<Lattice<std::uint64_t>::nodes> large_;
 };
 
 }  // namespace

@@ -3,6 +3,15 @@
 #include "labmouse/mouse/robot/drive_model.hpp"
 
 namespace labmouse {
+namespace {
+
+bool within(const WallSet& walls, const WallSet& others) {
+  WallSet beyond = walls;
+  beyond -= others;
+  return beyond.empty();
+}
+
+}  // namespace
 
 SearchClock::SearchClock(const Briefing& briefing)
     : start_(briefing.start),
@@ -18,13 +27,17 @@ bool SearchClock::is_too_late_after(const Action& step, const Knowledge& knowled
   const std::int64_t then = time_ + time_of(step, knowledge, place);
   // It could go home the way that it came, and then the same way as fast as it searched.
   if (3 * then + slowed(search_.back) + arrival < time_limit_) return false;
-  fields_.routes().fill_for(start_, knowledge.open(), goals_);
-  const DriveTime run = fields_.routes().time_from(start_);
-  if (run == no_time) return false;
   // More walls seen make no way longer.
   const SearchPlace there = after_search(place, step);
-  fields_.ways().fill(knowledge.open(), knowledge.known_cells(), CellSet::of(start_.cell), &there);
-  return then + slowed(fields_.ways().from(there)) + arrival + run > time_limit_;
+  fields_.home().fill(knowledge.open(), knowledge.known_cells(), CellSet::of(start_.cell), &there);
+  const std::int64_t home = then + slowed(fields_.home().from(there)) + arrival;
+  // A run that is known still is no faster than the fastest one.
+  if (run_ < no_time && within(run_walls_, knowledge.open()) && home + run_ <= time_limit_) return false;
+  fields_.routes().fill_for(start_, knowledge.open(), goals_);
+  run_ = fields_.routes().time_from(start_);
+  if (run_ == no_time) return false;
+  run_walls_ = fields_.routes().walls_from(start_);
+  return home + run_ > time_limit_;
 }
 
 }  // namespace labmouse

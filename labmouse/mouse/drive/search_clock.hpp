@@ -46,6 +46,8 @@ class SearchClock {
   double pace_;  ///< the part of the usual one at which it searches
   std::int64_t time_limit_;
   std::int64_t time_ = 0;
+  DriveTime run_ = no_time;  ///< the last that it planned, which needs these walls
+  WallSet run_walls_;
   DriveFields& fields_;
 };
 

@@ -1,7 +1,9 @@
 // The least search times from every place to a set of cells.
 //
 // Method: Dijkstra with a heap, backwards from the cells, over the edges by which cells are entered, one for each
-// heading.
+// heading. A field in memory of its own is repaired where little has changed since it was filled (Koenig, Likhachev and
+// Furcy 2004, without a heuristic): an edge whose time is not that of its best move any more waits for the lesser of
+// both; when it is its turn it takes the time of that move, or if that is later, it loses its time and waits for that.
 #pragma once
 
 #include <cstddef>
@@ -31,7 +33,7 @@ struct SearchTolls {
 /// for that of a mouse at rest. Takes all memory that it will need: for mazes up to 64×64, or for 32×32 and less.
 class SearchField {
  public:
-  /// Times of moves are more than 0. In memory of its own.
+  /// Times of moves are more than 0. In memory of its own: the faster where the fills of a field differ little.
   SearchField(Size size, const SearchDrive& drive);
   /// In memory that must outlive it: bytes_for(size), beginning at a multiple of four.
   SearchField(Size size, const SearchDrive& drive, std::span<std::byte> memory);
@@ -59,19 +61,36 @@ class SearchField {
     DriveTime time;
   };
 
+  /// With so many bytes for when edges are due before the others.
+  SearchField(Size size, const SearchDrive& drive, std::byte* memory, std::size_t due_bytes);
+  static std::size_t due_bytes(Size size);
+
   std::size_t edge_of(Cell cell, Heading heading) const {
     return static_cast<std::size_t>(4 * size_.index(cell) + static_cast<int>(heading));
   }
   std::size_t wall_of(Wall wall) const {
     return static_cast<std::size_t>(2 * size_.index(wall.cell) + (wall.side == Heading::east ? 1 : 0));
   }
+  Pose pose_of(std::size_t edge) const { return {size_.cell_at(static_cast<int>(edge / 4)), all_headings[edge % 4]}; }
   template <class Price>
   void set_prices(const SearchTolls& tolls, Price price);
   DriveTime toll(Cell cell, Heading heading) const;
-  void search(const CellSet& known, const CellSet& targets, const SearchPlace* place);
+  void begin(const CellSet& known, const CellSet& targets);
+  void search(const SearchPlace* place);
   void reach(std::size_t edge, DriveTime time);
-  void expand(Pose pose, DriveTime time);
-  void expand_dashes(Pose pose, DriveTime time, DriveTime extra);
+  void take(std::size_t edge);
+  void expand(std::size_t edge);
+  template <class Visit>
+  void for_each_before(const Pose& pose, Visit visit) const;
+  template <class Visit>
+  void for_each_dash_before(const Pose& pose, Visit visit) const;
+  void repair(const WallSet& passages, const CellSet& known, const CellSet& targets);
+  void repair_walls(const WallSet& passages);
+  void repair_dashes(Cell cell);
+  void repair_before(const Pose& pose);
+  void repair(std::size_t edge);
+  DriveTime best_of(std::size_t edge) const;
+  bool passes(Cell cell, Heading heading) const;
   bool leads_to(const SearchPlace& place, const Pose& edge) const;
   DriveTime through(const SearchPlace& place, const Move& move) const;
   template <class Visit>
@@ -83,9 +102,14 @@ class SearchField {
   SearchDrive drive_;
   CellSet known_;
   CellSet targets_;
+  /// With memory of its own, the passages that it was filled over, if it was.
+  std::unique_ptr<WallSet> passages_;
+  bool repairable_ = false;
   std::unique_ptr<std::byte[]> own_;  ///< where the memory is its own
   /// By edge_of: the time from the edge by which the cell is entered in that heading.
   DriveTime* times_;
+  /// By edge_of: the time that an edge waits for. Without memory of its own these are its times.
+  DriveTime* due_;
   /// By wall_of: what passing it costs besides the time, in units, or `closed`.
   std::uint8_t* prices_;
   SearchTolls tolls_;
