@@ -38,13 +38,15 @@ MazeTime first_moment(const DriveModel& model, const DriveRoute& route, Arrived 
     };
     const int steps = static_cast<int>(profile.length() / cell * steps_a_cell) + 1;
     const double stride = profile.length() / steps;
-    const auto strides_from = [&](const DriveSpot& spot) {
-      return 1 + static_cast<int>(std::clamp(sure_part * left(spot) / stride, 0.0, static_cast<double>(steps)));
+    const auto strides_over = [&](double distance) {
+      return 1 + static_cast<int>(std::clamp(sure_part * distance / stride, 0.0, static_cast<double>(steps)));
     };
-    for (int step = strides_from(profile.spot(0.0)); step <= steps;) {
+    const HalfPoint node = half_point(route.segments[i].from);
+    const double to_node = std::fabs(profile.beginning());
+    for (int step = strides_over(left({node.x * cell / 2, node.y * cell / 2, 0.0}) - to_node); step <= steps;) {
       double before = profile.length() * (step - 1) / steps, behind = profile.length() * step / steps;
       if (const DriveSpot spot = profile.spot(behind); !arrived_at(spot)) {
-        step += strides_from(spot);
+        step += strides_over(left(spot));
         continue;
       }
       for (int halving = 0; halving < halvings; ++halving)

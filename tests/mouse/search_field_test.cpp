@@ -250,6 +250,83 @@ TEST(SearchField, FindsForAPlaceWhatItFindsForAll) {
   }
 }
 
+/// Opens and shuts some walls, learns and forgets some cells, and moves some targets.
+void change_a_little(Size size, Dice& dice, WallSet& passages, CellSet& known, CellSet& targets) {
+  const auto any_cell = [&] { return size.cell_at(dice.below(size.area())); };
+  for (int walls = dice.below(4); walls > 0; --walls) {
+    const Wall wall = wall_at(any_cell(), dice.chance(1, 2) ? Heading::north : Heading::east);
+    if (on_border(wall, size)) continue;
+    passages.contains(wall) ? passages.erase(wall) : passages.insert(wall);
+  }
+  for (int cells = dice.below(3); cells > 0; --cells) {
+    const Cell cell = any_cell();
+    known.contains(cell) ? known.erase(cell) : known.insert(cell);
+  }
+  if (dice.chance(1, 4)) targets.insert(any_cell());
+  if (dice.chance(1, 4) && targets.count() > 1) {
+    Cell last;
+    targets.for_each([&](Cell cell) { last = cell; });
+    targets.erase(last);
+  }
+}
+
+TEST(SearchField, IsAfterAnyChangesWhatItIsWhenFilledAnew) {
+  Dice dice(15);
+  for (int round = 0; round < 100; ++round) {
+    const Maze maze = test::any_maze(dice, 12);
+    const Size size = maze.size();
+    const SearchDrive times = any_drive(dice);
+    WallSet passages = maze.open_walls();
+    CellSet known = any_cells(size, dice), targets = maze.goals();
+    SearchField repaired(size, times);
+    SearchPlace place = {{maze.start(), maze.start_heading()}, true};
+    for (int change = 0; change < 40; ++change) {
+      change_a_little(size, dice, passages, known, targets);
+      // A field over prices lies between them now and then.
+      if (dice.chance(1, 20)) repaired.fill(WallPrices(size), {times}, known, targets);
+      const bool all = dice.chance(1, 4);
+      if (dice.chance(1, 3)) place.pose = {size.cell_at(dice.below(size.area())), all_headings[dice.below(4)]};
+      repaired.fill(passages, known, targets, all ? nullptr : &place);
+      SearchField anew(size, times);
+      anew.fill(passages, known, targets);
+      ASSERT_EQ(repaired.from(place), anew.from(place));
+      SearchPlace there = place;
+      for (Action step = anew.step(there); step.movement > 0; step = anew.step(there)) {
+        ASSERT_EQ(repaired.step(there), step);
+        there = after_search(there, step);
+      }
+      ASSERT_EQ(repaired.step(there), anew.step(there));
+      for (int edge = 0; all && edge < 4 * size.area(); ++edge) {
+        const SearchPlace other = {{size.cell_at(edge / 4), all_headings[static_cast<unsigned>(edge % 4)]}, false};
+        ASSERT_EQ(repaired.from(other), anew.from(other));
+      }
+      // On to where it leads, as a mouse does.
+      if (const Action step = anew.step(place); step.movement > 0) place = after_search(place, step);
+    }
+  }
+}
+
+TEST(SearchField, IsInMemoryThatOthersWriteToWhatItIsInItsOwn) {
+  Dice dice(16);
+  for (int round = 0; round < 20; ++round) {
+    const Maze maze = test::any_maze(dice, 8);
+    const SearchDrive times = any_drive(dice);
+    WallSet passages = maze.open_walls();
+    CellSet known, targets = maze.goals();
+    std::vector<std::uint32_t> memory(SearchField::bytes_for(maze.size()) / sizeof(std::uint32_t) + 1);
+    SearchField guest(maze.size(), times, std::as_writable_bytes(std::span(memory))), own(maze.size(), times);
+    const SearchPlace place = {{maze.start(), maze.start_heading()}, true};
+    for (int change = 0; change < 10; ++change) {
+      change_a_little(maze.size(), dice, passages, known, targets);
+      std::fill(memory.begin(), memory.end(), 0xa5a5a5a5);
+      guest.fill(passages, known, targets, &place);
+      own.fill(passages, known, targets, &place);
+      ASSERT_EQ(guest.from(place), own.from(place));
+      ASSERT_EQ(guest.step(place), own.step(place));
+    }
+  }
+}
+
 TEST(SearchField, LeadsByItsStepsInTheTimeThatItSays) {
   Dice dice(13);
   for (int round = 0; round < 60; ++round) {

@@ -13,13 +13,16 @@ DriveTime sum(std::int64_t a, std::int64_t b) { return static_cast<DriveTime>(st
 /// Every move takes some time, whatever it saves.
 DriveTime some_time(DriveTime time) { return std::max<DriveTime>(time, 1); }
 
-/// The price of a closed wall.
-constexpr std::uint8_t closed = 0xff;
-
 bool overlap(const CellSet& cells, const CellSet& others) {
   CellSet both = cells;
   both &= others;
   return !both.empty();
+}
+
+/// How far the number of an edge is from that of the next one ahead, by heading; modulo the largest number.
+std::array<std::size_t, 4> edges_ahead(Size size) {
+  const auto row = static_cast<std::size_t>(4 * size.width);
+  return {row, 4, std::size_t{0} - row, std::size_t{0} - 4};
 }
 
 /// Calls visit(cell, now) for the cells that are in one of the sets only: whether in the one of now.
@@ -37,7 +40,7 @@ void for_each_difference(const CellSet& now, const CellSet& before, Visit visit)
 std::size_t SearchField::due_bytes(Size size) { return static_cast<std::size_t>(4 * size.area()) * sizeof(DriveTime); }
 std::size_t SearchField::bytes_for(Size size) {
   const auto edges = static_cast<std::size_t>(4 * size.area());
-  return edges * (sizeof(DriveTime) + 2 * sizeof(std::uint16_t)) + edges / 2;
+  return edges * (sizeof(DriveTime) + 2 * sizeof(std::uint16_t) + sizeof(std::uint8_t));
 }
 
 SearchField::SearchField(Size size, const SearchDrive& drive)
@@ -52,7 +55,7 @@ SearchField::SearchField(Size size, const SearchDrive& drive, std::span<std::byt
 }
 
 SearchField::SearchField(Size size, const SearchDrive& drive, std::byte* memory, std::size_t due_bytes)
-    : size_(size), drive_(drive) {
+    : size_(size), drive_(drive), ahead_(edges_ahead(size)) {
   assert(drive.cell > 0 && drive.turn > 0 && drive.back > 0);
   assert(4 * size.area() < EdgeHeap::nowhere);
   const auto edges = static_cast<std::size_t>(4 * size.area());
@@ -60,25 +63,30 @@ SearchField::SearchField(Size size, const SearchDrive& drive, std::byte* memory,
   times_ = new (memory + due_bytes) DriveTime[edges];
   auto* const numbers = new (memory + due_bytes + edges * sizeof(DriveTime)) std::uint16_t[2 * edges];
   heap_ = EdgeHeap(numbers, numbers + edges, due_);
-  prices_ = new (numbers + 2 * edges) std::uint8_t[edges / 2];
+  prices_ = new (numbers + 2 * edges) std::uint8_t[edges];
   std::fill(times_, times_ + edges, no_time);
-  std::fill(prices_, prices_ + edges / 2, closed);
+  std::fill(prices_, prices_ + edges, closed);
 }
 
 template <class Price>
 void SearchField::set_prices(const SearchTolls& tolls, Price price) {
   tolls_ = tolls;
+  std::fill(prices_, prices_ + 4 * size_.area(), closed);
   for (int index = 0; index < size_.area(); ++index)
     for (const Heading heading : {Heading::north, Heading::east}) {
       const Wall wall = wall_at(size_.cell_at(index), heading);
-      prices_[wall_of(wall)] = on_border(wall, size_) ? closed : static_cast<std::uint8_t>(price(wall));
+      if (!on_border(wall, size_)) set_price(wall, static_cast<std::uint8_t>(price(wall)));
     }
 }
 
+void SearchField::set_price(Wall wall, std::uint8_t price) {
+  prices_[edge_of(wall.cell, wall.side)] = price;
+  prices_[edge_of(neighbour(wall.cell, wall.side), opposite(wall.side))] = price;
+}
+
+/// What leaving a cell costs besides the time, or no_time.
 DriveTime SearchField::toll(Cell cell, Heading heading) const {
-  const Wall wall = wall_at(cell, heading);
-  if (!size_.contains(wall.cell)) return no_time;
-  const std::uint8_t price = prices_[wall_of(wall)];
+  const std::uint8_t price = prices_[edge_of(cell, heading)];
   if (price == closed) return no_time;
   const DriveTime saved =
       tolls_.savings.empty() ? 0 : tolls_.savings[static_cast<std::size_t>(size_.index(neighbour(cell, heading)))];
@@ -148,7 +156,7 @@ void SearchField::take(std::size_t edge) {
   repair(edge);
   // Those whose best move led here, or does as far as they know.
   const Pose pose = pose_of(edge);
-  if (!passes(neighbour(pose.cell, pose.heading, -1), pose.heading)) return;
+  if (is_shut_behind(pose)) return;
   for_each_before(pose, [&](std::size_t from, DriveTime move) {
     const DriveTime time = sum(lost, move);
     if (time == times_[from] || (heap_.contains(from) && time == due_[from])) repair(from);
@@ -158,10 +166,8 @@ void SearchField::take(std::size_t edge) {
 /// Lowers the times of the edges from which one move leads to this one.
 void SearchField::expand(std::size_t edge) {
   const Pose pose = pose_of(edge);
-  const Cell before = neighbour(pose.cell, pose.heading, -1);
-  if (!size_.contains(before)) return;
-  const DriveTime extra = toll(before, pose.heading);
-  if (extra == no_time) return;
+  if (is_shut_behind(pose)) return;
+  const DriveTime extra = toll(neighbour(pose.cell, pose.heading, -1), pose.heading);
   const DriveTime time = times_[edge];
   for_each_before(pose, [&](std::size_t from, DriveTime move) { reach(from, sum(time, some_time(move + extra))); });
 }
@@ -181,9 +187,9 @@ void SearchField::for_each_before(const Pose& pose, Visit visit) const {
 template <class Visit>
 void SearchField::for_each_dash_before(const Pose& pose, Visit visit) const {
   Cell before = neighbour(pose.cell, pose.heading, -1);
-  for (int cells = 2; known_.contains(before); ++cells) {
-    before = neighbour(before, pose.heading, -1);
-    if (toll(before, pose.heading) == no_time) return;
+  const Heading back = opposite(pose.heading);
+  for (int cells = 2; known_.contains(before) && prices_[edge_of(before, back)] != closed; ++cells) {
+    before = neighbour(before, back);
     visit(edge_of(before, pose.heading), drive_.dash(cells));
   }
 }
@@ -204,7 +210,7 @@ void SearchField::repair(const WallSet& passages, const CellSet& known, const Ce
 void SearchField::repair_walls(const WallSet& passages) {
   const auto change = [&](const WallSet& walls, std::uint8_t price) {
     walls.for_each([&](Wall wall) {
-      prices_[wall_of(wall)] = price;
+      set_price(wall, price);
       repair_before({neighbour(wall.cell, wall.side), wall.side});
       repair_before({wall.cell, opposite(wall.side)});
     });
@@ -219,9 +225,8 @@ void SearchField::repair_walls(const WallSet& passages) {
 /// The dashes through a cell may have become possible, or not any more.
 void SearchField::repair_dashes(Cell cell) {
   for (const Heading heading : all_headings) {
-    const Cell before = neighbour(cell, heading, -1);
-    if (!size_.contains(before) || toll(before, heading) == no_time) continue;
-    repair(edge_of(before, heading));
+    if (is_shut_behind({cell, heading})) continue;
+    repair(edge_of(neighbour(cell, heading, -1), heading));
     for_each_dash_before({cell, heading}, [&](std::size_t from, DriveTime) { repair(from); });
   }
 }
@@ -234,38 +239,38 @@ void SearchField::repair_before(const Pose& pose) {
 
 /// Lets an edge wait if its time is not that of its best move.
 void SearchField::repair(std::size_t edge) {
-  const DriveTime time = best_of(edge);
-  heap_.remove(edge);
-  if (time == times_[edge]) return;
-  due_[edge] = std::min(time, times_[edge]);
+  const DriveTime best = best_of(edge), time = std::min(best, times_[edge]);
+  if (heap_.contains(edge)) {
+    if (best != times_[edge] && time == due_[edge]) return;
+    heap_.remove(edge);
+  }
+  if (best == times_[edge]) return;
+  due_[edge] = time;
   heap_.reach(edge);
 }
 
 /// The same as from() of an edge, where no wall costs or saves anything.
 DriveTime SearchField::best_of(std::size_t edge) const {
-  const Pose pose = pose_of(edge);
-  if (targets_.contains(pose.cell)) return 0;
+  const std::size_t cell = edge / 4 * 4, ahead = edge % 4;
+  if (targets_.contains(size_.cell_at(static_cast<int>(edge / 4)))) return 0;
   DriveTime best = no_time;
-  const auto by = [&](Heading heading, DriveTime move) {
-    if (passes(pose.cell, heading))
-      best = std::min(best, times_[edge_of(neighbour(pose.cell, heading), heading)] + move);
+  const auto by = [&](std::size_t heading, DriveTime move) {
+    if (prices_[cell + heading] == 0) best = std::min(best, times_[cell + heading + ahead_[heading]] + move);
   };
-  by(pose.heading, drive_.cell);
-  by(left_of(pose.heading), drive_.turn);
-  by(right_of(pose.heading), drive_.turn);
-  by(opposite(pose.heading), drive_.back);
-  if (!drive_.dashes() || !passes(pose.cell, pose.heading)) return best;
+  by(ahead, drive_.cell);
+  by((ahead + 1) % 4, drive_.turn);
+  by((ahead + 3) % 4, drive_.turn);
+  by((ahead + 2) % 4, drive_.back);
+  if (!drive_.dashes() || prices_[edge] != 0) return best;
+  const Pose pose = pose_of(edge);
   Cell next = neighbour(pose.cell, pose.heading);
-  for (int cells = 2; known_.contains(next) && passes(next, pose.heading); ++cells) {
+  std::size_t entered = edge + ahead_[ahead];
+  for (int cells = 2; known_.contains(next) && prices_[entered] == 0; ++cells) {
+    entered += ahead_[ahead];
     next = neighbour(next, pose.heading);
-    best = std::min(best, times_[edge_of(next, pose.heading)] + drive_.dash(cells));
+    best = std::min(best, times_[entered] + drive_.dash(cells));
   }
   return best;
-}
-
-bool SearchField::passes(Cell cell, Heading heading) const {
-  const Wall wall = wall_at(cell, heading);
-  return size_.contains(wall.cell) && prices_[wall_of(wall)] != closed;
 }
 
 DriveTime SearchField::through(const SearchPlace& place, const Move& move) const {

@@ -6,6 +6,7 @@
 // both; when it is its turn it takes the time of that move, or if that is later, it loses its time and waits for that.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -55,6 +56,9 @@ class SearchField {
   Action step(const SearchPlace& place) const;
 
  private:
+  /// The price of a closed wall.
+  static constexpr std::uint8_t closed = 0xff;
+
   struct Move {
     int quarters;
     int cells;
@@ -68,12 +72,12 @@ class SearchField {
   std::size_t edge_of(Cell cell, Heading heading) const {
     return static_cast<std::size_t>(4 * size_.index(cell) + static_cast<int>(heading));
   }
-  std::size_t wall_of(Wall wall) const {
-    return static_cast<std::size_t>(2 * size_.index(wall.cell) + (wall.side == Heading::east ? 1 : 0));
-  }
   Pose pose_of(std::size_t edge) const { return {size_.cell_at(static_cast<int>(edge / 4)), all_headings[edge % 4]}; }
   template <class Price>
   void set_prices(const SearchTolls& tolls, Price price);
+  void set_price(Wall wall, std::uint8_t price);
+  /// Whether an edge cannot be passed; that of the border never can.
+  bool is_shut_behind(const Pose& pose) const { return prices_[edge_of(pose.cell, opposite(pose.heading))] == closed; }
   DriveTime toll(Cell cell, Heading heading) const;
   void begin(const CellSet& known, const CellSet& targets);
   void search(const SearchPlace* place);
@@ -90,7 +94,6 @@ class SearchField {
   void repair_before(const Pose& pose);
   void repair(std::size_t edge);
   DriveTime best_of(std::size_t edge) const;
-  bool passes(Cell cell, Heading heading) const;
   bool leads_to(const SearchPlace& place, const Pose& edge) const;
   DriveTime through(const SearchPlace& place, const Move& move) const;
   template <class Visit>
@@ -100,6 +103,7 @@ class SearchField {
 
   Size size_;
   SearchDrive drive_;
+  std::array<std::size_t, 4> ahead_;
   CellSet known_;
   CellSet targets_;
   /// With memory of its own, the passages that it was filled over, if it was.
@@ -110,7 +114,7 @@ class SearchField {
   DriveTime* times_;
   /// By edge_of: the time that an edge waits for. Without memory of its own these are its times.
   DriveTime* due_;
-  /// By wall_of: what passing it costs besides the time, in units, or `closed`.
+  /// By edge_of, of a cell that is left in that heading: what that costs besides the time, in units, or `closed`.
   std::uint8_t* prices_;
   SearchTolls tolls_;
   EdgeHeap heap_;
