@@ -46,6 +46,7 @@ LABMOUSE_EXPORT(labmouse_link) void labmouse_link() { call("link"); }
 LABMOUSE_EXPORT(labmouse_read_link) void labmouse_read_link() { call("read_link"); }
 LABMOUSE_EXPORT(labmouse_run) void labmouse_run() { call("run"); }
 LABMOUSE_EXPORT(labmouse_drive) void labmouse_drive() { call("drive"); }
+LABMOUSE_EXPORT(labmouse_contest) void labmouse_contest() { call("contest"); }
 LABMOUSE_EXPORT(labmouse_robot) void labmouse_robot() { call("robot"); }
 LABMOUSE_EXPORT(labmouse_regions) void labmouse_regions() { call("regions"); }
 LABMOUSE_EXPORT(labmouse_unpack) void labmouse_unpack() { call("unpack"); }

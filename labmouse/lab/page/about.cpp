@@ -8,6 +8,7 @@
 #include "labmouse/lab/bench/distance_speed.hpp"
 #include "labmouse/lab/bench/signature.hpp"
 #include "labmouse/lab/bench/speed_json.hpp"
+#include "labmouse/lab/hazards/builtin_hazards.hpp"
 #include "labmouse/lab/mazes/builtin_mazes.hpp"
 #include "labmouse/lab/mice/mice_json.hpp"
 #include "labmouse/lab/page/answers.hpp"
@@ -57,6 +58,8 @@ Json choices_of(const WorldSetting& setting) {
   Json names;
   for (const std::string_view choice : setting.choices) names.push_back(choice);
   for (const Json& thing : things) names.push_back(thing["name"]);
+  if (setting.name == "hazards")
+    for (const BuiltinHazards& brought : builtin_hazards()) names.push_back(brought.name);
   return names;
 }
 
@@ -93,8 +96,7 @@ Json worlds() {
                     {"settings", std::move(settings)},
                     {"mice", std::move(mice)}});
     // The calls that hold one contest with all of its play.
-    if (entry->is_home) list.back()["call"] = "run";
-    if (entry->name == "seconds") list.back()["call"] = "drive";
+    list.back()["call"] = entry->is_home ? "run" : entry->name == "seconds" ? "drive" : "contest";
   }
   return list;
 }

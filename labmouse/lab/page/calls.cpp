@@ -31,6 +31,7 @@ constexpr std::array calls = {
     Call{"read_link", answer_read_link},
     Call{"run", answer_run},
     Call{"drive", answer_drive},
+    Call{"contest", answer_contest},
     Call{"robot", answer_robot},
     Call{"regions", answer_regions},
     Call{"unpack", answer_unpack},

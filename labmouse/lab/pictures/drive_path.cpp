@@ -161,6 +161,20 @@ class SearchPath {
   DrivePathPoint at_;
 };
 
+/// The points of a route at that pace, up to where its run ended.
+std::vector<DrivePathPoint> as_driven(std::vector<DrivePathPoint> points, const DriveRun& run, double pace) {
+  const double begin = static_cast<double>(run.begin), end = static_cast<double>(run.end);
+  for (DrivePathPoint& point : points) {
+    point.time = begin + (point.time - begin) / pace;
+    point.speed *= pace;
+    point.acceleration *= pace * pace;
+  }
+  // What rounding has put behind the end belongs to it.
+  constexpr double rounding = 1.0;
+  while (!points.empty() && points.back().time > end + rounding) points.pop_back();
+  return points;
+}
+
 }  // namespace
 
 std::vector<DrivePathPoint> path_of(const DriveRoute& route, MazeTime begin, const DriveModel& model) {
@@ -181,14 +195,14 @@ std::vector<DrivePathPoint> path_of(const DriveRoute& route, MazeTime begin, con
   return points;
 }
 
-std::vector<DrivePathPoint> DrivePath::follow(const DriveRun& run) {
+std::vector<DrivePathPoint> DrivePath::follow(const DriveRun& run, double pace) {
   if (run.kind == DriveRun::Kind::fast) {
     place_ = start_;
     if (!run.route.segments.empty()) {
       const DriveNode& last = run.route.segments.back().to;
       place_ = {{last.cell, last.heading}, true};
     }
-    return path_of(run.route, run.begin, model_);
+    return as_driven(path_of(run.route, run.begin, model_), run, pace);
   }
   if (run.kind == DriveRun::Kind::search) place_ = start_;
   std::vector<DrivePathPoint> points;

@@ -27,8 +27,9 @@ class DrivePath {
   /// At rest at its start; the model must outlive it.
   DrivePath(Pose start, const DriveModel& model) : model_(model), start_{start, true}, place_{start, true} {}
 
-  /// The points of a run: where it begins, all of its moves or segments, where it ends.
-  std::vector<DrivePathPoint> follow(const DriveRun& run);
+  /// The points of a run: where it begins, all of its moves or segments up to where it ends. `pace`: the part of the
+  /// usual one at which it was driven.
+  std::vector<DrivePathPoint> follow(const DriveRun& run, double pace = 1.0);
   /// Where the mouse is after the runs so far.
   const SearchPlace& place() const { return place_; }
 

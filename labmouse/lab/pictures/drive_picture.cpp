@@ -169,7 +169,8 @@ std::string draw_contest(const DriveRecordFile& file) {
     for (const WallTouch& touch : file.physical->notes.touches) drives.touches.push_back(touched_at(file, touch));
   }
   for (std::size_t i = 0; i < file.record.runs.size(); ++i) {
-    Path points = file.physical ? true_path(file, i) : path.follow(file.record.runs[i]);
+    const DriveRun& run = file.record.runs[i];
+    Path points = has_trace(file) ? true_path(file, i) : path.follow(run, pace_of(file, run));
     if (i == best)
       drives.fast = std::move(points);
     else if (file.record.runs[i].kind != DriveRun::Kind::fast)

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 
 #include "labmouse/contest/drive_score.hpp"
@@ -65,6 +66,7 @@ class DriveFrames {
     play_["goal_frame"] = or_null(goal_frame_);
     play_["reset_frame"] = or_null(reset_frame_);
     add_known();
+    if (contest_.physical) add_mistaken();
   }
 
   const std::vector<std::size_t>& first_frames() const { return first_of_; }
@@ -99,11 +101,18 @@ class DriveFrames {
     begin_run(start(), run.begin);
     if (!reset_frame_) reset_frame_ = frame_;
     Cell cell = contest_.maze->start();
+    const double pace = pace_of(contest_, run);
     for (std::size_t i = 0; i < run.route.segments.size(); ++i) {
       const DriveSegment& segment = run.route.segments[i];
-      if (i + 1 == run.route.segments.size()) count(number);
-      step(segment_words(segment, contest_.model->tables), place_of(segment.to), run.begin + segment.end,
+      const bool last = i + 1 == run.route.segments.size();
+      const MazeTime planned = run.begin + static_cast<MazeTime>(static_cast<double>(segment.end) / pace);
+      // Of a mouse that crashes no more is told than it came to.
+      const bool breaks_off = contest_.physical && planned >= run.end;
+      if (last) count(number);
+      step(segment_words(segment, contest_.model->tables), place_of(segment.to),
+           contest_.physical && (last || breaks_off) ? run.end : planned,
            cells_of(DriveProfile(*contest_.model, run.route, i), cell));
+      if (breaks_off) break;
     }
     if (!run.route.segments.empty()) {
       const DriveNode& last = run.route.segments.back().to;
@@ -167,6 +176,23 @@ class DriveFrames {
     for (const WallSeen& seen : contest_.record.walls)
       if (int& frame = known[index_of(seen.wall)]; frame < 0) frame = static_cast<int>(frame_from(seen.time));
     play_["known"] = known;
+  }
+
+  /// Walls that it takes for what they are not, each from when to when.
+  void add_mistaken() {
+    Json mistaken = Json::array();
+    std::map<std::size_t, std::size_t> last;  // entry of a wall
+    for (const WallSeen& seen : contest_.record.walls) {
+      const std::size_t wall = index_of(seen.wall), frame = frame_from(seen.time);
+      if (const auto before = last.find(wall); before != last.end()) {
+        mistaken[before->second]["to"] = frame;
+        last.erase(before);
+      }
+      if (seen.open == contest_.maze->is_open(seen.wall.cell, seen.wall.side)) continue;
+      last[wall] = mistaken.size();
+      mistaken.push_back({{"wall", wall}, {"closed", !seen.open}, {"from", frame}, {"to", nullptr}});
+    }
+    play_["mistaken"] = std::move(mistaken);
   }
 
   std::size_t index_of(Wall wall) const {

@@ -104,12 +104,12 @@ Json drive_json(const DriveRecordFile& contest, const DriveRun& best, const std:
   DrivePath path({contest.maze->start(), contest.maze->start_heading()}, *contest.model);
   PathLists lists, best_lists;
   Json runs = Json::array();
-  const bool traced = contest.physical && !contest.physical->notes.trace.empty();
   for (std::size_t i = 0; i < contest.record.runs.size(); ++i) {
-    Json run = run_json(contest.record.runs[i]);
+    const DriveRun& driven = contest.record.runs[i];
+    Json run = run_json(driven);
     run["frame"] = first_frames[i];
     run["from"] = lists.size();
-    lists.add(traced ? true_path(contest, i) : path.follow(contest.record.runs[i]));
+    lists.add(has_trace(contest) ? true_path(contest, i) : path.follow(driven, pace_of(contest, driven)));
     run["to"] = lists.size();
     run["score"] = score_json(scores, i);
     runs.push_back(std::move(run));
@@ -122,7 +122,7 @@ Json drive_json(const DriveRecordFile& contest, const DriveRun& best, const std:
                 {"runs", std::move(runs)},
                 {"path", lists.json()},
                 {"best", best_lists.json()}};
-  if (traced) drive["bodies"] = bodies_json(contest);
+  if (has_trace(contest)) drive["bodies"] = bodies_json(contest);
   return drive;
 }
 

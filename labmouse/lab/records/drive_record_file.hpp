@@ -44,6 +44,13 @@ struct DriveRecordFile {
   std::optional<DriveRunScore> recorded_score{};  ///< what the last line gives; a writer puts the score of the record
 };
 
+/// The part of the robot's usual pace at which a run of it was driven.
+inline double pace_of(const DriveRecordFile& file, const DriveRun& run) {
+  return file.physical ? file.physical->conditions.pilot.pace * run.pace : 1.0;
+}
+/// Whether it says where the mouse was between its moves.
+inline bool has_trace(const DriveRecordFile& file) { return file.physical && !file.physical->notes.trace.empty(); }
+
 std::string write_drive_record(const DriveRecordFile& file);
 
 /// A record, or what is wrong with the text: exactly one of the two is there.

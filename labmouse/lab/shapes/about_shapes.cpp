@@ -25,7 +25,7 @@ std::vector<Declaration> about_shapes() {
                field("usual_runs", number, "Contests in each maze of a mouse that meets dice, where nobody says."),
                field("settings", list(named("Parameter")), "What a race there is asked besides."),
                field("mice", list(text)),
-               maybe("call", words({"run", "drive"}),
+               maybe("call", words({"run", "drive", "contest"}),
                      "What holds one contest there with its play; missing where only races are held.")})},
       {"About", "`about`: what the core brings.",
        object(

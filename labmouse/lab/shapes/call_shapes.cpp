@@ -48,6 +48,13 @@ std::vector<CallShape> call_shapes() {
        object({field("mouse", text), field("maze", named("MazeData")), field("seed", number),
                field("robot", either({text, named("Fields")})), field("rules", text)}),
        object({field("play", named("Play")), field("record", text)})},
+      {"contest",
+       "The same in any world of such mice. The settings of the world stand beside `world`, by their names, as for "
+       "`race`; or `conditions` are those of a race there, as results have them.",
+       object({field("world", text), field("mouse", text), field("maze", named("MazeData")), field("seed", number),
+               maybe("conditions", named("Fields"))},
+              {"Fields"}),
+       object({field("play", named("Play")), field("record", text)})},
       {"unpack", "A packed record of a report. A mouse of the roster has its reasons again.",
        object({field("record", named("PackedRecord")), field("maze", named("MazeData"))}),
        object({field("play", named("Play")), field("record", text)})},

@@ -108,7 +108,7 @@ export interface WorldInPage {
   settings: Parameter[];
   mice: string[];
   /** What holds one contest there with its play; missing where only races are held. */
-  call?: 'run' | 'drive';
+  call?: 'run' | 'drive' | 'contest';
 }
 
 /** `about`: what the core brings. */
@@ -261,6 +261,17 @@ export interface Play {
    */
   known: number[];
   /**
+   * Only of a mouse that can misread: walls, as above, that it takes for what they are not, from a frame on, up to
+   * another one or to the end. What it has only forgotten counts as taken for the same.
+   */
+  mistaken?: {
+    wall: number;
+    /** What it takes the wall for. */
+    closed: boolean;
+    from: number;
+    to: number | null;
+  }[];
+  /**
    * The first frame in the goal, and the one in which the mouse is back at the start; null where that never came.
    */
   goal_frame: number | null;
@@ -292,7 +303,7 @@ export interface Play {
    * How another mouse holds the same contest: the call, what it is asked besides, and who can. Missing where none
    * can.
    */
-  again?: { call: 'run' | 'drive'; with: Fields; mice: string[] };
+  again?: { call: 'run' | 'drive' | 'contest'; with: Fields; mice: string[] };
 }
 
 /** What a run of a contest in seconds is worth by the rules, in microseconds. */
@@ -815,6 +826,14 @@ export interface Calls {
    */
   drive: {
     request: { mouse: string; maze: MazeData; seed: number; robot: string | Fields; rules: string };
+    answer: { play: Play; record: string };
+  };
+  /**
+   * The same in any world of such mice. The settings of the world stand beside `world`, by their names, as for
+   * `race`; or `conditions` are those of a race there, as results have them.
+   */
+  contest: {
+    request: Fields & { world: string; mouse: string; maze: MazeData; seed: number; conditions?: Fields };
     answer: { play: Play; record: string };
   };
   /** A packed record of a report. A mouse of the roster has its reasons again. */

@@ -1,7 +1,7 @@
 // Which contest is played: one of our mice or of the user's own, in any maze, alone or beside another.
 import { render } from 'preact';
 import type { Core } from '../core/client';
-import type { About, MazeData, WorldInPage } from '../core/types';
+import type { About, MazeData, Play, WorldInPage } from '../core/types';
 import { namedApart } from '../race/hold-panel';
 import { mazesOf } from '../race/holding';
 import { calledOf } from '../race/worlds';
@@ -54,8 +54,29 @@ export const worldNamed = ({ worlds }: About, name: string): WorldInPage =>
   worlds.find((one) => one.name === name && one.call) ?? worlds.find(({ home }) => home)!;
 
 /** A contest of a mouse of ours. */
-const ours = (core: Core, world: WorldInPage, mouse: string, maze: MazeData) =>
-  core.call(world.call!, { mouse, maze, seed, ...usualSettings(world) } as never) as Promise<Shown>;
+const ours = (core: Core, world: WorldInPage, mouse: string, maze: MazeData, settings = {}) =>
+  core.call(world.call!, {
+    ...{ mouse, maze, seed, ...usualSettings(world) },
+    ...(world.call === 'contest' && { world: world.name }),
+    ...settings,
+  } as never) as Promise<Shown>;
+
+/**
+ * Under twice the noise, festina reads a wall where there is none, finds out and turns it over, crashes in its first
+ * fast run, and comes to the goal in the next two.
+ */
+const parting = {
+  picked: { world: 'physical', mouse: 'festina', beside: '', maze: 'contest-01' },
+  settings: { noise: '2', seed: 7496163466192645 },
+  /** In seconds: so long before it reads the first wall wrongly. */
+  before: 2,
+};
+
+/** When belief and truth part for the first time, and a little before that. */
+function partingTime({ clock, mistaken }: Play) {
+  const first = mistaken?.[0];
+  return first ? Math.max(0, clock[first.from] - parting.before) : 0;
+}
 
 interface FormProps {
   picked: Picked;
@@ -64,9 +85,10 @@ interface FormProps {
   mazes: MazeData[];
   choose(change: Partial<Picked>): void;
   open(): void;
+  part(): void;
 }
 
-export function Form({ picked, about, own, mazes, choose, open }: FormProps) {
+export function Form({ picked, about, own, mazes, choose, open, part }: FormProps) {
   const world = worldNamed(about, picked.world);
   const select = (label: string, field: keyof Picked, options: preact.ComponentChildren) => (
     <label>
@@ -132,6 +154,15 @@ export function Form({ picked, about, own, mazes, choose, open }: FormProps) {
           about.worlds.filter(({ call }) => call).map((world) => <option value={world.name}>{calledOf(world)}</option>),
         )}
       </div>
+      {about.worlds.some(({ name, call }) => name === parting.picked.world && call) && (
+        <p class="note">
+          Real mice err:{' '}
+          <button type="button" onClick={part}>
+            Watch belief and truth part
+          </button>{' '}
+          and come together again.
+        </p>
+      )}
       <p class="note">
         {own.length === 0 && (
           <>
@@ -151,7 +182,7 @@ export function Form({ picked, about, own, mazes, choose, open }: FormProps) {
 }
 
 /** `shown` hears of what was played, and whether somebody asked for just that. */
-export function createChooser(page: Page, shown: (plays: Shown[], asked: boolean) => void): Chooser {
+export function createChooser(page: Page, shown: (plays: Shown[], asked: boolean, time?: number) => void): Chooser {
   const { core, about } = page;
   const cage = createCage();
   const room = h('div', {});
@@ -175,17 +206,22 @@ export function createChooser(page: Page, shown: (plays: Shown[], asked: boolean
       void play(true);
     };
     render(
-      <Form picked={picked} about={about} own={own} mazes={mazes} choose={choose} open={() => page.choose()} />,
+      <Form
+        {...{ picked, about, own, mazes, choose }}
+        open={() => page.choose()}
+        part={() => (Object.assign(picked, parting.picked), draw(), void play(true, parting.settings))}
+      />,
       room,
     );
   }
-  async function contest(mouse: string, maze: MazeData, wanted: () => boolean): Promise<Shown | null> {
+  async function contest(mouse: string, maze: MazeData, wanted: () => boolean, settings = {}): Promise<Shown | null> {
     const work = ownMice().find((one) => ownName(one) === mouse);
-    if (!work) return ours(core, worldNamed(about, picked.world), mouse, maze);
+    if (!work) return ours(core, worldNamed(about, picked.world), mouse, maze, settings);
     const { language, text: program, name } = work;
     return holdContest(core, cage, { language, program, name, maze, seed }, wanted);
   }
-  async function play(asked: boolean) {
+  /** With `settings`, from where its mouse begins to err. */
+  async function play(asked: boolean, settings?: object) {
     const mine = ++number;
     const wanted = () => mine === number;
     element.setAttribute('aria-busy', 'true');
@@ -193,11 +229,11 @@ export function createChooser(page: Page, shown: (plays: Shown[], asked: boolean
       const [maze] = await mazesOf(core, [mazes.find(({ name }) => name === picked.maze) ?? picked.maze]);
       const plays: Shown[] = [];
       for (const mouse of [picked.mouse, picked.beside]) {
-        const held = mouse === '' ? null : await contest(mouse, maze, wanted);
+        const held = mouse === '' ? null : await contest(mouse, maze, wanted, settings);
         if (!wanted()) return;
         if (held) plays.push(held);
       }
-      shown(plays, asked);
+      shown(plays, asked, settings && partingTime(plays[0].play));
     } catch (error) {
       if (wanted()) page.complain(error);
     } finally {

@@ -10,8 +10,15 @@ const tints = '; if the cells are too small for numbers, a tone, stronger when n
 type Sign = [SampleName, string];
 
 /** What each layer's signs say. */
-function signsOf(layer: LayerName, layers: Layers, { traits, drive }: Play, most: number, fastest: number): Sign[] {
+function signsOf(layer: LayerName, layers: Layers, play: Play, most: number, fastest: number): Sign[] {
+  const { traits, drive } = play;
   const { draws } = traits;
+  const mistaken: Sign[] = play.mistaken
+    ? [
+        ['wrong', 'there is no wall, but the mouse has read one'],
+        ['overlooked', 'there is a wall, but the mouse has read none'],
+      ]
+    : [];
   const unit = drive ? 'cells' : 'steps';
   switch (layer) {
     case 'walls':
@@ -23,14 +30,8 @@ function signsOf(layer: LayerName, layers: Layers, { traits, drive }: Play, most
             ]
           : [['walls', 'wall of the maze']];
       return layers.walls === 'known'
-        ? [
-            ['walls', 'wall that the mouse knows so far'],
-            ['unknown', 'not known yet: open or closed'],
-          ]
-        : [
-            ['walls', 'wall'],
-            ['unseen', 'wall that the mouse does not know yet'],
-          ];
+        ? [['walls', 'wall that the mouse knows so far'], ['unknown', 'not known yet: open or closed'], ...mistaken]
+        : [['walls', 'wall'], ['unseen', 'wall that the mouse does not know yet'], ...mistaken];
     case 'wrong':
       return [['wrong', 'closed, but not known yet: assuming that unknown walls are open is wrong here']];
     case 'visits':

@@ -20,13 +20,14 @@ const levels = (tone: string) => [1, 2, 3, 4, 5, 6].map((level, i) => box(`${ton
 const shapes: Record<
   | LayerName
   | ('mouse' | 'start' | 'goal' | 'unknown' | 'onwards' | 'chosen' | 'unseen' | 'drawn')
-  | ('speeds' | 'ahead' | 'fastest' | 'believed'),
+  | ('speeds' | 'ahead' | 'fastest' | 'believed' | 'overlooked'),
   () => ComponentChildren
 > = {
   walls: () => line('s-ink', { 'stroke-width': 4 }),
   unknown: () => line('s-faint', { 'stroke-width': 2, 'stroke-dasharray': '5 5' }),
   unseen: () => line('s-faint', { 'stroke-width': 4 }),
   wrong: () => line('s-wrong', { 'stroke-width': 4 }),
+  overlooked: () => line('s-wrong', { 'stroke-width': 4, 'stroke-dasharray': '5 5' }),
   visits: () => levels('f-heat'),
   distances: () => letter('12', { x: 18, y: 14, 'font-size': 13 }),
   rays: () => [line('s-muted', { 'stroke-width': 2 }), <path class="s-muted" d="M33 3v12" stroke-width={2} />],

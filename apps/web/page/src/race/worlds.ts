@@ -198,6 +198,9 @@ function shares(interval: unknown): string {
   return interval.map((end) => (100 * end).toFixed(0)).join('–');
 }
 
+/** What results say of a race besides its mice and mazes. */
+const conditionsOf = ({ mice: _mice, mazes: _mazes, ...conditions }: Fields): Fields => conditions;
+
 const physical: Known = {
   ...inSeconds,
   bestMeaning: 'best possible score, that of a mouse that never errs and knows the maze',
@@ -225,7 +228,8 @@ const physical: Known = {
     count('late', 'late', 'Runs that the end of the time cut short.'),
     count('misread walls', 'misreads', 'Walls that it took for what they are not.'),
   ],
-  again: undefined,
+  again: (core, conditions, contest) =>
+    core.call('contest', { ...contest, world: String(conditions.world), conditions: conditionsOf(conditions) }),
 };
 
 const mms: Known = {

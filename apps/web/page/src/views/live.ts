@@ -51,7 +51,7 @@ export function createLive(page: Page): LiveView {
   budget.addEventListener('input', () => (everyone.clear(), changed()));
   const budgetRow = field('Budget', budget, h('span', {}, `limit for both runs together; ${rules.budget} in contests`));
   const seedRow = field('Seed', seed);
-  const single = page.about.worlds.filter(({ call }) => call);
+  const single = page.about.worlds.filter(({ call }) => call === 'run' || call === 'drive');
   const world = createWorldChoice(page.about, () => (showWorld(), changed()), single);
   const bench = createBench(page, (message) => {
     complainAt({ seed: seedRow, budget: budgetRow, mouse }, 'mouse', message);

@@ -14,11 +14,11 @@ import type { Page, View } from './view';
 
 export function createReplay(page: Page): View {
   const still = matchMedia('(prefers-reduced-motion: reduce)');
-  const chooser = createChooser(page, (plays, asked) => {
+  const chooser = createChooser(page, (plays, asked, time) => {
     // An example is nothing to come back to.
     isExample = !asked;
     if (asked) page.keepPlays(plays);
-    show(plays, true);
+    show(plays, true, time);
     // Who is on the way elsewhere by now, or asked for less motion, starts it when they like.
     if (!asked && !element.hidden && !still.matches) player.play();
   });

@@ -205,3 +205,51 @@ test('a mouse drives in Live, with a robot and rules, and the address says so', 
   await page.getByRole('region', { name: 'Mouse' }).getByLabel('Name').selectOption('random');
   await expect.poll(() => outcome.textContent()).toContain("mouse 'random' cannot drive");
 });
+
+/** How many pixels of the maze have the tone in which what is wrong is painted. */
+const wrongPixels = (page: Page) =>
+  page.locator('.replay .sides canvas').evaluate((canvas: HTMLCanvasElement) => {
+    const sample = document.body.appendChild(document.createElement('i'));
+    sample.style.color = 'var(--wrong)';
+    const probe = document.createElement('canvas').getContext('2d', { willReadFrequently: true })!;
+    probe.fillStyle = getComputedStyle(sample).color;
+    sample.remove();
+    probe.fillRect(0, 0, 1, 1);
+    const tone = new Uint32Array(probe.getImageData(0, 0, 1, 1).data.buffer)[0];
+    const copy = document.createElement('canvas');
+    [copy.width, copy.height] = [canvas.width, canvas.height];
+    const context = copy.getContext('2d', { willReadFrequently: true })!;
+    context.drawImage(canvas, 0, 0);
+    const pixels = new Uint32Array(context.getImageData(0, 0, copy.width, copy.height).data.buffer);
+    return pixels.filter((pixel) => pixel === tone).length;
+  });
+
+test('belief and truth part in a contest that is prepared, and come together again', async () => {
+  const page = await open('#replay');
+  const choices = page.locator('.replay .choices');
+  await choices.waitFor();
+  if ((await choices.getAttribute('open')) === null) await choices.locator('summary').click();
+  await page.getByRole('button', { name: /belief and truth part/ }).click();
+  await expect.poll(() => moment(page)).toContain('festina at 0.000 of');
+  const rows = page.locator('.replay .drive-runs tbody tr');
+  expect(await rows.count()).toBeGreaterThan(4);
+  expect(await page.locator('.replay .signs').allTextContents()).toEqual(
+    expect.arrayContaining([expect.stringContaining('there is no wall, but the mouse has read one')]),
+  );
+  // What it reads about a cell has that tone, too.
+  await page.getByRole('checkbox', { name: 'Beams and beliefs' }).uncheck();
+  await expect.poll(() => wrongPixels(page)).toBe(0);
+  await scrub(page, 3);
+  await expect.poll(() => wrongPixels(page)).toBeGreaterThan(20);
+  await scrub(page, 6);
+  await expect.poll(() => wrongPixels(page)).toBe(0);
+  await page.keyboard.press('End');
+  await expect.poll(() => moment(page)).toContain('finished');
+});
+
+test('a contest of the physical world is chosen like any other', async () => {
+  const page = await open('#replay');
+  await choose(page, ['certify', 'festina'], 'contest-02', 'physical');
+  expect(await moment(page)).toContain('certify at 0.000 of');
+  expect(await page.getByRole('checkbox', { name: 'Beams and beliefs' }).isChecked()).toBe(true);
+});

@@ -79,6 +79,33 @@ function paintDrawn(brush: Brush) {
   }
 }
 
+/** Walls that it takes for what they are not: a full one where there is none, a broken one where it believes in none. */
+function paintMistaken({ context, g, palette, track, past }: Brush) {
+  const { pattern } = dashesOf(g.pitch);
+  const middle = (g.wall % 2) / 2;
+  context.lineCap = 'butt';
+  context.lineWidth = g.wall;
+  context.strokeStyle = palette.wrong;
+  for (const { wall, closed, from, to } of track.play.mistaken ?? []) {
+    if (past.frame < from || (to !== null && past.frame >= to)) continue;
+    context.fillStyle = closed ? palette.wrong : palette.paper;
+    fillWall(context, g, wall);
+    if (closed) continue;
+    const [x, y] = [wall % g.width, Math.floor((wall % track.cells) / g.width)];
+    context.setLineDash(pattern);
+    context.beginPath();
+    if (wall < track.cells) {
+      context.moveTo(columnAt(g, x), rowAt(g, y + 1) + middle);
+      context.lineTo(columnAt(g, x + 1), rowAt(g, y + 1) + middle);
+    } else {
+      context.moveTo(columnAt(g, x + 1) + middle, rowAt(g, y + 1));
+      context.lineTo(columnAt(g, x + 1) + middle, rowAt(g, y));
+    }
+    context.stroke();
+    context.setLineDash(solid);
+  }
+}
+
 function paintBorder(brush: Brush) {
   const { context, g, palette, track } = brush;
   context.fillStyle = palette.ink;
@@ -99,6 +126,7 @@ export function paintWalls(brush: Brush) {
   }
   context.fillStyle = palette.ink;
   paintClosed(brush, true);
+  paintMistaken(brush);
   paintBorder(brush);
   if (draws && (layers.mms || !whole)) paintDrawn(brush);
 }

@@ -1,0 +1,62 @@
+// One contest in any world whose records are those of mice that drive, with all of its play.
+#include <fmt/format.h>
+
+#include "labmouse/lab/page/answers.hpp"
+#include "labmouse/lab/page/mouse_spec.hpp"
+#include "labmouse/lab/page/page_world.hpp"
+#include "labmouse/lab/page/request.hpp"
+#include "labmouse/lab/plays/fields.hpp"
+#include "labmouse/lab/plays/play_seconds.hpp"
+#include "labmouse/lab/races/race.hpp"
+#include "labmouse/lab/records/drive_record_file.hpp"
+#include "labmouse/lab/worlds/worlds.hpp"
+
+namespace labmouse {
+namespace {
+
+/// The world of the request: by its settings, or by the conditions of a race as results have them.
+std::shared_ptr<const World> asked_world(PageRequest& request) {
+  if (!request.has("conditions")) return read_page_world(request);
+  auto world = restore_world(request.text("world"), request.json()["conditions"].dump());
+  if (world == nullptr) request.reject("the page cannot hold contests under these conditions");
+  return world;
+}
+
+/// What the request says besides mouse, maze and seed.
+Json conditions_of(const ReadJson& request) {
+  Json conditions = Json::parse(request.dump());
+  for (const char* key : {"mouse", "maze", "seed"}) conditions.erase(key);
+  return conditions;
+}
+
+}  // namespace
+
+PageReply answer_contest(const ReadJson& json, std::string_view) {
+  PageRequest request(json);
+  const std::shared_ptr<const World> world = asked_world(request);
+  const std::string spec = request.text("mouse");
+  NamedMaze maze = request.maze();
+  const std::uint64_t seed = request.seed();
+  if (!request.error().empty()) return failed(request.error());
+  SpecResult mice = read_page_mice({&spec, 1});
+  if (!mice.error.empty()) return failed(mice.error);
+  if (mice.contestants.size() != 1) return failed(fmt::format("'{}' names several mice; name exactly one", spec));
+  if (std::string reason = world->refuse(mice.contestants.front()); !reason.empty()) return failed(std::move(reason));
+  if (const std::string reason = world->refuse(maze.maze); !reason.empty())
+    return failed(fmt::format("{} {}", maze.name, reason));
+  Race race;
+  race.order.world = world;
+  race.facts.push_back(world->facts(maze.maze));
+  race.mice = std::move(mice.contestants);
+  race.mazes.push_back(std::move(maze));
+  ContestResult result;
+  result.seed = seed;
+  Held held = world->hold(race, result, {.record = true}, nullptr);
+  const ReadDriveRecordResult read = read_drive_record(held.record);
+  if (!read.file) return failed(fmt::format("the page plays no single contests in the world {}", world->name()));
+  Json play = play_json(*read.file);
+  play["again"] = again_json("contest", conditions_of(json), [&](const RosterEntry& mouse) { return mouse.drives; });
+  return answered({{"play", std::move(play)}, {"record", std::move(held.record)}});
+}
+
+}  // namespace labmouse
