@@ -81,21 +81,21 @@ void set_gates(DriveRun& run, const Maze& maze, const DriveModel& model) {
                                 [&](const DriveSpot& spot) { return distance_to(goals, side, spot); });
 }
 
-void note_gates(DriveRun& search, const Maze& maze, const SearchDrive& drive, const SearchPlace& from,
-                const Action& step, MazeTime begin, MazeTime end) {
+void note_gates(DriveRun& search, const Maze& maze, MazeTime half_cell, const SearchPlace& from, const Action& step,
+                MazeTime begin, MazeTime end) {
   const SearchPlace next = after_search(from, step);
   const bool turns = step.rotation % 180 != 0 && step.movement > 0;
   if (search.gate_in && !search.centre && !from.at_rest && !turns && maze.is_goal(from.pose.cell)) {
     const bool passes = step.rotation == 0 && step.movement > 0;
-    search.centre = begin + (passes ? (end - begin) / 2 : drive.half_cell);
+    search.centre = begin + (passes ? (end - begin) / 2 : half_cell);
   }
   if (!search.gate_out && from.pose.cell == maze.start() && step.movement > 0) search.gate_out = end;
   if (!search.gate_in && maze.is_goal(next.pose.cell) && search.gate_out) search.gate_in = end;
 }
 
-void note_stop(DriveRun& search, const Maze& maze, const SearchDrive& drive, const SearchPlace& place, MazeTime time) {
+void note_stop(DriveRun& search, const Maze& maze, MazeTime half_cell, const SearchPlace& place, MazeTime time) {
   if (search.gate_in && !search.centre && !place.at_rest && maze.is_goal(place.pose.cell))
-    search.centre = time + drive.half_cell;
+    search.centre = time + half_cell;
 }
 
 }  // namespace labmouse

@@ -39,14 +39,14 @@ int SearchDriver::cells_at_once(int rotation, int most) const {
 void SearchDriver::pass(const Action& action, MazeTime end) {
   DriveRun& run = record_.runs.back();
   const bool searches = run.kind == DriveRun::Kind::search;
-  if (searches) note_gates(run, maze_, model_.search, place_, action, clock_, end);
+  if (searches) note_gates(run, maze_, model_.search.half_cell, place_, action, clock_, end);
   place_ = after_search(place_, action);
   goal_entered_ = goal_entered_ || (searches && maze_.is_goal(place_.pose.cell));
   run.end = clock_ = end;
   read();
 }
 
-void SearchDriver::stop_search() { note_stop(record_.runs.back(), maze_, model_.search, place_, clock_); }
+void SearchDriver::stop_search() { note_stop(record_.runs.back(), maze_, model_.search.half_cell, place_, clock_); }
 
 void SearchDriver::put(const SearchPlace& place, MazeTime clock) {
   place_ = place;

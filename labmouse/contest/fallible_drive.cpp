@@ -42,10 +42,6 @@ void FallibleDriver::set_pace(double pace) {
   odds_ = &at.by_luck[static_cast<std::size_t>(luck_)];
 }
 
-MazeTime FallibleDriver::slowed(MazeTime time) const {
-  return pace_ == 1.0 ? time : static_cast<MazeTime>(static_cast<double>(time) / pace_);
-}
-
 /// From 0 to 1.
 double FallibleDriver::share() { return static_cast<double>(dice_.bits() >> 11U) * (1.0 / 9007199254740992.0); }
 
@@ -141,13 +137,13 @@ void FallibleDriver::advance(const Action& part, MazeTime begin, MazeTime end) {
   auto& runs = record_.drive.runs;
   const bool home = runs.back().kind == DriveRun::Kind::home;
   if (home && runs.size() > 1 && runs.back().moves.empty())
-    note_stop(runs[runs.size() - 2], maze_, model_.search, place_, begin);
+    note_stop(runs[runs.size() - 2], maze_, slowed(model_.search.half_cell), place_, begin);
   MazeTime from = begin;
   for (int edge = 1; edge <= std::max(1, part.movement); ++edge) {
     const bool last = edge >= part.movement;
     const Action step = part.movement > 1 ? Action::step(0, 1) : part;
     const MazeTime arrival = last ? end : begin + slowed(model_.search.dash_part(part.movement, edge));
-    if (!home) note_gates(runs.back(), maze_, model_.search, place_, step, from, arrival);
+    if (!home) note_gates(runs.back(), maze_, slowed(model_.search.half_cell), place_, step, from, arrival);
     from = arrival;
     place_ = after_search(place_, step);
   }

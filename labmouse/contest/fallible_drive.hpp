@@ -41,7 +41,7 @@ class FallibleDriver final : public ContestDriver {
   };
 
   double share();
-  MazeTime slowed(MazeTime time) const;
+  MazeTime slowed(MazeTime time) const { return at_pace(time, pace_); }
   std::size_t one_of(std::span<const double> shares);
   Went drive(Manoeuvre manoeuvre, bool way_is_open);
   bool crash(RunEnd cause, MazeTime time);

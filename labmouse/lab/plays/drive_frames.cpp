@@ -105,7 +105,7 @@ class DriveFrames {
     for (std::size_t i = 0; i < run.route.segments.size(); ++i) {
       const DriveSegment& segment = run.route.segments[i];
       const bool last = i + 1 == run.route.segments.size();
-      const MazeTime planned = run.begin + static_cast<MazeTime>(static_cast<double>(segment.end) / pace);
+      const MazeTime planned = run.begin + at_pace(segment.end, pace);
       // Of a mouse that crashes no more is told than it came to.
       const bool breaks_off = contest_.physical && planned >= run.end;
       if (last) count(number);

@@ -36,9 +36,7 @@ class SearchClock {
     return slowed(search_time(search_, from, step, search_.dashes() ? knowledge.known_cells() : CellSet()));
   }
 
-  std::int64_t slowed(std::int64_t time) const {
-    return pace_ == 1.0 ? time : static_cast<std::int64_t>(static_cast<double>(time) / pace_);
-  }
+  std::int64_t slowed(std::int64_t time) const { return at_pace(time, pace_); }
 
   Pose start_;
   CellSet goals_;

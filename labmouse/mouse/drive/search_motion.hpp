@@ -11,6 +11,8 @@
 // that are known is a dash, where the robot makes them: there is nothing to be read before its end.
 #pragma once
 
+#include <cstdint>
+
 #include "labmouse/grid/wall_set.hpp"
 #include "labmouse/mouse/action.hpp"
 #include "labmouse/mouse/pose.hpp"
@@ -42,6 +44,11 @@ int dash_length(const SearchDrive& drive, const Pose& edge, int most, Knows know
   if (drive.dashes())
     while (cells < most && knows(neighbour(edge.cell, edge.heading, cells))) ++cells;
   return cells;
+}
+
+/// How long something takes at a part of the pace at which it takes that time, in microseconds.
+inline std::int64_t at_pace(std::int64_t time, double pace) {
+  return pace == 1.0 ? time : static_cast<std::int64_t>(static_cast<double>(time) / pace);
 }
 
 /// The step over so many edges in a direction.
