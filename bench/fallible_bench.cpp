@@ -1,5 +1,5 @@
-// How long a contest takes in the fallible world and in the physical one: with its mind, and with the decisions that the
-// mind took there in place of it, which leaves what the worlds themselves cost.
+// How long a contest takes in the fallible world and in the physical one: with its mind, and with the decisions that
+// the mind took there in place of it, which leaves what the worlds themselves cost.
 #include <benchmark/benchmark.h>
 
 #include <memory>
