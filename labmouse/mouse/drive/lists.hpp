@@ -209,7 +209,7 @@ class KeptBounds {
     for (auto& place : kept_) {
       const Kept* none = nullptr;
       if (!place.compare_exchange_strong(none, kept.get(), std::memory_order_acq_rel)) continue;
-      kept.release();
+      static_cast<void>(kept.release());
       return;
     }
   }
