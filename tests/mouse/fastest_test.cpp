@@ -297,6 +297,28 @@ TEST(SomeTurns, ArePlannedForExactly) {
   }
 }
 
+/// More starts than are kept, of mazes of several sizes.
+TEST(FastestRoutes, AreTheSameByBoundsThatOthersFound) {
+  for (const char* name : {"mm2021", "kerise"}) {
+    Dice dice(23);
+    DriveModel model = find_robot(name).model;
+    share_route_tables(model);
+    for (int i = 0; i < 60; ++i) {
+      const Maze maze = test::any_maze(dice, i % 10 == 0 ? 20 : 9);
+      // The same starts again and again, and others.
+      const int cell = dice.chance(2, 3) ? dice.below(std::min(3, maze.size().area())) : dice.below(maze.size().area());
+      const Pose start = {maze.size().cell_at(cell), all_headings[static_cast<std::size_t>(dice.below(2))]};
+      FastestRoutes sharing(maze.size(), route_tables_of(model)), alone(maze.size(), model.tables);
+      sharing.fill_for(start, maze.open_walls(), maze.goals());
+      alone.fill(maze.open_walls(), maze.goals());
+      DriveRoute one, other;
+      sharing.route_from(start, one);
+      alone.route_from(start, other);
+      ASSERT_EQ(one, other);
+    }
+  }
+}
+
 TEST(FastestRoutes, DriveStraightDownACorridor) {
   MazeDraft draft({1, 4}, MazeDraft::Inside::open);
   draft.add_goal({0, 3});
