@@ -37,7 +37,7 @@ MazeTime first_moment(const DriveModel& model, const DriveRoute& route, Arrived 
       return arrived(Cell{static_cast<int>(std::floor(spot.x / cell)), static_cast<int>(std::floor(spot.y / cell))});
     };
     const int steps = static_cast<int>(profile.length() / cell * steps_a_cell) + 1;
-    const double stride = profile.length() / steps;
+    const double stride = std::max(profile.length() / steps, 1e-9);
     const auto strides_over = [&](double distance) {
       return 1 + static_cast<int>(std::clamp(sure_part * distance / stride, 0.0, static_cast<double>(steps)));
     };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "labmouse/chance/dice.hpp"
 #include "labmouse/contest/drive.hpp"
 #include "labmouse/contest/drive_score.hpp"
 #include "labmouse/mouse/drive/fastest.hpp"
@@ -12,6 +13,7 @@
 #include "tests/contest/scripted.hpp"
 #include "tests/drawn_maze.hpp"
 #include "tests/mouse/drive_robots.hpp"
+#include "tests/strategies/random_mazes.hpp"
 
 namespace labmouse {
 namespace {
@@ -125,6 +127,42 @@ DriveRun fast_run(const Maze& maze, const DriveModel& model) {
   routes.route_from({maze.start(), maze.start_heading()}, run.route);
   set_gates(run, maze, model);
   return run;
+}
+
+/// The first moment at which beyond(spot) holds, by looking everywhere.
+template <class Beyond>
+MazeTime looked_for(const DriveModel& model, const DriveRoute& route, Beyond beyond) {
+  constexpr double step = 0.2;  // mm
+  for (std::size_t i = 0; i < route.segments.size(); ++i) {
+    const DriveProfile profile(model, route, i);
+    for (double driven = step; driven < profile.length() + step; driven += step)
+      if (const double at = std::min(driven, profile.length()); beyond(profile.spot(at)))
+        return route.segments[i].begin + static_cast<MazeTime>(profile.time_at(at));
+  }
+  return route.time;
+}
+
+TEST(DriveGates, AreWhereLookingEverywhereFindsThem) {
+  Dice dice(31);
+  for (const Robot& robot : {published_robot(), large_robot()}) {
+    const DriveModel model = make_drive_model(robot);
+    const double side = robot.cell;
+    for (int i = 0; i < 40; ++i) {
+      const Maze maze = test::any_maze(dice, 8);
+      const DriveRun run = fast_run(maze, model);
+      if (run.route.segments.empty()) continue;
+      const auto cell_of = [&](const DriveSpot& spot) {
+        return Cell{static_cast<int>(std::floor(spot.x / side)), static_cast<int>(std::floor(spot.y / side))};
+      };
+      const MazeTime out =
+          looked_for(model, run.route, [&](const DriveSpot& spot) { return cell_of(spot) != maze.start(); });
+      const MazeTime in =
+          looked_for(model, run.route, [&](const DriveSpot& spot) { return maze.is_goal(cell_of(spot)); });
+      // A step lasts a few milliseconds where the mouse starts.
+      EXPECT_NEAR(static_cast<double>(*run.gate_out - run.begin), static_cast<double>(out), 10'000);
+      EXPECT_NEAR(static_cast<double>(*run.gate_in - run.begin), static_cast<double>(in), 10'000);
+    }
+  }
 }
 
 TEST(DriveGates, InsideACurveAreKnownToTheMicrosecond) {

@@ -101,6 +101,16 @@ Json worlds() {
   return list;
 }
 
+/// A contest to watch in which belief and truth part. The mouse reads a wall where there is none, finds out and turns
+/// it over, crashes in its first fast run, and comes to the goal in the next two.
+Json parting() {
+  return {{"world", "physical"},
+          {"mouse", "festina"},
+          {"maze", "contest-01"},
+          {"seed", 7496163466192645},
+          {"settings", {{"noise", "2"}}}};
+}
+
 Json rules_of_capstone() {
   const Rules rules;
   return {{"budget", rules.budget},
@@ -120,6 +130,7 @@ PageReply answer_about(const ReadJson&, std::string_view) {
                    {"generators", named(all_generators())},
                    {"rules", rules_of_capstone()},
                    {"worlds", worlds()},
+                   {"parting", parting()},
                    {"most_side", max_side},
                    {"robots", page_robots_json()},
                    {"robot_keys", page_robot_keys_json()},

@@ -38,6 +38,7 @@ PageReply answer_contest(const ReadJson& json, std::string_view) {
   NamedMaze maze = request.maze();
   const std::uint64_t seed = request.seed();
   if (!request.error().empty()) return failed(request.error());
+  if (world->is_home()) return failed(fmt::format("the call 'run' holds contests in the world {}", world->name()));
   SpecResult mice = read_page_mice({&spec, 1});
   if (!mice.error.empty()) return failed(mice.error);
   if (mice.contestants.size() != 1) return failed(fmt::format("'{}' names several mice; name exactly one", spec));

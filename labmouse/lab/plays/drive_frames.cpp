@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <optional>
 
 #include "labmouse/contest/drive_score.hpp"
@@ -24,7 +25,7 @@ struct FramePlace {
   friend bool operator==(const FramePlace&, const FramePlace&) = default;
 };
 
-FramePlace place_of(const SearchPlace& place) {
+FramePlace frame_of(const SearchPlace& place) {
   FramePlace found = {{2 * place.pose.cell.x + 1, 2 * place.pose.cell.y + 1}, 2 * static_cast<int>(place.pose.heading)};
   if (place.at_rest) return found;
   // On the edge by which it enters the cell.
@@ -34,8 +35,6 @@ FramePlace place_of(const SearchPlace& place) {
   return found;
 }
 
-FramePlace place_of(const DriveNode& node) { return {half_point(node), eighths(node)}; }
-
 /// Builds the lists.
 class DriveFrames {
  public:
@@ -44,7 +43,7 @@ class DriveFrames {
         play_(play),
         scores_(score(contest.record, contest.rules)),
         place_{{contest.maze->start(), contest.maze->start_heading()}, true},
-        shown_(place_of(place_)) {
+        shown_(frame_of(place_)) {
     for (const char* list : {"clock", "x", "y", "heading", "run", "scores", "action", "blocked", "left", "ahead",
                              "right", "entered", "known"})
       play_[list] = Json::array();
@@ -77,11 +76,11 @@ class DriveFrames {
   /// A new run begins in the frame before it, unless the mouse has to be carried.
   void begin_run(const SearchPlace& place, MazeTime time) {
     place_ = place;
-    if (place_of(place) == shown_) {
+    if (frame_of(place) == shown_) {
       play_["run"].back() = kind_;
       return;
     }
-    step("carried to the start", place_of(place), time, {});
+    step("carried to the start", frame_of(place), time, {});
     first_of_.back() = frame_;
   }
 
@@ -93,7 +92,7 @@ class DriveFrames {
       std::vector<Cell> entered;
       for (int i = 1; i <= move.action.movement; ++i) entered.push_back(neighbour(before, place_.pose.heading, i));
       if (run.gate_in && *run.gate_in <= move.end) count(number);
-      step(short_words(move.action), place_of(place_), move.end, entered);
+      step(short_words(move.action), frame_of(place_), move.end, entered);
     }
   }
 
@@ -104,14 +103,18 @@ class DriveFrames {
     const double pace = pace_of(contest_, run);
     for (std::size_t i = 0; i < run.route.segments.size(); ++i) {
       const DriveSegment& segment = run.route.segments[i];
+      const DriveProfile profile(*contest_.model, run.route, i);
       const bool last = i + 1 == run.route.segments.size();
       const MazeTime planned = run.begin + at_pace(segment.end, pace);
       // Of a mouse that crashes no more is told than it came to.
-      const bool breaks_off = contest_.physical && planned >= run.end;
-      if (last) count(number);
-      step(segment_words(segment, contest_.model->tables), place_of(segment.to),
-           contest_.physical && (last || breaks_off) ? run.end : planned,
-           cells_of(DriveProfile(*contest_.model, run.route, i), cell));
+      const bool breaks_off = contest_.physical && planned > run.end;
+      const MazeTime end = contest_.physical && (last || breaks_off) ? run.end : planned;
+      if (last || (contest_.physical && run.gate_in && *run.gate_in <= end)) count(number);
+      const double within = static_cast<double>(run.end - run.begin) * pace - static_cast<double>(segment.begin);
+      const double driven = breaks_off ? profile.distance_at(std::max(0.0, within)) : profile.length();
+      step(segment_words(segment, contest_.model->tables),
+           breaks_off ? frame_at(profile.spot(driven)) : FramePlace{half_point(segment.to), eighths(segment.to)}, end,
+           cells_of(profile, driven, cell));
       if (breaks_off) break;
     }
     if (!run.route.segments.empty()) {
@@ -120,14 +123,22 @@ class DriveFrames {
     }
   }
 
-  /// The cells that a segment comes into.
-  std::vector<Cell> cells_of(const DriveProfile& profile, Cell& cell) const {
+  /// The nearest place of a frame.
+  FramePlace frame_at(const DriveSpot& spot) const {
+    const auto halves = [&](double way) {
+      return static_cast<int>(std::lround(2.0 * way / contest_.model->tables.cell));
+    };
+    return {{halves(spot.x), halves(spot.y)}, static_cast<int>(std::lround(spot.angle * 4.0 / std::numbers::pi) & 7)};
+  }
+
+  /// The cells that the first part of a segment comes into.
+  std::vector<Cell> cells_of(const DriveProfile& profile, double driven, Cell& cell) const {
     constexpr int looks_a_cell = 32;
     const double side = contest_.model->tables.cell;
-    const int looks = 1 + static_cast<int>(profile.length() / side * looks_a_cell);
+    const int looks = 1 + static_cast<int>(driven / side * looks_a_cell);
     std::vector<Cell> cells;
     for (int i = 0; i <= looks; ++i) {
-      const DriveSpot spot = profile.spot(profile.length() * i / looks);
+      const DriveSpot spot = profile.spot(driven * i / looks);
       const Cell at = {static_cast<int>(std::floor(spot.x / side)), static_cast<int>(std::floor(spot.y / side))};
       if (at == cell || !contest_.maze->size().contains(at)) continue;
       cells.push_back(cell = at);

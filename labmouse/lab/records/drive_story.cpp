@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "labmouse/mouse/drive/fastest.hpp"
+
 namespace labmouse {
 namespace {
 
@@ -82,15 +84,25 @@ class Story {
     }
   }
 
-  /// Known is known where it says so; hoped for where that was asked.
+  /// By the walls that it took for open and for closed then.
   std::string why_home(std::size_t i) const {
     const DriveRun& run = record_.runs[i];
     if (i > 0 && record_.runs[i - 1].kind == Kind::fast) return " from its run";
-    if (run.known >= no_time || run.hoped >= no_time) return "";
-    return run.hoped < run.known
-               ? fmt::format(": it knows a route of {}, and none of {}, which may be, is worth the way",
-                             text_of(run.known), text_of(run.hoped))
-               : fmt::format(": no route can be faster than that of {} which it knows", text_of(run.known));
+    WallSet possible = WallSet::all(file_.maze->size());
+    possible -= run.closed;
+    const DriveTime known = fastest_over(run.open), hoped = fastest_over(possible);
+    if (known >= no_time || hoped >= no_time) return "";
+    return hoped < known ? fmt::format(": it knows a route of {}, and none of {}, which may be, is worth the way",
+                                       text_of(known), text_of(hoped))
+                         : fmt::format(": no route can be faster than that of {} which it knows", text_of(known));
+  }
+
+  DriveTime fastest_over(const WallSet& walls) const {
+    const Maze& maze = *file_.maze;
+    FastestRoutes routes(maze.size(), route_tables_of(*file_.model));
+    const Pose start = {maze.start(), maze.start_heading()};
+    routes.fill_for(start, walls, maze.goals());
+    return routes.time_from(start);
   }
 
   void come_to_an_end(std::size_t i) {

@@ -50,7 +50,8 @@ DriveFields::DriveFields(Size size, const DriveModel& model, std::span<std::byte
 
 DriveFields DriveFields::in_own_memory(Size size, const DriveModel& model) {
   const Tables tables = route_tables_of(model);
-  Memory memory(new std::byte[bytes_of_all(size, *tables)]);
+  const std::size_t runs = has_runs(size) ? tables->kept_bytes_for(size) + RunCosts::bytes_for(size) : 0;
+  Memory memory(new std::byte[std::max(tables->bytes_for(size), runs)]);
   DriveFields fields(size, tables, SearchField(size, model.search), memory.get());
   fields.own_ = std::move(memory);
   fields.home_.emplace(size, model.search);

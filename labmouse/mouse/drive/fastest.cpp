@@ -85,7 +85,7 @@ struct RouteTables::Parts {
 
 RouteTables::RouteTables(const DriveTables& tables, Size largest) : parts_(std::make_unique<Parts>(tables, largest)) {}
 RouteTables::~RouteTables() = default;
-std::shared_ptr<const RouteTables> RouteTables::that_keep_bounds(const DriveTables& tables) {
+std::shared_ptr<const RouteTables> RouteTables::keeping_bounds(const DriveTables& tables) {
   const auto made = std::make_shared<RouteTables>(tables);
   made->parts_->searches->keep_bounds();
   return made;
@@ -95,7 +95,7 @@ std::shared_ptr<const RouteTables> route_tables_of(const DriveModel& model) {
   return model.route_tables ? model.route_tables : std::make_shared<const RouteTables>(model.tables);
 }
 void share_route_tables(DriveModel& model) {
-  if (!model.route_tables) model.route_tables = RouteTables::that_keep_bounds(model.tables);
+  if (!model.route_tables) model.route_tables = RouteTables::keeping_bounds(model.tables);
 }
 
 class FastestRoutes::Search {

@@ -23,8 +23,9 @@ class RouteTables {
   /// For mazes up to a size; not for more than eight speeds of a turn.
   explicit RouteTables(const DriveTables& tables, Size largest = {max_drive_side, max_drive_side});
   ~RouteTables();
-  /// The same, which keep what searches find about a start beforehand, for all that come later.
-  static std::shared_ptr<const RouteTables> that_keep_bounds(const DriveTables& tables);
+  /// The same, which keep what searches find about a start beforehand, for those that are made later: up to eight
+  /// starts in mazes of up to 16x16, and eight in larger ones.
+  static std::shared_ptr<const RouteTables> keeping_bounds(const DriveTables& tables);
 
   /// What a FastestRoutes for a maze takes, in bytes; and how many of these it needs to keep when a field has been
   /// read: the first ones. The others are free until the next fill.

@@ -8,6 +8,7 @@
 // from the start in the maze without inner walls, which is never more than it takes in any other.
 #include <algorithm>
 
+#include "labmouse/mouse/drive/kept_bounds.hpp"
 #include "labmouse/mouse/drive/lists.hpp"
 #include "labmouse/mouse/drive/search.hpp"
 #include "labmouse/mouse/drive/vectors.hpp"
@@ -232,8 +233,8 @@ class FixedSearches final : public SearchMaker {
     return is_small(size) ? made<std::uint32_t>(size, memory, small_) : made<std::uint64_t>(size, memory, large_);
   }
   void keep_bounds() override {
-    small_.begin();
-    large_.begin();
+    small_.start_keeping();
+    large_.start_keeping();
   }
 
  private:

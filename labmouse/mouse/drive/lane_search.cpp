@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "labmouse/mouse/drive/kept_bounds.hpp"
 #include "labmouse/mouse/drive/lane_tables.hpp"
 #include "labmouse/mouse/drive/lists.hpp"
 #include "labmouse/mouse/drive/search.hpp"
@@ -338,8 +339,8 @@ class LaneSearches final : public SearchMaker {
     return SearchInPlace(new (memory) LaneSearch<std::uint64_t, Speeds>(size, lanes_, leaps_, large_));
   }
   void keep_bounds() override {
-    small_.begin();
-    large_.begin();
+    small_.start_keeping();
+    large_.start_keeping();
   }
 
  private:

@@ -3,14 +3,10 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
-#include <atomic>
 #include <bit>
 #include <cstdint>
-#include <memory>
 #include <utility>
 
-#include "labmouse/grid/cell.hpp"
 #include "labmouse/mouse/robot/tables.hpp"
 
 namespace labmouse::drive {
@@ -179,50 +175,6 @@ class Bounds {
  private:
   int shift_ = 0;
   std::uint16_t times_[Nodes]{};
-};
-
-/// The bounds of a few starts, for all searches of a robot. May be used by many at once: who finds nothing works them
-/// out and keeps them, which is the same whoever does it.
-template <int Nodes>
-class KeptBounds {
- public:
-  KeptBounds() = default;
-  KeptBounds(const KeptBounds&) = delete;
-  KeptBounds& operator=(const KeptBounds&) = delete;
-  ~KeptBounds() {
-    for (const auto& place : kept_) delete place.load();
-  }
-
-  void begin() { keeps_ = true; }
-  /// Those of a start in a maze of that size, or null.
-  const Bounds<Nodes>* find(Size size, int start) const {
-    for (const auto& place : kept_)
-      if (const Kept* kept = place.load(std::memory_order_acquire);
-          kept != nullptr && kept->size == size && kept->start == start)
-        return &kept->bounds;
-    return nullptr;
-  }
-  /// Keeps them, where it does that and has room.
-  void keep(Size size, int start, const Bounds<Nodes>& bounds) {
-    if (!keeps_) return;
-    auto kept = std::make_unique<Kept>(Kept{size, start, bounds});
-    for (auto& place : kept_) {
-      const Kept* none = nullptr;
-      if (!place.compare_exchange_strong(none, kept.get(), std::memory_order_acq_rel)) continue;
-      static_cast<void>(kept.release());
-      return;
-    }
-  }
-
- private:
-  struct Kept {
-    Size size;
-    int start;
-    Bounds<Nodes> bounds;
-  };
-
-  bool keeps_ = false;
-  std::array<std::atomic<const Kept*>, 8> kept_{};
 };
 
 /// No bounds: every time may be 0.

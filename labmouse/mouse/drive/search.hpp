@@ -67,8 +67,7 @@ class SearchMaker {
   /// Of its tables, which all searches share.
   virtual std::size_t table_bytes() const = 0;
   virtual SearchInPlace make(Size size, std::byte* memory) const = 0;
-  /// From now on what a search finds about a start beforehand serves those that are made later, too. A search that
-  /// finds such takes memory for it then.
+  /// From now on what a search finds about a start beforehand serves others, too.
   virtual void keep_bounds() {}
 };
 

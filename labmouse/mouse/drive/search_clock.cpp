@@ -31,7 +31,7 @@ bool SearchClock::is_too_late_after(const Action& step, const Knowledge& knowled
   const SearchPlace there = after_search(place, step);
   fields_.home().fill(knowledge.open(), knowledge.known_cells(), CellSet::of(start_.cell), &there);
   const std::int64_t home = then + slowed(fields_.home().from(there)) + arrival;
-  // A run that is known still is no faster than the fastest one.
+  // A run that was planned earlier and whose walls are still open is no faster than the fastest one.
   if (run_ < no_time && within(run_walls_, knowledge.open()) && home + run_ <= time_limit_) return false;
   fields_.routes().fill_for(start_, knowledge.open(), goals_);
   run_ = fields_.routes().time_from(start_);

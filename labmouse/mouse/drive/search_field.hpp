@@ -2,8 +2,9 @@
 //
 // Method: Dijkstra with a heap, backwards from the cells, over the edges by which cells are entered, one for each
 // heading. A field in memory of its own is repaired where little has changed since it was filled (Koenig, Likhachev and
-// Furcy 2004, without a heuristic): an edge whose time is not that of its best move any more waits for the lesser of
-// both; when it is its turn it takes the time of that move, or if that is later, it loses its time and waits for that.
+// Furcy 2004, without a heuristic): an edge whose time is no longer that of its best move waits for the earlier of
+// these two times. When it is its turn, it takes the time of the move; or where the move has become later than the
+// edge's own time, it loses that one and waits for the move.
 #pragma once
 
 #include <array>

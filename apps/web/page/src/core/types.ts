@@ -121,6 +121,8 @@ export interface About {
   generators: Named[];
   rules: Rules & { failure_score: number };
   worlds: WorldInPage[];
+  /** A contest to watch in which belief and truth part, and come together again. */
+  parting: { world: string; mouse: string; maze: string; seed: number; settings: Fields };
   /** Largest side of a maze. */
   most_side: number;
   /** For contests in seconds: robots with the side of their cells in mm, and rules with their sources. */

@@ -1,7 +1,7 @@
 // Which contest is played: one of our mice or of the user's own, in any maze, alone or beside another.
 import { render } from 'preact';
 import type { Core } from '../core/client';
-import type { About, MazeData, Play, WorldInPage } from '../core/types';
+import type { About, Fields, MazeData, Play, WorldInPage } from '../core/types';
 import { namedApart } from '../race/hold-panel';
 import { mazesOf } from '../race/holding';
 import { calledOf } from '../race/worlds';
@@ -61,21 +61,13 @@ const ours = (core: Core, world: WorldInPage, mouse: string, maze: MazeData, set
     ...settings,
   } as never) as Promise<Shown>;
 
-/**
- * Under twice the noise, festina reads a wall where there is none, finds out and turns it over, crashes in its first
- * fast run, and comes to the goal in the next two.
- */
-const parting = {
-  picked: { world: 'physical', mouse: 'festina', beside: '', maze: 'contest-01' },
-  settings: { noise: '2', seed: 7496163466192645 },
-  /** In seconds: so long before it reads the first wall wrongly. */
-  before: 2,
-};
+/** In seconds: so long before belief and truth part a contest to watch begins. */
+const before = 2;
 
 /** When belief and truth part for the first time, and a little before that. */
 function partingTime({ clock, mistaken }: Play) {
   const first = mistaken?.[0];
-  return first ? Math.max(0, clock[first.from] - parting.before) : 0;
+  return first ? Math.max(0, clock[first.from] - before) : 0;
 }
 
 interface FormProps {
@@ -86,9 +78,11 @@ interface FormProps {
   choose(change: Partial<Picked>): void;
   open(): void;
   part(): void;
+  /** Those of the contest that are not the usual ones, in words. */
+  conditions: string;
 }
 
-export function Form({ picked, about, own, mazes, choose, open, part }: FormProps) {
+export function Form({ picked, about, own, mazes, choose, open, part, conditions }: FormProps) {
   const world = worldNamed(about, picked.world);
   const select = (label: string, field: keyof Picked, options: preact.ComponentChildren) => (
     <label>
@@ -154,15 +148,13 @@ export function Form({ picked, about, own, mazes, choose, open, part }: FormProp
           about.worlds.filter(({ call }) => call).map((world) => <option value={world.name}>{calledOf(world)}</option>),
         )}
       </div>
-      {about.worlds.some(({ name, call }) => name === parting.picked.world && call) && (
-        <p class="note">
-          Real mice err:{' '}
-          <button type="button" onClick={part}>
-            Watch belief and truth part
-          </button>{' '}
-          and come together again.
-        </p>
-      )}
+      <p class="note">
+        Real mice err:{' '}
+        <button type="button" onClick={part}>
+          Watch belief and truth part
+        </button>{' '}
+        and come together again.{conditions && ` Here: ${conditions}.`}
+      </p>
       <p class="note">
         {own.length === 0 && (
           <>
@@ -190,6 +182,8 @@ export function createChooser(page: Page, shown: (plays: Shown[], asked: boolean
   const usualMaze = about.mazes.find(({ width }) => width === 16) ?? about.mazes[0];
   const picked: Picked = { world: '', mouse: usualMouse, beside: '', maze: usualMaze?.name ?? '' };
   picked.world = worldNamed(about, '').name;
+  /** Settings of the contest that are not the usual ones, until another world is chosen. */
+  let unusual: Fields | null = null;
   /** Counts up with each choice; what comes of an older one is not wanted. */
   let number = 0;
   let mazes: MazeData[] = [];
@@ -198,6 +192,7 @@ export function createChooser(page: Page, shown: (plays: Shown[], asked: boolean
     const own = ownMice();
     const choose = (change: Partial<Picked>) => {
       Object.assign(picked, change);
+      if (change.world !== undefined) unusual = null;
       const { mice, home } = worldNamed(about, picked.world);
       const runs = (name: string) => mice.includes(name) || (home && name.startsWith('own:'));
       if (!runs(picked.mouse)) picked.mouse = mice.includes(usualMouse) ? usualMouse : mice[0];
@@ -209,19 +204,33 @@ export function createChooser(page: Page, shown: (plays: Shown[], asked: boolean
       <Form
         {...{ picked, about, own, mazes, choose }}
         open={() => page.choose()}
-        part={() => (Object.assign(picked, parting.picked), draw(), void play(true, parting.settings))}
+        part={part}
+        conditions={
+          unusual
+            ? Object.entries(unusual)
+                .map((pair) => pair.join(' '))
+                .join(', ')
+            : ''
+        }
       />,
       room,
     );
   }
-  async function contest(mouse: string, maze: MazeData, wanted: () => boolean, settings = {}): Promise<Shown | null> {
+  async function contest(mouse: string, maze: MazeData, wanted: () => boolean): Promise<Shown | null> {
     const work = ownMice().find((one) => ownName(one) === mouse);
-    if (!work) return ours(core, worldNamed(about, picked.world), mouse, maze, settings);
+    if (!work) return ours(core, worldNamed(about, picked.world), mouse, maze, unusual ?? {});
     const { language, text: program, name } = work;
     return holdContest(core, cage, { language, program, name, maze, seed }, wanted);
   }
-  /** With `settings`, from where its mouse begins to err. */
-  async function play(asked: boolean, settings?: object) {
+  function part() {
+    const { settings, seed, ...contest } = about.parting;
+    Object.assign(picked, contest, { beside: '' });
+    unusual = { ...settings, seed };
+    draw();
+    void play(true, true);
+  }
+  /** `parts`: from where its mouse begins to err. */
+  async function play(asked: boolean, parts = false) {
     const mine = ++number;
     const wanted = () => mine === number;
     element.setAttribute('aria-busy', 'true');
@@ -229,11 +238,11 @@ export function createChooser(page: Page, shown: (plays: Shown[], asked: boolean
       const [maze] = await mazesOf(core, [mazes.find(({ name }) => name === picked.maze) ?? picked.maze]);
       const plays: Shown[] = [];
       for (const mouse of [picked.mouse, picked.beside]) {
-        const held = mouse === '' ? null : await contest(mouse, maze, wanted, settings);
+        const held = mouse === '' ? null : await contest(mouse, maze, wanted);
         if (!wanted()) return;
         if (held) plays.push(held);
       }
-      shown(plays, asked, settings && partingTime(plays[0].play));
+      shown(plays, asked, parts ? partingTime(plays[0].play) : undefined);
     } catch (error) {
       if (wanted()) page.complain(error);
     } finally {
