@@ -8,7 +8,6 @@
 #include "labmouse/lab/bench/distance_speed.hpp"
 #include "labmouse/lab/bench/signature.hpp"
 #include "labmouse/lab/bench/speed_json.hpp"
-#include "labmouse/lab/hazards/builtin_hazards.hpp"
 #include "labmouse/lab/mazes/builtin_mazes.hpp"
 #include "labmouse/lab/mice/mice_json.hpp"
 #include "labmouse/lab/page/answers.hpp"
@@ -58,8 +57,8 @@ Json choices_of(const WorldSetting& setting) {
   Json names;
   for (const std::string_view choice : setting.choices) names.push_back(choice);
   for (const Json& thing : things) names.push_back(thing["name"]);
-  if (setting.name == "hazards")
-    for (const BuiltinHazards& brought : builtin_hazards()) names.push_back(brought.name);
+  if (setting.brought != nullptr)
+    for (const std::string& name : setting.brought()) names.push_back(name);
   return names;
 }
 
@@ -95,8 +94,7 @@ Json worlds() {
                     {"usual_runs", world->usual_runs()},
                     {"settings", std::move(settings)},
                     {"mice", std::move(mice)}});
-    // The calls that hold one contest with all of its play.
-    list.back()["call"] = entry->is_home ? "run" : entry->name == "seconds" ? "drive" : "contest";
+    if (!entry->call.empty()) list.back()["call"] = entry->call;
   }
   return list;
 }

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "labmouse/contest/physical.hpp"
+#include "labmouse/lab/hazards/builtin_hazards.hpp"
 #include "labmouse/lab/physical/physical_world.hpp"
 #include "labmouse/lab/records/drive_json.hpp"
 #include "labmouse/lab/records/drive_record_fields.hpp"
@@ -63,16 +64,29 @@ constexpr std::array settings = {
     pace_setting,
     map_setting};
 
+std::vector<std::string> hazards_brought() {
+  std::vector<std::string> names;
+  for (const BuiltinHazards& brought : builtin_hazards()) names.emplace_back(brought.name);
+  return names;
+}
+
 constexpr std::array fallible_settings = {
     robot_setting,
     rules_setting,
     noise_setting,
     pace_setting,
     map_setting,
-    WorldSetting{"hazards", "HAZARDS",
+    WorldSetting{"hazards",
+                 "HAZARDS",
                  "What goes wrong how often: built-in, or a file whose name contains a slash or ends in .json, which "
                  "labmouse hazards --save writes",
-                 WorldSetting::Kind::text, "kerise"}};
+                 WorldSetting::Kind::text,
+                 "kerise",
+                 0,
+                 0,
+                 {},
+                 false,
+                 hazards_brought}};
 
 /// The number of a setting, or nothing, with what is wrong in the error.
 std::optional<double> number_in(const WorldEntry& entry, const WorldSettings& chosen, std::string_view name,
@@ -213,14 +227,15 @@ std::string why_not_fallible(const DriveModel& model, double noise, const Hazard
   return "";
 }
 
-const WorldEntry physical_entry = {
-    "physical", "the same robot as it is: it slips, misreads and crashes", settings, make, pack_drive_record, false,
-    restore};
+const WorldEntry physical_entry = {"physical",        "the same robot as it is: it slips, misreads and crashes",
+                                   settings,          make,
+                                   pack_drive_record, false,
+                                   restore,           "contest"};
 
 const WorldEntry fallible_entry = {
     "fallible",        "the world in seconds with what goes wrong in the physical one, by dice: fast",
     fallible_settings, make_fallible,
     pack_drive_record, false,
-    restore_fallible};
+    restore_fallible,  "contest"};
 
 }  // namespace labmouse

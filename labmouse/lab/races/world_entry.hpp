@@ -29,6 +29,8 @@ struct WorldSetting {
   std::span<const std::string_view> choices = {};
   /// Whether a race may have several values, separated by commas: then it is held once for each.
   bool listed = false;
+  /// Names of what the program brings, where it takes these and files.
+  std::vector<std::string> (*brought)() = nullptr;
 };
 
 /// Settings by name; those that are not there have their defaults.
@@ -68,6 +70,8 @@ struct WorldEntry {
   /// Makes the world again from an object of its conditions, of which nothing is sure; null where they are none.
   /// Without it each setting is a condition, with `_` in place of `-`.
   std::shared_ptr<const World> (*restore)(const ReadJson& conditions) = nullptr;
+  /// The page's call that holds a contest with all of its play; empty where it only races.
+  std::string_view call = "";
 };
 
 /// The value of a setting, or its default.

@@ -42,12 +42,10 @@ std::shared_ptr<const World> restore(const ReadJson& conditions) {
 
 }  // namespace
 
-const WorldEntry seconds_entry = {"seconds",
-                                  "a robot that drives curves and diagonals, by the rules of real contests",
-                                  settings,
-                                  make,
-                                  pack_drive_record,
-                                  false,
-                                  restore};
+const WorldEntry seconds_entry = {
+    "seconds",         "a robot that drives curves and diagonals, by the rules of real contests",
+    settings,          make,
+    pack_drive_record, false,
+    restore,           "drive"};
 
 }  // namespace labmouse

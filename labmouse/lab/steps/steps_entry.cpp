@@ -39,7 +39,9 @@ PackedFile pack(std::string_view text, const RecordOwner& owner) {
 }  // namespace
 
 const WorldEntry steps_entry = {
-    "strides", "the rules of the capstone project: a step turns, then moves up to three cells", settings, make, pack,
-    true};
+    "strides", "the rules of the capstone project: a step turns, then moves up to three cells",
+    settings,  make,
+    pack,      true,
+    nullptr,   "run"};
 
 }  // namespace labmouse

@@ -1,7 +1,7 @@
 // The module `virtual:core`: the compiled core as text that a script can hold.
 import { readFileSync } from 'node:fs';
-import { gzipSync } from 'node:zlib';
 import type { Plugin } from 'vite';
+import { pack } from './pack';
 
 const name = 'virtual:core';
 
@@ -10,11 +10,10 @@ export function core(file: string): Plugin {
   return {
     name: 'labmouse-core',
     resolveId: (id) => (id === name ? `\0${name}` : null),
-    load(id) {
+    async load(id) {
       if (id !== `\0${name}`) return null;
       this.addWatchFile(file);
-      const packed = gzipSync(readFileSync(file), { level: 9 }).toString('base64');
-      return `export default ${JSON.stringify(packed)};`;
+      return `export default ${JSON.stringify(await pack(readFileSync(file)))};`;
     },
   };
 }

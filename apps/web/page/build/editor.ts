@@ -1,9 +1,9 @@
 // The module `virtual:editor`: the editor as text that a script can hold. It is a library, so what the page does not use of
 // it is left out, and it is packed: most visitors never write.
 import { fileURLToPath } from 'node:url';
-import { gzipSync } from 'node:zlib';
 import { build, type Plugin, type Rollup } from 'vite';
 import type { Later } from './one-file';
+import { pack } from './pack';
 
 const name = 'virtual:editor';
 const entry = fileURLToPath(new URL('../src/write/editor/bundle.ts', import.meta.url));
@@ -34,8 +34,7 @@ export function editor(): Plugin {
     resolveId: (id) => (id === name ? `\0${name}` : null),
     async load(id) {
       if (id !== `\0${name}`) return null;
-      const packed = gzipSync((await editorScript()).script, { level: 9 }).toString('base64');
-      return `export default ${JSON.stringify(packed)};`;
+      return `export default ${JSON.stringify(await pack((await editorScript()).script))};`;
     },
   };
 }

@@ -3,9 +3,9 @@
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { fileURLToPath } from 'node:url';
-import { gzipSync } from 'node:zlib';
 import { build, type Plugin, type Rollup } from 'vite';
 import { workerModules } from './notices';
+import { pack } from './pack';
 
 const folder = fileURLToPath(new URL('../src/write/python', import.meta.url));
 const loaderFile = createRequire(import.meta.url).resolve(
@@ -36,8 +36,6 @@ function loader(): string {
   }
   return text;
 }
-
-const pack = (content: string | Uint8Array) => gzipSync(content, { level: 9 }).toString('base64');
 
 /** The script of the worker, built by itself. MicroPython's loader is inside of it under a name that is no file's. */
 async function workerScript(): Promise<{ script: string; modules: string[] }> {
@@ -76,7 +74,7 @@ export function python(): Plugin {
       if (id !== `\0${name}`) return null;
       const { script, modules } = await workerScript();
       for (const module of modules) workerModules.add(module);
-      const packed = { script: pack(script), wasm: pack(readFileSync(wasmFile)) };
+      const packed = { script: await pack(script), wasm: await pack(readFileSync(wasmFile)) };
       return `export default ${JSON.stringify(packed)};`;
     },
   };

@@ -90,9 +90,10 @@ test('a race of a link is that of the command line, in every other world, with w
     const [first, second] = mice;
     const set = unusual(world);
     const told = set.filter(([key, value]) => value !== world.settings.find((one) => one.name === key)!.default);
-    const where = call
-      ? set.map((pair) => pair.join('='))
-      : [`world=${name}`, ...told.map((pair) => `set=${pair.join('=')}`)];
+    const where =
+      call === 'drive'
+        ? set.map((pair) => pair.join('='))
+        : [`world=${name}`, ...told.map((pair) => `set=${pair.join('=')}`)];
     const mazes = ['capstone-1', 'contest-02'];
     const link = `#race&mouse=${first}&mouse=${second}&in=${mazes.join()}&seed=5&runs=2&${where.join('&')}`;
     const page = await opened(link);
