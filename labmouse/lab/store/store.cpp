@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <map>
 #include <tuple>
@@ -14,7 +15,7 @@ namespace {
 
 /// So long a contest waits at most before it is written: what a power cut may cost.
 constexpr std::chrono::milliseconds longest_wait{250};
-/// More are written at once.
+/// As soon as there are so many, they are written; and no more of them at once.
 constexpr std::size_t full_batch = 4096;
 /// Contests that may wait; whoever brings another has to wait, too.
 constexpr std::size_t most_waiting = 65536;
@@ -183,7 +184,9 @@ void Store::write_batches() {
     rows.swap(waiting_);
     writing_now_ = true;
     lock.unlock();
-    if (!failed_) write(rows);
+    // Not more at once, so that a disk that is full keeps what fitted.
+    for (std::size_t begin = 0; begin < rows.size() && !failed_; begin += full_batch)
+      write(std::span(rows).subspan(begin, std::min(full_batch, rows.size() - begin)));
     rows.clear();
     lock.lock();
     writing_now_ = false;
@@ -191,7 +194,7 @@ void Store::write_batches() {
   }
 }
 
-void Store::write(const std::vector<ContestRow>& rows) {
+void Store::write(std::span<const ContestRow> rows) {
   std::size_t added = 0;
   writing_.run("BEGIN IMMEDIATE");
   {

@@ -6,6 +6,7 @@
 #include <condition_variable>
 #include <memory>
 #include <mutex>
+#include <span>
 #include <string>
 #include <thread>
 #include <vector>
@@ -40,7 +41,7 @@ class Store final : public ContestStore {
 
  private:
   void write_batches();
-  void write(const std::vector<ContestRow>& rows);
+  void write(std::span<const ContestRow> rows);
 
   std::string path_;
   Database writing_;                      ///< for the writer; before the other, because it makes the file
