@@ -71,7 +71,7 @@ struct WorldEntry {
   /// Without it each setting is a condition, with `_` in place of `-`.
   std::shared_ptr<const World> (*restore)(const ReadJson& conditions) = nullptr;
   /// The page's call that holds a contest with all of its play; empty where it only races.
-  std::string_view call = "";
+  std::string_view call = {};
 };
 
 /// The value of a setting, or its default.

@@ -90,7 +90,9 @@ class Story {
     if (i > 0 && record_.runs[i - 1].kind == Kind::fast) return " from its run";
     WallSet possible = WallSet::all(file_.maze->size());
     possible -= run.closed;
-    const DriveTime known = fastest_over(run.open), hoped = fastest_over(possible);
+    // The fallible world leaves out what nobody asked for.
+    const DriveTime known = run.known < no_time ? run.known : fastest_over(run.open);
+    const DriveTime hoped = run.hoped < no_time ? run.hoped : fastest_over(possible);
     if (known >= no_time || hoped >= no_time) return "";
     return hoped < known ? fmt::format(": it knows a route of {}, and none of {}, which may be, is worth the way",
                                        text_of(known), text_of(hoped))
