@@ -26,8 +26,8 @@ json asked(const std::string& world, std::uint64_t seed = 1, const std::string& 
 TEST(PageContest, IsTheOneOfARace) {
   for (const std::string world : {"physical", "fallible"}) {
     json race = asked(world, 5, "3");
-    race["mice"] = {"flood-return"};
-    race["mazes"] = {race["maze"]};
+    race["mice"] = json::array({"flood-return"});
+    race["mazes"] = json::array({race["maze"]});
     race["runs"] = 4;
     const json group = answer("race", race)["results"]["groups"][0];
     ASSERT_EQ(group["mice"][0]["results"].size(), 4);
