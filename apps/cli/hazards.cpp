@@ -141,7 +141,7 @@ void add_hazards(Command& app, int& exit) {
       ->check(in_range(0.0, 20'000.0))
       ->capture_default_str();
   command->add_option("--map", options->map, "What mice do with a reading against their map: nothing, or weigh it")
-      ->check(one_of({"first", "belief"}))
+      ->check(one_of({"first", "belief", "learned"}))
       ->capture_default_str();
   command->add_option("--runs", options->runs, "Contests of each mouse in each maze, under each noise")
       ->check(in_range(1, 1'000'000))

@@ -1,6 +1,5 @@
 #include "labmouse/body/specimen.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <string_view>
 
@@ -79,8 +78,6 @@ Specimen::Specimen(const Hardware& hardware, const NoiseLevel& level, Size size,
               level.of(NoiseGroup::floor) * noise.floor_shift * shift};
   }
 }
-
-double Specimen::weakest() const { return std::min({motor[0], motor[1], grip}); }
 
 double Specimen::reflectance(Cell cell, Heading side) const {
   return reflectances_[static_cast<std::size_t>(4 * size_.index(cell) + static_cast<int>(side))];

@@ -24,8 +24,8 @@ class Specimen {
   /// How unlucky this contest's draws are: the fourth-power mean of what motors, tyres and gyro drew, each in
   /// deviations of a mouse at noise 1 and spread 1. One bad number is enough to break a mouse.
   double frailty() const { return frailty_; }
-  /// The least factor of its motors and its grip.
-  double weakest() const;
+  /// The factor of its weaker motor.
+  double weaker_motor() const { return motor[0] < motor[1] ? motor[0] : motor[1]; }
   /// How far its infrared sensors are from what they should be: the root mean square of their factors' logarithms.
   double eyes_apart() const { return eyes_apart_; }
   /// The factor of a group's noise.

@@ -1,12 +1,19 @@
 #include "labmouse/contest/believed_walls.hpp"
 
+#include <cstdlib>
+
 namespace labmouse {
 
 BelievedWalls::BelievedWalls(const Maze& maze, MapKind map, PhysicalRecord& record)
-    : maze_(maze), record_(record), belief_(maze.size(), map), weighs_(map == MapKind::belief) {}
+    : maze_(maze),
+      record_(record),
+      belief_(maze.size(), map),
+      weighs_(map != MapKind::first),
+      asks_where_it_is_(map == MapKind::learned) {}
 
 void BelievedWalls::read(MazeTime time, const Pose& pose, const WallEvidence& evidence) {
   record_.looks.push_back({time, pose, evidence});
+  against_ = {0, against_[0]};
   take(time, pose.cell, left_of(pose.heading), evidence.left);
   take(time, pose.cell, pose.heading, evidence.ahead);
   take(time, pose.cell, right_of(pose.heading), evidence.right);
@@ -21,15 +28,20 @@ void BelievedWalls::pass(MazeTime time, Cell from, const Pose& to) {
 void BelievedWalls::take(MazeTime time, Cell cell, Heading side, Evidence evidence) {
   const Wall wall = wall_at(cell, side);
   // Nobody has to read the border.
-  if (!on_border(wall, maze_.size())) add(time, wall, evidence);
+  if (on_border(wall, maze_.size())) return;
+  constexpr int sure = 4 * evidence_a_nat;
+  const Belief::News news = add(time, wall, evidence);
+  const bool against = news == Belief::News::contradicted || news == Belief::News::turned;
+  if (against && std::abs(evidence) >= sure) ++against_[0];
 }
 
-void BelievedWalls::add(MazeTime time, Wall wall, int evidence) {
+Belief::News BelievedWalls::add(MazeTime time, Wall wall, int evidence) {
   const Belief::News news = belief_.add(wall, evidence);
   if (weighs_) told_last_[told_count_++ % told_last_.size()] = {wall, evidence};
-  if (news == Belief::News::none) return;
+  if (news == Belief::News::none) return news;
   if (news != Belief::News::learned) ++record_.contradictions;
   if (news != Belief::News::contradicted) note(time, wall);
+  return news;
 }
 
 /// What it takes that wall for from now on.

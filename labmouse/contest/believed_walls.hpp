@@ -24,12 +24,18 @@ class BelievedWalls {
   /// Counts the last readings by half: they may be of other walls.
   void doubt_last();
   /// What is read from now on has nothing to do with the last readings.
-  void put_down() { told_last_ = {}; }
+  void put_down() {
+    told_last_ = {};
+    against_ = {};
+  }
   void forget_all();
   /// Belief::doubt_way().
   bool doubt_way(Cell from, const CellSet& to) { return belief_.doubt_way(from, to); }
 
   Size size() const { return maze_.size(); }
+  /// Whether it must be somewhere else: in its last two cells three sure readings spoke against its map. Only a learned
+  /// map asks.
+  bool doubts_its_place() const { return asks_where_it_is_ && against_[0] + against_[1] >= 3; }
   /// Whether its map weighs readings.
   bool weighs() const { return weighs_; }
   const Knowledge& known() const { return belief_.view(); }
@@ -46,15 +52,16 @@ class BelievedWalls {
   };
 
   void take(MazeTime time, Cell cell, Heading side, Evidence evidence);
-  void add(MazeTime time, Wall wall, int evidence);
+  Belief::News add(MazeTime time, Wall wall, int evidence);
   void note(MazeTime time, Wall wall);
 
   const Maze& maze_;
   PhysicalRecord& record_;
   Belief belief_;
-  bool weighs_;
+  bool weighs_, asks_where_it_is_;
   std::array<Told, 12> told_last_{};  ///< the last readings, in turn
   std::size_t told_count_ = 0;
+  std::array<int, 2> against_{};  ///< sure readings against its map, in the last cell and the one before
 };
 
 }  // namespace labmouse

@@ -242,6 +242,8 @@ class FallibleContest {
 
   After make(const Action& part, bool replanned) {
     if (!driver_.make(part, replanned)) return broken_off();
+    // It asks to be carried.
+    if (walls_.doubts_its_place()) return end_run(RunEnd::walled_in, After::crashed);
     goal_believed_ = goal_believed_ || maze_.is_goal(driver_.place().pose.cell);
     return After::on_the_way;
   }

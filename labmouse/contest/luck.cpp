@@ -1,16 +1,29 @@
 #include "labmouse/contest/luck.hpp"
 
+#include <algorithm>
+
 namespace labmouse {
+namespace {
+
+using Limits = std::array<double, 4>;
+
+/// How many of these limits a value is below.
+std::size_t below(double value, const Limits& limits) {
+  return static_cast<std::size_t>(std::count_if(limits.begin(), limits.end(), [&](double one) { return value < one; }));
+}
+
+Luck after(Luck first, std::size_t further) { return all_luck[static_cast<std::size_t>(first) + further]; }
+
+}  // namespace
 
 Luck luck_of(const Specimen& mouse) {
-  constexpr std::array<double, 5> weak = {0.4, 0.3, 0.25, 0.2, 0.15};
-  constexpr double apart = 0.4, far_apart = 0.8;
-  const double weakest = mouse.weakest();
-  std::size_t below = 0;
-  while (below < weak.size() && weakest < weak[below]) ++below;
-  if (below > 0) return all_luck[static_cast<std::size_t>(Luck::eyes_far_apart) + below];
+  const std::size_t weak = below(mouse.weaker_motor(), {0.3, 0.25, 0.2, 0.15});
+  const std::size_t loose = below(mouse.grip, {0.5, 0.4, 0.3, 0.2});
+  // A motor just below 0.3 finishes as few contests as tyres just below 0.4, and so on.
+  if (weak > 0 && weak + 1 >= loose) return after(Luck::motor_below_30, weak - 1);
+  if (loose > 0) return after(Luck::tyres_below_50, loose - 1);
   const double eyes = mouse.eyes_apart();
-  return eyes > far_apart ? Luck::eyes_far_apart : eyes > apart ? Luck::eyes_apart : Luck::sound;
+  return eyes > 0.5 ? Luck::eyes_far_apart : eyes > 0.3 ? Luck::eyes_apart : Luck::sound;
 }
 
 }  // namespace labmouse

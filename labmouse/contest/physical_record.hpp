@@ -22,7 +22,7 @@ enum class RunEnd : std::uint8_t {
   slid,       ///< a crash because the tyres did not hold
   strayed,    ///< a crash because the mouse was not where it believed to be, or not where it should be
   misread,    ///< a crash into a wall that it had read as open
-  walled_in,  ///< its map had no way left
+  walled_in,  ///< its map had no way left, or did not fit what it saw
   out_of_time,
 };
 

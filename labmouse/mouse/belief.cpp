@@ -3,11 +3,15 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "labmouse/mouse/priors.hpp"
+#include "labmouse/mouse/wall_contexts.hpp"
+
 namespace labmouse {
 
 Belief::Belief(Size size, MapKind kind)
     : size_(size),
       kind_(kind),
+      prior_(kind == MapKind::learned ? contest_prior_for(size) : nullptr),
       odds_(2 * static_cast<std::size_t>(size.area())),
       view_(size, 1),
       costs_(static_cast<std::size_t>(size.area())),
@@ -19,13 +23,19 @@ std::size_t Belief::index_of(Wall wall) const {
 
 int Belief::odds(Wall wall) const { return on_border(wall, size_) ? most : odds_[index_of(wall)]; }
 
+int Belief::expected(Wall wall) const {
+  if (prior_ == nullptr) return 0;
+  const int open = std::clamp<int>(prior_->walls[static_cast<unsigned>(context_of(wall, view_))], 1, most_reluctance);
+  return (open - complement(open)) * evidence_a_nat / reluctance_a_nat;
+}
+
 Belief::News Belief::add(Wall wall, int evidence) {
   if (on_border(wall, size_)) return News::none;
   std::int8_t& odds = odds_[index_of(wall)];
   const WallState state = view_.state(wall);
   if (state == WallState::unknown) {
-    odds = static_cast<std::int8_t>(std::clamp(evidence, -most, most));
-    view_.learn(wall, evidence <= 0);
+    odds = static_cast<std::int8_t>(std::clamp(expected(wall) + evidence, -most, most));
+    view_.learn(wall, odds <= 0);
     return News::learned;
   }
   const bool against = state == WallState::closed ? evidence < 0 : evidence > 0;

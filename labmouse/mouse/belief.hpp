@@ -3,7 +3,8 @@
 // Each wall has the logarithm of its odds to be closed, in eighths of a nat, and readings add to it. Knowledge is a
 // view of these: the first reading decides, and once others have turned the odds well to the other side the wall turns
 // over. As long as none does the view only grows, which is what minds rely on; when one does, a new version of the view
-// begins, at which they plan anew.
+// begins, at which they plan anew. A learned map begins at odds counted in other mazes, by what is known of the eight
+// walls about that one as it is first read; in mazes too small for these, at even ones.
 //
 //      open ◄───────┬───────────────┬───────► closed
 //    -64           -16      0      +16           +64
@@ -19,18 +20,22 @@
 #include "labmouse/grid/cell_set.hpp"
 #include "labmouse/mouse/evidence.hpp"
 #include "labmouse/mouse/knowledge.hpp"
+#include "labmouse/mouse/wall_prior.hpp"
 
 namespace labmouse {
 
 /// What a map does with readings against what it has taken a wall for.
 enum class MapKind : std::uint8_t {
-  first,   ///< nothing: the first reading stays for ever, as in most mice
-  belief,  ///< it weighs them
+  first,    ///< nothing: the first reading stays for ever, as in most mice
+  belief,   ///< it weighs them
+  learned,  ///< it weighs them with what other mazes say, and asks whether it is where it believes to be
 };
 
-inline constexpr std::array all_map_kinds = {MapKind::first, MapKind::belief};
+inline constexpr std::array all_map_kinds = {MapKind::first, MapKind::belief, MapKind::learned};
 
-constexpr std::string_view name_of(MapKind kind) { return kind == MapKind::first ? "first" : "belief"; }
+constexpr std::string_view name_of(MapKind kind) {
+  return kind == MapKind::first ? "first" : kind == MapKind::belief ? "belief" : "learned";
+}
 
 /// The kind of that name, or nothing.
 constexpr std::optional<MapKind> map_kind_of(std::string_view name) {
@@ -57,7 +62,7 @@ class Belief {
   /// Of a mouse that sees one cell far and knows the border.
   Belief(Size size, MapKind kind);
 
-  /// Takes in a reading of a wall. Of a wall that was unknown 0 says that it is open.
+  /// Takes in a reading of a wall. Of a wall that was unknown 0 says that it is open, or what other mazes say.
   News add(Wall wall, int evidence);
   /// Counts a reading that it took in by half. What spoke for the wall's state is never taken for less than nothing.
   void doubt(Wall wall, int evidence);
@@ -75,9 +80,12 @@ class Belief {
 
  private:
   std::size_t index_of(Wall wall) const;
+  /// The odds of a wall that nobody has read.
+  int expected(Wall wall) const;
 
   Size size_;
   MapKind kind_;
+  const WallPrior* prior_;         ///< or null
   std::vector<std::int8_t> odds_;  ///< of the north and the east side of each cell
   Knowledge view_;
   int version_ = 0;

@@ -48,6 +48,17 @@ int folded_context(int context) {
   return std::min({number_of(d), number_of(left_right), number_of(near_far), number_of(both)});
 }
 
+int context_of(Wall wall, const Knowledge& knowledge) {
+  const std::array<Wall, 8> neighbours = neighbours_of(wall);
+  Digits digits{};
+  for (unsigned i = 0; i < neighbours.size(); ++i) {
+    const WallState state =
+        on_border(neighbours[i], knowledge.size()) ? WallState::closed : knowledge.state(neighbours[i]);
+    digits[i] = state == WallState::unknown ? 0 : state == WallState::open ? 1 : 2;
+  }
+  return number_of(digits);
+}
+
 WallContexts::WallContexts(Size size) : size_(size), contexts_(static_cast<std::size_t>(2 * size.area()), 0) {
   WallSet::all(size).for_each([&](Wall wall) {
     const std::array<Wall, 8> neighbours = neighbours_of(wall);

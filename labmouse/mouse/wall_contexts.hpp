@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "labmouse/grid/wall.hpp"
+#include "labmouse/mouse/knowledge.hpp"
 
 namespace labmouse {
 
@@ -27,6 +28,9 @@ std::array<Wall, 8> neighbours_of(Wall wall);
 
 /// The smallest context that a mirror makes of this one: walls of equal surroundings have it in common.
 int folded_context(int context);
+
+/// The context of a wall among walls that are known, where none is kept up to date.
+int context_of(Wall wall, const Knowledge& knowledge);
 
 /// The contexts of all walls of a maze, kept up to date as walls become known. The border is closed from the beginning.
 class WallContexts {

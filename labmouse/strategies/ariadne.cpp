@@ -9,7 +9,7 @@
 #include "labmouse/mouse/explorer.hpp"
 #include "labmouse/strategies/ariadne/driver.hpp"
 #include "labmouse/strategies/ariadne/edge_costs.hpp"
-#include "labmouse/strategies/ariadne/priors.hpp"
+#include "labmouse/mouse/priors.hpp"
 #include "labmouse/strategies/ariadne/views.hpp"
 #include "labmouse/strategies/roster.hpp"
 
@@ -308,7 +308,7 @@ class Ariadne final : public Explorer {
 std::unique_ptr<Strategy> make(const Briefing& briefing, const Settings& settings) {
   // One that was learned serves at every size.
   const WallPrior* prior = settings.attached();
-  if (prior == nullptr && settings.choice("prior") == "contest") prior = ariadne::contest_prior_for(briefing.size);
+  if (prior == nullptr && settings.choice("prior") == "contest") prior = contest_prior_for(briefing.size);
   if (briefing.in_seconds()) return ariadne::make_driver(briefing, prior);
   return std::make_unique<Ariadne>(briefing, settings, prior);
 }

@@ -1,12 +1,14 @@
 // festina: makes haste slowly. It searches as another mind does, with a map that doubts, at a pace that its body bears,
-// and runs faster from try to try.
+// and runs faster from try to try; and where no fast run ends well it makes sure of a slow one.
 //
 // Limits: what it knows of its body is how its runs ended; of the noise of the day it is told nothing.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
+#include "labmouse/mouse/drive/drive_fields.hpp"
 #include "labmouse/mouse/robot/drive_model.hpp"
 #include "labmouse/strategies/roster.hpp"
 
@@ -18,21 +20,31 @@ constexpr std::string_view method =
     "does not. What festina decides is what its map does with readings against it, and the pace. Its map doubts: "
     "readings are weighed against each other, and where no way is left the mouse looks again. It searches at its "
     "usual pace, and after each crash in a search more slowly: a mouse whose tyres slid slides in the next run, "
-    "too. Fast runs begin at 0.8 of the usual pace where a crash is dear, because runs are few or a mouse that was "
+    "too. Fast runs begin at 0.9 of the usual pace where a crash is dear, because runs are few or a mouse that was "
     "never touched has a bonus, and at the usual one where it is not; after a crash the next is slower by a factor, "
     "and after one that came to its end below the usual pace the next is faster; once there are both, the next is "
-    "in the middle between them, as long as that is more than a tenth faster than what went well, or the last one "
-    "crashed. In worlds where nothing goes wrong all paces are the same, and it is the mind that explores for it.";
+    "in the middle between them, as long as that is more than a twentieth faster than what went well, or the last one "
+    "crashed. Where none came to its end, the last run that the rules allow is a safe one, or else the one after the "
+    "third crash: to the goal by the moves of a search, over walls that it knows. In worlds where nothing goes wrong "
+    "all paces are the same, and it is the mind that explores for it.";
 
 constexpr std::string_view source =
     "Search slowly, run faster and faster: what builders of contest mice do by buttons between their runs.";
 
-constexpr std::array<Parameter, 5> parameters = {
+constexpr std::array<Parameter, 7> parameters = {
     {{"mind", ParameterType::choice, "by-rules", 0.0, 0.0, "by-rules/ariadne/certify/flood-return", "who explores"},
      {"search", ParameterType::real, "1", 0.2, 1.0, {}, "pace of the first search"},
      {"slower", ParameterType::real, "0.8", 0.3, 1.0, {}, "factor of the pace of searches after a crash in one"},
      {"run", ParameterType::real, "0", 0.0, 1.0, {}, "pace of the first fast run; 0: as the rules ask for"},
-     {"step", ParameterType::real, "0.75", 0.3, 0.95, {}, "factor of the pace of fast runs after a crash in one"}}};
+     {"step", ParameterType::real, "0.85", 0.3, 0.95, {}, "factor of the pace of fast runs after a crash in one"},
+     {"safe",
+      ParameterType::flag,
+      "yes",
+      0.0,
+      0.0,
+      {},
+      "whether it drives a run as a search where no fast one ended well"},
+     {"map", ParameterType::choice, "belief", 0.0, 0.0, "belief/learned", "what becomes of readings against its map"}}};
 
 /// A search has to come to its goal within half of the time: that takes about half of the cells, each with its turns.
 double least_pace_of(const Briefing& briefing) {
@@ -44,7 +56,7 @@ double least_pace_of(const Briefing& briefing) {
 
 /// What a crash costs is a run of a few, or the bonus of a mouse that was never touched.
 double first_run_pace(const Briefing& briefing, double chosen) {
-  constexpr double careful = 0.8, least = 0.2;
+  constexpr double careful = 0.9, least = 0.2;
   constexpr int many_runs = 10;
   if (chosen > 0.0) return std::max(chosen, least);
   return briefing.drive.most_runs < many_runs || briefing.drive.untouched_bonus > 0 ? careful : 1.0;
@@ -61,7 +73,10 @@ class RunLadder {
   RunLadder(double first, double step) : next_(first), step_(step) {}
 
   double pace() const { return next_; }
+  /// Runs that crashed, where none has gone well.
+  int crashes_alone() const { return good_ ? 0 : crashes_; }
   void crashed() {
+    ++crashes_;
     bad_ = std::min(bad_.value_or(1.0), next_);
     next_ = good_ ? middle() : std::max(least, next_ * step_);
   }
@@ -74,27 +89,37 @@ class RunLadder {
   }
 
  private:
-  static constexpr double least = 0.25, near = 1.1;
+  static constexpr double least = 0.25, near = 1.05;
   double middle() const { return std::sqrt(*good_ * *bad_); }
 
   double next_, step_;
+  int crashes_ = 0;
   std::optional<double> good_, bad_;
 };
 
 class Festina final : public Strategy {
  public:
-  Festina(std::unique_ptr<Strategy> mind, const Settings& settings, double search_pace, double least_pace,
-          double run_pace, double usual_pace)
-      : mind_(std::move(mind)),
+  /// `briefing` as the mind has it; the fields, unless they are somebody else's, which the briefing then has, too.
+  Festina(const Briefing& briefing, std::unique_ptr<DriveFields> fields, std::unique_ptr<Strategy> mind,
+          const Settings& settings, double search_pace, double least_pace, double run_pace, double usual_pace)
+      : goals_(briefing.goals),
+        most_runs_(briefing.drive.most_runs),
+        own_fields_(std::move(fields)),
+        fields_(briefing.drive.fields),
+        mind_(std::move(mind)),
         usual_pace_(usual_pace),
         search_pace_(search_pace),
         least_pace_(least_pace),
         slower_(settings.real("slower")),
-        ladder_(run_pace, settings.real("step")) {}
+        ladder_(run_pace, settings.real("step")),
+        makes_sure_(settings.flag("safe")),
+        map_(*map_kind_of(settings.choice("map"))) {}
 
   Action decide(const Sighting& seen) override { return then(mind_->decide(seen)); }
   void show(const Pose& pose, const Sighting& seen) override { mind_->show(pose, seen); }
   void carried(std::int64_t time) override {
+    stands_at_start_ = true;
+    safe_run_ = false;
     if (running_)
       ladder_.crashed();
     else
@@ -104,13 +129,19 @@ class Festina final : public Strategy {
   }
   bool considers() const override { return mind_->considers(); }
   Action consider(const Belief& belief, const SearchPlace& place, std::int64_t time) override {
-    return then(mind_->consider(belief, place, time));
+    if (safe_run_) return safe_step(belief, place);
+    const Action action = then(mind_->consider(belief, place, time));
+    if (!std::exchange(stands_at_start_, false)) return action;
+    safe_run_ = action.kind == Action::Kind::reset && has_to_make_sure();
+    if (safe_run_ || action.kind == Action::Kind::step) ++runs_;
+    return safe_run_ ? safe_step(belief, place) : action;
   }
   double pace(bool fast) override {
     running_ = fast;
+    if (fast) ++runs_;
     return fast ? ladder_.pace() : search_pace_;
   }
-  std::optional<MapKind> map_kind() const override { return MapKind::belief; }
+  std::optional<MapKind> map_kind() const override { return map_; }
   const Knowledge& knowledge() const override { return mind_->knowledge(); }
   std::span<const Counter> counters() const override { return mind_->counters(); }
   std::string_view last_words() override { return mind_->last_words(); }
@@ -118,18 +149,41 @@ class Festina final : public Strategy {
   const Reasons* reasons() const override { return mind_->reasons(); }
 
  private:
+  /// Whether the next run is to be a safe one.
+  bool has_to_make_sure() const {
+    constexpr int many_crashes = 3;
+    const int crashes = ladder_.crashes_alone();
+    return makes_sure_ && crashes > 0 && (runs_ + 1 == most_runs_ || crashes == many_crashes);
+  }
+  /// To the goal by known ways, as in a search; there, or where there is none, it goes on with fast runs.
+  Action safe_step(const Belief& belief, const SearchPlace& place) {
+    const Knowledge& known = belief.view();
+    fields_->ways().fill(known.open(), known.known_cells(), goals_);
+    const Action step = fields_->ways().step(place);
+    safe_run_ = step.kind == Action::Kind::step && !goals_.contains(place.pose.cell);
+    return safe_run_ ? step : Action::reset();
+  }
   /// Asked after a fast run, the other mind has no more to do; whether to run again is festina's to say.
   Action then(const Action& action) {
     const bool over = action.kind == Action::Kind::forfeit && action.reason == ForfeitReason::finished;
     return running_ && over && ladder_.went_well() ? Action::reset() : action;
   }
 
+  CellSet goals_;
+  int most_runs_;
+  std::unique_ptr<DriveFields> own_fields_;
+  DriveFields* fields_;  ///< in seconds
   std::unique_ptr<Strategy> mind_;
   double usual_pace_;  ///< the part of the robot's own that is 1 to it
   double search_pace_, least_pace_;
   double slower_;
   RunLadder ladder_;
+  bool makes_sure_;
+  MapKind map_;
+  int runs_ = 0;          ///< that it has begun at the start
   bool running_ = false;  ///< whether its last run was, or is, a fast one
+  bool stands_at_start_ = true;
+  bool safe_run_ = false;  ///< whether it drives one
 };
 
 std::unique_ptr<Strategy> make(const Briefing& briefing, const Settings& settings) {
@@ -137,7 +191,13 @@ std::unique_ptr<Strategy> make(const Briefing& briefing, const Settings& setting
   const double least = least_pace_of(briefing), pace = std::max(settings.real("search"), least);
   Briefing told = briefing;
   told.drive.pace = briefing.drive.pace * pace;
-  return std::make_unique<Festina>(entry.make(told, Settings(entry.parameters)), settings, pace, least,
+  std::unique_ptr<DriveFields> fields;
+  if (briefing.in_seconds() && briefing.drive.fields == nullptr) {
+    fields = std::make_unique<DriveFields>(DriveFields::in_own_memory(briefing.size, *briefing.drive.model));
+    told.drive.fields = fields.get();
+  }
+  auto mind = entry.make(told, Settings(entry.parameters));
+  return std::make_unique<Festina>(told, std::move(fields), std::move(mind), settings, pace, least,
                                    first_run_pace(briefing, settings.real("run")), briefing.drive.pace);
 }
 

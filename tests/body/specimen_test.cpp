@@ -161,13 +161,13 @@ TEST(Specimen, IsFrailWhereOneOfItsNumbersIsFarOff) {
   }
 }
 
-TEST(Specimen, IsAsWeakAsTheWorstOfItsMotorsAndItsGrip) {
+TEST(Specimen, IsAsWeakAsTheWorseOfItsMotors) {
   const Hardware hardware = noisy_mouse();
   NoiseLevel level;
   level.spread = 3.0;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const Specimen it(hardware, level, {2, 2}, seed);
-    EXPECT_EQ(it.weakest(), std::min(std::min(it.motor[0], it.motor[1]), it.grip));
+    EXPECT_EQ(it.weaker_motor(), std::min(it.motor[0], it.motor[1]));
     double squares = 0.0;
     for (const double factor : it.infrared) squares += square(std::log(factor));
     EXPECT_NEAR(it.eyes_apart(), std::sqrt(squares / beam_count), 1e-9);

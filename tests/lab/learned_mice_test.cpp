@@ -14,7 +14,7 @@
 #include "labmouse/lab/system/files.hpp"
 #include "labmouse/lab/worlds/worlds.hpp"
 #include "labmouse/maze/generators/generator.hpp"
-#include "labmouse/strategies/ariadne/priors.hpp"
+#include "labmouse/mouse/priors.hpp"
 #include "tests/lab/race_fixture.hpp"
 #include "tests/says.hpp"
 
@@ -66,28 +66,28 @@ std::vector<RunRecord> runs_of(const Contestant& contestant, Size size = {16, 16
 constexpr Size small = {7, 7};
 
 TEST_F(LearnedMice, ExpectWhatTheFileSays) {
-  const std::string given = prior("given.prior", ariadne::contest_prior),
-                    other = prior("trees.prior", ariadne::loop_free_prior);
+  const std::string given = prior("given.prior", contest_prior),
+                    other = prior("trees.prior", loop_free_prior);
   EXPECT_EQ(runs_of(mouse("ariadne:prior=" + given)), runs_of(mouse("ariadne")));
   EXPECT_NE(runs_of(mouse("ariadne:prior=" + other)), runs_of(mouse("ariadne")));
   EXPECT_NE(runs_of(mouse("ariadne:prior=" + other)), runs_of(mouse("ariadne:prior=uniform")));
 }
 
 TEST_F(LearnedMice, ExpectItAtEverySize) {
-  const std::string trees = prior("trees.prior", ariadne::loop_free_prior);
+  const std::string trees = prior("trees.prior", loop_free_prior);
   ASSERT_EQ(runs_of(mouse("ariadne"), small), runs_of(mouse("ariadne:prior=uniform"), small));
   EXPECT_NE(runs_of(mouse("ariadne:prior=" + trees), small), runs_of(mouse("ariadne"), small));
 }
 
 TEST_F(LearnedMice, AreNamedAfterTheirFile) {
-  const std::string spec = "ariadne:prior=" + prior("my.prior", ariadne::contest_prior) + ":travel=30";
+  const std::string spec = "ariadne:prior=" + prior("my.prior", contest_prior) + ":travel=30";
   EXPECT_EQ(mouse(spec).name, spec);
   EXPECT_EQ(mouse("ariadne:prior=contest").name, "ariadne");
   EXPECT_EQ(mouse("ariadne:prior=uniform").name, "ariadne:prior=uniform");
 }
 
 TEST_F(LearnedMice, ReadTheirFileOnce) {
-  const std::string path = prior("my.prior", ariadne::loop_free_prior);
+  const std::string path = prior("my.prior", loop_free_prior);
   const Contestant learned = mouse("ariadne:prior=" + path);
   const std::vector<RunRecord> before = runs_of(learned);
   std::filesystem::remove(path);
@@ -99,7 +99,7 @@ TEST_F(LearnedMice, ReadTheirFileOnce) {
 }
 
 TEST_F(LearnedMice, ForgetTheirFileForAChoice) {
-  const std::string spec = "ariadne:prior=" + prior("my.prior", ariadne::loop_free_prior);
+  const std::string spec = "ariadne:prior=" + prior("my.prior", loop_free_prior);
   const std::vector<std::string> values = {"uniform", "contest"};
   const SpecResult variants = read_variants(spec, "prior", values);
   ASSERT_EQ(variants.error, "");
@@ -136,7 +136,7 @@ TEST_F(LearnedMice, CanBeTaughtWhereTheirPriorIsTheDefault) {
   EXPECT_TRUE(mouse("ariadne").taught);
   EXPECT_TRUE(mouse("ariadne:travel=30").taught);
   EXPECT_FALSE(mouse("ariadne:prior=uniform").taught);
-  EXPECT_FALSE(mouse("ariadne:prior=" + prior("my.prior", ariadne::contest_prior)).taught);
+  EXPECT_FALSE(mouse("ariadne:prior=" + prior("my.prior", contest_prior)).taught);
   EXPECT_FALSE(mouse("flood").taught);
   EXPECT_FALSE(mouse("oracle").taught);
 }

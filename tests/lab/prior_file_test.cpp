@@ -8,7 +8,7 @@
 #include <iterator>
 
 #include "labmouse/chance/dice.hpp"
-#include "labmouse/strategies/ariadne/priors.hpp"
+#include "labmouse/mouse/priors.hpp"
 #include "tests/says.hpp"
 
 namespace labmouse {
@@ -143,14 +143,14 @@ TEST(BadPriorFile, HasAFewOfItsProblemsListed) {
 }
 
 std::string source(const std::string& name) {
-  std::ifstream file(LABMOUSE_SOURCE_DIR "/labmouse/strategies/ariadne/" + name, std::ios::binary);
+  std::ifstream file(LABMOUSE_SOURCE_DIR "/labmouse/mouse/" + name, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-TEST(PriorFile, IsWhatThePriorsOfAriadneAreMadeFrom) {
-  EXPECT_EQ(read_prior(source("contest.prior")).prior, ariadne::contest_prior);
-  EXPECT_EQ(read_prior(source("loop_free.prior")).prior, ariadne::loop_free_prior);
-  EXPECT_FALSE(ariadne::contest_prior == ariadne::loop_free_prior);
+TEST(PriorFile, IsWhatThePriorsOfLabmouseAreMadeFrom) {
+  EXPECT_EQ(read_prior(source("contest.prior")).prior, contest_prior);
+  EXPECT_EQ(read_prior(source("loop_free.prior")).prior, loop_free_prior);
+  EXPECT_FALSE(contest_prior == loop_free_prior);
 }
 
 }  // namespace

@@ -26,6 +26,26 @@ TEST(Belief, TheFirstReadingDecides) {
   }
 }
 
+TEST(Belief, ALearnedMapBeginsAtWhatOtherMazesAreLike) {
+  Belief belief({16, 16}, MapKind::learned), even({16, 16}, MapKind::belief), small(size, MapKind::learned);
+  // A post that has three walls hardly has a fourth.
+  const Wall fourth = wall_at({5, 5}, Heading::north);
+  for (Belief* each : {&belief, &even}) {
+    for (const Wall closed : {wall_at({4, 5}, Heading::north), wall_at({4, 5}, Heading::east),
+                              wall_at({4, 6}, Heading::east), wall_at({6, 5}, Heading::north)})
+      static_cast<void>(each->add(closed, 64));
+    EXPECT_EQ(each->add(fourth, 8), News::learned);
+  }
+  EXPECT_EQ(even.view().state(fourth), WallState::closed);
+  EXPECT_EQ(belief.view().state(fourth), WallState::open);
+  EXPECT_EQ(belief.add(fourth, 64), News::turned);
+  // What is sure is sure, and in mazes too small for the prior all is even.
+  EXPECT_EQ(belief.add(wall_at({1, 5}, Heading::north), -64), News::learned);
+  EXPECT_EQ(belief.view().state(wall_at({1, 5}, Heading::north)), WallState::open);
+  EXPECT_EQ(small.add(wall, -3), News::learned);
+  EXPECT_EQ(small.odds(wall), -3);
+}
+
 TEST(Belief, InAMapOfFirstReadingsItStays) {
   Belief belief(size, MapKind::first);
   static_cast<void>(belief.add(wall, 1));

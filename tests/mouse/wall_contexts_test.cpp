@@ -163,5 +163,19 @@ TEST(ContextsAtTheBorder, HaveItClosedFromTheBeginning) {
   EXPECT_EQ(WallContexts({4, 1}).of(east_of(0, 0)), context("22222220"));
 }
 
+TEST(WallContexts, AreThoseOfKnowledge) {
+  const Size size = {6, 5};
+  Dice dice(1);
+  Knowledge knowledge(size, 1);
+  WallContexts contexts(size);
+  WallSet::all(size).for_each([&](Wall wall) {
+    if (dice.chance(1, 2)) return;
+    const bool open = dice.chance(1, 2);
+    knowledge.learn(wall, open);
+    contexts.learn(wall, open, [](Wall) {});
+  });
+  WallSet::all(size).for_each([&](Wall wall) { EXPECT_EQ(context_of(wall, knowledge), contexts.of(wall)); });
+}
+
 }  // namespace
 }  // namespace labmouse

@@ -20,7 +20,7 @@ class AriadneReferee final : public Strategy {
       : mouse_(mouse),
         briefing_(briefing),
         policy_(settings),
-        outlook_(briefing, settings.choice("prior") == "contest" ? ariadne::contest_prior_for(briefing.size) : nullptr),
+        outlook_(briefing, settings.choice("prior") == "contest" ? contest_prior_for(briefing.size) : nullptr),
         knowledge_(briefing.size),
         pose_(briefing.start),
         prices_(briefing.size, WallPrices::closed) {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "labmouse/strategies/ariadne/priors.hpp"
+#include "labmouse/mouse/priors.hpp"
 #include "tests/mouse/plain_priced_field.hpp"
 #include "tests/slowness.hpp"
 #include "tests/strategies/one_contest.hpp"
@@ -134,7 +134,7 @@ class Learner {
     return briefing;
   }
   static const WallPrior* any_prior(Dice& dice) {
-    return dice.chance(1, 4) ? nullptr : dice.chance(1, 2) ? &ariadne::contest_prior : &ariadne::loop_free_prior;
+    return dice.chance(1, 4) ? nullptr : dice.chance(1, 2) ? &contest_prior : &loop_free_prior;
   }
 
   Briefing briefing_;

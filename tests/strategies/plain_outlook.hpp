@@ -7,7 +7,7 @@
 #include "labmouse/mouse/briefing.hpp"
 #include "labmouse/mouse/sighting.hpp"
 #include "labmouse/strategies/ariadne/outlook.hpp"
-#include "labmouse/strategies/ariadne/priors.hpp"
+#include "labmouse/mouse/priors.hpp"
 #include "tests/mouse/plain_priced_field.hpp"
 
 namespace labmouse::test {
@@ -102,12 +102,12 @@ class PlainOutlook {
 
   void learn(Wall wall, int seen) {
     if (prior_ != nullptr && goals_beside(wall) != 2 && !on_rim(wall))
-      evidence_ += surprise(*prior_, wall, seen) - surprise(ariadne::loop_free_prior, wall, seen);
+      evidence_ += surprise(*prior_, wall, seen) - surprise(loop_free_prior, wall, seen);
     states_[wall] = seen;
   }
   int surprise(const WallPrior& prior, Wall wall, int seen) const {
     const int reluctance = std::clamp<int>(prior.walls[static_cast<unsigned>(context(wall))], 1, 112);
-    return seen == open ? reluctance : ariadne::complement(reluctance);
+    return seen == open ? reluctance : complement(reluctance);
   }
 
   Size size_;

@@ -47,15 +47,15 @@ class HazardReader {
     return none;
   }
 
-  /// Nothing stands for nothing but zeros.
+  /// Zeros at the end are left out.
   template <std::size_t Size>
   void numbers(const ReadJson& list, std::string_view what, std::array<std::int64_t, Size>& into) {
-    if (!error.empty() || (list.is_array() && list.empty())) return;
-    if (!list.is_array() || list.size() != Size) {
-      error = fmt::format("'{}' has an entry that is no list of {} counts", what, Size);
+    if (!error.empty()) return;
+    if (!list.is_array() || list.size() > Size) {
+      error = fmt::format("'{}' has an entry that is no list of at most {} counts", what, Size);
       return;
     }
-    for (std::size_t i = 0; i < Size; ++i) {
+    for (std::size_t i = 0; i < list.size(); ++i) {
       if (!list[i].is_number_unsigned() || list[i].get<std::uint64_t>() > std::uint64_t{most_counted}) {
         error = fmt::format("'{}' has an entry that is no count", what);
         return;

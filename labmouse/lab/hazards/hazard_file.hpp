@@ -12,7 +12,7 @@
 namespace labmouse {
 
 /// The version of the file's format.
-inline constexpr int hazard_format = 1;
+inline constexpr int hazard_format = 2;
 
 /// What was counted, and of which robot.
 struct HazardFile {

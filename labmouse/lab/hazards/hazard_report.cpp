@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <initializer_list>
+#include <vector>
 
 #include "labmouse/contest/physical.hpp"
 #include "labmouse/lab/hazards/hazard_file.hpp"
@@ -142,23 +144,27 @@ Json json_of(const HazardTally& tally) {
   return json;
 }
 
-/// Of a file: of each manoeuvre times, crashes, those that slid, and how far astray it was after the others; nothing
-/// where it was never counted.
+/// The zeros at its end are left out.
+template <class Numbers>
+Json trimmed(const Numbers& numbers) {
+  const auto end = std::find_if(numbers.rbegin(), numbers.rend(), [](std::int64_t one) { return one != 0; }).base();
+  return Json(std::vector<std::int64_t>(numbers.begin(), end));
+}
+
+/// Of a file: of each manoeuvre times, crashes, those that slid, and how far astray it was after the others.
 Json counts_json(const HazardCounts& counts) {
-  Json json = {{"contests", counts.contests}, {"finished", counts.finished}, {"put", counts.put}};
+  Json json = {{"contests", counts.contests}, {"finished", counts.finished}, {"put", trimmed(counts.put)}};
   for (const Manoeuvre manoeuvre : all_manoeuvres) {
     Json& list = json["manoeuvres"][std::string(name_of(manoeuvre))];
     for (const ManoeuvreCount& count : counts.manoeuvres[static_cast<std::size_t>(manoeuvre)]) {
-      list.push_back(Json::array());
-      if (count.times == 0) continue;
-      list.back() = {count.times, count.crashes, count.slid};
-      for (const std::int64_t after : count.after) list.back().push_back(after);
+      std::vector<std::int64_t> numbers = {count.times, count.crashes, count.slid};
+      numbers.insert(numbers.end(), count.after.begin(), count.after.end());
+      list.push_back(trimmed(numbers));
     }
   }
   for (const Reading reading : all_readings)
     for (const ReadingCount& count : counts.readings[static_cast<std::size_t>(reading)])
-      json["readings"][std::string(name_of(reading))].push_back(count.times() > 0 ? Json(count.by_evidence)
-                                                                                  : Json::array());
+      json["readings"][std::string(name_of(reading))].push_back(trimmed(count.by_evidence));
   return json;
 }
 

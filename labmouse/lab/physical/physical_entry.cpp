@@ -22,7 +22,7 @@
 namespace labmouse {
 namespace {
 
-constexpr std::array map_kinds = {name_of(MapKind::first), name_of(MapKind::belief)};
+constexpr std::array map_kinds = {name_of(MapKind::first), name_of(MapKind::belief), name_of(MapKind::learned)};
 
 constexpr WorldSetting robot_setting = {"robot", "ROBOT",
                                         "Built-in robot, or a file whose name contains a slash or ends in .toml",
@@ -43,15 +43,16 @@ constexpr WorldSetting noise_setting = {
 constexpr WorldSetting pace_setting = {
     "pace", "SHARE", "Part of its usual pace at which a mouse is driven, slow motion along the same curves: up to 1",
     WorldSetting::Kind::text, "1"};
-constexpr WorldSetting map_setting = {
-    "map",
-    "KIND",
-    "What mice do with a reading against their map: nothing, the first one stays (first), or weigh it (belief)",
-    WorldSetting::Kind::text,
-    "first",
-    0,
-    0,
-    map_kinds};
+constexpr WorldSetting map_setting = {"map",
+                                      "KIND",
+                                      "What mice do with a reading against their map: nothing, the first one stays "
+                                      "(first), or weigh it (belief), also by "
+                                      "what other mazes are like (learned)",
+                                      WorldSetting::Kind::text,
+                                      "first",
+                                      0,
+                                      0,
+                                      map_kinds};
 
 constexpr std::array settings = {
     robot_setting,
@@ -130,7 +131,7 @@ Parts parts_of(const WorldEntry& entry, const WorldSettings& chosen) {
   if (const std::optional<MapKind> kind = map_kind_of(map))
     parts.conditions.map = *kind;
   else if (parts.error.empty())
-    parts.error = fmt::format("--map: '{}' is neither first nor belief", shown(map));
+    parts.error = fmt::format("--map: '{}' is none of first, belief and learned", shown(map));
   parts.rules = rules.rules;
   parts.model = std::make_shared<DriveModel>(std::move(robot.model));
   parts.remarks = std::move(robot.remarks);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "labmouse/strategies/ariadne/priors.hpp"
+#include "labmouse/mouse/priors.hpp"
 
 namespace labmouse::ariadne {
 namespace {
@@ -77,7 +77,7 @@ void Outlook::learn(Wall wall, bool open) {
 void Outlook::weigh(Wall wall, bool open) {
   if (prior_ == nullptr || rim_.contains(wall) || inside_.contains(wall)) return;
   const auto surprise = [&](const WallPrior& prior) {
-    const int reluctance = std::clamp<int>(prior.walls[static_cast<unsigned>(contexts_.of(wall))], 1, 112);
+    const int reluctance = std::clamp<int>(prior.walls[static_cast<unsigned>(contexts_.of(wall))], 1, most_reluctance);
     return open ? reluctance : complement(reluctance);
   };
   evidence_ += surprise(*prior_) - surprise(loop_free_prior);

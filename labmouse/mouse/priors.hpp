@@ -5,7 +5,7 @@
 
 #include "labmouse/mouse/wall_prior.hpp"
 
-namespace labmouse::ariadne {
+namespace labmouse {
 
 /// Of real contest mazes of 16×16 cells; contest.prior says how many, docs/priors.md which.
 extern const WallPrior contest_prior;
@@ -16,7 +16,12 @@ extern const WallPrior loop_free_prior;
 /// border and the goal are everywhere, and it misleads.
 const WallPrior* contest_prior_for(Size size);
 
-/// -ln P(closed) in 1/32 for a reluctance, which is -ln P(open) in 1/32, from 1 to 112.
+/// A reluctance is -ln P(open) in 1/32.
+inline constexpr int reluctance_a_nat = 32;
+/// What is more is surer than anything that was counted.
+inline constexpr int most_reluctance = 112;
+
+/// -ln P(closed) in 1/32 for a reluctance from 1 to most_reluctance.
 int complement(int reluctance);
 
-}  // namespace labmouse::ariadne
+}  // namespace labmouse

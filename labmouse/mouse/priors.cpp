@@ -1,10 +1,10 @@
-#include "labmouse/strategies/ariadne/priors.hpp"
+#include "labmouse/mouse/priors.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
 
-namespace labmouse::ariadne {
+namespace labmouse {
 namespace {
 
 using Numbers = std::array<std::uint8_t, wall_contexts + rim_contexts>;
@@ -19,10 +19,10 @@ constexpr WallPrior prior_of(const Numbers& numbers) {
 
 // As `labmouse learn` wrote them: numbers with commas between them.
 constexpr Numbers contest_numbers = {
-#include "labmouse/strategies/ariadne/contest.prior"
+#include "labmouse/mouse/contest.prior"
 };
 constexpr Numbers loop_free_numbers = {
-#include "labmouse/strategies/ariadne/loop_free.prior"
+#include "labmouse/mouse/loop_free.prior"
 };
 
 }  // namespace
@@ -47,4 +47,4 @@ int complement(int reluctance) {
   return table[static_cast<unsigned>(reluctance)];
 }
 
-}  // namespace labmouse::ariadne
+}  // namespace labmouse
