@@ -20,8 +20,8 @@ constexpr std::string_view method =
     "does not. What festina decides is what its map does with readings against it, and the pace. Its map doubts: "
     "readings are weighed against each other, and where no way is left the mouse looks again. It searches at its "
     "usual pace, and after each crash in a search more slowly: a mouse whose tyres slid slides in the next run, "
-    "too. Fast runs begin at 0.9 of the usual pace where a crash is dear, because runs are few or a mouse that was "
-    "never touched has a bonus, and at the usual one where it is not; after a crash the next is slower by a factor, "
+    "too. Fast runs begin at 0.75 of the usual pace where a mouse that was never touched has a bonus, at 0.9 where "
+    "runs are few, and else at the usual one; after a crash the next is slower by a factor, "
     "and after one that came to its end below the usual pace the next is faster; once there are both, the next is "
     "in the middle between them, as long as that is more than a twentieth faster than what went well, or the last one "
     "crashed. Where none came to its end, the last run that the rules allow is a safe one, or else the one after the "
@@ -56,10 +56,11 @@ double least_pace_of(const Briefing& briefing) {
 
 /// What a crash costs is a run of a few, or the bonus of a mouse that was never touched.
 double first_run_pace(const Briefing& briefing, double chosen) {
-  constexpr double careful = 0.9, least = 0.2;
+  constexpr double with_bonus = 0.75, of_few = 0.9, least = 0.2;
   constexpr int many_runs = 10;
   if (chosen > 0.0) return std::max(chosen, least);
-  return briefing.drive.most_runs < many_runs || briefing.drive.untouched_bonus > 0 ? careful : 1.0;
+  if (briefing.drive.untouched_bonus > 0) return with_bonus;
+  return briefing.drive.most_runs < many_runs ? of_few : 1.0;
 }
 
 const RosterEntry& explorer_for(const Briefing& briefing, std::string_view chosen) {

@@ -70,6 +70,30 @@ TEST(DriveStory, TellsWhyItWentHomeAndRanFaster) {
   EXPECT_THAT(at(story, "30.000"), HasSubstr("faster"));
 }
 
+TEST(DriveStory, TellsWhyItDroveARunAsASearch) {
+  DriveRecordFile file = eventful();
+  file.physical->notes.ends[4] = RunEnd::strayed;
+  DriveRun sure;
+  sure.begin = 36'000'000;
+  sure.end = 44'000'000;
+  sure.gate_out = 36'100'000;
+  sure.gate_in = 43'500'000;
+  sure.open = test::ring().open_walls();
+  sure.moves = {
+      {36'000'000, 37'000'000, {{0, 0}, Heading::north}, Action::step(0, 1), {{0, 1}, Heading::north}, false}};
+  file.record.runs.push_back(sure);
+  file.physical->notes.ends.push_back(RunEnd::done);
+  EXPECT_THAT(at(story_of(file), "36.000"), HasSubstr("as in a search"));
+  EXPECT_THAT(at(story_of(file), "43.500"), HasSubstr("7.400 s"));
+  // Over a wall that it did not know it searches.
+  file.record.runs.back().open = WallSet();
+  EXPECT_THAT(at(story_of(file), "36.000"), HasSubstr("searches again"));
+  // And where a run had ended well, too.
+  file.record.runs.back().open = test::ring().open_walls();
+  file.physical->notes.ends[4] = RunEnd::done;
+  EXPECT_THAT(at(story_of(file), "36.000"), HasSubstr("searches again"));
+}
+
 TEST(DriveStory, TellsWhatItLookedAtTwice) {
   const std::string story = story_of(eventful());
   EXPECT_THAT(at(story, "8.000"), ContainsRegex("north of .1, 1.*closed after all"));

@@ -440,8 +440,8 @@ TEST(Festina, IsAsCarefulAsTheRulesAskFor) {
     return festina_mouse.make(briefing, settings)->pace(true);
   };
   const Settings plain(festina_mouse.parameters);
-  EXPECT_LT(first("all-japan", plain), 1.0);  // five runs
-  EXPECT_LT(first("apec", plain), 1.0);       // a bonus for the untouched
+  EXPECT_LT(first("all-japan", plain), 1.0);                   // five runs
+  EXPECT_LT(first("apec", plain), first("all-japan", plain));  // a bonus for the untouched
   EXPECT_EQ(first("uk", plain), 1.0);
   const Contestant told = test::mice("festina:run=0.5").front();
   EXPECT_EQ(told.drive(test::ring(), brief(test::ring(), find_rules("uk").rules, *model, 1))->pace(true), 0.5);

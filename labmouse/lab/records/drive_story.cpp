@@ -54,6 +54,24 @@ class Story {
 
   bool did_not_end_well(std::size_t run) const { return is_crash(end_of(run)) || end_of(run) == RunEnd::walled_in; }
 
+  /// A search that led nowhere but to the goal, over walls that it took for open before, since no fast run had ended
+  /// well.
+  bool makes_sure(std::size_t i) const {
+    const DriveRun& run = record_.runs[i];
+    bool ran = false;
+    for (std::size_t before = 0; before < i; ++before) {
+      const bool fast = record_.runs[before].kind == Kind::fast;
+      if (fast && !did_not_end_well(before)) return false;
+      ran = ran || fast;
+    }
+    return ran && run.kind == Kind::search && !run.moves.empty() &&
+           std::all_of(run.moves.begin(), run.moves.end(), [&](const auto& move) {
+             for (Cell cell = move.to.cell; cell != move.from.cell; cell = neighbour(cell, opposite(move.to.heading)))
+               if (!run.open.contains(wall_at(cell, opposite(move.to.heading)))) return false;
+             return true;
+           });
+  }
+
   /// ", at 0.64 of its usual pace: slower than the last one, which did not end well"
   std::string pace_words(std::size_t i) const {
     const DriveRun& run = record_.runs[i];
@@ -75,6 +93,9 @@ class Story {
     const std::string pace = pace_words(i);
     switch (run.kind) {
       case Kind::search:
+        if (makes_sure(i))
+          return add(run.begin,
+                     "drives to the goal by ways that it knows, as in a search: no fast run has ended well" + pace);
         return add(run.begin, (last(Kind::search, i) ? "searches again" : "searches") + pace);
       case Kind::home:
         return add(run.begin, "goes home" + why_home(i) + pace);
@@ -87,7 +108,7 @@ class Story {
   /// By the walls that it took for open and for closed then.
   std::string why_home(std::size_t i) const {
     const DriveRun& run = record_.runs[i];
-    if (i > 0 && record_.runs[i - 1].kind == Kind::fast) return " from its run";
+    if (i > 0 && (record_.runs[i - 1].kind == Kind::fast || makes_sure(i - 1))) return " from its run";
     WallSet possible = WallSet::all(file_.maze->size());
     possible -= run.closed;
     // The fallible world leaves out what nobody asked for.
@@ -111,7 +132,7 @@ class Story {
     const DriveRun& run = record_.runs[i];
     switch (end_of(i)) {
       case RunEnd::done:
-        if (run.kind == Kind::fast && run.gate_in && run.gate_out)
+        if ((run.kind == Kind::fast || makes_sure(i)) && run.gate_in && run.gate_out)
           add(*run.gate_in,
               fmt::format("is in the goal, {} after the start's gate", text_of(*run.gate_in - *run.gate_out)));
         return;
@@ -124,7 +145,9 @@ class Story {
       case RunEnd::misread:
         return add(run.end, "crashes into a wall that it took for a gap");
       case RunEnd::walled_in:
-        return add(run.end, "sees no way any more: walls on it must be misread");
+        return add(run.end, file_.physical->conditions.map == MapKind::learned
+                                ? "asks to be carried: its map has no way left, or does not fit what it sees"
+                                : "sees no way any more: walls on it must be misread");
       case RunEnd::out_of_time:
         return add(run.end, "has no time left");
     }

@@ -74,13 +74,16 @@ test('a race has the leaderboard of the command line', async () => {
   });
   await press(page, 'Start the race');
   const table = '[aria-label="Leaderboard, table"] tbody';
-  await page.waitForSelector(`${table} th .name`);
-  const shown = await page.$$eval(`${table} tr`, (rows) =>
-    rows.map((row) => [row.querySelector('.name')!.textContent, row.querySelectorAll('td')[1].textContent]),
-  );
   const text = native('race', '--mice', mice.join(), '--mazes', ...mazes, '--format', 'json');
   const results = JSON.parse(text) as RaceResults;
-  expect(shown).toEqual(results.mice.map(({ name, penalised_mean }) => [name, penalised_mean!.toFixed(3)]));
+  const shown = () =>
+    page.$$eval(`${table} tr`, (rows) =>
+      rows.map((row) => [row.querySelector('.name')?.textContent, row.querySelectorAll('td')[1]?.textContent]),
+    );
+  // While it is held it shows what there is so far.
+  await expect
+    .poll(shown, { timeout: 30_000 })
+    .toEqual(results.mice.map(({ name, penalised_mean }) => [name, penalised_mean!.toFixed(3)]));
 });
 
 test('what the policy forbids is held back, and heard of here', async () => {
