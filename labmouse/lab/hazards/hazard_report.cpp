@@ -83,7 +83,7 @@ std::string table_of(const HazardTally& tally) {
     text += "\n";
     for (const Luck luck : all_luck)
       if (const HazardCounts& some = tally.by_luck[static_cast<std::size_t>(luck)]; some.contests > 0)
-        text += fmt::format("{:<15} {}\n", name_of(luck), finished_text_of(some));
+        text += fmt::format("{:<16} {}\n", name_of(luck), finished_text_of(some));
   }
   const auto heading = [](std::string_view first) {
     return fmt::format("{:<14} {:>9} {:>8} {:>9} {:>15} {:>8}\n", first, "times", "crashes", "of 1000", "95 %",
