@@ -7,9 +7,9 @@
 #include <optional>
 
 #include "labmouse/mouse/explorer.hpp"
+#include "labmouse/mouse/priors.hpp"
 #include "labmouse/strategies/ariadne/driver.hpp"
 #include "labmouse/strategies/ariadne/edge_costs.hpp"
-#include "labmouse/mouse/priors.hpp"
 #include "labmouse/strategies/ariadne/views.hpp"
 #include "labmouse/strategies/roster.hpp"
 

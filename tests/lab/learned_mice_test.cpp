@@ -66,8 +66,7 @@ std::vector<RunRecord> runs_of(const Contestant& contestant, Size size = {16, 16
 constexpr Size small = {7, 7};
 
 TEST_F(LearnedMice, ExpectWhatTheFileSays) {
-  const std::string given = prior("given.prior", contest_prior),
-                    other = prior("trees.prior", loop_free_prior);
+  const std::string given = prior("given.prior", contest_prior), other = prior("trees.prior", loop_free_prior);
   EXPECT_EQ(runs_of(mouse("ariadne:prior=" + given)), runs_of(mouse("ariadne")));
   EXPECT_NE(runs_of(mouse("ariadne:prior=" + other)), runs_of(mouse("ariadne")));
   EXPECT_NE(runs_of(mouse("ariadne:prior=" + other)), runs_of(mouse("ariadne:prior=uniform")));

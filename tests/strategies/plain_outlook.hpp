@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "labmouse/mouse/briefing.hpp"
+#include "labmouse/mouse/priors.hpp"
 #include "labmouse/mouse/sighting.hpp"
 #include "labmouse/strategies/ariadne/outlook.hpp"
-#include "labmouse/mouse/priors.hpp"
 #include "tests/mouse/plain_priced_field.hpp"
 
 namespace labmouse::test {
