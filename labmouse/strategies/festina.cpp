@@ -133,9 +133,10 @@ class Festina final : public Strategy {
     if (safe_run_) return safe_step(belief, place);
     const Action action = then(mind_->consider(belief, place, time));
     if (!std::exchange(stands_at_start_, false)) return action;
-    safe_run_ = action.kind == Action::Kind::reset && has_to_make_sure();
-    if (safe_run_ || action.kind == Action::Kind::step) ++runs_;
-    return safe_run_ ? safe_step(belief, place) : action;
+    const bool sure = action.kind == Action::Kind::reset && has_to_make_sure();
+    const Action first = sure ? safe_step(belief, place) : action;
+    if (first.kind == Action::Kind::step) ++runs_;
+    return first;
   }
   double pace(bool fast) override {
     running_ = fast;
