@@ -1,5 +1,6 @@
 #include "labmouse/body/specimen.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string_view>
 

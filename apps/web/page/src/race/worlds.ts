@@ -224,7 +224,11 @@ const physical: Known = {
     count('slid', 'slid', 'Runs that ended in a crash because the tyres did not hold.'),
     count('strayed', 'strayed', 'Runs that ended in a crash because the mouse was not where it believed to be.'),
     count('misread', 'misread', 'Runs that ended in a crash into a wall that the mouse took for open.'),
-    count('walled in', 'walled_in', "Runs that ended because the mouse's own map had no way left, or did not fit what it saw."),
+    count(
+      'walled in',
+      'walled_in',
+      "Runs that ended because the mouse's own map had no way left, or did not fit what it saw.",
+    ),
     count('late', 'late', 'Runs that the end of the time cut short.'),
     count('misread walls', 'misreads', 'Walls that it took for what they are not.'),
   ],
