@@ -309,7 +309,7 @@ std::unique_ptr<Strategy> make(const Briefing& briefing, const Settings& setting
   // One that was learned serves at every size.
   const WallPrior* prior = settings.attached();
   if (prior == nullptr && settings.choice("prior") == "contest") prior = contest_prior_for(briefing.size);
-  if (briefing.in_seconds()) return ariadne::make_driver(briefing, prior);
+  if (briefing.in_seconds()) return ariadne::make_driver(briefing, settings, prior);
   return std::make_unique<Ariadne>(briefing, settings, prior);
 }
 

@@ -18,6 +18,9 @@ enum class ParameterType : std::uint8_t { whole, real, flag, choice, list, prior
 
 std::string_view name_of(ParameterType type);
 
+/// Where the parameter of a mouse that plays in steps, and may drive in seconds, too, makes a difference.
+enum class ParameterScope : std::uint8_t { steps, seconds, both };
+
 /// One parameter of one mouse.
 struct Parameter {
   std::string_view name;
@@ -30,6 +33,7 @@ struct Parameter {
   /// For a choice or a prior: what can be chosen, separated by `/`.
   std::string_view choices;
   std::string_view meaning;
+  ParameterScope scope = ParameterScope::steps;
 };
 
 /// A parameter with a value, both as text; the value has passed check_value.

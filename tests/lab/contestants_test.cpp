@@ -10,6 +10,7 @@ namespace {
 
 using test::Says;
 using ::testing::AllOf;
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -33,6 +34,25 @@ TEST(Contestants, DriveInSecondsOrSayWhoDoes) {
   EXPECT_THAT(refuse_to_drive(read_specs("flood,wall-left,random").contestants),
               Says("'wall-left'", "seconds", "flood, flood-return, certify, ariadne"));
   EXPECT_NE(refuse_to_drive(read_specs("oracle").contestants), "");
+}
+
+TEST(Contestants, HaveParametersOfTheWorldThatTheyAreIn) {
+  const Contestant walker = read_specs("ariadne:travel=3").contestants.front();
+  EXPECT_EQ(refuse_to_walk(walker), "");
+  EXPECT_THAT(refuse_to_drive({&walker, 1}), Says("'travel'", "seconds", "'prior'", "'cell_most'"));
+  const Contestant driver = read_specs("ariadne:cell_most=1").contestants.front();
+  EXPECT_EQ(refuse_to_drive({&driver, 1}), "");
+  EXPECT_THAT(refuse_to_walk(driver), Says("'cell_most'", "steps", "'prior'", "'travel'"));
+  const Contestant both = read_specs("ariadne:prior=uniform").contestants.front();
+  EXPECT_EQ(refuse_to_walk(both) + refuse_to_drive({&both, 1}), "");
+}
+
+TEST(Contestants, SaveTheSettingsThatCount) {
+  const Contestant mouse = read_specs("ariadne:cell_most=1").contestants.front();
+  const Settings driven = settings_in_seconds(mouse), walked = settings_in_steps(mouse);
+  EXPECT_THAT(driven.all(), ElementsAre(Setting{"prior", "contest"}, Setting{"cell_most", "1"}));
+  EXPECT_THAT(walked.all(), Contains(Setting{"travel", "40.57"}));
+  EXPECT_THAT(walked.all(), Not(Contains(Setting{"cell_most", "1"})));
 }
 
 TEST(Spec, NamesAMouse) { EXPECT_THAT(names("flood"), ElementsAre("flood")); }

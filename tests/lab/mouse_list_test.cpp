@@ -40,6 +40,12 @@ TEST(MouseSheet, SaysHowAMouseWorksAndWhoseIdeaItIs) {
   }
 }
 
+TEST(MouseSheet, SaysWhichParametersCountInSecondsAlone) {
+  const std::string sheet = mouse_sheet("ariadne").text;
+  EXPECT_THAT(sheet, ::testing::ContainsRegex("cell_most=[^\n]*in seconds"));
+  EXPECT_THAT(sheet, ::testing::Not(::testing::ContainsRegex("travel=[^\n]*in seconds")));
+}
+
 TEST(MouseSheet, SuggestsAMouse) { EXPECT_THAT(mouse_sheet("flod").error, Says("'flod'", "'flood'")); }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <fstream>
+#include <map>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -112,11 +113,18 @@ TEST(PageCalls, TellWhatTheCoreBrings) {
   const json mice = json::parse(mice_json().dump());
   ASSERT_EQ(about["mice"].size(), mice.size());
   std::set<std::string> types;
+  std::map<std::string, std::string> counts_in;
   for (std::size_t i = 0; i < mice.size(); ++i) {
     EXPECT_EQ(about["mice"][i]["name"], mice[i]["name"]);
     EXPECT_EQ(about["mice"][i]["parameters"].size(), mice[i]["parameters"].size());
-    for (const json& parameter : about["mice"][i]["parameters"]) types.insert(parameter["type"]);
+    for (const json& parameter : about["mice"][i]["parameters"]) {
+      types.insert(parameter["type"]);
+      if (mice[i]["name"] == "ariadne") counts_in[parameter["name"]] = parameter.value("counts_in", "both");
+    }
   }
+  EXPECT_EQ(counts_in["prior"], "both");
+  EXPECT_EQ(counts_in["travel"], "steps");
+  EXPECT_EQ(counts_in["cell_most"], "seconds");
   EXPECT_EQ(types, (std::set<std::string>{"whole", "real", "flag", "choice", "list", "prior"}));
   EXPECT_GE(about["mazes"].size(), 5U);
   EXPECT_THAT(about["mazes"], ::testing::Contains(json{{"name", "capstone-1"}, {"width", 12}, {"height", 12}}));

@@ -213,6 +213,28 @@ TEST_P(EveryDriver, RunsInTimeWhereItKnowsARunInTime) {
     }
 }
 
+TEST(AriadneInSeconds, GoesByEachOfItsNumbersHoweverOdd) {
+  const RosterEntry& ariadne = *find_mouse("ariadne");
+  for (const Parameter& parameter : ariadne.parameters) {
+    if (parameter.scope != ParameterScope::seconds) continue;
+    SCOPED_TRACE(parameter.name);
+    bool matters = false;
+    for (const double value : {parameter.low, parameter.high})
+      for (const int divisor : {0, 30})
+        for (std::size_t i = 0; i < generated_mazes().size(); i += 9) {
+          const Maze& maze = generated_mazes()[i].maze;
+          const DriveRules rules = rules_of(divisor, 150);
+          Settings settings(ariadne.parameters);
+          settings.set(parameter.name, std::to_string(value));
+          const auto mouse = ariadne.make(brief(maze, rules, published(), 1), settings);
+          const DriveRecord record = drive(maze, rules, published(), *mouse);
+          EXPECT_TRUE(record.outcome != DriveOutcome::forfeit || record.reason == ForfeitReason::no_way);
+          matters = matters || record != contest(ariadne, maze, rules, published());
+        }
+    EXPECT_TRUE(matters || test::slowness > 1);
+  }
+}
+
 TEST(DriversThatGoHome, LookOnUntilAnotherStepWouldBeTooMuch) {
   MazeTime spare = 0;
   int late = 0;

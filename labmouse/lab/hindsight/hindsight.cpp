@@ -150,7 +150,8 @@ std::vector<Contestant> perturbed(const Contestant& mouse, int count, std::uint6
     Dice dice(seed_for(seed, "perturbed", static_cast<std::uint64_t>(number)));
     std::vector<Setting> values;
     for (const Parameter& parameter : parameters_of(mouse))
-      if (is_number(parameter)) values.push_back(shifted(parameter, mouse.settings.real(parameter.name), dice));
+      if (is_number(parameter) && parameter.scope != ParameterScope::seconds)
+        values.push_back(shifted(parameter, mouse.settings.real(parameter.name), dice));
     Contestant variant = std::move(read_variant(mouse, values).contestants.front());
     const auto is_same = [&](const Contestant& other) { return spec_of(other) == spec_of(variant); };
     if (!is_same(mouse) && std::none_of(variants.begin(), variants.end(), is_same))

@@ -5,11 +5,14 @@
 namespace labmouse {
 namespace {
 
-Json parameter_json(const Parameter& parameter) {
+/// In which worlds a parameter counts is said where it is not in all in which its mouse plays.
+Json parameter_json(const Parameter& parameter, bool walks) {
   Json json = {{"name", parameter.name},
                {"type", name_of(parameter.type)},
                {"default", parameter.default_value},
                {"meaning", parameter.meaning}};
+  if (walks && parameter.scope != ParameterScope::both)
+    json["counts_in"] = parameter.scope == ParameterScope::steps ? "steps" : "seconds";
   switch (parameter.type) {
     case ParameterType::flag:
       break;
@@ -29,7 +32,8 @@ Json mice_json() {
   Json mice = Json::array();
   for (const RosterEntry* mouse : all_mice()) {
     Json parameters = Json::array();
-    for (const Parameter& parameter : mouse->parameters) parameters.push_back(parameter_json(parameter));
+    for (const Parameter& parameter : mouse->parameters)
+      parameters.push_back(parameter_json(parameter, mouse->walks && mouse->drives));
     mice.push_back({{"name", mouse->name},
                     {"summary", mouse->summary},
                     {"throws_dice", mouse->uses_chance(Settings(mouse->parameters))},

@@ -30,8 +30,9 @@ std::string range_of(const Parameter& parameter) {
 std::string parameter_lines(const RosterEntry& mouse) {
   std::string text;
   for (const Parameter& parameter : mouse.parameters)
-    text += fmt::format("    {}={}  {}, {}: {}\n", parameter.name, parameter.default_value, name_of(parameter.type),
-                        range_of(parameter), parameter.meaning);
+    text += fmt::format("    {}={}  {}, {}: {}{}\n", parameter.name, parameter.default_value, name_of(parameter.type),
+                        range_of(parameter), parameter.scope == ParameterScope::seconds ? "in seconds: " : "",
+                        parameter.meaning);
   return text;
 }
 

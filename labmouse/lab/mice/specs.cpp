@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "labmouse/contest/simulator.hpp"
 #include "labmouse/lab/bounds/bounds.hpp"
@@ -307,48 +308,75 @@ namespace {
 
 /// Of a mouse that only drives all do.
 bool counts_in_seconds(const RosterEntry& entry, const Parameter& parameter) {
-  return !entry.walks || parameter.type == ParameterType::prior;
+  return !entry.walks || parameter.scope != ParameterScope::steps;
 }
+bool counts_in_steps(const RosterEntry&, const Parameter& parameter) {
+  return parameter.scope != ParameterScope::seconds;
+}
+using Counts = bool (*)(const RosterEntry&, const Parameter&);
 
-/// Why one of the mice, all of which drive, has a parameter that says nothing there; empty without one.
-std::string refuse_idle_settings(std::span<const Contestant> mice) {
-  for (const Contestant& mouse : mice) {
-    const RosterEntry* entry = entry_of(mouse);
-    for (std::size_t i = 0; entry != nullptr && i < entry->parameters.size(); ++i) {
-      const Parameter& parameter = entry->parameters[i];
-      if (counts_in_seconds(*entry, parameter) || mouse.settings.all()[i].value == parameter.default_value) continue;
-      const auto counting = std::find_if(entry->parameters.begin(), entry->parameters.end(),
-                                         [&](const Parameter& other) { return counts_in_seconds(*entry, other); });
-      return fmt::format("parameter '{}' of mouse '{}' has no effect in seconds; parameters that do: {}",
-                         parameter.name, entry->name,
-                         counting == entry->parameters.end() ? "none" : fmt::format("'{}'", counting->name));
-    }
+/// Why a mouse has a parameter that says nothing in a world; empty without one.
+std::string refuse_idle_settings(const Contestant& mouse, Counts counts, std::string_view unit) {
+  const RosterEntry* entry = entry_of(mouse);
+  for (std::size_t i = 0; entry != nullptr && i < entry->parameters.size(); ++i) {
+    const Parameter& parameter = entry->parameters[i];
+    if (counts(*entry, parameter) || mouse.settings.all()[i].value == parameter.default_value) continue;
+    std::vector<std::string> counting;
+    for (const Parameter& other : entry->parameters)
+      if (counts(*entry, other)) counting.push_back(fmt::format("'{}'", other.name));
+    return fmt::format("parameter '{}' of mouse '{}' has no effect in {}; parameters that do: {}", parameter.name,
+                       entry->name, unit, counting.empty() ? "none" : fmt::format("{}", fmt::join(counting, ", ")));
   }
   return "";
+}
+
+/// Those of its settings for whose parameters something holds.
+template <class Holds>
+Settings settings_where(const Contestant& mouse, const RosterEntry& entry, Holds holds) {
+  std::vector<Parameter> parameters;
+  std::copy_if(entry.parameters.begin(), entry.parameters.end(), std::back_inserter(parameters), holds);
+  Settings settings(parameters);
+  for (const Parameter& parameter : parameters) settings.set(parameter.name, mouse.settings.choice(parameter.name));
+  return settings;
 }
 
 }  // namespace
 
 std::string refuse_to_drive(std::span<const Contestant> mice) {
   const auto stays = std::find_if(mice.begin(), mice.end(), [](const Contestant& mouse) { return !mouse.drive; });
-  if (stays == mice.end()) return refuse_idle_settings(mice);
+  if (stays == mice.end()) {
+    for (const Contestant& mouse : mice)
+      if (std::string reason = refuse_idle_settings(mouse, counts_in_seconds, "seconds"); !reason.empty())
+        return reason;
+    return "";
+  }
   std::vector<std::string_view> drivers;
   for (const RosterEntry* entry : all_mice())
     if (entry->drives) drivers.push_back(entry->name);
   return fmt::format("mouse '{}' cannot drive in seconds; mice that can are {}", stays->name, fmt::join(drivers, ", "));
 }
 
+std::string refuse_to_walk(const Contestant& mouse) {
+  if (!mouse.make && !mouse.elsewhere) return fmt::format("mouse '{}' cannot race in steps", mouse.name);
+  return refuse_idle_settings(mouse, counts_in_steps, "steps");
+}
+
 Settings settings_in_seconds(const Contestant& mouse) {
   const RosterEntry* entry = entry_of(mouse);
   if (entry == nullptr) return {};
   if (!entry->walks) return mouse.settings;
-  for (const Parameter& parameter : entry->parameters) {
-    if (!counts_in_seconds(*entry, parameter)) continue;
-    Settings settings({&parameter, 1});
-    settings.set(parameter.name, mouse.settings.choice(parameter.name));
-    return settings;
-  }
-  return {};
+  return settings_where(mouse, *entry, [&](const Parameter& parameter) {
+    return parameter.scope == ParameterScope::both ||
+           (parameter.scope == ParameterScope::seconds &&
+            mouse.settings.choice(parameter.name) != parameter.default_value);
+  });
+}
+
+Settings settings_in_steps(const Contestant& mouse) {
+  const RosterEntry* entry = entry_of(mouse);
+  if (entry == nullptr) return mouse.settings;
+  return settings_where(mouse, *entry,
+                        [](const Parameter& parameter) { return parameter.scope != ParameterScope::seconds; });
 }
 
 std::vector<Contestant> all_contestants() {

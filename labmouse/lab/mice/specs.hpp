@@ -40,8 +40,14 @@ SpecResult read_variant(const Contestant& mouse, std::span<const Setting> values
 /// Why these mice cannot race in seconds, with the names of those that can; empty where they can.
 std::string refuse_to_drive(std::span<const Contestant> mice);
 
-/// The settings of such a mouse that count in seconds: its prior. All other parameters are about steps.
+/// Why a mouse cannot race in steps; empty where it can.
+std::string refuse_to_walk(const Contestant& mouse);
+
+/// The settings of such a mouse that count in seconds; those that count there alone only where they are not the
+/// defaults, since they are many.
 Settings settings_in_seconds(const Contestant& mouse);
+/// Those that count in steps.
+Settings settings_in_steps(const Contestant& mouse);
 
 /// Every mouse of the roster with its defaults.
 std::vector<Contestant> all_contestants();

@@ -6,6 +6,7 @@
 #include "labmouse/contest/score.hpp"
 #include "labmouse/lab/bounds/bounds.hpp"
 #include "labmouse/lab/mice/mouse_names.hpp"
+#include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/pictures/picture_layers.hpp"
 #include "labmouse/lab/system/file_names.hpp"
 #include "labmouse/lab/text/counted.hpp"
@@ -43,7 +44,7 @@ RecordFile record_file_of(const Contestant& mouse, const NamedMaze& maze, const 
   file.maze = maze.maze;
   file.mouse = mouse.name;
   file.spec = mouse.spec;
-  file.settings = mouse.settings;
+  file.settings = settings_in_steps(mouse);
   if (mouse.interpreter)
     file.interpreter = fmt::format("{}{}{}", mouse.interpreter->path, mouse.interpreter->version.empty() ? "" : " ",
                                    mouse.interpreter->version);

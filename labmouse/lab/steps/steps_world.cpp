@@ -10,6 +10,7 @@
 #include "labmouse/contest/score.hpp"
 #include "labmouse/contest/simulator.hpp"
 #include "labmouse/lab/bounds/bounds.hpp"
+#include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/mice/stoppable.hpp"
 #include "labmouse/lab/steps/steps_fields.hpp"
 #include "labmouse/lab/steps/steps_figures.hpp"
@@ -120,9 +121,8 @@ class StepsWorld final : public World {
     return rules_.budget == Rules().budget ? "" : fmt::format(", budget {}", rules_.budget);
   }
 
-  std::string refuse(const Contestant& mouse) const override {
-    return mouse.make || mouse.elsewhere ? "" : fmt::format("mouse '{}' cannot race in steps", mouse.name);
-  }
+  std::string refuse(const Contestant& mouse) const override { return refuse_to_walk(mouse); }
+  Settings settings(const Contestant& mouse) const override { return settings_in_steps(mouse); }
 
   Rules lesson_rules() const override { return rules_; }
   std::string_view unit() const override { return "steps"; }

@@ -12,6 +12,7 @@
 #include "labmouse/mouse/robot/drive_model.hpp"
 #include "labmouse/mouse/runs.hpp"
 #include "labmouse/mouse/ways.hpp"
+#include "labmouse/strategies/ariadne/drive_policy.hpp"
 #include "labmouse/strategies/ariadne/outlook.hpp"
 
 namespace labmouse::ariadne {
@@ -24,43 +25,6 @@ constexpr PriceTable reluctances = [] {
     table[reluctance] = static_cast<std::uint8_t>(std::min<int>(static_cast<int>(reluctance), WallPrices::highest));
   return table;
 }();
-// Found on 257 contest mazes by CMA-ES, all at once, for the mean of three robots (`classic`, `kerise`, `beginner`)
-// under `thirtieth`, November 2026, but for those of looks, which were tried one by one; docs/solver.md says what each
-// is worth. Times of a search are in its cells.
-
-/// To the goal, no turn takes longer than this part of a cell: corners show more of a maze. Where the time in the maze
-/// does not count, after this part of the time allowed it matters more to arrive.
-constexpr double most_for_a_turn = 0.62;
-constexpr int part_for_corners = 6;
-
-/// How the ways home are counted.
-constexpr double home_turn = 1.33, home_back = 0.7;
-constexpr double home_cells_a_nat = 2.77, home_cells_a_wall = 0.04;
-constexpr int home_closed = 61;  ///< a wall of that price or more (P(open) < 0.15) is taken for closed
-
-/// How runs are hoped for.
-constexpr RunTolls hope_of_runs = {128, 5, 125};
-constexpr double longest_run = 1.12;  ///< of the best known one
-constexpr int least_gain = 37;        ///< milliseconds
-
-/// What an unseen cell is worth, at most and at least; and where time in the maze does not count, at most.
-constexpr double most_for_a_cell = 0.76, least_for_a_cell = 0.017, most_for_a_look = 0.6;
-/// What a millisecond of the gain is worth in a search, by the divisor of the rules; and where there is none.
-constexpr double worth_by_divisor = 0.94 / 30, worth_of_a_look = 4.7;
-
-/// To a look, so many units of price are worth a cell, in mazes as small as those that the prior was made for.
-constexpr int prices_a_cell = 40;
-/// In larger ones, entering an unseen cell on the way to a look saves this part of a cell: it will be asked for sooner
-/// or later, unless the time ends before.
-constexpr double worth_of_news = 0.4;
-/// Walls that are rather closed than open (P(open) < 0.46) are no hope for a route, in mazes as small as those that the
-/// prior was made for: there are runs (RunCosts).
-constexpr int no_hope = 25;
-/// A route is a reason to look if it saves so much of the known one; counted is what it saves times P^(trust / 32). And
-/// one through unlikely walls, if it saves so much.
-constexpr double little_part = 0.017, great_part = 0.3;
-constexpr int trust_of_hope = 4;
-
 /// exp(-n / 32), the same on every platform.
 double probability(int reluctance) {
   double probability = 1.0;
@@ -80,16 +44,17 @@ RunPrices run_prices(const Briefing& briefing) {
 
 class Driver final : public Explorer {
  public:
-  Driver(const Briefing& briefing, const WallPrior* prior)
+  Driver(const Briefing& briefing, const Settings& settings, const WallPrior* prior)
       : Explorer(briefing),
+        policy_(settings),
         search_(briefing.drive.model->search),
         prior_(prior),
         outlook_(this->briefing(), prior),
         routes_(std::in_place, this->briefing()),
         likely_(briefing.size.area() <= RunCosts::largest_area),
-        least_part_(likely_ ? little_part : 0),
+        least_part_(likely_ ? policy_.hope_gain : 0),
         ways_(this->briefing().drive.fields->ways()),
-        savings_(static_cast<std::size_t>(briefing.size.area()), part(worth_of_news, search_.cell)) {
+        savings_(static_cast<std::size_t>(briefing.size.area()), part(policy_.way_news, search_.cell)) {
     outlook_.price(reluctances);
     if (!likely_) return;
     runs_ = &this->briefing().drive.fields->runs();
@@ -128,25 +93,25 @@ class Driver final : public Explorer {
   bool weighs() const { return briefing().drive.maze_time_divisor > 0; }
 
   bool is_early() const {
-    const std::int64_t limit = briefing().drive.time_limit;
-    return part_for_corners * (limit - time_left()) < limit;
+    const auto limit = static_cast<double>(briefing().drive.time_limit);
+    return limit - static_cast<double>(time_left()) < policy_.corner_time * limit;
   }
 
   Action to_goal() {
     count_plan();
     SearchTolls tolls{search_};
-    if (weighs() || is_early()) tolls.drive.turn = std::min(search_.turn, part(most_for_a_turn, search_.cell));
+    if (weighs() || is_early()) tolls.drive.turn = std::min(search_.turn, part(policy_.corner_turn, search_.cell));
     return step_towards(briefing().goals, tolls);
   }
 
   Action home() {
     if (pose().cell == briefing().start.cell) return Action::reset();
     SearchTolls tolls{search_};
-    tolls.drive.turn = part(home_turn, search_.turn);
-    tolls.drive.back = part(home_back, search_.back);
-    tolls.unit = part(home_cells_a_nat / 32, search_.cell);
-    tolls.base = part(home_cells_a_wall, search_.cell);
-    tolls.closed = home_closed;
+    tolls.drive.turn = part(policy_.home_turn, search_.turn);
+    tolls.drive.back = part(policy_.home_back, search_.back);
+    tolls.unit = part(policy_.home_cells_a_nat / 32, search_.cell);
+    tolls.base = part(policy_.home_cells_a_wall, search_.cell);
+    tolls.closed = policy_.home_closed;
     if (runs_ != nullptr) tolls.savings = savings_;
     return step_towards(CellSet::of(briefing().start.cell), tolls);
   }
@@ -160,7 +125,7 @@ class Driver final : public Explorer {
     // Standing where the wall could be seen and not seeing it: it is behind.
     if (viewpoints.contains(pose().cell)) return Action::step(90, 0);
     SearchTolls tolls{search_};
-    if (runs_ != nullptr) tolls.unit = search_.cell / prices_a_cell;
+    if (runs_ != nullptr) tolls.unit = part(policy_.way_cells_a_nat / 32, search_.cell);
     if (runs_ != nullptr || has_time_for_all()) tolls.savings = savings_;
     return step_towards(viewpoints, tolls);
   }
@@ -171,14 +136,14 @@ class Driver final : public Explorer {
     if (least_part_ == 0 || !knows_run()) return false;
     int reluctance = 0;
     routes_->unknown_walls().for_each([&](Wall wall) { reluctance += outlook_.prices().of(wall); });
-    const double trust = likely_ ? probability(reluctance * trust_of_hope / 32) : 1;
+    const double trust = likely_ ? probability(static_cast<int>(policy_.hope_chance * reluctance)) : 1;
     return known_time() != no_time && trust * (known_time() - routes_->hoped_time()) < least_part_ * known_time();
   }
 
   /// This may be a maze in which unlikely walls are open. From now on it looks for great gains alone.
   void hope_for_all() {
     likely_ = false;
-    least_part_ = great_part;
+    least_part_ = policy_.last_gain;
     routes_.emplace(briefing());
     routes_->plan(hope(), knowledge().open());
     count_plan();
@@ -189,7 +154,7 @@ class Driver final : public Explorer {
     WallSet walls = knowledge().possible();
     if (!likely_) return walls;
     knowledge().unknown().for_each([&](Wall wall) {
-      if (outlook_.prices().of(wall) >= no_hope) walls.erase(wall);
+      if (outlook_.prices().of(wall) >= policy_.hope_closed) walls.erase(wall);
     });
     return walls;
   }
@@ -217,7 +182,10 @@ class Driver final : public Explorer {
     count_plan();
     known_ = runs_->known(outlook_.prices());
     const bool any = known_ == RunCosts::no_run;
-    runs_->plan(outlook_.prices(), hope_of_runs, any ? RunCosts::no_run : static_cast<int>(longest_run * known_));
+    const RunTolls tolls{policy_.run_a_nat, policy_.run_a_wall, policy_.run_closed};
+    const int longest =
+        any ? RunCosts::no_run : std::min<int>(RunCosts::no_run, static_cast<int>(policy_.run_longest * known_));
+    runs_->plan(outlook_.prices(), tolls, longest);
     CellSet::all(briefing().size).for_each([&](Cell cell) {
       savings_[static_cast<std::size_t>(briefing().size.index(cell))] = knowledge().knows(cell) ? 0 : saving(cell);
     });
@@ -225,16 +193,17 @@ class Driver final : public Explorer {
 
   DriveTime saving(Cell cell) const {
     const std::optional<HopedRun> run = runs_->through(cell);
-    const int gain = run ? known_ - run->time - least_gain : 0;
+    const int gain = run ? known_ - run->time - policy_.run_gain : 0;
     if (gain <= 0) return 0;
     // Great gains are surer than small ones to be gains at all; and of the walls of a route some are open together.
-    const double trust = std::sqrt(std::sqrt(gain / (0.1 * known_)));
-    const double worth = weighs() ? worth_by_divisor * briefing().drive.maze_time_divisor : worth_of_a_look;
-    const double most = (weighs() ? most_for_a_cell : most_for_a_look) * search_.cell;
-    const double saved = worth * trust * 1000 * gain * probability(run->price * 16 / 25);
-    return static_cast<DriveTime>(std::min(most, saved) + least_for_a_cell * search_.cell);
+    const double trust = std::sqrt(std::sqrt(gain / (policy_.sure_gain * known_)));
+    const double worth = weighs() ? policy_.cell_worth / 30 * briefing().drive.maze_time_divisor : policy_.look_worth;
+    const double most = (weighs() ? policy_.cell_most : policy_.look_most) * search_.cell;
+    const double saved = worth * trust * 1000 * gain * probability(static_cast<int>(policy_.chance * run->price));
+    return static_cast<DriveTime>(std::min(most, saved) + policy_.cell_least * search_.cell);
   }
 
+  DrivePolicy policy_;
   SearchDrive search_;
   const WallPrior* prior_;
   Outlook outlook_;
@@ -251,8 +220,8 @@ class Driver final : public Explorer {
 
 }  // namespace
 
-std::unique_ptr<Strategy> make_driver(const Briefing& briefing, const WallPrior* prior) {
-  return std::make_unique<Driver>(briefing, prior);
+std::unique_ptr<Strategy> make_driver(const Briefing& briefing, const Settings& settings, const WallPrior* prior) {
+  return std::make_unique<Driver>(briefing, settings, prior);
 }
 
 }  // namespace labmouse::ariadne

@@ -19,10 +19,12 @@
 #include "labmouse/mouse/briefing.hpp"
 #include "labmouse/mouse/strategy.hpp"
 #include "labmouse/mouse/wall_prior.hpp"
+#include "labmouse/strategies/parameter.hpp"
 
 namespace labmouse::ariadne {
 
-/// For a briefing in seconds; without a prior every unseen wall is as likely open as closed.
-std::unique_ptr<Strategy> make_driver(const Briefing& briefing, const WallPrior* prior);
+/// For a briefing in seconds, with the settings that DrivePolicy reads; without a prior every unseen wall is as likely
+/// open as closed.
+std::unique_ptr<Strategy> make_driver(const Briefing& briefing, const Settings& settings, const WallPrior* prior);
 
 }  // namespace labmouse::ariadne

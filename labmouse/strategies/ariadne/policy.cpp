@@ -8,7 +8,8 @@ namespace labmouse::ariadne {
 namespace {
 
 constexpr std::array parameters = {
-    Parameter{"prior", ParameterType::prior, "contest", 0, 0, "contest/uniform", "what it expects of unseen walls"},
+    Parameter{"prior", ParameterType::prior, "contest", 0, 0, "contest/uniform", "what it expects of unseen walls",
+              ParameterScope::both},
     Parameter{"model", ParameterType::choice, "smooth", 0, 0, "smooth/classes/flat/free",
               "price of an unseen wall: by its likelihood of being closed, by classes of that, the same for all, or "
               "none; all but smooth are simpler mice for comparison, with fixed numbers"},
@@ -101,9 +102,14 @@ void Policy::take_model(std::string_view model) {
   before.travel = after.travel = step_price * one;
 }
 
-constinit const PolicyParameters fast_parameters = parameters;
+constinit const std::array<Parameter, parameters.size() + drive_parameters.size()> fast_parameters = [] {
+  std::array<Parameter, parameters.size() + drive_parameters.size()> table;
+  std::copy(drive_parameters.begin(), drive_parameters.end(),
+            std::copy(parameters.begin(), parameters.end(), table.begin()));
+  return table;
+}();
 
-constinit const PolicyParameters deep_parameters = [] {
+constinit const std::array<Parameter, 17> deep_parameters = [] {
   auto table = parameters;
   for (Parameter& parameter : table)
     if (parameter.name == "way_here") parameter.default_value = "0.131";

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "labmouse/mouse/reasons.hpp"
+#include "labmouse/strategies/ariadne/drive_policy.hpp"
 #include "labmouse/strategies/ariadne/outlook.hpp"
 #include "labmouse/strategies/parameter.hpp"
 
@@ -46,9 +47,9 @@ struct Policy {
   void take_model(std::string_view model);
 };
 
-/// The parameters that Policy reads, with the defaults of `ariadne` and of `ariadne-deep`.
-using PolicyParameters = std::array<Parameter, 17>;
-extern const PolicyParameters fast_parameters;
-extern const PolicyParameters deep_parameters;
+/// The parameters that Policy reads, with the defaults of `ariadne`, and behind them those of DrivePolicy; and with the
+/// defaults of `ariadne-deep`, which does not drive in seconds.
+extern const std::array<Parameter, 17 + drive_parameters.size()> fast_parameters;
+extern const std::array<Parameter, 17> deep_parameters;
 
 }  // namespace labmouse::ariadne

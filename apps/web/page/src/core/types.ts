@@ -72,6 +72,8 @@ export interface Parameter {
   low?: number;
   high?: number;
   choices?: string[];
+  /** Where it counts alone; missing where it counts everywhere. */
+  counts_in?: 'steps' | 'seconds';
 }
 
 export interface Mouse {

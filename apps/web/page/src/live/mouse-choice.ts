@@ -1,5 +1,5 @@
 // Which mouse runs, with which parameters.
-import type { Mouse } from '../core/types';
+import type { Mouse, Parameter } from '../core/types';
 import { createCopyable } from '../ui/copy';
 import { h } from '../ui/dom';
 import { field } from '../ui/field';
@@ -11,6 +11,8 @@ export interface MouseChoice {
   /** The form of the parameters, which can be long. */
   parameters: HTMLElement;
   spec(): string;
+  /** Shows the parameters that count there. */
+  playIn(unit: 'steps' | 'seconds'): void;
   /** Another mouse, by its SPEC, right or wrong. */
   choose(spec: string): void;
   /** Says at the field that a message of the core speaks of what is wrong; nothing where it is empty. */
@@ -23,12 +25,13 @@ const isUsual = (name: string) => name === 'ariadne';
 export function createMouseChoice(mice: Mouse[], changed: () => void): MouseChoice {
   let mouse = (mice.find(({ name }) => isUsual(name)) ?? mice[0]).name;
   let values: Values = {};
+  let unit: 'steps' | 'seconds' = 'steps';
   const options = mice.map(({ name, summary }) => h('option', { value: name }, `${name} · ${summary}`));
   const select = h('select', {}, ...options);
   const summary = h('span', {});
   const row = field('Name', select, summary);
   const parameters = createParameters((next) => {
-    // What the table does not have stays until another mouse is chosen or all go back to their defaults.
+    // What the form does not show stays until another mouse is chosen or all go back to their defaults.
     values = { ...unknown(), ...next };
     update();
     changed();
@@ -37,16 +40,21 @@ export function createMouseChoice(mice: Mouse[], changed: () => void): MouseChoi
   const reset = h('button', { type: 'button', onclick: () => choose(mouse, {}) }, 'Back to defaults');
   select.addEventListener('change', () => choose(select.value, {}));
 
+  const counts = ({ counts_in }: Parameter) => !counts_in || counts_in === unit;
   const entry = () => mice.find(({ name }) => name === mouse);
   const spec = () => specOf(mouse, values, mice);
   function unknown(): Values {
     const table = entry()?.parameters ?? [];
-    return Object.fromEntries(Object.entries(values).filter(([name]) => !table.some((one) => one.name === name)));
+    return Object.fromEntries(
+      Object.entries(values).filter(([name]) => !table.some((one) => counts(one) && one.name === name)),
+    );
   }
   function update() {
     select.value = mouse;
     summary.replaceChildren(entry()?.summary ?? '');
-    parameters.show(entry() ?? { name: mouse, summary: '', throws_dice: false, parameters: [] }, values);
+    const whole = entry() ?? { name: mouse, summary: '', throws_dice: false, parameters: [] };
+    const counting = whole.parameters.filter(counts);
+    parameters.show({ ...whole, parameters: counting }, values);
     copyable.show(spec());
     reset.disabled = spec() === mouse;
   }
@@ -76,6 +84,10 @@ export function createMouseChoice(mice: Mouse[], changed: () => void): MouseChoi
       parameters.element,
     ),
     spec,
+    playIn(where) {
+      unit = where;
+      update();
+    },
     choose(text) {
       const read = readSpec(text);
       set(read.mouse, read.values);

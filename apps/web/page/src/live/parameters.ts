@@ -67,7 +67,8 @@ export function createParameters(changed: (values: Values) => void): ParameterFo
   const fields = new Map<string, Field>();
   let shown = '';
 
-  const keyOf = (mouse: string, values: Values) => JSON.stringify([mouse, values]);
+  let names: string[] = [];
+  const keyOf = (mouse: string, values: Values) => JSON.stringify([mouse, values, names]);
 
   function rowOf(mouse: string, parameter: Parameter, given: Values) {
     const [control, ...beside] = controlOf(parameter, valueOf(parameter, given));
@@ -90,6 +91,7 @@ export function createParameters(changed: (values: Values) => void): ParameterFo
     element,
     show(mouse, values) {
       // A form that shows this already is left alone, with the focus in it.
+      names = mouse.parameters.map(({ name }) => name);
       const now = keyOf(mouse.name, values);
       if (now === shown) return;
       shown = now;

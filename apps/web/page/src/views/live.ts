@@ -67,6 +67,7 @@ export function createLive(page: Page): LiveView {
   function showWorld() {
     budgetRow.hidden = everyone.button.hidden = world.drive() !== null;
     if (world.drive()) everyone.clear();
+    mouse.playIn(world.drive() ? 'seconds' : 'steps');
   }
   function showComplaint() {
     const row = side.querySelector('[aria-invalid]')?.closest('.field');

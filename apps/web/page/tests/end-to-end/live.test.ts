@@ -57,6 +57,18 @@ test('what is wrong stands at its field, in the words of the core', async () => 
   await expect.poll(() => outcome(page).textContent()).toContain('contest-12x12-seed-1');
 });
 
+test('the form has the parameters that count in the world', async () => {
+  const page = await openLive();
+  const number = (name: string) => page.getByLabel(name, { exact: true });
+  expect(await number('cell_most').count()).toBe(0);
+  await page.getByRole('region', { name: 'Contest' }).getByLabel('World').selectOption('seconds');
+  await number('cell_most').fill('1');
+  expect(await number('travel').count()).toBe(0);
+  expect(await number('prior').count()).toBe(1);
+  expect(await spec(page)).toBe('ariadne:cell_most=1');
+  await expect.poll(() => outcome(page).textContent()).toContain('ariadne:cell_most=1 in capstone-1');
+});
+
 test('an empty number is not taken for 0', async () => {
   const page = await openLive();
   const contest = page.getByRole('region', { name: 'Contest' });
