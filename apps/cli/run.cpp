@@ -36,6 +36,7 @@ void run_contest(const RunOptions& options) {
                     mice.front().name));
   if (mice.size() != 1) throw UsageError("error: `labmouse run` takes one mouse; to run several, use `labmouse race`");
   const Contestant& mouse = mice.front();
+  if (const std::string reason = refuse_to_walk(mouse); !reason.empty()) throw UsageError("error: " + reason);
   const NamedMaze maze = find_maze(options.maze, options.places);
   const Rules& rules = options.rules;
   const auto mind = mouse.make(maze.maze, rules, options.seed);

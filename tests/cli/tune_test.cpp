@@ -69,6 +69,7 @@ TEST_F(AUser, IsToldWhatIsWrongWithTuning) {
   is_refused({"tune", "flood", "--params", "stride", "--evaluations", "5", "--log", "a", "--svg", "a"}, "--log",
              "--svg");
   is_refused({"tune", "flood", "--params", "stride", "--evaluations", "5", "--mazes", "closed.txt"}, "goal", "to tune");
+  is_refused({"run", "ariadne:cell_most=1", "capstone-1"}, "'cell_most'", "no effect in steps");
   is_refused({"tune", "ariadne", "--params", "travel", "--evaluations", "5", "--world", "seconds"}, "'travel'",
              "no effect in seconds");
 }

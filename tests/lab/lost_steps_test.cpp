@@ -117,6 +117,7 @@ TEST(LostSteps, AreAskedForInFull) {
   EXPECT_THAT(error(json::array({json({{"mouse", "flood"}})})), Says("'seed'"));
   EXPECT_THAT(error(json::array({{{"mouse", "guest:cat"}, {"seed", 1}}})), Says("cat"));
   EXPECT_THAT(error(json(6000, {{"mouse", "flood"}, {"seed", 1}})), Says("too many"));
+  EXPECT_THAT(error(json::array({{{"mouse", "festina"}, {"seed", 1}}})), Says("'festina'", "steps"));
 }
 
 }  // namespace

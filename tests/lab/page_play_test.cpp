@@ -125,6 +125,8 @@ TEST(PagePlay, IsOfOneMouseOfTheRoster) {
   EXPECT_THAT(error_of("run", running("guest:ls")), Says("'guest:ls'", "program", "`labmouse race`"));
   EXPECT_THAT(error_of("run", running("flood,mms:ls")), Says("'mms:ls'", "program"));
   EXPECT_THAT(error_of("run", running("capstone:r.py")), Says("'capstone:r.py'", "program"));
+  EXPECT_THAT(error_of("run", running("festina")), Says("'festina'", "steps"));
+  EXPECT_THAT(error_of("run", running("ariadne:cell_most=1")), Says("'cell_most'", "steps"));
 }
 
 TEST(PagePlay, HasNoPriorsOfFiles) {

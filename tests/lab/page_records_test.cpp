@@ -42,7 +42,7 @@ TEST(PageUnpacks, WhatRunningTheMouseGives) {
 
 TEST(PageUnpacks, WithoutReasonsWhatTheMouseWouldNotDo) {
   json record = packed("flood");
-  for (const char* mouse : {"ariadne", "guest:./mine", "no mouse"}) {
+  for (const char* mouse : {"ariadne", "festina", "guest:./mine", "no mouse"}) {
     record["mouse"] = mouse;
     EXPECT_EQ(answer("unpack", of_maze(test::loop(), {{"record", record}}))["play"]["reasons"], json::array()) << mouse;
   }

@@ -38,10 +38,11 @@ std::vector<Entrant> read_entrants(PageRequest& request) {
     if (!request.error().empty()) break;
     SpecResult mice = read_page_mice({&spec, 1});
     request.reject(mice.error);
-    if (mice.contestants.size() == 1)
-      entrants.push_back({std::move(mice.contestants.front()), seed});
-    else
+    if (mice.contestants.size() != 1)
       request.reject(fmt::format("'{}' names several mice; name exactly one", spec));
+    else
+      request.reject(refuse_to_walk(mice.contestants.front()));
+    if (request.error().empty()) entrants.push_back({std::move(mice.contestants.front()), seed});
   }
   return entrants;
 }

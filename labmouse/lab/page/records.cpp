@@ -20,7 +20,7 @@ namespace {
 /// The reasons of a mouse of the roster, which does the same when it runs again; none where it does not.
 std::vector<StepReasons> reasons_again(const RecordFile& file) {
   const SpecResult mice = read_page_mice({&file.mouse, 1});
-  if (mice.contestants.size() != 1) return {};
+  if (mice.contestants.size() != 1 || !refuse_to_walk(mice.contestants.front()).empty()) return {};
   const auto mind = mice.contestants.front().make(*file.maze, file.rules, file.seed);
   mind->keep_reasons();
   RunRecord again = run(*file.maze, file.rules, *mind);
