@@ -5,6 +5,7 @@
 
 #include <functional>
 
+#include "labmouse/chance/dice.hpp"
 #include "labmouse/contest/drive_score.hpp"
 #include "labmouse/contest/taped_code.hpp"
 #include "tests/lab/drive_record_fixture.hpp"
