@@ -9,6 +9,7 @@ import pty
 import re
 import subprocess
 import sys
+import tempfile
 import unittest
 
 QUIETLY = pathlib.Path(sys.argv.pop(1)).resolve() / "scripts" / "quietly"
@@ -73,6 +74,27 @@ class InAPipe(unittest.TestCase):
             self.assertEqual(result.returncode, 7)
             self.assertIn("what the compiler says", result.stderr)
             self.assertIn(f"[1/{steps}] Building", result.stderr)
+
+    def test_a_long_step_says_how_much_time_is_left(self):
+        # The clock of this program is a file's: it stands at 0 s, 6 s and 16 s.
+        with tempfile.TemporaryDirectory() as folder:
+            clock = pathlib.Path(folder) / "date"
+            clock.write_text(f'#!/bin/sh\ncat {folder}/now\nhead -n 1 {folder}/times >{folder}/now; sed -i 1d {folder}/times\n')
+            clock.chmod(0o755)
+            (pathlib.Path(folder) / "now").write_text("0\n")
+            (pathlib.Path(folder) / "times").write_text("\n".join(map(str, range(6, 3000, 10))) + "\n")
+            path = {"PATH": folder + ":" + os.environ["PATH"]}
+            result = subprocess.run(command(100), env=path, stdin=subprocess.DEVNULL, capture_output=True, text=True)
+        lines = result.stderr.splitlines()
+        self.assertEqual(len(lines), 1 + 99)  # one every ten seconds
+        self.assertRegex(lines[1], r"^\[2/100\].* 13 min ")
+        self.assertRegex(lines[-2], r"^\[99/100\].* 9 s ")
+
+    def test_the_log_is_kept_where_it_is_asked_for(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for _ in range(2):
+                subprocess.run([str(QUIETLY), "--log", folder + "/log", "echo", "said"], check=True)
+            self.assertEqual((pathlib.Path(folder) / "log").read_text(), "said\nsaid\n")
 
     def test_a_last_line_without_its_end_is_kept(self):
         result = subprocess.run([str(QUIETLY), "sh", "-c", "printf 'no end'; exit 1"], capture_output=True, text=True)
