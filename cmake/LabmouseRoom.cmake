@@ -28,6 +28,8 @@ function(labmouse_room name)
   target_compile_options(${target} ${scope} $<BUILD_INTERFACE:$<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>>
                          $<BUILD_INTERFACE:$<$<PLATFORM_ID:Emscripten>:-fno-slp-vectorize>>)
   if(LABMOUSE_SANITIZE)
+    # Also the library's own checks: of front() of an empty vector, and the like.
+    target_compile_definitions(${target} ${scope} $<BUILD_INTERFACE:_GLIBCXX_ASSERTIONS>)
     target_compile_options(${target} ${scope} $<BUILD_INTERFACE:-fsanitize=address,undefined>
                            $<BUILD_INTERFACE:-fno-sanitize-recover=all> $<BUILD_INTERFACE:-fno-omit-frame-pointer>)
     target_link_options(${target} ${scope} $<BUILD_INTERFACE:-fsanitize=address,undefined>)

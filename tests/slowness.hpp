@@ -1,6 +1,7 @@
 // How much less a long test should do.
 #pragma once
 
+#include <algorithm>
 #include <cstdlib>
 
 namespace labmouse::test {
@@ -13,9 +14,15 @@ inline constexpr bool sanitized = __has_feature(address_sanitizer);
 inline constexpr bool sanitized = false;
 #endif
 
-/// Of that many cases a long test takes one: of 20 under the sanitizers, where all takes ten times as long, and of 4
-/// otherwise; `make proof` sets LABMOUSE_PROOF and takes all.
-inline const int slowness = sanitized ? 20 : std::getenv("LABMOUSE_PROOF") == nullptr ? 4 : 1;
+/// Whether a long test runs all of its cases: `make proof` sets LABMOUSE_PROOF.
+inline const bool thorough = std::getenv("LABMOUSE_PROOF") != nullptr;
+
+/// Where a test is not thorough, it runs one case of this many; fewer under the sanitizers, where a case takes ten times
+/// as long.
+inline const int slowness = sanitized ? 60 : thorough ? 1 : 12;
+
+/// How many of so many cases a long test runs: at least one.
+inline int some_of(int cases) { return std::max(1, cases / slowness); }
 
 /// Of so many cases an eighth under the sanitizers, and all otherwise.
 template <class Count>

@@ -17,8 +17,8 @@
 namespace labmouse {
 namespace {
 
-/// As test::slowness; the plain planner takes long, most of all under the sanitizers.
-const int rarely = (test::sanitized ? 2 : 1) * test::slowness;
+/// As test::slowness. The plain planner takes long.
+const int rarely = test::slowness == 1 ? 1 : 2 * test::slowness;
 
 struct NamedRobot {
   const char* name;
@@ -118,12 +118,12 @@ class AnyRobot : public testing::TestWithParam<NamedRobot> {
 
 TEST_P(AnyRobot, IsPlannedForExactlyInEmptyMazes) {
   for (const Size size : {Size{1, 1}, Size{2, 2}, Size{3, 7}, Size{16, 16}, Size{17, 5}, Size{32, 32}})
-    if (!test::sanitized || size.area() < 1000) expect_exact(Maze(MazeDraft(size, MazeDraft::Inside::open)));
+    if (test::slowness == 1 || size.area() < 1000) expect_exact(Maze(MazeDraft(size, MazeDraft::Inside::open)));
 }
 
 TEST_P(AnyRobot, IsPlannedForExactlyInMazesByDice) {
   Dice dice(7);
-  for (int i = 0; i < 2000 / rarely; i += GetParam().every) {
+  for (int i = 0; i < std::max(1, 2000 / rarely); i += GetParam().every) {
     SCOPED_TRACE(i);
     expect_exact(test::any_maze(dice, i % 10 == 0 ? 32 : 14));
     if (HasFailure()) return;
@@ -189,7 +189,7 @@ DriveTables shaken(DriveTables tables, Dice& dice) {
 TEST(ShakenTables, ArePlannedForExactly) {
   Dice dice(10);
   const DriveModel model = make_drive_model(large_robot());
-  for (int i = 0; i < 300 / rarely; ++i) {
+  for (int i = 0; i < std::max(1, 300 / rarely); ++i) {
     SCOPED_TRACE(i);
     const DriveTables tables = shaken(model.tables, dice);
     const Maze maze = i % 10 == 0 ? Maze(MazeDraft({9, 9}, MazeDraft::Inside::open)) : test::any_maze(dice, 14);
@@ -214,7 +214,7 @@ TEST(CoarseTimes, ArePlannedForExactly) {
   Dice dice(12);
   for (const Robot& robot : {published_robot(), small_robot(), large_robot()}) {
     const DriveTables tables = coarse(make_drive_model(robot).tables);
-    for (int i = 0; i < 1000 / rarely; ++i) {
+    for (int i = 0; i < std::max(1, 1000 / rarely); ++i) {
       SCOPED_TRACE(i);
       const Maze maze = test::any_maze(dice, 14);
       FastestRoutes routes(maze.size(), tables), some(maze.size(), tables);
@@ -234,7 +234,7 @@ TEST(OddTurns, ArePlannedForExactly) {
     robot.fixed = FixedTimes{200.0, time, time + 300, time + 700, time + 900, time + 500, std::min(time, 400'000)};
     const DriveModel model = make_drive_model(robot);
     ASSERT_EQ(model.error, "");
-    for (int i = 0; i < 100 / rarely; ++i) {
+    for (int i = 0; i < std::max(1, 100 / rarely); ++i) {
       SCOPED_TRACE(i);
       const Maze maze = test::any_maze(dice, i % 10 == 0 ? 32 : 14);
       FastestRoutes routes(maze.size(), model.tables), some(maze.size(), model.tables);
@@ -266,7 +266,7 @@ TEST(EqualSpeeds, InManyLanesAreAsOneSpeed) {
     *times = twice;
   }
   Dice dice(8);
-  for (int i = 0; i < 200 / rarely; ++i) {
+  for (int i = 0; i < std::max(1, 200 / rarely); ++i) {
     const Maze maze = test::any_maze(dice, 32);
     FastestRoutes one(maze.size(), model.tables), lanes(maze.size(), many);
     one.fill(maze.open_walls(), maze.goals());
@@ -285,7 +285,7 @@ TEST(SomeTurns, ArePlannedForExactly) {
     DriveModel model = make_drive_model(robot);
     std::erase_if(model.tables.turns, [](const DrivenTurn& turn) { return turn.turn != Turn::s90; });
     Dice dice(9);
-    for (int i = 0; i < 100 / rarely; ++i) {
+    for (int i = 0; i < std::max(1, 100 / rarely); ++i) {
       SCOPED_TRACE(i);
       const Maze maze = test::any_maze(dice, 14);
       FastestRoutes routes(maze.size(), model.tables);

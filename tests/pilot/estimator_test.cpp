@@ -278,7 +278,7 @@ TEST(Estimator, IsAsSureAsItIsRight) {
   for (const DriveModel* model : {&test::kerise(), &test::classic(), &test::beginner()}) {
     SCOPED_TRACE(model->robot.name);
     Consistency consistency;
-    for (int i = 0; i < 120 / test::slowness; ++i) {
+    for (int i = 0; i < test::some_of(120); ++i) {
       const auto seed = static_cast<std::uint64_t>(i);
       const Maze maze = contest_generator.make({{16, 16}, seed, 60});
       test::Driven driven(maze, *model, {}, seed);

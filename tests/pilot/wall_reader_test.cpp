@@ -196,7 +196,7 @@ Tallies read_walls(const DriveModel& model, double noise, int mazes) {
 TEST(Evidence, IsNeverSureAndWrongByTheNoiseThatItKnows) {
   for (const DriveModel* model : {&test::kerise(), &test::classic(), &test::beginner()}) {
     SCOPED_TRACE(model->robot.name);
-    const Tallies tallies = read_walls(*model, 1.0, 200 / test::slowness);
+    const Tallies tallies = read_walls(*model, 1.0, test::some_of(200));
     int all = 0, wrong = 0;
     for (std::size_t nats = 0; nats < tallies.size(); ++nats) {
       all += tallies[nats].all;
@@ -213,7 +213,7 @@ TEST(Evidence, IsNeverSureAndWrongByTheNoiseThatItKnows) {
 
 /// Four times as much noise as it knows of: then it errs, and where it does it is less sure.
 TEST(Evidence, IsWrongLessOftenTheSurerItIs) {
-  const Tallies tallies = read_walls(test::kerise(), 4.0, 200 / test::slowness);
+  const Tallies tallies = read_walls(test::kerise(), 4.0, test::some_of(200));
   const auto share = [&](std::size_t from, std::size_t to) {
     Tally sum;
     for (std::size_t nats = from; nats < to; ++nats) {

@@ -67,7 +67,7 @@ Settings any_settings(Dice& dice) {
 
 TEST(Ariadne, DecidesAsItsDefinitionSaysInMazesByDice) {
   Dice dice(1000);
-  for (int i = 0; i < 1000 / test::slowness; ++i) {
+  for (int i = 0; i < test::some_of(1000); ++i) {
     const Maze maze = any_maze(dice, i % 8 == 0 ? 16 : 9);
     const Rules rules = any_rules(dice);
     const RefereedRun run = refereed(maze, any_settings(dice), rules);

@@ -15,12 +15,12 @@ struct ContractMaze {
   Maze maze;
 };
 
-/// Every generator at every size that it takes, perfect and with loops; and two as large as they come. Under the
-/// sanitizers the large ones, which take most of the time, are those of one generator.
+/// Every generator at every size that it takes, perfect and with loops, and two of the largest size. The large ones take
+/// most of the time: without LABMOUSE_PROOF they come from one generator.
 inline void add_generated(std::vector<ContractMaze>& mazes) {
   const auto add = [&](const Generator& generator, Size size, int loops) {
     const GeneratorOrder order{size, 7, loops};
-    if (sanitized && size.area() > 16 * 16 && &generator != &depth_first_generator) return;
+    if (slowness > 1 && size.area() > 16 * 16 && &generator != &depth_first_generator) return;
     if (generator.refuses(order).empty())
       mazes.push_back({std::string(generator.name) + " " + std::to_string(size.width) + "x" +
                            std::to_string(size.height) + " loops " + std::to_string(loops),

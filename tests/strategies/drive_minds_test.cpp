@@ -29,7 +29,7 @@ const std::vector<SomeMaze>& generated_mazes() {
   static const std::vector<SomeMaze> mazes = [] {
     std::vector<SomeMaze> made;
     Dice dice(17);
-    for (int i = 0; i < 160 / test::slowness; ++i)
+    for (int i = 0; i < test::some_of(160); ++i)
       made.push_back({"generated " + std::to_string(i), test::any_maze(dice, 20)});
     return made;
   }();
@@ -331,7 +331,7 @@ TEST_P(EveryDriver, StandsAnyReadings) {
   const DriveRules rules = rules_of(30);
   const DriveModel& model = published();
   int turned = 0;
-  for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(2500 / test::slowness); ++seed) {
+  for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(test::some_of(2500)); ++seed) {
     Nonsense nonsense(seed);
     const auto mind = make(mouse(), maze, rules, model);
     ASSERT_TRUE(mind->considers());

@@ -186,7 +186,7 @@ void expect_plain_costs_while_learning(const Maze& maze, Dice& dice) {
 
 TEST(EdgeCosts, AgreeWithThePlainDefinitionAsWallsBecomeKnown) {
   Dice dice(8);
-  for (int i = 0; i < 150 / test::slowness; ++i)
+  for (int i = 0; i < test::some_of(150); ++i)
     ASSERT_NO_FATAL_FAILURE(expect_plain_costs_while_learning(test::any_maze(dice, 14), dice)) << i;
 }
 
