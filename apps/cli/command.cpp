@@ -75,8 +75,9 @@ void apply(const Places& places, NamedMaze& maze) {
 /// Where print writes: to standard error once a file that is asked for takes standard output.
 std::FILE* printed = stdout;
 
-void write_out(const std::string& text, std::FILE* stream) {
-  if (std::fwrite(text.data(), 1, text.size(), stream) == text.size() && std::fflush(stream) == 0) return;
+void write_out(std::string_view text, std::FILE* stream, bool at_once = true) {
+  const bool written = std::fwrite(text.data(), 1, text.size(), stream) == text.size();
+  if (written && (!at_once || std::fflush(stream) == 0)) return;
   // A reader that has seen enough (`| head`) is no error, but there is nothing more to do.
   if (errno == EPIPE) std::exit(exit_good);
   throw UsageError(fmt::format("error: cannot write to standard output: {}", cause_of(errno)));
@@ -142,6 +143,8 @@ NamedMaze find_maze(const std::string& path, const Places& places) {
 
 void print(const std::string& text) { write_out(text, printed); }
 
+void print_part(std::string_view part) { write_out(part, printed, false); }
+
 void save(const std::string& path, const std::string& content) {
   if (descriptor_to_write(path) == standard_output) return write_out(content, stdout);
   if (const auto error = write_file(path, content); !error.empty())
@@ -154,16 +157,30 @@ void require_writable(const std::string& path) {
     throw UsageError(fmt::format("{}: error: {}", path, error));
 }
 
+namespace {
+
+/// Whether writing the one would destroy the other.
+bool collide(const Output& one, const Output& other) {
+  using Kind = Output::Kind;
+  if (one.path.empty() || other.path.empty() || (one.kind == Kind::input && other.kind == Kind::input)) return false;
+  if (one.kind == Kind::file && other.kind == Kind::file) return is_same_file(one.path, other.path);
+  // What is a stream to the one may be a file's name to the other, and what is read from a stream is not destroyed.
+  const bool streams = descriptor_to_write(one.path) || descriptor_to_write(other.path);
+  return !streams && !is_stream(one.path) && is_same_file(one.path, other.path);
+}
+
+}  // namespace
+
 void expect_outputs(std::initializer_list<Output> outputs) {
-  for (const auto* one = outputs.begin(); one != outputs.end(); ++one) {
-    if (one->path.empty()) continue;
-    const bool streams = descriptor_to_write(one->path).has_value();
+  for (const auto* one = outputs.begin(); one != outputs.end(); ++one)
     for (const auto* other = outputs.begin(); other != one; ++other)
-      if (other->path == one->path || (streams && descriptor_to_write(other->path) == descriptor_to_write(one->path)))
+      if (collide(*other, *one))
         throw UsageError(
             fmt::format("error: {} and {} name the same file; use two different files", other->option, one->option));
-    require_writable(one->path);
-    if (descriptor_to_write(one->path) == standard_output) printed = stderr;
+  for (const Output& output : outputs) {
+    if (output.path.empty() || output.kind != Output::Kind::file) continue;
+    require_writable(output.path);
+    if (descriptor_to_write(output.path) == standard_output) printed = stderr;
   }
 }
 

@@ -50,6 +50,8 @@ void add_robot_option(Command& command, std::string& robot);
 
 /// Writes to standard output, or throws UsageError when it cannot; to standard error where a file takes its place.
 void print(const std::string& text);
+/// The same of a part of a long text, which need not be seen at once; print() writes what is left.
+void print_part(std::string_view part);
 /// Writes to standard error as far as that can be written.
 void tell(const std::string& text);
 /// Writes a file whole or throws UsageError; `-` is standard output.
@@ -60,8 +62,15 @@ void require_writable(const std::string& path);
 
 /// A file that a command will write: the option that names it, and its path; empty where it was not asked for.
 struct Output {
+  enum class Kind {
+    file,   ///< written by save()
+    other,  ///< opened in another way, such as a store: only compared with the others
+    input   ///< read by the command, so nothing may take its place
+  };
+
   std::string_view option;
-  const std::string& path;
+  std::string path;
+  Kind kind = Kind::file;
 };
 /// To be asked before long work: throws UsageError where one of them cannot be written now, or two are one. Where one
 /// is standard output, what the command prints goes to standard error from now on, so that a program can read it.

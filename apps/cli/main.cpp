@@ -1,8 +1,12 @@
 // labmouse: the command. One file a subcommand; what they do lies in labmouse/lab.
 #include <fmt/format.h>
 
+#include <atomic>
+#include <cstddef>
 #include <cstdio>
 #include <exception>
+#include <memory>
+#include <new>
 
 #include "command.hpp"
 #include "labmouse/lab/system/version.hpp"
@@ -21,11 +25,28 @@ void print_lines(std::string_view text) {
   }
 }
 
+/// Memory that is given back when there is no other left, so that what was begun can be taken apart: some destructors
+/// need a little, and an exception out of one ends the program without a word.
+std::unique_ptr<std::byte[]> reserve;
+std::atomic_flag gave_back = ATOMIC_FLAG_INIT;
+
+void give_back_and_fail() {
+  if (!gave_back.test_and_set()) reserve.reset();
+  throw std::bad_alloc();
+}
+
+void set_memory_aside() {
+  constexpr std::size_t bytes = std::size_t{4} << 20U;
+  reserve = std::make_unique_for_overwrite<std::byte[]>(bytes);
+  std::set_new_handler(give_back_and_fail);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   using namespace labmouse::cli;
   let_writes_fail();
+  set_memory_aside();
   CommandLine line("labmouse", "labmouse: a laboratory for mice that explore mazes they have never seen",
                    "labmouse " + std::string(labmouse::version()));
   Command& app = line.root();
@@ -62,6 +83,13 @@ int main(int argc, char** argv) {
     return line.run(argc, argv) ? exit_good : exit;
   } catch (const UsageError& error) {
     print_lines(error.what());
+    return exit_usage;
+  } catch (const std::bad_alloc&) {
+    // Nothing is put together here: there is no memory for it.
+    std::fputs(
+        "error: out of memory; use fewer contests at once (--runs, --mazes, or --shard with --store), or raise the "
+        "limit of `ulimit -v`\n",
+        stderr);
     return exit_usage;
   } catch (const std::exception& error) {
     print_lines(std::string("error: ") + error.what());

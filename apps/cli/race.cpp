@@ -97,13 +97,14 @@ std::vector<const Race*> with_mice(const std::vector<Race>& races) {
   return some;
 }
 
-std::string report(const RaceOptions& options, const std::vector<Race>& races,
-                   const std::vector<SkippedFile>& skipped) {
-  if (options.format == "json") return json_of(races, skipped);
+void report(const RaceOptions& options, const std::vector<Race>& races, const std::vector<SkippedFile>& skipped) {
   std::string text;
-  for (const Race* race : with_mice(races))
-    text += options.format == "csv" ? csv_of(*race) : (text.empty() ? "" : "\n") + table_of(*race, colours());
-  return text;
+  if (options.format == "json") write_json(races, skipped, print_part);
+  for (const Race* race : with_mice(races)) {
+    if (options.format == "csv") write_csv(*race, print_part);
+    if (options.format == "table") text += (text.empty() ? "" : "\n") + table_of(*race, colours());
+  }
+  print(text);
 }
 
 /// Saves the results beside the records. Returns what went wrong, or nothing.
@@ -111,7 +112,7 @@ std::string save_results(const RaceOptions& options, const std::vector<Race>& ra
                          const std::vector<SkippedFile>& skipped) {
   if (options.out.empty()) return "";
   const std::string path = fmt::format("{}/{}", options.out, results_file_name);
-  const std::string error = write_file(path, json_of(races, skipped));
+  const std::string error = write_file(path, [&](const TextSink& sink) { write_json(races, skipped, sink); });
   return error.empty() ? "" : fmt::format("{}: error: {}", path, error);
 }
 
@@ -210,7 +211,16 @@ std::optional<Shard> shard_of(const std::string& text) {
   return Shard{static_cast<std::size_t>(number), static_cast<std::size_t>(of)};
 }
 
+/// The file of --out that other options could name, too.
+std::string results_path(const RaceOptions& options) {
+  return options.out.empty() ? "" : fmt::format("{}/{}", options.out, results_file_name);
+}
+
 int race(const RaceOptions& options) {
+  expect_outputs({{"--curves", options.curves},
+                  {"--store", options.contests.store_path, Output::Kind::other},
+                  {"--out", results_path(options), Output::Kind::other},
+                  {"--baseline", options.baseline, Output::Kind::input}});
   std::optional<Holding> holding(options);
   std::vector<Entry> entries = options.contests.world.enter(
       find_contestants(with_lineups(options.mice, options.lineups), options.contests.world, options.guests));
@@ -230,7 +240,7 @@ int race(const RaceOptions& options) {
   // Before anything is printed: a reader of the table may leave early.
   if (failed_write.empty()) failed_write = save_results(options, races, skipped);
   folder.reset();
-  print(report(options, races, skipped));
+  report(options, races, skipped);
   for (std::size_t i = 0; i < races.size(); ++i) {
     if (races[i].mice.empty()) continue;
     if (options.shares) add(options, shares_of(races[i]));

@@ -19,6 +19,7 @@ struct RobotOptions {
 };
 
 void show(const RobotOptions& options) {
+  expect_outputs({{"the robot", options.robot, Output::Kind::input}, {"--svg", options.svg}});
   const FoundRobot found = find_robot_or_refuse(options.robot);
   if (options.svg.empty()) return print(robot_table(found.robot, found.model));
   save(options.svg, draw_robot(found.robot, found.model));

@@ -81,7 +81,7 @@ int fit(const FitOptions& options) {
 }
 
 int compare(const CompareOptions& options) {
-  expect_outputs({{"--svg", options.svg}});
+  expect_outputs({{"the log", options.log.path, Output::Kind::input}, {"--svg", options.svg}});
   const FoundRobot robot = find_robot_or_refuse(options.robot);
   if (!robot.robot.hardware)
     throw UsageError(

@@ -32,11 +32,13 @@ Study hold(const StudyOptions& options, const std::vector<Contestant>& mice, con
 
 int study(const StudyOptions& options) {
   if (options.mice.empty() && options.lineups.empty()) throw UsageError("error: --mice or --lineup is required");
+  expect_outputs({{"--csv", options.csv},
+                  {"--svg", options.svg},
+                  {"--store", options.contests.store_path, Output::Kind::other}});
   std::vector<Contestant> mice =
       find_contestants(with_lineups(options.mice, options.lineups), options.contests.world, options.guests);
   const RaceOrder order = options.contests.order_in(options.contests.world.enter_one(mice));
   MazeCollection mazes = find_mazes_of(*order.world, options.contests);
-  expect_outputs({{"--csv", options.csv}, {"--svg", options.svg}});
   const Study result = hold(options, mice, order, std::move(mazes.mazes));
   if (!result.error.empty()) throw UsageError("error: " + result.error);
   print(options.format == "json" ? json_of(result, mazes.skipped) : table_of(result, colours()));

@@ -1,5 +1,6 @@
 // Pipes in place of files, and files that cannot be written.
 #include "tests/cli/user.hpp"
+#include "tests/slowness.hpp"
 
 namespace labmouse {
 namespace {
@@ -91,6 +92,48 @@ TEST_F(AShellUser, CannotHaveTwoFilesInOnePlace) {
   file("corridor.txt", corridor);
   is_refused({"run", "flood", "corridor.txt", "--record", "-", "--svg", "/dev/stdout"}, "--record", "--svg");
   is_refused({"sweep", "flood", "--vary", "stride=1,2", "--csv", "a", "--svg", "a"}, "--csv", "--svg");
+}
+
+TEST_F(AShellUser, NeedsNoMemoryForTheJsonOfAllContests) {
+  if (test::sanitized) GTEST_SKIP() << "sanitizers need all addresses that there are";
+  file("corridor.txt", corridor);
+  // The contests fit into this; as one JSON they would need twice as much.
+  const std::string race = "ulimit -v 110000; ulimit -c 0; labmouse race --mice random --mazes corridor.txt --jobs 1 ";
+  const Ended many = shell(race + "--runs 50000 --format json");
+  EXPECT_EQ(many.code, 0) << many.err;
+  EXPECT_EQ(many.out.substr(many.out.size() - 2), "}\n");
+  EXPECT_GT(many.out.size(), std::size_t{10'000'000});
+  const Ended too_many = shell(race + "--runs 1000000");
+  EXPECT_EQ(too_many.code, 2);
+  EXPECT_EQ(std::count(too_many.err.begin(), too_many.err.end(), '\n'), 1);
+  EXPECT_THAT(too_many.err, Says("error: ", "memory", "--runs", "ulimit -v"));
+}
+
+TEST_F(AShellUser, CannotNameOneFileInTwoWays) {
+  file("corridor.txt", corridor);
+  std::filesystem::create_directory(folder_ / "in");
+  std::filesystem::create_symlink("x", folder_ / "link");
+  const std::string whole = (folder_ / "x").string();
+  for (const std::string& other : {std::string("./x"), std::string("in/../x"), std::string("link"), whole})
+    is_refused({"run", "flood", "corridor.txt", "--record", "x", "--svg", other}, "--record", "--svg");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "x"));
+  is_refused({"tune", "flood", "--params", "stride", "--log", "a", "--svg", "./a"}, "--log", "--svg");
+  is_refused({"study", "--mice", "flood", "--csv", "a", "--store", "./a"}, "--csv", "--store");
+  is_refused({"race", "--mice", "flood", "--curves", "a", "--store", "./a"}, "--curves", "--store");
+  is_refused({"race", "--mice", "flood", "--out", "a", "--store", "a/race.json"}, "--out", "--store");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "a"));
+}
+
+TEST_F(AShellUser, KeepsWhatACommandReads) {
+  file("corridor.txt", corridor);
+  labmouse({"run", "flood", "corridor.txt", "--record", "walk.jsonl"});
+  const std::string record = content("walk.jsonl");
+  std::filesystem::create_hard_link(folder_ / "walk.jsonl", folder_ / "same");
+  is_refused({"show", "--record", "walk.jsonl", "--svg", "./walk.jsonl"}, "--record", "--svg");
+  is_refused({"replay", "walk.jsonl", "--svg", "same"}, "record", "--svg");
+  is_refused({"show", "corridor.txt", "--svg", "./corridor.txt"}, "maze", "--svg");
+  EXPECT_EQ(content("walk.jsonl"), record);
+  EXPECT_EQ(content("corridor.txt"), corridor);
 }
 
 TEST_F(AShellUser, ReplacesNoPipeAndNoDevice) {

@@ -8,6 +8,7 @@
 #include "labmouse/lab/standings/race_notes.hpp"
 #include "labmouse/lab/standings/standings.hpp"
 #include "labmouse/lab/system/version.hpp"
+#include "labmouse/lab/text/json_stream.hpp"
 #include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
@@ -41,14 +42,15 @@ Json mazes_json(const Race& race) {
   return mazes;
 }
 
-Json results_json(const Race& race, std::size_t mouse) {
-  Json results = Json::array();
+void write_results(const Race& race, std::size_t mouse, JsonStream& out) {
+  out.begin_list("results");
   for (const ContestResult& contest : race.results) {
     if (contest.mouse != mouse || !contest.done) continue;
-    Json& json = results.emplace_back(Json::object());
+    Json json = Json::object();
     for (const ContestField& field : race.world().fields().contest) set(json, field.key, field.of(race, contest));
+    out.value(json);
   }
-  return results;
+  out.end();
 }
 
 /// Where a mouse comes from, as far as its name does not say it.
@@ -97,30 +99,35 @@ Json cells_json(const Race& race, const Standing& standing) {
   return cells;
 }
 
-Json mice_json(const Race& race) {
-  Json mice = Json::array();
+void write_mice(const Race& race, JsonStream& out) {
+  out.begin_list("mice");
   for (const Standing& standing : standings_of(race)) {
-    Json& json = mice.emplace_back(Json::object());
+    Json json = Json::object();
     for (const MouseField& field : race.world().fields().mouse) set(json, field.key, field.of(race, standing));
     set_origin(race.mice[standing.mouse], json);
     if (!race.world().is_home()) json["cells"] = cells_json(race, standing);
-    json["results"] = results_json(race, standing.mouse);
+    out.begin_object();
+    out.fields(json);
+    write_results(race, standing.mouse, out);
+    out.end();
   }
-  return mice;
+  out.end();
 }
 
 void set_conditions(const Race& race, Json& json) {
   for (const Condition& condition : race.world().conditions()) set(json, condition.key, condition.value);
 }
 
-Json group_json(const Race& race) {
+void write_group(const Race& race, JsonStream& out) {
   Json json = {{"world", race.world().name()}, {"formula", race.world().formula()}};
   describe_world(race, json);
   set_conditions(race, json);
   json["stopped"] = race.stopped;
   json["mazes"] = mazes_json(race);
-  json["mice"] = mice_json(race);
-  return json;
+  out.begin_object();
+  out.fields(json);
+  write_mice(race, out);
+  out.end();
 }
 
 Json lines_of(std::string_view text) {
@@ -144,7 +151,7 @@ Json skipped_json(const std::vector<SkippedFile>& skipped) {
 
 }  // namespace
 
-Json race_json(std::span<const Race> races, const std::vector<SkippedFile>& skipped) {
+void write_json(std::span<const Race> races, const std::vector<SkippedFile>& skipped, const TextSink& sink) {
   const Race* home = races.front().world().is_home() ? &races.front() : nullptr;
   Json json;
   json["labmouse"] = version();
@@ -154,33 +161,62 @@ Json race_json(std::span<const Race> races, const std::vector<SkippedFile>& skip
   if (home != nullptr) set_conditions(*home, json);
   json["stopped"] = std::any_of(races.begin(), races.end(), [](const Race& race) { return race.stopped; });
   json["mazes"] = home != nullptr ? mazes_json(*home) : Json::array();
-  json["mice"] = home != nullptr ? mice_json(*home) : Json::array();
-  json["notes"] = home != nullptr ? lines_of(notes_of(*home)) : Json::array();
-  for (const Race& race : races)
-    if (&race != home) json["groups"].push_back(group_json(race));
-  json["skipped"] = skipped_json(skipped);
-  return json;
+  JsonStream out(sink);
+  out.begin_object();
+  out.fields(json);
+  if (home != nullptr)
+    write_mice(*home, out);
+  else
+    out.value(Json::array(), "mice");
+  out.value(home != nullptr ? lines_of(notes_of(*home)) : Json::array(), "notes");
+  if (races.size() > (home != nullptr ? 1U : 0U)) {
+    out.begin_list("groups");
+    for (const Race& race : races)
+      if (&race != home) write_group(race, out);
+    out.end();
+  }
+  out.value(skipped_json(skipped), "skipped");
+  out.end();
+  out.finish();
 }
 
 std::string json_of(std::span<const Race> races, const std::vector<SkippedFile>& skipped) {
-  return text_of(race_json(races, skipped));
+  std::string text;
+  write_json(races, skipped, [&text](std::string_view part) { text += part; });
+  return text;
 }
 
 std::string json_of(const Race& race, const std::vector<SkippedFile>& skipped) { return json_of({&race, 1}, skipped); }
 
-std::string text_of(const Json& json) { return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n"; }
-
-std::string csv_of(const Race& race) {
-  const auto fields = race.world().fields().csv;
+std::string text_of(const Json& json) {
   std::string text;
-  for (const ContestField& field : fields) text += (text.empty() ? "" : ",") + std::string(field.key);
-  text += "\n";
+  JsonStream out([&text](std::string_view part) { text += part; });
+  out.value(json);
+  out.finish();
+  return text;
+}
+
+Json race_json(std::span<const Race> races, const std::vector<SkippedFile>& skipped) {
+  return Json::parse(json_of(races, skipped));
+}
+
+void write_csv(const Race& race, const TextSink& sink) {
+  const auto fields = race.world().fields().csv;
+  std::string line;
+  for (const ContestField& field : fields) line += (line.empty() ? "" : ",") + std::string(field.key);
+  sink(line + "\n");
   for (const ContestResult& contest : race.results) {
     if (!contest.done) continue;
+    line.clear();
     for (std::size_t i = 0; i < fields.size(); ++i)
-      text += (i > 0 ? "," : "") + csv_field(text_of(fields[i].of(race, contest)));
-    text += "\n";
+      line += (i > 0 ? "," : "") + csv_field(text_of(fields[i].of(race, contest)));
+    sink(line += "\n");
   }
+}
+
+std::string csv_of(const Race& race) {
+  std::string text;
+  write_csv(race, [&text](std::string_view part) { text += part; });
   return text;
 }
 

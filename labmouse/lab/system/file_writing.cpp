@@ -63,8 +63,17 @@ int write_all(int descriptor, std::string_view content) {
   return 0;
 }
 
+/// The same part by part; after an error the rest is not written.
+int write_all(int descriptor, const TextSource& content) {
+  int error = 0;
+  content([&](std::string_view part) {
+    if (error == 0) error = write_all(descriptor, part);
+  });
+  return error;
+}
+
 /// Writes into what must not be replaced.
-int write_through(const std::string& path, std::string_view content) {
+int write_through(const std::string& path, const TextSource& content) {
   if (const auto descriptor = descriptor_to_write(path)) return write_all(*descriptor, content);
   Descriptor opened = Descriptor::opened(open_to_write(path));
   if (opened.number() < 0) return errno;
@@ -87,7 +96,7 @@ class Part {
 
   int error() const { return error_; }
 
-  int fill(std::string_view content) {
+  int fill(const TextSource& content) {
     const int error = write_all(file_.number(), content);
     return error != 0 ? error : file_.close();
   }
@@ -127,7 +136,7 @@ class Part {
   Descriptor file_;
 };
 
-int replace(const Target& target, std::string_view content) {
+int replace(const Target& target, const TextSource& content) {
   // No signal ends this thread between a new file and its place.
   const Undisturbed undisturbed;
   Part part(target);
@@ -138,7 +147,24 @@ int replace(const Target& target, std::string_view content) {
 
 }  // namespace
 
+bool is_same_file(const std::string& path, const std::string& other) {
+  const auto descriptor = descriptor_to_write(path), other_descriptor = descriptor_to_write(other);
+  if (descriptor || other_descriptor) return descriptor == other_descriptor;
+  std::error_code error;
+  if (fs::equivalent(path, other, error)) return true;
+  const auto place_of = [&error](const std::string& name) {
+    const fs::path whole = fs::absolute(end_of_links(name), error);
+    const fs::path real = fs::weakly_canonical(whole, error);
+    return error ? whole.lexically_normal() : real;
+  };
+  return place_of(path) == place_of(other);
+}
+
 std::string write_file(const std::string& path, std::string_view content) {
+  return write_file(path, [content](const TextSink& sink) { sink(content); });
+}
+
+std::string write_file(const std::string& path, const TextSource& content) {
   const Target target = target_of(path);
   if (!target.error.empty()) return target.error;
   return unwritable(target.stream ? write_through(path, content) : replace(target, content));

@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "labmouse/lab/text/text_sink.hpp"
+
 namespace labmouse {
 
 /// The content of a file, or the reason why there is none.
@@ -25,6 +27,12 @@ FileContent read_found_file(const std::string& path, std::size_t most_bytes = 1U
 /// `-`. Returns what went wrong with its cause, "cannot be written: no space is left on the device", or nothing.
 /// Under `ulimit -f` that takes a program that ignores SIGXFSZ.
 std::string write_file(const std::string& path, std::string_view content);
+/// The same of a text that is made part by part.
+std::string write_file(const std::string& path, const TextSource& content);
+
+/// Whether two paths lead to one file, which need not exist yet: `x` and `./x`, links and their targets. Of streams: to
+/// one descriptor.
+bool is_same_file(const std::string& path, const std::string& other);
 
 /// Whether write_file would write there now: makes the folders on the way and writes nothing that stays. Returns what
 /// is wrong, or nothing.
