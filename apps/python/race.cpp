@@ -118,7 +118,9 @@ class RunningRace {
     if (out_.empty()) return;
     const std::string path = fmt::format("{}/{}", out_, results_file_name);
     if (failed_write_.empty()) {
-      const std::string error = write_file(path, json_of(held_->race, held_->skipped));
+      const std::string error = write_file(path, [&](const TextSink& sink) {
+        write_json({&held_->race, 1}, held_->skipped, sink);
+      });
       if (!error.empty()) failed_write_ = fmt::format("{}: error: {}", path, error);
     }
     folder_.reset();
@@ -208,7 +210,8 @@ nb::dict compare(const HeldRace& held, const std::string& mouse, const std::stri
 
 /// How many contests are new in the target.
 std::int64_t merge(const std::vector<std::string>& paths, const std::string& target) {
-  const Merge merged = merge_stores(paths, target);
+  // A race over a cluster merges each group of contests into the store that it opened, and so checked, before.
+  const Merge merged = merge_stores(paths, target, TargetCheck::done_before);
   if (!merged.error.empty()) throw UserError(merged.error);
   if (!merged.conflicts.empty()) throw UserError(fmt::format("{}", fmt::join(merged.conflicts, "\n")));
   return merged.added;

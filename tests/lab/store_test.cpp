@@ -687,6 +687,64 @@ TEST_F(AStore, IsNoOtherFile) {
   EXPECT_EQ(Store(path("empty.db")).finish(), "");
 }
 
+TEST_F(AStore, HasNothingInItsSchemaThatIsNotOfLabmouse) {
+  const std::vector<std::pair<std::string, std::string>> foreign = {
+      {"CREATE TRIGGER t AFTER INSERT ON contests BEGIN DELETE FROM mice; END", "trigger t"},
+      {"CREATE VIEW v AS SELECT * FROM contests", "view v"},
+      {"CREATE TABLE other (x)", "table other"},
+      {"CREATE INDEX i ON mice (name)", "index i"},
+      {"DROP VIEW results; CREATE VIEW results AS SELECT 1 AS id", "view results"},
+      {"DROP VIEW pairs", "view pairs"}};
+  for (const auto& [change, name] : foreign) {
+    race("flood", {test::loop()}, test::in_steps(), "whole.db");
+    fs::copy_file(path("whole.db"), path(), fs::copy_options::overwrite_existing);
+    Database(path(), Access::write).run(change);
+    EXPECT_THAT(Store(path()).finish(), Says("results.db", name));
+    EXPECT_THAT(stored_mice(path(), {}).error, Says("results.db", name));
+    EXPECT_THAT(verify_store(path(), {}, {}).error, Says("results.db", name));
+    EXPECT_THAT(forget(path(), {}).error, Says("results.db", name));
+    EXPECT_THAT(merge_stores({path("whole.db")}, path()).error, Says("results.db", name));
+    EXPECT_THAT(merge_stores({path()}, path("whole.db")).error, Says("results.db", name));
+  }
+}
+
+TEST_F(AStore, MayHaveStatisticsOfSqlite) {
+  race("flood", {test::loop()});
+  Database(path(), Access::write).run("ANALYZE");
+  EXPECT_EQ(Store(path()).finish(), "");
+  EXPECT_EQ(number("SELECT count(*) FROM sqlite_master WHERE name = 'sqlite_stat1'"), 1);
+}
+
+TEST_F(AStore, RunsNothingThatItsFileSays) {
+  {
+    Database database(path(), Access::create);
+    database.run("CREATE TABLE a (x); CREATE TABLE b (x)");
+    database.run("CREATE TRIGGER t AFTER INSERT ON a BEGIN INSERT INTO b VALUES (1); END");
+  }
+  Database database(path(), Access::write);
+  EXPECT_EQ(database.number("PRAGMA trusted_schema"), 0);
+  database.run("INSERT INTO a VALUES (1)");
+  EXPECT_EQ(database.number("SELECT count(*) FROM b"), 0);
+  database.run("PRAGMA writable_schema = ON; DELETE FROM sqlite_master");
+  EXPECT_NE(database.error(), "");
+}
+
+TEST_F(AStore, IsCheckedBeforeARaceGoesOn) {
+  constexpr std::size_t page = 4096, header = 100;
+  race(three_mice);
+  fs::copy_file(path(), path("holed.db"));
+  {
+    // The last page is of rows or of an index: what its header says is there no more.
+    std::fstream file(path("holed.db"), std::ios::in | std::ios::out | std::ios::binary);
+    file.seekp(static_cast<std::streamoff>(fs::file_size(path()) - page + header));
+    file << std::string(page - header, '\0');
+  }
+  EXPECT_THAT(Store(path("holed.db")).finish(), Says("holed.db", "damaged"));
+  EXPECT_THAT(merge_stores({path()}, path("holed.db")).error, Says("holed.db", "damaged"));
+  EXPECT_THAT(merge_stores({path("holed.db")}, path()).error, Says("holed.db", "damaged"));
+  EXPECT_THAT(forget(path("holed.db"), {}).error, Says("holed.db", "damaged"));
+}
+
 TEST_F(AStore, SaysThatItIsDamaged) {
   race(three_mice);
   const auto whole = fs::file_size(path());

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <thread>
 
+#include "labmouse/lab/system/calls.hpp"
 #include "labmouse/lab/system/file_problems.hpp"
 
 namespace labmouse {
@@ -48,6 +49,18 @@ std::string words_of(int code, int error_number, bool writes, const char* messag
   }
 }
 
+/// Why a file cannot be written or made, by asking the system. SQLite tries once more to open it for reading, so the
+/// error number that it leaves tells of that, such as that the file is not there.
+int why_unwritable(const std::string& path, int error_number) {
+  namespace fs = std::filesystem;
+  std::error_code unknown;
+  const fs::path parent = fs::path(path).parent_path(), folder = parent.empty() ? fs::path(".") : parent;
+  if (!fs::is_directory(folder, unknown)) return error_number;
+  int reason = fs::exists(path, unknown) ? writable_error(path) : 0;
+  if (reason == 0) reason = writable_error(folder.string());
+  return reason != 0 ? reason : error_number;
+}
+
 /// A path as SQLite takes one in an address: read-only, and without files beside it.
 std::string unchanging_address(const std::string& path) {
   std::string address = "file:";
@@ -55,6 +68,14 @@ std::string unchanging_address(const std::string& path) {
     address +=
         letter == '%' || letter == '?' || letter == '#' ? fmt::format("%{:02x}", letter) : std::string(1, letter);
   return address + "?immutable=1";
+}
+
+/// A file may come from somebody else: what its schema says starts nothing that could change more than its rows, and
+/// no statement can reach the schema's own table.
+void distrust(sqlite3* database) {
+  sqlite3_db_config(database, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
+  sqlite3_db_config(database, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
+  sqlite3_db_config(database, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
 }
 
 }  // namespace
@@ -71,6 +92,7 @@ Database::Database(const std::string& path, Access access) : path_(path), writes
     sqlite3* opened = nullptr;
     const int code = sqlite3_open_v2(name.c_str(), &opened, flags | more, nullptr);
     database_.reset(opened);
+    if (code == SQLITE_OK) distrust(opened);
     if (code == SQLITE_OK) sqlite3_busy_timeout(opened, patience_ms);
     return code == SQLITE_OK ? sqlite3_exec(opened, "SELECT count(*) FROM sqlite_master", nullptr, nullptr, nullptr)
                              : code;
@@ -83,7 +105,7 @@ Database::Database(const std::string& path, Access access) : path_(path), writes
       std::filesystem::exists(path, unknown) && !std::filesystem::exists(path + "-wal", unknown))
     code = open(unchanging_address(path), SQLITE_OPEN_URI);
   if (check(code) && writes_ && sqlite3_db_readonly(database_.get(), "main") == 1)
-    fail(words_of(SQLITE_READONLY, access == Access::read ? 0 : EACCES, true, ""));
+    fail(words_of(SQLITE_READONLY, why_unwritable(path, EACCES), true, ""));
 }
 
 void Database::fail(const std::string& error) {
@@ -92,7 +114,9 @@ void Database::fail(const std::string& error) {
 
 bool Database::check(int code) {
   if (code == SQLITE_OK || code == SQLITE_ROW || code == SQLITE_DONE) return good();
-  const int error_number = database_ ? sqlite3_system_errno(database_.get()) : 0;
+  int error_number = database_ ? sqlite3_system_errno(database_.get()) : 0;
+  if (writes_ && (primary(code) == SQLITE_CANTOPEN || primary(code) == SQLITE_READONLY))
+    error_number = why_unwritable(path_, error_number);
   fail(words_of(code, error_number, writes_, database_ ? sqlite3_errmsg(database_.get()) : sqlite3_errstr(code)));
   return false;
 }

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <filesystem>
+#include <map>
 
 #include "labmouse/lab/text/printable.hpp"
 
@@ -120,20 +121,62 @@ std::string refuse(const std::string& path, Database::Access access) {
   return "";
 }
 
+/// What is in the schema of a database: "trigger x", with the text that made it.
+std::map<std::string, std::string> objects_of(Database& database) {
+  std::map<std::string, std::string> objects;
+  Statement rows =
+      database.prepare("SELECT type || ' ' || name, tbl_name || char(10) || ifnull(sql, '') FROM sqlite_master");
+  while (rows.next()) objects[rows.text(0)] = rows.text(1);
+  return objects;
+}
+
+/// What a store of that version has.
+std::map<std::string, std::string> expected_objects(std::span<const char* const> steps, std::size_t version) {
+  Database model(":memory:", Database::Access::create);
+  for (std::size_t i = 0; i < version; ++i) model.run(steps[i]);
+  return objects_of(model);
+}
+
+/// The tables that SQLite itself adds where a user lets it ANALYZE the rows.
+bool is_statistics(const std::string& name, const std::string& text) {
+  return (name == "table sqlite_stat1" && text == "sqlite_stat1\nCREATE TABLE sqlite_stat1(tbl,idx,stat)") ||
+         (name == "table sqlite_stat4" &&
+          text == "sqlite_stat4\nCREATE TABLE sqlite_stat4(tbl,idx,neq,nlt,ndlt,sample)");
+}
+
+/// The first thing in the schema of a store that its version does not have, or has otherwise; empty where there is
+/// none. Views and triggers of somebody else would run when the store is read or written.
+std::string foreign_object(Database& database, std::span<const char* const> steps, std::size_t version) {
+  const auto found = objects_of(database), expected = expected_objects(steps, version);
+  for (const auto& [name, text] : found) {
+    const auto same = expected.find(name);
+    if (is_statistics(name, text)) continue;
+    if (same == expected.end()) return fmt::format("has the {}, which labmouse did not make", name);
+    if (same->second != text) return fmt::format("has a {} that labmouse did not make so", name);
+  }
+  for (const auto& [name, text] : expected)
+    if (!found.contains(name)) return fmt::format("lacks the {}", name);
+  return "";
+}
+
 /// Why what the file holds is no store of a version that this program knows; empty where it is one, or nothing at all.
-std::string refuse(Database& database, std::size_t newest) {
+std::string refuse(Database& database, std::span<const char* const> steps) {
   // All of the same moment: another program may just be making the store.
   database.run("BEGIN");
   const std::int64_t kind = database.number("PRAGMA application_id");
   const std::int64_t version = database.number("PRAGMA user_version");
   const std::int64_t tables = database.number("SELECT count(*) FROM sqlite_master");
+  const auto newest = static_cast<std::int64_t>(steps.size());
+  const std::string foreign = kind == application && version >= 0 && version <= newest
+                                  ? foreign_object(database, steps, static_cast<std::size_t>(version))
+                                  : "";
   database.run("COMMIT");
   if (kind != application && (kind != 0 || version != 0 || tables > 0))
     return "is a database, but no store of labmouse";
-  if (version > static_cast<std::int64_t>(newest))
+  if (version > newest)
     return fmt::format("was written by a later labmouse: its version is {}, and this program knows up to {}", version,
                        newest);
-  return "";
+  return foreign.empty() ? "" : foreign + "; the file is not used: mend it with sqlite3, if you trust it";
 }
 
 /// Takes the steps that are missing, in one transaction.
@@ -164,7 +207,7 @@ Database open_store(const std::string& path, Database::Access access, std::span<
   }
   Database database(path, access);
   if (database.good())
-    if (const std::string reason = refuse(database, steps.size()); !reason.empty()) database.fail(reason);
+    if (const std::string reason = refuse(database, steps); !reason.empty()) database.fail(reason);
   const auto version = database.number("PRAGMA user_version");
   if (access != Database::Access::read) {
     // A committed contest is on the disk, whatever happens to the power.
@@ -177,6 +220,14 @@ Database open_store(const std::string& path, Database::Access access, std::span<
                                : fmt::format("is of version {}; a race with --store {} brings it to {}", version, path,
                                              steps.size()));
   }
+  return database;
+}
+
+Database open_checked_store(const std::string& path, Database::Access access) {
+  Database database = open_store(path, access);
+  Statement check = database.prepare("PRAGMA quick_check(1)");
+  while (check.next())
+    if (const std::string found = check.text(0); found != "ok") database.fail("is damaged: " + found);
   return database;
 }
 

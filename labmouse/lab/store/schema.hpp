@@ -16,9 +16,14 @@ std::span<const char* const> migrations();
 inline int schema_version(std::span<const char* const> steps = migrations()) { return static_cast<int>(steps.size()); }
 
 /// Opens a store, in its present version: one that is to be written is brought there, all or nothing. The database has
-/// an error where there is no store, or one that this program cannot read.
+/// an error where there is no store, or one that this program cannot read, or one with tables, views or triggers that
+/// labmouse has not made.
 Database open_store(const std::string& path, Database::Access access,
                     std::span<const char* const> steps = migrations());
+
+/// The same after a quick look at all pages of the file, but not at what its indices say: for what adds to a store or
+/// takes from it. It takes 0.8 s of processor time for 1,000,000 contests.
+Database open_checked_store(const std::string& path, Database::Access access);
 
 /// Opens a store to read what it holds, after a look at the file as a whole: a damaged page may pass for one without
 /// rows, and a store with it for one that holds less. It takes 0.2 s of processor time for 170,000 contests.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <map>
+#include <new>
 #include <tuple>
 
 #include "labmouse/lab/store/schema.hpp"
@@ -118,7 +119,7 @@ class Writing {
 
 Store::Store(const std::string& path, Database::Access access)
     : path_(path),
-      writing_(open_store(path, access)),
+      writing_(open_checked_store(path, access)),
       reading_(open_store(writing_.good() ? path : "", Database::Access::read)) {
   failed_ = !writing_.good() || !reading_.good();
   if (!failed_) writer_ = std::thread([this] { write_batches(); });
@@ -186,11 +187,22 @@ void Store::write_batches() {
     lock.unlock();
     // Not more at once, so that a disk that is full keeps what fitted.
     for (std::size_t begin = 0; begin < rows.size() && !failed_; begin += full_batch)
-      write(std::span(rows).subspan(begin, std::min(full_batch, rows.size() - begin)));
+      write_or_fail(std::span(rows).subspan(begin, std::min(full_batch, rows.size() - begin)));
     rows.clear();
     lock.lock();
     writing_now_ = false;
     done_.notify_all();
+  }
+}
+
+/// An exception would end the program from this thread.
+void Store::write_or_fail(std::span<const ContestRow> rows) {
+  try {
+    write(rows);
+  } catch (const std::bad_alloc&) {
+    writing_.roll_back();
+    writing_.fail("cannot be written: out of memory");
+    failed_ = true;
   }
 }
 

@@ -41,6 +41,7 @@ class Store final : public ContestStore {
 
  private:
   void write_batches();
+  void write_or_fail(std::span<const ContestRow> rows);
   void write(std::span<const ContestRow> rows);
 
   std::string path_;

@@ -28,7 +28,7 @@ void add_to(const std::string& target, Database::Access access, const std::vecto
     Merging merging(ours);
     for (const std::string& path : paths) {
       if (!merge.good() || !ours.good()) break;
-      Database theirs = open_store(path, Database::Access::read);
+      Database theirs = open_checked_store(path, Database::Access::read);
       merging.add(theirs, called.empty() ? path : called, merge);
       merge.error = error_line(path, theirs.error());
     }
@@ -139,13 +139,16 @@ class FileBeside {
 
 }  // namespace
 
-Merge merge_stores(const std::vector<std::string>& paths, const std::string& target) {
+Merge merge_stores(const std::vector<std::string>& paths, const std::string& target, TargetCheck check) {
   Merge merge;
+  std::error_code unknown;
+  if (check == TargetCheck::now && fs::exists(target, unknown))
+    merge.error = error_line(target, open_checked_store(target, Database::Access::read).error());
+  if (!merge.good()) return merge;
   for (const std::string& path : paths)
     if (merge.error = refuse(path, target); !merge.error.empty()) return merge;
   const FileBeside beside(target);
   if (merge.error = error_line(target, beside.error()); !merge.error.empty()) return merge;
-  std::error_code unknown;
   if (fs::exists(target, unknown)) {
     add_to(target, Database::Access::write, paths, "", merge);
     return as_it_ended(std::move(merge));
@@ -160,7 +163,7 @@ Merge merge_stores(const std::vector<std::string>& paths, const std::string& tar
 
 Forgotten forget(const std::string& path, const StoreFilter& filter) {
   Forgotten forgotten;
-  Database database = open_store(path, Database::Access::write);
+  Database database = open_checked_store(path, Database::Access::write);
   database.run("BEGIN IMMEDIATE");
   database.run("CREATE TEMP TABLE gone AS SELECT id FROM results" + condition_of(filter));
   database.run("DELETE FROM timings WHERE contest IN (SELECT id FROM gone)");
