@@ -195,7 +195,7 @@ void add_lineup(Command& app, int& exit) {
   command->require_subcommand();
   auto options = std::make_shared<CheckOptions>();
   Command* check_command =
-      command->add_subcommand("check", "Start each mouse of a lineup twice in a small maze, and say what is wrong");
+      command->add_subcommand("check", "Run the commands of a lineup: each mouse twice in a small maze, and say what is wrong");
   check_command->add_option("file", options->file, "The lineup")->required()->type_name("FILE");
   add_python(*check_command, options->guests);
   add_guest_options(*check_command, options->guests);

@@ -8,6 +8,7 @@
 #include "command.hpp"
 #include "contests.hpp"
 #include "guests.hpp"
+#include "labmouse/guests/sandbox.hpp"
 #include "labmouse/lab/standings/race_json.hpp"
 #include "labmouse/lab/standings/race_table.hpp"
 #include "labmouse/lab/store/store_changes.hpp"
@@ -28,6 +29,7 @@ struct StoreOptions {
   std::vector<std::string> parts;
   std::string target;
   VerificationOrder verification;
+  bool run_programs = false;
 };
 
 /// One of the commands of a store, with its file and what picks contests.
@@ -107,9 +109,9 @@ ExitCode race_again(const StoreOptions& options) {
   if (options.format == "csv" && found.races.size() > 1)
     throw UsageError("error: --format csv can hold only one race; name its --world, or use --format json");
   std::string text;
-  if (options.format == "json") text = json_of(found.races, {});
+  if (options.format == "json") write_json(found.races, {}, print_part);
   for (const Race& race : found.races) {
-    if (options.format == "csv") text += csv_of(race);
+    if (options.format == "csv") write_csv(race, print_part);
     if (options.format == "table") text += (text.empty() ? "" : "\n") + table_of(race, colours());
   }
   print(text);
@@ -140,19 +142,43 @@ ExitCode merge(const StoreOptions& options) {
   return exit_good;
 }
 
+/// What became of picked contests that were not held again.
+std::string left_out(const Verification& found) {
+  std::string text;
+  if (found.impossible > 0)
+    text += fmt::format(" Of {} the mouse is not here: another build, another file, or taught by a study.",
+                        counted(found.impossible, "other", "others"));
+  if (found.not_run > 0)
+    text +=
+        fmt::format(" {} left out, because the store names a program for it; --run-programs runs it in a sandbox:\n",
+                    counted(found.not_run, "contest", "contests"));
+  for (const std::string& program : found.programs) text += "    " + shown(program) + "\n";
+  return text.ends_with('\n') ? text : text + "\n";
+}
+
 ExitCode verify(StoreOptions options) {
+  if (options.run_programs) {
+    if (options.verification.guests.sandbox == SandboxUse::never)
+      throw UsageError("error: store verify runs the programs of a store only in a sandbox; leave out --sandbox off");
+    if (const std::string reason = why_no_sandbox(); !reason.empty())
+      throw UsageError(
+          fmt::format("error: the programs of a store are only run in a sandbox, and this system has none ({}); leave "
+                      "out --run-programs",
+                      reason));
+    options.verification.may_run = [](const std::string& program) {
+      tell(fmt::format("runs in a sandbox: {}\n", shown(program)));
+      return true;
+    };
+  }
   const Interruptible interruptible;
   options.verification.stop = options.verification.guests.stop = &interruptible.stopped();
   const Verification found = verify_store(options.file, options.filter, options.verification);
   if (!found.error.empty()) throw UsageError(found.error);
   for (const std::string& remark : found.remarks) tell(remark + "\n");
   for (const std::string& difference : found.differences) print(difference + "\n");
-  std::string text = fmt::format("{} held again: {} equal, {} not.", counted(found.held, "contest", "contests"),
-                                 found.equal, found.differences.size());
-  if (found.impossible > 0)
-    text += fmt::format(" Of {} the mouse is not here: another build, another file, or taught by a study.",
-                        counted(found.impossible, "other", "others"));
-  print(text + "\n");
+  print(fmt::format("{} held again: {} equal, {} not.", counted(found.held, "contest", "contests"), found.equal,
+                    found.differences.size()) +
+        left_out(found));
   if (interruptible.stopped()) return exit_interrupted();
   return found.differences.empty() ? exit_good : exit_finding;
 }
@@ -211,6 +237,8 @@ void add_store(Command& app, int& exit) {
   verify_command->add_option("--jobs", options->verification.jobs, "Number of threads; 0 uses all processors")
       ->check(in_range(0, 1024))
       ->capture_default_str();
+  verify_command->add_flag("--run-programs", options->run_programs,
+                           "Run the commands of external mice that the store names, too, in a sandbox");
   add_python(*verify_command, options->verification.guests);
   add_guest_options(*verify_command, options->verification.guests);
   verify_command->callback([options, &exit] { exit = verify(*options); });

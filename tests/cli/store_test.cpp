@@ -240,6 +240,52 @@ TEST_F(AUserOfAStore, RacesAGuestAgainOnceItsFileIsAnother) {
   EXPECT_EQ(labmouse({"store", "verify", "g.db", "--share", "1"}).code, 0);
 }
 
+TEST_F(AUserOfAStore, RunsNoProgramOfAStoreUnasked) {
+  // Anybody can write a store that names `guest:sh -c ...`; this program leaves a trace where it is started.
+  const std::string trace = "open('started', 'w').close()\n";
+  file("mouse.py", trace + test::content_of(std::filesystem::path(LABMOUSE_SOURCE_DIR) / "templates/guest.py"));
+  const std::string spec = "guest:python3 mouse.py";
+  labmouse({"race", "--mice", spec, "--mazes", "corridor.txt", "--store", "g.db"});
+  ASSERT_TRUE(std::filesystem::remove(folder_ / "started"));
+  const Ended unasked = labmouse({"store", "verify", "g.db", "--share", "1"});
+  EXPECT_EQ(unasked.code, 0);
+  EXPECT_THAT(unasked.out, Says("0 contests", "1 contest", "--run-programs", spec));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "started"));
+  is_refused({"store", "verify", "g.db", "--share", "1", "--run-programs", "--sandbox", "off"}, "--sandbox off");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "started"));
+  const Ended asked = labmouse({"store", "verify", "g.db", "--share", "1", "--run-programs"});
+  EXPECT_EQ(std::filesystem::exists(folder_ / "started"), asked.code == 0) << asked.err;
+  if (asked.code == 2) GTEST_SKIP() << "this system has no sandboxes: " << asked.err;
+  EXPECT_THAT(asked.err, HasSubstr(spec));
+  EXPECT_THAT(asked.out, Says("1 contest", "1 equal"));
+}
+
+TEST_F(AUserOfAStore, RunsNoProgramThatIsHiddenInASpec) {
+  file("mouse.sh", "touch started\n");
+  file("mice.toml", "[[mouse]]\nname = \"m\"\nguest = \"sh mouse.sh\"\n");
+  labmouse({"race", "--mice", "guest:sh mouse.sh", "--mazes", "corridor.txt", "--store", "g.db"});
+  ASSERT_TRUE(std::filesystem::remove(folder_ / "started"));
+  for (const char* spec : {"lineup:mice.toml", "X=guest:sh mouse.sh", "X=lineup:mice.toml"}) {
+    shell("sqlite3 g.db \"UPDATE mice SET spec = '" + std::string(spec) + "'\"");
+    const Ended ended = labmouse({"store", "verify", "g.db", "--share", "1"});
+    EXPECT_THAT(ended.out, Says("0 contests", "1 other")) << spec << ended.err;
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "started")) << spec;
+  }
+}
+
+TEST_F(AUserOfAStore, IsToldThatAFileSystemIsReadOnly) {
+  std::filesystem::create_directory(folder_ / "disk");
+  labmouse({"race", "--mice", "flood", "--mazes", "corridor.txt", "--store", "disk/old.db"});
+  const std::string on_it = "unshare -rm sh -c 'mount --bind disk disk && mount -o remount,bind,ro disk && ";
+  if (shell(on_it + "! touch disk/x'").code != 0) GTEST_SKIP() << "this user may not mount a folder read-only";
+  for (const char* store : {"new.db", "old.db"}) {
+    const Ended ended =
+        shell(on_it + "'\"'" LABMOUSE_PROGRAM "' race --mice certify --mazes corridor.txt --store disk/" + store + '"');
+    EXPECT_EQ(ended.code, 2);
+    EXPECT_THAT(ended.err, Says(std::string("disk/") + store + ": error: ", "read-only"));
+  }
+}
+
 TEST_F(AUserOfAStore, ReadsItWithSqlite) {
   labmouse({"race", "--mice", "flood,random", "--mazes", "corridor.txt", "--store", "a.db"});
   EXPECT_EQ(shell("sqlite3 a.db 'SELECT mouse, contests FROM standings ORDER BY mouse'").out, "flood|1\nrandom|20\n");

@@ -107,6 +107,14 @@ TEST_F(ALineup, IsToldWhatIsWrongWithItWithThePlaces) {
                                          test::SaysAt(file + ":8:1", " error: ", "'c'", "capstone = \"...\"")));
 }
 
+TEST_F(ALineup, HasNoPlaceForWhatIsWrongWithAllOfIt) {
+  const std::string spec = lineup("# " + std::string(70'000, '.') + "\n");
+  const SpecResult read = read_specs(spec);
+  const std::string file = spec.substr(spec.find(':') + 1);
+  EXPECT_THAT(read.problems, ElementsAre(test::SaysAt(file, " error: ", "too large")));
+  EXPECT_THAT(read.error, test::SaysAt("lineup " + file, "too large"));
+}
+
 TEST_F(ALineup, SharesNamesWithNoOther) {
   // Their SPECs are the same, but each is started in its own folder.
   const std::string text = "[[mouse]]\nname = \"team\"\nguest = \"./mouse\"\n";
@@ -151,6 +159,17 @@ TEST_F(ALineup, HasMiceThatCanBeSwept) {
                             "stride", values)
                   .error,
               Says("2 mice", "exactly one"));
+}
+
+TEST(ReadRosterSpecs, StartsNothingAndOpensNoLineup) {
+  EXPECT_THAT(read_roster_specs("X=flood:stride=1,certify").contestants, SizeIs(2));
+  for (const char* spec : {"guest:sh", "X=guest:sh", "flood,guest:sh", "capstone:robot.py", "mms:sh", "pilot:sh",
+                           "lineup:mice.toml", "flood,lineup:mice.toml"}) {
+    const SpecResult read = read_roster_specs(spec);
+    EXPECT_NE(read.error, "") << spec;
+    EXPECT_THAT(read.contestants, SizeIs(0)) << spec;
+  }
+  EXPECT_THAT(read_roster_specs("ariadne:prior=/dev/null").error, Says("/dev/null", "device")) << "could be a pipe";
 }
 
 }  // namespace

@@ -106,9 +106,11 @@ SpecResult read_mouse_of_lineup(const LineupMouse& mouse, const std::string& fol
 
 /// Notes what is wrong with a lineup, and where.
 void complain(const std::string& path, const Problem& problem, SpecResult& result) {
-  if (result.error.empty())
-    result.error = fmt::format("lineup {}:{}:{}: {}", path, problem.line, problem.column, problem.reason);
-  result.problems.push_back(fmt::format("{}:{}:{}: error: {}", path, problem.line, problem.column, problem.reason));
+  // What is wrong with the file as a whole has no place in it.
+  const std::string place =
+      problem.line > 0 ? fmt::format("{}:{}:{}", path, problem.line, problem.column) : std::string(path);
+  if (result.error.empty()) result.error = fmt::format("lineup {}: {}", place, problem.reason);
+  result.problems.push_back(fmt::format("{}: error: {}", place, problem.reason));
 }
 
 }  // namespace

@@ -84,15 +84,19 @@ std::string hint_for(const Parameter& parameter, std::string_view value) {
   return near.empty() ? "note that ':' and ',' end a path here" : fmt::format("did you mean '{}'?", near);
 }
 
+/// How the files of a SPEC are read. One that the user wrote may name a pipe; one of a file may not, since nobody may
+/// write there.
+using ReadFile = FileContent (*)(const std::string& path, std::size_t most_bytes);
+
 /// Attaches the prior of a file, or none where the value is a choice; returns what is wrong with it, or nothing.
-std::string attach_prior(const Parameter& parameter, const std::string& value, Settings& settings) {
+std::string attach_prior(const Parameter& parameter, const std::string& value, ReadFile read_it, Settings& settings) {
   const auto choices = choices_of(parameter);
   settings.attach(nullptr);
   if (std::find(choices.begin(), choices.end(), value) != choices.end()) return "";
   // What is accepted here is printed as part of the mouse's name.
   if (shown(value) != value)
     return fmt::format("the name of prior file '{}' contains unprintable characters", shown(value));
-  const FileContent file = read_file(value);
+  const FileContent file = read_it(value, std::size_t{1} << 20U);
   if (!file.error.empty()) return fmt::format("prior file {}: {}; {}", value, file.error, hint_for(parameter, value));
   const ReadPriorResult read = read_prior(file.content);
   if (!read.prior) {
@@ -105,7 +109,7 @@ std::string attach_prior(const Parameter& parameter, const std::string& value, S
 }
 
 /// Applies one `key=value`; returns what is wrong with it, or nothing.
-std::string apply(const RosterEntry& entry, std::string_view assignment, Settings& settings) {
+std::string apply(const RosterEntry& entry, std::string_view assignment, ReadFile read, Settings& settings) {
   const auto equals = assignment.find('=');
   if (equals == std::string_view::npos)
     return fmt::format("'{}' of mouse '{}' is not of the form key=value", assignment, entry.name);
@@ -116,11 +120,11 @@ std::string apply(const RosterEntry& entry, std::string_view assignment, Setting
   if (const auto reason = check_value(*parameter, value); !reason.empty())
     return fmt::format("value '{}' of parameter '{}' of mouse '{}' {}", value, key, entry.name, reason);
   settings.set(key, canonical_value(*parameter, value));
-  return parameter->type == ParameterType::prior ? attach_prior(*parameter, std::string(value), settings) : "";
+  return parameter->type == ParameterType::prior ? attach_prior(*parameter, std::string(value), read, settings) : "";
 }
 
 /// Reads one mouse into the list; returns what is wrong with it, or nothing.
-std::string read_spec(std::string_view spec, std::vector<Contestant>& contestants) {
+std::string read_spec(std::string_view spec, ReadFile read, std::vector<Contestant>& contestants) {
   const auto colon = spec.find(':');
   const auto name = spec.substr(0, colon);
   if (name.empty()) return "a mouse has no name; write name[:key=value]..., separated by commas";
@@ -137,7 +141,7 @@ std::string read_spec(std::string_view spec, std::vector<Contestant>& contestant
   for (bool more = colon != std::string_view::npos; more;) {
     const auto next = rest.find(':');
     const auto assignment = rest.substr(0, next);
-    if (auto error = apply(*entry, assignment, settings); !error.empty()) return error;
+    if (auto error = apply(*entry, assignment, read, settings); !error.empty()) return error;
     keys.push_back(assignment.substr(0, assignment.find('=')));
     if (std::count(keys.begin(), keys.end(), keys.back()) > 1)
       return fmt::format("parameter '{}' of mouse '{}' is given twice", keys.back(), entry->name);
@@ -171,18 +175,25 @@ SpecResult read_guest_variant(std::string_view spec, const Setting& setting, con
 
 /// As a lineup needs it.
 std::string read_own(std::string_view spec, const Setting* value, std::vector<Contestant>& mice) {
-  if (auto error = read_spec(spec, mice); !error.empty() || value == nullptr) return error;
+  if (auto error = read_spec(spec, read_file, mice); !error.empty() || value == nullptr) return error;
   SpecResult variant = read_variant(mice.back(), {value, 1});
   if (variant.error.empty()) mice.back() = std::move(variant.contestants.front());
   return variant.error;
 }
 
+/// Which SPECs are read: those that start programs or open lineups, too, or only mice of the roster.
+enum class Origin { of_the_user, of_a_file };
+
 /// Reads the mice of one text into the result; on failure sets its error.
-void read_into(std::string_view text, const GuestOptions& options, SpecResult& result) {
+void read_into(std::string_view text, Origin origin, const GuestOptions& options, SpecResult& result) {
   for (bool more = true; more && result.error.empty();) {
     const auto [name, spec] = named_spec(text);
     if (shown(name) != name) {
       result.error = fmt::format("the name '{}' contains unprintable characters", shown(name));
+      return;
+    }
+    if (origin == Origin::of_a_file && (is_guest_spec(spec) || is_lineup_spec(spec))) {
+      result.error = fmt::format("'{}' is no built-in mouse; a SPEC in a file starts no program", shown(spec));
       return;
     }
     if (is_lineup_spec(spec) && !name.empty()) {
@@ -194,7 +205,8 @@ void read_into(std::string_view text, const GuestOptions& options, SpecResult& r
     if (is_guest_spec(spec))
       read_guest_spec(spec, options, result);
     else
-      result.error = read_spec(spec.substr(0, comma), result.contestants);
+      result.error = read_spec(spec.substr(0, comma), origin == Origin::of_a_file ? read_found_file : read_file,
+                               result.contestants);
     if (!result.error.empty()) return;
     if (!name.empty()) rename(result.contestants.back(), std::string(name));
     more = comma != std::string_view::npos;
@@ -257,13 +269,26 @@ std::string unknown_mouse(std::string_view name) {
   return fmt::format("unknown mouse '{}'; {}`labmouse mice` lists all mice", name, hint);
 }
 
-SpecResult read_specs(std::span<const std::string> texts, const GuestOptions& options) {
+namespace {
+
+SpecResult read_texts(std::span<const std::string> texts, Origin origin, const GuestOptions& options) {
   SpecResult result;
   for (const std::string& text : texts)
-    if (result.error.empty()) read_into(text, options, result);
+    if (result.error.empty()) read_into(text, origin, options, result);
   if (result.error.empty()) result.error = drop_repetitions_or_refuse(result.contestants);
   if (!result.error.empty()) result.contestants.clear();
   return result;
+}
+
+}  // namespace
+
+SpecResult read_specs(std::span<const std::string> texts, const GuestOptions& options) {
+  return read_texts(texts, Origin::of_the_user, options);
+}
+
+SpecResult read_roster_specs(std::string_view text) {
+  const std::string whole(text);
+  return read_texts({&whole, 1}, Origin::of_a_file, {});
 }
 
 SpecResult read_specs(std::string_view text, const GuestOptions& options) {
@@ -299,7 +324,7 @@ SpecResult read_variant(const Contestant& mouse, std::span<const Setting> values
                                    : fmt::format("guest '{}' has no parameters", mouse.name));
   Settings settings = mouse.settings;
   for (const Setting& value : values)
-    if (auto error = apply(*entry, fmt::format("{}={}", value.name, value.value), settings); !error.empty())
+    if (auto error = apply(*entry, fmt::format("{}={}", value.name, value.value), read_file, settings); !error.empty())
       return refused(error);
   return {{contestant_of(*entry, std::move(settings))}, ""};
 }

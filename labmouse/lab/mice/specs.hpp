@@ -18,6 +18,10 @@ SpecResult read_specs(std::string_view text, const GuestOptions& options = {});
 /// The same of several texts.
 SpecResult read_specs(std::span<const std::string> texts, const GuestOptions& options = {});
 
+/// Reads a SPEC that comes from a file, which somebody else may have written: only mice of the roster. External mice
+/// and lineups are refused before anything is looked up or started, and priors are read from regular files alone.
+SpecResult read_roster_specs(std::string_view text);
+
 /// The line of a mouse on the roster; null for a guest and for the oracle.
 const RosterEntry* entry_of(const Contestant& mouse);
 

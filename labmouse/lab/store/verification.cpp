@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <mutex>
+#include <optional>
 
 #include "labmouse/chance/dice.hpp"
+#include "labmouse/lab/mice/guest_specs.hpp"
 #include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/store/contest_key.hpp"
 #include "labmouse/lab/store/figures.hpp"
@@ -15,19 +18,58 @@
 namespace labmouse {
 namespace {
 
-/// Puts the mice of the race in the place of their descriptions; false for those that are not here.
-std::vector<bool> revive(Race& race, const GuestOptions& guests) {
-  std::vector<bool> here;
-  for (Contestant& mouse : race.mice) {
-    SpecResult read = read_specs(spec_of(mouse), guests);
-    const bool same = read.contestants.size() == 1 && race.world().refuse(read.contestants.front()).empty() &&
-                      key_of(race.world(), read.contestants.front()) == mouse.identity();
-    here.push_back(same);
-    if (!same) continue;
-    rename(read.contestants.front(), mouse.name);
-    mouse = std::move(read.contestants.front());
+enum class Presence { here, elsewhere, not_to_be_run };
+
+/// Asks for each program once whether it may be run, and notes those that may not.
+class Permissions {
+ public:
+  Permissions(const VerificationOrder& order, Verification& found) : order_(order), found_(found) {}
+
+  bool may_run(const std::string& spec) {
+    const auto [place, is_new] = answers_.try_emplace(spec, false);
+    if (is_new) {
+      place->second = order_.may_run && order_.may_run(spec);
+      if (!place->second) found_.programs.push_back(spec);
+    }
+    return place->second;
   }
-  return here;
+
+ private:
+  const VerificationOrder& order_;
+  Verification& found_;
+  std::map<std::string, bool> answers_;
+};
+
+/// Puts a mouse in the place of its description in the store.
+Presence revive(const World& world, Contestant& mouse, const VerificationOrder& order, Permissions& permissions) {
+  const std::string spec = spec_of(mouse);
+  if (is_guest_spec(spec) && !permissions.may_run(spec)) return Presence::not_to_be_run;
+  GuestOptions guests = order.guests;
+  guests.sandbox = SandboxUse::always;
+  SpecResult read = is_guest_spec(spec) ? read_specs(spec, guests) : read_roster_specs(spec);
+  const bool same = read.contestants.size() == 1 && world.refuse(read.contestants.front()).empty() &&
+                    key_of(world, read.contestants.front()) == mouse.identity();
+  if (!same) return Presence::elsewhere;
+  rename(read.contestants.front(), mouse.name);
+  mouse = std::move(read.contestants.front());
+  return Presence::here;
+}
+
+/// The contests of a race that are picked and can be held again; the others are counted.
+std::vector<const ContestResult*> pick(Race& race, Dice& dice, const VerificationOrder& order, Permissions& permissions,
+                                       Verification& found) {
+  std::vector<const ContestResult*> picked;
+  std::vector<std::optional<Presence>> presence(race.mice.size());
+  constexpr int of = 1'000'000;
+  for (const ContestResult& contest : race.results) {
+    if (!dice.chance(static_cast<int>(order.share * of), of)) continue;
+    std::optional<Presence>& mouse = presence[contest.mouse];
+    if (!mouse) mouse = revive(race.world(), race.mice[contest.mouse], order, permissions);
+    if (mouse == Presence::here) picked.push_back(&contest);
+    found.impossible += mouse == Presence::elsewhere ? 1 : 0;
+    found.not_run += mouse == Presence::not_to_be_run ? 1 : 0;
+  }
+  return picked;
 }
 
 /// All of a result but its timings, as text.
@@ -51,18 +93,10 @@ Verification verify_store(const std::string& path, const StoreFilter& filter, co
   found.remarks = std::move(stored.remarks);
   found.error = std::move(stored.error);
   Dice dice(order.seed);
+  Permissions permissions(order, found);
   std::mutex noting;
   for (Race& race : stored.races) {
-    const std::vector<bool> here = revive(race, order.guests);
-    std::vector<const ContestResult*> picked;
-    constexpr int of = 1'000'000;
-    for (const ContestResult& contest : race.results) {
-      if (!dice.chance(static_cast<int>(order.share * of), of)) continue;
-      if (here[contest.mouse])
-        picked.push_back(&contest);
-      else
-        ++found.impossible;
-    }
+    const std::vector<const ContestResult*> picked = pick(race, dice, order, permissions, found);
     for_each_parallel(picked.size(), order.jobs, [&](std::size_t i) {
       if (order.stop != nullptr && order.stop->load()) return;
       const ContestResult& kept = *picked[i];
