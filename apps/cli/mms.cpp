@@ -15,6 +15,7 @@
 #include "labmouse/lab/pictures/mms_picture.hpp"
 #include "labmouse/lab/records/mms_record.hpp"
 #include "labmouse/lab/text/printable.hpp"
+#include "records.hpp"
 
 namespace labmouse::cli {
 namespace {
@@ -27,10 +28,6 @@ struct MmsCommandOptions {
   double speed = 5.0;
 };
 
-std::string drawing_of(const Maze& maze, const MmsCanvas& canvas, const HalfPose& pose) {
-  return draw_text(as_in_mms(maze), mms_layers(canvas, pose), colours());
-}
-
 /// Draws the mouse after each move, each as long on the screen as it takes at that speed.
 class Watching {
  public:
@@ -42,7 +39,7 @@ class Watching {
     if (event.pose == pose_) return;
     pose_ = event.pose;
     const std::string reply = event.reply.empty() ? "" : fmt::format(" -> {}", event.reply);
-    frames_.show(fmt::format("{}{:>7.2f} s  {}  {}{}\n", drawing_of(maze_, host.canvas(), event.pose), event.clock,
+    frames_.show(fmt::format("{}{:>7.2f} s  {}  {}{}\n", mms_drawing_of(maze_, host.canvas(), event.pose), event.clock,
                              place_text(event.pose), shown(event.line), reply));
     if (frames_.moving()) pause(event.clock - clock_);
     clock_ = event.clock;
@@ -86,7 +83,7 @@ MmsRun host(const MmsCommandOptions& options, const NamedMaze& maze) {
     };
   MmsRun run = run_mms(*mouse.program, maze.maze, options.mms, listener);
   if (recorder) save(options.record, recorder->finish(run));
-  const std::string drawing = drawing_of(maze.maze, run.canvas, run.pose);
+  const std::string drawing = mms_drawing_of(maze.maze, run.canvas, run.pose);
   if (watching)
     watching->show_end(drawing);
   else

@@ -1,9 +1,15 @@
 // Records as the commands take them: from a file, and only if they could have happened.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
+#include "labmouse/lab/mazes/maze_files.hpp"
+#include "labmouse/lab/mms/mms_replay.hpp"
 #include "labmouse/lab/records/drive_record_file.hpp"
+#include "labmouse/lab/records/mms_record_file.hpp"
 #include "labmouse/lab/records/record_file.hpp"
 #include "options.hpp"
 
@@ -19,8 +25,21 @@ std::string load_record_text(const std::string& path);
 /// could not have happened: then nothing.
 std::optional<DriveRecordFile> load_drive_record(const std::string& path, const std::string& text);
 
-/// Throws UsageError where one of the options was given, which records in seconds do not take.
-void refuse_in_seconds(const Command& command, const std::vector<std::string>& options);
+/// A record of a program for mms, and what comes out where it is played again.
+struct MmsRecord {
+  MmsRecordFile file;
+  MmsReplay replay;
+
+  NamedMaze maze() const { return {file.maze_name, *file.maze}; }
+};
+/// The one in a file of that text; as load_drive_record.
+std::optional<MmsRecord> load_mms_record(const std::string& path, const std::string& text);
+
+/// The maze with what the mouse of mms drew on it, for the terminal.
+std::string mms_drawing_of(const Maze& maze, const MmsCanvas& canvas, const HalfPose& pose);
+
+/// Throws UsageError where one of the options was given, which records of that kind do not take.
+void refuse_options(const Command& command, const std::vector<std::string>& options, std::string_view kind);
 
 /// The record of a file's text, with the maze of that name or file, or its own where that is empty. Throws UsageError
 /// where there is no record or no maze.

@@ -5,6 +5,8 @@
 
 #include "command.hpp"
 #include "explain.hpp"
+#include "labmouse/lab/mms/mms_drawing.hpp"
+#include "labmouse/lab/mms/mms_summary.hpp"
 #include "labmouse/lab/pictures/drive_picture.hpp"
 #include "labmouse/lab/records/drive_story.hpp"
 #include "labmouse/lab/steps/steps_files.hpp"
@@ -28,7 +30,7 @@ struct ReplayOptions {
 };
 
 int replay_in_seconds(const ReplayOptions& options, const std::string& text) {
-  refuse_in_seconds(*options.command, {"--maze", "--watch", "--delay", "--candidates"});
+  refuse_options(*options.command, {"--maze", "--watch", "--delay", "--candidates"}, "a record in seconds");
   const auto file = load_drive_record(options.file, text);
   if (!file) return exit_finding;
   print(summary_of(*file));
@@ -37,10 +39,23 @@ int replay_in_seconds(const ReplayOptions& options, const std::string& text) {
   return exit_good;
 }
 
+int replay_in_mms(const ReplayOptions& options, const std::string& text) {
+  refuse_options(*options.command, {"--maze", "--watch", "--delay", "--explain", "--candidates"}, "a record of mms");
+  const auto record = load_mms_record(options.file, text);
+  if (!record) return exit_finding;
+  const MmsRun& run = record->replay.run;
+  print(mms_drawing_of(*record->file.maze, run.canvas, run.pose));
+  print(report_of(record->file.mouse, record->maze(), run));
+  if (!options.svg.empty())
+    save(options.svg, draw_mms_run(record->file.mouse, record->maze(), run, record->replay.walk));
+  return exit_good;
+}
+
 int replay_file(const ReplayOptions& options) {
-  expect_outputs({{"--svg", options.svg}});
+  expect_outputs({{"the record", options.file, Output::Kind::input}, {"--svg", options.svg}});
   const std::string text = load_record_text(options.file);
   if (is_drive_record(text)) return replay_in_seconds(options, text);
+  if (is_mms_record(text)) return replay_in_mms(options, text);
   RecordFile file = load_record(options.file, text, options.maze);
   if (!re_enact(options.file, file)) return exit_finding;
   if (options.watch)
@@ -58,10 +73,16 @@ int replay_file(const ReplayOptions& options) {
 int score_file(const ScoreOptions& options) {
   const std::string text = load_record_text(options.file);
   if (is_drive_record(text)) {
-    refuse_in_seconds(*options.command, {"--maze"});
+    refuse_options(*options.command, {"--maze"}, "a record in seconds");
     const auto file = load_drive_record(options.file, text);
     if (file) print(result_line(*file) + "\n");
     return file ? exit_good : exit_finding;
+  }
+  if (is_mms_record(text)) {
+    refuse_options(*options.command, {"--maze"}, "a record of mms");
+    const auto record = load_mms_record(options.file, text);
+    if (record) print(mms_score_line(record->file.mouse, record->maze(), record->replay.run));
+    return record ? exit_good : exit_finding;
   }
   RecordFile file = load_record(options.file, text, options.maze);
   if (!re_enact(options.file, file)) return exit_finding;

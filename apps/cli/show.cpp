@@ -7,6 +7,8 @@
 #include "command.hpp"
 #include "labmouse/lab/bounds/bounds.hpp"
 #include "labmouse/lab/drawing/drawing.hpp"
+#include "labmouse/lab/mms/mms_drawing.hpp"
+#include "labmouse/lab/mms/mms_summary.hpp"
 #include "labmouse/lab/pictures/drive_picture.hpp"
 #include "labmouse/lab/pictures/picture_layers.hpp"
 #include "labmouse/lab/steps/steps_files.hpp"
@@ -97,8 +99,27 @@ void drop_missing(const ShowOptions& options, const DrawingLayers& layers, Layer
                         : "no reasons; to keep them, use `labmouse run` with --explain and --record");
 }
 
+/// What only mazes and records in steps have.
+std::vector<std::string> options_in_steps() {
+  return {"--maze", "--layer", "--step", "--distances", "--no-route", "--no-coordinates"};
+}
+
+int show_in_mms(const ShowOptions& options, const std::string& text) {
+  refuse_options(*options.command, options_in_steps(), "a record of mms");
+  const auto record = load_mms_record(options.record, text);
+  if (!record) return exit_finding;
+  const MmsRun& run = record->replay.run;
+  if (!options.svg.empty()) {
+    save(options.svg, draw_mms_run(record->file.mouse, record->maze(), run, record->replay.walk));
+    return exit_good;
+  }
+  print(mms_drawing_of(*record->file.maze, run.canvas, run.pose));
+  print(mms_score_line(record->file.mouse, record->maze(), run));
+  return exit_good;
+}
+
 int show_in_seconds(const ShowOptions& options, const std::string& text) {
-  refuse_in_seconds(*options.command, {"--maze", "--layer", "--step", "--distances", "--no-route", "--no-coordinates"});
+  refuse_options(*options.command, options_in_steps(), "a record in seconds");
   const auto file = load_drive_record(options.record, text);
   if (!file) return exit_finding;
   if (options.svg.empty())
@@ -110,6 +131,7 @@ int show_in_seconds(const ShowOptions& options, const std::string& text) {
 int show_record(const ShowOptions& options) {
   const std::string text = load_record_text(options.record);
   if (is_drive_record(text)) return show_in_seconds(options, text);
+  if (is_mms_record(text)) return show_in_mms(options, text);
   LayerSet chosen = chosen_layers(options, contest_layers());
   RecordFile file = load_record(options.record, text, options.record_maze);
   if (!re_enact(options.record, file)) return exit_finding;
@@ -124,6 +146,9 @@ int show_record(const ShowOptions& options) {
 }
 
 int show(const ShowOptions& options) {
+  expect_outputs({{"the maze", options.maze, Output::Kind::input},
+                  {"--record", options.record, Output::Kind::input},
+                  {"--svg", options.svg}});
   const bool places = !options.places.start.empty() || !options.places.goals.empty();
   if (options.maze.empty() == options.record.empty())
     throw UsageError("error: `labmouse show` takes either a maze or --record FILE");

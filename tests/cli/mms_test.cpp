@@ -6,6 +6,7 @@
 namespace labmouse::test {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -86,6 +87,40 @@ TEST_F(AnMmsUser, KeepsARecord) {
   EXPECT_THAT(record, StartsWith("{\"labmouse\":\"mms record\""));
   EXPECT_THAT(record,
               HasSubstr("{\"line\":\"moveForward\",\"reply\":\"ack\",\"place\":[3,1],\"heading\":\"east\",\"clock\":"));
+}
+
+TEST_F(AnMmsUser, DrawsARecord) {
+  const Ended hosted =
+      mms({"say:setText 1 0 hi", "ask:turnRight", "ask:moveForward", "errors:all well"}, {"--record", "walk.jsonl"});
+  const std::string drawing = hosted.out.substr(0, hosted.out.rfind("o---o") + 6);
+  const std::string score = hosted.out.substr(hosted.out.rfind(": score"));
+  const Ended replayed = labmouse({"replay", "walk.jsonl", "--svg", "replayed.svg"});
+  EXPECT_EQ(replayed.code, 0) << replayed.err;
+  EXPECT_THAT(replayed.out, StartsWith(drawing));
+  EXPECT_THAT(replayed.out, Says("  | all well\n", "complete", "3 lines", score));
+  EXPECT_THAT(labmouse({"show", "--record", "walk.jsonl"}).out, StartsWith(drawing));
+  EXPECT_THAT(labmouse({"score", "walk.jsonl"}).out, HasSubstr(score));
+  EXPECT_EQ(labmouse({"show", "--record", "walk.jsonl", "--svg", "walk.svg"}).code, 0);
+  EXPECT_THAT(content("walk.svg"), AllOf(StartsWith("<svg"), HasSubstr(">hi<")));
+  EXPECT_EQ(content("walk.svg"), content("replayed.svg"));
+  is_refused({"show", "--record", "walk.jsonl", "--step", "1"}, "--step");
+  is_refused({"replay", "walk.jsonl", "--watch"}, "--watch");
+}
+
+TEST_F(AnMmsUser, DrawsNoRecordThatCouldNotHaveHappened) {
+  mms({"ask:turnRight", "ask:moveForward"}, {"--record", "walk.jsonl"});
+  std::string record = content("walk.jsonl");
+  record.replace(record.find("[3,1]"), 5, "[5,1]");
+  file("walk.jsonl", record);
+  for (const std::vector<std::string>& command : std::vector<std::vector<std::string>>{
+           {"replay", "walk.jsonl"}, {"score", "walk.jsonl"}, {"show", "--record", "walk.jsonl", "--svg", "x.svg"}}) {
+    const Ended ended = labmouse(command);
+    EXPECT_EQ(ended.code, 1);
+    EXPECT_EQ(ended.out, "");
+    EXPECT_THAT(ended.err, Says("walk.jsonl: error: ", "event 2"));
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "x.svg"));
+  is_refused({"replay", file("bad.jsonl", record.substr(0, record.find('\n')) + "\n{}\n")}, "bad.jsonl:2");
 }
 
 TEST_F(AnMmsUser, WatchesEachMove) {

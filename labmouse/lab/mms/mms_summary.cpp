@@ -24,22 +24,6 @@ std::string statistics_text(const MmsStatistics& s) {
   return text + count_line("total", s.total_distance, s.total_effective_distance, s.total_turns);
 }
 
-std::string score_line(const std::string& mouse, const NamedMaze& maze, const MmsRun& run) {
-  const MmsStatistics& statistics = run.statistics;
-  const MmsBound bound = mms_bound_of(maze.maze);
-  std::string line = fmt::format("{} in {}: ", mouse, maze.name);
-  if (is_cut_short(run.outcome))
-    line += fmt::format("{}, no score", name_of(run.outcome));
-  else if (statistics.solved)
-    line += fmt::format("score {:g} = {:g} best run + {:g} total / 10", statistics.score, *best_run(statistics),
-                        total(statistics));
-  else
-    line += fmt::format("unsolved, score {:g}", statistics.score);
-  line += bound.score ? fmt::format("; bound {:g}, its run {:g}", *bound.score, *bound.run)
-                      : "; the centre cannot be reached";
-  return shown(line) + "\n";
-}
-
 std::string log_text(const MmsRun& run) {
   if (run.invalid_lines == 0) return "";
   std::string text =
@@ -60,12 +44,28 @@ std::string errors_text(const MmsRun& run) {
 
 }  // namespace
 
+std::string mms_score_line(const std::string& mouse, const NamedMaze& maze, const MmsRun& run) {
+  const MmsStatistics& statistics = run.statistics;
+  const MmsBound bound = mms_bound_of(maze.maze);
+  std::string line = fmt::format("{} in {}: ", mouse, maze.name);
+  if (is_cut_short(run.outcome))
+    line += fmt::format("{}, no score", name_of(run.outcome));
+  else if (statistics.solved)
+    line += fmt::format("score {:g} = {:g} best run + {:g} total / 10", statistics.score, *best_run(statistics),
+                        total(statistics));
+  else
+    line += fmt::format("unsolved, score {:g}", statistics.score);
+  line += bound.score ? fmt::format("; bound {:g}, its run {:g}", *bound.score, *bound.run)
+                      : "; the centre cannot be reached";
+  return shown(line) + "\n";
+}
+
 std::string report_of(const std::string& mouse, const NamedMaze& maze, const MmsRun& run) {
   return statistics_text(run.statistics) + log_text(run) + errors_text(run) +
          shown(fmt::format("{}: {}{}; {}, {:.1f} s in mms", name_of(run.outcome), run.end,
                            run.outcome == MmsOutcome::waiting ? " (use --presses N to press it N times)" : "",
                            counted(static_cast<int>(run.lines), "line", "lines"), run.clock)) +
-         "\n" + score_line(mouse, maze, run);
+         "\n" + mms_score_line(mouse, maze, run);
 }
 
 }  // namespace labmouse

@@ -12,4 +12,7 @@ namespace labmouse {
 /// ended, and the last lines of its standard error.
 std::string report_of(const std::string& mouse, const NamedMaze& maze, const MmsRun& run);
 
+/// The last line of it: the score beside the best possible one.
+std::string mms_score_line(const std::string& mouse, const NamedMaze& maze, const MmsRun& run);
+
 }  // namespace labmouse

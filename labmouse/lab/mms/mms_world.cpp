@@ -7,11 +7,11 @@
 #include <optional>
 
 #include "labmouse/lab/bounds/mms_bound.hpp"
+#include "labmouse/lab/mms/mms_drawing.hpp"
 #include "labmouse/lab/mms/mms_fields.hpp"
 #include "labmouse/lab/mms/mms_figures.hpp"
 #include "labmouse/lab/mms/mms_notes.hpp"
 #include "labmouse/lab/mms/mms_walk.hpp"
-#include "labmouse/lab/pictures/mms_picture.hpp"
 #include "labmouse/lab/records/mms_record.hpp"
 #include "labmouse/lab/records/mms_statistics_json.hpp"
 #include "labmouse/lab/text/last_lines.hpp"
@@ -74,16 +74,6 @@ std::vector<Value> figures_of(const MmsRun& run, const MmsBound& bound, double v
           visited};
 }
 
-/// The last drawing that a mouse left, over its way.
-std::string picture_of(const std::string& mouse, const NamedMaze& maze, const MmsRun& run, const MmsWalk& walk) {
-  DrawingLayers layers = mms_layers(run.canvas, run.pose);
-  layers.route = walk.poses();
-  layers.title = is_scored(run) ? fmt::format("{} in {}: score {:g}", mouse, maze.name, decimal(run.statistics.score))
-                                : fmt::format("{} in {}: {}{}", mouse, maze.name,
-                                              run.statistics.solved ? "" : "unsolved, ", run.end);
-  return draw_svg(as_in_mms(maze.maze), layers);
-}
-
 class MmsWorld final : public World {
  public:
   explicit MmsWorld(const MmsOptions& options) : options_(options) {}
@@ -127,7 +117,7 @@ class MmsWorld final : public World {
     });
     Held held;
     if (recorder) held.record = recorder->finish(run);
-    if (keep.picture) held.picture = picture_of(mouse.name, maze, run, walk);
+    if (keep.picture) held.picture = draw_mms_run(mouse.name, maze, run, walk);
     trim(run);
     sum_up(run, walk.visited(), race.facts[result.maze], result);
     held.run = std::move(run);

@@ -1,0 +1,45 @@
+#include "labmouse/lab/mms/mms_replay.hpp"
+
+namespace labmouse {
+namespace {
+
+MmsOutcome outcome_of(std::string_view name) {
+  for (auto i = static_cast<int>(MmsOutcome::complete); i <= static_cast<int>(MmsOutcome::interrupted); ++i)
+    if (const auto outcome = static_cast<MmsOutcome>(i); name_of(outcome) == name) return outcome;
+  return MmsOutcome::interrupted;
+}
+
+/// What the record says of the end of its run, and of what playing it again does not show.
+void take_end(const MmsRecordFile& file, MmsRun& run) {
+  run.outcome = MmsOutcome::interrupted;
+  run.end = "the record breaks off";
+  if (!file.end) return;
+  run.outcome = outcome_of(file.end->outcome);
+  run.end = file.end->end;
+  run.statistics = file.end->statistics;
+  run.lines = file.end->lines;
+  run.invalid_lines = file.end->invalid_lines;
+  run.log = file.end->log;
+  run.errors = file.end->errors;
+  run.clock = file.end->clock;
+}
+
+}  // namespace
+
+MmsReplay replay_of(const MmsRecordFile& file) {
+  MmsReplay played;
+  played.run.canvas = MmsCanvas(file.maze->size());
+  played.disagreement = replay(file, [&](std::size_t i, const MmsHost& host) {
+    const RecordedMmsEvent& event = file.events[i];
+    played.walk.add({event.line, event.reply, event.pose, event.clock});
+    if (i + 1 < file.events.size()) return;
+    played.run.canvas = host.canvas();
+    played.run.pose = host.pose();
+    played.run.statistics = host.statistics();
+    played.run.clock = host.clock();
+  });
+  take_end(file, played.run);
+  return played;
+}
+
+}  // namespace labmouse
