@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "labmouse/lab/mice/specs.hpp"
 #include "tests/lab/race_fixture.hpp"
 #include "tests/says.hpp"
 
@@ -46,6 +47,19 @@ TEST(RaceNotes, QuoteTheFirstFailureInAMazeThatCounts) {
 
 TEST(RaceNotes, NameNoFailuresInMazesThatDoNotCount) {
   EXPECT_THAT(notes_on_a_mourner_in({closed()}), AllOf(HasSubstr("a closed maze"), Not(HasSubstr("Failures"))));
+}
+
+std::string notes_on(const char* mice, const std::vector<std::string>& names) {
+  std::vector<NamedMaze> mazes;
+  for (const std::string& name : names) mazes.push_back({name, test::corridor().maze});
+  return notes_of(hold_race(read_specs(mice).contestants, std::move(mazes), test::in_steps()));
+}
+
+TEST(RaceNotes, NameMazesThatShareTheirSeeds) {
+  EXPECT_THAT(notes_on("random", {"a/x.txt", "b/x.txt", "y.txt"}), Says("a/x.txt", "b/x.txt", "seeds"));
+  EXPECT_THAT(notes_on("random", {"a/x.txt", "b/y.txt"}), Not(HasSubstr("seeds")));
+  EXPECT_THAT(notes_on("flood", {"a/x.txt", "b/x.txt"}), Not(HasSubstr("seeds"))) << "throws no dice";
+  EXPECT_EQ(contest_seed(1, "a/x.txt", 0), contest_seed(1, "x.txt", 0)) << "stores have contests under their seeds";
 }
 
 }  // namespace

@@ -74,6 +74,30 @@ std::string left_out_of(const Race& race) {
                      race.world().why_no_bound(), first, closed > 1 ? ", ..." : "");
 }
 
+/// Whether its contests depend on their seeds. An external mouse is given its seed, and may use it.
+bool uses_seeds(const Race& race) {
+  return race.world().throws_dice() || std::any_of(race.mice.begin(), race.mice.end(), [](const Contestant& mouse) {
+           return mouse.uses_chance || mouse.sandboxed.has_value();
+         });
+}
+
+/// The mazes that share their seeds with another one: the seed of a contest follows from the file name alone, so that
+/// a maze has the same contests wherever it lies and whatever races beside it.
+std::string shared_seeds_of(const Race& race) {
+  std::map<std::string, std::vector<std::string>> mazes;  // by file name
+  for (const NamedMaze& maze : race.mazes) mazes[maze.name.substr(maze.name.rfind('/') + 1)].push_back(maze.name);
+  std::string lines;
+  for (const auto& [file, names] : mazes)
+    if (names.size() > 1 && lines.empty())
+      lines = fmt::format(
+          "Mazes with the same file name share their seeds, so their contests are not independent: {} and {}",
+          shown(names[0]), shown(names[1]));
+  const auto shared = std::count_if(mazes.begin(), mazes.end(), [](const auto& one) { return one.second.size() > 1; });
+  if (lines.empty() || !uses_seeds(race)) return "";
+  if (shared > 1) lines += fmt::format(", and {} more", counted(shared - 1, "name", "names"));
+  return lines + ". Rename files to change that.\n";
+}
+
 /// What guests could do to the machine that they raced on.
 std::string sandboxes_of(const Race& race) {
   if (std::string free = freedom_note(race.mice); !free.empty()) return free;
@@ -92,7 +116,8 @@ std::string score_note(const World& world) {
 }
 
 std::string notes_of(const Race& race) {
-  std::string notes = race.world().notes(race) + failures_of(race) + race.world().remarks(race) + left_out_of(race);
+  std::string notes = race.world().notes(race) + failures_of(race) + race.world().remarks(race) + left_out_of(race) +
+                      shared_seeds_of(race);
   if (std::any_of(race.mice.begin(), race.mice.end(), [](const Contestant& mouse) { return mouse.reference; }))
     notes += "* knows the maze: attains the bound, and is not a contestant.\n";
   notes += sandboxes_of(race);
