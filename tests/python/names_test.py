@@ -2,6 +2,8 @@
 
 import inspect
 import re
+import subprocess
+import sys
 from importlib import resources
 from typing import get_origin
 
@@ -34,6 +36,15 @@ def test_every_public_name_says_what_it_is(module, name):
             assert docs_of(member) or (inherited is not None and docs_of(inherited)), f"{name}.{member_name}"
     elif callable(thing) and get_origin(thing) is None:
         assert docs_of(thing)
+
+
+def test_nothing_is_named_to_install_that_nobody_owns_on_an_index():
+    # The name of this package on an index may belong to anybody: what is missing is installed from the source folder.
+    program = "import sys; sys.modules['gymnasium'] = None; import labmouse.learn"
+    failed = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False)
+    assert failed.returncode == 1 and "'.[learn]'" in failed.stderr
+    for text in (failed.stderr, docs_of(cluster)):
+        assert "labmouse[" not in text
 
 
 def test_all_that_is_compiled_is_in_the_stub():

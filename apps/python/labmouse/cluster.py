@@ -1,6 +1,6 @@
 """Races, studies and sweeps on the machines of a cluster of Dask: docs/cluster.md.
 
-It needs `pip install labmouse[cluster]`.
+It needs Dask: `pip install '.[cluster]'` in the source folder of labmouse.
 """
 
 import asyncio
