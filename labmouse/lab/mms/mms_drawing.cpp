@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "labmouse/lab/drawing/drawing.hpp"
 #include "labmouse/lab/pictures/mms_picture.hpp"
 #include "labmouse/lab/records/mms_statistics_json.hpp"
 
