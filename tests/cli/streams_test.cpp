@@ -120,7 +120,7 @@ TEST_F(AShellUser, CannotNameOneFileInTwoWays) {
   is_refused({"tune", "flood", "--params", "stride", "--log", "a", "--svg", "./a"}, "--log", "--svg");
   is_refused({"study", "--mice", "flood", "--csv", "a", "--store", "./a"}, "--csv", "--store");
   is_refused({"race", "--mice", "flood", "--curves", "a", "--store", "./a"}, "--curves", "--store");
-  is_refused({"race", "--mice", "flood", "--out", "a", "--store", "a/race.json"}, "--out", "--store");
+  is_refused({"race", "--mice", "flood", "--out", "a", "--store", "a/results.json"}, "--out", "--store");
   EXPECT_FALSE(std::filesystem::exists(folder_ / "a"));
 }
 
