@@ -117,10 +117,11 @@ TEST_F(AShellUser, CannotNameOneFileInTwoWays) {
   for (const std::string& other : {std::string("./x"), std::string("in/../x"), std::string("link"), whole})
     is_refused({"run", "flood", "corridor.txt", "--record", "x", "--svg", other}, "--record", "--svg");
   EXPECT_FALSE(std::filesystem::exists(folder_ / "x"));
-  is_refused({"tune", "flood", "--params", "stride", "--log", "a", "--svg", "./a"}, "--log", "--svg");
+  is_refused({"tune", "flood", "--params", "stride", "--evaluations", "12", "--log", "a", "--svg", "./a"}, "--log",
+             "--svg");
   is_refused({"study", "--mice", "flood", "--csv", "a", "--store", "./a"}, "--csv", "--store");
   is_refused({"race", "--mice", "flood", "--curves", "a", "--store", "./a"}, "--curves", "--store");
-  is_refused({"race", "--mice", "flood", "--out", "a", "--store", "a/results.json"}, "--out", "--store");
+  is_refused({"race", "--mice", "flood", "--out", "a", "--store", "a/results.json"}, "--store", "--out");
   EXPECT_FALSE(std::filesystem::exists(folder_ / "a"));
 }
 
