@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "labmouse/lab/drawing/legend.hpp"
@@ -25,8 +26,6 @@ constexpr int right = 2 * margin + columns * panel_width - margin;
 /// Of times that are given there is one line, and of turns that follow from limits there are four.
 int panel_height(const Robot& robot) { return 2 * cell + 48 + (robot.fixed ? 1 : 4) * line_height; }
 
-int bottom(const Robot& robot) { return top + static_cast<int>(drawn_turns.size()) / columns * panel_height(robot); }
-
 /// The turns of one kind, the fastest first, with their shape and its place in the picture.
 struct Panel {
   std::vector<DrivenTurn> turns;
@@ -35,18 +34,29 @@ struct Panel {
   Point corner;  ///< the north-west post of the cells
 };
 
-Panel panel_of(const Robot& robot, const DriveModel& model, std::size_t number) {
+/// Without a corner yet.
+Panel panel_of(const DriveModel& model, Turn turn) {
   Panel panel;
-  panel.room = room_of(drawn_turns[number]);
+  panel.room = room_of(turn);
   for (std::size_t i = 0; i < model.shapes.size(); ++i)
-    if (model.shapes[i].turn == drawn_turns[number]) {
+    if (model.shapes[i].turn == turn) {
       panel.turns.push_back(model.tables.turns[i]);
       panel.shape = model.shapes[i];
     }
-  const int column = static_cast<int>(number) % columns;
-  const int row = static_cast<int>(number) / columns;
-  panel.corner = {margin + column * panel_width + cell / 2, top + row * panel_height(robot)};
   return panel;
+}
+
+/// Row by row. A robot that does not drive diagonally has only some of the turns.
+std::vector<Panel> panels_of(const Robot& robot, const DriveModel& model) {
+  std::vector<Panel> panels;
+  for (const Turn turn : drawn_turns) {
+    Panel panel = panel_of(model, turn);
+    if (panel.turns.empty()) continue;
+    const int number = static_cast<int>(panels.size());
+    panel.corner = {margin + number % columns * panel_width + cell / 2, top + number / columns * panel_height(robot)};
+    panels.push_back(std::move(panel));
+  }
+  return panels;
 }
 
 /// The cell of the first node is that in the south-east.
@@ -155,8 +165,9 @@ std::string panel_svg(const Panel& panel, const Robot& robot) {
   return svg;
 }
 
-Legend legend_of(const Robot& robot) {
-  Legend legend({margin, bottom(robot) + 14}, right);
+Legend legend_of(const Robot& robot, std::size_t panels) {
+  const int rows = (static_cast<int>(panels) + columns - 1) / columns;
+  Legend legend({margin, top + rows * panel_height(robot) + 14}, right);
   legend.add(28, wall(ink, "M3 0h22"), "may stand");
   legend.add(28, open_wall("M0 0h28"), "must be open");
   legend.add(28, path_svg(route, 3, "M0 0h28"),
@@ -173,8 +184,9 @@ Legend legend_of(const Robot& robot) {
 std::string draw_robot(const Robot& robot, const DriveModel& model) {
   const std::string title = fmt::format("{}: cells of {:g} mm", robot.name, robot.cell);
   std::string svg = heading_svg({margin, 36}, right, title);
-  for (std::size_t i = 0; i < drawn_turns.size(); ++i) svg += panel_svg(panel_of(robot, model, i), robot);
-  const Legend legend = legend_of(robot);
+  const std::vector<Panel> panels = panels_of(robot, model);
+  for (const Panel& panel : panels) svg += panel_svg(panel, robot);
+  const Legend legend = legend_of(robot, panels.size());
   const Sheet sheet = {right + margin,
                        legend.bottom() + margin / 2,
                        title,
