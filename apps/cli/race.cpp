@@ -160,7 +160,7 @@ std::vector<std::optional<Baseline>> load_baselines(const RaceOptions& options, 
   for (std::size_t i = 0; i < entries.size(); ++i) {
     if (entries[i].mice.empty()) continue;
     ReadBaselineResult read = read_baseline(file.content, *entries[i].world);
-    if (!read.error.empty()) throw UsageError(fmt::format("{}: error: {}", options.baseline, read.error));
+    if (!read.error.empty()) throw UsageError(describe(options.baseline, {read.line, read.column, read.error}));
     baselines[i] = std::move(read.baseline);
   }
   return baselines;

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "labmouse/strategies/decimal_number.hpp"
+
 namespace labmouse {
 namespace {
 
@@ -184,24 +186,8 @@ std::string_view nearest_name(std::string_view word, std::span<const std::string
 }
 
 bool parse_number(std::string_view text, double& number) {
-  const bool negative = !text.empty() && text.front() == '-';
-  if (negative) text.remove_prefix(1);
-  // At most 15 digits, so that digits and scale are exact in a double and one division rounds correctly.
-  double digits = 0.0, scale = 1.0;
-  int count = 0;
-  bool fraction = false;
-  for (const char letter : text) {
-    if (letter == '.' && !fraction) {
-      fraction = true;
-      continue;
-    }
-    if (letter < '0' || letter > '9' || ++count > 15) return false;
-    digits = digits * 10.0 + (letter - '0');
-    if (fraction) scale *= 10.0;
-  }
-  if (count == 0) return false;
-  number = (negative ? -digits : digits) / scale;
-  return true;
+  if (text.find_first_of("eE") != std::string_view::npos) return false;  // a parameter is written plainly
+  return read_decimal(text, number) == NumberProblem::none;
 }
 
 }  // namespace labmouse

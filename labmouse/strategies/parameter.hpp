@@ -86,7 +86,8 @@ std::string canonical_value(const Parameter& parameter, std::string_view value);
 /// The candidate that is spelled most like a word, for "did you mean"; empty where none is near.
 std::string_view nearest_name(std::string_view word, std::span<const std::string_view> candidates);
 
-/// Reads a decimal number such as `-12` or `0.25`, all of it or nothing; the same on every platform.
+/// Reads a decimal number such as `-12` or `0.25`, all of it or nothing; the same on every platform. Numbers that a
+/// double cannot hold are none.
 bool parse_number(std::string_view text, double& number);
 
 }  // namespace labmouse

@@ -1,10 +1,10 @@
 // Files that are dropped on the page.
 #include <gmock/gmock.h>
 
-#include "labmouse/lab/page/json_problem.hpp"
 #include "labmouse/lab/pictures/mms_picture.hpp"
 #include "labmouse/lab/standings/race_json.hpp"
 #include "labmouse/lab/system/version.hpp"
+#include "labmouse/lab/text/json_problem.hpp"
 #include "labmouse/maze/generators/generator.hpp"
 #include "tests/lab/mms_record_fixture.hpp"
 #include "tests/lab/page_fixture.hpp"
@@ -276,7 +276,7 @@ TEST(JsonProblem, HasItsPlace) {
   };
   EXPECT_EQ(place("{,"), std::pair(1, 2));
   EXPECT_EQ(place("\n\n  x"), std::pair(3, 3));
-  EXPECT_EQ(place("[1e999]"), std::pair(1, 6));
+  EXPECT_EQ(place("[1e999]"), std::pair(1, 2));
   EXPECT_EQ(place("[\n"), std::pair(2, 1));
   EXPECT_EQ(place(""), std::pair(1, 1));
   EXPECT_THAT(json_problem("[1e999]").reason, Says("JSON", "'1e999'"));

@@ -7,9 +7,11 @@
 
 #include "labmouse/chance/dice.hpp"
 #include "labmouse/lab/hazards/builtin_hazards.hpp"
+#include "labmouse/lab/mazes/maze_files.hpp"
 #include "labmouse/lab/system/named_text.hpp"
 #include "labmouse/lab/text/json.hpp"
 #include "labmouse/lab/text/json_fields.hpp"
+#include "labmouse/lab/text/json_problem.hpp"
 #include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
@@ -120,6 +122,7 @@ FoundHazards read_hazards(std::string_view text, const std::string& name) {
     return FoundHazards{std::nullopt, fmt::format("{}: error: {}", shown(name), why)};
   };
   const ReadJson json = read_json(text);
+  if (json.is_discarded()) return {std::nullopt, describe(name, json_problem(text))};
   if (!json.is_object() || !json.contains("labmouse_hazards"))
     return wrong("is no file of hazards; `labmouse hazards --save` writes one");
   JsonFields fields(json, "");

@@ -3,9 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
+#include <optional>
 #include <vector>
 
+#include "labmouse/lab/text/numbers.hpp"
 #include "labmouse/lab/text/printable.hpp"
 #include "labmouse/strategies/parameter.hpp"
 
@@ -43,11 +44,8 @@ constexpr std::array<LogRoleWords, log_roles> words = {{
 std::optional<double> cut_number(std::string_view& text, char sign) {
   const auto at = text.rfind(sign);
   if (at == std::string_view::npos || at + 1 == text.size()) return std::nullopt;
-  double number = 0.0;
-  const char* const end = text.data() + text.size();
-  const auto [last, error] = std::from_chars(text.data() + at + 1, end, number);
-  if (error != std::errc() || last != end) return std::nullopt;
-  text = text.substr(0, at);
+  const std::optional<double> number = number_in(text.substr(at + 1));
+  if (number) text = text.substr(0, at);
   return number;
 }
 

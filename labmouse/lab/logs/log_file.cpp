@@ -3,11 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 
+#include "labmouse/lab/text/numbers.hpp"
 #include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
@@ -42,14 +43,8 @@ void split(std::string_view line, char separator, std::vector<Field>& fields) {
   }
 }
 
-std::optional<double> number_in(std::string_view text) {
-  double number = 0.0;
-  if (text.starts_with('+')) text.remove_prefix(1);
-  const char* const end = text.data() + text.size();
-  const auto [last, error] = std::from_chars(text.data(), end, number);
-  if (error != std::errc() || last != end || !std::isfinite(number)) return std::nullopt;
-  return number;
-}
+/// Programs that write logs may put a plus in front.
+std::string_view without_plus(std::string_view text) { return text.starts_with('+') ? text.substr(1) : text; }
 
 bool is_nothing(std::string_view text) { return text.empty() || text == "-" || text == "nan" || text == "NaN"; }
 
@@ -162,12 +157,12 @@ class LogReader {
     const LogRoleWords& words = all_log_roles()[place.role];
     double value = std::numeric_limits<double>::quiet_NaN();
     if (!is_nothing(field.text)) {
-      const std::optional<double> number = number_in(field.text);
+      const std::optional<double> number = number_in(without_plus(field.text));
       if (!number)
-        return fail(field.column, fmt::format("'{}' is no number for '{}'{}", shortened(field.text), words.name,
-                                              field.text.find(',') == std::string_view::npos
-                                                  ? ""
-                                                  : "; decimals stand behind a point, as in 0.5"));
+        return fail(field.column,
+                    fmt::format("'{}' for '{}' {}{}", shortened(field.text), words.name,
+                                why_no_number(without_plus(field.text)),
+                                field.text.find(',') == std::string_view::npos ? "" : "; write decimals as in 0.5"));
       value = place.column.factor * unwrapped(place, *number);
       // Rounding by a factor is no fault of the log.
       const double slack = 1e-6 * words.high;

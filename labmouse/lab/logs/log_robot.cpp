@@ -10,6 +10,7 @@
 #include "labmouse/lab/robots/remarked_robot.hpp"
 #include "labmouse/lab/robots/robot_file.hpp"
 #include "labmouse/lab/text/counted.hpp"
+#include "labmouse/lab/text/numbers.hpp"
 #include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
@@ -59,7 +60,7 @@ class LogRobot {
     for (const HardwareKey& key : hardware_keys()) {
       if (key.key.name != name) continue;
       // Five digits are more than a log tells.
-      const double value = std::stod(fmt::format("{:.5g}", estimate.value * key.unit));
+      const double value = rounded(estimate.value * key.unit, 5);
       if (!(value >= key.key.low && value <= key.key.high)) {
         remarks_[std::string(name)] = fmt::format("{}: the log says {:g}, which it cannot be", from_base_, value);
         return;

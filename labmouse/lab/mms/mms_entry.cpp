@@ -25,9 +25,9 @@ constexpr std::array settings = {
 WorldResult make(const WorldSettings& chosen) {
   MmsOptions options;
   options.strict = value_of(mms_entry, chosen, "strict") == "true";
-  options.presses = std::stoi(value_of(mms_entry, chosen, "presses"));
-  options.most_seconds = std::stoi(value_of(mms_entry, chosen, "simulated-limit"));
-  options.most_lines = std::stoi(value_of(mms_entry, chosen, "line-limit"));
+  options.presses = whole_of(mms_entry, chosen, "presses");
+  options.most_seconds = whole_of(mms_entry, chosen, "simulated-limit");
+  options.most_lines = whole_of(mms_entry, chosen, "line-limit");
   return {mms_world(options), ""};
 }
 
@@ -39,7 +39,7 @@ std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::e
 int first_bad_line(std::string_view text) {
   for (int line = 1; !text.empty(); ++line) {
     const auto length = std::min(text.find('\n'), text.size());
-    if (!Json::accept(text.substr(0, length))) return line;
+    if (read_json(text.substr(0, length)).is_discarded()) return line;
     text.remove_prefix(std::min(length + 1, text.size()));
   }
   return 0;

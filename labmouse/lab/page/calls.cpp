@@ -64,7 +64,7 @@ PageAnswer failure(const PageFailure& failure) {
 PageAnswer answer_page(std::string_view call, std::string_view request, std::string_view bytes) {
   const auto found = std::find_if(calls.begin(), calls.end(), [&](const Call& c) { return c.name == call; });
   if (found == calls.end()) return failure({fmt::format("the page has no call '{}'", call), {}});
-  const ReadJson json = ReadJson::parse(request, nullptr, false);
+  const ReadJson json = read_json(request);
   if (!json.is_object()) return failure({"the request is not a JSON object", {}});
   PageReply reply = found->answer(json, bytes);
   if (!reply.failure.error.empty()) return failure(reply.failure);

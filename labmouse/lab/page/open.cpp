@@ -5,7 +5,6 @@
 #include <array>
 
 #include "labmouse/lab/page/answers.hpp"
-#include "labmouse/lab/page/json_problem.hpp"
 #include "labmouse/lab/page/played_record.hpp"
 #include "labmouse/lab/page/request.hpp"
 #include "labmouse/lab/page/results.hpp"
@@ -16,6 +15,7 @@
 #include "labmouse/lab/system/version.hpp"
 #include "labmouse/lab/text/encoding.hpp"
 #include "labmouse/lab/text/json.hpp"
+#include "labmouse/lab/text/json_problem.hpp"
 
 namespace labmouse {
 namespace {

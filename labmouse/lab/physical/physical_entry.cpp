@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cstdlib>
+#include <optional>
 #include <string_view>
 
 #include "labmouse/contest/physical.hpp"
@@ -17,6 +17,7 @@
 #include "labmouse/lab/robots/robot_json.hpp"
 #include "labmouse/lab/seconds/drive_results.hpp"
 #include "labmouse/lab/text/json.hpp"
+#include "labmouse/lab/text/numbers.hpp"
 #include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
@@ -93,12 +94,7 @@ constexpr std::array fallible_settings = {
 std::optional<double> number_in(const WorldEntry& entry, const WorldSettings& chosen, std::string_view name,
                                 double high, std::string& error) {
   const std::string text = value_of(entry, chosen, name);
-  // Not from_chars, which the page's library lacks for numbers like these.
-  char* end = nullptr;
-  const double number = std::strtod(text.c_str(), &end);
-  const bool whole =
-      !text.empty() && std::string_view("0123456789.").find(text[0]) != std::string_view::npos && *end == '\0';
-  if (whole && number >= 0.0 && number <= high) return number;
+  if (const std::optional<double> number = labmouse::number_in(text, 0.0, high)) return number;
   if (error.empty()) error = fmt::format("--{}: '{}' is not a number from 0 to {:g}", name, shown(text), high);
   return std::nullopt;
 }

@@ -76,5 +76,7 @@ struct WorldEntry {
 
 /// The value of a setting, or its default.
 std::string value_of(const WorldEntry& entry, const WorldSettings& settings, std::string_view name);
+/// The same of a whole number; who takes the settings from a user checks its range.
+int whole_of(const WorldEntry& entry, const WorldSettings& settings, std::string_view name);
 
 }  // namespace labmouse

@@ -1,20 +1,15 @@
 // The statistics of mms under their names.
 #pragma once
 
-#include <fmt/format.h>
-
 #include <cstdint>
-#include <cstdlib>
 #include <optional>
 #include <string_view>
 
 #include "labmouse/guests/mms/statistics.hpp"
 #include "labmouse/lab/text/json.hpp"
+#include "labmouse/lab/text/numbers.hpp"
 
 namespace labmouse {
-
-/// The shortest decimal number that gives this 32-bit one: 265.2, where a mere conversion would give 265.2000122.
-inline double decimal(float value) { return std::strtod(fmt::format("{}", value).c_str(), nullptr); }
 
 /// What the best run adds to the score: effective distance + turns; nothing where none was finished.
 inline std::optional<double> best_run(const MmsStatistics& statistics) {

@@ -5,12 +5,12 @@
 #include <algorithm>
 
 #include "labmouse/lab/text/json.hpp"
+#include "labmouse/lab/text/json_problem.hpp"
 #include "labmouse/lab/worlds/worlds.hpp"
 
 namespace labmouse {
 namespace {
 
-constexpr int most_depth = 32;                                 // a race's JSON is 7 deep
 constexpr std::size_t longest_header = std::size_t{1} << 20U;  // bytes of the first line of a record
 constexpr const char* how_to_make = "create one with `labmouse race --format json` or `--out`";
 
@@ -101,15 +101,6 @@ std::vector<ReportWorld> read_worlds(const Json& json, ResultReading& reading) {
   return worlds;
 }
 
-/// Line and column of a byte, which counts from 1.
-Problem problem_at_byte(std::string_view text, std::size_t byte, std::string reason) {
-  const std::string_view before = text.substr(0, std::min(text.size(), byte > 0 ? byte - 1 : 0));
-  const auto line = std::count(before.begin(), before.end(), '\n') + 1;
-  const auto begin = before.rfind('\n');
-  const auto column = before.size() - (begin == std::string_view::npos ? 0 : begin + 1) + 1;
-  return {static_cast<int>(line), static_cast<int>(column), std::move(reason)};
-}
-
 /// What a text is that is no results, where that can be seen; or nothing.
 std::string what_it_is(std::string_view text) {
   const Json first = Json::parse(text.substr(0, std::min(text.find('\n'), longest_header)), nullptr, false);
@@ -125,30 +116,12 @@ std::string what_it_is(std::string_view text) {
   return "";
 }
 
-/// The JSON, or what is wrong with it.
-std::optional<Problem> parse(std::string_view text, Json& json) {
-  bool deep = false;
-  const auto watch = [&](int depth, Json::parse_event_t, Json&) {
-    deep = deep || depth > most_depth;
-    return !deep;
-  };
-  try {
-    json = Json::parse(text.begin(), text.end(), watch);
-  } catch (const Json::parse_error& error) {
-    return problem_at_byte(text, error.byte, "is not valid JSON from here on");
-  }
-  if (deep)
-    return Problem{
-        0, 0, fmt::format("is not the JSON of a race: lists and objects are nested more than {} deep", most_depth)};
-  return std::nullopt;
-}
-
 }  // namespace
 
 ReadResultsResult read_report_results(std::string_view text) {
   if (std::string other = what_it_is(text); !other.empty()) return {std::nullopt, Problem{0, 0, std::move(other)}};
-  Json json;
-  if (auto problem = parse(text, json)) return {std::nullopt, std::move(problem)};
+  const Json json = read_ordered_json(text);
+  if (json.is_discarded()) return {std::nullopt, json_problem(text)};
   ResultReading reading;
   reading.text(json, "labmouse", "");
   ReportResults results;

@@ -7,6 +7,7 @@
 
 #include "labmouse/lab/robots/remarked_robot.hpp"
 #include "labmouse/lab/robots/robot_file.hpp"
+#include "labmouse/lab/text/numbers.hpp"
 #include "labmouse/lab/text/printable.hpp"
 #include "labmouse/mouse/robot/fitted_turn.hpp"
 #include "labmouse/mouse/robot/straights.hpp"
@@ -15,7 +16,7 @@ namespace labmouse {
 namespace {
 
 /// Five digits are as much as published turns tell.
-double rounded(double value) { return std::stod(fmt::format("{:.5g}", value)); }
+double rounded(double value) { return labmouse::rounded(value, 5); }
 
 std::string from_base(const Robot& base) { return fmt::format("from {}: turns do not determine it", shown(base.name)); }
 
@@ -52,6 +53,8 @@ std::string limit_remark(bool reached, const TurnFit& fit) {
 
 FittedRobot by_limits(const std::vector<KnownTurn>& turns, const Robot& base, double cell) {
   const TurnFit fit = fit_turns(turns, cell);
+  if (fit.numbers == 0)
+    return {{}, "no limits follow from these turns; are speeds in mm/s, lengths in mm and times in ms?", {}};
   Robot robot = base;
   robot.cell = cell;
   robot.layouts = {};

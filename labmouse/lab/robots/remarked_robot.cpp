@@ -1,8 +1,7 @@
 #include "labmouse/lab/robots/remarked_robot.hpp"
 
-#include <fmt/format.h>
-
 #include "labmouse/lab/robots/robot_text.hpp"
+#include "labmouse/lab/text/numbers.hpp"
 
 namespace labmouse {
 
@@ -11,7 +10,7 @@ std::string remarked_robot(const Robot& robot, RobotParts parts, const KeyRemark
   Json parameters = robot_json(robot, parts)["parameters"];
   // What was divided by its unit and multiplied again is the number that it was.
   for (auto& value : parameters)
-    if (value.is_number_float()) value = std::stod(fmt::format("{:.12g}", value.get<double>()));
+    if (value.is_number_float()) value = rounded(value.get<double>(), 12);
   if (!robot.fixed) {
     parameters["curve.speeds"] = robot.speeds;
     parameters["stop"] = robot.stop == Stop::goal ? "goal" : "beyond";

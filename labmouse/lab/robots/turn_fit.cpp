@@ -178,6 +178,8 @@ TurnFit fit_turns(std::span<const KnownTurn> turns, double cell) {
     if (trial.sum < best.sum) best = std::move(trial), limits = chosen;
     if (enough) break;
   }
+  // Of absurd turns every descent may leave the range of numbers.
+  if (best.errors.empty()) return result;
   result.limits = limits_of(best.values);
   result.numbers = static_cast<int>(limits.size());
   result.reaches_lateral = is_reached(turns, cell, best, 0);

@@ -15,7 +15,7 @@ struct TurnFit {
   /// Whether some turn reaches each of them, in the order of CurveLimits: otherwise nothing is known of it but that it
   /// is no lower.
   bool reaches_lateral = false, reaches_acceleration = false, reaches_speed = false, reaches_jerk = false;
-  int numbers = 0;             ///< that were fitted
+  int numbers = 0;             ///< that were fitted; 0 where no limits explain the turns
   int figures = 0;             ///< that they were fitted to; of fewer than the numbers many limits would do
   std::vector<double> errors;  ///< by turn: the largest relative error of its size and time; 0 of one without a speed
 };

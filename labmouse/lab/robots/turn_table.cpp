@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <optional>
 
+#include "labmouse/lab/text/numbers.hpp"
 #include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
@@ -103,11 +103,10 @@ class Reader {
 
   std::optional<double> number_of(const Word& word) {
     if (word.text == "-") return std::nullopt;
-    double value = 0.0;
-    const char* const end = word.text.data() + word.text.size();
-    const auto [last, error] = std::from_chars(word.text.data(), end, value);
-    if (error == std::errc() && last == end && value >= 0.0 && value <= 1e6) return value;
-    add(word.column, fmt::format("'{}' must be a number from 0 to 1000000, or - for none", shown(word.text)));
+    const std::optional<double> number = number_in(word.text);
+    // Of less no robot has a figure, and the fit would run out of numbers.
+    if (number && (*number == 0.0 || (*number >= 0.001 && *number <= 1e6))) return number;
+    add(word.column, fmt::format("'{}' must be 0, a number from 0.001 to 1000000, or - for none", shown(word.text)));
     return std::nullopt;
   }
 

@@ -1,22 +1,11 @@
-// Apart from the rest: the compiler of the page reads no such numbers.
-#include <charconv>
-#include <cmath>
+// Apart from the rest: only the command line reads such texts.
 #include <optional>
 
 #include "labmouse/lab/robots/robot_family.hpp"
 #include "labmouse/lab/routes/varied_number.hpp"
+#include "labmouse/lab/text/numbers.hpp"
 
 namespace labmouse {
-namespace {
-
-std::optional<double> number_in(std::string_view text) {
-  double number = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(number)) return std::nullopt;
-  return number;
-}
-
-}  // namespace
 
 VariedNumberResult read_varied_number(std::string_view text) {
   const auto refused = [](std::string why) { return VariedNumberResult{{}, std::move(why)}; };

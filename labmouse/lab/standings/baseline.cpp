@@ -6,6 +6,7 @@
 
 #include "labmouse/lab/standings/standings.hpp"
 #include "labmouse/lab/text/json.hpp"
+#include "labmouse/lab/text/json_problem.hpp"
 #include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
@@ -124,6 +125,10 @@ ReadBaselineResult read_baseline(std::string_view json_text, const World& world)
     return ReadBaselineResult{std::nullopt, "is not the JSON of a race; create one with `labmouse race --format json`"};
   };
   const ReadJson json = read_json(json_text);
+  if (json.is_discarded()) {
+    const Problem problem = json_problem(json_text);
+    return {std::nullopt, problem.reason, problem.line, problem.column};
+  }
   if (!json.is_object() || !json.contains("labmouse") || !json.contains("mice")) return no_race();
   const ReadJson* held = part_of(json, world);
   if (held == nullptr)

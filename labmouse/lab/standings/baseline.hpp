@@ -22,6 +22,7 @@ struct Baseline {
 struct ReadBaselineResult {
   std::optional<Baseline> baseline;
   std::string error;
+  int line = 0, column = 0;  ///< of the error, where it has a place
 };
 
 /// Reads the JSON of a race, of any version so far. A failed contest counts what the world says; where it says nothing,

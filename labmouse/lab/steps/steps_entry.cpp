@@ -16,7 +16,7 @@ constexpr std::array settings = {WorldSetting{"budget", "INT", "Step limit of a 
 
 WorldResult make(const WorldSettings& chosen) {
   Rules rules;
-  rules.budget = std::stoi(value_of(steps_entry, chosen, "budget"));
+  rules.budget = whole_of(steps_entry, chosen, "budget");
   return {steps_world(rules), ""};
 }
 

@@ -1,12 +1,15 @@
 #include "labmouse/lab/text/json.hpp"
 
+#include <algorithm>
+
+#include "labmouse/strategies/decimal_number.hpp"
+
 namespace labmouse {
 
 bool is_too_deep(std::string_view text) {
-  constexpr int most = 32;  // a race's JSON is 7 deep
   int depth = 0;
   bool quoted = false;
-  for (std::size_t i = 0; i < text.size() && depth <= most; ++i) {
+  for (std::size_t i = 0; i < text.size() && depth <= most_json_depth; ++i) {
     const char letter = text[i];
     if (quoted && letter == '\\') ++i;
     if (letter == '"') quoted = !quoted;
@@ -14,15 +17,43 @@ bool is_too_deep(std::string_view text) {
     if (letter == '[' || letter == '{') ++depth;
     if (letter == ']' || letter == '}') --depth;
   }
-  return depth > most;
+  return depth > most_json_depth;
 }
 
-ReadJson read_json(std::string_view text) {
-  return is_too_deep(text) ? ReadJson(ReadJson::value_t::discarded) : ReadJson::parse(text, nullptr, false);
+std::string_view bad_json_number(std::string_view text) {
+  // Only so can a number leave the range of doubles.
+  const auto may_be_bad = [](std::string_view number) {
+    constexpr std::size_t long_number = 300;
+    return number.size() > long_number || number.find_first_of("eE") != std::string_view::npos;
+  };
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char letter = text[i];
+    if (quoted && letter == '\\') ++i;
+    if (letter == '"') quoted = !quoted;
+    if (quoted || (letter != '-' && (letter < '0' || letter > '9'))) continue;
+    const auto end = std::min(text.find_first_not_of("0123456789+-.eE", i), text.size());
+    const std::string_view number = text.substr(i, end - i);
+    double value = 0.0;
+    const NumberProblem problem = may_be_bad(number) ? read_decimal(number, value) : NumberProblem::none;
+    // What is no number at all the parser tells.
+    if (problem != NumberProblem::none && problem != NumberProblem::no_number) return number;
+    i = end - 1;
+  }
+  return text.substr(text.size());
 }
 
-Json read_ordered_json(std::string_view text) {
-  return is_too_deep(text) ? Json(Json::value_t::discarded) : Json::parse(text, nullptr, false);
+namespace {
+
+template <class Tree>
+Tree read(std::string_view text) {
+  if (is_too_deep(text) || !bad_json_number(text).empty()) return Tree(Tree::value_t::discarded);
+  return Tree::parse(text, nullptr, false);
 }
+
+}  // namespace
+
+ReadJson read_json(std::string_view text) { return read<ReadJson>(text); }
+Json read_ordered_json(std::string_view text) { return read<Json>(text); }
 
 }  // namespace labmouse

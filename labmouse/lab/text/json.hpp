@@ -16,8 +16,14 @@ using ReadJson = nlohmann::json;
 /// read: the library copies, compares and writes what it read by recursion, which a hostile file could make as deep as
 /// it is long.
 bool is_too_deep(std::string_view text);
+inline constexpr int most_json_depth = 32;  // a race's JSON is 7 deep
 
-/// What a text of unknown origin says; discarded where it is no JSON or too deep.
+/// The first number that a double cannot hold: 1e309, or 1e-320, which would be read as 0 or with few digits. Empty,
+/// and at the end of the text, where there is none.
+std::string_view bad_json_number(std::string_view text);
+
+/// What a text of unknown origin says; discarded where it is no JSON, too deep, or has a number that a double cannot
+/// hold: json_problem says which.
 ReadJson read_json(std::string_view text);
 /// The same, with the fields of objects in the order in which they stand there.
 Json read_ordered_json(std::string_view text);

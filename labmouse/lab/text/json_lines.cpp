@@ -1,6 +1,9 @@
 #include "labmouse/lab/text/json_lines.hpp"
 
+#include <algorithm>
+
 #include "labmouse/lab/text/json.hpp"
+#include "labmouse/lab/text/json_problem.hpp"
 
 namespace labmouse {
 namespace {
@@ -25,7 +28,10 @@ std::vector<Problem> read_json_lines(std::string_view text, const LineReader& re
     if (line.find_first_not_of(" \t\r") == std::string_view::npos) continue;
     const ReadJson json = read_json(line);
     if (json.is_discarded() && !empty && text.empty() && !last_is_whole && reader.may_break_off()) break;
-    if (json.is_discarded()) return {{number, 1, "the line is not JSON"}};
+    if (json.is_discarded()) {
+      const Problem problem = json_problem(line);
+      return {{number, std::max(problem.column, 1), "the line is " + problem.reason}};
+    }
     if (auto error = empty ? reader.header(json) : reader.line(json); !error.empty())
       return {{number, 1, std::move(error)}};
     empty = false;

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <tuple>
 
 #include "labmouse/lab/text/printable.hpp"
@@ -26,6 +28,24 @@ std::string_view word_hint(std::string_view text, std::size_t line) {
   return word == "yes" || word == "on" || word == "True" ? "; write true" : "";
 }
 
+/// The first number that no quantity can have, with its place: TOML has infinities, and no bounds for what is tiny.
+std::optional<Problem> bad_number(const toml::node& node) {
+  if (const auto* number = node.as_floating_point()) {
+    const int kind = std::fpclassify(number->get());
+    if (kind == FP_NORMAL || kind == FP_ZERO) return std::nullopt;
+    return problem_at(node.source().begin,
+                      kind == FP_SUBNORMAL ? "this number is too small; write 0" : "inf and nan are not allowed here");
+  }
+  std::optional<Problem> problem;
+  if (const auto* table = node.as_table())
+    for (const auto& [key, value] : *table)
+      if (!problem) problem = bad_number(value);
+  if (const auto* array = node.as_array())
+    for (const toml::node& value : *array)
+      if (!problem) problem = bad_number(value);
+  return problem;
+}
+
 }  // namespace
 
 TomlText parse_toml(std::string_view text) {
@@ -37,6 +57,7 @@ TomlText parse_toml(std::string_view text) {
     const toml::source_position place = parsed.error().source().begin;
     return {{}, {problem_at(place, shown(parsed.error().description()) + std::string(word_hint(text, place.line)))}};
   }
+  if (auto problem = bad_number(parsed.table())) return {{}, {*std::move(problem)}};
   return {std::move(parsed).table(), {}};
 }
 

@@ -7,7 +7,8 @@
 
 namespace labmouse {
 
-/// The first mistake with its line and column.
+/// The first mistake with its line and column, of a text for which read_json has nothing. Where lists stand in each
+/// other too deeply there is no place.
 Problem json_problem(std::string_view text);
 
 }  // namespace labmouse

@@ -1,8 +1,13 @@
-#include "labmouse/lab/page/json_problem.hpp"
+#include "labmouse/lab/text/json_problem.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
 
 #include "labmouse/lab/text/json.hpp"
+#include "labmouse/lab/text/numbers.hpp"
+#include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
 namespace {
@@ -41,15 +46,31 @@ std::string without_place(const std::string& words) {
   return mark == std::string::npos ? words : words.substr(mark + 2);
 }
 
+/// Behind so many bytes.
+Problem problem_behind(std::string_view before, std::string reason) {
+  const auto line_begin = before.rfind('\n') == std::string_view::npos ? 0 : before.rfind('\n') + 1;
+  return {static_cast<int>(std::count(before.begin(), before.end(), '\n')) + 1,
+          static_cast<int>(before.size() - line_begin) + 1, "not valid JSON: " + std::move(reason)};
+}
+
 }  // namespace
 
 Problem json_problem(std::string_view text) {
+  if (is_too_deep(text))
+    return {0, 0, fmt::format("not valid JSON: its lists and objects are nested more than {} deep", most_json_depth)};
+  const std::string_view number = bad_json_number(text);
+  const std::string_view before = text.substr(0, static_cast<std::size_t>(number.data() - text.data()));
   Mistake mistake;
-  if (ReadJson::sax_parse(text, &mistake)) return {0, 0, "it is JSON"};
-  const std::string_view before = text.substr(0, mistake.bytes == 0 ? 0 : std::min(mistake.bytes - 1, text.size()));
-  const auto line_begin = before.rfind('\n') == std::string_view::npos ? 0 : before.rfind('\n') + 1;
-  return {static_cast<int>(std::count(before.begin(), before.end(), '\n')) + 1,
-          static_cast<int>(before.size() - line_begin) + 1, "not valid JSON: " + without_place(mistake.words)};
+  // A number that no double holds may stand before or behind a mistake of another kind.
+  const bool parsed = ReadJson::sax_parse(text, &mistake);
+  if (!number.empty() && (parsed || before.size() < mistake.bytes)) {
+    constexpr std::size_t longest = 40;
+    const std::string words = shown(number.substr(0, longest)) + (number.size() > longest ? "..." : "");
+    return problem_behind(before, fmt::format("'{}' {}", words, why_no_number(number)));
+  }
+  if (parsed) return {0, 0, "it is JSON"};
+  return problem_behind(text.substr(0, mistake.bytes == 0 ? 0 : std::min(mistake.bytes - 1, text.size())),
+                        without_place(mistake.words));
 }
 
 }  // namespace labmouse

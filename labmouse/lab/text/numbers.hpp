@@ -1,0 +1,25 @@
+// Numbers in texts of users: the one way in which the lab and the command line read and round them.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+namespace labmouse {
+
+/// A decimal number such as `-12`, `0.25` or `2.5e-3`, all of the text; nothing where it is none, or a double cannot
+/// hold it. The locale does not matter.
+std::optional<double> number_in(std::string_view text);
+
+/// The same from `low` to `high`, both included.
+std::optional<double> number_in(std::string_view text, double low, double high);
+
+/// What is wrong with a text that is no number, as the end of a sentence: "is not a number"; empty where it is one.
+std::string_view why_no_number(std::string_view text);
+
+/// Rounded to so many significant digits. What is not finite stays as it is.
+double rounded(double value, int digits);
+
+/// The shortest decimal number that gives this 32-bit one: 265.2, where a mere conversion would give 265.2000122.
+double decimal(float value);
+
+}  // namespace labmouse
