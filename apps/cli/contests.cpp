@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <chrono>
 #include <csignal>
 #include <cstdint>
@@ -11,6 +10,7 @@
 
 #include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/text/counted.hpp"
+#include "labmouse/lab/text/numbers.hpp"
 #include "labmouse/lab/text/printable.hpp"
 #include "terminal.hpp"
 
@@ -189,17 +189,16 @@ ExitCode exit_interrupted() {
 
 std::vector<double> numbers_of(std::string_view option, const std::string& text, double most) {
   std::vector<double> numbers;
-  for (std::string_view rest = text; !rest.empty();) {
-    const std::string_view word = rest.substr(0, rest.find(','));
-    double number = 0.0;
-    const auto [end, wrong] = std::from_chars(word.data(), word.data() + word.size(), number);
-    if (wrong != std::errc() || end != word.data() + word.size() || !(number >= 0.0 && number <= most))
+  for (std::string_view rest = text;;) {
+    const auto comma = rest.find(',');
+    const std::string_view word = rest.substr(0, comma);
+    const std::optional<double> number = number_in(word, 0.0, most);
+    if (!number)
       throw UsageError(fmt::format("error: {}: '{}' is not a number from 0 to {:g}", option, shown(word), most));
-    numbers.push_back(number);
-    rest.remove_prefix(std::min(rest.size(), word.size() + 1));
+    numbers.push_back(*number);
+    if (comma == std::string_view::npos) return numbers;
+    rest.remove_prefix(comma + 1);
   }
-  if (numbers.empty()) throw UsageError(fmt::format("error: {} needs a number", option));
-  return numbers;
 }
 
 std::vector<double> noises_of(const std::string& text) { return numbers_of("--noise", text, 100.0); }

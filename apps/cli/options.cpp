@@ -4,10 +4,12 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <charconv>
+#include <optional>
+#include <system_error>
 
 #include "command.hpp"
+#include "labmouse/lab/text/numbers.hpp"
 #include "labmouse/strategies/parameter.hpp"
 
 namespace labmouse::cli {
@@ -54,18 +56,52 @@ void refuse_unknown_command(const CLI::App& app, const std::string& word) {
                                app.get_name()));
 }
 
-/// An empty path, which a shell makes of a variable that is not set: it would be taken for an option left out.
-void refuse_empty_paths(const CLI::App& command, const std::string& name) {
-  constexpr std::array<std::string_view, 10> paths = {"FILE", "DIR",     "PATH",  "MAZE",  "IN",
-                                                      "OUT",  "RESULTS", "ROBOT", "RULES", "INTERPRETER"};
-  for (const CLI::Option* option : command.get_options()) {
-    const std::string type = option->get_type_name();
-    if (std::find(paths.begin(), paths.end(), type.substr(0, type.find(':'))) == paths.end()) continue;
-    const std::vector<std::string>& words = option->results();
-    if (std::find(words.begin(), words.end(), "") != words.end())
-      throw UsageError(fmt::format("error: the value of {} is empty (see `{} --help`)", option->get_name(), name));
-  }
-  for (const CLI::App* inner : command.get_subcommands()) refuse_empty_paths(*inner, name + " " + inner->get_name());
+/// Reads the number of an option, in digits; returns what is wrong with it, or nothing.
+std::string read_number(const std::string& text, double& number) {
+  const std::optional<double> read = number_in(text);
+  number = read.value_or(0.0);
+  return read ? "" : fmt::format("'{}' {}", text, why_no_number(text));
+}
+template <class Whole>
+std::string read_number(const std::string& text, Whole& number) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error == std::errc() && end == text.data() + text.size()) return "";
+  return fmt::format("'{}' is not a whole number{}", text,
+                     error == std::errc::result_out_of_range ? " of the size that is possible here" : "");
+}
+
+template <class Number>
+Check between(Number low, Number high, const char* type, const char* kind) {
+  const auto problem = [low, high, kind](const std::string& text) {
+    Number number = 0;
+    if (read_number(text, number).empty() && number >= low && number <= high) return std::string();
+    return fmt::format("'{}' is not a {} from {} to {}", text, kind, low, high);
+  };
+  return Check(CLI::Validator([problem](const std::string& text) { return problem(text); },
+                              fmt::format("{} in [{} - {}]", type, low, high)));
+}
+
+/// CLI11 would read octal and hexadecimal numbers, infinities, and decimal signs of the locale.
+template <class Number>
+CLI::Option* add_numeric(CLI::App& app, const std::string& name, const std::function<void(Number)>& take,
+                         const std::string& meaning) {
+  const auto read = [name, take](const std::string& text) {
+    Number number = 0;
+    if (std::string problem = read_number(text, number); !problem.empty()) throw CLI::ValidationError(name, problem);
+    take(number);
+  };
+  return app.add_option_function<std::string>(name, read, meaning)->type_name(CLI::detail::type_name<Number>());
+}
+
+template <class Number>
+CLI::Option* add_numeric(CLI::App& app, const std::string& name, Number& value, const std::string& meaning) {
+  const std::function<void(Number)> take = [&value](Number number) { value = number; };
+  return add_numeric(app, name, take, meaning)->default_function([&value] { return fmt::format("{}", value); });
+}
+
+/// A shell makes an empty word of a variable that is not set; it would be taken for an option left out.
+CLI::Validator not_empty() {
+  return {[](const std::string& text) { return text.empty() ? "its value is empty" : ""; }, "", "not empty"};
 }
 
 }  // namespace
@@ -74,17 +110,16 @@ Check::Check(const CLI::Validator& validator) : validator_(std::make_shared<CLI:
 Check::Check(const std::function<std::string(const std::string&)>& problem)
     : Check(CLI::Validator([problem](const std::string& text) { return problem(text); }, "")) {}
 
-Check in_range(int low, int high) { return Check(CLI::Range(low, high)); }
-Check in_range(std::uint64_t low, std::uint64_t high) { return Check(CLI::Range(low, high)); }
-Check in_range(double low, double high) { return Check(CLI::Range(low, high)); }
+Check in_range(int low, int high) { return between(low, high, "INT", "whole number"); }
+Check in_range(std::uint64_t low, std::uint64_t high) { return between(low, high, "UINT", "whole number"); }
+Check in_range(double low, double high) { return between(low, high, "FLOAT", "number"); }
 Check one_of(const std::vector<std::string>& words) { return Check(CLI::IsMember(words)); }
 Check existing_directory() { return Check(CLI::ExistingDirectory); }
 
 Check seed_number() {
   return Check([](const std::string& text) {
     std::uint64_t seed = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
-    const bool good = error == std::errc() && end == text.data() + text.size();
+    const bool good = read_number(text, seed).empty();
     return good ? std::string() : fmt::format("'{}' is not a whole number from 0 to 2^64 - 1", text);
   });
 }
@@ -92,7 +127,7 @@ Check seed_number() {
 Check finite_number() {
   return Check([](const std::string& text) {
     double number = 0.0;
-    return parse_number(text, number) ? std::string() : fmt::format("'{}' is not a number (such as 0.25)", text);
+    return read_number(text, number);
   });
 }
 
@@ -132,6 +167,10 @@ Option* Option::default_str(const std::string& text) {
   option_->default_str(text);
   return this;
 }
+Option* Option::may_be_empty() {
+  option_->get_validator(not_empty().get_name())->active(false);
+  return this;
+}
 std::size_t Option::count() const { return option_->count(); }
 std::string Option::name() const { return option_->get_name(); }
 
@@ -140,7 +179,7 @@ Command* Command::add_subcommand(const std::string& name, const std::string& mea
 }
 void Command::require_subcommand() { app_->require_subcommand(1); }
 
-Option* Command::add(CLI::Option* option) { return &options_.emplace_back(*option); }
+Option* Command::add(CLI::Option* option) { return &options_.emplace_back(*option->check(not_empty())); }
 Option* Command::add_option(const std::string& name, std::string& value, const std::string& meaning) {
   return add(app_->add_option(name, value, meaning));
 }
@@ -148,28 +187,28 @@ Option* Command::add_option(const std::string& name, std::vector<std::string>& v
   return add(app_->add_option(name, value, meaning));
 }
 Option* Command::add_option(const std::string& name, int& value, const std::string& meaning) {
-  return add(app_->add_option(name, value, meaning));
+  return add(add_numeric(*app_, name, value, meaning));
 }
 Option* Command::add_option(const std::string& name, std::uint64_t& value, const std::string& meaning) {
-  return add(app_->add_option(name, value, meaning));
+  return add(add_numeric(*app_, name, value, meaning));
 }
 Option* Command::add_option(const std::string& name, double& value, const std::string& meaning) {
-  return add(app_->add_option(name, value, meaning));
+  return add(add_numeric(*app_, name, value, meaning));
 }
 Option* Command::add_integer(const std::string& name, const std::function<void(std::uint64_t)>& take,
                              const std::string& meaning) {
-  return add(app_->add_option_function<std::uint64_t>(name, take, meaning));
+  return add(add_numeric(*app_, name, take, meaning));
 }
 Option* Command::add_number(const std::string& name, const std::function<void(double)>& take,
                             const std::string& meaning) {
-  return add(app_->add_option_function<double>(name, take, meaning));
+  return add(add_numeric(*app_, name, take, meaning));
 }
 Option* Command::add_word(const std::string& name, const std::function<void(const std::string&)>& take,
                           const std::string& meaning) {
   return add(app_->add_option_function<std::string>(name, take, meaning));
 }
 Option* Command::add_flag(const std::string& name, bool& value, const std::string& meaning) {
-  return add(app_->add_flag(name, value, meaning));
+  return &options_.emplace_back(*app_->add_flag(name, value, meaning));
 }
 
 void Command::footer(const std::string& text) { app_->footer(text); }
@@ -186,7 +225,6 @@ CommandLine::~CommandLine() = default;
 
 bool CommandLine::run(int argc, char** argv) {
   if (argc > 1) refuse_unknown_command(*app_, argv[1]);
-  app_->parse_complete_callback([this] { refuse_empty_paths(*app_, app_->get_name()); });
   try {
     app_->parse(argc, argv);
     return false;

@@ -60,6 +60,8 @@ class Option {
   Option* take_all();
   /// Checks are made in the order in which they were added.
   Option* check(const Check& check);
+  /// An empty value has a meaning; for all others it is refused.
+  Option* may_be_empty();
   /// Shows the variable's present value as the default; to be called last.
   Option* capture_default_str();
   /// Shows `text` as the default.
