@@ -62,7 +62,9 @@ int bound(const BoundOptions& options) {
   const Hindsight hindsight = look_back(options, mazes);
   if (!hindsight.error.empty()) throw UsageError("error: " + hindsight.error);
   print(json ? json_of(hindsight) : table_of(hindsight, colours()));
-  return hindsight.stopped ? exit_interrupted() : exit_good;
+  if (hindsight.stopped) return exit_interrupted();
+  tell(hindsight.never_started);
+  return hindsight.never_started.empty() ? exit_good : exit_finding;
 }
 
 void add_hindsight(Command& command, BoundOptions& options) {

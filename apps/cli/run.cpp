@@ -29,14 +29,11 @@ struct RunOptions {
 void run_contest(const RunOptions& options) {
   expect_outputs({{"--record", options.record}, {"--svg", options.svg}});
   const std::vector<Contestant> mice = find_contestants({options.mouse}, options.guests);
-  if (!mice.front().make)
-    throw UsageError(
-        fmt::format("error: '{}' cannot be run in steps; use `labmouse race` to race it, or `labmouse mms` to run a "
-                    "program for mms in one maze",
-                    mice.front().name));
   if (mice.size() != 1) throw UsageError("error: `labmouse run` takes one mouse; to run several, use `labmouse race`");
   const Contestant& mouse = mice.front();
-  if (const std::string reason = refuse_to_walk(mouse); !reason.empty()) throw UsageError("error: " + reason);
+  if (const std::string reason = refuse_to_walk(mouse); !reason.empty())
+    throw UsageError(fmt::format("error: {}; `labmouse run` counts steps: use `labmouse {}`", reason,
+                                 mouse.program ? "mms" : "race"));
   const NamedMaze maze = find_maze(options.maze, options.places);
   const Rules& rules = options.rules;
   const auto mind = mouse.make(maze.maze, rules, options.seed);

@@ -9,6 +9,7 @@
 #include "labmouse/contest/score.hpp"
 #include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/numbers/statistics.hpp"
+#include "labmouse/lab/races/never_started.hpp"
 #include "labmouse/lab/steps/steps_world.hpp"
 #include "labmouse/lab/studies/parameter_range.hpp"
 #include "labmouse/mouse/distance.hpp"
@@ -118,6 +119,9 @@ void race_all(const Contestant& mouse, const std::vector<NamedMaze>& mazes, cons
     const Race race = hold_race(mice, {*maze}, order, race_hooks);
     if (hindsight.stopped = race.stopped; hindsight.stopped) return;
     hindsight.mazes.push_back(collector.result(race));
+    hindsight.never_started = never_started_lines(race);
+    // A program that does not start at all is found in the first maze.
+    if (!hindsight.never_started.empty()) return;
   }
 }
 
@@ -171,6 +175,10 @@ Hindsight look_back(std::string_view spec, const std::vector<NamedMaze>& mazes, 
     return hindsight;
   }
   const Contestant& mouse = read.contestants.front();
+  if (hindsight.error = refuse_to_walk(mouse); !hindsight.error.empty()) {
+    hindsight.error += "; hindsight is a matter of steps";
+    return hindsight;
+  }
   hindsight.mouse = mouse.name;
   hindsight.throws_dice = mouse.uses_chance;
   hindsight.has_others = order.others > 0 && (mouse.uses_chance || has_numbers(mouse));

@@ -56,6 +56,7 @@ struct Hindsight {
   std::vector<std::string> routeless;  ///< mazes whose goal cannot be reached
   bool stopped = false;                ///< before all mazes were done; the one under way is left out
   std::string error;                   ///< why the mouse was refused; then nothing was raced
+  std::string never_started;           ///< a line where its program did not start in the last maze, which ended it
 };
 
 /// What it tells while it goes on.

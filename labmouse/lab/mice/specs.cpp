@@ -382,7 +382,11 @@ std::string refuse_to_drive(std::span<const Contestant> mice) {
 }
 
 std::string refuse_to_walk(const Contestant& mouse) {
-  if (!mouse.make && !mouse.elsewhere) return fmt::format("mouse '{}' cannot race in steps", mouse.name);
+  if (!mouse.make && !mouse.elsewhere)
+    return fmt::format("mouse '{}' cannot race in steps, only in the world {}", mouse.name,
+                       mouse.program ? "mms"
+                       : mouse.pilot ? "physical"
+                                     : "seconds");
   return refuse_idle_settings(mouse, counts_in_steps, "steps");
 }
 
