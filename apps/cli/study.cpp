@@ -6,6 +6,7 @@
 #include "command.hpp"
 #include "contests.hpp"
 #include "guests.hpp"
+#include "labmouse/lab/races/never_started.hpp"
 
 namespace labmouse::cli {
 namespace {
@@ -47,7 +48,10 @@ int study(const StudyOptions& options) {
   const bool any = result.folds_done > 0;
   if (any && !options.csv.empty()) save(options.csv, csv_of(result));
   if (any && !options.svg.empty()) save(options.svg, picture_of(result));
-  return result.race.stopped ? exit_interrupted() : exit_good;
+  if (result.race.stopped) return exit_interrupted();
+  const std::string never_started = never_started_lines(result.race);
+  tell(never_started);
+  return never_started.empty() ? exit_good : exit_finding;
 }
 
 }  // namespace

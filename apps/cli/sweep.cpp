@@ -46,7 +46,9 @@ int sweep(const SweepOptions& options) {
   const bool any = !result.points.empty();
   if (any && !options.csv.empty()) save(options.csv, csv_of(result));
   if (any && !options.svg.empty()) save(options.svg, picture_of(result));
-  return result.points.size() < result.values ? exit_interrupted() : exit_good;
+  if (result.points.size() < result.values) return exit_interrupted();
+  tell(result.never_started);
+  return result.never_started.empty() ? exit_good : exit_finding;
 }
 
 }  // namespace

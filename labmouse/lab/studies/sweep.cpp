@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "labmouse/lab/mice/specs.hpp"
+#include "labmouse/lab/races/never_started.hpp"
 #include "labmouse/lab/standings/standings.hpp"
 
 namespace labmouse {
@@ -79,6 +80,7 @@ Sweep hold_sweep(std::string_view spec, const Variation& variation, const std::v
     // Part of the mazes would make a mean that compares with no other.
     if (race.stopped) break;
     sweep.points.push_back(point_of(race, values[i]));
+    sweep.never_started += never_started_lines(race);
   }
   return sweep;
 }

@@ -47,6 +47,7 @@ struct Sweep {
   int routeless = 0;               ///< mazes without one
   std::size_t values = 0;          ///< that were asked for
   std::vector<SweepPoint> points;  ///< in the order of the values; fewer where the sweep was stopped
+  std::string never_started;       ///< a line for each value at which a program did not start in any contest
   std::string error;               ///< why the mouse or a value was refused; then nothing was raced
 };
 
