@@ -91,8 +91,9 @@ int main(int argc, char** argv) {
         "limit of `ulimit -v`\n",
         stderr);
     return exit_usage;
-  } catch (const std::exception& error) {
-    print_lines(std::string("error: ") + error.what());
+  } catch (const std::exception&) {
+    // Whatever is wrong with a user's input is a UsageError, so the words of this one would help nobody.
+    tell("error: labmouse failed, and it is not your fault; please report this with the command and its files\n");
     return exit_usage;
   }
 }
