@@ -31,9 +31,8 @@ void run_contest(const RunOptions& options) {
   const std::vector<Contestant> mice = find_contestants({options.mouse}, options.guests);
   if (mice.size() != 1) throw UsageError("error: `labmouse run` takes one mouse; to run several, use `labmouse race`");
   const Contestant& mouse = mice.front();
-  if (const std::string reason = refuse_to_walk(mouse); !reason.empty())
-    throw UsageError(fmt::format("error: {}; `labmouse run` counts steps: use `labmouse {}`", reason,
-                                 mouse.program ? "mms" : "race"));
+  const char* const hint = mouse.make ? "" : mouse.program ? "; use `labmouse mms`" : "; use `labmouse race`";
+  if (const std::string reason = refuse_to_walk(mouse); !reason.empty()) throw UsageError("error: " + reason + hint);
   const NamedMaze maze = find_maze(options.maze, options.places);
   const Rules& rules = options.rules;
   const auto mind = mouse.make(maze.maze, rules, options.seed);

@@ -176,7 +176,7 @@ Hindsight look_back(std::string_view spec, const std::vector<NamedMaze>& mazes, 
   }
   const Contestant& mouse = read.contestants.front();
   if (hindsight.error = refuse_to_walk(mouse); !hindsight.error.empty()) {
-    hindsight.error += "; hindsight is a matter of steps";
+    hindsight.error += "; hindsight is for mice that race in steps";
     return hindsight;
   }
   hindsight.mouse = mouse.name;

@@ -1,0 +1,239 @@
+// Every command with every robot, world, kind of mouse and word that its help names: each ends by itself, and says what
+// is wrong in the program's own words. What there is to run is read from the program, so a new one is run, too.
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "tests/cli/user.hpp"
+
+namespace labmouse {
+namespace {
+
+using Words = std::vector<std::string>;
+
+/// An option or a positional argument of a command, as its help has it.
+struct Taken {
+  std::string name;  ///< with its dashes
+  std::string type;  ///< "ROBOT", "TEXT"
+  Words choices;     ///< of a text that is one of some words
+  bool is_mouse() const { return type == "MOUSE" || type == "SPEC"; }
+  bool is_world() const { return name == "--world" && !choices.empty(); }
+};
+
+Words split(const std::string& text, char separator) {
+  Words parts;
+  std::istringstream stream(text);
+  for (std::string part; std::getline(stream, part, separator);) parts.push_back(part);
+  return parts;
+}
+
+/// What makes a command do something cheap, without what the test chooses.
+const std::map<std::string, Words> usual = {
+    {"race", {"--mazes", "m.txt", "--runs", "1", "--jobs", "1"}},
+    {"sweep", {"--vary", "stride=3", "--mazes", "m.txt", "--runs", "1", "--jobs", "1"}},
+    {"study", {"--mazes", "m.txt", "n.txt", "--folds", "2", "--runs", "1", "--jobs", "1"}},
+    {"tune", {"--params", "stride", "--evaluations", "2", "--mazes", "m.txt", "--runs", "1", "--jobs", "1"}},
+    {"lineup check", {"mice.toml"}},
+    {"lineup init", {"robots", "--overwrite"}},
+    {"run", {"m.txt"}},
+    {"mms", {"false", "--maze", "m.txt"}},
+    {"learn", {"m.txt", "-o", "learned.prior"}},
+    {"show", {"m.txt"}},
+    {"inspect", {"m.txt"}},
+    {"make", {"empty", "--size", "4x4"}},
+    {"convert", {"m.txt", "-"}},
+    {"mice", {}},
+    {"robot show", {"--svg", "robot.svg"}},
+    {"robot fit", {"--turns", "turns.txt"}},
+    {"robot compare", {"log.csv", "--columns", "left,right,left_count,right_count", "--period", "1"}},
+    {"robot list", {}},
+    {"rules show", {}},
+    {"rules list", {}},
+    {"bound", {"m.txt"}},
+    {"route", {"m.txt", "--svg", "route.svg"}},
+    {"drive", {"--mazes", "m.txt", "--runs", "1", "--jobs", "1"}},
+    {"hazards", {"--mazes", "m.txt", "--noise", "1", "--jobs", "1"}},
+    {"replay", {"r.jsonl"}},
+    {"score", {"r.jsonl"}},
+    {"page", {"-o", "page.html"}},
+    {"report", {"results.json", "-o", "report.html"}},
+    {"store list", {"s.db"}},
+    {"store show", {"s.db"}},
+    {"store race", {"s.db"}},
+    {"store export", {"s.db"}},
+    {"store merge", {"s.db", "-o", "all.db"}},
+    {"store verify", {"s.db"}},
+    {"store forget", {"s.db", "--seed", "7"}},
+    {"bench", {"--signature"}},
+};
+
+class EveryCommand : public test::AUser {
+ protected:
+  EveryCommand() {
+    file("m.txt", test::corridor);
+    file("n.txt", "o---o---o\n| S   G |\no---o---o\n");
+    file("robot.py", "class Robot:\n  def __init__(self, size):\n    pass\n");
+    std::filesystem::create_directories(folder_ / "robots");
+    file("robots/robot.py", content("robot.py"));
+    file("turns.txt", "turn speed y before\nS90 300 44 1\n");
+    file("log.csv", "left,right,left_count,right_count\n0,0,0,0\n0,0,0,0\n0,0,0,0\n");
+    std::string lineup;
+    for (const std::string& mouse : built_in_mice())
+      lineup += "[[mouse]]\nname = \"the " + mouse + "\"\nmouse = \"" + mouse + "\"\n";
+    file("mice.toml", lineup);
+  }
+
+  /// What of a race later commands take.
+  void hold_a_race() const {
+    labmouse({"run", "flood", "m.txt", "--record", "r.jsonl"});
+    const test::Ended race =
+        labmouse({"race", "--mice", "flood", "--mazes", "m.txt", "--store", "s.db", "--format", "json"});
+    file("results.json", race.out);
+  }
+
+  /// The commands that do something, with the words that lead to them: "robot show".
+  Words commands(const std::string& above = "") const {
+    Words found;
+    for (const std::string& name : first_words("Subcommands:", help_of(above))) {
+      const std::string whole = above.empty() ? name : above + " " + name;
+      const Words below = commands(whole);
+      found.insert(found.end(), below.begin(), below.end());
+      if (below.empty()) found.push_back(whole);
+    }
+    return found;
+  }
+
+  std::vector<Taken> taken_by(const std::string& command) const {
+    std::vector<Taken> all;
+    bool positional = false;
+    for (const std::string& line : split(help_of(command), '\n')) {
+      if (line.ends_with(':')) positional = line == "Positionals:";
+      std::istringstream words(line);
+      std::string name, type;
+      words >> name >> type;
+      if (!line.starts_with("  ") || line.starts_with("   ") || (!positional && !name.starts_with("-"))) continue;
+      Taken taken = {positional ? "" : name, type.substr(0, type.find_first_of(":=")), {}};
+      const auto open = type.find('{'), close = type.find('}');
+      if (open != std::string::npos) taken.choices = split(type.substr(open + 1, close - open - 1), ',');
+      all.push_back(taken);
+    }
+    return all;
+  }
+
+  /// One mouse of each kind that is built in, by what the program says of them.
+  Words built_in_mice() const {
+    std::map<std::string, std::string> kinds;
+    for (nlohmann::json mouse : nlohmann::json::parse(labmouse({"mice", "--format", "json"}).out)) {
+      const std::string name = mouse["name"];
+      for (const char* key : {"name", "summary", "parameters", "method", "source"}) mouse.erase(key);
+      kinds.emplace(mouse.dump(), name);
+    }
+    Words mice = {"oracle"};
+    for (const auto& [kind, name] : kinds) mice.push_back(name);
+    return mice;
+  }
+  Words mice() const {
+    Words mice = built_in_mice();
+    mice.insert(mice.end(), {"mine=flood:stride=1", "capstone:robot.py", "guest:false", "pilot:false", "mms:false",
+                             "lineup:mice.toml", "nobody"});
+    return mice;
+  }
+
+  /// All values to be tried for what a command takes; none where any is like another.
+  Words values_of(const Taken& taken) const {
+    if (taken.is_mouse()) return mice();
+    if (taken.type == "ROBOT") return first_words("", labmouse({"robot", "list"}).out);
+    if (taken.type == "RULES") return first_words("", labmouse({"rules", "list"}).out);
+    return taken.choices;
+  }
+
+  void try_out(const std::string& command, const Words& chosen) const {
+    Words words = split(command, ' ');
+    words.insert(words.end(), chosen.begin(), chosen.end());
+    const auto more = usual.find(command);
+    ASSERT_NE(more, usual.end()) << "a new command: give it its usual words";
+    words.insert(words.end(), more->second.begin(), more->second.end());
+    const test::Ended ended = labmouse(words);
+    SCOPED_TRACE(testing::PrintToString(words));
+    EXPECT_TRUE(ended.code >= 0 && ended.code <= 2) << ended.code << ended.err;
+    for (const char* foreign : {"bad_", "std::", "[json", "terminate", "exception", "basic_string", "fault"})
+      EXPECT_EQ((ended.out + ended.err).find(foreign), std::string::npos) << foreign << ended.err;
+    if (ended.code != 2) return;
+    EXPECT_EQ(ended.out, "");
+    bool says_what = false;
+    for (const std::string& line : split(ended.err, '\n')) {
+      says_what = says_what || line.starts_with("error: ") || line.find(": error: ") != std::string::npos;
+    }
+    EXPECT_TRUE(says_what) << ended.err;
+  }
+
+  /// The option or positional argument with that value.
+  static Words words_of(const Taken& taken, const std::string& value) {
+    return taken.name.empty() ? Words{value} : Words{taken.name, value};
+  }
+
+  static Words both(Words words, const Words& more) {
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  }
+
+  /// The words in front of the lines below a heading, up to a line without any.
+  static Words first_words(std::string_view heading, const std::string& text) {
+    Words words;
+    bool below = heading.empty();
+    for (const std::string& line : split(text, '\n')) {
+      std::string word;
+      std::istringstream(line) >> word;
+      if (below && word.empty()) break;
+      if (below) words.push_back(word);
+      below = below || line == heading;
+    }
+    return words;
+  }
+
+ private:
+  std::string help_of(const std::string& command) const {
+    Words words = split(command, ' ');
+    words.emplace_back("--help");
+    return labmouse(words).out;
+  }
+};
+
+TEST_F(EveryCommand, EndsWellWithEachWordOfItsHelp) {
+  hold_a_race();
+  const Words all = commands();
+  EXPECT_EQ(std::set<std::string>(all.begin(), all.end()).size(), usual.size());
+  for (const std::string& command : all) {
+    const std::vector<Taken> taken = taken_by(command);
+    // Where a mouse is asked for, some mouse.
+    Words some;
+    for (const Taken& each : taken)
+      if (each.is_mouse() && each.name != "--hindsight") some = words_of(each, "flood");
+    try_out(command, some);
+    for (const Taken& each : taken)
+      if (!each.is_mouse())
+        for (const std::string& value : values_of(each)) try_out(command, both(words_of(each, value), some));
+  }
+}
+
+TEST_F(EveryCommand, EndsWellWithEachKindOfMouseInEachWorld) {
+  for (const std::string& command : commands()) {
+    const std::vector<Taken> taken = taken_by(command);
+    Words worlds;
+    for (const Taken& each : taken)
+      if (each.is_world()) worlds = each.choices;
+    for (const Taken& each : taken)
+      if (each.is_mouse())
+        for (const std::string& mouse : mice()) {
+          try_out(command, words_of(each, mouse));
+          for (const std::string& world : worlds) try_out(command, both(words_of(each, mouse), {"--world", world}));
+        }
+  }
+}
+
+}  // namespace
+}  // namespace labmouse

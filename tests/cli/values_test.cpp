@@ -1,0 +1,113 @@
+// What stands behind options and in files: numbers that are none, values that are empty, mice of other worlds.
+#include <string>
+#include <vector>
+
+#include "tests/cli/user.hpp"
+
+namespace labmouse {
+namespace {
+
+using test::AUser;
+using test::Ended;
+using test::Says;
+using ::testing::HasSubstr;
+
+TEST_F(AUser, HasAPictureOfARobotWithoutDiagonals) {
+  EXPECT_EQ(labmouse({"robot", "show", "beginner", "--svg", "x.svg"}).code, 0);
+  EXPECT_THAT(content("x.svg"), HasSubstr("</svg>"));
+}
+
+TEST_F(AUser, IsToldWhereANumberIsNone) {
+  file("turns.txt", "turn  speed    x        y    before\nS90   1e-320  44       44   1\n");
+  is_refused({"robot", "fit", "--turns", "turns.txt", "--base", "kerise"}, "turns.txt:2:7: error: ", "'1e-320'");
+  file("race.json", "{\n \"labmouse\": \"0.1.0\",\n \"mazes\": [{\"bound\": 1e309}],\n \"mice\": []\n}\n");
+  is_refused({"report", "race.json", "-o", "x.html"}, "race.json:3:22: error: ", "'1e309'");
+  is_refused({"race", "--mice", "flood", "--baseline", "race.json"}, "race.json:3:22: error: ", "'1e309'");
+  is_refused({"race", "--world", "fallible", "--hazards", "./race.json"}, "race.json:3:22: error: ", "'1e309'");
+  file("robot.toml", "cell = 1e-320\n");
+  is_refused({"robot", "show", "./robot.toml"}, "robot.toml:1:8: error: ");
+  file("walk.jsonl", "{}\n{\"a\": 1e309}\n");
+  is_refused({"score", "walk.jsonl"}, "walk.jsonl:", ": error: ");
+}
+
+TEST_F(AUser, MayGiveAllDigitsOfANumber) {
+  file("m.txt", test::corridor);
+  EXPECT_EQ(labmouse({"race", "--mice", "flood", "--mazes", "m.txt", "--fail-above", "22.033333333333335"}).code, 0);
+  EXPECT_EQ(labmouse({"make", "empty", "--size", "4x4", "--loops", "1e-1"}).code, 0);
+}
+
+TEST_F(AUser, GivesDecimalNumbersToAllOptions) {
+  for (const std::string odd : {"0x1", "inf", "nan", "1x", "+1", " 1", "1,5x", "1e309", "1e-320", "1_0"}) {
+    is_refused({"race", "--world", "physical", "--mice", "flood", "--noise", odd}, "--noise");
+    is_refused({"drive", "--noise", odd}, "--noise");
+    is_refused({"race", "--world", "physical", "--mice", "flood", "--spread", odd}, "--spread");
+    is_refused({"drive", "--spread", odd}, "--spread");
+    is_refused({"race", "--fail-above", odd}, "--fail-above");
+    is_refused({"race", "--seed", odd}, "--seed");
+    is_refused({"race", "--runs", odd}, "--runs");
+    is_refused({"race", "--start-limit", odd}, "--start-limit");
+    is_refused({"race", "--memory", odd}, "--memory");
+    is_refused({"race", "--jobs", odd}, "--jobs");
+  }
+  // Eight in the system of eight is none of ten.
+  file("m.txt", test::corridor);
+  EXPECT_EQ(labmouse({"run", "flood", "m.txt", "--candidates", "010", "--explain"}).code, 0);
+  is_refused({"drive", "--noise", "1,"}, "--noise");
+}
+
+TEST_F(AUser, HasNoEmptyValueTakenForNone) {
+  const std::vector<std::vector<std::string>> all = {{"hazards", "--check", ""},
+                                                     {"race", "--start", ""},
+                                                     {"mice", ""},
+                                                     {"mice", "--format", ""},
+                                                     {"race", "--label", ""},
+                                                     {"race", "--mice", ""},
+                                                     {"race", "--goal", ""},
+                                                     {"race", "--runs", ""},
+                                                     {"race", "--noise", ""},
+                                                     {"bound", "--hindsight", ""},
+                                                     {"show", "--layer", ""},
+                                                     {"show", ""},
+                                                     {"sweep", "", "--vary", "a=1"},
+                                                     {"race", "--fail-above", ""},
+                                                     {"race", "--python", ""},
+                                                     {"convert", "", "-"},
+                                                     {"race", "--shard", ""},
+                                                     {"store", "list", ""},
+                                                     {"store", "list", "s.db", "--mouse", ""}};
+  for (const auto& words : all) is_refused(words, "error: ", "empty");
+  is_refused({"race", "--start="}, "error: ", "--start");
+}
+
+TEST_F(AUser, IsToldWhichMiceHaveHindsight) {
+  file("m.txt", test::corridor);
+  is_refused({"bound", "m.txt", "--hindsight", "festina"}, "error: ", "'festina'", "steps", "seconds");
+  is_refused({"bound", "m.txt", "--hindsight", "pilot:true"}, "error: ", "steps", "physical");
+  is_refused({"bound", "m.txt", "--hindsight", "mms:true"}, "error: ", "steps", "mms");
+  is_refused({"run", "festina", "m.txt"}, "error: ", "'festina'", "steps", "seconds", "`labmouse race`");
+  is_refused({"run", "mms:true", "m.txt"}, "error: ", "steps", "`labmouse mms`");
+}
+
+TEST_F(AUser, MayHaveAMouseThatOnlyDrivesInALineup) {
+  file("mice.toml", "[[mouse]]\nname = \"anna\"\nmouse = \"festina\"\n");
+  const Ended ended = labmouse({"lineup", "check", "mice.toml"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(ended.out, Says("anna ", "score ", " s"));
+}
+
+TEST_F(AUser, IsToldOfProgramsThatNeverStart) {
+  file("m.txt", test::corridor);
+  file("n.txt", "o---o---o\n| S   G |\no---o---o\n");
+  const auto is_told = [&](const std::vector<std::string>& words) {
+    const Ended ended = labmouse(words);
+    EXPECT_EQ(ended.code, 1) << ended.out << ended.err;
+    EXPECT_NE(ended.out, "");
+    EXPECT_THAT(ended.err, Says("guest:false", "start"));
+  };
+  is_told({"sweep", "guest:false {depth}", "--vary", "depth=1,2", "--mazes", "m.txt"});
+  is_told({"study", "--mice", "flood,guest:false", "--folds", "2", "--mazes", "m.txt", "n.txt"});
+  is_told({"bound", "m.txt", "--hindsight", "guest:false"});
+}
+
+}  // namespace
+}  // namespace labmouse
