@@ -120,6 +120,7 @@ void add_bench(Command& app, int& exit) {
   const Option* asks_memory = command->add_flag(
       "--memory", *memory, "Print only what minds take in the world of seconds, by mouse, size and robot");
   command->add_option("--robot", *robots, "Robots for --memory: built-in ones or files; default: all built-in ones")
+      ->type_name("ROBOT")
       ->needs(asks_memory);
   command->footer("Example: labmouse bench --memory --robot classic");
   command->callback([format, signature_only, memory, robots, &exit] {

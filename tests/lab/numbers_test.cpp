@@ -109,7 +109,7 @@ TEST(NumbersInJson, ThatADoubleCannotHoldMakeItNone) {
     const std::string text = "{\"a\": \"1e309\",\n \"b\": [0, " + number + "]}";
     EXPECT_TRUE(read_json(text).is_discarded()) << number;
     EXPECT_TRUE(read_ordered_json(text).is_discarded()) << number;
-    EXPECT_THAT(json_problem(text), ProblemAt(2, 11, "JSON", number.size() > 40 ? "0.000" : number.c_str()));
+    EXPECT_THAT(json_problem(text), ProblemAt(2, 11, "JSON", number.size() > 40 ? "..." : number.c_str()));
   }
   for (const char* good : {"[1e308, 1e-300, 0e-400]", "[\"1e309\", 12345678901234567890123]", "[0.1]"})
     EXPECT_FALSE(read_json(good).is_discarded()) << good;
@@ -132,7 +132,8 @@ TEST(NumbersInToml, ThatADoubleCannotHoldAreRefused) {
     ASSERT_EQ(read.problems.size(), 1U) << bad;
     EXPECT_EQ(read.problems.front().line, 3) << bad;
   }
-  EXPECT_TRUE(parse_toml("a = [1.5, 0.0, -0.0, 3]").problems.empty());
+  EXPECT_TRUE(parse_toml("a = [1.5, 0.0, -0.0, 3, 0e0, +0.0_0]\n").problems.empty());
+  EXPECT_EQ(parse_toml("\"\xC2\xB2\" = [0.0, 1e-400]").problems.front().column, 13);
 }
 
 }  // namespace

@@ -109,6 +109,13 @@ TEST(ReportResults, ThatLackAFieldSayWhich) {
   EXPECT_EQ(wrong(R"({"labmouse":"1","mazes":[],"mice":[],"groups":[]})"), "");
 }
 
+TEST(ReportResults, WithANumberThatADoubleCannotHoldSayWhere) {
+  const Problem problem = problem_of("{\n \"labmouse\": \"1\",\n \"mazes\": [{\"bound\": 1e309}],\n \"mice\": []\n}\n");
+  EXPECT_EQ(problem.line, 3);
+  EXPECT_EQ(problem.column, 22);
+  EXPECT_THAT(problem.reason, Says("'1e309'", "large"));
+}
+
 TEST(ReportResults, OfDeepJsonAreRefused) {
   const auto deep = [](const std::string& open, int depth) {
     std::string text = R"({"labmouse":"1","mazes":[],"mice":[],"more":)";

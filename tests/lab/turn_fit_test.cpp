@@ -55,7 +55,7 @@ TEST(TurnTable, SaysWhereItIsWrong) {
   EXPECT_THAT(complaints("turn ms ms\n"), ElementsAre(SaysAt("t:1:9", "'ms'", "twice")));
   EXPECT_THAT(complaints("turn ms\n46 3\n"), ElementsAre(SaysAt("t:2:1", "'46'", "S90")));
   EXPECT_THAT(complaints("turn ms\n45 fast\n45 3 4\n"),
-              ElementsAre(SaysAt("t:2:4", "'fast'", "number"), SaysAt("t:2:1", "ms"), SaysAt("t:3:1", "3 columns")));
+              ElementsAre(SaysAt("t:2:4", "'fast'", "number"), SaysAt("t:3:1", "3 columns")));
   for (const char* odd : {"1e-320", "1e-300", "0.0001", "1e309", "1e7", "-1", "0x10", "inf"})
     EXPECT_THAT(complaints(std::string("turn ms\n45 ") + odd + "\n"), ElementsAre(SaysAt("t:2:4", odd, "number")));
   EXPECT_THAT(complaints("turn speed\n45 300\n"), ElementsAre(SaysAt("t:2:1", "'ms'", "'y'")));
@@ -65,7 +65,7 @@ TEST(TurnFit, HasNothingToSayOfTurnsThatNoLimitsExplain) {
   // No table has such turns, but it must not fall over them.
   KnownTurn turn;
   turn.turn = Turn::s90;
-  turn.speed = 1e-300;
+  turn.speed = 1e-320;
   turn.aside = 44.0;
   EXPECT_EQ(fit_turns(std::vector{turn}, 90.0).numbers, 0);
   const FittedRobot fitted = fitted_robot({turn}, find_robot("kerise").robot, 90.0);

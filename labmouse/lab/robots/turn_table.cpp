@@ -71,11 +71,13 @@ class Reader {
                  fmt::format("has {} columns; the first line names {}", words.size(), names_.size()));
     KnownTurn turn;
     if (!read_name(words.front(), turn)) return;
+    const std::size_t problems = table_.problems.size();
     for (std::size_t i = 1; i < words.size(); ++i) {
       double* const value = value_of(turn, names_[i]);
       const std::optional<double> number = number_of(words[i]);
       if (value != nullptr && number) *value = *number;
     }
+    if (table_.problems.size() > problems) return;
     if (turn.milliseconds == 0.0 && (turn.speed == 0.0 || turn.aside == 0.0))
       return add(words.front().column, "needs its time ('ms'), or its speed with the size of its curve ('speed', 'y')");
     table_.turns.push_back(turn);

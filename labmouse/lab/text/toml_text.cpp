@@ -28,21 +28,35 @@ std::string_view word_hint(std::string_view text, std::size_t line) {
   return word == "yes" || word == "on" || word == "True" ? "; write true" : "";
 }
 
+/// Whether a number that was read as 0 is written with other digits.
+bool is_not_written_as_zero(std::string_view text, toml::source_position place) {
+  for (; place.line > 1; --place.line) text.remove_prefix(std::min(text.size(), text.find('\n') + 1));
+  // Columns count characters, which begin with a byte that continues none.
+  const auto continues = [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; };
+  for (std::size_t left = place.column - 1; !text.empty() && (left > 0 || continues(text.front()));) {
+    text.remove_prefix(1);
+    if (text.empty() || !continues(text.front())) --left;
+  }
+  return text.substr(0, text.find_first_not_of("+-_.0123456789")).find_first_of("123456789") != text.npos;
+}
+
 /// The first number that no quantity can have, with its place: TOML has infinities, and no bounds for what is tiny.
-std::optional<Problem> bad_number(const toml::node& node) {
+std::optional<Problem> bad_number(const toml::node& node, std::string_view text) {
   if (const auto* number = node.as_floating_point()) {
     const int kind = std::fpclassify(number->get());
-    if (kind == FP_NORMAL || kind == FP_ZERO) return std::nullopt;
-    return problem_at(node.source().begin,
-                      kind == FP_SUBNORMAL ? "this number is too small; write 0" : "inf and nan are not allowed here");
+    const toml::source_position place = node.source().begin;
+    if (kind == FP_INFINITE || kind == FP_NAN) return problem_at(place, "inf and nan are not allowed here");
+    if (kind == FP_SUBNORMAL || (kind == FP_ZERO && is_not_written_as_zero(text, place)))
+      return problem_at(place, "this number is too small; write 0");
+    return std::nullopt;
   }
   std::optional<Problem> problem;
   if (const auto* table = node.as_table())
     for (const auto& [key, value] : *table)
-      if (!problem) problem = bad_number(value);
+      if (!problem) problem = bad_number(value, text);
   if (const auto* array = node.as_array())
     for (const toml::node& value : *array)
-      if (!problem) problem = bad_number(value);
+      if (!problem) problem = bad_number(value, text);
   return problem;
 }
 
@@ -57,7 +71,7 @@ TomlText parse_toml(std::string_view text) {
     const toml::source_position place = parsed.error().source().begin;
     return {{}, {problem_at(place, shown(parsed.error().description()) + std::string(word_hint(text, place.line)))}};
   }
-  if (auto problem = bad_number(parsed.table())) return {{}, {*std::move(problem)}};
+  if (auto problem = bad_number(parsed.table(), text)) return {{}, {*std::move(problem)}};
   return {std::move(parsed).table(), {}};
 }
 
