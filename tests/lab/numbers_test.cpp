@@ -127,7 +127,7 @@ TEST(NumbersInJson, HaveTheirPlaceInJsonLines) {
 }
 
 TEST(NumbersInToml, ThatADoubleCannotHoldAreRefused) {
-  for (const char* bad : {"1e-320", "1e-400", "1e309", "inf", "-inf", "nan"}) {
+  for (const char* bad : {"1e-320", "-1e-400", "1e309"}) {
     const TomlText read = parse_toml(std::string("a = 1.0\n[b]\nc = [[2.0], [") + bad + "]]\n");
     ASSERT_EQ(read.problems.size(), 1U) << bad;
     EXPECT_EQ(read.problems.front().line, 3) << bad;

@@ -40,12 +40,11 @@ bool is_not_written_as_zero(std::string_view text, toml::source_position place) 
   return text.substr(0, text.find_first_not_of("+-_.0123456789")).find_first_of("123456789") != text.npos;
 }
 
-/// The first number that no quantity can have, with its place: TOML has infinities, and no bounds for what is tiny.
+/// The first number that is too small for a double, with its place. Infinities are outside of the range of every key.
 std::optional<Problem> bad_number(const toml::node& node, std::string_view text) {
   if (const auto* number = node.as_floating_point()) {
     const int kind = std::fpclassify(number->get());
     const toml::source_position place = node.source().begin;
-    if (kind == FP_INFINITE || kind == FP_NAN) return problem_at(place, "inf and nan are not allowed here");
     if (kind == FP_SUBNORMAL || (kind == FP_ZERO && is_not_written_as_zero(text, place)))
       return problem_at(place, "this number is too small; write 0");
     return std::nullopt;
