@@ -31,7 +31,9 @@ void run_contest(const RunOptions& options) {
   const std::vector<Contestant> mice = find_contestants({options.mouse}, options.guests);
   if (mice.size() != 1) throw UsageError("error: `labmouse run` takes one mouse; to run several, use `labmouse race`");
   const Contestant& mouse = mice.front();
-  const char* const hint = mouse.make ? "" : mouse.program ? "; use `labmouse mms`" : "; use `labmouse race`";
+  const char* const hint = mouse.make      ? ""
+                           : mouse.program ? "; use `labmouse mms` or `labmouse race`"
+                                           : "; use `labmouse race`";
   if (const std::string reason = refuse_to_walk(mouse); !reason.empty()) throw UsageError("error: " + reason + hint);
   const NamedMaze maze = find_maze(options.maze, options.places);
   const Rules& rules = options.rules;

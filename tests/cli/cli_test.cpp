@@ -433,7 +433,7 @@ TEST_F(AUser, IsToldWhatCannotBeShown) {
   is_refused({"show"}, "either", "--record");
   is_refused({"show", "capstone-1", "--record", "walk.jsonl"}, "either", "--record");
   is_refused({"show", "--record", "walk.jsonl", "--layer", "heat,pth"}, "'pth'", "'path'");
-  is_refused({"show", "--record", "walk.jsonl", "--layer", ""}, "layer ''", "heat, ");
+  is_refused({"show", "--record", "walk.jsonl", "--layer", ""}, "--layer", "empty");
   is_refused({"show", "--record", "walk.jsonl", "--layer", "cells", "--distances"}, "--distances", "layer cells");
   is_refused({"show", "--record", "walk.jsonl", "--goal", "1,1"}, "--goal", "record");
   is_refused({"show", "capstone-1", "--layer", "heat"}, "layer heat", "--record");

@@ -51,7 +51,7 @@ TEST_F(AnMmsUser, ExitCodesSayHowAProgramEnded) {
   EXPECT_THAT(mms({"errors:no way out", "exit:7"}).out, Says("  | no way out\n", "failed", "exit code 7"));
   EXPECT_EQ(mms({"hang"}, {"--start-limit", "0.06"}).code, 1);
   is_refused({"mms", "/no/such/mouse", "--maze", "plank.txt"}, "/no/such/mouse");
-  is_refused({"mms", "", "--maze", "plank.txt"}, "'mms:'", "command is empty");
+  is_refused({"mms", "", "--maze", "plank.txt"}, "command: ", "empty");
   is_refused({"mms", guest({}), "--maze", "nowhere.txt"}, "nowhere.txt");
   is_refused({"mms", guest({}), "--maze", "plank.txt", "--decision-limit", "-1"}, "--decision-limit");
   is_refused({"mms", guest({}), "--maze", "plank.txt", "--record", "plank.txt/x"}, "plank.txt/x");

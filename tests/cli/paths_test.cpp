@@ -26,15 +26,15 @@ TEST_F(APathfinder, IsToldOfEmptyPaths) {
   is_refused({"race", "--mice", "flood", "--out="}, "--out");
   is_refused({"race", "--mice", "flood", "--baseline", ""}, "--baseline", "empty");
   is_refused({"race", "--mice", "flood", "--mazes", "corridor.txt", ""}, "--mazes", "empty");
-  is_refused({"run", "flood", ""}, " maze ", "empty");
+  is_refused({"run", "flood", ""}, " maze: ", "empty");
   is_refused({"run", "flood", "corridor.txt", "--svg", ""}, "--svg", "empty");
   is_refused({"run", "flood", "corridor.txt", "--record", ""}, "--record", "empty");
   is_refused({"show", "--record", ""}, "--record", "empty");
-  is_refused({"replay", ""}, " file ", "empty");
+  is_refused({"replay", ""}, " file: ", "empty");
   is_refused({"make", "prim", "-o", ""}, "--out", "empty");
-  is_refused({"convert", "corridor.txt", ""}, " out ", "empty");
-  is_refused({"report", "", "-o", "a.html"}, " results ", "empty");
-  is_refused({"robot", "show", ""}, " robot ", "empty");
+  is_refused({"convert", "corridor.txt", ""}, " out: ", "empty");
+  is_refused({"report", "", "-o", "a.html"}, " results: ", "empty");
+  is_refused({"robot", "show", ""}, " robot: ", "empty");
   is_refused({"tune", "flood", "--params", "stride", "--evaluations", "4", "--log", ""}, "--log", "empty");
 }
 
