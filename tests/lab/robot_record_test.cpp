@@ -205,7 +205,7 @@ TEST(RobotRecord, BreaksOffWhereItsLastLineWasCut) {
 }
 
 TEST(RobotRecord, OnlyALastLineWithoutItsEndCountsAsCut) {
-  EXPECT_THAT(problem(header + "{\"action\":[0,\n"), ProblemAt(2, 1, "JSON"));
+  EXPECT_THAT(problem(header + "{\"action\":[0,\n"), ProblemAt(2, 14, "JSON"));
   EXPECT_EQ(problem(header + "{\"action\":[0,\n" + walk).line, 2);
   EXPECT_EQ(problem(header + walk + end + "{\"act").line, 10);
   EXPECT_EQ(problem(header.substr(0, 20)).line, 1);
