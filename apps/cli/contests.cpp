@@ -12,6 +12,7 @@
 #include "labmouse/lab/text/counted.hpp"
 #include "labmouse/lab/text/numbers.hpp"
 #include "labmouse/lab/text/printable.hpp"
+#include "labmouse/lab/text/time_left.hpp"
 #include "terminal.hpp"
 
 namespace labmouse::cli {
@@ -159,9 +160,13 @@ Progress::~Progress() {
 void Progress::advance(std::size_t all) {
   if (!shown_) return;
   const auto percent = ++done_ * 100 / all;
-  if (percent == percent_) return;
+  const auto now = std::chrono::steady_clock::now();
+  if (percent == percent_ && now - drawn_ < std::chrono::seconds(1)) return;
   percent_ = percent;
-  tell(fmt::format("\r[{:<40}] {:>3} %", std::string(percent * 40 / 100, '#'), percent));
+  drawn_ = now;
+  const auto left = seconds_left(done_, all, std::chrono::duration<double>(now - begin_).count());
+  tell(fmt::format("\r[{:<40}] {:>3} %{}\x1b[K", std::string(percent * 40 / 100, '#'), percent,
+                   left ? fmt::format(", {} left", duration_text(*left)) : ""));
 }
 
 Interruptible::Interruptible() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <string>
@@ -62,7 +63,7 @@ std::vector<double> numbers_of(std::string_view option, const std::string& text,
 /// Those of --noise.
 std::vector<double> noises_of(const std::string& text);
 
-/// A bar on standard error, where that is a terminal.
+/// A bar and the time left on standard error, where that is a terminal.
 class Progress {
  public:
   Progress();
@@ -74,6 +75,8 @@ class Progress {
 
  private:
   bool shown_;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  std::chrono::steady_clock::time_point drawn_ = {};
   std::size_t done_ = 0;
   std::size_t percent_ = 101;
 };
