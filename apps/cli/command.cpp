@@ -11,6 +11,7 @@
 #include "labmouse/lab/system/file_problems.hpp"
 #include "labmouse/lab/system/files.hpp"
 #include "labmouse/lab/system/streams.hpp"
+#include "labmouse/lab/text/printable.hpp"
 #include "labmouse/mouse/pose.hpp"
 #include "labmouse/strategies/parameter.hpp"
 #include "terminal.hpp"
@@ -149,6 +150,13 @@ void save(const std::string& path, const std::string& content) {
   if (descriptor_to_write(path) == standard_output) return write_out(content, stdout);
   if (const auto error = write_file(path, content); !error.empty())
     throw UsageError(fmt::format("{}: error: {}", path, error));
+}
+
+void save_partial(const std::string& path, const std::string& content) {
+  if (is_stream(path)) return save(path, content);
+  const std::string partial = path + ".partial";
+  save(partial, content);
+  tell(fmt::format("Stopped early: {} has the results so far.\n", shown(partial)));
 }
 
 void require_writable(const std::string& path) {

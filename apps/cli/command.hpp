@@ -56,6 +56,9 @@ void print_part(std::string_view part);
 void tell(const std::string& text);
 /// Writes a file whole or throws UsageError; `-` is standard output.
 void save(const std::string& path, const std::string& content);
+/// Saves the results of a command that was stopped early as FILE.partial, so that FILE never holds less than all, and
+/// names that file on standard error. To standard output and other streams they go as they are.
+void save_partial(const std::string& path, const std::string& content);
 
 /// Throws UsageError where save would fail now: to be asked before long work. No path is fine.
 void require_writable(const std::string& path);

@@ -54,6 +54,16 @@ std::vector<DriveCase> cases_of(const DriveOptions& options) {
   return cases;
 }
 
+std::vector<DriveTally> drive_all(const DriveOrder& order, const std::vector<NamedMaze>& mazes,
+                                  const std::vector<DriveCase>& cases) {
+  Progress progress;
+  const Interruptible interruptible;
+  DriveHooks hooks;
+  hooks.stop = &interruptible.stopped();
+  hooks.finished = [&](std::size_t all) { progress.advance(all); };
+  return drive_known_ways(order, mazes, cases, hooks);
+}
+
 int drive(const DriveOptions& options) {
   expect_outputs({{"--log", options.log}});
   const FoundRobot robot = find_robot_or_refuse(options.robot);
@@ -74,14 +84,13 @@ int drive(const DriveOptions& options) {
     throw UsageError("error: --log takes one drive; name one maze with --mazes, and say --runs 1");
   std::vector<LoggedTick> log;
   if (!options.log.empty()) order.log = &log;
-  const Interruptible interruptible;
-  const auto tallies = drive_known_ways(order, mazes, cases, &interruptible.stopped());
-  if (order.log != nullptr) {
+  const std::vector<DriveTally> tallies = drive_all(order, mazes, cases);
+  if (!log.empty()) {
     const DriveModel& driven = *order.model;
     save(options.log, log_text(log, Field(mazes.front().maze, driven.tables.cell), *driven.robot.hardware));
   }
   print(options.format == "json" ? json_of(tallies, order) : table_of(tallies));
-  return interruptible.stopped() ? exit_interrupted() : exit_good;
+  return is_stopped(tallies) ? exit_interrupted() : exit_good;
 }
 
 }  // namespace

@@ -12,7 +12,6 @@
 #include "labmouse/lab/physical/fidelity.hpp"
 #include "labmouse/lab/physical/physical_entry.hpp"
 #include "labmouse/lab/robots/robot_files.hpp"
-#include "labmouse/lab/system/files.hpp"
 #include "labmouse/lab/text/printable.hpp"
 #include "labmouse/mouse/drive/fastest.hpp"
 
@@ -48,8 +47,12 @@ int check_hazards(const HazardOptions& options, HazardOrder order, const std::ve
   const FidelityBars bars = {options.within / 100.0, options.interval_within / 100.0};
   const Interruptible interruptible;
   const auto all = compare_worlds(order, *hazards.file, mice, mazes, &interruptible.stopped());
-  if (interruptible.stopped()) return exit_interrupted();
   print(table_of(all, bars));
+  const std::size_t noises = order.noises.size();
+  if (all.size() < mice.size() * noises) {
+    print(fmt::format("\nStopped early: {} of {} noises compared.\n", all.size() / mice.size(), noises));
+    return exit_interrupted();
+  }
   const bool good = std::all_of(all.begin(), all.end(), [&](const Fidelity& each) { return is_faithful(each, bars); });
   return good ? exit_good : exit_finding;
 }
@@ -62,7 +65,18 @@ std::vector<double> paces_of(const std::string& list) {
   return paces;
 }
 
+MeasuredHazards measure(const HazardOrder& order, const std::vector<Contestant>& mice,
+                        const std::vector<NamedMaze>& mazes) {
+  Progress progress;
+  const Interruptible interruptible;
+  HazardHooks hooks;
+  hooks.stop = &interruptible.stopped();
+  hooks.finished = [&](std::size_t all) { progress.advance(all); };
+  return measure_hazards(order, mice, mazes, hooks);
+}
+
 int hazards(const HazardOptions& options) {
+  expect_outputs({{"--save", options.save}});
   const FoundRobot robot = find_robot_or_refuse(options.robot);
   tell_remarks(robot.remarks);
   if (const std::string why = why_not_physical(robot.model); !why.empty())
@@ -87,15 +101,13 @@ int hazards(const HazardOptions& options) {
       throw UsageError(fmt::format("error: --mice: {} does not drive by decisions in seconds", shown(mouse.name)));
   const std::vector<NamedMaze> mazes = find_mazes(options.mazes, options.places).mazes;
   if (!options.check.empty()) return check_hazards(options, std::move(order), mice, mazes);
-  const Interruptible interruptible;
-  const auto tallies = measure_hazards(order, mice, mazes, &interruptible.stopped());
-  if (interruptible.stopped()) return exit_interrupted();
-  if (!options.save.empty())
-    if (const std::string error = write_file(options.save, write_hazards(tallies, order, mice, mazes.size()));
-        !error.empty())
-      throw UsageError(fmt::format("{}: error: {}", shown(options.save), error));
-  print(options.format == "json" ? json_of(tallies, order, mice, mazes.size()) : table_of(tallies));
-  return exit_good;
+  const MeasuredHazards measured = measure(order, mice, mazes);
+  const bool any = std::any_of(measured.tallies.begin(), measured.tallies.end(),
+                               [](const HazardTally& tally) { return tally.all().contests > 0; });
+  if (any && !options.save.empty())
+    (measured.stopped ? save_partial : save)(options.save, write_hazards(measured, order, mice, mazes.size()));
+  print(options.format == "json" ? json_of(measured, order, mice, mazes.size()) : table_of(measured));
+  return measured.stopped ? exit_interrupted() : exit_good;
 }
 
 }  // namespace

@@ -139,8 +139,8 @@ void report_curves(const RaceOptions& options, const std::vector<Race>& races) {
   const Race& race = races.back();
   const std::string title = fmt::format("Contests finished: world {}, {}", race.world().name(),
                                         counted(static_cast<std::int64_t>(race.mazes.size()), "maze", "mazes"));
-  if (const std::string error = write_file(options.curves, draw_curves(curves, title)); !error.empty())
-    throw UsageError(fmt::format("{}: error: {}", shown(options.curves), error));
+  const bool stopped = std::any_of(races.begin(), races.end(), [](const Race& each) { return each.stopped; });
+  (stopped ? save_partial : save)(options.curves, draw_curves(curves, title));
 }
 
 /// What is more than the results goes beside them: below a table, to standard error where a program reads the output.

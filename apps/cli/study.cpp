@@ -44,10 +44,10 @@ int study(const StudyOptions& options) {
   if (!result.error.empty()) throw UsageError("error: " + result.error);
   print(options.format == "json" ? json_of(result, mazes.skipped) : table_of(result, colours()));
   options.contests.finish_store(options.format == "table");
-  // A study that was stopped at once has nothing that is worth an earlier file.
   const bool any = result.folds_done > 0;
-  if (any && !options.csv.empty()) save(options.csv, csv_of(result));
-  if (any && !options.svg.empty()) save(options.svg, picture_of(result));
+  const auto save_all = result.race.stopped ? save_partial : save;
+  if (any && !options.csv.empty()) save_all(options.csv, csv_of(result));
+  if (any && !options.svg.empty()) save_all(options.svg, picture_of(result));
   if (result.race.stopped) return exit_interrupted();
   const std::string never_started = never_started_lines(result.race);
   tell(never_started);

@@ -42,11 +42,11 @@ int sweep(const SweepOptions& options) {
   const Sweep result = hold(options, variation, mazes.mazes, order);
   print(table_of(result, colours()));
   options.contests.finish_store(true);
-  // A sweep that was stopped at once has nothing that is worth an earlier file.
-  const bool any = !result.points.empty();
-  if (any && !options.csv.empty()) save(options.csv, csv_of(result));
-  if (any && !options.svg.empty()) save(options.svg, picture_of(result));
-  if (result.points.size() < result.values) return exit_interrupted();
+  const bool stopped = result.points.size() < result.values, any = !result.points.empty();
+  const auto save_all = stopped ? save_partial : save;
+  if (any && !options.csv.empty()) save_all(options.csv, csv_of(result));
+  if (any && !options.svg.empty()) save_all(options.svg, picture_of(result));
+  if (stopped) return exit_interrupted();
   tell(result.never_started);
   return result.never_started.empty() ? exit_good : exit_finding;
 }

@@ -74,9 +74,9 @@ int tune(const TuneOptions& options) {
   // The last line is a SPEC, for programs to read.
   options.contests.finish_store(false);
   if (!failed_write.empty()) throw UsageError(failed_write);
-  // A search that was stopped at once has nothing that is worth an earlier file.
-  if (is_stream(options.log) && !result.evaluations.empty()) save(options.log, csv_of(result));
-  if (!options.svg.empty() && !result.evaluations.empty()) save(options.svg, picture_of(result));
+  const bool any = !result.evaluations.empty();
+  if (any && is_stream(options.log)) save(options.log, csv_of(result));
+  if (any && !options.svg.empty()) (result.stopped ? save_partial : save)(options.svg, picture_of(result));
   return result.stopped ? exit_interrupted() : exit_good;
 }
 

@@ -55,6 +55,32 @@ TEST_P(AnImpatientUser, StopsASearch) {
   EXPECT_EQ(program.wait().code, 128 + GetParam());
 }
 
+TEST_P(AnImpatientUser, KeepsWhatHazardsCounted) {
+  const Program program(folder_, {"hazards", "--mice", "flood-return", "--mazes", "contest-01", "--runs", "500000",
+                                  "--jobs", "1", "--format", "json", "--save", "mine.json"});
+  ASSERT_TRUE(patiently([&] { return program.handles_interrupts(); }));
+  program.signal(GetParam());
+  const Ended ended = program.wait();
+  EXPECT_EQ(ended.code, 128 + GetParam());
+  const auto json = nlohmann::json::parse(ended.out, nullptr, false);
+  ASSERT_FALSE(json.is_discarded()) << ended.err;
+  EXPECT_EQ(json.at("stopped"), true);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "mine.json"));
+}
+
+TEST_P(AnImpatientUser, KeepsTheDrivesThatAreDone) {
+  const Program program(folder_,
+                        {"drive", "--mazes", "contest-01", "--runs", "500000", "--jobs", "1", "--format", "json"});
+  ASSERT_TRUE(patiently([&] { return program.handles_interrupts(); }));
+  program.signal(GetParam());
+  const Ended ended = program.wait();
+  EXPECT_EQ(ended.code, 128 + GetParam());
+  const auto json = nlohmann::json::parse(ended.out, nullptr, false);
+  ASSERT_FALSE(json.is_discarded()) << ended.err;
+  EXPECT_EQ(json.at("stopped"), true);
+  EXPECT_LT(json.at("drives").at(0).at("runs"), 500000);
+}
+
 TEST_P(AnImpatientUser, EndsARaceThatHangs) {
   // Nobody ever writes the earlier results.
   ASSERT_EQ(mkfifo((folder_ / "pipe").c_str(), 0600), 0);
@@ -69,6 +95,23 @@ TEST_P(AnImpatientUser, EndsARaceThatHangs) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Signals, AnImpatientUser, testing::Values(SIGINT, SIGTERM, SIGHUP));
+
+class AUserOfASweep : public test::AUser {};
+
+/// The first value fails at once; the second one hangs, and shows that the first is done.
+TEST_F(AUserOfASweep, FindsWhatAStoppedOneHasBesideItsFile) {
+  file("corridor.txt", corridor);
+  file("mouse.sh", "[ \"$1\" = 1 ] && exit 1\ntouch second\nexec tail -f /dev/null\n");
+  file("values.csv", "kept");
+  const Program program(folder_, {"sweep", "guest:sh mouse.sh {v}", "--vary", "v=1,2", "--mazes", "corridor.txt",
+                                  "--sandbox", "off", "--jobs", "1", "--csv", "values.csv"});
+  ASSERT_TRUE(patiently([&] { return std::filesystem::exists(folder_ / "second"); }));
+  program.interrupt();
+  EXPECT_EQ(program.wait().code, 128 + SIGINT);
+  EXPECT_EQ(content("values.csv"), "kept");
+  const std::string partial = content("values.csv.partial");
+  EXPECT_EQ(std::count(partial.begin(), partial.end(), '\n'), 2) << partial;
+}
 
 class AUserOfNohup : public test::AUser {};
 

@@ -477,7 +477,7 @@ std::string counted(const HazardOrder& order) {
 TEST(HazardFile, HasAllThatWasCounted) {
   const HazardOrder order = order_of({1.0, 4.0}, 3);
   const auto tallies =
-      measure_hazards(order, test::mice("flood-return"), std::vector<NamedMaze>{{"ring", test::ring()}});
+      measure_hazards(order, test::mice("flood-return"), std::vector<NamedMaze>{{"ring", test::ring()}}).tallies;
   const FoundHazards read = read_hazards(counted(order), "some/mine.json");
   ASSERT_TRUE(read.file) << read.error;
   EXPECT_EQ(read.file->tallies, tallies);

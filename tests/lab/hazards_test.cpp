@@ -41,7 +41,7 @@ ManoeuvreCount all_of(const HazardCounts& tally) {
 }
 
 TEST(Hazards, AreNoneWithoutNoise) {
-  const auto tallies = measure_hazards(order({0.0}, 1), mice("flood-return,certify"), rings());
+  const auto tallies = measure_hazards(order({0.0}, 1), mice("flood-return,certify"), rings()).tallies;
   ASSERT_THAT(tallies, SizeIs(1));
   const HazardCounts counts = tallies[0].all();
   EXPECT_EQ(counts.contests, 4);
@@ -165,16 +165,16 @@ TEST(Hazards, GrowWithNoiseAndAreTheSameOnAnyNumberOfThreads) {
     const HazardCounts counts = tally.all();
     return 1.0 - static_cast<double>(counts.at(0).times) / static_cast<double>(all_of(counts).times);
   };
-  EXPECT_GT(share_astray(alone[1]), 2.0 * share_astray(alone[0]));
+  EXPECT_GT(share_astray(alone.tallies[1]), 2.0 * share_astray(alone.tallies[0]));
 }
 
 TEST(Hazards, AreATableAndJson) {
   const HazardOrder asked = order({2.0}, 1);
   const auto two = mice("flood-return,certify");
-  const auto tallies = measure_hazards(asked, two, rings());
-  const std::string table = table_of(tallies);
+  const auto measured = measure_hazards(asked, two, rings());
+  const std::string table = table_of(measured);
   for (const Manoeuvre manoeuvre : all_manoeuvres) EXPECT_THAT(table, Says(std::string(name_of(manoeuvre))));
-  const ReadJson json = ReadJson::parse(json_of(tallies, asked, two, 2));
+  const ReadJson json = ReadJson::parse(json_of(measured, asked, two, 2));
   EXPECT_THAT(json["mice"].get<std::vector<std::string>>(), ::testing::UnorderedElementsAre("certify", "flood-return"));
   const ReadJson& by_luck = json["noises"][0]["by_luck"];
   std::int64_t contests = 0;
@@ -182,6 +182,30 @@ TEST(Hazards, AreATableAndJson) {
   EXPECT_EQ(contests, 4);
   EXPECT_EQ(by_luck[0]["manoeuvres"]["corridor"].size(), astray_levels);
   EXPECT_EQ(by_luck[0]["readings"]["gap ahead"].size(), astray_levels);
+  EXPECT_EQ(json["stopped"], false);
+}
+
+TEST(Hazards, KeepWhatWasCountedBeforeTheyWereStopped) {
+  HazardOrder asked = order({1.0}, 1);
+  asked.jobs = 1;
+  const auto two = mice("flood-return,certify");
+  std::atomic<bool> stop = false;
+  std::size_t done = 0;
+  HazardHooks hooks;
+  hooks.stop = &stop;
+  hooks.finished = [&](std::size_t all) {
+    EXPECT_EQ(all, 4U);
+    stop = ++done == 2;
+  };
+  const auto measured = measure_hazards(asked, two, rings(), hooks);
+  EXPECT_EQ(done, 2U);
+  EXPECT_TRUE(measured.stopped);
+  EXPECT_EQ(measured.tallies.at(0).all().contests, 2);
+  EXPECT_NE(table_of(measured), table_of(MeasuredHazards{measured.tallies, false}));
+  EXPECT_EQ(ReadJson::parse(json_of(measured, asked, two, 2))["stopped"], true);
+  const std::string file = write_hazards(measured, asked, two, 2);
+  EXPECT_THAT(read_hazards(file, "mine.json").error, Says("mine.json", "stopped"));
+  EXPECT_TRUE(read_hazards(write_hazards({measured.tallies, false}, asked, two, 2), "mine.json").file);
 }
 
 }  // namespace

@@ -81,9 +81,24 @@ TEST(KnownDrives, AreToldAsATableAndAsJson) {
 }
 
 TEST(KnownDrives, StopWhereTheyAreToldTo) {
-  const std::atomic<bool> stop = true;
-  const auto tallies = drive_known_ways(order(), rings(), std::vector<DriveCase>{{"all", at_noise(1.0)}}, &stop);
-  EXPECT_EQ(tallies.at(0).runs, 0);
+  std::atomic<bool> stop = false;
+  DriveHooks hooks;
+  hooks.stop = &stop;
+  std::size_t done = 0;
+  hooks.finished = [&](std::size_t) { stop = ++done == 3; };
+  DriveOrder alone = order();
+  alone.jobs = 1;
+  const auto tallies = drive_known_ways(
+      alone, rings(), std::vector<DriveCase>{{"first", at_noise(1.0)}, {"second", at_noise(1.0)}}, hooks);
+  EXPECT_EQ(tallies.at(0).runs, 3);
+  EXPECT_EQ(tallies.at(1).runs, 0);
+  EXPECT_TRUE(tallies.at(1).stopped);
+  const auto json = nlohmann::json::parse(json_of(tallies, alone));
+  EXPECT_EQ(json.at("stopped"), true);
+  auto whole = tallies;
+  for (DriveTally& tally : whole) tally.stopped = false;
+  EXPECT_NE(table_of(tallies), table_of(whole));
+  EXPECT_EQ(nlohmann::json::parse(json_of(whole, alone)).at("stopped"), false);
 }
 
 TEST(WilsonInterval, IsThatOfTheBooks) {

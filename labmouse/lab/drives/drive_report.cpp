@@ -55,6 +55,7 @@ std::string table_of(std::span<const DriveTally> tallies) {
         100.0 * share_of(tally.side.wrong, tally.side.all), 100.0 * share_of(tally.front.wrong, tally.front.all),
         tally.crashed == 0 || tally.cells == 0 ? "-" : fmt::format("{}", tally.cells / tally.crashed));
   }
+  if (is_stopped(tallies)) text += "\nStopped early: not all drives are done.\n";
   return text;
 }
 
@@ -63,6 +64,7 @@ std::string json_of(std::span<const DriveTally> tallies, const DriveOrder& order
   for (const DriveTally& tally : tallies) {
     const Interval interval = wilson_interval(tally.crashed, tally.runs);
     list.push_back({{"name", tally.name},
+                    {"stopped", tally.stopped},
                     {"mazes", tally.mazes},
                     {"mazes_without_crash", tally.mazes_without_crash},
                     {"worst_maze", tally.worst_maze},
@@ -83,6 +85,7 @@ std::string json_of(std::span<const DriveTally> tallies, const DriveOrder& order
                      {"way", order.way == KnownWay::search ? "search" : "fast"},
                      {"runs", order.runs},
                      {"seed", order.seed},
+                     {"stopped", is_stopped(tallies)},
                      {"drives", std::move(list)}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <mutex>
 
 #include "labmouse/chance/dice.hpp"
 #include "labmouse/lab/system/parallel.hpp"
@@ -24,32 +25,50 @@ void add(DriveTally& tally, const KnownDrive& drive) {
 }
 
 /// The drives of one maze in one case.
-std::vector<KnownDrive> drives_in(const DriveOrder& order, const NamedMaze& maze, const DriveCase& each,
-                                  const std::atomic<bool>* stop) {
+struct MazeDrives {
   std::vector<KnownDrive> drives;
-  for (int run = 0; run < order.runs && (stop == nullptr || !*stop); ++run) {
+  bool stopped = false;
+};
+
+MazeDrives drives_in(const DriveOrder& order, const NamedMaze& maze, const DriveCase& each,
+                     const std::atomic<bool>* stop, const std::function<void()>& finished) {
+  MazeDrives here;
+  bool has_way = true;
+  for (int run = 0; run < order.runs; ++run) {
+    here.stopped = stop != nullptr && stop->load();
+    if (here.stopped) return here;
     const std::uint64_t seed = seed_for(order.seed, maze.name, static_cast<std::uint64_t>(run));
-    const auto drive = drive_known_way(maze.maze, *order.model, each.conditions, order.way, seed, order.log);
-    if (!drive) break;
-    drives.push_back(*drive);
+    if (has_way) {
+      const auto drive = drive_known_way(maze.maze, *order.model, each.conditions, order.way, seed, order.log);
+      if (drive) here.drives.push_back(*drive);
+      has_way = drive.has_value();
+    }
+    finished();
   }
-  return drives;
+  return here;
 }
 
 }  // namespace
 
 std::vector<DriveTally> drive_known_ways(const DriveOrder& order, std::span<const NamedMaze> mazes,
-                                         std::span<const DriveCase> cases, const std::atomic<bool>* stop) {
-  std::vector<std::vector<KnownDrive>> drives(cases.size() * mazes.size());
+                                         std::span<const DriveCase> cases, const DriveHooks& hooks) {
+  std::vector<MazeDrives> drives(cases.size() * mazes.size());
+  const std::size_t all = drives.size() * static_cast<std::size_t>(order.runs);
+  std::mutex telling;
+  const auto finished = [&] {
+    const std::lock_guard lock(telling);
+    if (hooks.finished) hooks.finished(all);
+  };
   for_each_parallel(drives.size(), order.jobs, [&](std::size_t i) {
-    drives[i] = drives_in(order, mazes[i % mazes.size()], cases[i / mazes.size()], stop);
+    drives[i] = drives_in(order, mazes[i % mazes.size()], cases[i / mazes.size()], hooks.stop, finished);
   });
   std::vector<DriveTally> tallies;
   for (std::size_t c = 0; c < cases.size(); ++c) {
     DriveTally& tally = tallies.emplace_back();
     tally.name = cases[c].name;
     for (std::size_t m = 0; m < mazes.size(); ++m) {
-      const auto& here = drives[c * mazes.size() + m];
+      const auto& [here, stopped] = drives[c * mazes.size() + m];
+      tally.stopped = tally.stopped || stopped;
       if (here.empty()) continue;
       ++tally.mazes;
       const auto crashed =
@@ -65,6 +84,10 @@ std::vector<DriveTally> drive_known_ways(const DriveOrder& order, std::span<cons
     std::sort(tally.most_aside.begin(), tally.most_aside.end());
   }
   return tallies;
+}
+
+bool is_stopped(std::span<const DriveTally> tallies) {
+  return std::any_of(tallies.begin(), tallies.end(), [](const DriveTally& tally) { return tally.stopped; });
 }
 
 std::vector<DriveCase> cases_by_group(const PhysicalConditions& conditions) {

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -31,6 +32,7 @@ struct DriveOrder {
 /// All drives of a case, in mazes in which there is a way.
 struct DriveTally {
   std::string name;
+  bool stopped = false;  ///< before all of its drives were done
   int mazes = 0;
   int mazes_without_crash = 0;
   double worst_share = 0.0;  ///< of drives that crashed, in the worst maze
@@ -43,9 +45,19 @@ struct DriveTally {
   std::vector<double> most_aside;  ///< of the drives that did not crash, in order
 };
 
+struct DriveHooks {
+  /// Called after each drive with the number of all, from any thread but never from two at once. A maze without a
+  /// route counts as driven.
+  std::function<void(std::size_t all)> finished;
+  const std::atomic<bool>* stop = nullptr;  ///< once it is true no other drive begins
+};
+
 /// Drives all of them; each drive has a seed of its own, the same in each case.
 std::vector<DriveTally> drive_known_ways(const DriveOrder& order, std::span<const NamedMaze> mazes,
-                                         std::span<const DriveCase> cases, const std::atomic<bool>* stop = nullptr);
+                                         std::span<const DriveCase> cases, const DriveHooks& hooks = {});
+
+/// Whether drives are missing, because they were stopped.
+bool is_stopped(std::span<const DriveTally> tallies);
 
 /// The conditions with each noise group alone; and with each choice of corrections.
 std::vector<DriveCase> cases_by_group(const PhysicalConditions& conditions);

@@ -126,6 +126,8 @@ FoundHazards read_hazards(std::string_view text, const std::string& name) {
   if (!json.is_object() || !json.contains("labmouse_hazards"))
     return wrong("is no file of hazards; `labmouse hazards --save` writes one");
   JsonFields fields(json, "");
+  if (fields.has("stopped") && fields.flag("stopped"))
+    return wrong("has only some of the counts, because `labmouse hazards` was stopped; run it again");
   HazardFile file;
   file.name = short_name(name);
   if (fields.whole("labmouse_hazards", 1, 1'000'000) != hazard_format)

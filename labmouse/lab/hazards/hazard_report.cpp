@@ -193,24 +193,27 @@ Json heading_of(const HazardOrder& order, std::span<const Contestant> mice, std:
 
 }  // namespace
 
-std::string table_of(std::span<const HazardTally> tallies) {
+std::string table_of(const MeasuredHazards& measured) {
   std::string text;
-  for (const HazardTally& tally : tallies) text += (text.empty() ? "" : "\n") + table_of(tally);
+  for (const HazardTally& tally : measured.tallies) text += (text.empty() ? "" : "\n") + table_of(tally);
+  if (measured.stopped) text += "\nStopped early: not all contests are done.\n";
   return text;
 }
 
-std::string json_of(std::span<const HazardTally> tallies, const HazardOrder& order, std::span<const Contestant> mice,
+std::string json_of(const MeasuredHazards& measured, const HazardOrder& order, std::span<const Contestant> mice,
                     std::size_t mazes) {
   Json json = heading_of(order, mice, mazes);
-  for (const HazardTally& tally : tallies) json["noises"].push_back(json_of(tally));
+  json["stopped"] = measured.stopped;
+  for (const HazardTally& tally : measured.tallies) json["noises"].push_back(json_of(tally));
   return json.dump() + "\n";
 }
 
-std::string write_hazards(std::span<const HazardTally> tallies, const HazardOrder& order,
-                          std::span<const Contestant> mice, std::size_t mazes) {
+std::string write_hazards(const MeasuredHazards& measured, const HazardOrder& order, std::span<const Contestant> mice,
+                          std::size_t mazes) {
   Json json = {{"labmouse_hazards", hazard_format}};
   json.update(heading_of(order, mice, mazes));
-  for (const HazardTally& tally : tallies) json["noises"].push_back(counts_json(tally));
+  if (measured.stopped) json["stopped"] = true;
+  for (const HazardTally& tally : measured.tallies) json["noises"].push_back(counts_json(tally));
   return json.dump() + "\n";
 }
 

@@ -8,6 +8,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -40,17 +41,30 @@ struct HazardOrder {
   int jobs = 0;  ///< threads; 0: all processors
 };
 
-/// A tally for each pace and noise, in increasing order. Holds all contests of mice that decide by Strategy; each has a
-/// seed of its own, the same under each noise and the same as in a race of that seed.
-std::vector<HazardTally> measure_hazards(const HazardOrder& order, std::span<const Contestant> mice,
-                                         std::span<const NamedMaze> mazes, const std::atomic<bool>* stop = nullptr);
+struct HazardHooks {
+  /// Called after each contest with the number of all, from any thread but never from two at once.
+  std::function<void(std::size_t all)> finished;
+  /// Once it is true no other contest begins, and those under way end at their next decision and do not count.
+  const std::atomic<bool>* stop = nullptr;
+};
 
-std::string table_of(std::span<const HazardTally> tallies);
+struct MeasuredHazards {
+  std::vector<HazardTally> tallies;  ///< one for each pace and noise, in increasing order
+  bool stopped = false;              ///< before all contests were done
+};
+
+/// Holds all contests of mice that decide by Strategy; each has a seed of its own, the same under each noise and the
+/// same as in a race of that seed.
+MeasuredHazards measure_hazards(const HazardOrder& order, std::span<const Contestant> mice,
+                                std::span<const NamedMaze> mazes, const HazardHooks& hooks = {});
+
+std::string table_of(const MeasuredHazards& measured);
 /// With the interval of each share.
-std::string json_of(std::span<const HazardTally> tallies, const HazardOrder& order, std::span<const Contestant> mice,
+std::string json_of(const MeasuredHazards& measured, const HazardOrder& order, std::span<const Contestant> mice,
                     std::size_t mazes);
-/// The counts alone, as read_hazards() reads them: kept in a file they make a world.
-std::string write_hazards(std::span<const HazardTally> tallies, const HazardOrder& order,
-                          std::span<const Contestant> mice, std::size_t mazes);
+/// The counts alone, as read_hazards() reads them: kept in a file they make a world. Counts that were stopped early are
+/// marked, and read_hazards() refuses them.
+std::string write_hazards(const MeasuredHazards& measured, const HazardOrder& order, std::span<const Contestant> mice,
+                          std::size_t mazes);
 
 }  // namespace labmouse

@@ -98,7 +98,11 @@ Verification verify_store(const std::string& path, const StoreFilter& filter, co
   for (Race& race : stored.races) {
     const std::vector<const ContestResult*> picked = pick(race, dice, order, permissions, found);
     for_each_parallel(picked.size(), order.jobs, [&](std::size_t i) {
-      if (order.stop != nullptr && order.stop->load()) return;
+      if (order.stop != nullptr && order.stop->load()) {
+        const std::lock_guard lock(noting);
+        found.stopped = true;
+        return;
+      }
       const ContestResult& kept = *picked[i];
       ContestResult again;
       again.mouse = kept.mouse;
@@ -106,7 +110,11 @@ Verification verify_store(const std::string& path, const StoreFilter& filter, co
       again.run = kept.run;
       again.seed = kept.seed;
       race.world().hold(race, again, {}, order.stop);
-      if (!again.done) return;
+      if (!again.done) {
+        const std::lock_guard lock(noting);
+        found.stopped = true;
+        return;
+      }
       const bool equal = text_of(race.world(), again) == text_of(race.world(), kept);
       const std::lock_guard lock(noting);
       ++found.held;

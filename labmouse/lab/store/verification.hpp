@@ -30,6 +30,7 @@ struct Verification {
   std::int64_t impossible = 0;           ///< contests that were picked and whose mouse is not here any more
   std::int64_t not_run = 0;              ///< contests that were picked and whose program was not to be run
   std::vector<std::string> programs;     ///< the SPECs of these programs
+  bool stopped = false;                  ///< before all that were picked were run again
   std::vector<std::string> remarks;
   std::string error;  ///< why nothing could be verified, as a line for the user
 };

@@ -120,7 +120,8 @@ std::string csv_of(const Sweep& sweep) {
 
 std::string picture_of(const Sweep& sweep) {
   Plot plot;
-  plot.title = fmt::format("{} in {}: score by {}", sweep.mouse, place_of(sweep), sweep.parameter);
+  plot.title = fmt::format("{} in {}: score by {}{}", sweep.mouse, place_of(sweep), sweep.parameter,
+                           sweep.points.size() < sweep.values ? ", stopped early" : "");
   plot.description = fmt::format("Mean score of {} at {} of {}. {}", sweep.mouse,
                                  counted(sweep.points.size(), "value", "values"), sweep.parameter, lowest(sweep));
   plot.x_label = sweep.parameter + (sweep.meaning.empty() ? "" : ": " + sweep.meaning);

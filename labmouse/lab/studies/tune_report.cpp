@@ -121,7 +121,8 @@ std::string picture_of(const Tune& tune) {
   Plot plot;
   const bool ratio = tune.order.objective == Objective::ratio;
   if (!tune.evaluations.empty()) {
-    plot.title = fmt::format("Tuning of {} in {}", tune.evaluations.front().mouse, counted(tune.mazes, "maze"));
+    plot.title = fmt::format("Tuning of {} in {}{}", tune.evaluations.front().mouse, counted(tune.mazes, "maze"),
+                             tune.stopped ? ", stopped early" : "");
     plot.description =
         fmt::format("{} after {}: {}.", ratio ? "Best ratio" : "Best score",
                     counted(tune.evaluations.size(), "evaluation"), shown_value(tune, best_of(tune).value));
