@@ -11,9 +11,7 @@ using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 
 /// The SPEC of a guest that misbehaves in that way; see tests/guests/bad/bad_guest.cpp.
-std::string bad(const std::string& how) {
-  return std::string("guest:") + LABMOUSE_BAD_GUEST + " \"" + how + "\" " + tag();
-}
+std::string bad(const std::string& how) { return "guest:\"" LABMOUSE_BAD_GUEST "\" \"" + how + "\" " + tag(); }
 
 class AHostOfGuests : public AUser {
  protected:

@@ -14,7 +14,7 @@ using ::testing::StartsWith;
 
 /// The command of a program that does what the words say; see tests/guests/mms/mms_guest.cpp.
 std::string guest(const std::vector<std::string>& words) {
-  std::string command = LABMOUSE_MMS_GUEST;
+  std::string command = "\"" LABMOUSE_MMS_GUEST "\"";
   for (const std::string& word : words) command += " \"" + word + "\"";
   return command;
 }

@@ -74,8 +74,8 @@ TEST_F(AShellUser, PipesTheLogOfASearchOnce) {
 TEST_F(AShellUser, PipesWhatMiceAreMadeOf) {
   file("corridor.txt", corridor);
   const std::string robots = "labmouse route corridor.txt --robot ", rules = "labmouse rules show ";
-  prints(robots + "- < " LABMOUSE_SOURCE_DIR "/robots/half.toml | tail -n 1",
-         shell(robots + LABMOUSE_SOURCE_DIR "/robots/half.toml | tail -n 1").out);
+  prints(robots + "- < '" LABMOUSE_SOURCE_DIR "/robots/half.toml' | tail -n 1",
+         shell(robots + "'" LABMOUSE_SOURCE_DIR "/robots/half.toml' | tail -n 1").out);
   prints("labmouse rules show uk | labmouse rules show - | head -n 5", shell("labmouse rules show uk | head -n 5").out);
   EXPECT_EQ(shell("labmouse learn corridor.txt -o - 2> /dev/null |"
                   "labmouse race --mice ariadne:prior=- --mazes corridor.txt")

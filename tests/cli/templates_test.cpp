@@ -12,9 +12,9 @@ std::string path_of(const std::string& name) { return LABMOUSE_SOURCE_DIR "/temp
 
 /// The command that runs a template; empty where what runs it is not here.
 std::string command_of(const std::string& name) {
-  if (name == "guest.cpp") return LABMOUSE_GUEST_TEMPLATE;
+  if (name == "guest.cpp") return "\"" LABMOUSE_GUEST_TEMPLATE "\"";
   const std::string& interpreter = name == "guest.py" ? python3() : node();
-  return interpreter.empty() ? "" : interpreter + " " + path_of(name);
+  return interpreter.empty() ? "" : interpreter + " \"" + path_of(name) + "\"";
 }
 
 class ATemplate : public AUser, public testing::WithParamInterface<const char*> {
@@ -123,8 +123,8 @@ TEST_P(APilotTemplate, LeavesRecordsThatReplay) {
 
 TEST_P(APilotTemplate, IsFoundAndTriedOutAsOneOfALineup) {
   std::filesystem::create_directories(folder_ / "class");
-  const bool script = spec_.ends_with(".py");
-  const std::string program = script ? path_of("pilot.py") : spec_.substr(spec_.find(':') + 1);
+  const bool script = spec_.find(".py") != std::string::npos;
+  const std::string program = script ? path_of("pilot.py") : LABMOUSE_PILOT_TEMPLATE;
   std::filesystem::copy(program, folder_ / "class" / (script ? "mine.py" : "mine"));
   ASSERT_EQ(labmouse({"lineup", "init", "class"}).code, 0);
   EXPECT_THAT(content_of(folder_ / "class" / "mice.toml"), testing::HasSubstr("\npilot = \"./mine"));
@@ -135,7 +135,8 @@ TEST_P(APilotTemplate, IsFoundAndTriedOutAsOneOfALineup) {
 }
 
 INSTANTIATE_TEST_SUITE_P(In, APilotTemplate,
-                         testing::Values(LABMOUSE_PILOT_TEMPLATE, "python3 " LABMOUSE_SOURCE_DIR "/templates/pilot.py"),
+                         testing::Values("\"" LABMOUSE_PILOT_TEMPLATE "\"",
+                                         "python3 \"" LABMOUSE_SOURCE_DIR "/templates/pilot.py\""),
                          [](const auto& name) { return name.index == 0 ? "c" : "py"; });
 
 TEST(Templates, OfPythonIsPrintedInThePage) {

@@ -29,7 +29,7 @@ std::vector<Contestant> mice(const std::string& spec) {
   return read.contestants;
 }
 std::vector<Contestant> pilots(const std::string& word = "") {
-  return mice("pilot:" LABMOUSE_PILOT_TEMPLATE + (word.empty() ? word : " " + word));
+  return mice("pilot:\"" LABMOUSE_PILOT_TEMPLATE "\"" + (word.empty() ? word : " " + word));
 }
 
 std::shared_ptr<const World> world(const PhysicalConditions& conditions = test::at_noise(1.0)) {
@@ -62,7 +62,7 @@ TEST(PilotRace, IsHeldInThePhysicalWorldUnlessTold) {
   for (const WorldEntry* other : all_worlds()) {
     const std::string error = enter(pilots(), other->name, {}).error;
     EXPECT_EQ(error.empty(), other->name == "physical") << other->name;
-    EXPECT_TRUE(error.empty() || error.find("pilot:" LABMOUSE_PILOT_TEMPLATE) != std::string::npos) << error;
+    EXPECT_TRUE(error.empty() || error.find("pilot:\"" LABMOUSE_PILOT_TEMPLATE "\"") != std::string::npos) << error;
   }
 }
 
@@ -130,7 +130,7 @@ TEST(PilotRace, HasTapesOfDutiesThatMotorsTake) {
   RaceHooks hooks;
   hooks.keep = [](const ContestResult&) { return Keep{true, false}; };
   hooks.finished = [&](const Race&, const ContestResult&, const Held& held) { text = held.record; };
-  race(mice("pilot:" LABMOUSE_BAD_GUEST " \"pilot give up\""), hooks);
+  race(mice("pilot:\"" LABMOUSE_BAD_GUEST "\" \"pilot give up\""), hooks);
   const std::string line = R"({"tape":"AA","said":[[0,"give up"]]})";
   const auto place = text.find(line);
   ASSERT_NE(place, std::string::npos) << text;
@@ -150,13 +150,13 @@ TEST(PilotRace, IsHeldBesideMiceOfOurs) {
 }
 
 TEST(PilotRace, TellsWhyAMouseGaveUp) {
-  const Race held = race(mice("pilot:" LABMOUSE_BAD_GUEST " \"pilot rubbish\""));
+  const Race held = race(mice("pilot:\"" LABMOUSE_BAD_GUEST "\" \"pilot rubbish\""));
   for (const ContestResult& result : held.results) {
     EXPECT_FALSE(result.score);
     EXPECT_EQ(result.never_started, "");
   }
   EXPECT_THAT(table_of(held, false), Says("rubbish", "'what?'"));
-  const Race ended = race(mice("pilot:" LABMOUSE_BAD_GUEST " \"pilot end at the start\""));
+  const Race ended = race(mice("pilot:\"" LABMOUSE_BAD_GUEST "\" \"pilot end at the start\""));
   for (const ContestResult& result : ended.results) EXPECT_THAT(result.never_started, HasSubstr("labmouse pilot 1"));
 }
 

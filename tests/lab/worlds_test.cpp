@@ -39,7 +39,7 @@ using ::testing::Not;
 using ::testing::SizeIs;
 using ::testing::StartsWith;
 
-const std::string program = "mms:" LABMOUSE_MMS_GUEST;
+const std::string program = "mms:\"" LABMOUSE_MMS_GUEST "\"";
 
 /// What to try in a world: two mice, another setting that its results depend on, and a parameter of a mouse.
 struct Trial {

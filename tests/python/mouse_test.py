@@ -48,7 +48,7 @@ def test_its_walk_is_that_of_the_same_mouse_as_a_guest(programs, tmp_path, maze)
     program = tmp_path / "guest.py"
     program.write_text(GUEST)
     here = labmouse.run(Wanderer, maze, seed=3)
-    guest = labmouse.run(f"guest:{sys.executable} {program}", maze, seed=3)
+    guest = labmouse.run(f'guest:"{sys.executable}" "{program}"', maze, seed=3)
     assert len(here.steps) > 100
     numpy.testing.assert_array_equal(here.steps, guest.steps)
     assert here.outcome == guest.outcome

@@ -42,7 +42,7 @@ def test_a_mouse_that_throws_dice_has_as_many_contests_as_in_the_command(command
 def test_a_race_in_mms_gives_the_numbers_of_the_command(programs, command, tmp_path):
     mouse = tmp_path / "mouse.sh"
     mouse.write_text("while :; do echo moveForward; read -r answer; [ \"$answer\" = ack ] || echo turnRight; done\n")
-    spec = f"mms:sh {mouse}"
+    spec = f'mms:sh "{mouse}"'
     words = ["--world", "mms", "--line-limit", "200"]
     printed = command("race", "--mice", spec, "--mazes", *MAZES, *words, "--format", "csv")
     race = labmouse.race(spec, MAZES, world="mms", line_limit=200)
@@ -100,7 +100,7 @@ def test_what_makes_no_race_is_refused(bad):
 def test_a_setting_that_is_true_is_a_flag_of_the_command(programs, tmp_path):
     mouse = tmp_path / "mouse.sh"
     mouse.write_text("echo nonsense; echo moveForward; read -r answer\n")
-    strict = [labmouse.race(f"mms:sh {mouse}", "contest-01", world="mms", strict=value).table["outcome"][0] for value in (True, False)]
+    strict = [labmouse.race(f'mms:sh "{mouse}"', "contest-01", world="mms", strict=value).table["outcome"][0] for value in (True, False)]
     assert "invalid" in strict[0] and "invalid" not in strict[1]
 
 
@@ -229,7 +229,7 @@ def interrupt():
     sent.append(time.monotonic())
     os.kill(os.getpid(), signal.SIGINT)
 signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell has it ignored in what runs in its background
-guest = "guest:" + sys.executable + ' -c "import time; time.sleep(1000)"'
+guest = 'guest:"' + sys.executable + '" -c "import time; time.sleep(1000)"'
 sent, begin = [], time.monotonic()
 threading.Thread(target=interrupt).start()
 held = {held}
