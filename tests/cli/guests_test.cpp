@@ -114,7 +114,7 @@ TEST_F(AHostOfGuests, IsToldWhereverTheyAreFree) {
 
 TEST_F(AHostOfGuests, StartsThemInTheirFolder) {
   std::filesystem::create_directories(folder_ / "place");
-  std::filesystem::create_symlink(LABMOUSE_BAD_GUEST, folder_ / "place" / "mouse");
+  std::filesystem::copy_file(LABMOUSE_BAD_GUEST, folder_ / "place" / "mouse");
   EXPECT_THAT(race_in_the_corridor({"--mice", "guest:./mouse end", "--directory", "place"}).out,
               HasSubstr("forfeit (died) 1"));
   is_refused({"race", "--mice", "guest:./mouse end"}, "no executable program", "'./mouse'");

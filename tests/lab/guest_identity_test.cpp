@@ -56,7 +56,7 @@ TEST_F(AGuestsIdentity, IsTheSameInAnotherFolder) {
   file("mouse.py", "one");
   file("other/mouse.py", "one");
   EXPECT_EQ(identity("python3 mouse.py"), identity("python3 mouse.py", "", "other"));
-  EXPECT_EQ(identity("python3 mouse.py"), identity("python3 " + (folder_ / "mouse.py").string()));
+  EXPECT_EQ(identity("python3 mouse.py"), identity("python3 \"" + (folder_ / "mouse.py").string() + "\""));
 }
 
 TEST_F(AGuestsIdentity, FollowsItsWordsAndLimits) {
