@@ -75,6 +75,7 @@ RaceOrder Contests::order_in(std::shared_ptr<const World> chosen) const {
   held.world = std::move(chosen);
   held.runs = runs.value_or(held.world->usual_runs());
   if (store_path.empty()) return held;
+  held.files.push_back(store_path);
   if (!store_) store_ = std::make_shared<Store>(store_path);
   if (store_->failed()) throw UsageError(store_->finish());
   held.store = store_;

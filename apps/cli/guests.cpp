@@ -51,15 +51,21 @@ void add_guest_options(Command& command, GuestOptions& guests) {
   command
       .add_word(
           "--sandbox", [&guests](const std::string& word) { guests.sandbox = sandbox_use(word); },
-          "Keep programs from writing outside of their folders and from the network: where that is possible "
-          "(auto), always or never")
+          "Give each program a copy of its folder, and keep it from mazes, other files and the network: where that is "
+          "possible (auto), always or never")
       ->check(one_of({"auto", "on", "off"}))
       ->default_str("auto");
-  add_seconds(command, "--start-limit", limits.start, "How long a program may take to write its first line");
+  command.add_flag("--keep-folder", guests.keep_folder,
+                   "Let programs write to their folders themselves, so that they may remember earlier contests");
+  add_seconds(
+      command, "--start-limit", limits.start,
+      "How much of its own time a program may take to write its first line: processor time of all that it starts, and "
+      "time in which none of that works or waits for a processor");
   add_seconds(command, "--decision-limit", limits.decision,
               "How much processor time a program may take between two lines");
-  add_seconds(command, "--silence-limit", limits.silence, "How long a program may be silent between two lines");
-  add_seconds(command, "--contest-limit", limits.contest, "How long a program may run in one maze");
+  add_seconds(command, "--silence-limit", limits.silence,
+              "How much of its own time a program may be silent between two lines");
+  add_seconds(command, "--contest-limit", limits.contest, "How much of its own time a program may take in one maze");
   add_mebibytes(command, "--memory", limits.memory, "Memory limit for a program with all that it starts");
   add_mebibytes(command, "--written", limits.written, "How much a program with all that it starts may write");
   command.add_option("--processes", limits.processes, "How many processes a program may be, with all that it starts")

@@ -69,6 +69,7 @@ MmsRun host(const MmsCommandOptions& options, const NamedMaze& maze) {
   const Interruptible interruptible;
   GuestOptions guests = options.guests;
   guests.stop = &interruptible.stopped();
+  for (const std::string& file : {options.maze, options.record}) guests.hidden->add(file);
   const std::vector<Contestant> mice = find_contestants({"mms:" + options.command}, guests);
   const Contestant& mouse = mice.front();
   std::optional<MmsRecorder> recorder;

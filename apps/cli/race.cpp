@@ -65,7 +65,11 @@ class Holding {
   const std::string& failed_write() const { return failed_write_; }
 
  private:
-  RaceOrder order_of(const Field& field) const { return options_.contests.order_in(field.entry.world); }
+  RaceOrder order_of(const Field& field) const {
+    RaceOrder order = options_.contests.order_in(field.entry.world);
+    order.files.insert(order.files.end(), {options_.out, options_.baseline});
+    return order;
+  }
 
   RaceHooks hooks() {
     RaceHooks hooks;

@@ -36,6 +36,7 @@ void run_contest(const RunOptions& options) {
                                            : "; use `labmouse race`";
   if (const std::string reason = refuse_to_walk(mouse); !reason.empty()) throw UsageError("error: " + reason + hint);
   const NamedMaze maze = find_maze(options.maze, options.places);
+  for (const std::string& file : {options.maze, options.record, options.svg}) options.guests.hidden->add(file);
   const Rules& rules = options.rules;
   const auto mind = mouse.make(maze.maze, rules, options.seed);
   if (options.explain.wanted) mind->keep_reasons();

@@ -68,6 +68,7 @@ class RunningRace {
     order.seed = seed;
     order.jobs = jobs;
     order.store = store_.emplace(store).shown();
+    order.files = {std::get<0>(store), out_};
     const std::size_t all = contests_of(field.entry.mice, field.mazes.size(), order);
     if (!out_.empty()) {
       folder_ = std::make_unique<ResultsFolder>(out_, overwrite);

@@ -54,6 +54,7 @@ class RunningStudy {
     order.race.world = field.entry.world;
     order.race.runs = runs.value_or(order.race.world->usual_runs());
     order.race.store = store_.emplace(store).shown();
+    order.race.files = {std::get<0>(store)};
     work_.start([this, order, field = std::move(field)]() mutable {
       StudyHooks hooks;
       hooks.stop = &work_.stopped();

@@ -4,6 +4,7 @@
 #include <map>
 #include <mutex>
 
+#include "labmouse/guests/patience.hpp"
 #include "labmouse/guests/process.hpp"
 
 namespace labmouse {
@@ -13,11 +14,12 @@ namespace {
 std::string first_line(const std::string& python, const std::string& script, bool sandbox) {
   Launch launch;
   launch.sandbox = sandbox;
-  // There it may write nowhere.
+  // There it has no folder.
   if (sandbox) launch.directory = "/";
   launch.words = {python, "-c", script};
   GuestProcess process(launch);
-  const auto deadline = GuestProcess::Clock::now() + launch.limits.start;
+  // A busy machine takes its time.
+  const auto deadline = GuestProcess::Clock::now() + most_by_the_clock * launch.limits.start;
   while (process.wait(deadline) == GuestEvent::output) {
   }
   return std::string(process.lines().next().value_or(""));
@@ -31,6 +33,7 @@ Launch capstone_launch(const std::string& robot, const std::string& python, cons
   launch.words = {python, "-u", "-c", std::string(capstone_bridge()), path.filename().string()};
   launch.words.insert(launch.words.end(), arguments.begin(), arguments.end());
   launch.directory = path.parent_path().string();
+  launch.owns_directory = true;
   launch.beginning = "the Robot of " + path.filename().string() + " was made";
   return launch;
 }

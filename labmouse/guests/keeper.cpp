@@ -15,7 +15,7 @@
 #include <charconv>
 #include <csignal>
 
-#include "labmouse/guests/short_text.hpp"
+#include "labmouse/guests/sandbox.hpp"
 #include "labmouse/guests/survey.hpp"
 
 namespace labmouse {
@@ -87,8 +87,7 @@ void reset_signals() {
   if (dup2(ends.input, STDIN_FILENO) < 0 || dup2(ends.output, STDOUT_FILENO) < 0 ||
       dup2(ends.errors, STDERR_FILENO) < 0)
     fail(ends);
-  // Where we are is still outside of a sandbox, and read-only.
-  const char* directory = guest.rooms != nullptr ? guest.rooms->folder : guest.directory;
+  const char* directory = guest.rooms != nullptr ? guest.rooms->directory : guest.directory;
   if (*directory != '\0' && chdir(directory) != 0) fail(ends);
   reset_signals();
   limit_all(guest.limits);
@@ -155,7 +154,8 @@ sigset_t hold_back_ends_of_children() {
 /// others there end.
 [[noreturn]] void parent_guest(const KeptGuest& guest, const KeptEnds& ends) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  show_own_processes();
+  forget_command_line();
+  if (!enter_new_root(*guest.rooms)) fail(ends);
   const pid_t child = fork();
   if (child < 0) fail(ends);
   if (child == 0) become_guest(guest, ends);
@@ -189,7 +189,7 @@ void keep_guest(const KeptGuest& guest, const KeptEnds& ends) {
   prctl(PR_SET_CHILD_SUBREAPER, 1);
   come_first();
   const sigset_t while_waiting = hold_back_ends_of_children();
-  if (guest.rooms != nullptr && !enter_sandbox(*guest.rooms)) fail(kept);
+  if (guest.rooms != nullptr && !enter_namespaces()) fail(kept);
 
   const pid_t child = fork();
   if (child < 0) fail(kept);

@@ -4,7 +4,7 @@
 #include <sys/types.h>
 
 #include "labmouse/guests/limits.hpp"
-#include "labmouse/guests/sandbox.hpp"
+#include "labmouse/guests/new_root.hpp"
 
 namespace labmouse {
 

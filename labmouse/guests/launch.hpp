@@ -2,12 +2,16 @@
 #pragma once
 
 #include <atomic>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "labmouse/guests/hidden_files.hpp"
 #include "labmouse/guests/limits.hpp"
 
 namespace labmouse {
+
+struct Surroundings;
 
 /// How to start a guest.
 struct Launch {
@@ -17,13 +21,22 @@ struct Launch {
   std::vector<std::string> environment;
   /// Where it runs; empty: here.
   std::string directory;
+  /// Whether that directory is the mouse's own folder, too; otherwise it is the folder of the file that its words name.
+  bool owns_directory = false;
   /// What is done before its greeting, where a bridge of ours greets and not its author: "the Robot of robot.py was
   /// made". Empty for all others.
   std::string beginning;
   GuestLimits limits;
-  /// Whether it lives in a sandbox (sandbox.hpp): it writes only to its folder and to a /tmp of its own, reaches no
-  /// network and no process outside, and starts nowhere where why_no_sandbox() has something to say.
+  /// Whether it lives in a sandbox (sandbox.hpp): it sees a copy of its folder, its interpreter and the system's
+  /// programs, reaches no network and no process outside, and starts nowhere where why_no_sandbox() has something to
+  /// say.
   bool sandbox = false;
+  /// In a sandbox: it writes to its folder itself, and finds there what it wrote in earlier contests.
+  bool keeps_folder = false;
+  /// In a sandbox: files that it does not see, wherever they are; may be null.
+  std::shared_ptr<const HiddenFiles> hidden;
+  /// In a sandbox: what it sees, found out once for many starts; null: found out at each start.
+  std::shared_ptr<const Surroundings> surroundings;
   /// Once true, waiting for a guest ends; may be null.
   const std::atomic<bool>* stop = nullptr;
 };

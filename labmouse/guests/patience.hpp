@@ -1,40 +1,93 @@
-// How long a guest may take for an answer: at work in its own time, and silent in that of the wall.
+// How long a mouse may take: counted in its own time, which passes no faster on a busy machine.
 #pragma once
 
 #include <chrono>
+#include <optional>
 #include <string>
 
 #include "labmouse/guests/process.hpp"
 
 namespace labmouse {
 
-/// The time between two signs of life of a guest. Those that answer at once cost nothing: only once a guest has been
-/// silent for a moment its work begins to be counted, from there on.
+/// The time of a mouse: processor time of it and all that it started, and the time in which none of them worked, was
+/// ready to work or waited for a disk. It begins with the object.
+class OwnTime {
+ public:
+  using Clock = GuestProcess::Clock;
+
+  explicit OwnTime(GuestProcess& process) : last_(look(process)), begin_(last_.tree.worked) {}
+
+  /// To be called several times a second.
+  void advance(GuestProcess& process);
+  std::chrono::nanoseconds idle() const { return idle_; }
+  std::chrono::nanoseconds passed() const { return idle_ + last_.tree.worked - begin_; }
+
+ private:
+  struct Look {
+    Clock::time_point at;
+    TreeTime tree;
+    std::chrono::nanoseconds host_waited{};  ///< of us, who may have looked late
+  };
+  static Look look(GuestProcess& process) { return {Clock::now(), process.tree_time(), waited_for_processor()}; }
+
+  Look last_;
+  std::chrono::nanoseconds begin_, idle_{};
+};
+
+/// By the clock, so many times a limit may pass before a mouse is given up that is below it in its own time.
+inline constexpr int most_by_the_clock = 10;
+
+/// The time of a mouse over all of a contest. Short waits cost nothing but a look at the clock.
+class ContestClock {
+ public:
+  using Clock = GuestProcess::Clock;
+
+  explicit ContestClock(Clock::duration limit) : limit_(limit), next_look_(Clock::now() + pause(Clock::duration(0))) {}
+
+  bool is_over(GuestProcess& process);
+  /// Whether it is over by the clock alone, so that nobody knows whether the mouse was slow.
+  bool is_judged() const { return is_judged_; }
+  /// The mouse was waited for, and was idle for some of that time as far as that was looked at.
+  void add(Clock::duration waited, std::chrono::nanoseconds idle);
+
+ private:
+  Clock::duration pause(Clock::duration passed) const;
+
+  Clock::duration limit_, waited_{};
+  std::chrono::nanoseconds idle_{};
+  Clock::time_point next_look_;
+  bool is_over_ = false, is_judged_ = true;
+};
+
+/// The time between two signs of life of a mouse. Those that answer at once cost nothing: only once one has been silent
+/// for a moment its time begins to be counted, from there on.
 class Patience {
  public:
   using Clock = GuestProcess::Clock;
 
-  /// It may be silent for so long, and work for so long meanwhile; both from now on.
+  /// It may take so much of its own time, and its first process so much processor time; both from now on.
   Patience(Clock::duration silence, std::chrono::nanoseconds work)
       : silence_(silence), work_(work), begin_(Clock::now()) {}
 
-  /// Waits for output, and gives up with `timeout` when either is over, or at the end of the contest.
-  GuestEvent wait(GuestProcess& process, Clock::time_point contest_end);
+  /// Waits for output, and gives up with `timeout` when either is over, or the contest.
+  GuestEvent wait(GuestProcess& process, ContestClock& contest);
 
   /// Whether it has worked for longer than it may; to be asked when its answer is there, too.
   bool is_overworked(GuestProcess& process);
   /// How long it worked when it was looked at last.
   std::chrono::nanoseconds worked() const { return worked_; }
-
-  Clock::duration silence() const { return silence_; }
-  std::chrono::nanoseconds work() const { return work_; }
+  /// Whether a timeout came by the clock alone, so that nobody knows whether the mouse was slow.
+  bool is_judged() const { return is_judged_; }
 
  private:
+  Clock::duration pause() const;
+
   Clock::duration silence_;
   std::chrono::nanoseconds work_;
   Clock::time_point begin_;
-  bool counts_ = false;  ///< whether its work is counted
+  std::optional<OwnTime> time_;  ///< once it was silent for a moment
   std::chrono::nanoseconds before_{}, worked_{};
+  bool is_judged_ = true;
 };
 
 /// "0.4 s".

@@ -12,7 +12,6 @@
 #include <csignal>
 #include <cstring>
 #include <ctime>
-#include <filesystem>
 #include <fstream>
 #include <mutex>
 #include <thread>
@@ -20,12 +19,13 @@
 
 #include "labmouse/guests/command_line.hpp"
 #include "labmouse/guests/keeper.hpp"
+#include "labmouse/guests/sandbox.hpp"
+#include "labmouse/guests/surroundings.hpp"
 
 namespace labmouse {
 namespace {
 
 using namespace std::chrono_literals;
-namespace fs = std::filesystem;
 
 /// How often a wait looks whether it shall stop: a signal wakes only one thread of a program.
 constexpr auto glance = 10ms;
@@ -71,38 +71,36 @@ std::vector<char*> environment_of(const Launch& launch) {
   return variables;
 }
 
-/// What a launch needs in its sandbox.
+/// What a launch needs in its sandbox, as texts and lists for its keeper.
 class SandboxPlan {
  public:
-  SandboxPlan(const Launch& launch, const std::string& program) {
-    std::error_code error;
-    folder_ = fs::canonical(launch.directory.empty() ? "." : launch.directory, error);
-    // A folder that is not there is found out by the guest itself.
-    if (error) folder_ = launch.directory;
-    share(folder_);
-    share(program);
-    share(fs::canonical(program, error));
-    for (const std::string& word : launch.words) share(word);
-    for (const std::string& entry : entries_) names_.push_back(entry.c_str());
-    names_.push_back(nullptr);
-    rooms_ = {folder_.c_str(), names_.data(), launch.limits.written};
+  SandboxPlan(const Launch& launch, const std::string& program)
+      : around_(launch.surroundings ? launch.surroundings
+                                    : std::make_shared<const Surroundings>(surroundings_of(launch, program))) {
+    hidden_ = around_->hidden;
+    if (launch.hidden)
+      for (std::string& path : seen_of(*around_, *launch.hidden->paths())) hidden_.push_back(std::move(path));
+    for (const std::string& path : around_->visible) visible_texts_.push_back(path.c_str());
+    for (const auto& [path, target] : around_->links) links_.push_back({path.c_str(), target.c_str()});
+    for (const std::string& path : hidden_) hidden_texts_.push_back(path.c_str());
+    visible_texts_.push_back(nullptr);
+    links_.emplace_back();
+    hidden_texts_.push_back(nullptr);
+    rooms_ = {around_->folder.c_str(),
+              around_->directory.c_str(),
+              visible_texts_.data(),
+              links_.data(),
+              hidden_texts_.data(),
+              launch.limits.written,
+              launch.keeps_folder ? FolderUse::keep : usual_folder_use()};
   }
   const Rooms& rooms() const { return rooms_; }
 
  private:
-  /// What lies in /tmp and was named stays to be seen.
-  void share(const std::string& path) {
-    constexpr std::string_view room = "/tmp/";
-    if (!path.starts_with(room)) return;
-    const std::string entry = path.substr(room.size(), path.find('/', room.size()) - room.size());
-    std::error_code error;
-    if (entry.empty() || entry == "." || entry == ".." || !fs::exists(std::string(room) + entry, error)) return;
-    if (std::find(entries_.begin(), entries_.end(), entry) == entries_.end()) entries_.push_back(entry);
-  }
-
-  std::string folder_;
-  std::vector<std::string> entries_;
-  std::vector<const char*> names_;
+  std::shared_ptr<const Surroundings> around_;
+  std::vector<std::string> hidden_;
+  std::vector<const char*> visible_texts_, hidden_texts_;
+  std::vector<Rooms::Link> links_;
   Rooms rooms_;
 };
 
@@ -213,7 +211,8 @@ void GuestProcess::start(const Launch& launch, Pipes& pipes) {
   if (reason != 0) error_ = fmt::format("cannot start '{}': {}", launch.words.front(), std::strerror(reason));
   // It is there, or in a moment: the keeper writes it as soon as it has a child.
   while (reason == 0 && child_ < 0 && status_end_ >= 0) read_status();
-  if (!launch.sandbox) guest_ = child_;
+  sandboxed_ = launch.sandbox;
+  if (!sandboxed_) guest_ = child_;
   for (const int end : {input_, output_, errors_end_, status_end_}) fcntl(end, F_SETFL, O_NONBLOCK);
 }
 

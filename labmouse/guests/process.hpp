@@ -71,6 +71,9 @@ class GuestProcess {
   /// Processor time that the program itself took so far, without that of processes that it started.
   std::chrono::nanoseconds processor_time();
 
+  /// What it and all that it started did with their time so far.
+  TreeTime tree_time() { return time_of_tree(sandboxed_ ? child_ : keeper_); }
+
   /// How it ended; nothing while it runs.
   const std::optional<ExitStatus>& status() const { return status_; }
   /// The limit over its whole tree of processes that it passed.
@@ -102,6 +105,7 @@ class GuestProcess {
   pid_t keeper_ = -1;
   pid_t child_ = -1;  ///< of the keeper: the guest, or in a sandbox its parent
   pid_t guest_ = -1;
+  bool sandboxed_ = false;
   std::chrono::nanoseconds processor_time_{};  ///< the last that was known
   int input_ = -1, output_ = -1, errors_end_ = -1, status_end_ = -1, leash_ = -1;
   LineBuffer lines_;

@@ -2,22 +2,23 @@
 
 #include <fcntl.h>
 #include <linux/capability.h>
-#include <linux/mount.h>
 #include <linux/securebits.h>
 #include <net/if.h>
 #include <sched.h>
 #include <sys/ioctl.h>
-#include <sys/mount.h>
 #include <sys/prctl.h>
 #include <sys/socket.h>
-#include <sys/stat.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
+#include <charconv>
+#include <cstdint>
 #include <cstring>
+#include <string>
 #include <string_view>
 
 #include "labmouse/guests/short_text.hpp"
@@ -25,7 +26,7 @@
 namespace labmouse {
 namespace {
 
-// All but why_no_sandbox runs between fork and exec: only functions that are safe in a signal handler.
+// All but the two last functions runs between fork and exec: only functions that are safe in a signal handler.
 
 bool write_whole(const char* path, const ShortText& text) {
   const int file = open(path, O_WRONLY | O_CLOEXEC);
@@ -45,55 +46,6 @@ bool stay_the_same_user(uid_t user, gid_t group) {
          write_whole("/proc/self/gid_map", groups);
 }
 
-bool change_mounts(const char* path, unsigned flags, std::uint64_t set, std::uint64_t clear) {
-  mount_attr change{};
-  change.attr_set = set;
-  change.attr_clr = clear;
-  return syscall(SYS_mount_setattr, AT_FDCWD, path, flags, &change, sizeof change) == 0;
-}
-
-/// An empty folder in memory over an existing one.
-bool mount_empty(const char* path, std::uint64_t room) {
-  ShortText options;
-  options << "mode=1777,size=" << room;
-  return mount("labmouse", path, "tmpfs", MS_NOSUID | MS_NODEV, options.c_str()) == 0;
-}
-
-/// Lets an entry of the old /tmp be seen in the new one, by a descriptor of it.
-bool share_entry(int entry, const char* name) {
-  ShortText from, to;
-  from << "/proc/self/fd/" << static_cast<std::uint64_t>(entry);
-  to << "/tmp/" << name;
-  struct stat kind {};
-  if (fstat(entry, &kind) != 0) return false;
-  if (S_ISDIR(kind.st_mode)) {
-    if (mkdir(to.c_str(), 0700) != 0) return false;
-  } else {
-    const int file = open(to.c_str(), O_CREAT | O_WRONLY | O_CLOEXEC, 0600);
-    if (file < 0) return false;
-    close(file);
-  }
-  return mount(from.c_str(), to.c_str(), nullptr, MS_BIND | MS_REC, nullptr) == 0;
-}
-
-bool make_own_tmp(const Rooms& rooms) {
-  constexpr std::size_t most = 16;
-  std::array<int, most> entries{};
-  std::size_t count = 0;
-  for (; count < most && rooms.shared_entries != nullptr && rooms.shared_entries[count] != nullptr; ++count) {
-    ShortText path;
-    path << "/tmp/" << rooms.shared_entries[count];
-    entries[count] = open(path.c_str(), O_PATH | O_CLOEXEC);
-    if (entries[count] < 0) return false;
-  }
-  if (!mount_empty("/tmp", rooms.room)) return false;
-  for (std::size_t i = 0; i < count; ++i) {
-    if (!share_entry(entries[i], rooms.shared_entries[i])) return false;
-    close(entries[i]);
-  }
-  return true;
-}
-
 /// What it says to itself by way of the loopback stays with it; where that cannot be switched on, it has none.
 void switch_loopback_on() {
   const int end = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
@@ -105,52 +57,58 @@ void switch_loopback_on() {
   close(end);
 }
 
-/// Whether it could be entered, tried by a process that is given up for it; the reason where not.
-std::string try_out() {
+/// Whether it could be entered, tried by a process that is given up for it; the errno where not.
+int try_out(FolderUse use) {
   const pid_t trial = fork();
   if (trial == 0) {
     Rooms rooms;
+    rooms.folder = "/usr";
     rooms.room = 1U << 20U;
-    const bool good = enter_sandbox(rooms);
-    const int reason = errno;
-    const pid_t first = good ? fork() : -1;
-    if (first == 0) _exit(0);
-    _exit(first > 0 ? 0 : (reason == 0 ? EPERM : reason));
+    rooms.use = use;
+    const pid_t first = enter_namespaces() ? fork() : -1;
+    if (first < 0) _exit(errno);
+    if (first == 0) _exit(enter_new_root(rooms) ? 0 : errno);
+    int status = 0;
+    if (waitpid(first, &status, 0) < 0) _exit(errno);
+    _exit(WIFEXITED(status) ? WEXITSTATUS(status) : EINTR);
   }
   int status = 0;
-  if (trial < 0 || waitpid(trial, &status, 0) < 0) return std::strerror(errno);
-  if (WIFEXITED(status)) return WEXITSTATUS(status) == 0 ? "" : std::strerror(WEXITSTATUS(status));
-  return "the trial ended by a signal";
+  if (trial < 0 || waitpid(trial, &status, 0) < 0) return errno;
+  return WIFEXITED(status) ? WEXITSTATUS(status) : EINTR;
+}
+
+/// The value of a line of /proc/self/stat that stands behind so many others; 0 where it cannot be read.
+std::uintptr_t number_of_stat(std::string_view text, int before) {
+  // The name, in brackets, may hold anything.
+  text.remove_prefix(std::min(text.rfind(')') + 2, text.size()));
+  constexpr int behind_name = 2;
+  for (int i = behind_name; i < before; ++i) text.remove_prefix(std::min(text.find(' '), text.size() - 1) + 1);
+  std::uintptr_t number = 0;
+  std::from_chars(text.data(), text.data() + text.size(), number);
+  return number;
 }
 
 }  // namespace
 
-bool enter_sandbox(const Rooms& rooms) {
+bool enter_namespaces() {
   const uid_t user = geteuid();
   const gid_t group = getegid();
-  const std::string_view folder = rooms.folder;
-  if (unshare(CLONE_NEWUSER | CLONE_NEWNS | CLONE_NEWPID | CLONE_NEWNET | CLONE_NEWIPC) != 0) return false;
+  if (unshare(CLONE_NEWUSER | CLONE_NEWPID | CLONE_NEWNET | CLONE_NEWIPC) != 0) return false;
   if (!stay_the_same_user(user, group)) return false;
-  if (mount(nullptr, "/", nullptr, MS_REC | MS_PRIVATE, nullptr) != 0) return false;
-  if (!change_mounts("/", AT_RECURSIVE, MOUNT_ATTR_RDONLY, 0)) return false;
-  // Who lives in /tmp itself keeps it.
-  if (folder != "/tmp" && !make_own_tmp(rooms)) return false;
-  // Semaphores between processes are files there. Not every system has it.
-  if (!mount_empty("/dev/shm", rooms.room) && errno != ENOENT) return false;
-  if (folder != "/") {
-    if (mount(rooms.folder, rooms.folder, nullptr, MS_BIND | MS_REC, nullptr) != 0) return false;
-    // What is read-only outside stays so.
-    if (!change_mounts(rooms.folder, 0, 0, MOUNT_ATTR_RDONLY) && errno != EPERM) return false;
-  }
   switch_loopback_on();
   return true;
 }
 
-void show_own_processes() {
-  // The keeper still looks at the others, so it is for those below only. Where parts of /proc are hidden it is not
-  // allowed: there the others' names stay to be seen, and nothing else of them.
-  if (unshare(CLONE_NEWNS) == 0)
-    mount("labmouse", "/proc", "proc", MS_RDONLY | MS_NOSUID | MS_NODEV | MS_NOEXEC, nullptr);
+void forget_command_line() {
+  constexpr int arg_start = 47, arg_end = 48;
+  std::array<char, 2048> text{};
+  const int file = open("/proc/self/stat", O_RDONLY | O_CLOEXEC);
+  const ssize_t size = file < 0 ? 0 : read(file, text.data(), text.size());
+  if (file >= 0) close(file);
+  const std::string_view line(text.data(), static_cast<std::size_t>(std::max<ssize_t>(size, 0)));
+  if (line.empty()) return;
+  const std::uintptr_t begin = number_of_stat(line, arg_start), end = number_of_stat(line, arg_end);
+  if (begin != 0 && end > begin) std::memset(reinterpret_cast<void*>(begin), 0, end - begin);
 }
 
 void drop_privileges() {
@@ -166,8 +124,16 @@ void drop_privileges() {
 }
 
 const std::string& why_no_sandbox() {
-  static const std::string reason = try_out();
+  static const std::string reason = [] {
+    const int error = usual_folder_use() == FolderUse::copy ? 0 : try_out(FolderUse::read_only);
+    return error == 0 ? std::string() : std::string(std::strerror(error));
+  }();
   return reason;
+}
+
+FolderUse usual_folder_use() {
+  static const FolderUse use = try_out(FolderUse::copy) == 0 ? FolderUse::copy : FolderUse::read_only;
+  return use;
 }
 
 }  // namespace labmouse

@@ -30,8 +30,8 @@ int open_of(pid_t process, std::string_view name) {
 /// The beginning of a file about a process; empty where there is none, or none for us.
 class Facts {
  public:
-  Facts(pid_t process, std::string_view name) {
-    const int file = open_of(process, name);
+  Facts(pid_t process, std::string_view name) : Facts(open_of(process, name)) {}
+  explicit Facts(int file) {
     if (file < 0) return;
     size_ = std::max<ssize_t>(0, read(file, text_.data(), text_.size()));
     close(file);
@@ -43,9 +43,22 @@ class Facts {
     const auto at = text.find(word);
     return at == std::string_view::npos ? 0 : number(text.substr(at + word.size()));
   }
+  /// The whole number behind so many words.
+  std::uint64_t number_behind(int words) const { return number(behind(text(), words)); }
+  /// What stands behind the name in `stat`, which may hold anything: the state, and numbers.
+  std::string_view behind_name() const {
+    const std::string_view text = this->text();
+    const auto end = text.rfind(')');
+    return end == std::string_view::npos ? "" : text.substr(std::min(end + 2, text.size()));
+  }
+  static std::uint64_t number_behind(std::string_view text, int words) { return number(behind(text, words)); }
 
  private:
   std::string_view text() const { return {text_.data(), static_cast<std::size_t>(size_)}; }
+  static std::string_view behind(std::string_view text, int words) {
+    for (; words > 0 && !text.empty(); --words) text.remove_prefix(std::min(text.find(' '), text.size() - 1) + 1);
+    return text;
+  }
   static std::uint64_t number(std::string_view text) {
     std::uint64_t value = 0;
     text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
@@ -91,6 +104,35 @@ class Found {
   bool is_full_ = false;
 };
 
+std::chrono::nanoseconds ticks(std::uint64_t count) {
+  constexpr std::int64_t second = 1'000'000'000;
+  static const std::int64_t in_a_second = sysconf(_SC_CLK_TCK);
+  return std::chrono::nanoseconds(static_cast<std::int64_t>(count) * (second / in_a_second));
+}
+
+/// Adds what one thread of a process does and did.
+void add_time(int tasks, const char* thread, TreeTime& sum) {
+  ShortText stat, schedule;
+  stat << thread << "/stat";
+  schedule << thread << "/schedstat";
+  const Facts facts(openat(tasks, stat.c_str(), O_RDONLY | O_CLOEXEC));
+  const std::string_view state = facts.behind_name().substr(0, 1);
+  sum.is_busy = sum.is_busy || state == "R" || state == "D";
+  const Facts waits(openat(tasks, schedule.c_str(), O_RDONLY | O_CLOEXEC));
+  sum.waited += std::chrono::nanoseconds(waits.number_behind(1));
+}
+
+/// Processor time of a process and of its children that were waited for; of the root only that of the children.
+std::chrono::nanoseconds worked_by(pid_t process, bool is_root) {
+  // Behind the name: utime, stime, cutime and cstime.
+  constexpr int own = 11, of_children = 13;
+  const Facts facts(process, "stat");
+  const std::string_view text = facts.behind_name();
+  std::uint64_t sum = 0;
+  for (int word = is_root ? of_children : own; word < of_children + 2; ++word) sum += Facts::number_behind(text, word);
+  return ticks(sum);
+}
+
 /// Adds the children that one thread started; false where they cannot be known.
 bool add_children(int tasks, const char* thread, Found& found) {
   ShortText path;
@@ -103,20 +145,29 @@ bool add_children(int tasks, const char* thread, Found& found) {
   return true;
 }
 
-/// Adds the children of a process, whichever of its threads started them; false where they cannot be known.
-bool add_children(pid_t process, Found& found) {
+/// Calls `take` with a descriptor of the folder of its threads and the name of each; false where they cannot be known.
+template <class Take>
+bool for_each_thread(pid_t process, const Take& take) {
   const int tasks = open_of(process, "task");
   if (tasks < 0) return false;
-  bool all = true;
   alignas(dirent64) std::array<char, portion> entries{};
   for (long size; (size = syscall(SYS_getdents64, tasks, entries.data(), entries.size())) > 0;)
     for (long at = 0; at < size;) {
       const auto* entry = reinterpret_cast<const dirent64*>(entries.data() + at);
-      if (entry->d_name[0] != '.' && !add_children(tasks, entry->d_name, found)) all = false;
+      if (entry->d_name[0] != '.') take(tasks, entry->d_name);
       at += entry->d_reclen;
     }
   close(tasks);
-  return all;
+  return true;
+}
+
+/// Adds the children of a process, whichever of its threads started them; false where they cannot be known.
+bool add_children(pid_t process, Found& found) {
+  bool all = true;
+  const bool known = for_each_thread(process, [&](int tasks, const char* thread) {
+    if (!add_children(tasks, thread, found)) all = false;
+  });
+  return known && all;
 }
 
 }  // namespace
@@ -134,6 +185,26 @@ Holdings survey(pid_t root, int most, bool shares) {
   sum.processes = static_cast<int>(found.count());
   sum.is_full = found.is_full();
   return sum;
+}
+
+TreeTime time_of_tree(pid_t root) {
+  TreeTime sum;
+  Found found(std::numeric_limits<std::size_t>::max());
+  sum.worked = worked_by(root, true);
+  add_children(root, found);
+  for (std::size_t i = 0; i < found.count(); ++i) {
+    sum.worked += worked_by(found.at(i), false);
+    for_each_thread(found.at(i), [&](int tasks, const char* thread) {
+      add_time(tasks, thread, sum);
+      add_children(tasks, thread, found);
+    });
+  }
+  return sum;
+}
+
+std::chrono::nanoseconds waited_for_processor() {
+  const Facts facts(open("/proc/thread-self/schedstat", O_RDONLY | O_CLOEXEC));
+  return std::chrono::nanoseconds(facts.number_behind(1));
 }
 
 bool kill_descendants(pid_t root) {

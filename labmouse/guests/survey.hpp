@@ -3,6 +3,7 @@
 
 #include <sys/types.h>
 
+#include <chrono>
 #include <cstdint>
 
 #include "labmouse/guests/limits.hpp"
@@ -24,6 +25,22 @@ struct Holdings {
 /// `most` of them. Allocates nothing and takes no lock. `shares`: memory in common is divided among those that have it,
 /// which takes the system a thousand times as long.
 Holdings survey(pid_t root, int most, bool shares);
+
+/// What a tree of processes did with its time, as far as the system tells.
+struct TreeTime {
+  /// Processor time, of those that have ended, too.
+  std::chrono::nanoseconds worked{};
+  /// How long its threads, those that have not ended, were ready to run and no processor was free.
+  std::chrono::nanoseconds waited{};
+  /// Whether one of them is at work now, or ready, or waits for a disk.
+  bool is_busy = false;
+};
+
+/// The sums over the processes that descend from `root`, which itself does not count. Allocates nothing.
+TreeTime time_of_tree(pid_t root);
+
+/// How long the calling thread was ready to run and no processor was free.
+std::chrono::nanoseconds waited_for_processor();
 
 /// Ends the processes that descend from `root`, up to 4096 of them, parents first: one that was told to end has no more
 /// children. Those of parents that ended meanwhile may be left; they come to be children of who takes them. False where

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "labmouse/guests/patience.hpp"
 #include "labmouse/guests/quoted_line.hpp"
 
 namespace labmouse {
@@ -35,7 +34,7 @@ GuestTalk::GuestTalk(const Launch& launch, std::string_view greeting)
     : limits_(launch.limits),
       beginning_(launch.beginning),
       greeting_(greeting),
-      contest_end_(Clock::now() + launch.limits.contest),
+      contest_(launch.limits.contest),
       process_(launch) {
   if (!process_.error().empty()) give_up(ForfeitReason::not_started, process_.error());
 }
@@ -70,14 +69,14 @@ std::optional<std::string_view> GuestTalk::hear(std::chrono::milliseconds silenc
       give_up(too_long(limits_.longest_line, process_.lines().rest()));
       return std::nullopt;
     }
-    const GuestEvent event = patience.wait(process_, contest_end_);
+    const GuestEvent event = patience.wait(process_, contest_);
     if (event == GuestEvent::output || patience.is_overworked(process_)) continue;
-    give_up(event, silence);
+    give_up(event, patience, silence);
     return std::nullopt;
   }
 }
 
-void GuestTalk::give_up(GuestEvent event, std::chrono::milliseconds silence) {
+void GuestTalk::give_up(GuestEvent event, const Patience& patience, std::chrono::milliseconds silence) {
   switch (event) {
     case GuestEvent::ended:
       return give_up(died(describe(process_.status().value_or(ExitStatus())), greeted_, beginning_, greeting_));
@@ -94,7 +93,9 @@ void GuestTalk::give_up(GuestEvent event, std::chrono::milliseconds silence) {
     case GuestEvent::timeout:
       break;
   }
-  if (Clock::now() >= contest_end_)
+  if (!contest_.is_judged() || !patience.is_judged())
+    return give_up(ForfeitReason::not_judged, "the machine was too busy to tell whether it was slow");
+  if (contest_.is_over(process_))
     return give_up(ForfeitReason::out_of_time,
                    fmt::format("its contest took longer than {} (--contest-limit)", seconds_text(limits_.contest)));
   if (process_.deaf()) return give_up(ForfeitReason::closed, "it closed its standard input");

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "labmouse/guests/patience.hpp"
 #include "labmouse/guests/process.hpp"
 #include "labmouse/guests/verdict.hpp"
 
@@ -42,14 +43,14 @@ class GuestTalk {
  private:
   using Clock = GuestProcess::Clock;
 
-  /// Its next line, before which it may be silent for so long and work for so long.
+  /// Its next line, before which it may take so much of its own time and work for so long.
   std::optional<std::string_view> hear(std::chrono::milliseconds silence, std::chrono::nanoseconds work);
-  void give_up(GuestEvent event, std::chrono::milliseconds silence);
+  void give_up(GuestEvent event, const Patience& patience, std::chrono::milliseconds silence);
 
   GuestLimits limits_;
   std::string beginning_;  ///< as of its launch
   std::string greeting_;
-  Clock::time_point contest_end_;
+  ContestClock contest_;
   GuestProcess process_;
   bool greeted_ = false;
   ForfeitReason reason_ = ForfeitReason::none;

@@ -29,6 +29,7 @@ enum class ForfeitReason : std::uint8_t {
   flooded,             ///< the guest said more than it was asked
   rubbish,             ///< the guest said something that is no answer
   interrupted,         ///< whoever watched the guest stopped it
+  not_judged,          ///< the machine was too busy to tell whether the guest was slow
 };
 
 inline constexpr std::array all_forfeit_reasons = {ForfeitReason::none,
@@ -49,7 +50,8 @@ inline constexpr std::array all_forfeit_reasons = {ForfeitReason::none,
                                                    ForfeitReason::too_much_written,
                                                    ForfeitReason::flooded,
                                                    ForfeitReason::rubbish,
-                                                   ForfeitReason::interrupted};
+                                                   ForfeitReason::interrupted,
+                                                   ForfeitReason::not_judged};
 
 constexpr std::string_view name_of(ForfeitReason reason) {
   switch (reason) {
@@ -91,6 +93,8 @@ constexpr std::string_view name_of(ForfeitReason reason) {
       return "rubbish";
     case ForfeitReason::interrupted:
       return "interrupted";
+    case ForfeitReason::not_judged:
+      return "not judged";
   }
   return "unknown";
 }

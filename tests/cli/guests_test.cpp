@@ -112,6 +112,94 @@ TEST_F(AHostOfGuests, IsToldWhereverTheyAreFree) {
               HasSubstr("without a sandbox"));
 }
 
+/// Dies with all that it can find out as its last words: the seed that it was told, what it remembers, and mazes.
+constexpr const char* cheat = R"(#!/bin/sh
+while read -r word rest; do
+  [ $word != seed ] || echo "seed $rest" >&2
+  [ $word != begin ] || break
+done
+cat memory.txt >&2
+echo I was here >> memory.txt
+cat corridor.txt wider.txt results.db mice/*.txt 2> /dev/null | head -c 300 >&2
+tr '\0' ' ' < /proc/1/cmdline >&2
+)";
+
+class ACheat : public AHostOfGuests {
+ protected:
+  ACheat() {
+    file("cheat.sh", cheat);
+    file("wider.txt", "o---o---o---o---o\n| S           G |\no---o---o---o---o\n");
+  }
+
+  /// Its last words in each of its contests.
+  std::vector<std::string> words(std::vector<std::string> more = {}) const {
+    more.insert(more.begin(), {"--mice", "guest:sh cheat.sh", "--mazes", "corridor.txt", "wider.txt", "--jobs", "1"});
+    more.insert(more.begin(), {"race", "--format", "json"});
+    std::vector<std::string> all;
+    const auto json = nlohmann::json::parse(labmouse(std::move(more)).out, nullptr, false);
+    for (const auto& result : json["mice"][0]["results"]) all.push_back(result["last_words"]);
+    return all;
+  }
+  static std::string seed_of(const std::string& words) {
+    const auto at = words.find("seed ");
+    return words.substr(at, words.find('\n', at) - at);
+  }
+  bool has_sandboxes() const {
+    return labmouse({"run", "guest:sh cheat.sh", "corridor.txt", "--sandbox", "on"}).code != 2;
+  }
+};
+
+TEST_F(ACheat, FindsNoMazesAndRemembersNothing) {
+  if (!has_sandboxes()) GTEST_SKIP() << "no sandboxes here";
+  for (const std::string& said : words({"--store", "results.db"})) {
+    EXPECT_EQ(said.find("o---o"), std::string::npos);
+    EXPECT_EQ(said.find("SQLite"), std::string::npos);
+    EXPECT_EQ(said.find("I was here"), std::string::npos);
+    EXPECT_EQ(said.find("race"), std::string::npos);
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "memory.txt"));
+}
+
+TEST_F(ACheat, IsToldOfWhereItIsNotKeptFromThat) {
+  if (!has_sandboxes()) GTEST_SKIP() << "no sandboxes here";
+  const auto kept = words({"--keep-folder"});
+  ASSERT_EQ(kept.size(), 2U);
+  EXPECT_THAT(kept[1], HasSubstr("I was here"));
+  EXPECT_EQ(kept[1].find("o---o"), std::string::npos);
+  EXPECT_THAT(words({"--sandbox", "off"})[0], HasSubstr("o---o"));
+  EXPECT_THAT(race_in_the_corridor({"--mice", "guest:sh cheat.sh", "--keep-folder"}).out, HasSubstr("--keep-folder"));
+  EXPECT_THAT(race_in_the_corridor({"--mice", "guest:sh cheat.sh", "--sandbox", "off"}).out,
+              HasSubstr("Not protected against reading mazes"));
+}
+
+TEST_F(ACheat, IsToldTheSameSeedInAllMazes) {
+  const auto two = words({"--guest-runs", "2"});
+  ASSERT_EQ(two.size(), 4U);
+  EXPECT_EQ(seed_of(two[0]), seed_of(two[2]));
+  EXPECT_EQ(seed_of(two[1]), seed_of(two[3]));
+  EXPECT_NE(seed_of(two[0]), seed_of(two[1]));
+  EXPECT_NE(seed_of(words({"--seed", "2"})[0]), seed_of(two[0]));
+  // The same contest again, by the seed of its result.
+  const auto json = race({"--mice", "guest:sh cheat.sh", "--mazes", "corridor.txt", "--mice", "flood"});
+  const auto& mouse = json["mice"][0]["name"] == "flood" ? json["mice"][1] : json["mice"][0];
+  const std::string seed = std::to_string(mouse["results"][0]["seed"].get<std::uint64_t>());
+  EXPECT_THAT(labmouse({"run", "guest:sh cheat.sh", "corridor.txt", "--seed", seed}).out, HasSubstr(seed_of(two[0])));
+}
+
+TEST_F(AHostOfGuests, LeavesOutOfAllMeansWhatItCannotJudge) {
+  const std::vector<std::string> busy = {"--mice", "flood", "--mice", bad("wait for a disk"), "--start-limit", "0.03"};
+  const Ended table = race_in_the_corridor(busy);
+  EXPECT_EQ(table.code, 0);
+  EXPECT_THAT(table.out, Says("Not judged", "wait for a disk"));
+  auto arguments = busy;
+  arguments.insert(arguments.end(), {"--mazes", "corridor.txt", "--store", "results.db"});
+  const auto json = race(arguments);
+  const auto& mouse = json["mice"][0]["name"] == "flood" ? json["mice"][1] : json["mice"][0];
+  EXPECT_EQ(mouse["results"][0]["outcome"], "not judged");
+  EXPECT_EQ(mouse["runs"], 0);
+  EXPECT_THAT(labmouse({"store", "show", "results.db"}).out, testing::Not(HasSubstr("wait for a disk")));
+}
+
 TEST_F(AHostOfGuests, StartsThemInTheirFolder) {
   std::filesystem::create_directories(folder_ / "place");
   std::filesystem::copy_file(LABMOUSE_BAD_GUEST, folder_ / "place" / "mouse");
@@ -162,8 +250,9 @@ TEST_F(AHostOfGuests, SaysWhichMazesRobotsDoNotExpect) {
 
 TEST_F(AHostOfGuests, RunsThemSideBySide) {
   // Each waits for the other one, so that neither would end if they ran in turn.
-  const auto json = race({"--jobs", "2", "--mice", bad("meet") + " here there", "--mice", bad("meet") + " there here",
-                          "--budget", "5", "--start-limit", "20", "--mazes", "corridor.txt"});
+  const auto json =
+      race({"--jobs", "2", "--mice", bad("meet") + " here there", "--mice", bad("meet") + " there here", "--budget",
+            "5", "--start-limit", "20", "--mazes", "corridor.txt", "--directory", ".", "--keep-folder"});
   for (const auto& mouse : json.at("mice")) EXPECT_EQ(mouse["results"][0]["outcome"], "out of steps");
 }
 

@@ -6,8 +6,10 @@
 #include <gtest/gtest.h>
 #include <sys/socket.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 
 #include "tests/guests/bad_guests.hpp"
 #include "tests/guests/sandboxes.hpp"
@@ -33,7 +35,11 @@ class Sandbox : public testing::Test {
     Launch launch;
     launch.words = {"/bin/bash", "-c", script, test::tag()};
     launch.directory = folder;
+    launch.owns_directory = true;
     launch.sandbox = sandbox;
+    return said_by(launch);
+  }
+  static std::string said_by(const Launch& launch) {
     GuestProcess process(launch);
     EXPECT_EQ(process.error(), "");
     std::string all;
@@ -46,16 +52,102 @@ class Sandbox : public testing::Test {
   std::string inside(const std::string& script) const { return said(script, true, folder_ / "own"); }
   std::string outside(const std::string& script) const { return said(script, false, folder_ / "own"); }
 
+  /// How to start a script in its own folder.
+  Launch launch(const std::string& script) const {
+    Launch launch;
+    launch.words = {"/bin/bash", "-c", script, test::tag()};
+    launch.directory = folder_ / "own";
+    launch.owns_directory = launch.sandbox = true;
+    return launch;
+  }
+  void write(const std::string& name, const std::string& content) const { std::ofstream(folder_ / name) << content; }
+
   fs::path folder_ = fs::temp_directory_path() / ("labmouse-sandbox-" + test::tag());
 };
 
-TEST_F(Sandbox, IsReadOnlyOutsideOfItsFolder) {
+TEST_F(Sandbox, LeavesNothingThatItWrites) {
   const std::string script = "echo mine > own.txt && cat own.txt; echo more > ../outside.txt && echo wrote";
-  EXPECT_THAT(outside(script), HasSubstr("mine\nwrote\n"));
-  fs::remove(folder_ / "outside.txt");
-  EXPECT_THAT(inside(script), testing::AllOf(HasSubstr("mine\n"), HasSubstr("Read-only"), Not(HasSubstr("wrote"))));
-  EXPECT_TRUE(fs::exists(folder_ / "own" / "own.txt"));
+  EXPECT_THAT(inside(script), HasSubstr("mine\n"));
+  EXPECT_FALSE(fs::exists(folder_ / "own" / "own.txt"));
   EXPECT_FALSE(fs::exists(folder_ / "outside.txt"));
+  EXPECT_THAT(outside(script), HasSubstr("mine\nwrote\n"));
+  EXPECT_TRUE(fs::exists(folder_ / "outside.txt"));
+}
+
+TEST_F(Sandbox, IsReadOnlyOutsideOfItsFolder) {
+  EXPECT_THAT(inside("echo x > /usr/labmouse.txt; echo x > /labmouse.txt; echo x > /etc/labmouse.txt"),
+              testing::ContainsRegex("Read-only.*\n.*Read-only.*\n.*Read-only"));
+}
+
+TEST_F(Sandbox, StartsEachTimeFromTheSameFolder) {
+  write("own/seen.txt", "0");
+  const Launch remembers = launch("cat seen.txt; echo -n 1 >> seen.txt; rm -f gone.txt; echo");
+  write("own/gone.txt", "");
+  for (int contest = 0; contest < 2; ++contest) EXPECT_EQ(said_by(remembers), "0\n");
+  EXPECT_TRUE(fs::exists(folder_ / "own" / "gone.txt"));
+}
+
+TEST_F(Sandbox, KeepsItsFolderWhereThatIsWanted) {
+  write("own/seen.txt", "0");
+  Launch remembers = launch("cat seen.txt; echo -n 1 >> seen.txt; echo; cat maze.txt");
+  auto hidden = std::make_shared<HiddenFiles>();
+  write("own/maze.txt", "o---o");
+  hidden->add(folder_ / "own" / "maze.txt");
+  remembers.hidden = hidden;
+  remembers.keeps_folder = true;
+  EXPECT_EQ(said_by(remembers), "0\n");
+  EXPECT_EQ(said_by(remembers), "01\n");
+  EXPECT_EQ(fs::file_size(folder_ / "own" / "maze.txt"), 5U);
+}
+
+TEST_F(Sandbox, ShowsNothingThatIsHidden) {
+  fs::create_directories(folder_ / "own" / "records");
+  auto hidden = std::make_shared<HiddenFiles>();
+  for (const char* name : {"own/maze.txt", "own/records/a.jsonl", "own/races.db-wal", "own/open.txt", "outside.txt"})
+    write(name, "secret\n");
+  hidden->add(folder_ / "own" / "maze.txt");
+  hidden->add(folder_ / "own" / "records");
+  hidden->add_store(folder_ / "own" / "races.db");
+  const auto times = [](const std::string& text) {
+    int count = 0;
+    for (auto at = text.find("secret"); at != std::string::npos; at = text.find("secret", at + 1)) ++count;
+    return count;
+  };
+  Launch launch =
+      this->launch("ls -R; cat maze.txt records/a.jsonl races.db-wal; cat " + (folder_ / "outside.txt").string());
+  EXPECT_EQ(times(said_by(launch)), 3);  // all but the one outside of its folder
+  EXPECT_EQ(times(outside(launch.words[2])), 4);
+  launch.hidden = hidden;
+  const std::string said = said_by(launch);
+  EXPECT_EQ(times(said), 0);
+  EXPECT_THAT(said, testing::AllOf(HasSubstr("open.txt\n"), Not(HasSubstr("a.jsonl\n"))));
+}
+
+TEST_F(Sandbox, ShowsTheSystemAndNoFoldersOfUsers) {
+  const std::string said = inside("ls /; ls /home /root /work /w /var 2> /dev/null; ls /tmp");
+  for (const char* name : {"usr\n", "etc\n", "proc\n"}) EXPECT_THAT(said, HasSubstr(name));
+  for (const char* name : {"home\n", "var\n", "srv\n", "mnt\n", "boot\n"}) EXPECT_THAT(said, Not(HasSubstr(name)));
+}
+
+TEST_F(Sandbox, SeesNothingOfTheProcessThatStartedIt) {
+  // Neither itself nor by way of its parent, the first process there, which is a process of ours.
+  const std::string script =
+      "cat /proc/*/cmdline /proc/*/environ /proc/*/maps /proc/*/comm 2> /dev/null | tr '\\0' '\\n'; "
+      "ls -l /proc/*/fd /proc/*/cwd /proc/*/exe 2> /dev/null";
+  const std::string said = inside(script);
+  EXPECT_THAT(said, HasSubstr("bash"));
+  EXPECT_THAT(said, Not(HasSubstr("guests_test")));
+  EXPECT_THAT(outside(script), HasSubstr("guests_test"));
+}
+
+TEST_F(Sandbox, LeavesNoMountsBehind) {
+  const auto mounts = [] {
+    std::ifstream file("/proc/self/mountinfo");
+    return std::count(std::istreambuf_iterator<char>(file), {}, '\n');
+  };
+  const auto before = mounts();
+  inside("true");
+  EXPECT_EQ(mounts(), before);
 }
 
 TEST_F(Sandbox, CannotBeMadeWritableAgain) {

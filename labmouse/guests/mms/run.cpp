@@ -29,6 +29,7 @@ class Hosting {
         options_(options),
         host_(maze, options),
         begin_(Clock::now()),
+        contest_(launch.limits.contest),
         patience_(launch.limits.start, launch.limits.start),
         guest_(launch) {
     if (!listener) return;
@@ -43,7 +44,7 @@ class Hosting {
     if (!guest_.error().empty())
       finish(MmsOutcome::not_started, guest_.error());
     else
-      while (!ended_) take(patience_.wait(guest_, contest_end()));
+      while (!ended_) take(patience_.wait(guest_, contest_));
     run_.seconds = std::chrono::duration<double>(Clock::now() - begin_ - told_).count();
     // What a program says when it is ended is about that, and would hide what it said before.
     run_.errors = guest_.errors();
@@ -53,8 +54,6 @@ class Hosting {
   }
 
  private:
-  Clock::time_point contest_end() const { return begin_ + launch_.limits.contest + told_; }
-
   void take(GuestEvent event) {
     obey_lines();
     if (ended_) return;
@@ -109,7 +108,7 @@ class Hosting {
       finish(MmsOutcome::flooded, fmt::format("wrote a line of more than {} bytes", limits.longest_line));
     else if (unsent_ > limits.most_unread)
       finish(MmsOutcome::flooded, fmt::format("left more than {} bytes of replies unread", limits.most_unread));
-    else if (Clock::now() > contest_end())
+    else if (contest_.is_over(guest_))
       finish_late();
   }
 
@@ -125,7 +124,9 @@ class Hosting {
 
   void finish_late() {
     const GuestLimits& limits = launch_.limits;
-    if (Clock::now() >= contest_end())
+    if (!contest_.is_judged() || !patience_.is_judged())
+      finish(MmsOutcome::not_judged, "the machine was too busy to tell whether it was slow");
+    else if (contest_.is_over(guest_))
       finish(MmsOutcome::out_of_time,
              fmt::format("ran for longer than {} (--contest-limit)", seconds_text(limits.contest)));
     else
@@ -172,6 +173,7 @@ class Hosting {
   MmsOptions options_;
   MmsHost host_;
   Clock::time_point begin_;
+  ContestClock contest_;
   Patience patience_;
   Clock::duration told_{};  ///< time that the listener took
   GuestProcess guest_;

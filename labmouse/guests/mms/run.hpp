@@ -29,19 +29,21 @@ enum class MmsOutcome : std::uint8_t {
   left,                ///< it ended, and what it started holds its output open
   not_started,         ///< it could not be started
   interrupted,         ///< the race was stopped
+  not_judged,          ///< the machine was too busy to tell whether it was slow
 };
 
 constexpr std::string_view name_of(MmsOutcome outcome) {
-  constexpr std::array<std::string_view, 15> names = {
+  constexpr std::array<std::string_view, 16> names = {
       "complete",           "failed",          "waiting",          "invalid", "endless", "hung", "out of time",
       "too many processes", "too much memory", "too much written", "flooded", "closed",  "left", "not started",
-      "interrupted"};
+      "interrupted",        "not judged"};
   return names[static_cast<std::size_t>(outcome)];
 }
 
 /// Whether a limit ended it that comes at another line with another limit, or on another machine: it has no score.
 constexpr bool is_cut_short(MmsOutcome outcome) {
-  return outcome >= MmsOutcome::endless && outcome <= MmsOutcome::too_much_written;
+  return (outcome >= MmsOutcome::endless && outcome <= MmsOutcome::too_much_written) ||
+         outcome == MmsOutcome::not_judged;
 }
 
 /// One run of one program in one maze.

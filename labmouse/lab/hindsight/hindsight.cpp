@@ -59,12 +59,13 @@ class Collector {
     std::vector<double> own;
     const ContestResult* best = nullptr;
     for (const ContestResult& contest : race.results) {
+      if (!contest.counted) continue;
       if (is_own(race, contest)) own.push_back(*contest.counted);
       if (best == nullptr || *contest.counted < *best->counted) best = &contest;
     }
     found.score = mean(own);
     found.best_stop = mean(stops_);
-    if (!hindsight_.has_others) return found;
+    if (!hindsight_.has_others || best == nullptr) return found;
     found.best_other = *best->counted;
     found.best_mouse = race.mice[best->mouse].name;
     found.best_seed = best->seed;

@@ -13,6 +13,7 @@
 #include "labmouse/contest/pilot_code.hpp"
 #include "labmouse/contest/record.hpp"
 #include "labmouse/contest/rules.hpp"
+#include "labmouse/guests/hidden_files.hpp"
 #include "labmouse/guests/launch.hpp"
 #include "labmouse/maze/maze.hpp"
 #include "labmouse/mouse/briefing.hpp"
@@ -67,9 +68,15 @@ struct Contestant {
   std::function<std::unique_ptr<PilotCode>(const PilotBriefing&)> pilot;
   /// How to start a program that talks to mms; nothing for all others, which decide when they are asked.
   std::optional<Launch> program;
+  /// A program that is not ours. In all mazes of a run it is told the same seed.
+  bool external = false;
   /// Of a guest whether it lives in a sandbox; nothing for all others.
   std::optional<bool> sandboxed;
   std::string why_no_sandbox;  ///< where the system has none
+  bool keeps_folder = false;   ///< of a guest: it writes to its folder itself, and may remember earlier contests
+  bool reads_only = false;     ///< of a guest: its folder is read-only, because the system has no overlays
+  /// The files that a guest does not see, a list to add to; null for all others.
+  std::shared_ptr<HiddenFiles> hidden;
   /// What it is, as a text that is another one where it may play otherwise: for stores of contests. Empty for mice of
   /// ours, whose names and parameters say it; of a guest it reads files.
   std::function<std::string()> identity;
@@ -84,7 +91,8 @@ struct Contestant {
 /// The SPEC of a mouse, whatever it is called.
 inline const std::string& spec_of(const Contestant& mouse) { return mouse.spec.empty() ? mouse.name : mouse.spec; }
 
-/// What guests without a sandbox could do to the machine that they ran on, in a line; nothing where there were none.
+/// What guests without a sandbox could do to the machine that they ran on and to the race, and what those with one
+/// could remember, in lines; nothing where there is nothing to say.
 std::string freedom_note(const std::vector<Contestant>& mice);
 
 /// Gives a mouse another name, which it keeps when it learns.
@@ -103,15 +111,19 @@ enum class SandboxUse { where_possible, always, never };
 
 /// How guests are started.
 struct GuestOptions {
-  std::string python;     ///< for capstone robots; empty: the python3 of PATH
-  std::string label;      ///< stands for the content of their files in stores of contests; empty: what they hold
-  std::string directory;  ///< where commands run; empty: here
+  std::string python;          ///< for capstone robots; empty: the python3 of PATH
+  std::string label;           ///< stands for the content of their files in stores of contests; empty: what they hold
+  std::string directory;       ///< where commands run; empty: here
+  bool owns_directory = true;  ///< whether that, where it is named, is the folder of the mouse
   /// What a lineup says of one guest: what is put before the words of its command and behind them, and variables of its
   /// environment as NAME=VALUE.
   std::string interpreter;
   std::vector<std::string> arguments, environment;
   GuestLimits limits;
   SandboxUse sandbox = SandboxUse::where_possible;
+  bool keep_folder = false;  ///< as of Launch
+  /// What they do not see: a list that copies of these options share. The mazes of a race are added by the race.
+  std::shared_ptr<HiddenFiles> hidden = std::make_shared<HiddenFiles>();
   int runs = 1;                             ///< contests of each guest in each maze
   const std::atomic<bool>* stop = nullptr;  ///< once true, guests are ended; may be null
 };

@@ -83,7 +83,9 @@ std::string guest_identity(std::string_view kind, const Launch& launch, const st
   text += fmt::format("limits {} {} {} {} {} {} {} {}\n", limits.start.count(), limits.decision.count(),
                       limits.silence.count(), limits.contest.count(), limits.processor_seconds, limits.memory,
                       limits.processes, limits.written);
-  return text + (launch.sandbox ? "sandbox yes\n" : "sandbox no\n");
+  if (launch.sandbox && launch.keeps_folder) text += "keeps its folder\n";
+  // In the sandboxes of earlier versions, a mouse could read mazes and remember contests.
+  return text + (launch.sandbox ? "sandbox with files of its own\n" : "sandbox no\n");
 }
 
 }  // namespace labmouse

@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <memory>
 
 #include "labmouse/contest/simulator.hpp"
 #include "labmouse/guests/capstone.hpp"
@@ -12,7 +13,9 @@
 #include "labmouse/guests/guest_mind.hpp"
 #include "labmouse/guests/guest_pilot.hpp"
 #include "labmouse/guests/sandbox.hpp"
+#include "labmouse/guests/surroundings.hpp"
 #include "labmouse/lab/mice/guest_identity.hpp"
+#include "labmouse/lab/mice/maze_holders.hpp"
 #include "labmouse/lab/mice/pilot_lines.hpp"
 #include "labmouse/lab/text/printable.hpp"
 
@@ -145,6 +148,7 @@ Guest program_of_command(const std::string& command, const GuestOptions& options
   std::vector<std::string>& words = guest.launch.words;
   words = split_command(command);
   guest.launch.directory = from_home(options.directory);
+  guest.launch.owns_directory = !options.directory.empty() && options.owns_directory;
   const std::string& directory = guest.launch.directory;
   std::error_code failure;
   if (!directory.empty() && !fs::is_directory(directory, failure))
@@ -162,6 +166,14 @@ Guest program_of_command(const std::string& command, const GuestOptions& options
   if (program_path(words.front(), directory).empty()) return no_guest(no_program(words.front(), directory));
   words.insert(words.end(), options.arguments.begin(), options.arguments.end());
   return guest;
+}
+
+/// What a mouse sees in its sandbox. Files in its folder that hold mazes are not for it.
+std::shared_ptr<const Surroundings> surroundings_for(const Launch& launch, HiddenFiles& hidden) {
+  auto around = std::make_shared<const Surroundings>(
+      surroundings_of(launch, program_path(launch.words.front(), launch.directory)));
+  hide_mazes_in(around->folder, hidden);
+  return around;
 }
 
 }  // namespace
@@ -186,12 +198,19 @@ void read_guest_spec(std::string_view spec, const GuestOptions& options, SpecRes
   launch.stop = options.stop;
   launch.environment = options.environment;
   launch.sandbox = has_sandbox(options);
+  launch.keeps_folder = options.keep_folder;
+  launch.hidden = options.hidden;
+  if (launch.sandbox) launch.surroundings = surroundings_for(launch, *options.hidden);
   Contestant& mouse = result.contestants.emplace_back(contestant_of(kind, launch, options.runs));
   mouse.name = spec;
   mouse.interpreter = guest.interpreter;
   mouse.identity = [kind = std::string(kind.substr(0, kind.size() - 1)), launch, interpreter = guest.interpreter,
                     label = options.label] { return guest_identity(kind, launch, interpreter, label); };
+  mouse.external = true;
   mouse.sandboxed = launch.sandbox;
+  mouse.keeps_folder = launch.sandbox && launch.keeps_folder;
+  mouse.reads_only = launch.sandbox && !launch.keeps_folder && usual_folder_use() == FolderUse::read_only;
+  mouse.hidden = options.hidden;
   if (options.sandbox == SandboxUse::where_possible) mouse.why_no_sandbox = why_no_sandbox();
 }
 

@@ -49,6 +49,7 @@ GuestOptions options_of(const LineupMouse& mouse, const std::string& folder, Gue
   options.arguments = mouse.arguments;
   options.environment = mouse.environment;
   options.directory = mouse.directory.empty() ? folder : beside(folder, mouse.directory);
+  options.owns_directory = !mouse.directory.empty();
   // One that is no path is looked for in PATH.
   const bool is_path = mouse.interpreter.find('/') != std::string::npos;
   options.interpreter = is_path ? beside(folder, mouse.interpreter) : mouse.interpreter;

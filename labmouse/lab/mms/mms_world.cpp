@@ -153,6 +153,7 @@ void sum_up(const MmsRun& run, const CellSet& visited, const MazeFacts& facts, C
     result.ratio = ratio(result.score, prepared.bound.score);
   }
   result.figures = figures_of(run, prepared.bound, visited_share_of(visited, prepared.reachable));
+  if (run.outcome == MmsOutcome::not_judged) leave_unjudged(result);
   result.done = run.outcome != MmsOutcome::interrupted;
 }
 

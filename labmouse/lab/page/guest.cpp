@@ -63,7 +63,7 @@ Contestant read_mouse(PageRequest& request, const ReadJson& json, const std::vec
     read_contest(request, contest, mouse, order, *contests);
   }
   for (const NamedMaze& maze : mazes)
-    if (!contests->contains({maze.name, contest_seed(order.seed, maze.name, 0)}))
+    if (!contests->contains({maze.name, told_seed(order.seed, 0)}))
       request.reject(fmt::format("{} has held no contest in {}", mouse.name, maze.name));
   mouse.elsewhere = [contests](const std::string& name, const Maze&, const Rules&, std::uint64_t seed) {
     return contests->at({name, seed});
@@ -76,6 +76,7 @@ Contestant read_mouse(PageRequest& request, const ReadJson& json, const std::vec
 Contestant read_page_guest(PageRequest& request) {
   Contestant mouse;
   mouse.runs = 1;
+  mouse.external = true;
   const std::string name = request.text("name"), spec = request.text("spec");
   if (shown(spec) != spec || spec.empty()) request.reject("'spec' is none");
   request.reject(refuse_name(name));

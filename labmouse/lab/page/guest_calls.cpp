@@ -94,7 +94,7 @@ PageReply answer_guest_begin(const ReadJson& json, std::string_view) {
   const Rules rules = request.rules();
   const bool races = request.has("races") && request.flag("races");
   if (!request.error().empty()) return failed(request.error());
-  if (races) seed = contest_seed(seed, maze.name, 0);
+  if (races) seed = told_seed(seed, 0);
   if (contests.size() == most_held_contests) contests.erase(contests.begin());
   contests.push_back(std::make_unique<GuestContest>(++last_id, std::move(mouse), std::move(maze), rules, seed));
   return answered(next_lines(*contests.back()));

@@ -137,7 +137,7 @@ class PhysicalWorld : public World {
     const auto& prepared = std::any_cast<const Prepared&>(race.facts[result.maze].prepared);
     PhysicalConditions conditions = conditions_;
     conditions.trace_every = keep.record || keep.picture ? trace_ticks : 0;
-    Driven driven = mouse.pilot ? drive_itself(mouse, maze.maze, conditions, result.seed)
+    Driven driven = mouse.pilot ? drive_itself(mouse, maze.maze, conditions, result)
                                 : drive_by_mind(mouse, maze.maze, conditions, result.seed, prepared.reachable, stop);
     PhysicalRecord& record = driven.record;
     const bool interrupted = record.drive.reason == ForfeitReason::interrupted;
@@ -147,6 +147,7 @@ class PhysicalWorld : public World {
     result.figures = figures_of(record, score, prepared.bound, rules_, driven.coverage, driven.words);
     if (!driven.started) result.never_started = driven.words.substr(0, driven.words.find('\n'));
     if (score.value()) add_score(*score.value(), prepared.bound, rules_, result);
+    if (record.drive.reason == ForfeitReason::not_judged) leave_unjudged(result);
     result.done = !interrupted;
     return kept(mouse, maze, result.seed, conditions, std::move(record), keep);
   }
@@ -207,10 +208,10 @@ class PhysicalWorld : public World {
   }
 
   Driven drive_itself(const Contestant& mouse, const Maze& maze, const PhysicalConditions& conditions,
-                      std::uint64_t seed) const {
-    const auto code = mouse.pilot(pilot_briefing(maze, rules_, *model_, conditions, seed));
+                      const ContestResult& contest) const {
+    const auto code = mouse.pilot(pilot_briefing(maze, rules_, *model_, conditions, contest.told));
     Driven driven;
-    driven.record = drive_by_code(maze, rules_, *model_, conditions, seed, *code);
+    driven.record = drive_by_code(maze, rules_, *model_, conditions, contest.seed, *code);
     driven.words = code->last_words();
     driven.started = code->started();
     return driven;

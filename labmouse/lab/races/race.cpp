@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <mutex>
+#include <set>
 
 #include "labmouse/chance/dice.hpp"
 #include "labmouse/lab/system/parallel.hpp"
@@ -39,8 +40,23 @@ void list_contests(Race& race) {
         contest.mouse = mouse;
         contest.maze = maze;
         contest.run = run;
-        contest.seed = contest_seed(race.order.seed, race.mazes[maze].name, run);
+        contest.told = told_seed(race.order.seed, run);
+        // A world that draws something itself draws it anew in each maze.
+        contest.seed = race.mice[mouse].external && !race.world().throws_dice()
+                           ? contest.told
+                           : contest_seed(race.order.seed, race.mazes[maze].name, run);
       }
+}
+
+/// Files with mazes are not for the mice that race in them.
+void hide_files(const Race& race) {
+  std::set<HiddenFiles*> lists;
+  for (const Contestant& mouse : race.mice)
+    if (mouse.hidden) lists.insert(mouse.hidden.get());
+  for (HiddenFiles* hidden : lists) {
+    for (const NamedMaze& maze : race.mazes) hidden->add(maze.name);
+    for (const std::string& file : race.order.files) hidden->add_store(file);
+  }
 }
 
 /// Takes from the store what it has. A contest of which something is to be kept has to be held all the same.
@@ -62,6 +78,17 @@ std::uint64_t contest_seed(std::uint64_t seed, std::string_view maze_name, int r
   return seed_for(seed, maze_name.substr(maze_name.rfind('/') + 1), static_cast<std::uint64_t>(run)) >> 11U;
 }
 
+std::uint64_t told_seed(std::uint64_t seed, int run) { return contest_seed(seed, "external mouse", run); }
+
+void leave_unjudged(ContestResult& result) {
+  result.judged = false;
+  result.outcome = not_judged;
+  result.never_started.clear();
+  result.score.reset();
+  result.counted.reset();
+  result.ratio.reset();
+}
+
 std::size_t contests_of(const std::vector<Contestant>& mice, std::size_t mazes, const RaceOrder& order) {
   std::size_t all = 0;
   for (const Contestant& mouse : mice) all += mazes * static_cast<std::size_t>(runs_of(mouse, order));
@@ -78,6 +105,7 @@ Race hold_race(std::vector<Contestant> mice, std::vector<NamedMaze> mazes, const
   std::sort(race.mice.begin(), race.mice.end(), by_name);
   std::sort(race.mazes.begin(), race.mazes.end(), by_name);
   list_contests(race);
+  hide_files(race);
   if (find_facts(race, hooks)) recall(race, hooks);
   std::mutex telling;
   for_each_parallel(race.results.size(), order.jobs, [&](std::size_t i) {
@@ -85,7 +113,7 @@ Race hold_race(std::vector<Contestant> mice, std::vector<NamedMaze> mazes, const
     ContestResult& result = race.results[i];
     if (result.done || (order.store && order.store->failed())) return;
     const Held held = race.world().hold(race, result, hooks.keep ? hooks.keep(result) : Keep(), hooks.stop);
-    if (result.done && order.store) order.store->keep(race, result);
+    if (result.done && result.judged && order.store) order.store->keep(race, result);
     if (!hooks.finished || !result.done) return;
     const std::lock_guard lock(telling);
     hooks.finished(race, result, held);
@@ -97,7 +125,7 @@ Race hold_race(std::vector<Contestant> mice, std::vector<NamedMaze> mazes, const
 }
 
 bool counts(const Race& race, const ContestResult& contest) {
-  return contest.done && race.facts[contest.maze].bound.has_value();
+  return contest.done && contest.judged && race.facts[contest.maze].bound.has_value();
 }
 
 Value figure_of(const Race& race, const ContestResult& contest, std::string_view key) {

@@ -29,6 +29,8 @@ struct RaceOrder {
   Shard shard = {};
   /// Where contests are taken from and kept; may be null.
   std::shared_ptr<ContestStore> store = nullptr;
+  /// Files and folders besides those of the mazes in which external mice could look up mazes: the store, the records.
+  std::vector<std::string> files = {};
 };
 
 /// One contest and how it went. `mouse` and `maze` are positions in the race's lists.
@@ -37,7 +39,10 @@ struct ContestResult {
   std::size_t maze = 0;
   int run = 0;
   std::uint64_t seed = 0;
-  bool done = false;    ///< false where the race was stopped before
+  std::uint64_t told = 0;  ///< the seed that an external mouse is told
+  bool done = false;       ///< false where the race was stopped before
+  /// False where the machine was too busy to judge an external mouse: the contest counts nowhere and is not kept.
+  bool judged = true;
   std::string outcome;  ///< "solved", "forfeit: hit a wall"
   /// Why a guest's program did not get as far as its first word; empty where it did, and for all other mice.
   std::string never_started;
@@ -50,6 +55,9 @@ struct ContestResult {
   /// By the world's own list.
   std::vector<Value> figures;
 };
+
+/// The outcome of such a contest.
+inline constexpr const char* not_judged = "not judged";
 
 struct Race {
   RaceOrder order;
@@ -83,7 +91,14 @@ std::size_t contests_of(const std::vector<Contestant>& mice, std::size_t mazes, 
 /// The seed of a contest: from the race's seed, the maze's name without its folders, and the number of the run.
 std::uint64_t contest_seed(std::uint64_t seed, std::string_view maze_name, int run);
 
-/// Whether a contest enters the means: it is done, and some mouse could score in its maze.
+/// The seed that an external mouse is told: from the race's seed and the number of the run alone, so that it says
+/// nothing of the maze.
+std::uint64_t told_seed(std::uint64_t seed, int run);
+
+/// Takes everything from a result that would count.
+void leave_unjudged(ContestResult& result);
+
+/// Whether a contest enters the means: it is done and judged, and some mouse could score in its maze.
 bool counts(const Race& race, const ContestResult& contest);
 
 /// The figure of that name of a contest, as JSON has it; std::monostate where there is none.

@@ -60,6 +60,7 @@ void set_origin(const Contestant& mouse, Json& json) {
   if (mouse.interpreter)
     json["interpreter"] = {{"path", mouse.interpreter->path}, {"version", mouse.interpreter->version}};
   if (mouse.sandboxed) json["sandboxed"] = *mouse.sandboxed;
+  if (mouse.keeps_folder) json["keeps_folder"] = true;
 }
 
 /// The columns of the leaderboard without those that readers make of other fields.

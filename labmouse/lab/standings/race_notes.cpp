@@ -74,11 +74,10 @@ std::string left_out_of(const Race& race) {
                      race.world().why_no_bound(), first, closed > 1 ? ", ..." : "");
 }
 
-/// Whether its contests depend on their seeds. An external mouse is given its seed, and may use it.
+/// Whether its contests depend on their seeds. External mice are told another one, the same in all mazes.
 bool uses_seeds(const Race& race) {
-  return race.world().throws_dice() || std::any_of(race.mice.begin(), race.mice.end(), [](const Contestant& mouse) {
-           return mouse.uses_chance || mouse.sandboxed.has_value();
-         });
+  return race.world().throws_dice() ||
+         std::any_of(race.mice.begin(), race.mice.end(), [](const Contestant& mouse) { return mouse.uses_chance; });
 }
 
 /// The mazes that share their seeds with another one: the seed of a contest follows from the file name alone, so that
@@ -98,12 +97,31 @@ std::string shared_seeds_of(const Race& race) {
   return lines + ". Rename files to change that.\n";
 }
 
+/// Contests that count nowhere because the machine was too busy.
+std::string unjudged_of(const Race& race) {
+  const MouseColumn names(race);
+  std::string lines;
+  for (std::size_t mouse = 0; mouse < race.mice.size(); ++mouse) {
+    const auto count = std::count_if(race.results.begin(), race.results.end(), [&](const ContestResult& contest) {
+      return contest.mouse == mouse && contest.done && !contest.judged;
+    });
+    if (count > 0) lines += fmt::format("  {:<{}} {}\n", names.of[mouse], names.width, count);
+  }
+  return lines.empty()
+             ? ""
+             : "Not judged, because the machine was too busy; these contests count nowhere, so race again:\n" + lines;
+}
+
 /// What guests could do to the machine that they raced on.
 std::string sandboxes_of(const Race& race) {
-  if (std::string free = freedom_note(race.mice); !free.empty()) return free;
-  const bool any =
-      std::any_of(race.mice.begin(), race.mice.end(), [](const Contestant& mouse) { return mouse.sandboxed == true; });
-  return any ? "Guests ran in a sandbox: read-only outside their folders, without a network (--sandbox).\n" : "";
+  const std::string note = freedom_note(race.mice);
+  const auto has = [&](bool sandbox) {
+    return std::any_of(race.mice.begin(), race.mice.end(),
+                       [&](const Contestant& mouse) { return mouse.sandboxed == sandbox; });
+  };
+  if (!has(true) || has(false)) return note;
+  return "Guests ran in a sandbox: with a copy of their folders, without mazes and without a network (--sandbox).\n" +
+         note;
 }
 
 }  // namespace
@@ -116,8 +134,8 @@ std::string score_note(const World& world) {
 }
 
 std::string notes_of(const Race& race) {
-  std::string notes = race.world().notes(race) + failures_of(race) + race.world().remarks(race) + left_out_of(race) +
-                      shared_seeds_of(race);
+  std::string notes = race.world().notes(race) + failures_of(race) + unjudged_of(race) + race.world().remarks(race) +
+                      left_out_of(race) + shared_seeds_of(race);
   if (std::any_of(race.mice.begin(), race.mice.end(), [](const Contestant& mouse) { return mouse.reference; }))
     notes += "* knows the maze: attains the bound, and is not a contestant.\n";
   notes += sandboxes_of(race);

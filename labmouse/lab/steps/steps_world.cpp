@@ -150,6 +150,7 @@ class StepsWorld final : public World {
     if (score.value && facts.bound) result.ratio = *score.value / *facts.bound;
     result.figures = figures_of(record, score, coverage_of(record, maze.maze.size(), reachable),
                                 missteps_of(record, rules_), microseconds);
+    if (reason_of(record) == ForfeitReason::not_judged) leave_unjudged(result);
     result.done = !interrupted;
     return kept(mouse, maze, rules_, result.seed, std::move(record), keep);
   }

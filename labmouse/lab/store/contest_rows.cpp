@@ -57,6 +57,7 @@ std::string about_text(const Contestant& mouse) {
   if (mouse.interpreter)
     json["interpreter"] = {{"path", mouse.interpreter->path}, {"version", mouse.interpreter->version}};
   if (mouse.sandboxed) json["sandboxed"] = *mouse.sandboxed;
+  if (mouse.keeps_folder) json["keeps_folder"] = true;
   if (!mouse.why_no_sandbox.empty()) json["why_no_sandbox"] = mouse.why_no_sandbox;
   return text_of(json);
 }
@@ -77,6 +78,7 @@ void read_about(std::string_view about, Contestant& mouse) {
   if (json.contains("interpreter") && json["interpreter"].is_object())
     mouse.interpreter = {text(json["interpreter"], "path"), text(json["interpreter"], "version")};
   if (json.contains("sandboxed")) mouse.sandboxed = flag("sandboxed");
+  mouse.keeps_folder = flag("keeps_folder");
   mouse.why_no_sandbox = text(json, "why_no_sandbox");
 }
 
@@ -131,6 +133,7 @@ bool fill_in(const Statement& row, int first, const World& world, ContestResult&
     if (timings && i < timings->size()) (*figures)[place] = (*timings)[i];
   }
   result.run = static_cast<int>(row.whole(first));
+  result.told = told_seed(std::stoull("0" + row.text(first + 9)), result.run);
   result.outcome = row.text(first + 1);
   result.outcome_order = static_cast<int>(row.whole(first + 2));
   result.never_started = row.text(first + 3);

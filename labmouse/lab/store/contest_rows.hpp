@@ -46,7 +46,8 @@ ContestRow row_of(std::shared_ptr<const RaceRows> rows, const Race& race, const 
 
 /// The columns of contests and timings that fill_in reads, in its order.
 inline constexpr const char* result_columns =
-    "run, outcome, outcome_order, never_started, score, counted, ratio, contests.figures, timings.figures";
+    "run, outcome, outcome_order, never_started, score, counted, ratio, contests.figures, timings.figures, "
+    "race_seed";
 
 /// Fills in what a row says, from that column on; false where its figures cannot be read. It is done then.
 bool fill_in(const Statement& row, int first, const World& world, ContestResult& result);

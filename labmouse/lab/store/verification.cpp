@@ -89,6 +89,7 @@ std::string words_of(const ContestResult& result) {
 
 Verification verify_store(const std::string& path, const StoreFilter& filter, const VerificationOrder& order) {
   Verification found;
+  order.guests.hidden->add_store(path);
   StoredRaces stored = all_stored_contests(path, filter);
   found.remarks = std::move(stored.remarks);
   found.error = std::move(stored.error);
@@ -109,12 +110,14 @@ Verification verify_store(const std::string& path, const StoreFilter& filter, co
       again.maze = kept.maze;
       again.run = kept.run;
       again.seed = kept.seed;
+      again.told = kept.told;
       race.world().hold(race, again, {}, order.stop);
       if (!again.done) {
         const std::lock_guard lock(noting);
         found.stopped = true;
         return;
       }
+      if (!again.judged) return;
       const bool equal = text_of(race.world(), again) == text_of(race.world(), kept);
       const std::lock_guard lock(noting);
       ++found.held;

@@ -61,6 +61,12 @@ void leave_a_daemon() {
   hang();
 }
 
+/// In the state in which processes wait for a disk: until a child that shares its memory has ended.
+[[noreturn]] void wait_like_for_a_disk() {
+  if (vfork() == 0) hang();
+  std::exit(0);
+}
+
 /// Memory that is for all of its processes, although it is alone.
 void share_memory() {
   constexpr std::size_t size = std::size_t{1} << 29U;
@@ -114,6 +120,8 @@ void misbehave(std::string how) {
   if (how == "turn") return turn();
   if (how == "hang at the start") hang();
   if (how == "end at the start") return;
+  if (how == "work at the start") return work(100), turn();
+  if (how == "wait for a disk") wait_like_for_a_disk();
   if (how == "wrong greeting") return say("hello");
   if (how == "marked greeting") return say("\xEF\xBB\xBF" + manners.greeting);
   if (how == "mms") return say("mazeWidth");
