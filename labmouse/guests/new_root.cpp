@@ -128,19 +128,24 @@ bool hide_all(const Rooms& rooms, bool in_folder) {
   return true;
 }
 
+/// The folder itself, without a copy.
+bool bind_own_folder(const char* from, const char* to, bool is_read_only) {
+  return bind(from, to) && (!is_read_only || change_mounts(to, AT_RECURSIVE, MOUNT_ATTR_RDONLY, 0));
+}
+
 bool make_own_folder(const Rooms& rooms) {
   const Path from(old_root, rooms.folder), to(new_root, rooms.folder);
-  if (rooms.use != FolderUse::copy) {
-    if (!bind(from.c_str(), to.c_str())) return false;
-    if (rooms.use == FolderUse::read_only) return change_mounts(to.c_str(), AT_RECURSIVE, MOUNT_ATTR_RDONLY, 0);
-    return true;
-  }
+  if (rooms.use != FolderUse::copy) return bind_own_folder(from.c_str(), to.c_str(), rooms.use == FolderUse::read_only);
   // By a name without colons and commas.
   if (!bind(from.c_str(), lower)) return false;
-  constexpr const char* options = "lowerdir=/lower,upperdir=/upper,workdir=/work";
-  const auto mount_overlay = [&](const char* data) { return mount("labmouse", to.c_str(), "overlay", 0, data) == 0; };
-  return mount_overlay("lowerdir=/lower,upperdir=/upper,workdir=/work,userxattr") ||
-         (errno == EINVAL && mount_overlay(options));
+  const auto mount_overlay = [&](const char* options) {
+    return mount("labmouse", to.c_str(), "overlay", 0, options) == 0;
+  };
+  if (mount_overlay("lowerdir=/lower,upperdir=/upper,workdir=/work,userxattr") ||
+      mount_overlay("lowerdir=/lower,upperdir=/upper,workdir=/work"))
+    return true;
+  // Of a folder in which other file systems are mounted there is no overlay.
+  return errno == EINVAL && bind_own_folder(from.c_str(), to.c_str(), true);
 }
 
 bool exists(std::string_view path) { return access(Path(old_root, path).c_str(), F_OK) == 0; }

@@ -13,6 +13,15 @@ using namespace std::chrono_literals;
 /// since what it does at that moment stands for the time before.
 constexpr std::chrono::milliseconds shortest_pause{20}, longest_pause{200};
 
+/// So many times a limit may pass in time of which nobody knows whether it was the mouse's own; and at least that.
+constexpr int most_unknown = 10;
+constexpr std::chrono::milliseconds least_unknown{250};
+/// So many times a limit may pass by the clock, whatever the reason; and at least that.
+constexpr int most_by_the_clock = 30;
+constexpr std::chrono::seconds least_by_the_clock{5};
+
+std::chrono::nanoseconds positive(std::chrono::nanoseconds time) { return std::max(time, 0ns); }
+
 }  // namespace
 
 std::string seconds_text(Patience::Clock::duration time) {
@@ -21,13 +30,9 @@ std::string seconds_text(Patience::Clock::duration time) {
 
 void OwnTime::advance(GuestProcess& process) {
   const Look now = look(process);
-  const auto since = [](std::chrono::nanoseconds before, std::chrono::nanoseconds after) {
-    return std::max(after - before, 0ns);
-  };
-  if (!now.tree.is_busy)
-    idle_ += since(since(last_.tree.worked, now.tree.worked) + since(last_.tree.waited, now.tree.waited) +
-                       since(last_.host_waited, now.host_waited),
-                   now.at - last_.at);
+  const auto known = positive(now.tree.worked - last_.tree.worked) + positive(now.tree.waited - last_.tree.waited) +
+                     positive(now.host_waited - last_.host_waited);
+  (now.tree.is_busy ? unknown_ : idle_) += positive(now.at - last_.at - known);
   last_ = now;
 }
 
@@ -35,44 +40,68 @@ ContestClock::Clock::duration ContestClock::pause(Clock::duration passed) const 
   return std::clamp<Clock::duration>((limit_ - passed) / 4, shortest_pause, 1s);
 }
 
-void ContestClock::add(Clock::duration waited, std::chrono::nanoseconds idle) {
+void ContestClock::add(Clock::duration waited, std::chrono::nanoseconds idle, std::chrono::nanoseconds unknown) {
   waited_ += waited;
   idle_ += idle;
+  unknown_ += unknown;
+}
+
+ContestClock::Clock::duration ContestClock::passed(const TreeTime& tree) const {
+  if (tree.worked_before > 0ns) return tree.worked + idle_;
+  // Where it was not looked at, it was idle for what is left of the time in which it was waited for.
+  const auto host_waited = waited_for_processor() - host_waited_;
+  return tree.worked + std::max(idle_, positive(waited_ - tree.worked - tree.waited - host_waited - unknown_));
 }
 
 bool ContestClock::is_over(GuestProcess& process) {
   const auto now = Clock::now();
   if (is_over_ || now < next_look_) return is_over_;
-  const TreeTime tree = process.tree_time();
-  const Clock::duration passed = tree.worked + idle_;
-  is_judged_ = waited_ <= most_by_the_clock * limit_ || passed > limit_;
-  is_over_ = passed > limit_ || !is_judged_;
-  next_look_ = now + pause(passed);
+  const Clock::duration own = passed(process.tree_time());
+  is_over_ = own > limit_;
+  is_judged_ = is_over_ || (waited_ <= std::max<Clock::duration>(most_by_the_clock * limit_, least_by_the_clock) &&
+                            unknown_ <= std::max<Clock::duration>(most_unknown * limit_, least_unknown));
+  is_over_ = is_over_ || !is_judged_;
+  next_look_ = now + pause(own);
   return is_over_;
 }
 
+Patience::Patience(Clock::duration silence, std::chrono::nanoseconds work)
+    : silence_(silence), work_(work), next_look_(Clock::now() + shortest_pause) {}
+
 Patience::Clock::duration Patience::pause() const {
-  if (!time_) return shortest_pause;
   const Clock::duration left = std::min<Clock::duration>(work_ - worked_, silence_ - time_->passed());
   return std::clamp<Clock::duration>(left / 2, shortest_pause, longest_pause);
 }
 
+bool Patience::is_judged() const {
+  return !time_ || time_->passed() > silence_ ||
+         time_->unknown() <= std::max<Clock::duration>(most_unknown * silence_, least_unknown);
+}
+
+bool Patience::is_over() const { return worked_ > work_ || !is_judged() || (time_ && time_->passed() > silence_); }
+
+void Patience::look(GuestProcess& process, ContestClock& contest) {
+  if (!time_) {
+    before_ = process.processor_time();
+    time_.emplace(process);
+  } else {
+    const auto idle = time_->idle(), unknown = time_->unknown();
+    time_->advance(process);
+    contest.add(0ns, time_->idle() - idle, time_->unknown() - unknown);
+    worked_ = process.processor_time() - before_;
+  }
+  next_look_ = Clock::now() + pause();
+}
+
 GuestEvent Patience::wait(GuestProcess& process, ContestClock& contest) {
   for (;;) {
-    if (contest.is_over(process)) return GuestEvent::timeout;
+    if (is_over() || contest.is_over(process)) return GuestEvent::timeout;
     const auto begin = Clock::now();
-    const GuestEvent event = process.wait(begin + pause());
-    const auto idle = time_ ? time_->idle() : 0ns;
-    if (event == GuestEvent::timeout && time_) time_->advance(process);
-    contest.add(Clock::now() - begin, (time_ ? time_->idle() : 0ns) - idle);
+    const GuestEvent event = process.wait(next_look_);
+    const auto end = Clock::now();
+    contest.add(end - begin, 0ns, 0ns);
+    if (end >= next_look_) look(process, contest);
     if (event != GuestEvent::timeout) return event;
-    if (!time_) {
-      before_ = process.processor_time();
-      time_.emplace(process);
-    }
-    if (is_overworked(process) || time_->passed() > silence_) return event;
-    is_judged_ = Clock::now() - begin_ <= most_by_the_clock * silence_;
-    if (!is_judged_) return event;
   }
 }
 

@@ -20,6 +20,9 @@ class OwnTime {
   /// To be called several times a second.
   void advance(GuestProcess& process);
   std::chrono::nanoseconds idle() const { return idle_; }
+  /// Time of which nobody knows whether it was the mouse's own: it waited for a disk, or for something that the system
+  /// does not tell.
+  std::chrono::nanoseconds unknown() const { return unknown_; }
   std::chrono::nanoseconds passed() const { return idle_ + last_.tree.worked - begin_; }
 
  private:
@@ -31,31 +34,31 @@ class OwnTime {
   static Look look(GuestProcess& process) { return {Clock::now(), process.tree_time(), waited_for_processor()}; }
 
   Look last_;
-  std::chrono::nanoseconds begin_, idle_{};
+  std::chrono::nanoseconds begin_, idle_{}, unknown_{};
 };
-
-/// By the clock, so many times a limit may pass before a mouse is given up that is below it in its own time.
-inline constexpr int most_by_the_clock = 10;
 
 /// The time of a mouse over all of a contest. Short waits cost nothing but a look at the clock.
 class ContestClock {
  public:
   using Clock = GuestProcess::Clock;
 
-  explicit ContestClock(Clock::duration limit) : limit_(limit), next_look_(Clock::now() + pause(Clock::duration(0))) {}
+  explicit ContestClock(Clock::duration limit)
+      : limit_(limit), next_look_(Clock::now() + pause(Clock::duration(0))), host_waited_(waited_for_processor()) {}
 
   bool is_over(GuestProcess& process);
-  /// Whether it is over by the clock alone, so that nobody knows whether the mouse was slow.
+  /// Whether it is over although nobody knows whether the mouse was slow.
   bool is_judged() const { return is_judged_; }
   /// The mouse was waited for, and was idle for some of that time as far as that was looked at.
-  void add(Clock::duration waited, std::chrono::nanoseconds idle);
+  void add(Clock::duration waited, std::chrono::nanoseconds idle, std::chrono::nanoseconds unknown);
 
  private:
   Clock::duration pause(Clock::duration passed) const;
+  Clock::duration passed(const TreeTime& tree) const;
 
   Clock::duration limit_, waited_{};
-  std::chrono::nanoseconds idle_{};
+  std::chrono::nanoseconds idle_{}, unknown_{};
   Clock::time_point next_look_;
+  std::chrono::nanoseconds host_waited_;
   bool is_over_ = false, is_judged_ = true;
 };
 
@@ -66,8 +69,7 @@ class Patience {
   using Clock = GuestProcess::Clock;
 
   /// It may take so much of its own time, and its first process so much processor time; both from now on.
-  Patience(Clock::duration silence, std::chrono::nanoseconds work)
-      : silence_(silence), work_(work), begin_(Clock::now()) {}
+  Patience(Clock::duration silence, std::chrono::nanoseconds work);
 
   /// Waits for output, and gives up with `timeout` when either is over, or the contest.
   GuestEvent wait(GuestProcess& process, ContestClock& contest);
@@ -76,18 +78,20 @@ class Patience {
   bool is_overworked(GuestProcess& process);
   /// How long it worked when it was looked at last.
   std::chrono::nanoseconds worked() const { return worked_; }
-  /// Whether a timeout came by the clock alone, so that nobody knows whether the mouse was slow.
-  bool is_judged() const { return is_judged_; }
+  /// False where a timeout came although nobody knows whether the mouse was slow.
+  bool is_judged() const;
 
  private:
+  bool is_over() const;
+  /// Counts its time up to now.
+  void look(GuestProcess& process, ContestClock& contest);
   Clock::duration pause() const;
 
   Clock::duration silence_;
   std::chrono::nanoseconds work_;
-  Clock::time_point begin_;
+  Clock::time_point next_look_;
   std::optional<OwnTime> time_;  ///< once it was silent for a moment
   std::chrono::nanoseconds before_{}, worked_{};
-  bool is_judged_ = true;
 };
 
 /// "0.4 s".

@@ -78,28 +78,17 @@ class Collection {
     if (real != "/" && !real.empty()) visible_.insert(real);
   }
 
-  /// Adds the links on that way; returns where it leads.
+  /// Adds the links on that way, as if each led straight to its end; returns where the way leads.
   std::string follow(const fs::path& path) {
-    constexpr int most_links = 40;
-    fs::path whole = path.lexically_normal(), done = "/";
-    int links = 0;
-    for (auto part = std::next(whole.begin()); part != whole.end();) {
-      if (part->empty()) break;
+    const fs::path whole = path.lexically_normal();
+    fs::path done = "/";
+    for (const fs::path& part : whole.relative_path()) {
+      if (part.empty()) continue;
       std::error_code error;
-      const fs::path next = done / *part;
-      if (!fs::is_symlink(next, error)) {
-        done = next;
-        ++part;
-        continue;
-      }
-      const fs::path target = fs::read_symlink(next, error);
-      if (error || ++links > most_links) return "";
-      links_.emplace(next.string(), target.string());
-      fs::path rest;
-      for (++part; part != whole.end(); ++part) rest /= *part;
-      whole = ((target.is_absolute() ? target : done / target) / rest).lexically_normal();
-      done = "/";
-      part = std::next(whole.begin());
+      const fs::path next = done / part;
+      done = fs::is_symlink(next, error) ? fs::canonical(next, error) : next;
+      if (error) return "";
+      if (done != next) links_.emplace(next.string(), done.string());
     }
     return done.string();
   }

@@ -122,15 +122,18 @@ void add_time(int tasks, const char* thread, TreeTime& sum) {
   sum.waited += std::chrono::nanoseconds(waits.number_behind(1));
 }
 
-/// Processor time of a process and of its children that were waited for; of the root only that of the children.
-std::chrono::nanoseconds worked_by(pid_t process, bool is_root) {
+/// Adds the processor time of a process and of its children that were waited for; of the root only that of the
+/// children.
+void add_work(pid_t process, bool is_root, TreeTime& sum) {
   // Behind the name: utime, stime, cutime and cstime.
   constexpr int own = 11, of_children = 13;
   const Facts facts(process, "stat");
   const std::string_view text = facts.behind_name();
-  std::uint64_t sum = 0;
-  for (int word = is_root ? of_children : own; word < of_children + 2; ++word) sum += Facts::number_behind(text, word);
-  return ticks(sum);
+  const auto both = [&](int word) {
+    return ticks(Facts::number_behind(text, word) + Facts::number_behind(text, word + 1));
+  };
+  sum.worked += both(of_children) + (is_root ? std::chrono::nanoseconds(0) : both(own));
+  sum.worked_before += both(of_children);
 }
 
 /// Adds the children that one thread started; false where they cannot be known.
@@ -190,10 +193,10 @@ Holdings survey(pid_t root, int most, bool shares) {
 TreeTime time_of_tree(pid_t root) {
   TreeTime sum;
   Found found(std::numeric_limits<std::size_t>::max());
-  sum.worked = worked_by(root, true);
+  add_work(root, true, sum);
   add_children(root, found);
   for (std::size_t i = 0; i < found.count(); ++i) {
-    sum.worked += worked_by(found.at(i), false);
+    add_work(found.at(i), false, sum);
     for_each_thread(found.at(i), [&](int tasks, const char* thread) {
       add_time(tasks, thread, sum);
       add_children(tasks, thread, found);

@@ -30,6 +30,8 @@ Holdings survey(pid_t root, int most, bool shares);
 struct TreeTime {
   /// Processor time, of those that have ended, too.
   std::chrono::nanoseconds worked{};
+  /// What of it was the work of processes that have ended: how long those waited nobody knows.
+  std::chrono::nanoseconds worked_before{};
   /// How long its threads, those that have not ended, were ready to run and no processor was free.
   std::chrono::nanoseconds waited{};
   /// Whether one of them is at work now, or ready, or waits for a disk.

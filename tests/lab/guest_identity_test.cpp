@@ -78,7 +78,10 @@ TEST_F(AGuestsIdentity, FollowsItsWordsAndLimits) {
   EXPECT_NE(guest_identity("guest", other, {}, ""), first);
   other = launch;
   other.sandbox = true;
-  EXPECT_NE(guest_identity("guest", other, {}, ""), first);
+  const std::string boxed = guest_identity("guest", other, {}, "");
+  EXPECT_NE(boxed, first);
+  other.keeps_folder = true;
+  EXPECT_NE(guest_identity("guest", other, {}, ""), boxed);
   other = launch;
   other.limits.decision += std::chrono::milliseconds(1);
   EXPECT_NE(guest_identity("guest", other, {}, ""), first);

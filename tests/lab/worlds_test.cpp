@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <nlohmann/json.hpp>
 
 #include "labmouse/lab/galleries/race_folder.hpp"
@@ -390,6 +391,29 @@ TEST(Race, SeedsDependOnRaceMazeAndRun) {
 
 TEST(Race, SeedsDoNotDependOnTheFolder) {
   EXPECT_EQ(contest_seed(1, "here/a.txt", 3), contest_seed(1, "/there/a.txt", 3));
+}
+
+TEST(Race, TellsExternalMiceASeedThatNamesNoMaze) {
+  Contestant mouse;
+  mouse.name = "guest:./mouse";
+  mouse.external = true;
+  mouse.runs = 2;
+  const std::atomic<bool> stopped = true;  // before any contest is held
+  RaceHooks hooks;
+  hooks.stop = &stopped;
+  RaceOrder order = test::in_steps();
+  const auto results = hold_race({mouse}, {test::corridor(), test::loop()}, order, hooks).results;
+  ASSERT_EQ(results.size(), 4U);
+  EXPECT_EQ(results[0].told, results[2].told);
+  EXPECT_EQ(results[1].told, results[3].told);
+  EXPECT_NE(results[0].told, results[1].told);
+  for (const ContestResult& result : results) EXPECT_EQ(result.seed, result.told);
+  // A world that throws dice throws others in each maze.
+  order.world = default_world("physical");
+  const auto physical = hold_race({mouse}, {test::corridor(), test::loop()}, order, hooks).results;
+  EXPECT_EQ(physical[0].told, physical[2].told);
+  EXPECT_NE(physical[0].seed, physical[2].seed);
+  EXPECT_EQ(physical[0].seed, contest_seed(order.seed, "corridor", 0));
 }
 
 TEST(Race, ASeedGivesAnotherRace) {

@@ -120,8 +120,7 @@ std::string sandboxes_of(const Race& race) {
                        [&](const Contestant& mouse) { return mouse.sandboxed == sandbox; });
   };
   if (!has(true) || has(false)) return note;
-  return "Guests ran in a sandbox: with a copy of their folders, without mazes and without a network (--sandbox).\n" +
-         note;
+  return "Guests ran in a sandbox: without mazes, other files and a network (--sandbox).\n" + note;
 }
 
 }  // namespace
