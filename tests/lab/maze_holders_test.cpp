@@ -36,7 +36,7 @@ constexpr const char* drawing = "o---o---o\n| S   G |\no---o---o\n";
 
 TEST_F(MazeHolders, AreKnownByTheirContent) {
   EXPECT_TRUE(holds_maze(file("drawing.txt", drawing)));
-  EXPECT_TRUE(holds_maze(file("maze.maz", std::string(256, '\0'))));
+  EXPECT_TRUE(holds_maze(file("maze.maz", std::string(256, '\x0f'))));
   EXPECT_TRUE(holds_maze(file("record.jsonl", R"({"labmouse":"record","format":1})")));
   EXPECT_TRUE(holds_maze(file("results.db", std::string("SQLite format 3\0 and more", 25))));
   EXPECT_TRUE(holds_maze(file("walk.svg", "<svg/>")));
