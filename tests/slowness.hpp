@@ -17,8 +17,8 @@ inline constexpr bool sanitized = false;
 /// Whether a long test runs all of its cases: `make proof` sets LABMOUSE_PROOF.
 inline const bool thorough = std::getenv("LABMOUSE_PROOF") != nullptr;
 
-/// Where a test is not thorough, it runs one case of this many; fewer under the sanitizers, where a case takes ten times
-/// as long.
+/// Where a test is not thorough, it runs one case of this many; fewer under the sanitizers, where a case takes ten
+/// times as long.
 inline const int slowness = sanitized ? 60 : thorough ? 1 : 12;
 
 /// How many of so many cases a long test runs: at least one.

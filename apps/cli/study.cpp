@@ -33,9 +33,8 @@ Study hold(const StudyOptions& options, const std::vector<Contestant>& mice, con
 
 int study(const StudyOptions& options) {
   if (options.mice.empty() && options.lineups.empty()) throw UsageError("error: --mice or --lineup is required");
-  expect_outputs({{"--csv", options.csv},
-                  {"--svg", options.svg},
-                  {"--store", options.contests.store_path, Output::Kind::other}});
+  expect_outputs(
+      {{"--csv", options.csv}, {"--svg", options.svg}, {"--store", options.contests.store_path, Output::Kind::other}});
   std::vector<Contestant> mice =
       find_contestants(with_lineups(options.mice, options.lineups), options.contests.world, options.guests);
   const RaceOrder order = options.contests.order_in(options.contests.world.enter_one(mice));

@@ -30,9 +30,8 @@ Sweep hold(const SweepOptions& options, const Variation& variation, const std::v
 }
 
 int sweep(const SweepOptions& options) {
-  expect_outputs({{"--csv", options.csv},
-                  {"--svg", options.svg},
-                  {"--store", options.contests.store_path, Output::Kind::other}});
+  expect_outputs(
+      {{"--csv", options.csv}, {"--svg", options.svg}, {"--store", options.contests.store_path, Output::Kind::other}});
   const Variation variation = read_variation(options.vary);
   if (!variation.error.empty()) throw UsageError("error: " + variation.error);
   std::vector<Contestant> variants =

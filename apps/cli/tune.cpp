@@ -60,9 +60,8 @@ Tune hold(const TuneOptions& options, const std::vector<ParameterRange>& ranges,
 }
 
 int tune(const TuneOptions& options) {
-  expect_outputs({{"--log", options.log},
-                  {"--svg", options.svg},
-                  {"--store", options.contests.store_path, Output::Kind::other}});
+  expect_outputs(
+      {{"--log", options.log}, {"--svg", options.svg}, {"--store", options.contests.store_path, Output::Kind::other}});
   const std::vector<ParameterRange> ranges = find_ranges(options);
   std::vector<Contestant> mice_at_corners = corners(options.mouse, ranges);
   const RaceOrder order = options.contests.order_in(options.contests.world.enter_one(mice_at_corners));

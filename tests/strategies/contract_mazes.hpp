@@ -15,8 +15,8 @@ struct ContractMaze {
   Maze maze;
 };
 
-/// Every generator at every size that it takes, perfect and with loops, and two of the largest size. The large ones take
-/// most of the time: without LABMOUSE_PROOF they come from one generator.
+/// Every generator at every size that it takes, perfect and with loops, and two of the largest size. The large ones
+/// take most of the time: without LABMOUSE_PROOF they come from one generator.
 inline void add_generated(std::vector<ContractMaze>& mazes) {
   const auto add = [&](const Generator& generator, Size size, int loops) {
     const GeneratorOrder order{size, 7, loops};

@@ -6,6 +6,7 @@
 
 #include "labmouse/chance/dice.hpp"
 #include "labmouse/lab/system/parallel.hpp"
+#include "labmouse/mouse/action.hpp"
 
 namespace labmouse {
 namespace {
@@ -82,7 +83,7 @@ std::uint64_t told_seed(std::uint64_t seed, int run) { return contest_seed(seed,
 
 void leave_unjudged(ContestResult& result) {
   result.judged = false;
-  result.outcome = not_judged;
+  result.outcome = name_of(ForfeitReason::not_judged);
   result.never_started.clear();
   result.score.reset();
   result.counted.reset();

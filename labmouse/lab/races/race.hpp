@@ -56,9 +56,6 @@ struct ContestResult {
   std::vector<Value> figures;
 };
 
-/// The outcome of such a contest.
-inline constexpr const char* not_judged = "not judged";
-
 struct Race {
   RaceOrder order;
   std::vector<Contestant> mice;        ///< in the order of their names
