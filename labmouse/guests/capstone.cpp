@@ -1,9 +1,11 @@
 #include "labmouse/guests/capstone.hpp"
 
+#include <chrono>
 #include <filesystem>
 #include <map>
 #include <mutex>
 
+#include "labmouse/guests/patience.hpp"
 #include "labmouse/guests/process.hpp"
 
 namespace labmouse {
@@ -17,10 +19,10 @@ std::string first_line(const std::string& python, const std::string& script, boo
   if (sandbox) launch.directory = "/";
   launch.words = {python, "-c", script};
   GuestProcess process(launch);
-  // A busy machine takes its time.
-  constexpr int patience = 10;
-  const auto deadline = GuestProcess::Clock::now() + patience * launch.limits.start;
-  while (process.wait(deadline) == GuestEvent::output) {
+  constexpr std::chrono::seconds longest(2);
+  Patience patience(longest, longest);
+  ContestClock clock(longest);
+  while (patience.wait(process, clock) == GuestEvent::output) {
   }
   return std::string(process.lines().next().value_or(""));
 }

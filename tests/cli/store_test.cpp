@@ -245,7 +245,7 @@ TEST_F(AUserOfAStore, RunsNoProgramOfAStoreUnasked) {
   const std::string trace = "open('started', 'w').close()\n";
   file("mouse.py", trace + test::content_of(std::filesystem::path(LABMOUSE_SOURCE_DIR) / "templates/guest.py"));
   const std::string spec = "guest:python3 mouse.py";
-  labmouse({"race", "--mice", spec, "--mazes", "corridor.txt", "--store", "g.db"});
+  labmouse({"race", "--mice", spec, "--mazes", "corridor.txt", "--store", "g.db", "--keep-folder"});
   ASSERT_TRUE(std::filesystem::remove(folder_ / "started"));
   const Ended unasked = labmouse({"store", "verify", "g.db", "--share", "1"});
   EXPECT_EQ(unasked.code, 0);
@@ -253,7 +253,7 @@ TEST_F(AUserOfAStore, RunsNoProgramOfAStoreUnasked) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "started"));
   is_refused({"store", "verify", "g.db", "--share", "1", "--run-programs", "--sandbox", "off"}, "--sandbox off");
   EXPECT_FALSE(std::filesystem::exists(folder_ / "started"));
-  const Ended asked = labmouse({"store", "verify", "g.db", "--share", "1", "--run-programs"});
+  const Ended asked = labmouse({"store", "verify", "g.db", "--share", "1", "--run-programs", "--keep-folder"});
   EXPECT_EQ(std::filesystem::exists(folder_ / "started"), asked.code == 0) << asked.err;
   if (asked.code == 2) GTEST_SKIP() << "this system has no sandboxes: " << asked.err;
   EXPECT_THAT(asked.err, HasSubstr(spec));
@@ -263,7 +263,7 @@ TEST_F(AUserOfAStore, RunsNoProgramOfAStoreUnasked) {
 TEST_F(AUserOfAStore, RunsNoProgramThatIsHiddenInASpec) {
   file("mouse.sh", "touch started\n");
   file("mice.toml", "[[mouse]]\nname = \"m\"\nguest = \"sh mouse.sh\"\n");
-  labmouse({"race", "--mice", "guest:sh mouse.sh", "--mazes", "corridor.txt", "--store", "g.db"});
+  labmouse({"race", "--mice", "guest:sh mouse.sh", "--mazes", "corridor.txt", "--store", "g.db", "--keep-folder"});
   ASSERT_TRUE(std::filesystem::remove(folder_ / "started"));
   for (const char* spec : {"lineup:mice.toml", "X=guest:sh mouse.sh", "X=lineup:mice.toml"}) {
     shell("sqlite3 g.db \"UPDATE mice SET spec = '" + std::string(spec) + "'\"");

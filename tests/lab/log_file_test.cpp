@@ -119,7 +119,7 @@ TEST(LogFile, SaysWhatIsWrongAndWhatToDo) {
   EXPECT_THAT(complaint(columns, "t,g\n0,1\n1,2,3\n"), SaysAt("log:3:1", "3 fields", "2"));
   EXPECT_THAT(complaint(columns, "t,x,g\n0,0,1\n1,0,1\n2,0"), SaysAt("log:4:1", "2 fields", "cut off"));
   EXPECT_THAT(complaint(columns, "t,g\n0,1\n1,fast\n"), SaysAt("log:3:3", "'fast'", "'gyro'"));
-  EXPECT_THAT(complaint(columns, "t;g\n0;1\n1;0,5\n"), SaysAt("log:3:3", "'0,5'", "point"));
+  EXPECT_THAT(complaint(columns, "t;g\n0;1\n1;0,5\n"), SaysAt("log:3:3", "'0,5'", "0.5"));
   EXPECT_THAT(complaint(columns, "t,g\n0,1\n1,1e999\n"), SaysAt("log:3:3", "'1e999'"));
   EXPECT_THAT(complaint(columns, "t,g\n0,1\n1,180\n"), SaysAt("log:3:3", "'gyro'", "180", "0.0174533"));
   EXPECT_THAT(complaint("time=t,left=l,right=r", "t,l,r\n0,0,0\n1,90,90\n"), SaysAt("log:3:3", "'left'", "90", "/255"));

@@ -94,8 +94,8 @@ TEST(PageOpens, NoRecordThatIsNone) {
   const json said = refused(changed(good, "\"step\":2", "\"step\":3"), "walk.jsonl");
   EXPECT_THAT(error_in(said), Says("walk.jsonl ", "not a readable record"));
   expect_problem(said, 3, 1, "step 3", "step 2");
-  expect_problem(refused("{\"labmouse\":\"record\",\"for"), 1, 1, "JSON");
-  expect_problem(refused("{ \"labmouse\" : \"mms record\",\n"), 1, 1, "JSON");
+  expect_problem(refused("{\"labmouse\":\"record\",\"for"), 1, 26, "JSON");
+  expect_problem(refused("{ \"labmouse\" : \"mms record\",\n"), 1, 29, "JSON");
 }
 
 TEST(PageOpens, NoRecordOfAnotherMaze) {
