@@ -63,6 +63,8 @@ TEST(TheRobotFlood, DoesWhatTheMouseDoesInTheBuiltinMazes) {
       others.push_back(maze.name);
   // The goal of the one is in a corner, and the other is of odd size.
   EXPECT_EQ(others, (std::vector<std::string>{"parallel-8", "spiral-9"}));
+  std::size_t place = 0;
+  std::erase_if(mazes, [&](const NamedMaze&) { return place++ % static_cast<std::size_t>(test::slowness) != 0; });
   expect_equal_records(mazes, test::python3());
 }
 

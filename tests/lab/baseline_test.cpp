@@ -114,7 +114,8 @@ TEST(Baseline, WhatIsNoRaceIsRefused) {
         R"({"labmouse":"x","mice":[{"name":"flood","results":[{"maze":"loop","score":"1"}]}]})",
         R"({"labmouse":"x","mice":[{"name":"flood","results":[{"maze":"loop","score":1e308}]}]})",
         R"({"labmouse":"x","mice":[{"name":"flood","results":[{"maze":"loop","score":-1}]}]})"})
-    EXPECT_THAT(read_baseline(bad, *steps_world()).error, testing::AnyOf(HasSubstr("JSON of a race"), HasSubstr("not valid JSON")))
+    EXPECT_THAT(read_baseline(bad, *steps_world()).error,
+                testing::AnyOf(HasSubstr("JSON of a race"), HasSubstr("not valid JSON")))
         << bad;
 }
 

@@ -154,7 +154,7 @@ TEST(Hazards, KnowHowFarAstrayAMouseIs) {
 }
 
 TEST(Hazards, GrowWithNoiseAndAreTheSameOnAnyNumberOfThreads) {
-  HazardOrder asked = order({1.0, 5.0}, test::sanitized ? 2 : 6);
+  HazardOrder asked = order({1.0, 5.0}, test::thorough ? 6 : 2);
   asked.jobs = 1;
   const auto two = mice("flood-return,certify");
   const auto alone = measure_hazards(asked, two, rings());

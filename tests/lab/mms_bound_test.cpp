@@ -205,7 +205,7 @@ TEST(MmsBound, IsTheLeastOfAllThatCanBeDoneInSmallMazes) {
 
 TEST(MmsBound, IsTheLeastWithResetsAndReturnsToo) {
   // Enough for a reset and a run behind it, or for several runs.
-  const int steps = test::sanitized ? 15 : 18;
+  const int steps = test::thorough ? 18 : 15;
   for (const Size size : {Size{1, 1}, {2, 2}, {1, 3}, {3, 1}}) expect_least(open_room(size.width, size.height), steps);
 }
 

@@ -16,8 +16,8 @@ Maze maze_called(const std::string& name) { return *maze_named(name); }
 RegionOrder order_of_grip(double from, double to) {
   RegionOrder order;
   order.across = {"curve.lateral_acceleration", from, to};
-  order.sharpness = test::sanitized ? 1e-2 : 1e-3;
-  if (test::sanitized) order.samples = 9;
+  order.sharpness = test::thorough ? 1e-3 : 1e-2;
+  if (!test::thorough) order.samples = 9;
   return order;
 }
 

@@ -29,8 +29,8 @@ TEST(StoreFigures, ComeBackExactly) {
   using Limits = std::numeric_limits<double>;
   comes_back({});
   comes_back({Value(), nullptr, true, false, std::int64_t{0}, 0.0, -0.0, 3.0, std::int64_t{3}, std::string("3")});
-  comes_back({0.1, 1e300, Limits::min(), Limits::max(), Limits::infinity(), -Limits::infinity(), Limits::quiet_NaN(), 1e16,
-              123456789012345678.0});
+  comes_back({0.1, 1e300, Limits::min(), Limits::max(), Limits::infinity(), -Limits::infinity(), Limits::quiet_NaN(),
+              1e16, 123456789012345678.0});
   comes_back({std::numeric_limits<std::int64_t>::max(), std::numeric_limits<std::int64_t>::min()});
   comes_back({std::string(), std::string("\0\x01\n\"\\", 5), std::string("M\xc3\xa4use"), std::string("\xff\xfe")});
   comes_back({JsonText{"null"}, JsonText{"{\"b\": 1,  \"a\":[2 ]}"}, JsonText{"[]"}, JsonText{"\"\""}});
