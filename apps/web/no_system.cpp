@@ -1,4 +1,5 @@
 // What the lab does otherwise where it has no system: a page has no files, starts no programs, and has one thread.
+#include "labmouse/guests/hidden_files.hpp"
 #include "labmouse/guests/mms/run.hpp"
 #include "labmouse/lab/mice/guest_specs.hpp"
 #include "labmouse/lab/mice/lineup_specs.hpp"
@@ -11,6 +12,10 @@ namespace labmouse {
 FileContent read_file(const std::string&, std::size_t) { return {"", "a page reads no files"}; }
 
 FileContent read_found_file(const std::string&, std::size_t) { return {"", "a page reads no files"}; }
+
+void HiddenFiles::add(const std::string&) {}
+
+void HiddenFiles::add_store(const std::string&) {}
 
 void read_guest_spec(std::string_view, const GuestOptions&, SpecResult& result) {
   result.error = "a page starts no programs";
