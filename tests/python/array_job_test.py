@@ -48,7 +48,8 @@ PartitionName=all Nodes={host} Default=YES MaxTime=INFINITE State=UP
 def folder(tmp_path, monkeypatch):
     """With the script of the page."""
     page = (Path(__file__).resolve().parents[2] / "docs" / "cluster.md").read_text(encoding="utf-8")
-    (tmp_path / "race.sh").write_text(page.split("```sh\n")[1].split("```")[0])
+    script = next(block for block in page.split("```sh\n") if "--shard" in block.split("```")[0])
+    (tmp_path / "race.sh").write_text(script.split("```")[0])
     monkeypatch.chdir(tmp_path)
     return tmp_path
 
