@@ -19,7 +19,7 @@ inline constexpr bool sanitized = false;
 inline const bool thorough = !sanitized && std::getenv("LABMOUSE_PROOF") != nullptr;
 
 /// Where a test is not thorough, it runs one case of this many.
-inline const int slowness = sanitized ? 60 : thorough ? 1 : 12;
+inline const int slowness = sanitized ? 20 : thorough ? 1 : 12;
 
 /// How many of so many cases a long test runs: at least one.
 inline int some_of(int cases) { return std::max(1, cases / slowness); }
