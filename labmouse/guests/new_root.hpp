@@ -5,7 +5,7 @@
 
 namespace labmouse {
 
-/// What becomes of the folder of a mouse while it runs.
+/// How the folder of a mouse is shown to it while it runs.
 enum class FolderUse {
   copy,       ///< what it writes there is gone with it: an overlay; read-only where others are mounted inside
   read_only,  ///< it writes only to /tmp: where the system has no overlays
