@@ -108,6 +108,7 @@ void forget_command_line() {
   const std::string_view line(text.data(), static_cast<std::size_t>(std::max<ssize_t>(size, 0)));
   if (line.empty()) return;
   const std::uintptr_t begin = number_of_stat(line, arg_start), end = number_of_stat(line, arg_end);
+  // The kernel gives the address as a number. NOLINTNEXTLINE(performance-no-int-to-ptr)
   if (begin != 0 && end > begin) std::memset(reinterpret_cast<void*>(begin), 0, end - begin);
 }
 

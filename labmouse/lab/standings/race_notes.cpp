@@ -114,7 +114,7 @@ std::string unjudged_of(const Race& race) {
 
 /// What guests could do to the machine that they raced on.
 std::string sandboxes_of(const Race& race) {
-  const std::string note = freedom_note(race.mice);
+  std::string note = freedom_note(race.mice);
   const auto has = [&](bool sandbox) {
     return std::any_of(race.mice.begin(), race.mice.end(),
                        [&](const Contestant& mouse) { return mouse.sandboxed == sandbox; });
