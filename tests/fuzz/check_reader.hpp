@@ -3,17 +3,12 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <string_view>
 
 #include "labmouse/maze/formats/format.hpp"
+#include "tests/fuzz/fuzzer.hpp"
 
 namespace labmouse::fuzz {
-
-// Stays in every build, unlike assert.
-inline void require(bool holds) {
-  if (!holds) std::abort();
-}
 
 /// Reads the bytes as that format: there is a maze or there are problems, and a maze survives being written, and is
 /// read as well when the format has to be recognised.

@@ -3,22 +3,25 @@
 #include <array>
 #include <cstring>
 
-#include "tests/fuzz/check_reader.hpp"
+#include "tests/fuzz/fuzzer.hpp"
 #include "tests/lab/wild_contest.hpp"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
-  using labmouse::fuzz::require;
+namespace labmouse::fuzz {
+
+LABMOUSE_FUZZER(belief) {
   std::array<std::uint8_t, 8> first{};
   std::memcpy(first.data(), bytes, size < first.size() ? size : first.size());
-  labmouse::test::WildContest contest;
+  test::WildContest contest;
   contest.seed = 256U * first[0] + first[1];
   contest.mind = first[2];
   contest.side = 3 + first[3] % 6;
   contest.loops = 4 * first[4] % 1001;
   contest.wild = first[5] / 255.0;
   contest.crash = first[6] / 2550.0;
-  const labmouse::PhysicalRecord record = labmouse::test::held(contest);
-  require(labmouse::test::came_to_its_end(record));
-  require(record.drive.decisions < labmouse::test::most_decisions);
+  const PhysicalRecord record = test::held(contest);
+  require(test::came_to_its_end(record));
+  require(record.drive.decisions < test::most_decisions);
   return 0;
 }
+
+}  // namespace labmouse::fuzz

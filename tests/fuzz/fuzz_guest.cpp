@@ -5,12 +5,11 @@
 #include "labmouse/guests/line_buffer.hpp"
 #include "labmouse/guests/pilot_protocol.hpp"
 #include "labmouse/guests/protocol.hpp"
-#include "tests/fuzz/check_reader.hpp"
+#include "tests/fuzz/fuzzer.hpp"
+
+namespace labmouse::fuzz {
 
 namespace {
-
-using namespace labmouse;
-using fuzz::require;
 
 constexpr std::size_t longest = 40;
 
@@ -50,7 +49,7 @@ void check_duties(std::string_view line) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+LABMOUSE_FUZZER(guest) {
   const std::string_view text(reinterpret_cast<const char*>(bytes), size);
   const auto [lines, too_long] = lines_of(text, size + 1);
   require(lines_of(text, 1) == std::pair(lines, too_long) && lines_of(text, 7) == std::pair(lines, too_long));
@@ -63,3 +62,5 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   check_duties(text.substr(0, text.find('\n')));
   return 0;
 }
+
+}  // namespace labmouse::fuzz

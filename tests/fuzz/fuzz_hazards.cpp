@@ -1,6 +1,8 @@
 // Any bytes as a file of hazards: there is one or an error, and what is one makes odds that are shares.
 #include "labmouse/lab/hazards/hazard_file.hpp"
-#include "tests/fuzz/check_reader.hpp"
+#include "tests/fuzz/fuzzer.hpp"
+
+namespace labmouse::fuzz {
 
 namespace {
 
@@ -16,25 +18,25 @@ bool are_shares(const Shares& shares) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
-  using labmouse::fuzz::require;
-  const labmouse::FoundHazards read =
-      labmouse::read_hazards({reinterpret_cast<const char*>(bytes), size}, "fuzzed.json");
+LABMOUSE_FUZZER(hazards) {
+  const FoundHazards read = read_hazards({reinterpret_cast<const char*>(bytes), size}, "fuzzed.json");
   require(read.file.has_value() == read.error.empty());
   if (!read.file) return 0;
-  const labmouse::Hazards hazards = labmouse::hazards_of(*read.file);
+  const Hazards hazards = hazards_of(*read.file);
   require(!hazards.paces.empty());
-  for (const labmouse::HazardsAtPace& pace : hazards.paces) {
+  for (const HazardsAtPace& pace : hazards.paces) {
     require(!pace.noises.empty());
-    for (const labmouse::HazardsAtNoise& noise : pace.noises)
-      for (const labmouse::HazardsByLuck& by_luck : noise.by_luck) {
+    for (const HazardsAtNoise& noise : pace.noises)
+      for (const HazardsByLuck& by_luck : noise.by_luck) {
         require(are_shares(by_luck.put));
         for (const auto& levels : by_luck.manoeuvres)
-          for (const labmouse::ManoeuvreHazard& hazard : levels)
+          for (const ManoeuvreHazard& hazard : levels)
             require(hazard.crash >= 0.0 && hazard.crash <= 1.0 && are_shares(hazard.after));
         for (const auto& levels : by_luck.readings)
-          for (const labmouse::ReadingHazard& hazard : levels) require(are_shares(hazard));
+          for (const ReadingHazard& hazard : levels) require(are_shares(hazard));
       }
   }
   return 0;
 }
+
+}  // namespace labmouse::fuzz

@@ -2,20 +2,23 @@
 #include <set>
 
 #include "labmouse/lab/lineups/lineup_file.hpp"
-#include "tests/fuzz/check_reader.hpp"
+#include "tests/fuzz/fuzzer.hpp"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
-  using labmouse::fuzz::require;
+namespace labmouse::fuzz {
+
+LABMOUSE_FUZZER(lineup) {
   const std::string_view text(reinterpret_cast<const char*>(bytes), size);
-  const labmouse::LineupResult read = labmouse::read_lineup(text);
+  const LineupResult read = read_lineup(text);
   require(read.mice.empty() != read.problems.empty());
-  require(read.problems.size() <= labmouse::most_problems);
+  require(read.problems.size() <= most_problems);
   std::set<std::string> names;
-  for (const labmouse::LineupMouse& mouse : read.mice) {
+  for (const LineupMouse& mouse : read.mice) {
     require(!mouse.name.empty() && names.insert(mouse.name).second);
     require(!mouse.what.empty() && mouse.line > 0);
-    const labmouse::GuestLimits limits = mouse.limits_over({});
+    const GuestLimits limits = mouse.limits_over({});
     require(limits.start.count() > 0 && limits.processes > 0 && limits.memory > 0);
   }
   return 0;
 }
+
+}  // namespace labmouse::fuzz

@@ -3,13 +3,16 @@
 #include <cstdlib>
 
 #include "labmouse/lab/mazes/maze_link.hpp"
+#include "tests/fuzz/fuzzer.hpp"
+
+namespace labmouse::fuzz {
 
 namespace {
 
 void check(std::string_view link) {
-  const auto result = labmouse::read_link(link);
+  const auto result = read_link(link);
   if (result.maze.has_value() != result.error.empty()) std::abort();
-  if (result.maze && labmouse::link_of(*result.maze) != link) std::abort();
+  if (result.maze && link_of(*result.maze) != link) std::abort();
 }
 
 /// The text with its checksum (FNV-1a) behind it.
@@ -23,9 +26,11 @@ std::string summed(std::string text) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+LABMOUSE_FUZZER(link) {
   const std::string text(reinterpret_cast<const char*>(bytes), size);
   check(text);
   check(summed(text));
   return 0;
 }
+
+}  // namespace labmouse::fuzz

@@ -4,12 +4,11 @@
 #include "labmouse/guests/line_buffer.hpp"
 #include "labmouse/guests/mms/host.hpp"
 #include "tests/drawn_maze.hpp"
-#include "tests/fuzz/check_reader.hpp"
+#include "tests/fuzz/fuzzer.hpp"
+
+namespace labmouse::fuzz {
 
 namespace {
-
-using namespace labmouse;
-using fuzz::require;
 
 const Maze& maze() {
   static const Maze small = test::drawn(R"(
@@ -63,7 +62,7 @@ void obey(MmsHost& host, std::string_view line) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+LABMOUSE_FUZZER(mms) {
   MmsHost host(maze(), {.strict = size % 4 == 3, .presses = 1});
   LineBuffer lines(4096);
   lines.append({reinterpret_cast<const char*>(bytes), size});
@@ -78,3 +77,5 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     require(host.canvas().text(maze().size().cell_at(i)).find_first_of("\\\n\t") == std::string_view::npos);
   return 0;
 }
+
+}  // namespace labmouse::fuzz

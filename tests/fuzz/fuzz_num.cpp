@@ -1,6 +1,11 @@
 #include "tests/fuzz/check_reader.hpp"
+#include "tests/fuzz/fuzzer.hpp"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
-  labmouse::fuzz::check_reader(labmouse::num_format, bytes, size);
+namespace labmouse::fuzz {
+
+LABMOUSE_FUZZER(num) {
+  check_reader(num_format, bytes, size);
   return 0;
 }
+
+}  // namespace labmouse::fuzz

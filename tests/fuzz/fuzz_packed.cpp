@@ -3,28 +3,33 @@
 #include <cstdlib>
 
 #include "labmouse/lab/records/packed_record.hpp"
+#include "tests/fuzz/fuzzer.hpp"
+
+namespace labmouse::fuzz {
 
 namespace {
 
 /// 3x3 cells without inner walls.
-const labmouse::Maze& bare_maze() {
-  static const labmouse::Maze maze(labmouse::MazeDraft({3, 3}, labmouse::MazeDraft::Inside::open));
+const Maze& bare_maze() {
+  static const Maze maze(MazeDraft({3, 3}, MazeDraft::Inside::open));
   return maze;
 }
 
 void check(const nlohmann::json& json) {
-  const auto result = labmouse::unpack_record(json, bare_maze());
+  const auto result = unpack_record(json, bare_maze());
   if (result.file.has_value() != result.error.empty()) std::abort();
   if (!result.file) return;
-  if (nlohmann::json(labmouse::pack_record(*result.file))["actions"] != json["actions"]) std::abort();
-  labmouse::replay(*result.file, bare_maze());
+  if (nlohmann::json(pack_record(*result.file))["actions"] != json["actions"]) std::abort();
+  replay(*result.file, bare_maze());
 }
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+LABMOUSE_FUZZER(packed) {
   const std::string text(reinterpret_cast<const char*>(bytes), size);
   check({{"mouse", "flood"}, {"maze", "loop"}, {"actions", text}});
   check(nlohmann::json::parse(text, nullptr, false));
   return 0;
 }
+
+}  // namespace labmouse::fuzz

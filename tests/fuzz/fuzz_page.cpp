@@ -3,7 +3,9 @@
 #include <nlohmann/json.hpp>
 
 #include "labmouse/lab/page/calls.hpp"
-#include "tests/fuzz/check_reader.hpp"
+#include "tests/fuzz/fuzzer.hpp"
+
+namespace labmouse::fuzz {
 
 namespace {
 
@@ -17,14 +19,15 @@ std::string_view line_of(std::string_view& text) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
-  using labmouse::fuzz::require;
+LABMOUSE_FUZZER(page) {
   std::string_view text(reinterpret_cast<const char*>(bytes), size);
   const std::string_view call = line_of(text), request = line_of(text);
   // These two measure for seconds, whatever is asked.
   if (call == "signature" || call == "speed") return 0;
-  const nlohmann::json said = nlohmann::json::parse(labmouse::answer_page(call, request, text).json, nullptr, false);
+  const nlohmann::json said = nlohmann::json::parse(answer_page(call, request, text).json, nullptr, false);
   require(said.is_object() && said.size() == 1 && said.contains("answer") != said.contains("failure"));
   if (said.contains("failure")) require(said["failure"]["error"].is_string() && said["failure"]["error"] != "");
   return 0;
 }
+
+}  // namespace labmouse::fuzz

@@ -7,15 +7,13 @@
 #include "labmouse/lab/robots/robot_file.hpp"
 #include "labmouse/lab/steps/steps_files.hpp"
 #include "labmouse/lab/system/version.hpp"
-#include "tests/fuzz/check_reader.hpp"
+#include "tests/fuzz/fuzzer.hpp"
 #include "tests/lab/xml_scanner.hpp"
 
+namespace labmouse::fuzz {
+
 // A record names the version that wrote it; that of a fuzzer is none.
-std::string_view labmouse::version() { return "fuzzer"; }
-
 namespace {
-
-using labmouse::fuzz::require;
 
 bool is_part_of_number(char letter) {
   return (letter >= '0' && letter <= '9') || letter == '.' || letter == '-' || letter == ' ' || letter == ',' ||
@@ -36,41 +34,43 @@ bool has_strange_number(std::string_view svg) {
 }
 
 void check(const std::string& svg) {
-  require(labmouse::XmlScanner(svg).complaint().empty());
+  require(XmlScanner(svg).complaint().empty());
   require(!has_strange_number(svg));
 }
 
 void draw_steps(std::string_view text) {
-  labmouse::ReadRecordResult read = labmouse::read_record(text);
+  ReadRecordResult read = read_record(text);
   if (!read.file || !read.file->maze) return;
-  labmouse::ReplayResult played = labmouse::replay(*read.file, *read.file->maze);
+  ReplayResult played = replay(*read.file, *read.file->maze);
   if (!played.disagreement.empty()) return;
   read.file->run = std::move(played.run);
-  check(labmouse::picture_of(*read.file));
-  labmouse::LayerSet layers = labmouse::all_layers();
-  layers.erase(labmouse::Layer::cells);
-  check(labmouse::draw_svg(*read.file->maze, labmouse::layers_of(*read.file, layers)));
+  check(picture_of(*read.file));
+  LayerSet layers = all_layers();
+  layers.erase(Layer::cells);
+  check(draw_svg(*read.file->maze, layers_of(*read.file, layers)));
 }
 
 void draw_seconds(std::string_view text) {
-  const labmouse::ReadDriveRecordResult read = labmouse::read_drive_record(text);
-  if (read.file && labmouse::replay(*read.file).empty()) check(labmouse::draw_contest(*read.file));
+  const ReadDriveRecordResult read = read_drive_record(text);
+  if (read.file && replay(*read.file).empty()) check(draw_contest(*read.file));
 }
 
 void draw_a_robot(std::string_view text) {
-  const labmouse::RobotResult read = labmouse::read_robot(text, "fuzz");
-  if (read.robot) check(labmouse::draw_robot(*read.robot, read.model));
+  const RobotResult read = read_robot(text, "fuzz");
+  if (read.robot) check(draw_robot(*read.robot, read.model));
 }
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+LABMOUSE_FUZZER(picture) {
   const std::string_view text(reinterpret_cast<const char*>(bytes), size);
   if (!text.starts_with('{'))
     draw_a_robot(text);
-  else if (labmouse::is_drive_record(text))
+  else if (is_drive_record(text))
     draw_seconds(text);
   else
     draw_steps(text);
   return 0;
 }
+
+}  // namespace labmouse::fuzz

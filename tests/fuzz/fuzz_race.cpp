@@ -6,23 +6,23 @@
 #include "labmouse/lab/reports/report_results.hpp"
 #include "labmouse/lab/standings/baseline.hpp"
 #include "labmouse/lab/worlds/worlds.hpp"
-#include "tests/fuzz/check_reader.hpp"
+#include "tests/fuzz/fuzzer.hpp"
+
+namespace labmouse::fuzz {
 
 namespace {
 
-using labmouse::fuzz::require;
-
 void check_report(std::string_view text) {
-  const labmouse::ReadResultsResult read = labmouse::read_report_results(text);
+  const ReadResultsResult read = read_report_results(text);
   require(read.results.has_value() != read.problem.has_value());
   if (!read.results) return;
-  const labmouse::ReadResultsResult again = labmouse::read_report_results(read.results->json);
+  const ReadResultsResult again = read_report_results(read.results->json);
   require(again.results && again.results->json == read.results->json);
   require(again.results->worlds.size() == read.results->worlds.size());
 }
 
-void check_baseline(std::string_view text, const labmouse::World& world) {
-  const labmouse::ReadBaselineResult read = labmouse::read_baseline(text, world);
+void check_baseline(std::string_view text, const World& world) {
+  const ReadBaselineResult read = read_baseline(text, world);
   require(read.baseline.has_value() == read.error.empty());
   if (!read.baseline) return;
   for (const auto& [mouse, mazes] : read.baseline->mice)
@@ -32,16 +32,18 @@ void check_baseline(std::string_view text, const labmouse::World& world) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+LABMOUSE_FUZZER(race) {
   const std::string_view text(reinterpret_cast<const char*>(bytes), size);
   check_report(text);
-  for (const labmouse::WorldEntry* entry : labmouse::all_worlds()) {
-    static const std::map<const labmouse::WorldEntry*, std::shared_ptr<const labmouse::World>> worlds = [] {
-      std::map<const labmouse::WorldEntry*, std::shared_ptr<const labmouse::World>> made;
-      for (const labmouse::WorldEntry* each : labmouse::all_worlds()) made[each] = each->make({}).world;
+  for (const WorldEntry* entry : all_worlds()) {
+    static const std::map<const WorldEntry*, std::shared_ptr<const World>> worlds = [] {
+      std::map<const WorldEntry*, std::shared_ptr<const World>> made;
+      for (const WorldEntry* each : all_worlds()) made[each] = each->make({}).world;
       return made;
     }();
     check_baseline(text, *worlds.at(entry));
   }
   return 0;
 }
+
+}  // namespace labmouse::fuzz

@@ -2,16 +2,19 @@
 #include <cstdlib>
 
 #include "labmouse/lab/mice/specs.hpp"
+#include "tests/fuzz/fuzzer.hpp"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+namespace labmouse::fuzz {
+
+LABMOUSE_FUZZER(spec) {
   // A named Python, so that none is started to ask for its version.
-  labmouse::GuestOptions options;
+  GuestOptions options;
   options.python = "/bin/sh";
-  const auto result = labmouse::read_specs({reinterpret_cast<const char*>(bytes), size}, options);
+  const auto result = read_specs({reinterpret_cast<const char*>(bytes), size}, options);
   if (result.contestants.empty() == result.error.empty()) std::abort();
   for (const auto& mouse : result.contestants) {
-    const std::string& spec = labmouse::spec_of(mouse);
-    const auto again = labmouse::read_specs(spec, options);
+    const std::string& spec = spec_of(mouse);
+    const auto again = read_specs(spec, options);
     if (again.contestants.size() != 1 || again.contestants.front().name != spec) std::abort();
     const auto& program = again.contestants.front().program;
     if (program.has_value() != mouse.program.has_value()) std::abort();
@@ -19,3 +22,5 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   }
   return 0;
 }
+
+}  // namespace labmouse::fuzz

@@ -19,16 +19,14 @@
 #include "labmouse/lab/store/stored_races.hpp"
 #include "labmouse/lab/system/version.hpp"
 #include "labmouse/lab/worlds/worlds.hpp"
-#include "tests/fuzz/check_reader.hpp"
+#include "tests/fuzz/fuzzer.hpp"
 
-// A store names the version that wrote it; that of a fuzzer is none.
-std::string_view labmouse::version() { return "fuzzer"; }
+namespace labmouse::fuzz {
 
 namespace {
 
 namespace fs = std::filesystem;
-using labmouse::Database;
-using labmouse::fuzz::require;
+using Database;
 
 /// A folder of this process, in memory where there is such a place.
 class Folder {
@@ -50,16 +48,15 @@ void write(const std::string& path, std::string_view content) {
   std::ofstream(path, std::ios::binary | std::ios::trunc) << content;
 }
 
-labmouse::Race race_with(const std::string& path) {
-  const auto store = std::make_shared<labmouse::Store>(path, Database::Access::scratch);
-  labmouse::RaceOrder order;
-  order.world = labmouse::home_world();
+Race race_with(const std::string& path) {
+  const auto store = std::make_shared<Store>(path, Database::Access::scratch);
+  RaceOrder order;
+  order.world = home_world();
   order.runs = 2;
   order.jobs = 1;
   order.store = store;
-  labmouse::MazeDraft draft({3, 3}, labmouse::MazeDraft::Inside::open);
-  labmouse::Race race = labmouse::hold_race(labmouse::read_specs("flood,random").contestants,
-                                            {{"open", labmouse::Maze(std::move(draft))}}, order);
+  MazeDraft draft({3, 3}, MazeDraft::Inside::open);
+  Race race = hold_race(read_specs("flood,random").contestants, {{"open", Maze(std::move(draft))}}, order);
   store->finish();
   return race;
 }
@@ -115,28 +112,27 @@ void change_rows(const std::string& path, std::string_view lines) {
     if (!is_name(table) || table == "bytes" || !is_name(column)) return;
     Database database(path, Database::Access::write);
     database.run("PRAGMA journal_mode = MEMORY; PRAGMA synchronous = OFF; PRAGMA foreign_keys = OFF");
-    labmouse::Statement update =
-        database.prepare("UPDATE OR IGNORE " + std::string(table) + " SET " + std::string(column) +
-                         " = ? WHERE rowid = " + std::to_string(number_of(row)));
+    Statement update = database.prepare("UPDATE OR IGNORE " + std::string(table) + " SET " + std::string(column) +
+                                        " = ? WHERE rowid = " + std::to_string(number_of(row)));
     if (database.good()) update.bind(1, rest).run();
   });
 }
 
 void read_all(const std::string& path) {
-  const labmouse::StoreFilter all;
-  const labmouse::StoredMice mice = labmouse::stored_mice(path, all);
+  const StoreFilter all;
+  const StoredMice mice = stored_mice(path, all);
   require(mice.error.empty() || mice.mice.empty());
-  const labmouse::StoredRaces races = labmouse::stored_races(path, all);
+  const StoredRaces races = stored_races(path, all);
   require(races.error.empty() || races.races.empty());
-  for (const labmouse::Race& race : races.races) require(!labmouse::table_of(race, false).empty());
-  if (!races.races.empty()) require(!labmouse::json_of(races.races, {}).empty());
-  for (const auto format : {labmouse::ExportFormat::json_lines, labmouse::ExportFormat::csv})
-    labmouse::export_store(path, all, format, 0, [](const std::string&) { return true; });
+  for (const Race& race : races.races) require(!table_of(race, false).empty());
+  if (!races.races.empty()) require(!json_of(races.races, {}).empty());
+  for (const auto format : {ExportFormat::json_lines, ExportFormat::csv})
+    export_store(path, all, format, 0, [](const std::string&) { return true; });
 }
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+LABMOUSE_FUZZER(store) {
   static const Folder folder;
   static const std::string good = good_store(folder);
   const std::string_view input(reinterpret_cast<const char*>(bytes), size);
@@ -146,13 +142,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   if (!is_whole) change_rows(path, input);
   read_all(path);
   write(target, good);
-  const labmouse::Merge merged = labmouse::merge_stores({path}, target);
+  const Merge merged = merge_stores({path}, target);
   require(merged.good() || merged.added == 0);
   race_with(path);
-  labmouse::StoreFilter flood;
+  StoreFilter flood;
   flood.mice = {"flood"};
-  labmouse::forget(path, flood);
+  forget(path, flood);
   folder.remove("fuzzed.db");
   folder.remove("target.db");
   return 0;
 }
+
+}  // namespace labmouse::fuzz

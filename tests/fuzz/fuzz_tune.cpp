@@ -6,38 +6,40 @@
 #include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/studies/parameter_range.hpp"
 #include "labmouse/strategies/roster.hpp"
-#include "tests/fuzz/check_reader.hpp"
+#include "tests/fuzz/fuzzer.hpp"
+
+namespace labmouse::fuzz {
 
 namespace {
 
-using labmouse::fuzz::require;
-
-void check_range(std::string_view mouse, const labmouse::ParameterRange& range) {
+void check_range(std::string_view mouse, const ParameterRange& range) {
   require(range.low < range.high);
   for (const double share : {0.0, 0.001, 0.3, 0.5, 0.999, 1.0}) {
-    const labmouse::Setting setting = {std::string(range.parameter.name), labmouse::value_at(range, share)};
+    const Setting setting = {std::string(range.parameter.name), value_at(range, share)};
     double value = 0.0;
-    require(labmouse::parse_number(setting.value, value));
+    require(parse_number(setting.value, value));
     require(value >= range.low && value <= range.high);
-    const double back = labmouse::share_of(range, value);
+    const double back = share_of(range, value);
     require(back >= 0.0 && back <= 1.0);
-    require(labmouse::read_variant(mouse, {&setting, 1}).error.empty());
+    require(read_variant(mouse, {&setting, 1}).error.empty());
   }
 }
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+LABMOUSE_FUZZER(tune) {
   const std::string_view all(reinterpret_cast<const char*>(bytes), size);
   // Built-in mice alone: other words would name files and programs.
   const std::string_view first = all.substr(0, all.find('\n'));
-  const auto mice = labmouse::roster();
+  const auto mice = roster();
   const auto known =
-      std::find_if(mice.begin(), mice.end(), [&](const labmouse::RosterEntry* mouse) { return mouse->name == first; });
+      std::find_if(mice.begin(), mice.end(), [&](const RosterEntry* mouse) { return mouse->name == first; });
   const std::string_view mouse = known == mice.end() ? "ariadne" : (*known)->name;
-  const labmouse::RangesResult read = labmouse::read_ranges(mouse, all.substr(std::min(size, first.size() + 1)));
+  const RangesResult read = read_ranges(mouse, all.substr(std::min(size, first.size() + 1)));
   require(read.ranges.empty() != read.error.empty());
-  require(read.ranges.size() <= labmouse::most_ranges);
-  for (const labmouse::ParameterRange& range : read.ranges) check_range(mouse, range);
+  require(read.ranges.size() <= most_ranges);
+  for (const ParameterRange& range : read.ranges) check_range(mouse, range);
   return 0;
 }
+
+}  // namespace labmouse::fuzz
