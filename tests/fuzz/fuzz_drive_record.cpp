@@ -7,7 +7,6 @@
 
 namespace labmouse::fuzz {
 
-// A record names the version that wrote it; that of a fuzzer is none.
 LABMOUSE_FUZZER(drive_record) {
   const auto result = read_drive_record({reinterpret_cast<const char*>(bytes), size});
   if (result.file.has_value() != result.problems.empty()) std::abort();

@@ -12,7 +12,6 @@
 
 namespace labmouse::fuzz {
 
-// A record names the version that wrote it; that of a fuzzer is none.
 namespace {
 
 bool is_part_of_number(char letter) {

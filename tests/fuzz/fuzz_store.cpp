@@ -26,7 +26,6 @@ namespace labmouse::fuzz {
 namespace {
 
 namespace fs = std::filesystem;
-using Database;
 
 /// A folder of this process, in memory where there is such a place.
 class Folder {
