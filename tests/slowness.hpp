@@ -30,4 +30,7 @@ Count fewer(Count cases) {
   return thorough ? cases : (cases + 7) / 8;
 }
 
+/// With the sanitizers a tenth of the cases: for tests that are short enough without them.
+constexpr int tenth(int cases) { return sanitized ? (cases + 9) / 10 : cases; }
+
 }  // namespace labmouse::test

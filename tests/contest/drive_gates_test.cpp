@@ -13,6 +13,7 @@
 #include "tests/contest/scripted.hpp"
 #include "tests/drawn_maze.hpp"
 #include "tests/mouse/drive_robots.hpp"
+#include "tests/slowness.hpp"
 #include "tests/strategies/random_mazes.hpp"
 
 namespace labmouse {
@@ -147,7 +148,7 @@ TEST(DriveGates, AreWhereLookingEverywhereFindsThem) {
   for (const Robot& robot : {published_robot(), large_robot()}) {
     const DriveModel model = make_drive_model(robot);
     const double side = robot.cell;
-    for (int i = 0; i < 40; ++i) {
+    for (int i = 0; i < test::tenth(40); ++i) {
       const Maze maze = test::any_maze(dice, 8);
       const DriveRun run = fast_run(maze, model);
       if (run.route.segments.empty()) continue;

@@ -127,8 +127,8 @@ void expect_contest_mazes(Size size, int seeds, int loops) {
   }
 }
 
-TEST(Contest, KeepsTheRulesOn16) { expect_contest_mazes({16, 16}, 200, 0); }
-TEST(Contest, KeepsTheRulesOn32) { expect_contest_mazes({32, 32}, 60, 0); }
+TEST(Contest, KeepsTheRulesOn16) { expect_contest_mazes({16, 16}, test::tenth(200), 0); }
+TEST(Contest, KeepsTheRulesOn32) { expect_contest_mazes({32, 32}, test::tenth(60), 0); }
 TEST(Contest, KeepsAllRulesButTheSizeOnOtherSquares) {
   for (int side = 12; side <= 30; side += 2)
     expect_contest_mazes({side, side}, test::some_of(40), side % 4 == 0 ? 0 : 50);

@@ -6,6 +6,7 @@
 
 #include "labmouse/mouse/drive/fastest.hpp"
 #include "tests/mouse/drive_robots.hpp"
+#include "tests/slowness.hpp"
 #include "tests/strategies/random_mazes.hpp"
 
 namespace labmouse {
@@ -75,7 +76,7 @@ TEST(DriveProfile, BrakesBeforeATurn) {
 template <class Check>
 void for_each_profile(const DriveModel& model, Check check) {
   Dice dice(5);
-  for (int round = 0; round < 40; ++round) {
+  for (int round = 0; round < test::tenth(40); ++round) {
     const Maze maze = test::any_maze(dice, 16);
     FastestRoutes routes(maze.size(), model.tables);
     routes.fill(maze.open_walls(), maze.goals());

@@ -303,7 +303,7 @@ TEST(FastestRoutes, AreTheSameByBoundsThatOthersFound) {
     Dice dice(23);
     DriveModel model = find_robot(name).model;
     share_route_tables(model);
-    for (int i = 0; i < 60; ++i) {
+    for (int i = 0; i < test::tenth(60); ++i) {
       const Maze maze = test::any_maze(dice, i % 10 == 0 ? 20 : 9);
       // The same starts again and again, and others.
       const int cell = dice.chance(2, 3) ? dice.below(std::min(3, maze.size().area())) : dice.below(maze.size().area());

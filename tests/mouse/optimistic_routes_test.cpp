@@ -6,6 +6,7 @@
 #include "labmouse/contest/simulator.hpp"
 #include "labmouse/maze/generators/generator.hpp"
 #include "tests/mouse/plain_priced_field.hpp"
+#include "tests/slowness.hpp"
 
 namespace labmouse {
 namespace {
@@ -105,7 +106,7 @@ void agree_with_the_definition(Dice& dice) {
 
 TEST(OptimisticRoutes, AgreeWithTheirDefinition) {
   Dice dice(31);
-  for (int i = 0; i < 200; ++i) ASSERT_NO_FATAL_FAILURE(agree_with_the_definition(dice)) << i;
+  for (int i = 0; i < test::tenth(200); ++i) ASSERT_NO_FATAL_FAILURE(agree_with_the_definition(dice)) << i;
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "labmouse/maze/generators/generator.hpp"
 #include "labmouse/mouse/robot/drive_model.hpp"
 #include "tests/mouse/drive_robots.hpp"
+#include "tests/slowness.hpp"
 #include "tests/strategies/random_mazes.hpp"
 
 namespace labmouse {
@@ -182,7 +183,7 @@ TEST(RunPrices, ExplainTheTimesOfRuns) {
     const RunPrices prices = run_prices_of(corridors);
     EXPECT_GT(prices.turn, prices.straight);
     double off = 0;
-    constexpr int mazes = 20;
+    constexpr int mazes = test::tenth(20);
     for (std::uint64_t seed = 1; seed <= mazes; ++seed) {
       const Maze maze = find_generator("contest")->make({{16, 16}, seed, 0});
       const Pose start = {maze.start(), maze.start_heading()};

@@ -83,7 +83,7 @@ TEST(Ariadne, DecidesSoInTheLargestMazes) {
     const Maze maze =
         kruskal_generator.make({size, 5, 100}).with_start({size.width - 1, size.height - 1}, Heading::south);
     Rules rules;
-    rules.budget = 60;
+    rules.budget = test::tenth(60);
     refereed(maze, settings_of({}), rules);
     ASSERT_FALSE(HasFailure()) << size.width << "x" << size.height;
   }
@@ -101,7 +101,8 @@ TEST(Ariadne, RunsShortestWhereItStopsOnlyForAProof) {
   Rules rules;
   rules.budget = 100'000;
   int proven = 0;
-  for (int i = 0; i < 400; ++i) {
+  constexpr int mazes = test::tenth(400);
+  for (int i = 0; i < mazes; ++i) {
     const Maze maze = any_maze(dice, 20);
     rules.stride = 1 + i % 4;
     const Score result = score(run(maze, rules, *ariadne_mouse.make(brief(maze, rules, 1), settings)), rules);
@@ -110,14 +111,14 @@ TEST(Ariadne, RunsShortestWhereItStopsOnlyForAProof) {
     ++proven;
     ASSERT_EQ(result.speed_steps, shortest(maze, rules)) << i << drawing_of(maze);
   }
-  EXPECT_GT(proven, 300);
+  EXPECT_GT(proven, mazes * 3 / 4);
 }
 
 TEST(Ariadne, SolvesEveryMazeWithARouteAndGivesUpWhereThereIsNone) {
   Dice dice(12);
   Rules rules;
   rules.budget = 1'000'000;
-  for (int i = 0; i < 400; ++i) {
+  for (int i = 0; i < test::tenth(400); ++i) {
     const Maze maze = any_maze(dice, i % 10 == 0 ? 40 : 16);
     rules.stride = 1 + i % 4;
     const RunRecord record = test::contest(ariadne_mouse, maze, {}, 1, rules);
@@ -130,7 +131,7 @@ TEST(Ariadne, SolvesEveryMazeWithARouteAndGivesUpWhereThereIsNone) {
 
 TEST(Ariadne, FinishesWithinTheBudgetWhereTheCarefulOnesDo) {
   Dice dice(300);
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < test::tenth(300); ++i) {
     const Maze maze = any_maze(dice, i % 20 == 0 ? 64 : 24);
     const auto solves = [&](const RosterEntry& mouse) { return test::contest(mouse, maze).outcome == Outcome::solved; };
     const bool can_be_done = solves(certify_mouse) || solves(flood_return_mouse);
@@ -156,7 +157,8 @@ int most_to_spare(const Maze& maze, const RunRecord& record, const Rules& rules)
 TEST(Ariadne, HoldsToARunThatIsKnownToFitIntoTheBudget) {
   Dice dice(11);
   int failed = 0;
-  for (int i = 0; i < 300; ++i) {
+  constexpr int mazes = test::tenth(300);
+  for (int i = 0; i < mazes; ++i) {
     const Maze maze = any_maze(dice, 12);
     Rules rules;
     rules.stride = 1 + i % 4;
@@ -167,7 +169,7 @@ TEST(Ariadne, HoldsToARunThatIsKnownToFitIntoTheBudget) {
       ASSERT_LT(most_to_spare(maze, record, rules), 1) << i << ", budget " << rules.budget << drawing_of(maze);
     }
   }
-  EXPECT_GT(failed, 1000);
+  EXPECT_GT(failed, mazes * 3);
 }
 
 TEST(Ariadne, StepsIntoTheGoalThatItStandsIn) {
@@ -225,12 +227,13 @@ RunRecord in_style(std::string_view style, const Maze& maze) {
 
 TEST(Ariadne, StopsAtTheGoalOfAMazeWithoutLoops) {
   int earlier = 0;  // than it would otherwise
-  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+  constexpr int mazes = test::tenth(40);
+  for (std::uint64_t seed = 1; seed <= mazes; ++seed) {
     const Maze maze = depth_first_generator.make({{16, 16}, seed, 0});
     EXPECT_EQ(in_style("auto", maze), in_style("loop-free", maze)) << seed;
     earlier += in_style("auto", maze) != in_style("contest", maze) ? 1 : 0;
   }
-  EXPECT_GT(earlier, 30);
+  EXPECT_GT(earlier, mazes / 2);
 }
 
 TEST(Ariadne, ResetsInTheGoalWhereItIsToldThatThereAreNoLoops) {
@@ -299,7 +302,7 @@ TEST(Ariadne, TakesNoMoreMemoryForItsReasons) {
 
 TEST(Ariadne, DoesTheSameWhetherItKeepsItsReasonsOrNot) {
   Dice dice(55);
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < test::tenth(200); ++i) {
     const Maze maze = any_maze(dice, i % 10 == 0 ? 40 : 16);
     const Rules rules = any_rules(dice);
     const Settings settings = any_settings(dice);

@@ -14,6 +14,7 @@
 #include "labmouse/strategies/roster.hpp"
 #include "tests/capstone_mazes.hpp"
 #include "tests/drawn_maze.hpp"
+#include "tests/slowness.hpp"
 
 namespace labmouse {
 namespace {
@@ -327,7 +328,8 @@ TEST(PhasesContinuing, EndsWhileTheBudgetStillAllowsTheKnownRoute) {
   for (const char* continuing : {"coverage", "worthwhile"}) {
     const Changes changes = {{"continuing", continuing}, {"coverage", "1"}};
     Rules rules;
-    for (rules.budget = at_once.exploration_steps + at_once.speed_steps; rules.budget < 400; rules.budget += 7)
+    for (rules.budget = at_once.exploration_steps + at_once.speed_steps; rules.budget < 400;
+         rules.budget += test::sanitized ? 70 : 7)
       EXPECT_EQ(score_with(changes, maze, rules).outcome, Outcome::solved) << rules.budget;
   }
 }

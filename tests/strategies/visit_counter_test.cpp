@@ -78,7 +78,7 @@ TEST(VisitCounter, AmongEquallyVisitedNeighboursTakesTheLastOfLeftAheadAndRight)
     MazeDraft draft({5, 5}, MazeDraft::Inside::open);
     for (const Heading wall : walls) draft.close({2, 2}, wall);
     const Maze maze = Maze(draft).with_start({2, 2}, heading);
-    return test::wander(visit_counter_mouse, maze, 1, {{"random_share", "0"}}).steps.front().action;
+    return test::wander(visit_counter_mouse, maze, 1, {{"random_share", "0"}}, 1).steps.front().action;
   };
   EXPECT_EQ(first(Heading::north, {}), Action::step(90, 1));
   EXPECT_EQ(first(Heading::west, {}), Action::step(90, 1));
