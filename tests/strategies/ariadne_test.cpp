@@ -78,7 +78,6 @@ TEST(Ariadne, DecidesAsItsDefinitionSaysInMazesByDice) {
 }
 
 TEST(Ariadne, DecidesSoInTheLargestMazes) {
-  Dice dice(64);
   for (const Size size : {Size{64, 64}, Size{64, 1}, Size{3, 64}, Size{32, 32}}) {
     const Maze maze =
         kruskal_generator.make({size, 5, 100}).with_start({size.width - 1, size.height - 1}, Heading::south);
