@@ -94,7 +94,7 @@ TEST_F(ALogger, IsToldWhatALogDoesNotDetermine) {
   const Ended fitted = labmouse({"robot", "fit", "--log", "still.csv", "--base", "kerise", "--columns",
                                  "time=ms,left=l,right=r,left_count=cl,right_count=cr"});
   EXPECT_EQ(fitted.code, 1);
-  EXPECT_THAT(fitted.out, Says("driving: nothing fitted", "drive_gain = 3262"));
+  EXPECT_THAT(fitted.out, Says("driving: nothing fitted", "drive_gain = 4216"));
   EXPECT_THAT(fitted.out, Not(HasSubstr("+- 0")));
   EXPECT_THAT(fitted.err, Says("still.csv", "driving"));
 }

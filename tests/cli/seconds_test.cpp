@@ -108,7 +108,7 @@ TEST_F(ADriver, IsToldOfMazesThatAreTooLarge) {
 TEST_F(ADriver, SeesTheRulesThatThereAre) {
   EXPECT_THAT(labmouse({"rules", "list"}).out,
               testing::ContainsRegex("\nthirtieth  [^\n]*100 runs[^\n]*600 s[^\n]*gate to gate[^\n]*1/30 "));
-  const Ended shown = labmouse({"rules", "show", "uk"});
+  const Ended shown = labmouse({"rules", "show", "uk-2018"});
   EXPECT_THAT(shown.out, HasSubstr("\nmaze_time_divisor = 30\n"));
   file("mine.toml", shown.out);
   EXPECT_EQ(labmouse({"rules", "show", "./mine.toml"}).code, 0);

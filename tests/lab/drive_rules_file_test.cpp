@@ -102,13 +102,32 @@ TEST(DriveRulesFile, PassesOnWhatIsNoToml) {
 TEST(Rules, ComeWithTheProgram) {
   std::vector<std::string_view> names;
   for (const BuiltinRules& rules : builtin_rules()) names.push_back(rules.name);
-  EXPECT_EQ(names, (std::vector<std::string_view>{"all-japan", "apec", "thirtieth", "uk"}));
+  EXPECT_EQ(names, (std::vector<std::string_view>{"all-japan", "all-japan-half", "apec", "thirtieth", "uk", "uk-2018"}));
   for (const std::string_view name : names) {
     const FoundRules found = find_rules(std::string(name));
     EXPECT_TRUE(found.errors.empty()) << name;
     EXPECT_EQ(found.rules.name, name);
     EXPECT_NE(found.rules.source, "");
-    EXPECT_EQ(found.rules.maze_time_divisor, name == "all-japan" ? 0 : 30);
+  }
+}
+
+/// As the organisers have published them; the files name the pages.
+TEST(Rules, AreThoseOfTheOrganisers) {
+  struct Published {
+    const char* name;
+    int minutes, runs, divisor, touch;
+  };
+  for (const Published& contest : {Published{"all-japan", 5, 5, 0, 0}, Published{"all-japan-half", 10, 5, 0, 0},
+                                   Published{"apec", 7, 5, 30, 2}, Published{"thirtieth", 10, 100, 30, 0},
+                                   Published{"uk", 5, 5, 0, 0}, Published{"uk-2018", 10, 100, 30, 3}}) {
+    SCOPED_TRACE(contest.name);
+    const DriveRules rules = find_rules(contest.name).rules;
+    EXPECT_EQ(rules.time_limit, 60'000'000LL * contest.minutes);
+    EXPECT_EQ(rules.most_runs, contest.runs);
+    EXPECT_EQ(rules.maze_time_divisor, contest.divisor);
+    EXPECT_EQ(rules.touch_penalty, 1'000'000LL * contest.touch);
+    EXPECT_EQ(rules.untouched_bonus, 0);
+    EXPECT_TRUE(rules.gate_to_gate);
   }
 }
 

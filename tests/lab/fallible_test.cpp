@@ -400,7 +400,7 @@ TEST(Festina, MakesSureOfARunWhereNoFastOneEndsWell) {
 TEST(Festina, MakesSureOfARunInTimeWhereRunsAreMany) {
   using enum DriveRun::Kind;
   const auto model = test::drive_model("kerise");
-  const DriveRules rules = find_rules("uk").rules;
+  const DriveRules rules = find_rules("uk-2018").rules;
   const Maze maze = test::ring();
   const Briefing briefing = brief(maze, rules, *model, 1);
   const auto hazards = with([](HazardsByLuck& some) { at(some, Manoeuvre::run_straight).crash = 1.0; });
@@ -437,16 +437,17 @@ TEST(Festina, SearchesNoSlowerThanATimeLimitAllows) {
 
 TEST(Festina, IsAsCarefulAsTheRulesAskFor) {
   const auto model = test::drive_model("kerise");
-  const auto first = [&](const std::string& rules, Settings settings) {
-    const Briefing briefing = brief(test::ring(), find_rules(rules).rules, *model, 1);
-    return festina_mouse.make(briefing, settings)->pace(true);
+  const auto first = [&](const DriveRules& rules) {
+    return festina_mouse.make(brief(test::ring(), rules, *model, 1), Settings(festina_mouse.parameters))->pace(true);
   };
-  const Settings plain(festina_mouse.parameters);
-  EXPECT_LT(first("all-japan", plain), 1.0);                   // five runs
-  EXPECT_LT(first("apec", plain), first("all-japan", plain));  // a bonus for the untouched
-  EXPECT_EQ(first("uk", plain), 1.0);
+  const DriveRules few = find_rules("all-japan").rules, many = find_rules("uk-2018").rules;
+  DriveRules bonus = many;
+  bonus.untouched_bonus = 10'000'000;
+  EXPECT_LT(first(few), 1.0);
+  EXPECT_LT(first(bonus), first(few));
+  EXPECT_EQ(first(many), 1.0);
   const Contestant told = test::mice("festina:run=0.5").front();
-  EXPECT_EQ(told.drive(test::ring(), brief(test::ring(), find_rules("uk").rules, *model, 1))->pace(true), 0.5);
+  EXPECT_EQ(told.drive(test::ring(), brief(test::ring(), many, *model, 1))->pace(true), 0.5);
 }
 
 TEST(Festina, ExploresByTheRules) {

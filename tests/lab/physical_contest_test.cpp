@@ -109,7 +109,7 @@ TEST(PhysicalContest, EveryCrashEndsARunAndIsCarried) {
 }
 
 TEST(PhysicalContest, ATouchCostsWhatTheRulesSay) {
-  DriveRules rules = find_rules("uk").rules;
+  DriveRules rules = find_rules("uk-2018").rules;
   ASSERT_GT(rules.touch_penalty, 0);
   const PhysicalRecord record = first_with(
       [&](const PhysicalRecord& held) { return crashes_early(held) && score(held.drive, rules).best.has_value(); },
@@ -122,7 +122,7 @@ TEST(PhysicalContest, ATouchCostsWhatTheRulesSay) {
   for (std::size_t i = 0; i < with.runs.size(); ++i) {
     const bool touched = record.drive.runs[with.runs[i].run].touched;
     any = any || touched;
-    EXPECT_EQ(with.runs[i].value - without.runs[i].value, touched ? find_rules("uk").rules.touch_penalty : 0);
+    EXPECT_EQ(with.runs[i].value - without.runs[i].value, touched ? find_rules("uk-2018").rules.touch_penalty : 0);
   }
   EXPECT_TRUE(any);
 }

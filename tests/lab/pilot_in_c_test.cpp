@@ -18,7 +18,7 @@ using Table = struct labmouse_pilot;
 /// A contest of a minute.
 struct Event {
   std::shared_ptr<const DriveModel> model = test::drive_model("kerise");
-  DriveRules rules = find_rules("uk").rules;
+  DriveRules rules = find_rules("uk-2018").rules;
   PhysicalConditions conditions;
 
   Event() { rules.time_limit = 60'000'000; }

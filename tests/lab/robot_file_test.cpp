@@ -289,6 +289,19 @@ TEST(RobotFiles, SaysWhichRobotThereIsNot) {
   EXPECT_THAT(find_robot("nowhere.toml").errors, ElementsAre(SaysAt("nowhere.toml", "no such")));
 }
 
+/// docs/physical.md says which logs and which firmware these are from.
+TEST(RobotFiles, HaveMeasuredMotors) {
+  const Motors kerise = find_robot("kerise").robot.hardware->motors;
+  EXPECT_DOUBLE_EQ(kerise.drive.gain, 4216.0);
+  EXPECT_DOUBLE_EQ(kerise.drive.time, 0.152);
+  EXPECT_DOUBLE_EQ(kerise.drive.dead_zone, 0.0);
+  EXPECT_DOUBLE_EQ(kerise.turning, 0.0018);
+  // Wheels that do not slip turn the beginner's mouse by what they roll: its author measured driving and turning apart.
+  const Hardware beginner = *find_robot("beginner").robot.hardware;
+  const double rolled = beginner.motors.drive.gain / (2.0 * beginner.chassis.half_track);
+  EXPECT_NEAR(beginner.motors.turn.gain, rolled, 0.1 * rolled);
+}
+
 TEST(RobotFiles, ReadsAFile) {
   const std::string path = LABMOUSE_SOURCE_DIR "/robots/half.toml";
   const FoundRobot found = find_robot(path);
