@@ -66,7 +66,7 @@ class Prompted final : public PilotCode {
 constexpr PilotTick ahead(int duty, PilotWord word = PilotWord::drive) {
   return {static_cast<std::int16_t>(duty), static_cast<std::int16_t>(duty), word};
 }
-constexpr int slow = 5000;  // some 250 mm/s
+constexpr int slow = 2000;  // some 250 mm/s
 
 struct Contest {
   PhysicalRecord record;

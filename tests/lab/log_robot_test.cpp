@@ -94,7 +94,7 @@ TEST(LogRobot, TellsWhatTheGainGoesWithWhereTheTimeIsNotTold) {
   }
   const FittedRobot fitted =
       robot_by_log(log_of(text, "time=t,left=l,right=r,left_count=cl,right_count=cr"), "log.csv", base(), {});
-  EXPECT_THAT(line_of(fitted.text, "drive_time"), Says("122", "from kerise"));
+  EXPECT_THAT(line_of(fitted.text, "drive_time"), Says("152", "from kerise"));
   EXPECT_NE(fitted.doubt, "");
 }
 
