@@ -4,7 +4,15 @@
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
+
+#include <cstdint>
+#include <new>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 #include "bindings.hpp"
 #include "labmouse/mouse/robot/drive_model.hpp"
@@ -12,9 +20,48 @@
 namespace nb = nanobind;
 
 namespace labmouse::python {
+namespace {
+
+using Place = std::pair<int, int>;
+/// Width, height, start, heading, goals; stride, budget, sight, seed; whether it is in seconds, and their limit.
+using BriefingFields = std::tuple<std::tuple<int, int, Place, int, std::vector<Place>>,
+                                  std::tuple<int, int, int, std::uint64_t>, std::tuple<bool, std::int64_t>>;
+
+std::vector<Place> goals_of(const Briefing& briefing) {
+  std::vector<Place> goals;
+  briefing.goals.for_each([&](Cell cell) { goals.emplace_back(cell.x, cell.y); });
+  return goals;
+}
+
+BriefingFields fields_of(const PythonBriefing& told) {
+  const Briefing& briefing = told.briefing;
+  const Pose& start = briefing.start;
+  return {{briefing.size.width, briefing.size.height, Place(start.cell.x, start.cell.y),
+           static_cast<int>(start.heading), goals_of(briefing)},
+          {briefing.motion.longest, briefing.budget, briefing.sight, briefing.seed},
+          {briefing.in_seconds(), briefing.drive.time_limit}};
+}
+
+/// In another process: its mice are told of no robot, but that there is one.
+PythonBriefing briefing_of(const BriefingFields& fields) {
+  static const DriveModel some_robot;
+  const auto& [place, limits, seconds] = fields;
+  const auto& [width, height, start, heading, goals] = place;
+  PythonBriefing told;
+  Briefing& briefing = told.briefing;
+  briefing.size = {width, height};
+  briefing.start = {{start.first, start.second}, turned(Heading::north, heading)};
+  for (const auto& [x, y] : goals) briefing.goals.insert({x, y});
+  briefing.motion = strides(std::get<0>(limits));
+  std::tie(std::ignore, briefing.budget, briefing.sight, briefing.seed) = limits;
+  if (std::get<0>(seconds)) briefing.drive.model = &some_robot;
+  briefing.drive.time_limit = std::get<1>(seconds);
+  return told;
+}
+
+}  // namespace
 
 void bind_briefings(nb::module_& module) {
-  using Place = std::pair<int, int>;
   nb::class_<PythonBriefing>(module, "Briefing", "What a mouse is told of its contest before it is put into the maze.")
       .def_prop_ro(
           "width", [](const PythonBriefing& told) { return told.briefing.size.width; }, "Columns of cells.")
@@ -28,13 +75,7 @@ void bind_briefings(nb::module_& module) {
           "heading", [](const PythonBriefing& told) { return std::string(name_of(told.briefing.start.heading)); },
           "Where it looks there: 'north', 'east', 'south' or 'west'.")
       .def_prop_ro(
-          "goals",
-          [](const PythonBriefing& told) {
-            std::vector<Place> goals;
-            told.briefing.goals.for_each([&](Cell cell) { goals.emplace_back(cell.x, cell.y); });
-            return goals;
-          },
-          "The goal cells.")
+          "goals", [](const PythonBriefing& told) { return goals_of(told.briefing); }, "The goal cells.")
       .def_prop_ro(
           "world", [](const PythonBriefing& told) { return told.briefing.in_seconds() ? "seconds" : "strides"; },
           "'strides' or 'seconds', which is also what a mouse of the physical world is told.")
@@ -65,6 +106,9 @@ void bind_briefings(nb::module_& module) {
       .def_prop_ro(
           "seed", [](const PythonBriefing& told) { return told.briefing.seed; },
           "For a mouse that throws dice: the same contest always has the same seed; below 2**64.")
+      .def("__getstate__", &fields_of)
+      .def("__setstate__",
+           [](PythonBriefing& told, const BriefingFields& fields) { new (&told) PythonBriefing(briefing_of(fields)); })
       .def("__repr__", [](const PythonBriefing& told) {
         const Briefing& briefing = told.briefing;
         return fmt::format("<labmouse.Briefing {}x{} from ({}, {}) {}, in {}>", briefing.size.width,

@@ -49,7 +49,7 @@ std::vector<Contestant> mice_of(Choice& choice, const std::atomic<bool>* stop) {
   SpecResult read = choice.specs.empty() ? SpecResult() : read_specs(choice.specs, options);
   if (!read.problems.empty()) throw UserError(fmt::format("{}", fmt::join(read.problems, "\n")));
   if (!read.error.empty()) throw UserError(read.error);
-  for (OwnMouse& own : choice.own) read.contestants.push_back(python_contestant(std::move(own), choice.settings, stop));
+  for (OwnMouse& own : choice.own) read.contestants.push_back(python_contestant(std::move(own), stop));
   std::vector<std::string> names;
   for (const Contestant& mouse : read.contestants) names.push_back(mouse.name);
   std::sort(names.begin(), names.end());

@@ -12,7 +12,7 @@
 #include "labmouse/contest/simulator.hpp"
 #include "labmouse/lab/mazes/maze_link.hpp"
 #include "labmouse/lab/mice/stoppable.hpp"
-#include "labmouse/lab/seconds/seconds_entry.hpp"
+#include "live_mind.hpp"
 #include "playing.hpp"
 
 namespace nb = nanobind;
@@ -29,13 +29,13 @@ Played read_played(const nb::object& told) {
   return played;
 }
 
-/// What another process played, given what play() takes behind the maker; nothing where the contest is to be held here.
-template <class... Contest>
-std::optional<Played> played_elsewhere(const MouseMaker& maker, const Maze& maze, const Contest&... contest) {
+/// What another process played; nothing where the contest is to be held here.
+std::optional<Played> played_elsewhere(const MouseMaker& maker, const Maze& maze, const Rules& rules,
+                                       std::uint64_t seed) {
   const nb::gil_scoped_acquire lock;
   if (maker.elsewhere().is_none()) return std::nullopt;
   try {
-    const nb::object told = maker.elsewhere()(link_of({"", maze}), contest...);
+    const nb::object told = maker.elsewhere()(link_of({"", maze}), rules.budget, rules.stride, seed);
     return told.is_none() ? std::nullopt : std::optional(read_played(told));
   } catch (nb::python_error& error) {
     return death(error.what());
@@ -52,7 +52,7 @@ ContestElsewhere played_again(const Maze& maze, const Rules& rules, Played playe
 
 ContestElsewhere contest_in_steps(const Maker& maker, const Maze& maze, const Rules& rules, std::uint64_t seed,
                                   const std::atomic<bool>* stop) {
-  if (auto played = played_elsewhere(*maker, maze, rules.budget, rules.stride, seed))
+  if (auto played = played_elsewhere(*maker, maze, rules, seed))
     return played_again(maze, rules, std::move(*played), stop);
   Played played =
       play_apart([=](Playing& playing) { playing.keep(play_in_steps(maker, maze, rules, seed, playing)); }, stop);
@@ -61,15 +61,9 @@ ContestElsewhere contest_in_steps(const Maker& maker, const Maze& maze, const Ru
   return played_again(maze, rules, std::move(played), nullptr);
 }
 
-Played played_in_seconds(const Maker& maker, const Maze& maze, const std::string& robot, const std::string& rules,
-                         std::uint64_t seed, const std::atomic<bool>* stop) {
-  if (auto played = played_elsewhere(*maker, maze, robot, rules, seed)) return std::move(*played);
-  return play_apart([=](Playing& playing) { play_in_seconds(maker, maze, robot, rules, seed, playing); }, stop);
-}
-
 }  // namespace
 
-Contestant python_contestant(OwnMouse own, const WorldSettings& settings, const std::atomic<bool>* stop) {
+Contestant python_contestant(OwnMouse own, const std::atomic<bool>* stop) {
   Contestant mouse;
   mouse.name = own.name;
   mouse.uses_chance = own.uses_chance;
@@ -78,10 +72,7 @@ Contestant python_contestant(OwnMouse own, const WorldSettings& settings, const 
   mouse.elsewhere = [maker, stop](const std::string&, const Maze& maze, const Rules& rules, std::uint64_t seed) {
     return contest_in_steps(maker, maze, rules, seed, stop);
   };
-  mouse.drive = [maker, stop, robot = value_of(seconds_entry, settings, "robot"),
-                 rules = value_of(seconds_entry, settings, "rules")](const Maze& maze, const Briefing& briefing) {
-    return make_played_mind(maze.size(), played_in_seconds(maker, maze, robot, rules, briefing.seed, stop));
-  };
+  mouse.drive = [maker, stop](const Maze&, const Briefing& briefing) { return make_live_mind(maker, briefing, stop); };
   return mouse;
 }
 

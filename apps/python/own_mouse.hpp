@@ -7,13 +7,12 @@
 #include <string>
 
 #include "labmouse/lab/mice/contestant.hpp"
-#include "labmouse/lab/races/world_entry.hpp"
 
 namespace labmouse::python {
 
-/// A mouse in Python: its name, what makes it once a contest, and whether it throws dice. `elsewhere` may be None, or
-/// is called before each contest with what play() takes behind the maker: it gives what play() gave in another process,
-/// or None where the contest is to be held here.
+/// A mouse in Python: its name, what makes it once a contest, and whether it throws dice. `elsewhere` is None where the
+/// mouse is to decide in this process. Else it is called with each contest in steps, as play() behind the maker, and
+/// gives what play() gave in another process; and its `begin` takes a briefing and gives what decides there: live_mind.
 struct OwnMouse {
   std::string name;
   nanobind::object maker;
@@ -22,8 +21,8 @@ struct OwnMouse {
   std::string identity;  ///< as of Contestant; empty where nothing is known of it
 };
 
-/// Such a mouse as a contestant, in steps and in seconds. Other processes need the settings of its world. Once `stop`,
-/// which may be null, is true, it decides no more.
-Contestant python_contestant(OwnMouse mouse, const WorldSettings& settings, const std::atomic<bool>* stop);
+/// Such a mouse as a contestant, in all worlds whose mice decide. Once `stop`, which may be null, is true, it decides
+/// no more.
+Contestant python_contestant(OwnMouse mouse, const std::atomic<bool>* stop);
 
 }  // namespace labmouse::python

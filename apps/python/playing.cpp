@@ -7,7 +7,6 @@
 #include <chrono>
 #include <cstring>
 #include <future>
-#include <map>
 #include <mutex>
 #include <thread>
 #include <tuple>
@@ -15,12 +14,9 @@
 
 #include "bindings.hpp"
 #include "errors.hpp"
-#include "labmouse/contest/drive.hpp"
+#include "interrupting.hpp"
 #include "labmouse/contest/simulator.hpp"
 #include "labmouse/lab/mazes/maze_link.hpp"
-#include "labmouse/lab/robots/drive_rules_file.hpp"
-#include "labmouse/lab/robots/robot_files.hpp"
-#include "labmouse/mouse/drive/fastest.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;
@@ -29,11 +25,6 @@ namespace labmouse::python {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-/// How often a wait for a mouse looks whether it shall stop, and how often a mouse that was stopped is told so before
-/// it is left behind: one that catches what it is told once or twice comes to its end.
-constexpr std::chrono::milliseconds glance{10};
-constexpr int times_told = 3;
 
 PackedAction packed(const Action& action) {
   return {static_cast<std::int32_t>(action.kind), action.rotation, action.movement,
@@ -81,35 +72,6 @@ class PlayedMind final : public Strategy {
   std::size_t next_ = 0;
 };
 
-/// A robot and rules, as many contests have them.
-struct Driving {
-  DriveModel model;
-  DriveRules rules;
-};
-
-/// Kept, since a model takes longer to make than a contest to hold.
-const Driving& driving_by(const std::string& robot, const std::string& rules) {
-  static std::map<std::pair<std::string, std::string>, Driving> kept;
-  static std::mutex mutex;
-  const std::lock_guard lock(mutex);
-  const auto known = kept.find({robot, rules});
-  if (known != kept.end()) return known->second;
-  FoundRobot found = find_robot(robot);
-  if (!found.errors.empty()) throw UserError(fmt::format("{}", fmt::join(found.errors, "\n")));
-  FoundRules named = find_rules(rules);
-  if (!named.errors.empty()) throw UserError(fmt::format("{}", fmt::join(named.errors, "\n")));
-  Driving& driving = kept[{robot, rules}];
-  driving = {std::move(found.model), std::move(named.rules)};
-  share_route_tables(driving.model);
-  return driving;
-}
-
-/// Tells a thread of Python to raise what Ctrl-C raises.
-void interrupt(unsigned long thread) {
-  const nb::gil_scoped_acquire lock;
-  PyThreadState_SetAsyncExc(thread, PyExc_KeyboardInterrupt);
-}
-
 Maze maze_of(const std::string& link) {
   ReadLinkResult read = read_link(link);
   if (!read.maze) throw UserError(read.error);
@@ -156,14 +118,6 @@ RunRecord play_in_steps(const std::shared_ptr<const MouseMaker>& maker, const Ma
                         std::uint64_t seed, Playing& playing) {
   WatchedMind mind(make_python_mind(maker, brief(maze, rules, seed), &playing.stopped()), playing);
   return run(maze, rules, mind);
-}
-
-void play_in_seconds(const std::shared_ptr<const MouseMaker>& maker, const Maze& maze, const std::string& robot,
-                     const std::string& rules, std::uint64_t seed, Playing& playing) {
-  const Driving& driving = driving_by(robot, rules);
-  WatchedMind mind(make_python_mind(maker, brief(maze, driving.rules, driving.model, seed), &playing.stopped()),
-                   playing);
-  drive(maze, driving.rules, driving.model, mind);
 }
 
 Played play_apart(std::function<void(Playing&)> play, const std::atomic<bool>* stop) {
@@ -214,15 +168,6 @@ void bind_minds(nb::module_& module) {
       "maker"_a, "link"_a, "budget"_a, "stride"_a, "seed"_a,
       "Plays a contest in steps for another process: the actions, the last words, whether the mouse started, and the "
       "microseconds that its decisions took.");
-  module.def(
-      "play",
-      [](nb::object maker, const std::string& link, const std::string& robot, const std::string& rules,
-         std::uint64_t seed) {
-        Playing playing;
-        play_in_seconds(made_here(std::move(maker)), maze_of(link), robot, rules, seed, playing);
-        return told(playing.take());
-      },
-      "maker"_a, "link"_a, "robot"_a, "rules"_a, "seed"_a, "The same in seconds.");
   module.def(
       "death", [](std::string words) { return told(death(std::move(words))); }, "words"_a,
       "What a mouse did whose process died.");

@@ -1,5 +1,6 @@
-// Contests of mice in Python, played where a race can leave them alone: in threads of their own, or in other processes.
-// What a mouse did there is played again where the race is, unless that has its record.
+// Contests in steps of mice in Python, played where a race can leave them alone: in threads of their own, or in other
+// processes. What a mouse did there is played again where the race is, unless that has its record. Other worlds ask a
+// mouse decision by decision: live_mind.hpp.
 #pragma once
 
 #include <array>
@@ -55,11 +56,9 @@ class Playing {
   Played played_;
 };
 
-/// Play a contest in this thread, in steps and in seconds.
+/// Plays a contest in steps in this thread.
 RunRecord play_in_steps(const std::shared_ptr<const MouseMaker>& maker, const Maze& maze, const Rules& rules,
                         std::uint64_t seed, Playing& playing);
-void play_in_seconds(const std::shared_ptr<const MouseMaker>& maker, const Maze& maze, const std::string& robot,
-                     const std::string& rules, std::uint64_t seed, Playing& playing);
 
 /// Plays a contest in a thread of its own, and waits for its end. Once `stop`, which may be null, is true, the mouse
 /// hears of it as Python's code hears of Ctrl-C; where it takes no notice, it is left behind in its thread: so `play`

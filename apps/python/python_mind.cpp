@@ -5,6 +5,7 @@
 
 #include <array>
 #include <chrono>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -95,6 +96,8 @@ class PythonMind final : public Strategy {
       mouse_ = called(maker_->maker(), nb::cast(PythonBriefing{briefing}));
       if (!mouse_.is_valid()) throw nb::python_error();
       decide_ = mouse_.attr("decide");
+      show_ = nb::getattr(mouse_, "show", nb::none());
+      carried_ = nb::getattr(mouse_, "carried", nb::none());
       started_ = true;
     } catch (nb::python_error& error) {
       give_up(ForfeitReason::not_started, error);
@@ -130,12 +133,30 @@ class PythonMind final : public Strategy {
     return *action;
   }
 
+  void show(const Pose& pose, const Sighting& seen) override {
+    tell(show_, [&] { show_(int{pose.cell.x}, int{pose.cell.y}, name_of(pose.heading).data(), sighting_of(seen)); });
+  }
+  void carried(std::int64_t time) override {
+    tell(carried_, [&] { carried_(static_cast<double>(time) / 1e6); });
+  }
+
   /// Nothing: what it believes nobody sees.
   const Knowledge& knowledge() const override { return knowledge_; }
   bool started() const override { return started_; }
   std::string_view last_words() override { return last_words_; }
 
  private:
+  /// Calls a method that a mouse need not have; what it raises ends the contest with the next decision.
+  template <class Telling>
+  void tell(const nb::object& method, Telling telling) {
+    if (reason_ != ForfeitReason::none || is_stopped() || !method.is_valid() || method.is_none()) return;
+    try {
+      telling();
+    } catch (nb::python_error& error) {
+      give_up(ForfeitReason::died, error);
+    }
+  }
+
   bool is_stopped() const { return stop_ != nullptr && stop_->load(std::memory_order_relaxed); }
 
   /// Keeps what it raised: a sentence, then the traceback. Once the race is stopped, that was the end of it.
@@ -154,7 +175,7 @@ class PythonMind final : public Strategy {
 
   nb::gil_scoped_acquire lock_;
   std::shared_ptr<const MouseMaker> maker_;
-  nb::object mouse_, decide_;
+  nb::object mouse_, decide_, show_, carried_;
   Knowledge knowledge_;
   const std::atomic<bool>* stop_;
   const bool in_seconds_;

@@ -1,12 +1,14 @@
 """Mice that are written in Python, and what the library takes for a mouse."""
 
+import contextlib
 import hashlib
 import inspect
 import os
 import platform
+import random
 import shutil
 import sys
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any, Literal, NamedTuple, Protocol, Union
 
 from . import _native
@@ -74,6 +76,28 @@ def _takes_briefing(maker: Callable[..., Mouse]) -> bool:
     return any(parameter.kind in places for parameter in parameters)
 
 
+def seed_chance(seed: int) -> None:
+    """Seeds the random numbers that all of the process shares: those of `random`, and of `numpy.random` where it is loaded."""
+    random.seed(seed)
+    numpy = sys.modules.get("numpy")
+    if numpy is not None:
+        numpy.random.seed(seed % 2**32)
+
+
+@contextlib.contextmanager
+def kept_chance() -> "Iterator[None]":
+    """Leaves these random numbers as they were."""
+    before = random.getstate()
+    numpy = sys.modules.get("numpy")
+    numbers = numpy.random.get_state() if numpy is not None else None
+    try:
+        yield
+    finally:
+        random.setstate(before)
+        if numpy is not None:
+            numpy.random.set_state(numbers)
+
+
 class Maker:
     """Makes the mouse of a contest from its briefing, whether or not the user's class takes one."""
 
@@ -82,6 +106,7 @@ class Maker:
         self.briefs = _takes_briefing(maker)
 
     def __call__(self, briefing: Briefing) -> Mouse:
+        seed_chance(briefing.seed)
         return self.maker(briefing) if self.briefs else self.maker()
 
 

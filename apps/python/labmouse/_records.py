@@ -6,8 +6,9 @@ from typing import TYPE_CHECKING, Any
 from . import _native
 from ._arguments import LARGEST_SEED, whole
 from ._arguments import path as _path
-from ._mice import AnyMouse, given
+from ._mice import AnyMouse, given, kept_chance
 from ._progress import finish
+from ._workers import for_mice
 from ._worlds import AnyMaze, Setting, maze_of, world_with
 
 if TYPE_CHECKING:
@@ -156,15 +157,26 @@ def run(
     rules: "str | os.PathLike[str] | None" = None,
     budget: "int | None" = None,
     seed: int = 1,
+    debug: bool = False,
     progress: "bool | None" = False,
     **settings: Setting,
 ) -> Record:
     """Holds one contest of one mouse in one maze, with the numbers of `labmouse run`.
 
-    The arguments are those of `race`; `seed` is the contest's own. Raises Error. Ctrl-C stops it: it returns the record
-    so far, and `complete` is False.
+    The arguments are those of `race`; `seed` is the contest's own.
+    debug: holds the contest of a mouse in Python in this process, where a debugger finds it, its prints are seen, and what it
+        leaves in variables stays. Then sets of texts have the order that they have here; all else is as in a race.
+
+    Raises Error. Ctrl-C stops it: it returns the record so far, and `complete` is False.
     """
     chosen = world_with(world, {"robot": robot, "rules": rules, "budget": budget, **settings})
-    running = _native.RunningContest(given(mouse).native(None), maze_of(maze), chosen, whole("seed", seed, 0, LARGEST_SEED))
-    finish(running, progress)
-    return Record(running.result())
+    who, where, seed = given(mouse), maze_of(maze), whole("seed", seed, 0, LARGEST_SEED)
+    workers = None if debug else for_mice(who.own, 1)
+    try:
+        with kept_chance():
+            running = _native.RunningContest(who.native(workers), where, chosen, seed)
+            finish(running, progress, workers)
+            return Record(running.result())
+    finally:
+        if workers is not None:
+            workers.close()

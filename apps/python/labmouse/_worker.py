@@ -1,10 +1,13 @@
-"""A process that holds contests of mice in Python for a race: see _workers.py."""
+"""A process that holds contests of mice in Python: see _workers.py."""
 
 import os
 import pickle
 import sys
+from typing import Any, BinaryIO, Callable
 
-from ._native import play
+from ._by_value import loads
+from ._modules import is_own
+from ._native import Mind, play
 
 #: What such a process runs: it is first told where modules are, this one among them.
 PROGRAM = """
@@ -15,21 +18,91 @@ main()
 """
 
 
+class _Surroundings:
+    """What a contest may change in this process, as it was before."""
+
+    def __init__(self) -> None:
+        self.path, self.environment = list(sys.path), dict(os.environ)
+        try:
+            self.folder: "str | None" = os.getcwd()
+        except OSError:  # it is gone
+            self.folder = None
+        self.modules = set(sys.modules)
+
+    def restore(self) -> None:
+        """What contests have imported from files of the user's own is imported anew by the next."""
+        sys.path[:] = self.path
+        if dict(os.environ) != self.environment:
+            os.environ.clear()
+            os.environ.update(self.environment)
+        if self.folder is not None:
+            os.chdir(self.folder)
+        for name in set(sys.modules) - self.modules:
+            module = sys.modules[name]
+            if module is None or is_own(module):
+                del sys.modules[name]
+            else:
+                self.modules.add(name)
+
+
+def _maker(mouse: bytes) -> "Callable[..., Any]":
+    """What makes the mouse; what raises in its place where it cannot be made here."""
+    try:
+        maker: Callable[..., Any] = loads(mouse)
+        if b"numpy" in mouse:
+            import numpy.random  # noqa: F401  so that it is there to be seeded
+        return maker
+    except Exception as error:  # what a user's object raises can be anything
+        reason = error
+
+        def broken() -> None:
+            raise reason
+
+        return broken
+
+
+def _decide(maker: "Callable[..., Any]", briefing: Any, questions: BinaryIO, answer: "Callable[[object], None]") -> None:
+    """A contest decision by decision, until the other process has heard the last words."""
+    mind = Mind(maker, briefing)
+    answer(mind.started)
+    while True:
+        what, words = pickle.load(questions)
+        if what == "decide":
+            answer(mind.decide(*words))
+        elif what == "show":
+            mind.show(*words)
+        elif what == "carried":
+            mind.carried(*words)
+        else:
+            answer(mind.last_words())
+            return
+
+
 def main() -> None:
-    """Reads mice and says that it has them; then contests, until the input ends, and answers each with what was played."""
+    """Reads mice and contests until the input ends."""
     questions = sys.stdin.buffer
     answers = os.fdopen(os.dup(1), "wb")
     # What a mouse prints is no answer, and what it would read is no question to it.
     os.dup2(2, 1)
     sys.stdin = open(os.devnull, encoding="utf-8")
-    makers = pickle.load(questions)
-    pickle.dump(True, answers)
-    answers.flush()
-    while True:
-        try:
-            mouse, contest = pickle.load(questions)
-        except EOFError:
-            return
-        pickle.dump(play(makers[mouse], *contest), answers)
+
+    def answer(thing: object) -> None:
+        pickle.dump(thing, answers)
         answers.flush()
 
+    mice: list[bytes] = []
+    surroundings = _Surroundings()
+    while True:
+        try:
+            what, *words = pickle.load(questions)
+        except EOFError:
+            return
+        if what == "mice":
+            [mice] = words
+            continue
+        number, contest = words
+        surroundings.restore()
+        if what == "play":
+            answer(play(_maker(mice[number]), *contest))
+        else:
+            _decide(_maker(mice[number]), *contest, questions, answer)

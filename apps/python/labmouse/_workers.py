@@ -1,172 +1,291 @@
-"""Mice in Python on several processors: processes that hold contests, where the interpreter runs one thread at a time."""
+"""Processes in which mice in Python hold their contests.
 
+Each contest begins with the mouse, its globals and the modules of the user's own as they were when the race began. So it
+does not matter which contests were held before it, in which process, or how many processes there are.
+"""
+
+import atexit
 import os
 import pickle
-import queue
 import subprocess
 import sys
 import threading
-import time
-from typing import Any, Callable, Union
+from typing import Any, Union
 
-from ._native import death
+from ._native import Briefing, Error, death
 from ._worker import PROGRAM
 
 #: What labmouse._native.play gives.
 Played = tuple[bytes, str, bool, float]
-#: What that takes behind the maker of the mouse.
-_Contest = tuple[Any, ...]
+#: Kind, rotation, movement and reason.
+Decision = tuple[int, int, int, int]
 
 #: What is raised where a process has ended, or where its pipes are closed.
 _GONE = (EOFError, OSError, ValueError, pickle.UnpicklingError)
 #: What was played of a contest that was interrupted.
 _INTERRUPTED: Played = b"", "", True, 0.0
-#: Contests of a short race are over before a process has started: so long they are held here.
-_SECONDS_ALONE = 0.5
-
-
-def needed() -> bool:
-    """Whether this interpreter runs one thread at a time."""
-    enabled = getattr(sys, "_is_gil_enabled", None)
-    return enabled is None or bool(enabled())
+#: Sets of texts are in one of so many orders, by the seed of the contest. Each order needs processes of its own.
+HASH_ORDERS = 2
 
 
 class _Worker:
     """A process that holds contests, one after the other."""
 
-    def __init__(self, mice: bytes) -> None:
+    def __init__(self, order: int) -> None:
+        self.order = order
+        self.surroundings = _surroundings()
+        self.parent = os.getpid()
         # A session of its own: Ctrl-C is for the process that races.
-        self.process = subprocess.Popen([sys.executable, "-c", PROGRAM], stdin=subprocess.PIPE,
-                                        stdout=subprocess.PIPE, start_new_session=os.name == "posix")
-        self.mice = mice
-        self.has_mice = False
+        self.process = subprocess.Popen([sys.executable, "-c", PROGRAM], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                                        start_new_session=os.name == "posix",
+                                        env={**os.environ, "PYTHONHASHSEED": str(order)})
 
-    def send(self, thing: object) -> None:
+    def begin(self) -> None:
+        """To be called once before anything is sent."""
+        self.send(sys.path)
+
+    def send(self, thing: object, at_once: bool = False) -> None:
         assert self.process.stdin is not None
         pickle.dump(thing, self.process.stdin)
+        if at_once:
+            self.process.stdin.flush()
 
-    def is_ready(self) -> bool:
-        """Whether it has the mice; waits for it once. Some can be made where they were written alone."""
-        if not self.has_mice:
-            assert self.process.stdin is not None and self.process.stdout is not None
-            try:
-                self.send(sys.path)
-                self.process.stdin.write(self.mice)
-                self.process.stdin.flush()
-                self.has_mice = bool(pickle.load(self.process.stdout))
-            except _GONE:
-                self.process.wait()
-        return self.has_mice
+    def ask(self, question: object) -> Any:
+        assert self.process.stdout is not None
+        self.send(question, True)
+        return pickle.load(self.process.stdout)
 
-    def play(self, mouse: int, contest: _Contest) -> Played:
-        assert self.process.stdin is not None and self.process.stdout is not None
-        self.send((mouse, contest))
-        self.process.stdin.flush()
-        played: Played = pickle.load(self.process.stdout)
+    def end(self) -> None:
+        self.process.kill()
+        self.process.wait()
+        for pipe in (self.process.stdin, self.process.stdout):
+            if pipe is not None:
+                try:
+                    pipe.close()
+                except BrokenPipeError:
+                    pass
+
+
+def _surroundings() -> object:
+    """What a process was started with: it serves later races with the same."""
+    try:
+        folder = os.getcwd()
+    except OSError:
+        folder = ""
+    return os.getpid(), list(sys.path), dict(os.environ), folder
+
+
+class _Idle:
+    """Processes that wait for the next race, since to start one takes longer than most contests."""
+
+    def __init__(self) -> None:
+        self.lock = threading.Lock()
+        self.workers: list[_Worker] = []
+
+    def take(self, order: int) -> "_Worker | None":
+        around = _surroundings()
+        with self.lock:
+            self.workers = [worker for worker in self.workers if worker.process.poll() is None]
+            for worker in self.workers:
+                if worker.order == order and worker.surroundings == around:
+                    self.workers.remove(worker)
+                    return worker
+        return None
+
+    def put(self, workers: "list[_Worker]", most: int) -> None:
+        with self.lock:
+            kept = self.workers + workers
+            ended, self.workers = kept[: max(0, len(kept) - most)], kept[max(0, len(kept) - most) :]
+        for worker in ended:
+            worker.end()
+
+    def end(self) -> None:
+        with self.lock:
+            workers, self.workers = self.workers, []
+        for worker in workers:
+            if worker.parent == os.getpid():
+                worker.end()
+
+
+_idle = _Idle()
+atexit.register(_idle.end)
+
+
+class Contest:
+    """A contest that is played decision by decision. Raises where its process dies; None and '' once the race is stopped."""
+
+    def __init__(self, workers: "Workers", mouse: int, briefing: Briefing) -> None:
+        self.workers = workers
+        self.worker = workers.take(briefing.seed)
+        self.words = ""
+        self.started: bool = self._asked(("begin", mouse, (briefing,)), True)
+
+    def decide(self, left: int, ahead: int, right: int) -> "Decision | None":
+        """What the mouse answers to a reading."""
+        decision: "Decision | None" = self._asked(("decide", (left, ahead, right)), None)
+        return decision
+
+    def show(self, *seen: Any) -> None:
+        """As of Strategy: x, y, heading and the reading."""
+        self._tell(("show", seen))
+
+    def carried(self, microseconds: int) -> None:
+        """As of Strategy."""
+        self._tell(("carried", (microseconds,)))
+
+    def last_words(self) -> str:
+        """Ends the contest."""
+        worker = self.worker
+        if worker is not None:
+            self.words = self._asked(("end", ()), "")
+            self.worker = None
+            self.workers.give_back(worker)
+        return self.words
+
+    def end(self) -> None:
+        """Gives the process back, whether or not anybody asked for the last words."""
+        self.last_words()
+
+    def _asked(self, question: object, otherwise: Any) -> Any:
+        if self.worker is None:
+            return otherwise
+        try:
+            return self.worker.ask(question)
+        except _GONE:
+            return self._gone(otherwise)
+
+    def _tell(self, what: object) -> None:
+        if self.worker is None:
+            return
+        try:
+            self.worker.send(what)
+        except _GONE:
+            self._gone(None)
+
+    def _gone(self, otherwise: Any) -> Any:
+        worker, self.worker = self.worker, None
+        assert worker is not None
+        words = self.workers.died(worker)
+        if words is None:
+            return otherwise
+        raise RuntimeError(words)
+
+
+class _Mouse:
+    """A mouse of a race, as the compiled part asks for its contests."""
+
+    def __init__(self, workers: "Workers", number: int) -> None:
+        self.workers = workers
+        self.number = number
+
+    def __call__(self, *contest: Any) -> Played:
+        """Plays a contest in steps: what labmouse._native.play takes behind the maker, the seed last."""
+        worker = self.workers.take(contest[-1])
+        if worker is None:
+            return _INTERRUPTED
+        try:
+            played: Played = worker.ask(("play", self.number, contest))
+        except _GONE:
+            words = self.workers.died(worker)
+            return _INTERRUPTED if words is None else death(words)
+        self.workers.give_back(worker)
         return played
+
+    def begin(self, briefing: Briefing) -> Contest:
+        """A contest that is played decision by decision."""
+        return Contest(self.workers, self.number, briefing)
 
 
 class Workers:
-    """The processes of one race, started when it takes long. Threads call it, one process each."""
+    """The processes of one race. Threads call it, one process each."""
 
-    def __init__(self, makers: "list[object]", most: int) -> None:
-        self.makers = makers
+    def __init__(self, mice: "list[bytes]", most: int) -> None:
+        self.mice = mice
         self.most = most
-        self.begin = time.monotonic()
-        self.mice: Union[bytes, None] = None
-        self.workers: list[_Worker] = []
         self.closed = False
-        #: Of the list of workers and of `closed`; nobody who has it waits for anything.
+        #: Of the lists and of `closed`; nobody who has it waits for anything.
         self.lock = threading.Lock()
-        #: Processes are started one after the other.
-        self.starting = threading.Lock()
-        #: Processes with nothing to do; None wakes a thread that waits for one.
-        self.free: queue.SimpleQueue[Union[_Worker, None]] = queue.SimpleQueue()
+        self.busy: list[_Worker] = []
+        self.free: list[_Worker] = []
 
-    def elsewhere(self, mouse: int) -> Callable[..., Union[Played, None]]:
-        """What the compiled part asks before each contest of the mouse of that number."""
-        return lambda *contest: self._play(mouse, contest)
+    def elsewhere(self, mouse: int) -> _Mouse:
+        """What the compiled part asks for the contests of the mouse of that number."""
+        return _Mouse(self, mouse)
 
     def close(self) -> None:
-        """Ends the processes, whatever they do."""
+        """Ends the processes that are busy, whatever they do."""
         with self.lock:
             self.closed = True
-            workers = list(self.workers)
-            for worker in workers:
+            busy, free = list(self.busy), self.free
+            self.free = []
+            for worker in busy:
                 worker.process.kill()
-        self.free.put(None)
-        for worker in workers:
-            worker.process.wait()
-            for pipe in (worker.process.stdin, worker.process.stdout):
-                if pipe is not None:
-                    try:
-                        pipe.close()
-                    except BrokenPipeError:
-                        pass
+        _idle.put(free, self.most * HASH_ORDERS)
 
-    def _play(self, mouse: int, contest: _Contest) -> Union[Played, None]:
-        if time.monotonic() - self.begin < _SECONDS_ALONE:
-            return None
-        worker = self._take()
-        if worker is not None and not worker.is_ready():
-            self.mice = b""
-            worker = None
-        if worker is None:
-            self.free.put(None)  # for the next that waits
-            return _INTERRUPTED if self.closed else None
-        try:
-            played = worker.play(mouse, contest)
-        except _GONE:
-            if self.closed:
-                return _INTERRUPTED
-            code = worker.process.wait()
-            with self.lock:
-                self.workers.remove(worker)
-            self.free.put(None)
-            return death(f"its process ended with exit code {code}")
-        self.free.put(worker)
-        return played
-
-    def _take(self) -> Union[_Worker, None]:
-        """A process that has nothing to do; None where there can be none."""
-        while True:
-            with self.starting:
-                if self.mice is None and not self.closed:
-                    self.mice = _pickled(self.makers)
-                if self.closed or not self.mice:
-                    return None
-                if self.free.empty() and len(self.workers) < self.most:
-                    return self._started(self.mice)
-            worker = self.free.get()
-            if worker is not None:
-                return worker
-
-    def _started(self, mice: bytes) -> _Worker:
-        worker = _Worker(mice)
+    def take(self, seed: int) -> "_Worker | None":
+        """A process that has nothing to do and knows the mice; None once the race is stopped."""
+        order = seed % HASH_ORDERS
         with self.lock:
-            self.workers.append(worker)
+            if self.closed:
+                return None
+            worker = next((worker for worker in self.free if worker.order == order), None)
+            if worker is not None:
+                self.free.remove(worker)
+                self.busy.append(worker)
+                return worker
+        worker = _idle.take(order)
+        is_new = worker is None
+        worker = worker or _Worker(order)
+        with self.lock:
+            self.busy.append(worker)
             if self.closed:
                 worker.process.kill()
+        try:
+            if is_new:
+                worker.begin()
+            worker.send(("mice", self.mice))
+        except _GONE:  # whoever asks next hears of it
+            pass
         return worker
 
+    def give_back(self, worker: _Worker) -> None:
+        """Takes a process that is at the end of its contest."""
+        with self.lock:
+            self.busy.remove(worker)
+            if not self.closed:
+                self.free.append(worker)
+                return
+        worker.end()
 
-def _pickled(makers: "list[object]") -> bytes:
-    """The mice for other processes, also those of a notebook; nothing where they cannot leave this one."""
-    import cloudpickle  # type: ignore[import-untyped,unused-ignore]
+    def died(self, worker: _Worker) -> "str | None":
+        """Why a process is no more; None where it was stopped with the race."""
+        with self.lock:
+            self.busy.remove(worker)
+            closed = self.closed
+        worker.end() if closed else worker.process.wait()
+        return None if closed else f"its process ended with exit code {worker.process.returncode}"
 
-    try:
-        return bytes(cloudpickle.dumps(makers))
-    except Exception:  # what a user's object raises can be anything
-        return b""
 
-
-def _processors() -> int:
+def processors() -> int:
+    """How many this process may use."""
     affinity = getattr(os, "sched_getaffinity", None)
     return len(affinity(0)) if affinity is not None else os.cpu_count() or 1
 
 
+def snapshot(mice: "list[tuple[str, Any, bool]]") -> "list[bytes]":
+    """The makers of mice as they are now; raises Error where one cannot leave this process."""
+    from ._by_value import dumps
+
+    found = []
+    for name, maker, _ in mice:
+        try:
+            found.append(dumps(maker))
+        except Exception as error:  # what a user's object raises can be anything
+            raise Error(f"mouse '{name}' cannot be sent to another process ({' '.join(str(error).split())}); "
+                        "make what it holds in its __init__, once a contest") from None
+    return found
+
+
 def for_mice(mice: "list[tuple[str, Any, bool]]", jobs: int) -> Union[Workers, None]:
-    """Processes for these mice; None where they are all to be raced in this one."""
-    if not mice or jobs == 1 or not needed():
-        return None
-    return Workers([maker for _, maker, _ in mice], jobs or _processors())
+    """Processes for these mice; None where there are none."""
+    return Workers(snapshot(mice), jobs or processors()) if mice else None

@@ -1,0 +1,22 @@
+// How a mouse in Python is told that its contest is stopped.
+#pragma once
+
+#include <nanobind/nanobind.h>
+
+#include <chrono>
+
+namespace labmouse::python {
+
+/// How often a wait for a mouse looks whether it shall stop.
+inline constexpr std::chrono::milliseconds glance{10};
+/// How often a mouse that was stopped is told so before it is left behind in its thread: one that catches what it is
+/// told once or twice comes to its end.
+inline constexpr int times_told = 3;
+
+/// Makes a thread of Python raise what Ctrl-C raises. Not with the interpreter's lock.
+inline void interrupt(unsigned long thread) {
+  const nanobind::gil_scoped_acquire lock;
+  PyThreadState_SetAsyncExc(thread, PyExc_KeyboardInterrupt);
+}
+
+}  // namespace labmouse::python

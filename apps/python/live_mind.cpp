@@ -1,0 +1,286 @@
+#include "live_mind.hpp"
+
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
+
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <tuple>
+#include <utility>
+
+#include "bindings.hpp"
+#include "briefing.hpp"
+#include "interrupting.hpp"
+#include "labmouse/mouse/knowledge.hpp"
+
+namespace nb = nanobind;
+using namespace nb::literals;
+
+namespace labmouse::python {
+namespace {
+
+/// Kind, rotation, movement and reason.
+using ActionFields = std::tuple<int, int, int, int>;
+
+ActionFields fields_of(const Action& action) {
+  return {static_cast<int>(action.kind), action.rotation, action.movement, static_cast<int>(action.reason)};
+}
+
+Action action_of(const ActionFields& fields) {
+  const auto& [kind, rotation, movement, reason] = fields;
+  return {static_cast<Action::Kind>(kind), rotation, movement, static_cast<ForfeitReason>(reason)};
+}
+
+/// The thread of a mouse does one thing at a time, and the contest waits for it.
+class Desk {
+ public:
+  /// For the contest: has it done, and waits for its end; false where `stop` came first.
+  bool have_done(std::function<void()> deed, const std::atomic<bool>* stop) {
+    std::unique_lock lock(mutex_);
+    deed_ = std::move(deed);
+    changed_.notify_all();
+    while (deed_)
+      if (changed_.wait_for(lock, glance) == std::cv_status::timeout && stop != nullptr && stop->load()) return !deed_;
+    return true;
+  }
+  /// For the contest: whether the mouse is idle after one more glance.
+  bool comes_to_an_end() {
+    std::unique_lock lock(mutex_);
+    return changed_.wait_for(lock, glance, [this] { return !deed_; });
+  }
+  void close() {
+    const std::lock_guard lock(mutex_);
+    closed_ = true;
+    changed_.notify_all();
+  }
+
+  /// For the thread: does what it is asked for, until it is closed.
+  void serve() {
+    std::unique_lock lock(mutex_);
+    while (true) {
+      changed_.wait(lock, [this] { return deed_ || closed_; });
+      if (!deed_) return;
+      const std::function<void()> deed = deed_;
+      lock.unlock();
+      deed();
+      lock.lock();
+      deed_ = nullptr;
+      changed_.notify_all();
+    }
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::function<void()> deed_;
+  bool closed_ = false;
+};
+
+/// In a thread of its own. What that needs belongs to the thread, too, since it may be left behind.
+class ThreadMind final : public Strategy {
+ public:
+  ThreadMind(const std::shared_ptr<const MouseMaker>& maker, const Briefing& briefing, const std::atomic<bool>* stop)
+      : knowledge_(briefing.size), stop_(stop), seat_(std::make_shared<Seat>()) {
+    thread_ = std::thread([seat = seat_] {
+      seat->thread = PyThread_get_thread_ident();
+      seat->desk.serve();
+      seat->end();
+    });
+    have_done([maker, briefing](Seat& seat) {
+      seat.mouse = make_python_mind(maker, briefing, &seat.stopped);
+      seat.started = seat.mouse->started();
+      seat.idle.emplace();
+    });
+  }
+  ThreadMind(const ThreadMind&) = delete;
+  ThreadMind& operator=(const ThreadMind&) = delete;
+  ~ThreadMind() override {
+    seat_->desk.close();
+    if (is_left_)
+      thread_.detach();
+    else
+      thread_.join();
+  }
+
+  Action decide(const Sighting& seen) override {
+    ask([seen](Seat& seat) { seat.action = seat.mouse->decide(seen); });
+    return is_left_ ? Action::forfeit(ForfeitReason::interrupted) : seat_->action;
+  }
+  void show(const Pose& pose, const Sighting& seen) override {
+    ask([=](Seat& seat) { seat.mouse->show(pose, seen); });
+  }
+  void carried(std::int64_t time) override {
+    ask([=](Seat& seat) { seat.mouse->carried(time); });
+  }
+  const Knowledge& knowledge() const override { return knowledge_; }
+  bool started() const override { return is_left_ || seat_->started; }
+  std::string_view last_words() override {
+    ask([](Seat& seat) { seat.words = seat.mouse->last_words(); });
+    return is_left_ ? std::string_view() : seat_->words;
+  }
+
+ private:
+  struct Seat {
+    Desk desk;
+    std::atomic<unsigned long> thread{0};
+    std::atomic<bool> stopped{false};
+    // Only for the thread: the mouse holds the interpreter's lock, except where it is idle.
+    std::unique_ptr<Strategy> mouse;
+    std::optional<nb::gil_scoped_release> idle;
+    bool started = true;
+    Action action;
+    std::string words;
+
+    /// A mouse that was left behind is not cleaned up: the interpreter may be at its end.
+    void end() {
+      if (stopped) {
+        static_cast<void>(mouse.release());
+        return;
+      }
+      idle.reset();
+      mouse.reset();
+    }
+  };
+
+  void ask(const std::function<void(Seat&)>& question) {
+    have_done([question](Seat& seat) {
+      seat.idle.reset();
+      question(seat);
+      seat.idle.emplace();
+    });
+  }
+
+  void have_done(const std::function<void(Seat&)>& deed) {
+    if (is_left_) return;
+    if (seat_->desk.have_done([seat = seat_.get(), deed] { deed(*seat); }, stop_)) return;
+    seat_->stopped = true;
+    is_left_ = true;
+    for (int told = 0; is_left_ && told < times_told; ++told) {
+      interrupt(seat_->thread);
+      is_left_ = !seat_->desk.comes_to_an_end();
+    }
+  }
+
+  Knowledge knowledge_;
+  const std::atomic<bool>* stop_;
+  std::shared_ptr<Seat> seat_;
+  bool is_left_ = false;
+  std::thread thread_;
+};
+
+/// In another process. What is called there raises where the process has died, and gives None where the race is
+/// stopped.
+class ProcessMind final : public Strategy {
+ public:
+  ProcessMind(const std::shared_ptr<const MouseMaker>& maker, const Briefing& briefing)
+      : maker_(maker), knowledge_(briefing.size) {
+    call([&] { contest_ = maker_->elsewhere().attr("begin")(PythonBriefing{briefing}); });
+    call([&] { started_ = nb::cast<bool>(contest_.attr("started")); });
+  }
+  ProcessMind(const ProcessMind&) = delete;
+  ProcessMind& operator=(const ProcessMind&) = delete;
+  ~ProcessMind() override {
+    const nb::gil_scoped_acquire lock;
+    call([&] { contest_.attr("end")(); });
+    contest_.reset();
+  }
+
+  Action decide(const Sighting& seen) override {
+    std::optional<Action> action;
+    call([&] {
+      const nb::object answer = contest_.attr("decide")(seen.left, seen.ahead, seen.right);
+      action =
+          answer.is_none() ? Action::forfeit(ForfeitReason::interrupted) : action_of(nb::cast<ActionFields>(answer));
+    });
+    return action.value_or(Action::forfeit(ForfeitReason::died));
+  }
+  void show(const Pose& pose, const Sighting& seen) override {
+    call([&] {
+      contest_.attr("show")(int{pose.cell.x}, int{pose.cell.y}, static_cast<int>(pose.heading), seen.left, seen.ahead,
+                            seen.right);
+    });
+  }
+  void carried(std::int64_t time) override {
+    call([&] { contest_.attr("carried")(time); });
+  }
+  const Knowledge& knowledge() const override { return knowledge_; }
+  bool started() const override { return started_; }
+  std::string_view last_words() override {
+    if (last_words_.empty()) call([&] { last_words_ = nb::cast<std::string>(contest_.attr("last_words")()); });
+    return last_words_;
+  }
+
+ private:
+  /// Not after it has raised: then the mouse is dead.
+  template <class Calling>
+  void call(Calling calling) {
+    if (is_dead_) return;
+    const nb::gil_scoped_acquire lock;
+    try {
+      calling();
+    } catch (const std::exception& error) {
+      is_dead_ = true;
+      last_words_ = error.what();
+    }
+  }
+
+  std::shared_ptr<const MouseMaker> maker_;
+  nb::object contest_;
+  Knowledge knowledge_;
+  bool started_ = true, is_dead_ = false;
+  std::string last_words_;
+};
+
+/// A mouse in this process for another one, which asks it by lines.
+class NativeMind {
+ public:
+  NativeMind(nb::object maker, const PythonBriefing& told)
+      : mouse_(make_python_mind(std::make_shared<const MouseMaker>(std::move(maker), nb::none()), told.briefing,
+                                nullptr)) {}
+  Strategy& mouse() { return *mouse_; }
+
+ private:
+  std::unique_ptr<Strategy> mouse_;
+};
+
+}  // namespace
+
+std::unique_ptr<Strategy> make_live_mind(const std::shared_ptr<const MouseMaker>& maker, const Briefing& briefing,
+                                         const std::atomic<bool>* stop) {
+  bool here = false;
+  {
+    const nb::gil_scoped_acquire lock;
+    here = maker->elsewhere().is_none();
+  }
+  if (here) return std::make_unique<ThreadMind>(maker, briefing, stop);
+  return std::make_unique<ProcessMind>(maker, briefing);
+}
+
+void bind_live_minds(nb::module_& module) {
+  nb::class_<NativeMind>(module, "Mind", "A mouse for another process, which asks it decision by decision.")
+      .def(nb::init<nb::object, const PythonBriefing&>(), "maker"_a, "briefing"_a)
+      .def_prop_ro("started", [](NativeMind& mind) { return mind.mouse().started(); })
+      .def(
+          "decide",
+          [](NativeMind& mind, int left, int ahead, int right) {
+            return fields_of(mind.mouse().decide({left, ahead, right}));
+          },
+          "left"_a, "ahead"_a, "right"_a, "Kind, rotation, movement and reason.")
+      .def(
+          "show",
+          [](NativeMind& mind, int x, int y, int heading, int left, int ahead, int right) {
+            mind.mouse().show({{x, y}, turned(Heading::north, heading)}, {left, ahead, right});
+          },
+          "x"_a, "y"_a, "heading"_a, "left"_a, "ahead"_a, "right"_a)
+      .def(
+          "carried", [](NativeMind& mind, std::int64_t time) { mind.mouse().carried(time); }, "time"_a)
+      .def("last_words", [](NativeMind& mind) { return std::string(mind.mouse().last_words()); });
+}
+
+}  // namespace labmouse::python

@@ -1,0 +1,18 @@
+// A mouse in Python that is asked decision by decision, by a world in which what it sees depends on chance.
+#pragma once
+
+#include <atomic>
+#include <memory>
+
+#include "labmouse/mouse/briefing.hpp"
+#include "labmouse/mouse/strategy.hpp"
+#include "python_mind.hpp"
+
+namespace labmouse::python {
+
+/// The mouse of one contest. It decides in another process where `elsewhere` of the maker is not None, and else in a
+/// thread of its own: once `stop`, which may be null, is true, neither is waited for. Not with the interpreter's lock.
+std::unique_ptr<Strategy> make_live_mind(const std::shared_ptr<const MouseMaker>& maker, const Briefing& briefing,
+                                         const std::atomic<bool>* stop);
+
+}  // namespace labmouse::python
