@@ -109,7 +109,7 @@ def test_it_is_told_what_a_guest_is_told():
         def decide(self, seen):
             return "forfeit"
 
-    labmouse.run(Listener, "contest-01", seed=11, budget=77)
+    labmouse.run(Listener, "contest-01", seed=11, budget=77, debug=True)
     (briefing,) = told
     maze = labmouse.Maze("contest-01")
     assert (briefing.width, briefing.height) == (maze.width, maze.height)
@@ -130,13 +130,13 @@ def test_it_is_told_what_a_mouse_in_seconds_is_told(tmp_path):
             return "forfeit"
 
     corridor = labmouse.Maze.parse("o---o---o---o---o---o\n| S               G |\no---o---o---o---o---o\n").with_start((0, 0), "east")
-    labmouse.run(Listener, corridor, world="seconds", robot="classic", rules="all-japan", seed=5)
+    labmouse.run(Listener, corridor, world="seconds", robot="classic", rules="all-japan", seed=5, debug=True)
     briefing, seen = told
     assert (briefing.world, briefing.budget, briefing.time_limit, briefing.seed) == ("seconds", None, 300.0, 5)
     assert (briefing.start, briefing.heading, briefing.goals) == ((0, 0), "east", [(4, 0)])
     assert briefing.sight == 1 and seen.ahead == 1
     assert "5x1 from (0, 0) east" in repr(briefing)
-    labmouse.run(Listener, corridor, world="physical")
+    labmouse.run(Listener, corridor, world="physical", debug=True)
     assert (told[2].world, told[2].time_limit) == ("seconds", 300.0)
 
 
@@ -147,12 +147,9 @@ def test_it_is_told_what_a_mouse_in_seconds_is_told(tmp_path):
     ({"world": "seconds", "robot": "half", "rules": "thirtieth"}, ["outcome", "score_us", "search_us", "decisions"]),
     ({"world": "physical", "runs": 1}, ["outcome", "score_us", "search_us", "strayed", "misreads"]),
 ])
-def test_it_races_as_well_in_other_processes(monkeypatch, options, columns):
-    import labmouse._workers
-
+def test_it_races_as_well_in_several_processes(options, columns):
     mazes = [labmouse.generate("wilson", seed=seed) for seed in range(5)]
     alone = labmouse.race([Wanderer, Feeler, "flood"], mazes, jobs=1, **options)
-    monkeypatch.setattr(labmouse._workers, "_SECONDS_ALONE", 0.0)
     together = labmouse.race([Wanderer, Feeler, "flood"], mazes, jobs=2, **options)
     for column in ["mouse", "maze", "seed", *columns]:
         assert alone.table[column].equals(together.table[column])
@@ -218,14 +215,11 @@ def test_a_class_is_no_program_for_mms():
 
 def test_mice_that_exist_here_alone_race_here(monkeypatch, tmp_path):
     """Other processes cannot import their module any more."""
-    import labmouse._workers
-
     (tmp_path / "gone.py").write_text(SOURCE)
     monkeypatch.syspath_prepend(tmp_path)
     import gone
 
     (tmp_path / "gone.py").unlink()
-    monkeypatch.setattr(labmouse._workers, "_SECONDS_ALONE", 0.0)
     race = labmouse.race({"gone": gone.Wanderer, "flood": "flood"}, jobs=2)
     alone = labmouse.race({"gone": gone.Wanderer, "flood": "flood"}, jobs=1)
     assert race.table["outcome"].equals(alone.table["outcome"])
@@ -233,8 +227,6 @@ def test_mice_that_exist_here_alone_race_here(monkeypatch, tmp_path):
 
 def test_other_processes_import_from_where_this_one_does(monkeypatch, tmp_path):
     import os
-
-    import labmouse._workers
 
     (tmp_path / "nearby.py").write_text(textwrap.dedent("""
         import os
@@ -247,43 +239,33 @@ def test_other_processes_import_from_where_this_one_does(monkeypatch, tmp_path):
     monkeypatch.setenv("HERE", str(os.getpid()))
     import nearby
 
-    monkeypatch.setattr(labmouse._workers, "_SECONDS_ALONE", 0.0)
     table = labmouse.race([nearby.Nearby], "contest-01", jobs=2).table
     assert table["outcome"].tolist() == ["out of steps"]
 
 
 def test_the_folder_that_a_race_is_held_in_does_not_matter(monkeypatch, tmp_path):
-    import labmouse._workers
-
-    monkeypatch.setattr(labmouse._workers, "_SECONDS_ALONE", 0.0)
     monkeypatch.chdir(tmp_path)
     assert labmouse.race([Feeler, "flood"], "contest-01", jobs=2).complete
 
 
-def test_a_process_that_dies_is_a_forfeit(monkeypatch):
+def test_a_process_that_dies_is_a_forfeit():
     import os
-
-    import labmouse._workers
 
     class Deadly:
         def decide(self, seen):
             os._exit(3)
 
-    monkeypatch.setattr(labmouse._workers, "_SECONDS_ALONE", 0.0)
     race = labmouse.race([Deadly, "flood"], ["contest-01", "contest-05"], jobs=2)
     assert race.complete
     assert race.table[race.table["mouse"] == "Deadly"]["outcome"].tolist() == ["forfeit: died"] * 2
 
 
 @pytest.mark.parametrize("jobs", [1, 2])
-def test_the_time_of_its_decisions_is_its_own(monkeypatch, jobs):
-    import labmouse._workers
-
+def test_the_time_of_its_decisions_is_its_own(jobs):
     class Thoughtful:
         def decide(self, seen):
             return 0, min(range(20000))  # no machine does that in 20 microseconds
 
-    monkeypatch.setattr(labmouse._workers, "_SECONDS_ALONE", 0.0)
     assert labmouse.race(Thoughtful, "contest-01", budget=20, jobs=jobs).table["microseconds_per_decision"][0] > 20
 
 

@@ -288,22 +288,6 @@ def test_a_store_remembers(tmp_path):
     assert studied.from_store > 0
 
 
-def test_a_mouse_that_a_store_cannot_tell_from_another_needs_a_label(tmp_path):
-    store = tmp_path / "results.db"
-    stride = 3
-
-    def maker():
-        mouse = Straight()
-        mouse.stride = stride
-        return mouse
-
-    with pytest.raises(labmouse.Error, match="label"):
-        labmouse.race({"mouse": maker}, MAZES, store=store)
-    assert labmouse.race({"mouse": maker}, MAZES, store=store, label="v1").from_store == 0
-    assert labmouse.race({"mouse": maker}, MAZES, store=store, label="v1").from_store > 0
-    assert labmouse.race({"mouse": maker}, MAZES, store=store, label="v2").from_store == 0
-
-
 def test_a_bad_store_is_an_error(tmp_path):
     (tmp_path / "text.db").write_text("no store" * 1000)
     for path in (tmp_path / "text.db", tmp_path, tmp_path / "missing" / "results.db"):

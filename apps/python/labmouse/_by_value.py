@@ -14,7 +14,7 @@ from typing import Any, Callable
 
 import cloudpickle  # type: ignore[import-untyped,unused-ignore]
 
-from ._modules import is_of_own, is_own
+from ._modules import global_names, is_of_own, is_own
 
 #: What a module is made with where it is made again, and what belongs to the import alone.
 _FIRST = ("__package__", "__path__", "__file__", "__doc__")
@@ -67,7 +67,7 @@ class _Pickler(cloudpickle.Pickler):  # type: ignore[misc,unused-ignore]
             return (_same, (self._globals_of(vars(thing)).shell,), self._state_of(thing)) if is_own(thing) else NotImplemented
         if isinstance(thing, FunctionType):
             self._globals_of(thing.__globals__)
-            return self._dynamic_function_reduce(thing) if is_of_own(thing) else super().reducer_override(thing)
+            return self._function(thing) if is_of_own(thing) else super().reducer_override(thing)
         if isinstance(thing, type):
             by_value = is_of_own(thing) and bool(thing.__flags__ & 1 << 9)  # made by a statement `class`
             return cloudpickle.cloudpickle._dynamic_class_reduce(thing) if by_value else super().reducer_override(thing)
@@ -81,6 +81,13 @@ class _Pickler(cloudpickle.Pickler):  # type: ignore[misc,unused-ignore]
             if callable(thing) and getattr(thing, "__self__", None) is shared:
                 return getattr, (module if module is random else sys.modules["numpy.random"], thing.__name__)
         return super().reducer_override(thing)
+
+    def _function(self, function: FunctionType) -> Any:
+        """As cloudpickle has it, with the globals that bodies of classes in it use."""
+        reduced = self._dynamic_function_reduce(function)
+        used, space = reduced[2][1]["__globals__"], function.__globals__
+        used.update({name: space[name] for name in sorted(global_names(function.__code__)) if name in space})
+        return reduced
 
     def _globals_of(self, space: "dict[str, Any]") -> _Globals:
         """Functions find theirs in globals_ref, by the address of the dictionary."""

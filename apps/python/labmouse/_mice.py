@@ -1,10 +1,8 @@
 """Mice that are written in Python, and what the library takes for a mouse."""
 
 import contextlib
-import hashlib
 import inspect
 import os
-import platform
 import random
 import shutil
 import sys
@@ -110,31 +108,24 @@ class Maker:
         return self.maker(briefing) if self.briefs else self.maker()
 
 
-def _source(maker: Any) -> "str | None":
-    """The source of what a mouse is made by, with all of its file; None where more than that may decide what it does."""
-    plain = inspect.isclass(maker) or (inspect.isfunction(maker) and not maker.__closure__ and not maker.__defaults__)
-    if not plain:
-        return None
-    try:
-        module = inspect.getmodule(maker)
-        whole = getattr(module, "__file__", None) is not None
-        return inspect.getsource(module if whole and module is not None else maker)
-    except (OSError, TypeError):
-        return None
+def _identity(name: str, made: Maker, label: "str | None") -> str:
+    """What tells a mouse from another in a store; raises Error where that cannot be known and the user does not say it."""
+    from ._identity import Walk, identity_of
+
+    walk = Walk().go(made.maker)
+    stated = label or getattr(made.maker, "version", None) is not None
+    if walk.outside and not stated:
+        raise Error(f"mouse '{name}' depends on what a store cannot see ({', '.join(sorted(walk.outside))}); give it a version, as in "
+                    "`version = 1` in its class, or a label, as in label='v1', and another one when that changes")
+    return identity_of(walk, name, made.maker, label)
 
 
-def _identity(name: str, made: Any, label: "str | None") -> str:
-    """What tells a mouse from another in a store: its label, or the source of what makes it."""
-    maker = made.maker
-    lines = ["python", str(getattr(maker, "__qualname__", type(maker).__qualname__))]
-    if label:
-        return "\n".join([*lines, f"label {label}", ""])
-    source = _source(maker)
-    if source is None:
-        raise Error(f"the source of mouse '{name}' cannot be read, so a store could not tell it from another; "
-                    "give it a label, as in label='v1', and another one when you change it")
-    digest = hashlib.sha256(source.encode()).hexdigest()
-    return "\n".join([*lines, f"source {digest}", f"version {platform.python_version()}", ""])
+def _uses_chance(maker: Any) -> bool:
+    """What the mouse says of itself; otherwise whether its code comes to random numbers or to the seed."""
+    from ._identity import Walk
+
+    stated = getattr(maker, "uses_chance", None)
+    return Walk().go(maker).chance if stated is None else bool(stated)
 
 
 def _own(name: str, maker: Any) -> _Own:
@@ -142,7 +133,7 @@ def _own(name: str, maker: Any) -> _Own:
         if hasattr(maker, "decide"):
             raise Error(f"'{name}' is an object; give its class, so that each contest has a mouse of its own")
         raise Error(f"'{name}' is no mouse; give a SPEC, or a class with decide(self, seen)")
-    return name, Maker(maker), bool(getattr(maker, "uses_chance", False))
+    return name, Maker(maker), _uses_chance(maker)
 
 
 def _named(name: str, mouse: AnyMouse) -> Union[str, _Own]:

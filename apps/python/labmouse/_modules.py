@@ -1,12 +1,15 @@
 """Which modules are the user's own: they are sent to other processes by value, and tell one mouse from another."""
 
+import dis
 import functools
 import os
 import site
 import sys
 import sysconfig
-from importlib.machinery import SOURCE_SUFFIXES
-from types import ModuleType
+from importlib.machinery import SOURCE_SUFFIXES, ModuleSpec
+from types import CodeType, ModuleType
+
+_GLOBAL = ("LOAD_GLOBAL", "STORE_GLOBAL", "DELETE_GLOBAL", "LOAD_NAME", "LOAD_FROM_DICT_OR_GLOBALS")
 
 
 @functools.lru_cache(maxsize=None)
@@ -41,3 +44,21 @@ def is_of_own(thing: object) -> bool:
     """Whether a function or class was written in a module of the user's own, or in none that is left."""
     module = sys.modules.get(getattr(thing, "__module__", None) or "")
     return module is None or is_own(module)
+
+
+def own_file_of(name: str, spec: "ModuleSpec | None" = None) -> "str | None":
+    """The file of a module that nobody installed, of Python source or compiled; None of others."""
+    if name.partition(".")[0] in sys.stdlib_module_names or name.partition(".")[0] == "labmouse":
+        return None
+    file = spec.origin if spec is not None else getattr(sys.modules.get(name), "__file__", None)
+    return file if file and os.path.isfile(file) and not _is_installed(file) else None
+
+
+@functools.lru_cache(maxsize=4096)
+def global_names(code: CodeType, nested: bool = True) -> "frozenset[str]":
+    """The names that code looks up among globals, also in the bodies of classes; in what is defined in it, too."""
+    found = {str(instruction.argval) for instruction in dis.get_instructions(code) if instruction.opname in _GLOBAL}
+    for part in code.co_consts if nested else ():
+        if isinstance(part, CodeType):
+            found |= global_names(part)
+    return frozenset(found)

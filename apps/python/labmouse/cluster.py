@@ -24,6 +24,7 @@ from ._native import Error, Maze
 from ._progress import finish
 from ._races import Race
 from ._studies import Study
+from ._workers import Workers, processors, snapshot
 from ._worlds import Mazes, Setting, mazes_of, world_with
 
 if TYPE_CHECKING:
@@ -60,32 +61,52 @@ _ANY: _Kind = ("", 0)
 class _Plan(NamedTuple):
     """A race or a study, as any machine can hold a part of it."""
 
-    mice: bytes
-    """Pickled, because some are classes of a notebook."""
+    specs: "list[tuple[str, str]]"
+    own: "list[tuple[str, bytes, bool, str]]"
+    """Mice in Python: name, what makes it as bytes, whether it throws dice, and its identity in stores."""
+    label: str
     world: "tuple[str, dict[str, str]]"
     runs: "int | None"
     seed: int
     folds: "tuple[int, bool] | None"
     """Of a study: how many, and whether mice learn."""
 
-    def begin(self, mazes: "list[Maze]", store: "tuple[str, list[_Contest] | None, str]", jobs: int = 0) -> _Running:
+    def begin(self, mazes: "list[Maze]", store: "tuple[str, list[_Contest] | None, str]", jobs: int = 0) -> "_Part":
         """Holds contests. store: its path; those to hold where it does not have them, or None for all; and whether it is to
         "keep" contests, to "read" alone, so that none is held, or to be "sent" on."""
-        import cloudpickle  # type: ignore[import-untyped,unused-ignore]
-
-        specs, own, label = cloudpickle.loads(self.mice)
-        mice = specs, own, _python(), label
+        workers = Workers([data for _, data, _, _ in self.own], jobs or processors()) if self.own else None
+        own = [(name, None, uses_chance, workers.elsewhere(number), identity)
+               for number, (name, _, uses_chance, identity) in enumerate(self.own) if workers is not None]
+        mice = self.specs, own, _python(), self.label
+        running: _Running
         if self.folds is None:
-            return _native.RunningRace(mice, mazes, self.world, self.runs, self.seed, jobs, "", False, store)
-        return _native.RunningStudy(mice, mazes, self.world, (*self.folds, self.runs, self.seed, jobs), store)
+            running = _native.RunningRace(mice, mazes, self.world, self.runs, self.seed, jobs, "", False, store)
+        else:
+            running = _native.RunningStudy(mice, mazes, self.world, (*self.folds, self.runs, self.seed, jobs), store)
+        return _Part(running, workers)
 
     def missing(self, mazes: "list[Maze]", store: str) -> "tuple[list[_Contest], int]":
         """The contests that the store does not have, and how many it has."""
-        running = self.begin(mazes, (store, [], "keep"))
-        while not running.wait(0.1):
-            pass
-        held = running.result()
-        return running.missing(), held.from_store
+        with self.begin(mazes, (store, [], "keep")) as running:
+            while not running.wait(0.1):
+                pass
+            held = running.result()
+            return running.missing(), held.from_store
+
+
+class _Part:
+    """Contests that are being held, with the processes of mice in Python."""
+
+    def __init__(self, running: _Running, workers: "Workers | None") -> None:
+        self.running = running
+        self.workers = workers
+
+    def __enter__(self) -> _Running:
+        return self.running
+
+    def __exit__(self, *error: object) -> None:
+        if self.workers is not None:
+            self.workers.close()
 
 
 def _hold(plan: _Plan, mazes: "list[Maze]", picked: "list[_Contest]") -> "tuple[bytes, _Spent]":
@@ -93,13 +114,14 @@ def _hold(plan: _Plan, mazes: "list[Maze]", picked: "list[_Contest]") -> "tuple[
     begin = time.perf_counter()
     with tempfile.TemporaryDirectory() as folder:
         store = os.path.join(folder, "part.db")
-        running = plan.begin(mazes, (store, picked, "send"), 1)
-        while not running.wait(1.0):
-            pass
-        running.result()
+        part = plan.begin(mazes, (store, picked, "send"), 1)
+        with part as running:
+            while not running.wait(1.0):
+                pass
+            running.result()
         # What a task takes besides is the smaller, the more contests it has.
         spent = running.spent() if isinstance(running, _native.RunningRace) else {_ANY: (len(picked), time.perf_counter() - begin)}
-        del running  # closes the store
+        del running, part  # closes the store
         return Path(store).read_bytes(), spent
 
 
@@ -260,16 +282,17 @@ def _other_contests(store: str) -> Error:
 def _spread(client: "Client", mice: "Mice | None", mazes: "Mazes | None", store: "str | os.PathLike[str]", label: "str | None",
             numbers: "tuple[int | None, int]", folds: "tuple[int, bool] | None", progress: "bool | None",
             patience: float, chosen: "tuple[str, dict[str, str]]") -> "tuple[Any, int]":
-    import cloudpickle
-
     if not hasattr(client, "submit"):
         raise Error(f"client is a distributed.Client, not {shown(client)}")
     runs, seed = numbers
     numbers = runs_given(runs), whole("seed", seed, 0, LARGEST_SEED)
     if folds is not None:
         folds = whole("folds", folds[0], 2, 1_000_000), folds[1]
-    specs, own, _, known = given(mice).native(None, label, True)
-    plan = _Plan(bytes(cloudpickle.dumps((specs, own, known))), chosen, *numbers, folds)
+    who = given(mice)
+    specs, native, _, known = who.native(None, label, True)
+    own = [(name, data, uses_chance, identity)
+           for (name, _, uses_chance, _, identity), data in zip(native, snapshot(who.own))]
+    plan = _Plan(specs, own, known, chosen, *numbers, folds)
     field = mazes_of(mazes) or _native.find_mazes([])
     kept = path("store", store)
     spread = _Spread(client, plan, field, kept, patience)
@@ -280,9 +303,9 @@ def _spread(client: "Client", mice: "Mice | None", mazes: "Mazes | None", store:
     finally:
         spread.stop()
     # All of it is in the store now; after Ctrl-C, what is done.
-    running = plan.begin(field, (kept, None, "read"))
-    finish(running, False)
-    held = running.result()
+    with plan.begin(field, (kept, None, "read")) as running:
+        finish(running, False)
+        held = running.result()
     if not stopped and not held.complete:
         raise _other_contests(kept)
     return held, spread.from_store

@@ -1,0 +1,101 @@
+"""Mice in Python in worlds with chance: they see what happens to them, and hear that they were carried to the start."""
+
+import labmouse
+import pytest
+
+MAZE = labmouse.generate("wilson", seed=1)
+log = []
+
+
+class Feeler:
+    """Keeps to the wall on its right, and begins again where it is carried to the start."""
+
+    def __init__(self, told):
+        self.told = told
+        self.begin()
+
+    def begin(self):
+        (self.x, self.y), self.has_reset = self.told.start, False
+        self.heading = ["north", "east", "south", "west"].index(self.told.heading)
+
+    def decide(self, seen):
+        if self.has_reset:
+            return "forfeit"
+        if (self.x, self.y) in self.told.goals:
+            self.has_reset = True
+            return "reset"
+        turn = 90 if seen.right else 0 if seen.ahead else -90 if seen.left else 180
+        self.heading = (self.heading + turn // 90) % 4
+        self.x += (0, 1, 0, -1)[self.heading]
+        self.y += (1, 0, -1, 0)[self.heading]
+        return turn, 1
+
+    def carried(self, seconds):
+        self.begin()
+
+
+class Diarist(Feeler):
+    def decide(self, seen):
+        log.append(("seen", seen))
+        return super().decide(seen)
+
+    def carried(self, seconds):
+        log.append(("carried", seconds))
+        super().carried(seconds)
+
+    def show(self, x, y, heading, seen):
+        log.append(("shown", (x, y, heading, seen)))
+
+
+def diary(world, seed, **options):
+    log.clear()
+    record = labmouse.run(Diarist, MAZE, world=world, seed=seed, debug=True, **options)
+    return record, list(log)
+
+
+@pytest.mark.parametrize("world", ["physical", "fallible"])
+def test_what_it_sees_depends_on_what_happens(world):
+    seen = []
+    for seed in range(3):
+        _, happened = diary(world, seed, noise=4)
+        seen.append([what for kind, what in happened if kind == "seen"])
+        carried = [seconds for kind, seconds in happened if kind == "carried"]
+        assert carried and carried == sorted(carried) and carried[0] > 0
+    assert seen[0] != seen[1] != seen[2] != seen[0]
+
+
+@pytest.mark.parametrize("world", ["seconds", "physical", "fallible"])
+def test_it_is_shown_what_there_is_on_the_way_on_which_it_is_driven(world):
+    record, happened = diary(world, 1)
+    shown = [what for kind, what in happened if kind == "shown"]
+    assert record.score is not None and shown
+    assert all((x, y) != MAZE.start or heading for x, y, heading, _ in shown)
+    assert {type(seen) for _, _, _, seen in shown} == {labmouse.Sighting}
+
+
+@pytest.mark.parametrize("world", ["seconds", "physical", "fallible"])
+def test_another_process_and_this_one_come_to_the_same(world):
+    for seed in (1, 2):
+        here, there = (labmouse.run(Feeler, MAZE, world=world, seed=seed, debug=debug) for debug in (True, False))
+        assert here.text == there.text and here.outcome == there.outcome
+
+
+@pytest.mark.parametrize("debug", [True, False])
+def test_what_it_raises_when_it_is_carried_ends_its_contest(debug):
+    class Clumsy(Feeler):
+        def carried(self, seconds):
+            raise ValueError("put me down")
+
+    record = labmouse.run(Clumsy, MAZE, world="fallible", noise=4, debug=debug)
+    assert record.outcome == "forfeit: died" and "put me down" in record.last_words
+
+
+def test_a_process_that_dies_on_its_way_is_a_forfeit():
+    class Deadly(Feeler):
+        def decide(self, seen):
+            import os
+
+            os._exit(3)
+
+    record = labmouse.run(Deadly, MAZE, world="fallible")
+    assert record.outcome == "forfeit: died" and "3" in record.last_words
