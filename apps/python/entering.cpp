@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "errors.hpp"
 #include "labmouse/lab/mice/specs.hpp"
+#include "labmouse/lab/text/printable.hpp"
 #include "labmouse/strategies/parameter.hpp"
 
 namespace labmouse::python {
@@ -41,22 +43,53 @@ std::vector<Entry> entries_of(EntriesResult result, std::vector<std::string>& re
   return std::move(result.entries);
 }
 
+void require_good_name(const std::string& name) {
+  if (name.empty()) throw UserError("a mouse has an empty name; give it one, as in {'name': mouse}");
+  if (shown(name) != name) throw UserError(fmt::format("the name '{}' contains unprintable characters", shown(name)));
+}
+
+std::vector<Contestant> mice_by(SpecResult read) {
+  if (!read.problems.empty()) throw UserError(fmt::format("{}", fmt::join(read.problems, "\n")));
+  if (!read.error.empty()) throw UserError(read.error);
+  return std::move(read.contestants);
+}
+
+/// The mice of SPECs. A name is no part of one: it may have any characters.
+std::vector<Contestant> mice_by_specs(const Choice& choice, const GuestOptions& options) {
+  std::vector<std::string> nameless;
+  std::vector<Contestant> mice;
+  for (const auto& [name, spec] : choice.specs) {
+    if (name.empty()) {
+      nameless.push_back(spec);
+      continue;
+    }
+    std::vector<Contestant> named = mice_by(read_specs(spec, options));
+    if (named.size() != 1)
+      throw UserError(fmt::format("'{}' names {} mice; for the name '{}', give exactly one", spec, named.size(), name));
+    rename(named.front(), name);
+    mice.push_back(std::move(named.front()));
+  }
+  if (nameless.empty()) return mice;
+  std::vector<Contestant> others = mice_by(read_specs(nameless, options));
+  std::move(others.begin(), others.end(), std::back_inserter(mice));
+  return mice;
+}
+
 std::vector<Contestant> mice_of(Choice& choice, const std::atomic<bool>* stop) {
   GuestOptions options;
   options.python = choice.python;
   options.label = choice.label;
   options.stop = stop;
-  SpecResult read = choice.specs.empty() ? SpecResult() : read_specs(choice.specs, options);
-  if (!read.problems.empty()) throw UserError(fmt::format("{}", fmt::join(read.problems, "\n")));
-  if (!read.error.empty()) throw UserError(read.error);
-  for (OwnMouse& own : choice.own) read.contestants.push_back(python_contestant(std::move(own), stop));
+  std::vector<Contestant> mice = mice_by_specs(choice, options);
+  for (OwnMouse& own : choice.own) mice.push_back(python_contestant(std::move(own), stop));
   std::vector<std::string> names;
-  for (const Contestant& mouse : read.contestants) names.push_back(mouse.name);
+  for (const Contestant& mouse : mice) names.push_back(mouse.name);
+  std::for_each(names.begin(), names.end(), require_good_name);
   std::sort(names.begin(), names.end());
   if (const auto twice = std::adjacent_find(names.begin(), names.end()); twice != names.end())
     throw UserError(
         fmt::format("two mice are named '{}'; give each a name of its own, as in {{'name': mouse}}", *twice));
-  return std::move(read.contestants);
+  return mice;
 }
 
 /// Mazes by name; one that is there twice counts once.

@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "labmouse/lab/mazes/maze_files.hpp"
@@ -15,7 +16,8 @@ namespace labmouse::python {
 
 /// What a user chose.
 struct Choice {
-  std::vector<std::string> specs;  ///< SPECs of mice
+  /// SPECs of mice; each has the name of the one mouse that it is before it, or an empty one.
+  std::vector<std::pair<std::string, std::string>> specs;
   std::vector<OwnMouse> own;
   std::vector<NamedMaze> mazes;  ///< none: the built-in ones
   std::string world;             ///< empty: the one that suits the mice

@@ -66,6 +66,8 @@ ContestElsewhere contest_in_steps(const Maker& maker, const Maze& maze, const Ru
 Contestant python_contestant(OwnMouse own, const std::atomic<bool>* stop) {
   Contestant mouse;
   mouse.name = own.name;
+  // Its name may be that of a mouse of ours.
+  mouse.spec = "python";
   mouse.uses_chance = own.uses_chance;
   mouse.identity = [identity = own.identity] { return identity; };
   const auto maker = std::make_shared<const MouseMaker>(std::move(own.maker), std::move(own.elsewhere));

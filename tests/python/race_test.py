@@ -293,3 +293,20 @@ def test_a_bad_store_is_an_error(tmp_path):
     for path in (tmp_path / "text.db", tmp_path, tmp_path / "missing" / "results.db"):
         with pytest.raises(labmouse.Error, match="error"):
             labmouse.race("flood", MAZES, store=path)
+
+
+@pytest.mark.parametrize("name", ["flood,a", "flood:stride=1", "a=b", "guest:x", "lineup:mice.toml", "flood", " ", "größte Maus", "'"])
+def test_a_name_is_a_name_and_no_part_of_a_spec(name):
+    race = labmouse.race({name: "certify"}, MAZES)
+    assert race.mice == [name] and race.standings["name"].tolist() == [name]
+    assert race.table["score"].tolist() == labmouse.race("certify", MAZES).table["score"].tolist()
+    own = labmouse.race({name: Straight, "other": "flood"}, MAZES)
+    assert sorted(own.mice) == sorted([name, "other"])
+    assert name in labmouse.run({name: Straight}, MAZES[0]).mouse
+
+
+@pytest.mark.parametrize("mice", [{"a": "flood,certify"}, {"": "flood"}, {"": Straight}, {"a\nb": "flood"}, {"a\nb": Straight},
+                                  {"a": "lineup:none.toml"}])
+def test_a_name_for_no_mouse_or_for_two_is_refused(mice):
+    with pytest.raises(labmouse.Error, match="^[^\n]*$"):
+        labmouse.race(mice, MAZES)

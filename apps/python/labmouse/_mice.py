@@ -46,13 +46,14 @@ AnyMouse = Union[str, MouseMaker]
 Mice = Union[AnyMouse, Iterable[AnyMouse], Mapping[str, AnyMouse]]
 
 _Own = tuple[str, object, bool]
-_Native = tuple[list[str], list[tuple[str, object, bool, object, str]], str, str]
+_Native = tuple[list[tuple[str, str]], list[tuple[str, object, bool, object, str]], str, str]
 
 
 class Given(NamedTuple):
     """Mice in their kinds."""
 
-    specs: "list[str]"
+    specs: "list[tuple[str, str]]"
+    """Names, where the user gave one, and SPECs."""
     own: "list[_Own]"
     """Mice in Python: name, maker, and whether they throw dice."""
 
@@ -136,10 +137,6 @@ def _own(name: str, maker: Any) -> _Own:
     return name, Maker(maker), _uses_chance(maker)
 
 
-def _named(name: str, mouse: AnyMouse) -> Union[str, _Own]:
-    return f"{name}={mouse}" if isinstance(mouse, str) else _own(name, mouse)
-
-
 def _name_of(maker: Any) -> str:
     return str(getattr(maker, "__name__", type(maker).__name__))
 
@@ -147,22 +144,24 @@ def _name_of(maker: Any) -> str:
 def given(mice: "Mice | None") -> Given:
     """The mice by their kinds; raises Error where something is no mouse."""
     if mice is None:
-        found: list[Union[str, _Own]] = []
-    elif isinstance(mice, str):
-        found = [mice]
+        return Given([], [])
+    if isinstance(mice, str):
+        found: "list[tuple[str, AnyMouse]]" = [("", mice)]
     elif isinstance(mice, Mapping):
         for name in mice:
             if not isinstance(name, str):
                 raise Error(f"{shown(name)} is no name of a mouse; give each one as a text, as in {{'name': mouse}}")
-        found = [_named(name, mouse) for name, mouse in mice.items()]
+            if not name:
+                raise Error("a mouse has an empty name; give it one, as in {'name': mouse}")
+        found = list(mice.items())
     elif callable(mice) or not isinstance(mice, Iterable):
-        found = [_own(_name_of(mice), mice)]
+        found = [(_name_of(mice), mice)]
     else:
-        found = [mouse if isinstance(mouse, str) else _own(_name_of(mouse), mouse) for mouse in mice]
-    if mice is not None and not found:
+        found = [("" if isinstance(mouse, str) else _name_of(mouse), mouse) for mouse in mice]
+    if not found:
         raise Error("there are no mice here; name one, or omit the mice to race all built-in ones")
-    specs = [mouse for mouse in found if isinstance(mouse, str)]
-    return Given(specs, [mouse for mouse in found if not isinstance(mouse, str)])
+    return Given([(name, mouse) for name, mouse in found if isinstance(mouse, str)],
+                 [_own(name, mouse) for name, mouse in found if not isinstance(mouse, str)])
 
 
 def _python() -> str:

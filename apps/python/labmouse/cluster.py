@@ -392,4 +392,7 @@ def sweep(
 
 
 def _value(value: object) -> str:
-    return str(value).lower() if isinstance(value, bool) else str(value)
+    text = str(value).lower() if isinstance(value, bool) else str(value)
+    if not text or set(text) & set(":,"):
+        raise Error(f"vary: {shown(value)} cannot be the value of a parameter: ':' and ',' end one in a SPEC")
+    return text
