@@ -95,12 +95,13 @@ class ThreadMind final : public Strategy {
     have_done([maker, briefing](Seat& seat) {
       seat.mouse = make_python_mind(maker, briefing, &seat.stopped);
       seat.started = seat.mouse->started();
-      seat.idle.emplace();
+      seat.idle = std::make_unique<nb::gil_scoped_release>();
     });
   }
   ThreadMind(const ThreadMind&) = delete;
   ThreadMind& operator=(const ThreadMind&) = delete;
   ~ThreadMind() override {
+    seat_->is_left = is_left_;
     seat_->desk.close();
     if (is_left_)
       thread_.detach();
@@ -129,17 +130,18 @@ class ThreadMind final : public Strategy {
   struct Seat {
     Desk desk;
     std::atomic<unsigned long> thread{0};
-    std::atomic<bool> stopped{false};
+    std::atomic<bool> stopped{false}, is_left{false};
     // Only for the thread: the mouse holds the interpreter's lock, except where it is idle.
     std::unique_ptr<Strategy> mouse;
-    std::optional<nb::gil_scoped_release> idle;
+    std::unique_ptr<nb::gil_scoped_release> idle;
     bool started = true;
     Action action;
     std::string words;
 
     /// A mouse that was left behind is not cleaned up: the interpreter may be at its end.
     void end() {
-      if (stopped) {
+      if (is_left) {
+        static_cast<void>(idle.release());
         static_cast<void>(mouse.release());
         return;
       }
@@ -152,7 +154,7 @@ class ThreadMind final : public Strategy {
     have_done([question](Seat& seat) {
       seat.idle.reset();
       question(seat);
-      seat.idle.emplace();
+      seat.idle = std::make_unique<nb::gil_scoped_release>();
     });
   }
 

@@ -16,6 +16,7 @@ import tempfile
 from pathlib import Path
 
 import labmouse
+import labmouse._workers
 import pandas
 import pytest
 
@@ -49,9 +50,7 @@ class Processes:
 
     def __init__(self, folder):
         self.folder = str(folder)
-        # Workers know the mice of this file by its name.
-        path = [str(Path(__file__).parent), *os.environ.get("PYTHONPATH", "").split(os.pathsep)]
-        self.environment = {**os.environ, "DASK_LOGGING__DISTRIBUTED": "warning", "PYTHONPATH": os.pathsep.join(filter(None, path))}
+        self.environment = {**os.environ, "DASK_LOGGING__DISTRIBUTED": "warning"}
         self.all = []
         self.address = self.start(SCHEDULER, "0")
 
@@ -253,22 +252,36 @@ class Deadly:
         os._exit(1)
 
 
+class Murderer:
+    """Takes the worker with it, which is the parent of its process."""
+
+    def decide(self, seen):
+        os.kill(os.getppid(), signal.SIGKILL)
+        return 0, 0
+
+
+def test_a_mouse_whose_process_dies_has_the_result_of_one_machine(client, tmp_path):
+    spread = cluster.race(client, {"deadly": Deadly}, "contest-01", store=tmp_path / "a.db", label="v1")
+    assert results(spread).equals(results(labmouse.race({"deadly": Deadly}, "contest-01")))
+    assert spread.table["outcome"].tolist() == ["forfeit: died"]
+
+
 def test_a_mouse_that_kills_workers_is_named(other, tmp_path):
     started, client = other
     started.work()
     client.run_on_scheduler(lambda dask_scheduler: setattr(dask_scheduler, "allowed_failures", 0))
-    with pytest.raises(labmouse.Error, match="deadly"):
-        cluster.race(client, {"deadly": Deadly}, "contest-01", store=tmp_path / "a.db", label="v1")
+    with pytest.raises(labmouse.Error, match="murderer"):
+        cluster.race(client, {"murderer": Murderer}, "contest-01", store=tmp_path / "a.db", label="v1")
 
 
 class Victim(Turner):
-    """Kills its worker with the decision of that number there, once in a folder."""
-
-    decided = collections.Counter()
+    """Kills its worker with the decision of that number in its process, once in a folder."""
 
     def __init__(self, moment, folder):
         self.moment = moment
         self.folder = folder
+        # What a contest leaves in its own variables is gone with it; this is the interpreter's.
+        self.decided = sys.__dict__.setdefault("decided_in_a_test", collections.Counter())
 
     def decide(self, seen):
         self.decided[self.folder] += 1
@@ -276,8 +289,8 @@ class Victim(Turner):
         if self.decided[self.folder] == self.moment:
             # Both workers may come here at once: then one of them makes the link.
             with contextlib.suppress(FileExistsError):
-                killed.symlink_to(str(os.getpid()))
-                os.kill(os.getpid(), signal.SIGKILL)
+                killed.symlink_to(str(os.getppid()))
+                os.kill(os.getppid(), signal.SIGKILL)
         return super().decide(seen)
 
 
@@ -297,8 +310,9 @@ def test_no_contest_is_lost_with_a_worker(tmp_path):
         for kill in range(KILLS):
             folder = tmp_path / str(kill)
             folder.mkdir()
-            # One of both workers holds a half of the contests at least, with a thousand decisions each.
-            moment = moments.randint(1, 6000)
+            # One of both workers holds a half of the contests at least, with a thousand decisions each, in a process for
+            # each order of sets.
+            moment = moments.randint(1, 6000 // labmouse._workers.HASH_ORDERS)
             mice = {"victim": victim(moment, str(folder))}
             spread = cluster.race(client, mice, store=folder / "a.db", label="v1", **order)
             pandas.testing.assert_frame_equal(results(spread), results(alone), obj=f"the race of moment {moment}")
@@ -386,7 +400,10 @@ cluster._native.merge_stores = tell
 with distributed.Client(address) as client:
     if kind == "line":
         sys.settrace(trace)
-    race = cluster.race(client, "random", ["contest-01", "contest-02", "contest-05"], runs=1000, seed=int(seed), store=store)
+    try:
+        race = cluster.race(client, "random", ["contest-01", "contest-02", "contest-05"], runs=1000, seed=int(seed), store=store)
+    except KeyboardInterrupt as stopped:
+        race = stopped.partial
     sys.settrace(None)
     print(race.complete, len(race.table))
 """

@@ -8,6 +8,7 @@ from typing import Union
 
 from ._mice import Action, Mouse, Sighting
 from ._native import Briefing, Error, Maze, find_mazes, generate, version
+from ._progress import Interrupted
 from ._races import Comparison, Race, race
 from ._records import Record, Replay, run
 from ._routes import Route, bound, route
@@ -21,6 +22,7 @@ __all__ = [
     "Briefing",
     "Comparison",
     "Error",
+    "Interrupted",
     "Maze",
     "Mouse",
     "Race",

@@ -62,19 +62,29 @@ class _Bar:
             self.handle.update({"text/plain": ""}, raw=True)
 
 
-def finish(running: Running, progress: "bool | None", workers: "Workers | None" = None) -> None:
-    """Waits for the end of the work, with a bar. Ctrl-C stops it and its workers: then what is done counts."""
+class Interrupted(KeyboardInterrupt):
+    """Ctrl-C while contests were held. What is done by then is in `partial`: a Race, a Study or a Record that is not complete."""
+
+    def __init__(self, partial: Any) -> None:
+        super().__init__(f"{partial!r} is in the attribute `partial`")
+        self.partial = partial
+
+
+def finish(running: Running, progress: "bool | None", workers: "Workers | None" = None) -> bool:
+    """Waits for the end of the work, with a bar; whether Ctrl-C stopped it and its workers: then what is done counts."""
     for remark in running.remarks:
         print(remark, file=sys.stderr)
     bar = _Bar(progress)
     try:
         while not running.wait(_SECONDS_A_WAIT):
             bar.show(running)
+        return False
     except KeyboardInterrupt:
         running.stop()
         if workers is not None:
             workers.close()
         while not running.wait(_SECONDS_A_WAIT):
             pass
+        return True
     finally:
         bar.clear()

@@ -1,5 +1,7 @@
 """Races: many mice on many mazes."""
 
+import csv
+import io
 import os
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -7,7 +9,7 @@ from . import _native
 from ._arguments import LARGEST_SEED, runs_given, whole
 from ._arguments import path as _path
 from ._mice import Mice, given
-from ._progress import finish
+from ._progress import Interrupted, finish
 from ._workers import for_mice
 from ._worlds import Mazes, Setting, mazes_of, world_with
 
@@ -72,10 +74,11 @@ class Race:
     @property
     def table(self) -> "pandas.DataFrame":
         """One line a contest, with the columns of `labmouse race --format csv`: docs/races.md has their units, and of seconds
-        docs/seconds.md."""
+        docs/seconds.md. Of a race that was stopped early, there is a column `stopped`, which is True."""
         import pandas
 
-        return pandas.DataFrame(self._held.contest_columns())
+        table = pandas.DataFrame(self._held.contest_columns())
+        return table if self.complete else table.assign(stopped=True)
 
     @property
     def standings(self) -> "pandas.DataFrame":
@@ -99,9 +102,11 @@ class Race:
     def to_csv(self, path: "str | os.PathLike[str] | None" = None) -> "str | None":
         """What `labmouse race --format csv` prints: written to a file, or returned where no path is given.
 
-        Raises Error where the file cannot be written.
+        Of a race that was stopped early, there is a column `stopped`, as in the table. Raises Error where the file cannot be
+        written.
         """
-        return _saved(self._held.csv(), path)
+        text = self._held.csv()
+        return _saved(text if self.complete else _marked(text), path)
 
     def to_json(self, path: "str | os.PathLike[str] | None" = None) -> "str | None":
         """What `labmouse race --format json` prints: written to a file, or returned where no path is given.
@@ -126,6 +131,14 @@ class Race:
                         for mouse, *cells in mice)
         return (f"<p>{escape(self._held.heading())}</p><table><thead><tr>{headings}</tr></thead><tbody>{lines}</tbody></table>"
                 f'<div style="white-space: pre-wrap">{escape(self._held.notes())}</div>')
+
+
+def _marked(text: str) -> str:
+    """Lines of CSV with a column that says that they are not all."""
+    marked = io.StringIO()
+    lines = csv.reader(io.StringIO(text, newline=""))
+    csv.writer(marked, lineterminator="\n").writerows([*line, "true" if number else "stopped"] for number, line in enumerate(lines))
+    return marked.getvalue()
 
 
 def _saved(text: str, path: "str | os.PathLike[str] | None") -> "str | None":
@@ -162,17 +175,16 @@ def race(
         other settings have the names of the command line's options.
     runs: contests in each maze of a mouse that throws dice, and of each mouse in 'physical' and 'fallible'; None for
         20, and 3 in 'physical'. seed: for all random choices.
-    jobs: threads; 0 for as many as there are processors. Results do not depend on it. Where the interpreter runs one
-        thread at a time, mice in Python race in processes of their own once the race takes longer than half a second:
-        what they leave in global variables stays there. With 1 they stay in this process.
+    jobs: threads, and processes of mice in Python; 0 for as many as there are processors. Results do not depend on it: each
+        contest of a mouse in Python begins with the state of your variables at the call, and leaves them alone.
     out: a folder for the records, a picture for each mouse and maze, and the results, as `--out` leaves it; what an
         earlier race left there is replaced with `overwrite`, and an error without.
     progress: whether to show a bar; None for where standard error is a terminal, and in notebooks.
     store: a file that keeps all contests; those that are there are not held again. Others may use it at the same time.
-    label: in the store, stands for the files of guests and the source of mice in Python: the same label is the same
-        mouse.
+    label: in the store, stands for the files of guests, and for what mice in Python read from elsewhere: give another one when
+        that changes.
 
-    Raises Error. Ctrl-C stops the race: it returns what is done, and `complete` is False.
+    Raises Error. Ctrl-C stops the race and raises Interrupted, a KeyboardInterrupt that has what is done as `partial`.
     """
     chosen = world_with(world, {"robot": robot, "rules": rules, "budget": budget, **settings})
     who = given(mice)
@@ -182,8 +194,11 @@ def race(
     running = _native.RunningRace(who.native(workers, label, store is not None), mazes_of(mazes), chosen, runs, seed, jobs,
                                   folder, overwrite, (kept, None, "keep"))
     try:
-        finish(running, progress, workers)
-        return Race(running.result())
+        stopped = finish(running, progress, workers)
+        held = Race(running.result())
     finally:
         if workers is not None:
             workers.close()
+    if stopped:
+        raise Interrupted(held)
+    return held

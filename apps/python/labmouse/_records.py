@@ -7,7 +7,7 @@ from . import _native
 from ._arguments import LARGEST_SEED, whole
 from ._arguments import path as _path
 from ._mice import AnyMouse, given, kept_chance
-from ._progress import finish
+from ._progress import Interrupted, finish
 from ._workers import for_mice
 from ._worlds import AnyMaze, Setting, maze_of, world_with
 
@@ -167,7 +167,7 @@ def run(
     debug: holds the contest of a mouse in Python in this process, where a debugger finds it, its prints are seen, and what it
         leaves in variables stays. Then sets of texts have the order that they have here; all else is as in a race.
 
-    Raises Error. Ctrl-C stops it: it returns the record so far, and `complete` is False.
+    Raises Error. Ctrl-C raises Interrupted, which has the record so far as `partial`.
     """
     chosen = world_with(world, {"robot": robot, "rules": rules, "budget": budget, **settings})
     who, where, seed = given(mouse), maze_of(maze), whole("seed", seed, 0, LARGEST_SEED)
@@ -175,8 +175,11 @@ def run(
     try:
         with kept_chance():
             running = _native.RunningContest(who.native(workers), where, chosen, seed)
-            finish(running, progress, workers)
-            return Record(running.result())
+            stopped = finish(running, progress, workers)
+            held = Record(running.result())
     finally:
         if workers is not None:
             workers.close()
+    if stopped:
+        raise Interrupted(held)
+    return held

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from . import _native
 from ._arguments import LARGEST_SEED, path, runs_given, whole
 from ._mice import Mice, given
-from ._progress import finish
+from ._progress import Interrupted, finish
 from ._workers import for_mice
 from ._worlds import Mazes, Setting, mazes_of, world_with
 
@@ -87,7 +87,7 @@ def study(
     """Compares mice as `labmouse study` does: each maze is held out once, in one of the folds.
 
     Mice that learn are taught anew for each fold, from the mazes of the others, unless `learning` is False. The other
-    arguments are those of `race`. Raises Error. Ctrl-C stops it: it returns the folds that are done.
+    arguments are those of `race`. Raises Error. Ctrl-C raises Interrupted, which has the folds that are done as `partial`.
     """
     chosen = world_with(world, {"robot": robot, "rules": rules, "budget": budget, **settings})
     who = given(mice)
@@ -97,8 +97,11 @@ def study(
     try:
         running = _native.RunningStudy(who.native(workers, label, store is not None), mazes_of(mazes), chosen,
                                        (folds, learning, runs, seed, jobs), (kept, None, "keep"))
-        finish(running, progress, workers)
-        return Study(running.result())
+        stopped = finish(running, progress, workers)
+        held = Study(running.result())
     finally:
         if workers is not None:
             workers.close()
+    if stopped:
+        raise Interrupted(held)
+    return held

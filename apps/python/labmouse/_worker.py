@@ -3,6 +3,8 @@
 import os
 import pickle
 import sys
+import threading
+import time
 from typing import Any, BinaryIO, Callable
 
 from ._by_value import loads
@@ -78,8 +80,16 @@ def _decide(maker: "Callable[..., Any]", briefing: Any, questions: BinaryIO, ans
             return
 
 
+def _end_with(parent: int) -> None:
+    """A mouse that never answers does not outlive the race."""
+    while os.getppid() == parent:
+        time.sleep(1)
+    os._exit(1)
+
+
 def main() -> None:
     """Reads mice and contests until the input ends."""
+    threading.Thread(target=_end_with, args=(os.getppid(),), daemon=True).start()
     questions = sys.stdin.buffer
     answers = os.fdopen(os.dup(1), "wb")
     # What a mouse prints is no answer, and what it would read is no question to it.
@@ -87,8 +97,11 @@ def main() -> None:
     sys.stdin = open(os.devnull, encoding="utf-8")
 
     def answer(thing: object) -> None:
-        pickle.dump(thing, answers)
-        answers.flush()
+        try:
+            pickle.dump(thing, answers)
+            answers.flush()
+        except BrokenPipeError:  # nobody listens any more
+            os._exit(1)
 
     mice: list[bytes] = []
     surroundings = _Surroundings()

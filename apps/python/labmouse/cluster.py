@@ -21,7 +21,7 @@ from . import _native
 from ._arguments import LARGEST_SEED, path, runs_given, shown, whole
 from ._mice import Mice, _python, given
 from ._native import Error, Maze
-from ._progress import finish
+from ._progress import Interrupted, finish
 from ._races import Race
 from ._studies import Study
 from ._workers import Workers, processors, snapshot
@@ -281,7 +281,7 @@ def _other_contests(store: str) -> Error:
 
 def _spread(client: "Client", mice: "Mice | None", mazes: "Mazes | None", store: "str | os.PathLike[str]", label: "str | None",
             numbers: "tuple[int | None, int]", folds: "tuple[int, bool] | None", progress: "bool | None",
-            patience: float, chosen: "tuple[str, dict[str, str]]") -> "tuple[Any, int]":
+            patience: float, chosen: "tuple[str, dict[str, str]]") -> "tuple[Any, int, bool]":
     if not hasattr(client, "submit"):
         raise Error(f"client is a distributed.Client, not {shown(client)}")
     runs, seed = numbers
@@ -296,10 +296,8 @@ def _spread(client: "Client", mice: "Mice | None", mazes: "Mazes | None", store:
     field = mazes_of(mazes) or _native.find_mazes([])
     kept = path("store", store)
     spread = _Spread(client, plan, field, kept, patience)
-    stopped = True
     try:
-        finish(spread, progress)
-        stopped = not spread.done == spread.all
+        stopped = finish(spread, progress)
     finally:
         spread.stop()
     # All of it is in the store now; after Ctrl-C, what is done.
@@ -308,7 +306,7 @@ def _spread(client: "Client", mice: "Mice | None", mazes: "Mazes | None", store:
         held = running.result()
     if not stopped and not held.complete:
         raise _other_contests(kept)
-    return held, spread.from_store
+    return held, spread.from_store, stopped
 
 
 def race(
@@ -335,11 +333,14 @@ def race(
     patience: so many seconds it waits for workers where the cluster has none; then it raises Error.
 
     The other arguments are those of `labmouse.race`. All machines need the same labmouse, and the files of guests,
-    robots and rules under the same paths. Raises Error. Ctrl-C stops the race: it returns what is done.
+    robots and rules under the same paths. Raises Error. Ctrl-C raises Interrupted, which has what is done as `partial`.
     """
     chosen = world_with(world, {"robot": robot, "rules": rules, "budget": budget, **settings})
-    held, from_store = _spread(client, mice, mazes, store, label, (runs, seed), None, progress, patience, chosen)
-    return Race(held, from_store)
+    held, from_store, stopped = _spread(client, mice, mazes, store, label, (runs, seed), None, progress, patience, chosen)
+    race = Race(held, from_store)
+    if stopped:
+        raise Interrupted(race)
+    return race
 
 
 def study(
@@ -364,11 +365,14 @@ def study(
     """Compares mice as `labmouse.study`, with the same numbers, on the workers of a `distributed.Client`.
 
     Mice that learn are taught on this machine and again in each task. `store` and `patience` are as of `race`, the other arguments are
-    those of `labmouse.study`. Raises Error. Ctrl-C stops it: it returns the folds that are done.
+    those of `labmouse.study`. Raises Error. Ctrl-C raises Interrupted, which has the folds that are done as `partial`.
     """
     chosen = world_with(world, {"robot": robot, "rules": rules, "budget": budget, **settings})
-    held, from_store = _spread(client, mice, mazes, store, label, (runs, seed), (folds, learning), progress, patience, chosen)
-    return Study(held, from_store)
+    held, from_store, stopped = _spread(client, mice, mazes, store, label, (runs, seed), (folds, learning), progress, patience, chosen)
+    study = Study(held, from_store)
+    if stopped:
+        raise Interrupted(study)
+    return study
 
 
 def sweep(
