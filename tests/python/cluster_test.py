@@ -160,12 +160,32 @@ def test_a_race_is_that_of_one_machine(client, tmp_path):
     assert labmouse.race(MICE, runs=3, store=tmp_path / "a.db").from_store == len(more.table) - len(more.mazes)
 
 
+def with_steps(number):
+    class Mouse:
+        def __init__(self):
+            self.left = number
+
+        def decide(self, seen):
+            self.left -= 1
+            return "forfeit" if self.left < 0 else (0, 0)
+
+    return Mouse
+
+
+def test_another_try_is_another_mouse(client, tmp_path):
+    for number in (1, 2, 1):
+        race = cluster.race(client, {"mouse": with_steps(number)}, MAZES, store=tmp_path / "a.db")
+        assert set(race.table["exploration_steps"]) == {number + 1}
+    assert race.from_store == len(MAZES)
+
+
 def test_the_physical_world_is_that_of_one_machine(client, tmp_path):
     options = dict(world="physical", noise=2)
-    alone = labmouse.race("flood,certify", MAZES[:2], **options)
-    spread = cluster.race(client, "flood,certify", MAZES[:2], store=tmp_path / "a.db", **options)
-    assert spread.complete and len(spread.table) == 12 and spread.table.equals(alone.table)
-    assert labmouse.race("flood,certify", MAZES[:2], store=tmp_path / "a.db", **options).from_store == 12
+    mice = {"flood": "flood", "certify": "certify", "turner": Turner}
+    alone = labmouse.race(mice, MAZES[:2], **options)
+    spread = cluster.race(client, mice, MAZES[:2], store=tmp_path / "a.db", **options)
+    assert spread.complete and len(spread.table) == 18 and spread.table.equals(alone.table)
+    assert labmouse.race(mice, MAZES[:2], store=tmp_path / "a.db", **options).from_store == 18
 
 
 def test_a_study_and_a_sweep_are_those_of_one_machine(client, tmp_path):

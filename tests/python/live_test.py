@@ -1,5 +1,7 @@
 """Mice in Python in worlds with chance: they see what happens to them, and hear that they were carried to the start."""
 
+from pathlib import Path
+
 import labmouse
 import pytest
 
@@ -99,3 +101,35 @@ def test_a_process_that_dies_on_its_way_is_a_forfeit():
 
     record = labmouse.run(Deadly, MAZE, world="fallible")
     assert record.outcome == "forfeit: died" and "3" in record.last_words
+
+
+class Teller:
+    """Says what it is told."""
+
+    def __init__(self, told):
+        self.told = told
+
+    def decide(self, seen):
+        raise ValueError(f"limit {self.told.time_limit:g}")
+
+
+def test_rules_that_changed_are_told_as_they_are_now(tmp_path):
+    rules = tmp_path / "mine.toml"
+    for limit in (200, 100):
+        rules.write_text(f'source = "a test"\ntime_limit = {limit}\nruns = 5\nclock = "gate to gate"\n')
+        for world in ("seconds", "physical"):
+            race = labmouse.race([Teller, "certify"], MAZE, world=world, rules=rules, runs=1)
+            record = labmouse.run(Teller, MAZE, world=world, rules=rules)
+            assert race.complete and f"limit {limit}" in record.last_words
+
+
+def test_a_robot_that_changed_drives_as_it_does_now(tmp_path):
+    """The score of a mouse in Python is that of the same way by a robot of that speed."""
+    text = (Path(__file__).resolve().parents[2] / "robots" / "classic.toml").read_text()
+    robot, times = tmp_path / "mine.toml", []
+    for speed in (500, 250):
+        robot.write_text(text.replace("speed = 500  ", f"speed = {speed}  "))
+        here, there = (labmouse.run(Feeler, MAZE, world="seconds", robot=robot, debug=debug) for debug in (True, False))
+        assert here.text == there.text
+        times.append(there.figures["search_us"])
+    assert times[1] > 1.2 * times[0]
