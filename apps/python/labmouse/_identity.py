@@ -130,7 +130,7 @@ class Walk:
         owner = method.__self__
         self._add("method", method.__name__)
         numpy = sys.modules.get("numpy.random.mtrand")
-        if owner is random._inst or numpy is not None and owner is numpy._rand:  # type: ignore[attr-defined]
+        if owner is random._inst or numpy is not None and owner is numpy._rand:
             self.chance = True
         else:
             self._several("of", [owner, getattr(method, "__func__", None)])

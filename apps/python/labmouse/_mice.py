@@ -31,7 +31,13 @@ Action = Union[tuple[int, int], Literal["reset", "forfeit"]]
 
 
 class Mouse(Protocol):
-    """A mouse in Python. There is a new one for each contest."""
+    """A mouse in Python. There is a new one for each contest.
+
+    It may have two more methods, which worlds in seconds call: `carried(self, seconds)`, it was carried to the start so many
+    seconds after the contest began; and `show(self, x, y, heading, seen)`, what it reads on a way on which it is driven, or in a
+    cell that it passes. Its class may have `uses_chance`, whether it has several contests in a maze, in place of what labmouse
+    finds in its code; and `version`, for stores, where it depends on what lies outside of its code.
+    """
 
     def decide(self, seen: Sighting) -> Action:
         """The next action, given what the mouse sees in its present pose. Called once a step until the contest ends."""
@@ -45,7 +51,7 @@ AnyMouse = Union[str, MouseMaker]
 #: Mice of a race: one, several, or several under names of their own.
 Mice = Union[AnyMouse, Iterable[AnyMouse], Mapping[str, AnyMouse]]
 
-_Own = tuple[str, object, bool]
+_Own = tuple[str, "Maker", bool]
 _Native = tuple[list[tuple[str, str]], list[tuple[str, object, bool, object, str]], str, str]
 
 

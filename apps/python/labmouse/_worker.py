@@ -118,4 +118,5 @@ def main() -> None:
         if what == "play":
             answer(play(_maker(mice[number]), *contest))
         else:
-            _decide(_maker(mice[number]), *contest, questions, answer)
+            [briefing] = contest
+            _decide(_maker(mice[number]), briefing, questions, answer)
