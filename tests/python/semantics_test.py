@@ -1,15 +1,19 @@
 """What a contest of a mouse in Python begins with: the same, however many processes there are and whatever was held before."""
 
 import io
+import os
 import random
 import subprocess
 import sys
 import textwrap
+from pathlib import Path
 
 import labmouse
 import numpy
 import pandas
 import pytest
+import rich_mouse
+from rich_mouse import Dicer
 
 MAZES = ["contest-01", "contest-02", "contest-05", "capstone-1"]
 steps_wanted = 5
@@ -85,37 +89,46 @@ def test_a_module_whose_parts_cannot_leave_this_process(nearby):
     import threading
 
     nearby.nearby_helper.lock = threading.Lock()
+    nearby.nearby_helper.going = (number for number in range(3))
     assert steps(nearby.Counter) == {6}
 
 
 def test_a_mouse_that_cannot_leave_this_process_is_named():
-    import threading
+    going = (number for number in range(3))
 
-    lock = threading.Lock()
-
-    class Locked:
+    class Goer:
         def decide(self, seen):
-            with lock:
-                return "forfeit"
+            return 0, next(going)
 
-    with pytest.raises(labmouse.Error, match="^[^\n]*'locked'[^\n]*lock[^\n]*$"):
-        labmouse.race({"locked": Locked}, MAZES)
+    with pytest.raises(labmouse.Error, match="^[^\n]*'goer'[^\n]*generator[^\n]*$"):
+        labmouse.race({"goer": Goer}, MAZES)
 
 
-class Dicer:
-    """Random in all ways that a process has."""
+def test_a_mouse_of_all_kinds_of_things():
+    table = labmouse.race({"rich": rich_mouse.Rich, "made": lambda told: rich_mouse.Rich(told)}, MAZES, budget=40).table
+    assert table["outcome"].tolist() == ["out of steps"] * 8
+    assert rich_mouse.Rich.made == 0 and next(rich_mouse.counter) == 0
 
-    def decide(self, seen):
-        words = list({"north", "east", "south", "west", "up", "down"})
-        turn = (-90, 0, 90)[(random.randrange(3) + len(words[0])) % 3]
-        return turn, int(numpy.random.randint(1, 4))
+
+def test_its_digest_is_the_same_in_every_process():
+    code = """if True:
+        import sys
+        sys.path.insert(0, sys.argv[1])
+        import rich_mouse
+        from labmouse._identity import Walk
+        print(Walk().go(rich_mouse).digest.hexdigest())
+    """
+    words = [sys.executable, "-c", code, str(Path(__file__).parent)]
+    printed = [subprocess.run(words, capture_output=True, text=True, check=True, env={**os.environ, "PYTHONHASHSEED": seed}).stdout
+               for seed in ("1", "2")]
+    assert printed[0] == printed[1] and len(printed[0]) == 65
 
 
 DICE = """
 import random, sys
 sys.path.insert(0, {folder!r})
 import numpy, labmouse
-from semantics_test import Dicer
+from rich_mouse import Dicer
 random.seed({seed}), numpy.random.seed({seed})
 if __name__ == "__main__":
     print(labmouse.race(Dicer, ["contest-01", "contest-02"], jobs={jobs}, runs=3).to_csv(), end="")
@@ -123,8 +136,6 @@ if __name__ == "__main__":
 
 
 def test_random_numbers_and_the_order_of_sets_follow_the_seed_of_the_contest():
-    from pathlib import Path
-
     folder = str(Path(__file__).parent)
     printed = []
     for seed in (1, 2):

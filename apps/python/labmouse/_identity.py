@@ -20,7 +20,8 @@ from pathlib import Path
 from types import BuiltinFunctionType, CellType, CodeType, FunctionType, MappingProxyType, MethodType, ModuleType
 from typing import Any
 
-from ._modules import global_names, is_of_own, is_own, own_file_of
+from ._by_value import reduced
+from ._modules import global_names, installed_with, is_of_own, is_own, own_file_of
 from ._workers import HASH_ORDERS
 
 #: Global names and attributes by which code may come to what is no part of it, such as files and the clock.
@@ -110,8 +111,6 @@ class Walk:
             self._several(type(thing).__name__, [thing.__func__])
         elif isinstance(thing, property):
             self._several("property", [thing.fget, thing.fset, thing.fdel])
-        elif isinstance(thing, functools._lru_cache_wrapper):
-            self._several("cached", [thing.__wrapped__, thing.cache_parameters()])
         elif isinstance(thing, (MethodType, BuiltinFunctionType)) and not isinstance(thing.__self__, (ModuleType, type(None))):
             self._method(thing)
         elif isinstance(thing, BuiltinFunctionType):
@@ -141,7 +140,10 @@ class Walk:
         self._code(code, space.get("__package__") or "", space.get("__file__"))
         self._several("defaults", [function.__defaults__, function.__kwdefaults__, function.__dict__])
         self._several("closure", [part for cell in function.__closure__ or () for part in self._contents(cell)])
-        for name in sorted(global_names(code)):
+        installed = installed_with(space)
+        if installed is not None:
+            self._installed(installed.__name__)
+        for name in sorted(global_names(code)) if installed is None else ():
             if name in space:
                 self._add("global", name)
                 self.go(space[name])
@@ -180,19 +182,20 @@ class Walk:
             self.chance = True
         try:
             reduce = copyreg.dispatch_table.get(type(thing))
-            reduced = reduce(thing) if reduce is not None else thing.__reduce_ex__(4)
+            parts = reduced(thing) or (reduce(thing) if reduce is not None else thing.__reduce_ex__(4))
         except Exception:  # what a user's object raises can be anything
             self._add("unknown", type(thing).__name__)
             if not self._in_modules:
                 self.outside.add(f"a {type(thing).__name__}")
             return
-        if isinstance(reduced, str):
-            self._add("named", reduced)
+        if isinstance(parts, str):
+            self._add("named", parts)
             self._reference(type(thing))
             return
-        parts = [list(part) if number > 2 and part is not None and not callable(part) else part for number, part in enumerate(reduced)]
-        self._kept.append(parts)
-        self._several("object", [type(thing), *parts])
+        # Items of lists and dictionaries come one by one.
+        whole = [part if number < 3 or part is None or callable(part) else list(part) for number, part in enumerate(parts)]
+        self._kept.append(whole)
+        self._several("object", [type(thing), *whole])
 
     def _installed(self, name: str) -> None:
         """A module that other processes import: by the version of its package, or by its file where nobody installed it."""

@@ -8,6 +8,7 @@ import sys
 import sysconfig
 from importlib.machinery import SOURCE_SUFFIXES, ModuleSpec
 from types import CodeType, ModuleType
+from typing import Any
 
 _GLOBAL = ("LOAD_GLOBAL", "STORE_GLOBAL", "DELETE_GLOBAL", "LOAD_NAME", "LOAD_FROM_DICT_OR_GLOBALS")
 
@@ -44,6 +45,12 @@ def is_of_own(thing: object) -> bool:
     """Whether a function or class was written in a module of the user's own, or in none that is left."""
     module = sys.modules.get(getattr(thing, "__module__", None) or "")
     return module is None or is_own(module)
+
+
+def installed_with(space: "dict[str, Any]") -> "ModuleType | None":
+    """The module of these globals, where it is none of the user's own: decorators make functions that belong to both."""
+    module = sys.modules.get(space.get("__name__", ""))
+    return module if module is not None and vars(module) is space and not is_own(module) else None
 
 
 def own_file_of(name: str, spec: "ModuleSpec | None" = None) -> "str | None":

@@ -57,7 +57,7 @@ def _maker(mouse: bytes) -> "Callable[..., Any]":
     except Exception as error:  # what a user's object raises can be anything
         reason = error
 
-        def broken() -> None:
+        def broken(_: object) -> None:
             raise reason
 
         return broken
