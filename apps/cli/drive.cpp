@@ -119,7 +119,7 @@ void add_drive(Command& app, int& exit) {
       ->check(in_range(0.0, 10.0))
       ->capture_default_str();
   command->add_option("--search-speed", options->speed, "Speed of the moves in mm/s; 0: the robot's own")
-      ->check(in_range(0.0, 20'000.0))
+      ->check(search_speed())
       ->capture_default_str();
   command->add_flag("--fast", options->fast, "The fastest route in place of the moves of a search");
   command->add_flag("--groups", options->groups, "Each group of noise alone");

@@ -150,7 +150,7 @@ void add_hazards(Command& app, int& exit) {
       ->check(in_range(0.0, 10.0))
       ->capture_default_str();
   command->add_option("--search-speed", options->speed, "Speed of a search in mm/s; 0: the robot's own")
-      ->check(in_range(0.0, 20'000.0))
+      ->check(search_speed())
       ->capture_default_str();
   command->add_option("--map", options->map, "What mice do with a reading against their map: nothing, or weigh it")
       ->check(one_of({"first", "belief", "learned"}))

@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "command.hpp"
+#include "labmouse/contest/physical_conditions.hpp"
 #include "labmouse/lab/text/numbers.hpp"
 #include "labmouse/strategies/parameter.hpp"
 
@@ -113,6 +114,16 @@ Check::Check(const std::function<std::string(const std::string&)>& problem)
 Check in_range(int low, int high) { return between(low, high, "INT", "whole number"); }
 Check in_range(std::uint64_t low, std::uint64_t high) { return between(low, high, "UINT", "whole number"); }
 Check in_range(double low, double high) { return between(low, high, "FLOAT", "number"); }
+Check search_speed() {
+  return Check([](const std::string& text) {
+    double speed = 0.0;
+    if (std::string problem = read_number(text, speed); !problem.empty()) return problem;
+    const bool good = speed == 0.0 || (speed >= least_search_speed && speed <= most_search_speed);
+    return good ? ""
+                : fmt::format("'{}' is neither 0 nor a speed from {:g} to {:g} mm/s", text, least_search_speed,
+                              most_search_speed);
+  });
+}
 Check one_of(const std::vector<std::string>& words) { return Check(CLI::IsMember(words)); }
 Check existing_directory() { return Check(CLI::ExistingDirectory); }
 

@@ -40,6 +40,8 @@ Check one_of(const std::vector<std::string>& words);
 Check existing_directory();
 /// 0 to 2^64 - 1, in digits.
 Check seed_number();
+/// The speed of a search in mm/s, or 0.
+Check search_speed();
 /// Finite, and written plainly.
 Check finite_number();
 

@@ -25,6 +25,9 @@ struct PhysicalConditions {
 /// As slowly as a mouse can be driven, as a part of its usual pace.
 inline constexpr double least_pace = 0.2;
 
+/// Speeds of a search that can be chosen, in mm/s. Less is no speed of a mouse, but one in m/s.
+inline constexpr double least_search_speed = 10.0, most_search_speed = 20'000.0;
+
 /// What a pilot knows of its hardware: the book, and how far mice like it are spread at noise 1; not how much noise
 /// there is today.
 inline Hardware told_of(const DriveModel& model, const PhysicalConditions& conditions) {

@@ -54,6 +54,24 @@ TEST_F(AUser, GivesDecimalNumbersToAllOptions) {
   is_refused({"drive", "--noise", "1,"}, "--noise");
 }
 
+TEST_F(AUser, ChoosesAWorldByItsNameAndNotByAParameter) {
+  file("m.txt", test::corridor);
+  const std::vector<std::string> race = {"race", "--mice", "flood,ariadne:cell_most=1", "--mazes", "m.txt"};
+  is_refused(race, "'cell_most'", "--world seconds");
+  is_refused({"sweep", "ariadne", "--vary", "cell_most=0,1", "--mazes", "m.txt"}, "'cell_most'", "--world seconds");
+  std::vector<std::string> named = race;
+  named.insert(named.end(), {"--world", "seconds"});
+  EXPECT_EQ(labmouse(named).code, 0);
+}
+
+TEST_F(AUser, GivesSpeedsInMillimetres) {
+  file("m.txt", test::corridor);
+  is_refused({"race", "--world", "physical", "--mice", "flood", "--mazes", "m.txt", "--search-speed", "0.3"},
+             "--search-speed", "mm/s");
+  is_refused({"drive", "--mazes", "m.txt", "--search-speed", "0.3"}, "--search-speed", "mm/s");
+  is_refused({"hazards", "--mazes", "m.txt", "--search-speed", "0.3"}, "--search-speed", "mm/s");
+}
+
 TEST_F(AUser, HasNoEmptyValueTakenForNone) {
   const std::vector<std::vector<std::string>> all = {{"hazards", "--check", ""},
                                                      {"race", "--start", ""},

@@ -140,7 +140,10 @@ WorldResult make(const WorldSettings& chosen) {
   PhysicalConditions& conditions = parts.conditions;
   conditions.noise.spread = number_in(physical_entry, chosen, "spread", 10.0, parts.error).value_or(0.0);
   conditions.pilot.search_speed =
-      number_in(physical_entry, chosen, "search-speed", 20'000.0, parts.error).value_or(0.0);
+      number_in(physical_entry, chosen, "search-speed", most_search_speed, parts.error).value_or(0.0);
+  if (parts.error.empty() && conditions.pilot.search_speed > 0.0 && conditions.pilot.search_speed < least_search_speed)
+    parts.error = fmt::format("--search-speed: {:g} is less than {:g}: it is in mm/s", conditions.pilot.search_speed,
+                              least_search_speed);
   if (!parts.error.empty()) return {nullptr, parts.error};
   return {physical_world(parts.rules, parts.model, conditions), "", std::move(parts.remarks)};
 }

@@ -113,7 +113,7 @@ class PhysicalWorld : public World {
             {"map", std::string(name_of(conditions_.map))}};
   }
   int edition() const override { return physical_edition; }
-  std::string heading() const override { return fmt::format(", noise {:g}", conditions_.noise.all); }
+  std::string heading() const override { return ", " + noise_text(); }
 
   std::string refuse(const Contestant& mouse) const override { return mouse.pilot ? "" : refuse_to_drive({&mouse, 1}); }
   std::string refuse(const Maze& maze) const override { return refuse_to_drive_in(maze); }
@@ -160,13 +160,12 @@ class PhysicalWorld : public World {
   std::string notes(const Race& race) const override {
     return fmt::format(
         "Rules {}: {}. Lower is better; mice that scored in more contests come first.\nRobot {}, cells of {:g} mm, "
-        "noise "
-        "{:g}. The score is the mean of those that scored; 'penalised' counts the others as {:g} s.\nCrashes: the "
+        "{}. The score is the mean of those that scored; 'penalised' counts the others as {:g} s.\nCrashes: the "
         "tyres "
         "slid, the mouse strayed from where it believed to be, or it drove into a wall that it had misread.\nBound, {} "
         "s "
         "on average: a mouse that never errs and knows the maze but must first search a way there.\n",
-        shown(rules_.name), formula(), shown(model_->robot.name), model_->tables.cell, conditions_.noise.all,
+        shown(rules_.name), formula(), shown(model_->robot.name), model_->tables.cell, noise_text(),
         in_seconds(rules_.time_limit), columns::number(mean_bound(race), 3));
   }
 
@@ -183,6 +182,10 @@ class PhysicalWorld : public World {
   const DriveModel& model() const { return *model_; }
 
  private:
+  /// "noise 1 was measured" holds of one mouse; how far mice are apart is a guess that belongs beside it.
+  std::string noise_text() const {
+    return fmt::format("noise {:g}, spread {:g}", conditions_.noise.all, conditions_.noise.spread);
+  }
   /// A contest as it was held.
   struct Driven {
     PhysicalRecord record;

@@ -209,7 +209,7 @@ std::string why_not_driven(const PhysicalConditions& conditions, MazeTime time_l
 
 MapKind map_kind_in(JsonFields& fields) {
   const std::optional<MapKind> kind = map_kind_of(fields.text("map"));
-  if (!kind) fields.fail("has a 'map' that is neither first nor belief");
+  if (!kind) fields.fail("has a 'map' that is none of first, belief and learned");
   return kind.value_or(MapKind::first);
 }
 

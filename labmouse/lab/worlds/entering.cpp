@@ -90,6 +90,12 @@ EntriesResult enter(std::vector<Contestant> mice, std::string_view world, const 
   for (Contestant& mouse : mice) {
     const std::size_t home = home_of(mouse);
     if (home == by_world.size()) return {{}, fmt::format("error: mouse '{}' cannot race in any world", mouse.name), {}};
+    // It could race in the first world but for a parameter, which must not choose the world without a word.
+    if (home > 0 && mouse.make)
+      return {{},
+              fmt::format("error: {}; leave it out, or add --world {}", all_worlds()[0]->make({}).world->refuse(mouse),
+                          all_worlds()[home]->name),
+              {}};
     by_world[home].push_back(std::move(mouse));
   }
   EntriesResult result;
