@@ -170,18 +170,17 @@ std::vector<std::optional<Baseline>> load_baselines(const RaceOptions& options, 
   return baselines;
 }
 
-/// The mice whose mean over all contests is above the limit. A failure that no mean counts is above any.
+/// The mice whose mean over all contests, failed ones at the limit, is above the one that is allowed.
 std::string above_limit(const RaceOptions& options, const Race& race) {
   std::string text;
+  const World& world = race.world();
+  const std::string counting =
+      world.failure_score() ? "" : fmt::format(" (failed contests at {:g} {})", world.limit_score(), world.unit());
   for (const Standing& standing : standings_of(race)) {
     const Contestant& mouse = race.mice[standing.mouse];
-    const bool counted = race.world().failure_score().has_value();
-    if (!counted && !mouse.reference && standing.solved < standing.runs)
-      text += fmt::format("{} has no score in {} of {} contests, which exceeds any limit\n", shown(mouse.name),
-                          standing.runs - standing.solved, standing.runs);
-    else if (!mouse.reference && standing.mean_all && *standing.mean_all > options.fail_above)
-      text += fmt::format("{} scores {:.3f}, above the limit of {:g}\n", shown(mouse.name), *standing.mean_all,
-                          options.fail_above);
+    if (!mouse.reference && standing.mean_at_limit && *standing.mean_at_limit > options.fail_above)
+      text += fmt::format("{} scores {:.3f}{}, above the limit of {:g}\n", shown(mouse.name), *standing.mean_at_limit,
+                          counting, options.fail_above);
   }
   return text;
 }

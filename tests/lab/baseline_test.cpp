@@ -3,6 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <optional>
+#include <string>
+#include <string_view>
+
 #include "labmouse/lab/standings/race_json.hpp"
 #include "labmouse/lab/worlds/worlds.hpp"
 #include "tests/lab/record_fixture.hpp"
@@ -39,7 +43,7 @@ TEST(Baseline, PairsMiceByTheirNames) {
 TEST(Baseline, TheOnlyMouseIsComparedWithTheOnlyMouse) {
   const std::string text = compared("oracle", "flood:stride=1");
   EXPECT_THAT(text, HasSubstr("oracle against flood:stride=1: -"));
-  EXPECT_THAT(text, Says("2 better, 0 equal, 0 worse", ": better"));
+  EXPECT_THAT(text, Says("2 better, 0 equal, 0 worse", ": too few mazes", "Add 6"));
 }
 
 TEST(Baseline, VariantsAreComparedWithTheOnlyMouse) {
@@ -92,16 +96,56 @@ TEST(Baseline, WithoutACommonMazeItSaysSo) {
   EXPECT_THAT(compared(test::race_of("flood"), json_of(earlier, {})), HasSubstr("no mazes in common"));
 }
 
-TEST(Baseline, AFailureThatCountsNothingIsLeftOut) {
+constexpr std::string_view in_seconds =
+    R"({"labmouse":"x","mice":[],"groups":[{"world":"seconds","mice":[{"name":"flood","results":[)"
+    R"({"maze":"loop","score":null},{"maze":"loop","score":{"value":2500000}},{"maze":"hook","score":null}]}]}]})";
+
+TEST(Baseline, AFailureWithoutAScoreCountsTheTimeLimit) {
   const auto world = default_world("seconds");
-  const std::string json =
-      R"({"labmouse":"x","mice":[],"groups":[{"world":"seconds","mice":[{"name":"flood","results":[)"
-      R"({"maze":"loop","score":null},{"maze":"loop","score":{"value":2500000}},{"maze":"hook","score":null}]}]}]})";
+  const std::string json(in_seconds);
   const ReadBaselineResult read = read_baseline(json, *world);
   ASSERT_TRUE(read.baseline) << read.error;
-  EXPECT_EQ(read.baseline->mice.at("flood"), (std::map<std::string, std::vector<double>>{{"loop", {2.5}}}));
+  const MazeScores& loop = read.baseline->mice.at("flood").at("loop");
+  EXPECT_EQ(loop.contests, 2);
+  EXPECT_EQ(loop.finished, 1);
+  EXPECT_DOUBLE_EQ(loop.mean().value(), (world->limit_score() + 2.5) / 2.0);
+  EXPECT_DOUBLE_EQ(loop.finished_mean().value(), 2.5);
+  EXPECT_EQ(read.baseline->mice.at("flood").at("hook").finished_mean(), std::nullopt);
   EXPECT_NE(read_baseline(test::changed(json, "2500000", "-2500000"), *world).error, "");
   EXPECT_NE(read_baseline(test::changed(json, "\"value\"", "\"other\""), *world).error, "");
+}
+
+/// A mouse in the fallible world in so many mazes, of which it finished the first ones in those seconds.
+Race finishing(int mazes, int finished, double seconds) {
+  Race race;
+  race.order.world = default_world("fallible");
+  race.mice = test::mice("flood");
+  for (int maze = 0; maze < mazes; ++maze) {
+    NamedMaze named = test::loop();
+    named.name = "maze-" + std::to_string(maze);
+    race.mazes.push_back(named);
+    race.facts.push_back({1.0, {}, {}});
+    ContestResult result;
+    result.maze = static_cast<std::size_t>(maze);
+    result.done = true;
+    if (maze < finished) result.score = result.counted = seconds + maze;
+    race.results.push_back(result);
+  }
+  return race;
+}
+
+TEST(Baseline, AMouseThatFinishesMoreIsBetterThoughItsFinishedRunsAreSlower) {
+  const Race before = finishing(30, 10, 10.0), now = finishing(30, 28, 15.0);
+  Baseline baseline;
+  for (std::size_t maze = 0; maze < before.mazes.size(); ++maze)
+    baseline.mice["flood"][before.mazes[maze].name] = maze_scores(before, 0)[maze];
+  const std::string text = compare_with_baseline(now, baseline);
+  EXPECT_THAT(text, ::testing::ContainsRegex("flood: -[0-9].*: better\n"));
+  EXPECT_THAT(text, Says("28 of 30 contests", "10 of 30"));
+  EXPECT_THAT(text, ::testing::ContainsRegex("percent \\+60.0 .*: better\n"));
+  EXPECT_THAT(text, HasSubstr("only the contests that finished: +5.000"));
+  EXPECT_THAT(text, Not(HasSubstr("worse\n")));
+  EXPECT_THAT(text, Says("2 comparisons"));
 }
 
 TEST(Baseline, WhatIsNoRaceIsRefused) {

@@ -107,12 +107,12 @@ TEST(WilsonInterval, IsThatOfTheBooks) {
     EXPECT_NEAR(interval.low, low, 5e-5);
     EXPECT_NEAR(interval.high, high, 5e-5);
   };
-  near(wilson_interval(81, 263), 0.2553, 0.3662);
-  near(wilson_interval(15, 148), 0.0624, 0.1605);
-  near(wilson_interval(0, 20), 0.0, 0.1611);
-  near(wilson_interval(1, 29), 0.0061, 0.1718);
-  near(wilson_interval(20, 20), 1.0 - 0.1611, 1.0);
-  near(wilson_interval(0, 0), 0.0, 1.0);
+  near(wilson_interval(81.0 / 263, 263), 0.2553, 0.3662);
+  near(wilson_interval(15.0 / 148, 148), 0.0624, 0.1605);
+  near(wilson_interval(0.0, 20), 0.0, 0.1611);
+  near(wilson_interval(1.0 / 29, 29), 0.0061, 0.1718);
+  near(wilson_interval(1.0, 20), 1.0 - 0.1611, 1.0);
+  near(wilson_interval(0.0, 0), 0.0, 1.0);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include "labmouse/lab/mazes/maze_link.hpp"
 #include "labmouse/lab/numbers/statistics.hpp"
+#include "labmouse/lab/numbers/verdict.hpp"
 #include "labmouse/lab/pictures/picture_layers.hpp"
 #include "labmouse/lab/records/packed_record.hpp"
 #include "labmouse/maze/formats/format.hpp"
@@ -113,16 +114,18 @@ TEST(PageBeliefs, AreNotOfWrongLists) {
 }
 
 TEST(PageCompares, AsTheLabDoes) {
-  const std::vector<double> differences = {-1, 0.5, -2, 0, -0.25};
+  const std::vector<double> differences = {-1, 0.5, -2, 0, -8, -3, -1.5, -2.5};
   const PairedDifference found = paired_difference(differences, 1);
   const json said = answer("compare", {{"differences", differences}});
-  EXPECT_EQ(said, (json{{"count", 5},
+  EXPECT_EQ(said, (json{{"count", 8},
                         {"mean", found.mean},
                         {"interval", {found.interval.low, found.interval.high}},
-                        {"below", 3},
+                        {"below", 6},
                         {"equal", 1},
                         {"above", 1},
-                        {"sign_test", found.sign_test}}));
+                        {"sign_test", found.sign_test},
+                        {"p", found.p},
+                        {"verdict", name_of(verdict_of(found, found.p))}}));
   const Interval other = paired_difference(differences, 7).interval;
   EXPECT_EQ(answer("compare", {{"differences", differences}, {"seed", 7}})["interval"], json({other.low, other.high}));
   EXPECT_NE(other, found.interval);

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "labmouse/lab/mice/specs.hpp"
-#include "labmouse/lab/numbers/wilson.hpp"
+#include "labmouse/lab/numbers/maze_interval.hpp"
 #include "labmouse/lab/physical/physical_entry.hpp"
 #include "labmouse/lab/standings/race_json.hpp"
 #include "labmouse/lab/standings/race_table.hpp"
@@ -71,7 +71,12 @@ TEST(PhysicalWorld, CountsWhatEndedRuns) {
   const Standing standing = standings_of(race).front();
   EXPECT_EQ(standing.solved, 60 - unscored);
   const auto json = nlohmann::json::parse(json_of(race, {})).at("groups").at(0).at("mice").at(0);
-  const Interval interval = wilson_interval(60 - unscored, 60);
+  std::vector<MazeSum> sums(race.mazes.size());
+  for (const ContestResult& result : race.results) {
+    sums[result.maze].count += 1.0;
+    sums[result.maze].sum += result.score ? 1.0 : 0.0;
+  }
+  const Interval interval = share_interval(sums);
   EXPECT_NEAR(json.at("finished_interval").at(0).get<double>(), interval.low, 1e-9);
   EXPECT_NEAR(json.at("finished_interval").at(1).get<double>(), interval.high, 1e-9);
   double scored = 0.0, all = 0.0;

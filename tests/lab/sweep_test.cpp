@@ -224,7 +224,7 @@ Sweep made_up() {
   sweep.meaning = "of the cells";
   sweep.mazes = {"here/one", "two"};
   sweep.values = 3;
-  sweep.points = {{"0", 4, 1, 30.5, Interval{20.25, 40.0}},
+  sweep.points = {{"0", 4, 1, 30.5, Interval{20.25, 40.0}, 30.0},
                   {"0.5", 4, 0, 20.0, std::nullopt},
                   {"1", 4, 0, 20.0, Interval{15.0, 25.0}}};
   return sweep;
@@ -243,8 +243,9 @@ TEST(SweepAsTable, HasALineForEachValue) {
 }
 
 TEST(SweepAsCsv, LeavesEmptyWhatIsNotThere) {
-  EXPECT_EQ(csv_of(made_up()),
-            "value,mean,low,high,failures,runs\n0,30.5,20.25,40,1,4\n0.5,20,,,0,4\n1,20,15,25,0,4\n");
+  EXPECT_EQ(
+      csv_of(made_up()),
+      "value,mean,low,high,failures,runs,finished_mean\n0,30.5,20.25,40,1,4,30\n0.5,20,,,0,4,\n1,20,15,25,0,4,\n");
 }
 
 TEST(SweepAsPicture, ShowsEachPointWithItsInterval) {

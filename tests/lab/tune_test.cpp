@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "labmouse/lab/bounds/bounds.hpp"
+#include "labmouse/lab/numbers/maze_interval.hpp"
 #include "labmouse/lab/standings/standings.hpp"
+#include "labmouse/lab/worlds/worlds.hpp"
 #include "tests/lab/drawing_samples.hpp"
 #include "tests/lab/race_fixture.hpp"
 #include "tests/lab/xml_scanner.hpp"
@@ -53,7 +55,8 @@ TEST(Tune, BeginsWithTheMouseAsGiven) {
   EXPECT_EQ(given.mouse, "visit-counter:random_share=0.25");
   EXPECT_THAT(given.values, ElementsAre("0.25", "0.8333"));
   EXPECT_EQ(given.generation, 0);
-  EXPECT_EQ(given.by_maze.size(), 2U);
+  ASSERT_EQ(given.by_maze.size(), 3U);
+  EXPECT_EQ(given.by_maze[2], std::nullopt);  // without a route
   EXPECT_EQ(found.mazes, 2U);
   EXPECT_EQ(found.routeless, 1);
   EXPECT_FALSE(found.stopped);
@@ -145,9 +148,9 @@ TEST(Tune, MayTuneTheRatioToTheBound) {
   // Mazes in the order of their names: corridor, loop.
   const std::vector<double> bounds = {*bound_of(test::corridor().maze, Rules()).score,
                                       *bound_of(test::loop().maze, Rules()).score};
-  const std::vector<double>&by_score = scores.evaluations[0].by_maze, &by_ratio = ratios.evaluations[0].by_maze;
-  for (std::size_t maze : {0U, 1U}) EXPECT_DOUBLE_EQ(by_ratio[maze], by_score[maze] / bounds[maze]);
-  EXPECT_DOUBLE_EQ(ratios.evaluations[0].value, (by_ratio[0] + by_ratio[1]) / 2.0);
+  const auto &by_score = scores.evaluations[0].by_maze, &by_ratio = ratios.evaluations[0].by_maze;
+  for (std::size_t maze : {0U, 1U}) EXPECT_DOUBLE_EQ(*by_ratio[maze], *by_score[maze] / bounds[maze]);
+  EXPECT_DOUBLE_EQ(ratios.evaluations[0].value, (*by_ratio[0] + *by_ratio[1]) / 2.0);
 }
 
 TEST(Tune, CountsAFailureAsTheRulesSay) {
@@ -157,7 +160,7 @@ TEST(Tune, CountsAFailureAsTheRulesSay) {
   order.race.world = steps_world(rules);
   const Tune found = tune("flood", "stride", order);
   EXPECT_EQ(found.evaluations[0].failures, 1);
-  EXPECT_DOUBLE_EQ(found.evaluations[0].by_maze[1], 100.0);
+  EXPECT_DOUBLE_EQ(found.evaluations[0].by_maze[1].value(), 100.0);
 }
 
 TEST(Tune, DoesNotDependOnTheNumberOfThreads) {
@@ -227,6 +230,35 @@ Tune made_up() {
   return tune;
 }
 
+TEST(Tune, GainsNothingByFailing) {  // where failed contests have no score, and candidates fail in different mazes
+  TuneOrder order = order_of(8);
+  order.race.world = find_world("fallible")->make({{"noise", "4"}}).world;
+  order.race.runs = 10;
+  const RangesResult ranges = read_ranges("festina", "search,slower,step");
+  const Tune found = hold_tune("festina", ranges.ranges, mazes(), order);
+  ASSERT_EQ(found.evaluations.size(), 8U);
+  const double limit = order.race.world->limit_score();
+  int failed = 0;
+  for (const Evaluation& evaluation : found.evaluations) {
+    failed += evaluation.failures;
+    ASSERT_EQ(evaluation.by_maze.size(), 3U);
+    EXPECT_GE(evaluation.value, limit * evaluation.failures / 20.0);  // ten runs in each of two mazes with a route
+    EXPECT_GE(evaluation.value, best_of(found).value);
+    EXPECT_GT(evaluation.value, 0.0);
+  }
+  EXPECT_GT(failed, 0);
+  EXPECT_THAT(table_of(found, false), HasSubstr("as given"));
+}
+
+TEST(Gain, PairsTheSameMazes) {
+  Tune tune = made_up();
+  tune.evaluations[0].by_maze = {30.0, std::nullopt, 40.0};
+  const Gain gain = gain_of(tune);
+  EXPECT_DOUBLE_EQ(gain.mean, -3.5);  // of -5 and -2
+  tune.evaluations[2].by_maze = {std::nullopt, 1.0, std::nullopt};
+  EXPECT_EQ(gain_of(tune).interval, std::nullopt);
+}
+
 TEST(Gain, IsThePairedDifference) {
   const Gain gain = gain_of(made_up());
   EXPECT_DOUBLE_EQ(gain.mean, -2.0);  // of -5, +1 and -2
@@ -234,7 +266,7 @@ TEST(Gain, IsThePairedDifference) {
   EXPECT_EQ(gain.equal, 0);
   EXPECT_EQ(gain.worse, 1);
   const std::vector<double> differences = {-5.0, 1.0, -2.0};
-  EXPECT_EQ(gain.interval, bootstrap_interval(differences, 1));
+  EXPECT_EQ(gain.interval, mean_interval(differences, 1));
 }
 
 TEST(Gain, OfOneMazeHasNoInterval) {

@@ -60,6 +60,7 @@ class ToyWorld final : public World {
     return mouse.make ? "" : fmt::format("mouse '{}' cannot walk", mouse.name);
   }
   bool throws_dice() const override { return true; }
+  double limit_score() const override { return Rules().failure_score; }
   MazeFacts facts(const Maze& maze) const override { return {bound_of(maze, Rules()).score, {}, {}}; }
 
   Held hold(const Race& race, ContestResult& result, Keep keep, const std::atomic<bool>*) const override {

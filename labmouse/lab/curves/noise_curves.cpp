@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "labmouse/lab/numbers/wilson.hpp"
+#include "labmouse/lab/numbers/maze_interval.hpp"
 #include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
@@ -30,10 +30,18 @@ void add(const Race& race, const ContestResult& contest, NoisePoint& point) {
 
 std::vector<NoisePoint> points_of(const Race& race, double noise) {
   std::vector<NoisePoint> points(race.mice.size());
-  for (const ContestResult& contest : race.results)
-    if (counts(race, contest)) add(race, contest, points[contest.mouse]);
-  for (NoisePoint& point : points) {
+  std::vector<std::vector<MazeSum>> finished(race.mice.size(), std::vector<MazeSum>(race.mazes.size()));
+  for (const ContestResult& contest : race.results) {
+    if (!counts(race, contest)) continue;
+    add(race, contest, points[contest.mouse]);
+    MazeSum& maze = finished[contest.mouse][contest.maze];
+    maze.sum += contest.score ? 1.0 : 0.0;
+    maze.count += 1.0;
+  }
+  for (std::size_t mouse = 0; mouse < points.size(); ++mouse) {
+    NoisePoint& point = points[mouse];
     point.noise = noise;
+    point.interval = share_interval(finished[mouse]);
     if (point.penalised) *point.penalised /= point.contests;
   }
   return points;
@@ -67,7 +75,7 @@ std::string lines_of(std::span<const NoiseCurve> curves, std::string_view title,
 
 std::string finished_text(const NoisePoint& point) {
   if (point.contests == 0) return "-";
-  const Interval interval = wilson_interval(point.finished, point.contests);
+  const Interval& interval = point.interval;
   return fmt::format("{:.1f} ({:.1f}-{:.1f})", 100.0 * point.finished / point.contests, 100.0 * interval.low,
                      100.0 * interval.high);
 }

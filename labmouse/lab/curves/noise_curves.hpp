@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "labmouse/contest/physical_record.hpp"
+#include "labmouse/lab/numbers/interval.hpp"
 #include "labmouse/lab/races/race.hpp"
 
 namespace labmouse {
@@ -17,6 +18,7 @@ struct NoisePoint {
   double noise = 0.0;
   int contests = 0;
   int finished = 0;                              ///< with a score
+  Interval interval;                             ///< of the share of those, over mazes
   std::optional<double> penalised;               ///< mean seconds, the others counted as the time limit
   std::array<int, all_run_ends.size()> ended{};  ///< the others, by RunEnd
 };

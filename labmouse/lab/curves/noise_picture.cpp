@@ -10,7 +10,6 @@
 #include "labmouse/lab/drawing/palette.hpp"
 #include "labmouse/lab/drawing/plot_area.hpp"
 #include "labmouse/lab/drawing/sheet.hpp"
-#include "labmouse/lab/numbers/wilson.hpp"
 #include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {
@@ -40,7 +39,7 @@ std::string curve_svg(const NoiseCurve& curve, std::size_t mouse, const Axis& x,
   std::string data, whiskers;
   for (const NoisePoint& point : curve.points) {
     data += fmt::format("{}{:.1f} {:.1f}", data.empty() ? 'M' : 'L', x.place(point.noise), y.place(percent_of(point)));
-    const Interval interval = wilson_interval(point.finished, point.contests);
+    const Interval& interval = point.interval;
     whiskers += fmt::format("<path {} stroke-opacity=\"0.5\" d=\"M{:.1f} {:.1f}V{:.1f}\"/>\n",
                             stroke(*tones[mouse % tones.size()]), x.place(point.noise), y.place(100.0 * interval.low),
                             y.place(100.0 * interval.high));

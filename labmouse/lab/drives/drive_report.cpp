@@ -43,7 +43,7 @@ std::string table_of(std::span<const DriveTally> tallies) {
       fmt::format("{:<14} {:>6} {:>8} {:>13} {:>7} {:>7} {:>6} {:>6} {:>6} {:>11} {:>9} {:>9} {:>8}\n", "", "runs", "%",
                   "interval", "any %", "maze %", "mm", "mm", "deg.", "50, 95 % mm", "misread %", "misread %", "crash");
   for (const DriveTally& tally : tallies) {
-    const Interval interval = wilson_interval(tally.crashed, tally.runs);
+    const Interval& interval = tally.interval;
     text += fmt::format(
         "{:<14} {:>6} {:>8.2f} {:>13} {:>7.0f} {:>7.0f} {:>6.2f} {:>6.2f} {:>6.2f} {:>11} {:>9.4f} {:>9.4f} {:>8}\n",
         shown(tally.name), tally.runs, 100.0 * share_of(tally.crashed, tally.runs),
@@ -62,7 +62,7 @@ std::string table_of(std::span<const DriveTally> tallies) {
 std::string json_of(std::span<const DriveTally> tallies, const DriveOrder& order) {
   Json list = Json::array();
   for (const DriveTally& tally : tallies) {
-    const Interval interval = wilson_interval(tally.crashed, tally.runs);
+    const Interval& interval = tally.interval;
     list.push_back({{"name", tally.name},
                     {"stopped", tally.stopped},
                     {"mazes", tally.mazes},

@@ -6,6 +6,7 @@
 #include <mutex>
 
 #include "labmouse/chance/dice.hpp"
+#include "labmouse/lab/numbers/maze_interval.hpp"
 #include "labmouse/lab/system/parallel.hpp"
 
 namespace labmouse {
@@ -66,6 +67,7 @@ std::vector<DriveTally> drive_known_ways(const DriveOrder& order, std::span<cons
   for (std::size_t c = 0; c < cases.size(); ++c) {
     DriveTally& tally = tallies.emplace_back();
     tally.name = cases[c].name;
+    std::vector<MazeSum> crashes;
     for (std::size_t m = 0; m < mazes.size(); ++m) {
       const auto& [here, stopped] = drives[c * mazes.size() + m];
       tally.stopped = tally.stopped || stopped;
@@ -74,6 +76,7 @@ std::vector<DriveTally> drive_known_ways(const DriveOrder& order, std::span<cons
       const auto crashed =
           std::count_if(here.begin(), here.end(), [](const KnownDrive& drive) { return drive.crashed; });
       const double share = static_cast<double>(crashed) / static_cast<double>(here.size());
+      crashes.push_back({static_cast<double>(crashed), static_cast<double>(here.size())});
       if (crashed == 0) ++tally.mazes_without_crash;
       if (share > tally.worst_share) {
         tally.worst_share = share;
@@ -81,6 +84,7 @@ std::vector<DriveTally> drive_known_ways(const DriveOrder& order, std::span<cons
       }
       for (const KnownDrive& drive : here) add(tally, drive);
     }
+    tally.interval = share_interval(crashes);
     std::sort(tally.most_aside.begin(), tally.most_aside.end());
   }
   return tallies;

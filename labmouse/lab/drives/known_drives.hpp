@@ -11,6 +11,7 @@
 
 #include "labmouse/contest/known_drive.hpp"
 #include "labmouse/lab/mazes/maze_files.hpp"
+#include "labmouse/lab/numbers/interval.hpp"
 
 namespace labmouse {
 
@@ -39,6 +40,7 @@ struct DriveTally {
   std::string worst_maze;
   int runs = 0;
   int crashed = 0;
+  Interval interval;  ///< of the share of these, over mazes
   std::int64_t cells = 0, ticks = 0, grazes = 0;
   WayErrors truth, belief;
   WallReadings side, front;

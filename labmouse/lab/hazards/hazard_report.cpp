@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "labmouse/contest/physical.hpp"
+#include "labmouse/lab/hazards/counts_by_maze.hpp"
 #include "labmouse/lab/hazards/hazard_file.hpp"
 #include "labmouse/lab/hazards/hazards.hpp"
 #include "labmouse/lab/numbers/wilson.hpp"
@@ -13,10 +14,6 @@
 
 namespace labmouse {
 namespace {
-
-Interval interval_of(std::int64_t part, std::int64_t all) {
-  return wilson_interval(static_cast<int>(part), static_cast<int>(all));
-}
 
 /// "4 to 8", or what is below the first limit or above the last.
 std::string name_of_level(std::size_t level) {
@@ -27,10 +24,12 @@ std::string name_of_level(std::size_t level) {
 }
 
 /// A thousandth part, with its interval; a dash where nothing was counted.
-std::string per_thousand(std::int64_t part, std::int64_t all) {
-  if (all == 0) return fmt::format("{:>9} {:>15}", "-", "-");
-  const Interval interval = interval_of(part, all);
-  return fmt::format("{:>9.3f} {:>15}", 1000.0 * share_of(part, all),
+template <class ShareOf>
+std::string per_thousand(const CountsByMaze& counts, ShareOf share) {
+  const Share of = share(counts.all);
+  if (of.all == 0) return fmt::format("{:>9} {:>15}", "-", "-");
+  const Interval interval = counts.interval(share);
+  return fmt::format("{:>9.3f} {:>15}", 1000.0 * share_of(of.part, of.all),
                      fmt::format("{:.3f}-{:.3f}", 1000.0 * interval.low, 1000.0 * interval.high));
 }
 
@@ -41,48 +40,61 @@ std::string near(const ManoeuvreCount& count) {
   return fmt::format("{:.2f}", 100.0 * share_of(count.after[0] + count.after[1] + count.after[2], ended));
 }
 
-std::string line_of(std::string_view name, const ManoeuvreCount& count) {
-  return fmt::format("{:<14} {:>9} {:>8} {} {:>8}\n", name, count.times, count.crashes,
-                     per_thousand(count.crashes, count.times), near(count));
+/// Of the manoeuvres that `select` takes from counts.
+template <class Select>
+std::string manoeuvre_line(std::string_view name, const CountsByMaze& counts, Select select) {
+  const ManoeuvreCount count = select(counts.all);
+  const auto crashes = [&](const HazardCounts& some) {
+    const ManoeuvreCount of = select(some);
+    return Share{of.crashes, of.times};
+  };
+  return fmt::format("{:<14} {:>9} {:>8} {} {:>8}\n", name, count.times, count.crashes, per_thousand(counts, crashes),
+                     near(count));
 }
 
-/// Of readings of walls and gaps.
-struct Misreads {
-  std::int64_t times = 0;
-  std::int64_t wrong = 0;
-};
-
-Misreads misreads_of(const HazardCounts& counts, std::initializer_list<Reading> readings, std::size_t level) {
-  Misreads sum;
+/// Wrong readings of walls and gaps, of all.
+Share misreads_of(const HazardCounts& counts, std::initializer_list<Reading> readings, std::size_t level) {
+  Share sum;
   for (const Reading reading : readings) {
     const ReadingCount& count = counts.readings[static_cast<std::size_t>(reading)][level];
-    sum.times += count.times();
-    sum.wrong += count.wrong(reading);
+    sum.all += count.times();
+    sum.part += count.wrong(reading);
   }
   return sum;
 }
 
-std::string line_of(std::string_view name, const Misreads& beside, const Misreads& ahead) {
-  return fmt::format("{:<14} {:>9} {} {:>9} {}\n", name, beside.times, per_thousand(beside.wrong, beside.times),
-                     ahead.times, per_thousand(ahead.wrong, ahead.times));
+std::string readings_line(const CountsByMaze& counts, std::size_t level) {
+  using enum Reading;
+  const auto beside = [&](const HazardCounts& some) {
+    return misreads_of(some, {wall_beside, gap_beside, wall_beside_again, gap_beside_again}, level);
+  };
+  const auto ahead = [&](const HazardCounts& some) {
+    return misreads_of(some, {wall_ahead, gap_ahead, wall_ahead_again, gap_ahead_again}, level);
+  };
+  return fmt::format("{:<14} {:>9} {} {:>9} {}\n", name_of_level(level), beside(counts.all).all,
+                     per_thousand(counts, beside), ahead(counts.all).all, per_thousand(counts, ahead));
 }
 
+Share finished_share(const HazardCounts& counts) { return {counts.finished, counts.contests}; }
+
 /// "522 contests, 81.2 % finished (79.0-83.1)"
-std::string finished_text_of(const HazardCounts& counts) {
-  const Interval finished = interval_of(counts.finished, counts.contests);
+std::string finished_text_of(const CountsByMaze& by_maze) {
+  const HazardCounts& counts = by_maze.all;
+  const Interval finished = by_maze.interval(finished_share);
   return fmt::format("{} contests, {:.1f} % finished ({:.1f}-{:.1f})", counts.contests,
                      100.0 * share_of(counts.finished, counts.contests), 100.0 * finished.low, 100.0 * finished.high);
 }
 
-std::string table_of(const HazardTally& tally) {
-  const HazardCounts counts = tally.all();
+std::string table_of(const MeasuredHazards& measured, std::size_t place) {
+  const HazardTally& tally = measured.tallies[place];
+  const CountsByMaze counts = counts_of(measured, place, [](const HazardTally& each) { return each.all(); });
   std::string text =
       fmt::format("Noise {:g}{}: {}\n", tally.noise, tally.pace == 1.0 ? "" : fmt::format(", pace {:g}", tally.pace),
                   finished_text_of(counts));
   if (tally.noise > 0.0) {
     text += "\n";
     for (const Luck luck : all_luck)
-      if (const HazardCounts& some = tally.by_luck[static_cast<std::size_t>(luck)]; some.contests > 0)
+      if (const CountsByMaze some = of_luck(measured, place, static_cast<std::size_t>(luck)); some.all.contests > 0)
         text += fmt::format("{:<16} {}\n", name_of(luck), finished_text_of(some));
   }
   const auto heading = [](std::string_view first) {
@@ -90,57 +102,70 @@ std::string table_of(const HazardTally& tally) {
                        "near %");
   };
   text += "\n" + heading("manoeuvre");
-  for (const Manoeuvre manoeuvre : all_manoeuvres) text += line_of(name_of(manoeuvre), counts.of(manoeuvre));
+  for (const Manoeuvre manoeuvre : all_manoeuvres)
+    text += manoeuvre_line(name_of(manoeuvre), counts, [&](const HazardCounts& some) { return some.of(manoeuvre); });
   text += "\n" + heading("astray, %");
-  for (std::size_t level = 0; level < astray_levels; ++level) text += line_of(name_of_level(level), counts.at(level));
+  for (std::size_t level = 0; level < astray_levels; ++level)
+    text += manoeuvre_line(name_of_level(level), counts, [&](const HazardCounts& some) { return some.at(level); });
   text += fmt::format("\n{:<14} {:>9} {:>9} {:>15} {:>9} {:>9} {:>15}\n", "readings", "beside", "wrong of", "95 %",
                       "ahead", "wrong of", "95 %");
   text += fmt::format("{:<14} {:>9} {:>9} {:>15} {:>9} {:>9}\n", "astray, %", "", "1000", "", "", "1000");
-  for (std::size_t level = 0; level < astray_levels; ++level) {
-    using enum Reading;
-    text += line_of(name_of_level(level),
-                    misreads_of(counts, {wall_beside, gap_beside, wall_beside_again, gap_beside_again}, level),
-                    misreads_of(counts, {wall_ahead, gap_ahead, wall_ahead_again, gap_ahead_again}, level));
-  }
+  for (std::size_t level = 0; level < astray_levels; ++level) text += readings_line(counts, level);
   return text;
 }
 
-Json interval_json(std::int64_t part, std::int64_t all) {
-  const Interval interval = interval_of(part, all);
+template <class ShareOf>
+Json interval_json(const CountsByMaze& counts, ShareOf share) {
+  const Interval interval = counts.interval(share);
   return {interval.low, interval.high};
 }
 
-Json json_of(const ManoeuvreCount& count) {
+Json manoeuvre_json(const CountsByMaze& counts, Manoeuvre manoeuvre, std::size_t level) {
+  const auto of = [&](const HazardCounts& some) -> const ManoeuvreCount& {
+    return some.manoeuvres[static_cast<std::size_t>(manoeuvre)][level];
+  };
+  const ManoeuvreCount& count = of(counts.all);
   return {{"times", count.times},
           {"crashes", count.crashes},
           {"slid", count.slid},
           {"after", count.after},
-          {"crash_interval", interval_json(count.crashes, count.times)}};
+          {"crash_interval", interval_json(counts, [&](const HazardCounts& some) {
+             return Share{of(some).crashes, of(some).times};
+           })}};
 }
 
-Json json_of(const ReadingCount& count, Reading reading) {
+Json reading_json(const CountsByMaze& counts, Reading reading, std::size_t level) {
+  const auto of = [&](const HazardCounts& some) -> const ReadingCount& {
+    return some.readings[static_cast<std::size_t>(reading)][level];
+  };
+  const ReadingCount& count = of(counts.all);
   return {{"by_evidence", count.by_evidence},
           {"wrong", count.wrong(reading)},
-          {"wrong_interval", interval_json(count.wrong(reading), count.times())}};
+          {"wrong_interval", interval_json(counts, [&](const HazardCounts& some) {
+             return Share{of(some).wrong(reading), of(some).times()};
+           })}};
 }
 
-Json json_of(const HazardCounts& counts) {
+Json json_of(const CountsByMaze& by_maze) {
+  const HazardCounts& counts = by_maze.all;
   Json json = {{"contests", counts.contests},
                {"finished", counts.finished},
-               {"finished_interval", interval_json(counts.finished, counts.contests)},
+               {"finished_interval", interval_json(by_maze, finished_share)},
                {"put", counts.put}};
   for (const Manoeuvre manoeuvre : all_manoeuvres)
-    for (const ManoeuvreCount& count : counts.manoeuvres[static_cast<std::size_t>(manoeuvre)])
-      json["manoeuvres"][std::string(name_of(manoeuvre))].push_back(json_of(count));
+    for (std::size_t level = 0; level < astray_levels; ++level)
+      json["manoeuvres"][std::string(name_of(manoeuvre))].push_back(manoeuvre_json(by_maze, manoeuvre, level));
   for (const Reading reading : all_readings)
-    for (const ReadingCount& count : counts.readings[static_cast<std::size_t>(reading)])
-      json["readings"][std::string(name_of(reading))].push_back(json_of(count, reading));
+    for (std::size_t level = 0; level < astray_levels; ++level)
+      json["readings"][std::string(name_of(reading))].push_back(reading_json(by_maze, reading, level));
   return json;
 }
 
-Json json_of(const HazardTally& tally) {
+Json json_of(const MeasuredHazards& measured, std::size_t place) {
+  const HazardTally& tally = measured.tallies[place];
   Json json = {{"noise", tally.noise}, {"pace", tally.pace}};
-  for (const HazardCounts& counts : tally.by_luck) json["by_luck"].push_back(json_of(counts));
+  for (std::size_t luck = 0; luck < tally.by_luck.size(); ++luck)
+    json["by_luck"].push_back(json_of(of_luck(measured, place, luck)));
   return json;
 }
 
@@ -195,7 +220,8 @@ Json heading_of(const HazardOrder& order, std::span<const Contestant> mice, std:
 
 std::string table_of(const MeasuredHazards& measured) {
   std::string text;
-  for (const HazardTally& tally : measured.tallies) text += (text.empty() ? "" : "\n") + table_of(tally);
+  for (std::size_t place = 0; place < measured.tallies.size(); ++place)
+    text += (text.empty() ? "" : "\n") + table_of(measured, place);
   if (measured.stopped) text += "\nStopped early: not all contests are done.\n";
   return text;
 }
@@ -204,7 +230,8 @@ std::string json_of(const MeasuredHazards& measured, const HazardOrder& order, s
                     std::size_t mazes) {
   Json json = heading_of(order, mice, mazes);
   json["stopped"] = measured.stopped;
-  for (const HazardTally& tally : measured.tallies) json["noises"].push_back(json_of(tally));
+  for (std::size_t place = 0; place < measured.tallies.size(); ++place)
+    json["noises"].push_back(json_of(measured, place));
   return json.dump() + "\n";
 }
 

@@ -51,6 +51,9 @@ struct HazardHooks {
 struct MeasuredHazards {
   std::vector<HazardTally> tallies;  ///< one for each pace and noise, in increasing order
   bool stopped = false;              ///< before all contests were done
+  /// The tallies of each maze, for the intervals of the shares: contests in one maze are not independent. Where there
+  /// are none, contests count as independent.
+  std::vector<std::vector<HazardTally>> by_maze = {};
 };
 
 /// Holds all contests of mice that decide by Strategy; each has a seed of its own, the same under each noise and the

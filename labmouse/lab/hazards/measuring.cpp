@@ -66,6 +66,8 @@ MeasuredHazards measure_hazards(const HazardOrder& ordered, std::span<const Cont
   std::vector<HazardTally>& tallies = measured.tallies;
   for (const double pace : sorted(order.paces))
     for (const double noise : sorted(order.noises)) tallies.push_back({noise, pace, {}});
+  for (const HazardTally& tally : tallies)
+    measured.by_maze.emplace_back(mazes.size(), HazardTally{tally.noise, tally.pace, {}});
   const std::size_t pairs = mice.size() * mazes.size();
   std::vector<MeasuredPart> parts(tallies.size() * pairs);
   const std::size_t all = parts.size() * static_cast<std::size_t>(order.runs);
@@ -82,6 +84,7 @@ MeasuredHazards measure_hazards(const HazardOrder& ordered, std::span<const Cont
   });
   for (std::size_t i = 0; i < parts.size(); ++i) {
     tallies[i / pairs] += parts[i].tally;
+    measured.by_maze[i / pairs][i % pairs / mice.size()] += parts[i].tally;
     measured.stopped = measured.stopped || parts[i].stopped;
   }
   return measured;

@@ -126,7 +126,8 @@ class MmsWorld final : public World {
 
   std::string_view fixed_places() const override { return "starts at (0,0) and has its goal in the centre"; }
   bool numbers_runs() const override { return false; }
-  std::optional<double> failure_score() const override { return decimal(MmsStatistics().score); }
+  std::optional<double> failure_score() const override { return limit_score(); }
+  double limit_score() const override { return decimal(MmsStatistics().score); }
   const WorldFields& fields() const override { return mms_fields(); }
   std::string notes(const Race& race) const override { return mms_notes(race); }
   std::string remarks(const Race& race) const override { return mms_remarks(race); }

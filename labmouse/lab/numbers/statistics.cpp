@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstddef>
+#include <vector>
 
-#include "labmouse/chance/dice.hpp"
+#include "labmouse/lab/numbers/maze_interval.hpp"
+#include "labmouse/lab/numbers/sign_flips.hpp"
 
 namespace labmouse {
 
@@ -14,46 +17,12 @@ double mean(std::span<const double> values) {
   return sum / static_cast<double>(values.size());
 }
 
-namespace {
-
-/// The interval of what `of` makes of a sample: `count` of so many values, as pick() names them one by one.
-template <class Of>
-Interval bootstrap(std::size_t count, std::uint64_t seed, Of of) {
-  constexpr std::size_t samples = 2000;
-  constexpr std::size_t tail = samples / 40;  // 2.5 % on each side
-  Dice dice(seed);
-  std::vector<double> found(samples);
-  for (double& sample : found)
-    sample = of([&] { return static_cast<std::size_t>(dice.below(static_cast<int>(count))); });
-  std::sort(found.begin(), found.end());
-  return {found[tail], found[samples - 1 - tail]};
-}
-
-}  // namespace
-
-Interval bootstrap_interval(std::span<const double> values, std::uint64_t seed) {
-  if (values.empty()) return {};
-  return bootstrap(values.size(), seed, [&](auto pick) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < values.size(); ++i) sum += values[pick()];
-    return sum / static_cast<double>(values.size());
-  });
-}
-
 PairedRatio paired_ratio(std::span<const double> values, std::span<const double> others, std::uint64_t seed) {
   assert(values.size() == others.size() && !values.empty());
-  PairedRatio found;
-  found.ratio = mean(values) / mean(others);
-  found.interval = bootstrap(values.size(), seed, [&](auto pick) {
-    double sum = 0.0, of_others = 0.0;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      const std::size_t pair = pick();
-      sum += values[pair];
-      of_others += others[pair];
-    }
-    return sum / of_others;
-  });
-  return found;
+  std::vector<MazeSum> mazes;
+  for (std::size_t i = 0; i < values.size(); ++i) mazes.push_back({values[i], others[i]});
+  const double ratio = mean(values) / mean(others);
+  return {ratio, including(interval_of(mazes, seed), ratio)};
 }
 
 double sign_test(int below, int above) {
@@ -72,14 +41,16 @@ double sign_test(int below, int above) {
   return std::min(1.0, 2.0 * tail / all);
 }
 
-PairedDifference paired_difference(std::span<const double> differences, std::uint64_t seed) {
-  constexpr double rounding = 1e-9;
+PairedDifference paired_difference(std::span<const double> given, std::uint64_t seed) {
   PairedDifference found;
+  std::vector<double> differences;
+  for (const double difference : given) differences.push_back(is_equal(difference) ? 0.0 : difference);
   found.count = static_cast<int>(differences.size());
   found.mean = mean(differences);
-  found.interval = bootstrap_interval(differences, seed);
+  found.interval = mean_interval(differences, seed);
+  found.p = sign_flip_test(differences, seed);
   for (const double difference : differences)
-    ++(difference <= -rounding ? found.below : difference >= rounding ? found.above : found.equal);
+    ++(difference < 0.0 ? found.below : difference > 0.0 ? found.above : found.equal);
   found.sign_test = sign_test(found.below, found.above);
   return found;
 }

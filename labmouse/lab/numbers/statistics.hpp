@@ -3,24 +3,13 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
+
+#include "labmouse/lab/numbers/interval.hpp"
 
 namespace labmouse {
 
-/// A 95 % interval.
-struct Interval {
-  double low = 0.0;
-  double high = 0.0;
-
-  friend bool operator==(const Interval&, const Interval&) = default;
-};
-
 /// The mean, summed in the order given; 0 for no values.
 double mean(std::span<const double> values);
-
-/// 95 % percentile interval of the mean by 2,000 bootstrap samples (Efron 1979), seeded: equal values in equal order
-/// give equal intervals. One value gives that value twice; none gives zeros.
-Interval bootstrap_interval(std::span<const double> values, std::uint64_t seed);
 
 /// Two-sided exact sign test (Arbuthnott 1710): the chance that so many fair throws fall at least as unevenly as these.
 /// 1 for no throws. Counts must not be negative.
@@ -30,7 +19,8 @@ double sign_test(int below, int above);
 struct PairedDifference {
   int count = 0;
   double mean = 0.0;
-  Interval interval;  ///< of the mean, by bootstrap
+  Interval interval;  ///< of the mean
+  double p = 1.0;     ///< of the sign-flip test: two-sided
   int below = 0;
   int equal = 0;
   int above = 0;
@@ -45,7 +35,7 @@ PairedDifference paired_difference(std::span<const double> differences, std::uin
 /// The mean of some values over that of others, which belong to them in pairs.
 struct PairedRatio {
   double ratio = 0.0;
-  Interval interval;  ///< by bootstrap over the pairs
+  Interval interval;
 };
 
 /// As many values as others, at least one of each; the sum of any choice of the others must be above 0.

@@ -5,15 +5,13 @@
 
 namespace labmouse {
 
-Interval wilson_interval(int successes, int trials) {
-  if (trials == 0) return {0.0, 1.0};
-  constexpr double deviations = 1.959963984540054;
-  constexpr double squared = deviations * deviations;
-  const double n = trials, share = successes / n;
+Interval wilson_interval(double share, double trials, double deviations) {
+  if (trials <= 0.0) return {0.0, 1.0};
+  const double n = trials, squared = deviations * deviations;
   const double middle = (share + squared / (2.0 * n)) / (1.0 + squared / n);
   const double reach =
       deviations / (1.0 + squared / n) * std::sqrt(share * (1.0 - share) / n + squared / (4.0 * n * n));
-  return {std::max(0.0, middle - reach), std::min(1.0, middle + reach)};
+  return including({std::max(0.0, middle - reach), std::min(1.0, middle + reach)}, share);
 }
 
 }  // namespace labmouse

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "labmouse/lab/numbers/statistics.hpp"
+#include "labmouse/lab/numbers/interval.hpp"
 
 namespace labmouse {
 
@@ -12,8 +12,9 @@ constexpr double share_of(std::int64_t part, std::int64_t all) {
   return all == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(all);
 }
 
-/// 95 % interval of a share by its score (Wilson 1927): sound for few trials, and where all or none succeeded. From 0
-/// to 1 without any trial.
-Interval wilson_interval(int successes, int trials);
+/// Interval of a share of independent trials by its score (Wilson 1927): sound for few trials, and where all or none
+/// succeeded. From 0 to 1 without any trial. Contests that share mazes are not independent: share_interval is for them.
+/// @param deviations Half its width in standard deviations; as given, 95 %.
+Interval wilson_interval(double share, double trials, double deviations = 1.959963984540054);
 
 }  // namespace labmouse

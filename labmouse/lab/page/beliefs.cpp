@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "labmouse/lab/numbers/statistics.hpp"
+#include "labmouse/lab/numbers/verdict.hpp"
 #include "labmouse/lab/page/answers.hpp"
 #include "labmouse/lab/page/request.hpp"
 #include "labmouse/mouse/distance.hpp"
@@ -96,7 +97,9 @@ PageReply answer_compare(const ReadJson& json, std::string_view) {
                    {"below", found.below},
                    {"equal", found.equal},
                    {"above", found.above},
-                   {"sign_test", found.sign_test}});
+                   {"sign_test", found.sign_test},
+                   {"p", found.p},
+                   {"verdict", name_of(verdict_of(found, found.p))}});
 }
 
 }  // namespace labmouse

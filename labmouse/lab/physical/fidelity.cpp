@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "labmouse/lab/numbers/maze_interval.hpp"
 #include "labmouse/lab/physical/physical_world.hpp"
 #include "labmouse/lab/text/printable.hpp"
 
@@ -27,16 +28,16 @@ Fidelity fidelity_of(const Race& physical, const Race& fallible, std::size_t mou
     count.physical += one.score ? 1 : 0;
     count.fallible += fallible.results[i].score ? 1 : 0;
   }
-  std::vector<double> differences;
+  std::vector<MazeSum> differences;
   for (const MazeCount& count : by_maze) {
     if (count.contests == 0) continue;
     sum.contests += count.contests;
     sum.physical += count.physical;
     sum.fallible += count.fallible;
-    differences.push_back(1.0 * (count.fallible - count.physical) / count.contests);
+    differences.push_back({1.0 * (count.fallible - count.physical), 1.0 * count.contests});
   }
   if (sum.contests > 0) sum.difference = 1.0 * (sum.fallible - sum.physical) / sum.contests;
-  if (differences.size() > 1) sum.interval = bootstrap_interval(differences, 1);
+  if (differences.size() > 1) sum.interval = including(interval_of(differences, 1), sum.difference);
   return sum;
 }
 

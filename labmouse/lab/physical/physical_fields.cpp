@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "labmouse/lab/numbers/wilson.hpp"
+#include "labmouse/lab/numbers/interval.hpp"
 #include "labmouse/lab/physical/physical_figures.hpp"
 #include "labmouse/lab/standings/common_fields.hpp"
 #include "labmouse/lab/standings/mouse_figures.hpp"
@@ -107,8 +107,6 @@ std::optional<double> penalised(const Race& race, const Standing& standing) {
   return standing.runs == 0 || !all ? std::nullopt : std::optional(*all / standing.runs);
 }
 
-Interval finished_interval(const Standing& standing) { return wilson_interval(standing.solved, standing.runs); }
-
 Value interval_value(const Interval& interval) { return JsonText{fmt::format("[{},{}]", interval.low, interval.high)}; }
 
 constexpr std::array<MouseField, 24> mouse_fields = {
@@ -116,7 +114,7 @@ constexpr std::array<MouseField, 24> mouse_fields = {
      {"parameters", fields::parameters},
      {"scored", fields::solved},
      {"runs", fields::runs},
-     {"finished_interval", [](const Race&, const Standing& s) { return interval_value(finished_interval(s)); }},
+     {"finished_interval", [](const Race&, const Standing& s) { return interval_value(s.finished); }},
      {"mean_score", fields::mean_all},
      {"interval", fields::interval},
      {"mean_ratio", fields::mean_ratio},
@@ -145,7 +143,7 @@ std::string count_text(const Race& race, const Standing& standing) {
 }
 
 std::string finished_text(const Race&, const Standing& standing) {
-  const Interval interval = finished_interval(standing);
+  const Interval& interval = standing.finished;
   return standing.runs == 0 ? "-" : fmt::format("{:.0f}-{:.0f}", 100.0 * interval.low, 100.0 * interval.high);
 }
 

@@ -163,6 +163,9 @@ class World {
   virtual bool numbers_runs() const { return true; }
   /// What a contest without a score counts in means over all; nothing where it has no place there.
   virtual std::optional<double> failure_score() const { return std::nullopt; }
+  /// What a contest without a score counts where mice are compared, where it always has to count: the score at the time
+  /// limit (PAR-1), or the failure score.
+  virtual double limit_score() const = 0;
   /// The figure of a contest whose mean over the solved ones tells mice with equal means apart; empty without one.
   virtual std::string_view tie_breaker() const { return ""; }
   virtual ScorePlace score_place() const { return {}; }

@@ -100,6 +100,7 @@ class SecondsWorld final : public World {
     return kept(mouse, maze, result.seed, std::move(record), keep);
   }
 
+  double limit_score() const override { return in_seconds(rules_.time_limit); }
   std::string_view tie_breaker() const override { return "search_us"; }
   ScorePlace score_place() const override { return {"score", "value", 1e-6, -in_seconds(rules_.untouched_bonus)}; }
   const WorldFields& fields() const override { return seconds_fields(); }

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <vector>
 
-#include "labmouse/lab/standings/standings.hpp"
+#include "labmouse/lab/standings/mouse_pair.hpp"
+#include "labmouse/lab/text/counted.hpp"
 #include "labmouse/lab/text/json.hpp"
 #include "labmouse/lab/text/json_problem.hpp"
 #include "labmouse/lab/text/printable.hpp"
@@ -12,7 +14,7 @@
 namespace labmouse {
 namespace {
 
-using Scores = std::map<std::string, std::vector<double>>;
+using Scores = std::map<std::string, MazeScores>;
 
 constexpr double absurd = 1e6;  // no contest scores that much: whoever wrote this was no race
 
@@ -32,19 +34,18 @@ std::optional<double> score_in(const ReadJson& result, const ScorePlace& place, 
 /// Reads one result of a mouse into its scores; false where it is none.
 bool read_result(const ReadJson& result, const World& world, Scores& scores) {
   bool good = false;
-  std::optional<double> score = score_in(result, world.score_place(), good);
+  const std::optional<double> score = score_in(result, world.score_place(), good);
   if (!good || !result.contains("maze") || !result["maze"].is_string()) return false;
-  if (!score) score = world.failure_score();
-  if (score) scores[result["maze"].get<std::string>()].push_back(*score);
+  scores[result["maze"].get<std::string>()].add(score, score.value_or(world.limit_score()));
   return true;
 }
 
 std::string file_name(const std::string& path) { return path.substr(path.rfind('/') + 1); }
 
 /// The scores in a maze of that name, or in the only one whose file is called so; null where there is none.
-const std::vector<double>* find_scores(const Scores& scores, const std::string& maze) {
+const MazeScores* find_scores(const Scores& scores, const std::string& maze) {
   if (const auto same = scores.find(maze); same != scores.end()) return &same->second;
-  const std::vector<double>* found = nullptr;
+  const MazeScores* found = nullptr;
   for (const auto& [name, values] : scores) {
     if (file_name(name) != file_name(maze)) continue;
     if (found != nullptr) return nullptr;
@@ -93,29 +94,62 @@ std::string change_of(const Condition& condition, const Baseline& baseline) {
   return fmt::format("Warning: {} was {} and is now {}.\n", condition.key, name(old), name(now));
 }
 
-std::string compare(const Race& race, std::size_t mouse, const std::string& old_name, const Scores& old) {
-  const auto scores = scores_by_maze(race, mouse);
-  std::vector<double> differences;
-  for (std::size_t maze = 0; maze < scores.size(); ++maze) {
-    const auto* before = find_scores(old, race.mazes[maze].name);
-    if (!scores[maze] || before == nullptr) continue;
-    differences.push_back(*scores[maze] - mean(*before));
+/// A mouse of the race and the one of the baseline that it is compared with.
+struct Match {
+  std::size_t mouse = 0;
+  std::string old_name;
+  MousePair pair;
+};
+
+MousePair pair_with(const Race& race, std::size_t mouse, const Scores& old) {
+  std::vector<MazeScores> before;
+  for (const NamedMaze& maze : race.mazes) {
+    const MazeScores* found = find_scores(old, maze.name);
+    before.push_back(found != nullptr ? *found : MazeScores());
   }
-  const std::string& new_name = race.mice[mouse].name;
-  const std::string name = new_name == old_name ? new_name : new_name + " against " + shown(old_name);
-  if (differences.empty())
-    return fmt::format("{}: no mazes in common with the baseline (for example, {} here and {} there)\n", name,
-                       shown(race.mazes.front().name), old.empty() ? "none" : shown(old.begin()->first));
-  const PairedDifference found = paired_difference(differences, race.order.seed);
-  const Interval& interval = found.interval;
-  // One maze says nothing about others.
-  const bool shows = found.count > 1;
-  const char* verdict = shows && interval.high < 0.0  ? "better"
-                        : shows && interval.low > 0.0 ? "worse"
-                                                      : "no difference shown";
-  return fmt::format("{}: {:+.3f} [{:+.3f}, {:+.3f}] over {} ({} better, {} equal, {} worse): {}\n", name, found.mean,
-                     interval.low, interval.high, found.count == 1 ? "1 maze" : fmt::format("{} mazes", found.count),
-                     found.below, found.equal, found.above, verdict);
+  return pair_of(maze_scores(race, mouse), before, !race.world().failure_score(), race.order.seed);
+}
+
+std::string name_of(const Race& race, const Match& match) {
+  const std::string& name = race.mice[match.mouse].name;
+  return name == match.old_name ? name : name + " against " + shown(match.old_name);
+}
+
+/// "-0.205 [-1.733, +1.337] over 43 mazes (16 better, 3 equal, 24 worse)", with the numbers times a factor.
+std::string difference_text(const PairedDifference& found, double factor, int digits) {
+  const Interval ends = scaled(found.interval, factor);  // + 0.0 makes -0.0 of no difference 0
+  const std::string interval =
+      found.count > 1 ? fmt::format(" [{:+.{}f}, {:+.{}f}]", ends.low + 0.0, digits, ends.high + 0.0, digits) : "";
+  return fmt::format("{:+.{}f}{} over {} ({} better, {} equal, {} worse)", factor * found.mean + 0.0, digits, interval,
+                     counted(found.count, "maze", "mazes"), found.below, found.equal, found.above);
+}
+
+std::string lines_of(const Race& race, const Match& match, const PairVerdicts& verdicts) {
+  const std::string name = name_of(race, match);
+  const MousePair& pair = match.pair;
+  std::string text = fmt::format("{}: {}: {}\n", name, difference_text(pair.scores, 1.0, 3), name_of(verdicts.scores));
+  if (!pair.has_rates) return text;
+  const FinishRates& rates = pair.rates;
+  text += fmt::format("{}, finished: {} of {} contests, before {} of {}; in percent {}: {}\n", name,
+                      rates.mouse.finished, rates.mouse.contests, rates.against.finished, rates.against.contests,
+                      difference_text(rates.failed, -100.0, 1), name_of(verdicts.rates));
+  if (rates.finished_only.count > 0)
+    text +=
+        fmt::format("{}, only the contests that finished: {}\n", name, difference_text(rates.finished_only, 1.0, 3));
+  return text;
+}
+
+std::string nothing_in_common(const Race& race, const Match& match, const Scores& old) {
+  return fmt::format("{}: no mazes in common with the baseline (for example, {} here and {} there)\n",
+                     name_of(race, match), shown(race.mazes.front().name),
+                     old.empty() ? "none" : shown(old.begin()->first));
+}
+
+/// What differences are of.
+std::string heading_of(const World& world) {
+  const std::string failures =
+      world.failure_score() ? "" : fmt::format(", failed contests at {:g} {}", world.limit_score(), world.unit());
+  return fmt::format("Change from the baseline (mean score over all{}, new - old, 95 % interval):\n", failures);
 }
 
 }  // namespace
@@ -149,15 +183,28 @@ ReadBaselineResult read_baseline(std::string_view json_text, const World& world)
 }
 
 std::string compare_with_baseline(const Race& race, const Baseline& baseline) {
-  std::string text = "Change from the baseline (mean score over all, new - old, 95 % interval):\n";
+  std::string text = heading_of(race.world());
   for (const Condition& condition : race.world().conditions()) text += change_of(condition, baseline);
+  std::vector<Match> matches;
+  std::string missing;
   for (std::size_t mouse = 0; mouse < race.mice.size(); ++mouse) {
     auto old = baseline.mice.find(race.mice[mouse].name);
     if (old == baseline.mice.end() && baseline.mice.size() == 1) old = baseline.mice.begin();
-    text += old == baseline.mice.end() ? fmt::format("{}: not in the baseline\n", race.mice[mouse].name)
-                                       : compare(race, mouse, old->first, old->second);
+    if (old == baseline.mice.end()) {
+      missing += fmt::format("{}: not in the baseline\n", race.mice[mouse].name);
+      continue;
+    }
+    Match match = {mouse, old->first, pair_with(race, mouse, old->second)};
+    if (match.pair.scores.count == 0)
+      missing += nothing_in_common(race, match, old->second);
+    else
+      matches.push_back(std::move(match));
   }
-  return text;
+  std::vector<MousePair> pairs;
+  for (const Match& match : matches) pairs.push_back(match.pair);
+  const std::vector<PairVerdicts> verdicts = verdicts_of(pairs);
+  for (std::size_t i = 0; i < matches.size(); ++i) text += lines_of(race, matches[i], verdicts[i]);
+  return text + missing + verdict_notes(judged(pairs));
 }
 
 }  // namespace labmouse

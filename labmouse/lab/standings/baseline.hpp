@@ -5,15 +5,15 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "labmouse/lab/races/race.hpp"
+#include "labmouse/lab/standings/maze_scores.hpp"
 
 namespace labmouse {
 
-/// The scores of an earlier race: of each mouse, by the maze's name, what its runs counted.
+/// The scores of an earlier race: of each mouse, by the maze's name.
 struct Baseline {
-  std::map<std::string, std::map<std::string, std::vector<double>>> mice;
+  std::map<std::string, std::map<std::string, MazeScores>> mice;
   /// What the earlier race was held under, as JSON, by the names of the world's conditions.
   std::map<std::string, std::string> conditions;
 };
@@ -25,13 +25,14 @@ struct ReadBaselineResult {
   int line = 0, column = 0;  ///< of the error, where it has a place
 };
 
-/// Reads the JSON of a race, of any version so far. A failed contest counts what the world says; where it says nothing,
-/// it is left out.
+/// Reads the JSON of a race, of any version so far. A failed contest counts the limit score of the world.
 ReadBaselineResult read_baseline(std::string_view json, const World& world);
 
 /// Compares each mouse with the one of the same name in the baseline, or with the only one that is there: maze by maze
 /// (the same path, or else the same file name), the mean difference of the scores, new minus old, with its interval
-/// over the mazes. One line a mouse, and one more for each condition that is another one now.
+/// over the mazes and a verdict. One line a mouse; where failed contests have no score, two more: how often it
+/// finished, with a verdict, too, and the scores of the finished contests. One more line for each condition that is
+/// another one now.
 std::string compare_with_baseline(const Race& race, const Baseline& baseline);
 
 }  // namespace labmouse

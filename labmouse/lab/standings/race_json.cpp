@@ -90,6 +90,7 @@ void describe_world(const Race& race, Json& json) {
   json["unit"] = world.unit();
   json["score"] = {{"key", place.key}, {"inner", place.inner}, {"unit", place.unit}};
   json["failure_score"] = world.failure_score() ? Json(*world.failure_score()) : Json(nullptr);
+  json["limit_score"] = world.limit_score();
   json["columns"] = Json::array();
   for (const Column* column : own_columns(race)) json["columns"].push_back(title_of(*column));
 }

@@ -132,6 +132,11 @@ std::string score_note(const World& world) {
       failed ? fmt::format("A failed contest counts {:g}.", *failed) : "Failed contests are left out of all means.");
 }
 
+std::string limit_note(const World& world) {
+  return fmt::format("Score: {}; lower is better. A failed contest counts {:g}.\n", world.formula(),
+                     world.limit_score());
+}
+
 std::string notes_of(const Race& race) {
   std::string notes = race.world().notes(race) + failures_of(race) + unjudged_of(race) + race.world().remarks(race) +
                       left_out_of(race) + shared_seeds_of(race);

@@ -13,5 +13,7 @@ std::string notes_of(const Race& race);
 
 /// What the score is, and what a failed contest counts, in a line.
 std::string score_note(const World& world);
+/// The same where mice are compared: there a failed contest always counts.
+std::string limit_note(const World& world);
 
 }  // namespace labmouse

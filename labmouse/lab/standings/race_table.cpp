@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <span>
 
 #include "labmouse/lab/standings/common_fields.hpp"
+#include "labmouse/lab/standings/maze_scores.hpp"
 #include "labmouse/lab/standings/mouse_column.hpp"
 #include "labmouse/lab/standings/mouse_figures.hpp"
 #include "labmouse/lab/standings/race_notes.hpp"
@@ -71,10 +73,14 @@ std::string shares_of(const Race& race) {
 }
 
 std::string worst_of(const Race& race, int count) {
-  std::string text;
+  const World& world = race.world();
+  std::string text = world.failure_score()
+                         ? ""
+                         : fmt::format("Here a failed contest counts {:g} {}.\n", world.limit_score(), world.unit());
   for (const Standing& standing : standings_of(race)) {
     std::vector<std::pair<double, std::size_t>> losses;
-    const auto scores = scores_by_maze(race, standing.mouse);
+    std::vector<std::optional<double>> scores;
+    for (const MazeScores& maze : maze_scores(race, standing.mouse)) scores.push_back(maze.mean());
     for (std::size_t maze = 0; maze < scores.size(); ++maze)
       if (scores[maze]) losses.emplace_back(*scores[maze] - *race.facts[maze].bound, maze);
     std::stable_sort(losses.begin(), losses.end(), [](const auto& a, const auto& b) { return a.first > b.first; });

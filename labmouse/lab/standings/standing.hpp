@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "labmouse/lab/numbers/statistics.hpp"
+#include "labmouse/lab/numbers/interval.hpp"
 
 namespace labmouse {
 
@@ -17,6 +17,11 @@ struct Standing {
   /// Over all contests that the world counts, failed ones as it counts them, and its interval over mazes.
   std::optional<double> mean_all;
   Interval interval;
+  /// The same with failed contests at the limit, where the world counts them as nothing: as comparisons count them.
+  std::optional<double> mean_at_limit;
+  Interval interval_at_limit;
+  /// Of the share of contests with a score, over mazes.
+  Interval finished;
   /// Over the contests with a score; nothing where there is none.
   std::optional<double> mean_solved;
   std::optional<double> mean_ratio;  ///< score over the maze's bound

@@ -4,10 +4,44 @@
 #include <limits>
 #include <tuple>
 
+#include "labmouse/lab/numbers/maze_interval.hpp"
+#include "labmouse/lab/standings/maze_scores.hpp"
 #include "labmouse/lab/standings/mouse_figures.hpp"
 
 namespace labmouse {
 namespace {
+
+/// A sum and a count of each maze, as `of` makes them.
+template <class Of>
+std::vector<MazeSum> sums_of(const std::vector<MazeScores>& scores, Of of) {
+  std::vector<MazeSum> sums;
+  for (const MazeScores& maze : scores) sums.push_back(of(maze));
+  return sums;
+}
+
+/// Sets the intervals and the mean at the limit. Where failed contests count in the mean over all, that is the same.
+void set_intervals(const Race& race, Standing& standing) {
+  const std::vector<MazeScores> scores = maze_scores(race, standing.mouse);
+  const auto at_limit = sums_of(scores, [](const MazeScores& maze) { return MazeSum{maze.sum, 1.0 * maze.contests}; });
+  const double least = race.world().score_place().least + 0.0;  // of -0.0, 0
+  const auto interval = [&](const std::vector<MazeSum>& sums, const std::optional<double>& mean) {
+    if (!mean) return Interval();
+    const Interval found = interval_of(sums, race.order.seed);
+    return including({std::max(found.low, least), found.high}, *mean);  // no score is below the least
+  };
+  const bool counts_failures = race.world().failure_score().has_value();
+  if (standing.runs > 0) standing.mean_at_limit = counts_failures ? standing.mean_all : mean_of(at_limit);
+  standing.interval_at_limit = interval(at_limit, standing.mean_at_limit);
+  standing.interval = counts_failures ? standing.interval_at_limit
+                                      : interval(sums_of(scores,
+                                                         [](const MazeScores& maze) {
+                                                           return MazeSum{maze.finished_sum, 1.0 * maze.finished};
+                                                         }),
+                                                 standing.mean_all);
+  standing.finished = share_interval(sums_of(scores, [](const MazeScores& maze) {
+    return MazeSum{1.0 * maze.finished, 1.0 * maze.contests};
+  }));
+}
 
 Standing standing_of(const Race& race, std::size_t mouse) {
   Standing standing;
@@ -22,14 +56,12 @@ Standing standing_of(const Race& race, std::size_t mouse) {
     solved.push_back(*contest.score);
     if (contest.ratio) ratios.push_back(*contest.ratio);
   }
-  std::vector<double> by_maze;
-  for (const auto& score : scores_by_maze(race, mouse))
-    if (score) by_maze.push_back(*score);
-  standing.mazes = static_cast<int>(by_maze.size());
+  const auto by_maze = scores_by_maze(race, mouse);
+  standing.mazes = static_cast<int>(std::count_if(by_maze.begin(), by_maze.end(), [](auto& score) { return score; }));
   standing.mean_all = mean_if_any(all);
-  standing.interval = bootstrap_interval(by_maze, race.order.seed);
   standing.mean_solved = mean_if_any(solved);
   standing.mean_ratio = mean_if_any(ratios);
+  set_intervals(race, standing);
   return standing;
 }
 

@@ -156,6 +156,7 @@ class StepsWorld final : public World {
   }
 
   std::optional<double> failure_score() const override { return rules_.failure_score; }
+  double limit_score() const override { return rules_.failure_score; }
   const WorldFields& fields() const override { return steps_fields(); }
   std::string notes(const Race& race) const override { return steps_notes(race, rules_); }
   std::string remarks(const Race& race) const override { return steps_remarks(race); }

@@ -36,7 +36,9 @@ void add(std::string_view figure, const ByMaze& mouse, const ByMaze& against, st
     return std::all_of(numbers.begin(), numbers.end(), [](double number) { return number > 0.0; });
   };
   if (values.empty() || !above(values) || !above(others)) return;
-  ratios.push_back({figure, static_cast<int>(values.size()), paired_ratio(values, others, seed)});
+  PairedRatio found = paired_ratio(values, others, seed);
+  found.interval.low = std::max(0.0, found.interval.low);  // all figures are above 0
+  ratios.push_back({figure, static_cast<int>(values.size()), found});
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "labmouse/lab/standings/standings.hpp"
+#include "labmouse/lab/standings/maze_scores.hpp"
 
 namespace labmouse {
 namespace {
@@ -104,12 +104,8 @@ Comparison compare(const Study& study, const std::string& mouse, const std::stri
   Comparison comparison;
   comparison.mouse = position_of(study.race, mouse);
   comparison.against = position_of(study.race, against);
-  const auto scores = scores_by_maze(study.race, comparison.mouse);
-  const auto others = scores_by_maze(study.race, comparison.against);
-  // A maze that one of them failed in has no difference, in a world where failures count nothing.
-  for (std::size_t maze = 0; maze < scores.size(); ++maze)
-    if (scores[maze] && others[maze]) comparison.differences.push_back(*scores[maze] - *others[maze]);
-  comparison.found = paired_difference(comparison.differences, study.order.race.seed);
+  comparison.pair = pair_of(maze_scores(study.race, comparison.mouse), maze_scores(study.race, comparison.against),
+                            !study.order.race.world->failure_score(), study.order.race.seed);
   return comparison;
 }
 
@@ -148,11 +144,19 @@ std::size_t position_of(const Race& race, const std::string& mouse) {
   return static_cast<std::size_t>(found - race.mice.begin());
 }
 
+std::vector<MousePair> pairs_of(const std::vector<Comparison>& comparisons) {
+  std::vector<MousePair> pairs;
+  for (const Comparison& comparison : comparisons) pairs.push_back(comparison.pair);
+  return pairs;
+}
+
 std::vector<Comparison> comparisons_of(const Study& study) {
   std::vector<Comparison> comparisons;
   const bool all = study.mice.size() <= most_in_all_pairs;
   for (std::size_t i = 1; i < study.mice.size(); ++i)
     for (std::size_t j = 0; j < (all ? i : 1); ++j) comparisons.push_back(compare(study, study.mice[i], study.mice[j]));
+  const std::vector<PairVerdicts> verdicts = verdicts_of(pairs_of(comparisons));
+  for (std::size_t i = 0; i < comparisons.size(); ++i) comparisons[i].verdicts = verdicts[i];
   return comparisons;
 }
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "labmouse/lab/numbers/statistics.hpp"
 #include "labmouse/lab/races/race.hpp"
+#include "labmouse/lab/standings/mouse_pair.hpp"
 #include "labmouse/lab/studies/folds.hpp"
 
 namespace labmouse {
@@ -55,9 +55,8 @@ std::size_t position_of(const Race& race, const std::string& mouse);
 struct Comparison {
   std::size_t mouse = 0;
   std::size_t against = 0;
-  /// Of the mean scores in each maze of the race, `mouse` minus `against`: below 0, `mouse` is better.
-  std::vector<double> differences;
-  PairedDifference found;
+  MousePair pair;
+  PairVerdicts verdicts;  ///< corrected for all comparisons of the study
 };
 
 /// So many mice are compared each with each; of more, each with the first one only.
@@ -65,6 +64,8 @@ inline constexpr std::size_t most_in_all_pairs = 4;
 
 /// Later mice against earlier ones in the order given: (2,1), (3,1), (3,2), ...; of too many only (2,1), (3,1), ...
 std::vector<Comparison> comparisons_of(const Study& study);
+
+std::vector<MousePair> pairs_of(const std::vector<Comparison>& comparisons);
 
 /// Standings and comparisons for a terminal, with notes below.
 std::string table_of(const Study& study, bool colours);

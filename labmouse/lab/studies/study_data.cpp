@@ -33,18 +33,43 @@ Json ratios_json(const Study& study, const Comparison& comparison) {
   return ratios;
 }
 
+Json interval_json(const PairedDifference& found, double factor = 1.0) {
+  if (found.count < 2) return nullptr;
+  const Interval ends = scaled(found.interval, factor);
+  return {ends.low, ends.high};
+}
+
+Json rates_json(const FinishRates& rates, const PairVerdicts& verdicts) {
+  const PairedDifference& finished = rates.finished_only;
+  return {{"finish_rates",
+           {{"finished", {rates.mouse.finished, rates.against.finished}},
+            {"contests", {rates.mouse.contests, rates.against.contests}},
+            {"mean_difference", rates.failed.count > 0 ? Json(-rates.failed.mean) : Json(nullptr)},
+            {"interval", interval_json(rates.failed, -1.0)},
+            {"p", verdicts.rates_p},
+            {"verdict", name_of(verdicts.rates)}}},
+          {"finished_only",
+           {{"mazes", finished.count},
+            {"mean_difference", finished.count > 0 ? Json(finished.mean) : Json(nullptr)},
+            {"interval", interval_json(finished)}}}};
+}
+
 Json comparison_json(const Study& study, const Comparison& comparison) {
-  const PairedDifference& found = comparison.found;
-  return {{"mouse", study.race.mice[comparison.mouse].name},
-          {"against", study.race.mice[comparison.against].name},
-          {"mazes", found.count},
-          {"mean_difference", found.count > 0 ? Json(found.mean) : Json(nullptr)},
-          {"interval", found.count > 1 ? Json{found.interval.low, found.interval.high} : Json(nullptr)},
-          {"wins", found.below},
-          {"ties", found.equal},
-          {"losses", found.above},
-          {"sign_test", found.sign_test},
-          {"ratios", ratios_json(study, comparison)}};
+  const PairedDifference& found = comparison.pair.scores;
+  Json json = {{"mouse", study.race.mice[comparison.mouse].name},
+               {"against", study.race.mice[comparison.against].name},
+               {"mazes", found.count},
+               {"mean_difference", found.count > 0 ? Json(found.mean) : Json(nullptr)},
+               {"interval", interval_json(found)},
+               {"p", comparison.verdicts.scores_p},
+               {"verdict", name_of(comparison.verdicts.scores)},
+               {"wins", found.below},
+               {"ties", found.equal},
+               {"losses", found.above},
+               {"sign_test", found.sign_test},
+               {"ratios", ratios_json(study, comparison)}};
+  if (comparison.pair.has_rates) json.update(rates_json(comparison.pair.rates, comparison.verdicts));
+  return json;
 }
 
 }  // namespace

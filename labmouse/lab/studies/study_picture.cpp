@@ -3,11 +3,12 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 
 #include "labmouse/lab/drawing/legend.hpp"
 #include "labmouse/lab/drawing/plot_area.hpp"
 #include "labmouse/lab/drawing/sheet.hpp"
-#include "labmouse/lab/standings/standings.hpp"
+#include "labmouse/lab/standings/maze_scores.hpp"
 #include "labmouse/lab/studies/study.hpp"
 #include "labmouse/lab/text/counted.hpp"
 #include "labmouse/lab/text/printable.hpp"
@@ -24,12 +25,12 @@ constexpr int one_plot = label_room + width, two_plots = 2 * one_plot;
 /// One mouse's scores in each maze of the race.
 struct Scores {
   std::string name;
-  std::vector<double> values;
+  std::vector<std::optional<double>> values;  ///< failed contests at the limit; nothing without any contest
 };
 
 Scores scores_of(const Study& study, std::size_t mouse) {
   Scores scores = {study.race.mice[mouse].name, {}};
-  for (const auto& score : scores_by_maze(study.race, mouse)) scores.values.push_back(score.value_or(0.0));
+  for (const MazeScores& maze : maze_scores(study.race, mouse)) scores.values.push_back(maze.mean());
   return scores;
 }
 
@@ -52,22 +53,22 @@ std::string words_of(const Study& study, std::size_t maze) {
 /// A bar from zero for each maze, the best for the first mouse on the left.
 std::string bars_svg(const Study& study, const Comparison& comparison, const Scores& mouse, const Scores& against,
                      const Axis& x, const Axis& y) {
-  const std::vector<double>& differences = comparison.differences;
+  const std::vector<double>& differences = comparison.pair.differences;
   std::vector<std::size_t> order(differences.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return differences[a] < differences[b]; });
   std::string better, worse;
   for (std::size_t i = 0; i < order.size(); ++i) {
+    const std::size_t maze = comparison.pair.mazes[order[i]];
     const double difference = differences[order[i]], begin = x.place(static_cast<double>(i)),
                  end = x.place(static_cast<double>(i + 1));
     const double top = y.place(std::max(difference, 0.0)), bottom = y.place(std::min(difference, 0.0));
     const std::string bar = fmt::format("x=\"{:.2f}\" y=\"{:.1f}\" width=\"{:.2f}\" height=\"{:.1f}\"", begin, top,
                                         end - begin, bottom - top);
-    (difference < 0.0 ? better : worse) +=
-        titled("rect", bar,
-               fmt::format("{}: {:.3f} - {:.3f} = {:+.3f}", words_of(study, order[i]), mouse.values[order[i]],
-                           against.values[order[i]], difference));
+    (difference < 0.0 ? better : worse) += titled("rect", bar,
+                                                  fmt::format("{}: {:.3f} - {:.3f} = {:+.3f}", words_of(study, maze),
+                                                              *mouse.values[maze], *against.values[maze], difference));
   }
   return fmt::format("<g {}>\n{}</g>\n<g {}>\n{}</g>\n", fill(to_goal), better, fill(route), worse);
 }
@@ -85,15 +86,16 @@ std::string band_svg(int left, int right, double low, double high) {
 
 std::string differences_svg(const Study& study, const Comparison& comparison, const Scores& mouse,
                             const Scores& against, const PlotArea& area) {
-  std::vector<double> values = comparison.differences;
+  std::vector<double> values = comparison.pair.differences;
   values.push_back(0.0);
-  const Axis x(0.0, static_cast<double>(comparison.differences.size()), area.left, area.right, 8, 1.0);
+  const Axis x(0.0, static_cast<double>(comparison.pair.differences.size()), area.left, area.right, 8, 1.0);
   const Axis y = axis_of(values, area.bottom, area.top, 8);
-  const PairedDifference& found = comparison.found;
+  const PairedDifference& found = comparison.pair.scores;
   std::string svg = axes_svg(area, x, y, "mazes, sorted by their difference",
                              fmt::format("{} - {} ({})", mouse.name, against.name, study.race.world().unit()));
   if (found.count > 1)
-    svg += band_svg(area.left, area.right, y.place(found.interval.low), y.place(found.interval.high));
+    svg += band_svg(area.left, area.right, std::min(y.place(found.interval.low), 1.0 * area.bottom),
+                    std::max(y.place(found.interval.high), 1.0 * area.top));  // no farther than the plot
   svg += bars_svg(study, comparison, mouse, against, x, y);
   return svg + line_svg(area.left, y.place(0.0), area.right, y.place(0.0), ink, 1) +
          mean_svg(area.left, area.right, y.place(found.mean));
@@ -106,11 +108,13 @@ std::string mark_attributes(bool ring) {
 
 std::string marks_svg(const Study& study, const Scores& scores, bool ring, const Axis& x, const Axis& y) {
   std::string marks;
-  for (std::size_t maze = 0; maze < scores.values.size(); ++maze)
+  for (std::size_t maze = 0; maze < scores.values.size(); ++maze) {
+    if (!scores.values[maze]) continue;
     marks += titled("circle",
                     fmt::format("cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\"", x.place(*study.race.facts[maze].bound),
-                                y.place(scores.values[maze]), ring ? "3.5" : "2.5"),
-                    fmt::format("{}: {} {:.3f}", words_of(study, maze), scores.name, scores.values[maze]));
+                                y.place(*scores.values[maze]), ring ? "3.5" : "2.5"),
+                    fmt::format("{}: {} {:.3f}", words_of(study, maze), scores.name, *scores.values[maze]));
+  }
   return fmt::format("<g {}>\n{}</g>\n", mark_attributes(ring), marks);
 }
 
@@ -123,7 +127,9 @@ std::string scores_svg(const Study& study, const std::vector<Scores>& mice, cons
   std::vector<double> bounds, scores;
   for (const MazeFacts& facts : study.race.facts) bounds.push_back(*facts.bound);
   scores = bounds;
-  for (const Scores& mouse : mice) scores.insert(scores.end(), mouse.values.begin(), mouse.values.end());
+  for (const Scores& mouse : mice)
+    for (const auto& score : mouse.values)
+      if (score) scores.push_back(*score);
   const Axis x = axis_of(bounds, area.left, area.right, 8), y = axis_of(scores, area.bottom, area.top, 8);
   const auto [low, high] = std::minmax_element(bounds.begin(), bounds.end());
   const std::string_view unit = study.order.race.world->unit();
@@ -140,7 +146,7 @@ std::string sample(const std::string& attributes, std::string_view shape) {
 }
 
 void explain_differences(const Comparison& comparison, const Scores& mouse, const Scores& against, Legend& legend) {
-  const PairedDifference& found = comparison.found;
+  const PairedDifference& found = comparison.pair.scores;
   const auto square = [](const Tone& tone) { return sample(fill(tone), R"(rect y="-6" width="12" height="12")"); };
   legend.add(12, square(to_goal), fmt::format("{} better in {}", mouse.name, counted(found.below, "maze", "mazes")));
   legend.add(12, square(route), fmt::format("{} better in {}", against.name, counted(found.above, "maze", "mazes")));
@@ -156,8 +162,7 @@ void explain_scores(const Study& study, const std::vector<Scores>& mice, Legend&
     legend.add(10, sample(mark_attributes(i > 0), fmt::format(R"(circle cx="5" r="{}")", i > 0 ? "3.5" : "2.5")),
                "score of " + mice[i].name);
   legend.add(26, bound_svg(0, 0, 26, 0), "bound: a mouse that knows the maze");
-  if (const auto failed = study.order.race.world->failure_score())
-    legend.add(0, "", fmt::format("a failed contest counts {:g}", *failed));
+  legend.add(0, "", fmt::format("a failed contest counts {:g}", study.order.race.world->limit_score()));
 }
 
 /// SVG, and where it ends.
@@ -213,7 +218,7 @@ std::string picture_of(const Study& study) {
   for (const Comparison& comparison : comparisons) {
     add(comparison_row(study, comparison, bottom));
     words += fmt::format(" {} minus {}: mean difference {:+.3f}.", study.race.mice[comparison.mouse].name,
-                         study.race.mice[comparison.against].name, comparison.found.mean);
+                         study.race.mice[comparison.against].name, comparison.pair.scores.mean);
   }
   if (study.mice.size() == 1 && !study.race.mazes.empty()) add(single_row(study, bottom));
   return Sheet{right + margin, bottom, title, words, {to_goal}}.with(svg);

@@ -1,6 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
+#include <string_view>
+#include <utility>
 
 #include "labmouse/lab/standings/race_notes.hpp"
 #include "labmouse/lab/standings/race_table.hpp"
@@ -23,21 +26,48 @@ std::string name_of(const Study& study, const Comparison& comparison) {
 
 std::string probability(double p) { return p < 0.001 ? "<0.001" : fmt::format("{:.3f}", p); }
 
-std::string line_of(const Study& study, const Comparison& comparison, std::size_t width) {
-  const PairedDifference& found = comparison.found;
+/// A line of differences, their numbers times a factor; without a verdict, that of the finished contests alone.
+struct Line {
+  std::string name;
+  const PairedDifference& found;
+  double factor = 1.0;
+  std::optional<double> p;
+  std::string_view verdict;
+};
+
+std::string text_of(const Line& line, std::size_t width) {
+  const PairedDifference& found = line.found;
+  const Interval ends = scaled(found.interval, line.factor);
   const std::string interval =
-      found.count > 1 ? fmt::format("{:+.3f} to {:+.3f}", found.interval.low, found.interval.high) : "-";
-  return fmt::format("{:<{}} {:>8} {:>18} {:>5} {:>5} {:>6} {:>6}\n", name_of(study, comparison), width,
-                     found.count > 0 ? fmt::format("{:+.3f}", found.mean) : "-", interval, found.below, found.equal,
-                     found.above, probability(found.sign_test));
+      found.count > 1 ? fmt::format("{:+.3f} to {:+.3f}", ends.low + 0.0, ends.high + 0.0) : "-";
+  return fmt::format("{:<{}} {:>8} {:>18} {:>6} {:>5} {:>5} {:>6} {:>6}{}\n", line.name, width,
+                     found.count > 0 ? fmt::format("{:+.3f}", line.factor * found.mean + 0.0) : "-", interval,
+                     line.p ? probability(*line.p) : "-", found.below, found.equal, found.above,
+                     probability(found.sign_test), line.verdict.empty() ? "" : fmt::format("  {}", line.verdict));
+}
+
+/// The lines of one comparison: the scores and, where failed contests have none, how often both finished.
+std::vector<Line> lines_of(const Study& study, const Comparison& comparison) {
+  const MousePair& pair = comparison.pair;
+  const PairVerdicts& verdicts = comparison.verdicts;
+  std::vector<Line> lines = {
+      {name_of(study, comparison), pair.scores, 1.0, verdicts.scores_p, name_of(verdicts.scores)}};
+  if (!pair.has_rates) return lines;
+  lines.push_back({"  finished, %", pair.rates.failed, -100.0, verdicts.rates_p, name_of(verdicts.rates)});
+  lines.push_back({"  finished only", pair.rates.finished_only, 1.0, std::nullopt, ""});
+  return lines;
 }
 
 std::string comparisons_text(const Study& study, const std::vector<Comparison>& comparisons, bool colours) {
   std::size_t width = 10;
-  for (const Comparison& comparison : comparisons) width = std::max(width, name_of(study, comparison).size());
-  std::string text = line(colours, fmt::format("{:<{}} {:>8} {:>18} {:>5} {:>5} {:>6} {:>6}", "difference", width,
-                                               "mean", "95 % interval", "wins", "ties", "losses", "sign p"));
-  for (const Comparison& comparison : comparisons) text += line_of(study, comparison, width);
+  std::vector<Line> lines;
+  for (const Comparison& comparison : comparisons)
+    for (Line& line : lines_of(study, comparison)) lines.push_back(std::move(line));
+  for (const Line& each : lines) width = std::max(width, each.name.size());
+  std::string text =
+      line(colours, fmt::format("{:<{}} {:>8} {:>18} {:>6} {:>5} {:>5} {:>6} {:>6}  {}", "difference", width, "mean",
+                                "95 % interval", "p", "wins", "ties", "losses", "sign p", "verdict"));
+  for (const Line& each : lines) text += text_of(each, width);
   return text;
 }
 
@@ -88,14 +118,18 @@ std::string learning_note(const Study& study) {
   return fmt::format("Taught anew for each fold, from the {} mazes of the other folds: {}.\n", sizes, names);
 }
 
-std::string notes_of(const Study& study, std::size_t comparisons) {
+std::string notes_of(const Study& study, const std::vector<Comparison>& comparisons) {
   std::string notes = score_note(*study.order.race.world);
-  if (comparisons > 0)
+  if (!comparisons.empty())
     notes +=
         "Differences are maze by maze: below 0, and a win, means that the mouse before the minus is better.\n"
         "Ratios are of the means over the mazes in which both mice have the figure, with 95 % intervals.\n";
-  if (comparisons > 1)
-    notes += fmt::format("Each of the {} intervals holds on its own: one in twenty misses by chance.\n", comparisons);
+  if (!comparisons.empty() && comparisons.front().pair.has_rates)
+    notes += fmt::format(
+        "Differences count a failed contest as {:g} {}; 'finished only' leaves failed contests out, and so has no "
+        "verdict.\n",
+        study.order.race.world->limit_score(), study.order.race.world->unit());
+  notes += verdict_notes(judged(pairs_of(comparisons)));
   if (study.mice.size() > most_in_all_pairs) notes += "Mice are compared only with the first one named.\n";
   notes += learning_note(study) + left_out_notes(study.selection, ", all of them in --format json");
   if (std::any_of(study.race.mice.begin(), study.race.mice.end(), [](const Contestant& m) { return m.reference; }))
@@ -118,7 +152,7 @@ std::string table_of(const Study& study, bool colours) {
   const std::vector<Comparison> comparisons = comparisons_of(study);
   if (!comparisons.empty())
     text += comparisons_text(study, comparisons, colours) + "\n" + ratios_text(study, comparisons, colours);
-  return text + notes_of(study, comparisons.size());
+  return text + notes_of(study, comparisons);
 }
 
 }  // namespace labmouse

@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "labmouse/lab/mice/specs.hpp"
+#include "labmouse/lab/numbers/maze_interval.hpp"
 #include "labmouse/lab/races/never_started.hpp"
+#include "labmouse/lab/standings/maze_scores.hpp"
 #include "labmouse/lab/standings/standings.hpp"
 
 namespace labmouse {
@@ -11,17 +13,27 @@ namespace {
 
 /// Over mazes, as in a leaderboard. One maze says nothing of others: there the interval is over its runs.
 std::optional<Interval> interval_of(const Race& race, const Standing& standing) {
-  if (standing.mazes > 1) return standing.interval;
   std::vector<double> scores;
+  std::size_t mazes = 0;
+  for (const MazeScores& maze : maze_scores(race, standing.mouse)) mazes += maze.contests > 0 ? 1 : 0;
+  if (mazes > 1) return standing.interval_at_limit;
+  const double limit = race.world().limit_score();
   for (const ContestResult& contest : race.results)
-    if (counts(race, contest) && contest.counted) scores.push_back(*contest.counted);
-  return scores.size() > 1 ? std::optional(bootstrap_interval(scores, race.order.seed)) : std::nullopt;
+    if (counts(race, contest)) scores.push_back(contest.counted.value_or(limit));
+  if (scores.size() < 2) return std::nullopt;
+  const Interval found = mean_interval(scores, race.order.seed);
+  return including({std::max(found.low, race.world().score_place().least), found.high}, *standing.mean_at_limit);
 }
 
 /// The point of a race of one mouse.
 SweepPoint point_of(const Race& race, const std::string& value) {
   const Standing standing = standings_of(race).front();
-  return {value, standing.runs, standing.runs - standing.solved, standing.mean_all, interval_of(race, standing)};
+  return {value,
+          standing.runs,
+          standing.runs - standing.solved,
+          standing.mean_at_limit,
+          interval_of(race, standing),
+          standing.mean_solved};
 }
 
 /// Sets what the sweep says of the mouse and of the parameter, which it has. A guest's is known to the guest alone.

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "labmouse/lab/numbers/statistics.hpp"
+#include "labmouse/lab/numbers/interval.hpp"
 #include "labmouse/lab/races/race.hpp"
 
 namespace labmouse {
@@ -32,10 +32,12 @@ struct SweepPoint {
   std::string value;  ///< as in a SPEC, in its one spelling
   int runs = 0;
   int failures = 0;
-  /// Of the scores, a failed contest counted as the rules' failure score; nothing where no maze has a route.
+  /// Of the scores, a failed contest counted as the limit score of the world; nothing where no maze has a route.
   std::optional<double> mean;
   /// Over mazes; where only one maze has a route, over its runs; nothing where that is one number, too.
   std::optional<Interval> interval;
+  /// Of the scores of finished contests alone; nothing without any.
+  std::optional<double> finished_mean = std::nullopt;
 };
 
 struct Sweep {

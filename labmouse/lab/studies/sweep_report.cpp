@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "labmouse/lab/drawing/plot.hpp"
 #include "labmouse/lab/standings/race_notes.hpp"
@@ -16,13 +17,20 @@ std::string counted(std::size_t count, std::string_view one, std::string_view ma
 }
 
 std::string interval_text(const SweepPoint& point) {
-  return point.interval ? fmt::format("{:.3f}-{:.3f}", point.interval->low, point.interval->high) : "-";
+  if (!point.interval) return "-";
+  const std::string_view between = point.interval->low < 0.0 ? " to " : "-";
+  return fmt::format("{:.3f}{}{:.3f}", point.interval->low, between, point.interval->high);
 }
 
-std::string line_of(const SweepPoint& point, std::size_t width) {
-  return fmt::format("{:>{}} {:>8} {:>16} {:>7} {:>9}\n", point.value, width,
-                     point.mean ? fmt::format("{:.3f}", *point.mean) : "-", interval_text(point), point.failures,
-                     point.runs);
+std::string mean_text(const std::optional<double>& mean) { return mean ? fmt::format("{:.3f}", *mean) : "-"; }
+
+/// Whether failed contests have no score; then the mean of the others has a column of its own.
+bool has_finished_means(const Sweep& sweep) { return !sweep.order.world->failure_score(); }
+
+std::string line_of(const Sweep& sweep, const SweepPoint& point, std::size_t width) {
+  const std::string finished = has_finished_means(sweep) ? fmt::format(" {:>13}", mean_text(point.finished_mean)) : "";
+  return fmt::format("{:>{}} {:>8} {:>16} {:>7} {:>9}{}\n", point.value, width, mean_text(point.mean),
+                     interval_text(point), point.failures, point.runs, finished);
 }
 
 /// How many contests the values count: one number, or two where the mouse throws dice only at some of them.
@@ -63,9 +71,15 @@ std::string lowest(const Sweep& sweep) {
 }
 
 std::string notes_of(const Sweep& sweep) {
-  std::string notes = score_note(*sweep.order.world);
+  std::string notes = limit_note(*sweep.order.world);
+  if (has_finished_means(sweep)) notes += "'finished only' leaves failed contests out.\n";
   if (has_intervals(sweep)) notes += fmt::format("95 % interval of the mean {}.\n", spread(sweep));
   if (const std::string best = lowest(sweep); !best.empty()) notes += best + "\n";
+  if (sweep.points.size() > 1)
+    notes += fmt::format(
+        "The intervals are not corrected for the {} values: the lowest of so many means is partly chance. Compare it "
+        "with `labmouse study` on other mazes.\n",
+        sweep.points.size());
   if (sweep.routeless > 0)
     notes += fmt::format("Left out of all means: {} {}.\n",
                          counted(static_cast<std::size_t>(sweep.routeless), "maze", "mazes"),
@@ -100,20 +114,23 @@ std::string table_of(const Sweep& sweep, bool colours) {
   std::string text =
       fmt::format("labmouse {}: {}, {}, {}, seed {}\n\n", version(), sweep.mouse,
                   counted(sweep.values, "value", "values"), counted(mazes, "maze", "mazes"), sweep.order.seed);
-  text += fmt::format("{}{:>{}} {:>8} {:>16} {:>7} {:>9}{}\n", colours ? "\x1b[1m" : "", sweep.parameter, width, "mean",
-                      "95 % interval", "failed", "contests", colours ? "\x1b[0m" : "");
-  for (const SweepPoint& point : sweep.points) text += line_of(point, width);
+  text +=
+      fmt::format("{}{:>{}} {:>8} {:>16} {:>7} {:>9}{}{}\n", colours ? "\x1b[1m" : "", sweep.parameter, width, "mean",
+                  "95 % interval", "failed", "contests",
+                  has_finished_means(sweep) ? fmt::format(" {:>13}", "finished only") : "", colours ? "\x1b[0m" : "");
+  for (const SweepPoint& point : sweep.points) text += line_of(sweep, point, width);
   return text + "\n" + notes_of(sweep);
 }
 
 std::string csv_of(const Sweep& sweep) {
-  std::string text = "value,mean,low,high,failures,runs\n";
+  std::string text = "value,mean,low,high,failures,runs,finished_mean\n";
   const auto field = [](bool there, double value) { return there ? fmt::format("{}", value) : std::string(); };
   for (const SweepPoint& point : sweep.points) {
     const Interval interval = point.interval.value_or(Interval());
-    text += fmt::format("{},{},{},{},{},{}\n", point.value, field(point.mean.has_value(), point.mean.value_or(0.0)),
+    text += fmt::format("{},{},{},{},{},{},{}\n", point.value, field(point.mean.has_value(), point.mean.value_or(0.0)),
                         field(point.interval.has_value(), interval.low),
-                        field(point.interval.has_value(), interval.high), point.failures, point.runs);
+                        field(point.interval.has_value(), interval.high), point.failures, point.runs,
+                        field(point.finished_mean.has_value(), point.finished_mean.value_or(0.0)));
   }
   return text;
 }
@@ -130,9 +147,7 @@ std::string picture_of(const Sweep& sweep) {
     if (point.mean) plot.points.push_back(plot_point(sweep, point));
   const std::string runs = runs_text(sweep), contests = runs + (runs == "1" ? " contest" : " contests");
   plot.mean_words = "mean of " + contests;
-  const auto failed = sweep.order.world->failure_score();
-  plot.hollow_words = failed ? fmt::format("mean of {}, failures counted {:g}", contests, *failed)
-                             : fmt::format("mean of {}, failures left out", contests);
+  plot.hollow_words = fmt::format("mean of {}, failures counted {:g}", contests, sweep.order.world->limit_score());
   plot.interval_words = "95 % interval " + spread(sweep);
   return draw_plot(plot);
 }

@@ -1,17 +1,19 @@
 #include "labmouse/lab/studies/tune.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 
 #include "labmouse/lab/mice/specs.hpp"
-#include "labmouse/lab/standings/standings.hpp"
+#include "labmouse/lab/numbers/statistics.hpp"
+#include "labmouse/lab/standings/maze_scores.hpp"
 
 namespace labmouse {
 namespace {
 
 /// What one mouse's contests came to.
 struct Measured {
-  std::vector<double> by_maze;
+  std::vector<std::optional<double>> by_maze;
   int failures = 0;
 };
 
@@ -22,13 +24,21 @@ bool is_complete(const Race& race, std::size_t mouse) {
 
 Measured measured(const Race& race, std::size_t mouse, Objective objective) {
   Measured result;
-  const auto scores = scores_by_maze(race, mouse);
-  for (std::size_t maze = 0; maze < scores.size(); ++maze)
-    if (scores[maze])
-      result.by_maze.push_back(objective == Objective::ratio ? *scores[maze] / *race.facts[maze].bound : *scores[maze]);
-  for (const ContestResult& contest : race.results)
-    if (contest.mouse == mouse && counts(race, contest) && !contest.score) ++result.failures;
+  const std::vector<MazeScores> scores = maze_scores(race, mouse);
+  for (std::size_t maze = 0; maze < scores.size(); ++maze) {
+    std::optional<double>& value = result.by_maze.emplace_back(scores[maze].mean());
+    if (value && objective == Objective::ratio) *value /= *race.facts[maze].bound;
+    result.failures += scores[maze].contests - scores[maze].finished;
+  }
   return result;
+}
+
+/// The mean over the mazes that have a value.
+double mean_of(const std::vector<std::optional<double>>& by_maze) {
+  std::vector<double> values;
+  for (const auto& value : by_maze)
+    if (value) values.push_back(*value);
+  return values.empty() ? std::numeric_limits<double>::infinity() : mean(values);
 }
 
 class Tuner {
@@ -112,7 +122,7 @@ class Tuner {
   }
 
   void note(const Contestant& candidate, const Measured& measured, double step) {
-    Evaluation evaluation{generation_,     step, candidate.name, {}, mean(measured.by_maze), measured.failures,
+    Evaluation evaluation{generation_,     step, candidate.name, {}, mean_of(measured.by_maze), measured.failures,
                           measured.by_maze};
     for (const ParameterRange& range : tune_.ranges)
       evaluation.values.emplace_back(candidate.settings.choice(range.parameter.name));
@@ -155,15 +165,13 @@ const Evaluation& best_of(const Tune& tune) {
 }
 
 Gain gain_of(const Tune& tune) {
-  const std::vector<double>&given = tune.evaluations.front().by_maze, &best = best_of(tune).by_maze;
+  const auto &given = tune.evaluations.front().by_maze, &best = best_of(tune).by_maze;
   std::vector<double> differences;
-  Gain gain;
-  for (std::size_t maze = 0; maze < given.size(); ++maze) {
-    differences.push_back(best[maze] - given[maze]);
-    ++(differences.back() < 0.0 ? gain.better : differences.back() > 0.0 ? gain.worse : gain.equal);
-  }
-  gain.mean = mean(differences);
-  if (differences.size() > 1) gain.interval = bootstrap_interval(differences, tune.order.race.seed);
+  for (std::size_t maze = 0; maze < given.size(); ++maze)
+    if (given[maze] && best[maze]) differences.push_back(*best[maze] - *given[maze]);
+  const PairedDifference found = paired_difference(differences, tune.order.race.seed);
+  Gain gain{found.mean, std::nullopt, found.below, found.equal, found.above};
+  if (found.count > 1) gain.interval = found.interval;
   return gain;
 }
 

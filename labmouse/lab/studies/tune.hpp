@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "labmouse/lab/numbers/evolution.hpp"
-#include "labmouse/lab/numbers/statistics.hpp"
+#include "labmouse/lab/numbers/interval.hpp"
 #include "labmouse/lab/races/race.hpp"
 #include "labmouse/lab/studies/parameter_range.hpp"
 
@@ -19,7 +19,7 @@ namespace labmouse {
 
 /// What is made as low as possible: the mean over the mazes with a route of
 enum class Objective : std::uint8_t {
-  score,  ///< the score, a failed contest counted as the rules' failure score
+  score,  ///< the score, a failed contest counted as the limit score of the world
   ratio,  ///< the same over the maze's bound
 };
 
@@ -37,9 +37,10 @@ struct Evaluation {
   double step = 0.0;                ///< step size of its generation; 0 for the mouse as given
   std::string mouse;                ///< its SPEC
   std::vector<std::string> values;  ///< of the tuned parameters, as in the SPEC
-  double value = 0.0;               ///< the objective
+  double value = 0.0;               ///< the objective; infinite where no contest counts
   int failures = 0;                 ///< contests that did not end in the goal, in mazes with a route
-  std::vector<double> by_maze;      ///< what the objective is the mean of, in the order of the mazes
+  /// What the objective is the mean of, by the position of the maze; nothing where no contest counts in it.
+  std::vector<std::optional<double>> by_maze;
 };
 
 struct Tune {

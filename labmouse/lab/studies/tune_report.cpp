@@ -61,7 +61,7 @@ std::string result_text(const Tune& tune) {
 }
 
 std::string notes_of(const Tune& tune) {
-  std::string notes = score_note(*tune.order.race.world);
+  std::string notes = limit_note(*tune.order.race.world);
   if (tune.order.objective == Objective::ratio) notes += "Tuned for the mean of score / bound over the mazes.\n";
   if (tune.routeless > 0)
     notes += fmt::format("Left out of all means: {} whose goal cannot be reached.\n",
