@@ -5,8 +5,12 @@
 
 #include <filesystem>
 #include <fstream>
+#include <string>
+#include <vector>
 
+#include "labmouse/guests/capstone.hpp"
 #include "labmouse/lab/mice/specs.hpp"
+#include "labmouse/lab/system/files.hpp"
 
 namespace labmouse {
 namespace {
@@ -35,35 +39,81 @@ class AGuestsIdentity : public testing::Test {
 
 TEST_F(AGuestsIdentity, FollowsItsFiles) {
   file("mouse.py", "one");
-  const std::string first = identity("python3 mouse.py");
-  EXPECT_EQ(identity("python3 mouse.py"), first);
+  const std::string first = identity("sh mouse.py");
+  EXPECT_EQ(identity("sh mouse.py"), first);
   file("mouse.py", "two");
-  EXPECT_NE(identity("python3 mouse.py"), first);
+  EXPECT_NE(identity("sh mouse.py"), first);
   file("mouse.py", "one");
-  EXPECT_EQ(identity("python3 mouse.py"), first);
+  EXPECT_EQ(identity("sh mouse.py"), first);
   // It may import what lies beside it.
   file("helper.py", "one");
-  const std::string helped = identity("python3 mouse.py");
+  const std::string helped = identity("sh mouse.py");
   EXPECT_NE(helped, first);
   file("helper.py", "two");
-  EXPECT_NE(identity("python3 mouse.py"), helped);
+  EXPECT_NE(identity("sh mouse.py"), helped);
   file("helper.py", "one");
   file("notes.txt", "no code");
-  EXPECT_EQ(identity("python3 mouse.py"), helped);
+  EXPECT_EQ(identity("sh mouse.py"), helped);
+}
+
+TEST_F(AGuestsIdentity, FollowsWhatItsFilesName) {
+  file("mouse.py", "from parts import eyes\nopen('weights.bin')\n");
+  file("weights.bin", "one");
+  fs::create_directories(folder_ / "parts");
+  file("parts/eyes.py", "open('lens.json')");
+  file("parts/lens.json", "one");
+  file("results.db", "of labmouse");
+  const std::string first = identity("sh mouse.py");
+  EXPECT_EQ(identity("sh mouse.py"), first);
+  for (const char* name : {"weights.bin", "parts/eyes.py", "parts/lens.json"}) {
+    const std::string before = read_file((folder_ / name).string()).content;
+    file(name, before + " ");
+    EXPECT_NE(identity("sh mouse.py"), first) << name;
+    file(name, before);
+    EXPECT_EQ(identity("sh mouse.py"), first) << name;
+  }
+  file("results.db", "another one");
+  file("other/mouse.py", "of another mouse");
+  EXPECT_EQ(identity("sh mouse.py"), first);
+}
+
+TEST_F(AGuestsIdentity, FollowsTheProgramThatRunsIt) {
+  file("mouse.txt", "one");
+  const auto runner = [&](const std::string& content) {
+    file("run", content);
+    fs::permissions(folder_ / "run", fs::perms::owner_all);
+    return identity("\"" + (folder_ / "run").string() + "\" mouse.txt");
+  };
+  const std::string first = runner("#!/bin/sh\ncat $1\n");
+  EXPECT_NE(runner("#!/bin/sh\ncat $1 $1\n"), first);
+  EXPECT_EQ(runner("#!/bin/sh\ncat $1\n"), first);
+  EXPECT_NE(program_identity((folder_ / "mouse.txt").string()), program_identity((folder_ / "run").string()));
+}
+
+TEST_F(AGuestsIdentity, FollowsThePackagesOfItsPython) {
+  file("mouse.py", "one");
+  fs::create_directories(folder_ / "installed" / "maths-1.0.dist-info");
+  const std::vector<std::string> environment = {"PYTHONPATH=" + (folder_ / "installed").string()};
+  const std::string first = python_packages("python3", environment, false);
+  EXPECT_FALSE(first.empty());
+  EXPECT_EQ(python_packages("python3", environment, false), first);
+  fs::rename(folder_ / "installed" / "maths-1.0.dist-info", folder_ / "installed" / "maths-2.0.dist-info");
+  EXPECT_NE(python_packages("python3", environment, false), first);
+  EXPECT_NE(identity("python3 mouse.py").find("packages " + python_packages("python3", {}, false)), std::string::npos);
 }
 
 TEST_F(AGuestsIdentity, IsTheSameInAnotherFolder) {
   file("mouse.py", "one");
   file("other/mouse.py", "one");
-  EXPECT_EQ(identity("python3 mouse.py"), identity("python3 mouse.py", "", "other"));
-  EXPECT_EQ(identity("python3 mouse.py"), identity("python3 \"" + (folder_ / "mouse.py").string() + "\""));
+  EXPECT_EQ(identity("sh mouse.py"), identity("sh mouse.py", "", "other"));
+  EXPECT_EQ(identity("sh mouse.py"), identity("sh \"" + (folder_ / "mouse.py").string() + "\""));
 }
 
 TEST_F(AGuestsIdentity, FollowsItsWordsAndLimits) {
   file("mouse.py", "one");
-  EXPECT_NE(identity("python3 mouse.py"), identity("python3 mouse.py fast"));
-  EXPECT_NE(identity("python3 mouse.py fast"), identity("python3 mouse.py slow"));
-  EXPECT_NE(identity("python3 mouse.py"), identity("python3 -u mouse.py"));
+  EXPECT_NE(identity("sh mouse.py"), identity("sh mouse.py fast"));
+  EXPECT_NE(identity("sh mouse.py fast"), identity("sh mouse.py slow"));
+  EXPECT_NE(identity("sh mouse.py"), identity("sh -u mouse.py"));
   Launch launch;
   launch.words = {"mouse"};
   const std::string first = guest_identity("guest", launch, {}, "");
@@ -89,11 +139,11 @@ TEST_F(AGuestsIdentity, FollowsItsWordsAndLimits) {
 
 TEST_F(AGuestsIdentity, IsItsLabelInPlaceOfItsFiles) {
   file("mouse.py", "one");
-  const std::string first = identity("python3 mouse.py", "v1");
-  EXPECT_NE(first, identity("python3 mouse.py"));
-  EXPECT_NE(first, identity("python3 mouse.py", "v2"));
+  const std::string first = identity("sh mouse.py", "v1");
+  EXPECT_NE(first, identity("sh mouse.py"));
+  EXPECT_NE(first, identity("sh mouse.py", "v2"));
   file("mouse.py", "two");
-  EXPECT_EQ(identity("python3 mouse.py", "v1"), first);
+  EXPECT_EQ(identity("sh mouse.py", "v1"), first);
 }
 
 }  // namespace

@@ -3,7 +3,9 @@
 
 #include <atomic>
 #include <functional>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <string>
@@ -109,6 +111,12 @@ struct SpecResult {
 /// Whether guests live in sandboxes.
 enum class SandboxUse { where_possible, always, never };
 
+/// What is installed for the Pythons of guests: found out once for all guests of a race, since that starts each Python.
+struct InstalledPackages {
+  std::mutex mutex;
+  std::map<std::vector<std::string>, std::string> known;  ///< by the program and what its environment has besides ours
+};
+
 /// How guests are started.
 struct GuestOptions {
   std::string python;          ///< for capstone robots; empty: the python3 of PATH
@@ -124,6 +132,7 @@ struct GuestOptions {
   bool keep_folder = false;  ///< as of Launch
   /// What they do not see: a list that copies of these options share. The mazes of a race are added by the race.
   std::shared_ptr<HiddenFiles> hidden = std::make_shared<HiddenFiles>();
+  std::shared_ptr<InstalledPackages> packages = std::make_shared<InstalledPackages>();  ///< as of the list before
   int runs = 1;                             ///< contests of each guest in each maze
   const std::atomic<bool>* stop = nullptr;  ///< once true, guests are ended; may be null
 };

@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
+#include <mutex>
+#include <vector>
 
 #include "labmouse/contest/simulator.hpp"
 #include "labmouse/guests/capstone.hpp"
@@ -168,6 +170,21 @@ Guest program_of_command(const std::string& command, const GuestOptions& options
   return guest;
 }
 
+/// What runs a guest, as far as a label does not stand for it: the program of its first word, and of a Python its
+/// version and what is installed for it. Starts that Python.
+std::string runner_identity(const Launch& launch, InstalledPackages& packages) {
+  const std::string path = program_path(launch.words.front(), launch.directory);
+  std::string text = program_identity(path);
+  if (fs::path(path).filename().string().find("python") == std::string::npos) return text;
+  std::vector<std::string> runner = launch.environment;
+  runner.push_back(path);
+  const std::lock_guard lock(packages.mutex);
+  const auto [place, is_new] = packages.known.try_emplace(runner);
+  if (is_new) place->second = python_packages(path, launch.environment, launch.sandbox);
+  text += fmt::format("python {} packages {}\n", python_version(path, launch.sandbox), place->second);
+  return text;
+}
+
 /// What a mouse sees in its sandbox. Files in its folder that hold mazes are not for it.
 std::shared_ptr<const Surroundings> surroundings_for(const Launch& launch, HiddenFiles& hidden) {
   auto around = std::make_shared<const Surroundings>(
@@ -205,7 +222,9 @@ void read_guest_spec(std::string_view spec, const GuestOptions& options, SpecRes
   mouse.name = spec;
   mouse.interpreter = guest.interpreter;
   mouse.identity = [kind = std::string(kind.substr(0, kind.size() - 1)), launch, interpreter = guest.interpreter,
-                    label = options.label] { return guest_identity(kind, launch, interpreter, label); };
+                    label = options.label, packages = options.packages] {
+    return guest_identity(kind, launch, interpreter, label) + (label.empty() ? runner_identity(launch, *packages) : "");
+  };
   mouse.external = true;
   mouse.sandboxed = launch.sandbox;
   mouse.keeps_folder = launch.sandbox && launch.keeps_folder;
