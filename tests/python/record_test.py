@@ -32,7 +32,7 @@ def test_steps_are_what_the_mouse_saw_and_did():
             seen_and_done.append((*seen, dice.choice((-90, 0, 90)), dice.choice((-1, 1, 2, 3))))
             return seen_and_done[-1][3:]
 
-    steps = labmouse.run(Noting, "contest-05", budget=50).steps
+    steps = labmouse.run(Noting, "contest-05", budget=50, debug=True).steps
     assert [tuple(step) for step in steps[["left", "ahead", "right", "rotation", "movement"]].tolist()] == seen_and_done
     assert len(set(seen_and_done)) > 10
 
