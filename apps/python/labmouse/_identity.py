@@ -6,22 +6,20 @@ packages by their versions. Names of files and lines do not count.
 """
 
 import copyreg
-import dis
 import functools
 import hashlib
 import importlib.util
 import os
 import platform
 import random
-import re
 import sys
-from importlib import metadata
 from pathlib import Path
 from types import BuiltinFunctionType, CellType, CodeType, FunctionType, MappingProxyType, MethodType, ModuleType
 from typing import Any
 
 from ._by_value import reduced
 from ._modules import global_names, installed_with, is_of_own, is_own, own_file_of
+from ._packages import imports_of, versions_of
 from ._workers import HASH_ORDERS
 
 #: Global names and attributes by which code may come to what is no part of it, such as files and the clock.
@@ -225,7 +223,7 @@ class Walk:
         attributes = set(code.co_names) - global_names(code, nested=False)
         self.outside |= attributes & _OUTSIDE_ATTRIBUTES
         self.chance = self.chance or bool(set(code.co_names) & _CHANCE_ATTRIBUTES)
-        for name in sorted(_imports_of(code, package)):
+        for name in sorted(imports_of(code, package)):
             self._import(name)
         for part in code.co_consts:
             if isinstance(part, CodeType):
@@ -264,62 +262,6 @@ class Walk:
             self.outside |= _OUTSIDE_NAMES & global_names(code)
 
 
-def _imports_of(code: CodeType, package: str) -> "set[str]":
-    """The modules that code imports, and what it imports from them, since that may be modules, too."""
-    found: set[str] = set()
-    level: Any = 0
-    before: "list[Any]" = [None, None]
-    module = ""
-    for instruction in dis.get_instructions(code):
-        if instruction.opname == "IMPORT_NAME":
-            level = before[0] if isinstance(before[0], int) else 0
-            module = str(instruction.argval)
-            if level:
-                try:
-                    module = importlib.util.resolve_name("." * level + module, package)
-                except (ImportError, ValueError):
-                    module = ""
-            if module:
-                found.add(module)
-        elif instruction.opname == "IMPORT_FROM" and module and _is_module(f"{module}.{instruction.argval}"):
-            found.add(f"{module}.{instruction.argval}")
-        before = [before[1], instruction.argval]
-    return found
-
-
-def _is_module(name: str) -> bool:
-    try:
-        return name in sys.modules or importlib.util.find_spec(name) is not None
-    except (ImportError, ValueError, AttributeError):
-        return False
-
-
-@functools.lru_cache(maxsize=None)
-def _distributions() -> "dict[str, list[str]]":
-    return dict(metadata.packages_distributions())
-
-
-def _versions_of(packages: "set[str]") -> "list[str]":
-    """The versions of packages, and of all that they require, as far as it is installed."""
-    waiting = {name for package in packages for name in _distributions().get(package, [package])}
-    found: dict[str, str] = {}
-    while waiting:
-        name = waiting.pop()
-        if name in found:
-            continue
-        try:
-            found[name] = metadata.version(name)
-            required = metadata.requires(name) or []
-        except metadata.PackageNotFoundError:
-            found[name] = "none"
-            continue
-        for line in required:
-            match = re.match(r"[A-Za-z0-9._-]+", line)
-            if match and "extra ==" not in line:
-                waiting.add(match[0])
-    return [f"{name} {version}" for name, version in sorted(found.items())]
-
-
 @functools.lru_cache(maxsize=None)
 def _labmouse() -> str:
     """What this package itself does for mice in Python."""
@@ -334,7 +276,7 @@ def identity_of(walk: Walk, name: str, maker: Any, label: "str | None") -> str:
     kind = str(getattr(maker, "__qualname__", type(maker).__qualname__))
     lines = ["python", f"name {name!r}", f"made by {kind!r}", f"digest {walk.digest.hexdigest()}",
              f"interpreter {platform.python_implementation()} {platform.python_version()}", f"orders {HASH_ORDERS}"]
-    lines += [f"package {line}" for line in _versions_of(walk.packages - {"labmouse"})]
+    lines += [f"package {line}" for line in versions_of(walk.packages - {"labmouse"})]
     if "labmouse" in walk.packages:
         lines.append(f"labmouse {_labmouse()}")
     return "\n".join([*lines, *([f"label {label!r}"] if label else []), ""])
