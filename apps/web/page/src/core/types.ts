@@ -642,6 +642,10 @@ export interface PairedDifference {
   equal: number;
   above: number;
   sign_test: number;
+  /** Of the sign-flip test, two-sided. */
+  p: number;
+  /** better, worse, no difference shown, or too few mazes. */
+  verdict: string;
 }
 
 /** `open`: what a dropped file turned out to be. */

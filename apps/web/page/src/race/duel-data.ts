@@ -10,14 +10,21 @@ export interface Pair {
   difference: number;
 }
 
-/** The mean score in a maze as races count it: `failure` for a failed contest, which is left out where that is null. */
-const scoreOf = ({ contests }: Cell, failure: number | null) =>
-  meanOf(contests.flatMap(({ score }) => score ?? failure ?? []));
+/** The mean score in a maze: a failed contest counts `limit`, and is left out where that is null. */
+const scoreOf = ({ contests }: Cell, limit: number | null) =>
+  meanOf(contests.flatMap(({ score }) => score ?? limit ?? []));
+
+/** The share of failed contests. */
+const failedShare = ({ contests }: Cell) => contests.filter(({ score }) => score === null).length / contests.length;
+
+/** By how much more often the first failed, for each of the pairs. */
+export const failureDifferences = ({ cells }: Board, a: number, b: number, pairs: Pair[]) =>
+  pairs.map(({ maze }) => failedShare(cells[a][maze]) - failedShare(cells[b][maze]));
 
 /** Every maze with a route in which both raced, in the order of the mazes. */
-export function pairsOf({ mazes, cells }: Board, a: number, b: number, failure: number | null): Pair[] {
+export function pairsOf({ mazes, cells }: Board, a: number, b: number, limit: number | null): Pair[] {
   return mazes.flatMap(({ index, bound }) => {
-    const [first, second] = [scoreOf(cells[a][index], failure), scoreOf(cells[b][index], failure)];
+    const [first, second] = [scoreOf(cells[a][index], limit), scoreOf(cells[b][index], limit)];
     return bound === null || first === null || second === null
       ? []
       : [{ maze: index, a: first, b: second, difference: first - second }];

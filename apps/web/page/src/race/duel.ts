@@ -5,8 +5,8 @@ import { paperWidth } from '../ui/tones';
 import type { EarlyPage } from '../views/view';
 import type { Board } from './contests';
 import { paintBars, type Bars } from './duel-bars';
-import { pairsOf, type Pair } from './duel-data';
-import { duelWords } from './duel-words';
+import { failureDifferences, pairsOf, type Pair } from './duel-data';
+import { duelWords, failureWords } from './duel-words';
 import { number, scoreText, signed } from './format';
 import { sortedTable } from './sorted-table';
 import { isHome } from './worlds';
@@ -37,7 +37,7 @@ export function duel(page: EarlyPage, board: Board, open: (a: number, b: number,
   const picture = h('div', { class: 'bars' }, canvas);
 
   const name = (mouse: number) => board.mice[mouse].shown;
-  const { unit, failure } = board.shows;
+  const { unit, limit, countsFailures } = board.shows;
   const mazeName = (maze: number) => board.mazes[maze].short;
   const pairText = (pair: Pair) =>
     `${mazeName(pair.maze)}: ${name(a)} ${scoreText(pair.a)}, ${name(b)} ${scoreText(pair.b)}, difference ${signed(pair.difference, 3)}`;
@@ -87,20 +87,20 @@ export function duel(page: EarlyPage, board: Board, open: (a: number, b: number,
   async function choose() {
     const now = ++asked;
     const { rules } = await page.ready;
-    const fresh = pairsOf(board, a, b, isHome(board) ? rules.failure_score : failure);
+    const fresh = pairsOf(board, a, b, isHome(board) ? rules.failure_score : limit);
     // In the order of the mazes, as the command line does: the bootstrap draws by position.
     const seed = page.race()?.results.seed;
-    const answer =
-      fresh.length > 0
-        ? await page.core.call('compare', {
-            differences: fresh.map(({ difference }) => difference),
-            ...(Number.isSafeInteger(seed) && { seed }),
-          })
-        : null;
+    const compare = (differences: number[]) =>
+      page.core.call('compare', { differences, ...(Number.isSafeInteger(seed) && { seed }) });
+    const answer = fresh.length > 0 ? await compare(fresh.map(({ difference }) => difference)) : null;
+    const failed =
+      answer && !countsFailures && limit !== null ? await compare(failureDifferences(board, a, b, fresh)) : null;
     if (now !== asked) return;
     pairs = fresh.sort((one, other) => one.difference - other.difference);
     found = answer;
-    words.textContent = found ? duelWords(name(a), name(b), found, unit) : 'These two did not race in the same mazes.';
+    words.textContent = found
+      ? duelWords(name(a), name(b), found, unit) + (failed ? failureWords(failed, limit ?? 0, unit) : '')
+      : 'These two did not race in the same mazes.';
     for (const piece of [picture, tableBox]) piece.hidden = !found;
     canvas.setAttribute(
       'aria-label',

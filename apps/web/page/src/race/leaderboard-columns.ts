@@ -61,8 +61,7 @@ function intervalColumn<Row>(
   const pictures = whiskers(rows.map((row) => ({ mean: mean(row), interval: shown(row) })));
   return {
     title: `95 % interval, ${unit}`,
-    meaning:
-      'Interval of the mean score over all contests: percentile bootstrap over the mazes. The dot is the mean; lower is better.',
+    meaning: '95 % interval of the mean score over the mazes. The dot is the mean; lower is better.',
     value: (row) => {
       const found = shown(row);
       return Array.isArray(found) ? orNull(found[0]) : null;

@@ -31,8 +31,8 @@ export interface Figures {
 export interface RacedWorld {
   /** Behind the titles of its pictures; empty for the world at the top of results. */
   title: string;
-  /** What a contest without a score counts in means; null where it has no place there. */
-  failure: number | null;
+  /** What a contest without a score counts where mice are compared; null in results of older versions that do not say it. */
+  limit: number | null;
   /** Whether contests without a score count in the mean; where they do not, mice that scored in more come first. */
   countsFailures: boolean;
   /** Whether a speed run is compared with the shortest one. */
@@ -207,7 +207,7 @@ const physical: Known = {
   columns: [
     {
       title: 'scored, 95 %',
-      meaning: 'Share of the contests that ended with a score, in per cent: the interval (Wilson) in which it lies.',
+      meaning: 'Share of the contests that ended with a score, in per cent: 95 % interval over the mazes.',
       value: ({ finished_interval: ends }) => Array.isArray(ends) && ends[0],
       digits: 2,
       text: ({ finished_interval }) => shares(finished_interval),
@@ -264,7 +264,7 @@ const mms: Known = {
 };
 
 /** Words and figures that a page has beyond those that results bring. */
-type Known = Omit<RacedWorld, 'title' | 'failure'>;
+type Known = Omit<RacedWorld, 'title' | 'limit'>;
 
 /** The score where the world says that it stands. */
 function placedScore(result: Fields, place: unknown): number | null {
@@ -311,7 +311,11 @@ const known = new Map(Object.entries({ steps, seconds: inSeconds, physical, fall
 export function worldOf(group: RaceGroup): RacedWorld {
   const noise = isNumber(group.noise) ? `, noise ${group.noise}` : '';
   const title = isHome(group) ? '' : `, ${group.world}${noise}`;
-  return { ...(known.get(group.world) ?? described(group)), title, failure: orNull(group.failure_score) };
+  return {
+    ...(known.get(group.world) ?? described(group)),
+    title,
+    limit: orNull(group.limit_score) ?? orNull(group.failure_score),
+  };
 }
 
 /** The world whose race stands at the top of results. */

@@ -3,8 +3,8 @@ import type { RaceResults } from '../../src/core/types';
 import { tickDigits, ticks } from '../../src/race/axis';
 import { boardsOf } from '../../src/race/contests';
 import { grid, ratiosOf, shares } from '../../src/race/curves-data';
-import { pairsOf } from '../../src/race/duel-data';
-import { duelWords, verdictOf } from '../../src/race/duel-words';
+import { failureDifferences, pairsOf } from '../../src/race/duel-data';
+import { duelWords, failureWords } from '../../src/race/duel-words';
 import { number, scoreText, signed } from '../../src/race/format';
 
 describe('numbers', () => {
@@ -73,12 +73,19 @@ describe('two mice', () => {
       equal: 40,
       above: 40,
       sign_test: 1e-9,
+      p: 1e-4,
+      verdict: 'better',
     };
     expect(duelWords('a', 'b', found, 'steps')).toBe(
       'a against b: −2.500 steps on average (95 % interval −3.000 to −2.000) over 260 mazes: better. Lower in 180, equal in 40, higher in 40; sign test p < 0.0001.',
     );
-    expect(verdictOf({ ...found, interval: [-1, 1] })).toBe('no difference shown');
-    expect(verdictOf({ ...found, interval: [1, 2] })).toBe('worse');
-    expect(duelWords('a', 'b', { ...found, count: 1, sign_test: 1 }, 'steps')).toContain('over 1 maze. Lower');
+    const few = duelWords('a', 'b', { ...found, count: 1, verdict: 'too few mazes' }, 'steps');
+    expect(few).toContain('over 1 maze: no verdict');
+    expect(few).toContain('add 7');
+    const rates = failureWords({ ...found, mean: -0.1, interval: [-0.2, -0.05] }, 300, 's');
+    for (const part of ['300 s', '+10.0 of 100', '+5.0 to +20.0', 'better']) expect(rates).toContain(part);
+  });
+  it('differ in their shares of failed contests', () => {
+    expect(failureDifferences(board, 0, 1, pairsOf(board, 0, 1, 100))).toEqual([-0.5, 1]);
   });
 });

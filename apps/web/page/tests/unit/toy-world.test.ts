@@ -17,7 +17,7 @@ const board = boardOf(group);
 describe('a world that nobody has told the page of', () => {
   it('has the unit, the titles and the columns that its results name', () => {
     const world = worldOf(group);
-    expect([world.unit, world.title, world.failure]).toEqual([group.unit, `, ${group.world}`, null]);
+    expect([world.unit, world.title, world.limit]).toEqual([group.unit, `, ${group.world}`, null]);
     const own = world.columns.slice(-1)[0];
     expect(own.title).toBe((group.columns as string[])[0]);
     for (const mouse of group.mice) {
@@ -51,6 +51,6 @@ describe('a world that nobody has told the page of', () => {
     const scored = group.mice[0].results.filter(({ score }) => score !== null).length;
     expect(ratiosOf(board, 0).ratios).toHaveLength(scored);
     expect(ratiosOf(board, 0).contests).toBe(group.mice[0].results.length);
-    for (const { a, b, difference } of pairsOf(board, 0, 1, board.shows.failure)) expect(a - b).toBe(difference);
+    for (const { a, b, difference } of pairsOf(board, 0, 1, board.shows.limit)) expect(a - b).toBe(difference);
   });
 });
