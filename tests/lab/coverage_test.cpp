@@ -136,19 +136,22 @@ TEST(Coverage, OfIntervalsIsNinetyFivePercent) {
   std::fputs("scores | mazes | percentile bootstrap | t | labmouse | told apart\n", stdout);
   for (const Scores& scores : all_scores())
     for (const int mazes : {5, 8, 10, 20, 43, 100, 300}) {
-      const Coverage found = coverage_of(scores, mazes, 2000, true);
+      const Coverage found = coverage_of(scores, mazes, mazes > 43 ? 200 : 1000, true);
       const std::string told =
           scores.mean == 0.0 && mazes >= fewest_for_verdict ? fmt::format("{:.1f}", found.told_apart) : "";
       std::fputs(fmt::format("{} | {} | {:.1f} | {:.1f} | {:.1f} | {}\n", scores.name, mazes, found.percentile,
                              found.student, found.ours, told)
                      .c_str(),
                  stdout);
-      // Two standard errors of 2,000 trials are one point.
+      // 93 to 97, and two standard errors of the trials. Few tied values leave no interval that is less than too wide.
+      const double error = mazes > 43 ? 3.0 : 1.4;
       if (sees_all(scores, mazes)) {
-        EXPECT_GE(found.ours, 92.0) << scores.name << ", " << mazes;
-        EXPECT_LE(found.ours, 98.0) << scores.name << ", " << mazes;
+        EXPECT_GE(found.ours, 93.0 - error) << scores.name << ", " << mazes;
       }
-      EXPECT_LE(found.told_apart, 6.5) << scores.name << ", " << mazes;
+      if (mazes >= 20) {
+        EXPECT_LE(found.ours, 97.0 + error) << scores.name << ", " << mazes;
+      }
+      EXPECT_LE(found.told_apart, 5.0 + error) << scores.name << ", " << mazes;
     }
 }
 

@@ -155,10 +155,18 @@ def test_a_notebook_shows_the_leaderboard():
         assert part in "".join(shown.itertext())
 
 
-@pytest.mark.parametrize("low, high, verdict", [(-2, -1, "better"), (1, 2, "worse"), (-1, 1, "no difference shown"), (0, 0, "no difference shown")])
-def test_a_verdict_needs_an_interval_on_one_side_of_0(low, high, verdict):
-    assert labmouse.Comparison("a", "b", 3, 0.0, low, high, 0, 0, 0, 1.0).verdict == verdict
-    assert labmouse.Comparison("a", "b", 1, 0.0, low, high, 0, 0, 0, 1.0).verdict == "no difference shown"
+def test_a_verdict_is_that_of_the_command():
+    few = labmouse.race("flood,random", MAZES, runs=2).compare("random", "flood")
+    assert few.mazes < 8 and few.verdict == "too few mazes" and few.finish_rate is None
+    many = labmouse.race("oracle,flood").compare("oracle", "flood")
+    assert many.mazes >= 8 and many.verdict == "better" and many.p < 0.05 and many.high < 0
+
+
+def test_where_failures_have_no_score_they_count_the_limit():
+    found = labmouse.race("flood,certify", world="fallible", noise=2, runs=1).compare("flood", "certify")
+    assert found.low <= found.mean <= found.high
+    rate = found.finish_rate
+    assert rate.low <= rate.mean <= rate.high and rate.verdict in ("better", "worse", "no difference shown")
 
 
 @pytest.mark.parametrize("progress", [True, False, None])
