@@ -19,7 +19,9 @@
 #include "errors.hpp"
 #include "labmouse/lab/galleries/race_folder.hpp"
 #include "labmouse/lab/galleries/results_folder.hpp"
-#include "labmouse/lab/numbers/statistics.hpp"
+#include "labmouse/lab/numbers/verdict.hpp"
+#include "labmouse/lab/standings/maze_scores.hpp"
+#include "labmouse/lab/standings/mouse_pair.hpp"
 #include "labmouse/lab/standings/race_json.hpp"
 #include "labmouse/lab/standings/race_notes.hpp"
 #include "labmouse/lab/standings/race_table.hpp"
@@ -189,12 +191,10 @@ std::size_t position(const Race& race, const std::string& mouse) {
 
 /// The paired difference of two mice, as keyword arguments.
 nb::dict compare(const HeldRace& held, const std::string& mouse, const std::string& against) {
-  const auto scores = scores_by_maze(held.race, position(held.race, mouse));
-  const auto others = scores_by_maze(held.race, position(held.race, against));
-  std::vector<double> differences;
-  for (std::size_t maze = 0; maze < scores.size(); ++maze)
-    if (scores[maze] && others[maze]) differences.push_back(*scores[maze] - *others[maze]);
-  const PairedDifference found = paired_difference(differences, held.race.order.seed);
+  const MousePair pair =
+      pair_of(maze_scores(held.race, position(held.race, mouse)), maze_scores(held.race, position(held.race, against)),
+              !held.race.world().failure_score(), held.race.order.seed);
+  const PairedDifference& found = pair.scores;
   nb::dict fields;
   fields["mouse"] = mouse;
   fields["against"] = against;
@@ -206,6 +206,15 @@ nb::dict compare(const HeldRace& held, const std::string& mouse, const std::stri
   fields["equal"] = found.equal;
   fields["worse"] = found.above;
   fields["sign_test"] = found.sign_test;
+  fields["p"] = found.p;
+  fields["verdict"] = std::string(name_of(verdict_of(found, found.p)));
+  fields["finish_rate"] = nb::none();
+  if (pair.has_rates) {
+    const PairedDifference& failed = pair.rates.failed;
+    const Interval interval = scaled(failed.interval, -1.0);
+    fields["finish_rate"] =
+        nb::make_tuple(-failed.mean, interval.low, interval.high, std::string(name_of(verdict_of(failed, failed.p))));
+  }
   return fields;
 }
 

@@ -144,7 +144,7 @@ TEST(Coverage, OfIntervalsIsNinetyFivePercent) {
                      .c_str(),
                  stdout);
       // 93 to 97, and two standard errors of the trials. Few tied values leave no interval that is less than too wide.
-      const double error = mazes > 43 ? 3.0 : 1.4;
+      const double error = mazes > 43 ? 4.0 : 1.9;
       if (sees_all(scores, mazes)) {
         EXPECT_GE(found.ours, 93.0 - error) << scores.name << ", " << mazes;
       }

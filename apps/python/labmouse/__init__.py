@@ -9,7 +9,7 @@ from typing import Union
 from ._mice import Action, Mouse, Sighting
 from ._native import Briefing, Error, Maze, find_mazes, generate, version
 from ._progress import Interrupted
-from ._races import Comparison, Race, race
+from ._races import Comparison, FinishRate, Race, race
 from ._records import Record, Replay, run
 from ._routes import Route, bound, route
 from ._studies import Study, study
@@ -21,6 +21,7 @@ __all__ = [
     "Action",
     "Briefing",
     "Comparison",
+    "FinishRate",
     "Error",
     "Interrupted",
     "Maze",

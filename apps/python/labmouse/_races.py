@@ -17,31 +17,46 @@ if TYPE_CHECKING:
     import pandas
 
 
+class FinishRate(NamedTuple):
+    """By how much `mouse` finishes more contests than `against`, as a share of all: above 0, `mouse` is better."""
+
+    mean: float
+    low: float
+    """The 95 % interval of the mean, over the mazes."""
+    high: float
+    verdict: str
+    """As in a Comparison."""
+
+
 class Comparison(NamedTuple):
-    """Two mice on the same mazes: the paired differences of their mean scores, `mouse` minus `against`."""
+    """Two mice on the same mazes: the paired differences of their mean scores, `mouse` minus `against`.
+
+    Failed contests count the failure score of the world or, where it has none, the score at the time limit. Nothing is
+    corrected for the number of comparisons: of many pairs of equal mice, one in twenty differs by chance.
+    """
 
     mouse: str
     against: str
     mazes: int
-    """Mazes in which both have a score that counts."""
+    """Mazes that both have run."""
     mean: float
     """In the world's unit, steps, seconds or points; below 0, `mouse` is better."""
     low: float
-    """The 95 % interval of the mean, by bootstrap over the mazes."""
+    """The 95 % interval of the mean, over the mazes."""
     high: float
     better: int
     """Mazes in which `mouse` scores lower."""
     equal: int
     worse: int
     sign_test: float
-    """The chance that fair throws fall at least as unevenly."""
-
-    @property
-    def verdict(self) -> str:
-        """'better', 'worse' or 'no difference shown', of `mouse`. One maze says nothing about others."""
-        if self.mazes < 2:
-            return "no difference shown"
-        return "better" if self.high < 0 else "worse" if self.low > 0 else "no difference shown"
+    """Two-sided p-value of the exact sign test."""
+    p: float
+    """Two-sided p-value of the sign-flip test of the mean."""
+    verdict: str
+    """'better' or 'worse' of `mouse` if p is below 0.05 and the interval excludes 0; otherwise 'no difference shown', or
+    'too few mazes' for fewer than eight."""
+    finish_rate: "FinishRate | None"
+    """None where failed contests have a score."""
 
 
 class Race:
@@ -97,7 +112,9 @@ class Race:
 
     def compare(self, mouse: str, against: str) -> Comparison:
         """The paired difference of two mice of the race, maze by maze. Raises Error where one is not in it."""
-        return Comparison(**self._held.compare(mouse, against))
+        fields = self._held.compare(mouse, against)
+        rate = fields.pop("finish_rate")
+        return Comparison(**fields, finish_rate=None if rate is None else FinishRate(*rate))
 
     def to_csv(self, path: "str | os.PathLike[str] | None" = None) -> "str | None":
         """What `labmouse race --format csv` prints: written to a file, or returned where no path is given.

@@ -44,7 +44,7 @@ class Study:
 
     @property
     def comparisons(self) -> "pandas.DataFrame":
-        """One line a pair of mice: the mean of the paired differences, its interval, and the sign test."""
+        """One line a pair of mice: the mean of the paired differences, its interval, p-values and verdict."""
         import pandas
 
         return pandas.DataFrame(self.data["comparisons"])

@@ -203,8 +203,9 @@ std::string compare_with_baseline(const Race& race, const Baseline& baseline) {
   std::vector<MousePair> pairs;
   for (const Match& match : matches) pairs.push_back(match.pair);
   const std::vector<PairVerdicts> verdicts = verdicts_of(pairs);
+  text += verdict_notes(judged(pairs)) + missing;
   for (std::size_t i = 0; i < matches.size(); ++i) text += lines_of(race, matches[i], verdicts[i]);
-  return text + missing + verdict_notes(judged(pairs));
+  return text;
 }
 
 }  // namespace labmouse

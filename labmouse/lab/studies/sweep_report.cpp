@@ -123,14 +123,16 @@ std::string table_of(const Sweep& sweep, bool colours) {
 }
 
 std::string csv_of(const Sweep& sweep) {
-  std::string text = "value,mean,low,high,failures,runs,finished_mean\n";
+  const bool finished = has_finished_means(sweep);
+  std::string text = fmt::format("value,mean,low,high,failures,runs{}\n", finished ? ",finished_mean" : "");
   const auto field = [](bool there, double value) { return there ? fmt::format("{}", value) : std::string(); };
   for (const SweepPoint& point : sweep.points) {
     const Interval interval = point.interval.value_or(Interval());
-    text += fmt::format("{},{},{},{},{},{},{}\n", point.value, field(point.mean.has_value(), point.mean.value_or(0.0)),
+    text += fmt::format("{},{},{},{},{},{}", point.value, field(point.mean.has_value(), point.mean.value_or(0.0)),
                         field(point.interval.has_value(), interval.low),
-                        field(point.interval.has_value(), interval.high), point.failures, point.runs,
-                        field(point.finished_mean.has_value(), point.finished_mean.value_or(0.0)));
+                        field(point.interval.has_value(), interval.high), point.failures, point.runs);
+    if (finished) text += "," + field(point.finished_mean.has_value(), point.finished_mean.value_or(0.0));
+    text += "\n";
   }
   return text;
 }
