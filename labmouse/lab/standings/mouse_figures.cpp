@@ -1,5 +1,7 @@
 #include "labmouse/lab/standings/mouse_figures.hpp"
 
+#include "labmouse/lab/numbers/statistics.hpp"
+
 namespace labmouse {
 namespace {
 
