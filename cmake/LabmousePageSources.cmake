@@ -4,7 +4,7 @@ foreach(name IN ITEMS
     hazards/hazard_file hazards/hazard_odds hazards/hazard_tally
     bench/distance_speed bench/plain_distance bench/signature bench/speed_json bounds/bounds bounds/drive_bound bounds/mms_bound
     mazes/maze_files mazes/maze_link mice/contestant mice/mice_json mice/mouse_names mice/prior_file mice/prior_learning mice/specs
-    numbers/statistics numbers/wilson pictures/drive_path pictures/path_data pictures/drive_picture pictures/trace_path pictures/mms_picture pictures/picture_layers
+    numbers/maze_interval numbers/sign_flips numbers/statistics numbers/student numbers/verdict numbers/wilson pictures/drive_path pictures/path_data pictures/drive_picture pictures/trace_path pictures/mms_picture pictures/picture_layers
     races/race races/race_paths races/value races/world_entry records/drive_json records/drive_notation
     records/drive_record_fields records/drive_record_reader records/drive_record_replay records/drive_record_text
     records/drive_record_writer records/drive_route_check records/explanation records/mms_record
@@ -13,7 +13,7 @@ foreach(name IN ITEMS
     robots/hardware_keys robots/robot_family robots/robot_file robots/robot_files robots/robot_json robots/robot_keys robots/robot_remarks robots/robot_table
     robots/robot_text routes/region_picture routes/region_table routes/route_data
     routes/route_regions routes/route_report routes/varied_number standings/common_fields
-    standings/mouse_figures standings/race_json standings/race_notes standings/standings system/file_names
+    standings/maze_scores standings/mouse_figures standings/mouse_pair standings/race_json standings/race_notes standings/standings system/file_names
     system/named_text system/streams system/version text/counted text/encoding text/json text/json_lines text/json_problem text/json_stream text/last_lines
     text/number_rows text/numbers
     text/printable text/toml_text)
