@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "labmouse/guests/short_text.hpp"
+#include "labmouse/guests/surroundings.hpp"
 
 namespace labmouse {
 namespace {
@@ -115,10 +116,6 @@ bool hide(std::string_view path, bool is_copy) {
   if (is_copy && unlink(place.c_str()) == 0) return true;
   // What a link leads to is hidden by its own name.
   return S_ISLNK(kind.st_mode) || bind(no_file, place.c_str());
-}
-
-bool lies_in(std::string_view path, std::string_view folder) {
-  return !folder.empty() && path.starts_with(folder) && (path.size() == folder.size() || path[folder.size()] == '/');
 }
 
 bool hide_all(const Rooms& rooms, bool in_folder) {

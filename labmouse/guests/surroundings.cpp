@@ -31,11 +31,6 @@ bool is_folder(const fs::path& path) {
   return fs::is_directory(path, error);
 }
 
-bool lies_in(std::string_view path, std::string_view folder) {
-  if (folder == "/") return true;
-  return path.starts_with(folder) && (path.size() == folder.size() || path[folder.size()] == '/');
-}
-
 std::string environment_value(const Launch& launch, std::string_view name) {
   for (const std::string& variable : launch.environment)
     if (variable.size() > name.size() && variable.starts_with(name) && variable[name.size()] == '=')
@@ -178,6 +173,11 @@ void add_node_modules(const std::string& folder, Collection& all) {
 }
 
 }  // namespace
+
+bool lies_in(std::string_view path, std::string_view folder) {
+  if (folder == "/") return true;
+  return !folder.empty() && path.starts_with(folder) && (path.size() == folder.size() || path[folder.size()] == '/');
+}
 
 std::string folder_of(const Launch& launch, const std::string& program) {
   std::error_code error;

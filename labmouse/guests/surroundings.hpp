@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -24,6 +25,9 @@ struct Surroundings {
   /// What must not be seen of these: our own program, libraries and Python package, which hold the built-in mazes.
   std::vector<std::string> hidden;
 };
+
+/// Whether a path is that folder or lies in it; false if the folder is empty.
+bool lies_in(std::string_view path, std::string_view folder);
 
 /// What a mouse that is started so needs. `program`: the path of its first word, as of program_path.
 Surroundings surroundings_of(const Launch& launch, const std::string& program);

@@ -102,7 +102,8 @@ TEST(DriveRulesFile, PassesOnWhatIsNoToml) {
 TEST(Rules, ComeWithTheProgram) {
   std::vector<std::string_view> names;
   for (const BuiltinRules& rules : builtin_rules()) names.push_back(rules.name);
-  EXPECT_EQ(names, (std::vector<std::string_view>{"all-japan", "all-japan-half", "apec", "thirtieth", "uk", "uk-2018"}));
+  EXPECT_EQ(names,
+            (std::vector<std::string_view>{"all-japan", "all-japan-half", "apec", "thirtieth", "uk", "uk-2018"}));
   for (const std::string_view name : names) {
     const FoundRules found = find_rules(std::string(name));
     EXPECT_TRUE(found.errors.empty()) << name;
@@ -117,9 +118,9 @@ TEST(Rules, AreThoseOfTheOrganisers) {
     const char* name;
     int minutes, runs, divisor, touch;
   };
-  for (const Published& contest : {Published{"all-japan", 5, 5, 0, 0}, Published{"all-japan-half", 10, 5, 0, 0},
-                                   Published{"apec", 7, 5, 30, 2}, Published{"thirtieth", 10, 100, 30, 0},
-                                   Published{"uk", 5, 5, 0, 0}, Published{"uk-2018", 10, 100, 30, 3}}) {
+  for (const Published& contest :
+       {Published{"all-japan", 5, 5, 0, 0}, Published{"all-japan-half", 10, 5, 0, 0}, Published{"apec", 7, 5, 30, 2},
+        Published{"thirtieth", 10, 100, 30, 0}, Published{"uk", 5, 5, 0, 0}, Published{"uk-2018", 10, 100, 30, 3}}) {
     SCOPED_TRACE(contest.name);
     const DriveRules rules = find_rules(contest.name).rules;
     EXPECT_EQ(rules.time_limit, 60'000'000LL * contest.minutes);

@@ -21,7 +21,7 @@ struct Share {
 class CountsByMaze {
  public:
   /// `mazes` may be empty: then contests count as independent.
-  CountsByMaze(HazardCounts all, std::vector<HazardCounts> mazes) : all(std::move(all)), mazes_(std::move(mazes)) {}
+  CountsByMaze(const HazardCounts& counts, std::vector<HazardCounts> mazes) : all(counts), mazes_(std::move(mazes)) {}
 
   /// Of the share that `share` makes of counts.
   template <class ShareOf>

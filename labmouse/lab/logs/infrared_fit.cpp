@@ -72,7 +72,7 @@ std::vector<WallPart> wall_parts_of(std::span<const double> walls) {
   return parts;
 }
 
-double mean_of(std::span<const double> values, const TickSpan& rows) {
+double mean_in_rows(std::span<const double> values, const TickSpan& rows) {
   return mean(values.subspan(rows.begin, rows.size()));
 }
 
@@ -82,14 +82,14 @@ std::vector<Run> runs_of(const Log& log, const SeenWall& wall, const Hardware& h
   const double face = cell / 2.0 - half_wall_of(cell);
   for (const WallPart& part : wall_parts_of(log.of(wall.distance))) {
     if (part.begins_run) runs.emplace_back();
-    const double distance = mean_of(log.of(wall.distance), part.rows);
+    const double distance = mean_in_rows(log.of(wall.distance), part.rows);
     for (const auto& [beam, role] : wall.sensors) {
       if (!log.has(role)) continue;
       const Beam& at = hardware.sensors.infrared.beams[beam];
       const Direction way = direction_of(at.angle);
       const double slant = looks_aside(at) ? std::abs(way.sine) : way.cosine;
-      runs.back().push_back(
-          {beam, (distance - face) / slant, mean_of(log.of(role), part.rows), static_cast<double>(part.rows.size())});
+      runs.back().push_back({beam, (distance - face) / slant, mean_in_rows(log.of(role), part.rows),
+                             static_cast<double>(part.rows.size())});
     }
   }
   return runs;

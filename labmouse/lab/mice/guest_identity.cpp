@@ -159,7 +159,8 @@ std::string hash_of(std::string_view bytes) {
 std::string program_identity(const std::string& path) {
   std::error_code error;
   const fs::path real = fs::canonical(path, error);
-  return fmt::format("program {} {}\n", fs::path(path).filename().string(), content_of(error ? fs::path(path) : real).hash);
+  return fmt::format("program {} {}\n", fs::path(path).filename().string(),
+                     content_of(error ? fs::path(path) : real).hash);
 }
 
 std::string guest_identity(std::string_view kind, const Launch& launch, const std::optional<Interpreter>& interpreter,

@@ -36,8 +36,8 @@ constexpr std::array keys = {
         [](Hardware& h) -> double& { return h.motors.drive.time; }, 1000),
     of("motors.drive_dead_zone", "share of full duty that friction takes", "", 0.0, 0.9,
        [](Hardware& h) -> double& { return h.motors.drive.dead_zone; }),
-    of("motors.turn_gain", "the yaw speed at a difference of 1: the right motor's duty less the left one's", "rad/s", 1.0,
-       10000.0, [](Hardware& h) -> double& { return h.motors.turn.gain; }),
+    of("motors.turn_gain", "the yaw speed at a difference of 1: the right motor's duty less the left one's", "rad/s",
+       1.0, 10000.0, [](Hardware& h) -> double& { return h.motors.turn.gain; }),
     of(
         "motors.turn_time", "the time constant of that", "ms", 1.0, 10000.0,
         [](Hardware& h) -> double& { return h.motors.turn.time; }, 1000),

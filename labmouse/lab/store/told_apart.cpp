@@ -26,7 +26,7 @@ bool differ(const std::vector<ReadJson>& all) {
   return std::adjacent_find(all.begin(), all.end(), std::not_equal_to<>()) != all.end();
 }
 
-std::string text_of(const ReadJson& value) {
+std::string written(const ReadJson& value) {
   if (value.is_structured()) return "{...}";
   return value.is_string() ? value.get<std::string>() : value.is_null() ? "none" : value.dump();
 }
@@ -44,7 +44,7 @@ void compare(const std::vector<ReadJson>& all, const std::string& path, int dept
   for (const ReadJson& json : all)
     for (const auto& [key, value] : json.items()) keys.insert(key);
   const auto add = [&](const std::string& name, const std::vector<ReadJson>& values) {
-    for (std::size_t i = 0; i < all.size(); ++i) words[i].push_back(name + text_of(values[i]));
+    for (std::size_t i = 0; i < all.size(); ++i) words[i].push_back(name + written(values[i]));
   };
   if (keys.contains("name") && differ(members(all, "name"))) return add(path, members(all, "name"));
   for (const std::string& key : keys) {
