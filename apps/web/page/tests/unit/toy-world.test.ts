@@ -17,7 +17,7 @@ const board = boardOf(group);
 describe('a world that nobody has told the page of', () => {
   it('has the unit, the titles and the columns that its results name', () => {
     const world = worldOf(group);
-    expect([world.unit, world.title, world.limit]).toEqual([group.unit, `, ${group.world}`, null]);
+    expect([world.unit, world.title, world.limit]).toEqual([group.unit, `, ${group.world}`, 100]);
     const own = world.columns.slice(-1)[0];
     expect(own.title).toBe((group.columns as string[])[0]);
     for (const mouse of group.mice) {
