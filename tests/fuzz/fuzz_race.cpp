@@ -27,7 +27,7 @@ void check_baseline(std::string_view text, const World& world) {
   if (!read.baseline) return;
   for (const auto& [mouse, mazes] : read.baseline->mice)
     for (const auto& [maze, scores] : mazes)
-      for (const double score : scores) require(std::isfinite(score));
+      require(std::isfinite(scores.sum) && std::isfinite(scores.finished_sum) && scores.finished <= scores.contests);
 }
 
 }  // namespace
