@@ -1,7 +1,8 @@
 """Long work: a bar on standard error or in a notebook, and Ctrl-C."""
 
 import sys
-from typing import Any, Protocol
+from collections.abc import Callable
+from typing import Any, Protocol, TypeVar
 
 from ._workers import Workers
 
@@ -21,6 +22,15 @@ class Running(Protocol):
     def all(self) -> int: ...
     def wait(self, seconds: float) -> bool: ...
     def stop(self) -> None: ...
+
+
+class WithResult(Running, Protocol):
+    """Such work that holds contests."""
+
+    def result(self) -> Any: ...
+
+
+Result = TypeVar("Result")
 
 
 def _in_notebook() -> bool:
@@ -88,3 +98,19 @@ def finish(running: Running, progress: "bool | None", workers: "Workers | None" 
         return True
     finally:
         bar.clear()
+
+
+def result_of(
+    start: "Callable[[], WithResult]", make: "Callable[[Any], Result]", progress: "bool | None", workers: "Workers | None"
+) -> Result:
+    """What is made of the result of the work that `start` begins. Ends the workers. Ctrl-C raises Interrupted with what is done."""
+    try:
+        running = start()
+        stopped = finish(running, progress, workers)
+        result = make(running.result())
+    finally:
+        if workers is not None:
+            workers.close()
+    if stopped:
+        raise Interrupted(result)
+    return result

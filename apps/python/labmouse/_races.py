@@ -9,7 +9,7 @@ from . import _native
 from ._arguments import LARGEST_SEED, runs_given, whole
 from ._arguments import path as _path
 from ._mice import Mice, given
-from ._progress import Interrupted, finish
+from ._progress import result_of
 from ._workers import for_mice
 from ._worlds import Mazes, Setting, mazes_of, world_with
 
@@ -208,14 +208,7 @@ def race(
     runs, seed, jobs = runs_given(runs), whole("seed", seed, 0, LARGEST_SEED), whole("jobs", jobs, 0, 1024)
     folder, kept = _path("out", out or ""), _path("store", "" if store is None else store)
     workers = for_mice(who.own, jobs)
-    running = _native.RunningRace(who.native(workers, label, store is not None), mazes_of(mazes), chosen, runs, seed, jobs,
-                                  folder, overwrite, (kept, None, "keep"))
-    try:
-        stopped = finish(running, progress, workers)
-        held = Race(running.result())
-    finally:
-        if workers is not None:
-            workers.close()
-    if stopped:
-        raise Interrupted(held)
-    return held
+    return result_of(
+        lambda: _native.RunningRace(who.native(workers, label, store is not None), mazes_of(mazes), chosen, runs, seed, jobs,
+                                    folder, overwrite, (kept, None, "keep")),
+        Race, progress, workers)

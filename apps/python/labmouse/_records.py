@@ -7,7 +7,7 @@ from . import _native
 from ._arguments import LARGEST_SEED, whole
 from ._arguments import path as _path
 from ._mice import AnyMouse, given, kept_chance
-from ._progress import Interrupted, finish
+from ._progress import result_of
 from ._workers import for_mice
 from ._worlds import AnyMaze, Setting, maze_of, world_with
 
@@ -172,14 +172,7 @@ def run(
     chosen = world_with(world, {"robot": robot, "rules": rules, "budget": budget, **settings})
     who, where, seed = given(mouse), maze_of(maze), whole("seed", seed, 0, LARGEST_SEED)
     workers = None if debug else for_mice(who.own, 1)
-    try:
-        with kept_chance():
-            running = _native.RunningContest(who.native(workers), where, chosen, seed)
-            stopped = finish(running, progress, workers)
-            held = Record(running.result())
-    finally:
-        if workers is not None:
-            workers.close()
-    if stopped:
-        raise Interrupted(held)
-    return held
+    with kept_chance():
+        return result_of(
+            lambda: _native.RunningContest(who.native(workers), where, chosen, seed), Record, progress, workers
+        )

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from . import _native
 from ._arguments import LARGEST_SEED, path, runs_given, whole
 from ._mice import Mice, given
-from ._progress import Interrupted, finish
+from ._progress import result_of
 from ._workers import for_mice
 from ._worlds import Mazes, Setting, mazes_of, world_with
 
@@ -94,14 +94,7 @@ def study(
     runs, seed, jobs = runs_given(runs), whole("seed", seed, 0, LARGEST_SEED), whole("jobs", jobs, 0, 1024)
     folds, kept = whole("folds", folds, 2, 1_000_000), path("store", "" if store is None else store)
     workers = for_mice(who.own, jobs)
-    try:
-        running = _native.RunningStudy(who.native(workers, label, store is not None), mazes_of(mazes), chosen,
-                                       (folds, learning, runs, seed, jobs), (kept, None, "keep"))
-        stopped = finish(running, progress, workers)
-        held = Study(running.result())
-    finally:
-        if workers is not None:
-            workers.close()
-    if stopped:
-        raise Interrupted(held)
-    return held
+    return result_of(
+        lambda: _native.RunningStudy(who.native(workers, label, store is not None), mazes_of(mazes), chosen,
+                                     (folds, learning, runs, seed, jobs), (kept, None, "keep")),
+        Study, progress, workers)
