@@ -11,7 +11,7 @@ void bind_mazes(nanobind::module_& module);
 void bind_sightings(nanobind::module_& module);
 void bind_briefings(nanobind::module_& module);
 void bind_minds(nanobind::module_& module);
-void bind_live_minds(nanobind::module_& module);
+void bind_live_strategies(nanobind::module_& module);
 void bind_races(nanobind::module_& module);
 void bind_records(nanobind::module_& module);
 void bind_bounds(nanobind::module_& module);

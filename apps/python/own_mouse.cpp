@@ -12,7 +12,7 @@
 #include "labmouse/contest/simulator.hpp"
 #include "labmouse/lab/mazes/maze_link.hpp"
 #include "labmouse/lab/mice/stoppable.hpp"
-#include "live_mind.hpp"
+#include "live_strategy.hpp"
 #include "playing.hpp"
 
 namespace nb = nanobind;
@@ -74,7 +74,9 @@ Contestant python_contestant(OwnMouse own, const std::atomic<bool>* stop) {
   mouse.elsewhere = [maker, stop](const std::string&, const Maze& maze, const Rules& rules, std::uint64_t seed) {
     return contest_in_steps(maker, maze, rules, seed, stop);
   };
-  mouse.drive = [maker, stop](const Maze&, const Briefing& briefing) { return make_live_mind(maker, briefing, stop); };
+  mouse.drive = [maker, stop](const Maze&, const Briefing& briefing) {
+    return make_live_strategy(maker, briefing, stop);
+  };
   return mouse;
 }
 

@@ -1,6 +1,6 @@
 // Contests in steps of mice in Python, played where a race can leave them alone: in threads of their own, or in other
 // processes. What a mouse did there is played again where the race is, unless that has its record. Other worlds ask a
-// mouse decision by decision: live_mind.hpp.
+// mouse decision by decision: live_strategy.hpp.
 #pragma once
 
 #include <array>

@@ -9,7 +9,7 @@ from typing import Any, BinaryIO, Callable
 
 from ._by_value import loads
 from ._modules import is_own
-from ._native import Mind, play
+from ._native import Strategy, play
 
 #: What such a process runs: it is first told where modules are, this one among them.
 PROGRAM = """
@@ -65,18 +65,18 @@ def _maker(mouse: bytes) -> "Callable[..., Any]":
 
 def _decide(maker: "Callable[..., Any]", briefing: Any, questions: BinaryIO, answer: "Callable[[object], None]") -> None:
     """A contest decision by decision, until the other process has heard the last words."""
-    mind = Mind(maker, briefing)
-    answer(mind.started)
+    strategy = Strategy(maker, briefing)
+    answer(strategy.started)
     while True:
         what, words = pickle.load(questions)
         if what == "decide":
-            answer(mind.decide(*words))
+            answer(strategy.decide(*words))
         elif what == "show":
-            mind.show(*words)
+            strategy.show(*words)
         elif what == "carried":
-            mind.carried(*words)
+            strategy.carried(*words)
         else:
-            answer(mind.last_words())
+            answer(strategy.last_words())
             return
 
 

@@ -1,4 +1,4 @@
-#include "live_mind.hpp"
+#include "live_strategy.hpp"
 
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
@@ -83,9 +83,10 @@ class Desk {
 };
 
 /// In a thread of its own. What that needs belongs to the thread, too, since it may be left behind.
-class ThreadMind final : public Strategy {
+class ThreadStrategy final : public Strategy {
  public:
-  ThreadMind(const std::shared_ptr<const MouseMaker>& maker, const Briefing& briefing, const std::atomic<bool>* stop)
+  ThreadStrategy(const std::shared_ptr<const MouseMaker>& maker, const Briefing& briefing,
+                 const std::atomic<bool>* stop)
       : knowledge_(briefing.size), stop_(stop), seat_(std::make_shared<Seat>()) {
     thread_ = std::thread([seat = seat_] {
       seat->thread = PyThread_get_thread_ident();
@@ -98,9 +99,9 @@ class ThreadMind final : public Strategy {
       seat.idle = std::make_unique<nb::gil_scoped_release>();
     });
   }
-  ThreadMind(const ThreadMind&) = delete;
-  ThreadMind& operator=(const ThreadMind&) = delete;
-  ~ThreadMind() override {
+  ThreadStrategy(const ThreadStrategy&) = delete;
+  ThreadStrategy& operator=(const ThreadStrategy&) = delete;
+  ~ThreadStrategy() override {
     seat_->is_left = is_left_;
     seat_->desk.close();
     if (is_left_)
@@ -178,16 +179,16 @@ class ThreadMind final : public Strategy {
 
 /// In another process. What is called there raises where the process has died, and gives None where the race is
 /// stopped.
-class ProcessMind final : public Strategy {
+class ProcessStrategy final : public Strategy {
  public:
-  ProcessMind(const std::shared_ptr<const MouseMaker>& maker, const Briefing& briefing)
+  ProcessStrategy(const std::shared_ptr<const MouseMaker>& maker, const Briefing& briefing)
       : maker_(maker), knowledge_(briefing.size) {
     call([&] { contest_ = maker_->elsewhere().attr("begin")(PythonBriefing{briefing}); });
     call([&] { started_ = nb::cast<bool>(contest_.attr("started")); });
   }
-  ProcessMind(const ProcessMind&) = delete;
-  ProcessMind& operator=(const ProcessMind&) = delete;
-  ~ProcessMind() override {
+  ProcessStrategy(const ProcessStrategy&) = delete;
+  ProcessStrategy& operator=(const ProcessStrategy&) = delete;
+  ~ProcessStrategy() override {
     const nb::gil_scoped_acquire lock;
     call([&] { contest_.attr("end")(); });
     contest_.reset();
@@ -240,9 +241,9 @@ class ProcessMind final : public Strategy {
 };
 
 /// A mouse in this process for another one, which asks it by lines.
-class NativeMind {
+class NativeStrategy {
  public:
-  NativeMind(nb::object maker, const PythonBriefing& told)
+  NativeStrategy(nb::object maker, const PythonBriefing& told)
       : mouse_(make_python_mind(std::make_shared<const MouseMaker>(std::move(maker), nb::none()), told.briefing,
                                 nullptr)) {}
   Strategy& mouse() { return *mouse_; }
@@ -253,36 +254,36 @@ class NativeMind {
 
 }  // namespace
 
-std::unique_ptr<Strategy> make_live_mind(const std::shared_ptr<const MouseMaker>& maker, const Briefing& briefing,
-                                         const std::atomic<bool>* stop) {
+std::unique_ptr<Strategy> make_live_strategy(const std::shared_ptr<const MouseMaker>& maker, const Briefing& briefing,
+                                             const std::atomic<bool>* stop) {
   bool here = false;
   {
     const nb::gil_scoped_acquire lock;
     here = maker->elsewhere().is_none();
   }
-  if (here) return std::make_unique<ThreadMind>(maker, briefing, stop);
-  return std::make_unique<ProcessMind>(maker, briefing);
+  if (here) return std::make_unique<ThreadStrategy>(maker, briefing, stop);
+  return std::make_unique<ProcessStrategy>(maker, briefing);
 }
 
-void bind_live_minds(nb::module_& module) {
-  nb::class_<NativeMind>(module, "Mind", "A mouse for another process, which asks it decision by decision.")
+void bind_live_strategies(nb::module_& module) {
+  nb::class_<NativeStrategy>(module, "Strategy", "A mouse for another process, which asks it decision by decision.")
       .def(nb::init<nb::object, const PythonBriefing&>(), "maker"_a, "briefing"_a)
-      .def_prop_ro("started", [](NativeMind& mind) { return mind.mouse().started(); })
+      .def_prop_ro("started", [](NativeStrategy& strategy) { return strategy.mouse().started(); })
       .def(
           "decide",
-          [](NativeMind& mind, int left, int ahead, int right) {
-            return fields_of(mind.mouse().decide({left, ahead, right}));
+          [](NativeStrategy& strategy, int left, int ahead, int right) {
+            return fields_of(strategy.mouse().decide({left, ahead, right}));
           },
           "left"_a, "ahead"_a, "right"_a, "Kind, rotation, movement and reason.")
       .def(
           "show",
-          [](NativeMind& mind, int x, int y, int heading, int left, int ahead, int right) {
-            mind.mouse().show({{x, y}, turned(Heading::north, heading)}, {left, ahead, right});
+          [](NativeStrategy& strategy, int x, int y, int heading, int left, int ahead, int right) {
+            strategy.mouse().show({{x, y}, turned(Heading::north, heading)}, {left, ahead, right});
           },
           "x"_a, "y"_a, "heading"_a, "left"_a, "ahead"_a, "right"_a)
       .def(
-          "carried", [](NativeMind& mind, std::int64_t time) { mind.mouse().carried(time); }, "time"_a)
-      .def("last_words", [](NativeMind& mind) { return std::string(mind.mouse().last_words()); });
+          "carried", [](NativeStrategy& strategy, std::int64_t time) { strategy.mouse().carried(time); }, "time"_a)
+      .def("last_words", [](NativeStrategy& strategy) { return std::string(strategy.mouse().last_words()); });
 }
 
 }  // namespace labmouse::python

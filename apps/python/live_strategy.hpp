@@ -12,7 +12,7 @@ namespace labmouse::python {
 
 /// The mouse of one contest. It decides in another process where `elsewhere` of the maker is not None, and else in a
 /// thread of its own: once `stop`, which may be null, is true, neither is waited for. Not with the interpreter's lock.
-std::unique_ptr<Strategy> make_live_mind(const std::shared_ptr<const MouseMaker>& maker, const Briefing& briefing,
-                                         const std::atomic<bool>* stop);
+std::unique_ptr<Strategy> make_live_strategy(const std::shared_ptr<const MouseMaker>& maker, const Briefing& briefing,
+                                             const std::atomic<bool>* stop);
 
 }  // namespace labmouse::python
