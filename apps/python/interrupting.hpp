@@ -1,4 +1,4 @@
-// How a mouse in Python is told that its contest is stopped.
+// How a mouse in Python is stopped in the middle of its contest.
 #pragma once
 
 #include <nanobind/nanobind.h>
@@ -9,7 +9,7 @@ namespace labmouse::python {
 
 /// How often a wait for a mouse looks whether it shall stop.
 inline constexpr std::chrono::milliseconds glance{10};
-/// How often a mouse that was stopped is told so before it is left behind in its thread: one that catches what it is
+/// How often a mouse is interrupted before it is left behind in its thread: one that catches what it is
 /// told once or twice comes to its end.
 inline constexpr int times_told = 3;
 

@@ -10,9 +10,9 @@
 
 namespace labmouse::python {
 
-/// A mouse in Python: its name, what makes it once a contest, and whether it throws dice. `elsewhere` is None where the
-/// mouse is to decide in this process. Else it is called with each contest in steps, as play() behind the maker, and
-/// gives what play() gave in another process; and its `begin` takes a briefing and gives what decides there:
+/// A mouse in Python: its name, what makes it once a contest, and whether it is stochastic. `elsewhere` is None where
+/// the mouse is to decide in this process. Else it is called with each contest in steps, as play() behind the maker,
+/// and gives what play() gave in another process; and its `begin` takes a briefing and gives what decides there:
 /// live_strategy.
 struct OwnMouse {
   std::string name;

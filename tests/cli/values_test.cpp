@@ -67,7 +67,7 @@ TEST_F(AUser, ChoosesAWorldByItsNameAndNotByAParameter) {
 TEST_F(AUser, GivesSpeedsInMillimetres) {
   file("m.txt", test::corridor);
   is_refused({"race", "--world", "physical", "--mice", "flood", "--mazes", "m.txt", "--search-speed", "0.3"},
-             "--search-speed", "mm/s");
+             "error: --search-speed", "mm/s");
   is_refused({"drive", "--mazes", "m.txt", "--search-speed", "0.3"}, "--search-speed", "mm/s");
   is_refused({"hazards", "--mazes", "m.txt", "--search-speed", "0.3"}, "--search-speed", "mm/s");
 }

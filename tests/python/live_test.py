@@ -106,7 +106,7 @@ def test_a_process_that_dies_on_its_way_is_a_forfeit():
 
 
 class Teller:
-    """Says what it is told."""
+    """Notes what it hears and sees."""
 
     def __init__(self, told):
         self.told = told

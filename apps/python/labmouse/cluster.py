@@ -63,7 +63,7 @@ class _Plan(NamedTuple):
 
     specs: "list[tuple[str, str]]"
     own: "list[tuple[str, bytes, bool, str]]"
-    """Mice in Python: name, what makes it as bytes, whether it throws dice, and its identity in stores."""
+    """Mice in Python: name, what makes it as bytes, whether it is stochastic, and its identity in stores."""
     label: str
     world: "tuple[str, dict[str, str]]"
     runs: "int | None"

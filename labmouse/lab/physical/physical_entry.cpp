@@ -95,7 +95,7 @@ std::optional<double> number_in(const WorldEntry& entry, const WorldSettings& ch
                                 double high, std::string& error) {
   const std::string text = value_of(entry, chosen, name);
   if (const std::optional<double> number = labmouse::number_in(text, 0.0, high)) return number;
-  if (error.empty()) error = fmt::format("--{}: '{}' is not a number from 0 to {:g}", name, shown(text), high);
+  if (error.empty()) error = fmt::format("error: --{}: '{}' is not a number from 0 to {:g}", name, shown(text), high);
   return std::nullopt;
 }
 
@@ -117,17 +117,18 @@ Parts parts_of(const WorldEntry& entry, const WorldSettings& chosen) {
   else if (!rules.errors.empty())
     parts.error = fmt::format("{}", fmt::join(rules.errors, "\n"));
   else if (const std::string why = why_not_physical(robot.model); !why.empty())
-    parts.error = fmt::format("--robot: {} cannot drive in the physical world: {}", shown(robot.model.robot.name), why);
+    parts.error =
+        fmt::format("error: --robot: {} cannot drive in the physical world: {}", shown(robot.model.robot.name), why);
   if (!parts.error.empty()) return parts;
   parts.conditions.noise.all = number_in(entry, chosen, "noise", 100.0, parts.error).value_or(0.0);
   parts.conditions.pilot.pace = number_in(entry, chosen, "pace", 1.0, parts.error).value_or(1.0);
   if (parts.error.empty() && parts.conditions.pilot.pace < least_pace)
-    parts.error = fmt::format("--pace: {:g} is less than {:g}", parts.conditions.pilot.pace, least_pace);
+    parts.error = fmt::format("error: --pace: {:g} is less than {:g}", parts.conditions.pilot.pace, least_pace);
   const std::string map = value_of(entry, chosen, "map");
   if (const std::optional<MapKind> kind = map_kind_of(map))
     parts.conditions.map = *kind;
   else if (parts.error.empty())
-    parts.error = fmt::format("--map: '{}' is none of first, belief and learned", shown(map));
+    parts.error = fmt::format("error: --map: '{}' is none of first, belief and learned", shown(map));
   parts.rules = rules.rules;
   parts.model = std::make_shared<DriveModel>(std::move(robot.model));
   parts.remarks = std::move(robot.remarks);
@@ -142,8 +143,8 @@ WorldResult make(const WorldSettings& chosen) {
   conditions.pilot.search_speed =
       number_in(physical_entry, chosen, "search-speed", most_search_speed, parts.error).value_or(0.0);
   if (parts.error.empty() && conditions.pilot.search_speed > 0.0 && conditions.pilot.search_speed < least_search_speed)
-    parts.error = fmt::format("--search-speed: {:g} is less than {:g}: it is in mm/s", conditions.pilot.search_speed,
-                              least_search_speed);
+    parts.error = fmt::format("error: --search-speed: {:g} is less than {:g}: it is in mm/s",
+                              conditions.pilot.search_speed, least_search_speed);
   if (!parts.error.empty()) return {nullptr, parts.error};
   return {physical_world(parts.rules, parts.model, conditions), "", std::move(parts.remarks)};
 }
@@ -214,15 +215,16 @@ std::string why_not_fallible(const DriveModel& model, double noise, const Hazard
         "`labmouse hazards --robot {} --save FILE`",
         shown(hazards.name), shown(hazards.robot), shown(model.robot.name), shown(model.robot.name));
   if (hazards.search_speed != 0.0)
-    return fmt::format("--hazards: {} were counted at a speed of its own, {:g} mm/s; count them with --search-speed 0",
-                       shown(hazards.name), hazards.search_speed);
+    return fmt::format(
+        "error: --hazards: {} were counted at a speed of its own, {:g} mm/s; count them with --search-speed 0",
+        shown(hazards.name), hazards.search_speed);
   if (hazards.edition != physical_edition)
     return fmt::format(
         "--hazards: {} were counted in edition {} of the physical world, which is edition {} now; count "
         "them again with `labmouse hazards --save FILE`",
         shown(hazards.name), hazards.edition, physical_edition);
   if (const double most = most_noise_of(hazards); noise > most)
-    return fmt::format("--noise: {:g} is more than {:g}, the most under which {} were counted", noise, most,
+    return fmt::format("error: --noise: {:g} is more than {:g}, the most under which {} were counted", noise, most,
                        shown(hazards.name));
   return "";
 }

@@ -13,7 +13,7 @@
 namespace labmouse {
 namespace {
 
-std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+std::string dumped(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 Json json_of_field(const Value& value) {
   return std::visit(
@@ -43,7 +43,7 @@ std::string fields_text(const Race& race, const ContestResult& result) {
     const Value value = field.of(race, result);
     if (!std::holds_alternative<std::monostate>(value)) json[std::string(field.key)] = json_of_field(value);
   }
-  return text_of(json);
+  return dumped(json);
 }
 
 }  // namespace
@@ -59,7 +59,7 @@ std::string about_text(const Contestant& mouse) {
   if (mouse.sandboxed) json["sandboxed"] = *mouse.sandboxed;
   if (mouse.keeps_folder) json["keeps_folder"] = true;
   if (!mouse.why_no_sandbox.empty()) json["why_no_sandbox"] = mouse.why_no_sandbox;
-  return text_of(json);
+  return dumped(json);
 }
 
 void read_about(std::string_view about, Contestant& mouse) {
@@ -86,7 +86,7 @@ std::string parameters_text(const World& world, const Contestant& mouse) {
   Json json = Json::object();
   const Settings settings = world.settings(mouse);
   for (const Setting& setting : settings.all()) json[setting.name] = setting.value;
-  return text_of(json);
+  return dumped(json);
 }
 
 RaceRows rows_of(const Race& race) {
