@@ -19,7 +19,7 @@ inline constexpr bool sanitized = false;
 inline const bool thorough = !sanitized && std::getenv("LABMOUSE_PROOF") != nullptr;
 
 /// Where a test is not thorough, it runs one case of this many.
-inline const int slowness = sanitized ? 20 : thorough ? 1 : 12;
+inline const int slowness = sanitized ? 60 : thorough ? 1 : 12;
 
 /// How many of so many cases a long test runs: at least one.
 inline int some_of(int cases) { return std::max(1, cases / slowness); }
@@ -34,3 +34,8 @@ Count fewer(Count cases) {
 constexpr int tenth(int cases) { return sanitized ? (cases + 9) / 10 : cases; }
 
 }  // namespace labmouse::test
+
+/// Leaves a test out with the sanitizers: for tests of numbers, of whose cases a tenth would tell nothing, and whose
+/// code other tests run.
+#define LABMOUSE_SKIP_SANITIZED() \
+  if (labmouse::test::sanitized) GTEST_SKIP() << "only computes longer with the sanitizers"

@@ -13,6 +13,7 @@
 #include "labmouse/maze/generators/generator.hpp"
 #include "labmouse/maze/routes.hpp"
 #include "labmouse/maze/wall_follower.hpp"
+#include "tests/slowness.hpp"
 
 namespace labmouse {
 namespace {
@@ -70,6 +71,7 @@ TEST(BuiltinMazes, EachHasItsProvenance) {
 }
 
 TEST(BuiltinMazes, AreWhatTheirGeneratorsMake) {
+  LABMOUSE_SKIP_SANITIZED();
   int generated = 0;
   for (const Row& row : provenance()) {
     const Generator* const generator = find_generator(row.made_by);

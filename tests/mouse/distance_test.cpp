@@ -6,6 +6,7 @@
 #include "labmouse/lab/bench/plain_distance.hpp"
 #include "labmouse/maze/generators/generator.hpp"
 #include "tests/drawn_maze.hpp"
+#include "tests/slowness.hpp"
 
 namespace labmouse {
 namespace {
@@ -222,7 +223,7 @@ INSTANTIATE_TEST_SUITE_P(OfEachLength, DistanceInStrides, testing::Range(1, Moti
 
 TEST(Distance, AgreesWithAPlainQueueForAnyCosts) {
   Dice dice(17);
-  for (int i = 0; i < 250; ++i) ASSERT_NO_FATAL_FAILURE(agree_with_the_queue(dice, random_costs(dice), 3));
+  for (int i = 0; i < test::tenth(250); ++i) ASSERT_NO_FATAL_FAILURE(agree_with_the_queue(dice, random_costs(dice), 3));
 }
 
 TEST(Distance, TheRingThatSpeedIsMeasuredAgainstAgreesToo) {

@@ -118,7 +118,8 @@ class AnyRobot : public testing::TestWithParam<NamedRobot> {
 
 TEST_P(AnyRobot, IsPlannedForExactlyInEmptyMazes) {
   for (const Size size : {Size{1, 1}, Size{2, 2}, Size{3, 7}, Size{16, 16}, Size{17, 5}, Size{32, 32}})
-    if (test::slowness == 1 || size.area() < 1000) expect_exact(Maze(MazeDraft(size, MazeDraft::Inside::open)));
+    if (test::slowness == 1 || size.area() < (test::sanitized ? 200 : 1000))
+      expect_exact(Maze(MazeDraft(size, MazeDraft::Inside::open)));
 }
 
 TEST_P(AnyRobot, IsPlannedForExactlyInMazesByDice) {

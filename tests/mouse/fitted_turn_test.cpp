@@ -12,6 +12,7 @@
 
 #include "tests/mouse/drive_robots.hpp"
 #include "tests/says.hpp"
+#include "tests/slowness.hpp"
 
 namespace labmouse {
 namespace {
@@ -81,6 +82,7 @@ double sampled_clearance(const TurnShape& shape, double cell) {
 }
 
 TEST(FittedTurn, KeepsItsClearanceOfPostsAndWalls) {
+  LABMOUSE_SKIP_SANITIZED();
   for (const Robot& robot : {small_robot(), large_robot(), fan_robot(), jerk_robot(), large_jerk_robot()})
     for (const Turn turn : forward_turns) {
       const FittedTurn fitted = fitted_turn(turn, robot);

@@ -12,6 +12,7 @@
 #include "labmouse/mouse/robot/straights.hpp"
 #include "tests/mouse/drive_robots.hpp"
 #include "tests/says.hpp"
+#include "tests/slowness.hpp"
 
 namespace labmouse {
 namespace {
@@ -106,6 +107,7 @@ double stepped_seconds(double length, double from, double to, const StraightLimi
 }
 
 TEST(RobotOfSpeeds, TakesTheTimeOfItsSpeedsOverEveryStraight) {
+  LABMOUSE_SKIP_SANITIZED();
   Robot robot = large_robot();
   robot.braking = 7000.0;
   robot.braking_diagonal = 12'000.0;
@@ -151,6 +153,7 @@ TEST(RobotOfSpeeds, StartsAtRestWithARunUpAndEndsAtAnySpeed) {
 }
 
 TEST(RobotOfSpeeds, EndsAtASpeedThatItStopsFrom) {
+  LABMOUSE_SKIP_SANITIZED();
   const Robot robot = large_robot();
   const DriveTables tables = make_drive_model(robot).tables;
   const StraightLimits limits = limits_along(robot);

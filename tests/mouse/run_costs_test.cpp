@@ -127,7 +127,7 @@ class PlainRuns {
 
 TEST(RunCosts, AreThoseOfAPlainSearchInAnyMaze) {
   Dice dice(21);
-  for (int round = 0; round < 40; ++round) {
+  for (int round = 0; round < test::tenth(40); ++round) {
     const Maze maze = test::any_maze(dice, 7);
     const WallPrices walls = any_walls(maze, dice);
     const RunPrices run = any_prices(dice);
@@ -177,13 +177,14 @@ TEST(RunCosts, TellTimeFromPrices) {
 
 /// How far the sums are from the times of fastest routes, in the mean of many mazes.
 TEST(RunPrices, ExplainTheTimesOfRuns) {
+  LABMOUSE_SKIP_SANITIZED();
   for (const Robot& robot : {published_robot(), small_robot()}) {
     const DriveModel model = make_drive_model(robot);
     FastestRoutes corridors({run_prices_side, run_prices_side}, route_tables_of(model));
     const RunPrices prices = run_prices_of(corridors);
     EXPECT_GT(prices.turn, prices.straight);
     double off = 0;
-    constexpr int mazes = test::tenth(20);
+    constexpr int mazes = 20;
     for (std::uint64_t seed = 1; seed <= mazes; ++seed) {
       const Maze maze = find_generator("contest")->make({{16, 16}, seed, 0});
       const Pose start = {maze.start(), maze.start_heading()};

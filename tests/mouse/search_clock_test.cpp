@@ -8,6 +8,7 @@
 #include "labmouse/contest/drive_rules.hpp"
 #include "labmouse/mouse/robot/drive_model.hpp"
 #include "tests/mouse/drive_robots.hpp"
+#include "tests/slowness.hpp"
 #include "tests/strategies/random_mazes.hpp"
 
 namespace labmouse {
@@ -31,7 +32,7 @@ TEST(SearchClock, SaysTheSameWhetherItRemembersRunsOrNot) {
   Dice dice(51);
   int late = 0, early = 0;
   const DriveModel model = make_drive_model(published_robot());
-  for (int round = 0; round < 60; ++round) {
+  for (int round = 0; round < test::tenth(60); ++round) {
     const Maze maze = test::any_maze(dice, 8);
     DriveRules rules;
     rules.time_limit = 60'000'000;

@@ -6,6 +6,7 @@
 #include "tests/drawn_maze.hpp"
 #include "tests/mouse/drive_robots.hpp"
 #include "tests/mouse/plain_search_field.hpp"
+#include "tests/slowness.hpp"
 #include "tests/strategies/random_mazes.hpp"
 
 namespace labmouse {
@@ -178,7 +179,7 @@ void expect_plain_times(const Maze& maze, const SearchDrive& times, const Search
 
 TEST(SearchField, IsThatOfAPlainSearchInAnyMaze) {
   Dice dice(11);
-  for (int round = 0; round < 60; ++round) {
+  for (int round = 0; round < test::tenth(60); ++round) {
     const Maze maze = test::any_maze(dice, 12);
     const SearchDrive times = any_drive(dice);
     const CellSet known = any_cells(maze.size(), dice);
@@ -193,7 +194,7 @@ TEST(SearchField, IsThatOfAPlainSearchInAnyMaze) {
 
 TEST(SearchField, IsThatOfAPlainSearchOverPrices) {
   Dice dice(12);
-  for (int round = 0; round < 60; ++round) {
+  for (int round = 0; round < test::tenth(60); ++round) {
     const Maze maze = test::any_maze(dice, 10);
     const SearchDrive times = any_drive(dice);
     const CellSet known = any_cells(maze.size(), dice);
@@ -272,7 +273,7 @@ void change_a_little(Size size, Dice& dice, WallSet& passages, CellSet& known, C
 
 TEST(SearchField, IsAfterAnyChangesWhatItIsWhenFilledAnew) {
   Dice dice(15);
-  for (int round = 0; round < 100; ++round) {
+  for (int round = 0; round < test::tenth(100); ++round) {
     const Maze maze = test::any_maze(dice, 12);
     const Size size = maze.size();
     const SearchDrive times = any_drive(dice);
@@ -329,7 +330,7 @@ TEST(SearchField, IsInMemoryThatOthersWriteToWhatItIsInItsOwn) {
 
 TEST(SearchField, LeadsByItsStepsInTheTimeThatItSays) {
   Dice dice(13);
-  for (int round = 0; round < 60; ++round) {
+  for (int round = 0; round < test::tenth(60); ++round) {
     const Maze maze = test::any_maze(dice, 16);
     const SearchDrive times = any_drive(dice);
     const CellSet known = any_cells(maze.size(), dice);

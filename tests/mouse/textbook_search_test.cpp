@@ -10,6 +10,7 @@
 #include "labmouse/maze/generators/generator.hpp"
 #include "labmouse/mouse/search_tree.hpp"
 #include "tests/capstone_mazes.hpp"
+#include "tests/slowness.hpp"
 
 namespace labmouse {
 namespace {
@@ -88,6 +89,7 @@ class ReportedSearch : public testing::TestWithParam<Reported> {
 
 // The counts of A* depend on the order in which the passages were walked; those that the report prints are samples.
 TEST_P(ReportedSearch, FindsAsManyCellsAfterAnyWalk) {
+  LABMOUSE_SKIP_SANITIZED();
   const Reported& reported = GetParam();
   int printed = 0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {

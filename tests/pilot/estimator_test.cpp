@@ -275,6 +275,7 @@ void wander(test::Driven& driven, int moves, std::uint64_t seed, Consistency& co
 }
 
 TEST(Estimator, IsAsSureAsItIsRight) {
+  LABMOUSE_SKIP_SANITIZED();
   for (const DriveModel* model : {&test::kerise(), &test::classic(), &test::beginner()}) {
     SCOPED_TRACE(model->robot.name);
     Consistency consistency;

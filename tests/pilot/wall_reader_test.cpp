@@ -194,6 +194,7 @@ Tallies read_walls(const DriveModel& model, double noise, int mazes) {
 }
 
 TEST(Evidence, IsNeverSureAndWrongByTheNoiseThatItKnows) {
+  LABMOUSE_SKIP_SANITIZED();
   for (const DriveModel* model : {&test::kerise(), &test::classic(), &test::beginner()}) {
     SCOPED_TRACE(model->robot.name);
     const Tallies tallies = read_walls(*model, 1.0, test::some_of(200));

@@ -500,6 +500,7 @@ double mean_value(const RosterEntry& mouse, const DriveRules& rules) {
 }
 
 TEST(Ariadne, SearchesLessThanCertifyForRunsAlmostAsGood) {
+  LABMOUSE_SKIP_SANITIZED();
   if (real_mazes().empty()) GTEST_SKIP() << "no maze files in " << test::folder_of_mazes() << "; set LABMOUSE_MAZES";
   double searches[2] = {}, runs[2] = {};
   for (const SomeMaze& maze : real_mazes()) {
