@@ -11,6 +11,7 @@
 #include "labmouse/lab/learn/maze_family.hpp"
 #include "labmouse/maze/generators/generator.hpp"
 #include "labmouse/mouse/knowledge.hpp"
+#include "tests/slowness.hpp"
 
 namespace labmouse {
 namespace {
@@ -207,7 +208,7 @@ std::map<int, int> follow(Played& played, const std::vector<Maze>& mazes, const 
 TEST(ContestBatch, ShowsAndPaysWhatTheSimulatorDoes) {
   Dice dice(1);
   std::map<int, int> states;
-  for (int trial = 0; trial < 60 && !HasFatalFailure(); ++trial) {
+  for (int trial = 0; trial < (test::sanitized ? 20 : 60) && !HasFatalFailure(); ++trial) {
     std::vector<Maze> mazes;
     for (int i = 0, count = 1 + dice.below(5); i < count; ++i) mazes.push_back(random_maze(dice));
     Rules rules;
@@ -263,6 +264,7 @@ TEST(ContestBatch, AContestDependsOnItsOwnSeedAlone) {
 }
 
 TEST(ContestBatch, PlaysMadeMazesAsThoseOfAList) {
+  LABMOUSE_SKIP_SANITIZED();
   const MazeFamily family{&contest_generator, {12, 12}, 0, Split::test, 4};
   std::vector<Maze> mazes;
   for (std::uint64_t number = 0; number < family.count; ++number) mazes.push_back(maze_of(family, number));

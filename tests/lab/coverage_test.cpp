@@ -125,6 +125,7 @@ bool sees_all(const Scores& scores, int mazes) {
 }
 
 TEST(Coverage, OfIntervalsIsNinetyFivePercent) {
+  LABMOUSE_SKIP_SANITIZED();
   if (!test::thorough) {
     for (const Scores& scores : all_scores()) {
       const Coverage found = coverage_of(scores, 20, 150, false);

@@ -10,6 +10,7 @@
 #include "tests/contest/scripted.hpp"
 #include "tests/lab/drive_record_fixture.hpp"
 #include "tests/says.hpp"
+#include "tests/slowness.hpp"
 #include "tests/strategies/random_mazes.hpp"
 
 namespace labmouse {
@@ -89,7 +90,7 @@ TEST(DriveRecordFile, HoldsDashes) {
   robot.known_acceleration = 5000.0;
   Dice dice(23);
   std::size_t dashes = 0;
-  for (int round = 0; round < 12; ++round) {
+  for (int round = 0; round < test::tenth(12); ++round) {
     DriveRecordFile written = driven("certify");
     written.maze = test::any_maze(dice, 12);
     written.model = std::make_shared<DriveModel>(make_drive_model(robot));

@@ -174,6 +174,7 @@ TEST(Fallible, IsTheSameAgainByTheSameSeedAndAnotherByAnother) {
 }
 
 TEST(Fallible, IsUnluckyAllThroughAContest) {
+  LABMOUSE_SKIP_SANITIZED();
   // Only weak mice crash: either none or all runs of a contest do.
   Hazards hazards = harmless();
   auto& by_luck = hazards.paces.front().noises.front().by_luck;
@@ -182,7 +183,7 @@ TEST(Fallible, IsUnluckyAllThroughAContest) {
   PhysicalConditions conditions = at_noise(1.0);
   conditions.noise.spread = 5.0;
   int unlucky = 0;
-  constexpr int contests = test::sanitized ? 20 : 60;
+  constexpr int contests = 60;
   for (std::uint64_t seed = 1; seed <= contests; ++seed) {
     const PhysicalRecord record = driven("flood", hazards, seed, conditions);
     const Specimen mouse(*test::drive_model("kerise")->robot.hardware, conditions.noise, test::ring().size(), seed);
@@ -195,6 +196,7 @@ TEST(Fallible, IsUnluckyAllThroughAContest) {
 }
 
 TEST(Fallible, ReadsAllWallsAboutItOrNone) {
+  LABMOUSE_SKIP_SANITIZED();
   const auto hazards = with([](HazardsByLuck& some) {
     for (auto& reading : some.readings)
       for (ReadingHazard& shares : reading) {
@@ -203,7 +205,7 @@ TEST(Fallible, ReadsAllWallsAboutItOrNone) {
       }
   });
   int silent = 0, looks = 0;
-  for (std::uint64_t seed = 1; seed <= (test::sanitized ? 6 : 20); ++seed) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const Maze maze = test::ring();
     const PhysicalRecord record = driven("flood-return", hazards, seed, at_noise(1.0), maze);
     for (const Look& look : record.looks) {
@@ -436,6 +438,7 @@ TEST(Festina, SearchesNoSlowerThanATimeLimitAllows) {
 }
 
 TEST(Festina, IsAsCarefulAsTheRulesAskFor) {
+  LABMOUSE_SKIP_SANITIZED();
   const auto model = test::drive_model("kerise");
   const auto first = [&](const DriveRules& rules) {
     return festina_mouse.make(brief(test::ring(), rules, *model, 1), Settings(festina_mouse.parameters))->pace(true);
@@ -579,6 +582,7 @@ TEST(FallibleWorld, RefusesWhatItCannotUse) {
 }
 
 TEST(FallibleWorld, KeepsRecordsThatAreDrivenAgainByTheHazardsThatTheProgramBrings) {
+  LABMOUSE_SKIP_SANITIZED();
   RaceOrder order;
   order.world = fallible_entry.make({{"noise", "4"}, {"pace", "0.8"}}).world;
   order.runs = 3;

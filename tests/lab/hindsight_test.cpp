@@ -13,6 +13,7 @@
 #include "labmouse/maze/generators/generator.hpp"
 #include "tests/lab/race_fixture.hpp"
 #include "tests/says.hpp"
+#include "tests/slowness.hpp"
 
 namespace labmouse {
 namespace {
@@ -102,7 +103,7 @@ TEST(BestStop, WhereTheStartIsAGoalTakesOneStepToRun) {
 
 TEST(BestStop, LiesBetweenBoundAndScore) {
   Dice dice(4);
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < test::tenth(60); ++i) {
     const NamedMaze maze = {
         "maze", wilson_generator.make({{6 + dice.below(8), 6 + dice.below(8)}, dice.bits(), dice.below(300)})};
     for (const char* mouse : {"flood", "flood-return", "certify", "cautious", "two-way"}) {

@@ -6,6 +6,8 @@
 #include <set>
 #include <vector>
 
+#include "tests/slowness.hpp"
+
 namespace labmouse {
 namespace {
 
@@ -45,6 +47,7 @@ TEST(MazeFamily, SplitsGoByAllThatMakesMazesDiffer) {
 }
 
 TEST(MazeFamily, EqualNumbersGiveEqualMazes) {
+  LABMOUSE_SKIP_SANITIZED();
   const MazeFamily family{&contest_generator, {16, 16}, 0, Split::test, 0};
   EXPECT_EQ(maze_of(family, 7), maze_of(family, 7));
   EXPECT_NE(maze_of(family, 7), maze_of(family, 8));

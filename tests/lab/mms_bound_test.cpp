@@ -101,7 +101,7 @@ TEST(MmsBound, GoesToTheCentreFromTheCornerWhateverTheMazeMarks) {
 
 TEST(MmsBound, IsScoredByItsWitness) {
   Dice dice(11);
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < test::tenth(300); ++i) {
     const Size size{1 + dice.below(20), 1 + dice.below(20)};
     const Generator* generator = i % 2 == 0 ? &prim_generator : &wilson_generator;
     expect_witnessed(generator->make({size, dice.bits(), dice.below(1001)}));
@@ -118,8 +118,8 @@ TEST(MmsBound, IsScoredByItsWitnessInTheLargestMazes) {
 TEST(MmsBound, IsScoredByItsWitnessInContestMazes) {
   const auto files = test::maze_files();
   if (files.empty()) GTEST_SKIP() << "the folder of mazes is not here";
-  for (const auto& file : files)
-    if (const auto maze = test::maze_in_file(file); maze && mms_bound_of(*maze).score) expect_witnessed(*maze);
+  for (std::size_t i = 0; i < files.size(); i += test::sanitized ? 10 : 1)
+    if (const auto maze = test::maze_in_file(files[i]); maze && mms_bound_of(*maze).score) expect_witnessed(*maze);
 }
 
 /// Everything that a mouse may do, in the simulator itself: no cheaper way to score may be missing in the bound. States

@@ -8,6 +8,7 @@
 
 #include "tests/mouse/drive_robots.hpp"
 #include "tests/mouse/turns_in_steps.hpp"
+#include "tests/slowness.hpp"
 
 namespace labmouse {
 namespace {
@@ -82,6 +83,7 @@ using GripInSteps = TurnsInSteps;
 /// The tables are made of 128 steps, in each of which the robot keeps to what is allowed all along it: they may say a
 /// little more than the least time (0.2 % at most, measured), and never less.
 TEST_P(GripInSteps, TakesTheLeastTimeBetweenItsSpeeds) {
+  LABMOUSE_SKIP_SANITIZED();
   for_each_turn([](const Course& course, const Layout& layout, const std::vector<DrivenTurn>& turns) {
     const bool diagonal = course.from_diagonal() || course.to_diagonal();
     const double up = std::min(robot().acceleration, diagonal ? robot().acceleration_diagonal : endless);

@@ -214,6 +214,7 @@ TEST(Evidence, IsNeverSureAndWrongByTheNoiseThatItKnows) {
 
 /// Four times as much noise as it knows of: then it errs, and where it does it is less sure.
 TEST(Evidence, IsWrongLessOftenTheSurerItIs) {
+  LABMOUSE_SKIP_SANITIZED();
   const Tallies tallies = read_walls(test::kerise(), 4.0, test::some_of(200));
   const auto share = [&](std::size_t from, std::size_t to) {
     Tally sum;
