@@ -154,6 +154,7 @@ TEST(Hazards, KnowHowFarAstrayAMouseIs) {
 }
 
 TEST(Hazards, GrowWithNoiseAndAreTheSameOnAnyNumberOfThreads) {
+  LABMOUSE_SKIP_SANITIZED();
   HazardOrder asked = order({1.0, 5.0}, test::thorough ? 6 : 2);
   asked.jobs = 1;
   const auto two = mice("flood-return,certify");

@@ -8,6 +8,7 @@
 #include "labmouse/lab/numbers/wilson.hpp"
 #include "tests/lab/physical_fixture.hpp"
 #include "tests/says.hpp"
+#include "tests/slowness.hpp"
 
 namespace labmouse {
 namespace {
@@ -57,6 +58,7 @@ TEST(KnownDrives, AreTheSameOnAnyNumberOfThreads) {
 }
 
 TEST(KnownDrives, EndWorseWithoutWallsToCorrectThem) {
+  LABMOUSE_SKIP_SANITIZED();
   const auto tallies = drive_known_ways(order(KnownWay::search, 40), rings(), cases_by_correction(at_noise(4.0)));
   ASSERT_THAT(tallies, SizeIs(4));
   EXPECT_LT(tallies.front().truth.aside, tallies.back().truth.aside);

@@ -72,6 +72,7 @@ class Score {
 
 /// Logs of fast drives of kerise in contest mazes, each with luck of its own.
 TEST(LogFit, RecoversTheNumbersOfOurWorldWithinItsErrors) {
+  LABMOUSE_SKIP_SANITIZED();
   FoundRobot found = find_robot("kerise");
   ASSERT_TRUE(found.robot.hardware);
   const Hardware& hardware = *found.robot.hardware;
@@ -124,6 +125,7 @@ TEST(LogFit, RecoversTheNumbersOfOurWorldWithinItsErrors) {
 
 /// A mouse that a hand puts into closed cells, a little farther from their walls each time.
 TEST(LogFit, RecoversInfraredFromKnownPlaces) {
+  LABMOUSE_SKIP_SANITIZED();
   const FoundRobot found = find_robot("kerise");
   const Hardware& hardware = *found.robot.hardware;
   const double cell = found.robot.cell;
@@ -172,6 +174,7 @@ LogFit fit_of(const SimulatedMouse& mouse, const std::string& text) {
 }
 
 TEST(LogFit, RecoversAMouseOfAnotherMaking) {
+  LABMOUSE_SKIP_SANITIZED();
   Score score;
   for (std::uint64_t seed = 1; seed <= test::fewer(20U); ++seed) {
     const SimulatedMouse mouse;

@@ -17,6 +17,7 @@
 #include "tests/lab/log_simulator.hpp"
 #include "tests/lab/xml_scanner.hpp"
 #include "tests/says.hpp"
+#include "tests/slowness.hpp"
 
 namespace labmouse {
 namespace {
@@ -176,6 +177,7 @@ TEST(LogComparison, SaysWhereTheTwoPart) {
 }
 
 TEST(LogComparison, ShowsByHowMuchARobotIsAnother) {
+  LABMOUSE_SKIP_SANITIZED();
   const QuietDrive drive = quiet_drive();
   Robot stronger = drive.robot;
   stronger.hardware->motors.drive.gain *= 1.1;

@@ -60,6 +60,7 @@ TEST(Fact, ManyRoutesDependOnTheTimeOfTheSmallTurn) {
 
 // With two speeds a turn and any speed at the end, 85 of 259 routes end too fast to stop before the wall behind.
 TEST(Fact, NearlyAThirdOfTheRoutesWouldEndInAWall) {
+  LABMOUSE_SKIP_SANITIZED();
   const std::vector<Maze> mazes = classic_mazes();
   if (mazes.empty()) GTEST_SKIP() << "no maze files in " << test::folder_of_mazes() << "; set LABMOUSE_MAZES";
   Robot robot = robot_of_the_past(find_robot("classic").robot);
