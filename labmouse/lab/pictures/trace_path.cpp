@@ -32,14 +32,33 @@ template <class PoseOf>
 std::vector<DrivePathPoint> path_of(const DriveRecordFile& file, std::size_t index, PoseOf pose) {
   const DriveRun& run = file.record.runs[index];
   std::vector<DrivePathPoint> points;
-  for (const TracePoint& point : file.physical->notes.trace)
-    if (const std::optional<BodyPose> at = pose(point); at && point.time >= run.begin && point.time <= run.end)
-      points.push_back(point_at(file, point.time, *at));
+  for (const TracePoint& point : trace_of(file, run))
+    if (const std::optional<BodyPose> at = pose(point)) points.push_back(point_at(file, point.time, *at));
   set_speeds(points, file.model->tables.cell);
   return points;
 }
 
 }  // namespace
+
+const WallTouch* crash_in(const DriveRecordFile& file, const DriveRun& run) {
+  for (const WallTouch& touch : file.physical->notes.touches)
+    if (touch.crash && touch.time == run.end) return &touch;
+  return nullptr;
+}
+
+std::vector<TracePoint> trace_of(const DriveRecordFile& file, const DriveRun& run) {
+  std::vector<TracePoint> points;
+  for (const TracePoint& point : file.physical->notes.trace)
+    if (point.time >= run.begin && point.time <= run.end) points.push_back(point);
+  const WallTouch* crash = crash_in(file, run);
+  if (crash != nullptr && !points.empty() && points.back().time < crash->time) {
+    TracePoint last = points.back();
+    last.time = crash->time;
+    last.truth = crash->at;
+    points.push_back(last);
+  }
+  return points;
+}
 
 std::vector<DrivePathPoint> true_path(const DriveRecordFile& file, std::size_t run) {
   return path_of(file, run, [](const TracePoint& point) { return std::optional(point.truth); });

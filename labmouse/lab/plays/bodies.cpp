@@ -71,10 +71,9 @@ Json bodies_json(const DriveRecordFile& contest) {
       heading.push_back(rounded(beside(belief[point].heading, truth[point].heading)));
     }
     const DriveRun& run = contest.record.runs[i];
-    for (const TracePoint& point : notes.trace)
-      if (point.time >= run.begin && point.time <= run.end)
-        for (std::size_t beam = 0; beam < beam_count; ++beam)
-          distances.push_back(distance_of(point.infrared[beam], infrared, infrared.beams[beam], cell));
+    for (const TracePoint& point : trace_of(contest, run))
+      for (std::size_t beam = 0; beam < beam_count; ++beam)
+        distances.push_back(distance_of(point.infrared[beam], infrared, infrared.beams[beam], cell));
   }
   const Chassis& chassis = hardware.chassis;
   return {{"front", rounded(chassis.front / cell)},

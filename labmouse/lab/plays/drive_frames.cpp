@@ -10,6 +10,7 @@
 
 #include "labmouse/contest/drive_score.hpp"
 #include "labmouse/lab/pictures/drive_path.hpp"
+#include "labmouse/lab/plays/crash.hpp"
 #include "labmouse/lab/plays/fields.hpp"
 #include "labmouse/lab/plays/play_frames.hpp"
 #include "labmouse/lab/text/optional_json.hpp"
@@ -52,23 +53,23 @@ class DriveFrames {
 
   void add(const DriveRun& run, std::size_t number) {
     kind_ = static_cast<int>(run.kind);
-    first_of_.push_back(frame_);
+    runs_.push_back({frame_, std::nullopt});
     if (run.kind == DriveRun::Kind::fast)
       add_fast(run, number);
     else
       add_search(run, number);
+    crash(number);
     if (!goal_frame_ && run.gate_in) goal_frame_ = frame_from(*run.gate_in);
   }
 
   void finish() {
-    first_of_.push_back(frame_);
     play_["goal_frame"] = or_null(goal_frame_);
     play_["reset_frame"] = or_null(reset_frame_);
     add_known();
     if (contest_.physical) add_mistaken();
   }
 
-  const std::vector<std::size_t>& first_frames() const { return first_of_; }
+  const std::vector<DriveRunFrames>& runs() const { return runs_; }
 
  private:
   SearchPlace start() const { return {{contest_.maze->start(), contest_.maze->start_heading()}, true}; }
@@ -76,12 +77,13 @@ class DriveFrames {
   /// A new run begins in the frame before it, unless the mouse has to be carried.
   void begin_run(const SearchPlace& place, MazeTime time) {
     place_ = place;
-    if (frame_of(place) == shown_) {
+    const bool crashed = runs_.size() > 1 && runs_[runs_.size() - 2].crash;
+    if (!crashed && frame_of(place) == shown_) {
       play_["run"].back() = kind_;
       return;
     }
     step("carried to the start", frame_of(place), time, {});
-    first_of_.back() = frame_;
+    runs_.back().first = frame_;
   }
 
   void add_search(const DriveRun& run, std::size_t number) {
@@ -121,6 +123,27 @@ class DriveFrames {
       const DriveNode& last = run.route.segments.back().to;
       place_ = {{last.cell, last.heading}, true};
     }
+  }
+
+  /// The step in which the run crashed ends then and there. No record has the move of a search that a crash broke off.
+  void crash(std::size_t number) {
+    const DriveRun& run = contest_.record.runs[number];
+    const auto crash = runs_.back().crash = crash_of(contest_, number, place_);
+    if (!crash) return;
+    const Cell cell = cell_of(*crash);
+    const FramePlace place = {{2 * cell.x + 1, 2 * cell.y + 1}, static_cast<int>(std::lround(crash->heading) & 7)};
+    if (run.kind != DriveRun::Kind::fast || frame_ == runs_.back().first) {
+      step("drives on", place, run.end, {});
+    } else {
+      shown_ = place;
+      play_["x"].back() = place.point.x;
+      play_["y"].back() = place.point.y;
+      play_["heading"].back() = place.heading;
+    }
+    play_["blocked"].back() = true;
+    Json& entered = play_["entered"].back();
+    const int index = contest_.maze->size().index(cell);
+    if (entered.empty() || entered.back() != index) entered.push_back(index);
   }
 
   /// The nearest place of a frame.
@@ -217,7 +240,7 @@ class DriveFrames {
   SearchPlace place_;
   FramePlace shown_;
   std::vector<MazeTime> times_;
-  std::vector<std::size_t> first_of_;
+  std::vector<DriveRunFrames> runs_;
   std::optional<std::size_t> goal_frame_, reset_frame_;
   std::optional<MazeTime> best_;
   std::size_t frame_ = 0;
@@ -233,11 +256,11 @@ std::string segment_words(const DriveSegment& segment, const DriveTables& tables
   return fmt::format("ahead {}", segment.units / 2.0);
 }
 
-std::vector<std::size_t> add_drive_frames(const DriveRecordFile& contest, Json& play) {
+std::vector<DriveRunFrames> add_drive_frames(const DriveRecordFile& contest, Json& play) {
   DriveFrames frames(contest, play);
   for (std::size_t i = 0; i < contest.record.runs.size(); ++i) frames.add(contest.record.runs[i], i);
   frames.finish();
-  return frames.first_frames();
+  return frames.runs();
 }
 
 }  // namespace labmouse

@@ -11,6 +11,7 @@
 #include "labmouse/lab/bounds/drive_bound.hpp"
 #include "labmouse/lab/pictures/trace_path.hpp"
 #include "labmouse/lab/plays/bodies.hpp"
+#include "labmouse/lab/plays/crash.hpp"
 #include "labmouse/lab/plays/drive_frames.hpp"
 #include "labmouse/lab/plays/fields.hpp"
 #include "labmouse/lab/plays/maze_data.hpp"
@@ -99,7 +100,28 @@ Json robot_json(const Robot& robot, const DriveTables& tables) {
   return {{"name", robot.name}, {"cell", robot.cell}, {"hash", hash_text(tables.hash)}};
 }
 
-Json drive_json(const DriveRecordFile& contest, const DriveRun& best, const std::vector<std::size_t>& first_frames) {
+Json crash_json(const std::optional<DrivePathPoint>& crash) {
+  if (!crash) return nullptr;
+  const Cell cell = cell_of(*crash);
+  return {{"time", crash->time}, {"cell", {cell.x, cell.y}}};
+}
+
+/// The path of a run up to its crash, where it has one.
+std::vector<DrivePathPoint> driven_path(const DriveRecordFile& contest, std::size_t run, DrivePath& path,
+                                        const std::optional<DrivePathPoint>& crash) {
+  if (has_trace(contest)) return true_path(contest, run);
+  const DriveRun& driven = contest.record.runs[run];
+  std::vector<DrivePathPoint> points = path.follow(driven, pace_of(contest, driven));
+  if (!crash || points.empty() || points.back().time >= crash->time) return points;
+  DrivePathPoint& last = points.back();
+  last.acceleration = (crash->speed - last.speed) / ((crash->time - last.time) / 1e6);
+  points.push_back(*crash);
+  // No whole turns between the two.
+  points.back().heading += 8.0 * std::round((points[points.size() - 2].heading - crash->heading) / 8.0);
+  return points;
+}
+
+Json drive_json(const DriveRecordFile& contest, const DriveRun& best, const std::vector<DriveRunFrames>& frames) {
   const DriveScore scores = score(contest.record, contest.rules);
   DrivePath path({contest.maze->start(), contest.maze->start_heading()}, *contest.model);
   PathLists lists, best_lists;
@@ -107,9 +129,12 @@ Json drive_json(const DriveRecordFile& contest, const DriveRun& best, const std:
   for (std::size_t i = 0; i < contest.record.runs.size(); ++i) {
     const DriveRun& driven = contest.record.runs[i];
     Json run = run_json(driven);
-    run["frame"] = first_frames[i];
+    const bool told = contest.physical && i < contest.physical->notes.ends.size();
+    run["ended"] = told ? Json(name_of(contest.physical->notes.ends[i])) : Json(nullptr);
+    run["crash"] = crash_json(frames[i].crash);
+    run["frame"] = frames[i].first;
     run["from"] = lists.size();
-    lists.add(has_trace(contest) ? true_path(contest, i) : path.follow(driven, pace_of(contest, driven)));
+    lists.add(driven_path(contest, i, path, frames[i].crash));
     run["to"] = lists.size();
     run["score"] = score_json(scores, i);
     runs.push_back(std::move(run));
@@ -173,14 +198,14 @@ Json path_json(const std::vector<DrivePathPoint>& points) {
 Json play_json(const DriveRecordFile& contest) {
   const DriveRun best = best_run(contest);
   Json play = header_json(contest, best);
-  const std::vector<std::size_t> first_frames = add_drive_frames(contest, play);
+  const std::vector<DriveRunFrames> frames = add_drive_frames(contest, play);
   play["route"] = Json::array();
   play["distances"] = distances_json(*contest.maze, 1);
   play["visited"] = share_visited(contest, play, play["distances"]);
   play["reasons"] = Json::array();
   play["loses"] = Json::array();
   play["events"] = Json::array();
-  play["drive"] = drive_json(contest, best, first_frames);
+  play["drive"] = drive_json(contest, best, frames);
   const Json conditions = {{"robot", labmouse::robot_json(contest.model->robot)}, {"rules", contest.rules.name}};
   play["again"] = again_json("drive", conditions, [](const RosterEntry& mouse) { return mouse.drives; });
   return play;

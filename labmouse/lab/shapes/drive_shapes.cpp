@@ -22,7 +22,13 @@ std::vector<Declaration> drive_shapes() {
                field("known", or_null(number),
                      "When it began: times of the fastest route known to exist, and of the fastest that may exist; "
                      "null for none."),
-               field("hoped", or_null(number)), field("frame", number, "The frame in which it begins."),
+               field("hoped", or_null(number)),
+               field("ended", or_null(text),
+                     "How it ended, in the words of the record: \"done\", \"slid\", \"walled in\"; null in a world in "
+                     "which nothing goes wrong."),
+               field("crash", or_null(object({field("time", number), field("cell", named("Cell"))})),
+                     "Where the mouse crashed, which ended the run; null where it did not."),
+               field("frame", number, "The frame in which it begins."),
                field("from", number, "Its points in the path: from that one to the one before `to`."),
                field("to", number), field("score", or_null(named("DriveScore")), "Null where it does not count.")})},
       {"DrivePath",

@@ -72,7 +72,7 @@ std::vector<Declaration> play_shapes() {
             field(
                 "action", list(text),
                 "What was asked for, in words: \"right, 3\", \"ahead 2\", \"reset\", \"moveForward 2\", \"left V90\"."),
-            field("blocked", list(flag), "A wall ended the movement early (in mms: a crash)."),
+            field("blocked", list(flag), "A wall ended the movement early (in mms and in seconds: a crash)."),
             field("left", list(number),
                   "Open cells to the left, ahead and to the right before each step; empty in mms and in seconds."),
             field("ahead", list(number)),

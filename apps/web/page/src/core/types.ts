@@ -252,7 +252,7 @@ export interface Play {
   run: number[];
   /** What was asked for, in words: "right, 3", "ahead 2", "reset", "moveForward 2", "left V90". */
   action: string[];
-  /** A wall ended the movement early (in mms: a crash). */
+  /** A wall ended the movement early (in mms and in seconds: a crash). */
   blocked: boolean[];
   /** Open cells to the left, ahead and to the right before each step; empty in mms and in seconds. */
   left: number[];
@@ -336,6 +336,13 @@ export interface DriveRun {
   /** When it began: times of the fastest route known to exist, and of the fastest that may exist; null for none. */
   known: number | null;
   hoped: number | null;
+  /**
+   * How it ended, in the words of the record: "done", "slid", "walled in"; null in a world in which nothing goes
+   * wrong.
+   */
+  ended: string | null;
+  /** Where the mouse crashed, which ended the run; null where it did not. */
+  crash: { time: number; cell: Cell } | null;
   /** The frame in which it begins. */
   frame: number;
   /** Its points in the path: from that one to the one before `to`. */

@@ -101,6 +101,26 @@ export function goTo(track: DriveTrack, time: number, moment: Moment) {
 
 export const kinds: Record<DriveRun['kind'], string> = { search: 'search', home: 'way home', fast: 'fast run' };
 
+const endings: Record<string, string> = {
+  'given up': 'gave up',
+  slid: 'tyres slipped',
+  strayed: 'localization error',
+  misread: 'wall detection error',
+  'walled in': 'no route left',
+  'out of time': 'time limit',
+};
+
+/** How a run ended: `goal`, `no route left`, `crash in (3,4): tyres slipped`; empty where nothing is recorded. */
+export function endText({ kind, ended, crash, gate_in }: DriveRun): string {
+  if (ended === null) return '';
+  const done = kind === 'home' ? 'start' : gate_in === null ? '–' : 'goal';
+  const reached = ended === 'done' ? done : '';
+  const why = ended === 'done' ? '' : (endings[ended] ?? ended);
+  if (!crash) return reached || why;
+  const where = `crash in (${crash.cell.join(',')})`;
+  return reached && reached !== '–' ? `${reached}, then ${where}` : why ? `${where}: ${why}` : where;
+}
+
 /** `12.345` for seconds. */
 export const clockText = (time: number) => decimal(time, 3);
 /** `8.196 s` for microseconds, or a dash. */

@@ -1,6 +1,6 @@
 // The runs of a contest in seconds, as a list: what each was, how long it took, what it is worth.
 import type { Drive, DriveRun } from '../core/types';
-import { durationText, gateToGate, kinds, madeOf } from './drive';
+import { durationText, endText, gateToGate, kinds, madeOf } from './drive';
 import type { PanelProps, Side } from './state';
 
 const heads = ['run', 'begins', 'takes', 'gate to gate', 'known, hoped for', 'counts'];
@@ -18,17 +18,33 @@ function knownText({ known, hoped }: DriveRun): string {
 interface LineProps {
   side: Side;
   index: number;
-  jump: () => void;
+  /** Whether the column of ends is there. */
+  ends: boolean;
+  /** To a time in microseconds. */
+  jump: (time: number) => void;
 }
 
-function Line({ side, index, jump }: LineProps) {
+/** A crash leads to its moment. */
+function End({ run, jump }: { run: DriveRun; jump: LineProps['jump'] }) {
+  const { crash } = run;
+  if (!crash) return <td>{endText(run)}</td>;
+  return (
+    <td class="crash">
+      <button type="button" onClick={() => jump(crash.time)}>
+        {durationText(crash.time)}, {endText(run)}
+      </button>
+    </td>
+  );
+}
+
+function Line({ side, index, ends, jump }: LineProps) {
   const { runs, drive } = side.track.drive!;
   const run = runs[index];
   const value = run.score ? durationText(run.score.value) : '–';
   return (
     <tr class={run.score?.best ? 'best' : ''} aria-current={side.scene.moment?.run === index ? 'true' : undefined}>
       <th scope="row">
-        <button type="button" onClick={jump}>
+        <button type="button" onClick={() => jump(run.begin)}>
           {index + 1} {kinds[run.kind]}
         </button>
       </th>
@@ -37,6 +53,7 @@ function Line({ side, index, jump }: LineProps) {
       <td>{durationText(gateToGate(run))}</td>
       <td>{knownText(run)}</td>
       <td title={madeOf(run, drive.rules)}>{run.score?.best ? <strong>{value} best</strong> : value}</td>
+      {ends && <End run={run} jump={jump} />}
     </tr>
   );
 }
@@ -49,10 +66,11 @@ export function Runs({ state: { sides }, actions }: PanelProps) {
       <h3>Runs</h3>
       {driven.map((side) => {
         const { drive, runs } = side.track.drive!;
-        const jump = ({ begin }: DriveRun) => {
+        const jump = (time: number) => {
           actions.choose(sides.indexOf(side));
-          actions.seek(begin / 1e6);
+          actions.seek(time / 1e6);
         };
+        const ends = runs.some(({ ended }) => ended !== null);
         return (
           <>
             <p class="note">{timedBy(drive.rules)}</p>
@@ -63,14 +81,14 @@ export function Runs({ state: { sides }, actions }: PanelProps) {
                 </caption>
                 <thead>
                   <tr>
-                    {heads.map((text) => (
+                    {[...heads, ...(ends ? ['ends'] : [])].map((text) => (
                       <th scope="col">{text}</th>
                     ))}
                   </tr>
                 </thead>
                 <tbody>
-                  {runs.map((run, index) => (
-                    <Line side={side} index={index} jump={() => jump(run)} />
+                  {runs.map((_, index) => (
+                    <Line side={side} index={index} ends={ends} jump={jump} />
                   ))}
                 </tbody>
               </table>

@@ -49,6 +49,11 @@ const columns: Column[] = [
     has: ({ drive }) => !drive,
   },
   {
+    name: 'ends in',
+    text: ({ play, last }, i) => (i < last && play.blocked[i] ? 'a crash' : ''),
+    has: ({ play, drive }) => drive !== null && play.blocked.includes(true),
+  },
+  {
     name: 'takes, ms',
     text: ({ time, last }, i) => (i < last ? (1000 * (time[i + 1] - time[i])).toFixed(1) : ''),
     has: ({ drive }) => drive !== null,

@@ -28,7 +28,8 @@ export function readingText({ track, scene }: Side): string {
 export function actionText({ track, scene }: Side): string {
   const { frame } = scene.past;
   if (frame === track.last) return '–';
-  return track.play.action[frame] + (track.play.blocked[frame] ? ', stopped by a wall' : '');
+  const stopped = track.drive ? ', and crashes' : ', stopped by a wall';
+  return track.play.action[frame] + (track.play.blocked[frame] ? stopped : '');
 }
 
 /** The same of a contest in seconds. */

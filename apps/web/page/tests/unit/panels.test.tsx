@@ -15,6 +15,7 @@ import { Caption } from '../../src/player/side';
 import { Steps } from '../../src/player/steps';
 import { prepare } from '../../src/player/track';
 import { Transport } from '../../src/player/transport';
+import { momentText } from '../../src/player/words';
 import type { Page } from '../../src/views/view';
 import { mms, seconds, steps } from './plays';
 import { actionsOf, sideOf, stateOf } from './sides';
@@ -244,6 +245,33 @@ describe('what stands beside', () => {
       ['choose', 0],
       ['seek', 3],
     ]);
+  });
+  it('how each run ended, and where it crashed, which leads to that moment', () => {
+    const asked: unknown[][] = [];
+    const [search, fast] = seconds().drive!.runs;
+    const crash = { time: 5.25e6, cell: [0, 1] as [number, number] };
+    const runs = [
+      { ...search, ended: 'done' },
+      { ...fast, ended: 'slid', crash },
+    ];
+    const play = seconds({ drive: { ...seconds().drive!, runs } });
+    const room = drawn(<Runs state={stateOf([sideOf(play)])} actions={actionsOf(asked)} />);
+    expect(texts(room, 'thead th').at(-1)).toBe('ends');
+    expect(texts(room, 'tbody td:last-child')).toEqual(['goal', '5.250 s, crash in (0,1): tyres slipped']);
+    all(room, '.crash button')[0].click();
+    expect(asked).toEqual([
+      ['choose', 0],
+      ['seek', 5.25],
+    ]);
+    const exact = drawn(<Runs state={stateOf([sideOf(seconds())])} actions={nothing} />);
+    expect(texts(exact, 'thead th')).not.toContain('ends');
+  });
+  it('crashes in the list of steps, and in the words of the moment', () => {
+    const play = seconds({ blocked: [false, true, false, false, false] });
+    const list = drawn(<Steps state={stateOf([sideOf(play)])} actions={nothing} />);
+    expect(texts(list, 'tbody td:nth-last-child(2)')).toEqual(['', 'a crash', '', '', '', '']);
+    expect(momentText(sideOf(play, 1))).toContain('crashes');
+    expect(momentText(sideOf(play, 0))).not.toContain('crashes');
   });
   it('last words as text', () => {
     const room = drawn(<LastWords state={stateOf([sideOf(steps({ last_words: '<b>bye</b>' }))])} actions={nothing} />);

@@ -123,7 +123,10 @@ export function mms(changes: Partial<Play> = {}): Play {
  * back, and runs up again, evenly accelerated, then at a leap faster.
  */
 export function seconds(changes: Partial<Play> = {}): Play {
-  const run = { gate_out: null, gate_in: null, centre: null, known: null, hoped: null, score: null };
+  const run = {
+    ...{ gate_out: null, gate_in: null, centre: null, known: null, hoped: null, score: null },
+    ...{ ended: null, crash: null },
+  };
   return {
     ...steps(),
     world: 'seconds',

@@ -1,0 +1,21 @@
+// The crash that ended a run of the physical or the fallible world.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "labmouse/lab/pictures/drive_path.hpp"
+#include "labmouse/lab/records/drive_record_file.hpp"
+#include "labmouse/mouse/drive/search_motion.hpp"
+
+namespace labmouse {
+
+/// When and where a run crashed; nothing where it did not. `before`: where its finished moves led, of a search or a way
+/// home. The physical world records the place. The fallible one does not: there it follows from the planned route in a
+/// fast run, and is the middle of the cell that the mouse was about to cross in other runs.
+std::optional<DrivePathPoint> crash_of(const DriveRecordFile& file, std::size_t run, const SearchPlace& before);
+
+/// The cell of a point.
+Cell cell_of(const DrivePathPoint& point);
+
+}  // namespace labmouse
