@@ -7,8 +7,8 @@ const heads = ['run', 'begins', 'takes', 'gate to gate', 'known, hoped for', 'co
 
 /** Two times of one run stand side by side: what each is, and which of them counts. */
 const timedBy = ({ gate_to_gate }: Drive['rules']) =>
-  'A run takes its time from rest at the start to the middle of a goal; from gate to gate is the part from leaving the ' +
-  `start cell to entering a goal. These rules count ${gate_to_gate ? 'the time from gate to gate' : 'the whole time from rest'}.`;
+  '“takes” is the time from the beginning of a run to its end. “gate to gate” is the time from leaving the start cell to ' +
+  `entering a goal. These rules count the time ${gate_to_gate ? 'from gate to gate' : 'from the beginning of a run to the middle of a goal'}.`;
 
 function knownText({ known, hoped }: DriveRun): string {
   if (known === null && hoped === null) return '–';

@@ -273,6 +273,10 @@ describe('what stands beside', () => {
     expect(momentText(sideOf(play, 1))).toContain('crashes');
     expect(momentText(sideOf(play, 0))).not.toContain('crashes');
   });
+  it('what the times of runs are, with no claim about how they begin', () => {
+    const room = drawn(<Runs state={stateOf([sideOf(seconds())])} actions={nothing} />);
+    expect(texts(room, '.note').join()).not.toContain('rest');
+  });
   it('last words as text', () => {
     const room = drawn(<LastWords state={stateOf([sideOf(steps({ last_words: '<b>bye</b>' }))])} actions={nothing} />);
     expect(texts(room, 'pre')).toEqual(['<b>bye</b>']);
