@@ -6,6 +6,7 @@ import { readPalette } from '../maze/palette';
 import { pngOf } from '../maze/saved';
 import { createCopyable } from '../ui/copy';
 import { h } from '../ui/dom';
+import { showError } from '../ui/field';
 import type { Page } from '../views/view';
 
 /** Of the longer side of a saved picture, at most. */
@@ -30,7 +31,10 @@ export function createSaving(page: Page, drawing: () => MazeData): Saving {
   /** Does it, and says in the core's words why it could not be done. */
   const trying = (does: () => Promise<void>) => () => {
     refusal.replaceChildren();
-    does().catch((error: unknown) => refusal.replaceChildren(wordsOf(error)));
+    does().catch((error: unknown) => {
+      refusal.replaceChildren(wordsOf(error));
+      showError(refusal);
+    });
   };
   const saveAs = async (format: string) => {
     const answer = await page.core.call('write_maze', { maze: drawing(), format });

@@ -4,8 +4,14 @@ import { h } from './dom';
 let fields = 0;
 
 export interface Field extends HTMLElement {
-  /** Says what is wrong with the value; nothing where that is empty. */
+  /** Says what is wrong with the value, in sight; nothing where that is empty. */
   complain(message: string): void;
+}
+
+/** Brings an error into sight, unless somebody is writing elsewhere and would lose the place. */
+export function showError(error: HTMLElement) {
+  if (!document.activeElement?.matches('input, select, textarea, [contenteditable]'))
+    error.scrollIntoView({ block: 'nearest' });
 }
 
 /** `help` stands below the control and describes it. */
@@ -19,7 +25,9 @@ export function field(label: string, control: HTMLElement, help?: HTMLElement): 
   const element = h('div', { class: 'field' }, h('label', { for: control.id }, label), control, help, error);
   return Object.assign(element, {
     complain(message: string) {
-      if (error.textContent !== message) error.replaceChildren(message);
+      const isNew = error.textContent !== message;
+      if (isNew) error.replaceChildren(message);
+      if (isNew && message) showError(element);
       if (message) control.setAttribute('aria-invalid', 'true');
       else control.removeAttribute('aria-invalid');
     },

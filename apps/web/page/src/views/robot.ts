@@ -67,6 +67,8 @@ export function createRobot(page: Page): View {
   const nameRow = field('Name', name);
   const form = createRobotForm(keys, () => ask());
   const status = h('p', { class: 'verdict', role: 'status' });
+  // Stays in sight while the form scrolls.
+  const refusal = h('p', { class: 'refusal', role: 'alert' });
   const others = h('ul', { class: 'robot-sentences' });
   const stage = createRouteStage();
   const regions = createRegions(
@@ -344,7 +346,9 @@ export function createRobot(page: Page): View {
     desk.classList.toggle('stale', now.result === null);
     for (const button of uses) button.disabled = now.result === null;
     status.dataset.state = now.result === null ? 'bad' : now.remarks.length > 0 ? 'fair' : 'good';
-    status.replaceChildren(now.result?.line ?? `Refused: ${now.problems[0]?.text ?? 'no robot'}`);
+    const refused = now.result ? '' : `Refused: ${now.problems[0]?.text ?? 'no robot'}`;
+    status.replaceChildren(now.result?.line ?? refused);
+    if (refusal.textContent !== refused) refusal.replaceChildren(refused);
     // What is shown below stays that of the last robot that could be.
     if (!now.result) return showComplaint();
     result = now.result;
@@ -392,7 +396,7 @@ export function createRobot(page: Page): View {
     tables,
   );
   desk.append(
-    h('div', { class: 'desk-side' }, start, mazes.element, form.element),
+    h('div', { class: 'desk-side' }, refusal, start, mazes.element, form.element),
     room,
     h('div', { class: 'desk-main' }, status, others, follows),
     regions.element,

@@ -213,6 +213,9 @@ export function createDesk(
     },
     open,
     fail: (line) => editor?.fail(line),
-    complain: (message) => nameRow.complain(message),
+    complain(message) {
+      nameRow.complain(message);
+      if (message) name.focus();
+    },
   };
 }

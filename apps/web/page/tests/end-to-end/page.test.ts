@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { barriers, open, provoked } from './harness';
+import { barriers, drop, open, provoked } from './harness';
 
 test('it opens from the disk, names its views, and asks nothing of a network', async () => {
   const page = await open();
@@ -34,4 +34,21 @@ test('its policy lets no script in that is not its own, and nothing out', async 
   });
   expect(blocked).toEqual(['script-src-attr', 'script-src-elem', 'connect-src', 'no intruder']);
   expect(provoked(/Content Security Policy/)).toBeGreaterThanOrEqual(3);
+});
+
+test('what is wrong is in sight wherever the page is scrolled to', async () => {
+  const page = await open('#robot', { viewport: { width: 390, height: 700 } });
+  const last = page.locator('.robot-form details[open] [data-key]').last();
+  await last.scrollIntoViewIfNeeded();
+  await last.fill('-1');
+  const inSight = (text: string) =>
+    expect
+      .poll(async () => {
+        const place = await page.getByRole('alert').filter({ hasText: text }).first().boundingBox();
+        return place !== null && place.y >= 0 && place.y + place.height <= 700;
+      })
+      .toBe(true);
+  await inSight('Refused');
+  await drop(page, { name: 'bad.txt', content: 'x' });
+  await inSight('bad.txt');
 });
