@@ -75,6 +75,7 @@ Json setting_json(const WorldSetting& setting) {
     json["type"] = "choice";
     json["choices"] = std::move(choices);
   }
+  if (setting.listed) json["listed"] = true;
   return json;
 }
 

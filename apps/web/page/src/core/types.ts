@@ -74,6 +74,8 @@ export interface Parameter {
   choices?: string[];
   /** Where it counts alone; missing where it counts everywhere. */
   counts_in?: 'steps' | 'seconds';
+  /** Whether a race may have several values, separated by commas: it is then run once for each. */
+  listed?: boolean;
 }
 
 export interface Mouse {

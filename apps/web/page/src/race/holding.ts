@@ -1,8 +1,8 @@
 // A race in the page, mouse by mouse, so that the page stays lively between the pieces.
 import { Stopped, type Core } from '../core/client';
-import type { MazeData, RaceResults } from '../core/types';
+import type { MazeData, RaceResults, WorldInPage } from '../core/types';
 import type { Settings } from '../live/world-choice';
-import { joined } from './joining';
+import { joined, sideBySide } from './joining';
 
 export interface Order {
   mice: string[];
@@ -28,6 +28,19 @@ export const mazesOf = (core: Core, mazes: Order['mazes']): Promise<MazeData[]> 
     ),
   );
 
+/** The settings of each race of an order: one for each value of a setting that may have several, such as `noise`. */
+export function eachOf(world: Order['world'], worlds: WorldInPage[]): Order['world'][] {
+  const settings = worlds.find(({ name }) => name === world?.world)?.settings ?? [];
+  let all: Order['world'][] = [world];
+  for (const { name, listed } of settings) {
+    const value = world?.[name];
+    if (!listed || typeof value !== 'string') continue;
+    const values = value.split(',').map((one) => one.trim());
+    all = all.flatMap((one) => values.map((chosen) => ({ ...one!, [name]: chosen })));
+  }
+  return all;
+}
+
 /** Holds the race; `wanted` is asked between mice whether to go on. Null where it was stopped before its first end. */
 export async function holdRace(
   core: Core,
@@ -38,19 +51,26 @@ export async function holdRace(
   const all = order.mice.length;
   report({ done: 0, all, doing: order.mice[0] });
   const mazes = await mazesOf(core, order.mazes);
+  const worlds = order.world ? eachOf(order.world, (await core.call('about', {})).worlds) : [undefined];
   const pieces: RaceResults[] = [];
   for (const [done, mouse] of order.mice.entries()) {
     if (!wanted()) break;
     report({ done, all, doing: mouse });
-    const { seed, runs, world } = order;
-    const asked = core.call('race', { mice: [mouse], mazes, seed, runs, ...world });
-    // What was stopped in the middle is left out, and what was raced before it stays.
-    const piece = await asked.catch((error) => {
-      if (error instanceof Stopped) return null;
-      throw error;
-    });
-    if (!piece) break;
-    pieces.push(piece.results);
+    const { seed, runs } = order;
+    const held: RaceResults[] = [];
+    for (const world of worlds) {
+      if (!wanted()) break;
+      const asked = core.call('race', { mice: [mouse], mazes, seed, runs, ...world });
+      // What was stopped in the middle is left out, and what was raced before it stays.
+      const piece = await asked.catch((error) => {
+        if (error instanceof Stopped) return null;
+        throw error;
+      });
+      if (!piece) break;
+      held.push(piece.results);
+    }
+    if (held.length < worlds.length) break;
+    pieces.push(sideBySide(held));
   }
   const results = joined(pieces, pieces.length < all);
   return results && { results, mazes };

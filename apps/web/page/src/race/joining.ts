@@ -37,3 +37,10 @@ export function joined(pieces: RaceResults[], stopped: boolean): RaceResults | n
     ...(groups && { groups }),
   };
 }
+
+/** Races that differ in a setting of their world, as one result with a group for each. */
+export function sideBySide(races: RaceResults[]): RaceResults {
+  const [first] = races;
+  if (races.length === 1) return first;
+  return { ...first, notes: undefined, groups: races.flatMap(({ groups }) => groups ?? []) };
+}
