@@ -6,16 +6,17 @@ import { driveOf } from '../link/contest';
 import { placesOf } from '../link/mazes';
 import { typed, type Settings } from '../live/world-choice';
 import { isMine, withoutRemarks } from '../robot/mine';
-import type { Order } from './holding';
+import { eachOf, type Order } from './holding';
 
 /** Contests that take a second or two on any machine. */
 const quick = { home: 150, others: 12 };
 
-/** How many contests there are: where neither mouse nor world throws dice, one in each maze. */
+/** How many contests there are in all its races: where neither mouse nor world throws dice, one in each maze. */
 function contestsOf(about: About, { mice, mazes, runs, world }: Order): number {
   const dicey = about.worlds.find(({ name }) => name === world?.world)?.throws_dice ?? false;
   const throwing = (mouse: string) => dicey || (about.mice.find(({ name }) => name === mouse)?.throws_dice ?? true);
-  return mice.reduce((sum, mouse) => sum + (throwing(mouse) ? runs : 1), 0) * mazes.length;
+  const races = eachOf(world, about.worlds).length;
+  return mice.reduce((sum, mouse) => sum + (throwing(mouse) ? runs : 1), 0) * mazes.length * races;
 }
 
 /** Whether a race may begin without a click. */

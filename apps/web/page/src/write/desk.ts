@@ -4,9 +4,10 @@ import { createCopyable } from '../ui/copy';
 import { field } from '../ui/field';
 import type { Page } from '../views/view';
 import { createEditor, type Editor } from './editor/editor';
-import { keep, keepAside, kept, linkOf, longestProgram, readLink, type Work } from './keeping';
+import { linkOf, longestProgram, readLink, type Work } from './keeping';
 import { languages } from './languages';
 import { reference } from './reference';
+import { before, createStored, kept } from './stored';
 
 export interface Desk {
   element: HTMLElement;
@@ -25,8 +26,8 @@ export interface Desk {
   complain(message: string): void;
 }
 
-const before = 'before';
 const usualName = 'my-mouse';
+const both = 'Another tab also wrote a program. Both are kept: “Start with …” has the other one.';
 
 /**
  * `changed` hears when what is written is another program, and when somebody has allowed that of a link to run. `moment` is
@@ -38,7 +39,9 @@ export function createDesk(
   moment: () => Promise<string>,
   below: HTMLElement,
 ): Desk {
-  let now: Work = kept() ?? { language: languages[0], name: usualName, text: languages[0].templates[0].text };
+  const stored = createStored();
+  let isKept = false;
+  let now: Work = stored.load() ?? { language: languages[0], name: usualName, text: languages[0].templates[0].text };
   let foreign = false;
   let editor: Editor | null = null;
 
@@ -73,10 +76,12 @@ export function createDesk(
 
   function offer() {
     const { templates } = now.language;
+    const others = stored.others().filter(({ work }) => work.text !== now.text);
     begin.replaceChildren(
       h('option', { value: '' }, 'Start with …'),
       ...templates.map((one, index) => h('option', { value: index }, one.name)),
       ...(kept(before) ? [h('option', { value: before }, 'What stood here before')] : []),
+      ...others.map(({ name, work }) => h('option', { value: name }, `Also kept: ${work.name}, ${work.language.name}`)),
     );
     help.replaceChildren(reference(now.language.id));
     language.value = now.language.id;
@@ -95,20 +100,25 @@ export function createDesk(
   function wrote() {
     link.element.hidden = true;
     if (foreign) return;
-    says.replaceChildren(
-      page.shelf.keeps() && keep(now) ? 'Kept in this browser.' : 'This browser keeps nothing: save it as a file.',
-    );
+    const others = stored.others().length;
+    isKept = page.shelf.keeps() && stored.keep(now);
+    if (!isKept) says.replaceChildren('This browser keeps nothing: save it as a file.');
+    else if (stored.others().length > others) tellOfBoth();
+    else if (says.textContent !== both) says.replaceChildren('Kept in this browser.');
+  }
+  function tellOfBoth() {
+    says.replaceChildren(both);
+    offer();
   }
   /** Keeps what stood there, in case somebody wants it back. */
-  function putAside() {
-    const own = kept(now.language.id);
-    const isTemplate = now.language.templates.some(({ text }) => text === own?.text);
-    if (own && !isTemplate && page.shelf.keeps()) keepAside(own, before);
+  function putAside(own: Work | null = now) {
+    const isTemplate = own?.language.templates.some(({ text }) => text === own.text);
+    if (own && !isTemplate && page.shelf.keeps()) stored.keepBefore(own);
   }
   function allow() {
     foreign = false;
     warning.hidden = true;
-    putAside();
+    putAside(kept(now.language.id));
     wrote();
     offer();
     changed(true);
@@ -116,10 +126,11 @@ export function createDesk(
   function backToMine() {
     foreign = false;
     warning.hidden = true;
-    put(kept() ?? { language: languages[0], name: usualName, text: languages[0].templates[0].text });
+    put(stored.load() ?? { language: languages[0], name: usualName, text: languages[0].templates[0].text });
   }
   begin.addEventListener('change', () => {
-    const back = begin.value === before ? kept(before) : null;
+    const other = stored.others().find(({ name }) => name === begin.value);
+    const back = other?.work ?? (begin.value === before ? kept(before) : null);
     const template = now.language.templates[Number(begin.value)];
     if (begin.value === '' || !(back ?? template)) return;
     if (!foreign) putAside();
@@ -129,13 +140,14 @@ export function createDesk(
     warning.hidden = true;
     put(next, undoable);
     wrote();
+    if (other && isKept) stored.forget(other);
     editor?.focus();
   });
   language.addEventListener('change', () => {
     const chosen = languages.find(({ id }) => id === language.value)!;
     foreign = false;
     warning.hidden = true;
-    put(kept(chosen.id) ?? { language: chosen, name: now.name, text: chosen.templates[0].text });
+    put(stored.load(chosen.id) ?? { language: chosen, name: now.name, text: chosen.templates[0].text });
     wrote();
   });
   name.addEventListener('input', () => {
@@ -166,6 +178,7 @@ export function createDesk(
     await link.copy();
   }
   const shared = () => share().catch(page.complain);
+  stored.onOverwritten(tellOfBoth);
   const button = (label: string, onclick: () => unknown) =>
     h('button', { type: 'button', onclick: () => void onclick() }, label);
   offer();

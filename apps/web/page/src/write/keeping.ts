@@ -1,5 +1,4 @@
-// What somebody wrote: kept in the browser, and in links. What comes back from either may be anything.
-import { besides as key } from '../shell/shelf';
+// What somebody wrote, as JSON and in links. What comes back from either may be anything.
 import { languages } from './languages';
 import type { Language } from './runtime';
 
@@ -24,36 +23,7 @@ export function readWork(json: string): Work | null {
   }
 }
 
-const jsonOf = ({ language, name, text }: Work) => JSON.stringify({ language: language.id, name, text });
-
-/** Each language keeps its own, and the page the one that was written last. */
-export function kept(id?: string): Work | null {
-  try {
-    return readWork(localStorage.getItem(id ? `${key}-${id}` : key) ?? '');
-  } catch {
-    return null;
-  }
-}
-
-/** Whether it could be kept; a page from a disk may have no storage. */
-export function keep(work: Work): boolean {
-  try {
-    localStorage.setItem(key, jsonOf(work));
-    localStorage.setItem(`${key}-${work.language.id}`, jsonOf(work));
-    return true;
-  } catch {
-    return false;
-  }
-}
-
-/** Keeps it under a name of its own, beside what is being written. */
-export function keepAside(work: Work, name: string) {
-  try {
-    localStorage.setItem(`${key}-${name}`, jsonOf(work));
-  } catch {
-    // Then it is gone, as all is that such a browser holds.
-  }
-}
+export const jsonOf = ({ language, name, text }: Work) => JSON.stringify({ language: language.id, name, text });
 
 const piped = async (bytes: Uint8Array<ArrayBuffer>, through: TransformStream<BufferSource, Uint8Array<ArrayBuffer>>) =>
   new Response(new Blob([bytes]).stream().pipeThrough(through));

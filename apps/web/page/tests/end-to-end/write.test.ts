@@ -271,6 +271,23 @@ test('a program is kept, and comes with a link only after a click', async () => 
   await expect.poll(() => editor(page).textContent()).toContain('// other');
 });
 
+test('what two tabs write is kept, and each says so', async () => {
+  const page = await openWrite();
+  const second = await page.context().newPage();
+  await second.goto(page.url());
+  await expect.poll(() => editor(second).count()).toBe(1);
+  const says = (tab: Page) => view(tab).locator('.note [role=status]');
+  await write(page, `// of the first\n${template('empty')}`);
+  await write(second, `// of the second\n${template('empty')}`);
+  await expect.poll(() => says(second).textContent()).toContain('Both are kept');
+  await expect.poll(() => says(page).textContent()).toContain('Both are kept');
+  await second.close();
+  await page.reload();
+  await expect.poll(() => editor(page).textContent()).toContain('// of the second');
+  await view(page).getByLabel('Program to begin with').selectOption('Also kept: my-mouse, JavaScript');
+  await expect.poll(() => editor(page).textContent()).toContain('// of the first');
+});
+
 test('in a fresh browser nothing runs beside the program of a link, and back to mine shows what mine does', async () => {
   const work = JSON.stringify({ language: 'javascript', name: 'theirs', text: `// theirs\n${template('empty')}` });
   const page = await openWrite(`#write=${deflateRawSync(work).toString('base64url')}`);
