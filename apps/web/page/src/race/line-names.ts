@@ -1,5 +1,6 @@
 // The names of lines, where they end, each beside its line and none on another.
 import type uPlot from 'uplot';
+import { fitting } from '../ui/fitting';
 import { tone } from '../ui/tones';
 
 const lineHeight = 13;
@@ -17,12 +18,6 @@ export function spread(wanted: number[], top: number, bottom: number, line = lin
   let most = bottom;
   for (const i of [...order].reverse()) most = (placed[i] = Math.min(placed[i], most)) - line;
   return placed;
-}
-
-function shortened(context: CanvasRenderingContext2D, name: string, width: number): string {
-  let end = name.length;
-  while (end > 1 && context.measureText(name.slice(0, end)).width > width) --end;
-  return end < name.length ? `${name.slice(0, end - 1)}…` : name;
 }
 
 /** A hook of uPlot: writes the names of its series beside its right end, with a line to where each is meant. */
@@ -47,7 +42,7 @@ export function nameLines(plot: uPlot, names: string[], tones: string[], room: n
     context.lineTo(right + 10 * ratio, places[i]);
     context.stroke();
     context.fillStyle = tone('ink');
-    context.fillText(shortened(context, name, (room - 14) * ratio), right + 13 * ratio, places[i]);
+    context.fillText(fitting(context, name, (room - 14) * ratio), right + 13 * ratio, places[i]);
   });
   context.restore();
 }

@@ -1,4 +1,5 @@
 // The matrix on its canvas, in whole device pixels.
+import { fitting } from '../ui/fitting';
 import { tone } from '../ui/tones';
 import type { Board, Cell } from './contests';
 import type { Layout } from './matrix-layout';
@@ -41,14 +42,6 @@ function dash(context: CanvasRenderingContext2D, [x, y, width, height]: Box, rat
   context.fillRect(x + (width - length) / 2, y + Math.round(height / 2), length, Math.max(1, Math.round(ratio)));
 }
 
-/** As much of the text as fits into that width. */
-function shortened(context: CanvasRenderingContext2D, text: string, width: number): string {
-  if (context.measureText(text).width <= width) return text;
-  let end = Math.min(text.length, 40);
-  while (end > 1 && context.measureText(`${text.slice(0, end)}…`).width > width) --end;
-  return `${text.slice(0, end)}…`;
-}
-
 function names(context: CanvasRenderingContext2D, { board, mazes, layout }: MatrixPicture, ratio: number) {
   if (layout.top < 20) return;
   context.font = `${11 * ratio}px ${getComputedStyle(document.documentElement).fontFamily}`;
@@ -58,7 +51,7 @@ function names(context: CanvasRenderingContext2D, { board, mazes, layout }: Matr
     context.save();
     context.translate((column + 0.5) * layout.cellWidth * ratio, (layout.top - 4) * ratio);
     context.rotate(-Math.PI / 2);
-    context.fillText(shortened(context, board.mazes[maze].short, (layout.top - 8) * ratio), 0, 0);
+    context.fillText(fitting(context, board.mazes[maze].short, (layout.top - 8) * ratio), 0, 0);
     context.restore();
   });
 }
