@@ -109,11 +109,12 @@ void add_mms_options(Command& command, MmsOptions& options) {
       ->check(in_range(0, 1'000'000))
       ->capture_default_str();
   command
-      .add_option("--simulated-limit", options.most_seconds, "End the run after this simulated time, without a score")
+      .add_option("--simulated-limit", options.most_seconds,
+                  "End the run after this simulated time; its best run counts")
       ->type_name("SECONDS")
       ->check(in_range(1, 1'000'000))
       ->capture_default_str();
-  command.add_option("--line-limit", options.most_lines, "End the run after N lines, without a score")
+  command.add_option("--line-limit", options.most_lines, "End the run after N lines; its best run counts")
       ->type_name("N")
       ->check(in_range(1, 2'000'000'000))
       ->capture_default_str();

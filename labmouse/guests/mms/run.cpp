@@ -4,6 +4,7 @@
 
 #include <csignal>
 
+#include "labmouse/guests/mms/loop.hpp"
 #include "labmouse/guests/patience.hpp"
 #include "labmouse/guests/process.hpp"
 #include "labmouse/guests/quoted_line.hpp"
@@ -85,7 +86,9 @@ class Hosting {
     while (host_.goes_on()) {
       const auto line = guest_.lines().next();
       if (!line) break;
+      const std::size_t replied = replies_.size();
       host_.obey(*line, replies_);
+      if (replies_.size() > replied) trail_.add(*line, host_.lines(), host_.pose());
     }
     if (!replies_.empty()) guest_.send(replies_);
     // A line is a sign of life, and so is a reply that was read; bytes of a line that never ends are none.
@@ -99,9 +102,9 @@ class Hosting {
     if (!host_.goes_on() && host_.waits())
       finish(MmsOutcome::waiting, fmt::format("waits for Reset, which was pressed {} times", options_.presses));
     else if (host_.is_endless())
-      finish(MmsOutcome::endless, host_.lines() >= options_.most_lines
-                                      ? fmt::format("had not ended after {} lines", options_.most_lines)
-                                      : fmt::format("had not ended after {} s in mms", options_.most_seconds));
+      finish_never_ended(host_.lines() >= options_.most_lines
+                             ? fmt::format("{} lines (--line-limit)", options_.most_lines)
+                             : fmt::format("{} s in mms (--simulated-limit)", options_.most_seconds));
     else if (!host_.goes_on())
       finish(MmsOutcome::invalid, host_.log().empty() ? "an invalid line" : host_.log().back());
     else if (guest_.lines().too_long())
@@ -117,8 +120,7 @@ class Hosting {
   void finish_ended() {
     const ExitStatus status = *guest_.status();
     if (status.signal == SIGXCPU)
-      return finish(MmsOutcome::out_of_time,
-                    fmt::format("took {} s of processor time (--cpu)", launch_.limits.processor_seconds));
+      return finish_never_ended(fmt::format("{} s of processor time (--cpu)", launch_.limits.processor_seconds));
     finish(status == ExitStatus{} ? MmsOutcome::complete : MmsOutcome::failed, describe(status));
   }
 
@@ -127,10 +129,13 @@ class Hosting {
     if (!contest_.is_judged() || !patience_.is_judged())
       finish(MmsOutcome::not_judged, "the machine was too busy to tell whether it was slow");
     else if (contest_.is_over(guest_))
-      finish(MmsOutcome::out_of_time,
-             fmt::format("ran for longer than {} (--contest-limit)", seconds_text(limits.contest)));
+      finish_never_ended(fmt::format("{} of its own time (--contest-limit)", seconds_text(limits.contest)));
     else
       finish(MmsOutcome::hung, said_nothing());
+  }
+
+  void finish_never_ended(std::string_view limit) {
+    finish(MmsOutcome::never_ended, fmt::format("had not ended after {}; {}", limit, loop_text(trail_, host_.lines())));
   }
 
   std::string said_nothing() {
@@ -159,7 +164,7 @@ class Hosting {
   }
 
   MmsRun taken_down() {
-    run_.statistics = host_.statistics();
+    run_.statistics = counted_statistics(host_.books(), run_.outcome);
     run_.pose = host_.pose();
     run_.canvas = host_.canvas();
     run_.clock = host_.clock();
@@ -177,6 +182,7 @@ class Hosting {
   Patience patience_;
   Clock::duration told_{};  ///< time that the listener took
   GuestProcess guest_;
+  MmsTrail trail_;
   std::string replies_;
   std::size_t unsent_ = 0;  ///< bytes of replies at the end of the last turn
   MmsRun run_;

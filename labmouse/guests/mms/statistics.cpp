@@ -71,13 +71,15 @@ void MmsBooks::finish_run() {
   in_run_ = false;
   MmsStatistics& all = statistics_;
   const float run = all.current_run_turns + all.current_run_effective_distance;
-  if (!all.solved || run < all.best_run_turns + all.best_run_effective_distance) {
+  const bool is_best = !all.solved || run < all.best_run_turns + all.best_run_effective_distance;
+  if (is_best) {
     all.best_run_distance = all.current_run_distance;
     all.best_run_effective_distance = all.current_run_effective_distance;
     all.best_run_turns = all.current_run_turns;
   }
   all.solved = true;
   update_score();
+  if (is_best) at_best_run_ = all;
 }
 
 void MmsBooks::book_reset() {

@@ -74,6 +74,8 @@ class MmsBooks {
   void book_reset();
 
   const MmsStatistics& statistics() const { return statistics_; }
+  /// As they were when the best run was finished; those of now while none was.
+  const MmsStatistics& at_best_run() const { return statistics_.solved ? at_best_run_ : statistics_; }
   /// Whether a run was begun and is not over.
   bool in_run() const { return in_run_; }
   /// What the next run begins with.
@@ -84,7 +86,7 @@ class MmsBooks {
   void finish_run();
   void update_score();
 
-  MmsStatistics statistics_;
+  MmsStatistics statistics_, at_best_run_;
   bool in_run_ = false;
   float pending_penalty_ = 0;
 };

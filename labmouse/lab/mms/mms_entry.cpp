@@ -17,9 +17,9 @@ constexpr std::array settings = {
                  WorldSetting::Kind::flag, "false"},
     WorldSetting{"presses", "N", "In mms: press Reset N times when a mouse waits for it", WorldSetting::Kind::whole,
                  "0", 0, 1'000'000},
-    WorldSetting{"simulated-limit", "SECONDS", "In mms: end a run after this simulated time, without a score",
+    WorldSetting{"simulated-limit", "SECONDS", "In mms: end a run after this simulated time; its best run counts",
                  WorldSetting::Kind::whole, "3600", 1, 1'000'000},
-    WorldSetting{"line-limit", "N", "In mms: end a run after N lines, without a score", WorldSetting::Kind::whole,
+    WorldSetting{"line-limit", "N", "In mms: end a run after N lines; its best run counts", WorldSetting::Kind::whole,
                  "10000000", 1, 2'000'000'000}};
 
 WorldResult make(const WorldSettings& chosen) {

@@ -28,6 +28,10 @@ bool ended_badly(const Race& race, const ContestResult& contest) {
   return counts(race, contest) && text_at(contest, F::outcome) != name_of(MmsOutcome::complete);
 }
 
+bool never_ended_and_solved(const ContestResult& contest) {
+  return contest.done && contest.score && text_at(contest, F::outcome) == name_of(MmsOutcome::never_ended);
+}
+
 /// The first of a mouse's runs that is as asked; null where none is.
 template <class Wanted>
 const ContestResult* first_run(const Race& race, std::size_t mouse, Wanted wanted) {
@@ -60,8 +64,10 @@ std::string ends_of(const Race& race, const MouseColumn& names) {
                         shown(race.mazes[first->maze].name), shown(text_at(*first, F::end)));
     for (const std::string& line : lines_at(*first, F::errors)) text += "    | " + shown(line) + "\n";
   }
-  return text.empty() ? ""
-                      : "Runs that did not end with exit code 0 (those that a limit ended have no score):\n" + text;
+  if (text.empty()) return "";
+  const bool any_never_ended = std::any_of(race.results.begin(), race.results.end(), never_ended_and_solved);
+  return (any_never_ended ? "A run that never ended has the score that it had when its best run was finished.\n" : "") +
+         ("Runs that did not end with exit code 0:\n" + text);
 }
 
 std::int64_t sum_of_lines(const Race& race, std::size_t mouse, F figure) {

@@ -3,18 +3,12 @@
 namespace labmouse {
 namespace {
 
-MmsOutcome outcome_of(std::string_view name) {
-  for (auto i = static_cast<int>(MmsOutcome::complete); i <= static_cast<int>(MmsOutcome::interrupted); ++i)
-    if (const auto outcome = static_cast<MmsOutcome>(i); name_of(outcome) == name) return outcome;
-  return MmsOutcome::interrupted;
-}
-
 /// What the record says of the end of its run, and of what playing it again does not show.
 void take_end(const MmsRecordFile& file, MmsRun& run) {
   run.outcome = MmsOutcome::interrupted;
   run.end = "the record breaks off";
   if (!file.end) return;
-  run.outcome = outcome_of(file.end->outcome);
+  run.outcome = mms_outcome_of(file.end->outcome).value_or(MmsOutcome::interrupted);
   run.end = file.end->end;
   run.statistics = file.end->statistics;
   run.lines = file.end->lines;
@@ -29,16 +23,20 @@ void take_end(const MmsRecordFile& file, MmsRun& run) {
 MmsReplay replay_of(const MmsRecordFile& file) {
   MmsReplay played;
   played.run.canvas = MmsCanvas(file.maze->size());
+  MmsStatistics at_best_run;
   played.disagreement = replay(file, [&](std::size_t i, const MmsHost& host) {
     const RecordedMmsEvent& event = file.events[i];
     played.walk.add({event.line, event.reply, event.pose, event.clock});
     if (i + 1 < file.events.size()) return;
+    at_best_run = host.books().at_best_run();
     played.run.canvas = host.canvas();
     played.run.pose = host.pose();
     played.run.statistics = host.statistics();
     played.run.clock = host.clock();
   });
   take_end(file, played.run);
+  // Earlier versions wrote down those at the end of a run that never ended.
+  if (played.run.outcome == MmsOutcome::never_ended && file.left_out == 0) played.run.statistics = at_best_run;
   return played;
 }
 

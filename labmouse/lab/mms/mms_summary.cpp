@@ -47,14 +47,15 @@ std::string errors_text(const MmsRun& run) {
 std::string mms_score_line(const std::string& mouse, const NamedMaze& maze, const MmsRun& run) {
   const MmsStatistics& statistics = run.statistics;
   const MmsBound bound = mms_bound_of(maze.maze);
+  const std::string_view end = run.outcome == MmsOutcome::never_ended ? "never ended, " : "";
   std::string line = fmt::format("{} in {}: ", mouse, maze.name);
   if (is_cut_short(run.outcome))
     line += fmt::format("{}, no score", name_of(run.outcome));
   else if (statistics.solved)
-    line += fmt::format("score {:g} = {:g} best run + {:g} total / 10", statistics.score, *best_run(statistics),
+    line += fmt::format("{}score {:g} = {:g} best run + {:g} total / 10", end, statistics.score, *best_run(statistics),
                         total(statistics));
   else
-    line += fmt::format("unsolved, score {:g}", statistics.score);
+    line += fmt::format("{}unsolved, score {:g}", end, statistics.score);
   line += bound.score ? fmt::format("; bound {:g}, its run {:g}", *bound.score, *bound.run)
                       : "; the centre cannot be reached";
   return shown(line) + "\n";

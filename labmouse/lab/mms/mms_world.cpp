@@ -79,6 +79,7 @@ class MmsWorld final : public World {
   explicit MmsWorld(const MmsOptions& options) : options_(options) {}
 
   std::string_view name() const override { return "mms"; }
+  int edition() const override { return 2; }
   std::string formula() const override { return mms_formula; }
   std::vector<Condition> conditions() const override {
     return {{"strict", options_.strict},
