@@ -57,25 +57,70 @@ TEST(MmsRun, SignalsAreFailuresWithTheirNames) {
   EXPECT_THAT(run.end, Says("signal 15"));
 }
 
-TEST(MmsRun, EndlessOnesEndAtTheSameLineHoweverFastTheyAre) {
+TEST(MmsRun, OnesThatNeverEndDoSoAtTheSameLineHoweverFastTheyAre) {
   MmsOptions few;
   few.most_lines = 1000;
   const MmsRun run = hosted({"burst:5000:turnLeft", "hear:5000"}, few);
-  EXPECT_EQ(run.outcome, MmsOutcome::endless);
+  EXPECT_EQ(run.outcome, MmsOutcome::never_ended);
   EXPECT_EQ(run.lines, 1000);
   EXPECT_EQ(run.statistics.total_turns, 1000);
   EXPECT_THAT(run.end, Says("1000 lines"));
   MmsOptions short_time;
   short_time.most_seconds = 10;
   const MmsRun slow = hosted({"burst:5000:turnLeft", "hear:5000"}, short_time);
-  EXPECT_EQ(slow.outcome, MmsOutcome::endless);
+  EXPECT_EQ(slow.outcome, MmsOutcome::never_ended);
   EXPECT_GE(slow.clock, 10.0);
   EXPECT_LT(slow.clock, 10.5);
   EXPECT_THAT(slow.end, Says("10 s"));
 }
 
-TEST(MmsRun, WhatALimitOfTimeEndedHasNoScore) {
-  for (const MmsOutcome outcome : {MmsOutcome::endless, MmsOutcome::hung, MmsOutcome::out_of_time}) {
+/// Into the goal of the field, and to and fro on its edge for ever.
+const std::vector<std::string> there_and_on = {"ask:moveForward 7", "ask:turnRight", "ask:moveForward 7",
+                                               "ask-on:moveForward/turnRight/turnRight"};
+
+TEST(MmsRun, WhatAProgramReachedCountsThoughItNeverEnds) {
+  const MmsRun run = hosted(there_and_on, {.most_seconds = 200});
+  EXPECT_EQ(run.outcome, MmsOutcome::never_ended);
+  EXPECT_TRUE(is_scored(run));
+  // The straights of seven cells count 8 each.
+  EXPECT_EQ(run.statistics.best_run_effective_distance, 16);
+  EXPECT_FLOAT_EQ(run.statistics.score, 17 + 1.7F);
+  EXPECT_GT(run.lines, 100);
+  EXPECT_THAT(run.end, Says("200 s", "--simulated-limit", "from line 4 on", "6 commands", "(8,7) (7,7)"));
+}
+
+TEST(MmsRun, TheScoreOfOneThatNeverEndsDependsOnNoLimit) {
+  const MmsStatistics few = hosted(there_and_on, {.most_lines = 100}).statistics;
+  EXPECT_EQ(few, hosted(there_and_on, {.most_lines = 5000}).statistics);
+  Launch timed = guest(there_and_on);
+  timed.limits.contest = 150ms;
+  const MmsRun run = run_mms(timed, test::field(), {.most_seconds = 1'000'000});
+  EXPECT_EQ(run.outcome, MmsOutcome::never_ended);
+  EXPECT_EQ(few, run.statistics);
+}
+
+TEST(MmsRun, OneThatNeverEndsNorReachesTheGoalHasNoScore) {
+  const MmsRun run = hosted({"ask-on:moveForward/turnRight"}, {.most_lines = 5000});
+  EXPECT_EQ(run.outcome, MmsOutcome::never_ended);
+  EXPECT_FALSE(is_scored(run));
+  EXPECT_EQ(run.statistics.score, 2000);
+  EXPECT_GT(run.statistics.total_turns, 2000);
+}
+
+TEST(MmsRun, OneThatHangsInTheGoalHasItsScore) {
+  for (const char* end : {"hang", "work", "ask:turnright"}) {
+    Launch silent = guest({"ask:moveForward 7", "ask:turnRight", "ask:moveForward 7", "ask:turnRight", end});
+    silent.limits.silence = silent.limits.decision = 60ms;
+    const MmsRun run = hosted(silent);
+    EXPECT_EQ(run.outcome, MmsOutcome::hung) << end;
+    EXPECT_TRUE(is_scored(run)) << end;
+    EXPECT_FLOAT_EQ(run.statistics.score, 17 + 1.8F) << end;
+  }
+}
+
+TEST(MmsRun, WhatTheMachineEndedHasNoScore) {
+  for (const MmsOutcome outcome : {MmsOutcome::too_many_processes, MmsOutcome::too_much_memory,
+                                   MmsOutcome::too_much_written, MmsOutcome::not_judged}) {
     MmsRun run;
     run.statistics.solved = true;
     EXPECT_TRUE(is_scored(run));
@@ -124,11 +169,11 @@ TEST(MmsRun, BytesOfALineThatNeverEndsAreSilence) {
 }
 
 TEST(MmsRun, AWholeContestHasItsLimit) {
-  Launch endless = guest({"ask-on:mazeWidth"});
-  endless.limits.contest = 150ms;
-  const MmsRun run = hosted(endless);
-  EXPECT_EQ(run.outcome, MmsOutcome::out_of_time);
-  EXPECT_THAT(run.end, Says("0.15 s"));
+  Launch asking = guest({"ask-on:mazeWidth"});
+  asking.limits.contest = 150ms;
+  const MmsRun run = hosted(asking);
+  EXPECT_EQ(run.outcome, MmsOutcome::never_ended);
+  EXPECT_THAT(run.end, Says("0.15 s", "--contest-limit", "'mazeWidth'", "(0,0)"));
 }
 
 TEST(MmsRun, ALineThatIsTooLongIsAFlood) {
@@ -261,9 +306,18 @@ TEST(MmsRun, TheTimeOfTheListenerIsNotTheProgramsOwn) {
 
 TEST(MmsRun, EveryOutcomeHasItsName) {
   EXPECT_EQ(name_of(MmsOutcome::complete), "complete");
-  EXPECT_EQ(name_of(MmsOutcome::out_of_time), "out of time");
+  EXPECT_EQ(name_of(MmsOutcome::never_ended), "never ended");
   EXPECT_EQ(name_of(MmsOutcome::not_started), "not started");
   EXPECT_EQ(name_of(MmsOutcome::interrupted), "interrupted");
+  EXPECT_EQ(name_of(MmsOutcome::not_judged), "not judged");
+}
+
+TEST(MmsRun, OutcomesAreReadUnderTheirNamesAndThoseOfEarlierVersions) {
+  for (int i = 0; i <= static_cast<int>(MmsOutcome::not_judged); ++i)
+    EXPECT_EQ(mms_outcome_of(name_of(static_cast<MmsOutcome>(i))), static_cast<MmsOutcome>(i));
+  EXPECT_EQ(mms_outcome_of("endless"), MmsOutcome::never_ended);
+  EXPECT_EQ(mms_outcome_of("out of time"), MmsOutcome::never_ended);
+  EXPECT_EQ(mms_outcome_of("happy"), std::nullopt);
 }
 
 }  // namespace

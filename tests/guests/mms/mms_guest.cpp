@@ -5,15 +5,17 @@
 //   hear:N       reads N replies, or complains and ends       exit:CODE, signal:NUMBER
 //   burst:N:LINE writes the line N times, in large portions   hang, work, close, leave
 //   trickle:N:LINE  the same, each by itself                  deafen        closes its standard input
-//   ask-on:LINE  asks for ever                                pour:LINE     writes the line for ever, and reads nothing
+//   ask-on:LINE/LINE  asks them for ever                         pour:LINE     writes the line for ever, and reads nothing
 //   drip         writes a byte of no line now and then        need:REPLY    ends with code 8 unless the last reply was
 //   it
 #include <poll.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdlib>
 #include <iostream>
+#include <sstream>
 #include <string>
 
 namespace {
@@ -40,6 +42,14 @@ void burst(long count, const std::string& line) {
 
 void trickle(long count, const std::string& line) {
   for (; count > 0; --count) say(line);
+}
+
+[[noreturn]] void ask_on(std::string lines) {
+  std::replace(lines.begin(), lines.end(), '/', '\n');
+  for (;;) {
+    std::istringstream round(lines);
+    for (std::string line; std::getline(round, line);) ask(line);
+  }
 }
 
 [[noreturn]] void work() {
@@ -81,8 +91,7 @@ void obey(const std::string& word) {
   if (verb == "hang") hang();
   if (verb == "leave") leave();
   if (verb == "drip") drip();
-  if (verb == "ask-on")
-    for (;;) ask(rest);
+  if (verb == "ask-on") ask_on(rest);
   if (verb == "pour")
     for (;;) std::cout << rest << '\n';
 }
