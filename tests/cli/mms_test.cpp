@@ -225,6 +225,30 @@ TEST_F(AnMmsUser, LimitsHoldInRacesToo) {
   EXPECT_EQ(strict.at("mice")[0].at("results")[0].at("outcome"), "invalid");
 }
 
+TEST_F(AnMmsUser, RacesAndReplaysAProgramThatNeverEnds) {
+  const std::string on = "mms:" + guest({"ask:turnRight", "ask:moveForward", "ask-on:moveForward/turnRight/turnRight"});
+  const std::vector<std::string> order = {"race", "--mazes", "plank.txt", "--simulated-limit", "100", "--mice", on};
+  auto saving = order;
+  saving.insert(saving.begin() + 1, {"--out", "out"});
+  const Ended raced = labmouse(saving);
+  EXPECT_EQ(raced.code, 0) << raced.err;
+  EXPECT_THAT(raced.out, Says(" 1/1 ", " 2.3 ", "never ended 1", "6 commands", "(2,0) (1,0)"));
+  const auto mouse = group({on, "--simulated-limit", "100"}).at("mice")[0];
+  EXPECT_EQ(mouse.at("outcomes"), nlohmann::json({{"never ended", 1}}));
+  const auto& result = mouse.at("results")[0];
+  EXPECT_EQ(result.at("outcome"), "never ended");
+  EXPECT_EQ(result.at("solved"), true);
+  EXPECT_EQ(result.at("best_run"), 2);
+  EXPECT_NEAR(result.at("score").get<double>(), 2.3, 1e-6);
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_ / "out"))
+    if (entry.path().extension() == ".jsonl") {
+      const Ended replayed = labmouse({"replay", entry.path().string()});
+      EXPECT_EQ(replayed.code, 0) << replayed.err;
+      EXPECT_THAT(replayed.out, Says("never ended", "6 commands", "score 2.3"));
+      EXPECT_THAT(labmouse({"score", entry.path().string()}).out, Says("never ended", "score 2.3"));
+    }
+}
+
 TEST_F(AnMmsUser, AnInterruptedRacePrintsWhatIsDone) {
   const Program program(folder_, {"race", "--mice", "mms:" + guest({"ask:turnRight", "hang"}), "--mazes", "plank.txt",
                                   "--silence-limit", "60"});

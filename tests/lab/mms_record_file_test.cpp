@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include "labmouse/lab/mms/mms_replay.hpp"
 #include "labmouse/lab/records/mms_record.hpp"
 #include "tests/lab/mms_record_fixture.hpp"
 #include "tests/lab/record_fixture.hpp"
@@ -108,6 +109,53 @@ TEST(MmsRecordFile, ThatDoesNotFitItsMazeIsToldOf) {
               SaysAt("event 2", "neither moves", "nor draws"));
   EXPECT_THAT(disagreement(changed(good, "\"total-turns\":1", "\"total-turns\":2")), Says("total-turns 2", "1"));
   EXPECT_THAT(disagreement(changed(good, "\"solved\":true", "\"solved\":false")), Says("disagree", "goal"));
+}
+
+/// A record of a mouse that never ended, which turns on after it has reached the goal, under that name of its outcome.
+std::string never_ended(const std::string& outcome, const MmsStatistics& statistics, int turns = 20) {
+  MmsHost host(test::plank().maze, {.most_seconds = 1'000'000});
+  MmsRecorder recorder("mms:./mouse", test::plank());
+  host.on_event([&](const MmsEvent& event) { recorder.add(event); });
+  std::string replies;
+  host.obey("turnRight", replies);
+  host.obey("moveForward", replies);
+  for (; turns > 0; --turns) host.obey("turnRight", replies);
+  MmsRun run;
+  run.outcome = MmsOutcome::never_ended;
+  run.statistics = statistics;
+  return changed(recorder.finish(run), "\"never ended\"", "\"" + outcome + "\"");
+}
+
+MmsStatistics after_turns(int turns) {
+  MmsBooks books;
+  books.book_turn();
+  books.book_move(2, true);
+  books.book_arrival(true, false);
+  for (; turns > 0; --turns) books.book_turn();
+  return books.statistics();
+}
+
+TEST(MmsRecordFile, OfOneThatNeverEndedHasTheStatisticsOfItsBestRun) {
+  EXPECT_EQ(disagreement(never_ended("never ended", after_turns(0))), "");
+  EXPECT_THAT(disagreement(never_ended("never ended", after_turns(20))), Says("total-turns 21", "1"));
+  const MmsReplay played = replay_of(read(never_ended("never ended", after_turns(0))));
+  EXPECT_EQ(played.run.outcome, MmsOutcome::never_ended);
+  EXPECT_TRUE(is_scored(played.run));
+  EXPECT_EQ(played.run.statistics, after_turns(0));
+}
+
+TEST(MmsRecordFile, OfEarlierVersionsHasThoseOfItsEnd) {
+  for (const char* outcome : {"endless", "out of time"}) {
+    EXPECT_EQ(disagreement(never_ended(outcome, after_turns(20))), "");
+    const MmsReplay played = replay_of(read(never_ended(outcome, after_turns(20))));
+    EXPECT_EQ(played.run.outcome, MmsOutcome::never_ended);
+    EXPECT_EQ(played.run.statistics, after_turns(0));
+  }
+}
+
+TEST(MmsRecordFile, MayBeLongerThanTheUsualLimitOfSimulatedTime) {
+  // A turn takes 0.13 s, so these take 3900 s.
+  EXPECT_EQ(disagreement(never_ended("never ended", after_turns(0), 30'000)), "");
 }
 
 }  // namespace

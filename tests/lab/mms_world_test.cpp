@@ -343,13 +343,34 @@ TEST(MmsJson, AResultHasAllValuesOfGetStatUnderTheirNames) {
 
 TEST(MmsJson, AnUnsolvedRunLacksItsBestRunAndRatios) {
   const Json result = group_json(two_mice()).at("mice")[1].at("results")[0];
-  EXPECT_TRUE(result.at("score").is_null());  // a limit of time ended it
+  EXPECT_EQ(result.at("solved"), false);
+  EXPECT_EQ(result.at("score"), 2000);  // as in mms
   EXPECT_EQ(result.at("outcome"), "hung");
   EXPECT_TRUE(result.at("best_run").is_null());
   EXPECT_TRUE(result.at("ratio").is_null());
   EXPECT_TRUE(result.at("run_ratio").is_null());
   EXPECT_EQ(result.at("log").size(), 2U);
   EXPECT_EQ(result.at("errors").at(0), "Traceback");
+}
+
+TEST(MmsJson, ARunThatWasEndedForWhatItDidToTheMachineHasNoScore) {
+  MmsRun run = imagined_run(2, 0, 24, 10);
+  run.outcome = MmsOutcome::too_much_memory;
+  const Json mice = group_json(two_mice(run)).at("mice");
+  const Json result = mice[1].at("results")[0];
+  EXPECT_EQ(result.at("outcome"), "too much memory");
+  EXPECT_EQ(result.at("solved"), false);
+  EXPECT_TRUE(result.at("score").is_null());
+}
+
+TEST(MmsTable, SaysWhatOfARunThatNeverEndedCounts) {
+  MmsRun run = imagined_run(2, 0, 24, 10);
+  run.outcome = MmsOutcome::never_ended;
+  run.end = "had not ended after 5 lines; it repeats";
+  EXPECT_THAT(table_of(two_mice(run), false),
+              Says("never ended", "best run was finished", "never ended 1; first in loop: had not"));
+  run.statistics.solved = false;
+  EXPECT_THAT(table_of(two_mice(run), false), Not(HasSubstr("best run was finished")));
 }
 
 TEST(MmsJson, HasTheMeansOfTheTable) {
