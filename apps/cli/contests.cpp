@@ -13,6 +13,7 @@
 #include "labmouse/lab/text/numbers.hpp"
 #include "labmouse/lab/text/printable.hpp"
 #include "labmouse/lab/text/time_left.hpp"
+#include "labmouse/lab/worlds/worlds.hpp"
 #include "terminal.hpp"
 
 namespace labmouse::cli {
@@ -54,8 +55,7 @@ void add_contests(Command& command, Contests& contests) {
   command
       .add_integer(
           "--runs", [&contests](std::uint64_t runs) { contests.runs = static_cast<int>(runs); },
-          "Contests in each maze for each mouse that throws dice, or whose world does; default: 20, in the physical "
-          "world 3")
+          "Contests in each maze for each mouse that throws dice, or whose world does; default: " + usual_runs_text())
       ->check(in_range(1, 1'000'000));
   contests.world.add_to(command);
   command.add_option("--seed", contests.order.seed, "Seed for all random choices")
@@ -73,7 +73,7 @@ void add_contests(Command& command, Contests& contests) {
 RaceOrder Contests::order_in(std::shared_ptr<const World> chosen) const {
   RaceOrder held = order;
   held.world = std::move(chosen);
-  held.runs = runs.value_or(held.world->usual_runs());
+  held.runs = runs.value_or(find_world(held.world->name())->usual_runs);
   if (store_path.empty()) return held;
   held.files.push_back(store_path);
   if (!store_) store_ = std::make_shared<Store>(store_path);

@@ -136,6 +136,9 @@ void add_drive(Command& app, int& exit) {
   command->add_option("--format", options->format, "Output")->check(one_of({"table", "json"}))->capture_default_str();
   command->add_option("--log", options->log, "Save the one drive as the log that its mouse would write, CSV")
       ->type_name("FILE");
+  command->footer(
+      "Example: labmouse drive --mazes contest-01 --noise 0,1,2 --runs 5\n"
+      "         labmouse drive --mazes contest-01 --fast --runs 1 --log run.csv");
   command->callback([options, &exit] { exit = drive(*options); });
 }
 

@@ -181,6 +181,9 @@ void add_hazards(Command& app, int& exit) {
                    "With --check: points of 100 within which the difference's 95 % interval has to lie")
       ->check(in_range(0.0, 100.0))
       ->capture_default_str();
+  command->footer(
+      "Example: labmouse hazards --mice ariadne --mazes my-mazes/ --noise 1,2 --save my-hazards.json\n"
+      "         labmouse hazards --mice ariadne --mazes my-mazes/ --check ./my-hazards.json");
   options->command = command;
   command->callback([options, &exit] { exit = hazards(*options); });
 }

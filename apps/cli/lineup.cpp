@@ -221,6 +221,7 @@ void add_lineup(Command& app, int& exit) {
   check_command->add_option("file", options->file, "The lineup")->required()->type_name("FILE");
   add_python(*check_command, options->guests);
   add_guest_options(*check_command, options->guests);
+  check_command->footer("Example: labmouse lineup check class/mice.toml");
   check_command->callback([options, &exit] { exit = check(*options); });
   auto folder = std::make_shared<std::string>();
   auto overwrite = std::make_shared<bool>(false);
@@ -230,6 +231,7 @@ void add_lineup(Command& app, int& exit) {
       ->type_name("FOLDER")
       ->check(existing_directory());
   init_command->add_flag("--overwrite", *overwrite, "Replace a mice.toml that is there");
+  init_command->footer("Example: labmouse lineup init class/");
   init_command->callback([folder, overwrite, &exit] {
     init(*folder, *overwrite);
     exit = exit_good;

@@ -186,7 +186,8 @@ std::size_t Option::count() const { return option_->count(); }
 std::string Option::name() const { return option_->get_name(); }
 
 Command* Command::add_subcommand(const std::string& name, const std::string& meaning) {
-  return &subcommands_.emplace_back(*app_->add_subcommand(name, meaning));
+  // CLI11 hands the footer of the command above on, which has the example of another command.
+  return &subcommands_.emplace_back(*app_->add_subcommand(name, meaning)->footer(""));
 }
 void Command::require_subcommand() { app_->require_subcommand(1); }
 

@@ -69,7 +69,9 @@ void add_robot(Command& app, int& exit) {
   });
 
   add_robot_fit(*command, exit);
-  command->add_subcommand("list", "List the built-in robots")->callback([&exit] {
+  Command* listed = command->add_subcommand("list", "List the built-in robots");
+  listed->footer("Example: labmouse robot list");
+  listed->callback([&exit] {
     list();
     exit = exit_good;
   });

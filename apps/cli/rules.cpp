@@ -52,12 +52,15 @@ void add_rules(Command& app, int& exit) {
   shown->add_option("rules", *name, "Built-in rules, or a file whose name contains a slash or ends in .toml")
       ->type_name("RULES")
       ->capture_default_str();
+  shown->footer("Example: labmouse rules show thirtieth > mine.toml");
   shown->callback([name, &exit] {
     show(*name);
     exit = exit_good;
   });
 
-  command->add_subcommand("list", "List the built-in rules")->callback([&exit] {
+  Command* listed = command->add_subcommand("list", "List the built-in rules");
+  listed->footer("Example: labmouse rules list");
+  listed->callback([&exit] {
     list();
     exit = exit_good;
   });

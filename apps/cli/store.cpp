@@ -199,22 +199,25 @@ void add_store(Command& app, int& exit) {
   auto options = std::make_shared<StoreOptions>();
   Command* command = app.add_subcommand("store", "Look into a store of contests, merge stores, verify or forget");
   command->require_subcommand();
-  add(*command, *options, "list", "Print a line for each mouse of the store")->callback([options, &exit] {
-    exit = list(*options);
-  });
+  Command* list_command = add(*command, *options, "list", "Print a line for each mouse of the store");
+  list_command->footer("Example: labmouse store list results.db --world seconds");
+  list_command->callback([options, &exit] { exit = list(*options); });
   Command* show_command = add(*command, *options, "show", "Print what is known of the last contests");
   show_command->add_option("--last", options->most, "How many")->check(in_range(1, 1'000'000))->capture_default_str();
+  show_command->footer("Example: labmouse store show results.db --mouse flood --last 5");
   show_command->callback([options, &exit] { exit = show(*options); });
   Command* race_command = add(*command, *options, "race", "Print the leaderboard of a race that the store holds");
   race_command->add_option("--format", options->format, "Output")
       ->check(one_of({"table", "json", "csv"}))
       ->capture_default_str();
+  race_command->footer("Example: labmouse store race results.db --mouse flood --mouse certify");
   race_command->callback([options, &exit] { exit = race_again(*options); });
   auto lines = std::make_shared<std::string>("jsonl");
   Command* export_command = add(*command, *options, "export", "Print all contests, one a line");
   export_command->add_option("--format", *lines, "Output: JSON lines or CSV")
       ->check(one_of({"jsonl", "csv"}))
       ->capture_default_str();
+  export_command->footer("Example: labmouse store export results.db --format csv > contests.csv");
   export_command->callback([options, lines, &exit] {
     options->format = *lines;
     exit = export_rows(*options);
@@ -225,6 +228,7 @@ void add_store(Command& app, int& exit) {
   merge_command->add_option("-o,--output", options->target, "The store to add them to; made where there is none")
       ->required()
       ->type_name("FILE");
+  merge_command->footer("Example: labmouse store merge part-*.db -o all.db");
   merge_command->callback([options, &exit] { exit = merge(*options); });
   Command* verify_command =
       add(*command, *options, "verify", "Check the file, and hold a random share of its contests again");
@@ -242,8 +246,11 @@ void add_store(Command& app, int& exit) {
                            "Run the commands of external mice that the store names, too, in a sandbox");
   add_python(*verify_command, options->verification.guests);
   add_guest_options(*verify_command, options->verification.guests);
+  verify_command->footer("Example: labmouse store verify results.db --share 0.1");
   verify_command->callback([options, &exit] { exit = verify(*options); });
-  add(*command, *options, "forget", "Remove contests")->callback([options, &exit] { exit = forget_some(*options); });
+  Command* forget_command = add(*command, *options, "forget", "Remove contests");
+  forget_command->footer("Example: labmouse store forget results.db --mouse flood");
+  forget_command->callback([options, &exit] { exit = forget_some(*options); });
   command->footer(
       "Example: labmouse race --store results.db\n         labmouse store race results.db\n"
       "         labmouse store merge part-*.db -o all.db");

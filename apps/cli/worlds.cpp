@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
+#include <utility>
 
 #include "command.hpp"
 #include "labmouse/lab/text/printable.hpp"
@@ -14,6 +16,30 @@ std::vector<std::string> world_names() {
   std::vector<std::string> names;
   for (const WorldEntry* entry : all_worlds()) names.emplace_back(entry->name);
   return names;
+}
+
+/// What worlds have where nobody says: "20" where all have the same, else "20 in strides, seconds; 3 in physical".
+std::string by_world(const std::vector<std::pair<std::string, std::string_view>>& values) {
+  std::vector<std::pair<std::string, std::vector<std::string_view>>> worlds_of;
+  for (const auto& [value, world] : values) {
+    auto found = std::find_if(worlds_of.begin(), worlds_of.end(), [&](const auto& one) { return one.first == value; });
+    if (found == worlds_of.end()) found = worlds_of.insert(found, {value, {}});
+    found->second.push_back(world);
+  }
+  if (worlds_of.size() == 1) return worlds_of.front().first;
+  std::string text;
+  for (const auto& [value, worlds] : worlds_of)
+    text += fmt::format("{}{} in {}", text.empty() ? "" : "; ", value, fmt::join(worlds, ", "));
+  return text;
+}
+
+/// The default of a setting in all worlds that have it.
+std::string default_of(std::string_view name) {
+  std::vector<std::pair<std::string, std::string_view>> values;
+  for (const WorldEntry* entry : all_worlds())
+    for (const WorldSetting& setting : entry->settings)
+      if (setting.name == name) values.emplace_back(setting.default_value, entry->name);
+  return by_world(values);
 }
 
 /// Each setting with the first world that has it; where two share one, they share its option.
@@ -53,13 +79,12 @@ void WorldChoice::add_to(Command& command) {
                 option, [this, name](std::uint64_t value) { texts_[name] = fmt::format("{}", value); }, meaning)
             ->type_name(std::string(setting->placeholder))
             ->check(in_range(static_cast<int>(setting->low), static_cast<int>(setting->high)))
-            ->default_str(std::string(setting->default_value));
+            ->default_str(default_of(setting->name));
         break;
       case WorldSetting::Kind::text:
-        texts_[name] = setting->default_value;
         command.add_option(option, texts_[name], meaning)
             ->type_name(std::string(setting->placeholder))
-            ->capture_default_str();
+            ->default_str(default_of(setting->name));
         break;
     }
   }
@@ -92,6 +117,12 @@ std::shared_ptr<const World> WorldChoice::world() const {
   return taken(labmouse::enter({}, world_.empty() ? all_worlds().front()->name : std::string_view(world_), given()))
       .front()
       .world;
+}
+
+std::string usual_runs_text() {
+  std::vector<std::pair<std::string, std::string_view>> values;
+  for (const WorldEntry* entry : all_worlds()) values.emplace_back(fmt::format("{}", entry->usual_runs), entry->name);
+  return by_world(values);
 }
 
 }  // namespace labmouse::cli

@@ -34,4 +34,7 @@ class WorldChoice {
   std::map<std::string, bool> flags_;
 };
 
+/// How many contests a mouse has in each maze where nobody says, by world.
+std::string usual_runs_text();
+
 }  // namespace labmouse::cli

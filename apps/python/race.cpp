@@ -28,6 +28,7 @@
 #include "labmouse/lab/standings/standings.hpp"
 #include "labmouse/lab/store/store_changes.hpp"
 #include "labmouse/lab/system/files.hpp"
+#include "labmouse/lab/worlds/worlds.hpp"
 #include "orders.hpp"
 #include "part_store.hpp"
 #include "values.hpp"
@@ -66,7 +67,7 @@ class RunningRace {
     held_->skipped = std::move(field.skipped);
     RaceOrder order;
     order.world = field.entry.world;
-    order.runs = runs.value_or(order.world->usual_runs());
+    order.runs = runs.value_or(find_world(order.world->name())->usual_runs);
     order.seed = seed;
     order.jobs = jobs;
     order.store = store_.emplace(store).shown();

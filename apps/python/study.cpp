@@ -15,6 +15,7 @@
 #include "bindings.hpp"
 #include "entering.hpp"
 #include "errors.hpp"
+#include "labmouse/lab/worlds/worlds.hpp"
 #include "orders.hpp"
 #include "part_store.hpp"
 #include "work.hpp"
@@ -52,7 +53,7 @@ class RunningStudy {
     held_ = std::make_shared<HeldStudy>();
     held_->skipped = std::move(field.skipped);
     order.race.world = field.entry.world;
-    order.race.runs = runs.value_or(order.race.world->usual_runs());
+    order.race.runs = runs.value_or(find_world(order.race.world->name())->usual_runs);
     order.race.store = store_.emplace(store).shown();
     order.race.files = {std::get<0>(store)};
     work_.start([this, order, field = std::move(field)]() mutable {

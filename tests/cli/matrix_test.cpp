@@ -182,6 +182,16 @@ class EveryCommand : public test::AUser {
     return words;
   }
 
+  static Words split_at(std::string text, std::string_view mark) {
+    Words parts;
+    for (auto end = text.find(mark); end != std::string::npos; end = text.find(mark)) {
+      parts.push_back(text.substr(0, end));
+      text.erase(0, end + mark.size());
+    }
+    parts.push_back(text);
+    return parts;
+  }
+
   /// The words in front of the lines below a heading, up to a line without any.
   static Words first_words(std::string_view heading, const std::string& text) {
     Words words;
@@ -196,7 +206,6 @@ class EveryCommand : public test::AUser {
     return words;
   }
 
- private:
   std::string help_of(const std::string& command) const {
     std::string& help = helps_[command];
     if (!help.empty()) return help;
@@ -205,6 +214,7 @@ class EveryCommand : public test::AUser {
     return help = labmouse(words).out;
   }
 
+ private:
   mutable std::map<std::string, std::string> helps_;
 };
 
@@ -226,6 +236,36 @@ TEST_F(EveryCommand, EndsWellWithEachWordOfItsHelp) {
         continue;
       for (const std::string& value : values_of(each)) try_out(command, both(words_of(each, value), some));
     }
+  }
+}
+
+TEST_F(EveryCommand, HasAnExampleOfItselfAtTheEndOfItsHelp) {
+  Words all = commands();
+  all.insert(all.end(), {"robot", "rules", "store", "lineup"});
+  for (const std::string& command : all) {
+    const std::string help = help_of(command);
+    const auto begin = help.rfind("\nExample: labmouse ");
+    ASSERT_NE(begin, std::string::npos) << command;
+    bool own = false;
+    // What is asked of each program in the pipes of the example.
+    for (const std::string& line : split(help.substr(begin + 1), '\n'))
+      for (std::string part : split_at(line, " && ")) {
+        part = part.substr(std::min(part.find("labmouse "), part.size()));
+        if (part != "labmouse " + command && !part.starts_with("labmouse " + command + " ")) continue;
+        own = true;
+        for (const std::string& word : split(part, ' '))
+          if (word.starts_with("--"))
+            EXPECT_NE(help.find("  " + word + " "), std::string::npos) << word << " of " << part;
+      }
+    EXPECT_TRUE(own) << help.substr(begin);
+  }
+}
+
+TEST_F(EveryCommand, NamesTheDefaultsOfAllWorldsInItsHelp) {
+  for (const char* command : {"race", "study", "sweep", "tune"}) {
+    const std::string help = help_of(command);
+    EXPECT_THAT(help, test::Says("--robot", "classic in seconds", "kerise in physical", "fallible"));
+    EXPECT_THAT(help, test::Says("--runs", "default: 20 in", "fallible", "3 in physical"));
   }
 }
 

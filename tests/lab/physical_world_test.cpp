@@ -131,7 +131,7 @@ TEST(PhysicalWorld, RefusesWhatItCannotUse) {
 }
 
 TEST(PhysicalWorld, HasThreeContestsInAMazeUnlessTold) {
-  EXPECT_EQ(race_at(at_noise(1.0), physical_world({}, test::drive_model("kerise"), {})->usual_runs()).results.size(),
+  EXPECT_EQ(race_at(at_noise(1.0), physical_entry.usual_runs).results.size(),
             3U);
 }
 

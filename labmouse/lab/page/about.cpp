@@ -92,7 +92,7 @@ Json worlds() {
                     {"summary", entry->summary},
                     {"home", entry->is_home},
                     {"throws_dice", world->throws_dice()},
-                    {"usual_runs", world->usual_runs()},
+                    {"usual_runs", entry->usual_runs},
                     {"settings", std::move(settings)},
                     {"mice", std::move(mice)}});
     if (!entry->call.empty()) list.back()["call"] = entry->call;

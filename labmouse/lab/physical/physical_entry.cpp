@@ -229,10 +229,15 @@ std::string why_not_fallible(const DriveModel& model, double noise, const Hazard
   return "";
 }
 
-const WorldEntry physical_entry = {"physical",        "the same robot as it is: it slips, misreads and crashes",
-                                   settings,          make,
-                                   pack_drive_record, false,
-                                   restore,           "contest"};
+const WorldEntry physical_entry = {"physical",
+                                   "the same robot as it is: it slips, misreads and crashes",
+                                   settings,
+                                   make,
+                                   pack_drive_record,
+                                   false,
+                                   restore,
+                                   "contest",
+                                   3};
 
 const WorldEntry fallible_entry = {
     "fallible",        "the world in seconds with what goes wrong in the physical one, by dice: fast",

@@ -122,7 +122,6 @@ class PhysicalWorld : public World {
   std::string_view unit() const override { return "s"; }
   bool throws_dice() const override { return true; }
   // Each takes a thousand times as long as one in seconds.
-  int usual_runs() const override { return 3; }
 
   MazeFacts facts(const Maze& maze) const override {
     const DriveBound bound = drive_bound_of(maze, rules_, *model_);
@@ -259,7 +258,6 @@ class FallibleWorld final : public PhysicalWorld {
   }
   int edition() const override { return fallible_edition; }
   std::string refuse(const Contestant& mouse) const override { return refuse_to_drive({&mouse, 1}); }
-  int usual_runs() const override { return 20; }
 
  private:
   PhysicalRecord contest_of(const Maze& maze, const PhysicalConditions& conditions, std::uint64_t seed,

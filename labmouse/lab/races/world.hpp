@@ -157,8 +157,6 @@ class World {
   virtual Held hold(const Race& race, ContestResult& result, Keep keep, const std::atomic<bool>* stop) const = 0;
   /// Whether contests differ by their seeds for mice, too, that throw no dice themselves.
   virtual bool throws_dice() const { return false; }
-  /// How many contests in each maze a mouse that meets dice has, where nobody says.
-  virtual int usual_runs() const { return 20; }
   /// Whether a mouse may have several contests in a maze; then their files are numbered.
   virtual bool numbers_runs() const { return true; }
   /// What a contest without a score counts in means over all; nothing where it has no place there.

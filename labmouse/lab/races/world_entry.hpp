@@ -72,6 +72,8 @@ struct WorldEntry {
   std::shared_ptr<const World> (*restore)(const ReadJson& conditions) = nullptr;
   /// The page's call that holds a contest with all of its play; empty where it only races.
   std::string_view call = {};
+  /// How many contests in each maze a mouse that meets dice has, where nobody says.
+  int usual_runs = 20;
 };
 
 /// The value of a setting, or its default.
