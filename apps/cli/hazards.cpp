@@ -9,6 +9,7 @@
 #include "command.hpp"
 #include "contests.hpp"
 #include "labmouse/contest/physical.hpp"
+#include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/physical/fidelity.hpp"
 #include "labmouse/lab/physical/physical_entry.hpp"
 #include "labmouse/lab/robots/robot_files.hpp"
@@ -96,9 +97,8 @@ int hazards(const HazardOptions& options) {
   order.jobs = options.jobs;
   const std::vector<Contestant> mice =
       find_contestants(options.mice.empty() ? std::vector<std::string>{"flood-return", "certify"} : options.mice);
-  for (const Contestant& mouse : mice)
-    if (!mouse.drive)
-      throw UsageError(fmt::format("error: --mice: {} does not drive by decisions in seconds", shown(mouse.name)));
+  if (const std::string why = refuse_to_drive(mice, Driving::with_errors); !why.empty())
+    throw UsageError("error: --mice: " + why);
   const std::vector<NamedMaze> mazes = find_mazes(options.mazes, options.places).mazes;
   if (!options.check.empty()) return check_hazards(options, std::move(order), mice, mazes);
   const MeasuredHazards measured = measure(order, mice, mazes);

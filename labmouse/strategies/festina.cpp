@@ -31,20 +31,29 @@ constexpr std::string_view method =
 constexpr std::string_view source =
     "Search slowly, run faster and faster: what builders of contest mice do by buttons between their runs.";
 
+/// Where nothing goes wrong all paces are the same, and no reading is against the map.
+constexpr Parameter number_with_errors(std::string_view name, std::string_view value, double low, double high,
+                                       std::string_view meaning) {
+  return {name, ParameterType::real, value, low, high, "", meaning, ParameterScope::errors};
+}
+
 constexpr std::array<Parameter, 7> parameters = {
-    {{"mind", ParameterType::choice, "by-rules", 0.0, 0.0, "by-rules/ariadne/certify/flood-return", "who explores"},
-     {"search", ParameterType::real, "1", 0.2, 1.0, {}, "pace of the first search"},
-     {"slower", ParameterType::real, "0.8", 0.3, 1.0, {}, "factor of the pace of searches after a crash in one"},
-     {"run", ParameterType::real, "0", 0.0, 1.0, {}, "pace of the first fast run; 0: as the rules ask for"},
-     {"step", ParameterType::real, "0.85", 0.3, 0.95, {}, "factor of the pace of fast runs after a crash in one"},
+    {{"mind", ParameterType::choice, "by-rules", 0.0, 0.0, "by-rules/ariadne/certify/flood-return", "who explores",
+      ParameterScope::seconds},
+     number_with_errors("search", "1", 0.2, 1.0, "pace of the first search"),
+     number_with_errors("slower", "0.8", 0.3, 1.0, "factor of the pace of searches after a crash in one"),
+     number_with_errors("run", "0", 0.0, 1.0, "pace of the first fast run; 0: as the rules ask for"),
+     number_with_errors("step", "0.85", 0.3, 0.95, "factor of the pace of fast runs after a crash in one"),
      {"safe",
       ParameterType::flag,
       "yes",
       0.0,
       0.0,
       {},
-      "whether it drives a run as a search where no fast one ended well"},
-     {"map", ParameterType::choice, "belief", 0.0, 0.0, "belief/learned", "what becomes of readings against its map"}}};
+      "whether it drives a run as a search where no fast one ended well",
+      ParameterScope::errors},
+     {"map", ParameterType::choice, "belief", 0.0, 0.0, "belief/learned", "what becomes of readings against its map",
+      ParameterScope::errors}}};
 
 /// A search has to come to its goal within half of the time: that takes about half of the cells, each with its turns.
 double least_pace_of(const Briefing& briefing) {

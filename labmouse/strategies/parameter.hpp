@@ -18,8 +18,9 @@ enum class ParameterType : std::uint8_t { whole, real, flag, choice, list, prior
 
 std::string_view name_of(ParameterType type);
 
-/// Where the parameter of a mouse that plays in steps, and may drive in seconds, too, makes a difference.
-enum class ParameterScope : std::uint8_t { steps, seconds, both };
+/// Where the parameter of a mouse makes a difference; `errors`: only in those worlds in seconds in which things go
+/// wrong.
+enum class ParameterScope : std::uint8_t { steps, seconds, both, errors };
 
 /// One parameter of one mouse.
 struct Parameter {

@@ -105,6 +105,29 @@ TEST_F(AUser, IsToldWhichMiceHaveHindsight) {
   is_refused({"run", "mms:true", "m.txt"}, "error: ", "steps", "`labmouse mms`");
 }
 
+TEST_F(AUser, IsToldOfParametersWithoutEffectAndChoosesTheWorld) {
+  file("m.txt", test::corridor);
+  const std::vector<std::vector<std::string>> commands = {{"race", "--mice", "festina:search=0.5"},
+                                                          {"race", "--mice", "flood,festina:search=0.5"},
+                                                          {"study", "--mice", "festina,festina:search=0.5"},
+                                                          {"sweep", "festina", "--vary", "search=0.5,1"},
+                                                          {"tune", "festina", "--params", "search"}};
+  for (std::vector<std::string> words : commands) {
+    words.insert(words.end(), {"--mazes", "m.txt"});
+    is_refused(words, "error: ", "'search'", "'festina'", "seconds", "physical and the fallible", "--world physical");
+    words.insert(words.end(), {"--world", "seconds"});
+    if (words[2] != "flood,festina:search=0.5") is_refused(words, "error: ", "'search'", "'festina'", "fallible");
+  }
+  const Ended chosen =
+      labmouse({"race", "--mice", "festina:search=0.5", "--mazes", "m.txt", "--world", "fallible", "--runs", "1"});
+  EXPECT_EQ(chosen.code, 0) << chosen.err;
+  is_refused({"race", "--mice", "flood,ariadne:cell_most=1", "--mazes", "m.txt"}, "error: ", "'cell_most'", "steps",
+             "--world seconds");
+  is_refused({"hazards", "--mice", "ariadne:travel=30", "--mazes", "m.txt"}, "error: --mice: ", "'travel'", "steps");
+  is_refused({"run", "ariadne:cell_most=1", "m.txt"}, "error: ", "'cell_most'", "seconds");
+  is_refused({"bound", "m.txt", "--hindsight", "ariadne:cell_most=1"}, "error: ", "'cell_most'", "seconds");
+}
+
 TEST_F(AUser, MayHaveAMouseThatOnlyDrivesInALineup) {
   file("mice.toml", "[[mouse]]\nname = \"anna\"\nmouse = \"festina\"\n");
   const Ended ended = labmouse({"lineup", "check", "mice.toml"});

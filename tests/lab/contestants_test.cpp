@@ -47,6 +47,19 @@ TEST(Contestants, HaveParametersOfTheWorldThatTheyAreIn) {
   EXPECT_EQ(refuse_to_walk(both) + refuse_to_drive({&both, 1}), "");
 }
 
+TEST(Contestants, HaveParametersThatCountWhereThingsGoWrongAlone) {
+  for (const char* spec : {"festina:search=0.5", "festina:slower=0.5", "festina:run=0.5", "festina:step=0.5",
+                           "festina:safe=no", "festina:map=learned"}) {
+    const Contestant mouse = read_specs(spec).contestants.front();
+    EXPECT_THAT(refuse_to_drive({&mouse, 1}), Says("'festina'", "seconds", "physical", "fallible", "'mind'")) << spec;
+    EXPECT_EQ(refuse_to_drive({&mouse, 1}, Driving::with_errors), "") << spec;
+  }
+  const Contestant ideal = read_specs("festina:mind=certify").contestants.front();
+  EXPECT_EQ(refuse_to_drive({&ideal, 1}) + refuse_to_drive({&ideal, 1}, Driving::with_errors), "");
+  const Contestant walker = read_specs("ariadne:travel=3").contestants.front();
+  EXPECT_THAT(refuse_to_drive({&walker, 1}, Driving::with_errors), Says("'travel'", "steps"));
+}
+
 TEST(Contestants, SaveTheSettingsThatCount) {
   const Contestant mouse = read_specs("ariadne:cell_most=1").contestants.front();
   const Settings driven = settings_in_seconds(mouse), walked = settings_in_steps(mouse);

@@ -27,11 +27,18 @@ std::string range_of(const Parameter& parameter) {
   }
 }
 
+/// In front of the meaning of what counts in some worlds in seconds alone.
+std::string_view scope_text(ParameterScope scope) {
+  if (scope == ParameterScope::errors) return "where things go wrong: ";
+  return scope == ParameterScope::seconds ? "in seconds: " : "";
+}
+
 std::string parameter_lines(const RosterEntry& mouse) {
   std::string text;
   for (const Parameter& parameter : mouse.parameters)
     text += fmt::format("    {}={}  {}, {}: {}{}\n", parameter.name, parameter.default_value, name_of(parameter.type),
-                        range_of(parameter), parameter.scope == ParameterScope::seconds ? "in seconds: " : "",
+                        range_of(parameter),
+                        mouse.walks || parameter.scope == ParameterScope::errors ? scope_text(parameter.scope) : "",
                         parameter.meaning);
   return text;
 }

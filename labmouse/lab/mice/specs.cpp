@@ -331,26 +331,42 @@ SpecResult read_variant(const Contestant& mouse, std::span<const Setting> values
 
 namespace {
 
-/// Of a mouse that only drives all do.
-bool counts_in_seconds(const RosterEntry& entry, const Parameter& parameter) {
-  return !entry.walks || parameter.scope != ParameterScope::steps;
+bool counts_in_steps(const Parameter& parameter) {
+  return parameter.scope == ParameterScope::steps || parameter.scope == ParameterScope::both;
 }
-bool counts_in_steps(const RosterEntry&, const Parameter& parameter) {
-  return parameter.scope != ParameterScope::seconds;
+bool counts_with_errors(const Parameter& parameter) { return parameter.scope != ParameterScope::steps; }
+bool counts_in_seconds(const Parameter& parameter) {
+  return counts_with_errors(parameter) && parameter.scope != ParameterScope::errors;
 }
-using Counts = bool (*)(const RosterEntry&, const Parameter&);
+using Counts = bool (*)(const Parameter&);
+
+/// In which worlds a parameter counts.
+std::string_view worlds_of(ParameterScope scope) {
+  switch (scope) {
+    case ParameterScope::steps:
+      return "in steps";
+    case ParameterScope::seconds:
+      return "in seconds";
+    case ParameterScope::errors:
+      return "in the physical and the fallible world";
+    case ParameterScope::both:
+      break;
+  }
+  return "everywhere";
+}
 
 /// Why a mouse has a parameter that says nothing in a world; empty without one.
-std::string refuse_idle_settings(const Contestant& mouse, Counts counts, std::string_view unit) {
+std::string refuse_idle_settings(const Contestant& mouse, Counts counts, std::string_view where) {
   const RosterEntry* entry = entry_of(mouse);
   for (std::size_t i = 0; entry != nullptr && i < entry->parameters.size(); ++i) {
     const Parameter& parameter = entry->parameters[i];
-    if (counts(*entry, parameter) || mouse.settings.all()[i].value == parameter.default_value) continue;
+    if (counts(parameter) || mouse.settings.all()[i].value == parameter.default_value) continue;
     std::vector<std::string> counting;
     for (const Parameter& other : entry->parameters)
-      if (counts(*entry, other)) counting.push_back(fmt::format("'{}'", other.name));
-    return fmt::format("parameter '{}' of mouse '{}' has no effect in {}; parameters that do: {}", parameter.name,
-                       entry->name, unit, counting.empty() ? "none" : fmt::format("{}", fmt::join(counting, ", ")));
+      if (counts(other)) counting.push_back(fmt::format("'{}'", other.name));
+    return fmt::format("parameter '{}' of mouse '{}' has no effect {}, only {}; parameters that do: {}", parameter.name,
+                       entry->name, where, worlds_of(parameter.scope),
+                       counting.empty() ? "none" : fmt::format("{}", fmt::join(counting, ", ")));
   }
   return "";
 }
@@ -367,11 +383,14 @@ Settings settings_where(const Contestant& mouse, const RosterEntry& entry, Holds
 
 }  // namespace
 
-std::string refuse_to_drive(std::span<const Contestant> mice) {
+std::string refuse_to_drive(std::span<const Contestant> mice, Driving driving) {
   const auto stays = std::find_if(mice.begin(), mice.end(), [](const Contestant& mouse) { return !mouse.drive; });
   if (stays == mice.end()) {
     for (const Contestant& mouse : mice)
-      if (std::string reason = refuse_idle_settings(mouse, counts_in_seconds, "seconds"); !reason.empty())
+      if (std::string reason = driving == Driving::with_errors
+                                   ? refuse_idle_settings(mouse, counts_with_errors, "where a mouse drives")
+                                   : refuse_idle_settings(mouse, counts_in_seconds, "in seconds");
+          !reason.empty())
         return reason;
     return "";
   }
@@ -387,7 +406,7 @@ std::string refuse_to_walk(const Contestant& mouse) {
                        mouse.program ? "mms"
                        : mouse.pilot ? "physical"
                                      : "seconds");
-  return refuse_idle_settings(mouse, counts_in_steps, "steps");
+  return refuse_idle_settings(mouse, counts_in_steps, "in steps");
 }
 
 Settings settings_in_seconds(const Contestant& mouse) {
@@ -404,8 +423,7 @@ Settings settings_in_seconds(const Contestant& mouse) {
 Settings settings_in_steps(const Contestant& mouse) {
   const RosterEntry* entry = entry_of(mouse);
   if (entry == nullptr) return mouse.settings;
-  return settings_where(mouse, *entry,
-                        [](const Parameter& parameter) { return parameter.scope != ParameterScope::seconds; });
+  return settings_where(mouse, *entry, counts_in_steps);
 }
 
 std::vector<Contestant> all_contestants() {

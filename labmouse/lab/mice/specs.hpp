@@ -1,6 +1,7 @@
 // Who races: mice by their SPEC, `name[:key=value]...`, several separated by commas; each may have `NAME=` before it.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -41,8 +42,12 @@ SpecResult read_variant(std::string_view spec, std::span<const Setting> values);
 /// The same of a mouse that was read before; of its files none is read again.
 SpecResult read_variant(const Contestant& mouse, std::span<const Setting> values);
 
-/// Why these mice cannot race in seconds, with the names of those that can; empty where they can.
-std::string refuse_to_drive(std::span<const Contestant> mice);
+/// Whether things go wrong in a world in seconds: then more parameters of a mouse count.
+enum class Driving : std::uint8_t { ideal, with_errors };
+
+/// Why these mice cannot race in seconds, with the names of those that can, or which parameter of one has no effect
+/// there; empty where they can.
+std::string refuse_to_drive(std::span<const Contestant> mice, Driving driving = Driving::ideal);
 
 /// Why a mouse cannot race in steps; empty where it can.
 std::string refuse_to_walk(const Contestant& mouse);

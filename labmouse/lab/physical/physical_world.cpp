@@ -115,7 +115,9 @@ class PhysicalWorld : public World {
   int edition() const override { return physical_edition; }
   std::string heading() const override { return ", " + noise_text(); }
 
-  std::string refuse(const Contestant& mouse) const override { return mouse.pilot ? "" : refuse_to_drive({&mouse, 1}); }
+  std::string refuse(const Contestant& mouse) const override {
+    return mouse.pilot ? "" : refuse_to_drive({&mouse, 1}, Driving::with_errors);
+  }
   std::string refuse(const Maze& maze) const override { return refuse_to_drive_in(maze); }
   Settings settings(const Contestant& mouse) const override { return settings_in_seconds(mouse); }
 
@@ -257,7 +259,9 @@ class FallibleWorld final : public PhysicalWorld {
     return all;
   }
   int edition() const override { return fallible_edition; }
-  std::string refuse(const Contestant& mouse) const override { return refuse_to_drive({&mouse, 1}); }
+  std::string refuse(const Contestant& mouse) const override {
+    return refuse_to_drive({&mouse, 1}, Driving::with_errors);
+  }
 
  private:
   PhysicalRecord contest_of(const Maze& maze, const PhysicalConditions& conditions, std::uint64_t seed,

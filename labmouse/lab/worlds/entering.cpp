@@ -11,6 +11,14 @@
 namespace labmouse {
 namespace {
 
+/// The mouse without its parameters: one that is built in with its defaults, and any other as it is.
+Contestant bare(const Contestant& mouse) {
+  const RosterEntry* entry = entry_of(mouse);
+  if (entry == nullptr) return mouse;
+  std::vector<Contestant> all = all_contestants();
+  return *std::find_if(all.begin(), all.end(), [&](const Contestant& each) { return entry_of(each) == entry; });
+}
+
 /// The place on the list of the first world that takes a mouse; the list's length where none does.
 std::size_t home_of(const Contestant& mouse) {
   std::size_t place = 0;
@@ -90,11 +98,11 @@ EntriesResult enter(std::vector<Contestant> mice, std::string_view world, const 
   for (Contestant& mouse : mice) {
     const std::size_t home = home_of(mouse);
     if (home == by_world.size()) return {{}, fmt::format("error: mouse '{}' cannot race in any world", mouse.name), {}};
-    // It could race in the first world but for a parameter, which must not choose the world without a word.
-    if (home > 0 && mouse.make)
+    // A parameter must not choose the world without a word.
+    if (const std::size_t usual = home > 0 ? home_of(bare(mouse)) : home; usual != home)
       return {{},
-              fmt::format("error: {}; leave it out, or add --world {}", all_worlds()[0]->make({}).world->refuse(mouse),
-                          all_worlds()[home]->name),
+              fmt::format("error: {}; leave it out, or add --world {}",
+                          all_worlds()[usual]->make({}).world->refuse(mouse), all_worlds()[home]->name),
               {}};
     by_world[home].push_back(std::move(mouse));
   }
