@@ -1,9 +1,11 @@
 // The mazes in which every mouse of the roster must keep its contract.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
+#include "labmouse/grid/cell.hpp"
 #include "labmouse/maze/generators/generator.hpp"
 #include "tests/drawn_maze.hpp"
 #include "tests/slowness.hpp"
@@ -16,13 +18,14 @@ struct ContractMaze {
 };
 
 /// Every generator at every size that it takes, perfect and with loops, and two of the largest size. The large ones
-/// take most of the time: without LABMOUSE_PROOF they come from one generator, and with the
-/// sanitizers there is only one of the largest.
+/// take most of the time: without LABMOUSE_PROOF they come from one generator. With the sanitizers that generator alone
+/// makes mazes of 16×16, and there is only one of the largest.
 inline void add_generated(std::vector<ContractMaze>& mazes) {
   const auto add = [&](const Generator& generator, Size size, int loops) {
     const GeneratorOrder order{size, 7, loops};
-    const bool left_out = sanitized || (slowness > 1 && &generator != &depth_first_generator);
-    if (left_out && size.area() > 16 * 16) return;
+    const bool is_chosen = &generator == &depth_first_generator;
+    const int largest = thorough ? max_side : sanitized && !is_chosen ? 7 : sanitized || !is_chosen ? 16 : max_side;
+    if (std::max(size.width, size.height) > largest) return;
     if (generator.refuses(order).empty())
       mazes.push_back({std::string(generator.name) + " " + std::to_string(size.width) + "x" +
                            std::to_string(size.height) + " loops " + std::to_string(loops),
