@@ -4,6 +4,7 @@
 #include "labmouse/lab/mazes/builtin_mazes.hpp"
 #include "tests/lab/page_fixture.hpp"
 #include "tests/lab/physical_fixture.hpp"
+#include "tests/slowness.hpp"
 
 namespace labmouse {
 namespace {
@@ -24,6 +25,7 @@ json asked(const std::string& world, std::uint64_t seed = 1, const std::string& 
 }
 
 TEST(PageContest, IsTheOneOfARace) {
+  LABMOUSE_SKIP_SANITIZED();
   for (const std::string world : {"physical", "fallible"}) {
     json race = asked(world, 5, "3");
     race["mice"] = json::array({"flood-return"});

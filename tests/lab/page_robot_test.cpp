@@ -127,6 +127,7 @@ TEST(PageRegions, AreThoseOfTheCommandLine) {
 }
 
 TEST(PageRegions, HaveTheTimesOfTheBestRoutesAtTheirEnds) {
+  LABMOUSE_SKIP_SANITIZED();
   const NamedMaze maze = maze_named("contest-01");
   const auto time_with = [&](double grip) {
     json values = built_in("classic")["values"];
@@ -142,6 +143,7 @@ TEST(PageRegions, HaveTheTimesOfTheBestRoutesAtTheirEnds) {
 }
 
 TEST(PageRegions, AreThoseOfARobotThatIsEdited) {
+  LABMOUSE_SKIP_SANITIZED();
   json asked = asked_regions(maze_named("contest-01"));
   asked["vary"] = range("curve.lateral_acceleration", 4000, 4200);
   const json builtin = answer("regions", asked)["regions"];
