@@ -107,11 +107,12 @@ TEST_F(AUser, IsToldWhichMiceHaveHindsight) {
 
 TEST_F(AUser, IsToldOfParametersWithoutEffectAndChoosesTheWorld) {
   file("m.txt", test::corridor);
-  const std::vector<std::vector<std::string>> commands = {{"race", "--mice", "festina:search=0.5"},
-                                                          {"race", "--mice", "flood,festina:search=0.5"},
-                                                          {"study", "--mice", "festina,festina:search=0.5"},
-                                                          {"sweep", "festina", "--vary", "search=0.5,1"},
-                                                          {"tune", "festina", "--params", "search"}};
+  const std::vector<std::vector<std::string>> commands = {
+      {"race", "--mice", "festina:search=0.5"},
+      {"race", "--mice", "flood,festina:search=0.5"},
+      {"study", "--mice", "festina,festina:search=0.5"},
+      {"sweep", "festina", "--vary", "search=0.5,1"},
+      {"tune", "festina", "--params", "search", "--evaluations", "4"}};
   for (std::vector<std::string> words : commands) {
     words.insert(words.end(), {"--mazes", "m.txt"});
     is_refused(words, "error: ", "'search'", "'festina'", "seconds", "physical and the fallible", "--world physical");
