@@ -131,8 +131,7 @@ TEST(PhysicalWorld, RefusesWhatItCannotUse) {
 }
 
 TEST(PhysicalWorld, HasThreeContestsInAMazeUnlessTold) {
-  EXPECT_EQ(race_at(at_noise(1.0), physical_entry.usual_runs).results.size(),
-            3U);
+  EXPECT_EQ(race_at(at_noise(1.0), physical_entry.usual_runs).results.size(), 3U);
 }
 
 }  // namespace

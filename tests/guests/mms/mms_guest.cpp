@@ -5,9 +5,9 @@
 //   hear:N       reads N replies, or complains and ends       exit:CODE, signal:NUMBER
 //   burst:N:LINE writes the line N times, in large portions   hang, work, close, leave
 //   trickle:N:LINE  the same, each by itself                  deafen        closes its standard input
-//   ask-on:LINE/LINE  asks them for ever                         pour:LINE     writes the line for ever, and reads nothing
-//   drip         writes a byte of no line now and then        need:REPLY    ends with code 8 unless the last reply was
-//   it
+//   ask-on:LINE/LINE  asks them for ever                         pour:LINE     writes the line for ever, and reads
+//   nothing drip         writes a byte of no line now and then        need:REPLY    ends with code 8 unless the last
+//   reply was it
 #include <poll.h>
 #include <unistd.h>
 
