@@ -254,8 +254,9 @@ TEST_F(EveryCommand, HasAnExampleOfItselfAtTheEndOfItsHelp) {
         if (part != "labmouse " + command && !part.starts_with("labmouse " + command + " ")) continue;
         own = true;
         for (const std::string& word : split(part, ' '))
-          if (word.starts_with("--"))
+          if (word.starts_with("--")) {
             EXPECT_NE(help.find("  " + word + " "), std::string::npos) << word << " of " << part;
+          }
       }
     EXPECT_TRUE(own) << help.substr(begin);
   }
