@@ -22,7 +22,8 @@ std::vector<std::string> world_names() {
 std::string by_world(const std::vector<std::pair<std::string, std::string_view>>& values) {
   std::vector<std::pair<std::string, std::vector<std::string_view>>> worlds_of;
   for (const auto& [value, world] : values) {
-    auto found = std::find_if(worlds_of.begin(), worlds_of.end(), [&](const auto& one) { return one.first == value; });
+    auto found = std::find_if(worlds_of.begin(), worlds_of.end(),
+                              [value = std::string_view(value)](const auto& one) { return one.first == value; });
     if (found == worlds_of.end()) found = worlds_of.insert(found, {value, {}});
     found->second.push_back(world);
   }
