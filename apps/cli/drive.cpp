@@ -89,7 +89,7 @@ int drive(const DriveOptions& options) {
     const DriveModel& driven = *order.model;
     save(options.log, log_text(log, Field(mazes.front().maze, driven.tables.cell), *driven.robot.hardware));
   }
-  print(options.format == "json" ? json_of(tallies, order) : table_of(tallies));
+  print(options.format == "json" ? json_of(tallies, order) : table_of(tallies, order));
   return is_stopped(tallies) ? exit_interrupted() : exit_good;
 }
 

@@ -106,7 +106,7 @@ int hazards(const HazardOptions& options) {
                                [](const HazardTally& tally) { return tally.all().contests > 0; });
   if (any && !options.save.empty())
     (measured.stopped ? save_partial : save)(options.save, write_hazards(measured, order, mice, mazes.size()));
-  print(options.format == "json" ? json_of(measured, order, mice, mazes.size()) : table_of(measured));
+  print(options.format == "json" ? json_of(measured, order, mice, mazes.size()) : table_of(measured, order));
   return measured.stopped ? exit_interrupted() : exit_good;
 }
 

@@ -173,8 +173,11 @@ TEST(Hazards, AreATableAndJson) {
   const HazardOrder asked = order({2.0}, 1);
   const auto two = mice("flood-return,certify");
   const auto measured = measure_hazards(asked, two, rings());
-  const std::string table = table_of(measured);
+  const std::string table = table_of(measured, asked);
   for (const Manoeuvre manoeuvre : all_manoeuvres) EXPECT_THAT(table, Says(std::string(name_of(manoeuvre))));
+  HazardOrder narrow = asked;
+  narrow.conditions.noise.spread /= 2.0;
+  EXPECT_NE(table, table_of(measured, narrow));
   const ReadJson json = ReadJson::parse(json_of(measured, asked, two, 2));
   EXPECT_THAT(json["mice"].get<std::vector<std::string>>(), ::testing::UnorderedElementsAre("certify", "flood-return"));
   const ReadJson& by_luck = json["noises"][0]["by_luck"];
@@ -202,7 +205,7 @@ TEST(Hazards, KeepWhatWasCountedBeforeTheyWereStopped) {
   EXPECT_EQ(done, 2U);
   EXPECT_TRUE(measured.stopped);
   EXPECT_EQ(measured.tallies.at(0).all().contests, 2);
-  EXPECT_NE(table_of(measured), table_of(MeasuredHazards{measured.tallies, false}));
+  EXPECT_NE(table_of(measured, asked), table_of(MeasuredHazards{measured.tallies, false}, asked));
   EXPECT_EQ(ReadJson::parse(json_of(measured, asked, two, 2))["stopped"], true);
   const std::string file = write_hazards(measured, asked, two, 2);
   EXPECT_THAT(read_hazards(file, "mine.json").error, Says("mine.json", "stopped"));

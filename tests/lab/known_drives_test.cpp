@@ -1,5 +1,6 @@
 #include "labmouse/lab/drives/known_drives.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -75,7 +76,9 @@ TEST(KnownDrives, SwitchOnEachGroupAlone) {
 
 TEST(KnownDrives, AreToldAsATableAndAsJson) {
   const auto tallies = drive_known_ways(order(), rings(), std::vector<DriveCase>{{"strong", at_noise(6.0)}});
-  EXPECT_THAT(table_of(tallies), Says("strong", "crashed", "misread"));
+  EXPECT_EQ(tallies.front().spread, at_noise(6.0).noise.spread);
+  EXPECT_THAT(table_of(tallies, order()),
+              Says("strong", "crashed", "misread", fmt::format("spread {:g}", tallies.front().spread)));
   const auto json = nlohmann::json::parse(json_of(tallies, order()));
   const auto& told = json.at("drives").at(0);
   EXPECT_EQ(told.at("runs"), tallies[0].runs);
@@ -99,7 +102,7 @@ TEST(KnownDrives, StopWhereTheyAreToldTo) {
   EXPECT_EQ(json.at("stopped"), true);
   auto whole = tallies;
   for (DriveTally& tally : whole) tally.stopped = false;
-  EXPECT_NE(table_of(tallies), table_of(whole));
+  EXPECT_NE(table_of(tallies, alone), table_of(whole, alone));
   EXPECT_EQ(nlohmann::json::parse(json_of(whole, alone)).at("stopped"), false);
 }
 

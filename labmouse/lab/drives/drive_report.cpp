@@ -35,10 +35,11 @@ Json readings_json(const WallReadings& readings) {
 
 }  // namespace
 
-std::string table_of(std::span<const DriveTally> tallies) {
-  std::string text = fmt::format("{:<14} {:>6} {:>8} {:>13} {:>7} {:>7} {:>6} {:>6} {:>6} {:>11} {:>9} {:>9} {:>8}\n",
-                                 "", "", "crashed", "95 %", "without", "worst", "aside", "along", "turned",
-                                 "most aside", "side", "front", "cells a");
+std::string table_of(std::span<const DriveTally> tallies, const DriveOrder& order) {
+  std::string text = fmt::format("Robot {}, spread {:g}\n\n", shown(order.model->robot.name), tallies.front().spread);
+  text += fmt::format("{:<14} {:>6} {:>8} {:>13} {:>7} {:>7} {:>6} {:>6} {:>6} {:>11} {:>9} {:>9} {:>8}\n", "", "",
+                      "crashed", "95 %", "without", "worst", "aside", "along", "turned", "most aside", "side", "front",
+                      "cells a");
   text +=
       fmt::format("{:<14} {:>6} {:>8} {:>13} {:>7} {:>7} {:>6} {:>6} {:>6} {:>11} {:>9} {:>9} {:>8}\n", "", "runs", "%",
                   "interval", "any %", "maze %", "mm", "mm", "deg.", "50, 95 % mm", "misread %", "misread %", "crash");
@@ -64,6 +65,7 @@ std::string json_of(std::span<const DriveTally> tallies, const DriveOrder& order
   for (const DriveTally& tally : tallies) {
     const Interval& interval = tally.interval;
     list.push_back({{"name", tally.name},
+                    {"spread", tally.spread},
                     {"stopped", tally.stopped},
                     {"mazes", tally.mazes},
                     {"mazes_without_crash", tally.mazes_without_crash},

@@ -67,6 +67,7 @@ std::vector<DriveTally> drive_known_ways(const DriveOrder& order, std::span<cons
   for (std::size_t c = 0; c < cases.size(); ++c) {
     DriveTally& tally = tallies.emplace_back();
     tally.name = cases[c].name;
+    tally.spread = cases[c].conditions.noise.spread;
     std::vector<MazeSum> crashes;
     for (std::size_t m = 0; m < mazes.size(); ++m) {
       const auto& [here, stopped] = drives[c * mazes.size() + m];

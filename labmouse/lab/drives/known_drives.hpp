@@ -33,6 +33,7 @@ struct DriveOrder {
 /// All drives of a case, in mazes in which there is a way.
 struct DriveTally {
   std::string name;
+  double spread = 0.0;   ///< by which what a contest draws of the mouse is multiplied
   bool stopped = false;  ///< before all of its drives were done
   int mazes = 0;
   int mazes_without_crash = 0;
@@ -65,7 +66,7 @@ bool is_stopped(std::span<const DriveTally> tallies);
 std::vector<DriveCase> cases_by_group(const PhysicalConditions& conditions);
 std::vector<DriveCase> cases_by_correction(const PhysicalConditions& conditions);
 
-std::string table_of(std::span<const DriveTally> tallies);
+std::string table_of(std::span<const DriveTally> tallies, const DriveOrder& order);
 std::string json_of(std::span<const DriveTally> tallies, const DriveOrder& order);
 
 }  // namespace labmouse

@@ -85,12 +85,12 @@ std::string finished_text_of(const CountsByMaze& by_maze) {
                      100.0 * share_of(counts.finished, counts.contests), 100.0 * finished.low, 100.0 * finished.high);
 }
 
-std::string table_of(const MeasuredHazards& measured, std::size_t place) {
+std::string table_of(const MeasuredHazards& measured, const HazardOrder& order, std::size_t place) {
   const HazardTally& tally = measured.tallies[place];
   const CountsByMaze counts = counts_of(measured, place, [](const HazardTally& each) { return each.all(); });
   std::string text =
-      fmt::format("Noise {:g}{}: {}\n", tally.noise, tally.pace == 1.0 ? "" : fmt::format(", pace {:g}", tally.pace),
-                  finished_text_of(counts));
+      fmt::format("Noise {:g}, spread {:g}{}: {}\n", tally.noise, order.conditions.noise.spread,
+                  tally.pace == 1.0 ? "" : fmt::format(", pace {:g}", tally.pace), finished_text_of(counts));
   if (tally.noise > 0.0) {
     text += "\n";
     for (const Luck luck : all_luck)
@@ -218,10 +218,10 @@ Json heading_of(const HazardOrder& order, std::span<const Contestant> mice, std:
 
 }  // namespace
 
-std::string table_of(const MeasuredHazards& measured) {
+std::string table_of(const MeasuredHazards& measured, const HazardOrder& order) {
   std::string text;
   for (std::size_t place = 0; place < measured.tallies.size(); ++place)
-    text += (text.empty() ? "" : "\n") + table_of(measured, place);
+    text += (text.empty() ? "" : "\n") + table_of(measured, order, place);
   if (measured.stopped) text += "\nStopped early: not all contests are done.\n";
   return text;
 }

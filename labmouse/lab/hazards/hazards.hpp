@@ -61,7 +61,7 @@ struct MeasuredHazards {
 MeasuredHazards measure_hazards(const HazardOrder& order, std::span<const Contestant> mice,
                                 std::span<const NamedMaze> mazes, const HazardHooks& hooks = {});
 
-std::string table_of(const MeasuredHazards& measured);
+std::string table_of(const MeasuredHazards& measured, const HazardOrder& order);
 /// With the interval of each share.
 std::string json_of(const MeasuredHazards& measured, const HazardOrder& order, std::span<const Contestant> mice,
                     std::size_t mazes);
