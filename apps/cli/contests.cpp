@@ -55,7 +55,8 @@ void add_contests(Command& command, Contests& contests) {
   command
       .add_integer(
           "--runs", [&contests](std::uint64_t runs) { contests.runs = static_cast<int>(runs); },
-          "Contests in each maze for each mouse that throws dice, or whose world does; default: " + usual_runs_text())
+          "Contests in each maze for each stochastic mouse, and for each mouse in a stochastic world; default: " +
+              usual_runs_text())
       ->check(in_range(1, 1'000'000));
   contests.world.add_to(command);
   command.add_option("--seed", contests.order.seed, "Seed for all random choices")

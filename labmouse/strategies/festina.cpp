@@ -52,7 +52,7 @@ constexpr std::array<Parameter, 7> parameters = {
       {},
       "whether it drives a run as a search where no fast one ended well",
       ParameterScope::errors},
-     {"map", ParameterType::choice, "belief", 0.0, 0.0, "belief/learned", "what becomes of readings against its map",
+     {"map", ParameterType::choice, "belief", 0.0, 0.0, "belief/learned", "how contradicting readings are handled",
       ParameterScope::errors}}};
 
 /// A search has to come to its goal within half of the time: that takes about half of the cells, each with its turns.

@@ -230,7 +230,7 @@ std::string why_not_fallible(const DriveModel& model, double noise, const Hazard
 }
 
 const WorldEntry physical_entry = {"physical",
-                                   "the same robot as it is: it slips, misreads and crashes",
+                                   "the same robot with its errors: it slips, reads walls wrongly and crashes",
                                    settings,
                                    make,
                                    pack_drive_record,

@@ -11,7 +11,7 @@ import { eachOf, type Order } from './holding';
 /** Contests that take a second or two on any machine. */
 const quick = { home: 150, others: 12 };
 
-/** How many contests there are in all its races: where neither mouse nor world throws dice, one in each maze. */
+/** The number of contests in all its races; one in each maze if neither the mouse nor the world is stochastic. */
 function contestsOf(about: About, { mice, mazes, runs, world }: Order): number {
   const dicey = about.worlds.find(({ name }) => name === world?.world)?.throws_dice ?? false;
   const throwing = (mouse: string) => dicey || (about.mice.find(({ name }) => name === mouse)?.throws_dice ?? true);

@@ -43,7 +43,7 @@ it('going on with what another tab wrote keeps nothing beside', () => {
   expect(texts(later)).toEqual([]);
 });
 
-it('a tab whose program is overwritten keeps it under a name of its own, and is told', () => {
+it('a tab whose program is overwritten keeps it under a name of its own, and says so', () => {
   const tab = createStored();
   let told = 0;
   tab.onOverwritten(() => ++told);
