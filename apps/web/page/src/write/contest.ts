@@ -3,6 +3,7 @@ import type { Core } from '../core/client';
 import type { GuestEnd, GuestLines, MazeData, PackedRecord, Play } from '../core/types';
 import type { Language } from './runtime';
 import type { Cage, Said, Session } from './sandbox/cage';
+import { createPatience } from './sandbox/patience';
 
 /** Milliseconds that a program may take to begin, and for one answer. */
 export const patience = { start: 10_000, answer: 2000 };
@@ -57,15 +58,15 @@ async function talk(core: Core, session: Session, entry: Entry, first: GuestLine
   let printed = '';
   let rest = '';
   let limit = patience.start;
-  let asked = performance.now();
+  let left = createPatience(limit);
   session.say({ kind: 'start', program: entry.program });
   const tell = (lines: string[]) => {
     for (const line of lines) session.say({ kind: 'hear', line });
-    asked = performance.now();
+    left = createPatience(limit);
   };
   while (!now.ended && wanted()) {
     // What it prints in the meantime is no answer.
-    const said = await session.next(Math.max(0, asked + limit - performance.now()));
+    const said = await session.next(left);
     if (!wanted()) return;
     if (said?.kind === 'ready') {
       limit = patience.answer;

@@ -1,6 +1,6 @@
 // The view Write without a browser: programs as scripts, and as links.
 import { runInNewContext } from 'node:vm';
-import { describe, expect, test } from 'vitest';
+import { describe, expect, test, vi } from 'vitest';
 import { holdContest } from '../../src/write/contest';
 import { linkOf, longestProgram, readLink, readWork } from '../../src/write/keeping';
 import { languages } from '../../src/write/languages';
@@ -8,6 +8,7 @@ import { linesBefore, withoutImports, workerSource } from '../../src/write/javas
 import { nameBefore } from '../../src/write/racing';
 import type { ToWorker } from '../../src/write/runtime';
 import type { Said } from '../../src/write/sandbox/cage';
+import { createPatience, type Patience } from '../../src/write/sandbox/patience';
 import type { Core } from '../../src/core/client';
 import type { MazeData } from '../../src/core/types';
 
@@ -115,12 +116,13 @@ async function contest(said: Said[]) {
       return lines('end' in request);
     },
   } as unknown as Core;
-  const waited: number[] = [];
-  const next = async (patience: number) => (waited.push(Math.round(patience / 1000)), said.shift() ?? null);
+  const patiences: Patience[] = [];
+  const next = async (patience: Patience) => (patiences.push(patience), said.shift() ?? null);
   const session = { say() {}, next, end() {} };
   const cage = { start: async () => session, close() {} };
   const entry = { language: javascript, program: '', name: '', maze: {} as MazeData, seed: 1 };
-  return { held: await holdContest(core, cage, entry), heard, waited };
+  const held = await holdContest(core, cage, entry);
+  return { held, heard, waited: patiences.map((one) => patiences.indexOf(one)) };
 }
 
 test('a program that says nothing more has hung, and what it had printed is told', async () => {
@@ -133,7 +135,7 @@ test('a program that says nothing more has hung, and what it had printed is told
   expect(held!.prints).toEqual([{ frame: 0, text: 'a\n' }]);
 });
 
-test('a program has ten seconds to begin, and two for each answer; what it printed is told once', async () => {
+test('a program has ten seconds to begin, and two for each answer, however much it prints; what it printed is told once', async () => {
   const { heard, waited } = await contest([
     { kind: 'print', text: 'a\n' },
     { kind: 'ready' },
@@ -142,9 +144,30 @@ test('a program has ten seconds to begin, and two for each answer; what it print
     { kind: 'reply', lines: ['two'] },
     { kind: 'exited', code: 0 },
   ]);
-  expect(waited).toEqual([10, 10, 2, 2, 2, 2]);
+  expect(waited).toEqual([0, 0, 2, 2, 4, 5]);
   expect(heard).toMatchObject([{ printed: 'a\nb\n' }, { printed: '' }, { printed: '' }]);
   expect((await contest([])).heard).toMatchObject([{ end: { kind: 'silent', seconds: 10 } }]);
+});
+
+/** Milliseconds until two seconds of patience are over on a machine that takes so many for each piece of it. */
+async function patienceWhereAPieceTakes(each: number) {
+  vi.useFakeTimers();
+  const patience = createPatience(2000);
+  const began = performance.now();
+  while (patience.isLeft()) {
+    const piece = patience.piece(() => undefined);
+    vi.advanceTimersByTime(each);
+    await piece;
+  }
+  const took = performance.now() - began;
+  vi.useRealTimers();
+  return took;
+}
+
+test('time in which the page does not run counts little, and five times as long is enough', async () => {
+  expect(await patienceWhereAPieceTakes(50)).toBe(2000);
+  expect(await patienceWhereAPieceTakes(100)).toBe(4000);
+  expect(await patienceWhereAPieceTakes(1000)).toBe(10_000);
 });
 
 test('the version before is told from the one of now, within the longest name', () => {

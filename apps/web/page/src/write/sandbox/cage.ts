@@ -2,6 +2,7 @@
 // any storage, and whatever they do, they end with the frame.
 import { hash, script } from 'virtual:frame';
 import type { FromWorker, Language, ToWorker } from '../runtime';
+import type { Patience } from './patience';
 
 /** What a program says, and that it says too much. */
 export type Said = FromWorker | { kind: 'flooded' };
@@ -9,8 +10,8 @@ export type Said = FromWorker | { kind: 'flooded' };
 /** One program that runs. */
 export interface Session {
   say(words: ToWorker): void;
-  /** The next thing that it says; null after so many milliseconds of silence. */
-  next(patience: number): Promise<Said | null>;
+  /** The next thing that it says; null once no patience is left. */
+  next(patience: Patience): Promise<Said | null>;
   end(): void;
 }
 
@@ -40,24 +41,20 @@ async function createFrame(usesWasm: boolean): Promise<HTMLIFrameElement> {
 function sessionOf(port: MessagePort): Session {
   const said: Said[] = [];
   let waiting: (() => void) | null = null;
+  let ended = false;
   port.onmessage = ({ data }: MessageEvent<Said>) => {
     said.push(data);
     waiting?.();
   };
   return {
     say: (words) => port.postMessage(words),
-    next: (patience) =>
-      new Promise((resolve) => {
-        const give = () => {
-          clearTimeout(timer);
-          waiting = null;
-          resolve(said.shift() ?? null);
-        };
-        const timer = setTimeout(give, patience);
-        waiting = give;
-        if (said.length > 0) give();
-      }),
+    async next(patience) {
+      while (said.length === 0 && !ended && patience.isLeft()) await patience.piece((arrived) => (waiting = arrived));
+      waiting = null;
+      return said.shift() ?? null;
+    },
     end() {
+      ended = true;
       port.postMessage(null);
       port.close();
       waiting?.();
