@@ -119,12 +119,15 @@ TEST(PageCalls, TellWhatTheCoreBrings) {
     EXPECT_EQ(about["mice"][i]["parameters"].size(), mice[i]["parameters"].size());
     for (const json& parameter : about["mice"][i]["parameters"]) {
       types.insert(parameter["type"]);
-      if (mice[i]["name"] == "ariadne") counts_in[parameter["name"]] = parameter.value("counts_in", "both");
+      if (mice[i]["name"] == "ariadne" || mice[i]["name"] == "festina")
+        counts_in[parameter["name"]] = parameter.value("counts_in", "both");
     }
   }
   EXPECT_EQ(counts_in["prior"], "both");
   EXPECT_EQ(counts_in["travel"], "steps");
   EXPECT_EQ(counts_in["cell_most"], "seconds");
+  EXPECT_EQ(counts_in["slower"], "errors");
+  EXPECT_EQ(counts_in["mind"], "both");
   EXPECT_EQ(types, (std::set<std::string>{"whole", "real", "flag", "choice", "list", "prior"}));
   EXPECT_GE(about["mazes"].size(), 5U);
   EXPECT_THAT(about["mazes"], ::testing::Contains(json{{"name", "capstone-1"}, {"width", 12}, {"height", 12}}));

@@ -5,14 +5,19 @@
 namespace labmouse {
 namespace {
 
+std::string_view name_of(ParameterScope scope) {
+  if (scope == ParameterScope::errors) return "errors";
+  return scope == ParameterScope::steps ? "steps" : "seconds";
+}
+
 /// In which worlds a parameter counts is said where it is not in all in which its mouse plays.
-Json parameter_json(const Parameter& parameter, bool walks) {
+Json parameter_json(const Parameter& parameter, bool plays_in_both) {
   Json json = {{"name", parameter.name},
                {"type", name_of(parameter.type)},
                {"default", parameter.default_value},
                {"meaning", parameter.meaning}};
-  if (walks && parameter.scope != ParameterScope::both)
-    json["counts_in"] = parameter.scope == ParameterScope::steps ? "steps" : "seconds";
+  if (parameter.scope == ParameterScope::errors || (plays_in_both && parameter.scope != ParameterScope::both))
+    json["counts_in"] = name_of(parameter.scope);
   switch (parameter.type) {
     case ParameterType::flag:
       break;

@@ -72,8 +72,8 @@ export interface Parameter {
   low?: number;
   high?: number;
   choices?: string[];
-  /** Where it counts alone; missing where it counts everywhere. */
-  counts_in?: 'steps' | 'seconds';
+  /** Where it counts alone; missing where it counts everywhere. Errors: in worlds where things go wrong. */
+  counts_in?: 'steps' | 'seconds' | 'errors';
   /** Whether a race may have several values, separated by commas: it is then run once for each. */
   listed?: boolean;
 }
