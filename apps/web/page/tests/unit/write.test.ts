@@ -1,4 +1,5 @@
 // The view Write without a browser: programs as scripts, and as links.
+import { readFileSync } from 'node:fs';
 import { runInNewContext } from 'node:vm';
 import { describe, expect, test, vi } from 'vitest';
 import { holdContest } from '../../src/write/contest';
@@ -168,6 +169,49 @@ test('time in which the page does not run counts little, and five times as long 
   expect(await patienceWhereAPieceTakes(50)).toBe(2000);
   expect(await patienceWhereAPieceTakes(100)).toBe(4000);
   expect(await patienceWhereAPieceTakes(1000)).toBe(10_000);
+});
+
+/** What the script of the frame sends to the page when its worker says these things, one after the other. */
+function framed(said: unknown[]) {
+  let begin: (event: unknown) => void = () => {};
+  const sent: unknown[] = [];
+  const workers: { onmessage: ((event: { data: unknown }) => void) | null; terminated: boolean }[] = [];
+  class FakeWorker {
+    onmessage = null;
+    terminated = false;
+    constructor() {
+      workers.push(this);
+    }
+    terminate() {
+      this.terminated = true;
+    }
+  }
+  const script = readFileSync(new URL('../../src/write/sandbox/frame.js', import.meta.url), 'utf8');
+  runInNewContext(script, {
+    addEventListener: (_: string, heard: typeof begin) => (begin = heard),
+    Worker: FakeWorker,
+    Blob,
+    URL: { createObjectURL: () => '', revokeObjectURL() {} },
+  });
+  begin({ data: { source: '', linesBefore: 0 }, ports: [{ postMessage: (words: unknown) => sent.push(words) }] });
+  for (const data of said) workers[0].onmessage?.({ data });
+  return { sent, terminated: workers[0].terminated };
+}
+
+test('a program that writes too much is ended, whether it means anything or not', () => {
+  const print = (text: string) => ({ kind: 'print', text });
+  for (const [count, words] of [
+    [5000, print('a')],
+    [5000, null],
+    [10, print('a'.repeat(1e5))],
+  ] as const) {
+    const much = framed(Array<unknown>(count).fill(words));
+    expect(much.terminated).toBe(false);
+    const tooMuch = framed(Array<unknown>(count + 10).fill(words));
+    expect(tooMuch.terminated).toBe(true);
+    expect(tooMuch.sent.at(-1)).toEqual({ kind: 'flooded' });
+    expect(tooMuch.sent).toHaveLength(much.sent.length + 1);
+  }
 });
 
 test('the version before is told from the one of now, within the longest name', () => {
