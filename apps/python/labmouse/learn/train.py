@@ -9,12 +9,13 @@ contest of the training counts the less, the more cells the mouse visited; nothi
 
 import argparse
 import json
-import multiprocessing
 import os
 import signal
+import threading
 import time
 from concurrent.futures import ProcessPoolExecutor
-from typing import Any, Dict, List, Optional
+from contextlib import contextmanager, nullcontext
+from typing import Any, Callable, Dict, Iterator, List, Optional
 
 import numpy as np
 
@@ -44,6 +45,21 @@ def ranks(returns: Floats) -> Floats:
     return np.asarray(above / (2 * len(returns) - 2), np.float64)
 
 
+@contextmanager
+def _ctrl_c() -> Iterator[Callable[[], bool]]:
+    """Whether Ctrl-C was pressed, which raises nothing meanwhile: a process that is just being started would be left behind."""
+    pressed: List[int] = []
+    before = signal.getsignal(signal.SIGINT)
+    hears = before not in (signal.SIG_IGN, None) and threading.current_thread() is threading.main_thread()
+    if hears:
+        signal.signal(signal.SIGINT, lambda number, _: pressed.append(number))
+    try:
+        yield lambda: bool(pressed)
+    finally:
+        if hears:
+            signal.signal(signal.SIGINT, before)
+
+
 def train(seconds: float, generations: int, jobs: int, seed: int, size: int, budget: int, kind: str = "contest") -> Dict[str, Any]:
     """Trains for at most so many seconds or generations, or until Ctrl-C; what save() writes of the best policy so far."""
     dice = np.random.default_rng(seed)
@@ -52,11 +68,9 @@ def train(seconds: float, generations: int, jobs: int, seed: int, size: int, bud
     best, best_score = mean, np.inf
     curve: List[Dict[str, float]] = []
     begin, processor, generation = time.monotonic(), os.times(), 0
-    # Ctrl-C is for this process alone.
-    pool = ProcessPoolExecutor(jobs, None, signal.signal, (signal.SIGINT, signal.SIG_IGN)) if jobs > 1 else None
-    try:
+    with _ctrl_c() as interrupted, ProcessPoolExecutor(jobs) if jobs > 1 else nullcontext() as pool:
         while True:
-            over = generation == generations or time.monotonic() - begin > seconds
+            over = generation == generations or time.monotonic() - begin > seconds or interrupted()
             if generation % 5 == 0 or over:
                 score = -float(play(mean[None], validation).mean())
                 curve.append({"generation": generation, "seconds": time.monotonic() - begin, "validation": score})
@@ -75,15 +89,8 @@ def train(seconds: float, generations: int, jobs: int, seed: int, size: int, bud
             momentum = 0.9 * momentum + 0.1 * slope
             square = 0.99 * square + 0.01 * slope**2
             mean = mean + RATE * (momentum / (1 - 0.9**generation)) / (np.sqrt(square / (1 - 0.99**generation)) + 1e-8)
-    except KeyboardInterrupt:
-        for process in multiprocessing.active_children():
-            process.terminate()
-        if not curve:
-            raise
-        print("interrupted", flush=True)
-    finally:
-        if pool is not None:
-            pool.shutdown()
+        if interrupted():
+            print("interrupted", flush=True)
     now = os.times()
     used = sum(now[:4]) - sum(processor[:4])
     return {
