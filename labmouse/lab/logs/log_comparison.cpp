@@ -3,55 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "labmouse/body/plant.hpp"
 #include "labmouse/hardware/sense.hpp"
+#include "labmouse/lab/drives/open_floor.hpp"
 #include "labmouse/lab/logs/log_fit.hpp"
 #include "labmouse/lab/logs/log_motion.hpp"
-#include "labmouse/pilot/axis_control.hpp"
 
 namespace labmouse {
 namespace {
-
-/// What the robot does tick by tick.
-class Driven {
- public:
-  Driven(const Hardware& hardware, double cell, double stronger)
-      : hardware_(hardware),
-        field_(maze_, cell),
-        specimen_(hardware, {0.0}, maze_.size(), 0),
-        plant_(field_, hardware, specimen_, 0),
-        control_(gains_for(hardware, cell), hardware.motors) {
-    specimen_.motor = {1.0 - stronger / 2.0, 1.0 + stronger / 2.0};
-    plant_.put({cell / 2.0, cell / 2.0}, 0.0);
-    note();
-  }
-
-  void push(const Drive& drive) {
-    plant_.step(drive);
-    way_ += plant_.motion().speed * tick_seconds;
-    note();
-  }
-  void follow(const Command& command) {
-    const BodyMotion& motion = plant_.motion();
-    push(control_.control(command, motion.speed, motion.yaw, hardware_.motors.volts * plant_.voltage()));
-  }
-
-  std::vector<double> ways, angles;
-
- private:
-  void note() {
-    ways.push_back(way_);
-    angles.push_back(plant_.motion().angle);
-  }
-
-  const Hardware& hardware_;
-  Maze maze_{MazeDraft({1, 1}, MazeDraft::Inside::open)};
-  Field field_;
-  Specimen specimen_;
-  Plant plant_;
-  AxisControl control_;
-  double way_ = 0.0;
-};
 
 constexpr std::size_t smoothed = 5;  // ticks to each side
 
@@ -77,13 +35,13 @@ std::vector<double> at_ticks(const Log& log, LogRole role, std::size_t ticks) {
   return values;
 }
 
-void drive_by_duties(const Log& log, std::size_t ticks, Driven& driven) {
+void drive_by_duties(const Log& log, std::size_t ticks, OpenFloor& driven) {
   const std::vector<double> left = at_ticks(log, LogRole::left, ticks), right = at_ticks(log, LogRole::right, ticks);
   for (std::size_t tick = 0; tick + 1 < ticks; ++tick)
     driven.push({static_cast<float>(left[tick]), static_cast<float>(right[tick])});
 }
 
-void drive_by_reference(const Log& log, const LogMotion& motion, Driven& driven) {
+void drive_by_reference(const Log& log, const LogMotion& motion, OpenFloor& driven) {
   const bool told = log.has(LogRole::speed);
   const Reference speed = reference_of(told ? at_ticks(log, LogRole::speed, motion.ticks) : rates_of(motion.way));
   const Reference turning = reference_of(told ? at_ticks(log, LogRole::turning, motion.ticks) : rates_of(motion.angle));
@@ -147,13 +105,13 @@ LogComparison compare_log(const Log& log, const Robot& robot) {
   if (!comparison.error.empty()) return comparison;
   comparison.by_duties = !moved.motion.left.empty();
   if (comparison.by_duties) comparison.stronger = fit_log(log, *robot.hardware, robot.cell, {}).turn.mixed.value;
-  Driven driven(*robot.hardware, robot.cell, comparison.stronger);
+  OpenFloor driven(*robot.hardware, robot.cell, comparison.stronger);
   if (comparison.by_duties)
     drive_by_duties(log, moved.motion.ticks, driven);
   else
     drive_by_reference(log, moved.motion, driven);
-  comparison.way = from_zero(moved.motion.way, driven.ways);
-  comparison.turn = from_zero(moved.motion.angle, driven.angles);
+  comparison.way = from_zero(moved.motion.way, driven.ways());
+  comparison.turn = from_zero(moved.motion.angle, driven.angles());
   comparison.speed = rates_in(comparison.way);
   comparison.yaw = rates_in(comparison.turn);
   comparison.speed.parts = parting_of(comparison.speed, 20.0);  // mm/s
