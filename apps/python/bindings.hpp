@@ -13,6 +13,7 @@ void bind_briefings(nanobind::module_& module);
 void bind_minds(nanobind::module_& module);
 void bind_live_strategies(nanobind::module_& module);
 void bind_races(nanobind::module_& module);
+void bind_robots(nanobind::module_& module);
 void bind_records(nanobind::module_& module);
 void bind_bounds(nanobind::module_& module);
 void bind_learning(nanobind::module_& module);

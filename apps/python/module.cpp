@@ -37,6 +37,7 @@ NB_MODULE(_native, module) {
   labmouse::python::bind_races(module);
   labmouse::python::bind_records(module);
   labmouse::python::bind_bounds(module);
+  labmouse::python::bind_robots(module);
   labmouse::python::bind_learning(module);
   labmouse::python::bind_studies(module);
 }
