@@ -1,0 +1,113 @@
+"""The command lines of `python -m labmouse.fit` and `python -m labmouse.fit.compare`.
+
+Exit codes: 0 success, 1 the robot is doubtful, 2 bad usage or input.
+"""
+
+import argparse
+import sys
+from typing import Callable, Sequence
+
+from .. import Error, _native
+from ._comparison import compare_log
+from ._log_fit import fit_log
+from ._logs import Log, read_log
+from ._plots import save_plot
+from ._robots import FittedRobot, base_numbers, robot_of_logs, robot_of_turns
+from ._turns import read_turns
+
+_COLUMNS = "which column of the log is what: ROLE=COLUMN, with a factor or divisor behind it, separated by commas (docs/logs.md has the roles)"
+_PERIOD = "from one row of the log to the next in ms, where no column has the time"
+
+
+def _number(low: float, high: float) -> Callable[[str], float]:
+    def number(text: str) -> float:
+        value = float(text)
+        if not low <= value <= high:
+            raise argparse.ArgumentTypeError(f"'{text}' must be {low:g} to {high:g}")
+        return value
+
+    return number
+
+
+def _parser(name: str, description: str) -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(prog=f"labmouse robot {name}", description=description, allow_abbrev=False)
+    parser.add_argument("--columns", metavar="LIST", default="", help=_COLUMNS)
+    parser.add_argument("--period", metavar="MS", type=_number(0.05, 50.0), default=0.0, help=_PERIOD)
+    return parser
+
+
+def _log(path: str, options: argparse.Namespace) -> Log:
+    if not options.columns:
+        raise Error("--columns must say which column is what, as in time=ms,left=pwm_l/255,gyro*0.001")
+    return read_log(path, options.columns, period=options.period)
+
+
+def _run(command: Callable[[], int]) -> int:
+    """Runs a command; a user's error becomes a line on standard error and exit code 2."""
+    try:
+        return command()
+    except Error as error:
+        text = str(error)
+        print(text if ": error: " in text else f"error: {text}", file=sys.stderr)
+        return 2
+
+
+def fit(words: Sequence[str]) -> int:
+    """Writes a robot file from logs or from turns; returns the exit code. words: the arguments."""
+    parser = _parser("fit", "Write a robot file from published or measured turns, or from logs of a mouse")
+    parser.add_argument("logs", nargs="*", metavar="LOG", help="logs of one mouse, CSV")
+    parser.add_argument("--log", metavar="FILE", action="append", default=[], help="a log, too")
+    parser.add_argument("--turns", metavar="TABLE", default="", help="table of turns: columns turn, speed, ms, x, y, before, after")
+    parser.add_argument("--way", metavar="MM", type=_number(1.0, 1e6), default=0.0, help="how far the mouse came in the whole log, where no column has a way that is known")
+    parser.add_argument("--way-error", metavar="MM", type=_number(0.0, 1e4), default=1.0, help="standard error of that (default: 1)")
+    parser.add_argument("--base", metavar="ROBOT", default="classic", help="robot that all other numbers are taken from (default: classic)")
+    parser.add_argument("--cell", metavar="MM", type=_number(20.0, 1000.0), default=0.0, help="with --turns: side of a cell; default: what S90 with its straights says, or that of the other robot")
+    parser.add_argument("--out", metavar="FILE", default="", help="save the robot file there instead of printing it")
+    parser.add_argument("--plot", metavar="FILE", default="", help="save a plot of the fit, too (.svg, .png, .pdf)")
+    return _run(lambda: _fit(parser.parse_args(words)))
+
+
+def _fit(options: argparse.Namespace) -> int:
+    paths = [*options.logs, *options.log]
+    if bool(options.turns) == bool(paths):
+        raise Error("name one of --turns and --log, which say what to fit")
+    if options.plot and len(paths) > 1:
+        raise Error("--plot shows one log; name one")
+    path = options.turns or ", ".join(paths)
+    try:
+        fitted = _fitted(options, paths)
+    except Error as error:
+        raise error if ": error: " in str(error) or str(error).startswith("--") else Error(f"{path}: error: {error}") from None
+    if options.out:
+        _native.write_file(options.out, fitted.text)
+    else:
+        print(fitted.text, end="")
+    if options.plot:
+        save_plot(fitted.fits[0], options.plot)
+    if fitted.doubt:
+        print(f"{path}: {fitted.doubt}", file=sys.stderr)
+    return 1 if fitted.doubt else 0
+
+
+def _fitted(options: argparse.Namespace, paths: Sequence[str]) -> FittedRobot:
+    if options.turns:
+        return robot_of_turns(read_turns(options.turns), options.base, options.cell)
+    base = base_numbers(options.base)
+    return robot_of_logs([fit_log(_log(path, options), base, way=options.way, way_error=options.way_error) for path in paths], options.base)
+
+
+def compare(words: Sequence[str]) -> int:
+    """Prints how far a robot and a log differ; returns the exit code. words: the arguments."""
+    parser = _parser("compare", "Drive a robot beside a log of a mouse: how far they differ")
+    parser.add_argument("log", metavar="LOG", help="log of a mouse, CSV")
+    parser.add_argument("--robot", metavar="ROBOT", default="classic", help="built-in robot, or a file with a slash or .toml in its name (default: classic)")
+    parser.add_argument("--svg", metavar="FILE", default="", help="save a picture of both, too")
+    return _run(lambda: _compare(parser.parse_args(words)))
+
+
+def _compare(options: argparse.Namespace) -> int:
+    comparison = compare_log(_log(options.log, options), options.robot)
+    print(comparison)
+    if options.svg:
+        save_plot(comparison, options.svg)
+    return 0

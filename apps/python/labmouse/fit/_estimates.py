@@ -1,0 +1,118 @@
+"""Numbers with standard errors, and the linear least squares that give them."""
+
+from dataclasses import dataclass
+from typing import Any, Optional
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """A number and its standard error in the same unit. An error of 0 means: the data do not determine it."""
+
+    value: float = 0.0
+    error: float = 0.0
+
+    @property
+    def known(self) -> bool:
+        """Whether the data determine it."""
+        return self.error > 0.0
+
+
+def within(value: float, error: float, most: float) -> Estimate:
+    """The estimate; unknown unless its error is above 0 and at most `most`."""
+    return Estimate(float(value), float(error) if 0.0 < error <= most else 0.0)
+
+
+def jackknife(without: Any) -> Any:
+    """Standard errors from the estimates without each of several blocks of the data, by their first axis.
+
+    Residuals may depend on their neighbours within a block. Source: Quenouille 1949, Tukey 1958.
+    """
+    values = np.asarray(without, dtype=float)
+    count = len(values)
+    return np.sqrt(((values - values.mean(axis=0)) ** 2).sum(axis=0) * (count - 1.0) / count)
+
+
+def fits_better(one: Array, other: Array) -> bool:
+    """Whether a model leaves less than another one, by the squares that each leaves of the same blocks when these are left out.
+
+    It does if it leaves less than half, or a tenth less where the difference is above 2.5 standard deviations.
+    """
+    count, gain = len(one), float(other.sum() - one.sum())
+    deviation = np.sqrt(max(0.0, float(((other - one) ** 2).sum()) - gain * gain / count) * count / (count - 1.0))
+    left, left_by_other = float(one.sum()), float(other.sum())
+    return left < 0.5 * left_by_other or (left < 0.9 * left_by_other and gain > 2.5 * deviation)
+
+
+def robust_weights(rows: Array, values: Array, floor: float) -> Array:
+    """Weights of equations, shape (n,): 1 near the fit, and less for outliers as Huber's loss has it.
+
+    rows: (n, k), values: (n,). Outliers are beyond 3 standard deviations (by the median of residuals), or beyond `floor`
+    where that is more; without outliers all weights are 1, and least squares stay as they are. Source: Huber 1964.
+    """
+    from scipy.optimize import least_squares
+
+    start = np.linalg.lstsq(rows, values, rcond=None)[0]
+    scale = max(floor, 3.0 * 1.4826 * float(np.median(np.abs(values - rows @ start))))
+    if scale <= 0.0 or np.abs(values - rows @ start).max() <= scale:
+        return np.ones(len(values))
+    answer = least_squares(lambda x: rows @ x - values, start, jac=lambda x: rows, x_scale="jac", loss="huber", f_scale=scale).x
+    return np.minimum(1.0, scale / np.maximum(np.abs(values - rows @ answer), 1e-300))
+
+
+class Blocks:
+    """Weighted linear least squares over blocks of equations: the answer to all, and those without each block.
+
+    rows: (n, k) coefficients, values: (n,), block: (n,) numbers from 0, weights: (n,) or None for 1.
+    """
+
+    def __init__(self, rows: Array, values: Array, block: Any, weights: Optional[Array] = None) -> None:
+        whole = np.column_stack([rows, values])
+        weighted = whole if weights is None else whole * weights[:, None]
+        number = np.asarray(block)
+        #: Of each block the sums of products, with the values as the last unknown: (blocks, k + 1, k + 1).
+        self.products = np.array([whole[number == one].T @ weighted[number == one] for one in range(int(number.max()) + 1)])
+
+    def __len__(self) -> int:
+        return len(self.products)
+
+    def solve(self, fixed: dict[int, float]) -> "Optional[tuple[Array, Array]]":
+        """The answer (k,) to all, and the answers (blocks, k) without each block; unknowns in `fixed` keep their values.
+
+        None where the equations do not determine the others.
+        """
+        total = self.products.sum(axis=0)
+        answers = [_solution(products, fixed) for products in [total, *(total - self.products)]]
+        if any(answer is None for answer in answers):
+            return None
+        return answers[0], np.array(answers[1:])  # type: ignore[return-value]
+
+    def squares(self, answers: Array) -> Array:
+        """The weighted squares that each block leaves under its own answer, shape (blocks,)."""
+        with_value = np.column_stack([-answers, np.ones(len(answers))])
+        return np.maximum(0.0, np.einsum("bi,bij,bj->b", with_value, self.products, with_value))
+
+
+def _solution(products: Array, fixed: dict[int, float]) -> Optional[Array]:
+    size = len(products) - 1
+    free = [i for i in range(size) if i not in fixed]
+    answer = np.zeros(size)
+    answer[list(fixed)] = list(fixed.values())
+    units = np.diag(products)[free]
+    if not (units > 0.0).all():
+        return None
+    units = 1.0 / np.sqrt(units)
+    matrix = products[np.ix_(free, free)] * np.outer(units, units)
+    right = (products[free, -1] - products[free, :-1] @ answer) * units
+    try:
+        pivots = np.diag(np.linalg.cholesky(matrix)) ** 2
+    except np.linalg.LinAlgError:
+        return None
+    if not (pivots > 1e-10).all():
+        return None
+    answer[free] = units * np.linalg.solve(matrix, right)
+    return answer

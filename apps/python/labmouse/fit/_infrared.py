@@ -1,0 +1,216 @@
+"""Gain and fall-off of infrared sensors, from readings at known distances from walls.
+
+The law: reading = gain * exp(-(distance - distance in the middle of a cell) / fall).
+"""
+
+from dataclasses import dataclass, field
+from typing import Any, Optional
+
+import numpy as np
+import pandas as pd
+
+from ._estimates import Array, Blocks, Estimate, fits_better, jackknife, robust_weights, within
+from ._logs import Log
+from ._motion import Numbers
+
+SENSORS = ("right", "right_ahead", "left", "left_ahead")
+_WALLS = {"wall_right": (0,), "wall_left": (2,), "wall_ahead": (1, 3)}
+_LEAST_RUNS, _MOST_BLOCKS = 5, 20
+# The unknowns behind the ln of each sensor's gain: 1/fall, and those of other laws: a bend, and an offset in counts.
+_DISTANCE, _BEND, _OFFSET = 4, 5, 6
+
+
+@dataclass
+class InfraredFit:
+    """gain: counts in the middle of a cell, in the mean of the sensors. fall: mm. of_sensor: gain in counts by the names of
+    SENSORS. places: number of runs of rows at a wall. missed: rms share by which readings at places that are left out are missed.
+    bends: whether readings follow another law. readings: all that were fitted (columns sensor, farther in mm, level in counts),
+    for plots. refusal: why there is no fit, or ''."""
+
+    gain: Estimate = Estimate()
+    fall: Estimate = Estimate()
+    of_sensor: dict[str, float] = field(default_factory=dict)
+    places: int = 0
+    missed: float = 0.0
+    bends: bool = False
+    readings: "Optional[pd.DataFrame]" = None
+    refusal: str = ""
+
+
+def fit_infrared(log: Log, robot: Numbers) -> InfraredFit:
+    """Fits the law; where sensors are, their highest reading and their noise are the robot's (keys of robot files).
+
+    Method: ln(reading) is a line over the distance, with a gain for each sensor and one fall-off for all: least squares with
+    Huber's loss. All rows at a place of a wall share its reflectance, so a place counts once, and errors are those of a
+    jackknife over places. Where a law that bends or has an offset fits places that are left out better, errors contain what it
+    would change.
+    """
+    result = InfraredFit()
+    readings = _readings(log, robot)
+    if readings is None:
+        result.refusal = "the log has no readings of a wall at a known distance"
+        return result
+    kept, runs = _readable(readings, robot, {0, 1, 2, 3}, None)
+    fit: "Optional[_LawFit]" = None
+    for _ in range(5):  # which readings are usable follows from the law, so that errors do not choose
+        if max(runs.values(), default=0) < _LEAST_RUNS:
+            break
+        fit = _Problem(kept, runs, robot, fit and fit.law).fit()
+        if fit is None:
+            break
+        kept, runs = _readable(readings, robot, {one for one in runs if runs[one] >= _LEAST_RUNS}, fit.law)
+    if max(runs.values(), default=0) < _LEAST_RUNS:
+        result.refusal = f"no sensor has readings between noise and limit at {_LEAST_RUNS} places"
+        return result
+    problem = _Problem(kept, runs, robot, fit and fit.law)
+    fit = fit and problem.fit()
+    if fit is None:
+        result.refusal = "readings do not fall with the distance, or the distances hardly differ"
+        return result
+    result.missed = problem.rms(fit.missed)
+    _widen(problem, float(robot["noise.reflectance"]), fit, result)
+    for sensor in problem.sensors:
+        result.of_sensor[SENSORS[sensor]] = float(np.exp(fit.law[sensor]))
+        result.places += runs[sensor]
+    result.readings = kept[["sensor", "farther", "level"]]
+    result.gain = within(fit.gain, fit.gain_error, 0.25 * fit.gain)
+    result.fall = within(fit.fall, fit.fall_error, 0.25 * fit.fall)
+    if not (result.gain.known and result.fall.known):
+        why = "readings follow another law" if result.bends else "distances differ too little"
+        result.refusal = (
+            f"its gain comes out as {fit.gain:.4g} +- {fit.gain_error:.2g}, its fall-off as {fit.fall:.3g} +- {fit.fall_error:.2g} mm: {why}"
+        )
+        result.gain = result.fall = Estimate()
+    return result
+
+
+def _parts(walls: Array) -> list[tuple[int, int, bool]]:
+    """Spans of rows at almost one distance, and whether each begins a run: one wall that the mouse passes or comes to.
+
+    A run ends where the distance jumps by 3 mm, or changes after 10 equal rows (a mouse that is put from place to place); a
+    part ends where it has changed by 1 mm.
+    """
+    parts: list[tuple[int, int, bool]] = []
+    same, before, begun, start, begins = 0, np.nan, 0.0, -1, False
+    for row, wall in enumerate(walls):
+        goes_on = wall == before or (abs(wall - before) <= 3.0 and same < 10)
+        same = same + 1 if wall == before else 0
+        before = wall
+        if start >= 0 and (np.isnan(wall) or not goes_on or abs(wall - begun) > 1.0):
+            parts.append((start, row, begins))
+            start = -1
+        if start < 0 and not np.isnan(wall):
+            start, begun, begins = row, wall, not goes_on
+    return parts + ([(start, len(walls), begins)] if start >= 0 else [])
+
+
+def _readings(log: Log, robot: Numbers) -> "Optional[pd.DataFrame]":
+    """All readings, a row for each sensor and part: wall, run, sensor, farther (mm beyond the middle of a cell), level (counts),
+    rows. None where the log has no distances."""
+    cell = robot["cell"]
+    face = cell / 2.0 - cell / 30.0
+    rows: list[tuple[Any, ...]] = []
+    for wall, (role, sensors) in enumerate(_WALLS.items()):
+        if role not in log:
+            continue
+        run = 0
+        for begin, end, begins in _parts(log[role]):
+            run += begins
+            for sensor in sensors:
+                name = "ir_" + SENSORS[sensor]
+                if name not in log:
+                    continue
+                angle = robot["sensors.front_angle" if role == "wall_ahead" else "sensors.side_angle"]
+                slant = max(abs(np.sin(angle)), np.cos(angle))
+                rows.append((wall, run, sensor, (log[role][begin:end].mean() - face) / slant, log[name][begin:end].mean(), end - begin))
+    known = any(role in log for role in _WALLS)
+    return pd.DataFrame(rows, columns=["wall", "run", "sensor", "farther", "level", "rows"]) if known else None
+
+
+def _expected(readings: "pd.DataFrame", law: Optional[Array]) -> Array:
+    """The level by a law, so that errors do not weigh themselves; without a law the level itself."""
+    if law is None:
+        return readings.level.to_numpy(dtype=float)
+    return np.exp(law[readings.sensor] - law[_DISTANCE] * readings.farther.to_numpy(dtype=float))
+
+
+def _readable(readings: "pd.DataFrame", robot: Numbers, sensors: set[int], law: Optional[Array]) -> "tuple[pd.DataFrame, dict[int, int]]":
+    """Readings that are neither lost in noise nor cut, and the number of runs of each sensor."""
+    level = _expected(readings, law)
+    low, high = max(8.0, 5.0 * robot["noise.infrared"]), 0.9 * robot["sensors.infrared_most"]
+    keep = (level >= low) & (level <= high) & (readings.level > 0.0) & readings.sensor.isin(sensors)
+    kept = readings[keep]
+    runs = kept[["wall", "run", "sensor"]].drop_duplicates().sensor.value_counts()
+    return kept, {int(sensor): int(count) for sensor, count in runs.items()}  # type: ignore[call-overload]
+
+
+@dataclass
+class _LawFit:
+    law: Array
+    gain: float
+    fall: float
+    gain_error: float
+    fall_error: float
+    missed: Array  # by block, squares of ln
+
+
+class _Problem:
+    def __init__(self, readings: "pd.DataFrame", runs: dict[int, int], robot: Numbers, law: Optional[Array]) -> None:
+        self.sensors = sorted(sensor for sensor in runs if runs[sensor] >= _LEAST_RUNS)
+        count = min([_MOST_BLOCKS, *(runs[sensor] for sensor in self.sensors)])
+        used = readings[readings.sensor.isin(self.sensors)]
+        level, usual = _expected(used, law), 0.05  # share by which places differ
+        rows = np.zeros((len(used), 7))
+        farther = used.farther.to_numpy(dtype=float)
+        rows[np.arange(len(used)), used.sensor] = 1.0
+        rows[:, _DISTANCE], rows[:, _BEND], rows[:, _OFFSET] = -farther, farther**2, 1.0 / level
+        values = np.log(used.level.to_numpy(dtype=float))
+        # All readings of a run weigh as much as one that is certain: they are of the same wall.
+        shares = readings.groupby(["wall", "run"])["level"].transform("size")[used.index].to_numpy(dtype=float)
+        unsure = (robot["noise.infrared"] / level) ** 2 / used.rows.to_numpy(dtype=float)
+        weights = usual**2 / (usual**2 + unsure) / shares
+        self.weight = float(weights.sum())
+        number = readings.groupby("wall")["run"].transform(lambda run: pd.factorize(run)[0])
+        of_wall = number.groupby(readings.wall).transform("max") + 1
+        blocks = (number * count // of_wall)[used.index].to_numpy()
+        plain = rows[:, [*self.sensors, _DISTANCE]]
+        weights *= robust_weights(plain, values, usual)
+        self.blocks = Blocks(rows, values, blocks, weights)
+        self.spread = max(0.01, robot["noise.infrared_gain"])
+
+    def fit(self, more: Optional[int] = None) -> Optional[_LawFit]:
+        """The law, with one unknown more where that is given. None where it is not determined, or readings grow with the
+        distance."""
+        fixed = {i: 0.0 for i in range(7) if i not in (*self.sensors, _DISTANCE, more)}
+        solved = self.blocks.solve(fixed)
+        if solved is None or solved[0][_DISTANCE] <= 0.0 or (solved[1][:, _DISTANCE] <= 0.0).any():
+            return None
+        law, others = solved
+        # The more certain sensor weighs more; but sensors differ, however certain each of them is.
+        weights = 1.0 / (jackknife(others[:, self.sensors]) ** 2 + self.spread**2)
+        weights /= weights.sum()
+        gain = float(np.exp(law[self.sensors]) @ weights)
+        gain_error = np.hypot(jackknife(np.exp(others[:, self.sensors]) @ weights), gain * self.spread * np.sqrt((weights**2).sum()))
+        fall_error = jackknife(1.0 / others[:, _DISTANCE])
+        return _LawFit(law, gain, float(1.0 / law[_DISTANCE]), float(gain_error), float(fall_error), self.blocks.squares(others))
+
+    def rms(self, squares: Array) -> float:
+        """As a share of readings."""
+        return float(np.sqrt(squares.sum() / self.weight))
+
+
+def _widen(problem: _Problem, usual: float, fit: _LawFit, result: InfraredFit) -> None:
+    """Adds to the errors what other laws would change, if they fit better, and what no law explains."""
+    left = problem.rms(fit.missed)
+    for more in (_BEND, _OFFSET):
+        other = problem.fit(more)
+        if other is None or not fits_better(other.missed, fit.missed):
+            continue
+        result.bends = True
+        left = min(left, problem.rms(other.missed))
+        fit.gain_error = float(np.hypot(fit.gain_error, other.gain - fit.gain))
+        fit.fall_error = float(np.hypot(fit.fall_error, other.fall - fit.fall))
+    if left > 3.0 * usual:
+        result.bends = True
+        fit.gain_error = float(np.hypot(fit.gain_error, left * fit.gain))
+        fit.fall_error = float(np.hypot(fit.fall_error, left * fit.fall))

@@ -1,0 +1,196 @@
+"""Robot files from fits."""
+
+import json
+import math
+import os
+from dataclasses import dataclass
+from typing import Any, Sequence, Union
+
+from .. import Error, _native
+from ._estimates import Estimate
+from ._infrared import SENSORS
+from ._log_fit import LogFit, pooled
+from ._motion import Numbers
+from ._motors import MotorFit
+from ._turns import LIMITS, Turn, TurnFit, curve, fit_turns
+
+
+@dataclass
+class FittedRobot:
+    """text: of a robot file, in which each number has its standard error or its source. doubt: what speaks against it, or ''.
+    numbers: what was fitted, by the keys of robot files. fits: behind it, for plots."""
+
+    text: str
+    doubt: str
+    numbers: dict[str, Estimate]
+    fits: "Sequence[Union[LogFit, TurnFit]]" = ()
+
+
+def robot_numbers(name: "Union[str, os.PathLike[str]]") -> tuple[str, Numbers]:
+    """The name of a robot and its numbers by the keys of robot files, in the units of these.
+
+    name: a built-in robot, or a file whose name has a slash or ends in .toml. Raises Error.
+    """
+    own_name, numbers = _native.robot_numbers(os.fspath(name))
+    # What was divided by its unit and multiplied again is the number that it was.
+    return own_name, {key: _rounded(value, 12) if isinstance(value, float) else value for key, value in json.loads(numbers).items()}
+
+
+def robot_of_logs(fits: Sequence[LogFit], base: "Union[str, os.PathLike[str]]") -> FittedRobot:
+    """The robot file of one or more logs of a mouse, with all else from the base. Raises Error where the base has no hardware.
+
+    Where there are several logs, numbers are pooled (`pooled`). The doubt is of what a log has columns for and does not tell.
+    """
+    name, robot = robot_numbers(base)
+    head, doubts = "", []
+    for fit in fits:
+        lines = _head(fit, robot)
+        head += f"# Fitted to {_plain(fit.log.name)}; all else is from {_plain(name)}. +- is a standard error.\n"
+        head += "".join(f"# {line}\n" for line, _ in lines)
+        doubts += [line.replace(": nothing fitted, ", ": ", 1) for line, doubtful in lines if doubtful]
+    numbers, remarks = pooled(fits), {}
+    ranges = _native.robot_ranges()
+    for key, number in numbers.items():
+        value, (low, high) = _rounded(number.value), ranges[key]
+        if low <= value <= high:
+            robot[key] = value
+            remarks[key] = f"fitted, +- {number.error:.2g}"
+        else:
+            remarks[key] = f"from {_plain(name)}: the log says {value:g}, which it cannot be"
+    for axis, motor in (("drive", [fit.drive for fit in fits]), ("turn", [fit.turn for fit in fits])):
+        if f"motors.{axis}_gain" in numbers and not any(one.time.known for one in motor):
+            remarks[f"motors.{axis}_gain"] += ", for the time below"
+            remarks[f"motors.{axis}_time"] = f"from {_plain(name)}: the log does not tell it from the gain"
+    text, problem = _native.robot_file(json.dumps(robot), remarks, f"from {_plain(name)}: the log does not determine it")
+    if problem and not doubts:
+        doubts.append(f"the robot is refused as it stands: {problem}")
+    return FittedRobot(f"{head}\n{text}", doubts[0] if doubts else "", numbers, fits)
+
+
+def base_numbers(base: "Union[str, os.PathLike[str]]") -> Numbers:
+    """The numbers of a base for logs. Raises Error where it has no hardware."""
+    name, robot = robot_numbers(base)
+    if "motors.drive_gain" not in robot:
+        raise Error(f"'{_plain(name)}' does not say what it is built of; take the rest from a robot that does, such as classic or kerise")
+    return robot
+
+
+def _head(fit: LogFit, robot: Numbers) -> list[tuple[str, bool]]:
+    """How well each part fits, or why it does not; and whether that is doubtful, since the log was to tell it."""
+    log = fit.log
+    steps = [after - before for before, after in zip(log.times, log.times[1:])]
+    mean, most = log.times[-1] / len(steps), max(steps)
+    missing = f", where some are missing {most:.3g} ms" if most > 1.5 * mean else ""
+    lines = [(f"log: {log.times[-1] / 1e3:.3g} s; rows are {mean:.3g} ms apart{missing}", False)]
+
+    def tell(part: str, refusal: str, asked: bool, words: str) -> None:
+        lines.append((f"{part}: " + (f"nothing fitted, {refusal}" if refusal else words), asked and bool(refusal)))
+
+    duties, wheels = "left" in log, "left_count" in log or "left_speed" in log
+    known = f"misses places left out by {fit.count.missed:.2g} mm" if fit.count.missed else "as a whole, so that nothing could be left out"
+    tell("encoders", fit.count.refusal, "way" in log or fit.count.way > 0.0, f"{fit.count.way:.0f} mm known{';' if fit.count.missed else ''} {known}")
+    tell("driving", fit.drive.refusal, duties and wheels, _motor_words(fit.drive, "mm/s"))
+    tell("turning", fit.turn.refusal, duties and (wheels or "gyro" in log), _motor_words(fit.turn, "rad/s"))
+    mixed = fit.turn.mixed
+    if mixed.known and abs(mixed.value) > 2.0 * mixed.error:
+        than = "stronger" if mixed.value > 0.0 else "weaker"
+        words = f"the right motor is {100 * abs(mixed.value):.1f} % {than} than the left one, +- {100 * mixed.error:.2g} %; a robot's motors are alike"
+        lines.append((words, False))
+    tell("gyro", fit.gyro.refusal, "gyro" in log, f"{fit.gyro.rest:.2g} s at rest; quarters of it left out differ by {100 * fit.gyro.missed:.1f} %")
+    gains = ", ".join(f"{name.replace('_', ' ')} {fit.infrared.of_sensor[name]:.3g}" for name in SENSORS if name in fit.infrared.of_sensor)
+    bends = "; readings follow another law: errors contain what that would change" if fit.infrared.bends else ""
+    words = f"{fit.infrared.places} places; misses readings at those left out by {100 * fit.infrared.missed:.1f} %; {gains}{bends}"
+    tell("infrared", fit.infrared.refusal, any(f"wall_{side}" in log for side in ("right", "left", "ahead")), words)
+    return lines
+
+
+def _motor_words(fit: MotorFit, unit: str) -> str:
+    share = 100.0 * fit.missed / fit.peak if fit.peak else 0.0
+    words = (
+        f"{fit.stretches} stretches of moving; misses the speed on those left out by {fit.missed:.2g} of {fit.peak:.4g} {unit} "
+        f"({share:.1f} %), {min(fit.noise, fit.missed):.2g} of it noise"
+    )
+    if fit.lag:
+        words += f"; a lag of {1e3 * fit.lag:.1f} ms fits better: errors contain what it would change"
+    if fit.drag:
+        words += "; drag that grows with the speed fits better: errors contain what it would change"
+    return words
+
+
+def cell_of(turns: Sequence[Turn]) -> float:
+    """The side of the cells that turns lie in, in mm, as far as S90 with its straights tells; otherwise 0."""
+    return next((2.0 * (turn.y + turn.before) for turn in turns if turn.name == "S90" and turn.y > 0.0 and turn.before > 0.0), 0.0)
+
+
+def robot_of_turns(turns: Sequence[Turn], base: "Union[str, os.PathLike[str]]", cell: float = 0.0) -> FittedRobot:
+    """The robot file of turns, with all else from the base.
+
+    cell: its side in mm; 0: what S90 with its straights tells, or that of the base. Turns with speeds give limits and paths, if
+    the base has limits; turns with times alone a table of times, if the base has such a table. Raises Error.
+    """
+    name, robot = robot_numbers(base)
+    cell = cell or cell_of(turns) or robot["cell"]
+    speeds, fixed = any(turn.speed > 0.0 for turn in turns), "turns.speed" in robot
+    if speeds and fixed:
+        raise Error(f"'{name}' gives the times of its turns, and the table has speeds; take the rest from a robot with limits, such as classic or kerise")
+    if not speeds and not fixed:
+        raise Error(
+            f"the table has times without speeds, which tell nothing of limits, and '{name}' has limits; take the rest from a robot with "
+            "times of turns, such as mm2021"
+        )
+    source = f"from {_plain(name)}: turns do not determine it"
+    remarks = {"cell": source if cell == robot["cell"] else "given"}
+    robot = {key: value for key, value in robot.items() if key.split(".")[0] not in ("body", "motors", "sensors", "noise")} | {"cell": cell}
+    fit = None if fixed else _add_limits(turns, robot, remarks, cell)
+    for turn in turns if fixed else ():
+        key = f"turns.{turn.name}"
+        if turn.name != "K90" and robot.get(key) is not False:
+            robot[key], remarks[key] = round(turn.ms, 3), "given"
+    text, problem = _native.robot_file(json.dumps(robot), remarks, source)
+    doubt = f"the robot is refused as it stands: {problem}" if problem else ""
+    if not doubt and fit and max(fit.errors) > 0.01:
+        doubt = f"the limits miss a turn by {100 * max(fit.errors):.1f} %: are all turns of one robot, and the units right?"
+    numbers = {} if fit is None else {f"curve.{limit}": Estimate(value) for limit, value in zip(LIMITS, fit.limits)}
+    return FittedRobot((f"# {doubt}\n" if doubt else "") + text, doubt, numbers, [fit] if fit else [])
+
+
+def _add_limits(turns: Sequence[Turn], robot: Numbers, remarks: dict[str, str], cell: float) -> TurnFit:
+    fit = fit_turns(turns, cell)
+    if not fit.numbers:
+        raise Error("no limits follow from these turns; are speeds in mm/s, lengths in mm and times in ms?")
+    for key in [key for key in robot if key.startswith("layout.")]:
+        del robot[key]
+    for limit, value, reached in zip(LIMITS, fit.limits, fit.reached):
+        key = f"curve.{limit}"
+        robot[key] = _rounded(value)
+        if not value:
+            del robot[key]
+        many = f"one of many answers: {fit.numbers} limits from {fit.figures} figures"
+        remarks[key] = "no turn reaches it; it may be anything above" if not reached else many if fit.figures < fit.numbers else "fitted"
+    driven = [turn for turn in turns if turn.speed > 0.0]
+    if not fit.reached[0]:
+        hardest = max(turn.speed**2 * curve(turn, fit.limits, cell)[3] for turn in driven)
+        robot["curve.lateral_acceleration"] = math.ceil(hardest / 100.0) * 100.0
+    for turn, error in zip(turns, fit.errors):
+        given = turn.before if turn.name == "180" else turn.speed
+        if turn.speed > 0.0 and turn.name != "K90" and given > 0.0:
+            robot[f"layout.{turn.name}"] = given
+            remarks[f"layout.{turn.name}"] = f"given; the limits miss it by {100 * error:.3f} %"
+    limits = [float(robot.get(f"curve.{limit}", 0.0)) for limit in LIMITS]
+    kept = [_native.turn_clearance(turn.name, turn.speed, limits, cell) for turn in driven if turn.name not in ("K90", "180")]
+    robot["clearance"] = max(0.0, math.floor(min([cell, *kept]) * 10.0 - 1.0) / 10.0)
+    remarks["clearance"] = "what the paths below keep"
+    small = robot.get("layout.S90", 0.0)
+    if "search.speed" in robot and not robot.get("search.turn_speed") and 0.0 < small < robot["search.speed"]:
+        robot["search.speed"] = small
+        remarks["search.speed"] = "that of S90: as fast as the other robot it could not turn"
+    return fit
+
+
+def _rounded(value: float, digits: int = 5) -> float:
+    """Five digits are more than a log or published turns tell."""
+    return float(f"{value:.{digits}g}")
+
+
+def _plain(text: Any) -> str:
+    return "".join(c if c.isprintable() else "�" for c in os.fspath(text))

@@ -1,0 +1,188 @@
+"""Limits of a robot, from its published or measured turns."""
+
+import os
+import re
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Sequence, Union
+
+import numpy as np
+
+from .. import Error, _native
+from ._estimates import Array
+
+COLUMNS = ("turn", "speed", "ms", "x", "y", "before", "after")
+TURNS = ("45", "90", "135", "180", "V90", "S90", "K90")
+LIMITS = ("lateral_acceleration", "yaw_acceleration", "yaw_speed", "yaw_jerk")
+
+
+@dataclass(frozen=True)
+class Turn:
+    """A turn; what the table does not have is 0.
+
+    name: as in TURNS; K90 is V90 in cells of twice the size. speed: mm/s all along it. ms: of the whole turn, from node to node.
+    y: mm from the beginning of its curve to the end, across the direction of its beginning. before: mm of straight before it.
+    """
+
+    name: str
+    speed: float = 0.0
+    ms: float = 0.0
+    y: float = 0.0
+    before: float = 0.0
+
+
+@dataclass
+class TurnFit:
+    """limits: of LIMITS in mm/s², rad/s², rad/s, rad/s³; those of yaw speed and jerk are 0 where turns are explained without them.
+    reached: whether some turn reaches each of them; otherwise it may be anything above. numbers, figures: of limits that were
+    fitted, and of figures that they were fitted to. errors: by turn the largest relative error of its size and time."""
+
+    turns: Sequence[Turn]
+    cell: float
+    limits: tuple[float, ...] = (0.0, 0.0, 0.0, 0.0)
+    reached: tuple[bool, ...] = (False, False, False, False)
+    numbers: int = 0
+    figures: int = 0
+    errors: list[float] = field(default_factory=list)
+
+
+def read_turns(path: "Union[str, os.PathLike[str]]") -> list[Turn]:
+    """Reads a table of turns: columns between blanks, tabs or commas, of which the first line has the names (COLUMNS).
+
+    "-" is no value; lines that begin with # are comments. Raises Error with file, line and column of every problem.
+    """
+    try:
+        text = Path(path).read_text(encoding="utf-8", errors="replace")
+    except OSError as error:
+        raise Error(f"{path}: error: {error.strerror}") from error
+    problems: list[str] = []
+    turns: list[Turn] = []
+    names: list[str] = []
+    for number, line in enumerate(text.split("\n"), 1):
+        words = [(one.start() + 1, one.group()) for one in re.finditer(r"[^ \t,\r]+", line)]
+        if not words or words[0][1].startswith("#"):
+            continue
+        wrong = _wrong_names(words) if not names else _wrong_turn(words, names)
+        problems += [f"{path}:{number}:{column}: error: {reason}" for column, reason in wrong]
+        if not names:
+            names = [word for _, word in words]
+        elif not problems:
+            values = {name: float(word) for name, (_, word) in list(zip(names, words))[1:] if word != "-"}
+            turns.append(Turn(words[0][1], **{name: values.get(name, 0.0) for name in ("speed", "ms", "y", "before")}))
+    if not names:
+        problems.append(f"{path}: error: is empty; its first line must name its columns")
+    elif not turns and not problems:
+        problems.append(f"{path}: error: has no turns; write one a line, as in: 45 411 199")
+    if problems:
+        raise Error("\n".join(problems[:10]))
+    return turns
+
+
+def _wrong_names(words: list[tuple[int, str]]) -> list[tuple[int, str]]:
+    names = [word for _, word in words]
+    wrong = [(at, f"unknown column '{word}'; columns are {', '.join(COLUMNS)}") for at, word in words if word not in COLUMNS]
+    wrong += [(at, f"column '{word}' is there twice; take one out") for i, (at, word) in enumerate(words) if word in names[:i]]
+    return wrong + ([] if names[0] == "turn" else [(words[0][0], "the first column must be 'turn'")])
+
+
+def _wrong_turn(words: list[tuple[int, str]], names: list[str]) -> list[tuple[int, str]]:
+    if len(words) != len(names):
+        return [(words[0][0], f"has {len(words)} columns; the first line names {len(names)}")]
+    if words[0][1] not in TURNS:
+        return [(words[0][0], f"unknown turn '{words[0][1]}'; turns are {', '.join(TURNS)}")]
+    wrong = []
+    given = {}
+    for name, (at, word) in list(zip(names, words))[1:]:
+        decimal = re.fullmatch(r"[0-9]*\.?[0-9]+(e[+-]?[0-9]+)?|[0-9]+\.", word, re.IGNORECASE)
+        given[name] = float(word) if decimal else 0.0
+        if word != "-" and not (decimal and (given[name] == 0.0 or 0.001 <= given[name] <= 1e6)):
+            wrong.append((at, f"'{word}' must be 0, a number from 0.001 to 1000000, or - for none"))
+    if not wrong and not given.get("ms") and not (given.get("speed") and given.get("y")):
+        wrong.append((words[0][0], "needs its time ('ms'), or its speed with the size of its curve ('speed', 'y')"))
+    return wrong
+
+
+def curve(turn: Turn, limits: Sequence[float], cell: float) -> tuple[float, float, float, float]:
+    """Of a turn within limits: width, length of the curve and with its straights (mm), largest curvature (rad/mm)."""
+    name, side = ("V90", 2.0 * cell) if turn.name == "K90" else (turn.name, cell)
+    width, length, whole, peak = _native.turn_curve(name, turn.speed, list(limits), side)
+    return width, length, whole, peak
+
+
+def fit_turns(turns: Sequence[Turn], cell: float) -> TurnFit:
+    """Fits the limits to the turns that have a speed. cell: its side in mm.
+
+    The limits are the fewest that explain all figures to half a thousandth, or else the best. Method: least squares of
+    relative errors with a soft L1 loss beyond 1 %, so that a wrong figure stands out, from the best starts of a grid.
+    """
+    result = TurnFit(turns, cell, errors=[0.0] * len(turns))
+    result.figures = int(_known(turns).sum())
+    if not result.figures:
+        return result
+    best_cost = np.inf
+    values: Array = np.zeros(4)
+    for chosen in ([0, 1], [0, 1, 2], [0, 1, 3], [0, 1, 2, 3]):
+        cost, answer = _best(turns, cell, chosen)
+        if cost < best_cost:
+            best_cost, values, result.numbers = cost, answer, len(chosen)
+        if cost < np.inf and np.abs(_errors(turns, cell, answer)).max() <= 5e-4:
+            break
+    if not result.numbers:
+        return result
+    errors = _errors(turns, cell, values)
+    higher = [values * np.where(np.arange(4) == limit, 1.01, 1.0) for limit in range(4)]
+    result.limits = tuple(map(float, values))
+    result.reached = tuple(bool(values[i] and (np.abs(_errors(turns, cell, higher[i]) - errors) > 1e-9).any()) for i in range(4))
+    result.errors = [float(one) for one in np.abs(errors).max(axis=1)]
+    return result
+
+
+def _known(turns: Sequence[Turn]) -> "np.ndarray[tuple[int, ...], np.dtype[np.bool_]]":
+    """By turn, whether its size and its time can be fitted; the straights about 180 may be of any length."""
+    return np.array([[t.speed > 0.0 and t.y > 0.0, t.speed > 0.0 and t.ms > 0.0 and (t.name != "180" or t.before > 0.0)] for t in turns])
+
+
+def _errors(turns: Sequence[Turn], cell: float, limits: Array) -> Array:
+    """Relative errors of size and time, shape (turns, 2)."""
+    errors = np.zeros((len(turns), 2))
+    for i, (turn, (size, time)) in enumerate(zip(turns, _known(turns))):
+        if not (size or time):
+            continue
+        width, length, whole, _ = curve(turn, limits.tolist(), cell)
+        if size:
+            errors[i, 0] = width / turn.y - 1.0
+        if time:
+            whole = length + 2.0 * turn.before if turn.name == "180" else whole
+            errors[i, 1] = whole / turn.speed * 1e3 / turn.ms - 1.0
+    return errors
+
+
+def _best(turns: Sequence[Turn], cell: float, chosen: list[int]) -> tuple[float, Array]:
+    from scipy.optimize import least_squares
+
+    def values_of(logs: Array) -> Array:
+        values = np.zeros(4)
+        values[chosen] = np.exp(logs)
+        return values
+
+    def errors(logs: Array) -> Array:
+        with np.errstate(all="ignore"):
+            return np.nan_to_num(_errors(turns, cell, values_of(logs)).ravel(), nan=1e3, posinf=1e3, neginf=-1e3)
+
+    fastest = max(turn.speed for turn in turns)
+    grid = [
+        np.log(np.array([lateral * fastest, acceleration, speed, jerk * acceleration])[chosen])
+        for lateral in (6.0, 12.0, 24.0)
+        for acceleration in (30.0, 100.0, 300.0, 1000.0)
+        for speed in ((4.0, 9.0, 20.0) if 2 in chosen else (0.0,))
+        for jerk in ((15.0, 60.0) if 3 in chosen else (0.0,))
+    ]
+    starts = sorted(grid, key=lambda start: float((errors(start) ** 2).sum()))
+    best = (np.inf, np.zeros(4))
+    for start in starts[:8]:
+        found = least_squares(errors, start, loss="soft_l1", f_scale=0.01, xtol=1e-12, ftol=1e-12, gtol=1e-14, max_nfev=60)
+        if found.cost < best[0] and np.abs(found.fun).max() < 100.0:
+            best = (float(found.cost), values_of(found.x))
+        if best[0] < 1e-18:
+            break
+    return best
