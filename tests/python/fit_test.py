@@ -1,0 +1,428 @@
+"""Fits of logs and turns: known numbers come back within their standard errors, and what a log does not tell is refused."""
+
+import math
+import os
+import subprocess
+import sys
+
+import labmouse
+import numpy as np
+import pytest
+
+pytest.importorskip("scipy")
+pytest.importorskip("matplotlib")
+from labmouse import fit  # noqa: E402
+from labmouse.fit._commands import compare, fit as fit_command  # noqa: E402
+
+DRIVEN = (
+    "time,left,right,left_count,right_count,gyro*0.00107,volts=millivolts/1000,ir_right,ir_left,way=true_way,"
+    "wall_right=true_wall_right,wall_left=true_wall_left"
+)
+DUTIES = "time,left,right,left_count,right_count,gyro*0.00107"
+TRUTH = {"drive": (3000.0, 0.15, 0.06), "turn": (90.0, 0.12, 0.05)}  # gain, time (s), dead zone
+IR_GAIN, IR_FALL, FACE = 500.0, 14.0, 42.0
+
+
+class Simulator:
+    """A mouse of a few lines, other than the body of the physical world, so that what is fitted is not fitted to itself."""
+
+    def __init__(self, seed: int, lag: float = 0.0, inverse_square: bool = False) -> None:
+        self.dice, self.lag, self.inverse_square = np.random.default_rng(seed), lag, inverse_square
+        self.rows: list[tuple[float, ...]] = []
+        self.current, self.rate, self.travel, self.wall = [0.0, 0.0], [0.0, 0.0], [0.0, 0.0], math.nan
+
+    def run(self, ticks: int, onwards: float, around: float) -> None:
+        steps = 5
+        step = 1e-3 / steps
+        for _ in range(ticks):
+            self.rows.append((onwards - around / 2, onwards + around / 2, *self.travel, self.rate[1], self.wall))
+            for _ in range(steps):
+                for i, (duty, (gain, time, dead_zone)) in enumerate(zip((onwards, around), TRUTH.values())):
+                    self.current[i] += (min(1.0, step / self.lag) if self.lag else 1.0) * (duty - self.current[i])
+                    free = self.rate[i] + step / time * (gain * self.current[i] - self.rate[i])
+                    self.rate[i] = math.copysign(max(0.0, abs(free) - step / time * gain * dead_zone), free)
+                self.travel[0] += (self.rate[0] - 20.0 * self.rate[1]) * step
+                self.travel[1] += (self.rate[0] + 20.0 * self.rate[1]) * step
+
+    def drive(self, moves: int) -> fit.Log:
+        self.run(500, 0.0, 0.0)
+        for move in range(moves):
+            self.run(int(self.dice.integers(200, 500)), self.dice.uniform(0.12, 0.42), self.dice.uniform(-0.15, 0.15))
+            if move % 5 == 4:
+                self.run(300, 0.0, 0.0)
+        return self.log()
+
+    def stand(self, places: int, reach: float) -> fit.Log:
+        for wall in np.linspace(FACE - reach, FACE + reach, places):
+            self.wall = wall
+            self.run(100, 0.0, 0.0)
+        return self.log()
+
+    def log(self) -> fit.Log:
+        left, right, left_way, right_way, turning, wall = np.array(self.rows).T
+        noise = self.dice.normal(size=(4, len(wall)))
+        places, place = np.unique(wall, return_inverse=True)
+        # A ruler is read to a fifth of a mm, and no two places of a wall reflect alike.
+        farther = places - FACE + 0.2 * self.dice.normal(size=len(places))
+        level = IR_GAIN * np.exp(-farther / IR_FALL)
+        if self.inverse_square:
+            level = IR_GAIN * (28.0 / (28.0 + farther)) ** 2 + 60.0
+        level *= 1.0 + 0.02 * self.dice.normal(size=len(places))
+        values = {
+            "left": left,
+            "right": right,
+            "left_count": np.floor((left_way + 0.01 * noise[0]) / 0.1),
+            "right_count": np.floor((right_way + 0.01 * noise[1]) / 0.1),
+            "gyro": turning + 0.004 * noise[2],
+        }
+        if not np.isnan(wall).all():
+            values |= {"wall_left": wall, "ir_left": np.maximum(0.0, np.round(level[place] + 3.0 * noise[3]))}
+        return fit.Log(np.arange(len(wall), dtype=float), values)
+
+
+@pytest.fixture(scope="module")
+def robot():
+    """kerise, with the counts and the track of the simulated mouse."""
+    changes = {"sensors.count": 0.1, "body.half_track": 20.0, "motors.sag": 0.0, "noise.encoder_scale": 0.002, "sensors.side_angle": math.pi / 2}
+    return fit.base_numbers("kerise") | changes
+
+
+@pytest.fixture(scope="module")
+def driven(tmp_path_factory):
+    """A log of kerise as its file has it (no variation between mice), in a contest maze."""
+    path = tmp_path_factory.mktemp("logs") / "run.csv"
+    words = "drive --robot kerise --fast --mazes contest-01 --runs 1 --seed 2 --spread 0 --log".split()
+    subprocess.run(["labmouse", *words, str(path)], check=True, capture_output=True)
+    return str(path)
+
+
+def test_a_drive_of_the_physical_world_gives_its_robot_back(driven, tmp_path):
+    base = fit.base_numbers("kerise")
+    fitted = fit.fit_log(fit.read_log(driven, DRIVEN), base)
+    numbers = fitted.numbers()
+    keys = [f"motors.{axis}_{number}" for axis in ("drive", "turn") for number in ("gain", "time", "dead_zone")]
+    for key in [*keys, "motors.turning", "noise.gyro", "sensors.infrared_gain", "sensors.infrared_fall"]:
+        # The 99 % of Student's distribution for 20 blocks.
+        assert abs(numbers[key].value - base[key]) < 2.86 * numbers[key].error, key
+    assert numbers["motors.drive_gain"].error < 0.005 * base["motors.drive_gain"]
+    assert numbers["sensors.count"].error < 0.001 * base["sensors.count"]
+    assert abs(numbers["sensors.count"].value / base["sensors.count"] - 1.0) < 3.0 * base["noise.encoder_scale"]
+    file = tmp_path / "mine.toml"
+    result = fit.robot_of_logs([fitted], "kerise")
+    file.write_text(result.text, encoding="utf-8")
+    assert result.doubt == ""
+    name, read = fit.robot_numbers(str(file))
+    assert read["motors.drive_gain"] == pytest.approx(numbers["motors.drive_gain"].value, rel=1e-4)
+    assert read["body.grip"] == base["body.grip"]
+
+
+def test_a_mouse_of_another_making_is_recovered(robot):
+    held = known = 0
+    for seed in (1, 2):
+        fitted = fit.fit_log(Simulator(seed).drive(30), robot)
+        assert fitted.drive.refusal + fitted.turn.refusal + fitted.gyro.refusal == ""
+        for motor, (gain, time, dead_zone) in ((fitted.drive, TRUTH["drive"]), (fitted.turn, TRUTH["turn"])):
+            assert motor.time.value == pytest.approx(time, abs=0.002)
+            assert motor.dead_zone.value == pytest.approx(dead_zone, abs=0.001)
+            assert motor.gain.value == pytest.approx(gain, rel=0.01)
+            held += abs(motor.gain.value - gain) < 2.09 * motor.gain.error
+            known += 1
+        assert fitted.gyro.noise.value == pytest.approx(0.004, abs=3.0 * fitted.gyro.noise.error)
+    assert held >= known - 1
+
+
+def test_a_motor_of_the_second_order_is_less_certain_or_refused(robot):
+    plain = fit.fit_log(Simulator(1).drive(25), robot).drive
+    slow = fit.fit_log(Simulator(1, lag=0.02).drive(25), robot).drive
+    assert slow.missed > 3.0 * slow.noise
+    assert 0.006 < slow.lag < 0.03
+    assert not slow.gain.known or slow.gain.error > 5.0 * plain.gain.error
+    slower = fit.fit_log(Simulator(1, lag=0.08).drive(25), robot).turn
+    assert slower.refusal and not (slower.gain.known or slower.time.known or slower.dead_zone.known)
+
+
+def test_infrared_is_recovered_and_another_law_refused(robot):
+    found = fit.fit_infrared(Simulator(3).stand(12, 20.0), robot)
+    assert found.refusal == ""
+    assert found.places == 12
+    assert abs(found.fall.value - IR_FALL) < 3.0 * found.fall.error < 3.0
+    assert abs(found.gain.value - IR_GAIN) < 3.0 * found.gain.error < 60.0
+    other = fit.fit_infrared(Simulator(3, inverse_square=True).stand(12, 20.0), robot)
+    assert other.refusal and other.bends and not other.gain.known
+
+
+def test_an_outlier_hardly_moves_the_infrared(robot):
+    log = Simulator(4).stand(14, 20.0)
+    plain = fit.fit_infrared(log, robot)
+    place = log["wall_left"] == np.unique(log["wall_left"])[6]
+    log.values["ir_left"] = np.where(place, 3.0 * log["ir_left"], log["ir_left"])
+    spoilt = fit.fit_infrared(log, robot)
+    assert spoilt.of_sensor["left"] == pytest.approx(plain.of_sensor["left"], rel=0.05)
+
+
+def test_what_the_log_does_not_tell_is_refused(robot):
+    still = fit.fit_log(Simulator(1).stand(4, 5.0), robot)
+    assert all((still.drive.refusal, still.turn.refusal, still.infrared.refusal, still.count.refusal))
+    assert set(still.numbers()) <= {"noise.gyro"}
+    log = Simulator(1).drive(25)
+    log.values["left"], log.values["right"] = -log["left"], -log["right"]
+    assert "signs" in fit.fit_log(log, robot).drive.refusal
+    bare = fit.fit_log(fit.Log(np.arange(3.0)), robot)
+    assert "duties" in bare.drive.refusal and "gyro" in bare.gyro.refusal
+
+
+def test_logs_with_slow_or_uneven_rows_say_the_same(robot):
+    log = Simulator(3).drive(40)
+    dice = np.random.default_rng(5)
+    for rows in (np.arange(0, len(log.times), 5), np.cumsum(dice.integers(1, 7, size=len(log.times) // 7))):
+        thin = fit.Log(log.times[rows] - log.times[rows[0]], {role: values[rows] for role, values in log.values.items()})
+        fitted = fit.fit_log(thin, robot)
+        assert fitted.drive.gain.value == pytest.approx(3000.0, rel=0.05)
+        assert fitted.turn.gain.value == pytest.approx(90.0, rel=0.05)
+
+
+def test_counts_follow_from_known_places_or_the_whole_way():
+    ticks = np.arange(201.0)
+    way = np.where(ticks % 20 == 0, 10.0 * ticks, np.nan)
+    log = fit.Log(ticks, {"left_count": 40.0 * ticks, "right_count": 42.0 * ticks + (ticks * 7919) % 5, "way": way})
+    places = fit.fit_count(log)
+    assert places.count.value == pytest.approx(10.0 / 41.0, abs=1e-4)
+    assert 0.0 < places.count.error < 2e-4
+    whole = fit.fit_count(log, 2000.0, 4.0)
+    assert whole.count.error / whole.count.value == pytest.approx(0.002, abs=1e-4)
+    log.values["way"][100] += 300.0  # one place was misread
+    assert fit.fit_count(log).count.value == pytest.approx(10.0 / 41.0, abs=2e-3)
+
+
+def test_noise_that_is_not_white_is_less_certain(robot):
+    def noise(memory):
+        steps = np.random.default_rng(7).normal(scale=0.01, size=1000)
+        values = [0.0]
+        for step in steps[1:]:
+            values.append(memory * values[-1] + step)
+        zero = np.zeros(1000)
+        log = fit.Log(np.arange(1000.0), {"gyro": 0.05 + np.array(values), "left": zero, "right": zero})
+        return fit.fit_gyro(log, fit.motion_of(log, robot)).noise
+
+    assert noise(0.0).value == pytest.approx(0.01, abs=3.0 * noise(0.0).error)
+    assert noise(0.0).error < 0.001
+    assert noise(0.6).error > 2.0 * noise(0.0).error
+
+
+def test_several_logs_are_pooled(robot):
+    fits = [fit.fit_log(Simulator(seed).drive(25), robot) for seed in (1, 2)]
+    errors = [one.drive.gain.error for one in fits]
+    pooled = fit.pooled(fits)["motors.drive_gain"]
+    assert min(one.drive.gain.value for one in fits) <= pooled.value <= max(one.drive.gain.value for one in fits)
+    assert pooled.error >= 1.0 / math.sqrt(sum(error**-2 for error in errors)) * 0.999
+
+
+def written(tmp_path, text):
+    path = tmp_path / "log.csv"
+    path.write_bytes(text.encode("utf-8"))
+    return path
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "t,x,g\n0,7,1\n1,8,2\n",
+        "\ufefft;x;g\r\n\r\n0;7;1\r\n# so far\n1;8;+2",
+        "t\tx\tg\n0\t\t1\n1\t8\t2\n",
+        "  t   x g\n 0 7  1 \n1 8 2.0e0\n",
+        '"t",x,"g"\n0,7,1\n1,8,2\n',
+        't,x,g\n0,"7,5",1\n1,8,2\n',
+    ],
+)
+def test_logs_have_any_separator(tmp_path, text):
+    log = fit.read_log(written(tmp_path, text), "time=t,gyro=g")
+    assert log.times.tolist() == [0.0, 1.0]
+    assert log["gyro"].tolist() == [1.0, 2.0]
+
+
+def test_columns_have_numbers_factors_wraps_and_periods(tmp_path):
+    path = written(tmp_path, "0,65530,3,\n1,4,65535,40.5\n2,65532,2,-\n")
+    log = fit.read_log(path, "left_count=#2*-1%65536,right_count=#3%65536,wall_left=#4", period=2.5)
+    assert log.times.tolist() == [0.0, 2.5, 5.0]
+    assert log["left_count"].tolist() == [-65530.0, -65540.0, -65532.0]
+    assert log["right_count"].tolist() == [3.0, -1.0, 2.0]
+    assert np.isnan(log["wall_left"]).tolist() == [True, False, True]
+
+
+@pytest.mark.parametrize(
+    "columns, text, place, words",
+    [
+        ("time=t,gyro=g", "", "", ["empty"]),
+        ("time=t,gyro=g", "t,g\n0,1\n", "", ["one row"]),
+        ("time=t,gyro=g", "t,gz\n0,1\n", ":1:1", ["'g'", "'gyro'", "t, gz"]),
+        ("time=t,gyro=g", "t,g,g\n0,1,2\n1,1,2\n", ":1:5", ["twice", "#3"]),
+        ("time=t,gyro=g", "0,1\n1,2\n", ":1:1", ["#1"]),
+        ("time=#1,gyro=#3", "0,1\n1,2\n", ":1:1", ["#3", "2"]),
+        ("time=t,gyro=g", "t,g\n0,1\n1,2,3\n", ":3:1", ["3 fields", "2"]),
+        ("time=t,gyro=g", "t,x,g\n0,0,1\n1,0,1\n2,0", ":4:1", ["2 fields", "cut off"]),
+        ("time=t,gyro=g", "t,g\n0,1\n\n# x\n1,fast\n", ":5:3", ["'fast'", "'gyro'"]),
+        ("time=t,gyro=g", "t;g\n0;1\n1;0,5\n", ":3:3", ["'0,5'", "0.5"]),
+        ("time=t,gyro=g", "t,g\n0,1\n1,1e999\n", ":3:3", ["'1e999'"]),
+        ("time=t,gyro=g", "t,g\n0,1\n1,\n", ":3:3", ["no value"]),
+        ("time=t,gyro=g", "t,g\n0,1\n1,180\n", ":3:3", ["180", "0.0174533"]),
+        ("time=t,left=l,right=r", "t,l,r\n0,0,0\n1,90,90\n", ":3:3", ["'left'", "90", "/255"]),
+        ("time=t,gyro=g", "t,g\n5,1\n5,1\n", ":3:1", ["time"]),
+        ("time=t,gyro=g", "t,g\n5,1\n6,1\n99,1\n", ":4:1", ["93 ms", "cut it"]),
+    ],
+)
+def test_what_is_wrong_with_a_log_has_a_place(tmp_path, columns, text, place, words):
+    path = written(tmp_path, text)
+    with pytest.raises(labmouse.Error) as error:
+        fit.read_log(path, columns)
+    assert str(error.value).startswith(f"{path}{place}: error: ")
+    assert "\n" not in str(error.value)
+    assert [word for word in words if word not in str(error.value)] == []
+
+
+@pytest.mark.parametrize(
+    "columns, period, words",
+    [
+        ("tme=ms", 0.0, ["'tme'", "'time'"]),
+        ("time=a,speedometer=3", 0.0, ["'speedometer'"]),
+        ("time=", 0.0, ["time=NAME"]),
+        ("time=a,time=b", 0.0, ["twice"]),
+        ("time=a,left=b", 0.0, ["'right'"]),
+        ("time=a,left_count=b,right_count=c,left_speed=d,right_speed=e", 0.0, ["left_count", "left_speed"]),
+        ("gyro=g", 0.0, ["--period"]),
+        ("time=a,gyro=g", 1.0, ["period"]),
+        ("time=a,gyro=g/0", 0.0, ["factor"]),
+        ("time=a,gyro=g%360", 0.0, ["counter"]),
+        ("time=a,left_count=b%1,right_count=c", 0.0, ["65536"]),
+    ],
+)
+def test_what_is_wrong_with_columns_is_named(columns, period, words):
+    with pytest.raises(labmouse.Error) as error:
+        fit.read_log("none.csv", columns, period=period)
+    assert [word for word in words if word not in str(error.value)] == []
+
+
+#: As their author published them (kerise-v4, 2021).
+PUBLISHED = """# turns of a half-size robot
+turn  speed    x        y    before
+S90   265.749  44       44   1
+45    411.636  72.426   30   2.574
+90    422.783  70       70   20
+135   353.609  33.137   80   21.863
+180   412.228  0        90   24
+V90   289.908  48       48   15.640
+K90   754.969  125      125  2.279
+"""
+
+
+def test_published_turns_give_the_published_limits(tmp_path):
+    path = tmp_path / "turns.txt"
+    path.write_text(PUBLISHED)
+    turns = fit.read_turns(path)
+    found = fit.fit_turns(turns, 90.0)
+    assert found.limits[1:] == pytest.approx((113.097, 9.42478, 3769.91), rel=0.01)
+    assert found.reached == (False, True, True, True)
+    assert found.figures == 7
+    assert max(found.errors) < 5e-4
+    result = fit.robot_of_turns(turns, "kerise")
+    assert result.doubt == ""
+    assert result.numbers["curve.yaw_speed"].value == found.limits[2]
+
+
+def test_times_alone_are_a_table_of_times(tmp_path):
+    turns = [fit.Turn("45", ms=257.0), fit.Turn("S90", ms=300.0)]
+    assert fit.fit_turns(turns, 180.0).figures == 0
+    assert "257" in fit.robot_of_turns(turns, "mm2021").text
+    for base, wrong in (("kerise", turns), ("mm2021", [fit.Turn("90", 700.0, y=110.0)])):
+        with pytest.raises(labmouse.Error, match=base):
+            fit.robot_of_turns(wrong, base)
+
+
+@pytest.mark.parametrize(
+    "text, places",
+    [
+        ("", [""]),
+        ("turn ms\n", [""]),
+        ("turn time\n", [":1:6"]),
+        ("ms turn\n", [":1:1"]),
+        ("turn ms ms\n", [":1:9"]),
+        ("turn ms\n46 3\n", [":2:1"]),
+        ("turn ms\n45 fast\n45 3 4\n", [":2:4", ":3:1"]),
+        ("turn speed\n45 300\n", [":2:1"]),
+        *[(f"turn ms\n45 {odd}\n", [":2:4"]) for odd in ("1e-320", "0.0001", "1e309", "1e7", "-1", "0x10", "inf")],
+    ],
+)
+def test_what_is_wrong_with_turns_has_a_place(tmp_path, text, places):
+    path = tmp_path / "t"
+    path.write_text(text)
+    with pytest.raises(labmouse.Error) as error:
+        fit.read_turns(path)
+    lines = str(error.value).split("\n")
+    assert [line.startswith(f"{path}{place}: error: ") for line, place in zip(lines, places)] == [True] * len(places)
+
+
+def test_a_robot_beside_its_own_log_does_not_part_and_a_weak_one_does(driven, tmp_path):
+    log = fit.read_log(driven, DUTIES)
+    same = fit.compare_log(log, "kerise")
+    assert same.by_duties and list(same.curves) == ["speed", "yaw", "way", "turn"]
+    assert same.curves["way"].parts is None
+    base, text = fit.base_numbers("kerise"), fit.robot_of_logs([], "kerise").text
+    weak = tmp_path / "weak.toml"
+    weak.write_text(text.replace(f"drive_gain = {base['motors.drive_gain']:g}", "drive_gain = 2600"), encoding="utf-8")
+    other = fit.compare_log(log, str(weak))
+    assert other.curves["speed"].parts and other.curves["turn"].parts == same.curves["turn"].parts
+    assert other.table().loc["way mm", "rms off"] > 10.0 * same.table().loc["way mm", "rms off"]
+    followed = fit.compare_log(fit.read_log(driven, "time,left_count,right_count,gyro*0.00107"), "kerise")
+    assert not followed.by_duties and followed.table().loc["way mm", "most off"] < 5.0
+
+
+def test_what_cannot_be_compared_is_refused(tmp_path):
+    moving = "t,l\n" + "".join(f"{t},{2000 * t}\n" for t in range(50))
+    for text, columns in (("t\n0\n1\n", "time=t"), ("t,g\n0,0\n1,0\n", "time=t,gyro=g"), (moving, "time=t,left_count=l,right_count=l")):
+        with pytest.raises(labmouse.Error, match="log.csv: error: "):
+            fit.compare_log(fit.read_log(written(tmp_path, text), columns), "kerise")
+
+
+def test_the_commands_write_files_and_pictures(driven, tmp_path, capsys):
+    robot, picture = tmp_path / "mine.toml", tmp_path / "fit.svg"
+    assert fit_command([driven, "--base", "kerise", "--columns", DRIVEN, "--out", str(robot), "--plot", str(picture)]) == 0
+    assert picture.read_text(encoding="utf-8").count("<svg") == 1
+    assert "drive_gain" in robot.read_text(encoding="utf-8")
+    assert compare([driven, "--robot", str(robot), "--columns", DUTIES, "--svg", str(tmp_path / "both.svg")]) == 0
+    out, err = capsys.readouterr()
+    assert err == "" and "way mm" in out
+    assert (tmp_path / "both.svg").exists()
+
+
+@pytest.mark.parametrize(
+    "words, code",
+    [
+        ([], 2),
+        (["--log", "none.csv", "--columns", "time,gyro"], 2),
+        (["--log", "none.csv"], 2),
+        (["--turns", "none.txt"], 2),
+        (["--turns", "a", "--log", "b"], 2),
+        (["--log", "none.csv", "--columns", "time,gyro", "--base", "half"], 2),
+    ],
+)
+def test_errors_of_users_are_one_line(words, code, capsys):
+    assert fit_command(words) == code
+    out, err = capsys.readouterr()
+    assert out == "" and err.count("\n") == 1 and "error: " in err
+
+
+def test_what_a_log_should_tell_and_does_not_is_an_exit_code(tmp_path, capsys):
+    path = written(tmp_path, "t,g\n" + "".join(f"{t},0\n" for t in range(200)))
+    assert fit_command([str(path), "--base", "kerise", "--columns", "time=t,gyro=g"]) == 1
+    assert str(path) in capsys.readouterr().err
+
+
+def test_without_scipy_the_package_says_how_to_get_it():
+    program = "import sys, importlib.util as u; find = u.find_spec; u.find_spec = lambda n, *a: None if n == 'scipy' else find(n, *a); import labmouse.fit"
+    ran = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False, env=dict(os.environ))
+    assert ran.returncode != 0
+    assert "pip install '.[fit]' in the source folder" in ran.stderr
+
+
+def test_the_package_needs_neither_scipy_nor_matplotlib():
+    program = "import sys, labmouse; print([name for name in ('scipy', 'matplotlib', 'labmouse.fit') if name in sys.modules])"
+    assert subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True).stdout == "[]\n"
