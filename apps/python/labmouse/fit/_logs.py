@@ -74,7 +74,7 @@ class _Reader:
             raise Error(f"{name}: error: has {rows}; a fit needs two or more")
         frame = self._frame(sorted(set(places.values())))
         self.problems: list[tuple[int, int, str]] = []
-        log = Log(np.arange(len(frame)) * period, name=name)
+        log = Log(period * np.arange(float(len(frame))), name=name)
         for role, place in places.items():
             log.values[role] = self._values(frame[place], role, columns[role], place)
         if "time" in log.values:

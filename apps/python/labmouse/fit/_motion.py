@@ -42,7 +42,7 @@ def motion_of(log: Log, robot: Numbers) -> Motion:
     rows = np.searchsorted(log.times, ticks + 1e-3, side="right") - 1
 
     def between(role: str) -> Array:
-        return np.interp(ticks, log.times, log[role])
+        return np.asarray(np.interp(ticks, log.times, log[role]), dtype=float)
 
     motion = Motion(len(ticks), by_gyro="gyro" in log)
     wheels = _wheels(log, between, float(robot["sensors.count"]))
@@ -71,7 +71,8 @@ def rates(places: Array, about: int = 10) -> Array:
     """The change of places by tick, (ticks,), in the mean of `about` ticks to each side, for a second."""
     ticks = np.arange(len(places))
     start, end = np.maximum(ticks - about, 0), np.minimum(ticks + about, len(places) - 1)
-    return (places[end] - places[start]) / (np.maximum(end - start, 1) * TICK)
+    changes: Array = (places[end] - places[start]) / (np.maximum(end - start, 1) * TICK)
+    return changes
 
 
 def _sums(speeds: Array) -> Array:

@@ -4,6 +4,7 @@ The model: T dv/dt = K (u - u0 sign(v)) - v, with the rate v, the duty u, the ga
 """
 
 from dataclasses import dataclass
+from importlib import import_module
 from typing import Any, Optional
 
 import numpy as np
@@ -118,7 +119,8 @@ def _one_way_stretches(rate: Array, slow: float) -> list[tuple[int, int]]:
 def _means(values: Array, filtered: int) -> Array:
     """Means of so many rows: they remove shaking and errors of encoders over a turn, and keep sums of curves what they are."""
     sums = np.concatenate([np.zeros((1, *values.shape[1:])), np.cumsum(values, axis=0)])
-    return (sums[filtered:] - sums[:-filtered]) / filtered
+    means: Array = (sums[filtered:] - sums[:-filtered]) / filtered
+    return means
 
 
 def _rate_changes(places: Array, filtered: int) -> Array:
@@ -128,8 +130,7 @@ def _rate_changes(places: Array, filtered: int) -> Array:
 
 def _curves(axis: Axis, begin: int, end: int) -> Array:
     """What each part of the equation makes of the place, and the place: (ticks, 8), filtered, without line."""
-    from scipy.signal import detrend
-
+    signal: Any = import_module("scipy.signal")
     span = slice(begin, end)
     size, sign = end - begin, 1.0 if axis.rate[(begin + end) // 2] > 0.0 else -1.0
     place, rate = axis.place[span] - axis.place[begin], axis.rate[span]
@@ -143,7 +144,7 @@ def _curves(axis: Axis, begin: int, end: int) -> Array:
     curves[:, _RATE] = -np.concatenate([[0.0], np.cumsum(place[:-1] * TICK)])
     curves[:, _LAG] = -once[:, _DUTY]
     curves[:, 7] = place
-    return np.asarray(detrend(_means(curves, axis.filtered), axis=0))
+    return np.asarray(signal.detrend(_means(curves, axis.filtered), axis=0))
 
 
 @dataclass

@@ -1,7 +1,8 @@
 """Plots of fits and comparisons by matplotlib."""
 
 import os
-from typing import TYPE_CHECKING, Any, Union
+from importlib import import_module
+from typing import Any, Union
 
 import numpy as np
 
@@ -13,16 +14,13 @@ from ._motion import TICK, rates
 from ._motors import MotorFit
 from ._turns import TurnFit
 
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
-
-def _figure(panels: int) -> "tuple[Figure, Any]":
+def _figure(panels: int) -> tuple[Any, Any]:
     try:
-        from matplotlib.figure import Figure
+        figures: Any = import_module("matplotlib.figure")
     except ImportError as error:
         raise Error("plots need matplotlib: run pip install '.[fit]' in the source folder of labmouse") from error
-    figure = Figure(figsize=(9.0, 2.6 * panels), layout="constrained")
+    figure = figures.Figure(figsize=(9.0, 2.6 * panels), layout="constrained")
     return figure, figure.subplots(panels, 1, squeeze=False)[:, 0]
 
 
@@ -35,14 +33,14 @@ def save_plot(subject: Union[LogFit, TurnFit, Comparison], path: "Union[str, os.
         raise Error(f"{os.fspath(path)}: error: {error}") from error
 
 
-def plot(subject: Union[LogFit, TurnFit, Comparison]) -> "Figure":
-    """The plot of a fit or a comparison. Raises Error where matplotlib is missing."""
+def plot(subject: Union[LogFit, TurnFit, Comparison]) -> Any:
+    """The matplotlib.figure.Figure of a fit or a comparison. Raises Error where matplotlib is missing."""
     if isinstance(subject, Comparison):
         return _of_comparison(subject)
     return _of_turns(subject) if isinstance(subject, TurnFit) else _of_log(subject)
 
 
-def _of_log(fit: LogFit) -> "Figure":
+def _of_log(fit: LogFit) -> Any:
     """Speed and yaw speed with what the fitted motors make of the duties, and infrared readings with their law."""
     figure, axes = _figure(3)
     motion = fit.motion
@@ -78,8 +76,10 @@ def _infrared_panel(axis: Any, fit: LogFit) -> None:
     axis.set_title(infrared.refusal or f"fall {infrared.fall.value:.3g} ± {infrared.fall.error:.2g} mm", fontsize="small")
     if infrared.readings is None:
         return
-    for sensor, readings in infrared.readings.groupby("sensor"):
-        name = SENSORS[int(sensor)]  # type: ignore[call-overload]
+    for sensor, name in enumerate(SENSORS):
+        readings = infrared.readings[infrared.readings.sensor == sensor]
+        if readings.empty:
+            continue
         points = axis.plot(readings.farther, readings.level, ".", markersize=3, label=name.replace("_", " "))
         if infrared.fall.known:
             farther = np.linspace(readings.farther.min(), readings.farther.max(), 50)
@@ -87,7 +87,7 @@ def _infrared_panel(axis: Any, fit: LogFit) -> None:
     axis.legend(fontsize="small")
 
 
-def _of_turns(fit: TurnFit) -> "Figure":
+def _of_turns(fit: TurnFit) -> Any:
     """By how much the limits miss each turn."""
     figure, (axis,) = _figure(1)
     axis.bar([turn.name for turn in fit.turns], [100.0 * error for error in fit.errors])
@@ -95,7 +95,7 @@ def _of_turns(fit: TurnFit) -> "Figure":
     return figure
 
 
-def _of_comparison(comparison: Comparison) -> "Figure":
+def _of_comparison(comparison: Comparison) -> Any:
     figure, axes = _figure(len(comparison.curves))
     for axis, (name, curve) in zip(axes, comparison.curves.items()):
         seconds = np.arange(len(curve.log)) * TICK

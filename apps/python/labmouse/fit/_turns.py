@@ -3,8 +3,9 @@
 import os
 import re
 from dataclasses import dataclass, field
+from importlib import import_module
 from pathlib import Path
-from typing import Sequence, Union
+from typing import Any, Sequence, Union
 
 import numpy as np
 
@@ -158,7 +159,7 @@ def _errors(turns: Sequence[Turn], cell: float, limits: Array) -> Array:
 
 
 def _best(turns: Sequence[Turn], cell: float, chosen: list[int]) -> tuple[float, Array]:
-    from scipy.optimize import least_squares
+    optimize: Any = import_module("scipy.optimize")
 
     def values_of(logs: Array) -> Array:
         values = np.zeros(4)
@@ -180,7 +181,7 @@ def _best(turns: Sequence[Turn], cell: float, chosen: list[int]) -> tuple[float,
     starts = sorted(grid, key=lambda start: float((errors(start) ** 2).sum()))
     best = (np.inf, np.zeros(4))
     for start in starts[:8]:
-        found = least_squares(errors, start, loss="soft_l1", f_scale=0.01, xtol=1e-12, ftol=1e-12, gtol=1e-14, max_nfev=60)
+        found = optimize.least_squares(errors, start, loss="soft_l1", f_scale=0.01, xtol=1e-12, ftol=1e-12, gtol=1e-14, max_nfev=60)
         if found.cost < best[0] and np.abs(found.fun).max() < 100.0:
             best = (float(found.cost), values_of(found.x))
         if best[0] < 1e-18:
