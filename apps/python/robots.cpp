@@ -74,11 +74,11 @@ TurnShape shape_of(const std::string& name, double speed, const std::array<doubl
   return shape_at(*turn, speed, {limits[0], limits[1], limits[2], limits[3]}, cell);
 }
 
-/// Width, length of the curve, length with its straights (all mm), and the largest curvature (rad/mm).
-std::array<double, 4> turn_curve(const std::string& name, double speed, const std::array<double, 4>& limits,
+/// Width, length of the curve, and length with its straights, in mm.
+std::array<double, 3> turn_curve(const std::string& name, double speed, const std::array<double, 4>& limits,
                                  double cell) {
   const TurnShape shape = shape_of(name, speed, limits, cell);
-  return {width_of(shape), shape.length, shape.whole(), shape.ramp.peak};
+  return {width_of(shape), shape.length, shape.whole()};
 }
 
 double turn_clearance(const std::string& name, double speed, const std::array<double, 4>& limits, double cell) {
@@ -124,7 +124,7 @@ void bind_robots(nb::module_& module) {
   module.def("robot_file", &robot_file, "parameters"_a, "remarks"_a, "otherwise"_a,
              "The text of a robot file, and the first problem of that robot or ''.");
   module.def("turn_curve", &turn_curve, "turn"_a, "speed"_a, "limits"_a, "cell"_a,
-             "Width, curve and whole length in mm, and largest curvature in rad/mm, of a turn at a speed in mm/s.");
+             "Width, length of the curve, and length with its straights of a turn at a speed in mm/s, in mm.");
   module.def("turn_clearance", &turn_clearance, "turn"_a, "speed"_a, "limits"_a, "cell"_a,
              "Distance in mm from the path to the nearest wall or post; 0 where the curve does not fit.");
   module.def("drive_duties", &drive_duties, "robot"_a, "stronger"_a, "left"_a, "right"_a,

@@ -12,7 +12,7 @@ from ._infrared import SENSORS
 from ._log_fit import LogFit, pooled
 from ._motion import Numbers
 from ._motors import MotorFit
-from ._turns import LIMITS, Turn, TurnFit, curve, fit_turns
+from ._turns import LIMITS, Turn, TurnFit, fit_turns
 
 
 @dataclass
@@ -168,9 +168,6 @@ def _add_limits(turns: Sequence[Turn], robot: Numbers, remarks: dict[str, str], 
         many = f"one of many answers: {fit.numbers} limits from {fit.figures} figures"
         remarks[key] = "no turn reaches it; it may be anything above" if not reached else many if fit.figures < fit.numbers else "fitted"
     driven = [turn for turn in turns if turn.speed > 0.0]
-    if not fit.reached[0]:
-        hardest = max(turn.speed**2 * curve(turn, fit.limits, cell)[3] for turn in driven)
-        robot["curve.lateral_acceleration"] = math.ceil(hardest / 100.0) * 100.0
     for turn, error in zip(turns, fit.errors):
         given = turn.before if turn.name == "180" else turn.speed
         if turn.speed > 0.0 and turn.name != "K90" and given > 0.0:

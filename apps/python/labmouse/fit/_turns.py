@@ -1,9 +1,11 @@
 """Limits of a robot, from its published or measured turns."""
 
+import math
 import os
 import re
 from dataclasses import dataclass, field
 from importlib import import_module
+from itertools import product
 from pathlib import Path
 from typing import Any, Sequence, Union
 
@@ -14,6 +16,8 @@ from ._estimates import Array
 
 COLUMNS = ("turn", "speed", "ms", "x", "y", "before", "after")
 TURNS = ("45", "90", "135", "180", "V90", "S90", "K90")
+#: Turns are explained where no figure is missed by more than this share.
+_GOOD = 5e-4
 LIMITS = ("lateral_acceleration", "yaw_acceleration", "yaw_speed", "yaw_jerk")
 
 
@@ -35,8 +39,8 @@ class Turn:
 @dataclass
 class TurnFit:
     """limits: of LIMITS in mm/s², rad/s², rad/s, rad/s³; those of yaw speed and jerk are 0 where turns are explained without them.
-    reached: whether some turn reaches each of them; otherwise it may be anything above. numbers, figures: of limits that were
-    fitted, and of figures that they were fitted to. errors: by turn the largest relative error of its size and time."""
+    reached: whether some turn reaches each of them; otherwise the limit may be anything from its value on. numbers, figures:
+    how many limits were fitted, and to how many figures. errors: by turn the largest relative error of its size and time."""
 
     turns: Sequence[Turn]
     cell: float
@@ -103,39 +107,58 @@ def _wrong_turn(words: list[tuple[int, str]], names: list[str]) -> list[tuple[in
     return wrong
 
 
-def curve(turn: Turn, limits: Sequence[float], cell: float) -> tuple[float, float, float, float]:
-    """Of a turn within limits: width, length of the curve and with its straights (mm), largest curvature (rad/mm)."""
+def curve(turn: Turn, limits: Sequence[float], cell: float) -> tuple[float, float, float]:
+    """Of a turn within limits: its width, and its length without and with its straights, in mm."""
     name, side = ("V90", 2.0 * cell) if turn.name == "K90" else (turn.name, cell)
-    width, length, whole, peak = _native.turn_curve(name, turn.speed, list(limits), side)
-    return width, length, whole, peak
+    width, length, whole = _native.turn_curve(name, turn.speed, list(limits), side)
+    return width, length, whole
 
 
 def fit_turns(turns: Sequence[Turn], cell: float) -> TurnFit:
     """Fits the limits to the turns that have a speed. cell: its side in mm.
 
     The limits are the fewest that explain all figures to half a thousandth, or else the best. Method: least squares of
-    relative errors with a soft L1 loss beyond 1 %, so that a wrong figure stands out, from the best starts of a grid.
+    relative errors (Levenberg and Marquardt) from a grid of starts, then with a soft L1 loss beyond 3 %, so that a wrong
+    figure stands out.
     """
     result = TurnFit(turns, cell, errors=[0.0] * len(turns))
     result.figures = int(_known(turns).sum())
     if not result.figures:
         return result
-    best_cost = np.inf
-    values: Array = np.zeros(4)
+    best, values = np.inf, np.zeros(4)
     for chosen in ([0, 1], [0, 1, 2], [0, 1, 3], [0, 1, 2, 3]):
-        cost, answer = _best(turns, cell, chosen)
-        if cost < best_cost:
-            best_cost, values, result.numbers = cost, answer, len(chosen)
-        if cost < np.inf and np.abs(_errors(turns, cell, answer)).max() <= 5e-4:
+        squares, answer = _best(turns, cell, chosen)
+        if squares < 0.999 * best:
+            best, values, result.numbers = squares, answer, len(chosen)
+        if squares < np.inf and np.abs(_errors(turns, cell, answer)).max() <= _GOOD:
             break
     if not result.numbers:
         return result
     errors = _errors(turns, cell, values)
-    higher = [values * np.where(np.arange(4) == limit, 1.01, 1.0) for limit in range(4)]
-    result.limits = tuple(map(float, values))
-    result.reached = tuple(bool(values[i] and (np.abs(_errors(turns, cell, higher[i]) - errors) > 1e-9).any()) for i in range(4))
+    reached = [bool(value) and _matters(turns, cell, values, errors, i, 1.01) for i, value in enumerate(values)]
+    for i in range(4):
+        if values[i] and not reached[i]:
+            values[i] = _lowest(turns, cell, values, errors, i)
+    result.limits, result.reached = tuple(map(float, values)), tuple(reached)
     result.errors = [float(one) for one in np.abs(errors).max(axis=1)]
     return result
+
+
+def _matters(turns: Sequence[Turn], cell: float, values: Array, errors: Array, limit: int, factor: float) -> bool:
+    """Whether some figure changes where a limit is so many times as high."""
+    other = values * np.where(np.arange(4) == limit, factor, 1.0)
+    return bool((np.abs(_errors(turns, cell, other) - errors) > 1e-9).any())
+
+
+def _lowest(turns: Sequence[Turn], cell: float, values: Array, errors: Array, limit: int) -> float:
+    """About the lowest value of a limit that no turn reaches, rounded up: to 100 mm/s², or to three digits."""
+    low, high = -50.0, 0.0
+    for _ in range(50):
+        middle = (low + high) / 2.0
+        low, high = (middle, high) if _matters(turns, cell, values, errors, limit, float(np.exp(middle))) else (low, middle)
+    value = float(values[limit] * np.exp(high))
+    unit = 100.0 if limit == 0 else 10.0 ** (math.floor(math.log10(value)) - 2)
+    return math.ceil(value / unit) * unit
 
 
 def _known(turns: Sequence[Turn]) -> "np.ndarray[tuple[int, ...], np.dtype[np.bool_]]":
@@ -149,7 +172,7 @@ def _errors(turns: Sequence[Turn], cell: float, limits: Array) -> Array:
     for i, (turn, (size, time)) in enumerate(zip(turns, _known(turns))):
         if not (size or time):
             continue
-        width, length, whole, _ = curve(turn, limits.tolist(), cell)
+        width, length, whole = curve(turn, limits.tolist(), cell)
         if size:
             errors[i, 0] = width / turn.y - 1.0
         if time:
@@ -159,31 +182,28 @@ def _errors(turns: Sequence[Turn], cell: float, limits: Array) -> Array:
 
 
 def _best(turns: Sequence[Turn], cell: float, chosen: list[int]) -> tuple[float, Array]:
+    """The least squares of errors where these limits are fitted, and the values of all four."""
     optimize: Any = import_module("scipy.optimize")
 
     def values_of(logs: Array) -> Array:
         values = np.zeros(4)
-        values[chosen] = np.exp(logs)
+        values[chosen] = np.exp(np.clip(logs, -50.0, 50.0))
         return values
 
     def errors(logs: Array) -> Array:
-        with np.errstate(all="ignore"):
-            return np.nan_to_num(_errors(turns, cell, values_of(logs)).ravel(), nan=1e3, posinf=1e3, neginf=-1e3)
+        found = np.nan_to_num(_errors(turns, cell, values_of(logs)).ravel(), nan=1e3, posinf=1e3, neginf=-1e3)
+        return np.append(found, np.zeros(4))  # the method needs as many figures as unknowns
 
     fastest = max(turn.speed for turn in turns)
-    grid = [
-        np.log(np.array([lateral * fastest, acceleration, speed, jerk * acceleration])[chosen])
-        for lateral in (6.0, 12.0, 24.0)
-        for acceleration in (30.0, 100.0, 300.0, 1000.0)
-        for speed in ((4.0, 9.0, 20.0) if 2 in chosen else (0.0,))
-        for jerk in ((15.0, 60.0) if 3 in chosen else (0.0,))
-    ]
-    starts = sorted(grid, key=lambda start: float((errors(start) ** 2).sum()))
-    best = (np.inf, np.zeros(4))
-    for start in starts[:8]:
-        found = optimize.least_squares(errors, start, loss="soft_l1", f_scale=0.01, xtol=1e-12, ftol=1e-12, gtol=1e-14, max_nfev=60)
-        if found.cost < best[0] and np.abs(found.fun).max() < 100.0:
-            best = (float(found.cost), values_of(found.x))
-        if best[0] < 1e-18:
-            break
-    return best
+    best, answer = np.inf, np.zeros(len(chosen))
+    for lateral, acceleration, speed, jerk in product((6.0, 12.0, 24.0), (30.0, 100.0, 300.0, 1000.0), (4.0, 9.0, 20.0), (15.0, 60.0)):
+        repeats = (2 not in chosen and speed != 4.0) or (3 not in chosen and jerk != 15.0)
+        if repeats or best < 1e-14:
+            continue
+        start = np.log(np.array([lateral * fastest, acceleration, speed, jerk * acceleration])[chosen])
+        found = optimize.least_squares(errors, start, method="lm", max_nfev=300)
+        if 2.0 * found.cost < best and np.abs(found.fun).max() < 100.0:
+            best, answer = float(2.0 * found.cost), found.x
+    if best < np.inf and np.abs(errors(answer)).max() > _GOOD:
+        answer = optimize.least_squares(errors, answer, loss="soft_l1", f_scale=0.03, max_nfev=100).x
+    return best, values_of(answer)
