@@ -4,15 +4,16 @@ Exit codes: 0 success, 1 the robot is doubtful, 2 bad usage or input.
 """
 
 import argparse
+import os
 import sys
-from typing import Callable, Sequence
+from typing import Callable, NoReturn, Sequence
 
 from .. import Error, _native
 from ._comparison import compare_log
 from ._log_fit import fit_log
 from ._logs import Log, read_log
 from ._plots import save_plot
-from ._robots import FittedRobot, base_numbers, robot_of_logs, robot_of_turns
+from ._robots import FittedRobot, base_numbers, robot_numbers, robot_of_logs, robot_of_turns
 from ._turns import read_turns
 
 _COLUMNS = "which column of the log is what: ROLE=COLUMN, with a factor or divisor behind it, separated by commas (docs/logs.md has the roles)"
@@ -29,8 +30,14 @@ def _number(low: float, high: float) -> Callable[[str], float]:
     return number
 
 
+class _Parser(argparse.ArgumentParser):
+    def error(self, message: str) -> NoReturn:
+        """One line, as all errors of users."""
+        self.exit(2, f"error: {message}; {self.prog} --help lists all options\n")
+
+
 def _parser(name: str, description: str) -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(prog=f"labmouse robot {name}", description=description, allow_abbrev=False)
+    parser = _Parser(prog=f"labmouse robot {name}", description=description, allow_abbrev=False)
     parser.add_argument("--columns", metavar="LIST", default="", help=_COLUMNS)
     parser.add_argument("--period", metavar="MS", type=_number(0.05, 50.0), default=0.0, help=_PERIOD)
     return parser
@@ -50,6 +57,15 @@ def _run(command: Callable[[], int]) -> int:
         text = str(error)
         print(text if ": error: " in text else f"error: {text}", file=sys.stderr)
         return 2
+    except KeyboardInterrupt:
+        return 130
+
+
+def _check_outputs(inputs: Sequence[str], outputs: Sequence[str]) -> None:
+    places = [os.path.realpath(path) for path in (*inputs, *outputs) if path]
+    for path in filter(None, outputs):
+        if places.count(os.path.realpath(path)) > 1:
+            raise Error(f"{path}: error: is named twice, and would be overwritten; give each output a name of its own")
 
 
 def fit(words: Sequence[str]) -> int:
@@ -73,25 +89,30 @@ def _fit(options: argparse.Namespace) -> int:
         raise Error("name one of --turns and --log, which say what to fit")
     if options.plot and len(paths) > 1:
         raise Error("--plot shows one log; name one")
+    _check_outputs([*paths, options.turns], [options.out, options.plot])
     path = options.turns or ", ".join(paths)
-    try:
-        fitted = _fitted(options, paths)
-    except Error as error:
-        raise error if ": error: " in str(error) or str(error).startswith("--") else Error(f"{path}: error: {error}") from None
+    fitted = _of_turns(options) if options.turns else _of_logs(options, paths)
     if options.out:
         _native.write_file(options.out, fitted.text)
     else:
         print(fitted.text, end="")
-    if options.plot:
+    if options.plot and fitted.fits:
         save_plot(fitted.fits[0], options.plot)
     if fitted.doubt:
         print(f"{path}: {fitted.doubt}", file=sys.stderr)
     return 1 if fitted.doubt else 0
 
 
-def _fitted(options: argparse.Namespace, paths: Sequence[str]) -> FittedRobot:
-    if options.turns:
-        return robot_of_turns(read_turns(options.turns), options.base, options.cell)
+def _of_turns(options: argparse.Namespace) -> FittedRobot:
+    turns = read_turns(options.turns)
+    robot_numbers(options.base)  # what is wrong with the base is not wrong with the table
+    try:
+        return robot_of_turns(turns, options.base, options.cell)
+    except Error as error:
+        raise Error(f"{options.turns}: error: {error}") from None
+
+
+def _of_logs(options: argparse.Namespace, paths: Sequence[str]) -> FittedRobot:
     base = base_numbers(options.base)
     return robot_of_logs([fit_log(_log(path, options), base, way=options.way, way_error=options.way_error) for path in paths], options.base)
 
@@ -106,6 +127,7 @@ def compare(words: Sequence[str]) -> int:
 
 
 def _compare(options: argparse.Namespace) -> int:
+    _check_outputs([options.log], [options.svg])
     comparison = compare_log(_log(options.log, options), options.robot)
     print(comparison)
     if options.svg:

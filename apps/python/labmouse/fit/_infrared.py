@@ -3,6 +3,7 @@
 The law: reading = gain * exp(-(distance - distance in the middle of a cell) / fall).
 """
 
+import math
 from dataclasses import dataclass, field
 from typing import Any, Optional
 
@@ -92,14 +93,14 @@ def _parts(walls: Array) -> list[tuple[int, int, bool]]:
     """
     parts: list[tuple[int, int, bool]] = []
     same, before, begun, start, begins = 0, np.nan, 0.0, -1, False
-    for row, wall in enumerate(walls):
+    for row, wall in enumerate(walls.tolist()):
         goes_on = wall == before or (abs(wall - before) <= 3.0 and same < 10)
         same = same + 1 if wall == before else 0
         before = wall
-        if start >= 0 and (np.isnan(wall) or not goes_on or abs(wall - begun) > 1.0):
+        if start >= 0 and (math.isnan(wall) or not goes_on or abs(wall - begun) > 1.0):
             parts.append((start, row, begins))
             start = -1
-        if start < 0 and not np.isnan(wall):
+        if start < 0 and not math.isnan(wall):
             start, begun, begins = row, wall, not goes_on
     return parts + ([(start, len(walls), begins)] if start >= 0 else [])
 

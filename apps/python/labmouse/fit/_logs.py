@@ -5,7 +5,7 @@ import io
 import os
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Union
+from typing import Any, Union
 
 import numpy as np
 import pandas as pd
@@ -58,21 +58,21 @@ class _Reader:
     def __init__(self, name: str, text: str, columns: dict[str, Column], period: float) -> None:
         self.name = name
         split = text.split("\n")
-        kept = [(i + 1, line.rstrip("\r")) for i, line in enumerate(split) if line.strip(' \t\r"') and not line.startswith("#")]
+        kept = [(i + 1, line.rstrip("\r").replace("\r", " ")) for i, line in enumerate(split) if line.strip(' \t\r"') and not line.startswith("#")]
         if not kept:
             raise Error(f"{name}: error: is empty; a log has a line with names and two or more rows")
         self.numbers = [number for number, _ in kept]
         self.lines = [line for _, line in kept]
         self.separator = next((one for one in ",;\t" if one in self.lines[0]), " ")
         first = self._fields(self.lines[0])
-        self._check_widths(len(first), cut=text[-1:] != "\n")
         named = any(one not in _EMPTY and pd.isna(pd.to_numeric(one, errors="coerce")) for one in first)
         self.start = 1 if named else 0
         places = {role: self._place(role, column, first, named) for role, column in columns.items()}
+        self._check_widths(len(first), cut=text[-1:] != "\n")
         if len(kept) - self.start < 2:
             rows = "no rows below its first line" if len(kept) == self.start else "one row"
             raise Error(f"{name}: error: has {rows}; a fit needs two or more")
-        frame = self._frame(sorted(set(places.values())))
+        frame = self._frame(sorted(set(places.values())), na_values=_EMPTY, float_precision="round_trip")
         self.problems: list[tuple[int, int, str]] = []
         log = Log(period * np.arange(float(len(frame))), name=name)
         for role, place in places.items():
@@ -100,6 +100,8 @@ class _Reader:
 
     def _check_widths(self, width: int, cut: bool) -> None:
         for i, line in enumerate(self.lines):
+            if line.count('"') % 2:
+                raise self._error(i, 0, "has a quotation mark that is not closed; take it out")
             fields = line.count(self.separator) + 1 if self.separator != " " and '"' not in line else len(self._fields(line))
             if fields != width:
                 end = cut and i + 1 == len(self.lines)
@@ -123,25 +125,32 @@ class _Reader:
             raise self._error(0, found[1], f"names '{name}' twice; give one by its number, as in {role}=#{found[1] + 1}")
         return found[0]
 
-    def _frame(self, places: list[int]) -> "pd.DataFrame":
-        return pd.read_csv(
+    def _frame(self, places: list[int], **how: Any) -> "pd.DataFrame":
+        frame: pd.DataFrame = pd.read_csv(
             io.StringIO("\n".join(self.lines[self.start :])),
             sep=r"\s+" if self.separator == " " else self.separator,
+            quoting=csv.QUOTE_NONE if self.separator == " " else csv.QUOTE_MINIMAL,
             header=None,
             usecols=places,
-            dtype=str,
-            na_filter=False,
             skipinitialspace=True,
+            keep_default_na=False,
+            low_memory=False,
+            **how,
         )
+        return frame
 
-    def _values(self, texts: "pd.Series[str]", role: str, column: Column, place: int) -> Array:
-        what, texts = ROLES[role], texts.str.strip(' \t"')
-        numbers = pd.to_numeric(texts, errors="coerce").to_numpy(dtype=float)
-        empty = texts.isin(_EMPTY).to_numpy()
-        for row in np.flatnonzero(~empty & ~np.isfinite(numbers))[:1]:
-            text = texts.iloc[row]
-            comma = "; write decimals as in 0.5" if "," in text else ""
-            self.problems.append((row, place, f"'{_short(text)}' for '{role}' is not a number in range{comma}"))
+    def _values(self, read: "pd.Series[Any]", role: str, column: Column, place: int) -> Array:
+        what = ROLES[role]
+        numbers = read.to_numpy(dtype=float, copy=True) if read.dtype.kind in "fi" else np.full(len(read), np.inf)
+        empty = np.isnan(numbers)
+        if np.isinf(numbers).any():  # some fields are no plain numbers
+            texts = self._frame([place], dtype=str, na_filter=False)[place].str.strip(' \t"')
+            numbers = pd.to_numeric(texts, errors="coerce").to_numpy(dtype=float, copy=True)
+            empty = texts.isin(_EMPTY).to_numpy()
+            numbers[~np.isfinite(numbers)] = np.nan
+            for row in np.flatnonzero(~empty & np.isnan(numbers))[:1]:
+                comma = "; write decimals as in 0.5" if "," in texts.iloc[row] else ""
+                self.problems.append((row, place, f"'{_short(texts.iloc[row])}' for '{role}' is not a number in range{comma}"))
         if not what.gaps:
             for row in np.flatnonzero(empty)[:1]:
                 self.problems.append((row, place, f"has no value for '{role}'"))
