@@ -1,5 +1,6 @@
 """Fits of logs and turns: known numbers come back within their standard errors, and what a log does not tell is refused."""
 
+import dataclasses
 import math
 import os
 import subprocess
@@ -13,6 +14,7 @@ pytest.importorskip("scipy")
 pytest.importorskip("matplotlib")
 from labmouse import fit  # noqa: E402
 from labmouse.fit._commands import compare, fit as fit_command  # noqa: E402
+from labmouse.fit._turns import curve  # noqa: E402
 
 DRIVEN = (
     "time,left,right,left_count,right_count,gyro*0.00107,volts=millivolts/1000,ir_right,ir_left,way=true_way,"
@@ -209,12 +211,18 @@ def test_noise_that_is_not_white_is_less_certain(robot):
     assert noise(0.6).error > 2.0 * noise(0.0).error
 
 
-def test_several_logs_are_pooled(robot):
-    fits = [fit.fit_log(Simulator(seed).drive(25), robot) for seed in (1, 2)]
-    errors = [one.drive.gain.error for one in fits]
-    pooled = fit.pooled(fits)["motors.drive_gain"]
-    assert min(one.drive.gain.value for one in fits) <= pooled.value <= max(one.drive.gain.value for one in fits)
-    assert pooled.error >= 1.0 / math.sqrt(sum(error**-2 for error in errors)) * 0.999
+def test_several_logs_are_pooled():
+    def of(value, error):
+        gain = fit.Estimate(value, error)
+        return fit.LogFit(fit.Log(np.arange(2.0)), fit.Motion(2), drive=fit.MotorFit(gain=gain))
+
+    alike = fit.pooled([of(3000.0, 10.0), of(3010.0, 20.0)])["motors.drive_gain"]
+    assert alike.value == pytest.approx(3002.0)
+    assert alike.error == pytest.approx(80.0**0.5)
+    # They differ by ten of their errors: so does the mouse from day to day.
+    apart = fit.pooled([of(3000.0, 10.0), of(3100.0, 10.0)])["motors.drive_gain"]
+    assert apart.error == pytest.approx(50.0)
+    assert fit.pooled([of(3000.0, 10.0)])["motors.drive_gain"] == fit.Estimate(3000.0, 10.0)
 
 
 def written(tmp_path, text):
@@ -326,6 +334,34 @@ def test_published_turns_give_the_published_limits(tmp_path):
     result = fit.robot_of_turns(turns, "kerise")
     assert result.doubt == ""
     assert result.numbers["curve.yaw_speed"].value == found.limits[2]
+
+
+def turns_within(limits, cell=180.0):
+    """All turns at some speed, as a robot with these limits drives them."""
+    turns = []
+    for name, speed in (("45", 900.0), ("90", 800.0), ("135", 750.0), ("180", 700.0), ("V90", 700.0), ("S90", 500.0)):
+        bare = fit.Turn(name, speed, before=20.0)
+        width, length, whole = curve(bare, limits, cell)
+        turns.append(fit.Turn(name, speed, 1e3 * (length + 40.0 if name == "180" else whole) / speed, width, 20.0))
+    return turns
+
+
+@pytest.mark.parametrize("limits", [(8000.0, 300.0, 0.0, 0.0), (8000.0, 300.0, 9.0, 0.0), (8000.0, 200.0, 9.0, 9000.0)])
+def test_limits_of_turns_are_recovered_with_as_few_numbers_as_explain_them(limits):
+    found = fit.fit_turns(turns_within(limits), 180.0)
+    assert found.numbers == sum(limit > 0.0 for limit in limits)
+    assert max(found.errors) < 5e-4
+    for limit, value, reached in zip(limits, found.limits, found.reached):
+        assert value == pytest.approx(limit, rel=0.002) if reached else value <= 1.02 * limit or not limit
+
+
+def test_a_wrong_figure_of_a_turn_stands_out():
+    turns = turns_within((8000.0, 300.0, 0.0, 0.0))
+    turns[1] = dataclasses.replace(turns[1], y=1.2 * turns[1].y)
+    result = fit.robot_of_turns(turns, "classic", 180.0)
+    errors = result.fits[0].errors
+    assert errors[1] > 0.12 and errors[1] > 4.0 * sorted(errors)[-2]
+    assert result.doubt and result.text.startswith("# ")
 
 
 def test_times_alone_are_a_table_of_times(tmp_path):

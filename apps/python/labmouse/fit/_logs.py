@@ -72,7 +72,7 @@ class _Reader:
         if len(kept) - self.start < 2:
             rows = "no rows below its first line" if len(kept) == self.start else "one row"
             raise Error(f"{name}: error: has {rows}; a fit needs two or more")
-        frame = self._frame(sorted(set(places.values())), na_values=_EMPTY, float_precision="round_trip")
+        frame = self._frame(sorted(set(places.values())), na_values=_EMPTY)
         self.problems: list[tuple[int, int, str]] = []
         log = Log(period * np.arange(float(len(frame))), name=name)
         for role, place in places.items():

@@ -4,7 +4,6 @@ The model: T dv/dt = K (u - u0 sign(v)) - v, with the rate v, the duty u, the ga
 """
 
 from dataclasses import dataclass
-from importlib import import_module
 from typing import Any, Optional
 
 import numpy as np
@@ -130,7 +129,6 @@ def _rate_changes(places: Array, filtered: int) -> Array:
 
 def _curves(axis: Axis, begin: int, end: int) -> Array:
     """What each part of the equation makes of the place, and the place: (ticks, 8), filtered, without line."""
-    signal: Any = import_module("scipy.signal")
     span = slice(begin, end)
     size, sign = end - begin, 1.0 if axis.rate[(begin + end) // 2] > 0.0 else -1.0
     place, rate = axis.place[span] - axis.place[begin], axis.rate[span]
@@ -144,7 +142,10 @@ def _curves(axis: Axis, begin: int, end: int) -> Array:
     curves[:, _RATE] = -np.concatenate([[0.0], np.cumsum(place[:-1] * TICK)])
     curves[:, _LAG] = -once[:, _DUTY]
     curves[:, 7] = place
-    return np.asarray(signal.detrend(_means(curves, axis.filtered), axis=0))
+    means = _means(curves, axis.filtered)
+    line = np.linspace(-1.0, 1.0, len(means))
+    means -= means.mean(axis=0) + np.outer(line, line @ means) / (line @ line)
+    return means
 
 
 @dataclass
