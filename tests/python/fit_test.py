@@ -13,8 +13,8 @@ import pytest
 pytest.importorskip("scipy")
 pytest.importorskip("matplotlib")
 from labmouse import fit  # noqa: E402
+from labmouse._native import turn_curve  # noqa: E402
 from labmouse.fit._commands import compare, fit as fit_command  # noqa: E402
-from labmouse.fit._turns import curve  # noqa: E402
 
 DRIVEN = (
     "time,left,right,left_count,right_count,gyro*0.00107,volts=millivolts/1000,ir_right,ir_left,way=true_way,"
@@ -325,13 +325,13 @@ K90   754.969  125      125  2.279
 def test_published_turns_give_the_published_limits(tmp_path):
     path = tmp_path / "turns.txt"
     path.write_text(PUBLISHED)
-    turns = fit.read_turns(path)
-    found = fit.fit_turns(turns, 90.0)
+    result = fit.robot_of_turns(fit.read_turns(path), "kerise")
+    found = result.fits[0]
     assert found.limits[1:] == pytest.approx((113.097, 9.42478, 3769.91), rel=0.01)
     assert found.reached == (False, True, True, True)
     assert found.figures == 7
     assert max(found.errors) < 5e-4
-    result = fit.robot_of_turns(turns, "kerise")
+    assert found.cell == 90.0
     assert result.doubt == ""
     assert result.numbers["curve.yaw_speed"].value == found.limits[2]
 
@@ -340,8 +340,7 @@ def turns_within(limits, cell=180.0):
     """All turns at some speed, as a robot with these limits drives them."""
     turns = []
     for name, speed in (("45", 900.0), ("90", 800.0), ("135", 750.0), ("180", 700.0), ("V90", 700.0), ("S90", 500.0)):
-        bare = fit.Turn(name, speed, before=20.0)
-        width, length, whole = curve(bare, limits, cell)
+        width, length, whole = turn_curve(name, speed, list(limits), cell)
         turns.append(fit.Turn(name, speed, 1e3 * (length + 40.0 if name == "180" else whole) / speed, width, 20.0))
     return turns
 

@@ -107,11 +107,33 @@ def _wrong_turn(words: list[tuple[int, str]], names: list[str]) -> list[tuple[in
     return wrong
 
 
-def curve(turn: Turn, limits: Sequence[float], cell: float) -> tuple[float, float, float]:
-    """Of a turn within limits: its width, and its length without and with its straights, in mm."""
-    name, side = ("V90", 2.0 * cell) if turn.name == "K90" else (turn.name, cell)
-    width, length, whole = _native.turn_curve(name, turn.speed, list(limits), side)
-    return width, length, whole
+class _Figures:
+    """The figures of turns that limits can be fitted to: sizes and times."""
+
+    def __init__(self, turns: Sequence[Turn], cell: float) -> None:
+        self.turns = [("V90", 2.0 * cell, turn) if turn.name == "K90" else (turn.name, cell, turn) for turn in turns]
+        driven = np.array([turn.speed > 0.0 for turn in turns])
+        size, ms = np.array([[turn.y, turn.ms] for turn in turns]).T
+        # The straights about 180 may be of any length.
+        any_length = np.array([turn.name == "180" and turn.before <= 0.0 for turn in turns])
+        self.known = np.column_stack([driven & (size > 0.0), driven & (ms > 0.0) & ~any_length])
+        self.given = np.column_stack([size, ms])[self.known]
+
+    def errors(self, limits: Array) -> Array:
+        """Relative errors, in the order of `known`."""
+        values, found = limits.tolist(), np.zeros(self.known.shape)
+        for i, (name, cell, turn) in enumerate(self.turns):
+            if self.known[i].any():
+                width, length, whole = _native.turn_curve(name, turn.speed, values, cell)
+                found[i] = width, 1e3 * (length + 2.0 * turn.before if name == "180" else whole) / turn.speed
+        with np.errstate(all="ignore"):
+            errors: Array = np.nan_to_num(found[self.known] / self.given - 1.0, nan=1e3, posinf=1e3, neginf=-1e3)
+        return errors
+
+    def differ(self, limits: Array, limit: int, factor: float) -> bool:
+        """Whether some figure changes where a limit is so many times as high."""
+        other = limits * np.where(np.arange(4) == limit, factor, 1.0)
+        return bool((np.abs(self.errors(other) - self.errors(limits)) > 1e-9).any())
 
 
 def fit_turns(turns: Sequence[Turn], cell: float) -> TurnFit:
@@ -121,80 +143,43 @@ def fit_turns(turns: Sequence[Turn], cell: float) -> TurnFit:
     relative errors (Levenberg and Marquardt) from a grid of starts, then with a soft L1 loss beyond 3 %, so that a wrong
     figure stands out.
     """
-    result = TurnFit(turns, cell, errors=[0.0] * len(turns))
-    result.figures = int(_known(turns).sum())
+    figures = _Figures(turns, cell)
+    result = TurnFit(turns, cell, figures=len(figures.given), errors=[0.0] * len(turns))
     if not result.figures:
         return result
-    best, values = np.inf, np.zeros(4)
+    best, limits = np.inf, np.zeros(4)
     for chosen in ([0, 1], [0, 1, 2], [0, 1, 3], [0, 1, 2, 3]):
-        squares, answer = _best(turns, cell, chosen)
+        squares, answer = _best(figures, chosen)
         if squares < 0.999 * best:
-            best, values, result.numbers = squares, answer, len(chosen)
-        if squares < np.inf and np.abs(_errors(turns, cell, answer)).max() <= _GOOD:
+            best, limits, result.numbers = squares, answer, len(chosen)
+        if squares < np.inf and np.abs(figures.errors(answer)).max() <= _GOOD:
             break
     if not result.numbers:
         return result
-    errors = _errors(turns, cell, values)
-    reached = [bool(value) and _matters(turns, cell, values, errors, i, 1.01) for i, value in enumerate(values)]
-    for i in range(4):
-        if values[i] and not reached[i]:
-            values[i] = _lowest(turns, cell, values, errors, i)
-    result.limits, result.reached = tuple(map(float, values)), tuple(reached)
-    result.errors = [float(one) for one in np.abs(errors).max(axis=1)]
+    errors = np.zeros(figures.known.shape)
+    errors[figures.known] = np.abs(figures.errors(limits))
+    result.errors = errors.max(axis=1).tolist()
+    result.reached = tuple(bool(limit) and figures.differ(limits, i, 1.01) for i, limit in enumerate(limits))
+    for i, reached in enumerate(result.reached):
+        if limits[i] and not reached:
+            limits[i] = _lowest(figures, limits, i)
+    result.limits = tuple(limits.tolist())
     return result
 
 
-def _matters(turns: Sequence[Turn], cell: float, values: Array, errors: Array, limit: int, factor: float) -> bool:
-    """Whether some figure changes where a limit is so many times as high."""
-    other = values * np.where(np.arange(4) == limit, factor, 1.0)
-    return bool((np.abs(_errors(turns, cell, other) - errors) > 1e-9).any())
-
-
-def _lowest(turns: Sequence[Turn], cell: float, values: Array, errors: Array, limit: int) -> float:
-    """About the lowest value of a limit that no turn reaches, rounded up: to 100 mm/s², or to three digits."""
-    low, high = -50.0, 0.0
-    for _ in range(50):
-        middle = (low + high) / 2.0
-        low, high = (middle, high) if _matters(turns, cell, values, errors, limit, float(np.exp(middle))) else (low, middle)
-    value = float(values[limit] * np.exp(high))
-    unit = 100.0 if limit == 0 else 10.0 ** (math.floor(math.log10(value)) - 2)
-    return math.ceil(value / unit) * unit
-
-
-def _known(turns: Sequence[Turn]) -> "np.ndarray[tuple[int, ...], np.dtype[np.bool_]]":
-    """By turn, whether its size and its time can be fitted; the straights about 180 may be of any length."""
-    return np.array([[t.speed > 0.0 and t.y > 0.0, t.speed > 0.0 and t.ms > 0.0 and (t.name != "180" or t.before > 0.0)] for t in turns])
-
-
-def _errors(turns: Sequence[Turn], cell: float, limits: Array) -> Array:
-    """Relative errors of size and time, shape (turns, 2)."""
-    errors = np.zeros((len(turns), 2))
-    for i, (turn, (size, time)) in enumerate(zip(turns, _known(turns))):
-        if not (size or time):
-            continue
-        width, length, whole = curve(turn, limits.tolist(), cell)
-        if size:
-            errors[i, 0] = width / turn.y - 1.0
-        if time:
-            whole = length + 2.0 * turn.before if turn.name == "180" else whole
-            errors[i, 1] = whole / turn.speed * 1e3 / turn.ms - 1.0
-    return errors
-
-
-def _best(turns: Sequence[Turn], cell: float, chosen: list[int]) -> tuple[float, Array]:
+def _best(figures: _Figures, chosen: list[int]) -> tuple[float, Array]:
     """The least squares of errors where these limits are fitted, and the values of all four."""
     optimize: Any = import_module("scipy.optimize")
 
-    def values_of(logs: Array) -> Array:
-        values = np.zeros(4)
-        values[chosen] = np.exp(np.clip(logs, -50.0, 50.0))
-        return values
+    def limits_of(logs: Array) -> Array:
+        limits = np.zeros(4)
+        limits[chosen] = np.exp(np.clip(logs, -50.0, 50.0))
+        return limits
 
     def errors(logs: Array) -> Array:
-        found = np.nan_to_num(_errors(turns, cell, values_of(logs)).ravel(), nan=1e3, posinf=1e3, neginf=-1e3)
-        return np.append(found, np.zeros(4))  # the method needs as many figures as unknowns
+        return np.append(figures.errors(limits_of(logs)), np.zeros(4))  # the method needs as many figures as unknowns
 
-    fastest = max(turn.speed for turn in turns)
+    fastest = max(turn.speed for _, _, turn in figures.turns)
     best, answer = np.inf, np.zeros(len(chosen))
     for lateral, acceleration, speed, jerk in product((6.0, 12.0, 24.0), (30.0, 100.0, 300.0, 1000.0), (4.0, 9.0, 20.0), (15.0, 60.0)):
         repeats = (2 not in chosen and speed != 4.0) or (3 not in chosen and jerk != 15.0)
@@ -206,4 +191,15 @@ def _best(turns: Sequence[Turn], cell: float, chosen: list[int]) -> tuple[float,
             best, answer = float(2.0 * found.cost), found.x
     if best < np.inf and np.abs(errors(answer)).max() > _GOOD:
         answer = optimize.least_squares(errors, answer, loss="soft_l1", f_scale=0.03, max_nfev=100).x
-    return best, values_of(answer)
+    return best, limits_of(answer)
+
+
+def _lowest(figures: _Figures, limits: Array, limit: int) -> float:
+    """About the lowest value of a limit that no turn reaches, rounded up: to 100 mm/s², or to three digits."""
+    low, high = -50.0, 0.0
+    for _ in range(50):
+        middle = (low + high) / 2.0
+        low, high = (middle, high) if figures.differ(limits, limit, math.exp(middle)) else (low, middle)
+    value = float(limits[limit]) * math.exp(high)
+    unit = 100.0 if limit == 0 else 10.0 ** (math.floor(math.log10(value)) - 2)
+    return math.ceil(value / unit) * unit
