@@ -138,9 +138,22 @@ def test_a_motor_of_the_second_order_is_less_certain_or_refused(robot):
     slow = fit.fit_log(Simulator(1, lag=0.02).drive(25), robot).drive
     assert slow.missed > 3.0 * slow.noise
     assert 0.006 < slow.lag < 0.03
-    assert not slow.gain.known or slow.gain.error > 5.0 * plain.gain.error
+    assert slow.gain.error > 5.0 * plain.gain.error
+    assert slow.time.error > 0.3 * 0.02
+    assert abs(slow.time.value - 0.15) < 2.5 * slow.time.error
     slower = fit.fit_log(Simulator(1, lag=0.08).drive(25), robot).turn
     assert slower.refusal and not (slower.gain.known or slower.time.known or slower.dead_zone.known)
+
+
+def test_a_motion_that_no_model_explains_is_less_certain(robot):
+    log = Simulator(1).drive(25)
+    plain = fit.fit_log(log, robot).drive
+    pushed = np.floor(30.0 * np.sin(2.0 * math.pi * log.times / 250.0))  # counts, by a hand
+    for side in ("left_count", "right_count"):
+        log.values[side] = log[side] + pushed
+    found = fit.fit_log(log, robot).drive
+    assert found.missed > 3.0 * plain.missed
+    assert not found.gain.known or found.gain.error > 0.02 * found.gain.value
 
 
 def test_infrared_is_recovered_and_another_law_refused(robot):
@@ -151,6 +164,11 @@ def test_infrared_is_recovered_and_another_law_refused(robot):
     assert abs(found.gain.value - IR_GAIN) < 3.0 * found.gain.error < 60.0
     other = fit.fit_infrared(Simulator(3, inverse_square=True).stand(12, 20.0), robot)
     assert other.refusal and other.bends and not other.gain.known
+    # Walls that reflect by chance follow no law.
+    log = Simulator(3).stand(12, 20.0)
+    places, place = np.unique(log["wall_left"], return_inverse=True)
+    log.values["ir_left"] = log["ir_left"] * (1.0 + 0.4 * (-1.0) ** np.arange(len(places)))[place]
+    assert fit.fit_infrared(log, robot).bends
 
 
 def test_an_outlier_hardly_moves_the_infrared(robot):
@@ -192,20 +210,28 @@ def test_counts_follow_from_known_places_or_the_whole_way():
     assert 0.0 < places.count.error < 2e-4
     whole = fit.fit_count(log, 2000.0, 4.0)
     assert whole.count.error / whole.count.value == pytest.approx(0.002, abs=1e-4)
+    # Errors that add up on the way, 3 mm from place to place.
+    slips = np.repeat(np.cumsum(np.random.default_rng(1).normal(scale=3.0, size=11)), 20)[:201]
+    slipping = fit.fit_count(fit.Log(ticks, {**log.values, "way": way + slips})).count
+    assert abs(slipping.value - 10.0 / 41.0) < 3.0 * slipping.error
+    assert slipping.error > 0.003 * slipping.value
     log.values["way"][100] += 300.0  # one place was misread
     assert fit.fit_count(log).count.value == pytest.approx(10.0 / 41.0, abs=2e-3)
 
 
 def test_noise_that_is_not_white_is_less_certain(robot):
-    def noise(memory):
+    def noise(memory, unit=1e-6):
         steps = np.random.default_rng(7).normal(scale=0.01, size=1000)
         values = [0.0]
         for step in steps[1:]:
             values.append(memory * values[-1] + step)
         zero = np.zeros(1000)
-        log = fit.Log(np.arange(1000.0), {"gyro": 0.05 + np.array(values), "left": zero, "right": zero})
-        return fit.fit_gyro(log, fit.motion_of(log, robot)).noise
+        log = fit.Log(np.arange(1000.0), {"gyro": np.round((0.05 + np.array(values)) / unit) * unit, "left": zero, "right": zero})
+        motion = fit.motion_of(log, robot)
+        assert abs(motion.angle[900] - motion.angle[100]) < 0.01  # its bias is no turning
+        return fit.fit_gyro(log, motion).noise
 
+    assert noise(0.0, 0.02).value == pytest.approx(0.01, rel=0.07)  # without what rounding adds
     assert noise(0.0).value == pytest.approx(0.01, abs=3.0 * noise(0.0).error)
     assert noise(0.0).error < 0.001
     assert noise(0.6).error > 2.0 * noise(0.0).error
@@ -354,6 +380,13 @@ def test_limits_of_turns_are_recovered_with_as_few_numbers_as_explain_them(limit
         assert value == pytest.approx(limit, rel=0.002) if reached else value <= 1.02 * limit or not limit
 
 
+def test_a_limit_that_no_turn_reaches_has_its_lowest_value():
+    found = fit.fit_turns(turns_within((20_000.0, 300.0, 9.0, 0.0)), 180.0)
+    # The fastest turn needs 900 mm/s times 9 rad/s.
+    assert found.reached == (False, True, True, False)
+    assert found.limits[0] == pytest.approx(8150.0, abs=60.0)
+
+
 def test_a_wrong_figure_of_a_turn_stands_out():
     turns = turns_within((8000.0, 300.0, 0.0, 0.0))
     turns[1] = dataclasses.replace(turns[1], y=1.2 * turns[1].y)
@@ -398,6 +431,7 @@ def test_what_is_wrong_with_turns_has_a_place(tmp_path, text, places):
 def test_a_robot_beside_its_own_log_does_not_part_and_a_weak_one_does(driven, tmp_path):
     log = fit.read_log(driven, DUTIES)
     same = fit.compare_log(log, "kerise")
+    assert abs(same.stronger) < 0.05
     assert same.by_duties and list(same.curves) == ["speed", "yaw", "way", "turn"]
     assert same.curves["way"].parts is None
     base, text = fit.base_numbers("kerise"), fit.robot_of_logs([], "kerise").text
@@ -443,6 +477,13 @@ def test_errors_of_users_are_one_line(words, code, capsys):
     assert fit_command(words) == code
     out, err = capsys.readouterr()
     assert out == "" and err.count("\n") == 1 and "error: " in err
+
+
+def test_outputs_overwrite_no_input(tmp_path, capsys):
+    path = written(tmp_path, "t,g\n0,0\n1,0\n")
+    for out in (["--out", str(path)], ["--plot", str(path)], ["--out", "x.toml", "--plot", "./x.toml"]):
+        assert fit_command([str(path), "--base", "kerise", "--columns", "time=t,gyro=g", *out]) == 2
+    assert path.read_text() == "t,g\n0,0\n1,0\n"
 
 
 def test_what_a_log_should_tell_and_does_not_is_an_exit_code(tmp_path, capsys):
