@@ -17,6 +17,9 @@ from ._robots import FittedRobot, base_numbers, robot_numbers, robot_of_logs, ro
 from ._turns import read_turns
 
 _COLUMNS = "which column of the log is what: ROLE=COLUMN, with a factor or divisor behind it, separated by commas (docs/logs.md has the roles)"
+_WAY = "how far the mouse came in the whole log, where no column has a way that is known"
+_CELL = "with --turns: side of a cell; default: what S90 with its straights says, or that of the other robot"
+_ROBOT = "built-in robot, or a file with a slash or .toml in its name (default: classic)"
 _PERIOD = "from one row of the log to the next in ms, where no column has the time"
 
 
@@ -74,10 +77,10 @@ def fit(words: Sequence[str]) -> int:
     parser.add_argument("logs", nargs="*", metavar="LOG", help="logs of one mouse, CSV")
     parser.add_argument("--log", metavar="FILE", action="append", default=[], help="a log, too")
     parser.add_argument("--turns", metavar="TABLE", default="", help="table of turns: columns turn, speed, ms, x, y, before, after")
-    parser.add_argument("--way", metavar="MM", type=_number(1.0, 1e6), default=0.0, help="how far the mouse came in the whole log, where no column has a way that is known")
+    parser.add_argument("--way", metavar="MM", type=_number(1.0, 1e6), default=0.0, help=_WAY)
     parser.add_argument("--way-error", metavar="MM", type=_number(0.0, 1e4), default=1.0, help="standard error of that (default: 1)")
     parser.add_argument("--base", metavar="ROBOT", default="classic", help="robot that all other numbers are taken from (default: classic)")
-    parser.add_argument("--cell", metavar="MM", type=_number(20.0, 1000.0), default=0.0, help="with --turns: side of a cell; default: what S90 with its straights says, or that of the other robot")
+    parser.add_argument("--cell", metavar="MM", type=_number(20.0, 1000.0), default=0.0, help=_CELL)
     parser.add_argument("--out", metavar="FILE", default="", help="save the robot file there instead of printing it")
     parser.add_argument("--plot", metavar="FILE", default="", help="save a plot of the fit, too (.svg, .png, .pdf)")
     return _run(lambda: _fit(parser.parse_args(words)))
@@ -92,11 +95,13 @@ def _fit(options: argparse.Namespace) -> int:
     _check_outputs([*paths, options.turns], [options.out, options.plot])
     path = options.turns or ", ".join(paths)
     fitted = _of_turns(options) if options.turns else _of_logs(options, paths)
+    if options.plot and not fitted.fits:
+        raise Error(f"{path}: error: has times alone, so there is no fit for --plot; leave it out")
     if options.out:
         _native.write_file(options.out, fitted.text)
     else:
         print(fitted.text, end="")
-    if options.plot and fitted.fits:
+    if options.plot:
         save_plot(fitted.fits[0], options.plot)
     if fitted.doubt:
         print(f"{path}: {fitted.doubt}", file=sys.stderr)
@@ -121,7 +126,7 @@ def compare(words: Sequence[str]) -> int:
     """Prints how far a robot and a log differ; returns the exit code. words: the arguments."""
     parser = _parser("compare", "Drive a robot beside a log of a mouse: how far they differ")
     parser.add_argument("log", metavar="LOG", help="log of a mouse, CSV")
-    parser.add_argument("--robot", metavar="ROBOT", default="classic", help="built-in robot, or a file with a slash or .toml in its name (default: classic)")
+    parser.add_argument("--robot", metavar="ROBOT", default="classic", help=_ROBOT)
     parser.add_argument("--svg", metavar="FILE", default="", help="save a picture of both, too")
     return _run(lambda: _compare(parser.parse_args(words)))
 

@@ -22,25 +22,23 @@ PARTING_SHARE = 0.05
 
 @dataclass
 class Curve:
-    """log, robot: (ticks,), in `unit`. parts: the tick at which they part, or None."""
+    """A curve of both, by ticks."""
 
     unit: str
     log: Array
     robot: Array
-    parts: Optional[int] = None
+    parts: Optional[int] = None  #: the tick at which they part
 
 
 @dataclass
 class Comparison:
-    """curves: by "speed" (mm/s), "yaw" (rad/s), "way" (mm) and "turn" (degrees to the left), as far as the log has them.
-    by_duties: whether the robot got the log's duties; otherwise its controller followed speeds. stronger: share by which its right
-    motor was made stronger than the left one."""
+    """A log beside a robot."""
 
     log_name: str
     robot_name: str
-    curves: dict[str, Curve]
-    by_duties: bool
-    stronger: float
+    curves: dict[str, Curve]  #: "speed" (mm/s), "yaw" (rad/s), "way" (mm), "turn" (degrees to the left), as the log has them
+    by_duties: bool  #: whether the robot got the log's duties; otherwise its controller followed speeds
+    stronger: float  #: share by which its right motor was made stronger than the left one
 
     def table(self) -> "pd.DataFrame":
         """A row for each curve: peak of the log, rms and largest difference, difference at the end, and when they part (s)."""

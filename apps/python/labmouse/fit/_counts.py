@@ -10,13 +10,12 @@ from ._logs import Log
 
 @dataclass
 class CountFit:
-    """count: mm of travel for a count, in the mean of both wheels. way: mm that are known. missed: rms mm by which places that
-    are left out are missed; 0 where only the whole way is known. refusal: why there is no fit, or ''."""
+    """The fit of the encoders."""
 
-    count: Estimate = Estimate()
-    way: float = 0.0
-    missed: float = 0.0
-    refusal: str = ""
+    count: Estimate = Estimate()  #: mm of travel for a count, mean of both wheels
+    way: float = 0.0  #: mm that are known
+    missed: float = 0.0  #: rms mm by which places that are left out are missed; 0 where only the whole way is known
+    refusal: str = ""  #: why there is no fit
 
 
 def fit_count(log: Log, way: float = 0.0, way_error: float = 1.0) -> CountFit:

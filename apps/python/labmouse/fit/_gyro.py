@@ -11,13 +11,12 @@ from ._motion import Motion
 
 @dataclass
 class GyroFit:
-    """noise: rad/s, standard deviation of a reading, without that of rounding. rest: s at rest. missed: rms share by which a
-    quarter of the rest differs from the others. refusal: why there is no fit, or ''."""
+    """The fit of the noise."""
 
-    noise: Estimate = Estimate()
-    rest: float = 0.0
-    missed: float = 0.0
-    refusal: str = ""
+    noise: Estimate = Estimate()  #: rad/s, standard deviation of a reading, without that of rounding
+    rest: float = 0.0  #: s at rest
+    missed: float = 0.0  #: rms share by which a quarter of the rest differs from the others
+    refusal: str = ""  #: why there is no fit
 
 
 def fit_gyro(log: Log, motion: Motion) -> GyroFit:

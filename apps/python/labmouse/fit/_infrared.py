@@ -23,19 +23,16 @@ _DISTANCE, _BEND, _OFFSET = 4, 5, 6
 
 @dataclass
 class InfraredFit:
-    """gain: counts in the middle of a cell, in the mean of the sensors. fall: mm. of_sensor: gain in counts by the names of
-    SENSORS. places: number of runs of rows at a wall. missed: rms share by which readings at places that are left out are missed.
-    bends: whether readings follow another law. readings: all that were fitted (columns sensor, farther in mm, level in counts),
-    for plots. refusal: why there is no fit, or ''."""
+    """The fit of all sensors."""
 
-    gain: Estimate = Estimate()
-    fall: Estimate = Estimate()
-    of_sensor: dict[str, float] = field(default_factory=dict)
-    places: int = 0
-    missed: float = 0.0
-    bends: bool = False
-    readings: "Optional[pd.DataFrame]" = None
-    refusal: str = ""
+    gain: Estimate = Estimate()  #: counts in the middle of a cell, mean of the sensors
+    fall: Estimate = Estimate()  #: mm
+    of_sensor: dict[str, float] = field(default_factory=dict)  #: gain in counts by the names of SENSORS
+    places: int = 0  #: number of runs of rows at a wall
+    missed: float = 0.0  #: rms share by which readings at places that are left out are missed
+    bends: bool = False  #: whether readings follow another law
+    readings: "Optional[pd.DataFrame]" = None  #: what was fitted: columns sensor, farther (mm), level (counts)
+    refusal: str = ""  #: why there is no fit
 
 
 def fit_infrared(log: Log, robot: Numbers) -> InfraredFit:

@@ -169,7 +169,8 @@ class _Reader:
         for row in np.flatnonzero(~(steps > 0.0) & np.isfinite(steps))[:1]:
             self.problems.append((row + 1, 0, f"the time goes from {times[row]:g} to {times[row + 1]:g} ms; it must grow"))
         for row in np.flatnonzero(steps > LONGEST_GAP)[:1]:
-            reason = f"the time goes on by {steps[row]:g} ms; a log has no gaps of more than {LONGEST_GAP:g} ms: cut it here, or give its unit, as in time=NAME*1000"
+            reason = f"the time goes on by {steps[row]:g} ms; a log has no gaps of more than {LONGEST_GAP:g} ms: "
+            reason += "cut it here, or give its unit, as in time=NAME*1000"
             self.problems.append((row + 1, 0, reason))
         for row in np.flatnonzero(times > LONGEST)[:1]:
             self.problems.append((row, 0, f"is longer than {LONGEST / 1000.0:g} s; cut it here"))

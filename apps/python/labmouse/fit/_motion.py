@@ -16,20 +16,15 @@ Numbers = dict[str, Any]
 
 @dataclass
 class Motion:
-    """All arrays have the shape (ticks,); None: the log does not have it.
-
-    left, right: duties of the motors as shares of a full battery. way: mm of the middle of the axle, by encoders.
-    angle: rad to the left, by the gyro if `by_gyro`, otherwise by encoders. rests: spans [begin, end) of ticks without motion,
-    0.1 s or longer.
-    """
+    """The motion by ticks; None: the log does not have it."""
 
     ticks: int
-    left: Optional[Array] = None
-    right: Optional[Array] = None
-    way: Optional[Array] = None
-    angle: Optional[Array] = None
-    by_gyro: bool = False
-    rests: list[tuple[int, int]] = field(default_factory=list)
+    left: Optional[Array] = None  #: duty of the left motor, as a share of a full battery
+    right: Optional[Array] = None  #: the same of the right one
+    way: Optional[Array] = None  #: mm of the middle of the axle, by encoders
+    angle: Optional[Array] = None  #: rad to the left
+    by_gyro: bool = False  #: whether the angle is the gyro's; otherwise it is that of encoders
+    rests: list[tuple[int, int]] = field(default_factory=list)  #: spans [begin, end) without motion, 0.1 s or longer
 
 
 def motion_of(log: Log, robot: Numbers) -> Motion:

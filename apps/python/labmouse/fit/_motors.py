@@ -21,46 +21,37 @@ _MUCH = 3.0  # what is left counts as more than noise from so many times of it o
 
 @dataclass
 class Axis:
-    """What a log has of an axis; arrays of shape (ticks,).
+    """What a log has of an axis; arrays have the shape (ticks,)."""
 
-    place: mm or rad. rate: its change for a second. duty: of this axis; other: of the other axis, since unequal motors mix them.
-    taken: what takes of the duty but for `factor`, or None. filtered: ticks (1 to 40) in whose mean nothing swings any more.
-    slow: rate below which friction is another. time: s, the base's time constant.
-    """
-
-    place: Array
-    rate: Array
-    duty: Array
-    other: Array
-    filtered: int
-    gain: float
-    time: float
-    taken: Optional[Array] = None
-    factor: float = 0.0
+    place: Array  #: mm or rad
+    rate: Array  #: its change for a second
+    duty: Array  #: of this axis
+    other: Array  #: duty of the other axis, since unequal motors mix them
+    filtered: int  #: ticks, 1 to 40, in whose mean nothing swings any more
+    gain: float  #: of the base; rates below 0.6 % of it count as slow
+    time: float  #: s, of the base
+    taken: Optional[Array] = None  #: what takes of the duty, but for the factor
+    factor: float = 0.0  #: of the base
 
 
 @dataclass
 class MotorFit:
-    """gain: mm/s or rad/s at full duty. time: s. dead_zone: duty. taking: factor of what takes of the duty (s/rad).
-    mixed: share of the other axis' duty; for turning, by how much the right motor is stronger than the left one.
-    time_known: False where the gain is for the base's time. stretches: number of stretches of moving one way. peak: largest rate.
-    missed: rms by which the rate on stretches that are left out is missed, noise: how much of that is no motion, changes: rms
-    that was to explain. lag (s), drag (duty at the peak): of models that fit better. refusal: why there is no fit, or ''."""
+    """The fit of an axis. Rates are in mm/s (driving on) or rad/s (turning)."""
 
-    gain: Estimate = Estimate()
-    time: Estimate = Estimate()
-    dead_zone: Estimate = Estimate()
-    taking: Estimate = Estimate()
-    mixed: Estimate = Estimate()
-    time_known: bool = True
-    stretches: int = 0
-    peak: float = 0.0
-    missed: float = 0.0
-    noise: float = 0.0
-    changes: float = 0.0
-    lag: float = 0.0
-    drag: float = 0.0
-    refusal: str = ""
+    gain: Estimate = Estimate()  #: rate at full duty
+    time: Estimate = Estimate()  #: s; of the base, with error 0, where the log does not tell it
+    dead_zone: Estimate = Estimate()  #: duty
+    taking: Estimate = Estimate()  #: duty that turning takes from driving on, for a rad/s
+    mixed: Estimate = Estimate()  #: share of the other axis' duty; turning: by how much the right motor is stronger
+    time_known: bool = True  #: False where the gain is for the base's time
+    stretches: int = 0  #: number of stretches of moving one way
+    peak: float = 0.0  #: largest rate
+    missed: float = 0.0  #: rms by which the rate on stretches that are left out is missed
+    noise: float = 0.0  #: how much of that is no motion
+    changes: float = 0.0  #: rms of the rate that was to explain
+    lag: float = 0.0  #: s by which a motor of the second order lags, where that fits better
+    drag: float = 0.0  #: duty that drag takes at the peak, where that fits better
+    refusal: str = ""  #: why there is no fit
 
 
 def fit_motors(axis: Axis) -> MotorFit:
@@ -91,8 +82,7 @@ def fit_motors(axis: Axis) -> MotorFit:
     if left > _MUCH * result.noise:
         errors = np.hypot(errors, numbers * left / result.changes)
     result.gain = within(numbers[0], errors[0], 0.25 * numbers[0])
-    if result.time_known:
-        result.time = within(numbers[1], errors[1], 0.25 * numbers[1])
+    result.time = within(numbers[1], errors[1], 0.25 * numbers[1]) if result.time_known else Estimate(axis.time)
     result.dead_zone = within(max(0.0, numbers[2]), errors[2], 0.03)
     result.mixed = within(numbers[3], errors[3], 0.1)
     result.taking = within(max(0.0, axis.factor + numbers[4]), errors[4], axis.factor)

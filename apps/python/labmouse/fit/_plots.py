@@ -43,14 +43,17 @@ def plot(subject: Union[LogFit, TurnFit, Comparison]) -> Any:
 def _of_log(fit: LogFit) -> Any:
     """Speed and yaw speed with what the fitted motors make of the duties, and infrared readings with their law."""
     figure, axes = _figure(3)
-    motion = fit.motion
+    motion, seconds = fit.motion, np.arange(fit.motion.ticks) * TICK
     for axis, name, motor, places in ((axes[0], "speed, mm/s", fit.drive, motion.way), (axes[1], "yaw speed, rad/s", fit.turn, motion.angle)):
         axis.set(xlabel="s", ylabel=name)
         if places is not None:
-            axis.plot(np.arange(motion.ticks) * TICK, rates(places), label=fit.log.name, linewidth=1.0)
+            axis.plot(seconds, rates(places), label=fit.log.name, linewidth=1.0)
         if motor.gain.known and motion.left is not None and motion.right is not None:
-            duty = (motion.left + motion.right) / 2.0 if motor is fit.drive else motion.right - motion.left
-            axis.plot(np.arange(motion.ticks) * TICK, _driven(motor, duty), label="fitted motors", linewidth=1.0)
+            onwards, around = (motion.left + motion.right) / 2.0, motion.right - motion.left
+            duty = (onwards if motor is fit.drive else around) + motor.mixed.value * (around if motor is fit.drive else onwards)
+            if motor.taking.known and motion.angle is not None:
+                duty = duty - motor.taking.value * np.abs(rates(motion.angle, 16)) * np.sign(duty)
+            axis.plot(seconds, _driven(motor, duty), label="fitted motors", linewidth=1.0)
         axis.set_title(motor.refusal or f"gain {motor.gain.value:.4g} ± {motor.gain.error:.2g}, missed {motor.missed:.2g}", fontsize="small")
         if axis.lines:
             axis.legend(fontsize="small")
@@ -60,7 +63,7 @@ def _of_log(fit: LogFit) -> Any:
 
 def _driven(motor: MotorFit, duty: Any) -> Any:
     """The rate by tick of a motor of the first order with a dead zone, from rest."""
-    share = -np.expm1(-TICK / motor.time.value) if motor.time.known else 1.0
+    share = -np.expm1(-TICK / motor.time.value)
     rate, course = 0.0, []
     for one in duty:
         course.append(rate)

@@ -17,13 +17,12 @@ from ._turns import LIMITS, Turn, TurnFit, fit_turns
 
 @dataclass
 class FittedRobot:
-    """text: of a robot file, in which each number has its standard error or its source. doubt: what speaks against it, or ''.
-    numbers: what was fitted, by the keys of robot files. fits: behind it, for plots."""
+    """A robot file that follows from fits."""
 
-    text: str
-    doubt: str
-    numbers: dict[str, Estimate]
-    fits: "Sequence[Union[LogFit, TurnFit]]" = ()
+    text: str  #: of the file; each number has its standard error or its source
+    doubt: str  #: what speaks against it, or ''
+    numbers: dict[str, Estimate]  #: what was fitted, by the keys of robot files
+    fits: "Sequence[Union[LogFit, TurnFit]]" = ()  #: what it follows from, for plots
 
 
 def robot_numbers(name: "Union[str, os.PathLike[str]]") -> tuple[str, Numbers]:
@@ -94,8 +93,8 @@ def _head(fit: LogFit, robot: Numbers) -> list[tuple[str, bool]]:
     mixed = fit.turn.mixed
     if mixed.known and abs(mixed.value) > 2.0 * mixed.error:
         than = "stronger" if mixed.value > 0.0 else "weaker"
-        words = f"the right motor is {100 * abs(mixed.value):.1f} % {than} than the left one, +- {100 * mixed.error:.2g} %; a robot's motors are alike"
-        lines.append((words, False))
+        words = f"the right motor is {100 * abs(mixed.value):.1f} % {than} than the left one, +- {100 * mixed.error:.2g} %"
+        lines.append((f"{words}; a robot's motors are alike", False))
     tell("gyro", fit.gyro.refusal, "gyro" in log, f"{fit.gyro.rest:.2g} s at rest; quarters of it left out differ by {100 * fit.gyro.missed:.1f} %")
     gains = ", ".join(f"{name.replace('_', ' ')} {fit.infrared.of_sensor[name]:.3g}" for name in SENSORS if name in fit.infrared.of_sensor)
     bends = "; readings follow another law: errors contain what that would change" if fit.infrared.bends else ""
@@ -132,7 +131,10 @@ def robot_of_turns(turns: Sequence[Turn], base: "Union[str, os.PathLike[str]]", 
     cell = cell or cell_of(turns) or robot["cell"]
     speeds, fixed = any(turn.speed > 0.0 for turn in turns), "turns.speed" in robot
     if speeds and fixed:
-        raise Error(f"'{name}' gives the times of its turns, and the table has speeds; take the rest from a robot with limits, such as classic or kerise")
+        raise Error(
+            f"'{name}' gives the times of its turns, and the table has speeds; take the rest from a robot with limits, such as "
+            "classic or kerise"
+        )
     if not speeds and not fixed:
         raise Error(
             f"the table has times without speeds, which tell nothing of limits, and '{name}' has limits; take the rest from a robot with "

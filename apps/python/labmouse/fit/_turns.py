@@ -23,32 +23,28 @@ LIMITS = ("lateral_acceleration", "yaw_acceleration", "yaw_speed", "yaw_jerk")
 
 @dataclass(frozen=True)
 class Turn:
-    """A turn; what the table does not have is 0.
+    """A turn; what the table does not have is 0."""
 
-    name: as in TURNS; K90 is V90 in cells of twice the size. speed: mm/s all along it. ms: of the whole turn, from node to node.
-    y: mm from the beginning of its curve to the end, across the direction of its beginning. before: mm of straight before it.
-    """
-
-    name: str
-    speed: float = 0.0
-    ms: float = 0.0
-    y: float = 0.0
-    before: float = 0.0
+    name: str  #: of TURNS; K90 is V90 in cells of twice the size
+    speed: float = 0.0  #: mm/s, all along it
+    ms: float = 0.0  #: of the whole turn, from node to node
+    y: float = 0.0  #: mm from the beginning of its curve to the end, across the direction of its beginning
+    before: float = 0.0  #: mm of straight before the curve
 
 
 @dataclass
 class TurnFit:
-    """limits: of LIMITS in mm/s², rad/s², rad/s, rad/s³; those of yaw speed and jerk are 0 where turns are explained without them.
-    reached: whether some turn reaches each of them; otherwise the limit may be anything from its value on. numbers, figures:
-    how many limits were fitted, and to how many figures. errors: by turn the largest relative error of its size and time."""
+    """The limits behind turns."""
 
     turns: Sequence[Turn]
-    cell: float
+    cell: float  #: mm
+    #: Of LIMITS, in mm/s², rad/s², rad/s, rad/s³; 0 where turns are explained without a limit of yaw speed or jerk.
     limits: tuple[float, ...] = (0.0, 0.0, 0.0, 0.0)
+    #: Whether some turn reaches each of them; otherwise the limit may be anything from its value on.
     reached: tuple[bool, ...] = (False, False, False, False)
-    numbers: int = 0
-    figures: int = 0
-    errors: list[float] = field(default_factory=list)
+    numbers: int = 0  #: how many limits were fitted; 0: none explain the turns
+    figures: int = 0  #: to how many figures
+    errors: list[float] = field(default_factory=list)  #: by turn the largest relative error of its size and time
 
 
 def read_turns(path: "Union[str, os.PathLike[str]]") -> list[Turn]:
@@ -183,7 +179,7 @@ def _best(figures: _Figures, chosen: list[int]) -> tuple[float, Array]:
     best, answer = np.inf, np.zeros(len(chosen))
     for lateral, acceleration, speed, jerk in product((6.0, 12.0, 24.0), (30.0, 100.0, 300.0, 1000.0), (4.0, 9.0, 20.0), (15.0, 60.0)):
         repeats = (2 not in chosen and speed != 4.0) or (3 not in chosen and jerk != 15.0)
-        if repeats or best < 1e-14:
+        if repeats or (best < np.inf and np.abs(errors(answer)).max() <= 0.2 * _GOOD):
             continue
         start = np.log(np.array([lateral * fastest, acceleration, speed, jerk * acceleration])[chosen])
         found = optimize.least_squares(errors, start, method="lm", max_nfev=300)
