@@ -238,6 +238,45 @@ def test_noise_that_is_not_white_is_less_certain(robot):
     assert noise(0.6).error > 2.0 * noise(0.0).error
 
 
+def log_of(times, **values):
+    return fit.Log(np.array(times, dtype=float), {role: np.array(row, dtype=float) for role, row in values.items()})
+
+
+PLAIN = {"sensors.count": 0.1, "body.half_track": 20.0, "motors.volts": 4.0, "motors.sag": 0.1}
+
+
+def test_motion_goes_on_between_rows_and_duties_hold():
+    values = {"left": [0.5, 0, 0], "right": [0.1, 0, 0], "left_count": [0, 40, 40], "right_count": [0, 80, 80], "gyro": [0, 2, 2]}
+    motion = fit.motion_of(log_of([0, 4, 8], **values), PLAIN)
+    assert motion.ticks == 9 and motion.by_gyro
+    assert motion.way[[2, 8]] == pytest.approx([3.0, 6.0])  # 30 and 60 counts in the mean
+    assert motion.left[[3, 4]] == pytest.approx([0.5 * 0.97, 0.0])  # the battery yields at 0.3 of full load
+    assert motion.angle[4] == pytest.approx(0.001 * (0.5 + 1.0 + 1.5 + 2.0))
+
+
+def test_motion_takes_the_battery_as_it_was_and_turns_by_encoders_without_a_gyro():
+    motion = fit.motion_of(log_of([0, 1, 2], left=[0.5, 0, 0], right=[0.5, 0, 0], volts=[3, 3, 4]), PLAIN)
+    assert motion.left[0] == pytest.approx(0.5 * 3.0 / 4.0) and motion.way is None
+    turned = fit.motion_of(log_of([0, 1], left_count=[0, -20], right_count=[0, 20]), PLAIN)
+    assert turned.angle[1] == pytest.approx(4.0 / 40.0) and not turned.by_gyro
+
+
+def test_rests_are_found_and_the_gyro_is_levelled_there():
+    ticks = np.arange(600)
+    moved = np.maximum(0, ticks - 300)
+    duty = np.where(ticks < 300, 0.0, 0.2)
+    motion = fit.motion_of(log_of(ticks, left=duty, right=duty, left_count=2 * moved, right_count=2 * moved, gyro=0.02 + (moved > 0)), PLAIN)
+    [(begin, end)] = motion.rests
+    assert end - begin > 200 and end < 300
+    assert motion.angle[290] == pytest.approx(0.0, abs=1e-9)
+    assert motion.angle[599] == pytest.approx(0.299, abs=0.002)
+
+
+def test_a_counter_that_wraps_is_no_motion():
+    with pytest.raises(labmouse.Error, match="left_count=NAME%65536"):
+        fit.motion_of(log_of([0, 1], left_count=[65530, 2], right_count=[5, 9]), PLAIN)
+
+
 def test_several_logs_are_pooled():
     def of(value, error):
         gain = fit.Estimate(value, error)
