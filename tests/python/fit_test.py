@@ -3,8 +3,10 @@
 import dataclasses
 import math
 import os
+import re
 import subprocess
 import sys
+from pathlib import Path
 
 import labmouse
 import numpy as np
@@ -14,6 +16,7 @@ pytest.importorskip("scipy")
 pytest.importorskip("matplotlib")
 from labmouse import fit  # noqa: E402
 from labmouse._native import turn_curve  # noqa: E402
+from labmouse.fit._columns import ROLES  # noqa: E402
 from labmouse.fit._commands import compare, fit as fit_command  # noqa: E402
 
 DRIVEN = (
@@ -542,3 +545,9 @@ def test_without_scipy_the_package_says_how_to_get_it():
 def test_the_package_needs_neither_scipy_nor_matplotlib():
     program = "import sys, labmouse; print([name for name in ('scipy', 'matplotlib', 'labmouse.fit') if name in sys.modules])"
     assert subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True).stdout == "[]\n"
+
+
+def test_the_page_names_the_roles_and_units_of_columns():
+    page = Path(__file__).parents[2] / "docs" / "logs.md"
+    rows = [re.match(r"\| `(\w+)` \| ([^|]*) \|", line) for line in page.read_text(encoding="utf-8").split("\n")]
+    assert {row[1]: row[2].strip() for row in rows if row} == {name: role.unit for name, role in ROLES.items()}
