@@ -225,6 +225,10 @@ Option* Command::add_flag(const std::string& name, bool& value, const std::strin
 
 void Command::footer(const std::string& text) { app_->footer(text); }
 void Command::callback(const std::function<void()>& action) { app_->callback(action); }
+void Command::hand_over(const std::function<void(const std::vector<std::string>&)>& action) {
+  app_->prefix_command();
+  app_->callback([app = app_, action] { action(app->remaining()); });
+}
 std::size_t Command::count(const std::string& option) const { return app_->count(option); }
 
 CommandLine::CommandLine(const std::string& program, const std::string& meaning, const std::string& version)

@@ -108,6 +108,8 @@ class Command {
   void footer(const std::string& text);
   /// What the command does once its options are read.
   void callback(const std::function<void()>& action);
+  /// The same with all words behind the command as they are, for another program that reads them.
+  void hand_over(const std::function<void(const std::vector<std::string>&)>& action);
 
   /// How often the option of that name was given.
   std::size_t count(const std::string& option) const;

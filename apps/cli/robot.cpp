@@ -68,7 +68,7 @@ void add_robot(Command& app, int& exit) {
     exit = exit_good;
   });
 
-  add_robot_fit(*command, exit);
+  add_robot_fit(*command);
   Command* listed = command->add_subcommand("list", "List the built-in robots");
   listed->footer("Example: labmouse robot list");
   listed->callback([&exit] {

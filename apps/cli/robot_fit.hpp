@@ -5,7 +5,7 @@
 
 namespace labmouse::cli {
 
-/// Adds `fit` and `compare`.
-void add_robot_fit(Command& robot, int& exit);
+/// Adds `fit` and `compare`, which Python does: there are SciPy and matplotlib.
+void add_robot_fit(Command& robot);
 
 }  // namespace labmouse::cli

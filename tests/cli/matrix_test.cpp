@@ -49,7 +49,7 @@ const std::map<std::string, Words> usual = {
     {"mice", {}},
     {"robot show", {"--svg", "robot.svg"}},
     {"robot fit", {"--turns", "turns.txt"}},
-    {"robot compare", {"log.csv", "--columns", "left,right,left_count,right_count", "--period", "1"}},
+    {"robot compare", {"log.csv"}},
     {"robot list", {}},
     {"rules show", {}},
     {"rules list", {}},
@@ -80,8 +80,6 @@ class EveryCommand : public test::AUser {
     file("robot.py", "class Robot:\n  def __init__(self, size):\n    pass\n");
     std::filesystem::create_directories(folder_ / "robots");
     file("robots/robot.py", content("robot.py"));
-    file("turns.txt", "turn speed y before\nS90 300 44 1\n");
-    file("log.csv", "left,right,left_count,right_count\n0,0,0,0\n0,0,0,0\n0,0,0,0\n");
     std::string lineup;
     for (const std::string& mouse : built_in_mice())
       lineup += "[[mouse]]\nname = \"the " + mouse + "\"\nmouse = \"" + mouse + "\"\n";

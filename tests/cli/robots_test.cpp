@@ -64,33 +64,5 @@ TEST_F(ABuilder, IsToldOfLikelyMistakes) {
   is_refused({"robot", "show", "word.toml"}, "word.toml:1:", "write false");
 }
 
-TEST_F(ABuilder, FitsARobotToTurns) {
-  file("turns.txt", "turn speed y\nS90 265.749 44\n45 411.636 30\n90 422.783 70\n135 353.609 80\n");
-  const Ended ended = labmouse({"robot", "fit", "--turns", "turns.txt", "--base", "half"});
-  EXPECT_EQ(ended.code, 0) << ended.err;
-  EXPECT_THAT(ended.out,
-              Says("yaw_acceleration = 113.1 ", "yaw_jerk", "fitted", "S90 = 265.749", "search", "from half"));
-  file("fitted.toml", ended.out);
-  EXPECT_THAT(labmouse({"robot", "show", "fitted.toml"}).out, Says("S90     265.7", "tables"));
-  file("times.txt", "turn ms\n90 370\n");
-  EXPECT_THAT(labmouse({"robot", "fit", "--turns", "times.txt", "--base", "mm2021"}).out,
-              Says("90 = 370 ", "given", "S90 = 287.5 ", "from mm2021"));
-  is_refused({"robot", "fit", "--turns", "times.txt"}, "times.txt", "'classic'", "mm2021");
-  is_refused({"robot", "fit", "--turns", "turns.txt", "--base", "mm2021"}, "turns.txt", "'mm2021'", "classic");
-  // Of another cell than the one that it is said to be of.
-  file("small.txt", "turn speed y before\n180 412.228 90 24\nS90 265.749 44 1\n");
-  const Ended refused = labmouse({"robot", "fit", "--turns", "small.txt", "--cell", "180"});
-  EXPECT_EQ(refused.code, 1);
-  EXPECT_THAT(refused.err, Says("small.txt", "refused", "180 mm"));
-  // S90 with its straights says how large a cell is.
-  file("cells.txt", "turn speed y before\nS90 265.749 44 1\n45 411.636 30 -\n");
-  const Ended cells = labmouse({"robot", "fit", "--turns", "cells.txt"});
-  EXPECT_EQ(cells.code, 0) << cells.err;
-  EXPECT_THAT(cells.out, Says("cell = 90 "));
-  file("wrong.txt", "turn ms\n91 370\n");
-  is_refused({"robot", "fit", "--turns", "wrong.txt"}, "wrong.txt:2:1: error: ", "'91'");
-  is_refused({"robot", "fit"}, "--turns");
-}
-
 }  // namespace
 }  // namespace labmouse::test

@@ -6,11 +6,13 @@ The blocks of a page marked `python` are one program. A block marked `text` righ
 
 import contextlib
 import io
+import os
 import re
 import subprocess
 import sys
 from pathlib import Path
 
+import labmouse
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -55,3 +57,10 @@ def test_the_package_itself_is_typed(tmp_path):
     checked = subprocess.run([sys.executable, "-m", "mypy", "--strict", "--package", "labmouse"], capture_output=True, text=True, check=False,
                              cwd=tmp_path)
     assert checked.returncode == 0, checked.stdout
+
+
+def test_the_page_on_logs_shows_what_the_program_prints_with_this_python(tmp_path):
+    program = Path(labmouse.__file__).parent / "bin" / "labmouse"
+    ran = subprocess.run([sys.executable, ROOT / "tests/docs/run_examples.py", ROOT / "docs/logs.md", program], capture_output=True, text=True,
+                         check=False, cwd=tmp_path, env={**os.environ, "LABMOUSE_PYTHON": sys.executable})
+    assert ran.returncode == 0, ran.stdout + ran.stderr

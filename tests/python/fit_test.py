@@ -6,11 +6,13 @@ import os
 import re
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 import labmouse
 import numpy as np
 import pytest
+from hypothesis import given, settings, strategies as st
 
 pytest.importorskip("scipy")
 pytest.importorskip("matplotlib")
@@ -551,3 +553,35 @@ def test_the_page_names_the_roles_and_units_of_columns():
     page = Path(__file__).parents[2] / "docs" / "logs.md"
     rows = [re.match(r"\| `(\w+)` \| ([^|]*) \|", line) for line in page.read_text(encoding="utf-8").split("\n")]
     assert {row[1]: row[2].strip() for row in rows if row} == {name: role.unit for name, role in ROLES.items()}
+
+
+_NEAR_CSV = st.text(st.sampled_from("0123456789.-+eE,;\t \n\r\"'#xnaif\x00\x1a\ufeff\u00e9"), max_size=200)
+
+
+@given(text=_NEAR_CSV, named=st.booleans())
+@settings(deadline=None, max_examples=300)
+def test_any_text_is_a_log_or_refused(text, named):
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "log.csv"
+        path.write_text(("a,b\n" if named else "") + text, encoding="utf-8", newline="")
+        for columns in ("left=#1,right=#2", "time=#1,gyro=#2"):
+            try:
+                log = fit.read_log(path, columns, period=0.0 if "time" in columns else 1.0)
+            except labmouse.Error as error:
+                assert str(error).startswith(f"{path}:") and "\n" not in str(error)
+            else:
+                assert len(log.times) >= 2 and np.isfinite(log.times).all()
+
+
+@given(text=_NEAR_CSV, turn=st.sampled_from(["", "S90 265.749 44 1\n", "90 "]))
+@settings(deadline=None, max_examples=300)
+def test_any_text_is_a_table_of_turns_or_refused(text, turn):
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "turns.txt"
+        path.write_text("turn speed y before\n" + turn + text, encoding="utf-8", newline="")
+        try:
+            turns = fit.read_turns(path)
+        except labmouse.Error as error:
+            assert all(line.startswith(f"{path}:") for line in str(error).split("\n"))
+        else:
+            assert turns and all(math.isfinite(one.speed) for one in turns)

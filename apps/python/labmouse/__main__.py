@@ -9,6 +9,7 @@ def main() -> None:
     """Runs the program in place of this process, with the same arguments."""
     name = "labmouse.exe" if os.name == "nt" else "labmouse"
     program = str(Path(__file__).parent / "bin" / name)
+    os.environ.setdefault("LABMOUSE_PYTHON", sys.executable)
     if os.name == "nt":
         import subprocess
 
