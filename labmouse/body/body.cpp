@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "labmouse/functions/normal.hpp"
+#include "labmouse/functions/position.hpp"
 
 namespace labmouse {
 namespace {
@@ -13,14 +14,6 @@ namespace {
 constexpr double graze_sine = 0.25881904510252076;   // of 15 degrees
 constexpr double graze_speed = 50.0;                 // mm/s towards the wall
 constexpr double graze_turn = 0.017453292519943295;  // a degree
-
-struct Way {
-  double x, y;
-};
-constexpr Way way_of(Heading heading) {
-  constexpr std::array<Way, 4> ways = {{{0.0, 1.0}, {1.0, 0.0}, {0.0, -1.0}, {-1.0, 0.0}}};
-  return ways[static_cast<unsigned>(heading)];
-}
 
 }  // namespace
 
@@ -59,7 +52,7 @@ Touch Body::step(const Drive& drive) {
 Touch Body::touch(const Contact& contact) {
   contact_ = contact;
   const BodyMotion& motion = plant_.motion();
-  const Way out = way_of(contact.out);
+  const Position out = way_of_eighths(2 * static_cast<int>(contact.out));
   const Direction goes = turned_by(motion.ahead, motion.slip);
   const double forwards = motion.speed < 0.0 ? -1.0 : 1.0;
   // The sine of the angle between its way and the wall; below 0 it goes into the wall.

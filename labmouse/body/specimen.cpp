@@ -25,8 +25,7 @@ class Draws {
   Draws(std::uint64_t seed, std::string_view name) : dice_(seed_for(seed, name)) {}
   double next() { return NormalNumber::of(dice_.bits()); }
   double factor(double deviation) { return factor_of(deviation * next()); }
-  /// From 0 to 1.
-  double share() { return static_cast<double>(dice_.bits() >> 11U) * (1.0 / 9007199254740992.0); }
+  double unit() { return dice_.unit(); }
 
  private:
   Dice dice_;
@@ -53,7 +52,7 @@ Specimen::Specimen(const Hardware& hardware, const NoiseLevel& level, Size size,
   grip = own(tyres, NoiseGroup::tyres, noise.grip);
   // How far apart the scales of encoders are is known from logs, and not spread.
   for (double& factor : encoder) factor = encoders.factor(level.of(NoiseGroup::encoders) * noise.encoder_scale);
-  for (double& turns : ripple) turns = encoders.share();
+  for (double& turns : ripple) turns = encoders.unit();
   gyro = own(gyros, NoiseGroup::gyro, noise.gyro_scale);
   frailty_ = std::sqrt(std::sqrt(fourth_powers / drawn));
   double squares = 0.0;
@@ -72,7 +71,7 @@ Specimen::Specimen(const Hardware& hardware, const NoiseLevel& level, Size size,
   if (noise.floor_steps <= 0.0) return;
   floor_steps_.resize(2 * area);
   for (FloorStep& step : floor_steps_) {
-    const bool stands = floor.share() < noise.floor_steps;
+    const bool stands = floor.unit() < noise.floor_steps;
     const double turn = floor.next(), shift = floor.next();
     if (stands)
       step = {level.of(NoiseGroup::floor) * noise.floor_turn * turn,

@@ -24,6 +24,9 @@ class Dice {
     return z ^ (z >> 31U);
   }
 
+  /// A number from 0 to 1, without 1; each multiple of 2^-53 is as likely as the others.
+  constexpr double unit() { return static_cast<double>(bits() >> 11U) * 0x1p-53; }
+
   /// A number from 0 to count - 1, each as likely as the others; count must be at least 1.
   constexpr int below(int count) {
     const auto sides = static_cast<std::uint32_t>(count);

@@ -23,7 +23,7 @@ FallibleDriver::FallibleDriver(const Maze& maze, const DriveModel& model, const 
       dice_(seed_for(seed, "hazards")),
       hazards_(hazards),
       noise_(conditions.noise.all),
-      noise_share_(share()) {
+      noise_share_(dice_.unit()) {
   record.by_dice = true;
   const Specimen mouse(*model.robot.hardware, conditions.noise, maze.size(), seed);
   record.frailty = mouse.frailty();
@@ -36,17 +36,14 @@ FallibleDriver::FallibleDriver(const Maze& maze, const DriveModel& model, const 
 void FallibleDriver::set_pace(double pace) {
   pace_ = pace;
   const auto paces = between(hazards_.paces, pace, [](const HazardsAtPace& at) { return at.pace; });
-  const HazardsAtPace& at_pace = hazards_.paces[share() < paces.part ? paces.above : paces.below];
+  const HazardsAtPace& at_pace = hazards_.paces[dice_.unit() < paces.part ? paces.above : paces.below];
   const auto noises = between(at_pace.noises, noise_, [](const HazardsAtNoise& at) { return at.noise; });
   const HazardsAtNoise& at = at_pace.noises[noise_share_ < noises.part ? noises.above : noises.below];
   odds_ = &at.by_luck[static_cast<std::size_t>(luck_)];
 }
 
-/// From 0 to 1.
-double FallibleDriver::share() { return static_cast<double>(dice_.bits() >> 11U) * (1.0 / 9007199254740992.0); }
-
 std::size_t FallibleDriver::one_of(std::span<const double> shares) {
-  double left = share();
+  double left = dice_.unit();
   std::size_t place = 0;
   while (place + 1 < shares.size() && left >= shares[place]) left -= shares[place++];
   // What rounding has left over belongs to what there is.
@@ -63,7 +60,7 @@ void FallibleDriver::put_at_start() {
 
 void FallibleDriver::look_about() {
   const Heading heading = place_.pose.heading;
-  const double clear = share();
+  const double clear = dice_.unit();
   WallEvidence seen;
   seen.left = read_wall(left_of(heading), false, clear);
   seen.ahead = read_wall(heading, true, clear);
@@ -91,7 +88,8 @@ Evidence FallibleDriver::read_wall(Heading side, bool ahead, double clear) {
 FallibleDriver::Went FallibleDriver::drive(Manoeuvre manoeuvre, bool way_is_open) {
   const ManoeuvreHazard& hazard = odds_->manoeuvres[static_cast<std::size_t>(manoeuvre)][astray_];
   if (!way_is_open) return {true, RunEnd::misread, 0.5};
-  if (share() < hazard.crash) return {true, share() < hazard.slid ? RunEnd::slid : RunEnd::strayed, share()};
+  if (dice_.unit() < hazard.crash)
+    return {true, dice_.unit() < hazard.slid ? RunEnd::slid : RunEnd::strayed, dice_.unit()};
   astray_ = one_of(hazard.after);
   return {};
 }

@@ -40,7 +40,6 @@ class FallibleDriver final : public ContestDriver {
     double part = 1.0;
   };
 
-  double share();
   MazeTime slowed(MazeTime time) const { return at_pace(time, pace_); }
   std::size_t one_of(std::span<const double> shares);
   Went drive(Manoeuvre manoeuvre, bool way_is_open);

@@ -1,6 +1,8 @@
 // Points and ways in the plane of a maze.
 #pragma once
 
+#include <array>
+
 namespace labmouse {
 
 /// A point or a way in mm: x counts eastwards, y northwards, a point's from the south-western corner of the maze.
@@ -12,5 +14,12 @@ struct Position {
   friend constexpr Position operator+(const Position& a, const Position& b) { return {a.x + b.x, a.y + b.y}; }
   friend constexpr Position operator-(const Position& a, const Position& b) { return {a.x - b.x, a.y - b.y}; }
 };
+
+/// One unit long, so many eighths of a circle clockwise from north.
+constexpr Position way_of_eighths(int eighths) {
+  constexpr double half = 0.70710678118654752440;  // the root of it
+  constexpr std::array<double, 8> sines = {0.0, half, 1.0, half, 0.0, -half, -1.0, -half};
+  return {sines[static_cast<unsigned>(eighths) % 8U], sines[static_cast<unsigned>(eighths + 2) % 8U]};
+}
 
 }  // namespace labmouse

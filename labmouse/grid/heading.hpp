@@ -33,12 +33,13 @@ constexpr int quarters_between(Heading from, Heading to) {
   return static_cast<int>((static_cast<unsigned>(to) - static_cast<unsigned>(from)) & 3U);
 }
 
+/// From a cell to its neighbour, by the number of the heading.
+inline constexpr std::array<int, 4> steps_east = {0, 1, 0, -1}, steps_north = {1, 0, -1, 0};
+
 /// The cell `count` cells away in a heading (negative: behind); may lie outside of the maze.
 constexpr Cell neighbour(Cell cell, Heading heading, int count = 1) {
-  constexpr std::array<int, 4> dx = {0, 1, 0, -1};
-  constexpr std::array<int, 4> dy = {1, 0, -1, 0};
   const auto side = static_cast<unsigned>(heading);
-  return {cell.x + dx[side] * count, cell.y + dy[side] * count};
+  return {cell.x + steps_east[side] * count, cell.y + steps_north[side] * count};
 }
 
 constexpr std::string_view name_of(Heading heading) {

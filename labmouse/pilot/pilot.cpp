@@ -5,23 +5,20 @@
 #include <cmath>
 #include <utility>
 
+#include "labmouse/functions/position.hpp"
+
 namespace labmouse {
 namespace {
 
 /// What a mouse waits after it has stopped, and after it has turned, so that it stands still when it reads.
 constexpr double settling = 0.05;
 
-Direction direction_in(Heading heading) {
-  constexpr std::array<Direction, 4> directions = {{{1.0, 0.0}, {0.0, 1.0}, {-1.0, 0.0}, {0.0, -1.0}}};
-  return directions[static_cast<unsigned>(heading)];
+Direction direction_of_eighths(int eighths) {
+  const Position way = way_of_eighths(eighths);
+  return {way.y, way.x};
 }
-
-Direction direction_of_node(const DriveNode& node) {
-  constexpr double half = 0.70710678118654752440;
-  constexpr std::array<Direction, 8> directions = {
-      {{1.0, 0.0}, {half, half}, {0.0, 1.0}, {-half, half}, {-1.0, 0.0}, {-half, -half}, {0.0, -1.0}, {half, -half}}};
-  return directions[static_cast<unsigned>(eighths(node))];
-}
+Direction direction_in(Heading heading) { return direction_of_eighths(2 * static_cast<int>(heading)); }
+Direction direction_of_node(const DriveNode& node) { return direction_of_eighths(eighths(node)); }
 
 /// Numbers that one can reckon with: up to a million of their units, and a direction of length one.
 bool makes_sense(const PoseEstimate& estimate) {

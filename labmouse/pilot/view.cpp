@@ -4,14 +4,12 @@
 #include <cmath>
 
 #include "labmouse/functions/exponential.hpp"
+#include "labmouse/functions/position.hpp"
 #include "labmouse/hardware/beam.hpp"
 
 namespace labmouse {
 
-Position way_in(Heading heading) {
-  constexpr std::array<Position, 4> ways = {{{0.0, 1.0}, {1.0, 0.0}, {0.0, -1.0}, {-1.0, 0.0}}};
-  return ways[static_cast<unsigned>(heading)];
-}
+Position way_in(Heading heading) { return way_of_eighths(2 * static_cast<int>(heading)); }
 
 WallLine line_on(Cell cell, Heading side, Heading axis, double size) {
   const Position out = way_in(side);

@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -242,6 +244,25 @@ TEST_F(Sandbox, CountsTheWorkOfItsGuest) {
   GuestProcess process(launch);
   ASSERT_EQ(process.wait(GuestProcess::Clock::now() + 60s), GuestEvent::output);
   EXPECT_GT(process.processor_time(), 10ms);
+}
+
+/// What a process says of itself where others can read it.
+bool shows_its_command_line() {
+  std::ifstream file("/proc/self/cmdline", std::ios::binary);
+  const std::string text(std::istreambuf_iterator<char>(file), {});
+  return text.find_first_not_of('\0') != std::string::npos;
+}
+
+TEST(CommandLine, CanBeForgotten) {
+  ASSERT_TRUE(shows_its_command_line());
+  const pid_t child = fork();
+  if (child == 0) {
+    forget_command_line();
+    _exit(shows_its_command_line() ? 1 : 0);
+  }
+  int status = -1;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  EXPECT_EQ(status, 0);
 }
 
 TEST_F(Sandbox, SaysWhatCannotBeStarted) {

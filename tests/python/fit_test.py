@@ -342,6 +342,8 @@ def test_columns_have_numbers_factors_wraps_and_periods(tmp_path):
         ("time=t,gyro=g", "t,g\n0,1\n\n# x\n1,fast\n", ":5:3", ["'fast'", "'gyro'"]),
         ("time=t,gyro=g", "t;g\n0;1\n1;0,5\n", ":3:3", ["'0,5'", "0.5"]),
         ("time=t,gyro=g", "t,g\n0,1\n1,1e999\n", ":3:3", ["'1e999'"]),
+        ("time=t,gyro=g", "t,g\n0,0e-320\n1,-0.5e-320\n", ":3:3", ["'-0.5e-320'"]),
+        ("time=t,gyro=g", "t,g\n0,1\n1,1E-400\n", ":3:3", ["'1E-400'"]),
         ("time=t,gyro=g", "t,g\n0,1\n1,\n", ":3:3", ["no value"]),
         ("time=t,gyro=g", "t,g\n0,1\n1,180\n", ":3:3", ["180", "0.0174533"]),
         ("time=t,left=l,right=r", "t,l,r\n0,0,0\n1,90,90\n", ":3:3", ["'left'", "90", "/255"]),

@@ -10,9 +10,6 @@
 namespace labmouse {
 namespace {
 
-constexpr std::array<int, 4> dx = {0, 1, 0, -1};
-constexpr std::array<int, 4> dy = {1, 0, -1, 0};
-
 // What a choice does, by its number; directions are quarter turns from the heading before the step.
 struct Move {
   std::uint8_t turn = 0;
@@ -214,8 +211,8 @@ void ContestBatch::move(Contest& contest, int choice) const {
   const int cells = std::min<int>(asked.cells, open);
   contest.moved = static_cast<std::uint8_t>(cells);
   contest.blocked = asked.cells > open;
-  contest.x = static_cast<std::uint8_t>(contest.x + dx[contest.direction] * cells);
-  contest.y = static_cast<std::uint8_t>(contest.y + dy[contest.direction] * cells);
+  contest.x = static_cast<std::uint8_t>(contest.x + steps_east[contest.direction] * cells);
+  contest.y = static_cast<std::uint8_t>(contest.y + steps_north[contest.direction] * cells);
 }
 
 // What the step was worth, and whether it was the last.
@@ -303,8 +300,8 @@ template <class Form>
 void ContestBatch::change_belief(const Contest& contest, const Contest& before, typename Form::Unit* cells) const {
   Form::remove(cells + place(before) * Form::units_a_cell, pose_bit(static_cast<Heading>(before.heading)));
   // Backwards from where it now stands, over the cells that it came through.
-  const std::ptrdiff_t a_cell =
-      (dx[contest.direction] + dy[contest.direction] * size_.width) * static_cast<std::ptrdiff_t>(Form::units_a_cell);
+  const std::ptrdiff_t a_cell = (steps_east[contest.direction] + steps_north[contest.direction] * size_.width) *
+                                static_cast<std::ptrdiff_t>(Form::units_a_cell);
   auto* const here = cells + place(contest) * Form::units_a_cell;
   Form::add(here, visited_bit | pose_bit(static_cast<Heading>(contest.heading)));
   for (int back = 1; back < contest.moved; ++back) Form::add(here - back * a_cell, visited_bit);
@@ -330,7 +327,7 @@ void ContestBatch::see(const Contest& contest, typename Form::Unit* cells) const
     const Heading side = turned(static_cast<Heading>(contest.heading), quarters);
     const auto index = static_cast<unsigned>(side);
     const std::ptrdiff_t a_cell =
-        (dx[index] + dy[index] * size_.width) * static_cast<std::ptrdiff_t>(Form::units_a_cell);
+        (steps_east[index] + steps_north[index] * size_.width) * static_cast<std::ptrdiff_t>(Form::units_a_cell);
     const int length = corridor(open, side);
     auto* cell = here;
     BeliefBits entered = 0;
@@ -339,7 +336,8 @@ void ContestBatch::see(const Contest& contest, typename Form::Unit* cells) const
       entered = open_bit(opposite(side));
     }
     Form::add(cell, entered | closed_bit(side));
-    const int beyond_x = contest.x + dx[index] * (length + 1), beyond_y = contest.y + dy[index] * (length + 1);
+    const int beyond_x = contest.x + steps_east[index] * (length + 1),
+              beyond_y = contest.y + steps_north[index] * (length + 1);
     if (beyond_x >= 0 && beyond_y >= 0 && beyond_x < facts.width && beyond_y < facts.height)
       Form::add(cell + a_cell, closed_bit(opposite(side)));
   }

@@ -8,13 +8,10 @@
 namespace labmouse {
 namespace {
 
-/// A number from 0 to 1, without 1.
-double fraction(Dice& dice) { return static_cast<double>(dice.bits() >> 11U) * 0x1p-53; }
-
 /// A normal deviate by the polar method (Marsaglia and Bray 1964); the second one of the pair is left.
 double deviate(Dice& dice) {
   for (;;) {
-    const double u = 2.0 * fraction(dice) - 1.0, v = 2.0 * fraction(dice) - 1.0;
+    const double u = 2.0 * dice.unit() - 1.0, v = 2.0 * dice.unit() - 1.0;
     const double square = u * u + v * v;
     if (square > 0.0 && square < 1.0) return u * std::sqrt(-2.0 * std::log(square) / square);
   }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "labmouse/functions/position.hpp"
 #include "labmouse/mouse/robot/straights.hpp"
 
 namespace labmouse {
@@ -57,18 +58,6 @@ double top_speed_of(const DriveModel& model, Turn turn) {
   for (const DrivenTurn& driven : model.tables.turns)
     if (driven.turn == turn) top = std::max(top, driven.speed);
   return top;
-}
-
-struct Step {
-  double x, y;
-};
-
-/// One unit long, so many eighths of a turn clockwise from north.
-Step step_in(int eighth) {
-  constexpr double half = 0.70710678118654752440;
-  constexpr std::array<Step, 8> steps = {
-      {{0, 1}, {half, half}, {1, 0}, {half, -half}, {0, -1}, {-half, -half}, {-1, 0}, {-half, half}}};
-  return steps[static_cast<unsigned>(eighth)];
 }
 
 }  // namespace
@@ -170,7 +159,7 @@ double DriveProfile::time_at(double distance) const {
 
 DriveSpot DriveProfile::spot(double distance) const {
   constexpr double eighth = 0.78539816339744830962;
-  const Step ahead = step_in(eighths(segment_.from)), left = step_in((eighths(segment_.from) + 6) % 8);
+  const Position ahead = way_of_eighths(eighths(segment_.from)), left = way_of_eighths(eighths(segment_.from) + 6);
   PathPoint point;
   if (shape_ != nullptr) {
     point = shape_->at(offset_ + distance);

@@ -1,8 +1,9 @@
 #include "labmouse/mouse/robot/turn_room.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+
+#include "labmouse/functions/position.hpp"
 
 namespace labmouse {
 namespace {
@@ -77,10 +78,7 @@ TurnRoom room_of(Turn turn) {
 }
 
 MazePoint maze_point(const DriveNode& from, bool left, const PathPoint& point, double cell) {
-  constexpr double half = 0.7071067811865476;
-  constexpr std::array<double, 8> sines = {0.0, half, 1.0, half, 0.0, -half, -1.0, -half};
-  const double east = sines[static_cast<unsigned>(eighths(from))];
-  const double north = sines[static_cast<unsigned>(eighths(from) + 2) % 8];
+  const auto [east, north] = way_of_eighths(eighths(from));
   const double aside = left ? point.aside : -point.aside;
   const HalfPoint start = half_point(from);
   return {start.x / 2.0 + (point.ahead * east - aside * north) / cell,

@@ -5,18 +5,17 @@
 #include <cmath>
 
 #include "labmouse/functions/angles.hpp"
+#include "labmouse/functions/position.hpp"
 
 namespace labmouse {
 namespace {
-
-constexpr double half = 0.7071067811865476;
 
 double angle_of(Turn turn) { return eighths(turn) * (pi / 4.0); }
 
 /// Exact where quarters of a circle are.
 Direction end_direction(Turn turn) {
-  constexpr std::array<Direction, 5> directions = {{{0.0, 1.0}, {half, half}, {1.0, 0.0}, {half, -half}, {0.0, -1.0}}};
-  return directions[static_cast<unsigned>(eighths(turn))];
+  const Position way = way_of_eighths(eighths(turn));
+  return {way.x, way.y};
 }
 
 /// A point of the shape's curve, from where the curve begins; it is the same from both of its ends.
@@ -70,6 +69,7 @@ TurnShape curve_of_eighths(Turn turn, double ramp) {
 }  // namespace
 
 PathPoint end_of(Turn turn, double cell) {
+  constexpr double half = way_of_eighths(1).x;  // the root of it
   constexpr std::array<PathPoint, 8> ends = {{{1.0, 0.5},
                                               {1.0, 1.0},
                                               {0.5, 1.0},

@@ -3,6 +3,7 @@
 import csv
 import io
 import os
+import re
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Union
@@ -61,6 +62,7 @@ class _Reader:
         kept = [(i + 1, line.rstrip("\r").replace("\r", " ")) for i, line in enumerate(split) if line.strip(' \t\r"') and not line.startswith("#")]
         if not kept:
             raise Error(f"{name}: error: is empty; a log has a line with names and two or more rows")
+        self.has_tiny = re.search(r"e-\d{3}", text, re.IGNORECASE) is not None
         self.numbers = [number for number, _ in kept]
         self.lines = [line for _, line in kept]
         self.separator = next((one for one in ",;\t" if one in self.lines[0]), " ")
@@ -143,11 +145,12 @@ class _Reader:
         what = ROLES[role]
         numbers = read.to_numpy(dtype=float, copy=True) if read.dtype.kind in "fi" else np.full(len(read), np.inf)
         empty = np.isnan(numbers)
-        if np.isinf(numbers).any():  # some fields are no plain numbers
+        if np.isinf(numbers).any() or self.has_tiny:  # some fields are no plain numbers
             texts = self._frame([place], dtype=str, na_filter=False)[place].str.strip(' \t"')
             numbers = pd.to_numeric(texts, errors="coerce").to_numpy(dtype=float, copy=True)
             empty = texts.isin(_EMPTY).to_numpy()
-            numbers[~np.isfinite(numbers)] = np.nan
+            underflows = (np.abs(numbers) < np.finfo(float).tiny) & texts.str.contains("^[^eE]*[1-9]").to_numpy()
+            numbers[~np.isfinite(numbers) | underflows] = np.nan
             for row in np.flatnonzero(~empty & np.isnan(numbers))[:1]:
                 comma = "; write decimals as in 0.5" if "," in texts.iloc[row] else ""
                 self.problems.append((row, place, f"'{_short(texts.iloc[row])}' for '{role}' is not a number in range{comma}"))
