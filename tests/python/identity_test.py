@@ -1,14 +1,19 @@
 """What tells mice in Python apart in a store: all that decides how they play, and their names; and nothing else."""
 
 import functools
+import importlib
 import os
+import platform
+import py_compile
 import subprocess
 import sys
 import textwrap
 import types
 
 import labmouse
+import numpy as np
 import pytest
+from labmouse._identity import Walk, identity_of
 
 MAZE = "contest-01"
 wait = 1
@@ -106,6 +111,42 @@ def by_module(number):
     return Mouse
 
 
+def by_literal(number):
+    space = {"Waiter": Waiter}
+    exec(f"class Mouse(Waiter):\n    def steps(self):\n        return {number}", space)
+    return space["Mouse"]
+
+
+def by_closure_of_an_installed_module(number):
+    # As of a module that makes policies.
+    space = vars(textwrap)
+    exec("def made_by_a_test(number):\n    return lambda: number", space)
+    ask = space.pop("made_by_a_test")(number)
+
+    class Mouse(Waiter):
+        def steps(self):
+            return ask()
+
+    return Mouse
+
+
+def by_bound_method(number):
+    class Keeper:
+        def __init__(self, number):
+            self.number = number
+
+        def ask(self):
+            return self.number
+
+    ask = Keeper(number).ask
+
+    class Mouse(Waiter):
+        def steps(self):
+            return ask()
+
+    return Mouse
+
+
 def by_object(number):
     class Maker:
         def __init__(self, number):
@@ -133,8 +174,8 @@ def by_cache(number):
     return Mouse
 
 
-WAYS = [by_closure, by_default, by_type, by_attribute, by_global, by_part_of_a_global, by_base_class, by_helper, by_module, by_object,
-        by_partial, by_cache]
+WAYS = [by_closure, by_default, by_type, by_attribute, by_global, by_part_of_a_global, by_base_class, by_helper, by_module, by_literal,
+        by_bound_method, by_closure_of_an_installed_module, by_object, by_partial, by_cache]
 
 
 def held(mouse, store, name="mouse", **options):
@@ -315,3 +356,34 @@ def test_a_mouse_with_dice_has_several_contests():
 
     counts = labmouse.race([Dicer, Chooser, Numpy, Told, Held, Sober, Waiter], MAZE, runs=2).table["mouse"].value_counts()
     assert counts.to_dict() == {"Dicer": 2, "Chooser": 2, "Numpy": 2, "Told": 2, "Held": 2, "Sober": 1, "Waiter": 1}
+
+
+def test_versions_of_python_and_of_packages_are_a_part_of_it():
+    class Mouse(Waiter):
+        def steps(self):
+            return int(np.int64(1)) + len(labmouse.__name__)
+
+    lines = identity_of(Walk().go(Mouse), "mouse", Mouse, None).splitlines()
+    assert any(platform.python_version() in line for line in lines)
+    assert any("numpy" in line and np.__version__ in line for line in lines)
+    assert any(line.startswith("labmouse ") for line in lines)
+
+
+def test_a_compiled_module_is_known_by_its_file(tmp_path, monkeypatch):
+    monkeypatch.syspath_prepend(tmp_path)
+    source, name = tmp_path / "source_of_a_test.py", "compiled_of_a_test"
+
+    def digest(number):
+        source.write_text(f"def steps():\n    return {number}\n")
+        py_compile.compile(str(source), cfile=str(tmp_path / f"{name}.pyc"))
+        importlib.invalidate_caches()
+        monkeypatch.delitem(sys.modules, name, raising=False)
+        module = importlib.import_module(name)
+
+        class Mouse(Waiter):
+            def steps(self):
+                return module.steps()
+
+        return Walk().go(Mouse).digest.hexdigest()
+
+    assert digest(1) == digest(1) != digest(2)

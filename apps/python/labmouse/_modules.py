@@ -42,9 +42,20 @@ def is_own(module: ModuleType) -> bool:
 
 
 def is_of_own(thing: object) -> bool:
-    """Whether a function or class was written in a module of the user's own, or in none that is left."""
+    """Whether a function or class was written in a module of the user's own, or cannot be found in the module that it names.
+
+    Closures of installed modules, and classes that `exec` makes in a space without a name, are such.
+    """
     module = sys.modules.get(getattr(thing, "__module__", None) or "")
-    return module is None or is_own(module)
+    return module is None or is_own(module) or not _has(module, thing)
+
+
+def _has(module: ModuleType, thing: object) -> bool:
+    """What has no name is held for a part of the module."""
+    place: Any = module
+    for name in getattr(thing, "__qualname__", "").split("."):
+        place = getattr(place, name, None) if name else thing
+    return place is thing
 
 
 def installed_with(space: "dict[str, Any]") -> "ModuleType | None":
