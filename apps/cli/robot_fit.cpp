@@ -2,15 +2,14 @@
 #include "robot_fit.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <cerrno>
 #include <cstdlib>
-#include <cstring>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "command.hpp"
+#include "labmouse/lab/system/calls.hpp"
 
 namespace labmouse::cli {
 namespace {
@@ -29,13 +28,12 @@ sys.exit(getattr(_commands, sys.argv[1])(sys.argv[2:])))";
 [[noreturn]] void hand_over(const std::string& name, const std::vector<std::string>& words) {
   const char* chosen = std::getenv("LABMOUSE_PYTHON");
   const std::string python = chosen != nullptr ? chosen : "python3";
-  std::vector<const char*> line = {python.c_str(), "-c", fit_in_python, name.c_str()};
-  for (const std::string& word : words) line.push_back(word.c_str());
-  line.push_back(nullptr);
+  std::vector<std::string> line = {python, "-c", fit_in_python, name};
+  line.insert(line.end(), words.begin(), words.end());
   // No module of the folder in which it happens to start takes the place of a real one.
-  setenv("PYTHONSAFEPATH", "1", 1);
-  execvp(python.c_str(), const_cast<char**>(line.data()));
-  throw UsageError(fmt::format("error: labmouse robot {} needs Python: {}: {}", name, python, std::strerror(errno)));
+  const int failure = become_program(line, "PYTHONSAFEPATH", "1");
+  throw UsageError(fmt::format("error: labmouse robot {} needs Python: {}: {}", name, python,
+                               std::generic_category().message(failure)));
 }
 
 void add(Command& robot, const std::string& name, const std::string& meaning, const std::string& example) {

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 
 #include <cerrno>
+#include <cstdlib>
 
 #ifdef _WIN32  // not tried
 #include <io.h>
@@ -52,6 +53,8 @@ bool has_name(int) { return true; }
 std::vector<std::string> paths_like(const std::string&) { return {}; }
 
 int process_number() { return _getpid(); }
+
+int become_program(const std::vector<std::string>&, const std::string&, const std::string&) { return ENOSYS; }
 
 Undisturbed::Undisturbed() = default;
 Undisturbed::~Undisturbed() = default;
@@ -112,6 +115,15 @@ std::vector<std::string> paths_like(const std::string& pattern) {
 }
 
 int process_number() { return getpid(); }
+
+int become_program(const std::vector<std::string>& words, const std::string& variable, const std::string& value) {
+  std::vector<char*> line;
+  // They are not written to. NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast)
+  for (const std::string& word : words) line.push_back(const_cast<char*>(word.c_str()));
+  line.push_back(nullptr);
+  if (setenv(variable.c_str(), value.c_str(), 1) == 0) execvp(line.front(), line.data());
+  return errno;
+}
 
 Undisturbed::Undisturbed() {
   sigset_t ends;

@@ -42,6 +42,10 @@ std::vector<std::string> paths_like(const std::string& pattern);
 /// Different from that of every other program that runs.
 int process_number();
 
+/// This process becomes another program, the first of the words, which is looked for as by a shell; with one more
+/// variable in its environment. Returns an error number where that fails, as always on Windows.
+int become_program(const std::vector<std::string>& words, const std::string& variable, const std::string& value);
+
 /// While one of these lives, no signal ends this thread.
 class Undisturbed {
  public:

@@ -207,11 +207,11 @@ test('which route wins for which robot goes into a link, and stays over a reload
   const table = (page: Page) => regions(page).getByRole('table', { name: 'Which route wins' });
   const rows = (page: Page) => table(page).locator('tbody').textContent();
   const question = 'vary=curve.lateral_acceleration,4000,16000.5';
-  const page = await opened('#robot&in=contest-01&robot=classic');
+  const page = await opened('#robot&in=parallel-8&robot=classic');
   const place = regions(page);
   const find = place.getByRole('button', { name: 'Find which route wins' });
   await view(page)
-    .getByRole('img', { name: /best route of contest-01/ })
+    .getByRole('img', { name: /best route of parallel-8/ })
     .waitFor();
   await place.getByLabel('Vary: from').fill('4000');
   await place.getByLabel('Vary: to').fill('16000.5');
@@ -219,7 +219,7 @@ test('which route wins for which robot goes into a link, and stays over a reload
   await expect.poll(() => table(page).count()).toBe(1);
   const found = await rows(page);
   const link = await linkOf(page);
-  expect(link).toBe(`#robot&in=contest-01&robot=classic&${question}`);
+  expect(link).toBe(`#robot&in=parallel-8&robot=classic&${question}`);
   const other = await opened(link);
   await expect.poll(() => table(other).count()).toBe(1);
   expect(await rows(other)).toBe(found);
