@@ -15,14 +15,14 @@ namespace labmouse::cli {
 namespace {
 
 /// The first word is the function, the others are its command line.
-constexpr const char* fit_in_python = R"(import sys
+constexpr const char* fit_in_python = R"python(import sys
 try:
     from labmouse.fit import _commands
 except ImportError as missing:
-    print(f"error: labmouse robot {sys.argv[1]} needs labmouse for Python with SciPy ({missing} in {sys.executable}); "
-          "run pip install '.[fit]' in the source folder of labmouse", file=sys.stderr)
+    hint = "" if "pip install" in str(missing) else "; run pip install '.[fit]' in the source folder of labmouse"
+    print(f"error: labmouse robot {sys.argv[1]} needs labmouse for Python: {missing}{hint} ({sys.executable})", file=sys.stderr)
     sys.exit(2)
-sys.exit(getattr(_commands, sys.argv[1])(sys.argv[2:])))";
+sys.exit(getattr(_commands, sys.argv[1])(sys.argv[2:])))python";
 
 /// Becomes Python; returns only by a UsageError.
 [[noreturn]] void hand_over(const std::string& name, const std::vector<std::string>& words) {

@@ -40,7 +40,7 @@ class _Parser(argparse.ArgumentParser):
 
 
 def _parser(name: str, description: str) -> argparse.ArgumentParser:
-    parser = _Parser(prog=f"labmouse robot {name}", description=description, allow_abbrev=False)
+    parser = _Parser(prog=f"python3 -m labmouse.{name}", description=description, allow_abbrev=False)
     parser.add_argument("--columns", metavar="LIST", default="", help=_COLUMNS)
     parser.add_argument("--period", metavar="MS", type=_number(0.05, 50.0), default=0.0, help=_PERIOD)
     return parser
@@ -124,7 +124,7 @@ def _of_logs(options: argparse.Namespace, paths: Sequence[str]) -> FittedRobot:
 
 def compare(words: Sequence[str]) -> int:
     """Prints how far a robot and a log differ; returns the exit code. words: the arguments."""
-    parser = _parser("compare", "Drive a robot beside a log of a mouse: how far they differ")
+    parser = _parser("fit.compare", "Drive a robot beside a log of a mouse: how far they differ")
     parser.add_argument("log", metavar="LOG", help="log of a mouse, CSV")
     parser.add_argument("--robot", metavar="ROBOT", default="classic", help=_ROBOT)
     parser.add_argument("--svg", metavar="FILE", default="", help="save a picture of both, too")
