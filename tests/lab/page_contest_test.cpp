@@ -104,6 +104,7 @@ TEST(PageContest, ShowsWhereBeliefAndTruthPartAndMeetAgain) {
 
 /// Slow runs, and such that break off, have their frames and their path within their times.
 TEST(PageContest, IsOnItsClock) {
+  LABMOUSE_SKIP_SANITIZED();
   int slow = 0, broken = 0;
   for (const std::string world : {"physical", "fallible"})
     for (std::uint64_t seed = 1; seed <= 12; ++seed) {

@@ -110,6 +110,7 @@ json asked_regions(const NamedMaze& maze) {
 }
 
 TEST(PageRegions, AreThoseOfTheCommandLine) {
+  LABMOUSE_SKIP_SANITIZED();
   const NamedMaze maze = maze_named("contest-01");
   const RobotFamily classic = *find_robot_family("classic").family;
   const auto expect_same = [&](const json& asked, const RegionOrder& order) {

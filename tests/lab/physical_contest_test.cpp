@@ -47,6 +47,7 @@ bool crashes_early(const PhysicalRecord& record) {
 }
 
 TEST(PhysicalContest, GoesWithoutNoiseAsInSeconds) {
+  LABMOUSE_SKIP_SANITIZED();
   for (const char* robot : {"kerise", "classic", "beginner"})
     for (const char* mouse : {"flood", "flood-return", "certify", "ariadne"}) {
       const DriveRules rules = find_rules("all-japan").rules;
@@ -177,6 +178,7 @@ TEST(PhysicalContest, AMapThatWeighsChangesNothingWhereAllReadingsAgree) {
 }
 
 TEST(PhysicalContest, AMapThatWeighsTurnsWallsOverAndLosesFewerContests) {
+  LABMOUSE_SKIP_SANITIZED();
   std::array<int, all_map_kinds.size()> finished{};
   int turned = 0;
   for (const MapKind kind : all_map_kinds)

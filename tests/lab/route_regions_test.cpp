@@ -69,6 +69,7 @@ TEST_F(RouteRegionsTest, BothSidesOfEachBorderAreSinglePlansAndClose) {
 }
 
 TEST_F(RouteRegionsTest, SinglePlansAtRandomValuesLieInTheirRegions) {
+  LABMOUSE_SKIP_SANITIZED();
   const RegionOrder order = order_of_grip(2'000, 40'000);
   const RouteRegions found = find_regions(maze, classic, order);
   Dice dice(7);
@@ -85,6 +86,7 @@ TEST_F(RouteRegionsTest, SinglePlansAtRandomValuesLieInTheirRegions) {
 }
 
 TEST_F(RouteRegionsTest, RowsOfASecondNumberHoldInSinglePlans) {
+  LABMOUSE_SKIP_SANITIZED();
   RegionOrder order = order_of_grip(4'000, 16'000);
   order.along = VariedNumber{"straight.acceleration", 4'000, 16'000};
   order.samples = 7;
