@@ -136,7 +136,7 @@ test('a program that says nothing more has hung, and what it had printed is told
   expect(held!.prints).toEqual([{ frame: 0, text: 'a\n' }]);
 });
 
-test('a program has ten seconds to begin, and two for each answer, however much it prints; what it printed is told once', async () => {
+test('a program has ten seconds to begin, and two for each answer, however much it prints; what it printed is reported once', async () => {
   const { heard, waited } = await contest([
     { kind: 'print', text: 'a\n' },
     { kind: 'ready' },
