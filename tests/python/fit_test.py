@@ -557,6 +557,18 @@ def test_the_page_names_the_roles_and_units_of_columns():
     assert {row[1]: row[2].strip() for row in rows if row} == {name: role.unit for name, role in ROLES.items()}
 
 
+def test_files_without_an_end_are_refused(tmp_path):
+    with pytest.raises(labmouse.Error, match="MiB"):
+        fit.read_log("/dev/zero", "time,gyro")
+    with pytest.raises(labmouse.Error, match="MiB"):
+        fit.read_turns("/dev/zero")
+    for folder in (tmp_path, tmp_path / "none"):
+        with pytest.raises(labmouse.Error, match=str(folder)):
+            fit.read_turns(folder)
+        with pytest.raises(labmouse.Error, match=str(folder)):
+            fit.read_log(folder, "time,gyro")
+
+
 _NEAR_CSV = st.text(st.sampled_from("0123456789.-+eE,;\t \n\r\"'#xnaif\x00\x1a\ufeff\u00e9"), max_size=200)
 
 

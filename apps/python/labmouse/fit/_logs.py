@@ -5,7 +5,6 @@ import io
 import os
 import re
 from dataclasses import dataclass, field
-from pathlib import Path
 from typing import Any, Union
 
 import numpy as np
@@ -14,9 +13,10 @@ import pandas as pd
 from .. import Error
 from ._columns import ROLES, Column, read_columns
 from ._estimates import Array
+from ._files import content_of
 
-#: The longest log and the longest time from row to row, in ms; the largest file in bytes.
-LONGEST, LONGEST_GAP, LARGEST = 600_000.0, 50.0, 1 << 27
+#: The longest log and the longest time from row to row, in ms; the largest file in MiB.
+LONGEST, LONGEST_GAP, LARGEST = 600_000.0, 50.0, 128
 _EMPTY = ["", "-", "nan", "NaN"]
 
 
@@ -46,12 +46,7 @@ def read_log(path: "Union[str, os.PathLike[str]]", columns: str, *, period: floa
     time. Raises Error with file, line and column of the first problem.
     """
     wanted = read_columns(columns, period)
-    try:
-        if os.stat(path).st_size > LARGEST:
-            raise Error(f"{path}: error: has more than 128 MiB; cut it")
-        text = Path(path).read_bytes().decode("utf-8-sig", errors="replace")
-    except OSError as error:
-        raise Error(f"{path}: error: {error.strerror}") from error
+    text = content_of(path, LARGEST).decode("utf-8-sig", errors="replace")
     return _Reader(os.fspath(path), text, wanted, period).log
 
 

@@ -13,9 +13,12 @@ import numpy as np
 
 from .. import Error, _native
 from ._estimates import Array
+from ._files import content_of
 
 COLUMNS = ("turn", "speed", "ms", "x", "y", "before", "after")
 TURNS = ("45", "90", "135", "180", "V90", "S90", "K90")
+#: The largest table in MiB.
+LARGEST = 1
 #: Turns are explained where no figure is missed by more than this share.
 _GOOD = 5e-4
 LIMITS = ("lateral_acceleration", "yaw_acceleration", "yaw_speed", "yaw_jerk")
@@ -52,10 +55,7 @@ def read_turns(path: "Union[str, os.PathLike[str]]") -> list[Turn]:
 
     "-" is no value; lines that begin with # are comments. Raises Error with file, line and column of every problem.
     """
-    try:
-        text = Path(path).read_text(encoding="utf-8", errors="replace")
-    except OSError as error:
-        raise Error(f"{path}: error: {error.strerror}") from error
+    text = content_of(path, LARGEST).decode("utf-8", errors="replace")
     problems: list[str] = []
     turns: list[Turn] = []
     names: list[str] = []
