@@ -138,6 +138,14 @@ def test_a_mouse_of_another_making_is_recovered(robot):
     assert held >= known - 1
 
 
+def test_errors_of_motors_contain_those_of_counts_and_of_the_scale_of_the_gyro(robot):
+    log = Simulator(1).drive(30)
+    travelled = abs(log["left_count"][-1] + log["right_count"][-1]) / 2.0 * 0.1
+    fitted = fit.fit_log(log, robot | {"noise.gyro_scale": 0.15}, way=travelled, way_error=0.1 * travelled)
+    assert fitted.drive.gain.error == pytest.approx(0.1 * fitted.drive.gain.value, rel=0.05)
+    assert fitted.turn.gain.error == pytest.approx(0.15 * fitted.turn.gain.value, rel=0.05)
+
+
 def test_a_motor_of_the_second_order_is_less_certain_or_refused(robot):
     plain = fit.fit_log(Simulator(1).drive(25), robot).drive
     slow = fit.fit_log(Simulator(1, lag=0.02).drive(25), robot).drive
@@ -216,12 +224,16 @@ def test_counts_follow_from_known_places_or_the_whole_way():
     assert 0.0 < places.count.error < 2e-4
     whole = fit.fit_count(log, 2000.0, 4.0)
     assert whole.count.error / whole.count.value == pytest.approx(0.002, abs=1e-4)
+    # A count more or less on a short way.
+    short = fit.Log(ticks[:21], {side: np.floor(ticks[:21]) for side in ("left_count", "right_count")})
+    few = fit.fit_count(short, 10.0, 0.001).count
+    assert few.error / few.value == pytest.approx(1.0 / 20.0)
     # Errors that add up on the way, 3 mm from place to place.
     slips = np.repeat(np.cumsum(np.random.default_rng(1).normal(scale=3.0, size=11)), 20)[:201]
     slipping = fit.fit_count(fit.Log(ticks, {**log.values, "way": way + slips})).count
     assert abs(slipping.value - 10.0 / 41.0) < 3.0 * slipping.error
     assert slipping.error > 0.003 * slipping.value
-    log.values["way"][100] += 300.0  # one place was misread
+    log.values["way"][100] += 300.0  # one place was read wrongly
     assert fit.fit_count(log).count.value == pytest.approx(10.0 / 41.0, abs=2e-3)
 
 
@@ -562,6 +574,10 @@ def test_files_without_an_end_are_refused(tmp_path):
         fit.read_log("/dev/zero", "time,gyro")
     with pytest.raises(labmouse.Error, match="MiB"):
         fit.read_turns("/dev/zero")
+    long = tmp_path / "long.txt"
+    long.write_text("turn ms\n" + "90 370\n" * 200_000)
+    with pytest.raises(labmouse.Error, match="MiB"):
+        fit.read_turns(long)
     for folder in (tmp_path, tmp_path / "none"):
         with pytest.raises(labmouse.Error, match=str(folder)):
             fit.read_turns(folder)
