@@ -2,11 +2,9 @@
 # into reading headers and into instantiating what stands in them. docs/building.md has the figures.
 #
 # A batch holds whole folders, small ones together, or an even part of one that is larger. Two files of a batch may not
-# declare the same name for themselves, unless as overloads: the compiler says where they do. What fills in the same table as
-# its neighbours has the same names as they: a world's folder is a batch of its own, and minds, generators and formats stay
-# alone.
+# declare the same name for themselves, unless as overloads: the compiler says where they do. A world's folder is a batch of
+# its own, for it has the same names as those of its neighbours.
 set(LABMOUSE_BATCH_SIZE 12 CACHE STRING "Files that compile as one: more save little and make a developer wait")
-set(LABMOUSE_ALONE labmouse/maze/formats labmouse/maze/generators labmouse/strategies)
 
 # labmouse_batch(TARGET FILE...): compiles these files of the target in batches, where the build asks for it. Files with
 # compiler options of their own stay alone.
@@ -19,7 +17,7 @@ function(labmouse_batch target)
     cmake_path(GET file PARENT_PATH folder)
     cmake_path(RELATIVE_PATH folder BASE_DIRECTORY ${PROJECT_SOURCE_DIR})
     get_source_file_property(options ${file} COMPILE_OPTIONS)
-    if(NOT folder IN_LIST LABMOUSE_ALONE AND NOT options)
+    if(NOT options)
       list(APPEND folders ${folder})
       list(APPEND files_${folder} ${file})
     endif()

@@ -16,7 +16,7 @@
 namespace labmouse {
 namespace {
 
-constexpr std::string_view method =
+constexpr std::string_view ariadne_method =
     "Every unseen wall has a price that depends on how likely it is to be closed; that likelihood was counted in other "
     "mazes for each state of its eight neighbours (`labmouse learn`). With these prices, T(e) is the cheapest run from "
     "start to goal through the unseen wall e. Before the goal has been entered, only what lies ahead counts: the mouse "
@@ -27,7 +27,7 @@ constexpr std::string_view method =
     "the goal: there is no second route. In mazes of more than 900 cells it floods to the goal and back towards the "
     "start, and only decides by these prices when to stop.";
 
-constexpr std::string_view source = "Our own.";
+constexpr std::string_view ariadne_source = "Our own.";
 
 using ariadne::EdgeCosts;
 using ariadne::one;
@@ -305,7 +305,7 @@ class Ariadne final : public Explorer {
   bool chose_ = false;
 };
 
-std::unique_ptr<Strategy> make(const Briefing& briefing, const Settings& settings) {
+std::unique_ptr<Strategy> make_ariadne(const Briefing& briefing, const Settings& settings) {
   // One that was learned serves at every size.
   const WallPrior* prior = settings.attached();
   if (prior == nullptr && settings.choice("prior") == "contest") prior = contest_prior_for(briefing.size);
@@ -316,20 +316,22 @@ std::unique_ptr<Strategy> make(const Briefing& briefing, const Settings& setting
 }  // namespace
 
 constinit const RosterEntry ariadne_mouse = {
-    "ariadne",
-    "looks at walls that a good run could pass, judging by what contest mazes are like",
-    method,
-    source,
-    ariadne::fast_parameters,
-    make,
-    RosterEntry::never,
-    true};
+    .name = "ariadne",
+    .summary = "looks at walls that a good run could pass, judging by what contest mazes are like",
+    .method = ariadne_method,
+    .source = ariadne_source,
+    .parameters = ariadne::fast_parameters,
+    .make = make_ariadne,
+    .drives = true,
+};
 
-constinit const RosterEntry ariadne_deep_mouse = {"ariadne-deep",
-                                                  "the same, but on the way to the goal it also considers the way back",
-                                                  method,
-                                                  source,
-                                                  ariadne::deep_parameters,
-                                                  make};
+constinit const RosterEntry ariadne_deep_mouse = {
+    .name = "ariadne-deep",
+    .summary = "the same, but on the way to the goal it also considers the way back",
+    .method = ariadne_method,
+    .source = ariadne_source,
+    .parameters = ariadne::deep_parameters,
+    .make = make_ariadne,
+};
 
 }  // namespace labmouse

@@ -19,13 +19,6 @@
 namespace labmouse {
 namespace {
 
-constexpr std::string_view method =
-    "Moves to a random neighbour that it has not visited, one cell, so that it passes nothing unseen; or, if it has "
-    "visited all of them, to the least visited of the cells that one known move leads to. Once it has entered the goal "
-    "and visited a share of all cells, it resets and takes the shortest route that it has seen.";
-
-constexpr std::string_view source = "CautiousBot in Edward Kish, section 4.3 (the third report).";
-
 class Cautious final : public MoveMapper {
  public:
   Cautious(const Briefing& briefing, const Settings& settings)
@@ -64,7 +57,7 @@ class Cautious final : public MoveMapper {
   double cells_to_visit_;
 };
 
-constexpr std::array parameters = {
+constexpr std::array cautious_parameters = {
     Parameter{"explore_frac", ParameterType::real, "0", 0, 1, "", "share of all cells to visit before the reset"},
     table_order,
 };
@@ -72,14 +65,18 @@ constexpr std::array parameters = {
 }  // namespace
 
 constinit const RosterEntry cautious_mouse = {
-    "cautious",
-    "goes to a random new neighbour, else to the least visited cell near",
-    method,
-    source,
-    parameters,
-    [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
+    .name = "cautious",
+    .summary = "goes to a random new neighbour, else to the least visited cell near",
+    .method =
+        "Moves to a random neighbour that it has not visited, one cell, so that it passes nothing unseen; or, if it "
+        "has visited all of them, to the least visited of the cells that one known move leads to. Once it has entered "
+        "the goal and visited a share of all cells, it resets and takes the shortest route that it has seen.",
+    .source = "CautiousBot in Edward Kish, section 4.3 (the third report).",
+    .parameters = cautious_parameters,
+    .make = [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
       return std::make_unique<Cautious>(briefing, settings);
     },
-    RosterEntry::always};
+    .uses_chance = RosterEntry::always,
+};
 
 }  // namespace labmouse

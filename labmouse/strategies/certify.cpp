@@ -9,19 +9,6 @@
 namespace labmouse {
 namespace {
 
-constexpr std::string_view method =
-    "Flood fill to the goal, because it must be entered before the reset and the way there is worth seeing. From then "
-    "on, the shortest optimistic route, which assumes that unknown walls are open, is compared with the shortest known "
-    "one. While it is shorter, some wall on it is unknown: the mouse goes to the nearest cell from which it can see "
-    "such a wall (any on any shortest optimistic route), looks, and plans again. When both lengths agree, nothing "
-    "unseen can make the route shorter: it is proven, and the mouse resets. If the budget would run out before the "
-    "proof, it resets while it still can. In seconds it does the same with search times: it looks at the nearest "
-    "unknown wall of one fastest optimistic route, until that route is fully known.";
-
-constexpr std::string_view source =
-    "Contest mice explore like this before they attempt the fast run; as a walk that replans on optimistic costs, it "
-    "is related to D* Lite (Koenig and Likhachev 2002).";
-
 template <class Ways, class Runs>
 class Certify final : public Explorer {
  public:
@@ -55,7 +42,7 @@ class Certify final : public Explorer {
   Ways ways_;
 };
 
-std::unique_ptr<Strategy> make(const Briefing& briefing, const Settings&) {
+std::unique_ptr<Strategy> make_certify(const Briefing& briefing, const Settings&) {
   if (briefing.in_seconds()) return std::make_unique<Certify<SearchWays, DriveRuns>>(briefing);
   return std::make_unique<Certify<StrideWays, StrideRuns>>(briefing);
 }
@@ -63,13 +50,21 @@ std::unique_ptr<Strategy> make(const Briefing& briefing, const Settings&) {
 }  // namespace
 
 constinit const RosterEntry certify_mouse = {
-    "certify",
-    "explores until its route is proven shortest, or the budget is about to run out",
-    method,
-    source,
-    {},
-    make,
-    RosterEntry::never,
-    true};
+    .name = "certify",
+    .summary = "explores until its route is proven shortest, or the budget is about to run out",
+    .method =
+        "Flood fill to the goal, because it must be entered before the reset and the way there is worth seeing. From "
+        "then on, the shortest optimistic route, which assumes that unknown walls are open, is compared with the "
+        "shortest known one. While it is shorter, some wall on it is unknown: the mouse goes to the nearest cell from "
+        "which it can see such a wall (any on any shortest optimistic route), looks, and plans again. When both "
+        "lengths agree, nothing unseen can make the route shorter: it is proven, and the mouse resets. If the budget "
+        "would run out before the proof, it resets while it still can. In seconds it does the same with search times: "
+        "it looks at the nearest unknown wall of one fastest optimistic route, until that route is fully known.",
+    .source =
+        "Contest mice explore like this before they attempt the fast run; as a walk that replans on optimistic costs, "
+        "it is related to D* Lite (Koenig and Likhachev 2002).",
+    .make = make_certify,
+    .drives = true,
+};
 
 }  // namespace labmouse

@@ -10,14 +10,6 @@
 namespace labmouse {
 namespace {
 
-constexpr std::string_view method =
-    "Like random-move, but draws the turn again while a wall is in the way; in a dead end it turns right on the spot, "
-    "and marks nothing there.";
-
-constexpr std::string_view source =
-    "Random move with dead end detection, in the fifth report, \"Plot and Navigate a Virtual Maze\", Algorithms "
-    "and Techniques; its benchmark among explorers.";
-
 class DeadEnd final : public Wanderer {
  public:
   using Wanderer::Wanderer;
@@ -26,19 +18,24 @@ class DeadEnd final : public Wanderer {
   Action wander() override { return in_dead_end() ? Action::step(90, 0) : draw_a_free_cell(); }
 };
 
-constexpr std::array parameters = {wanderers_coverage, wanderers_search};
+constexpr std::array dead_end_parameters = {wanderers_coverage, wanderers_search};
 
 }  // namespace
 
 constinit const RosterEntry dead_end_mouse = {
-    "dead-end",
-    "random turns to free cells; turns out of dead ends",
-    method,
-    source,
-    parameters,
-    [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
+    .name = "dead-end",
+    .summary = "random turns to free cells; turns out of dead ends",
+    .method =
+        "Like random-move, but draws the turn again while a wall is in the way; in a dead end it turns right on the "
+        "spot, and marks nothing there.",
+    .source =
+        "Random move with dead end detection, in the fifth report, \"Plot and Navigate a Virtual Maze\", Algorithms "
+        "and Techniques; its benchmark among explorers.",
+    .parameters = dead_end_parameters,
+    .make = [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
       return std::make_unique<DeadEnd>(briefing, settings);
     },
-    RosterEntry::always};
+    .uses_chance = RosterEntry::always,
+};
 
 }  // namespace labmouse

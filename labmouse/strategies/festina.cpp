@@ -15,29 +15,13 @@
 namespace labmouse {
 namespace {
 
-constexpr std::string_view method =
-    "Where a mind decides, another one explores for it: ariadne where the time in the maze counts, certify where it "
-    "does not. What festina decides is what its map does with readings against it, and the pace. Its map doubts: "
-    "readings are weighed against each other, and where no way is left the mouse looks again. It searches at its "
-    "usual pace, and after each crash in a search more slowly: a mouse whose tyres slid slides in the next run, "
-    "too. Fast runs begin at 0.75 of the usual pace where a mouse that was never touched has a bonus, at 0.9 where "
-    "runs are few, and else at the usual one; after a crash the next is slower by a factor, "
-    "and after one that came to its end below the usual pace the next is faster; once there are both, the next is "
-    "in the middle between them, as long as that is more than a twentieth faster than what went well, or the last one "
-    "crashed. Where none came to its end, the last run that the rules allow is a safe one, or else the one after the "
-    "third crash: to the goal by the moves of a search, over walls that it knows. In worlds where nothing goes wrong "
-    "all paces are the same, and it is the mind that explores for it.";
-
-constexpr std::string_view source =
-    "Search slowly, run faster and faster: what builders of contest mice do by buttons between their runs.";
-
 /// Where nothing goes wrong all paces are the same, and no reading is against the map.
 constexpr Parameter number_with_errors(std::string_view name, std::string_view value, double low, double high,
                                        std::string_view meaning) {
   return {name, ParameterType::real, value, low, high, "", meaning, ParameterScope::errors};
 }
 
-constexpr std::array<Parameter, 7> parameters = {
+constexpr std::array<Parameter, 7> festina_parameters = {
     {{"mind", ParameterType::choice, "by-rules", 0.0, 0.0, "by-rules/ariadne/certify/flood-return", "who explores",
       ParameterScope::seconds},
      number_with_errors("search", "1", 0.2, 1.0, "pace of the first search"),
@@ -197,7 +181,7 @@ class Festina final : public Strategy {
   bool safe_run_ = false;  ///< whether it drives one
 };
 
-std::unique_ptr<Strategy> make(const Briefing& briefing, const Settings& settings) {
+std::unique_ptr<Strategy> make_festina(const Briefing& briefing, const Settings& settings) {
   const RosterEntry& entry = explorer_for(briefing, settings.choice("mind"));
   const double least = least_pace_of(briefing), pace = std::max(settings.real("search"), least);
   Briefing told = briefing;
@@ -215,14 +199,25 @@ std::unique_ptr<Strategy> make(const Briefing& briefing, const Settings& setting
 }  // namespace
 
 constinit const RosterEntry festina_mouse = {
-    "festina",
-    "doubts its map, searches more slowly after crashes, and runs faster from try to try",
-    method,
-    source,
-    parameters,
-    make,
-    RosterEntry::never,
-    true,
-    false};
+    .name = "festina",
+    .summary = "doubts its map, searches more slowly after crashes, and runs faster from try to try",
+    .method =
+        "Where a mind decides, another one explores for it: ariadne where the time in the maze counts, certify where "
+        "it does not. What festina decides is what its map does with readings against it, and the pace. Its map "
+        "doubts: readings are weighed against each other, and where no way is left the mouse looks again. It searches "
+        "at its usual pace, and after each crash in a search more slowly: a mouse whose tyres slid slides in the next "
+        "run, too. Fast runs begin at 0.75 of the usual pace where a mouse that was never touched has a bonus, at 0.9 "
+        "where runs are few, and else at the usual one; after a crash the next is slower by a factor, and after one "
+        "that came to its end below the usual pace the next is faster; once there are both, the next is in the middle "
+        "between them, as long as that is more than a twentieth faster than what went well, or the last one crashed. "
+        "Where none came to its end, the last run that the rules allow is a safe one, or else the one after the third "
+        "crash: to the goal by the moves of a search, over walls that it knows. In worlds where nothing goes wrong "
+        "all paces are the same, and it is the mind that explores for it.",
+    .source = "Search slowly, run faster and faster: what builders of contest mice do by buttons between their runs.",
+    .parameters = festina_parameters,
+    .make = make_festina,
+    .drives = true,
+    .walks = false,
+};
 
 }  // namespace labmouse

@@ -11,14 +11,14 @@
 namespace labmouse {
 namespace {
 
-constexpr std::string_view method =
+constexpr std::string_view flood_method =
     "Computes distances to the goal through all walls not known to be closed, moves to lower distances, looks, and "
     "fills again. `flood` resets as soon as it has entered the goal. `flood-return` first floods back to the start in "
     "the same way: for two or three steps' worth of score, the way back shows walls that the way there did not, and "
     "often a shorter route. Both then take the shortest known route. In seconds they do the same with search times and "
     "the fastest known route.";
 
-constexpr std::string_view source =
+constexpr std::string_view flood_source =
     "The flood fill of the micromouse contests of the 1980s; the first report describes it for this world.";
 
 template <class Ways>
@@ -55,29 +55,37 @@ class Flood final : public Explorer {
   bool returns_;
 };
 
-constexpr std::array parameters = {
+constexpr std::array flood_parameters = {
     Parameter{"stride", ParameterType::whole, "3", 1, Motion::max_longest, "",
               "longest move while exploring, in cells, within the limit of the rules"},
 };
 
 template <bool Returns>
-std::unique_ptr<Strategy> make(const Briefing& briefing, const Settings& settings) {
+std::unique_ptr<Strategy> make_flood(const Briefing& briefing, const Settings& settings) {
   if (briefing.in_seconds()) return std::make_unique<Flood<SearchWays>>(briefing, settings, Returns);
   return std::make_unique<Flood<StrideWays>>(briefing, settings, Returns);
 }
 
 }  // namespace
 
-constinit const RosterEntry flood_mouse = {"flood",     "flood fill to the goal", method, source, parameters,
-                                           make<false>, RosterEntry::never,       true};
+constinit const RosterEntry flood_mouse = {
+    .name = "flood",
+    .summary = "flood fill to the goal",
+    .method = flood_method,
+    .source = flood_source,
+    .parameters = flood_parameters,
+    .make = make_flood<false>,
+    .drives = true,
+};
 
-constinit const RosterEntry flood_return_mouse = {"flood-return",
-                                                  "flood fill to the goal and back to the start",
-                                                  method,
-                                                  source,
-                                                  parameters,
-                                                  make<true>,
-                                                  RosterEntry::never,
-                                                  true};
+constinit const RosterEntry flood_return_mouse = {
+    .name = "flood-return",
+    .summary = "flood fill to the goal and back to the start",
+    .method = flood_method,
+    .source = flood_source,
+    .parameters = flood_parameters,
+    .make = make_flood<true>,
+    .drives = true,
+};
 
 }  // namespace labmouse

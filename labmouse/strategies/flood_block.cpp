@@ -16,13 +16,6 @@
 namespace labmouse {
 namespace {
 
-constexpr std::string_view method =
-    "Flood fill cell by cell until the goal is found, then the reset. For the speed run, only the passages between "
-    "visited cells stay on the map: the mouse trusts no cell that it has not stood in.";
-
-constexpr std::string_view source =
-    "Method 2, \"block out\", in Jonathan Lee, \"Plot and Navigate a Virtual Maze\", 2016 (the first report).";
-
 class FloodBlock final : public CellFlood {
  public:
   using CellFlood::CellFlood;
@@ -32,18 +25,22 @@ class FloodBlock final : public CellFlood {
   WallSet map() const override { return passages_among(visited(), knowledge().open()); }
 };
 
-constexpr std::array parameters = {cell_flood_ties};
+constexpr std::array flood_block_parameters = {cell_flood_ties};
 
 }  // namespace
 
 constinit const RosterEntry flood_block_mouse = {
-    "flood-block",
-    "flood fill cell by cell to the goal; the speed run uses only visited cells",
-    method,
-    source,
-    parameters,
-    [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
+    .name = "flood-block",
+    .summary = "flood fill cell by cell to the goal; the speed run uses only visited cells",
+    .method =
+        "Flood fill cell by cell until the goal is found, then the reset. For the speed run, only the passages "
+        "between visited cells stay on the map: the mouse trusts no cell that it has not stood in.",
+    .source =
+        "Method 2, \"block out\", in Jonathan Lee, \"Plot and Navigate a Virtual Maze\", 2016 (the first report).",
+    .parameters = flood_block_parameters,
+    .make = [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
       return std::make_unique<FloodBlock>(briefing, TieOrder(settings.choice("ties")));
-    }};
+    },
+};
 
 }  // namespace labmouse

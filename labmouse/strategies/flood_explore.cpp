@@ -19,14 +19,6 @@
 namespace labmouse {
 namespace {
 
-constexpr std::string_view method =
-    "Flood fill cell by cell until the goal is found, then in the same way to each unvisited cell, the farthest first; "
-    "reset when none is left. The speed run is a shortest path in cells, divided into strides.";
-
-constexpr std::string_view source =
-    "Method 1, \"exploration of maze after goal\", in Jonathan Lee, \"Plot and Navigate a Virtual Maze\", 2016 (the "
-    "first report).";
-
 class FloodExplore final : public CellFlood {
  public:
   using CellFlood::CellFlood;
@@ -47,18 +39,23 @@ class FloodExplore final : public CellFlood {
   WallSet map() const override { return knowledge().open(); }
 };
 
-constexpr std::array parameters = {cell_flood_ties};
+constexpr std::array flood_explore_parameters = {cell_flood_ties};
 
 }  // namespace
 
 constinit const RosterEntry flood_explore_mouse = {
-    "flood-explore",
-    "flood fill cell by cell to the goal and then to every cell",
-    method,
-    source,
-    parameters,
-    [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
+    .name = "flood-explore",
+    .summary = "flood fill cell by cell to the goal and then to every cell",
+    .method =
+        "Flood fill cell by cell until the goal is found, then in the same way to each unvisited cell, the farthest "
+        "first; reset when none is left. The speed run is a shortest path in cells, divided into strides.",
+    .source =
+        "Method 1, \"exploration of maze after goal\", in Jonathan Lee, \"Plot and Navigate a Virtual Maze\", 2016 "
+        "(the first report).",
+    .parameters = flood_explore_parameters,
+    .make = [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
       return std::make_unique<FloodExplore>(briefing, TieOrder(settings.choice("ties")));
-    }};
+    },
+};
 
 }  // namespace labmouse

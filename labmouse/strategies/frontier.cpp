@@ -11,12 +11,6 @@
 namespace labmouse {
 namespace {
 
-constexpr std::string_view method =
-    "Goes by the shortest route to the cell, among those seen but not visited, that takes the fewest moves to reach, "
-    "and chooses again. When it enters the goal, it resets and takes the shortest route that it has seen.";
-
-constexpr std::string_view source = "FrontierBot in Edward Kish, section 4.5 (the third report).";
-
 class Frontier final : public Seeker {
  public:
   using Seeker::Seeker;
@@ -25,18 +19,21 @@ class Frontier final : public Seeker {
   int cost(const SearchTree& routes, Cell cell) const override { return routes.distance(cell); }
 };
 
-constexpr std::array parameters = {table_order};
+constexpr std::array frontier_parameters = {table_order};
 
 }  // namespace
 
 constinit const RosterEntry frontier_mouse = {
-    "frontier",
-    "goes to the nearest cell that it has seen but not visited",
-    method,
-    source,
-    parameters,
-    [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
+    .name = "frontier",
+    .summary = "goes to the nearest cell that it has seen but not visited",
+    .method =
+        "Goes by the shortest route to the cell, among those seen but not visited, that takes the fewest moves to "
+        "reach, and chooses again. When it enters the goal, it resets and takes the shortest route that it has seen.",
+    .source = "FrontierBot in Edward Kish, section 4.5 (the third report).",
+    .parameters = frontier_parameters,
+    .make = [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
       return std::make_unique<Frontier>(briefing, settings);
-    }};
+    },
+};
 
 }  // namespace labmouse

@@ -15,13 +15,6 @@
 namespace labmouse {
 namespace {
 
-constexpr std::string_view method =
-    "Goes by the shortest route to the cell, among those seen but not visited, with the smallest Manhattan distance to "
-    "a point (by a slip of sign not the middle of the goal but one cell south-west of it), and chooses again. When it "
-    "enters the goal, it resets and takes the shortest route that it has seen.";
-
-constexpr std::string_view source = "ManhattanBot in Edward Kish, section 4.4 (the third report).";
-
 class Manhattan final : public Seeker {
  public:
   Manhattan(const Briefing& briefing, const Settings& settings) : Seeker(briefing, settings) {
@@ -42,18 +35,22 @@ class Manhattan final : public Seeker {
   int x_, y_;  ///< the goal's lowest column and row
 };
 
-constexpr std::array parameters = {table_order};
+constexpr std::array manhattan_parameters = {table_order};
 
 }  // namespace
 
 constinit const RosterEntry manhattan_mouse = {
-    "manhattan",
-    "goes to the unvisited cell that looks nearest to the goal",
-    method,
-    source,
-    parameters,
-    [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
+    .name = "manhattan",
+    .summary = "goes to the unvisited cell that looks nearest to the goal",
+    .method =
+        "Goes by the shortest route to the cell, among those seen but not visited, with the smallest Manhattan "
+        "distance to a point (by a slip of sign not the middle of the goal but one cell south-west of it), and "
+        "chooses again. When it enters the goal, it resets and takes the shortest route that it has seen.",
+    .source = "ManhattanBot in Edward Kish, section 4.4 (the third report).",
+    .parameters = manhattan_parameters,
+    .make = [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
       return std::make_unique<Manhattan>(briefing, settings);
-    }};
+    },
+};
 
 }  // namespace labmouse

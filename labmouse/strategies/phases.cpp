@@ -26,20 +26,6 @@
 namespace labmouse {
 namespace {
 
-constexpr std::string_view method =
-    "Three phases: searching until a goal is entered, continuing until enough is known, and the speed run. Searching: "
-    "random and weighted go one cell to the left, ahead or to the right at random, and turn in place in a dead end; "
-    "unexplored-cell and unexplored-space do the same, weighted by what is unexplored in the next cell, or by "
-    "everything that can be reached through it; wall-follower keeps its left hand on the wall; goal-oriented goes to "
-    "the reachable unexplored cell with the lowest steps + heuristic, chosen again at every step. Continuing: none; "
-    "all-goals enters every goal cell; coverage continues the search until a share of the cells is explored; "
-    "worthwhile makes the same choice among cells that can still shorten the speed run, until none can. The speed run "
-    "takes one cell a step, or strides planned at the reset, or strides planned again at every step.";
-
-constexpr std::string_view source =
-    "Frank Ding, \"Machine Learning Engineer Nanodegree, Capstone Project\", 2018 (the fourth report), sections II "
-    "and III; `coverage` is described there but was not written, `worthwhile` and `optimistic` are its wishes.";
-
 class Phases final : public Explorer {
  public:
   Phases(const Briefing& briefing, const Settings& settings)
@@ -73,7 +59,7 @@ class Phases final : public Explorer {
   SpeedRun speed_run_;
 };
 
-constexpr std::array parameters = {
+constexpr std::array phases_parameters = {
     Parameter{"searching", ParameterType::choice, "goal-oriented", 0, 0,
               "random/weighted/unexplored-cell/unexplored-space/wall-follower/goal-oriented", "how to find the goal"},
     Parameter{"weights", ParameterType::list, "2/5/2", 0, 100, "",
@@ -96,14 +82,26 @@ constexpr std::array parameters = {
 }  // namespace
 
 constinit const RosterEntry phases_mouse = {
-    "phases",
-    "three interchangeable phases: find the goal, continue, run",
-    method,
-    source,
-    parameters,
-    [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
+    .name = "phases",
+    .summary = "three interchangeable phases: find the goal, continue, run",
+    .method =
+        "Three phases: searching until a goal is entered, continuing until enough is known, and the speed run. "
+        "Searching: random and weighted go one cell to the left, ahead or to the right at random, and turn in place "
+        "in a dead end; unexplored-cell and unexplored-space do the same, weighted by what is unexplored in the next "
+        "cell, or by everything that can be reached through it; wall-follower keeps its left hand on the wall; "
+        "goal-oriented goes to the reachable unexplored cell with the lowest steps + heuristic, chosen again at every "
+        "step. Continuing: none; all-goals enters every goal cell; coverage continues the search until a share of the "
+        "cells is explored; worthwhile makes the same choice among cells that can still shorten the speed run, until "
+        "none can. The speed run takes one cell a step, or strides planned at the reset, or strides planned again at "
+        "every step.",
+    .source =
+        "Frank Ding, \"Machine Learning Engineer Nanodegree, Capstone Project\", 2018 (the fourth report), sections "
+        "II and III; `coverage` is described there but was not written, `worthwhile` and `optimistic` are its wishes.",
+    .parameters = phases_parameters,
+    .make = [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
       return std::make_unique<Phases>(briefing, settings);
     },
-    searches_by_chance};
+    .uses_chance = searches_by_chance,
+};
 
 }  // namespace labmouse

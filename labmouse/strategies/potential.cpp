@@ -16,15 +16,6 @@
 namespace labmouse {
 namespace {
 
-constexpr std::string_view method =
-    "Each cell has a potential, at first its distance to the goal in columns and rows. A dead end takes twice the "
-    "maze's side. A cell from which several known moves lead is doubled at each visit. At each step the mouse moves to "
-    "the cell of lowest potential that one known move leads to. When it enters the goal it resets and takes the "
-    "shortest route that it has seen.";
-
-constexpr std::string_view source =
-    "PotentialBot in Edward Kish, section 4.6 (the third report), after Wyard-Scott and Meng 1995.";
-
 class Potential final : public MoveMapper {
  public:
   Potential(const Briefing& briefing, const Settings& settings)
@@ -57,18 +48,23 @@ class Potential final : public MoveMapper {
   std::vector<double> potential_;  ///< whole numbers, exact as long as they are finite
 };
 
-constexpr std::array parameters = {table_order};
+constexpr std::array potential_parameters = {table_order};
 
 }  // namespace
 
 constinit const RosterEntry potential_mouse = {
-    "potential",
-    "goes where the potential is lowest; visits and dead ends raise it",
-    method,
-    source,
-    parameters,
-    [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
+    .name = "potential",
+    .summary = "goes where the potential is lowest; visits and dead ends raise it",
+    .method =
+        "Each cell has a potential, at first its distance to the goal in columns and rows. A dead end takes twice the "
+        "maze's side. A cell from which several known moves lead is doubled at each visit. At each step the mouse "
+        "moves to the cell of lowest potential that one known move leads to. When it enters the goal it resets and "
+        "takes the shortest route that it has seen.",
+    .source = "PotentialBot in Edward Kish, section 4.6 (the third report), after Wyard-Scott and Meng 1995.",
+    .parameters = potential_parameters,
+    .make = [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
       return std::make_unique<Potential>(briefing, settings);
-    }};
+    },
+};
 
 }  // namespace labmouse

@@ -11,13 +11,6 @@
 namespace labmouse {
 namespace {
 
-constexpr std::string_view method =
-    "At each step it goes to one of the cells that it can reach in one move through walls known to be open, all "
-    "equally likely. When it first enters the goal, it resets and continues in the same way.";
-
-constexpr std::string_view source =
-    "BenchmarkBot in Edward Kish, \"Plot and Navigate a Virtual Maze\", section 4.1 (the third report).";
-
 class RandomMouse final : public MoveMapper {
  public:
   RandomMouse(const Briefing& briefing, const Settings& settings)
@@ -37,19 +30,22 @@ class RandomMouse final : public MoveMapper {
   RandomWalk walk_;
 };
 
-constexpr std::array parameters = {random_walk_stride, table_order};
+constexpr std::array random_parameters = {random_walk_stride, table_order};
 
 }  // namespace
 
 constinit const RosterEntry random_mouse = {
-    "random",
-    "random moves through known passages, in both runs",
-    method,
-    source,
-    parameters,
-    [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
+    .name = "random",
+    .summary = "random moves through known passages, in both runs",
+    .method =
+        "At each step it goes to one of the cells that it can reach in one move through walls known to be open, all "
+        "equally likely. When it first enters the goal, it resets and continues in the same way.",
+    .source = "BenchmarkBot in Edward Kish, \"Plot and Navigate a Virtual Maze\", section 4.1 (the third report).",
+    .parameters = random_parameters,
+    .make = [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
       return std::make_unique<RandomMouse>(briefing, settings);
     },
-    RosterEntry::always};
+    .uses_chance = RosterEntry::always,
+};
 
 }  // namespace labmouse

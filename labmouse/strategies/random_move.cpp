@@ -12,14 +12,6 @@
 namespace labmouse {
 namespace {
 
-constexpr std::string_view method =
-    "At each step a random turn of -90, 0 or 90 degrees, and one cell ahead where no wall is in the way; it ignores "
-    "whatever else it sees. A cell is marked when it stands in it. Once it has marked a goal and a share of all cells, "
-    "it resets, and plans its path by a textbook search over the passages that it walked.";
-
-constexpr std::string_view source =
-    "Random move, in the fifth report, \"Plot and Navigate a Virtual Maze\", Algorithms and Techniques.";
-
 class RandomMove final : public Wanderer {
  public:
   using Wanderer::Wanderer;
@@ -32,19 +24,23 @@ class RandomMove final : public Wanderer {
   }
 };
 
-constexpr std::array parameters = {wanderers_coverage, wanderers_search};
+constexpr std::array random_move_parameters = {wanderers_coverage, wanderers_search};
 
 }  // namespace
 
 constinit const RosterEntry random_move_mouse = {
-    "random-move",
-    "random turns, whatever it sees",
-    method,
-    source,
-    parameters,
-    [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
+    .name = "random-move",
+    .summary = "random turns, whatever it sees",
+    .method =
+        "At each step a random turn of -90, 0 or 90 degrees, and one cell ahead where no wall is in the way; it "
+        "ignores whatever else it sees. A cell is marked when it stands in it. Once it has marked a goal and a share "
+        "of all cells, it resets, and plans its path by a textbook search over the passages that it walked.",
+    .source = "Random move, in the fifth report, \"Plot and Navigate a Virtual Maze\", Algorithms and Techniques.",
+    .parameters = random_move_parameters,
+    .make = [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
       return std::make_unique<RandomMove>(briefing, settings);
     },
-    RosterEntry::always};
+    .uses_chance = RosterEntry::always,
+};
 
 }  // namespace labmouse

@@ -12,13 +12,6 @@
 namespace labmouse {
 namespace {
 
-constexpr std::string_view method =
-    "At each step of the exploration it goes to one of the cells that it can reach in one move through walls known to "
-    "be open, all equally likely. When it first enters the goal, it resets and takes the shortest route that it has "
-    "seen.";
-
-constexpr std::string_view source = "BetterBenchmarkBot in Edward Kish, section 4.2 (the third report).";
-
 class RandomThenShortest final : public MoveMapper {
  public:
   RandomThenShortest(const Briefing& briefing, const Settings& settings)
@@ -34,19 +27,23 @@ class RandomThenShortest final : public MoveMapper {
   RandomWalk walk_;
 };
 
-constexpr std::array parameters = {random_walk_stride, table_order};
+constexpr std::array random_then_shortest_parameters = {random_walk_stride, table_order};
 
 }  // namespace
 
 constinit const RosterEntry random_then_shortest_mouse = {
-    "random-then-shortest",
-    "random moves to the goal, then the shortest route that it has seen",
-    method,
-    source,
-    parameters,
-    [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
+    .name = "random-then-shortest",
+    .summary = "random moves to the goal, then the shortest route that it has seen",
+    .method =
+        "At each step of the exploration it goes to one of the cells that it can reach in one move through walls "
+        "known to be open, all equally likely. When it first enters the goal, it resets and takes the shortest route "
+        "that it has seen.",
+    .source = "BetterBenchmarkBot in Edward Kish, section 4.2 (the third report).",
+    .parameters = random_then_shortest_parameters,
+    .make = [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
       return std::make_unique<RandomThenShortest>(briefing, settings);
     },
-    RosterEntry::always};
+    .uses_chance = RosterEntry::always,
+};
 
 }  // namespace labmouse

@@ -22,7 +22,7 @@ struct RosterEntry {
   std::string_view summary;
   std::string_view method;
   std::string_view source;
-  std::span<const Parameter> parameters;
+  std::span<const Parameter> parameters = {};
   MouseFactory make;
   /// Whether it throws dice under these settings: then one run says little, and races give it several.
   bool (*uses_chance)(const Settings& settings) = never;

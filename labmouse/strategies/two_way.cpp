@@ -22,20 +22,6 @@
 namespace labmouse {
 namespace {
 
-constexpr std::string_view method =
-    "A list holds the cells that have been discovered (they have an open wall to a visited cell) but not yet visited. "
-    "The mouse goes, cell by cell, to the one with the lowest sum of the steps there, through visited cells, and bias "
-    "times its Manhattan distance to the goal, and looks again. A cell's parent is the visited neighbour that was "
-    "cheapest to reach from the beginning of the way, so parents lead from the goal back to the start. A cell from "
-    "which no open wall is seen is a dead end: it and its parents, up to one with three open walls, are not listed "
-    "again. In the goal, the list, the visits, the costs and the parents are cleared, but not the walls and dead ends, "
-    "and the same search leads to the start. The speed run follows the shorter of the two paths or (join_legs) the "
-    "shorter leg between each two of their crossings, one cell a step or (merge_strides) in strides.";
-
-constexpr std::string_view source =
-    "Report 2 (Kapustin 2016), Implementation and Refinement; its first stage is "
-    "bias=1:join_legs=no:merge_strides=no.";
-
 class TwoWay final : public Explorer {
  public:
   TwoWay(const Briefing& briefing, const Settings& settings)
@@ -236,7 +222,7 @@ class TwoWay final : public Explorer {
                                        {"cells visited on the way back"}}};
 };
 
-constexpr std::array parameters = {
+constexpr std::array two_way_parameters = {
     Parameter{"bias", ParameterType::real, "1.5", 0, 100, "", "weight of the Manhattan distance against steps"},
     Parameter{"join_legs", ParameterType::flag, "yes", 0, 0, "",
               "take the shorter leg between crossings of both paths"},
@@ -250,13 +236,25 @@ constexpr std::array parameters = {
 }  // namespace
 
 constinit const RosterEntry two_way_mouse = {
-    "two-way",
-    "A* to the goal and back; joins the shorter legs of both paths",
-    method,
-    source,
-    parameters,
-    [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
+    .name = "two-way",
+    .summary = "A* to the goal and back; joins the shorter legs of both paths",
+    .method =
+        "A list holds the cells that have been discovered (they have an open wall to a visited cell) but not yet "
+        "visited. The mouse goes, cell by cell, to the one with the lowest sum of the steps there, through visited "
+        "cells, and bias times its Manhattan distance to the goal, and looks again. A cell's parent is the visited "
+        "neighbour that was cheapest to reach from the beginning of the way, so parents lead from the goal back to "
+        "the start. A cell from which no open wall is seen is a dead end: it and its parents, up to one with three "
+        "open walls, are not listed again. In the goal, the list, the visits, the costs and the parents are cleared, "
+        "but not the walls and dead ends, and the same search leads to the start. The speed run follows the shorter "
+        "of the two paths or (join_legs) the shorter leg between each two of their crossings, one cell a step or "
+        "(merge_strides) in strides.",
+    .source =
+        "Report 2 (Kapustin 2016), Implementation and Refinement; its first stage is "
+        "bias=1:join_legs=no:merge_strides=no.",
+    .parameters = two_way_parameters,
+    .make = [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
       return std::make_unique<TwoWay>(briefing, settings);
-    }};
+    },
+};
 
 }  // namespace labmouse

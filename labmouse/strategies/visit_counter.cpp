@@ -15,18 +15,6 @@
 namespace labmouse {
 namespace {
 
-constexpr std::string_view method =
-    "Counts how often it has stood in each cell, and goes to the neighbour to the left, ahead or to the right that was "
-    "visited least, of equal ones to the last of these; in a dead end it turns right on the spot. Counts are compared "
-    "whatever walls there are: where the choice turns out to be behind one, it chooses again. With a fixed probability "
-    "a choice is random instead, so that no loop traps it for ever, and only such a choice marks the cell. Once it has "
-    "marked a goal and a share of all cells, it resets, plans its path by a textbook search over the passages that it "
-    "walked, and runs it in the longest strides.";
-
-constexpr std::string_view source =
-    "The final explorer of the fifth report, \"Plot and Navigate a Virtual Maze\", Algorithms and Techniques, "
-    "Refinement.";
-
 class VisitCounter final : public Wanderer {
  public:
   VisitCounter(const Briefing& briefing, const Settings& settings)
@@ -80,7 +68,7 @@ class VisitCounter final : public Wanderer {
   double random_share_;
 };
 
-constexpr std::array parameters = {
+constexpr std::array visit_counter_parameters = {
     Parameter{"random_share", ParameterType::real, "0.2", 0, 1, "", "probability of a random choice"},
     wanderers_coverage,
     wanderers_search,
@@ -89,14 +77,23 @@ constexpr std::array parameters = {
 }  // namespace
 
 constinit const RosterEntry visit_counter_mouse = {
-    "visit-counter",
-    "goes to the least visited neighbour, sometimes at random",
-    method,
-    source,
-    parameters,
-    [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
+    .name = "visit-counter",
+    .summary = "goes to the least visited neighbour, sometimes at random",
+    .method =
+        "Counts how often it has stood in each cell, and goes to the neighbour to the left, ahead or to the right "
+        "that was visited least, of equal ones to the last of these; in a dead end it turns right on the spot. Counts "
+        "are compared whatever walls there are: where the choice turns out to be behind one, it chooses again. With a "
+        "fixed probability a choice is random instead, so that no loop traps it for ever, and only such a choice "
+        "marks the cell. Once it has marked a goal and a share of all cells, it resets, plans its path by a textbook "
+        "search over the passages that it walked, and runs it in the longest strides.",
+    .source =
+        "The final explorer of the fifth report, \"Plot and Navigate a Virtual Maze\", Algorithms and Techniques, "
+        "Refinement.",
+    .parameters = visit_counter_parameters,
+    .make = [](const Briefing& briefing, const Settings& settings) -> std::unique_ptr<Strategy> {
       return std::make_unique<VisitCounter>(briefing, settings);
     },
-    RosterEntry::always};
+    .uses_chance = RosterEntry::always,
+};
 
 }  // namespace labmouse

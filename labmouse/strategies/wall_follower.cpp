@@ -7,11 +7,11 @@
 namespace labmouse {
 namespace {
 
-constexpr std::string_view method =
+constexpr std::string_view wall_follower_method =
     "In each cell it takes the first open side in the order hand side, ahead, other side; in a dead end it turns on "
     "the spot, away from the hand. At the goal it resets and takes the shortest route that it has seen.";
 
-constexpr std::string_view source =
+constexpr std::string_view wall_follower_source =
     "Folklore, older than the contests; the maze is a graph drawn in the plane, and its hand traces one face.";
 
 class WallFollower final : public Explorer {
@@ -33,23 +33,23 @@ class WallFollower final : public Explorer {
 }  // namespace
 
 constinit const RosterEntry wall_left_mouse = {
-    "wall-left",
-    "keeps its left hand on the wall until the goal",
-    method,
-    source,
-    {},
-    [](const Briefing& briefing, const Settings&) -> std::unique_ptr<Strategy> {
+    .name = "wall-left",
+    .summary = "keeps its left hand on the wall until the goal",
+    .method = wall_follower_method,
+    .source = wall_follower_source,
+    .make = [](const Briefing& briefing, const Settings&) -> std::unique_ptr<Strategy> {
       return std::make_unique<WallFollower>(briefing, -1);
-    }};
+    },
+};
 
 constinit const RosterEntry wall_right_mouse = {
-    "wall-right",
-    "keeps its right hand on the wall until the goal",
-    method,
-    source,
-    {},
-    [](const Briefing& briefing, const Settings&) -> std::unique_ptr<Strategy> {
+    .name = "wall-right",
+    .summary = "keeps its right hand on the wall until the goal",
+    .method = wall_follower_method,
+    .source = wall_follower_source,
+    .make = [](const Briefing& briefing, const Settings&) -> std::unique_ptr<Strategy> {
       return std::make_unique<WallFollower>(briefing, 1);
-    }};
+    },
+};
 
 }  // namespace labmouse

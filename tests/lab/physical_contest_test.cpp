@@ -110,6 +110,7 @@ TEST(PhysicalContest, EveryCrashEndsARunAndIsCarried) {
 }
 
 TEST(PhysicalContest, ATouchCostsWhatTheRulesSay) {
+  LABMOUSE_SKIP_SANITIZED();
   DriveRules rules = find_rules("uk-2018").rules;
   ASSERT_GT(rules.touch_penalty, 0);
   const PhysicalRecord record = first_with(

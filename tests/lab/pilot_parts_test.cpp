@@ -11,6 +11,7 @@
 #include "labmouse/pilot/pilot.hpp"
 #include "tests/lab/physical_fixture.hpp"
 #include "tests/says.hpp"
+#include "tests/slowness.hpp"
 
 namespace labmouse {
 namespace {
@@ -57,6 +58,7 @@ void expect_same(PhysicalRecord record, const PhysicalRecord& other) {
 }
 
 TEST(PilotParts, OfOursInPlaceOfOursChangeNothing) {
+  LABMOUSE_SKIP_SANITIZED();
   for (const double noise : {0.0, 1.0, 4.0})
     for (const std::uint64_t seed : {1U, 2U}) {
       const PhysicalRecord plain = contest({}, noise, seed);

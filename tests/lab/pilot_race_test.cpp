@@ -12,6 +12,7 @@
 #include "labmouse/lab/worlds/worlds.hpp"
 #include "tests/lab/physical_fixture.hpp"
 #include "tests/says.hpp"
+#include "tests/slowness.hpp"
 
 #if defined(LABMOUSE_PILOT_TEMPLATE) && defined(LABMOUSE_BAD_GUEST)
 
@@ -85,6 +86,7 @@ TEST(PilotRace, IsTheSameAgain) {
 }
 
 TEST(PilotRace, KeepsRecordsThatReplay) {
+  LABMOUSE_SKIP_SANITIZED();
   std::vector<std::string> records;
   RaceHooks hooks;
   hooks.keep = [](const ContestResult&) { return Keep{true, true}; };

@@ -12,10 +12,10 @@ namespace {
 
 using namespace formats;
 
-constexpr std::size_t most_lines = 1 + max_side;
+constexpr std::size_t most_lines_of_capstone = 1 + max_side;
 
 // A line of one number, or of several with commas: then the size is missing, and the reader says so.
-bool recognises(std::string_view content) {
+bool is_capstone(std::string_view content) {
   const std::string_view line = first_line(content);
   return has_only_numbers(line) &&
          (line.find(',') != std::string_view::npos || words_between_blanks(line, 2).size() == 1);
@@ -57,8 +57,8 @@ ReadResult read_columns(const std::vector<Line>& lines, int side) {
   return maze_of({side, side}, statements);
 }
 
-ReadResult read(std::string_view content) {
-  const auto lines = lines_of(content, most_lines + 1);
+ReadResult read_capstone(std::string_view content) {
+  const auto lines = lines_of(content, most_lines_of_capstone + 1);
   if (lines.empty()) return failure(0, 0, "the file is empty");
   const auto words = words_between_blanks(lines.front().text, 1);
   const int column = words.empty() ? 1 : words.front().column;
@@ -68,7 +68,7 @@ ReadResult read(std::string_view content) {
   return read_columns(lines, *side);
 }
 
-WriteResult write(const Maze& maze) {
+WriteResult write_capstone(const Maze& maze) {
   const auto [width, height] = maze.size();
   if (width != height) return {std::nullopt, "the maze is not square; the capstone format holds only square mazes"};
   if (std::string reason = refused_marks(maze); !reason.empty()) return {std::nullopt, std::move(reason)};
@@ -81,7 +81,12 @@ WriteResult write(const Maze& maze) {
 
 }  // namespace
 
-constinit const Format capstone_format = {"capstone", "a size, then one line of numbers 0 to 15 for each column",
-                                          recognises, read, write};
+constinit const Format capstone_format = {
+    .name = "capstone",
+    .summary = "a size, then one line of numbers 0 to 15 for each column",
+    .recognises = is_capstone,
+    .read = read_capstone,
+    .write = write_capstone,
+};
 
 }  // namespace labmouse

@@ -15,7 +15,7 @@ namespace {
 
 using namespace formats;
 
-bool recognises(std::string_view content) {
+bool is_drawing(std::string_view content) {
   const std::string_view line = first_line(content);
   return !line.empty() && is_post(line.front()) && line.find_first_not_of("o+- ") == std::string_view::npos;
 }
@@ -53,7 +53,7 @@ std::string cell_line(const Maze& maze, int y, Marks marks) {
   return line + "|\n";
 }
 
-WriteResult write(const Maze& maze) {
+WriteResult write_drawing(const Maze& maze) {
   if (maze.start_heading() != Heading::north)
     return {std::nullopt, "the start heading is " + std::string(labmouse::name_of(maze.start_heading())) +
                               "; a drawing always starts heading north"};
@@ -66,6 +66,12 @@ WriteResult write(const Maze& maze) {
 
 }  // namespace
 
-constinit const Format drawing_format = {"drawing", "posts, walls, S and G as text", recognises, read_drawing, write};
+constinit const Format drawing_format = {
+    .name = "drawing",
+    .summary = "posts, walls, S and G as text",
+    .recognises = is_drawing,
+    .read = read_drawing,
+    .write = write_drawing,
+};
 
 }  // namespace labmouse

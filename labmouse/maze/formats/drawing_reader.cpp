@@ -6,7 +6,7 @@
 namespace labmouse::formats {
 namespace {
 
-constexpr std::size_t most_lines = 2 * max_side + 1;
+constexpr std::size_t most_lines_of_drawing = 2 * max_side + 1;
 
 constexpr std::size_t text_width(Size size) { return 4 * static_cast<std::size_t>(size.width) + 1; }
 
@@ -17,7 +17,7 @@ Size size_of(const std::vector<Line>& lines, ProblemList& problems) {
     problems.add(
         1, lines.front().end(),
         "the top line has " + std::to_string(width) + " characters; it must have 4 for each of 1 to 64 cells, plus 1");
-  if (lines.size() > most_lines)
+  if (lines.size() > most_lines_of_drawing)
     problems.add(lines.back().number, 1, "too many lines; a drawing has at most 129, for 64 rows of cells");
   else if (lines.size() % 2 != 1 || lines.size() < 3)
     problems.add(lines.back().number + 1, 1,
@@ -139,7 +139,7 @@ class DrawingReader {
 bool is_post(char letter) { return letter == 'o' || letter == '+'; }
 
 ReadResult read_drawing(std::string_view content) {
-  const auto lines = lines_of(content, most_lines + 1);
+  const auto lines = lines_of(content, most_lines_of_drawing + 1);
   if (lines.empty()) return failure(0, 0, "the file is empty");
   ProblemList problems;
   const Size size = size_of(lines, problems);

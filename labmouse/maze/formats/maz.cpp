@@ -21,12 +21,12 @@ int side_of(std::size_t bytes) {
 
 unsigned byte_of(char letter) { return static_cast<unsigned char>(letter); }
 
-bool recognises(std::string_view content) {
+bool is_maz(std::string_view content) {
   return side_of(content.size()) != 0 &&
          std::all_of(content.begin(), content.end(), [](char letter) { return byte_of(letter) <= all_sides; });
 }
 
-ReadResult read(std::string_view content) {
+ReadResult read_maz(std::string_view content) {
   if (content.empty()) return failure(0, 0, "the file is empty");
   const int side = side_of(content.size());
   if (side == 0)
@@ -42,7 +42,7 @@ ReadResult read(std::string_view content) {
   return maze_of({side, side}, statements);
 }
 
-WriteResult write(const Maze& maze) {
+WriteResult write_maz(const Maze& maze) {
   const auto [width, height] = maze.size();
   if (width != height || side_of(static_cast<std::size_t>(maze.size().area())) == 0)
     return {std::nullopt, "the maze has " + std::to_string(width) + "x" + std::to_string(height) +
@@ -56,7 +56,12 @@ WriteResult write(const Maze& maze) {
 
 }  // namespace
 
-constinit const Format maz_format = {"maz", "binary, one byte of walls for each cell; 16x16 or 32x32", recognises, read,
-                                     write};
+constinit const Format maz_format = {
+    .name = "maz",
+    .summary = "binary, one byte of walls for each cell; 16x16 or 32x32",
+    .recognises = is_maz,
+    .read = read_maz,
+    .write = write_maz,
+};
 
 }  // namespace labmouse

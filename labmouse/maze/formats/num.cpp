@@ -12,11 +12,11 @@ namespace {
 
 using namespace formats;
 
-constexpr std::size_t most_lines = max_side * max_side;
+constexpr std::size_t most_lines_of_num = max_side * max_side;
 constexpr std::size_t words_in_line = 6;
 
 // A line of several numbers without commas. Whether there are six, and whether they fit, is for the reader to say.
-bool recognises(std::string_view content) {
+bool is_num(std::string_view content) {
   const std::string_view line = first_line(content);
   return has_only_numbers(line) && line.find(',') == std::string_view::npos &&
          words_between_blanks(line, 2).size() == 2;
@@ -87,9 +87,9 @@ void find_missing(Table& table) {
   }
 }
 
-ReadResult read(std::string_view content) {
+ReadResult read_num(std::string_view content) {
   // One line too many is a problem of its own accord: some cell is there twice.
-  const auto lines = lines_of(content, most_lines + 1);
+  const auto lines = lines_of(content, most_lines_of_num + 1);
   if (lines.empty()) return failure(0, 0, "the file is empty");
   Table table;
   for (const Line& line : lines)
@@ -100,7 +100,7 @@ ReadResult read(std::string_view content) {
   return maze_of(table.size, table.statements);
 }
 
-WriteResult write(const Maze& maze) {
+WriteResult write_num(const Maze& maze) {
   if (std::string reason = refused_marks(maze); !reason.empty()) return {std::nullopt, std::move(reason)};
   const Size size = maze.size();
   std::string content;
@@ -116,7 +116,12 @@ WriteResult write(const Maze& maze) {
 
 }  // namespace
 
-constinit const Format num_format = {"num", "a line `x y n e s w` for each cell, 1 for a wall", recognises, read,
-                                     write};
+constinit const Format num_format = {
+    .name = "num",
+    .summary = "a line `x y n e s w` for each cell, 1 for a wall",
+    .recognises = is_num,
+    .read = read_num,
+    .write = write_num,
+};
 
 }  // namespace labmouse

@@ -94,7 +94,7 @@ bool open_entrance(MazeDraft& draft, Dice& dice) {
   return best.has_value();
 }
 
-Maze make(const GeneratorOrder& order) {
+Maze make_contest(const GeneratorOrder& order) {
   Dice dice(order.seed);
   MazeDraft draft = grown_walls(order.size, GoalRoom::may_have_arms, dice);
   if (!open_entrance(draft, dice)) {
@@ -114,6 +114,7 @@ constinit const Generator contest_generator = {
     .name = "contest",
     .summary = "follows the official contest rules (16x16, 32x32), or the same pattern on other even squares",
     .refuses = refuses,
-    .make = make};
+    .make = make_contest,
+};
 
 }  // namespace labmouse

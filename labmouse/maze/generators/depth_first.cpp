@@ -20,7 +20,7 @@ std::optional<Heading> way_on(Size size, const CellSet& visited, Cell cell, Dice
   return draw(ways, dice);
 }
 
-Maze make(const GeneratorOrder& order) {
+Maze make_depth_first(const GeneratorOrder& order) {
   Dice dice(order.seed);
   MazeDraft draft(order.size, MazeDraft::Inside::closed);
   CellSet visited;
@@ -44,6 +44,10 @@ Maze make(const GeneratorOrder& order) {
 }  // namespace
 
 constinit const Generator depth_first_generator = {
-    .name = "depth-first", .summary = "long winding corridors", .refuses = refuses_out_of_range, .make = make};
+    .name = "depth-first",
+    .summary = "long winding corridors",
+    .refuses = refuses_out_of_range,
+    .make = make_depth_first,
+};
 
 }  // namespace labmouse

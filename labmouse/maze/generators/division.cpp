@@ -32,7 +32,7 @@ void part_level(MazeDraft& draft, Room room, std::vector<Room>& rooms, Dice& dic
   rooms.push_back({{room.corner.x, room.corner.y + south}, {room.size.width, room.size.height - south}});
 }
 
-Maze make(const GeneratorOrder& order) {
+Maze make_division(const GeneratorOrder& order) {
   Dice dice(order.seed);
   MazeDraft draft(order.size, MazeDraft::Inside::open);
   std::vector<Room> rooms = {{draft.start(), order.size}};
@@ -52,6 +52,10 @@ Maze make(const GeneratorOrder& order) {
 }  // namespace
 
 constinit const Generator division_generator = {
-    .name = "division", .summary = "long straight walls with gaps", .refuses = refuses_out_of_range, .make = make};
+    .name = "division",
+    .summary = "long straight walls with gaps",
+    .refuses = refuses_out_of_range,
+    .make = make_division,
+};
 
 }  // namespace labmouse

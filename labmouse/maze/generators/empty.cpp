@@ -4,11 +4,15 @@
 namespace labmouse {
 namespace {
 
-Maze make(const GeneratorOrder& order) { return Maze(MazeDraft(order.size, MazeDraft::Inside::open)); }
+Maze make_empty(const GeneratorOrder& order) { return Maze(MazeDraft(order.size, MazeDraft::Inside::open)); }
 
 }  // namespace
 
 constinit const Generator empty_generator = {
-    .name = "empty", .summary = "no inner walls", .refuses = refuses_out_of_range, .make = make};
+    .name = "empty",
+    .summary = "no inner walls",
+    .refuses = refuses_out_of_range,
+    .make = make_empty,
+};
 
 }  // namespace labmouse

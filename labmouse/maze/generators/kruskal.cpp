@@ -39,7 +39,7 @@ class Parts {
   std::vector<int> parent_;
 };
 
-Maze make(const GeneratorOrder& order) {
+Maze make_kruskal(const GeneratorOrder& order) {
   Dice dice(order.seed);
   MazeDraft draft(order.size, MazeDraft::Inside::closed);
   Parts parts(order.size);
@@ -55,6 +55,10 @@ Maze make(const GeneratorOrder& order) {
 }  // namespace
 
 constinit const Generator kruskal_generator = {
-    .name = "kruskal", .summary = "an even texture of dead ends", .refuses = refuses_out_of_range, .make = make};
+    .name = "kruskal",
+    .summary = "an even texture of dead ends",
+    .refuses = refuses_out_of_range,
+    .make = make_kruskal,
+};
 
 }  // namespace labmouse

@@ -20,7 +20,7 @@ void add_ways(Size size, const CellSet& grown, Cell from, std::vector<Way>& ways
       ways.push_back({from, heading});
 }
 
-Maze make(const GeneratorOrder& order) {
+Maze make_prim(const GeneratorOrder& order) {
   Dice dice(order.seed);
   MazeDraft draft(order.size, MazeDraft::Inside::closed);
   CellSet grown;
@@ -42,6 +42,10 @@ Maze make(const GeneratorOrder& order) {
 }  // namespace
 
 constinit const Generator prim_generator = {
-    .name = "prim", .summary = "many short dead ends", .refuses = refuses_out_of_range, .make = make};
+    .name = "prim",
+    .summary = "many short dead ends",
+    .refuses = refuses_out_of_range,
+    .make = make_prim,
+};
 
 }  // namespace labmouse

@@ -30,7 +30,7 @@ class Walk {
   std::vector<Heading> left_by_;
 };
 
-Maze make(const GeneratorOrder& order) {
+Maze make_wilson(const GeneratorOrder& order) {
   Dice dice(order.seed);
   MazeDraft draft(order.size, MazeDraft::Inside::closed);
   CellSet in_maze;
@@ -52,6 +52,10 @@ Maze make(const GeneratorOrder& order) {
 }  // namespace
 
 constinit const Generator wilson_generator = {
-    .name = "wilson", .summary = "every perfect maze is equally likely", .refuses = refuses_out_of_range, .make = make};
+    .name = "wilson",
+    .summary = "every perfect maze is equally likely",
+    .refuses = refuses_out_of_range,
+    .make = make_wilson,
+};
 
 }  // namespace labmouse
