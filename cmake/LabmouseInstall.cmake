@@ -2,15 +2,8 @@
 # public. The others are details that these include.
 include(CMakePackageConfigHelpers)
 include(LabmousePublicHeaders)
-get_property(rooms GLOBAL PROPERTY LABMOUSE_ROOMS)
 
-# labmouse::labmouse is everything at once.
-add_library(labmouse_all INTERFACE)
-add_library(labmouse::labmouse ALIAS labmouse_all)
-set_target_properties(labmouse_all PROPERTIES EXPORT_NAME labmouse)
-target_link_libraries(labmouse_all INTERFACE ${rooms})
-
-install(TARGETS ${rooms} labmouse_all EXPORT labmouse ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(TARGETS ${LABMOUSE_ROOMS} labmouse_all EXPORT labmouse)
 foreach(header IN LISTS LABMOUSE_INSTALLED_HEADERS)
   cmake_path(GET header PARENT_PATH folder)
   install(FILES ${PROJECT_SOURCE_DIR}/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/${folder})
@@ -22,6 +15,25 @@ configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/labmouse-config.cmake.in
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/labmouse-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/labmouse-config.cmake ${PROJECT_BINARY_DIR}/labmouse-config-version.cmake
         DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/labmouse)
+
+# For builds without CMake: `pkg-config --cflags --libs labmouse`. Each room stands before those that it uses.
+set(LABMOUSE_LIBRARIES "")
+foreach(room IN LISTS LABMOUSE_ROOMS)
+  get_target_property(type ${room} TYPE)
+  if(NOT type STREQUAL INTERFACE_LIBRARY)
+    string(PREPEND LABMOUSE_LIBRARIES " -l${room}")
+  endif()
+endforeach()
+file(RELATIVE_PATH LABMOUSE_PREFIX /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+set(LABMOUSE_REQUIRES "")
+if(LABMOUSE_LAB)
+  set(LABMOUSE_REQUIRES "tbb fmt nlohmann_json zlib sqlite3")
+endif()
+configure_file(${CMAKE_CURRENT_LIST_DIR}/labmouse.pc.in ${PROJECT_BINARY_DIR}/labmouse.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/labmouse.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+
 if(TARGET labmouse)
-  install(TARGETS labmouse DESTINATION ${CMAKE_INSTALL_BINDIR})
+  # Finds the libraries beside it, where they are shared.
+  set_target_properties(labmouse PROPERTIES INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
+  install(TARGETS labmouse)
 endif()

@@ -1,5 +1,5 @@
-# labmouse_room(NAME [ROOM...]): one static library (or an interface, where a room has only headers) from all sources
-# of labmouse/NAME, that may use the rooms named behind it.
+# labmouse_room(NAME [ROOM...]): one library (or an interface, where a room has only headers) from all sources of
+# labmouse/NAME, that may use the rooms named behind it.
 function(labmouse_room name)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/labmouse/${name}/*.cpp)
   if(LABMOUSE_LEFT_OUT)
@@ -8,7 +8,10 @@ function(labmouse_room name)
   set(target labmouse_${name})
   if(sources)
     set(scope PUBLIC)
-    add_library(${target} STATIC ${sources})
+    add_library(${target} ${sources})
+    # Interfaces change with the second number.
+    set_target_properties(${target} PROPERTIES VERSION ${PROJECT_VERSION}
+                          SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} INSTALL_RPATH $ORIGIN)
     target_compile_options(${target} PRIVATE ${LABMOUSE_WARNINGS})
     labmouse_batch(${target} ${sources})
   else()

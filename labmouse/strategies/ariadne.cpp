@@ -1,6 +1,13 @@
 // ariadne: looks at the walls through which a good run could lead, and stops when none is worth the way to it.
 //
-// In seconds: ariadne/driver.hpp. Over the prices of walls T(e) is what EdgeCosts has.
+//   S(e)    = T(e) + travel * d(e) - insight * u(e)              of an unseen wall e
+//   S(goal) = way_here * K + travel * d(goal) - goal_bonus       until it was entered
+//   the lowest S is next; once the goal was entered, only of walls with  T(e) + stop_travel * d(e) < K + stop_margin
+//
+// T(e) is the cost of the cheapest run through e (EdgeCosts), K that of the shortest known run, d the steps to where e
+// is seen or the goal is entered, and u how many unseen walls are seen from there. The other names are parameters,
+// those of Phase with other values after the goal. In seconds: ariadne/driver.hpp.
+//
 // Limits: one wall at a time; what a look at the next could be worth for the one after is not asked. Its prior is that
 // of contest mazes.
 #include <algorithm>

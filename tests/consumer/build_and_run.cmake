@@ -1,4 +1,4 @@
-# cmake -DBUILD=dir -DPROJECT=dir -DGENERATOR=name -DCXX=path -DTYPE=name -DFLAGS=flags -P build_and_run.cmake
+# cmake -DBUILD=dir -DFOLDER=dir -DSOURCE=dir -DGENERATOR=name -DCXX=path -DTYPE=name -DFLAGS=flags -P build_and_run.cmake
 execute_process(COMMAND mktemp -d -t labmouse-consumer-XXXXXX OUTPUT_VARIABLE folder OUTPUT_STRIP_TRAILING_WHITESPACE
                 COMMAND_ERROR_IS_FATAL ANY)
 
@@ -12,7 +12,7 @@ function(step)
 endfunction()
 
 step(${CMAKE_COMMAND} --install ${BUILD} --prefix ${folder}/installed)
-step(${CMAKE_COMMAND} -S ${PROJECT} -B ${folder}/build -G ${GENERATOR} -DCMAKE_CXX_COMPILER=${CXX}
+step(${CMAKE_COMMAND} -S ${FOLDER}/project -B ${folder}/build -G ${GENERATOR} -DCMAKE_CXX_COMPILER=${CXX}
      -DCMAKE_BUILD_TYPE=${TYPE} -DCMAKE_CXX_FLAGS=${FLAGS} -DCMAKE_PREFIX_PATH=${folder}/installed)
 step(${CMAKE_COMMAND} --build ${folder}/build)
 if(EXISTS ${folder}/build/library)
@@ -21,4 +21,25 @@ if(EXISTS ${folder}/build/library)
 endif()
 step(${folder}/build/one_eyed)
 message("${output}")
+set(output_of_one_eyed "${output}")
+
+# The same without CMake.
+find_program(PKG_CONFIG pkg-config)
+if(PKG_CONFIG)
+  file(GLOB_RECURSE pc ${folder}/installed/*/labmouse.pc)
+  cmake_path(GET pc PARENT_PATH pc)
+  step(sh -c "PKG_CONFIG_PATH=${pc} && export PKG_CONFIG_PATH && \
+    ${CXX} -std=c++20 ${FLAGS} '${FOLDER}/project/one_eyed.cpp' $(${PKG_CONFIG} --cflags --libs labmouse) -o ${folder}/without_cmake")
+  step(${folder}/without_cmake)
+  if(NOT output STREQUAL output_of_one_eyed)
+    message(FATAL_ERROR "what was built with pkg-config prints something else: ${output}")
+  endif()
+endif()
+
+step(${CMAKE_COMMAND} -S ${FOLDER}/subproject -B ${folder}/subproject -G ${GENERATOR} -DCMAKE_CXX_COMPILER=${CXX}
+     -DLABMOUSE=${SOURCE})
+step(${CMAKE_COMMAND} --install ${folder}/subproject --prefix ${folder}/of_subproject)
+if(EXISTS ${folder}/of_subproject)
+  message(FATAL_ERROR "a build that has labmouse in it installs labmouse, too")
+endif()
 file(REMOVE_RECURSE ${folder})

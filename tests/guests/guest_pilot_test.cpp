@@ -7,7 +7,7 @@
 #include "labmouse/contest/code_contest.hpp"
 #include "labmouse/guests/pilot_protocol.hpp"
 #include "tests/guests/bad_guests.hpp"
-#include "tests/lab/drive_record_fixture.hpp"
+#include "tests/lab/records/drive_record_fixture.hpp"
 #include "tests/says.hpp"
 #include "tests/slowness.hpp"
 

@@ -23,7 +23,7 @@
 #include "labmouse/lab/studies/study.hpp"
 #include "labmouse/lab/studies/sweep.hpp"
 #include "labmouse/lab/worlds/entering.hpp"
-#include "tests/lab/page_fixture.hpp"
+#include "tests/lab/page/page_fixture.hpp"
 #include "tests/says.hpp"
 
 namespace labmouse {

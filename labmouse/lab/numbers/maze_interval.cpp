@@ -91,8 +91,8 @@ Interval interval_of(std::span<const MazeSum> all, std::uint64_t seed) {
   Sums sums(middle);
   for (const MazeSum& maze : mazes) sums.add(maze);
   const double error = sums.standard_error(), t = student_quantile(static_cast<int>(mazes.size()) - 1);
-  // Chosen by simulation (tests/lab/coverage_test.cpp). Resamples of fewer mazes are mostly one maze repeated. Many
-  // resamples of tied values have no error, so that the bootstrap alone has no limit.
+  // Chosen by simulation (tests/lab/numbers/coverage_test.cpp). Resamples of fewer mazes are mostly one maze repeated.
+  // Many resamples of tied values have no error, so that the bootstrap alone has no limit.
   constexpr std::size_t fewest_to_resample = 5;
   constexpr double most_of_t = 3.0, part_of_bootstrap = 0.75;
   Reach reach = {t, t};

@@ -91,6 +91,12 @@ std::string tape_line(std::span<const PilotTick> ticks) {
   return record_line({{"tape", rows_text(numbers, 2)}, {"said", std::move(said)}});
 }
 
+void read_actions(PhysicalNotes& notes, JsonFields& fields) {
+  const ReadJson& list = fields.list("actions");
+  if (list.size() > most_actions) return fields.fail(fmt::format("has more than {} actions", most_actions));
+  for (const ReadJson& action : list) notes.actions.push_back(decision_of(action, fields));
+}
+
 void read_tape(PhysicalNotes& notes, JsonFields& fields) {
   std::vector<std::int32_t> numbers;
   if (!read_rows(fields.text("tape"), 2, 2 * (most_ticks - notes.tape.size()), numbers))
@@ -248,11 +254,12 @@ void read_conditions(const ReadJson& json, PhysicalPart& part, JsonFields& outer
 }
 
 bool read_decision_line(const ReadJson& json, PhysicalNotes& notes, JsonFields& fields) {
-  if (json.contains("tape")) return read_tape(notes, fields), true;
-  if (!json.contains("actions")) return false;
-  const ReadJson& list = fields.list("actions");
-  if (list.size() > most_actions) return fields.fail(fmt::format("has more than {} actions", most_actions)), true;
-  for (const ReadJson& action : list) notes.actions.push_back(decision_of(action, fields));
+  if (json.contains("tape"))
+    read_tape(notes, fields);
+  else if (json.contains("actions"))
+    read_actions(notes, fields);
+  else
+    return false;
   return true;
 }
 
@@ -266,11 +273,16 @@ RunEnd read_run_end(JsonFields& fields) {
 
 bool read_physical_line(const ReadJson& json, Size size, PhysicalNotes& notes, JsonFields& fields) {
   if (notes.looks.size() + notes.touches.size() + notes.trace.size() > most_lines)
-    return fields.fail(fmt::format("is one of more than {} lines", most_lines)), true;
-  if (json.contains("look")) return read_look(size, notes, fields), true;
-  if (json.contains("touch")) return read_touch(notes, fields), true;
-  if (json.contains("trace")) return read_trace(notes, fields), true;
-  return false;
+    fields.fail(fmt::format("is one of more than {} lines", most_lines));
+  else if (json.contains("look"))
+    read_look(size, notes, fields);
+  else if (json.contains("touch"))
+    read_touch(notes, fields);
+  else if (json.contains("trace"))
+    read_trace(notes, fields);
+  else
+    return false;
+  return true;
 }
 
 void read_counts(const ReadJson& json, PhysicalNotes& notes, JsonFields& outer) {

@@ -123,23 +123,23 @@ ContestRow row_of(std::shared_ptr<const RaceRows> rows, const Race& race, const 
   return row;
 }
 
-bool fill_in(const Statement& row, int first, const World& world, ContestResult& result) {
-  auto figures = read_figures(row.text(first + 7));
+bool fill_in(const Statement& row, const World& world, ContestResult& result) {
+  auto figures = read_figures(row.text("figures"));
   if (!figures) return false;
-  const auto timings = row.is_null(first + 8) ? std::nullopt : read_figures(row.text(first + 8));
+  const auto timings = row.is_null("timings") ? std::nullopt : read_figures(row.text("timings"));
   for (std::size_t i = 0; i < world.timings().size(); ++i) {
     const std::size_t place = world.timings()[i].figure;
     if (place >= figures->size()) return false;
     if (timings && i < timings->size()) (*figures)[place] = (*timings)[i];
   }
-  result.run = static_cast<int>(row.whole(first));
-  result.told = told_seed(std::stoull("0" + row.text(first + 9)), result.run);
-  result.outcome = row.text(first + 1);
-  result.outcome_order = static_cast<int>(row.whole(first + 2));
-  result.never_started = row.text(first + 3);
-  result.score = row.real(first + 4);
-  result.counted = row.real(first + 5);
-  result.ratio = row.real(first + 6);
+  result.run = static_cast<int>(row.whole("run"));
+  result.told = told_seed(std::stoull("0" + row.text("race_seed")), result.run);
+  result.outcome = row.text("outcome");
+  result.outcome_order = static_cast<int>(row.whole("outcome_order"));
+  result.never_started = row.text("never_started");
+  result.score = row.real("score");
+  result.counted = row.real("counted");
+  result.ratio = row.real("ratio");
   result.figures = std::move(*figures);
   result.done = true;
   return true;

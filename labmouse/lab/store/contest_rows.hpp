@@ -44,13 +44,13 @@ struct ContestRow {
 /// from the fields.
 ContestRow row_of(std::shared_ptr<const RaceRows> rows, const Race& race, const ContestResult& result);
 
-/// The columns of contests and timings that fill_in reads, in its order.
+/// The columns of contests and timings that fill_in reads.
 inline constexpr const char* result_columns =
-    "run, outcome, outcome_order, never_started, score, counted, ratio, contests.figures, timings.figures, "
-    "race_seed";
+    "run, outcome, outcome_order, never_started, score, counted, ratio, contests.figures AS figures, "
+    "timings.figures AS timings, race_seed";
 
-/// Fills in what a row says, from that column on; false where its figures cannot be read. It is done then.
-bool fill_in(const Statement& row, int first, const World& world, ContestResult& result);
+/// Fills in what a row with these columns says; false where its figures cannot be read. It is done then.
+bool fill_in(const Statement& row, const World& world, ContestResult& result);
 
 /// What a store tells of a mouse beside its name, as JSON, and back.
 std::string about_text(const Contestant& mouse);

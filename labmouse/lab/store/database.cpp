@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 #include <sqlite3.h>
 
+#include <cassert>
 #include <cerrno>
 #include <chrono>
 #include <filesystem>
+#include <string_view>
 #include <thread>
 
 #include "labmouse/lab/system/calls.hpp"
@@ -196,6 +198,13 @@ bool Statement::next() {
 void Statement::run() {
   while (next()) {
   }
+}
+
+int Statement::column(const char* name) const {
+  int column = sqlite3_column_count(statement_.get()) - 1;
+  while (column >= 0 && std::string_view(sqlite3_column_name(statement_.get(), column)) != name) --column;
+  assert(column >= 0);
+  return column;
 }
 
 std::int64_t Statement::whole(int column) const { return sqlite3_column_int64(statement_.get(), column); }

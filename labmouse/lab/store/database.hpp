@@ -63,8 +63,8 @@ class Database {
   std::string error_;
 };
 
-/// A statement of a database, which has to outlive it: values by number, counted from 1, and rows with columns counted
-/// from 0.
+/// A statement of a database, which has to outlive it: values by number, counted from 1, and rows with columns by name,
+/// or counted from 0.
 class Statement {
  public:
   Statement& bind(int place, std::int64_t value);
@@ -84,8 +84,16 @@ class Statement {
   std::string text(int column) const;
   bool is_null(int column) const;
 
+  /// The same of the column that has that name, which must be there.
+  std::int64_t whole(const char* name) const { return whole(column(name)); }
+  std::optional<double> real(const char* name) const { return real(column(name)); }
+  std::string text(const char* name) const { return text(column(name)); }
+  bool is_null(const char* name) const { return is_null(column(name)); }
+
  private:
   friend class Database;
+
+  int column(const char* name) const;
 
   struct Finish {
     void operator()(sqlite3_stmt* statement) const;

@@ -152,7 +152,7 @@ void Store::recall(Race& race, const std::function<bool(const ContestResult&)>& 
     find.bind(4, static_cast<std::int64_t>(contest.seed));
     while (find.next()) {
       const int run = contest.run;
-      if (fill_in(find, 0, race.world(), contest)) ++recalled_;
+      if (fill_in(find, race.world(), contest)) ++recalled_;
       // The same maze may have been called otherwise; the run is the one of this race.
       contest.run = run;
     }

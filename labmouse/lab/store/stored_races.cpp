@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <tuple>
 
 #include "labmouse/lab/mazes/maze_link.hpp"
 #include "labmouse/lab/store/contest_key.hpp"
@@ -27,13 +26,13 @@ std::string sql_text(std::string_view text) {
   return quoted + "'";
 }
 
-Contestant mouse_of(const Statement& row, int first) {
+Contestant mouse_of(const Statement& row) {
   Contestant mouse;
-  mouse.name = row.text(first + 1);
-  if (const std::string spec = row.text(first + 2); spec != mouse.name) mouse.spec = spec;
+  mouse.name = row.text("name");
+  if (const std::string spec = row.text("spec"); spec != mouse.name) mouse.spec = spec;
   const std::string& spec = spec_of(mouse);
   const RosterEntry* entry = find_mouse(spec.substr(0, spec.find(':')));
-  const ReadJson parameters = read_json(row.text(first + 3));
+  const ReadJson parameters = read_json(row.text("parameters"));
   if (entry != nullptr && parameters.is_object()) {
     mouse.settings = Settings(entry->parameters);
     for (const Parameter& parameter : entry->parameters) {
@@ -42,8 +41,8 @@ Contestant mouse_of(const Statement& row, int first) {
         mouse.settings.set(parameter.name, found->get<std::string>());
     }
   }
-  read_about(row.text(first + 4), mouse);
-  mouse.identity = [key = row.text(first)] { return key; };
+  read_about(row.text("about"), mouse);
+  mouse.identity = [key = row.text("text")] { return key; };
   return mouse;
 }
 
@@ -72,18 +71,18 @@ class Reader {
     Race race;
     race.order.world = std::move(world);
     Statement rows =
-        database_.prepare(fmt::format("SELECT contests.mouse, contests.maze, seed, {} FROM contests "
+        database_.prepare(fmt::format("SELECT contests.mouse AS mouse, contests.maze AS maze, seed, {} FROM contests "
                                       "LEFT JOIN timings ON timings.contest = contests.id "
                                       "WHERE contests.world = ?1 AND contests.id IN (SELECT id FROM results{})",
                                       result_columns, condition_));
     rows.bind(1, world_id);
     while (rows.next()) {
-      const auto mouse = place_of(mice_, rows.whole(0)), maze = place_of(mazes_, rows.whole(1));
+      const auto mouse = place_of(mice_, rows.whole("mouse")), maze = place_of(mazes_, rows.whole("maze"));
       ContestResult contest;
       contest.mouse = mouse;
       contest.maze = maze;
-      contest.seed = static_cast<std::uint64_t>(rows.whole(2));
-      if (!fill_in(rows, 3, race.world(), contest)) {
+      contest.seed = static_cast<std::uint64_t>(rows.whole("seed"));
+      if (!fill_in(rows, race.world(), contest)) {
         database_.fail("is damaged: it has figures that cannot be read");
         return std::nullopt;
       }
@@ -109,7 +108,7 @@ class Reader {
     Statement find = database_.prepare("SELECT text, name, spec, parameters, about FROM mice WHERE id = ?1");
     for (const auto& [id, place] : mice_) {
       find.bind(1, id);
-      while (find.next()) race.mice[place] = mouse_of(find, 0);
+      while (find.next()) race.mice[place] = mouse_of(find);
     }
     return database_.good();
   }
@@ -121,12 +120,12 @@ class Reader {
     for (const auto& [id, place] : mazes_) {
       find.bind(1, id);
       while (find.next()) {
-        ReadLinkResult link = read_link(find.text(0));
+        ReadLinkResult link = read_link(find.text("text"));
         if (!link.maze) {
           database_.fail("is damaged: it has a maze that cannot be read");
           return false;
         }
-        std::string name = find.text(1);
+        std::string name = find.text("name");
         // Another maze under the same name.
         if (const int count = ++names[name]; count > 1) name += fmt::format(" ({})", count);
         found.emplace(place, NamedMaze{std::move(name), link.maze->maze});
@@ -187,7 +186,7 @@ std::string seed_of(Database& database, const std::string& condition) {
   std::vector<std::string> seeds;
   Statement find = database.prepare(
       fmt::format("SELECT DISTINCT race_seed FROM results{} ORDER BY length(race_seed), race_seed LIMIT 6", condition));
-  while (find.next()) seeds.push_back(find.text(0));
+  while (find.next()) seeds.push_back(find.text("race_seed"));
   if (seeds.size() > 1) {
     if (seeds.size() == 6) seeds.back() = "...";
     database.fail(fmt::format("holds races with seeds {}; name one with --seed", fmt::join(seeds, ", ")));
@@ -202,9 +201,14 @@ StoredRaces read_races(const std::string& path, StoreFilter filter, bool one_rac
   database.run("BEGIN");
   std::string condition = condition_of(filter);
   const std::string seed = one_race && database.good() ? seed_of(database, condition) : "0";
-  std::vector<std::tuple<std::int64_t, std::string, std::string, std::string>> worlds;
+  struct StoredWorld {
+    std::int64_t id;
+    std::string name, conditions, text;
+  };
+  std::vector<StoredWorld> worlds;
   Statement find = database.prepare("SELECT id, name, conditions, text FROM worlds ORDER BY id");
-  while (find.next()) worlds.emplace_back(find.whole(0), find.text(1), find.text(2), find.text(3));
+  while (find.next())
+    worlds.push_back({find.whole("id"), find.text("name"), find.text("conditions"), find.text("text")});
   if (one_race) {
     const std::int64_t all = database.number(
         fmt::format("SELECT count(DISTINCT mouse) FROM contests WHERE id IN (SELECT id FROM results{})", condition));
@@ -255,10 +259,12 @@ constexpr std::array<const char*, 16> export_columns = {
 
 std::string joined_columns() { return fmt::format("{}", fmt::join(export_columns, ", ")); }
 
-Json json_of_column(const Statement& rows, int column) {
-  const std::string_view name = export_columns[static_cast<std::size_t>(column)];
+bool is_real(std::string_view column) { return column == "score" || column == "counted" || column == "ratio"; }
+
+Json json_of_column(const Statement& rows, const char* column) {
+  const std::string_view name = column;
   if (rows.is_null(column)) return nullptr;
-  if (name == "score" || name == "counted" || name == "ratio") return *rows.real(column);
+  if (is_real(name)) return *rows.real(column);
   if (name == "seed" || name == "run" || name == "time") return rows.whole(column);
   if (name == "conditions" || name == "fields") {
     const std::string text = rows.text(column);
@@ -270,16 +276,16 @@ Json json_of_column(const Statement& rows, int column) {
 
 std::string json_line(const Statement& rows) {
   Json json;
-  for (std::size_t i = 0; i < export_columns.size(); ++i)
-    json[export_columns[i]] = json_of_column(rows, static_cast<int>(i));
+  for (const char* column : export_columns) json[column] = json_of_column(rows, column);
   return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 std::string csv_line(const Statement& rows) {
   std::string line;
-  for (int i = 0; i < static_cast<int>(export_columns.size()); ++i) {
-    const auto real = i >= 8 && i <= 10 ? rows.real(i) : std::nullopt;
-    line += (i > 0 ? "," : "") + csv_field(real ? fmt::format("{}", *real) : rows.text(i));
+  for (const char* column : export_columns) {
+    const auto real = is_real(column) ? rows.real(column) : std::nullopt;
+    line +=
+        (column == export_columns.front() ? "" : ",") + csv_field(real ? fmt::format("{}", *real) : rows.text(column));
   }
   return line + "\n";
 }
@@ -316,16 +322,26 @@ StoredMice stored_mice(const std::string& path, const StoreFilter& filter) {
   StoredMice found;
   Database database = open_whole_store(path);
   Statement rows = database.prepare(fmt::format(
-      "SELECT worlds.name, worlds.conditions, mice.name, count(DISTINCT contests.maze), count(*), count(score), "
-      "avg(CASE WHEN bound IS NOT NULL THEN counted END), min(time), max(time) FROM contests "
+      "SELECT worlds.name AS world, worlds.conditions AS conditions, mice.name AS mouse, count(DISTINCT contests.maze) "
+      "AS mazes, "
+      "count(*) AS contests, count(score) AS solved, avg(CASE WHEN bound IS NOT NULL THEN counted END) AS mean, "
+      "min(time) AS first, max(time) AS last FROM contests "
       "JOIN worlds ON worlds.id = contests.world JOIN mice ON mice.id = contests.mouse "
       "LEFT JOIN bounds ON bounds.world = contests.world AND bounds.maze = contests.maze "
       "WHERE contests.id IN (SELECT id FROM results{}) GROUP BY contests.world, contests.mouse "
       "ORDER BY contests.world, mice.name, max(time)",
       condition_of(filter)));
   while (rows.next())
-    found.mice.push_back({rows.text(0), rows.text(1), rows.text(2), "", rows.whole(3), rows.whole(4), rows.whole(5),
-                          rows.real(6), rows.whole(7), rows.whole(8)});
+    found.mice.push_back({.world = rows.text("world"),
+                          .conditions = rows.text("conditions"),
+                          .mouse = rows.text("mouse"),
+                          .apart = "",
+                          .mazes = rows.whole("mazes"),
+                          .contests = rows.whole("contests"),
+                          .solved = rows.whole("solved"),
+                          .mean = rows.real("mean"),
+                          .first = rows.whole("first"),
+                          .last = rows.whole("last")});
   tell_apart(found.mice);
   found.error = error_line(path, database.error());
   return found;

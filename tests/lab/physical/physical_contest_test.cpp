@@ -1,0 +1,246 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+
+#include "labmouse/contest/physical.hpp"
+#include "tests/contest/scripted.hpp"
+#include "tests/lab/physical/physical_fixture.hpp"
+#include "tests/slowness.hpp"
+
+namespace labmouse {
+namespace {
+
+using test::at_noise;
+using test::driven_physically;
+using ::testing::Each;
+using ::testing::Gt;
+using ::testing::IsEmpty;
+using ::testing::Le;
+using ::testing::SizeIs;
+
+using Kind = DriveRun::Kind;
+
+/// Noise in which this mouse crashes now and then.
+PhysicalConditions rough() {
+  PhysicalConditions conditions = at_noise(4.0);
+  conditions.noise.spread = 2.0;
+  return conditions;
+}
+
+/// The first contest in which a run but the last ends by that, by seed.
+template <class Predicate>
+PhysicalRecord first_with(Predicate is_it, const DriveRules& rules = find_rules("all-japan").rules,
+                          const std::string& mouse = "flood-return") {
+  for (std::uint64_t seed = 1; seed < 200; ++seed) {
+    PhysicalRecord record = driven_physically(mouse, test::ring(), rough(), seed, rules);
+    if (is_it(record)) return record;
+  }
+  ADD_FAILURE() << "no contest of 200 was like that";
+  return {};
+}
+bool crashes_early(const PhysicalRecord& record) {
+  return record.ends.size() > 1 && is_crash(record.ends.front()) && record.drive.runs.size() > 1;
+}
+
+TEST(PhysicalContest, GoesWithoutNoiseAsInSeconds) {
+  LABMOUSE_SKIP_SANITIZED();
+  for (const char* robot : {"kerise", "classic", "beginner"})
+    for (const char* mouse : {"flood", "flood-return", "certify", "ariadne"}) {
+      const DriveRules rules = find_rules("all-japan").rules;
+      const PhysicalRecord record = driven_physically(mouse, test::ring(), at_noise(0.0), 1, rules, robot);
+      EXPECT_EQ(record.drive.outcome, DriveOutcome::finished) << mouse << ' ' << robot;
+      EXPECT_THAT(record.touches, IsEmpty());
+      EXPECT_EQ(record.misreads + record.contradictions + record.carried, 0);
+      EXPECT_THAT(record.ends, Each(RunEnd::done));
+      const auto best = score(record.drive, rules).value();
+      ASSERT_TRUE(best);
+      // Bodies need a little longer than plans; by all-japan only the fast run counts.
+      const auto model = test::drive_model(robot);
+      const RosterEntry& entry = *find_mouse(mouse);
+      const auto mind = entry.make(brief(test::ring(), rules, *model, 1), Settings(entry.parameters));
+      const auto planned = score(drive(test::ring(), rules, *model, *mind), rules).value();
+      EXPECT_GT(*best, *planned);
+      EXPECT_LT(static_cast<double>(*best), 1.25 * static_cast<double>(*planned) + 100'000.0) << mouse << ' ' << robot;
+    }
+}
+
+TEST(PhysicalContest, OwesAllChanceToItsSeed) {
+  const auto held = [](double noise, std::uint64_t seed) {
+    return driven_physically("flood-return", test::ring(), at_noise(noise), seed);
+  };
+  EXPECT_EQ(held(1.0, 7), held(1.0, 7));
+  EXPECT_NE(held(1.0, 7).drive, held(1.0, 8).drive);
+  EXPECT_EQ(held(0.0, 7).drive, held(0.0, 8).drive);
+}
+
+TEST(PhysicalContest, AHandCarriesAMouseThatCrashed) {
+  const PhysicalRecord record = first_with(crashes_early);
+  const auto& runs = record.drive.runs;
+  ASSERT_EQ(record.ends.size(), runs.size());
+  EXPECT_FALSE(runs[0].touched);
+  EXPECT_TRUE(runs[1].touched);
+  EXPECT_EQ(runs[1].kind == Kind::home, false);
+  EXPECT_GE(runs[1].begin, runs[0].end + PhysicalConditions().handling);
+  EXPECT_GE(record.carried, 1);
+  // It crashed when its run ended, and it knows what it knew.
+  const auto crash =
+      std::find_if(record.touches.begin(), record.touches.end(), [](const WallTouch& t) { return t.crash; });
+  ASSERT_NE(crash, record.touches.end());
+  EXPECT_EQ(crash->time, runs[0].end);
+  WallSet forgotten = runs[0].open;
+  forgotten -= runs[1].open;
+  EXPECT_TRUE(forgotten.empty());
+}
+
+TEST(PhysicalContest, EveryCrashEndsARunAndIsCarried) {
+  for (std::uint64_t seed = 1; seed <= test::fewer(30U); ++seed) {
+    const PhysicalRecord record = driven_physically("flood-return", test::ring(), rough(), seed);
+    const auto crashed = std::count_if(record.ends.begin(), record.ends.end(), is_crash);
+    const auto touched =
+        std::count_if(record.touches.begin(), record.touches.end(), [](const WallTouch& touch) { return touch.crash; });
+    // One behind the goal of a fast run is no end of it.
+    EXPECT_LE(crashed, touched);
+    EXPECT_GE(record.carried, touched - 1);
+    EXPECT_LE(record.carried, touched + 1);
+  }
+}
+
+TEST(PhysicalContest, ATouchCostsWhatTheRulesSay) {
+  LABMOUSE_SKIP_SANITIZED();
+  DriveRules rules = find_rules("uk-2018").rules;
+  ASSERT_GT(rules.touch_penalty, 0);
+  const PhysicalRecord record = first_with(
+      [&](const PhysicalRecord& held) { return crashes_early(held) && score(held.drive, rules).best.has_value(); },
+      rules);
+  const DriveScore with = score(record.drive, rules);
+  rules.touch_penalty = 0;
+  const DriveScore without = score(record.drive, rules);
+  ASSERT_EQ(with.runs.size(), without.runs.size());
+  bool any = false;
+  for (std::size_t i = 0; i < with.runs.size(); ++i) {
+    const bool touched = record.drive.runs[with.runs[i].run].touched;
+    any = any || touched;
+    EXPECT_EQ(with.runs[i].value - without.runs[i].value, touched ? find_rules("uk-2018").rules.touch_penalty : 0);
+  }
+  EXPECT_TRUE(any);
+}
+
+TEST(PhysicalContest, HasNoMoreRunsAndTimeThanTheRulesGive) {
+  DriveRules rules = find_rules("all-japan").rules;
+  rules.most_runs = 2;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const PhysicalRecord record = driven_physically("certify", test::ring(), rough(), seed, rules);
+    EXPECT_LE(std::count_if(record.drive.runs.begin(), record.drive.runs.end(),
+                            [](const DriveRun& run) { return run.kind != Kind::home; }),
+              2);
+  }
+  rules.time_limit = 900'000;
+  const PhysicalRecord late = driven_physically("certify", test::ring(), at_noise(0.0), 1, rules);
+  EXPECT_THAT(late.ends, testing::ElementsAre(RunEnd::out_of_time));
+  EXPECT_EQ(late.drive.outcome, DriveOutcome::out_of_time);
+  EXPECT_EQ(late.drive.runs.back().end, rules.time_limit);
+  EXPECT_FALSE(score(late.drive, rules).best);
+}
+
+TEST(PhysicalContest, WhatAMouseHasReadStays) {
+  int contradictions = 0, misreads = 0;
+  for (std::uint64_t seed = 1; seed <= test::fewer(60U); ++seed) {
+    const PhysicalRecord record = driven_physically("certify", test::ring(), rough(), seed);
+    std::set<Wall> seen;
+    int wrong = 0;
+    for (const WallSeen& wall : record.drive.walls) {
+      EXPECT_TRUE(seen.insert(wall.wall).second);
+      wrong += wall.open != test::ring().is_open(wall.wall.cell, wall.wall.side);
+    }
+    EXPECT_EQ(record.misreads, wrong);
+    contradictions += record.contradictions;
+    misreads += wrong;
+  }
+  // Of a few contests, none may have any.
+  if (!test::thorough) return;
+  EXPECT_GT(contradictions, 0);
+  EXPECT_GT(misreads, 0);
+}
+
+PhysicalConditions weighing(PhysicalConditions conditions) {
+  conditions.map = MapKind::belief;
+  return conditions;
+}
+
+TEST(PhysicalContest, AMapThatWeighsChangesNothingWhereAllReadingsAgree) {
+  for (const char* mouse : {"flood", "flood-return", "certify", "ariadne"})
+    EXPECT_EQ(driven_physically(mouse, test::ring(), weighing(at_noise(0.0))),
+              driven_physically(mouse, test::ring(), at_noise(0.0)))
+        << mouse;
+}
+
+TEST(PhysicalContest, AMapThatWeighsTurnsWallsOverAndLosesFewerContests) {
+  LABMOUSE_SKIP_SANITIZED();
+  std::array<int, all_map_kinds.size()> finished{};
+  int turned = 0;
+  for (const MapKind kind : all_map_kinds)
+    for (std::uint64_t seed = 1; seed <= test::fewer(60U); ++seed) {
+      PhysicalConditions conditions = rough();
+      conditions.map = kind;
+      const PhysicalRecord record = driven_physically("certify", test::ring(), conditions, seed);
+      finished[static_cast<std::size_t>(kind)] += record.drive.outcome == DriveOutcome::finished ? 1 : 0;
+      std::map<Wall, bool> taken;
+      for (const WallSeen& wall : record.drive.walls) {
+        const auto [before, is_new] = taken.try_emplace(wall.wall, wall.open);
+        if (is_new) continue;
+        ++turned;
+        EXPECT_NE(kind, MapKind::first);
+        before->second = wall.open;
+      }
+      EXPECT_NE(record.drive.reason, ForfeitReason::lost) << seed;
+      EXPECT_NE(record.drive.reason, ForfeitReason::contradiction) << seed;
+    }
+  // Eight contests are too few for a difference, and for a wall that turns over.
+  EXPECT_GE(finished[1], finished[0] + (test::thorough ? 1 : 0));
+  EXPECT_GE(turned, test::thorough ? 1 : 0);
+}
+
+TEST(PhysicalContest, TracesBothMice) {
+  PhysicalConditions conditions = at_noise(1.0);
+  conditions.trace_every = 10;
+  const PhysicalRecord traced = driven_physically("flood-return", test::ring(), conditions);
+  ASSERT_THAT(traced.trace, SizeIs(Gt(100U)));
+  double largest = 0.0;
+  for (std::size_t i = 0; i < traced.trace.size(); ++i) {
+    EXPECT_EQ(traced.trace[i].time, 10'000 * static_cast<MazeTime>(i + 1));
+    ASSERT_TRUE(traced.trace[i].belief);
+    const Position off = traced.trace[i].belief->position - traced.trace[i].truth.position;
+    largest = std::max(largest, std::max(std::abs(off.x), std::abs(off.y)));
+  }
+  EXPECT_GT(largest, 0.01);
+  EXPECT_LT(largest, 45.0);
+  // Whether one is written changes nothing else.
+  PhysicalRecord plain = driven_physically("flood-return", test::ring(), at_noise(1.0));
+  plain.trace = traced.trace;
+  EXPECT_EQ(plain, traced);
+}
+
+TEST(PhysicalContest, AMindThatAsksForWhatIsNotThereIsLost) {
+  const auto outcome_of = [](std::vector<Action> script) {
+    test::Scripted mouse(std::move(script));
+    return drive_physically(test::ring(), find_rules("all-japan").rules, *test::drive_model("kerise"), at_noise(0.0), 1,
+                            mouse);
+  };
+  // Through a wall; home before a goal; and a fast run over a way that is not known.
+  for (const auto& script : {std::vector<Action>{Action::step(90, 1)}, {Action::step(0, 1), Action::reset()}}) {
+    const PhysicalRecord record = outcome_of(script);
+    EXPECT_EQ(record.drive.outcome, DriveOutcome::forfeit);
+    EXPECT_EQ(record.drive.reason, ForfeitReason::lost);
+    EXPECT_EQ(record.ends.back(), RunEnd::given_up);
+  }
+  const PhysicalRecord record = outcome_of({Action::reset()});
+  EXPECT_EQ(record.drive.reason, ForfeitReason::no_way);
+  EXPECT_EQ(record.ends.back(), RunEnd::walled_in);
+}
+
+}  // namespace
+}  // namespace labmouse

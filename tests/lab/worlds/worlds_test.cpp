@@ -1,0 +1,487 @@
+// All that can be done with a world, in each world there is.
+#include "labmouse/lab/worlds/worlds.hpp"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <nlohmann/json.hpp>
+
+#include "labmouse/lab/galleries/race_folder.hpp"
+#include "labmouse/lab/page/calls.hpp"
+#include "labmouse/lab/reports/report_page.hpp"
+#include "labmouse/lab/standings/baseline.hpp"
+#include "labmouse/lab/standings/race_json.hpp"
+#include "labmouse/lab/standings/race_table.hpp"
+#include "labmouse/lab/standings/standings.hpp"
+#include "labmouse/lab/studies/study.hpp"
+#include "labmouse/lab/studies/sweep.hpp"
+#include "labmouse/lab/system/files.hpp"
+#include "labmouse/lab/worlds/entering.hpp"
+#include "labmouse/strategies/roster.hpp"
+#include "tests/lab/mms/mms_fixture.hpp"
+#include "tests/lab/reports/unpacking.hpp"
+#include "tests/lab/xml_scanner.hpp"
+#include "tests/says.hpp"
+
+namespace labmouse {
+namespace {
+
+using Json = nlohmann::json;
+using test::Says;
+using test::SaysAt;
+using ::testing::AllOf;
+using ::testing::Each;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using ::testing::SizeIs;
+using ::testing::StartsWith;
+
+const std::string program = "mms:\"" LABMOUSE_MMS_GUEST "\"";
+
+/// What to try in a world: two mice, another setting that its results depend on, and a parameter of a mouse.
+struct Trial {
+  std::vector<std::string> mice;
+  WorldSettings other;
+  std::string swept, variation;
+};
+
+const Trial& trial_of(const WorldEntry& entry) {
+  static const std::map<std::string_view, Trial> trials = {
+      {"strides", {{"flood,random"}, {{"budget", "40"}}, "flood", "stride=1,2,02"}},
+      {"seconds", {{"flood,ariadne"}, {{"rules", "thirtieth"}}, "ariadne", "prior=contest,uniform,contest"}},
+      {"physical", {{"flood,ariadne"}, {{"noise", "2"}}, "ariadne", "prior=contest,uniform,contest"}},
+      {"fallible", {{"flood,ariadne"}, {{"noise", "2"}}, "ariadne", "prior=contest,uniform,contest"}},
+      {"mms",
+       {{program + " ask:turnRight ask:moveForward", program + " ask:turnLeft exit:2"},
+        {{"presses", "3"}},
+        program + " burst:{turns}:turnLeft hear:{turns} ask:turnRight ask:moveForward",
+        "turns=0,4,0"}}};
+  return trials.at(entry.name);
+}
+
+/// In one of them no mouse can score.
+std::vector<NamedMaze> mazes() { return {test::loop(), test::plank(), test::corridor(), test::shaft()}; }
+
+GuestOptions patient() {
+  GuestOptions options;
+  options.limits.silence = std::chrono::seconds(20);  // on a busy machine
+  return options;
+}
+
+/// All of a race but what differs from one time to the next.
+std::string digest(const Race& race) {
+  std::string text;
+  for (const ContestResult& result : race.results) {
+    text += race.mice[result.mouse].name + ' ' + text_of(or_none(result.counted));
+    for (const ContestField& field : race.world().fields().contest)
+      if (field.key != "microseconds_per_decision" && field.key != "seconds")
+        text += ' ' + text_of(field.of(race, result));
+    text += '\n';
+  }
+  return text;
+}
+
+class AWorld : public testing::TestWithParam<const WorldEntry*> {
+ protected:
+  RaceOrder order(int jobs = 0, const WorldSettings& settings = {}) const {
+    return {GetParam()->make(settings).world, 2, 1, jobs};
+  }
+  const Trial& trial() const { return trial_of(*GetParam()); }
+  std::vector<Contestant> mice() const { return read_specs(trial().mice, patient()).contestants; }
+  Race race(int jobs = 0) const { return hold_race(mice(), mazes(), order(jobs)); }
+  /// The JSON of a race, where this world has it.
+  Json part_of(const std::string& json) const {
+    const Json whole = Json::parse(json);
+    return GetParam()->is_home ? whole : whole.at("groups").at(0);
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(All, AWorld, testing::ValuesIn(all_worlds().begin(), all_worlds().end()),
+                         [](const auto& world) { return std::string(world.param->name); });
+
+TEST_P(AWorld, IsFoundByItsName) {
+  EXPECT_EQ(find_world(GetParam()->name), GetParam());
+  EXPECT_EQ(default_world(GetParam()->name)->name(), GetParam()->name);
+  EXPECT_EQ(order().world->is_home(), GetParam() == all_worlds().front());
+  for (const Contestant& mouse : mice()) EXPECT_EQ(order().world->refuse(mouse), "");
+}
+
+TEST_P(AWorld, ListsAFigureForEachField) {
+  const Race held = race();
+  const WorldFields& fields = held.world().fields();
+  for (const ContestResult& result : held.results)
+    for (const auto& list : {fields.contest, fields.csv})
+      for (const ContestField& field : list) EXPECT_NO_THROW(field.of(held, result)) << field.key;
+}
+
+TEST_P(AWorld, HasResultsThatDoNotDependOnThreadsOrOrder) {
+  const std::string alone = digest(race(1));
+  EXPECT_EQ(digest(race(4)), alone);
+  std::vector<Contestant> backwards = mice();
+  std::reverse(backwards.begin(), backwards.end());
+  std::vector<NamedMaze> turned = mazes();
+  std::reverse(turned.begin(), turned.end());
+  const Race other = hold_race(backwards, turned, order());
+  EXPECT_EQ(digest(other), alone);
+  EXPECT_EQ(contests_of(other.mice, other.mazes.size(), other.order), other.results.size());
+}
+
+TEST_P(AWorld, HasResultsOfAMouseThatDoNotDependOnTheOthers) {
+  const Race held = race();
+  EXPECT_THAT(digest(held), HasSubstr(digest(hold_race({held.mice[1]}, mazes(), order()))));
+}
+
+TEST_P(AWorld, HasStandingsBestFirst) {
+  const Race held = race();
+  const std::vector<Standing> standings = standings_of(held);
+  ASSERT_THAT(standings, SizeIs(2));
+  EXPECT_LE(*standings[0].mean_all, *standings[1].mean_all);
+  for (const Standing& standing : standings) {
+    const int runs = standing.runs / static_cast<int>(mazes().size() - 1);  // the shaft does not count
+    EXPECT_EQ(standing.runs, runs * 3);
+    EXPECT_LE(standing.interval.low, *standing.mean_all);
+    EXPECT_GE(standing.interval.high, *standing.mean_all);
+    EXPECT_EQ(figure_of(held, standing, "runs"), Value(standing.runs));
+  }
+  EXPECT_GT(standings[0].solved, 0);
+  EXPECT_GE(*standings[0].mean_ratio, 1.0 - 1e-9);
+}
+
+TEST_P(AWorld, HasATable) {
+  const Race held = race();
+  const std::string table = table_of(held, false);
+  for (const Column& column : held.world().fields().columns) EXPECT_THAT(table, HasSubstr(std::string(column.second)));
+  EXPECT_THAT(table, AllOf(Says("Left out", "1 maze", "(shaft)"), Not(HasSubstr("Stopped")), Not(HasSubstr("\x1b"))));
+  EXPECT_THAT(table_of(held, true), HasSubstr("\x1b[1m"));
+}
+
+TEST_P(AWorld, HasJsonWithAllItsFields) {
+  const Race held = race();
+  const Json json = part_of(json_of(held, {}));
+  for (const Condition& condition : held.world().conditions()) EXPECT_TRUE(json.contains(condition.key));
+  ASSERT_THAT(json.at("mazes"), SizeIs(mazes().size()));
+  for (const MazeField& field : held.world().fields().maze)
+    EXPECT_TRUE(json["mazes"][0].contains(std::string(field.key))) << field.key;
+  ASSERT_THAT(json.at("mice"), SizeIs(2));
+  std::size_t results = 0;
+  for (const Json& mouse : json["mice"]) {
+    for (const MouseField& field : held.world().fields().mouse)
+      EXPECT_TRUE(mouse.contains(std::string(field.key))) << field.key;
+    results += mouse.at("results").size();
+  }
+  EXPECT_EQ(results, held.results.size());
+}
+
+TEST_P(AWorld, HasCsvOfALineAContest) {
+  const Race held = race();
+  const std::string csv = csv_of(held);
+  const auto lines = static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n'));
+  EXPECT_EQ(lines, 1 + held.results.size());
+  const auto commas = static_cast<std::size_t>(std::count(csv.begin(), csv.end(), ','));
+  EXPECT_EQ(commas, lines * (held.world().fields().csv.size() - 1));
+  EXPECT_THAT(csv, StartsWith("mouse,maze,"));
+}
+
+TEST_P(AWorld, ComparesARaceWithAnEarlierOne) {
+  const Race held = race();
+  const auto compared = [&](const Race& now) {
+    const ReadBaselineResult read = read_baseline(json_of(held, {}), now.world());
+    EXPECT_EQ(read.error, "");
+    return read.baseline ? compare_with_baseline(now, *read.baseline) : "";
+  };
+  const std::string same = compared(held);
+  for (const Contestant& mouse : held.mice) EXPECT_THAT(same, HasSubstr(mouse.name + ": +0.000 [+0.000, +0.000] over"));
+  EXPECT_THAT(same, Not(HasSubstr("Warning")));
+  const Race other = hold_race(mice(), mazes(), order(0, trial().other));
+  EXPECT_THAT(compared(other), HasSubstr("Warning: " + trial().other.begin()->first));
+  for (const WorldEntry* entry : all_worlds()) {
+    const std::string error = read_baseline(json_of(held, {}), *entry->make({}).world).error;
+    if (entry == GetParam())
+      EXPECT_EQ(error, "");
+    else
+      EXPECT_THAT(error, Says("no race", entry->name));
+  }
+}
+
+TEST_P(AWorld, ListsTheWorstMazesAndTheShares) {
+  const Race held = race();
+  const std::string worst = worst_of(held, 1), shares = shares_of(held);
+  EXPECT_THAT(worst, Not(HasSubstr("shaft")));
+  for (const Contestant& mouse : held.mice) EXPECT_THAT(worst, HasSubstr(mouse.name + ": worst mazes\n"));
+  const Standing best = standings_of(held).front();
+  const double visited = *number_of(figure_of(held, best, "mean_visited_share"));
+  EXPECT_GT(visited, 0.0);
+  EXPECT_LE(visited, 1.0);
+  EXPECT_THAT(shares, HasSubstr(fmt::format(" {:.1f}\n", 100.0 * visited)));
+}
+
+constexpr const char* page = "<html><body><!-- labmouse:report --></body></html>";
+
+TEST_P(AWorld, LeavesRecordsAndPicturesForAReport) {
+  const test::AFolder folder;
+  std::optional<RaceFolder> kept;
+  RaceHooks hooks;
+  hooks.keep = RaceFolder::keep;
+  hooks.finished = [&](const Race& race, const ContestResult& contest, const Held& held) {
+    if (!kept) kept.emplace(folder.path(), race);
+    EXPECT_EQ(held.picture.empty(), contest.run > 0);
+    EXPECT_EQ(kept->save(contest, held), "");
+  };
+  const Race held = hold_race(mice(), mazes(), order(), hooks);
+  const RacePaths paths(folder.path(), names_of(held.mice), names_of(held.mazes), held.world().numbers_runs());
+  for (const ContestResult& result : held.results) {
+    EXPECT_NE(read_file(paths.record(result.mouse, result.maze, result.run)).content, "");
+    const std::string picture = read_file(paths.picture(result.mouse, result.maze)).content;
+    EXPECT_EQ(XmlScanner(picture).complaint(), "");
+    EXPECT_THAT(picture, HasSubstr("<svg"));
+  }
+  EXPECT_EQ(write_file(folder.path() + "/" + results_file_name, json_of(held, {})), "");
+  const ReportPage report = make_report(folder.path(), page);
+  EXPECT_EQ(report.error, "");
+  EXPECT_THAT(report.notes, IsEmpty());
+  EXPECT_THAT(test::block_of(report.page, "labmouse-records")["records"], SizeIs(2 * mazes().size()));
+}
+
+TEST_P(AWorld, IsOpenedByThePage) {
+  const std::string text = json_of(race(), {});
+  const Json reply = Json::parse(answer_page("open", R"({"name": "race.json"})", text).json);
+  ASSERT_TRUE(reply.contains("answer")) << reply.dump();
+  const Json opened = part_of(reply.at("answer").at("results").dump()), written = part_of(text);
+  EXPECT_EQ(opened.at("mazes"), written.at("mazes"));
+  ASSERT_THAT(opened.at("mice"), SizeIs(written.at("mice").size()));
+  for (std::size_t mouse = 0; mouse < opened.at("mice").size(); ++mouse)
+    for (const char* key : {"name", "runs", "mean_score", "interval", "mean_ratio"})
+      EXPECT_EQ(opened.at("mice").at(mouse).at(key), written.at("mice").at(mouse).at(key)) << key;
+  EXPECT_EQ(opened.at("mice").at(0).at("results").at(0).at("score"),
+            written.at("mice").at(0).at("results").at(0).at("score"));
+}
+
+TEST_P(AWorld, KeepsNothingThatIsNotAskedFor) {
+  int told = 0;
+  RaceHooks hooks;
+  hooks.finished = [&](const Race&, const ContestResult& contest, const Held& held) {
+    ++told;
+    EXPECT_TRUE(contest.done && held.run.has_value());
+    EXPECT_EQ(held.record + held.picture, "");
+  };
+  const Race held = hold_race(mice(), mazes(), order(), hooks);
+  EXPECT_EQ(told, static_cast<int>(held.results.size()));
+}
+
+TEST_P(AWorld, IsLeftHalfDoneWhereItIsStopped) {
+  std::atomic<bool> stop = false;
+  RaceHooks hooks;
+  hooks.stop = &stop;
+  hooks.finished = [&](const Race&, const ContestResult&, const Held&) { stop = true; };
+  const Race held = hold_race(mice(), mazes(), order(1), hooks);
+  EXPECT_TRUE(held.stopped);
+  EXPECT_EQ(std::count_if(held.results.begin(), held.results.end(), [](const auto& r) { return r.done; }), 1);
+  EXPECT_THAT(table_of(held, false), Says("Stopped", fmt::format("1 of {} contests", held.results.size())));
+  const std::string csv = csv_of(held);
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 2);
+  const Json json = part_of(json_of(held, {}));
+  EXPECT_EQ(json.at("stopped"), true);
+  EXPECT_EQ(json["mice"][0]["results"].size() + json["mice"][1]["results"].size(), 1U);
+}
+
+TEST_P(AWorld, KnowsNothingWhereItIsStoppedAtOnce) {
+  const std::atomic<bool> stop = true;
+  RaceHooks hooks;
+  hooks.stop = &stop;
+  const Race held = hold_race(mice(), mazes(), order(), hooks);
+  EXPECT_TRUE(held.stopped);
+  for (const MazeFacts& facts : held.facts) EXPECT_FALSE(facts.found);
+  const std::string table = table_of(held, false);
+  EXPECT_THAT(table, Says("Stopped", fmt::format("0 of {} contests", held.results.size())));
+  EXPECT_THAT(table, Not(HasSubstr(std::string(held.world().why_no_bound()))));
+  EXPECT_THAT(part_of(json_of(held, {})).at("mazes"), SizeIs(mazes().size()));
+}
+
+/// Does what another mind does, and stops its race with a decision.
+class Stopper final : public Strategy {
+ public:
+  Stopper(std::unique_ptr<Strategy> mouse, int last, std::atomic<bool>& stop, std::atomic<int>& decisions)
+      : mouse_(std::move(mouse)), last_(last), stop_(stop), decisions_(decisions) {}
+
+  Action decide(const Sighting& seen) override {
+    if (++decisions_ == last_) stop_ = true;
+    return mouse_->decide(seen);
+  }
+  void show(const Pose& pose, const Sighting& seen) override { mouse_->show(pose, seen); }
+  const Knowledge& knowledge() const override { return mouse_->knowledge(); }
+
+ private:
+  std::unique_ptr<Strategy> mouse_;
+  int last_;
+  std::atomic<bool>& stop_;
+  std::atomic<int>& decisions_;
+};
+
+TEST_P(AWorld, AsksAMouseForNothingOnceItIsStopped) {
+  if (GetParam()->name == "mms") return;  // there mice are programs, which are ended
+  std::atomic<bool> stop = false;
+  std::atomic<int> decisions = 0;
+  Contestant mouse = test::mice("flood").front();
+  mouse.make = [&, make = mouse.make](const Maze& maze, const Rules& rules, std::uint64_t seed) {
+    return std::make_unique<Stopper>(make(maze, rules, seed), 3, stop, decisions);
+  };
+  mouse.drive = [&, drive = mouse.drive](const Maze& maze, const Briefing& briefing) {
+    return std::make_unique<Stopper>(drive(maze, briefing), 3, stop, decisions);
+  };
+  RaceHooks hooks;
+  hooks.stop = &stop;
+  const Race held = hold_race({mouse}, {test::loop()}, order(1), hooks);
+  EXPECT_EQ(decisions, 3);
+  EXPECT_TRUE(held.stopped);
+  EXPECT_FALSE(held.results.front().done);
+}
+
+TEST_P(AWorld, HasStudies) {
+  StudyOrder order;
+  order.race = this->order();
+  order.folds = 3;
+  const Study study = hold_study(mice(), mazes(), order);
+  ASSERT_EQ(study.error, "");
+  EXPECT_THAT(study.selection.routeless, ElementsAre("shaft"));
+  EXPECT_EQ(digest(study.race), digest(hold_race(mice(), {test::loop(), test::plank(), test::corridor()}, order.race)));
+  EXPECT_THAT(comparisons_of(study), SizeIs(1));
+  EXPECT_THAT(table_of(study, false), HasSubstr("Score: " + order.race.world->formula()));
+  const std::string csv = csv_of(study);
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 3);
+  const Json json = Json::parse(json_of(study, {}));
+  EXPECT_THAT(json.at("folds"), SizeIs(3));
+  const Json whole = part_of(json.dump());
+  for (const Json& maze : whole.at("mazes")) EXPECT_TRUE(maze.contains("fold"));
+  EXPECT_EQ(XmlScanner(picture_of(study)).complaint(), "");
+  EXPECT_THAT(picture_of(study), HasSubstr(fmt::format("({})", order.race.world->unit())));
+}
+
+TEST_P(AWorld, HasSweeps) {
+  std::vector<NamedMaze> in = mazes();
+  in.push_back({"contest-05", *maze_named("contest-05")});
+  const Sweep sweep = hold_sweep(trial().swept, read_variation(trial().variation), in, order(), {}, patient());
+  ASSERT_EQ(sweep.error, "");
+  ASSERT_THAT(sweep.points, SizeIs(2));  // the third value is the first or second once more
+  EXPECT_EQ(sweep.values, 2U);
+  EXPECT_EQ(sweep.routeless, 1);
+  EXPECT_GT(sweep.points[0].runs, sweep.points[0].failures);
+  EXPECT_THAT(table_of(sweep, false), AllOf(HasSubstr("Score: " + order().world->formula()),
+                                            HasSubstr(std::string(order().world->why_no_bound()))));
+  EXPECT_EQ(XmlScanner(picture_of(sweep)).complaint(), "");
+  EXPECT_THAT(picture_of(sweep), HasSubstr(std::string(order().world->unit())));
+}
+
+TEST(Race, GivesMiceThatThrowDiceSeveralRuns) {
+  RaceOrder order = test::in_steps();
+  order.runs = 5;
+  const Race race = hold_race(test::mice("random,flood"), {test::corridor()}, order);
+  EXPECT_EQ(race.results.size(), 5U + 1U);
+  EXPECT_EQ(standings_of(race).back().runs, 5);
+}
+
+TEST(Race, SeedsDependOnRaceMazeAndRun) {
+  EXPECT_NE(contest_seed(1, "a", 0), contest_seed(2, "a", 0));
+  EXPECT_NE(contest_seed(1, "a", 0), contest_seed(1, "b", 0));
+  EXPECT_NE(contest_seed(1, "a", 0), contest_seed(1, "a", 1));
+}
+
+TEST(Race, SeedsDoNotDependOnTheFolder) {
+  EXPECT_EQ(contest_seed(1, "here/a.txt", 3), contest_seed(1, "/there/a.txt", 3));
+}
+
+TEST(Race, TellsExternalMiceASeedThatNamesNoMaze) {
+  Contestant mouse;
+  mouse.name = "guest:./mouse";
+  mouse.external = true;
+  mouse.runs = 2;
+  const std::atomic<bool> stopped = true;  // before any contest is held
+  RaceHooks hooks;
+  hooks.stop = &stopped;
+  RaceOrder order = test::in_steps();
+  const auto results = hold_race({mouse}, {test::corridor(), test::loop()}, order, hooks).results;
+  ASSERT_EQ(results.size(), 4U);
+  EXPECT_EQ(results[0].told, results[2].told);
+  EXPECT_EQ(results[1].told, results[3].told);
+  EXPECT_NE(results[0].told, results[1].told);
+  for (const ContestResult& result : results) EXPECT_EQ(result.seed, result.told);
+  // A world that throws dice throws others in each maze.
+  order.world = default_world("physical");
+  const auto physical = hold_race({mouse}, {test::corridor(), test::loop()}, order, hooks).results;
+  EXPECT_EQ(physical[0].told, physical[2].told);
+  EXPECT_NE(physical[0].seed, physical[2].seed);
+  EXPECT_EQ(physical[0].seed, contest_seed(order.seed, "corridor", 0));
+}
+
+TEST(Race, ASeedGivesAnotherRace) {
+  RaceOrder order = test::in_steps();
+  order.seed = 2;
+  EXPECT_NE(csv_of(test::race_of("random", order)), csv_of(test::race_of("random")));
+}
+
+TEST(RaceFolder, SavesUnderTheNamesOfMouseAndMaze) {
+  const test::AFolder folder;
+  NamedMaze maze = test::plank();
+  maze.name = "far/away/plank.txt";
+  const Race race = test::imagined_race({"./a b", "./a:b"}, {maze, test::plank()});
+  const RaceFolder races(folder.path(), race);
+  ContestResult second;
+  second.mouse = second.maze = 1;
+  EXPECT_EQ(races.save({}, {{}, "one", ""}), "");
+  EXPECT_EQ(races.save(second, {{}, "two", "drawn"}), "");
+  EXPECT_EQ(read_file(folder.path() + "/mms_._a_b/plank.jsonl").content, "one");
+  EXPECT_EQ(read_file(folder.path() + "/mms_._a_b~2/plank~2.jsonl").content, "two");
+  EXPECT_EQ(read_file(folder.path() + "/mms_._a_b~2/plank~2.svg").content, "drawn");
+  EXPECT_NE(read_file(folder.path() + "/mms_._a_b/plank.svg").error, "");
+  EXPECT_THAT(RaceFolder("/dev/null", race).save({}, {{}, "x", ""}), HasSubstr("error"));
+}
+
+std::vector<Contestant> of_two_worlds() {
+  const std::vector<std::string> specs = {"flood", program};
+  return read_specs(specs).contestants;
+}
+
+TEST(Entering, PutsEachMouseIntoTheFirstWorldThatTakesIt) {
+  const EntriesResult found = enter(of_two_worlds(), "", {});
+  ASSERT_THAT(found.entries, SizeIs(2)) << found.error;
+  EXPECT_TRUE(found.entries[0].world->is_home());
+  EXPECT_THAT(names_of(found.entries[0].mice), ElementsAre("flood"));
+  EXPECT_EQ(found.entries[1].world->name(), "mms");
+  EXPECT_THAT(names_of(found.entries[1].mice), ElementsAre(program));
+  EXPECT_THAT(enter({of_two_worlds()[1]}, "", {}).entries, SizeIs(2));
+}
+
+TEST(Entering, IsRefusedByTheWorldThatIsNamed) {
+  for (const WorldEntry* entry : all_worlds())
+    EXPECT_THAT(enter(of_two_worlds(), entry->name, {}).error, StartsWith("error: ")) << entry->name;
+  EXPECT_THAT(enter({of_two_worlds()[0]}, "seconds", {{"robot", "no-robot"}}).error, HasSubstr("no-robot"));
+  EXPECT_THAT(enter({of_two_worlds()[0]}, "seconds", {}).entries, SizeIs(1));
+  Contestant nobody;
+  nobody.name = "nobody";
+  EXPECT_THAT(enter({nobody}, "", {}).error, Says("any world", "'nobody'"));
+}
+
+TEST(Entering, LeavesOutMazesInWhichAWorldHoldsNoContests) {
+  const NamedMaze large = {"large", Maze(MazeDraft({60, 60}, MazeDraft::Inside::open))};
+  MazeCollection collection;
+  collection.mazes = {test::loop(), large};
+  EXPECT_EQ(leave_out(*default_world("seconds"), {"all"}, collection), "");
+  EXPECT_THAT(names_of(collection.mazes), ElementsAre("loop"));
+  ASSERT_THAT(collection.skipped, SizeIs(1));
+  EXPECT_EQ(collection.skipped[0].path, "large");
+  collection.mazes.push_back(large);
+  EXPECT_THAT(leave_out(*default_world("seconds"), {"large"}, collection), SaysAt("large", "60x60", "32x32"));
+}
+
+TEST(Entering, ResidentsAreTheMiceOfTheRosterThatAWorldTakes) {
+  EXPECT_EQ(residents_of(*home_world()).size(), roster().size());
+  EXPECT_THAT(residents_of(*default_world("seconds")), Not(IsEmpty()));
+  EXPECT_LT(residents_of(*default_world("seconds")).size(), all_contestants().size());
+  EXPECT_THAT(residents_of(*default_world("mms")), IsEmpty());
+}
+
+}  // namespace
+}  // namespace labmouse
