@@ -8,6 +8,7 @@
 #include "tests/slowness.hpp"
 #include "tests/strategies/allocations.hpp"
 #include "tests/strategies/ariadne_referee.hpp"
+#include "tests/strategies/counting_mouse.hpp"
 #include "tests/strategies/one_contest.hpp"
 #include "tests/strategies/random_mazes.hpp"
 
@@ -268,34 +269,15 @@ TEST(Ariadne, FitsIntoASmallComputer) {
   for (const int side : {16, 32, 64}) RecordProperty("bytes_" + std::to_string(side), static_cast<int>(bytes(side)));
 }
 
-/// What a mouse takes from the heap in a contest after it was made.
-class Accountant final : public Strategy {
- public:
-  explicit Accountant(Strategy& mouse) : mouse_(mouse) {}
-
-  Action decide(const Sighting& seen) override {
-    const long before = test::allocations();
-    const Action action = mouse_.decide(seen);
-    allocations_ += test::allocations() - before;
-    return action;
-  }
-  const Knowledge& knowledge() const override { return mouse_.knowledge(); }
-  long allocations() const { return allocations_; }
-
- private:
-  Strategy& mouse_;
-  long allocations_ = 0;
-};
-
 TEST(Ariadne, TakesNoMoreMemoryForItsReasons) {
   Dice dice(66);
   for (int i = 0; i < 60; ++i) {
     const Maze maze = i == 0 ? kruskal_generator.make({{64, 64}, 5, 100}) : any_maze(dice, 20);
     const auto mouse = ariadne_mouse.make(brief(maze, {}, 1), any_settings(dice));
     mouse->keep_reasons();
-    Accountant accountant(*mouse);
-    run(maze, {}, accountant);
-    ASSERT_EQ(accountant.allocations(), 0) << drawing_of(maze);
+    test::CountingMouse counting(*mouse);
+    run(maze, {}, counting);
+    ASSERT_EQ(counting.allocations(), 0) << drawing_of(maze);
   }
 }
 

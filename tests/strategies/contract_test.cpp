@@ -11,6 +11,7 @@
 #include "tests/slowness.hpp"
 #include "tests/strategies/allocations.hpp"
 #include "tests/strategies/contract_mazes.hpp"
+#include "tests/strategies/counting_mouse.hpp"
 #include "tests/strategies/mouse_name.hpp"
 
 namespace labmouse {
@@ -40,21 +41,16 @@ const std::vector<RunRecord>& records_of(const RosterEntry& mouse) {
 }
 
 /// Stands between a contest and a mouse and looks at what the mouse believes after each decision.
-class Examiner final : public Strategy {
+class Examiner final : public test::CountingMouse {
  public:
-  Examiner(Strategy& mouse, const Maze& maze) : mouse_(mouse), maze_(maze) {}
+  Examiner(Strategy& mouse, const Maze& maze) : CountingMouse(mouse), maze_(maze) {}
 
   Action decide(const Sighting& seen) override {
-    const WallSet open = mouse_.knowledge().open(), unknown = mouse_.knowledge().unknown();
-    const long before = test::allocations();
-    const Action action = mouse_.decide(seen);
-    allocations_ += test::allocations() - before;
+    const WallSet open = knowledge().open(), unknown = knowledge().unknown();
+    const Action action = CountingMouse::decide(seen);
     examine(open, unknown);
     return action;
   }
-  const Knowledge& knowledge() const override { return mouse_.knowledge(); }
-
-  long allocations() const { return allocations_; }
   bool imagines_passages() const { return imagines_passages_; }
   bool imagines_walls() const { return imagines_walls_; }
   bool forgets() const { return forgets_; }
@@ -63,15 +59,13 @@ class Examiner final : public Strategy {
   static bool within(WallSet walls, const WallSet& others) { return (walls -= others).empty(); }
 
   void examine(const WallSet& open, const WallSet& unknown) {
-    const Knowledge& now = mouse_.knowledge();
+    const Knowledge& now = knowledge();
     imagines_passages_ |= !within(now.open(), maze_.open_walls());
     imagines_walls_ |= !within(maze_.open_walls(), now.possible());
     forgets_ |= !within(open, now.open()) || !within(now.unknown(), unknown);
   }
 
-  Strategy& mouse_;
   const Maze& maze_;
-  long allocations_ = 0;
   bool imagines_passages_ = false;
   bool imagines_walls_ = false;
   bool forgets_ = false;

@@ -13,7 +13,7 @@
 #include "tests/capstone_mazes.hpp"
 #include "tests/mouse/drive_robots.hpp"
 #include "tests/slowness.hpp"
-#include "tests/strategies/allocations.hpp"
+#include "tests/strategies/counting_mouse.hpp"
 #include "tests/strategies/mouse_name.hpp"
 #include "tests/strategies/random_mazes.hpp"
 
@@ -253,23 +253,6 @@ TEST(DriversThatGoHome, LookOnUntilAnotherStepWouldBeTooMuch) {
   EXPECT_LT(spare / late, 2 * published().search.back);
 }
 
-/// Counts what the mouse takes from the heap while it decides.
-class Counting final : public Strategy {
- public:
-  explicit Counting(Strategy& mouse) : mouse_(mouse) {}
-  Action decide(const Sighting& seen) override {
-    const long before = test::allocations();
-    const Action action = mouse_.decide(seen);
-    allocations += test::allocations() - before;
-    return action;
-  }
-  const Knowledge& knowledge() const override { return mouse_.knowledge(); }
-  long allocations = 0;
-
- private:
-  Strategy& mouse_;
-};
-
 /// Robots of all kinds of searches and limits.
 const std::vector<DriveModel>& all_kinds() {
   static const std::vector<DriveModel> models = [] {
@@ -288,9 +271,9 @@ TEST_P(EveryDriver, TakesAllItsMemoryBeforeItDrives) {
     for (std::size_t i = 0; i < generated_mazes().size(); i += 40) {
       const Maze& maze = generated_mazes()[i].maze;
       const auto mind = make(mouse(), maze, rules_of(30, 100), model);
-      Counting counting(*mind);
+      test::CountingMouse counting(*mind);
       drive(maze, rules_of(30, 100), model, counting);
-      EXPECT_EQ(counting.allocations, 0) << model.robot.name << " in " << generated_mazes()[i].name;
+      EXPECT_EQ(counting.allocations(), 0) << model.robot.name << " in " << generated_mazes()[i].name;
     }
 }
 
@@ -398,10 +381,10 @@ TEST(Proof, MakesTheRunTheFastestThereIsInRealMazes) {
 }
 
 /// Keeps the runs of certify beside it, and compares them with a plan from nothing at each decision.
-class Replanning final : public Strategy {
+class Replanning final : public ForwardingStrategy {
  public:
   Replanning(Strategy& mouse, const Briefing& briefing)
-      : mouse_(mouse),
+      : ForwardingStrategy(mouse),
         kept_fields_(DriveFields::in_own_memory(briefing.size, *briefing.drive.model)),
         new_fields_(DriveFields::in_own_memory(briefing.size, *briefing.drive.model)),
         new_(briefing),
@@ -409,15 +392,14 @@ class Replanning final : public Strategy {
     new_.drive.fields = &new_fields_;
   }
   Action decide(const Sighting& seen) override {
-    const Action action = mouse_.decide(seen);
-    kept_ += runs_.plan(mouse_.knowledge()) ? 0 : 1;
+    const Action action = mouse().decide(seen);
+    kept_ += runs_.plan(knowledge()) ? 0 : 1;
     DriveRuns anew(new_);
-    anew.plan(mouse_.knowledge());
+    anew.plan(knowledge());
     EXPECT_EQ(runs_.hoped_time(), anew.hoped_time());
     EXPECT_EQ(runs_.unknown_walls(), anew.unknown_walls());
     return action;
   }
-  const Knowledge& knowledge() const override { return mouse_.knowledge(); }
   int kept() const { return kept_; }
 
  private:
@@ -426,7 +408,6 @@ class Replanning final : public Strategy {
     return briefing;
   }
 
-  Strategy& mouse_;
   DriveFields kept_fields_, new_fields_;
   Briefing new_;
   DriveRuns runs_;

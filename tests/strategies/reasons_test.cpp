@@ -3,8 +3,8 @@
 
 #include "labmouse/contest/simulator.hpp"
 #include "labmouse/strategies/roster.hpp"
-#include "tests/strategies/allocations.hpp"
 #include "tests/strategies/contract_mazes.hpp"
+#include "tests/strategies/counting_mouse.hpp"
 #include "tests/strategies/mouse_name.hpp"
 
 namespace labmouse {
@@ -12,27 +12,6 @@ namespace {
 
 using test::contract_mazes;
 using test::ContractMaze;
-
-/// Passes everything on and counts what deciding takes from the heap.
-class Counted final : public Strategy {
- public:
-  explicit Counted(Strategy& mouse) : mouse_(mouse) { mouse.keep_reasons(); }
-
-  Action decide(const Sighting& seen) override {
-    const long before = test::allocations();
-    const Action action = mouse_.decide(seen);
-    allocations += test::allocations() - before;
-    return action;
-  }
-  const Knowledge& knowledge() const override { return mouse_.knowledge(); }
-  std::span<const Counter> counters() const override { return mouse_.counters(); }
-  const Reasons* reasons() const override { return mouse_.reasons(); }
-
-  long allocations = 0;
-
- private:
-  Strategy& mouse_;
-};
 
 class EveryReasoner : public testing::TestWithParam<const RosterEntry*> {
  protected:
@@ -45,13 +24,14 @@ TEST_P(EveryReasoner, WalksTheSameWhetherItKeepsThemOrNot) {
   for (const ContractMaze& maze : contract_mazes()) {
     SCOPED_TRACE(maze.name);
     const auto silent = mouse_for(maze.maze), telling = mouse_for(maze.maze);
-    Counted counted(*telling);
+    telling->keep_reasons();
+    test::CountingMouse counted(*telling);
     const RunRecord without = run(maze.maze, {}, *silent);
     RunRecord with = run(maze.maze, {}, counted);
     EXPECT_TRUE(without.reasons.empty());
     with.reasons.clear();
     EXPECT_EQ(with, without);
-    EXPECT_EQ(counted.allocations, 0);
+    EXPECT_EQ(counted.allocations(), 0);
   }
 }
 

@@ -18,28 +18,25 @@
 #include "labmouse/lab/steps/steps_notes.hpp"
 #include "labmouse/lab/text/json.hpp"
 #include "labmouse/maze/routes.hpp"
+#include "labmouse/mouse/forwarding_strategy.hpp"
 
 namespace labmouse {
 namespace {
 
 /// A mouse with a stopwatch, which minds themselves may not have.
-class Timed final : public Strategy {
+class Timed final : public ForwardingStrategy {
  public:
-  explicit Timed(Strategy& mouse) : mouse_(mouse) {}
+  using ForwardingStrategy::ForwardingStrategy;
 
   Action decide(const Sighting& seen) override {
     const auto begin = std::chrono::steady_clock::now();
-    const Action action = mouse_.decide(seen);
+    const Action action = mouse().decide(seen);
     spent_ += std::chrono::steady_clock::now() - begin;
     return action;
   }
-  const Knowledge& knowledge() const override { return mouse_.knowledge(); }
-  std::span<const Counter> counters() const override { return mouse_.counters(); }
-  std::string_view last_words() override { return mouse_.last_words(); }
   double microseconds() const { return std::chrono::duration<double, std::micro>(spent_).count(); }
 
  private:
-  Strategy& mouse_;
   std::chrono::steady_clock::duration spent_{};
 };
 

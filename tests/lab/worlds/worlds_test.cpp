@@ -19,6 +19,7 @@
 #include "labmouse/lab/studies/sweep.hpp"
 #include "labmouse/lab/system/files.hpp"
 #include "labmouse/lab/worlds/entering.hpp"
+#include "labmouse/mouse/forwarding_strategy.hpp"
 #include "labmouse/strategies/roster.hpp"
 #include "tests/lab/mms/mms_fixture.hpp"
 #include "tests/lab/reports/unpacking.hpp"
@@ -302,17 +303,15 @@ TEST_P(AWorld, KnowsNothingWhereItIsStoppedAtOnce) {
 }
 
 /// Does what another mind does, and stops its race with a decision.
-class Stopper final : public Strategy {
+class Stopper final : public ForwardingStrategy {
  public:
   Stopper(std::unique_ptr<Strategy> mouse, int last, std::atomic<bool>& stop, std::atomic<int>& decisions)
-      : mouse_(std::move(mouse)), last_(last), stop_(stop), decisions_(decisions) {}
+      : ForwardingStrategy(*mouse), mouse_(std::move(mouse)), last_(last), stop_(stop), decisions_(decisions) {}
 
   Action decide(const Sighting& seen) override {
     if (++decisions_ == last_) stop_ = true;
     return mouse_->decide(seen);
   }
-  void show(const Pose& pose, const Sighting& seen) override { mouse_->show(pose, seen); }
-  const Knowledge& knowledge() const override { return mouse_->knowledge(); }
 
  private:
   std::unique_ptr<Strategy> mouse_;
