@@ -106,7 +106,9 @@ class KnownDriver {
       const Touch touch = body_.step(duties_);
       note();
       if (touch == Touch::graze) ++drive_.grazes;
-      if (touch == Touch::crash) return drive_.crashed = true, false;
+      if (touch != Touch::crash) continue;
+      drive_.crashed = true;
+      return false;
     }
   }
 

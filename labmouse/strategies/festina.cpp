@@ -18,26 +18,21 @@ namespace {
 /// Where nothing goes wrong all paces are the same, and no reading is against the map.
 constexpr Parameter number_with_errors(std::string_view name, std::string_view value, double low, double high,
                                        std::string_view meaning) {
-  return {name, ParameterType::real, value, low, high, "", meaning, ParameterScope::errors};
+  return Parameter::real(name, value, low, high, meaning, ParameterScope::errors);
 }
 
-constexpr std::array<Parameter, 7> festina_parameters = {
-    {{"mind", ParameterType::choice, "by-rules", 0.0, 0.0, "by-rules/ariadne/certify/flood-return", "who explores",
-      ParameterScope::seconds},
-     number_with_errors("search", "1", 0.2, 1.0, "pace of the first search"),
-     number_with_errors("slower", "0.8", 0.3, 1.0, "factor of the pace of searches after a crash in one"),
-     number_with_errors("run", "0", 0.0, 1.0, "pace of the first fast run; 0: as the rules ask for"),
-     number_with_errors("step", "0.85", 0.3, 0.95, "factor of the pace of fast runs after a crash in one"),
-     {"safe",
-      ParameterType::flag,
-      "yes",
-      0.0,
-      0.0,
-      {},
-      "whether it drives a run as a search where no fast one ended well",
-      ParameterScope::errors},
-     {"map", ParameterType::choice, "belief", 0.0, 0.0, "belief/learned", "how contradicting readings are handled",
-      ParameterScope::errors}}};
+constexpr std::array festina_parameters = {
+    Parameter::choice("mind", "by-rules", "by-rules/ariadne/certify/flood-return", "who explores",
+                      ParameterScope::seconds),
+    number_with_errors("search", "1", 0.2, 1.0, "pace of the first search"),
+    number_with_errors("slower", "0.8", 0.3, 1.0, "factor of the pace of searches after a crash in one"),
+    number_with_errors("run", "0", 0.0, 1.0, "pace of the first fast run; 0: as the rules ask for"),
+    number_with_errors("step", "0.85", 0.3, 0.95, "factor of the pace of fast runs after a crash in one"),
+    Parameter::flag("safe", "yes", "whether it drives a run as a search where no fast one ended well",
+                    ParameterScope::errors),
+    Parameter::choice("map", "belief", "belief/learned", "how contradicting readings are handled",
+                      ParameterScope::errors),
+};
 
 /// A search has to come to its goal within half of the time: that takes about half of the cells, each with its turns.
 double least_pace_of(const Briefing& briefing) {

@@ -56,8 +56,8 @@ class Flood final : public Explorer {
 };
 
 constexpr std::array flood_parameters = {
-    Parameter{"stride", ParameterType::whole, "3", 1, Motion::max_longest, "",
-              "longest move while exploring, in cells, within the limit of the rules"},
+    Parameter::whole("stride", "3", 1, Motion::max_longest,
+                     "longest move while exploring, in cells, within the limit of the rules"),
 };
 
 template <bool Returns>

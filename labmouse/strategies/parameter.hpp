@@ -35,6 +35,31 @@ struct Parameter {
   std::string_view choices;
   std::string_view meaning;
   ParameterScope scope = ParameterScope::steps;
+
+  static constexpr Parameter whole(std::string_view name, std::string_view value, double low, double high,
+                                   std::string_view meaning, ParameterScope scope = ParameterScope::steps) {
+    return {name, ParameterType::whole, value, low, high, {}, meaning, scope};
+  }
+  static constexpr Parameter real(std::string_view name, std::string_view value, double low, double high,
+                                  std::string_view meaning, ParameterScope scope = ParameterScope::steps) {
+    return {name, ParameterType::real, value, low, high, {}, meaning, scope};
+  }
+  static constexpr Parameter list(std::string_view name, std::string_view value, double low, double high,
+                                  std::string_view meaning) {
+    return {name, ParameterType::list, value, low, high, {}, meaning, ParameterScope::steps};
+  }
+  static constexpr Parameter flag(std::string_view name, std::string_view value, std::string_view meaning,
+                                  ParameterScope scope = ParameterScope::steps) {
+    return {name, ParameterType::flag, value, 0, 0, {}, meaning, scope};
+  }
+  static constexpr Parameter choice(std::string_view name, std::string_view value, std::string_view choices,
+                                    std::string_view meaning, ParameterScope scope = ParameterScope::steps) {
+    return {name, ParameterType::choice, value, 0, 0, choices, meaning, scope};
+  }
+  static constexpr Parameter prior(std::string_view name, std::string_view value, std::string_view choices,
+                                   std::string_view meaning, ParameterScope scope = ParameterScope::steps) {
+    return {name, ParameterType::prior, value, 0, 0, choices, meaning, scope};
+  }
 };
 
 /// A parameter with a value, both as text; the value has passed check_value.

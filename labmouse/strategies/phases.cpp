@@ -60,23 +60,23 @@ class Phases final : public Explorer {
 };
 
 constexpr std::array phases_parameters = {
-    Parameter{"searching", ParameterType::choice, "goal-oriented", 0, 0,
-              "random/weighted/unexplored-cell/unexplored-space/wall-follower/goal-oriented", "how to find the goal"},
-    Parameter{"weights", ParameterType::list, "2/5/2", 0, 100, "",
-              "probabilities of going left, ahead and right (searching=weighted)"},
-    Parameter{
-        "heuristic", ParameterType::choice, "edges", 0, 0, "none/edges/manhattan/manhattan-edges/optimistic",
+    Parameter::choice("searching", "goal-oriented",
+                      "random/weighted/unexplored-cell/unexplored-space/wall-follower/goal-oriented",
+                      "how to find the goal"),
+    Parameter::list("weights", "2/5/2", 0, 100, "probabilities of going left, ahead and right (searching=weighted)"),
+    Parameter::choice(
+        "heuristic", "edges", "none/edges/manhattan/manhattan-edges/optimistic",
         "added to the steps to a cell: nothing, its explored sides, its Manhattan distance to the goal, both, or its "
-        "shortest route through all that is not known to be closed"},
-    Parameter{"continuing", ParameterType::choice, "none", 0, 0, "none/all-goals/coverage/worthwhile",
-              "what to explore between the goal and the reset"},
-    Parameter{"coverage", ParameterType::real, "0.9", 0, 1, "",
-              "share of the cells to explore before the reset (continuing=coverage)"},
-    Parameter{"speed", ParameterType::choice, "strides", 0, 0, "one-cell/strides/strides-updating",
-              "the speed run: one cell a step, strides, or strides planned again at every step"},
-    Parameter{"ties", ParameterType::choice, "swne", 0, 0, TieOrder::all, "order of the headings in searches"},
-    Parameter{"order", ParameterType::choice, "python-2.7", 0, 0, all_cell_orders,
-              "whose set decides between equally promising cells: a version of Python's, or neutral, row by row"},
+        "shortest route through all that is not known to be closed"),
+    Parameter::choice("continuing", "none", "none/all-goals/coverage/worthwhile",
+                      "what to explore between the goal and the reset"),
+    Parameter::real("coverage", "0.9", 0, 1, "share of the cells to explore before the reset (continuing=coverage)"),
+    Parameter::choice("speed", "strides", "one-cell/strides/strides-updating",
+                      "the speed run: one cell a step, strides, or strides planned again at every step"),
+    Parameter::choice("ties", "swne", TieOrder::all, "order of the headings in searches"),
+    Parameter::choice(
+        "order", "python-2.7", all_cell_orders,
+        "whose set decides between equally promising cells: a version of Python's, or neutral, row by row"),
 };
 
 }  // namespace

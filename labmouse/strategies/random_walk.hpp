@@ -33,12 +33,7 @@ class RandomWalk {
   std::vector<Cell> near_;
 };
 
-inline constexpr Parameter random_walk_stride = {"stride",
-                                                 ParameterType::whole,
-                                                 "3",
-                                                 1,
-                                                 Motion::max_longest,
-                                                 "",
-                                                 "longest move, in cells, within the limit of the rules"};
+inline constexpr Parameter random_walk_stride =
+    Parameter::whole("stride", "3", 1, Motion::max_longest, "longest move, in cells, within the limit of the rules");
 
 }  // namespace labmouse

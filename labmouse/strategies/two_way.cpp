@@ -223,14 +223,12 @@ class TwoWay final : public Explorer {
 };
 
 constexpr std::array two_way_parameters = {
-    Parameter{"bias", ParameterType::real, "1.5", 0, 100, "", "weight of the Manhattan distance against steps"},
-    Parameter{"join_legs", ParameterType::flag, "yes", 0, 0, "",
-              "take the shorter leg between crossings of both paths"},
-    Parameter{"merge_strides", ParameterType::flag, "yes", 0, 0, "",
-              "run straight legs in strides instead of cell by cell"},
-    Parameter{"ties", ParameterType::choice, "nesw", 0, 0, TieOrder::all, "order of the directions"},
-    Parameter{"order", ParameterType::choice, "python-2.7", 0, 0, all_cell_orders,
-              "whose map decides between equally good cells: a version of Python's, or neutral, row by row"},
+    Parameter::real("bias", "1.5", 0, 100, "weight of the Manhattan distance against steps"),
+    Parameter::flag("join_legs", "yes", "take the shorter leg between crossings of both paths"),
+    Parameter::flag("merge_strides", "yes", "run straight legs in strides instead of cell by cell"),
+    Parameter::choice("ties", "nesw", TieOrder::all, "order of the directions"),
+    Parameter::choice("order", "python-2.7", all_cell_orders,
+                      "whose map decides between equally good cells: a version of Python's, or neutral, row by row"),
 };
 
 }  // namespace

@@ -17,11 +17,11 @@
 
 namespace labmouse {
 
-inline constexpr Parameter wanderers_coverage = {
-    "coverage", ParameterType::real, "0.8333", 0, 1, "", "share of all cells to mark before the reset"};
+inline constexpr Parameter wanderers_coverage =
+    Parameter::real("coverage", "0.8333", 0, 1, "share of all cells to mark before the reset");
 
-inline constexpr Parameter wanderers_search = {
-    "search", ParameterType::choice, "a-star", 0, 0, "breadth-first/a-star/dijkstra", "how to plan the speed run"};
+inline constexpr Parameter wanderers_search =
+    Parameter::choice("search", "a-star", "breadth-first/a-star/dijkstra", "how to plan the speed run");
 
 /// A mouse that wanders. A mind derives from it and writes wander(). Has the parameters above.
 class Wanderer : public Explorer {

@@ -24,11 +24,11 @@ struct RulesNumber {
   bool needed = false;
 };
 
-constexpr RulesNumber time_limit = {"time_limit", 1, 7200, false, true};
-constexpr RulesNumber runs = {"runs", 1, 100, true, true};
-constexpr RulesNumber maze_time_divisor = {"maze_time_divisor", 1, 1000, true, false};
-constexpr RulesNumber touch_penalty = {"touch_penalty", 0, 600, false, false};
-constexpr RulesNumber untouched_bonus = {"untouched_bonus", 0, 600, false, false};
+constexpr RulesNumber time_limit = {.name = "time_limit", .low = 1, .high = 7200, .needed = true};
+constexpr RulesNumber runs = {.name = "runs", .low = 1, .high = 100, .whole = true, .needed = true};
+constexpr RulesNumber maze_time_divisor = {.name = "maze_time_divisor", .low = 1, .high = 1000, .whole = true};
+constexpr RulesNumber touch_penalty = {.name = "touch_penalty", .high = 600};
+constexpr RulesNumber untouched_bonus = {.name = "untouched_bonus", .high = 600};
 
 constexpr std::array<std::string_view, 7> rule_keys = {"source",        "time_limit",      "runs", "maze_time_divisor",
                                                        "touch_penalty", "untouched_bonus", "clock"};

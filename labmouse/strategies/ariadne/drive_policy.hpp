@@ -52,7 +52,7 @@ struct DrivePolicy {
 
 constexpr Parameter number_in_seconds(std::string_view name, std::string_view value, double low, double high,
                                       std::string_view meaning) {
-  return {name, ParameterType::real, value, low, high, "", meaning, ParameterScope::seconds};
+  return Parameter::real(name, value, low, high, meaning, ParameterScope::seconds);
 }
 
 /// The parameters that DrivePolicy reads.

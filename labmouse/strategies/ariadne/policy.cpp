@@ -8,31 +8,27 @@ namespace labmouse::ariadne {
 namespace {
 
 constexpr std::array parameters = {
-    Parameter{"prior", ParameterType::prior, "contest", 0, 0, "contest/uniform", "what it expects of unseen walls",
-              ParameterScope::both},
-    Parameter{"model", ParameterType::choice, "smooth", 0, 0, "smooth/classes/flat/free",
-              "price of an unseen wall: by its likelihood of being closed, by classes of that, the same for all, or "
-              "none; all but smooth are simpler mice for comparison, with fixed numbers"},
-    Parameter{"style", ParameterType::choice, "auto", 0, 0, "auto/contest/loop-free",
-              "loop-free stops at the goal; auto does so if the walls look like those of a maze without loops"},
-    Parameter{"base", ParameterType::real, "5.11", 0, 100, "",
-              "before the goal: price of an unseen wall, in 1/30 step"},
-    Parameter{"slope", ParameterType::real, "10.08", 0, 100, "", "added for each unit of -ln P(open)"},
-    Parameter{"closed", ParameterType::real, "2.73", 0.05, 7, "", "assumed closed from this -ln P(open) on"},
-    Parameter{"way_here", ParameterType::real, "0", 0, 1, "", "weight of the way from the start to the wall"},
-    Parameter{"travel", ParameterType::real, "40.57", 1, 200, "", "price of a step towards a wall, in 1/30 step"},
-    Parameter{"insight", ParameterType::real, "0.21", 0, 50, "",
-              "bonus for each unseen wall that can be seen from there"},
-    Parameter{"goal_bonus", ParameterType::real, "26.9", 0, 200, "", "bonus for the goal itself"},
-    Parameter{"base_after", ParameterType::real, "6.47", 0, 100, "", "after the goal: the same as base"},
-    Parameter{"slope_after", ParameterType::real, "12.49", 0, 100, "", "the same as slope"},
-    Parameter{"closed_after", ParameterType::real, "2.86", 0.05, 7, "", "the same as closed"},
-    Parameter{"travel_after", ParameterType::real, "38.19", 1, 200, "", "the same as travel"},
-    Parameter{"insight_after", ParameterType::real, "0.31", 0, 50, "", "the same as insight"},
-    Parameter{"stop_travel", ParameterType::real, "1.566", 0, 20, "",
-              "price of a step, in 1/30 step, when deciding whether to stop"},
-    Parameter{"stop_margin", ParameterType::real, "2.67", -60, 60, "",
-              "how much more a look may cost than it could save, in 1/30 step"},
+    Parameter::prior("prior", "contest", "contest/uniform", "what it expects of unseen walls", ParameterScope::both),
+    Parameter::choice(
+        "model", "smooth", "smooth/classes/flat/free",
+        "price of an unseen wall: by its likelihood of being closed, by classes of that, the same for all, or "
+        "none; all but smooth are simpler mice for comparison, with fixed numbers"),
+    Parameter::choice("style", "auto", "auto/contest/loop-free",
+                      "loop-free stops at the goal; auto does so if the walls look like those of a maze without loops"),
+    Parameter::real("base", "5.11", 0, 100, "before the goal: price of an unseen wall, in 1/30 step"),
+    Parameter::real("slope", "10.08", 0, 100, "added for each unit of -ln P(open)"),
+    Parameter::real("closed", "2.73", 0.05, 7, "assumed closed from this -ln P(open) on"),
+    Parameter::real("way_here", "0", 0, 1, "weight of the way from the start to the wall"),
+    Parameter::real("travel", "40.57", 1, 200, "price of a step towards a wall, in 1/30 step"),
+    Parameter::real("insight", "0.21", 0, 50, "bonus for each unseen wall that can be seen from there"),
+    Parameter::real("goal_bonus", "26.9", 0, 200, "bonus for the goal itself"),
+    Parameter::real("base_after", "6.47", 0, 100, "after the goal: the same as base"),
+    Parameter::real("slope_after", "12.49", 0, 100, "the same as slope"),
+    Parameter::real("closed_after", "2.86", 0.05, 7, "the same as closed"),
+    Parameter::real("travel_after", "38.19", 1, 200, "the same as travel"),
+    Parameter::real("insight_after", "0.31", 0, 50, "the same as insight"),
+    Parameter::real("stop_travel", "1.566", 0, 20, "price of a step, in 1/30 step, when deciding whether to stop"),
+    Parameter::real("stop_margin", "2.67", -60, 60, "how much more a look may cost than it could save, in 1/30 step"),
 };
 
 int weight(double value) { return static_cast<int>(value * one + (value < 0 ? -0.5 : 0.5)); }
