@@ -6,6 +6,7 @@
 
 #include "labmouse/lab/records/record_parts.hpp"
 #include "labmouse/lab/text/json_fields.hpp"
+#include "labmouse/lab/text/numbers.hpp"
 
 namespace labmouse {
 namespace {
@@ -79,12 +80,9 @@ void read_actions(std::string_view text, JsonFields& fields, RunRecord& run) {
 
 std::uint64_t read_seed(const ReadJson& seed, JsonFields& fields) {
   if (seed.is_number_unsigned()) return seed.get<std::uint64_t>();
-  std::uint64_t number = 0;
-  const std::string text = seed.is_string() ? seed.get<std::string>() : "";
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (text.empty() || error != std::errc() || end != text.data() + text.size())
-    fields.fail("has a seed that is not a number from 0 to 2^64 - 1");
-  return number;
+  const auto number = whole_in<std::uint64_t>(seed.is_string() ? seed.get<std::string>() : "");
+  if (!number) fields.fail("has a seed that is not a number from 0 to 2^64 - 1");
+  return number.value_or(0);
 }
 
 void read_outcome(const std::string& name, JsonFields& fields, RecordFile& file) {

@@ -9,6 +9,7 @@
 #include "labmouse/lab/store/contest_key.hpp"
 #include "labmouse/lab/store/figures.hpp"
 #include "labmouse/lab/text/json.hpp"
+#include "labmouse/lab/text/numbers.hpp"
 
 namespace labmouse {
 namespace {
@@ -125,7 +126,8 @@ ContestRow row_of(std::shared_ptr<const RaceRows> rows, const Race& race, const 
 
 bool fill_in(const Statement& row, const World& world, ContestResult& result) {
   auto figures = read_figures(row.text("figures"));
-  if (!figures) return false;
+  const auto race_seed = whole_in<std::uint64_t>(row.text("race_seed"));
+  if (!figures || !race_seed) return false;
   const auto timings = row.is_null("timings") ? std::nullopt : read_figures(row.text("timings"));
   for (std::size_t i = 0; i < world.timings().size(); ++i) {
     const std::size_t place = world.timings()[i].figure;
@@ -133,7 +135,7 @@ bool fill_in(const Statement& row, const World& world, ContestResult& result) {
     if (timings && i < timings->size()) (*figures)[place] = (*timings)[i];
   }
   result.run = static_cast<int>(row.whole("run"));
-  result.told = told_seed(std::stoull("0" + row.text("race_seed")), result.run);
+  result.told = told_seed(*race_seed, result.run);
   result.outcome = row.text("outcome");
   result.outcome_order = static_cast<int>(row.whole("outcome_order"));
   result.never_started = row.text("never_started");

@@ -49,7 +49,7 @@ inline constexpr const char* result_columns =
     "run, outcome, outcome_order, never_started, score, counted, ratio, contests.figures AS figures, "
     "timings.figures AS timings, race_seed";
 
-/// Fills in what a row with these columns says; false where its figures cannot be read. It is done then.
+/// Fills in what a row with these columns says; false where its figures or its seed cannot be read. It is done then.
 bool fill_in(const Statement& row, const World& world, ContestResult& result);
 
 /// What a store tells of a mouse beside its name, as JSON, and back.

@@ -13,6 +13,7 @@
 #include "labmouse/lab/store/told_apart.hpp"
 #include "labmouse/lab/system/parallel.hpp"
 #include "labmouse/lab/text/json.hpp"
+#include "labmouse/lab/text/numbers.hpp"
 #include "labmouse/lab/text/printable.hpp"
 #include "labmouse/lab/worlds/worlds.hpp"
 #include "labmouse/strategies/roster.hpp"
@@ -83,7 +84,7 @@ class Reader {
       contest.maze = maze;
       contest.seed = static_cast<std::uint64_t>(rows.whole("seed"));
       if (!fill_in(rows, race.world(), contest)) {
-        database_.fail("is damaged: it has figures that cannot be read");
+        database_.fail("is damaged: it has results that cannot be read");
         return std::nullopt;
       }
       race.results.push_back(std::move(contest));
@@ -200,7 +201,7 @@ StoredRaces read_races(const std::string& path, StoreFilter filter, bool one_rac
   Database database = open_whole_store(path);
   database.run("BEGIN");
   std::string condition = condition_of(filter);
-  const std::string seed = one_race && database.good() ? seed_of(database, condition) : "0";
+  const std::string seed = one_race && database.good() ? seed_of(database, condition) : "";
   struct StoredWorld {
     std::int64_t id;
     std::string name, conditions, text;
@@ -231,7 +232,8 @@ StoredRaces read_races(const std::string& path, StoreFilter filter, bool one_rac
     }
     auto race = Reader(database, condition).read(id, std::move(world));
     if (!race || race->results.empty()) continue;
-    race->order.seed = std::stoull("0" + (one_race ? seed : "0"));
+    // fill_in has read it in each row.
+    race->order.seed = one_race ? *whole_in<std::uint64_t>(seed) : 0;
     found.races.push_back(std::move(*race));
   }
   found.error = error_line(path, database.error());

@@ -1,10 +1,11 @@
 #include "labmouse/lab/system/streams.hpp"
 
-#include <charconv>
 #include <filesystem>
+#include <optional>
 #include <string_view>
 
 #include "labmouse/lab/system/calls.hpp"
+#include "labmouse/lab/text/numbers.hpp"
 
 namespace labmouse {
 namespace {
@@ -13,10 +14,8 @@ namespace {
 std::optional<int> numbered(std::string_view path) {
   for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"}) {
     if (!path.starts_with(folder)) continue;
-    const std::string_view digits = path.substr(folder.size());
-    int number = -1;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-    if (error == std::errc() && end == digits.data() + digits.size() && number >= 0) return number;
+    const std::optional<int> number = whole_in<int>(path.substr(folder.size()));
+    if (number && *number >= 0) return number;
   }
   return std::nullopt;
 }

@@ -745,6 +745,15 @@ TEST_F(AStore, IsCheckedBeforeARaceGoesOn) {
   EXPECT_THAT(forget(path("holed.db"), {}).error, Says("holed.db", "damaged"));
 }
 
+TEST_F(AStore, MayHaveSeedsThatNoRaceHas) {
+  race("flood");
+  for (const char* seed : {"", "x", "-1", "18446744073709551616"}) {
+    change(fmt::format("UPDATE contests SET race_seed = '{}'", seed));
+    EXPECT_THAT(stored_races(path(), {}).error, Says("damaged")) << seed;
+    EXPECT_THAT(all_stored_contests(path(), {}).error, Says("damaged")) << seed;
+  }
+}
+
 TEST_F(AStore, SaysThatItIsDamaged) {
   race(three_mice);
   const auto whole = fs::file_size(path());
