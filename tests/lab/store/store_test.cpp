@@ -748,7 +748,7 @@ TEST_F(AStore, IsCheckedBeforeARaceGoesOn) {
 TEST_F(AStore, MayHaveSeedsThatNoRaceHas) {
   race("flood");
   for (const char* seed : {"", "x", "-1", "18446744073709551616"}) {
-    change(fmt::format("UPDATE contests SET race_seed = '{}'", seed));
+    change(std::string("UPDATE contests SET race_seed = '") + seed + "'");
     EXPECT_THAT(stored_races(path(), {}).error, Says("damaged")) << seed;
     EXPECT_THAT(all_stored_contests(path(), {}).error, Says("damaged")) << seed;
   }
