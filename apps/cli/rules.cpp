@@ -5,9 +5,9 @@
 #include <memory>
 
 #include "command.hpp"
+#include "labmouse/lab/drive/drive_results.hpp"
 #include "labmouse/lab/robots/builtin_rules.hpp"
 #include "labmouse/lab/robots/drive_rules_file.hpp"
-#include "labmouse/lab/seconds/drive_results.hpp"
 #include "labmouse/lab/system/files.hpp"
 
 namespace labmouse::cli {

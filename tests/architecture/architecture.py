@@ -21,7 +21,7 @@ MOST_FILES_IN_A_WING = 40
 # What serves all worlds names none of them: they are values there, and stand in one list.
 WORLDLESS_WINGS = ("races", "standings", "galleries", "studies", "reports", "curves", "store")
 WORLDLESS_COMMANDS = ("race", "study", "sweep", "tune", "contests", "worlds")
-WORLD_WINGS = ("steps", "seconds", "physical", "mms")
+WORLD_WINGS = ("steps", "drive", "mms")
 WORLD_NAME = re.compile(r'"(strides|steps|seconds|physical|fallible|mms)"')
 # A variable that outlives its function: one that the compiler has not fixed is state that minds could share, and often
 # takes memory when it is first met. A function has a parenthesis before any of `=;{`, and no values in it.

@@ -122,13 +122,13 @@ class Architecture(unittest.TestCase):
         self.assertEqual(violations_of({
             "labmouse/lab/races/race.cpp": 'if (world.name() == "mms") return;\n',
             "labmouse/lab/store/store.cpp": 'if (world.name() == "fallible") return;\n',
-            "apps/cli/race.cpp": '#include "labmouse/lab/seconds/seconds_world.hpp"\n',
+            "apps/cli/race.cpp": '#include "labmouse/lab/drive/seconds_world.hpp"\n',
             "labmouse/lab/worlds/list.cpp": '#include "labmouse/lab/steps/steps_entry.hpp"\n',
             "apps/cli/bound.cpp": '#include "labmouse/lab/steps/steps_world.hpp"\n',
         }), ["labmouse/lab/races/race.cpp:1: error: what serves all worlds must not name that of mms",
              "labmouse/lab/store/store.cpp:1: error: what serves all worlds must not name that of fallible",
              "apps/cli/race.cpp:1: error: what serves all worlds must not include "
-             "labmouse/lab/seconds/seconds_world.hpp"])
+             "labmouse/lab/drive/seconds_world.hpp"])
 
     def test_files_that_need_each_other(self):
         self.assertEqual(violations_of({

@@ -1,9 +1,8 @@
 // All worlds with one more: this file takes the place of labmouse/lab/worlds/list.cpp.
 #include <array>
 
+#include "labmouse/lab/drive/drive_entries.hpp"
 #include "labmouse/lab/mms/mms_entry.hpp"
-#include "labmouse/lab/physical/physical_entry.hpp"
-#include "labmouse/lab/seconds/seconds_entry.hpp"
 #include "labmouse/lab/steps/steps_entry.hpp"
 #include "labmouse/lab/worlds/worlds.hpp"
 #include "tests/toy/toy_entry.hpp"

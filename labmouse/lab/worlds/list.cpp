@@ -1,9 +1,8 @@
 // The one list of all worlds. A new one stands here, and nowhere else outside of its own folder.
 #include <array>
 
+#include "labmouse/lab/drive/drive_entries.hpp"
 #include "labmouse/lab/mms/mms_entry.hpp"
-#include "labmouse/lab/physical/physical_entry.hpp"
-#include "labmouse/lab/seconds/seconds_entry.hpp"
 #include "labmouse/lab/steps/steps_entry.hpp"
 #include "labmouse/lab/worlds/worlds.hpp"
 

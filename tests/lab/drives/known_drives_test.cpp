@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "labmouse/lab/numbers/wilson.hpp"
-#include "tests/lab/physical/physical_fixture.hpp"
+#include "tests/lab/drive/physical_fixture.hpp"
 #include "tests/says.hpp"
 #include "tests/slowness.hpp"
 

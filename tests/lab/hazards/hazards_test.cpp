@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "labmouse/lab/text/json.hpp"
-#include "tests/lab/physical/physical_fixture.hpp"
+#include "tests/lab/drive/physical_fixture.hpp"
 #include "tests/lab/races/race_fixture.hpp"
 #include "tests/says.hpp"
 #include "tests/slowness.hpp"

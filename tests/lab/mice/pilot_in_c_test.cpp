@@ -8,7 +8,7 @@
 #include "labmouse/guests/guest_pilot.hpp"
 #include "labmouse/lab/mice/pilot_lines.hpp"
 #include "labmouse/lab/robots/hardware_keys.hpp"
-#include "tests/lab/physical/physical_fixture.hpp"
+#include "tests/lab/drive/physical_fixture.hpp"
 
 namespace labmouse {
 namespace {

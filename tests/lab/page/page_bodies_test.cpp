@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "labmouse/hardware/beam.hpp"
+#include "tests/lab/drive/physical_fixture.hpp"
 #include "tests/lab/page/page_fixture.hpp"
-#include "tests/lab/physical/physical_fixture.hpp"
 
 namespace labmouse {
 namespace {

@@ -2,8 +2,8 @@
 #include <gmock/gmock.h>
 
 #include "labmouse/lab/mazes/builtin_mazes.hpp"
+#include "tests/lab/drive/physical_fixture.hpp"
 #include "tests/lab/page/page_fixture.hpp"
-#include "tests/lab/physical/physical_fixture.hpp"
 #include "tests/slowness.hpp"
 
 namespace labmouse {

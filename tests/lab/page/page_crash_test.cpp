@@ -8,8 +8,8 @@
 #include "labmouse/contest/hazards.hpp"
 #include "labmouse/lab/plays/play_seconds.hpp"
 #include "labmouse/strategies/roster.hpp"
+#include "tests/lab/drive/physical_fixture.hpp"
 #include "tests/lab/page/page_fixture.hpp"
-#include "tests/lab/physical/physical_fixture.hpp"
 
 namespace labmouse {
 namespace {

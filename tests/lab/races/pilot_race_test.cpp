@@ -10,7 +10,7 @@
 #include "labmouse/lab/text/number_rows.hpp"
 #include "labmouse/lab/worlds/entering.hpp"
 #include "labmouse/lab/worlds/worlds.hpp"
-#include "tests/lab/physical/physical_fixture.hpp"
+#include "tests/lab/drive/physical_fixture.hpp"
 #include "tests/says.hpp"
 #include "tests/slowness.hpp"
 

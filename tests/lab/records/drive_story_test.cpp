@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/lab/physical/physical_fixture.hpp"
+#include "tests/lab/drive/physical_fixture.hpp"
 
 namespace labmouse {
 namespace {

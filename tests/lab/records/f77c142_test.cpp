@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 
+#include "labmouse/lab/drive/drive_worlds.hpp"
 #include "labmouse/lab/page/results.hpp"
 #include "labmouse/lab/records/drive_json.hpp"
 #include "labmouse/lab/records/drive_record_file.hpp"
@@ -17,7 +18,6 @@
 #include "labmouse/lab/robots/drive_rules_file.hpp"
 #include "labmouse/lab/robots/robot_file.hpp"
 #include "labmouse/lab/robots/robot_files.hpp"
-#include "labmouse/lab/seconds/seconds_world.hpp"
 #include "labmouse/lab/standings/baseline.hpp"
 #include "labmouse/lab/standings/race_json.hpp"
 #include "labmouse/lab/system/files.hpp"

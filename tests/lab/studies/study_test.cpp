@@ -9,9 +9,9 @@
 #include <set>
 
 #include "labmouse/chance/dice.hpp"
+#include "labmouse/lab/drive/drive_worlds.hpp"
 #include "labmouse/lab/numbers/maze_interval.hpp"
 #include "labmouse/lab/races/race_paths.hpp"
-#include "labmouse/lab/seconds/seconds_world.hpp"
 #include "labmouse/lab/standings/race_table.hpp"
 #include "labmouse/lab/standings/standings.hpp"
 #include "labmouse/lab/studies/ratios.hpp"

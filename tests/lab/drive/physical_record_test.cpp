@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "labmouse/lab/pictures/drive_picture.hpp"
-#include "tests/lab/physical/physical_fixture.hpp"
+#include "tests/lab/drive/physical_fixture.hpp"
 #include "tests/says.hpp"
 #include "tests/slowness.hpp"
 

@@ -1,4 +1,4 @@
-// The physical world and the fallible one on the list of all worlds.
+// The worlds in which robots drive on the list of all worlds.
 #pragma once
 
 #include <string>
@@ -9,6 +9,7 @@
 
 namespace labmouse {
 
+extern const WorldEntry seconds_entry;
 extern const WorldEntry physical_entry;
 extern const WorldEntry fallible_entry;
 

@@ -1,4 +1,4 @@
-#include "labmouse/lab/physical/physical_entry.hpp"
+#include "labmouse/lab/drive/drive_entries.hpp"
 
 #include <fmt/format.h>
 
@@ -7,15 +7,15 @@
 #include <string_view>
 
 #include "labmouse/contest/physical.hpp"
+#include "labmouse/lab/drive/drive_results.hpp"
+#include "labmouse/lab/drive/drive_worlds.hpp"
 #include "labmouse/lab/hazards/builtin_hazards.hpp"
-#include "labmouse/lab/physical/physical_world.hpp"
 #include "labmouse/lab/records/drive_json.hpp"
 #include "labmouse/lab/records/drive_record_fields.hpp"
 #include "labmouse/lab/records/physical_lines.hpp"
 #include "labmouse/lab/robots/drive_rules_file.hpp"
 #include "labmouse/lab/robots/robot_files.hpp"
 #include "labmouse/lab/robots/robot_json.hpp"
-#include "labmouse/lab/seconds/drive_results.hpp"
 #include "labmouse/lab/text/json.hpp"
 #include "labmouse/lab/text/numbers.hpp"
 #include "labmouse/lab/text/printable.hpp"
@@ -25,44 +25,51 @@ namespace {
 
 constexpr std::array map_kinds = {name_of(MapKind::first), name_of(MapKind::belief), name_of(MapKind::learned)};
 
-constexpr WorldSetting robot_setting = {"robot", "ROBOT",
-                                        "Built-in robot, or a file whose name contains a slash or ends in .toml",
-                                        WorldSetting::Kind::text, "kerise"};
+constexpr WorldSetting robot_setting(std::string_view usual) {
+  return {.name = "robot",
+          .placeholder = "ROBOT",
+          .meaning = "Built-in robot, or a file whose name contains a slash or ends in .toml",
+          .default_value = usual};
+}
 constexpr WorldSetting rules_setting = {
-    "rules", "RULES", "Built-in rules in seconds, or a file whose name contains a slash or ends in .toml",
-    WorldSetting::Kind::text, "all-japan"};
+    .name = "rules",
+    .placeholder = "RULES",
+    .meaning = "Built-in rules in seconds, or a file whose name contains a slash or ends in .toml",
+    .default_value = "all-japan"};
 constexpr WorldSetting noise_setting = {
-    "noise",
-    "FACTOR",
-    "Factor of all noise: 1 as it was measured, 0 none; several, separated by commas, make a race each",
-    WorldSetting::Kind::text,
-    "1",
-    0,
-    0,
-    {},
-    true};
+    .name = "noise",
+    .placeholder = "FACTOR",
+    .meaning = "Factor of all noise: 1 as it was measured, 0 none; several, separated by commas, make a race each",
+    .default_value = "1",
+    .listed = true};
 constexpr WorldSetting pace_setting = {
-    "pace", "SHARE", "Part of its usual pace at which a mouse is driven, slow motion along the same curves: up to 1",
-    WorldSetting::Kind::text, "1"};
-constexpr WorldSetting map_setting = {"map",
-                                      "KIND",
-                                      "What mice do with a reading against their map: nothing, the first one stays "
-                                      "(first), or weigh it (belief), also by "
-                                      "what other mazes are like (learned)",
-                                      WorldSetting::Kind::text,
-                                      "first",
-                                      0,
-                                      0,
-                                      map_kinds};
+    .name = "pace",
+    .placeholder = "SHARE",
+    .meaning = "Part of its usual pace at which a mouse is driven, slow motion along the same curves: up to 1",
+    .default_value = "1"};
+constexpr WorldSetting map_setting = {
+    .name = "map",
+    .placeholder = "KIND",
+    .meaning =
+        "What mice do with a reading against their map: nothing, the first one stays (first), or weigh it "
+        "(belief), also by what other mazes are like (learned)",
+    .default_value = "first",
+    .choices = map_kinds};
 
-constexpr std::array settings = {
-    robot_setting,
+constexpr std::array seconds_settings = {robot_setting("classic"), rules_setting};
+
+constexpr std::array physical_settings = {
+    robot_setting("kerise"),
     rules_setting,
     noise_setting,
-    WorldSetting{"spread", "FACTOR", "How far contests are apart: factor of what each draws of the mouse itself",
-                 WorldSetting::Kind::text, "4.25"},  // field_spread
-    WorldSetting{"search-speed", "SPEED", "Speed of a search in mm/s; 0: the robot's own", WorldSetting::Kind::text,
-                 "0"},
+    WorldSetting{.name = "spread",
+                 .placeholder = "FACTOR",
+                 .meaning = "How far contests are apart: factor of what each draws of the mouse itself",
+                 .default_value = "4.25"},  // field_spread
+    WorldSetting{.name = "search-speed",
+                 .placeholder = "SPEED",
+                 .meaning = "Speed of a search in mm/s; 0: the robot's own",
+                 .default_value = "0"},
     pace_setting,
     map_setting};
 
@@ -73,22 +80,17 @@ std::vector<std::string> hazards_brought() {
 }
 
 constexpr std::array fallible_settings = {
-    robot_setting,
+    robot_setting("kerise"),
     rules_setting,
     noise_setting,
     pace_setting,
     map_setting,
-    WorldSetting{"hazards",
-                 "HAZARDS",
-                 "What goes wrong how often: built-in, or a file whose name contains a slash or ends in .json, which "
-                 "labmouse hazards --save writes",
-                 WorldSetting::Kind::text,
-                 "kerise",
-                 0,
-                 0,
-                 {},
-                 false,
-                 hazards_brought}};
+    WorldSetting{.name = "hazards",
+                 .placeholder = "HAZARDS",
+                 .meaning = "What goes wrong how often: built-in, or a file whose name contains a slash or ends in "
+                            ".json, which labmouse hazards --save writes",
+                 .default_value = "kerise",
+                 .brought = hazards_brought}};
 
 /// The number of a setting, or nothing, with what is wrong in the error.
 std::optional<double> number_in(const WorldEntry& entry, const WorldSettings& chosen, std::string_view name,
@@ -99,7 +101,7 @@ std::optional<double> number_in(const WorldEntry& entry, const WorldSettings& ch
   return std::nullopt;
 }
 
-/// What both worlds are made of, or what is wrong with it.
+/// What the worlds are made of, or what is wrong with it.
 struct Parts {
   DriveRules rules;
   std::shared_ptr<const DriveModel> model;
@@ -108,18 +110,35 @@ struct Parts {
   std::string error;
 };
 
+/// Robot and rules.
 Parts parts_of(const WorldEntry& entry, const WorldSettings& chosen) {
   Parts parts;
   FoundRobot robot = find_robot(value_of(entry, chosen, "robot"));
   FoundRules rules = find_rules(value_of(entry, chosen, "rules"));
-  if (!robot.errors.empty())
-    parts.error = fmt::format("{}", fmt::join(robot.errors, "\n"));
-  else if (!rules.errors.empty())
-    parts.error = fmt::format("{}", fmt::join(rules.errors, "\n"));
-  else if (const std::string why = why_not_physical(robot.model); !why.empty())
-    parts.error =
-        fmt::format("error: --robot: {} cannot drive in the physical world: {}", shown(robot.model.robot.name), why);
+  const std::vector<std::string>& errors = robot.errors.empty() ? rules.errors : robot.errors;
+  parts.error = fmt::format("{}", fmt::join(errors, "\n"));
   if (!parts.error.empty()) return parts;
+  parts.rules = rules.rules;
+  parts.model = std::make_shared<DriveModel>(std::move(robot.model));
+  parts.remarks = std::move(robot.remarks);
+  return parts;
+}
+
+WorldResult make_seconds(const WorldSettings& chosen) {
+  Parts parts = parts_of(seconds_entry, chosen);
+  if (!parts.error.empty()) return {nullptr, parts.error};
+  return {seconds_world(parts.rules, parts.model), "", std::move(parts.remarks)};
+}
+
+/// The conditions, too, under which things go wrong.
+Parts parts_with_errors(const WorldEntry& entry, const WorldSettings& chosen) {
+  Parts parts = parts_of(entry, chosen);
+  if (!parts.error.empty()) return parts;
+  if (const std::string why = why_not_physical(*parts.model); !why.empty()) {
+    parts.error =
+        fmt::format("error: --robot: {} cannot drive in the physical world: {}", shown(parts.model->robot.name), why);
+    return parts;
+  }
   parts.conditions.noise.all = number_in(entry, chosen, "noise", 100.0, parts.error).value_or(0.0);
   parts.conditions.pilot.pace = number_in(entry, chosen, "pace", 1.0, parts.error).value_or(1.0);
   if (parts.error.empty() && parts.conditions.pilot.pace < least_pace)
@@ -129,14 +148,11 @@ Parts parts_of(const WorldEntry& entry, const WorldSettings& chosen) {
     parts.conditions.map = *kind;
   else if (parts.error.empty())
     parts.error = fmt::format("error: --map: '{}' is none of first, belief and learned", shown(map));
-  parts.rules = rules.rules;
-  parts.model = std::make_shared<DriveModel>(std::move(robot.model));
-  parts.remarks = std::move(robot.remarks);
   return parts;
 }
 
-WorldResult make(const WorldSettings& chosen) {
-  Parts parts = parts_of(physical_entry, chosen);
+WorldResult make_physical(const WorldSettings& chosen) {
+  Parts parts = parts_with_errors(physical_entry, chosen);
   if (!parts.error.empty()) return {nullptr, parts.error};
   PhysicalConditions& conditions = parts.conditions;
   conditions.noise.spread = number_in(physical_entry, chosen, "spread", 10.0, parts.error).value_or(0.0);
@@ -157,7 +173,7 @@ std::shared_ptr<const World> fallible_of(const DriveRules& rules, std::shared_pt
 }
 
 WorldResult make_fallible(const WorldSettings& chosen) {
-  Parts parts = parts_of(fallible_entry, chosen);
+  Parts parts = parts_with_errors(fallible_entry, chosen);
   if (!parts.error.empty()) return {nullptr, parts.error};
   const FoundHazards hazards = find_hazards(value_of(fallible_entry, chosen, "hazards"));
   if (!hazards.file) return {nullptr, hazards.error};
@@ -166,31 +182,44 @@ WorldResult make_fallible(const WorldSettings& chosen) {
   return {fallible_of(parts.rules, parts.model, parts.conditions, *hazards.file), "", std::move(parts.remarks)};
 }
 
-/// What both worlds were made of; nothing where the conditions are none.
+/// Robot and rules that a world was made of; nothing where the conditions are none.
 std::optional<Parts> restored_parts(const ReadJson& json) {
   if (!json.is_object() || !json.contains("rules") || !json.contains("robot")) return std::nullopt;
   JsonFields fields(json, "");
   Parts parts;
   read_drive_rules_json(json["rules"], parts.rules, fields);
   DriveModel model = read_robot_json(fields, json["robot"]);
-  parts.conditions.noise.all = fields.number("noise", 0.0, 100.0);
-  parts.conditions.noise.spread = fields.number("spread", 0.0, 10.0);
-  parts.conditions.pilot.search_speed = fields.number("search_speed", 0.0, 20'000.0);
-  if (json.contains("pace")) parts.conditions.pilot.pace = fields.number("pace", least_pace, 1.0);
-  if (json.contains("map")) parts.conditions.map = map_kind_in(fields);
-  if (!fields.error().empty() || !model.error.empty() || !why_not_physical(model).empty()) return std::nullopt;
+  if (!fields.error().empty() || !model.error.empty()) return std::nullopt;
   parts.model = std::make_shared<DriveModel>(std::move(model));
   return parts;
 }
 
-std::shared_ptr<const World> restore(const ReadJson& json) {
+/// And the conditions.
+std::optional<Parts> restored_with_errors(const ReadJson& json) {
+  std::optional<Parts> parts = restored_parts(json);
+  if (!parts || !why_not_physical(*parts->model).empty()) return std::nullopt;
+  JsonFields fields(json, "");
+  parts->conditions.noise.all = fields.number("noise", 0.0, 100.0);
+  parts->conditions.noise.spread = fields.number("spread", 0.0, 10.0);
+  parts->conditions.pilot.search_speed = fields.number("search_speed", 0.0, 20'000.0);
+  if (json.contains("pace")) parts->conditions.pilot.pace = fields.number("pace", least_pace, 1.0);
+  if (json.contains("map")) parts->conditions.map = map_kind_in(fields);
+  return fields.error().empty() ? parts : std::nullopt;
+}
+
+std::shared_ptr<const World> restore_seconds(const ReadJson& json) {
   const std::optional<Parts> parts = restored_parts(json);
+  return parts ? seconds_world(parts->rules, parts->model) : nullptr;
+}
+
+std::shared_ptr<const World> restore_physical(const ReadJson& json) {
+  const std::optional<Parts> parts = restored_with_errors(json);
   return parts ? physical_world(parts->rules, parts->model, parts->conditions) : nullptr;
 }
 
 /// Hazards of a file are restored where the program brings the same.
 std::shared_ptr<const World> restore_fallible(const ReadJson& json) {
-  const std::optional<Parts> parts = restored_parts(json);
+  const std::optional<Parts> parts = restored_with_errors(json);
   if (!parts || !json.contains("hazards") || !json["hazards"].is_string()) return nullptr;
   if (!json.contains("hazards_hash") || !json["hazards_hash"].is_string()) return nullptr;
   const auto hazards = brought_hazards(json["hazards"].get<std::string>(), json["hazards_hash"].get<std::string>());
@@ -229,20 +258,31 @@ std::string why_not_fallible(const DriveModel& model, double noise, const Hazard
   return "";
 }
 
-const WorldEntry physical_entry = {"physical",
-                                   "the same robot with its errors: it slips, reads walls wrongly and crashes",
-                                   settings,
-                                   make,
-                                   pack_drive_record,
-                                   false,
-                                   restore,
-                                   "contest",
-                                   3};
+const WorldEntry seconds_entry = {.name = "seconds",
+                                  .summary = "a robot that drives curves and diagonals, by the rules of real contests",
+                                  .settings = seconds_settings,
+                                  .make = make_seconds,
+                                  .pack = pack_drive_record,
+                                  .restore = restore_seconds,
+                                  .call = "drive"};
+
+const WorldEntry physical_entry = {
+    .name = "physical",
+    .summary = "the same robot with its errors: it slips, reads walls wrongly and crashes",
+    .settings = physical_settings,
+    .make = make_physical,
+    .pack = pack_drive_record,
+    .restore = restore_physical,
+    .call = "contest",
+    .usual_runs = 3};
 
 const WorldEntry fallible_entry = {
-    "fallible",        "the world in seconds with what goes wrong in the physical one, by dice: fast",
-    fallible_settings, make_fallible,
-    pack_drive_record, false,
-    restore_fallible,  "contest"};
+    .name = "fallible",
+    .summary = "the world in seconds with what goes wrong in the physical one, by dice: fast",
+    .settings = fallible_settings,
+    .make = make_fallible,
+    .pack = pack_drive_record,
+    .restore = restore_fallible,
+    .call = "contest"};
 
 }  // namespace labmouse

@@ -8,7 +8,7 @@
 
 #include "labmouse/contest/physical.hpp"
 #include "tests/contest/scripted.hpp"
-#include "tests/lab/physical/physical_fixture.hpp"
+#include "tests/lab/drive/physical_fixture.hpp"
 #include "tests/slowness.hpp"
 
 namespace labmouse {

@@ -1,11 +1,10 @@
-#include "labmouse/lab/physical/physical_fields.hpp"
-
 #include <fmt/format.h>
 
 #include <array>
 
+#include "labmouse/lab/drive/drive_figures.hpp"
+#include "labmouse/lab/drive/world_fields.hpp"
 #include "labmouse/lab/numbers/interval.hpp"
-#include "labmouse/lab/physical/physical_figures.hpp"
 #include "labmouse/lab/standings/common_fields.hpp"
 #include "labmouse/lab/standings/mouse_figures.hpp"
 
@@ -13,7 +12,7 @@ namespace labmouse {
 namespace {
 
 using F = PhysicalFigure;
-using M = PhysicalMazeFigure;
+using M = DriveMazeFigure;
 using fields::figure;
 
 constexpr std::array<ContestField, 26> contest_fields = {{{"maze", fields::maze_name},

@@ -1,7 +1,7 @@
 // Contests in the physical world to test with.
 #pragma once
 
-#include "labmouse/lab/physical/physical_world.hpp"
+#include "labmouse/lab/drive/drive_worlds.hpp"
 #include "labmouse/lab/records/physical_replay.hpp"
 #include "tests/lab/records/drive_record_fixture.hpp"
 

@@ -1,4 +1,4 @@
-#include "labmouse/lab/seconds/drive_results.hpp"
+#include "labmouse/lab/drive/drive_results.hpp"
 
 #include <fmt/format.h>
 

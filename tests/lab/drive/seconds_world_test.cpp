@@ -1,14 +1,13 @@
-#include "labmouse/lab/seconds/seconds_world.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
 #include "labmouse/lab/bounds/drive_bound.hpp"
+#include "labmouse/lab/drive/drive_results.hpp"
+#include "labmouse/lab/drive/drive_worlds.hpp"
 #include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/records/drive_json.hpp"
-#include "labmouse/lab/seconds/drive_results.hpp"
 #include "labmouse/lab/standings/race_json.hpp"
 #include "labmouse/lab/standings/race_table.hpp"
 #include "labmouse/lab/standings/standings.hpp"
@@ -43,7 +42,7 @@ std::optional<double> number(const ContestResult& result, F figure) {
   return number_of(result.figures[static_cast<std::size_t>(figure)]);
 }
 std::optional<double> fastest(const Race& race, std::size_t maze) {
-  return number_of(race.facts[maze].figures[static_cast<std::size_t>(SecondsMazeFigure::fastest)]);
+  return number_of(race.facts[maze].figures[static_cast<std::size_t>(DriveMazeFigure::fastest)]);
 }
 /// A figure of a mouse in JSON.
 std::optional<double> number(const Race& race, const Standing& standing, std::string_view key) {

@@ -1,10 +1,9 @@
-#include "labmouse/lab/seconds/seconds_fields.hpp"
-
 #include <fmt/format.h>
 
 #include <array>
 
-#include "labmouse/lab/seconds/seconds_figures.hpp"
+#include "labmouse/lab/drive/drive_figures.hpp"
+#include "labmouse/lab/drive/world_fields.hpp"
 #include "labmouse/lab/standings/common_fields.hpp"
 #include "labmouse/lab/standings/mouse_figures.hpp"
 
@@ -12,7 +11,7 @@ namespace labmouse {
 namespace {
 
 using F = SecondsFigure;
-using M = SecondsMazeFigure;
+using M = DriveMazeFigure;
 using fields::figure;
 
 constexpr std::array<ContestField, 14> contest_fields = {{{"maze", fields::maze_name},

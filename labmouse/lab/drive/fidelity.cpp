@@ -1,12 +1,12 @@
-#include "labmouse/lab/physical/fidelity.hpp"
+#include "labmouse/lab/drive/fidelity.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "labmouse/lab/drive/drive_worlds.hpp"
 #include "labmouse/lab/numbers/maze_interval.hpp"
-#include "labmouse/lab/physical/physical_world.hpp"
 #include "labmouse/lab/text/printable.hpp"
 
 namespace labmouse {

@@ -9,7 +9,7 @@
 #include "labmouse/lab/mice/parts_in_c.hpp"
 #include "labmouse/pilot/parts.hpp"
 #include "labmouse/pilot/pilot.hpp"
-#include "tests/lab/physical/physical_fixture.hpp"
+#include "tests/lab/drive/physical_fixture.hpp"
 #include "tests/says.hpp"
 #include "tests/slowness.hpp"
 

@@ -1,20 +1,24 @@
-// The physical world: a robot that slips, misreads and crashes, by the rules of real contests; and the fallible one, in
-// which it does so by dice.
+// The worlds in which robots drive, by the rules of real contests: without errors, with a body and a pilot, and with
+// what these do wrong by dice.
 #pragma once
 
 #include <memory>
 
 #include "labmouse/contest/drive_rules.hpp"
 #include "labmouse/contest/physical_conditions.hpp"
+#include "labmouse/lab/drive/drive_figures.hpp"
 #include "labmouse/lab/hazards/hazard_file.hpp"
-#include "labmouse/lab/physical/physical_figures.hpp"
 #include "labmouse/lab/races/race.hpp"
+#include "labmouse/lab/records/drive_record_file.hpp"
 #include "labmouse/mouse/robot/drive_model.hpp"
 
 namespace labmouse {
 
-/// Contests of this robot (without an error, and one that can drive there) under these rules and conditions. Scores are
-/// seconds; of what it holds, Held::run is a PhysicalRecord.
+/// Contests of this robot (without an error) under these rules. Scores are seconds; of what any of these worlds holds,
+/// Held::run is a DriveRecord.
+std::shared_ptr<const World> seconds_world(const DriveRules& rules, std::shared_ptr<const DriveModel> model);
+
+/// The same of a robot that can drive there, which slips, misreads and crashes under these conditions.
 std::shared_ptr<const World> physical_world(const DriveRules& rules, std::shared_ptr<const DriveModel> model,
                                             const PhysicalConditions& conditions);
 

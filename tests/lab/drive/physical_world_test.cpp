@@ -1,18 +1,17 @@
-#include "labmouse/lab/physical/physical_world.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
+#include "labmouse/lab/drive/drive_entries.hpp"
+#include "labmouse/lab/drive/drive_worlds.hpp"
 #include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/numbers/maze_interval.hpp"
-#include "labmouse/lab/physical/physical_entry.hpp"
 #include "labmouse/lab/standings/race_json.hpp"
 #include "labmouse/lab/standings/race_table.hpp"
 #include "labmouse/lab/standings/standings.hpp"
 #include "labmouse/lab/worlds/entering.hpp"
-#include "tests/lab/physical/physical_fixture.hpp"
+#include "tests/lab/drive/physical_fixture.hpp"
 #include "tests/says.hpp"
 
 namespace labmouse {

@@ -1,0 +1,65 @@
+// What the worlds in which robots drive have in common.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "labmouse/contest/coverage.hpp"
+#include "labmouse/contest/drive_record.hpp"
+#include "labmouse/contest/drive_rules.hpp"
+#include "labmouse/contest/drive_score.hpp"
+#include "labmouse/lab/bounds/drive_bound.hpp"
+#include "labmouse/lab/races/race.hpp"
+#include "labmouse/lab/records/drive_record_file.hpp"
+#include "labmouse/mouse/robot/drive_model.hpp"
+
+namespace labmouse {
+
+/// A contest as it was driven.
+struct DrivenContest {
+  DriveRecord record;
+  std::optional<PhysicalPart> physical;  ///< where things go wrong
+  std::optional<Coverage> coverage;      ///< nothing of a mouse that does not tell what it knows
+  std::string words;
+  bool started = true;
+};
+
+class DriveWorld : public World {
+ public:
+  DriveWorld(const DriveRules& rules, std::shared_ptr<const DriveModel> model);
+
+  std::string formula() const override;
+  std::string refuse(const Maze& maze) const override;
+  using World::refuse;
+  Settings settings(const Contestant& mouse) const override;
+  std::string_view unit() const override { return "s"; }
+  MazeFacts facts(const Maze& maze) const override;
+  Held hold(const Race& race, ContestResult& result, Keep keep, const std::atomic<bool>* stop) const override;
+  double limit_score() const override;
+  std::string_view tie_breaker() const override { return "search_us"; }
+  ScorePlace score_place() const override;
+  std::string_view why_no_bound() const override { return "in which no mouse could score"; }
+
+ protected:
+  const DriveRules& rules() const { return rules_; }
+  const DriveModel& model() const { return *model_; }
+
+  /// What a maze's cells are that can be reached; a trace is kept for records and pictures alone.
+  virtual DrivenContest drive(const Contestant& mouse, const Maze& maze, const ContestResult& contest,
+                              const CellSet& reachable, bool traced, const std::atomic<bool>* stop) const = 0;
+  /// The figures of a contest, in the order of the world's own list.
+  virtual std::vector<Value> figures(const DrivenContest& driven, const DriveScore& score,
+                                     const DriveBound& bound) const = 0;
+
+ private:
+  Held kept(const Contestant& mouse, const NamedMaze& maze, std::uint64_t seed, DrivenContest driven, Keep keep) const;
+
+  DriveRules rules_;
+  std::shared_ptr<const DriveModel> model_;
+};
+
+}  // namespace labmouse

@@ -1,0 +1,232 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "labmouse/contest/code_contest.hpp"
+#include "labmouse/contest/drive.hpp"
+#include "labmouse/contest/drive_coverage.hpp"
+#include "labmouse/contest/fallible.hpp"
+#include "labmouse/contest/physical.hpp"
+#include "labmouse/lab/drive/drive_results.hpp"
+#include "labmouse/lab/drive/drive_world.hpp"
+#include "labmouse/lab/drive/drive_worlds.hpp"
+#include "labmouse/lab/drive/world_fields.hpp"
+#include "labmouse/lab/mice/specs.hpp"
+#include "labmouse/lab/mice/stoppable.hpp"
+#include "labmouse/lab/records/drive_json.hpp"
+#include "labmouse/lab/robots/robot_json.hpp"
+#include "labmouse/lab/standings/common_fields.hpp"
+#include "labmouse/lab/text/printable.hpp"
+
+namespace labmouse {
+namespace {
+
+/// A point of the trace so often: every 20 mm at 400 mm/s.
+constexpr int trace_ticks = 50;
+
+std::int64_t ends_of(const PhysicalNotes& notes, RunEnd end) {
+  return std::count(notes.ends.begin(), notes.ends.end(), end);
+}
+
+/// Runs from the start that came to their end.
+std::int64_t done_runs(const DriveRecord& record, const PhysicalNotes& notes) {
+  std::int64_t done = 0;
+  for (std::size_t i = 0; i < notes.ends.size(); ++i)
+    if (notes.ends[i] == RunEnd::done && record.runs[i].kind != DriveRun::Kind::home) ++done;
+  return done;
+}
+
+/// What ended a contest without a score.
+RunEnd end_of(const DriveRecord& record, const PhysicalNotes& notes) {
+  if (record.outcome == DriveOutcome::forfeit)
+    return record.reason == ForfeitReason::no_way ? RunEnd::walled_in : RunEnd::given_up;
+  for (auto end = notes.ends.rbegin(); end != notes.ends.rend(); ++end)
+    if (*end != RunEnd::done) return *end;
+  return RunEnd::out_of_time;
+}
+
+class PhysicalWorld : public DriveWorld {
+ public:
+  PhysicalWorld(const DriveRules& rules, std::shared_ptr<const DriveModel> model, const PhysicalConditions& conditions)
+      : DriveWorld(rules, std::move(model)), conditions_(conditions) {}
+
+  std::string_view name() const override { return "physical"; }
+  std::vector<Condition> conditions() const override {
+    return {{"rules", JsonText{rules_json(rules()).dump()}},
+            {"robot", JsonText{robot_json(model().robot, RobotParts::with_body).dump()}},
+            {"tables", hash_text(model().tables.hash)},
+            {"noise", conditions_.noise.all},
+            {"spread", conditions_.noise.spread},
+            {"search_speed", conditions_.pilot.search_speed},
+            {"pace", conditions_.pilot.pace},
+            {"map", std::string(name_of(conditions_.map))}};
+  }
+  int edition() const override { return physical_edition; }
+  std::string heading() const override { return ", " + noise_text(); }
+
+  std::string refuse(const Contestant& mouse) const override {
+    return mouse.pilot ? "" : refuse_to_drive({&mouse, 1}, Driving::with_errors);
+  }
+  using DriveWorld::refuse;
+
+  bool throws_dice() const override { return true; }
+  const WorldFields& fields() const override { return physical_fields(); }
+
+  std::string notes(const Race& race) const override {
+    return fmt::format(
+        "Rules {}: {}. Lower is better; mice that scored in more contests come first.\nRobot {}, cells of {:g} mm, "
+        "{}. The score is the mean of those that scored; 'penalised' counts the others as {:g} s.\nCrashes: the "
+        "tyres "
+        "slid, the mouse strayed from where it believed to be, or it drove into a wall that it had misread.\nBound, {} "
+        "s "
+        "on average: a mouse that never errs and knows the maze but must first search a way there.\n",
+        shown(rules().name), formula(), shown(model().robot.name), model().tables.cell, noise_text(),
+        in_seconds(rules().time_limit), columns::number(mean_bound(race), 3));
+  }
+
+ protected:
+  /// What a record of this world has besides.
+  virtual void complete(PhysicalPart&) const {}
+  /// The contest of a mouse that decides.
+  virtual PhysicalRecord contest_of(const Maze& maze, const PhysicalConditions& conditions, std::uint64_t seed,
+                                    Strategy& mouse) const {
+    return drive_physically(maze, rules(), model(), conditions, seed, mouse);
+  }
+
+ private:
+  /// "noise 1 was measured" holds of one mouse; how far mice are apart is a guess that belongs beside it.
+  std::string noise_text() const {
+    return fmt::format("noise {:g}, spread {:g}", conditions_.noise.all, conditions_.noise.spread);
+  }
+
+  DrivenContest drive(const Contestant& mouse, const Maze& maze, const ContestResult& contest, const CellSet& reachable,
+                      bool traced, const std::atomic<bool>* stop) const override {
+    PhysicalConditions conditions = conditions_;
+    conditions.trace_every = traced ? trace_ticks : 0;
+    if (mouse.pilot) return drive_itself(mouse, maze, conditions, contest);
+    Briefing briefing = brief(maze, rules(), model(), contest.seed);
+    briefing.sight = 1;
+    briefing.drive.pace = conditions.pilot.pace;
+    const auto mind = mouse.drive(maze, briefing);
+    conditions.map = mind->map_kind().value_or(conditions.map);
+    Stoppable stoppable(*mind, stop);
+    DrivenContest driven = driven_of(contest_of(maze, conditions, contest.seed, stoppable), conditions);
+    driven.coverage = coverage_of(driven.record, maze, reachable);
+    driven.words = mind->last_words();
+    driven.started = mind->started();
+    return driven;
+  }
+
+  /// That of a mouse whose whole program is somebody else's.
+  DrivenContest drive_itself(const Contestant& mouse, const Maze& maze, const PhysicalConditions& conditions,
+                             const ContestResult& contest) const {
+    const auto code = mouse.pilot(pilot_briefing(maze, rules(), model(), conditions, contest.told));
+    DrivenContest driven =
+        driven_of(drive_by_code(maze, rules(), model(), conditions, contest.seed, *code), conditions);
+    driven.words = code->last_words();
+    driven.started = code->started();
+    return driven;
+  }
+
+  DrivenContest driven_of(PhysicalRecord record, const PhysicalConditions& conditions) const {
+    DrivenContest driven;
+    driven.record = std::move(record.drive);
+    driven.physical = PhysicalPart{conditions, std::move(static_cast<PhysicalNotes&>(record)), edition(), "", ""};
+    complete(*driven.physical);
+    return driven;
+  }
+
+  /// In the order of PhysicalFigure. Of a mouse that does not tell what it knows there is no coverage, and nobody can
+  /// say what it takes walls for.
+  std::vector<Value> figures(const DrivenContest& driven, const DriveScore& score,
+                             const DriveBound& bound) const override {
+    const DriveRecord& record = driven.record;
+    const PhysicalNotes& notes = driven.physical->notes;
+    const auto& coverage = driven.coverage;
+    const auto if_told = [&](std::int64_t count) { return coverage ? Value(count) : Value(nullptr); };
+    const auto best = best_of(score);
+    const DriveRunScore* counting = score.best ? &score.runs[*score.best] : nullptr;
+    const auto grazes =
+        std::count_if(notes.touches.begin(), notes.touches.end(), [](const WallTouch& touch) { return !touch.crash; });
+    return {score.best ? Value(JsonText{score_json(score).dump()}) : Value(nullptr),
+            std::int64_t{search_time_of(record)},
+            or_none(best),
+            or_none(excess_of(best, bound)),
+            std::int64_t{starts_of(record)},
+            done_runs(record, notes),
+            ends_of(notes, RunEnd::slid),
+            ends_of(notes, RunEnd::strayed),
+            if_told(ends_of(notes, RunEnd::misread)),
+            if_told(ends_of(notes, RunEnd::walled_in)),
+            ends_of(notes, RunEnd::out_of_time),
+            std::int64_t{notes.carried},
+            std::int64_t{grazes},
+            if_told(notes.misreads),
+            if_told(notes.contradictions),
+            notes.frailty,
+            in_seconds(score.value().value_or(rules().time_limit)),
+            std::int64_t{record.decisions},
+            std::int64_t{record.replanned},
+            coverage ? Value(coverage->discovered) : Value(nullptr),
+            coverage ? Value(coverage->visited) : Value(nullptr),
+            score.best ? Value(nullptr) : Value(std::string(name_of(end_of(record, notes)))),
+            driven.words.empty() ? Value() : Value(driven.words),
+            or_none(score.value()),
+            counting != nullptr ? or_none(counting->gate_to_gate) : Value(nullptr),
+            counting != nullptr ? or_none(counting->rest_to_centre) : Value(nullptr)};
+  }
+
+  PhysicalConditions conditions_;
+};
+
+/// The same by dice.
+class FallibleWorld final : public PhysicalWorld {
+ public:
+  FallibleWorld(const DriveRules& rules, std::shared_ptr<const DriveModel> model, const PhysicalConditions& conditions,
+                const HazardFile& hazards)
+      : PhysicalWorld(rules, std::move(model), conditions),
+        hazards_name_(hazards.name),
+        hazards_hash_(hazards.hash),
+        hazards_(hazards_of(hazards)) {}
+
+  std::string_view name() const override { return "fallible"; }
+  std::vector<Condition> conditions() const override {
+    std::vector<Condition> all = PhysicalWorld::conditions();
+    all.push_back({"hazards", hazards_name_});
+    all.push_back({"hazards_hash", hazards_hash_});
+    return all;
+  }
+  int edition() const override { return fallible_edition; }
+  std::string refuse(const Contestant& mouse) const override {
+    return refuse_to_drive({&mouse, 1}, Driving::with_errors);
+  }
+  using PhysicalWorld::refuse;
+
+ private:
+  PhysicalRecord contest_of(const Maze& maze, const PhysicalConditions& conditions, std::uint64_t seed,
+                            Strategy& mouse) const override {
+    return drive_fallibly(maze, rules(), model(), conditions, hazards_, seed, mouse);
+  }
+
+  void complete(PhysicalPart& part) const override {
+    part.hazards = hazards_name_;
+    part.hazards_hash = hazards_hash_;
+  }
+
+  std::string hazards_name_, hazards_hash_;
+  Hazards hazards_;
+};
+
+}  // namespace
+
+std::shared_ptr<const World> fallible_world(const DriveRules& rules, std::shared_ptr<const DriveModel> model,
+                                            const PhysicalConditions& conditions, const HazardFile& hazards) {
+  return std::make_shared<FallibleWorld>(rules, std::move(model), conditions, hazards);
+}
+
+std::shared_ptr<const World> physical_world(const DriveRules& rules, std::shared_ptr<const DriveModel> model,
+                                            const PhysicalConditions& conditions) {
+  return std::make_shared<PhysicalWorld>(rules, std::move(model), conditions);
+}
+
+}  // namespace labmouse

@@ -1,0 +1,89 @@
+#include <fmt/format.h>
+
+#include "labmouse/contest/drive.hpp"
+#include "labmouse/contest/drive_coverage.hpp"
+#include "labmouse/lab/drive/drive_results.hpp"
+#include "labmouse/lab/drive/drive_world.hpp"
+#include "labmouse/lab/drive/drive_worlds.hpp"
+#include "labmouse/lab/drive/world_fields.hpp"
+#include "labmouse/lab/mice/specs.hpp"
+#include "labmouse/lab/mice/stoppable.hpp"
+#include "labmouse/lab/records/drive_json.hpp"
+#include "labmouse/lab/robots/robot_json.hpp"
+#include "labmouse/lab/standings/common_fields.hpp"
+#include "labmouse/lab/text/printable.hpp"
+
+namespace labmouse {
+namespace {
+
+class SecondsWorld final : public DriveWorld {
+ public:
+  using DriveWorld::DriveWorld;
+
+  std::string_view name() const override { return "seconds"; }
+  std::vector<Condition> conditions() const override {
+    return {{"rules", JsonText{rules_json(rules()).dump()}},
+            {"robot", JsonText{robot_json(model().robot).dump()}},
+            {"tables", hash_text(model().tables.hash)}};
+  }
+
+  std::string refuse(const Contestant& mouse) const override { return refuse_to_drive({&mouse, 1}); }
+  using DriveWorld::refuse;
+
+  const WorldFields& fields() const override { return seconds_fields(); }
+
+  std::string notes(const Race& race) const override {
+    return fmt::format(
+        "Rules {}: {}. Lower is better; mice that scored in more contests come first.\nRobot {}, cells of {:g} mm. "
+        "Search ends when the first fast run begins; best runs are timed from rest to the centre.\nBound, {} s on "
+        "average: the fastest route, driven by a mouse that knows the maze but must first search a way there.\n",
+        shown(rules().name), formula(), shown(model().robot.name), model().tables.cell,
+        columns::number(mean_bound(race), 3));
+  }
+
+ private:
+  DrivenContest drive(const Contestant& mouse, const Maze& maze, const ContestResult& contest, const CellSet& reachable,
+                      bool /*traced*/, const std::atomic<bool>* stop) const override {
+    const auto mind = mouse.drive(maze, brief(maze, rules(), model(), contest.seed));
+    Stoppable stoppable(*mind, stop);
+    DrivenContest driven;
+    driven.record = labmouse::drive(maze, rules(), model(), stoppable);
+    driven.coverage = coverage_of(driven.record, maze, reachable);
+    driven.words = mind->last_words();
+    driven.started = mind->started();
+    return driven;
+  }
+
+  /// In the order of SecondsFigure.
+  std::vector<Value> figures(const DrivenContest& driven, const DriveScore& score,
+                             const DriveBound& bound) const override {
+    const DriveRecord& record = driven.record;
+    bool proven = false;
+    for (const DriveRun& run : record.runs)
+      if (run.kind == DriveRun::Kind::fast) proven = run.known == run.hoped;
+    const auto best = best_of(score);
+    const DriveRunScore* counting = score.best ? &score.runs[*score.best] : nullptr;
+    return {score.best ? Value(JsonText{score_json(score).dump()}) : Value(nullptr),
+            std::int64_t{search_time_of(record)},
+            or_none(best),
+            or_none(excess_of(best, bound)),
+            proven,
+            std::int64_t{starts_of(record)},
+            std::int64_t{record.decisions},
+            std::int64_t{record.replanned},
+            driven.coverage->discovered,
+            driven.coverage->visited,
+            driven.words.empty() ? Value() : Value(driven.words),
+            or_none(score.value()),
+            counting != nullptr ? or_none(counting->gate_to_gate) : Value(nullptr),
+            counting != nullptr ? or_none(counting->rest_to_centre) : Value(nullptr)};
+  }
+};
+
+}  // namespace
+
+std::shared_ptr<const World> seconds_world(const DriveRules& rules, std::shared_ptr<const DriveModel> model) {
+  return std::make_shared<SecondsWorld>(rules, std::move(model));
+}
+
+}  // namespace labmouse
