@@ -4,7 +4,7 @@ import type { Camera } from '../maze/camera';
 import { h } from '../ui/dom';
 import { field } from '../ui/field';
 import { filePicker } from '../ui/pick';
-import type { Page } from '../views/view';
+import type { Page } from '../page/page';
 import { mazeText } from '../player/figures';
 import { createLooks } from '../player/looks';
 import { createBoard } from './board';

@@ -4,7 +4,7 @@ import { h } from '../ui/dom';
 import { meanings } from '../ui/meanings';
 import { boundMeaning, mmsBoundMeaning, optimumMeaning } from '../ui/terms';
 import { createLatest } from '../ui/latest';
-import type { Page } from '../views/view';
+import type { Page } from '../page/page';
 
 export interface Judgement {
   element: HTMLElement;

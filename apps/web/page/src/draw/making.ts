@@ -2,7 +2,7 @@
 import type { MazeData } from '../core/types';
 import { h } from '../ui/dom';
 import { createGenerator } from '../ui/generator';
-import type { Page } from '../views/view';
+import type { Page } from '../page/page';
 import { withAllClosed } from './model';
 
 const closed = 'closed';

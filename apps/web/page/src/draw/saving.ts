@@ -7,7 +7,7 @@ import { pngOf } from '../maze/saved';
 import { createCopyable } from '../ui/copy';
 import { h } from '../ui/dom';
 import { showError } from '../ui/field';
-import type { Page } from '../views/view';
+import type { Page } from '../page/page';
 
 /** Of the longer side of a saved picture, at most. */
 const pixels = 1600;

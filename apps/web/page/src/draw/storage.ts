@@ -1,7 +1,7 @@
 // The drawing survives a reload, where the browser keeps anything for the page.
 import type { MazeData } from '../core/types';
 import { createLatest } from '../ui/latest';
-import type { Page } from '../views/view';
+import type { Page } from '../page/page';
 
 const key = 'drawing';
 const earlierKey = 'labmouse drawing';

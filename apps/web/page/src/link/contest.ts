@@ -1,5 +1,5 @@
 // Contests in links: a mouse, its seed and the conditions under which it runs, as the core runs them.
-import { isMine } from '../robot/mine';
+import { isMine } from './my-robot';
 import type { Core } from '../core/client';
 import type { About, MazeData, Play } from '../core/types';
 import type { Moment } from './address';

@@ -5,7 +5,7 @@ import type { Camera } from '../maze/camera';
 import { createPlayer, type Player } from '../player/player';
 import { h } from '../ui/dom';
 import { createLatest } from '../ui/latest';
-import type { Page } from '../views/view';
+import type { Page } from '../page/page';
 import { comparisonInWords, type Walk } from './comparison';
 
 export interface Order {

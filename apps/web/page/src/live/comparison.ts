@@ -1,6 +1,6 @@
 // The walk before the last change, to be seen beside the one after it.
 import type { Play } from '../core/types';
-import { nameOf } from '../robot/mine';
+import { nameOf } from '../link/my-robot';
 
 /** What was run, and what came of it. */
 export interface Walk {

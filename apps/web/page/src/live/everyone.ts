@@ -1,7 +1,7 @@
 // A race of all mice in one maze, one after the other, so that it can be watched and stopped.
 import type { ContestResult, MazeData } from '../core/types';
 import { h } from '../ui/dom';
-import type { Page } from '../views/view';
+import type { Page } from '../page/page';
 import { createTable, type Row } from './table';
 
 export interface Task {

@@ -1,7 +1,7 @@
 // What can be done with the contests that are shown: saved, printed, opened elsewhere.
 import { useRef, useState } from 'preact/hooks';
 import { FilmStopped } from '../film/film';
-import type { EarlyPage } from '../views/view';
+import type { EarlyPage } from '../page/page';
 import { fileName, filmOf, pngOf, svgOf } from './pictures';
 import type { PanelProps } from './state';
 

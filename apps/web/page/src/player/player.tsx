@@ -3,7 +3,7 @@ import type { Camera } from '../maze/camera';
 import type { Tone } from '../maze/palette';
 import { render } from 'preact';
 import { h } from '../ui/dom';
-import type { EarlyPage } from '../views/view';
+import type { EarlyPage } from '../page/page';
 import '../styles/player.css';
 import { fetchBeliefs } from './beliefs';
 import { createClock, seek, start, tick, usual } from './clock';

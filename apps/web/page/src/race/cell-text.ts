@@ -1,7 +1,7 @@
 // A cell of the matrix in words.
-import { isNumber, number, scoreText } from './format';
-import type { Board, Cell, Contest } from './contests';
-import { meanOf } from './contests';
+import { isNumber, number, scoreText } from '../ui/format';
+import type { Board, Cell, Contest } from '../results/contests';
+import { meanOf } from '../results/contests';
 
 /** One contest: "solved, score 39.100 = exploration 117, speed 35 (1 beyond the shortest)". */
 export function contestText(contest: Contest, optimum: number | null): string {

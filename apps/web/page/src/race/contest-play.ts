@@ -1,8 +1,9 @@
 // The replay of one contest of a race: from its record, or run again with the same seed.
 import type { MazeData, PackedRecord, Play } from '../core/types';
-import type { EarlyPage, LoadedRace } from '../views/view';
-import type { Board, Contest } from './contests';
-import { isNumber, scoreText } from './format';
+import type { EarlyPage } from '../page/page';
+import type { LoadedRace } from '../results/loaded';
+import type { Board, Contest } from '../results/contests';
+import { isNumber, scoreText } from '../ui/format';
 
 export interface ContestPlay {
   play: Play;

@@ -1,5 +1,5 @@
 // How many contests stay within a ratio to the bound: one rising curve for each mouse.
-import type { Board } from './contests';
+import type { Board } from '../results/contests';
 
 const samples = 480;
 /** Beyond this, a curve says no more than that it ends there. */

@@ -3,9 +3,9 @@ import uPlot from 'uplot';
 import 'uplot/dist/uPlot.min.css';
 import { h } from '../ui/dom';
 import { paperWidth, tone } from '../ui/tones';
-import type { Board } from './contests';
+import type { Board } from '../results/contests';
 import { grid, ratiosOf, shares } from './curves-data';
-import { number } from './format';
+import { number } from '../ui/format';
 import { nameLines, roomForNames } from './line-names';
 import { styleOf } from './mouse-styles';
 

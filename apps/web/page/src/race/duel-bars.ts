@@ -3,7 +3,7 @@ import type { PairedDifference } from '../core/types';
 import { tone } from '../ui/tones';
 import { tickDigits, ticks } from './axis';
 import type { Pair } from './duel-data';
-import { signed } from './format';
+import { signed } from '../ui/format';
 
 const left = 52;
 const height = 240;

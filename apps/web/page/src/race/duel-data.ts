@@ -1,6 +1,6 @@
 // Two mice in the same mazes.
-import type { Board, Cell } from './contests';
-import { meanOf } from './contests';
+import type { Board, Cell } from '../results/contests';
+import { meanOf } from '../results/contests';
 
 export interface Pair {
   maze: number;

@@ -1,6 +1,6 @@
 // What the differences of two mice show, in a sentence.
 import type { PairedDifference } from '../core/types';
-import { counted, number, signed } from './format';
+import { counted, number, signed } from '../ui/format';
 
 const chance = (p: number) => (p < 0.0001 ? 'p < 0.0001' : `p = ${number(p, 4)}`);
 

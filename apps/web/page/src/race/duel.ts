@@ -2,14 +2,14 @@
 import type { PairedDifference } from '../core/types';
 import { h } from '../ui/dom';
 import { paperWidth } from '../ui/tones';
-import type { EarlyPage } from '../views/view';
-import type { Board } from './contests';
+import type { EarlyPage } from '../page/page';
+import type { Board } from '../results/contests';
 import { paintBars, type Bars } from './duel-bars';
 import { failureDifferences, pairsOf, type Pair } from './duel-data';
 import { duelWords, failureWords } from './duel-words';
-import { number, scoreText, signed } from './format';
+import { number, scoreText, signed } from '../ui/format';
 import { sortedTable } from './sorted-table';
-import { isHome } from './worlds';
+import { isHome } from '../results/worlds';
 
 export interface Duel {
   element: HTMLElement;

@@ -7,9 +7,10 @@ import { readPalette, type Palette } from '../maze/palette';
 import { pngOf, svgOf } from '../maze/saved';
 import { createStage, type Stage } from '../maze/stage';
 import { h } from '../ui/dom';
-import type { EarlyPage, LoadedRace } from '../views/view';
-import type { Board } from './contests';
-import { counted, isNumber } from './format';
+import type { EarlyPage } from '../page/page';
+import type { LoadedRace } from '../results/loaded';
+import type { Board } from '../results/contests';
+import { counted, isNumber } from '../ui/format';
 import { levelEnd, levels, paintLosses } from './heat-paint';
 import { isOurs } from './contest-play';
 

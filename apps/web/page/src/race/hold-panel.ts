@@ -2,95 +2,12 @@
 import type { About, MazeData } from '../core/types';
 import { isSameMaze } from '../maze/same';
 import { h } from '../ui/dom';
-import { createWorldChoice } from '../live/world-choice';
-import type { EarlyPage } from '../views/view';
-import { groupsOf } from './contests';
-import { counted } from './format';
-import { holdRace, type Order } from './holding';
-
-export const usual = ['ariadne', 'flood-return', 'certify', 'flood', 'frontier'];
-/** So many are named while the list is folded. */
-const mostNamed = 6;
-
-export interface Choice {
-  name: string;
-  about: string;
-  on: boolean;
-}
-
-export interface Picks {
-  element: HTMLElement;
-  chosen(): string[];
-  /** Chooses those and no others; of what is not offered it says so. */
-  choose(names: string[]): void;
-  /** Offers other things; what was chosen among those that stay is kept. */
-  offer(choices: Choice[]): void;
-}
-
-/** A list that is folded away. */
-export function picks(title: string, choices: Choice[]): Picks {
-  const on = new Map<string, HTMLInputElement>();
-  const list = h('div', { class: 'list' });
-  const boxes = () => [...on.values()];
-  const summary = h('summary', {});
-  const chosen = () => boxes().flatMap((box) => (box.checked ? [box.value] : []));
-  function count() {
-    const names = chosen();
-    const few = names.length > 0 && names.length <= mostNamed ? `: ${names.join(', ')}` : '';
-    summary.replaceChildren(`${title}, ${names.length} of ${on.size}${few}`);
-  }
-  function setAll(checked: boolean) {
-    boxes().forEach((box) => (box.checked = checked));
-    count();
-  }
-  function offer(now: Choice[]) {
-    const before = new Map(on);
-    on.clear();
-    for (const { name, on: checked } of now)
-      on.set(name, before.get(name) ?? h('input', { type: 'checkbox', value: name, checked }));
-    list.replaceChildren(...now.map(({ name, about }) => h('label', { title: about }, on.get(name)!, name)));
-    count();
-  }
-  offer(choices);
-  return {
-    element: h(
-      'details',
-      { class: 'picks' },
-      summary,
-      h(
-        'fieldset',
-        { 'aria-label': title, onchange: count },
-        h(
-          'p',
-          { class: 'row' },
-          h('button', { type: 'button', onclick: () => setAll(true) }, 'All'),
-          h('button', { type: 'button', onclick: () => setAll(false) }, 'None'),
-        ),
-        list,
-      ),
-    ),
-    chosen,
-    choose(names) {
-      const missing = names.find((name) => !on.has(name));
-      if (missing !== undefined) throw new Error(`This link cannot be followed: there is no '${missing}' here.`);
-      for (const [name, box] of on) box.checked = names.includes(name);
-      count();
-    },
-    offer,
-  };
-}
-
-/** Each under a name of its own, which is how results tell mazes apart. */
-export function namedApart(mazes: MazeData[], taken: string[]): MazeData[] {
-  const names = new Set(taken);
-  return mazes.map((maze) => {
-    const first = maze.name || 'drawing';
-    let name = first;
-    for (let count = 2; names.has(name); ++count) name = `${first}-${count}`;
-    names.add(name);
-    return { ...maze, name };
-  });
-}
+import { createWorldChoice } from '../choice/world-choice';
+import type { EarlyPage } from '../page/page';
+import { namedApart, picks, usual } from '../choice/picks';
+import { groupsOf } from '../results/contests';
+import { counted } from '../ui/format';
+import { holdRace, type Order } from '../results/holding';
 
 const whole = (label: string | Node, value: number, most: number) => {
   const input = h('input', { type: 'number', min: 1, max: most, step: 1, value, required: true });

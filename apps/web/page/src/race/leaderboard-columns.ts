@@ -1,10 +1,10 @@
 // The columns of the leaderboards, and what they mean.
 import type { RaceGroup } from '../core/types';
 import { h } from '../ui/dom';
-import { number, orNull } from './format';
+import { number, orNull } from '../ui/format';
 import type { Column } from './sorted-table';
 import { whiskers } from './whisker';
-import { worldOf } from './worlds';
+import { worldOf } from '../results/worlds';
 
 type RacedMouse = RaceGroup['mice'][number];
 

@@ -1,10 +1,10 @@
 // The leaderboard of a race in one world.
 import type { RaceGroup } from '../core/types';
 import { h } from '../ui/dom';
-import { isNumber } from './format';
+import { isNumber } from '../ui/format';
 import { columnsOf, orderedBy } from './leaderboard-columns';
 import { legendOf, sortedTable } from './sorted-table';
-import { isHome, worldOf } from './worlds';
+import { isHome, worldOf } from '../results/worlds';
 
 export interface Leaderboard {
   world: string;

@@ -4,9 +4,9 @@ import type { About, Parameter, WorldInPage } from '../core/types';
 import type { Moment } from '../link/address';
 import { driveOf } from '../link/contest';
 import { placesOf } from '../link/mazes';
-import { typed, type Settings } from '../live/world-choice';
-import { isMine, withoutRemarks } from '../robot/mine';
-import { eachOf, type Order } from './holding';
+import { typed } from '../choice/world-choice';
+import { isMine, withoutRemarks } from '../link/my-robot';
+import { eachOf, type Order, type Settings } from '../results/holding';
 
 /** Contests that take a second or two on any machine. */
 const quick = { home: 150, others: 12 };

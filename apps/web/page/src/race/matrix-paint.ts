@@ -1,7 +1,7 @@
 // The matrix on its canvas, in whole device pixels.
 import { fitting } from '../ui/fitting';
 import { tone } from '../ui/tones';
-import type { Board, Cell } from './contests';
+import type { Board, Cell } from '../results/contests';
 import type { Layout } from './matrix-layout';
 import { steps, toneName, toneOf } from './scale';
 

@@ -2,7 +2,7 @@
 import { h } from '../ui/dom';
 import { paperWidth } from '../ui/tones';
 import { cellText, contestText } from './cell-text';
-import type { Board } from './contests';
+import type { Board } from '../results/contests';
 import { cellAt, matrixLayout, moved, widthFor, type Layout, type Place, type Width } from './matrix-layout';
 import { matrixLegend } from './matrix-legend';
 import { paintMatrix } from './matrix-paint';

@@ -1,6 +1,6 @@
 // What becomes of mice as noise grows: of races that differ in nothing but their noise.
 import type { Fields, RaceGroup } from '../core/types';
-import { isNumber } from './format';
+import { isNumber } from '../ui/format';
 
 export interface NoisyMouse {
   name: string;

@@ -3,7 +3,7 @@ import uPlot from 'uplot';
 import 'uplot/dist/uPlot.min.css';
 import { h } from '../ui/dom';
 import { paperWidth, tone } from '../ui/tones';
-import { number } from './format';
+import { number } from '../ui/format';
 import { nameLines, roomForNames } from './line-names';
 import { styleOf } from './mouse-styles';
 import type { NoiseCurves } from './noise-data';

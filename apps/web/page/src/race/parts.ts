@@ -1,8 +1,8 @@
 // What the parts of the view of a race have in common.
 import type { RaceResults } from '../core/types';
 import { h } from '../ui/dom';
-import { groupsOf } from './contests';
-import { counted } from './format';
+import { groupsOf } from '../results/contests';
+import { counted } from '../ui/format';
 
 /** What the race was, in one line. */
 export function facts(results: RaceResults): string {

@@ -1,7 +1,7 @@
 // Means with their intervals along one axis: a head with the ticks, and a picture for each row.
 import { svg } from '../ui/dom';
 import { tickDigits, ticks } from './axis';
-import { isNumber, number } from './format';
+import { isNumber, number } from '../ui/format';
 
 const width = 210;
 const margin = 14;

@@ -3,7 +3,7 @@ import { Stopped } from '../core/client';
 import type { MazeData, RobotKey, RobotValue, RouteRegion, RouteRegions, VariedRange } from '../core/types';
 import { h } from '../ui/dom';
 import { complainAt, field } from '../ui/field';
-import type { Page } from '../views/view';
+import type { Page } from '../page/page';
 import type { Values } from './form';
 
 /** The robot and the maze that are asked about. */

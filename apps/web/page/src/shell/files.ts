@@ -1,6 +1,6 @@
 // What happens with files that reach the page: each goes to the core, and then to the view that it belongs to.
 import type { MazeData, Play, RaceResults } from '../core/types';
-import type { Page } from '../views/view';
+import type { Page } from '../page/page';
 import type { Notices } from './notices';
 import { openIn, sortOut, type OneFile, type Open, type SortedOut } from './sorting-out';
 

@@ -1,9 +1,9 @@
 // What stands around the views.
 import { h, svg } from '../ui/dom';
 import { createMenu } from './menu';
-import type { Shelf } from './shelf';
+import type { Shelf } from '../page/shelf';
 import { themeSwitch } from './theme';
-import { titleOf, viewNames, type ViewName } from './routes';
+import { titleOf, viewNames, type ViewName } from '../link/routes';
 import type { Notices } from './notices';
 import type { Intake } from './drop';
 

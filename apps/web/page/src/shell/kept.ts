@@ -2,8 +2,8 @@
 import type { Core } from '../core/client';
 import type { MazeData, Play, RaceResults } from '../core/types';
 import { readAddress, type Moment } from '../link/address';
-import type { KeptRobot } from '../robot/mine';
-import type { Shelf } from './shelf';
+import type { KeptRobot } from '../link/my-robot';
+import type { Shelf } from '../page/shelf';
 
 /** Of one thing, in characters; what is larger is opened again from its file. */
 const most = 20_000_000;

@@ -1,7 +1,7 @@
 // What is wanted now and then, behind three dots: what the browser keeps, and on narrow screens all tools of the header.
 import { h } from '../ui/dom';
 import type { Notices } from './notices';
-import type { Shelf } from './shelf';
+import type { Shelf } from '../page/shelf';
 
 /** As the style sheet has it. */
 const narrow = '(max-width: 40rem)';

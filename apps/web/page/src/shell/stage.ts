@@ -1,8 +1,8 @@
 // One view is shown at a time. Views come when the core has started; what was meant for them waits until then.
 import { h } from '../ui/dom';
-import type { View } from '../views/view';
+import type { View } from '../page/page';
 import type { Frame } from './frame';
-import { routeOf, type ViewName } from './routes';
+import { routeOf, type ViewName } from '../link/routes';
 
 /** Where a link leads, for the view that it names. */
 export class Link {

@@ -4,7 +4,7 @@ import { restoreDrawing } from '../draw/storage';
 import { addressOf, readAddress } from '../link/address';
 import { mazeAt, placeOf } from '../link/mazes';
 import { h } from '../ui/dom';
-import type { Page, View } from './view';
+import type { Page, View } from '../page/page';
 import '../styles/forms.css';
 import '../styles/draw.css';
 

@@ -4,7 +4,7 @@ import { meet, pairs, type Met } from '../home/pairs';
 import { addressOf, readAddress } from '../link/address';
 import { icon, type IconName } from '../player/icons';
 import { h } from '../ui/dom';
-import type { EarlyPage, View } from './view';
+import type { EarlyPage, View } from '../page/page';
 import '../styles/home.css';
 
 export function createHome(page: EarlyPage): View {

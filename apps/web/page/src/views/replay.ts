@@ -5,12 +5,12 @@ import { mazeAt, placeOf } from '../link/mazes';
 import type { Camera } from '../maze/camera';
 import { isSameMaze } from '../maze/same';
 import { h } from '../ui/dom';
-import { createBeside } from '../player/beside';
-import { createChooser } from '../player/chooser';
+import { createBeside } from '../replay/beside';
+import { createChooser } from '../replay/chooser';
 import { createPlayer } from '../player/player';
 import type { Shown } from '../player/side';
 import '../styles/replay.css';
-import type { Page, View } from './view';
+import type { Page, View } from '../page/page';
 
 export function createReplay(page: Page): View {
   const still = matchMedia('(prefers-reduced-motion: reduce)');

@@ -2,7 +2,7 @@
 import { h } from '../ui/dom';
 import { createCopyable } from '../ui/copy';
 import { field } from '../ui/field';
-import type { Page } from '../views/view';
+import type { Page } from '../page/page';
 import { createEditor, type Editor } from './editor/editor';
 import { linkOf, longestProgram, readLink, type Work } from './keeping';
 import { languages } from './languages';

@@ -1,7 +1,7 @@
 // Whom a program races against, and where.
 import type { MazeData } from '../core/types';
-import { namedApart, picks, usual } from '../race/hold-panel';
-import type { Page } from '../views/view';
+import { namedApart, picks, usual } from '../choice/picks';
+import type { Page } from '../page/page';
 import { h } from '../ui/dom';
 
 export interface RaceForm {

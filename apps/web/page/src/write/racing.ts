@@ -2,8 +2,8 @@
 import type { Core } from '../core/client';
 import type { MazeData, PackedRecord, PlayedMouse, RaceResults } from '../core/types';
 import { isSameMaze } from '../maze/same';
-import { holdRace, type Order, type Progress } from '../race/holding';
-import { joined } from '../race/joining';
+import { holdRace, type Order, type Progress } from '../results/holding';
+import { joined } from '../results/joining';
 import { holdContest, type Entry, type Held } from './contest';
 import type { Cage } from './sandbox/cage';
 

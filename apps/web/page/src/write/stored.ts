@@ -1,6 +1,6 @@
 // What somebody wrote, kept in the browser. All tabs share one storage: each tab has an id, and no tab overwrites what
 // another one wrote without keeping that under the other's id.
-import { besides as key } from '../shell/shelf';
+import { besides as key } from '../page/shelf';
 import { jsonOf, readWork, type Work } from './keeping';
 
 /** A program that another tab has overwritten, and the name under which it is kept. */

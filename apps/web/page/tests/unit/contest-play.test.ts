@@ -2,8 +2,9 @@ import { describe, expect, it } from 'vitest';
 import type { Core } from '../../src/core/client';
 import type { About, MazeData, PackedRecord, Play, RaceResults } from '../../src/core/types';
 import { contestPlay, recordOf } from '../../src/race/contest-play';
-import { boardsOf, type Contest } from '../../src/race/contests';
-import type { EarlyPage, LoadedRace } from '../../src/views/view';
+import { boardsOf, type Contest } from '../../src/results/contests';
+import type { EarlyPage } from '../../src/page/page';
+import type { LoadedRace } from '../../src/results/loaded';
 
 const results = {
   budget: 500,

@@ -2,7 +2,7 @@
 import { expect, it } from 'vitest';
 import type { Core } from '../../src/core/client';
 import type { Fields, WorldInPage } from '../../src/core/types';
-import { eachOf, holdRace } from '../../src/race/holding';
+import { eachOf, holdRace } from '../../src/results/holding';
 import { noiseCurves } from '../../src/race/noise-data';
 
 const setting = (name: string, more = {}) => ({ name, type: 'text', default: '1', meaning: '', ...more });

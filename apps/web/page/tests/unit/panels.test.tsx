@@ -16,7 +16,7 @@ import { Steps } from '../../src/player/steps';
 import { prepare } from '../../src/player/track';
 import { Transport } from '../../src/player/transport';
 import { momentText } from '../../src/player/words';
-import type { Page } from '../../src/views/view';
+import type { Page } from '../../src/page/page';
 import { mms, seconds, steps } from './plays';
 import { actionsOf, sideOf, stateOf } from './sides';
 

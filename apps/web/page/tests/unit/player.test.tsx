@@ -2,7 +2,7 @@
 // The player as a whole, with a canvas that takes everything and paints nothing.
 import { afterEach, beforeEach, expect, it, vi } from 'vitest';
 import { createPlayer } from '../../src/player/player';
-import type { EarlyPage } from '../../src/views/view';
+import type { EarlyPage } from '../../src/page/page';
 import { steps } from './plays';
 
 const canvas: unknown = new Proxy(() => canvas, { get: (_, name) => (name === 'width' ? 1 : canvas), set: () => true });

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { RaceResults } from '../../src/core/types';
 import { cellText } from '../../src/race/cell-text';
-import { boardsOf } from '../../src/race/contests';
+import { boardsOf } from '../../src/results/contests';
 import { cellAt, matrixLayout, moved, widthFor } from '../../src/race/matrix-layout';
 import { hardness, orderedMazes } from '../../src/race/maze-order';
 import { toneLabels, toneOf } from '../../src/race/scale';

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { RacedMouse, RaceGroup, RaceResults } from '../../src/core/types';
-import { joined } from '../../src/race/joining';
-import { sorted } from '../../src/race/sorting';
+import { joined } from '../../src/results/joining';
+import { sorted } from '../../src/results/sorting';
 
 describe('sorted', () => {
   const rows = [{ v: 3 }, { v: null }, { v: 1 }, { v: 3, second: true }];

@@ -1,11 +1,11 @@
 import { describe, expect, it } from 'vitest';
 import type { RaceResults } from '../../src/core/types';
 import { tickDigits, ticks } from '../../src/race/axis';
-import { boardsOf } from '../../src/race/contests';
+import { boardsOf } from '../../src/results/contests';
 import { grid, ratiosOf, shares } from '../../src/race/curves-data';
 import { failureDifferences, pairsOf } from '../../src/race/duel-data';
 import { duelWords, failureWords } from '../../src/race/duel-words';
-import { number, scoreText, signed } from '../../src/race/format';
+import { number, scoreText, signed } from '../../src/ui/format';
 
 describe('numbers', () => {
   it('have a true minus, and a dash where there is none', () => {

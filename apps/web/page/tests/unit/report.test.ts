@@ -2,9 +2,9 @@ import { gzipSync } from 'node:zlib';
 import { describe, expect, it } from 'vitest';
 import type { Core } from '../../src/core/client';
 import type { About, MazeData, PackedRecord, RaceResults } from '../../src/core/types';
-import { readRecords, readReport } from '../../src/report/blocks';
-import { loadedRace, type Sources } from '../../src/report/loaded';
-import { find, shortNames, stem } from '../../src/report/names';
+import { readRecords, readReport } from '../../src/results/blocks';
+import { loadedRace, type Sources } from '../../src/results/loaded';
+import { find, shortNames, stem } from '../../src/results/names';
 
 const pack = (json: unknown) => gzipSync(JSON.stringify(json)).toString('base64');
 const results = { mazes: [{ name: 'a.txt', width: 8, height: 8 }], mice: [{ name: 'flood', results: [] }] };

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { CoreError } from '../../src/core/client';
 import type { MazeData, Opened, Play, RaceResults } from '../../src/core/types';
 import { linesOf, problemLine } from '../../src/shell/notices';
-import { routeOf } from '../../src/shell/routes';
+import { routeOf } from '../../src/link/routes';
 import { summary } from '../../src/shell/files';
 import { openIn, sortOut, type Open } from '../../src/shell/sorting-out';
 

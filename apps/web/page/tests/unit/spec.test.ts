@@ -1,6 +1,6 @@
 import { expect, it } from 'vitest';
 import type { Mouse, Parameter } from '../../src/core/types';
-import { readSpec, specOf, valueOf } from '../../src/live/spec';
+import { readSpec, specOf, valueOf } from '../../src/choice/spec';
 
 const parameter = (name: string, usual: string): Parameter => ({ name, type: 'choice', default: usual, meaning: '' });
 const mice: Mouse[] = [

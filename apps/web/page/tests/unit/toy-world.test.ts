@@ -3,11 +3,11 @@ import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import type { RaceGroup, RaceResults } from '../../src/core/types';
 import { cellText } from '../../src/race/cell-text';
-import { boardOf, groupsOf } from '../../src/race/contests';
+import { boardOf, groupsOf } from '../../src/results/contests';
 import { ratiosOf } from '../../src/race/curves-data';
 import { columnsOf, orderedBy } from '../../src/race/leaderboard-columns';
 import { pairsOf } from '../../src/race/duel-data';
-import { homeGroup, worldOf } from '../../src/race/worlds';
+import { homeGroup, worldOf } from '../../src/results/worlds';
 
 const file = new URL('../../../../../tests/toy/results.json', import.meta.url);
 const results = JSON.parse(readFileSync(file, 'utf8')) as RaceResults;

@@ -1,7 +1,7 @@
 // The contests of a race as rows (mice) and columns (mazes), the same for all worlds.
 import type { Fields, RaceGroup, RaceResults } from '../core/types';
-import { shortNames } from '../report/names';
-import { orNull } from './format';
+import { shortNames } from './names';
+import { orNull } from '../ui/format';
 import { homeGroup, worldOf, type RacedWorld } from './worlds';
 
 export interface Contest {

@@ -1,8 +1,10 @@
 // A race in the page, mouse by mouse, so that the page stays lively between the pieces.
 import { Stopped, type Core } from '../core/client';
 import type { MazeData, RaceResults, WorldInPage } from '../core/types';
-import type { Settings } from '../live/world-choice';
 import { joined, sideBySide } from './joining';
+
+/** Settings of a world by their names, as the core's `race` takes them. */
+export type Settings = Record<string, string | number | boolean>;
 
 export interface Order {
   mice: string[];

@@ -4,7 +4,7 @@ import { h } from '../ui/dom';
 import { field } from '../ui/field';
 import { createGenerator } from '../ui/generator';
 import { createLatest } from '../ui/latest';
-import type { Page } from '../views/view';
+import type { Page } from '../page/page';
 
 type Source = 'built-in' | 'generator' | 'drawing' | 'given';
 

@@ -1,6 +1,6 @@
 // The pieces of a race that was held in the page, one mouse each, as one race.
 import type { RaceGroup, RaceResults } from '../core/types';
-import { orNull } from './format';
+import { orNull } from '../ui/format';
 import { sorted } from './sorting';
 import { worldOf } from './worlds';
 

@@ -2,17 +2,17 @@
 import { render } from 'preact';
 import type { Core } from '../core/client';
 import type { About, Fields, MazeData, Play, WorldInPage } from '../core/types';
-import { namedApart } from '../race/hold-panel';
-import { mazesOf } from '../race/holding';
-import { calledOf } from '../race/worlds';
+import { namedApart } from '../choice/picks';
+import { mazesOf } from '../results/holding';
+import { calledOf } from '../results/worlds';
 import { h } from '../ui/dom';
-import type { Page } from '../views/view';
+import type { Page } from '../page/page';
 import { holdContest } from '../write/contest';
 import type { Work } from '../write/keeping';
 import { kept } from '../write/stored';
 import { languages } from '../write/languages';
 import { createCage } from '../write/sandbox/cage';
-import type { Shown } from './side';
+import type { Shown } from '../player/side';
 
 export interface Picked {
   world: string;

@@ -1,20 +1,10 @@
 // What every view is given, and what it gives.
 import type { Core } from '../core/client';
-import type { Shelf } from '../shell/shelf';
+import type { LoadedRace } from '../results/loaded';
+import type { Shelf } from './shelf';
 import type { Camera } from '../maze/camera';
-import type { Order } from '../race/holding';
+import type { Order } from '../results/holding';
 import type { About, MazeData, PackedRecord, Play, RaceResults } from '../core/types';
-
-/** A report that the page carries, or results that were dropped on it. */
-export interface LoadedRace {
-  results: RaceResults;
-  /** The maze of that name, where the race brought it or the core has it. */
-  maze(name: string): Promise<MazeData | null>;
-  /** The records of those contests; empty where there is none. */
-  records(mouse: string, maze: string): Promise<PackedRecord[]>;
-  /** What was asked for, where the race was held in the page. */
-  order?: Order;
-}
 
 /** The page around the views, as it is from the first moment on, while the core starts. */
 export interface EarlyPage {

@@ -1,13 +1,11 @@
 // In which world mice run, and what is set of it: all that the core has, each with its settings.
 import type { About, Parameter, WorldInPage } from '../core/types';
-import { isMine, myRobot, nameOf, onMyRobot, setMyRobot } from '../robot/mine';
-import { calledOf } from '../race/worlds';
+import { isMine, myRobot, nameOf, onMyRobot, setMyRobot } from '../link/my-robot';
+import type { Settings } from '../results/holding';
+import { calledOf } from '../results/worlds';
 import { h } from '../ui/dom';
 import { field } from '../ui/field';
 import { controlOf, read } from './parameters';
-
-/** Settings of a world by their names, as the core's `race` takes them. */
-export type Settings = Record<string, string | number | boolean>;
 
 export interface WorldChoice {
   element: HTMLElement;

@@ -2,7 +2,7 @@
 // how a contest is run again. A world that is not listed is shown by the fields that all have.
 import type { Core } from '../core/client';
 import type { Fields, MazeData, Play, RaceGroup } from '../core/types';
-import { isNumber, orNull } from './format';
+import { isNumber, orNull } from '../ui/format';
 
 /** A column of a leaderboard: a figure of a mouse. */
 export interface FigureColumn {

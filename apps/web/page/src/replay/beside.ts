@@ -1,8 +1,8 @@
 // A mouse of ours beside the contest that is shown, under its conditions.
 import type { Play } from '../core/types';
 import { h } from '../ui/dom';
-import type { Page } from '../views/view';
-import type { Shown } from './side';
+import type { Page } from '../page/page';
+import type { Shown } from '../player/side';
 
 export interface Beside {
   element: HTMLElement;

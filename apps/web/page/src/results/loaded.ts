@@ -1,9 +1,19 @@
 // A race with what belongs to it: its mazes, from wherever they can be had, and its records.
 import type { Core } from '../core/client';
 import type { About, MazeData, PackedRecord, RaceResults } from '../core/types';
-import type { LoadedRace } from '../views/view';
-import type { Order } from '../race/holding';
+import type { Order } from './holding';
 import { find, stem } from './names';
+
+/** A report that the page carries, or results that were dropped on it. */
+export interface LoadedRace {
+  results: RaceResults;
+  /** The maze of that name, where the race brought it or the core has it. */
+  maze(name: string): Promise<MazeData | null>;
+  /** The records of those contests; empty where there is none. */
+  records(mouse: string, maze: string): Promise<PackedRecord[]>;
+  /** What was asked for, where the race was held in the page. */
+  order?: Order;
+}
 
 export interface Sources {
   core: Core;

@@ -1,6 +1,5 @@
 // What the view of a race begins with: a small race of mice that the page has, held at once.
-import { loadedRace } from '../report/loaded';
-import type { EarlyPage, LoadedRace } from '../views/view';
+import { loadedRace, type LoadedRace, type Sources } from './loaded';
 import { holdRace, type Order } from './holding';
 
 const mice = ['ariadne', 'flood-return', 'flood'];
@@ -9,13 +8,15 @@ const mostMazes = 3;
 const side = 16;
 
 /** Null where it is not wanted any more. */
-export async function exampleRace(page: EarlyPage, wanted: () => boolean): Promise<LoadedRace | null> {
-  const { mazes: all } = await page.ready;
+export async function exampleRace(
+  { core, ready }: Pick<Sources, 'core' | 'ready'>,
+  wanted: () => boolean,
+): Promise<LoadedRace | null> {
+  const { mazes: all } = await ready;
   const names = all.filter(({ width, height }) => width === side && height === side).map(({ name }) => name);
   const order: Order = { mice, mazes: names.slice(0, mostMazes), runs: 1, seed: 1 };
-  const held = await holdRace(page.core, order, () => undefined, wanted);
+  const held = await holdRace(core, order, () => undefined, wanted);
   if (!held || !wanted()) return null;
-  const { core, ready } = page;
   const sources = { core, ready, links: new Map(), opened: new Map(), records: async () => [] };
   return loadedRace(held.results, { ...sources, raced: held.mazes, order });
 }
