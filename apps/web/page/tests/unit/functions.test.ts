@@ -1,0 +1,66 @@
+// No function of the page has more lines than fit on a screen. The list of those that do only shrinks.
+import { readdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import ts from 'typescript';
+import { expect, it } from 'vitest';
+
+const mostLines = 60;
+const stillLonger = [
+  'choice/maze-choice.ts createMazeChoice',
+  'choice/mouse-choice.ts createMouseChoice',
+  'draw/board.ts createBoard',
+  'draw/desk.ts createDesk',
+  'home/race.ts createFrontRace',
+  'live/bench.ts createBench',
+  'live/everyone.ts createEveryone',
+  'maze/stage.ts createStage',
+  'player/curves.ts createCurves',
+  'player/legend.tsx signsOf',
+  'player/player.tsx createPlayer',
+  'player/scene.ts createScene',
+  'player/sheet.ts createSheet',
+  'player/steps.tsx List',
+  'race/curves.ts curves',
+  'race/duel.ts duel',
+  'race/heat.ts heat',
+  'race/hold-panel.ts holdPanel',
+  'race/matrix.ts matrix',
+  'race/noise.ts noisePicture',
+  'replay/chooser.tsx Form',
+  'replay/chooser.tsx createChooser',
+  'robot/form.ts createRobotForm',
+  'robot/regions.ts createRegions',
+  'shell/kept.ts createFinder',
+  'shell/stage.ts createStage',
+  'views/home.ts createHome',
+  'views/live.ts createLive',
+  'views/race.ts createRace',
+  'views/replay.ts createReplay',
+  'views/robot.ts createRobot',
+  'views/write.ts createWrite',
+  'write/desk.ts createDesk',
+  'write/stored.ts createStored',
+];
+
+const root = fileURLToPath(new URL('../../src', import.meta.url));
+const files = readdirSync(root, { recursive: true, encoding: 'utf8' }).filter((file) => /\.tsx?$/.test(file));
+
+function longFunctions(file: string): string[] {
+  const source = ts.createSourceFile(file, readFileSync(join(root, file), 'utf8'), ts.ScriptTarget.Latest, true);
+  const lineOf = (position: number) => source.getLineAndCharacterOfPosition(position).line;
+  const found: string[] = [];
+  function visit(node: ts.Node) {
+    if (ts.isFunctionLike(node) && 'body' in node && node.body) {
+      const name = [node, node.parent].map((one) => (one as ts.NamedDeclaration).name?.getText(source)).find(Boolean);
+      if (lineOf(node.end) - lineOf(node.getStart(source)) >= mostLines) found.push(`${file} ${name ?? 'unnamed'}`);
+    }
+    ts.forEachChild(node, visit);
+  }
+  visit(source);
+  return found;
+}
+
+it(`no function has more than ${mostLines} lines`, () => {
+  expect(files.flatMap(longFunctions).sort()).toEqual(stillLonger);
+});
