@@ -26,3 +26,17 @@ export function svgOf(
   const box = `width="${width / ratio}" height="${height / ratio}" viewBox="0 0 ${width} ${height}"`;
   return `<svg xmlns="http://www.w3.org/2000/svg" ${box}>\n${drawn.elements()}\n</svg>\n`;
 }
+
+/** What paints a file, and its size. */
+export interface Picture {
+  g: Size;
+  paint: (context: Context) => void;
+}
+
+type Save = (fileName: string, content: string | Uint8Array<ArrayBuffer>, type: string) => void;
+
+/** Saves it under that name, which gets the ending. */
+export async function savePicture(save: Save, name: string, ending: 'png' | 'svg', { g, paint }: Picture) {
+  if (ending === 'png') save(`${name}.png`, await pngOf(g, paint), 'image/png');
+  else save(`${name}.svg`, svgOf(g, paint), 'image/svg+xml');
+}
