@@ -1,5 +1,5 @@
 // Several things chosen from a list, such as the mice and mazes of a race.
-import type { MazeData } from '../core/types';
+import type { About, MazeData } from '../core/types';
 import { h } from '../ui/dom';
 
 /** The mice that race where nobody chose others. */
@@ -85,4 +85,30 @@ export function namedApart(mazes: MazeData[], taken: string[]): MazeData[] {
     names.add(name);
     return { ...maze, name };
   });
+}
+
+/** Built-in mazes, and the user's own, which `mine` gives; `on` says whether those are chosen at first. */
+export function mazePicks(title: string, { mazes }: About, mine: () => MazeData[], on: boolean) {
+  const builtin = mazes.map(({ name, width, height }) => ({ name, about: `${width}×${height}`, on: true }));
+  const list = picks(title, builtin);
+  /** By the names under which they are offered. */
+  let own = new Map<string, MazeData>();
+  /** Offers those that there are by now. */
+  function refresh() {
+    const found = namedApart(
+      mine(),
+      builtin.map(({ name }) => name),
+    );
+    own = new Map(found.map((maze) => [maze.name, maze]));
+    const offered = found.map(({ name, width, height }) => ({ name, about: `${width}×${height}, yours`, on }));
+    list.offer([...offered, ...builtin]);
+  }
+  refresh();
+  return {
+    ...list,
+    refresh,
+    own: () => own,
+    /** Built-in ones by their names. */
+    chosenMazes: () => list.chosen().map((name) => own.get(name) ?? name),
+  };
 }

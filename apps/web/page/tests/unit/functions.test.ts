@@ -37,7 +37,6 @@ const stillLonger = [
   'views/live.ts createLive',
   'views/race.ts createRace',
   'views/replay.ts createReplay',
-  'views/write.ts createWrite',
   'write/desk.ts createDesk',
   'write/stored.ts createStored',
 ];

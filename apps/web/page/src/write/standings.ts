@@ -1,0 +1,41 @@
+// The race of a program: its place among the mice, and what it lost where.
+import { leaderboard } from '../race/leaderboard';
+import { groupsOf } from '../results/contests';
+import { h } from '../ui/dom';
+import type { Held } from './contest';
+import { losses } from './losses';
+import type { Raced } from './racing';
+
+const contestsOf = ({ now }: Raced) => now.contests;
+const nameOf = ({ now, before }: Raced) => ({
+  name: now.contests[0].play.mouse,
+  old: before?.contests[0].play.mouse,
+});
+
+/** "my-mouse is number 2 of 6: solved 9 of 10 mazes", and whether that was all of them. */
+export function placeInWords(raced: Raced): [words: string, solvedAll: boolean] {
+  const [group] = groupsOf(raced.results);
+  const { name, old } = nameOf(raced);
+  const place = (of: string) => group.mice.findIndex((mouse) => mouse.name === of) + 1;
+  const contests = contestsOf(raced);
+  const solved = contests.filter(({ play }) => play.solved).length;
+  const than = old === undefined ? '' : `; ${old} is number ${place(old)}`;
+  return [
+    `${name} is number ${place(name)} of ${group.mice.length}: solved ${solved} of ${contests.length} mazes${than}`,
+    solved === contests.length,
+  ];
+}
+
+/** `open` shows a contest of the program. */
+export function standingsOf(raced: Raced, open: (held: Held) => void): HTMLElement[] {
+  const [group] = groupsOf(raced.results);
+  const { name, old } = nameOf(raced);
+  const race = h('a', { href: '#race' }, 'Race');
+  return [
+    h('h2', {}, 'Leaderboard'),
+    leaderboard(group, () => undefined, old === undefined ? [name] : [name, old]).element,
+    h('h2', {}, `What ${name} lost where`),
+    losses(contestsOf(raced), open),
+    h('p', { class: 'note' }, 'All of this race, with its pictures, stands in ', race, '.'),
+  ];
+}
