@@ -94,3 +94,18 @@ export async function contestPlay(
   if (!again) throw new Error(`The results do not contain the seed of ${mouse} in ${short}.`);
   return { ...again, remark: scoreRemark(again.play, contest) };
 }
+
+/** Opens the replay of contests of that race, beside each other. */
+export const replayContests =
+  (page: EarlyPage, race: LoadedRace, board: Board) => (at: { mouse: number; maze: number; position: number }[]) => {
+    page.tell('Opening the replay …');
+    Promise.all(at.map((one) => contestPlay(page, race, board, one)))
+      .then((plays) => {
+        page.tell([...new Set(plays.map(({ remark }) => remark).filter(Boolean))].join(' '));
+        page.replay(plays.map(({ play, record }) => ({ play, record })));
+      })
+      .catch((error) => {
+        page.tell('');
+        page.complain(error);
+      });
+  };

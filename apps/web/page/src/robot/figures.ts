@@ -1,6 +1,7 @@
 // What follows from a robot, in tables and drawings, beside the robot that it began from.
 import type { RobotResult, RobotRoute, RobotTurn } from '../core/types';
 import { h, svg } from '../ui/dom';
+import { table } from '../ui/table';
 
 /** `220.40 ms`, and what it was before where that is another. All figures of a kind have as many digits. */
 export function changedText(now: number, before: number | null | undefined, unit: string, digits: number) {
@@ -88,15 +89,13 @@ const moves: [keyof RobotResult['search'], string][] = [
   ['known_8', 'eight known cells straight on'],
 ];
 
-const table = (label: string, rows: HTMLElement[]) =>
-  h('div', { class: 'scroll' }, h('table', { 'aria-label': label }, h('tbody', {}, ...rows)));
-
-const row = (name: string, value: HTMLElement) => h('tr', {}, h('th', { scope: 'row' }, name), h('td', {}, value));
+type Row = [name: string, value: HTMLElement];
+const listOf = (label: string, rows: Row[]) => h('div', { class: 'scroll' }, table({ 'aria-label': label }, [], rows));
 
 export const searchTable = ({ search }: RobotResult, before: RobotResult | null) =>
-  table(
+  listOf(
     'Moves of a search',
-    moves.map(([key, name]) => row(name, changedText(search[key], before?.search[key], 'ms', 3))),
+    moves.map(([key, name]) => [name, changedText(search[key], before?.search[key], 'ms', 3)]),
   );
 
 export function straightTables({ straights }: RobotResult, before: RobotResult | null) {
@@ -106,11 +105,12 @@ export function straightTables({ straights }: RobotResult, before: RobotResult |
       'div',
       {},
       h('h4', {}, `${kind === 'straight' ? 'Straights' : 'Diagonals'} between turns at ${speed.toFixed(0)} mm/s`),
-      table(
+      listOf(
         `Times of ${kind === 'straight' ? 'straights' : 'diagonals'}`,
-        times.map(({ steps, ms }) =>
-          row(`${steps} ${step}`, changedText(ms, was?.find((one) => one.steps === steps)?.ms, 'ms', 3)),
-        ),
+        times.map(({ steps, ms }) => [
+          `${steps} ${step}`,
+          changedText(ms, was?.find((one) => one.steps === steps)?.ms, 'ms', 3),
+        ]),
       ),
     );
   });
@@ -121,15 +121,18 @@ const seconds = (microseconds: number | null | undefined) =>
 
 /** The times of the best route, with those of the robot it began from. */
 export function routeTable(route: RobotRoute, before: RobotRoute | null) {
-  const time = (name: string, key: 'time_us' | 'gate_to_gate_us' | 'without_diagonals_us' | 'small_turns_us') => {
+  const time = (
+    name: string,
+    key: 'time_us' | 'gate_to_gate_us' | 'without_diagonals_us' | 'small_turns_us',
+  ): Row[] => {
     const now = seconds(route[key]);
-    return now === null ? [] : [row(name, changedText(now, seconds(before?.[key]), 's', 3))];
+    return now === null ? [] : [[name, changedText(now, seconds(before?.[key]), 's', 3)]];
   };
-  return table('The best route', [
+  return listOf('The best route', [
     ...time('from rest to the centre of the goal', 'time_us'),
     ...time('gate to gate: from leaving the start cell to entering a goal', 'gate_to_gate_us'),
     ...time('the best without diagonals', 'without_diagonals_us'),
     ...time('the best with S90 alone, the small turn of a search', 'small_turns_us'),
-    row(`cells entered, at least ${route.fewest_cells}`, h('span', {}, `${route.cells}`)),
+    [`cells entered, at least ${route.fewest_cells}`, h('span', {}, `${route.cells}`)],
   ]);
 }

@@ -3,6 +3,7 @@ import { Stopped } from '../core/client';
 import type { MazeData, RobotKey, RobotValue, RouteRegion, RouteRegions, VariedRange } from '../core/types';
 import { h } from '../ui/dom';
 import { complainAt, field } from '../ui/field';
+import { scrolling, table } from '../ui/table';
 import type { Page } from '../page/page';
 import type { Values } from './form';
 
@@ -46,24 +47,8 @@ export const valueText = (value: number): string => String(Number(value.toPrecis
 const seconds = (microseconds: number) => (microseconds / 1e6).toFixed(3);
 const withUnit = ({ key, unit }: { key: string; unit: string }) => (unit ? `${key}, ${unit}` : key);
 
-function tableOf(label: string, heads: string[], rows: string[][]): HTMLElement {
-  return h(
-    'div',
-    { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': `${label}, table` },
-    h(
-      'table',
-      { 'aria-label': label },
-      h('thead', {}, h('tr', {}, ...heads.map((head) => h('th', { scope: 'col' }, head)))),
-      h(
-        'tbody',
-        {},
-        ...rows.map(([first, ...rest]) =>
-          h('tr', {}, h('th', { scope: 'row' }, first), ...rest.map((text) => h('td', {}, text))),
-        ),
-      ),
-    ),
-  );
-}
+const tableOf = (label: string, heads: string[], rows: string[][]): HTMLElement =>
+  scrolling(`${label}, table`, table({ 'aria-label': label }, heads, rows), 'scroll');
 
 function regionRow(region: RouteRegion, cellsOf: (route: string) => string): string[] {
   const range = [valueText(region.from), valueText(region.to)];

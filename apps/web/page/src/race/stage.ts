@@ -1,0 +1,43 @@
+// The best mouse of a race on a stage beside its tables.
+import type { EarlyPage } from '../page/page';
+import { createPlayer } from '../player/player';
+import { groupsOf, type Board } from '../results/contests';
+import type { LoadedRace } from '../results/loaded';
+import { worldOf } from '../results/worlds';
+import { h } from '../ui/dom';
+import { scoreText } from '../ui/format';
+import { contestPlay } from './contest-play';
+
+/**
+ * Whether one of its contests can be put on a stage: what came in a file may be large, and be of mice that the page cannot
+ * run, and there are worlds in which it runs none again.
+ */
+export function hasStage({ order, results }: LoadedRace): boolean {
+  const [group] = groupsOf(results);
+  return order !== undefined && group !== undefined && worldOf(group).again !== undefined;
+}
+
+export function createRaceStage(page: EarlyPage) {
+  const player = createPlayer(page);
+  const words = h('p', { class: 'unseen on-stage', role: 'status' });
+  return {
+    element: h('div', { class: 'bench' }, player.element),
+    words,
+    stop: player.stop,
+    clear() {
+      player.show([]);
+      words.replaceChildren();
+    },
+    /** The best mouse in the first maze, while that is `wanted`. */
+    perform(race: LoadedRace, board: Board, wanted: () => boolean) {
+      contestPlay(page, race, board, { mouse: 0, maze: 0, position: 0 })
+        .then((one) => {
+          if (!wanted()) return;
+          player.show([one], 'end');
+          const { mouse, maze, score } = one.play;
+          words.replaceChildren(`On the stage: ${mouse} in ${maze.name}, score ${scoreText(score)}.`);
+        })
+        .catch(page.complain);
+    },
+  };
+}
