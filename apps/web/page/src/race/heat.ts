@@ -4,8 +4,9 @@ import { cellAt, fit, numbered, type Geometry } from '../maze/geometry';
 import { fontOf } from '../maze/fonts';
 import type { Context } from '../maze/painter';
 import { readPalette, type Palette } from '../maze/palette';
-import { pngOf, svgOf } from '../maze/saved';
+import { savePicture, type Picture } from '../maze/saved';
 import { createStage, type Stage } from '../maze/stage';
+import { button, select } from '../ui/controls';
 import { h } from '../ui/dom';
 import type { EarlyPage } from '../page/page';
 import type { LoadedRace } from '../results/loaded';
@@ -90,12 +91,37 @@ function paintSaved(
   context.fillText(scale, line, g.canvasHeight - line / 3);
 }
 
+/** The same for a file. */
+function pictureOf(shown: Shown, losses: number[], kind: Kind): Picture {
+  const palette = readPalette();
+  const fitted = fit(shown.maze, side, side, 2, numbered);
+  const g = { ...fitted, canvasHeight: fitted.canvasHeight + 2 * line };
+  const scale = `Darkest: ${amount(Math.max(...losses), kind)} of the mean contest in one cell`;
+  return { g, paint: (context) => paintSaved(context, g, palette, shown, losses, scale) };
+}
+
+/** What the mean contest loses, and where most of it. */
+function lossWords({ maze, found }: Shown, losses: number[], kind: Kind): string {
+  const worst = losses
+    .map((loss, cell) => ({ loss, cell }))
+    .filter(({ loss }) => loss > 0)
+    .sort((a, b) => b.loss - a.loss)
+    .slice(0, told);
+  const where = worst.map(({ loss, cell }) => `${placeOf(cell, maze)} ${amount(loss, kind)}`).join(', ');
+  const sum = losses.reduce((all, loss) => all + loss, 0);
+  const failed = found.contests - found.solved;
+  const without = failed > 0 ? ` ${counted(failed, 'contest')} without a score left out.` : '';
+  if (sum <= 0) return `Nothing is lost here.${without}`;
+  return `The mean contest loses ${amount(sum, kind)}, most of it in ${where}.${without}`;
+}
+
 export interface Heat {
   element: HTMLElement;
   arrange(): void;
 }
 
-export function heat(page: EarlyPage, race: LoadedRace, board: Board): Heat {
+/** The losses on a stage, in words, and as files. */
+function createHeatMap(page: EarlyPage) {
   let stage: Stage | null = null;
   let shown: Shown | null = null;
   let kind: Kind = 'points';
@@ -107,112 +133,76 @@ export function heat(page: EarlyPage, race: LoadedRace, board: Board): Heat {
 
   function describe() {
     if (!shown || !stage) return;
-    const { maze, found } = shown;
-    const list = losses();
-    const worst = list
-      .map((loss, cell) => ({ loss, cell }))
-      .filter(({ loss }) => loss > 0)
-      .sort((a, b) => b.loss - a.loss)
-      .slice(0, told);
-    const where = worst.map(({ loss, cell }) => `${placeOf(cell, maze)} ${amount(loss, kind)}`).join(', ');
-    const sum = list.reduce((all, loss) => all + loss, 0);
-    const failed = found.contests - found.solved;
-    const without = failed > 0 ? ` ${counted(failed, 'contest')} without a score left out.` : '';
-    words.textContent =
-      sum > 0
-        ? `The mean contest loses ${amount(sum, kind)}, most of it in ${where}.${without}`
-        : `Nothing is lost here.${without}`;
+    words.textContent = lossWords(shown, losses(), kind);
     stage.describe(`${shown.title}. ${words.textContent}`);
-    scale.replaceChildren(legend(list, kind));
+    scale.replaceChildren(legend(losses(), kind));
     stage.redraw();
   }
   function place(next: Shown) {
+    const { maze } = next;
     shown = next;
     stage?.close();
-    stage = createStage(next.maze, (context, g, palette) => paintLosses(context, g, palette, next.maze, losses()), {
+    const made = createStage(maze, (context, g, palette) => paintLosses(context, g, palette, maze, losses()), {
       numbers: true,
     });
-    stage.canvas.addEventListener('pointermove', ({ offsetX, offsetY }) => {
-      const cell = cellAt(stage!.geometry(), offsetX, offsetY);
+    stage = made;
+    made.canvas.addEventListener('pointermove', ({ offsetX, offsetY }) => {
+      const cell = cellAt(made.geometry(), offsetX, offsetY);
       if (!cell) return;
-      const at = cell[1] * next.maze.width + cell[0];
-      caption.textContent = `(${cell[0]},${cell[1]}): ${amount(losses()[at], kind)}`;
+      const [x, y] = cell;
+      caption.textContent = `(${x},${y}): ${amount(losses()[y * maze.width + x], kind)}`;
     });
     caption.textContent = 'Point at a cell to see what is lost in it.';
-    room.replaceChildren(stage.element);
-    result.hidden = room.hidden = false;
+    room.replaceChildren(made.element);
+    element.hidden = room.hidden = false;
     describe();
   }
+  const save = (ending: 'png' | 'svg') =>
+    savePicture(page.save, 'lost-steps', ending, pictureOf(shown!, losses(), kind)).catch(page.complain);
+  const choice = select(
+    Object.entries(kinds).map(([value, { label }]) => [value, label]),
+    (value) => ((kind = value as Kind), describe()),
+  );
+  const row = h(
+    'div',
+    { class: 'row controls' },
+    h('label', { class: 'row' }, 'Show what is lost', choice),
+    button('Save as PNG', () => save('png')),
+    button('Save as SVG', () => save('svg')),
+  );
+  const element = h('div', { hidden: true }, row, words, room, caption, scale);
+  return { element, place, redraw: () => stage?.redraw() };
+}
+
+/** Runs the contests in that maze again, and says what they lose where. */
+async function findLosses(page: EarlyPage, race: LoadedRace, board: Board, at: number): Promise<Shown> {
+  const { name, short } = board.mazes[at];
+  const maze = await race.maze(name);
+  if (!maze) throw new Error(`The maze ${short} is not in this page. Drop its file here, then try again.`);
+  const { contests, others } = await contestsIn(page, board, at);
+  if (contests.length === 0) throw new Error(`The page can run none of the contests in ${short} again.`);
+  const { budget } = board.conditions;
+  const found = await page.core.call('losses', { maze, contests, ...(isNumber(budget) && { budget }) });
+  const without = others > 0 ? `, without ${counted(others, 'mouse', 'mice')} of other programs` : '';
+  const mice = counted(new Set(contests.map(({ mouse }) => mouse)).size, 'mouse', 'mice');
+  const title = `Where steps are lost in ${short}: ${mice}, ${counted(found.contests, 'contest')}${without}`;
+  return { maze, found, title };
+}
+
+export function heat(page: EarlyPage, race: LoadedRace, board: Board): Heat {
+  const map = createHeatMap(page);
+  const mazes = select(board.mazes.map(({ short, index }) => [index, short]));
+  const finder = button('Show where', find);
   async function find() {
-    const at = Number(mazes.value);
-    const { name, short } = board.mazes[at];
     finder.disabled = true;
     try {
-      const maze = await race.maze(name);
-      if (!maze) throw new Error(`The maze ${short} is not in this page. Drop its file here, then try again.`);
-      const { contests, others } = await contestsIn(page, board, at);
-      if (contests.length === 0) throw new Error(`The page can run none of the contests in ${short} again.`);
-      const { budget } = board.conditions;
-      const found = await page.core.call('losses', { maze, contests, ...(isNumber(budget) && { budget }) });
-      const without = others > 0 ? `, without ${counted(others, 'mouse', 'mice')} of other programs` : '';
-      const mice = new Set(contests.map(({ mouse }) => mouse)).size;
-      const title = `Where steps are lost in ${short}: ${counted(mice, 'mouse', 'mice')}, ${counted(found.contests, 'contest')}${without}`;
-      place({ maze, found, title });
+      map.place(await findLosses(page, race, board, Number(mazes.value)));
     } catch (error) {
       page.complain(error);
     } finally {
       finder.disabled = false;
     }
   }
-  const geometry = ({ maze }: Shown) => {
-    const g = fit(maze, side, side, 2, numbered);
-    return { ...g, canvasHeight: g.canvasHeight + 2 * line };
-  };
-  const scaleWords = () => `Darkest: ${amount(Math.max(...losses()), kind)} of the mean contest in one cell`;
-  function painted() {
-    const [g, palette] = [geometry(shown!), readPalette()];
-    return { g, paint: (context: Context) => paintSaved(context, g, palette, shown!, losses(), scaleWords()) };
-  }
-  async function savePng() {
-    const { g, paint } = painted();
-    page.save('lost-steps.png', await pngOf(g, paint), 'image/png');
-  }
-  async function saveSvg() {
-    const { g, paint } = painted();
-    page.save('lost-steps.svg', svgOf(g, paint), 'image/svg+xml');
-  }
-
-  const mazes = h('select', {}, ...board.mazes.map(({ short, index }) => h('option', { value: index }, short)));
-  const finder = h('button', { type: 'button', onclick: () => void find() }, 'Show where');
-  const choice = h(
-    'select',
-    { onchange: () => ((kind = choice.value as Kind), describe()) },
-    ...Object.entries(kinds).map(([value, { label }]) => h('option', { value }, label)),
-  );
-  const save = (label: string, act: () => Promise<void>) =>
-    h('button', { type: 'button', onclick: () => void act().catch(page.complain) }, label);
-  const result = h(
-    'div',
-    { hidden: true },
-    h(
-      'div',
-      { class: 'row controls' },
-      h('label', { class: 'row' }, 'Show what is lost', choice),
-      save('Save as PNG', savePng),
-      save('Save as SVG', saveSvg),
-    ),
-    words,
-    room,
-    caption,
-    scale,
-  );
-  return {
-    element: h(
-      'div',
-      { class: 'heat' },
-      h('div', { class: 'row controls' }, h('label', { class: 'row' }, 'Maze', mazes), finder),
-      result,
-    ),
-    arrange: () => stage?.redraw(),
-  };
+  const row = h('div', { class: 'row controls' }, h('label', { class: 'row' }, 'Maze', mazes), finder);
+  return { element: h('div', { class: 'heat' }, row, map.element), arrange: map.redraw };
 }
