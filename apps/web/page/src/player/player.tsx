@@ -6,7 +6,8 @@ import { h } from '../ui/dom';
 import type { EarlyPage } from '../page/page';
 import '../styles/player.css';
 import { fetchBeliefs } from './beliefs';
-import { createClock, seek, start, tick, usual } from './clock';
+import { createActions } from './actions';
+import { createClock, start, tick, usual } from './clock';
 import { createCurves } from './curves';
 import { Facts } from './facts';
 import { mazeText } from './figures';
@@ -15,14 +16,13 @@ import { KeyHelp, listen } from './keys';
 import { LastWords } from './last-words';
 import { usualLayers, type Layers } from './layers';
 import { Legend } from './legend';
-import { enlarge, panStage, zoomStage } from './looks';
 import { count, createMeter } from './meter';
 import { PartingPoint } from './parting-panel';
 import { Reasons } from './reasons';
 import { Runs } from './runs';
 import { createSide, type Shown } from './side';
 import { Standing } from '../ui/element';
-import { nextTime, timeOf, type Actions, type Side, type State } from './state';
+import type { Actions, PanelProps, Side, State } from './state';
 import { Steps } from './steps';
 import { Transport } from './transport';
 import { momentText, namesOf } from './words';
@@ -60,132 +60,78 @@ export interface Companion {
   update(time: number): void;
 }
 
-/** `lead` stands above the numbers. */
-export function createPlayer(page: EarlyPage, ...lead: (HTMLElement | (HTMLElement & Companion))[]): Player {
-  const clock = createClock();
-  const state: State = { clock, layers, sides: [], chosen: 0, folded: false };
+type Lead = HTMLElement | (HTMLElement & Companion);
+
+/** Numbers, lists and words. */
+const Panel = ({ page, curves, ...props }: PanelProps & { page: EarlyPage; curves: HTMLElement }) => (
+  <>
+    <p class="moment" aria-live={props.state.clock.playing ? 'off' : 'polite'}>
+      {props.state.sides.map(momentText).join('\n')}
+    </p>
+    <PartingPoint {...props} />
+    <Standing element={curves} />
+    <Runs {...props} />
+    <div class="numbers">
+      <Facts {...props} />
+      <Reasons {...props} />
+    </div>
+    <Legend {...props} />
+    <div class="below">
+      <Steps {...props} />
+      <LastWords {...props} />
+      <Files page={page} state={props.state} />
+      <KeyHelp />
+    </div>
+  </>
+);
+
+/** The elements of a player, and what draws them anew from its state. */
+function createPanels(page: EarlyPage, state: State, actions: Actions, element: HTMLElement, lead: Lead[]) {
+  const sides = h('div', { class: 'sides' });
+  const transport = h('div', { class: 'transport' });
+  const parts = h('div', { class: 'parts' });
+  const curves = createCurves(state, actions);
+  element.append(
+    h('div', { class: 'theatre' }, sides, transport),
+    h('div', { class: 'panel' }, ...lead, parts),
+  );
+  function refresh() {
+    for (const side of state.sides) side.update();
+    render(<Transport state={state} actions={actions} />, transport);
+    render(<Panel {...{ page, state, actions }} curves={curves.element} />, parts);
+    curves.update();
+    for (const one of lead) if ('update' in one) one.update(state.clock.time);
+    if (!state.clock.playing)
+      for (const side of state.sides)
+        side.scene.stage.describe(`Maze ${mazeText(side.track.maze)}. ${momentText(side)}`);
+  }
+  return { sides, refresh, tick: curves.tick };
+}
+
+/** Frames of the browser, as long as the clock runs; `rested` hears of those in which it stands. */
+function createLoop(state: State, panels: () => { refresh(): void; tick(): void }, rested: () => void) {
+  const { clock } = state;
   const still = matchMedia('(prefers-reduced-motion: reduce)');
   const meter = createMeter();
   let asked = 0;
   let told = 0;
   let dirty = true;
-  let resting: ReturnType<typeof setTimeout> | undefined;
-  let restedListener = () => {};
-
-  const stageOfChosen = () => state.sides[state.chosen]?.scene.stage;
-  const actions: Actions = {
-    toggle() {
-      if (clock.playing) clock.playing = false;
-      else start(clock);
-      wake();
-    },
-    step(by) {
-      clock.playing = false;
-      for (let i = 0; i < Math.abs(by); ++i) seek(clock, nextTime(state.sides, clock.time, by > 0));
-      wake();
-    },
-    seek(time) {
-      seek(clock, time);
-      wake();
-    },
-    jump(mark) {
-      const time = timeOf(state.sides[state.chosen], mark);
-      if (time !== null) seek(clock, mark === 'end' ? clock.end : time);
-      wake();
-    },
-    setSpeed(speed) {
-      clock.speed = speed;
-      wake();
-    },
-    setLoop(loop) {
-      clock.loop = loop;
-      wake();
-    },
-    setLayers(changes) {
-      Object.assign(layers, changes);
-      for (const { scene } of state.sides) scene.repaint();
-      if (layers.distances === 'believed') void believe();
-      wake();
-    },
-    choose(side) {
-      state.chosen = side;
-      wake();
-    },
-    zoom: (by) => zoomStage(stageOfChosen(), by),
-    pan: (x, y) => panStage(stageOfChosen(), x, y),
-    fold() {
-      const folded = element.classList.toggle('folded');
-      state.folded = folded;
-      refresh();
-    },
-    enlarge: () => enlarge(element),
-  };
-
-  const sides = h('div', { class: 'sides' });
-  const transport = h('div', { class: 'transport' });
-  const parts = h('div', { class: 'parts' });
-  const curves = createCurves(state, actions);
-  const element = h(
-    'div',
-    { class: 'player', hidden: true },
-    h('div', { class: 'theatre' }, sides, transport),
-    h('div', { class: 'panel' }, ...lead, parts),
-  );
-  Object.assign(element, { meter });
-
-  function Panel() {
-    const props = { state, actions };
-    return (
-      <>
-        <p class="moment" aria-live={clock.playing ? 'off' : 'polite'}>
-          {state.sides.map(momentText).join('\n')}
-        </p>
-        <PartingPoint {...props} />
-        <Standing element={curves.element} />
-        <Runs {...props} />
-        <div class="numbers">
-          <Facts {...props} />
-          <Reasons {...props} />
-        </div>
-        <Legend {...props} />
-        <div class="below">
-          <Steps {...props} />
-          <LastWords {...props} />
-          <Files page={page} state={state} />
-          <KeyHelp />
-        </div>
-      </>
-    );
-  }
-
-  /** Numbers, lists and words. */
   function refresh() {
     dirty = false;
-    for (const side of state.sides) side.update();
-    render(<Transport state={state} actions={actions} />, transport);
-    render(<Panel />, parts);
-    curves.update();
-    for (const one of lead) if ('update' in one) one.update(clock.time);
-    if (!clock.playing)
-      for (const side of state.sides)
-        side.scene.stage.describe(`Maze ${mazeText(side.track.maze)}. ${momentText(side)}`);
+    panels().refresh();
   }
-
-  /** One frame of the browser; makes nothing while the frame of the replay stays the same. */
+  /** Makes nothing while the frame of the replay stays the same. */
   function frame(now: number) {
     const begin = performance.now();
     asked = 0;
     // What was shown may be gone since the frame was asked for.
     if (state.sides.length === 0) return;
     tick(clock, now);
-    const smooth = !still.matches;
-    for (let i = 0; i < state.sides.length; ++i) {
-      const { scene, track } = state.sides[i];
+    for (const { scene, track } of state.sides)
       // In seconds the numbers change between the frames, too.
-      if (scene.show(clock.time, smooth) || track.drive) dirty = true;
-    }
-    curves.tick();
-    if (!clock.playing) rest();
+      if (scene.show(clock.time, !still.matches) || track.drive) dirty = true;
+    panels().tick();
+    if (!clock.playing) rested();
     if (!clock.playing || (dirty && now - told >= panelPause)) {
       told = now;
       refresh();
@@ -196,25 +142,74 @@ export function createPlayer(page: EarlyPage, ...lead: (HTMLElement | (HTMLEleme
   function wake() {
     if (!asked && state.sides.length > 0) asked = requestAnimationFrame(frame);
   }
+  document.addEventListener('visibilitychange', () => document.hidden || !clock.playing || wake());
+  return { meter, wake, refresh };
+}
 
+/** Fetches what the mice believed, where that is known and not there yet. */
+async function fetchMissing(page: EarlyPage, { sides }: State, actions: Actions) {
+  for (const { track, scene } of sides) {
+    if (scene.beliefs() || !believes({ track })) continue;
+    try {
+      scene.setBeliefs(await fetchBeliefs(page.core, track));
+    } catch (error) {
+      page.complain(error);
+      return actions.setLayers({ distances: 'none' });
+    }
+  }
+}
+
+/** Puts one or two contests into the state. `looked` hears of a closer look at one of them. */
+function setSides(state: State, plays: Shown[], looked: (side: number, camera: Camera) => void) {
+  for (const side of state.sides) side.scene.stage.close();
+  const two = plays.slice(0, 2);
+  const names = namesOf(two.map(({ play }) => play));
+  state.sides = two.map((shown, i) =>
+    createSide(shown, names[i], layers, {
+      looked: (camera) => looked(i, camera),
+      // Two mice are told apart by tone, as on the front door; one needs none.
+      hue: two.length > 1 ? tonesOfTwo[i] : undefined,
+    }),
+  );
+  state.chosen = 0;
+  const fastest = Math.max(...state.sides.map(({ track }) => track.drive?.fastest ?? 0));
+  for (const { track } of state.sides) if (track.drive) track.drive.fastest = fastest;
+}
+
+/** The clock of those contests, standing. */
+function setClock({ clock, sides }: State, at: 'start' | 'end', time: number) {
+  clock.playing = false;
+  clock.end = Math.max(0, ...sides.map(({ track }) => track.time[track.last]));
+  clock.time = at === 'end' ? clock.end : Math.min(time, clock.end);
+  const inSteps = sides.some(({ track }) => track.play.traits.clock === 'steps');
+  clock.unit = inSteps ? usual.steps : usual.seconds;
+}
+
+/** As wide as the maze is, with as much height as there is. */
+function setShape(element: HTMLElement, { sides }: State) {
+  const { width, height } = sides[0]?.track.maze ?? { width: 1, height: 1 };
+  element.hidden = sides.length === 0;
+  element.classList.toggle('double', sides.length === 2);
+  element.style.setProperty('--aspect', String(width / height));
+}
+
+/** `lead` stands above the numbers. */
+export function createPlayer(page: EarlyPage, ...lead: Lead[]): Player {
+  const clock = createClock();
+  const state: State = { clock, layers, sides: [], chosen: 0, folded: false };
+  const element = h('div', { class: 'player', hidden: true });
+  let resting: ReturnType<typeof setTimeout> | undefined;
+  let restedListener = () => {};
   /** Some of these come with every frame while somebody scrubs. */
   function rest() {
     clearTimeout(resting);
     resting = setTimeout(() => restedListener(), restPause);
   }
-
-  async function believe() {
-    for (const { track, scene } of state.sides) {
-      if (scene.beliefs() || !believes({ track })) continue;
-      try {
-        scene.setBeliefs(await fetchBeliefs(page.core, track));
-      } catch (error) {
-        page.complain(error);
-        actions.setLayers({ distances: 'none' });
-        return;
-      }
-    }
-  }
+  const { meter, wake, refresh } = createLoop(state, () => panels, rest);
+  const believe = () => void fetchMissing(page, state, actions);
+  const actions = createActions(state, { element, wake, refresh, believe });
+  const panels = createPanels(page, state, actions, element, lead);
+  Object.assign(element, { meter });
 
   /** Who looks closer at one of two mazes of one size looks so at the other. */
   function lookTogether(from: number, camera: Camera) {
@@ -223,40 +218,18 @@ export function createPlayer(page: EarlyPage, ...lead: (HTMLElement | (HTMLEleme
     for (const [i, side] of state.sides.entries())
       if (i !== from && size(side) === size(state.sides[from])) side.scene.stage.look(camera);
   }
-
   listen(element, state, actions);
-  document.addEventListener('visibilitychange', () => document.hidden || !clock.playing || wake());
   return {
     element,
     rested: (listener) => void (restedListener = listener),
     moment: () => ({ time: clock.time, look: state.sides[state.chosen]?.scene.stage.camera() }),
     show(plays, at = 'start', time = 0, look) {
-      for (const side of state.sides) side.scene.stage.close();
-      const two = plays.slice(0, 2);
-      const names = namesOf(two.map(({ play }) => play));
-      state.sides = two.map((shown, i) =>
-        createSide(shown, names[i], layers, {
-          looked: (camera) => lookTogether(i, camera),
-          // Two mice are told apart by tone, as on the front door; one needs none.
-          hue: two.length > 1 ? tonesOfTwo[i] : undefined,
-        }),
-      );
-      state.chosen = 0;
-      const fastest = Math.max(...state.sides.map(({ track }) => track.drive?.fastest ?? 0));
-      for (const { track } of state.sides) if (track.drive) track.drive.fastest = fastest;
-      element.hidden = state.sides.length === 0;
-      element.classList.toggle('double', state.sides.length === 2);
-      // As wide as the maze is, with as much height as there is.
-      const { width, height } = two[0]?.play.maze ?? { width: 1, height: 1 };
-      element.style.setProperty('--aspect', String(width / height));
-      sides.replaceChildren(...state.sides.map((side) => side.element));
-      clock.playing = false;
-      clock.end = Math.max(0, ...state.sides.map(({ track }) => track.time[track.last]));
-      clock.time = at === 'end' ? clock.end : Math.min(time, clock.end);
-      const inSteps = state.sides.some(({ track }) => track.play.traits.clock === 'steps');
-      clock.unit = inSteps ? usual.steps : usual.seconds;
+      setSides(state, plays, lookTogether);
+      setShape(element, state);
+      panels.sides.replaceChildren(...state.sides.map((side) => side.element));
+      setClock(state, at, time);
       if (layers.distances === 'believed' && !state.sides.some(believes)) layers.distances = 'true';
-      if (layers.distances === 'believed') void believe();
+      if (layers.distances === 'believed') believe();
       if (state.sides.length > 0) refresh();
       // Once its caption is there the stage has its size, and what is beyond a border does not depend on when it came.
       if (look && state.sides.length > 0) {

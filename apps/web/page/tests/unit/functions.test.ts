@@ -17,7 +17,6 @@ const stillLonger = [
   'maze/stage.ts createStage',
   'player/curves.ts createCurves',
   'player/legend.tsx signsOf',
-  'player/player.tsx createPlayer',
   'player/scene.ts createScene',
   'player/sheet.ts createSheet',
   'player/steps.tsx List',
