@@ -1,13 +1,15 @@
 // The editor with what belongs to it: the language, a name, programs to begin with, files and links.
-import { h } from '../ui/dom';
+import { button, select } from '../ui/controls';
 import { createCopyable } from '../ui/copy';
+import { h } from '../ui/dom';
 import { field } from '../ui/field';
 import type { Page } from '../page/page';
 import { createEditor, type Editor } from './editor/editor';
 import { linkOf, longestProgram, readLink, type Work } from './keeping';
 import { languages } from './languages';
 import { reference } from './reference';
-import { before, createStored, kept } from './stored';
+import type { Language } from './runtime';
+import { before, createStored, kept, type Stored } from './stored';
 
 export interface Desk {
   element: HTMLElement;
@@ -29,6 +31,188 @@ export interface Desk {
 const usualName = 'my-mouse';
 const both = 'Another tab also wrote a program. Both are kept: “Start with …” has the other one.';
 
+/** What stands in the editor. */
+interface Draft {
+  work: Work;
+  /** It came with a link, and nobody has allowed it to run. */
+  foreign: boolean;
+  /** Null until it has been loaded. */
+  editor: Editor | null;
+}
+
+const firstOf = (language: Language, name = usualName): Work => ({ language, name, text: language.templates[0].text });
+
+/** Keeps what is written, and says so; `offer` is called where another program is kept, too. */
+function createKeeping(page: Page, draft: Draft, stored: Stored, offer: () => void) {
+  const says = h('span', { role: 'status' });
+  let isKept = false;
+  function tellOfBoth() {
+    says.replaceChildren(both);
+    offer();
+  }
+  stored.onOverwritten(tellOfBoth);
+  return {
+    says,
+    isKept: () => isKept,
+    keep() {
+      if (draft.foreign) return;
+      const others = stored.others().length;
+      isKept = page.shelf.keeps() && stored.keep(draft.work);
+      if (!isKept) says.replaceChildren('This browser keeps nothing: save it as a file.');
+      else if (stored.others().length > others) tellOfBoth();
+      else if (says.textContent !== both) says.replaceChildren('Kept in this browser.');
+    },
+    /** Keeps what stood there, in case somebody wants it back. */
+    putAside(own: Work | null = draft.work) {
+      const isTemplate = own?.language.templates.some(({ text }) => text === own.text);
+      if (own && !isTemplate && page.shelf.keeps()) stored.keepBefore(own);
+    },
+  };
+}
+
+const createWarning = (allow: () => void, back: () => void) =>
+  h(
+    'div',
+    { class: 'warning', role: 'alert', hidden: true },
+    h(
+      'p',
+      {},
+      'This program came with a link: somebody else wrote it. It can reach neither this page nor any network; still, read it before you let it run.',
+    ),
+    h('div', { class: 'row' }, button('Let it run', allow), button('Back to mine', back)),
+  );
+
+interface Choices {
+  /** Another program to begin with: one of the templates, or one that was kept, then with what it is to be forgotten as. */
+  begin(work: Work, kept?: () => void): void;
+  speak(language: Language): void;
+  rename(name: string): void;
+}
+
+/** The language, the name, and programs to begin with. */
+function createHead(draft: Draft, stored: Stored, { begin, speak, rename }: Choices) {
+  const language = select(
+    languages.map(({ id, name }) => [id, name]),
+    (chosen) => speak(languages.find(({ id }) => id === chosen)!),
+  );
+  const name = h('input', {
+    type: 'text',
+    value: draft.work.name,
+    spellcheck: 'false',
+    autocomplete: 'off',
+    maxlength: 40,
+    oninput: () => rename(name.value.trim()),
+  });
+  const others = () => stored.others().filter(({ work }) => work.text !== draft.work.text);
+  const programs = select([], (chosen) => {
+    const other = stored.others().find(({ name }) => name === chosen);
+    const template = draft.work.language.templates[Number(chosen)];
+    const back = other?.work ?? (chosen === before ? kept(before) : null);
+    if (chosen === '' || !(back ?? template)) return;
+    begin(back ?? { ...draft.work, text: template.text }, other && (() => stored.forget(other)));
+  });
+  const help = h('div', {});
+  function offer() {
+    const { language: spoken } = draft.work;
+    programs.replaceChildren(
+      h('option', { value: '' }, 'Start with …'),
+      ...spoken.templates.map((one, index) => h('option', { value: index }, one.name)),
+      ...(kept(before) ? [h('option', { value: before }, 'What stood here before')] : []),
+      ...others().map(({ name, work }) =>
+        h('option', { value: name }, `Also kept: ${work.name}, ${work.language.name}`),
+      ),
+    );
+    help.replaceChildren(reference(spoken.id));
+    language.value = spoken.id;
+  }
+  return { language, name, nameRow: field('Name of your mouse', name), programs, help, offer };
+}
+
+/** A program of a file; null where it is too long. */
+async function programOf(file: File, work: Work): Promise<Work | null> {
+  if (file.size > longestProgram) return null;
+  const ending = file.name.split('.').at(-1);
+  const language = languages.find(({ fileName }) => fileName.endsWith(`.${ending}`)) ?? work.language;
+  return { ...work, language, text: await file.text() };
+}
+
+function askForFile(open: (file: File) => void) {
+  const input = h('input', { type: 'file', accept: '.js,.py,.mjs,.txt' });
+  input.onchange = () => input.files?.[0] && open(input.files[0]);
+  input.click();
+}
+
+/** What is written, and all that puts another program there; `edited` hears of what is kept or goes. */
+function createProgram(page: Page, changed: (allowed: boolean) => void, edited: () => void) {
+  const stored = createStored();
+  const draft: Draft = { work: stored.load() ?? firstOf(languages[0]), foreign: false, editor: null };
+  const keeping = createKeeping(page, draft, stored, () => head.offer());
+  const warning = createWarning(allow, () => {
+    own();
+    put(stored.load() ?? firstOf(languages[0]));
+  });
+  const head = createHead(draft, stored, {
+    begin(work, forget) {
+      if (!draft.foreign) keeping.putAside();
+      take(work, !draft.foreign && work.language === draft.work.language);
+      if (keeping.isKept()) forget?.();
+      draft.editor?.focus();
+    },
+    speak: (language) => take(stored.load(language.id) ?? firstOf(language, draft.work.name)),
+    rename(name) {
+      draft.work = { ...draft.work, name };
+      head.nameRow.complain('');
+      wrote();
+    },
+  });
+  function wrote() {
+    edited();
+    keeping.keep();
+  }
+  /** It is the user's, and may run. */
+  function own() {
+    draft.foreign = false;
+    warning.hidden = true;
+  }
+  /** Puts a program into the editor; `undoable` as a change of the one that stands there. */
+  function put(work: Work, undoable = false) {
+    draft.work = work;
+    head.name.value = work.name;
+    if (undoable) draft.editor?.replace(work.text);
+    else draft.editor?.set(work.text, work.language.id);
+    edited();
+    head.nameRow.complain('');
+    head.offer();
+    changed(false);
+  }
+  function take(work: Work, undoable = false) {
+    own();
+    put(work, undoable);
+    wrote();
+  }
+  function allow() {
+    own();
+    keeping.putAside(kept(draft.work.language.id));
+    wrote();
+    head.offer();
+    changed(true);
+  }
+  head.offer();
+  return { draft, keeping, warning, head, wrote, put, take };
+}
+
+/** A link to what `address` leads to, hidden until somebody shares it. */
+function createLink(address: () => Promise<string>) {
+  const { element, show, copy } = createCopyable('A link to this program');
+  element.hidden = true;
+  async function share() {
+    show(`${location.href.split('#')[0]}#${await address()}`);
+    element.hidden = false;
+    await copy();
+  }
+  return { element, address, share, hide: () => void (element.hidden = true) };
+}
+
 /**
  * `changed` hears when what is written is another program, and when somebody has allowed that of a link to run. `moment` is
  * what a link says beside the program, from its first `&` on; `below` stands below the editor.
@@ -39,196 +223,56 @@ export function createDesk(
   moment: () => Promise<string>,
   below: HTMLElement,
 ): Desk {
-  const stored = createStored();
-  let isKept = false;
-  let now: Work = stored.load() ?? { language: languages[0], name: usualName, text: languages[0].templates[0].text };
-  let foreign = false;
-  let editor: Editor | null = null;
-
-  const language = h(
-    'select',
-    {},
-    ...languages.map(({ id, name }) => h('option', { value: id, selected: id === now.language.id }, name)),
-  );
-  const name = h('input', { type: 'text', value: now.name, spellcheck: 'false', autocomplete: 'off', maxlength: 40 });
-  const nameRow = field('Name of your mouse', name);
-  const begin = h('select', {});
+  const link = createLink(async () => `write=${await linkOf(draft.work)}${await moment()}`);
+  const { draft, keeping, warning, head, wrote, put, take } = createProgram(page, changed, link.hide);
   const host = h('div', { class: 'editor' });
-  const says = h('span', { role: 'status' });
-  const warning = h(
-    'div',
-    { class: 'warning', role: 'alert', hidden: true },
-    h(
-      'p',
-      {},
-      'This program came with a link: somebody else wrote it. It can reach neither this page nor any network; still, read it before you let it run.',
-    ),
-    h(
-      'div',
-      { class: 'row' },
-      h('button', { type: 'button', onclick: allow }, 'Let it run'),
-      h('button', { type: 'button', onclick: backToMine }, 'Back to mine'),
-    ),
-  );
-  const link = createCopyable('A link to this program');
-  link.element.hidden = true;
-  const help = h('div', {});
-
-  function offer() {
-    const { templates } = now.language;
-    const others = stored.others().filter(({ work }) => work.text !== now.text);
-    begin.replaceChildren(
-      h('option', { value: '' }, 'Start with …'),
-      ...templates.map((one, index) => h('option', { value: index }, one.name)),
-      ...(kept(before) ? [h('option', { value: before }, 'What stood here before')] : []),
-      ...others.map(({ name, work }) => h('option', { value: name }, `Also kept: ${work.name}, ${work.language.name}`)),
-    );
-    help.replaceChildren(reference(now.language.id));
-    language.value = now.language.id;
-  }
-  /** Puts a program into the editor; `undoable` as a change of the one that stands there. */
-  function put(work: Work, undoable = false) {
-    now = work;
-    name.value = work.name;
-    if (undoable) editor?.replace(work.text);
-    else editor?.set(work.text, work.language.id);
-    link.element.hidden = true;
-    nameRow.complain('');
-    offer();
-    changed(false);
-  }
-  function wrote() {
-    link.element.hidden = true;
-    if (foreign) return;
-    const others = stored.others().length;
-    isKept = page.shelf.keeps() && stored.keep(now);
-    if (!isKept) says.replaceChildren('This browser keeps nothing: save it as a file.');
-    else if (stored.others().length > others) tellOfBoth();
-    else if (says.textContent !== both) says.replaceChildren('Kept in this browser.');
-  }
-  function tellOfBoth() {
-    says.replaceChildren(both);
-    offer();
-  }
-  /** Keeps what stood there, in case somebody wants it back. */
-  function putAside(own: Work | null = now) {
-    const isTemplate = own?.language.templates.some(({ text }) => text === own.text);
-    if (own && !isTemplate && page.shelf.keeps()) stored.keepBefore(own);
-  }
-  function allow() {
-    foreign = false;
-    warning.hidden = true;
-    putAside(kept(now.language.id));
-    wrote();
-    offer();
-    changed(true);
-  }
-  function backToMine() {
-    foreign = false;
-    warning.hidden = true;
-    put(stored.load() ?? { language: languages[0], name: usualName, text: languages[0].templates[0].text });
-  }
-  begin.addEventListener('change', () => {
-    const other = stored.others().find(({ name }) => name === begin.value);
-    const back = other?.work ?? (begin.value === before ? kept(before) : null);
-    const template = now.language.templates[Number(begin.value)];
-    if (begin.value === '' || !(back ?? template)) return;
-    if (!foreign) putAside();
-    const next = back ?? { ...now, text: template.text };
-    const undoable = !foreign && next.language === now.language;
-    foreign = false;
-    warning.hidden = true;
-    put(next, undoable);
-    wrote();
-    if (other && isKept) stored.forget(other);
-    editor?.focus();
-  });
-  language.addEventListener('change', () => {
-    const chosen = languages.find(({ id }) => id === language.value)!;
-    foreign = false;
-    warning.hidden = true;
-    put(stored.load(chosen.id) ?? { language: chosen, name: now.name, text: chosen.templates[0].text });
-    wrote();
-  });
-  name.addEventListener('input', () => {
-    now = { ...now, name: name.value.trim() };
-    nameRow.complain('');
-    wrote();
-  });
-  async function open(file: File) {
-    if (file.size > longestProgram) return page.complain(`${file.name} is too long for the program of a mouse.`);
-    const ending = file.name.split('.').at(-1);
-    const of = languages.find(({ fileName }) => fileName.endsWith(`.${ending}`)) ?? now.language;
-    if (!foreign) putAside();
-    foreign = false;
-    warning.hidden = true;
-    put({ ...now, language: of, text: await file.text() });
-    wrote();
-  }
-  function openFile() {
-    const input = h('input', { type: 'file', accept: '.js,.py,.mjs,.txt' });
-    input.onchange = () => input.files?.[0] && void open(input.files[0]);
-    input.click();
-  }
-  const save = () => page.save(now.language.fileName, now.text);
-  const address = async () => `write=${await linkOf(now)}${await moment()}`;
-  async function share() {
-    link.show(`${location.href.split('#')[0]}#${await address()}`);
-    link.element.hidden = false;
-    await link.copy();
-  }
-  const shared = () => share().catch(page.complain);
-  stored.onOverwritten(tellOfBoth);
-  const button = (label: string, onclick: () => unknown) =>
-    h('button', { type: 'button', onclick: () => void onclick() }, label);
-  offer();
   createEditor(host, 'The program', (text) => {
-    now = { ...now, text };
-    editor?.fail(null);
+    draft.work = { ...draft.work, text };
+    draft.editor?.fail(null);
     wrote();
-  }).then(
-    (made) => {
-      editor = made;
-      made.set(now.text, now.language.id);
-    },
-    (error) => page.complain(error),
+  }).then((made) => {
+    draft.editor = made;
+    made.set(draft.work.text, draft.work.language.id);
+  }, page.complain);
+  async function open(file: File) {
+    const work = await programOf(file, draft.work);
+    if (!work) return page.complain(`${file.name} is too long for the program of a mouse.`);
+    if (!draft.foreign) keeping.putAside();
+    take(work);
+  }
+  const save = () => page.save(draft.work.language.fileName, draft.work.text);
+  const unseen = (label: string, control: HTMLElement) =>
+    h('label', {}, h('span', { class: 'unseen' }, label), control);
+  const bar = h(
+    'div',
+    { class: 'row bar' },
+    languages.length > 1 && unseen('Language', head.language),
+    unseen('Program to begin with', head.programs),
+    button('Open', () => askForFile((file) => void open(file))),
+    button('Save', save),
+    button('Share', () => link.share().catch(page.complain)),
+    head.nameRow,
   );
+  const keys = 'Ctrl+Enter runs, Ctrl+S saves; Escape, then Tab leads on. ';
+  const api = h('details', { class: 'api' }, h('summary', {}, 'What it reads and answers'), head.help);
+  const note = h('p', { class: 'note' }, keys, keeping.says);
   return {
-    element: h(
-      'div',
-      { class: 'desk-editor' },
-      h(
-        'div',
-        { class: 'row bar' },
-        languages.length > 1 && h('label', {}, h('span', { class: 'unseen' }, 'Language'), language),
-        h('label', {}, h('span', { class: 'unseen' }, 'Program to begin with'), begin),
-        button('Open', openFile),
-        button('Save', save),
-        button('Share', shared),
-        nameRow,
-      ),
-      warning,
-      link.element,
-      host,
-      h('p', { class: 'note' }, 'Ctrl+Enter runs, Ctrl+S saves; Escape, then Tab leads on. ', says),
-      below,
-      h('details', { class: 'api' }, h('summary', {}, 'What it reads and answers'), help),
-    ),
-    work: () => (foreign ? null : now),
+    element: h('div', { class: 'desk-editor' }, bar, warning, link.element, host, note, below, api),
+    work: () => (draft.foreign ? null : draft.work),
     save,
-    address,
+    address: link.address,
     async receive(text) {
       const work = await readLink(text);
       if (!work) throw new Error('This link does not contain a whole program. Copy the whole link again.');
-      foreign = true;
+      draft.foreign = true;
       warning.hidden = false;
       put(work);
     },
     open,
-    fail: (line) => editor?.fail(line),
+    fail: (line) => draft.editor?.fail(line),
     complain(message) {
-      nameRow.complain(message);
-      if (message) name.focus();
+      head.nameRow.complain(message);
+      if (message) head.name.focus();
     },
   };
 }

@@ -48,6 +48,20 @@ export function kept(id?: string): Work | null {
   }
 }
 
+/** Keeps what is about to be overwritten, or was, under the id of who wrote it. */
+function putAside(storage: Storage, name: string, json: string) {
+  const work = readWork(json);
+  if (work && !isTemplate(work)) storage.setItem(`${asideKey}${writerOf(json)}-${name}`, json);
+}
+
+function othersIn(storage: Storage): Other[] {
+  const names = Object.keys(storage).filter((name) => name.startsWith(asideKey));
+  return names.flatMap((name) => {
+    const work = readWork(storage.getItem(name) ?? '');
+    return work ? [{ name, work }] : [];
+  });
+}
+
 /** Of one tab; `place` is the storage that it shares with others. */
 export function createStored(place: () => Storage = () => localStorage): Stored {
   const me = Math.random().toString(36).slice(2, 12);
@@ -62,11 +76,6 @@ export function createStored(place: () => Storage = () => localStorage): Stored 
     } catch {
       return otherwise;
     }
-  }
-  /** Keeps what is about to be overwritten, or was, under the id of who wrote it. */
-  function putAside(storage: Storage, name: string, json: string) {
-    const work = readWork(json);
-    if (work && !isTemplate(work)) storage.setItem(`${asideKey}${writerOf(json)}-${name}`, json);
   }
   function note(storage: Storage, name: string) {
     seen.set(name, storage.getItem(keyOf(name)));
@@ -95,14 +104,7 @@ export function createStored(place: () => Storage = () => localStorage): Stored 
         return true;
       }, false),
     keepBefore: (work) => quietly((storage) => void write(storage, before, work), undefined),
-    others: () =>
-      quietly((storage) => {
-        const names = Object.keys(storage).filter((name) => name.startsWith(asideKey));
-        return names.flatMap((name) => {
-          const work = readWork(storage.getItem(name) ?? '');
-          return work ? [{ name, work }] : [];
-        });
-      }, []),
+    others: () => quietly(othersIn, []),
     forget: ({ name }) => quietly((storage) => storage.removeItem(name), undefined),
     onOverwritten: (listener) =>
       window.addEventListener('storage', ({ key: changed, oldValue, newValue }) => {

@@ -29,8 +29,6 @@ const stillLonger = [
   'views/home.ts createHome',
   'views/live.ts createLive',
   'views/replay.ts createReplay',
-  'write/desk.ts createDesk',
-  'write/stored.ts createStored',
 ];
 
 const root = fileURLToPath(new URL('../../src', import.meta.url));
