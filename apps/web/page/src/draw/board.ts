@@ -31,134 +31,152 @@ const help =
   'G: goal. H: put the start here. R: turn the start. Z and X, or the wheel: nearer and farther. ' +
   'Ctrl+Z and Ctrl+Shift+Z: undo and redo.';
 
-export function createBoard(editor: Editor): Board {
-  /** What was done, or why it was not: to be read and to be heard. */
-  const said = h('p', { class: 'draw-said', 'aria-live': 'polite' });
-  const say = (words: string) => said.textContent !== words && said.replaceChildren(words);
-  const overlay: Overlay = { hover: null, cursor: null, route: null };
-  let tool: Tool | 'look' = 'walls';
-  let cursor: Cell = editor.maze().start;
-  let size = '';
+/** What draws, and where it is. */
+interface Hand {
+  tool: Tool | 'look';
+  /** The cell of the keyboard. */
+  cursor: Cell;
   /** What was just drawn is shown as it is, until the pointer leaves it. */
-  let fresh = '';
-  let stroke: { stroke: Stroke; at: [number, number]; pointer: number } | null = null;
+  fresh: string;
+  stroke: { stroke: Stroke; at: [number, number]; pointer: number } | null;
+  overlay: Overlay;
+  /** Says what was done, or why it was not: to be read and to be heard. */
+  say(words: string): void;
+}
 
-  const stage = createStage(
-    editor.maze(),
-    (context, geometry, palette) => paintDrawing(context, geometry, palette, editor.maze(), overlay),
-    {
-      numbers: true,
-      // What draws does not pull the maze along: the middle button does, and the hand.
-      mayDrag: ({ button }) => stage.camera().scale > 1 && (button === 1 || tool === 'look'),
-      twoFingers: () => {
-        if (stroke) editor.undo();
-        stroke = null;
-      },
-    },
-  );
+/** The place of the pointer, in cells. */
+function placeOf({ canvas, geometry }: Stage, event: PointerEvent): [number, number] {
+  const g = geometry();
+  const box = canvas.getBoundingClientRect();
+  const x = (event.clientX - box.left) * g.ratio;
+  const y = (event.clientY - box.top) * g.ratio;
+  return [(x - g.left) / g.pitch, g.height - (y - g.top) / g.pitch];
+}
+
+/** Shows the wall that the pointer would draw; null where it is elsewhere. */
+function hover(editor: Editor, stage: Stage, hand: Hand, event: PointerEvent | null) {
+  const { tool } = hand;
+  const points = event && tool === 'walls' && event.pointerType !== 'touch';
+  const wall = points ? nearestWall(editor.maze(), ...placeOf(stage, event)) : null;
+  stage.canvas.style.cursor = tool === 'look' ? '' : wall || tool !== 'walls' ? 'crosshair' : 'default';
+  if (JSON.stringify(wall) !== hand.fresh) hand.fresh = '';
+  hand.overlay.hover = hand.fresh ? null : wall;
+  stage.redraw();
+}
+
+function listenToPointer(editor: Editor, stage: Stage, hand: Hand) {
   const { canvas } = stage;
-  const keys = h('p', { id: 'draw-keys', class: 'draw-keys' }, help);
-  canvas.setAttribute('role', 'application');
-  canvas.setAttribute('aria-describedby', 'draw-keys');
-  canvas.tabIndex = 0;
-
-  function place(event: PointerEvent): [number, number] {
-    const g = stage.geometry();
-    const box = canvas.getBoundingClientRect();
-    const x = (event.clientX - box.left) * g.ratio;
-    const y = (event.clientY - box.top) * g.ratio;
-    return [(x - g.left) / g.pitch, g.height - (y - g.top) / g.pitch];
-  }
-
-  function hover(event: PointerEvent | null) {
-    const wall =
-      event && tool === 'walls' && event.pointerType !== 'touch' ? nearestWall(editor.maze(), ...place(event)) : null;
-    canvas.style.cursor = tool === 'look' ? '' : wall || tool !== 'walls' ? 'crosshair' : 'default';
-    if (JSON.stringify(wall) !== fresh) fresh = '';
-    overlay.hover = fresh ? null : wall;
-    stage.redraw();
-  }
-
   function down(event: PointerEvent) {
-    if (event.button !== 0 || stroke || tool === 'look') return;
-    const at = place(event);
-    const begun = beginStroke(tool, editor.maze(), ...at, reachOf(event));
-    if (!begun) return;
-    stroke = { stroke: begun, at, pointer: event.pointerId };
+    const { tool } = hand;
+    if (event.button !== 0 || hand.stroke || tool === 'look') return;
+    const at = placeOf(stage, event);
+    const stroke = beginStroke(tool, editor.maze(), ...at, reachOf(event));
+    if (!stroke) return;
+    hand.stroke = { stroke, at, pointer: event.pointerId };
     canvas.setPointerCapture(event.pointerId);
-    overlay.hover = null;
-    say('');
-    const next = begun(editor.maze(), ...at);
-    if (next === editor.maze() && tool === 'goals') say('a maze must have at least one goal');
+    hand.overlay.hover = null;
+    hand.say('');
+    const next = stroke(editor.maze(), ...at);
+    if (next === editor.maze() && tool === 'goals') hand.say('a maze must have at least one goal');
     editor.sketch(next);
   }
-
   function move(event: PointerEvent) {
-    if (!stroke) return hover(event);
+    const { stroke } = hand;
+    if (!stroke) return hover(editor, stage, hand, event);
     if (event.pointerId !== stroke.pointer) return;
-    const to = place(event);
+    const to = placeOf(stage, event);
     const next = drawn(stroke.stroke, editor.maze(), stroke.at, to);
     stroke.at = to;
     if (next !== editor.maze()) editor.sketch(next);
   }
-
   function up(event: PointerEvent) {
-    if (event.pointerId !== stroke?.pointer) return;
-    stroke = null;
+    if (event.pointerId !== hand.stroke?.pointer) return;
+    hand.stroke = null;
     if (event.type === 'pointercancel') editor.undo();
     else editor.settle();
-    fresh = JSON.stringify(nearestWall(editor.maze(), ...place(event)));
-    hover(event.type === 'pointerup' ? event : null);
+    hand.fresh = JSON.stringify(nearestWall(editor.maze(), ...placeOf(stage, event)));
+    hover(editor, stage, hand, event.type === 'pointerup' ? event : null);
   }
-
-  /** The cell of the keyboard, in a closer look. */
-  function keepInSight() {
-    const { scale, x, y } = stage.camera();
-    const { canvasWidth, canvasHeight, pitch } = stage.geometry();
-    const near = (place: number, middle: number, room: number) => {
-      const reach = Math.max(0.5, room / pitch / 2 - 1);
-      return Math.min(Math.max(middle, place + 0.5 - reach), place + 0.5 + reach);
-    };
-    if (scale > 1) stage.look({ scale, x: near(cursor[0], x, canvasWidth), y: near(cursor[1], y, canvasHeight) });
-  }
-
   canvas.addEventListener('pointerdown', down);
   canvas.addEventListener('pointermove', move);
   canvas.addEventListener('pointerup', up);
   canvas.addEventListener('pointercancel', up);
-  canvas.addEventListener('pointerleave', () => hover(null));
+  canvas.addEventListener('pointerleave', () => hover(editor, stage, hand, null));
+}
+
+/** Brings the cell of the keyboard into sight, in a closer look. */
+function keepInSight({ camera, geometry, look }: Stage, [column, row]: Cell) {
+  const { scale, x, y } = camera();
+  const { canvasWidth, canvasHeight, pitch } = geometry();
+  const near = (place: number, middle: number, room: number) => {
+    const reach = Math.max(0.5, room / pitch / 2 - 1);
+    return Math.min(Math.max(middle, place + 0.5 - reach), place + 0.5 + reach);
+  };
+  if (scale > 1) look({ scale, x: near(column, x, canvasWidth), y: near(row, y, canvasHeight) });
+}
+
+function listenToKeys(editor: Editor, stage: Stage, hand: Hand) {
+  const { canvas } = stage;
+  const { overlay, say } = hand;
   function looks(event: KeyboardEvent) {
     const factor = { z: 1.4, x: 1 / 1.4 }[event.key.toLowerCase()];
     if (!factor || event.ctrlKey || event.metaKey || event.altKey) return;
     event.preventDefault();
     stage.zoomBy(factor);
-    keepInSight();
+    keepInSight(stage, hand.cursor);
   }
   canvas.addEventListener('keydown', (event) => {
-    const pressed = stroke ? null : press(event, editor.maze(), cursor);
+    const pressed = hand.stroke ? null : press(event, editor.maze(), hand.cursor);
     if (!pressed) return looks(event);
     event.preventDefault();
-    cursor = overlay.cursor = pressed.cursor;
-    keepInSight();
+    hand.cursor = overlay.cursor = pressed.cursor;
+    keepInSight(stage, hand.cursor);
     editor.change(pressed.maze);
     say(pressed.said);
     stage.redraw();
   });
   canvas.addEventListener('focus', () => {
     if (!canvas.matches(':focus-visible')) return;
-    overlay.cursor = cursor;
-    say(cellInWords(editor.maze(), cursor));
+    overlay.cursor = hand.cursor;
+    say(cellInWords(editor.maze(), hand.cursor));
     stage.redraw();
   });
   canvas.addEventListener('blur', () => {
     overlay.cursor = null;
     stage.redraw();
   });
+}
+
+export function createBoard(editor: Editor): Board {
+  const said = h('p', { class: 'draw-said', 'aria-live': 'polite' });
+  const overlay: Overlay = { hover: null, cursor: null, route: null };
+  const say = (words: string) => said.textContent !== words && said.replaceChildren(words);
+  const hand: Hand = { tool: 'walls', cursor: editor.maze().start, fresh: '', stroke: null, overlay, say };
+  let size = '';
+  const stage = createStage(
+    editor.maze(),
+    (context, geometry, palette) => paintDrawing(context, geometry, palette, editor.maze(), overlay),
+    {
+      numbers: true,
+      // What draws does not pull the maze along: the middle button does, and the hand.
+      mayDrag: ({ button }) => stage.camera().scale > 1 && (button === 1 || hand.tool === 'look'),
+      twoFingers: () => {
+        if (hand.stroke) editor.undo();
+        hand.stroke = null;
+      },
+    },
+  );
+  const { canvas } = stage;
+  canvas.setAttribute('role', 'application');
+  canvas.setAttribute('aria-describedby', 'draw-keys');
+  canvas.tabIndex = 0;
+  listenToPointer(editor, stage, hand);
+  listenToKeys(editor, stage, hand);
 
   function show() {
     const maze = editor.maze();
-    if (!isInside(maze, cursor)) cursor = maze.start;
-    if (overlay.cursor) overlay.cursor = cursor;
+    if (!isInside(maze, hand.cursor)) hand.cursor = maze.start;
+    if (overlay.cursor) overlay.cursor = hand.cursor;
     stage.describe(`Drawing of ${maze.width} by ${maze.height} cells`);
     if (size === `${maze.width}x${maze.height}`) return stage.redraw();
     size = `${maze.width}x${maze.height}`;
@@ -168,12 +186,12 @@ export function createBoard(editor: Editor): Board {
   return {
     element: h('div', { class: 'draw-board' }, stage.element, said),
     stage,
-    keys,
+    keys: h('p', { id: 'draw-keys', class: 'draw-keys' }, help),
     show,
     setTool(next) {
-      tool = next;
-      canvas.classList.toggle('looking', tool === 'look');
-      hover(null);
+      hand.tool = next;
+      canvas.classList.toggle('looking', next === 'look');
+      hover(editor, stage, hand, null);
     },
     setRoute(route) {
       overlay.route = route;

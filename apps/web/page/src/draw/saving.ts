@@ -1,9 +1,9 @@
 // The drawing as a file of any format, as a picture, as a link.
 import type { MazeData } from '../core/types';
 import { fit, numbered } from '../maze/geometry';
-import { paintMaze } from '../maze/painter';
+import { paintMaze, type Context } from '../maze/painter';
 import { readPalette } from '../maze/palette';
-import { pngOf } from '../maze/saved';
+import { savePicture } from '../maze/saved';
 import { createCopyable } from '../ui/copy';
 import { h } from '../ui/dom';
 import { showError } from '../ui/field';
@@ -40,18 +40,15 @@ export function createSaving(page: Page, drawing: () => MazeData): Saving {
     const answer = await page.core.call('write_maze', { maze: drawing(), format });
     page.save(answer.file_name, answer.text ?? Uint8Array.from(answer.bytes ?? []), 'application/octet-stream');
   };
-  const savePicture = async () => {
+  const saveDrawing = async () => {
     const { svg } = await page.core.call('picture', { maze: drawing() });
     page.save(`${drawing().name || 'maze'}.svg`, svg, 'image/svg+xml');
   };
-  const savePixels = async () => {
+  const savePixels = () => {
     const [maze, palette] = [drawing(), readPalette()];
     const g = fit(maze, pixels, pixels, 1, numbered);
-    page.save(
-      `${maze.name || 'maze'}.png`,
-      await pngOf(g, (context) => paintMaze(context, g, palette, maze)),
-      'image/png',
-    );
+    const paint = (context: Context) => paintMaze(context, g, palette, maze);
+    return savePicture(page.save, maze.name || 'maze', 'png', { g, paint });
   };
   const copyLink = async () => {
     const answer = await page.core.call('link', { maze: drawing() });
@@ -63,7 +60,7 @@ export function createSaving(page: Page, drawing: () => MazeData): Saving {
     h('li', {}, h('button', { type: 'button', onclick: trying(does) }, name), h('span', {}, meaning));
   const items = [
     ...page.about.formats.map(({ name, summary }) => item(name, summary, () => saveAs(name))),
-    item('picture', 'an SVG file', savePicture),
+    item('picture', 'an SVG file', saveDrawing),
     item('pixels', 'a PNG file', savePixels),
     item('link', 'to this page, containing the maze', copyLink),
   ];

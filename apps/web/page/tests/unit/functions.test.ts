@@ -9,8 +9,6 @@ const mostLines = 60;
 const stillLonger = [
   'choice/maze-choice.ts createMazeChoice',
   'choice/mouse-choice.ts createMouseChoice',
-  'draw/board.ts createBoard',
-  'draw/desk.ts createDesk',
   'home/race.ts createFrontRace',
   'live/bench.ts createBench',
   'live/everyone.ts createEveryone',
