@@ -43,95 +43,118 @@ export interface StageOptions extends Partial<Gestures> {
   looked?: (camera: Camera) => void;
 }
 
-export function createStage(
-  maze: MazeSize,
-  paint: (context: Context, geometry: Geometry, palette: Palette) => void,
-  options: StageOptions = {},
-): Stage {
-  const canvas = h('canvas', { role: 'img', 'aria-label': 'No maze yet' });
-  const element = h('div', { class: 'stage' }, canvas);
-  const context = canvas.getContext('2d', { alpha: false })!;
-  const margins = options.numbers ? numbered : bare;
-  let size = maze;
-  let palette = readPalette();
-  let fitted = fit(size, 300, 300, 1, margins);
-  let geometry = fitted;
-  let camera = wholeMaze(size);
-  let printing = false;
-  let waiting = 0;
+type Paint = (context: Context, geometry: Geometry, palette: Palette) => void;
 
+/** At once, or before the next frame of the browser, however often that is asked for. */
+function createPainting(paint: () => void) {
+  let waiting = 0;
   function now() {
     cancelAnimationFrame(waiting);
     waiting = 0;
-    paint(context, geometry, palette);
+    paint();
   }
-  function redraw() {
-    if (!waiting) waiting = requestAnimationFrame(now);
-  }
-  /** What the camera shows of a room, in pixels of the page. */
-  function seen(width: number, height: number, ratio: number): Geometry {
-    if (camera.scale === 1 || printing) return fitted;
-    const room = { width: Math.floor(width * ratio), height: Math.floor(height * ratio) };
-    const close = seenThrough(camera, fitted, room, margins);
-    camera = cameraOf(camera.scale, close);
-    return close;
-  }
+  const redraw = () => void (waiting ||= requestAnimationFrame(now));
+  return { now, redraw, cancel: () => cancelAnimationFrame(waiting) };
+}
+
+/** The canvas in its room: what is seen of a maze, at which size, in which tones. */
+function createView(maze: MazeSize, paint: Paint, { numbers, changed }: StageOptions) {
+  const canvas = h('canvas', { role: 'img', 'aria-label': 'No maze yet' });
+  const element = h('div', { class: 'stage' }, canvas);
+  const context = canvas.getContext('2d', { alpha: false })!;
+  const margins = numbers ? numbered : bare;
+  let palette = readPalette();
+  let fitted = fit(maze, 300, 300, 1, margins);
+  let geometry = fitted;
+  let camera = wholeMaze(maze);
+  let printing = false;
+  const painting = createPainting(() => paint(context, geometry, palette));
+
+  const paintChanged = () => (changed?.(geometry, palette), painting.now());
   function measure() {
     const { clientWidth, clientHeight } = element;
     const paper = printing ? paperWidth() : null;
     const [width, height] = paper ? [paper, paper] : [clientWidth, clientHeight];
     if (width === 0 || height === 0) return;
-    const ratio = printing ? Math.max(printRatio, devicePixelRatio) : devicePixelRatio;
-    fitted = fit(size, width, height, ratio, margins);
-    geometry = seen(width, height, ratio);
-    if (canvas.width !== geometry.canvasWidth || canvas.height !== geometry.canvasHeight) {
-      canvas.width = geometry.canvasWidth;
-      canvas.height = geometry.canvasHeight;
+    const ratio = Math.max(printing ? printRatio : 0, devicePixelRatio);
+    fitted = fit(maze, width, height, ratio, margins);
+    geometry = fitted;
+    if (camera.scale > 1 && !printing) {
+      const [roomWidth, roomHeight] = [width, height].map((length) => Math.floor(length * ratio));
+      geometry = seenThrough(camera, fitted, { width: roomWidth, height: roomHeight }, margins);
+      camera = cameraOf(camera.scale, geometry);
     }
-    canvas.style.width = `${geometry.canvasWidth / ratio}px`;
-    canvas.style.height = `${geometry.canvasHeight / ratio}px`;
+    setSize(canvas, geometry);
     element.classList.toggle('close', camera.scale > 1);
-    options.changed?.(geometry, palette);
-    now();
+    paintChanged();
   }
-  function recolour() {
-    palette = readPalette();
-    options.changed?.(geometry, palette);
-    now();
+  return {
+    canvas,
+    element,
+    geometry: () => geometry,
+    palette: () => palette,
+    camera: () => camera,
+    /** How the whole maze lies. */
+    fitted: () => fitted,
+    ...painting,
+    measure,
+    print(is: boolean) {
+      printing = is;
+      palette = readPalette();
+      measure();
+    },
+    look(next: Camera) {
+      camera = next.scale > 1.001 ? next : wholeMaze(maze);
+      measure();
+    },
+    resize(other: MazeSize) {
+      maze = other;
+      camera = wholeMaze(maze);
+      measure();
+    },
+    recolour() {
+      palette = readPalette();
+      paintChanged();
+    },
+  };
+}
+
+type StageView = ReturnType<typeof createView>;
+
+/** Crisp at every zoom of the browser. */
+function setSize(canvas: HTMLCanvasElement, { canvasWidth, canvasHeight, ratio }: Geometry) {
+  if (canvas.width !== canvasWidth || canvas.height !== canvasHeight) {
+    canvas.width = canvasWidth;
+    canvas.height = canvasHeight;
   }
-  function print(event: Event) {
-    printing = event.type === 'beforeprint';
-    palette = readPalette();
-    measure();
-  }
-  function look(next: Camera) {
-    camera = next.scale > 1.001 ? next : wholeMaze(size);
-    measure();
-  }
-  function move(next: Camera) {
-    look(next);
-    options.looked?.(camera);
-  }
-  const looking = {
-    scale: () => camera.scale,
+  canvas.style.width = `${canvasWidth / ratio}px`;
+  canvas.style.height = `${canvasHeight / ratio}px`;
+}
+
+/** How the user looks closer and aside. */
+function lookingAt({ canvas, ...view }: StageView, move: (next: Camera) => void) {
+  return {
+    scale: () => view.camera().scale,
     zoomBy(factor: number, x = canvas.clientWidth / 2, y = canvas.clientHeight / 2) {
-      const g = geometry;
+      const g = view.geometry();
       const column = (x * g.ratio - g.left) / g.pitch;
       const row = g.height - (y * g.ratio - g.top) / g.pitch;
       // What the whole maze leaves free beside it is room for a closer look: its middle is where the room's is.
-      move(zoomed(cameraOf(camera.scale, g), factor, closest(fitted), [column, row]));
+      move(zoomed(cameraOf(view.camera().scale, g), factor, closest(view.fitted()), [column, row]));
     },
     panBy(x: number, y: number) {
+      const camera = view.camera();
       if (camera.scale === 1) return;
-      const cell = geometry.pitch / geometry.ratio;
+      const { pitch, ratio } = view.geometry();
+      const cell = pitch / ratio;
       move({ ...camera, x: camera.x - x / cell, y: camera.y + y / cell });
     },
   };
-  listenForGestures(canvas, looking, {
-    mayDrag: options.mayDrag ?? (({ button }) => button <= 1 && camera.scale > 1),
-    twoFingers: options.twoFingers,
-  });
+}
 
+/** Measures again when the room, the zoom of the browser, the tones or the paper change; the function returned ends that. */
+function watch({ element, measure, recolour, ...view }: StageView): () => void {
+  const print = ({ type }: Event) => view.print(type === 'beforeprint');
   const observer = new ResizeObserver(measure);
   observer.observe(element);
   // Another zoom of the browser can leave the room as large as it was.
@@ -139,33 +162,51 @@ export function createStage(
   const unwatch = onTones(recolour);
   addEventListener('beforeprint', print);
   addEventListener('afterprint', print);
+  return () => {
+    observer.disconnect();
+    unwatch();
+    removeEventListener('resize', measure);
+    removeEventListener('beforeprint', print);
+    removeEventListener('afterprint', print);
+  };
+}
+
+export function createStage(maze: MazeSize, paint: Paint, options: StageOptions = {}): Stage {
+  const view = createView(maze, paint, options);
+  const { canvas, element, geometry, palette, camera, look, resize, redraw, now } = view;
+  function move(next: Camera) {
+    look(next);
+    options.looked?.(camera());
+  }
+  const { zoomBy, panBy, scale } = lookingAt(view, move);
+  listenForGestures(
+    canvas,
+    { scale, zoomBy, panBy },
+    {
+      mayDrag: options.mayDrag ?? (({ button }) => button <= 1 && camera().scale > 1),
+      twoFingers: options.twoFingers,
+    },
+  );
+  const unwatch = watch(view);
   return {
     element,
     canvas,
-    geometry: () => geometry,
-    palette: () => palette,
-    resize(other) {
-      size = other;
-      camera = wholeMaze(size);
-      measure();
-    },
+    geometry,
+    palette,
+    resize,
     redraw,
     now,
-    camera: () => camera,
+    camera,
     look,
-    zoomBy: looking.zoomBy,
-    panBy: looking.panBy,
-    whole: () => move(wholeMaze(size)),
+    zoomBy,
+    panBy,
+    whole: () => move({ ...camera(), scale: 1 }),
     describe(text) {
       if (canvas.getAttribute('aria-label') !== text) canvas.setAttribute('aria-label', text);
     },
     close() {
-      cancelAnimationFrame(waiting);
-      observer.disconnect();
+      view.cancel();
       unwatch();
-      removeEventListener('resize', measure);
-      removeEventListener('beforeprint', print);
-      removeEventListener('afterprint', print);
     },
   };
 }

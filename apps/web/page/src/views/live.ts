@@ -1,9 +1,9 @@
 import type { MazeData, Mouse } from '../core/types';
-import { addressOf, readAddress } from '../link/address';
+import { addressOf, readAddress, type Moment } from '../link/address';
 import { driveOf } from '../link/contest';
 import { mazeAt, placeOf } from '../link/mazes';
-import { createBench } from '../live/bench';
-import { createEveryone } from '../live/everyone';
+import { createBench, type Bench, type Order } from '../live/bench';
+import { createEveryone, type Everyone } from '../live/everyone';
 import { createMazeChoice } from '../choice/maze-choice';
 import { createWorldChoice } from '../choice/world-choice';
 import { createMouseChoice } from '../choice/mouse-choice';
@@ -31,129 +31,156 @@ const oracle: Mouse = {
 const isMaze = (thing: unknown): thing is MazeData =>
   typeof thing === 'object' && thing !== null && Array.isArray((thing as MazeData).walls);
 
-/** The view Live: one mouse in one maze, run at once. It accepts mazes. */
-export function createLive(page: Page): LiveView {
+/** The forms at the side: mouse, maze, world, seed and budget. */
+function createForms(page: Page, changed: () => void, everyone: () => Everyone) {
   const { rules } = page.about;
   const mice = page.about.mice.filter(({ walks }) => walks !== false);
   let maze: MazeData | null = null;
-  let written = '';
-  let isShown = false;
-  type Chosen = NonNullable<ReturnType<typeof order>>;
-
+  /** What the table of all mice says is of another contest. */
+  const another = () => (everyone().clear(), changed());
   const mouse = createMouseChoice(mice.some(({ name }) => name === oracle.name) ? mice : [...mice, oracle], changed);
   const mazes = createMazeChoice(page, (next) => {
     maze = next;
-    everyone.clear();
-    changed();
+    another();
   });
-  const seed = h('input', { type: 'number', min: 0, step: 1, value: 1, oninput: () => (everyone.clear(), changed()) });
-  const budget = h('input', { type: 'number', min: 1, step: 1, value: rules.budget });
-  budget.addEventListener('input', () => (everyone.clear(), changed()));
+  const seed = h('input', { type: 'number', min: 0, step: 1, value: 1, oninput: another });
+  const budget = h('input', { type: 'number', min: 1, step: 1, value: rules.budget, oninput: another });
   const budgetRow = field('Budget', budget, h('span', {}, `limit for both runs together; ${rules.budget} in contests`));
   const seedRow = field('Seed', seed);
   const single = page.about.worlds.filter(({ call }) => call === 'run' || call === 'drive');
   const world = createWorldChoice(page.about, () => (showWorld(), changed()), single);
+  function showWorld() {
+    budgetRow.hidden = everyone().button.hidden = world.drive() !== null;
+    if (world.drive()) everyone().clear();
+    mouse.playIn(world.drive() ? 'seconds' : 'steps');
+  }
+  return {
+    mouse,
+    mazes,
+    seed,
+    budget,
+    world,
+    rows: h('div', { class: 'field-row' }, seedRow, budgetRow),
+    showWorld,
+    maze: () => maze,
+    order(): Order | null {
+      // What is empty is no number, and no 0: the core says so.
+      const numbers = { seed: seed.valueAsNumber, budget: budget.valueAsNumber };
+      return maze && { spec: mouse.spec(), maze, ...numbers, drive: world.drive() };
+    },
+    /** Says it at the field that it names. */
+    complain: (message: string) => complainAt({ seed: seedRow, budget: budgetRow, mouse }, 'mouse', message),
+  };
+}
+
+type Forms = ReturnType<typeof createForms>;
+
+function sideOf({ mouse, mazes, world, rows }: Forms, everyone: Everyone) {
+  const contest = [h('h2', {}, 'Contest'), world.element, rows, everyone.button];
+  const card = h('section', { class: 'card', 'aria-label': 'Contest' }, ...contest);
+  return h('div', { class: 'desk-side' }, mouse.element, mazes.element, mouse.parameters, card);
+}
+
+/** Opens and shows the field with a complaint. */
+function showComplaint(side: HTMLElement) {
+  const row = side.querySelector('[aria-invalid]')?.closest('.field');
+  const closed = row?.closest('details');
+  if (closed) closed.open = true;
+  row?.scrollIntoView({ block: 'nearest' });
+}
+
+async function addressFor(page: Page, { spec, maze, seed, budget, drive }: Order, moment = {}) {
+  const place = await placeOf(page.core, page.about, maze);
+  const steps = drive || budget === page.about.rules.budget ? {} : { budget };
+  const driven = drive && { ...drive, robot: withoutRemarks(drive.robot) };
+  return addressOf('live', { mice: [spec], ...place, seeds: [seed], ...steps, ...driven, ...moment });
+}
+
+/** Sets the forms to what a link says; gives back what then chooses its maze, and says whether it has one. */
+async function setForms(
+  page: Page,
+  { mouse, mazes, seed, budget, world, showWorld }: Forms,
+  bench: Bench,
+  link: Moment,
+) {
+  if (link.mice.length > 1 || link.seeds.length > 1)
+    throw new Error('This link cannot be followed: Live runs one mouse from one seed.');
+  const drive = driveOf(link, page.about);
+  if (link.mice.length > 0) mouse.choose(link.mice[0]);
+  if (link.seeds.length > 0) seed.value = String(link.seeds[0]);
+  if (link.budget !== undefined) budget.value = String(link.budget);
+  if (drive || link.mice.length > 0) (world.choose(drive?.world, drive?.with), showWorld());
+  if (link.time !== undefined || link.look) bench.begin(link);
+  const maze = await mazeAt(page.core, link);
+  return () => {
+    if (maze && link.builtin.length > 0) mazes.choose(link.builtin[0]);
+    else if (maze) mazes.give(maze);
+    return maze !== null;
+  };
+}
+
+/** The address says what is shown, so that a reload or a shared link shows the same. */
+function createShownAddress(page: Page, isShown: () => boolean) {
+  let written = '';
+  const { ask } = createLatest(
+    (now: Order) => addressFor(page, now),
+    (text) => {
+      written = `#${text}`;
+      void page.shelf.write('live', written);
+      if (isShown()) history.replaceState(null, '', written);
+    },
+    () => undefined,
+    300,
+  );
+  return { show: ask, written: () => written, set: (hash: string) => void (written = hash) };
+}
+
+/** The view Live: one mouse in one maze, run at once. It accepts mazes. */
+export function createLive(page: Page): LiveView {
+  let isShown = false;
+  const address = createShownAddress(page, () => isShown);
+  const forms = createForms(page, changed, () => everyone);
+  const { mouse, mazes, seed, order } = forms;
   const bench = createBench(page, (message) => {
-    complainAt({ seed: seedRow, budget: budgetRow, mouse }, 'mouse', message);
-    if (message) showComplaint();
+    forms.complain(message);
+    if (message) showComplaint(side);
   });
-  const everyone = createEveryone(page, order, (spec, itsSeed) => {
+  const everyone: Everyone = createEveryone(page, order, (spec, itsSeed) => {
     mouse.choose(spec);
     seed.value = String(itsSeed);
     changed();
     scrollTo({ top: 0, behavior: 'instant' });
   });
-
-  function showWorld() {
-    budgetRow.hidden = everyone.button.hidden = world.drive() !== null;
-    if (world.drive()) everyone.clear();
-    mouse.playIn(world.drive() ? 'seconds' : 'steps');
-  }
-  function showComplaint() {
-    const row = side.querySelector('[aria-invalid]')?.closest('.field');
-    const closed = row?.closest('details');
-    if (closed) closed.open = true;
-    row?.scrollIntoView({ block: 'nearest' });
-  }
-  function order() {
-    // What is empty is no number, and no 0: the core says so.
-    const numbers = { seed: seed.valueAsNumber, budget: budget.valueAsNumber };
-    return maze && { spec: mouse.spec(), maze, ...numbers, drive: world.drive() };
-  }
+  const side = sideOf(forms, everyone);
   function changed() {
     const now = order();
     if (!now || !isShown) return;
     bench.run(now);
-    if (Number.isFinite(now.seed) && (now.drive || Number.isFinite(now.budget))) address.ask(now);
+    if (Number.isFinite(now.seed) && (now.drive || Number.isFinite(now.budget))) address.show(now);
   }
-  /** The address says what is shown, so that a reload or a shared link shows the same. */
-  const address = createLatest(
-    (now: Chosen) => addressFor(now),
-    (text) => {
-      written = `#${text}`;
-      void page.shelf.write('live', written);
-      if (isShown) history.replaceState(null, '', written);
-    },
-    () => undefined,
-    300,
-  );
-  async function addressFor({ spec, maze, seed, budget, drive }: Chosen, moment = {}) {
-    const place = await placeOf(page.core, page.about, maze);
-    const steps = drive || budget === rules.budget ? {} : { budget };
-    const driven = drive && { ...drive, robot: withoutRemarks(drive.robot) };
-    return addressOf('live', { mice: [spec], ...place, seeds: [seed], ...steps, ...driven, ...moment });
-  }
-  async function follow(hash: string) {
-    if (hash === written) return;
-    const { moment } = readAddress(hash);
-    if (moment.mice.length > 1 || moment.seeds.length > 1)
-      throw new Error('This link cannot be followed: Live runs one mouse from one seed.');
-    const drive = driveOf(moment, page.about);
-    if (moment.mice.length > 0) mouse.choose(moment.mice[0]);
-    if (moment.seeds.length > 0) seed.value = String(moment.seeds[0]);
-    if (moment.budget !== undefined) budget.value = String(moment.budget);
-    if (drive || moment.mice.length > 0) (world.choose(drive?.world, drive?.with), showWorld());
-    if (moment.time !== undefined || moment.look) bench.begin(moment);
-    const linked = await mazeAt(page.core, moment);
-    written = hash;
-    if (linked && moment.builtin.length > 0) mazes.choose(moment.builtin[0]);
-    else if (linked) mazes.give(linked);
-    else if (maze && !mazes.isDrawing()) changed();
+  /** Runs again; a drawing may have changed. */
+  function refresh() {
+    if (forms.maze() && !mazes.isDrawing()) changed();
     else mazes.refresh();
   }
-
-  const side = h(
-    'div',
-    { class: 'desk-side' },
-    mouse.element,
-    mazes.element,
-    mouse.parameters,
-    h(
-      'section',
-      { class: 'card', 'aria-label': 'Contest' },
-      h('h2', {}, 'Contest'),
-      world.element,
-      h('div', { class: 'field-row' }, seedRow, budgetRow),
-      everyone.button,
-    ),
-  );
+  const main = h('div', { class: 'desk-main' }, bench.element, everyone.element);
   return {
-    element: h(
-      'section',
-      { 'aria-label': 'Live', class: 'live' },
-      h('div', { class: 'desk' }, side, h('div', { class: 'desk-main' }, bench.element, everyone.element)),
-    ),
-    maze: () => maze,
+    element: h('section', { 'aria-label': 'Live', class: 'live' }, h('div', { class: 'desk' }, side, main)),
+    maze: forms.maze,
     shown() {
       isShown = true;
-      if (maze && !mazes.isDrawing()) changed();
-      else mazes.refresh();
+      refresh();
     },
-    follow,
+    async follow(hash) {
+      if (hash === address.written()) return;
+      const goTo = await setForms(page, forms, bench, readAddress(hash).moment);
+      address.set(hash);
+      if (!goTo()) refresh();
+    },
     async address() {
       const now = order();
       if (!now || !Number.isSafeInteger(now.seed) || !Number.isSafeInteger(now.budget)) return 'live';
-      return addressFor(now, bench.moment());
+      return addressFor(page, now, bench.moment());
     },
     hidden() {
       isShown = false;
@@ -163,7 +190,7 @@ export function createLive(page: Page): LiveView {
       if (!isMaze(thing)) return;
       mazes.give(thing);
       // What stands in the address is older than this.
-      written = location.hash;
+      address.set(location.hash);
     },
   };
 }

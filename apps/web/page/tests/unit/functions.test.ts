@@ -12,7 +12,6 @@ const stillLonger = [
   'home/race.ts createFrontRace',
   'live/bench.ts createBench',
   'live/everyone.ts createEveryone',
-  'maze/stage.ts createStage',
   'player/curves.ts createCurves',
   'player/legend.tsx signsOf',
   'player/scene.ts createScene',
@@ -25,7 +24,6 @@ const stillLonger = [
   'shell/kept.ts createFinder',
   'shell/stage.ts createStage',
   'views/home.ts createHome',
-  'views/live.ts createLive',
   'views/replay.ts createReplay',
 ];
 
