@@ -1,5 +1,6 @@
 // The maze in which mice run: built in, generated, drawn, or from a file.
 import type { MazeData } from '../core/types';
+import { button } from '../ui/controls';
 import { h } from '../ui/dom';
 import { field } from '../ui/field';
 import { createGenerator } from '../ui/generator';
@@ -29,25 +30,31 @@ const sources: { source: Source; label: string }[] = [
   { source: 'given', label: 'File or link' },
 ];
 
-/** `chosen` hears of each maze. */
-export function createMazeChoice(page: Page, chosen: (maze: MazeData) => void): MazeChoice {
-  const { mazes } = page.about;
-  let given: MazeData | null = null;
-  let now: MazeData | null = null;
-  const source = h('select', {}, ...sources.map((one) => h('option', { value: one.source }, one.label)));
-  const row = field('From', source);
-  const named = mazes.map(({ name, width, height }) =>
+/** The control of each source; the generator also says what is wrong with its order. */
+function createPanels(page: Page) {
+  const named = page.about.mazes.map(({ name, width, height }) =>
     h('option', { value: name, selected: name === usual }, `${name} · ${width} × ${height}`),
   );
   const builtin = h('select', { 'aria-label': 'Built-in maze' }, ...named);
   const generator = createGenerator(page.about, { first: 'depth-first' });
-  const note = h('p', { class: 'note' });
-  const panels: Record<Source, HTMLElement> = {
+  const elements: Record<Source, HTMLElement> = {
     'built-in': builtin,
     generator: generator.element,
     drawing: h('p', { class: 'note' }, 'The maze in the view Draw.'),
-    given: h('button', { type: 'button', onclick: page.choose }, 'Open a file…'),
+    given: button('Open a file…', page.choose),
   };
+  return { builtin, generator, elements };
+}
+
+/** `chosen` hears of each maze. */
+export function createMazeChoice(page: Page, chosen: (maze: MazeData) => void): MazeChoice {
+  let given: MazeData | null = null;
+  let now: MazeData | null = null;
+  const source = h('select', {}, ...sources.map((one) => h('option', { value: one.source }, one.label)));
+  const row = field('From', source);
+  const note = h('p', { class: 'note' });
+  const { builtin, generator, elements } = createPanels(page);
+  const showPanel = () => sources.forEach((one) => (elements[one.source].hidden = one.source !== source.value));
 
   async function fetchMaze(from: Source): Promise<MazeData> {
     if (from === 'built-in') return (await page.core.call('builtin_maze', { name: builtin.value })).maze;
@@ -75,29 +82,23 @@ export function createMazeChoice(page: Page, chosen: (maze: MazeData) => void): 
     150,
   );
   function ask() {
-    for (const one of sources) panels[one.source].hidden = one.source !== source.value;
+    showPanel();
     latest.ask(source.value as Source);
   }
   function give(maze: MazeData) {
     given = maze;
     source.value = 'given';
-    for (const one of sources) panels[one.source].hidden = one.source !== 'given';
+    showPanel();
     latest.cancel();
     take(maze);
   }
+  const edit = button('Edit in Draw', () => now && page.draw(now));
+  const content = [h('h2', {}, 'Maze'), row, ...sources.map((one) => elements[one.source]), note, edit];
   source.addEventListener('change', ask);
   builtin.addEventListener('change', ask);
   generator.element.addEventListener('input', ask);
   return {
-    element: h(
-      'section',
-      { class: 'card', 'aria-label': 'Maze' },
-      h('h2', {}, 'Maze'),
-      row,
-      ...sources.map((one) => panels[one.source]),
-      note,
-      h('button', { type: 'button', onclick: () => now && page.draw(now) }, 'Edit in Draw'),
-    ),
+    element: h('section', { class: 'card', 'aria-label': 'Maze' }, ...content),
     give,
     choose(name) {
       source.value = 'built-in';

@@ -1,6 +1,7 @@
 // Which mouse runs, with which parameters.
 import type { Mouse, Parameter } from '../core/types';
 import { createCopyable } from '../ui/copy';
+import { button } from '../ui/controls';
 import { h } from '../ui/dom';
 import { field } from '../ui/field';
 import { createParameters } from './parameters';
@@ -22,6 +23,23 @@ export interface MouseChoice {
 /** The one to begin with: it has parameters, and reasons. */
 const isUsual = (name: string) => name === 'ariadne';
 
+const cardsOf = (row: HTMLElement, spec: HTMLElement, reset: HTMLElement, parameters: HTMLElement) => ({
+  element: h(
+    'section',
+    { class: 'card', 'aria-label': 'Mouse' },
+    h('h2', {}, 'Mouse'),
+    row,
+    h('div', { class: 'field' }, h('span', { class: 'label' }, 'For the command line'), spec),
+  ),
+  parameters: h(
+    'details',
+    { class: 'card', open: matchMedia('(min-width: 60rem)').matches },
+    h('summary', {}, h('h2', {}, 'Parameters')),
+    reset,
+    parameters,
+  ),
+});
+
 export function createMouseChoice(mice: Mouse[], changed: () => void): MouseChoice {
   let mouse = (mice.find(({ name }) => isUsual(name)) ?? mice[0]).name;
   let values: Values = {};
@@ -37,7 +55,7 @@ export function createMouseChoice(mice: Mouse[], changed: () => void): MouseChoi
     changed();
   });
   const copyable = createCopyable('The mouse for the command line', 'Copy');
-  const reset = h('button', { type: 'button', onclick: () => choose(mouse, {}) }, 'Back to defaults');
+  const reset = button('Back to defaults', () => choose(mouse, {}));
   select.addEventListener('change', () => choose(select.value, {}));
 
   const counts = ({ counts_in }: Parameter) => !counts_in || counts_in === unit;
@@ -69,20 +87,7 @@ export function createMouseChoice(mice: Mouse[], changed: () => void): MouseChoi
   }
   update();
   return {
-    element: h(
-      'section',
-      { class: 'card', 'aria-label': 'Mouse' },
-      h('h2', {}, 'Mouse'),
-      row,
-      h('div', { class: 'field' }, h('span', { class: 'label' }, 'For the command line'), copyable.element),
-    ),
-    parameters: h(
-      'details',
-      { class: 'card', open: matchMedia('(min-width: 60rem)').matches },
-      h('summary', {}, h('h2', {}, 'Parameters')),
-      reset,
-      parameters.element,
-    ),
+    ...cardsOf(row, copyable.element, reset, parameters.element),
     spec,
     playIn(where) {
       unit = where;

@@ -35,6 +35,11 @@ function outcomeInWords({ spec, play }: Walk): string {
   return `${spec} in ${play.maze.name || 'this maze'}: ${play.outcome}, score ${score(play.score, unit)}, ${known}`;
 }
 
+const runIn = (page: Page, { spec, maze, seed, budget, drive }: Order): Promise<{ play: Play; record: string }> =>
+  drive
+    ? page.core.call('drive', { mouse: spec, maze, seed, ...drive })
+    : page.core.call('run', { mouse: spec, maze, seed, budget });
+
 /** `refused` hears why a run could not be, and an empty text where it could. */
 export function createBench(page: Page, refused: (message: string) => void): Bench {
   const outcome = h('p', { role: 'status', class: 'verdict' });
@@ -77,12 +82,7 @@ export function createBench(page: Page, refused: (message: string) => void): Ben
     show();
   }
   const latest = createLatest(
-    async ({ spec, maze, seed, budget, drive }: Order): Promise<Walk> => {
-      const answer: { play: Play; record: string } = drive
-        ? await page.core.call('drive', { mouse: spec, maze, seed, ...drive })
-        : await page.core.call('run', { mouse: spec, maze, seed, budget });
-      return { spec, seed, budget, drive, ...answer };
-    },
+    async ({ maze, ...order }: Order): Promise<Walk> => ({ ...order, ...(await runIn(page, { maze, ...order })) }),
     take,
     (error) => {
       const message = error instanceof Error ? error.message : String(error);

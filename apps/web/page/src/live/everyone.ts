@@ -1,5 +1,6 @@
 // A race of all mice in one maze, one after the other, so that it can be watched and stopped.
 import type { ContestResult, MazeData } from '../core/types';
+import { button } from '../ui/controls';
 import { h } from '../ui/dom';
 import type { Page } from '../page/page';
 import { createTable, type Row } from './table';
@@ -23,6 +24,24 @@ export interface Everyone {
 
 const isReference = (name: string) => name === 'oracle';
 
+async function contest(page: Page, spec: string, { maze, seed, budget }: Task): Promise<Row> {
+  const base = { spec, isReference: isReference(spec) };
+  try {
+    const { results } = await page.core.call('race', { mice: [spec], mazes: [maze], seed, runs: 1, budget });
+    const [mouse] = results.mice;
+    const result: ContestResult = mouse.results[0];
+    return { ...base, result, ratio: mouse.mean_ratio, outcome: result.outcome };
+  } catch (error) {
+    return { ...base, result: null, ratio: null, outcome: error instanceof Error ? error.message : String(error) };
+  }
+}
+
+/** All that run in steps, the oracle, and the one that is chosen. */
+const specsOf = ({ about }: Page, { spec }: Task) => {
+  const walkers = about.mice.filter(({ walks }) => walks !== false).map(({ name }) => name);
+  return [...new Set([...walkers, 'oracle', spec])];
+};
+
 /** `pick` hears of a mouse whose walk is to be shown, by its SPEC and its seed. */
 export function createEveryone(
   page: Page,
@@ -32,8 +51,8 @@ export function createEveryone(
   const table = createTable((row) => row.result && pick(row.spec, row.result.seed));
   const progress = h('progress', { hidden: true, 'aria-label': 'Mice that have raced' });
   const said = h('p', { role: 'status', class: 'note' });
-  const begin = h('button', { type: 'button', onclick: () => void race() }, 'Race all mice on this maze');
-  const end: HTMLButtonElement = h('button', { type: 'button', hidden: true, onclick: stop }, 'Stop');
+  const begin = button('Race all mice on this maze', race);
+  const end = button('Stop', stop, { hidden: true });
   // Each race has a number; one whose number is past ends.
   let number = 0;
 
@@ -54,30 +73,13 @@ export function createEveryone(
     begin.disabled = false;
     said.replaceChildren(words);
   }
-  async function contest(spec: string, { maze, seed, budget }: Task): Promise<Row> {
-    const base = { spec, isReference: isReference(spec) };
-    try {
-      const { results } = await page.core.call('race', { mice: [spec], mazes: [maze], seed, runs: 1, budget });
-      const [mouse] = results.mice;
-      const result: ContestResult = mouse.results[0];
-      return { ...base, result, ratio: mouse.mean_ratio, outcome: result.outcome };
-    } catch (error) {
-      return { ...base, result: null, ratio: null, outcome: error instanceof Error ? error.message : String(error) };
-    }
-  }
   async function race() {
     const now = task();
     if (!now) return;
     const mine = ++number;
     element.hidden = false;
     element.scrollIntoView({ block: 'nearest' });
-    const specs = [
-      ...new Set([
-        ...page.about.mice.filter(({ walks }) => walks !== false).map(({ name }) => name),
-        'oracle',
-        now.spec,
-      ]),
-    ];
+    const specs = specsOf(page, now);
     table.begin(`All mice in ${now.maze.name || 'this maze'}, seed ${now.seed}`);
     progress.max = specs.length;
     progress.value = 0;
@@ -85,7 +87,7 @@ export function createEveryone(
     begin.disabled = true;
     for (const spec of specs) {
       said.replaceChildren(`${spec} races: ${progress.value + 1} of ${specs.length}`);
-      const row = await contest(spec, now);
+      const row = await contest(page, spec, now);
       if (mine !== number) return;
       table.add(row);
       progress.value += 1;

@@ -66,6 +66,29 @@ interface ListProps {
   seek: (time: number) => void;
 }
 
+/** In the place of lines out of view. */
+const Spacer = ({ height }: { height: number }) => (
+  <tr aria-hidden="true" class="spacer" style={{ height: `${height}px` }} />
+);
+
+const Line = ({ track, current, seek, frame, shown }: ListProps & { frame: number; shown: Column[] }) => (
+  <tr
+    aria-rowindex={frame + 2}
+    aria-current={frame === current ? 'step' : undefined}
+    class={frame === track.lossFrame ? 'lost' : undefined}
+    onClick={() => seek(track.time[frame])}
+  >
+    <th scope="row">
+      <button type="button" tabIndex={-1} aria-label={frame === track.last ? 'the end' : `step ${frame + 1}`}>
+        {frame === track.last ? '' : frame + 1}
+      </button>
+    </th>
+    {shown.map(({ text }) => (
+      <td>{text(track, frame)}</td>
+    ))}
+  </tr>
+);
+
 function List({ track, current, seek }: ListProps) {
   const scroller = useRef<HTMLDivElement>(null);
   const lineHeight = fingers.matches ? 44 : 24;
@@ -84,27 +107,6 @@ function List({ track, current, seek }: ListProps) {
     setTop(list.scrollTop);
   }, [current]);
 
-  const spacer = (lines: number) => (
-    <tr aria-hidden="true" class="spacer" style={{ height: `${lines * lineHeight}px` }} />
-  );
-  const line = (frame: number) => (
-    <tr
-      key={frame}
-      aria-rowindex={frame + 2}
-      aria-current={frame === current ? 'step' : undefined}
-      class={frame === track.lossFrame ? 'lost' : undefined}
-      onClick={() => seek(track.time[frame])}
-    >
-      <th scope="row">
-        <button type="button" tabIndex={-1} aria-label={frame === track.last ? 'the end' : `step ${frame + 1}`}>
-          {frame === track.last ? '' : frame + 1}
-        </button>
-      </th>
-      {shown.map(({ text }) => (
-        <td>{text(track, frame)}</td>
-      ))}
-    </tr>
-  );
   return (
     <div
       class="scroller"
@@ -124,9 +126,11 @@ function List({ track, current, seek }: ListProps) {
           </tr>
         </thead>
         <tbody>
-          {spacer(first)}
-          {Array.from({ length: end - first }, (_, i) => line(first + i))}
-          {spacer(track.last + 1 - end)}
+          <Spacer height={first * lineHeight} />
+          {Array.from({ length: end - first }, (_, i) => (
+            <Line key={first + i} frame={first + i} {...{ track, current, seek, shown }} />
+          ))}
+          <Spacer height={(track.last + 1 - end) * lineHeight} />
         </tbody>
       </table>
     </div>

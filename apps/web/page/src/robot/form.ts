@@ -76,6 +76,18 @@ function choiceRow(key: RobotKey, value: RobotValue | undefined, input: () => vo
   return { control, beside: false as const, read };
 }
 
+function createRow(key: RobotKey, value: RobotValue | undefined, changed: () => void): Row {
+  const isChoice = key.kind === 'yes_or_no' || key.kind === 'end';
+  const { control, beside, read } = (isChoice ? choiceRow : numberRow)(key, value, changed);
+  const unit = key.unit && ` (${key.unit})`;
+  const help = h('span', {}, key.meaning, h('span', { class: 'range' }, ` ${key.range}`));
+  const element = field(`${shortOf(key.name)}${unit}`, control, help);
+  control.dataset.key = key.name;
+  const remark = h('span', { class: 'field-remark', role: 'status' });
+  element.append(...(beside ? [beside] : []), remark);
+  return { element, remark, read };
+}
+
 /** `changed` hears of every edit; `again` where other keys have a meaning after it. */
 export function createRobotForm(keys: RobotKey[], changed: () => void): RobotForm {
   const element = h('div', { class: 'robot-form' });
@@ -83,16 +95,9 @@ export function createRobotForm(keys: RobotKey[], changed: () => void): RobotFor
   let shown = '';
 
   function rowOf(key: RobotKey, value: RobotValue | undefined): HTMLElement {
-    const isChoice = key.kind === 'yes_or_no' || key.kind === 'end';
-    const { control, beside, read } = (isChoice ? choiceRow : numberRow)(key, value, changed);
-    const unit = key.unit && ` (${key.unit})`;
-    const help = h('span', {}, key.meaning, h('span', { class: 'range' }, ` ${key.range}`));
-    const row = field(`${shortOf(key.name)}${unit}`, control, help);
-    control.dataset.key = key.name;
-    const remark = h('span', { class: 'field-remark', role: 'status' });
-    row.append(...(beside ? [beside] : []), remark);
-    rows.set(key.name, { element: row, remark, read });
-    return row;
+    const row = createRow(key, value, changed);
+    rows.set(key.name, row);
+    return row.element;
   }
   function sectionElement(section: string, of: RobotKey[], values: Values) {
     const title = titles[section] ?? section;

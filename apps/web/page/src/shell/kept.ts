@@ -67,6 +67,18 @@ export function createKeeper(core: Core, shelf: Shelf): Keeper {
   };
 }
 
+/** A robot that was kept; what is no robot is not kept either. */
+async function robotOf(core: Core, kept: unknown): Promise<KeptRobot | null> {
+  const { name, text, origin } = (kept ?? {}) as Record<string, unknown>;
+  const from = (origin ?? {}) as Record<string, unknown>;
+  if (!isText(name) || !isText(text) || !isText(from.name)) return null;
+  const files = [{ name, text }, ...(isText(from.text) ? [{ name: from.name, text: from.text }] : [])];
+  const answers = files.map((one) => core.call('robot', { name: one.name }, bytesOf(one.text)).catch(() => null));
+  if (!isText(from.text) && !(await core.call('about', {})).robots.some((one) => one.name === from.name)) return null;
+  if ((await Promise.all(answers)).some((answer) => !answer?.result)) return null;
+  return { name, text, origin: { name: from.name, text: isText(from.text) ? from.text : null } };
+}
+
 export function createFinder(core: Core, shelf: Shelf): Finder {
   const mazeOf = (link: string) =>
     core.call('read_link', { link }).then(
@@ -113,18 +125,6 @@ export function createFinder(core: Core, shelf: Shelf): Finder {
       const opened = await core.call('open', { name: 'results' }, bytesOf(text)).catch(() => null);
       return opened?.kind === 'results' ? { results: opened.results, raced: await mazesOf(raced) } : null;
     },
-    async robot() {
-      const { name, text, origin } = ((await shelf.read('robot')) ?? {}) as Record<string, unknown>;
-      const from = (origin ?? {}) as Record<string, unknown>;
-      if (!isText(name) || !isText(text) || !isText(from.name)) return null;
-      // What is no robot is not kept either.
-      const answers = [{ name, text }, ...(isText(from.text) ? [{ name: from.name, text: from.text }] : [])].map(
-        (one) => core.call('robot', { name: one.name }, bytesOf(one.text)).catch(() => null),
-      );
-      if (!isText(from.text) && !(await core.call('about', {})).robots.some((one) => one.name === from.name))
-        return null;
-      if ((await Promise.all(answers)).some((answer) => !answer?.result)) return null;
-      return { name, text, origin: { name: from.name, text: isText(from.text) ? from.text : null } };
-    },
+    robot: async () => robotOf(core, await shelf.read('robot')),
   };
 }

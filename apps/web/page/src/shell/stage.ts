@@ -25,6 +25,22 @@ export interface Stage {
   view(name: ViewName): View | undefined;
 }
 
+/** A view that fails over a strange file must not take the page with it. */
+function safely(act: () => void, complain: (message: string) => void) {
+  try {
+    act();
+  } catch (error) {
+    complain(`This could not be shown: ${error instanceof Error ? error.message : String(error)}`);
+  }
+}
+
+/** The address names the view, and no longer what a link led to. */
+function nameInAddress(name: ViewName) {
+  const route = routeOf(location.hash);
+  if (!route || !('view' in route) || route.view !== name) location.hash = name;
+  else if (route.more) history.replaceState(null, '', `#${name}`);
+}
+
 export function createStage(frame: Frame, complain: (error: unknown) => void): Stage {
   const views = new Map<ViewName, View>();
   const things = new Map<ViewName, unknown>();
@@ -38,21 +54,13 @@ export function createStage(frame: Frame, complain: (error: unknown) => void): S
   // The browser keeps one place for the whole page and an entry of the way back, which is not the same.
   history.scrollRestoration = 'manual';
 
-  // A view that fails over a strange file must not take the page with it.
-  function safely(act: () => void) {
-    try {
-      act();
-    } catch (error) {
-      complain(`This could not be shown: ${error instanceof Error ? error.message : String(error)}`);
-    }
-  }
   function give(name: ViewName) {
     const view = views.get(name);
     if (!view) return;
     const thing = things.get(name);
     things.delete(name);
-    if (thing !== undefined && !(thing instanceof Link)) safely(() => view.accept?.(thing));
-    if (current === name) safely(() => view.shown());
+    if (thing !== undefined && !(thing instanceof Link)) safely(() => view.accept?.(thing), complain);
+    if (current === name) safely(() => view.shown(), complain);
     if (thing instanceof Link) view.follow?.(thing.hash).catch(complain);
   }
   return {
@@ -68,18 +76,13 @@ export function createStage(frame: Frame, complain: (error: unknown) => void): S
       const top = things.has(name) ? 0 : (places.get(name) ?? 0);
       if (current !== null && current !== name) {
         places.set(current, scrollY);
-        safely(() => views.get(current!)?.hidden?.());
+        safely(() => views.get(current!)?.hidden?.(), complain);
       }
       current = name;
       for (const [other, view] of views) view.element.hidden = other !== name;
       starting.hidden = views.has(name);
       frame.mark(name);
-      if (thing !== undefined && !keepAddress) {
-        // What a link led to is no longer what is shown.
-        const route = routeOf(location.hash);
-        if (!route || !('view' in route) || route.view !== name) location.hash = name;
-        else if (route.more) history.replaceState(null, '', `#${name}`);
-      }
+      if (thing !== undefined && !keepAddress) nameInAddress(name);
       give(name);
       scrollTo({ top, behavior: 'instant' });
     },
