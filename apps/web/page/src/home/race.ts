@@ -26,6 +26,14 @@ export interface FrontRace {
   time(): number;
 }
 
+const say = (place: HTMLElement, text: string) => place.textContent !== text && (place.textContent = text);
+
+/** When a pair begins to be shown: a little before they part. */
+function beginOf([{ play }, other]: [Met, Met], { track }: Lane): number {
+  const parting = partingOf(play, other.play);
+  return Math.max(0, (parting ? track.time[parting.frame] : 0) - lead);
+}
+
 /** `ended` hears when a race was shown to its end; the controls stand beside the clock. */
 export function createFrontRace(ended: () => void, ...controls: HTMLElement[]): FrontRace {
   const clock = h('span', { class: 'clock', role: 'timer', 'aria-live': 'off' }, unset);
@@ -33,12 +41,8 @@ export function createFrontRace(ended: () => void, ...controls: HTMLElement[]): 
   const gap = h('p', { class: 'gap' });
   const lanes = h('div', { class: 'lanes' });
   const meter = createMeter();
-  const element = h(
-    'div',
-    { class: 'front-race' },
-    h('div', { class: 'board' }, gap, h('p', {}, clock, ' s ', pace), h('span', { class: 'controls' }, ...controls)),
-    lanes,
-  );
+  const board = [gap, h('p', {}, clock, ' s ', pace), h('span', { class: 'controls' }, ...controls)];
+  const element = h('div', { class: 'front-race' }, h('div', { class: 'board' }, ...board), lanes);
   Object.assign(element, { meter });
   let two: Lane[] = [];
   let time = 0;
@@ -47,14 +51,11 @@ export function createFrontRace(ended: () => void, ...controls: HTMLElement[]): 
   let last = -1;
   let asked = 0;
 
-  const say = (place: HTMLElement, text: string) => place.textContent !== text && (place.textContent = text);
   function show() {
     for (const lane of two) lane.show(time);
     say(clock, time.toFixed(2));
-    const speed = paceAt(
-      two.map(({ track }) => track.drive!),
-      time,
-    );
+    const drives = two.map(({ track }) => track.drive!);
+    const speed = paceAt(drives, time);
     say(pace, speed === 1 ? 'real time' : `${speed}× speed`);
     say(gap, gapInWords(two[0].standing(), two[1].standing()));
     return speed;
@@ -83,13 +84,11 @@ export function createFrontRace(ended: () => void, ...controls: HTMLElement[]): 
     element,
     set(core, pair, from) {
       for (const lane of two) lane.close();
-      const parting = partingOf(pair[0].play, pair[1].play);
       two = [createLane(core, pair[0], 'to-goal'), createLane(core, pair[1], 'route')];
       lanes.replaceChildren(...two.map((lane) => lane.element));
       past = 0;
       end = Math.max(...two.map(({ track }) => track.time[track.last]));
-      const [{ track }] = two;
-      time = Math.min(from ?? Math.max(0, (parting ? track.time[parting.frame] : 0) - lead), end);
+      time = Math.min(from ?? beginOf(pair, two[0]), end);
       show();
       for (const lane of two) lane.describe();
     },

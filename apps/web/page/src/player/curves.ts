@@ -32,6 +32,45 @@ function rangeOf(values: number[]): [number, number] {
   return [low < 0 ? low - room : 0, high + room];
 }
 
+/** Two scales over one time; `ready` is called once there are scales to place the mark by. */
+function optionsOf(width: number, data: number[][], ready: () => void): uPlot.Options {
+  const font = `12px ${getComputedStyle(document.documentElement).fontFamily}`;
+  const axis = { font, labelFont: font, labelSize: 18, ticks: { stroke: tone('line'), width: 1 } };
+  const grid = { stroke: tone('line'), width: 1 };
+  const speed = rangeOf(data[1]);
+  const acceleration = rangeOf(data[2]);
+  return {
+    width,
+    height,
+    legend: { show: false },
+    cursor: { show: false },
+    scales: {
+      x: { time: false, range: () => [0, Math.max(data[0][data[0].length - 1], 0.001)] },
+      y: { range: () => speed },
+      a: { range: () => acceleration },
+    },
+    axes: [
+      { ...axis, stroke: tone('muted'), grid, label: 'seconds in this run', size: 30 },
+      { ...axis, stroke: tone('to-goal'), grid, label: 'm/s', size: 42 },
+      { ...axis, stroke: tone('route'), grid: { show: false }, scale: 'a', side: 1, label: 'm/s²', size: 46 },
+    ],
+    hooks: { ready: [ready] },
+    series: [
+      {},
+      { label: 'speed', stroke: tone('to-goal'), width: 2, points: { show: false } },
+      {
+        label: 'acceleration',
+        scale: 'a',
+        stroke: tone('route'),
+        width: 1.5,
+        dash: [4, 2],
+        paths: stepped,
+        points: { show: false },
+      },
+    ],
+  };
+}
+
 export function createCurves(state: State, actions: Actions): Curves {
   const picture = h('div', { class: 'speeds', role: 'img' });
   const title = h('h3', {}, 'Speed and acceleration');
@@ -52,44 +91,6 @@ export function createCurves(state: State, actions: Actions): Curves {
   const drive = () => side?.track.drive;
   const begin = () => (drive()?.runs[run]?.begin ?? 0) / 1e6;
 
-  function options(width: number, data: number[][]): uPlot.Options {
-    const font = `12px ${getComputedStyle(document.documentElement).fontFamily}`;
-    const axis = { font, labelFont: font, labelSize: 18, ticks: { stroke: tone('line'), width: 1 } };
-    const grid = { stroke: tone('line'), width: 1 };
-    const speed = rangeOf(data[1]);
-    const acceleration = rangeOf(data[2]);
-    return {
-      width,
-      height,
-      legend: { show: false },
-      cursor: { show: false },
-      scales: {
-        x: { time: false, range: () => [0, Math.max(data[0][data[0].length - 1], 0.001)] },
-        y: { range: () => speed },
-        a: { range: () => acceleration },
-      },
-      axes: [
-        { ...axis, stroke: tone('muted'), grid, label: 'seconds in this run', size: 30 },
-        { ...axis, stroke: tone('to-goal'), grid, label: 'm/s', size: 42 },
-        { ...axis, stroke: tone('route'), grid: { show: false }, scale: 'a', side: 1, label: 'm/s²', size: 46 },
-      ],
-      // Before that it has no scales to place the mark by.
-      hooks: { ready: [tick] },
-      series: [
-        {},
-        { label: 'speed', stroke: tone('to-goal'), width: 2, points: { show: false } },
-        {
-          label: 'acceleration',
-          scale: 'a',
-          stroke: tone('route'),
-          width: 1.5,
-          dash: [4, 2],
-          paths: stepped,
-          points: { show: false },
-        },
-      ],
-    };
-  }
   function draw() {
     plot?.destroy();
     plot = null;
@@ -106,7 +107,7 @@ export function createCurves(state: State, actions: Actions): Curves {
       'aria-label',
       `Speed and acceleration over the ${clockText(data[0].at(-1)!)} s of ${name}; at most ${speedText(most)}.`,
     );
-    plot = new uPlot(options(width, data), data, picture);
+    plot = new uPlot(optionsOf(width, data, tick), data, picture);
     plot.over.append(mark);
     plot.over.addEventListener('click', ({ offsetX }) => actions.seek(begin() + plot!.posToVal(offsetX, 'x')));
     place = NaN;

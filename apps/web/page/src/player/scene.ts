@@ -1,6 +1,7 @@
 // One play on its canvas: what changes with the frame is painted on a canvas below, and only when it has changed; the
 // mouse is painted on a copy of that in every frame of the browser.
 import { h } from '../ui/dom';
+import type { Geometry } from '../maze/geometry';
 import type { Tone } from '../maze/palette';
 import { createStage, type Stage, type StageOptions } from '../maze/stage';
 import type { Moment } from './drive';
@@ -40,6 +41,18 @@ export interface Scene {
   repaint(): void;
 }
 
+/** How far that time is between that frame and the next one, from 0 to 1. */
+export function shareOf({ time: times, last }: Track, frame: number, time: number): number {
+  const between = frame < last ? times[frame + 1] - times[frame] : 0;
+  return between > 0 ? (time - times[frame]) / between : 0;
+}
+
+/** Setting a size clears a canvas, so it is set where it changes alone. */
+function setSize(canvas: HTMLCanvasElement, { canvasWidth, canvasHeight }: Geometry) {
+  if (canvas.width !== canvasWidth) canvas.width = canvasWidth;
+  if (canvas.height !== canvasHeight) canvas.height = canvasHeight;
+}
+
 export function createScene(track: Track, layers: Layers, options: SceneOptions = {}): Scene {
   const past = createPast(track);
   const place = createPlace(track);
@@ -62,8 +75,7 @@ export function createScene(track: Track, layers: Layers, options: SceneOptions 
     numbers: true,
     looked: options.looked,
     changed(g, palette) {
-      if (belowCanvas.width !== g.canvasWidth) belowCanvas.width = g.canvasWidth;
-      if (belowCanvas.height !== g.canvasHeight) belowCanvas.height = g.canvasHeight;
+      setSize(belowCanvas, g);
       below = { context, g, palette, track, past, layers, beliefs, hue: options.hue ?? 'ink' };
       front = { ...below, context: stage.canvas.getContext('2d', { alpha: false })! };
       stale = true;
@@ -89,8 +101,7 @@ export function createScene(track: Track, layers: Layers, options: SceneOptions 
       const frame = frameAt(track, time);
       const changed = frame !== past.frame;
       if (changed) moveTo(past, frame);
-      const between = smooth && frame < track.last ? track.time[frame + 1] - track.time[frame] : 0;
-      const share = between > 0 ? (time - track.time[frame]) / between : 0;
+      const share = smooth ? shareOf(track, frame, time) : 0;
       if (!changed && frame + share === shown) return false;
       shown = frame + share;
       place.look(smooth ? time : track.time[frame], frame, share);

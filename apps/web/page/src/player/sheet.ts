@@ -1,4 +1,5 @@
 // What is on the stage as a picture: each maze below the name of its mouse, and the time below all.
+import { h } from '../ui/dom';
 import { fontOf } from '../maze/fonts';
 import type { Geometry } from '../maze/geometry';
 import { paintGround, type Context } from '../maze/painter';
@@ -7,6 +8,7 @@ import { counted, decimal, mazeText } from './figures';
 import type { Layers } from './layers';
 import { createPlace, paintAbove, paintBelow } from './painting';
 import { createPast, moveTo } from './past';
+import { shareOf } from './scene';
 import { SvgContext } from '../maze/svg-context';
 import { frameAt, type Track } from './track';
 
@@ -45,8 +47,7 @@ function painterOf({ track, hue, beliefs, geometry: g }: Pictured, layers: Layer
     const frame = frameAt(track, time);
     if (frame !== past.frame) moveTo(past, frame);
     // In seconds a mouse is between its frames; a step is done or not.
-    const between = track.drive && frame < track.last ? track.time[frame + 1] - track.time[frame] : 0;
-    place.look(time, frame, between > 0 ? (time - track.time[frame]) / between : 0);
+    place.look(time, frame, track.drive ? shareOf(track, frame, time) : 0);
     const brush = { context, g, palette, track, past, layers, beliefs, hue };
     paintBelow(brush);
     paintAbove(brush, place);
@@ -57,12 +58,9 @@ export function createSheet(plays: Pictured[], layers: Layers, palette: Palette)
   const ratio = plays[0].geometry.ratio;
   const px = (length: number) => Math.round(length * ratio);
   const painters = plays.map((one) => painterOf(one, layers, palette));
-  const canvases = plays.map(({ geometry }) => {
-    const canvas = document.createElement('canvas');
-    canvas.width = geometry.canvasWidth;
-    canvas.height = geometry.canvasHeight;
-    return canvas.getContext('2d', { alpha: false })!;
-  });
+  const canvases = plays.map(({ geometry: { canvasWidth: width, canvasHeight: height } }) =>
+    h('canvas', { width, height }).getContext('2d', { alpha: false })!,
+  );
   const lefts: number[] = [];
   let width = px(gap);
   for (const { geometry } of plays) {

@@ -3,9 +3,40 @@ import { createFrontRace } from '../home/race';
 import { meet, pairs, type Met } from '../home/pairs';
 import { addressOf, readAddress } from '../link/address';
 import { icon, type IconName } from '../player/icons';
+import { button } from '../ui/controls';
 import { h } from '../ui/dom';
 import type { EarlyPage, View } from '../page/page';
 import '../styles/home.css';
+
+/** What this is, and where to go from here. */
+const introOf = (watch: HTMLElement) =>
+  h(
+    'div',
+    { class: 'intro' },
+    h(
+      'p',
+      {},
+      h('strong', {}, 'In labmouse, micromouse minds race through mazes that they have never seen'),
+      ': each draws its own map, follows the way that it believes in (the dots), then runs as fast as it dares.',
+    ),
+    h(
+      'div',
+      { class: 'row' },
+      watch,
+      h('a', { class: 'button', href: '#race' }, 'Race'),
+      h('a', { class: 'button', href: '#write' }, 'Write your own'),
+    ),
+  );
+
+const sign = (label: string, act: () => void, ...signs: IconName[]) =>
+  h('button', { type: 'button', 'aria-label': label, title: label, onclick: act }, ...signs.map(icon));
+
+/** Shows what the button does now. */
+function showToggle(toggle: HTMLElement, running: boolean) {
+  toggle.replaceChildren(icon(running ? 'pause' : 'play'));
+  toggle.title = running ? 'Pause' : 'Run';
+  toggle.setAttribute('aria-label', toggle.title);
+}
 
 export function createHome(page: EarlyPage): View {
   const still = matchMedia('(prefers-reduced-motion: reduce)');
@@ -15,24 +46,16 @@ export function createHome(page: EarlyPage): View {
   /** Somebody stopped it, or asked for less motion: it waits. */
   let waits = still.matches;
 
-  const sign = (label: string, onclick: () => void, ...signs: IconName[]) =>
-    h('button', { type: 'button', 'aria-label': label, title: label, onclick }, ...signs.map(icon));
   const toggle = sign('Run', () => wait(race.isRunning()));
   const other = sign('Another race', () => void begin(), 'end');
   const race = createFrontRace(() => void begin(), toggle, other);
-  const watch = h(
-    'button',
-    { type: 'button', class: 'main', disabled: true, onclick: () => now && page.replay(now, race.time()) },
-    'Watch',
-  );
+  const replay = () => now && page.replay(now, race.time());
+  const watch = button('Watch', replay, { class: 'main', disabled: true });
 
   function go() {
     if (isShown && !waits && !document.hidden) race.run();
     else race.pause();
-    const running = race.isRunning();
-    toggle.replaceChildren(icon(running ? 'pause' : 'play'));
-    toggle.title = running ? 'Pause' : 'Run';
-    toggle.setAttribute('aria-label', toggle.title);
+    showToggle(toggle, race.isRunning());
   }
   function wait(yes: boolean) {
     waits = yes;
@@ -52,37 +75,13 @@ export function createHome(page: EarlyPage): View {
       go();
     } catch (error) {
       // What keeps the core from starting is said by the page itself.
-      await page.ready.then(
-        () => page.complain(error),
-        () => undefined,
-      );
+      if (await page.ready.catch(() => null)) page.complain(error);
     }
   }
   still.addEventListener('change', () => wait(still.matches));
   document.addEventListener('visibilitychange', wake);
   return {
-    element: h(
-      'section',
-      { 'aria-label': 'Home', class: 'home' },
-      h(
-        'div',
-        { class: 'intro' },
-        h(
-          'p',
-          {},
-          h('strong', {}, 'In labmouse, micromouse minds race through mazes that they have never seen'),
-          ': each draws its own map, follows the way that it believes in (the dots), then runs as fast as it dares.',
-        ),
-        h(
-          'div',
-          { class: 'row' },
-          watch,
-          h('a', { class: 'button', href: '#race' }, 'Race'),
-          h('a', { class: 'button', href: '#write' }, 'Write your own'),
-        ),
-      ),
-      race.element,
-    ),
+    element: h('section', { 'aria-label': 'Home', class: 'home' }, introOf(watch), race.element),
     shown() {
       isShown = true;
       wake();

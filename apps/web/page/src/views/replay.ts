@@ -1,4 +1,5 @@
 // The view Replay: the player, and at its side what it plays. Until somebody chooses, that is an example.
+import type { Play } from '../core/types';
 import { addressOf, readAddress, type Moment } from '../link/address';
 import { contestBehind, contestOf, contestsInMoment, contestsOf } from '../link/contest';
 import { mazeAt, placeOf } from '../link/mazes';
@@ -7,10 +8,37 @@ import { isSameMaze } from '../maze/same';
 import { h } from '../ui/dom';
 import { createBeside } from '../replay/beside';
 import { createChooser } from '../replay/chooser';
-import { createPlayer } from '../player/player';
+import { createPlayer, type Player } from '../player/player';
 import type { Shown } from '../player/side';
 import '../styles/replay.css';
 import type { Page, View } from '../page/page';
+
+/** The contests that a link names, run again. */
+async function playsOf({ core, about }: Page, moment: Moment): Promise<Shown[]> {
+  const maze = await mazeAt(core, moment);
+  if (!maze || moment.mice.length < 1 || moment.mice.length > 2)
+    throw new Error('This link cannot be followed: a replay is of one or two mice in a maze.');
+  const plays: Shown[] = [];
+  for (const contest of contestsOf(moment, about, maze)) plays.push(await contestOf(core, contest));
+  return plays;
+}
+
+/** What a link says of contests in one maze; throws in words where it cannot hold them. */
+async function placeInLink({ core, about }: Page, plays: Play[]): Promise<Partial<Moment>> {
+  const contests = [];
+  for (const play of plays) contests.push(await contestBehind(core, play));
+  const conditions = contests.map(({ budget, drive }) => JSON.stringify([budget, drive]));
+  if (!plays.every((play) => isSameMaze(play, plays[0])) || new Set(conditions).size > 1)
+    throw new Error('A link holds contests in one maze under the same conditions. Send the records instead.');
+  return { ...contestsInMoment(contests, about), ...(await placeOf(core, about, plays[0].maze)) };
+}
+
+/** The keys are the player's once it has the focus. */
+function makeFocusable({ element }: Player) {
+  element.tabIndex = -1;
+  element.setAttribute('role', 'group');
+  element.setAttribute('aria-label', 'Player');
+}
 
 export function createReplay(page: Page): View {
   const still = matchMedia('(prefers-reduced-motion: reduce)');
@@ -31,15 +59,9 @@ export function createReplay(page: Page): View {
     if (!linked || element.hidden || !location.hash.startsWith('#replay&')) return;
     history.replaceState(null, '', `#${addressOf('replay', { ...linked, ...now })}`);
   });
-  player.element.tabIndex = -1;
-  player.element.setAttribute('role', 'group');
-  player.element.setAttribute('aria-label', 'Player');
-  const element = h(
-    'section',
-    { class: 'replay', 'aria-label': 'Replay' },
-    h('h2', { class: 'unseen' }, 'Replay'),
-    player.element,
-  );
+  makeFocusable(player);
+  const title = h('h2', { class: 'unseen' }, 'Replay');
+  const element = h('section', { class: 'replay', 'aria-label': 'Replay' }, title, player.element);
   let now: Shown[] = [];
   /** What is shown was not asked for. */
   let isExample = true;
@@ -59,13 +81,9 @@ export function createReplay(page: Page): View {
     // The button that was pressed is gone; the keys are the player's now.
     if (!chosen) player.element.focus({ preventScroll: true });
   }
-  async function followLink(hash: string) {
+  async function follow(hash: string) {
     const { moment } = readAddress(hash);
-    const maze = await mazeAt(page.core, moment);
-    if (!maze || moment.mice.length < 1 || moment.mice.length > 2)
-      throw new Error('This link cannot be followed: a replay is of one or two mice in a maze.');
-    const plays: Shown[] = [];
-    for (const contest of contestsOf(moment, page.about, maze)) plays.push(await contestOf(page.core, contest));
+    const plays = await playsOf(page, moment);
     page.keepPlays(plays);
     show(plays, false, moment.time, moment.look);
     linked = moment;
@@ -84,18 +102,14 @@ export function createReplay(page: Page): View {
     },
     async address() {
       if (now.length === 0) return 'replay';
-      const { core, about } = page;
-      const plays = now.slice(0, 2).map(({ play }) => play);
-      const contests = [];
-      for (const play of plays) contests.push(await contestBehind(core, play));
-      const conditions = contests.map(({ budget, drive }) => JSON.stringify([budget, drive]));
-      if (!plays.every((play) => isSameMaze(play, plays[0])) || new Set(conditions).size > 1)
-        throw new Error('A link holds contests in one maze under the same conditions. Send the records instead.');
-      const place = await placeOf(core, about, plays[0].maze);
-      return addressOf('replay', { ...contestsInMoment(contests, about), ...place, ...player.moment() });
+      const [{ play }, other] = now;
+      return addressOf('replay', {
+        ...(await placeInLink(page, other ? [play, other.play] : [play])),
+        ...player.moment(),
+      });
     },
     async follow(hash) {
-      await followLink(hash).catch((error) => {
+      await follow(hash).catch((error) => {
         if (now.length === 0) void chooser.play();
         throw error;
       });
