@@ -75,12 +75,8 @@ export function createMazeChoice(page: Page, chosen: (maze: MazeData) => void): 
     note.replaceChildren(`${maze.name || 'a maze'}, ${maze.width} × ${maze.height} cells`);
     chosen(maze);
   }
-  const latest = createLatest(
-    fetchMaze,
-    take,
-    (error) => complain(error instanceof Error ? error.message : String(error)),
-    150,
-  );
+  const failed = (error: unknown) => complain(error instanceof Error ? error.message : String(error));
+  const latest = createLatest(fetchMaze, take, failed, 150);
   function ask() {
     showPanel();
     latest.ask(source.value as Source);

@@ -1,7 +1,7 @@
 // Which mouse runs, with which parameters.
 import type { Mouse, Parameter } from '../core/types';
 import { createCopyable } from '../ui/copy';
-import { button } from '../ui/controls';
+import { button, select } from '../ui/controls';
 import { h } from '../ui/dom';
 import { field } from '../ui/field';
 import { createParameters } from './parameters';
@@ -44,10 +44,12 @@ export function createMouseChoice(mice: Mouse[], changed: () => void): MouseChoi
   let mouse = (mice.find(({ name }) => isUsual(name)) ?? mice[0]).name;
   let values: Values = {};
   let unit: 'steps' | 'seconds' = 'steps';
-  const options = mice.map(({ name, summary }) => h('option', { value: name }, `${name} · ${summary}`));
-  const select = h('select', {}, ...options);
+  const list = select(
+    mice.map(({ name, summary }) => [name, `${name} · ${summary}`]),
+    (name) => choose(name, {}),
+  );
   const summary = h('span', {});
-  const row = field('Name', select, summary);
+  const row = field('Name', list, summary);
   const parameters = createParameters((next) => {
     // What the form does not show stays until another mouse is chosen or all go back to their defaults.
     values = { ...unknown(), ...next };
@@ -56,23 +58,19 @@ export function createMouseChoice(mice: Mouse[], changed: () => void): MouseChoi
   });
   const copyable = createCopyable('The mouse for the command line', 'Copy');
   const reset = button('Back to defaults', () => choose(mouse, {}));
-  select.addEventListener('change', () => choose(select.value, {}));
 
   const counts = ({ counts_in }: Parameter) => !counts_in || counts_in === unit;
   const entry = () => mice.find(({ name }) => name === mouse);
   const spec = () => specOf(mouse, values, mice);
   function unknown(): Values {
-    const table = entry()?.parameters ?? [];
-    return Object.fromEntries(
-      Object.entries(values).filter(([name]) => !table.some((one) => counts(one) && one.name === name)),
-    );
+    const known = (entry()?.parameters ?? []).filter(counts).map(({ name }) => name);
+    return Object.fromEntries(Object.entries(values).filter(([name]) => !known.includes(name)));
   }
   function update() {
-    select.value = mouse;
+    list.value = mouse;
     summary.replaceChildren(entry()?.summary ?? '');
     const whole = entry() ?? { name: mouse, summary: '', throws_dice: false, parameters: [] };
-    const counting = whole.parameters.filter(counts);
-    parameters.show({ ...whole, parameters: counting }, values);
+    parameters.show({ ...whole, parameters: whole.parameters.filter(counts) }, values);
     copyable.show(spec());
     reset.disabled = spec() === mouse;
   }
@@ -81,10 +79,7 @@ export function createMouseChoice(mice: Mouse[], changed: () => void): MouseChoi
     values = { ...next };
     update();
   }
-  function choose(name: string, next: Values) {
-    set(name, next);
-    changed();
-  }
+  const choose = (name: string, next: Values) => (set(name, next), changed());
   update();
   return {
     ...cardsOf(row, copyable.element, reset, parameters.element),
@@ -94,8 +89,8 @@ export function createMouseChoice(mice: Mouse[], changed: () => void): MouseChoi
       update();
     },
     choose(text) {
-      const read = readSpec(text);
-      set(read.mouse, read.values);
+      const { mouse, values } = readSpec(text);
+      set(mouse, values);
     },
     complain(message) {
       parameters.clear();

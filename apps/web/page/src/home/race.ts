@@ -28,6 +28,25 @@ export interface FrontRace {
 
 const say = (place: HTMLElement, text: string) => place.textContent !== text && (place.textContent = text);
 
+/** What stands above the lanes: the gap, the clock and the controls. */
+function createBoard(controls: HTMLElement[]) {
+  const clock = h('span', { class: 'clock', role: 'timer', 'aria-live': 'off' }, unset);
+  const pace = h('span', { class: 'pace' });
+  const gap = h('p', { class: 'gap' });
+  const row = h('p', {}, clock, ' s ', pace);
+  return {
+    element: h('div', { class: 'board' }, gap, row, h('span', { class: 'controls' }, ...controls)),
+    /** Shows that moment, and says at which speed it passes. */
+    show([one, other]: Lane[], time: number): number {
+      const speed = paceAt([one.track.drive!, other.track.drive!], time);
+      say(clock, time.toFixed(2));
+      say(pace, speed === 1 ? 'real time' : `${speed}× speed`);
+      say(gap, gapInWords(one.standing(), other.standing()));
+      return speed;
+    },
+  };
+}
+
 /** When a pair begins to be shown: a little before they part. */
 function beginOf([{ play }, other]: [Met, Met], { track }: Lane): number {
   const parting = partingOf(play, other.play);
@@ -36,13 +55,10 @@ function beginOf([{ play }, other]: [Met, Met], { track }: Lane): number {
 
 /** `ended` hears when a race was shown to its end; the controls stand beside the clock. */
 export function createFrontRace(ended: () => void, ...controls: HTMLElement[]): FrontRace {
-  const clock = h('span', { class: 'clock', role: 'timer', 'aria-live': 'off' }, unset);
-  const pace = h('span', { class: 'pace' });
-  const gap = h('p', { class: 'gap' });
   const lanes = h('div', { class: 'lanes' });
   const meter = createMeter();
-  const board = [gap, h('p', {}, clock, ' s ', pace), h('span', { class: 'controls' }, ...controls)];
-  const element = h('div', { class: 'front-race' }, h('div', { class: 'board' }, ...board), lanes);
+  const board = createBoard(controls);
+  const element = h('div', { class: 'front-race' }, board.element, lanes);
   Object.assign(element, { meter });
   let two: Lane[] = [];
   let time = 0;
@@ -53,12 +69,7 @@ export function createFrontRace(ended: () => void, ...controls: HTMLElement[]): 
 
   function show() {
     for (const lane of two) lane.show(time);
-    say(clock, time.toFixed(2));
-    const drives = two.map(({ track }) => track.drive!);
-    const speed = paceAt(drives, time);
-    say(pace, speed === 1 ? 'real time' : `${speed}× speed`);
-    say(gap, gapInWords(two[0].standing(), two[1].standing()));
-    return speed;
+    return board.show(two, time);
   }
   function frame(now: number) {
     const begin = performance.now();

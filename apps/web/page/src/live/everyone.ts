@@ -61,13 +61,8 @@ export function createEveryone(
     page.core.stop('race');
     finish('Stopped.');
   }
-  const element = h(
-    'section',
-    { class: 'card everyone', 'aria-label': 'All mice', hidden: true },
-    h('h2', {}, 'All mice'),
-    h('div', { class: 'row' }, said, end, progress),
-    table.element,
-  );
+  const content = [h('h2', {}, 'All mice'), h('div', { class: 'row' }, said, end, progress), table.element];
+  const element = h('section', { class: 'card everyone', 'aria-label': 'All mice', hidden: true }, ...content);
   function finish(words: string) {
     progress.hidden = end.hidden = true;
     begin.disabled = false;

@@ -3,7 +3,7 @@ import uPlot from 'uplot';
 import 'uplot/dist/uPlot.min.css';
 import { h } from '../ui/dom';
 import { onTones, paperWidth, tone } from '../ui/tones';
-import { accelerationText, clockText, kinds, speedText, type DriveTrack } from './drive';
+import { accelerationText, clockText, kinds, speedText, type DriveTrack, type Moment } from './drive';
 import type { Actions, Side, State } from './state';
 
 const stepped = uPlot.paths.stepped!({ align: 1 });
@@ -71,18 +71,21 @@ function optionsOf(width: number, data: number[][], ready: () => void): uPlot.Op
   };
 }
 
+function inWords(name: string, [times, speeds]: number[][]): string {
+  const most = speeds.reduce((a, b) => Math.max(a, b), 0);
+  return `Speed and acceleration over the ${clockText(times.at(-1)!)} s of ${name}; at most ${speedText(most)}.`;
+}
+
+const readingOf = ({ time, v, a }: Moment, begin: number) =>
+  `${clockText(time - begin)} s: ${speedText(v)}, ${accelerationText(a)}`;
+
 export function createCurves(state: State, actions: Actions): Curves {
   const picture = h('div', { class: 'speeds', role: 'img' });
   const title = h('h3', {}, 'Speed and acceleration');
   const text = h('p', { class: 'reading' });
   const mark = h('div', { class: 'now' });
-  const element = h(
-    'section',
-    { class: 'drive-curves', hidden: true, 'aria-label': 'Speed and acceleration' },
-    title,
-    text,
-    picture,
-  );
+  const label = 'Speed and acceleration';
+  const element = h('section', { class: 'drive-curves', hidden: true, 'aria-label': label }, title, text, picture);
   let plot: uPlot | null = null;
   let side: Side | null = null;
   let run = -1;
@@ -99,14 +102,9 @@ export function createCurves(state: State, actions: Actions): Curves {
     if (!track || run < 0 || width === 0) return;
     const data = curveData(track, run);
     if (data[0].length < 2) return;
-    const { kind } = track.runs[run];
-    const name = `${side!.name}, run ${run + 1}: ${kinds[kind]}`;
+    const name = `${side!.name}, run ${run + 1}: ${kinds[track.runs[run].kind]}`;
     title.textContent = `Speed and acceleration: ${name}`;
-    const most = data[1].reduce((a, b) => Math.max(a, b), 0);
-    picture.setAttribute(
-      'aria-label',
-      `Speed and acceleration over the ${clockText(data[0].at(-1)!)} s of ${name}; at most ${speedText(most)}.`,
-    );
+    picture.setAttribute('aria-label', inWords(name, data));
     plot = new uPlot(optionsOf(width, data, tick), data, picture);
     plot.over.append(mark);
     plot.over.addEventListener('click', ({ offsetX }) => actions.seek(begin() + plot!.posToVal(offsetX, 'x')));
@@ -129,17 +127,14 @@ export function createCurves(state: State, actions: Actions): Curves {
       const chosen = state.sides[state.chosen];
       const { moment } = chosen.scene;
       element.hidden = !chosen.track.drive || !moment || moment.run < 0;
-      if (element.hidden) {
-        side = null;
-        return;
-      }
+      if (element.hidden) return void (side = null);
       if (chosen !== side || moment!.run !== run) {
         side = chosen;
         run = moment!.run;
         draw();
       }
       tick();
-      const words = `${clockText(moment!.time - begin())} s: ${speedText(moment!.v)}, ${accelerationText(moment!.a)}`;
+      const words = readingOf(moment!, begin());
       if (text.textContent !== words) text.textContent = words;
     },
   };

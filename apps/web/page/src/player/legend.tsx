@@ -9,94 +9,98 @@ const tints = '; if the cells are too small for numbers, a tone, stronger when n
 
 type Sign = [SampleName, string];
 
-/** What each layer's signs say. */
-function signsOf(layer: LayerName, layers: Layers, play: Play, most: number, fastest: number): Sign[] {
-  const { traits, drive } = play;
-  const { draws } = traits;
-  const mistaken: Sign[] = play.mistaken
-    ? [
-        ['wrong', 'there is no wall, but the mouse has read one'],
-        ['overlooked', 'there is a wall, but the mouse has read none'],
-      ]
-    : [];
-  const unit = drive ? 'cells' : 'steps';
-  switch (layer) {
-    case 'walls':
-      if (draws)
-        return layers.walls === 'known'
-          ? [
-              ['drawn', 'wall that the program drew, and that exists'],
-              ['unseen', 'wall that it has not drawn yet'],
-            ]
-          : [['walls', 'wall of the maze']];
-      return layers.walls === 'known'
-        ? [['walls', 'wall that the mouse knows so far'], ['unknown', 'not known yet: open or closed'], ...mistaken]
-        : [['walls', 'wall'], ['unseen', 'wall that the mouse does not know yet'], ...mistaken];
-    case 'wrong':
-      return [['wrong', 'closed, but not known yet: assuming that unknown walls are open is wrong here']];
-    case 'visits':
-      return [['visits', most > 1 ? `1 to ${most} visits to a cell so far` : '1 visit to a cell']];
-    case 'distances':
-      if (layers.distances === 'believed')
-        return [
-          ['distances', `${unit} to the goal as the mouse believed, assuming that all unknown walls are open${tints}`],
-        ];
-      return [['distances', `${unit} to the goal, in the whole maze${tints}`]];
-    case 'rays':
-      if (drive)
-        return [
-          ['rays', 'infrared beams, as far as what they read says'],
-          ['believed', 'the mouse that it thinks it is; where it differs it may crash'],
-          ['wrong', 'a wall that it read about the cell, and a cross where it touched one'],
-          ['exploration', 'no wall that it read there; paler where it was less sure'],
-        ];
-      return [['rays', 'open cells to the left, ahead and to the right, read before the next step']];
-    case 'exploration':
-      return traits.runs.length < 2
-        ? [
-            ['exploration', 'way to the goal'],
-            ['onwards', 'way from there on'],
-          ]
-        : [
-            ['exploration', 'path of the exploration to the goal'],
-            ['onwards', 'its path from there on'],
-          ];
-    case 'speed':
-      if (drive)
-        return [
-          [
-            'speeds',
-            `its path in this run so far: 0 to ${fastest.toFixed(2)} m/s, in steps of ${(fastest / 6).toFixed(2)}`,
-          ],
-          ['ahead', 'the rest of a fast run'],
-        ];
-      return [['speed', 'speed run; dot: the end of a step, with its number']];
-    case 'best':
-      if (drive) return [['fastest', 'the fastest run that the maze allows']];
-      return [
-        [
-          'best',
-          traits.runs.length < 2
-            ? 'a best possible run, cell by cell'
-            : 'a shortest speed run; ring: the end of a step',
-        ],
-      ];
-    case 'candidates':
-      return [
-        [
-          'candidates',
-          'unseen wall that it considered in its last choice, with the steps of the run through it; pale: not worth it',
-        ],
-        ['chosen', 'the chosen one'],
-      ];
-    case 'mms':
-      return [
-        ['mms', 'colours and texts that the program drew'],
-        ['drawn', 'wall that it drew, and that exists'],
-        ['wrong', 'wall that it drew, but that does not exist'],
-      ];
-  }
+/** What decides what the signs of a layer say. */
+interface Shown {
+  layers: Layers;
+  play: Play;
+  /** The most visits to a cell, and the highest speed. */
+  most: number;
+  fastest: number;
 }
+
+function wallSigns({ layers: { walls }, play: { traits, mistaken } }: Shown): Sign[] {
+  const wrong: Sign[] = [
+    ['wrong', 'there is no wall, but the mouse has read one'],
+    ['overlooked', 'there is a wall, but the mouse has read none'],
+  ];
+  if (traits.draws && walls !== 'known') return [['walls', 'wall of the maze']];
+  if (traits.draws)
+    return [
+      ['drawn', 'wall that the program drew, and that exists'],
+      ['unseen', 'wall that it has not drawn yet'],
+    ];
+  const [known, other]: Sign[] =
+    walls === 'known'
+      ? [
+          ['walls', 'wall that the mouse knows so far'],
+          ['unknown', 'not known yet: open or closed'],
+        ]
+      : [
+          ['walls', 'wall'],
+          ['unseen', 'wall that the mouse does not know yet'],
+        ];
+  return [known, other, ...(mistaken ? wrong : [])];
+}
+
+function distanceSigns({ layers, play: { drive } }: Shown): Sign[] {
+  const unit = drive ? 'cells' : 'steps';
+  const believed = `${unit} to the goal as the mouse believed, assuming that all unknown walls are open${tints}`;
+  const whole = `${unit} to the goal, in the whole maze${tints}`;
+  return [['distances', layers.distances === 'believed' ? believed : whole]];
+}
+
+function runSigns({ play: { drive }, fastest }: Shown): Sign[] {
+  if (!drive) return [['speed', 'speed run; dot: the end of a step, with its number']];
+  const steps = `0 to ${fastest.toFixed(2)} m/s, in steps of ${(fastest / 6).toFixed(2)}`;
+  return [
+    ['speeds', `its path in this run so far: ${steps}`],
+    ['ahead', 'the rest of a fast run'],
+  ];
+}
+
+function bestSigns({ play: { drive, traits } }: Shown): Sign[] {
+  if (drive) return [['fastest', 'the fastest run that the maze allows']];
+  if (traits.runs.length < 2) return [['best', 'a best possible run, cell by cell']];
+  return [['best', 'a shortest speed run; ring: the end of a step']];
+}
+
+const beams: Sign[] = [
+  ['rays', 'infrared beams, as far as what they read says'],
+  ['believed', 'the mouse that it thinks it is; where it differs it may crash'],
+  ['wrong', 'a wall that it read about the cell, and a cross where it touched one'],
+  ['exploration', 'no wall that it read there; paler where it was less sure'],
+];
+
+/** What each layer's signs say. */
+const signsOf: Record<LayerName, (shown: Shown) => Sign[]> = {
+  walls: wallSigns,
+  wrong: () => [['wrong', 'closed, but not known yet: assuming that unknown walls are open is wrong here']],
+  visits: ({ most }) => [['visits', most > 1 ? `1 to ${most} visits to a cell so far` : '1 visit to a cell']],
+  distances: distanceSigns,
+  rays: ({ play: { drive } }) =>
+    drive ? beams : [['rays', 'open cells to the left, ahead and to the right, read before the next step']],
+  exploration({ play: { traits } }) {
+    const isOne = traits.runs.length < 2;
+    return [
+      ['exploration', isOne ? 'way to the goal' : 'path of the exploration to the goal'],
+      ['onwards', isOne ? 'way from there on' : 'its path from there on'],
+    ];
+  },
+  speed: runSigns,
+  best: bestSigns,
+  candidates: () => [
+    [
+      'candidates',
+      'unseen wall that it considered in its last choice, with the steps of the run through it; pale: not worth it',
+    ],
+    ['chosen', 'the chosen one'],
+  ],
+  mms: () => [
+    ['mms', 'colours and texts that the program drew'],
+    ['drawn', 'wall that it drew, and that exists'],
+    ['wrong', 'wall that it drew, but that does not exist'],
+  ],
+};
 
 const titles: Record<LayerName, string> = {
   walls: 'Walls',
@@ -199,7 +203,7 @@ export function Legend(props: PanelProps) {
                 <Control layer={layer} {...props} />
                 <kbd>{(layerNames.indexOf(layer) + 1) % 10}</kbd>
               </div>
-              {isOn(layer) && <Signs of={signsOf(layer, layers, sides[0].track.play, most, fastest)} />}
+              {isOn(layer) && <Signs of={signsOf[layer]({ layers, play: sides[0].track.play, most, fastest })} />}
             </div>
           ))}
       </div>

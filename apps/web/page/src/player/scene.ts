@@ -56,31 +56,33 @@ function setSize(canvas: HTMLCanvasElement, { canvasWidth, canvasHeight }: Geome
 export function createScene(track: Track, layers: Layers, options: SceneOptions = {}): Scene {
   const past = createPast(track);
   const place = createPlace(track);
-  const belowCanvas = h('canvas');
-  const context = belowCanvas.getContext('2d', { alpha: false })!;
+  const context = h('canvas').getContext('2d', { alpha: false })!;
   let below: Brush | null = null;
   let front: Brush | null = null;
   let beliefs: Uint16Array | null = null;
-  let stale = true;
-  let shown = -1;
+  let [stale, shown] = [true, -1];
 
   function paint() {
     if (!below || !front) return;
     if (stale) paintBelow(below, options.plan);
     stale = false;
-    front.context.drawImage(belowCanvas, 0, 0);
+    front.context.drawImage(context.canvas, 0, 0);
     paintAbove(front, place);
   }
   const stage = createStage(track.maze, paint, {
     numbers: true,
     looked: options.looked,
     changed(g, palette) {
-      setSize(belowCanvas, g);
+      setSize(context.canvas, g);
       below = { context, g, palette, track, past, layers, beliefs, hue: options.hue ?? 'ink' };
       front = { ...below, context: stage.canvas.getContext('2d', { alpha: false })! };
       stale = true;
     },
   });
+  function repaint() {
+    stale = true;
+    stage.redraw();
+  }
   place.look(0, 0, 0);
 
   return {
@@ -91,12 +93,12 @@ export function createScene(track: Track, layers: Layers, options: SceneOptions 
     setBeliefs(other) {
       beliefs = other;
       if (below) below.beliefs = other;
-      stale = true;
-      stage.redraw();
+      repaint();
     },
     beliefs: () => beliefs,
     distanceOf: (cell) => (below ? distanceOf(below, cell) : -1),
     cell: () => cellAtFrame(track, past.frame),
+    repaint,
     show(time, smooth) {
       const frame = frameAt(track, time);
       const changed = frame !== past.frame;
@@ -108,10 +110,6 @@ export function createScene(track: Track, layers: Layers, options: SceneOptions 
       if (changed) stale = true;
       paint();
       return changed;
-    },
-    repaint() {
-      stale = true;
-      stage.redraw();
     },
   };
 }

@@ -54,6 +54,17 @@ function painterOf({ track, hue, beliefs, geometry: g }: Pictured, layers: Layer
   };
 }
 
+/** Where each maze begins, with that gap around them, and where the sheet ends. */
+function sideBySide(plays: Pictured[], between: number): [lefts: number[], width: number] {
+  const lefts: number[] = [];
+  let width = between;
+  for (const { geometry } of plays) {
+    lefts.push(width);
+    width += geometry.canvasWidth + between;
+  }
+  return [lefts, width];
+}
+
 export function createSheet(plays: Pictured[], layers: Layers, palette: Palette): Sheet {
   const ratio = plays[0].geometry.ratio;
   const px = (length: number) => Math.round(length * ratio);
@@ -61,12 +72,7 @@ export function createSheet(plays: Pictured[], layers: Layers, palette: Palette)
   const canvases = plays.map(({ geometry: { canvasWidth: width, canvasHeight: height } }) =>
     h('canvas', { width, height }).getContext('2d', { alpha: false })!,
   );
-  const lefts: number[] = [];
-  let width = px(gap);
-  for (const { geometry } of plays) {
-    lefts.push(width);
-    width += geometry.canvasWidth + px(gap);
-  }
+  const [lefts, width] = sideBySide(plays, px(gap));
   const top = px(line + gap / 2);
   const most = Math.max(...plays.map(({ geometry }) => geometry.canvasHeight));
   const height = top + most + px(line + gap / 2);

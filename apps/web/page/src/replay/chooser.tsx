@@ -83,7 +83,68 @@ interface FormProps {
   conditions: string;
 }
 
-export function Form({ picked, about, own, mazes, choose, open, part, conditions }: FormProps) {
+/** The mice that run in that world. */
+const Mice = ({ about, own, world }: Pick<FormProps, 'about' | 'own'> & { world: WorldInPage }) => (
+  <>
+    {world.home && own.length > 0 && (
+      <optgroup label="Yours">
+        {own.map((work) => (
+          <option value={ownName(work)}>
+            {work.name || 'unnamed'}, in {work.language.name}
+          </option>
+        ))}
+      </optgroup>
+    )}
+    <optgroup label="Ours">
+      {about.mice
+        .filter(({ name }) => world.mice.includes(name))
+        .map(({ name }) => (
+          <option value={name}>{name}</option>
+        ))}
+    </optgroup>
+  </>
+);
+
+const Mazes = ({ about, mazes }: Pick<FormProps, 'about' | 'mazes'>) => (
+  <>
+    {mazes.map(({ name }) => (
+      <option value={name}>{name}, yours</option>
+    ))}
+    {about.mazes.map(({ name, width, height }) => (
+      <option value={name}>
+        {name}, {width} × {height}
+      </option>
+    ))}
+  </>
+);
+
+/** Where contests come from that are not chosen here. */
+const Others = ({ own, open, part, conditions }: Pick<FormProps, 'own' | 'open' | 'part' | 'conditions'>) => (
+  <>
+    <p class="note">
+      Real mice err:{' '}
+      <button type="button" onClick={part}>
+        Watch belief and truth part
+      </button>{' '}
+      and come together again.{conditions && ` Here: ${conditions}.`}
+    </p>
+    <p class="note">
+      {own.length === 0 && (
+        <>
+          <a href="#write">Write a mouse</a> of your own, and it stands here, too.{' '}
+        </>
+      )}
+      A record holds a contest step by step: drop one anywhere on this page, or{' '}
+      <button type="button" onClick={open}>
+        Open a record
+      </button>
+      . They are written by <code>labmouse run MOUSE MAZE --record FILE</code>, by races with <code>--out DIR</code>, by
+      programs for mms, and by real robots; with <code>--explain</code> they also say why ariadne went where it did.
+    </p>
+  </>
+);
+
+export function Form({ picked, about, own, mazes, choose, ...others }: FormProps) {
   const world = worldNamed(about, picked.world);
   const select = (label: string, field: keyof Picked, options: preact.ComponentChildren) => (
     <label>
@@ -97,131 +158,83 @@ export function Form({ picked, about, own, mazes, choose, open, part, conditions
       </select>
     </label>
   );
-  const mice = (
-    <>
-      {world.home && own.length > 0 && (
-        <optgroup label="Yours">
-          {own.map((work) => (
-            <option value={ownName(work)}>
-              {work.name || 'unnamed'}, in {work.language.name}
-            </option>
-          ))}
-        </optgroup>
-      )}
-      <optgroup label="Ours">
-        {about.mice
-          .filter(({ name }) => world.mice.includes(name))
-          .map(({ name }) => (
-            <option value={name}>{name}</option>
-          ))}
-      </optgroup>
-    </>
-  );
+  const mice = <Mice {...{ about, own, world }} />;
+  const worlds = about.worlds.filter(({ call }) => call);
   return (
     <>
       <div class="choice">
         {select('Mouse', 'mouse', mice)}
-        {select(
-          'Beside it',
-          'beside',
-          <>
-            <option value="">nobody</option>
-            {mice}
-          </>,
-        )}
-        {select(
-          'Maze',
-          'maze',
-          <>
-            {mazes.map(({ name }) => (
-              <option value={name}>{name}, yours</option>
-            ))}
-            {about.mazes.map(({ name, width, height }) => (
-              <option value={name}>
-                {name}, {width} × {height}
-              </option>
-            ))}
-          </>,
-        )}
+        {select('Beside it', 'beside', [<option value="">nobody</option>, mice])}
+        {select('Maze', 'maze', <Mazes {...{ about, mazes }} />)}
         {select(
           'World',
           'world',
-          about.worlds.filter(({ call }) => call).map((world) => <option value={world.name}>{calledOf(world)}</option>),
+          worlds.map((one) => <option value={one.name}>{calledOf(one)}</option>),
         )}
       </div>
-      <p class="note">
-        Real mice err:{' '}
-        <button type="button" onClick={part}>
-          Watch belief and truth part
-        </button>{' '}
-        and come together again.{conditions && ` Here: ${conditions}.`}
-      </p>
-      <p class="note">
-        {own.length === 0 && (
-          <>
-            <a href="#write">Write a mouse</a> of your own, and it stands here, too.{' '}
-          </>
-        )}
-        A record holds a contest step by step: drop one anywhere on this page, or{' '}
-        <button type="button" onClick={open}>
-          Open a record
-        </button>
-        . They are written by <code>labmouse run MOUSE MAZE --record FILE</code>, by races with <code>--out DIR</code>,
-        by programs for mms, and by real robots; with <code>--explain</code> they also say why ariadne went where it
-        did.
-      </p>
+      <Others own={own} {...others} />
     </>
   );
+}
+
+function usualPick(about: About): Picked {
+  const maze = about.mazes.find(({ width }) => width === 16) ?? about.mazes[0];
+  return { world: worldNamed(about, '').name, mouse: usualMouse, beside: '', maze: maze?.name ?? '' };
+}
+
+/** Takes a change; a mouse that does not run in that world is replaced by one that does. */
+function change(picked: Picked, changes: Partial<Picked>, about: About) {
+  Object.assign(picked, changes);
+  const { mice, home } = worldNamed(about, picked.world);
+  const runs = (name: string) => mice.includes(name) || (home && name.startsWith('own:'));
+  if (!runs(picked.mouse)) picked.mouse = mice.includes(usualMouse) ? usualMouse : mice[0];
+  if (!runs(picked.beside)) picked.beside = '';
+}
+
+const inWords = (settings: Fields | null) =>
+  Object.entries(settings ?? {})
+    .map((pair) => pair.join(' '))
+    .join(', ');
+
+/** Holds contests of any mouse in that maze; null where they were not `wanted` to their end. */
+function createHolding({ core, about }: Page) {
+  const cage = createCage();
+  return async ({ world, mouse, beside }: Picked, maze: MazeData, settings: Fields | null, wanted: () => boolean) => {
+    const plays: Shown[] = [];
+    for (const one of [mouse, beside].filter(Boolean)) {
+      const work = ownMice().find((work) => ownName(work) === one);
+      const held = work
+        ? await holdContest(core, cage, { ...work, program: work.text, maze, seed }, wanted)
+        : await ours(core, worldNamed(about, world), one, maze, settings ?? {});
+      if (!wanted()) return null;
+      if (held) plays.push(held);
+    }
+    return plays;
+  };
 }
 
 /** `shown` hears of what was played, and whether somebody asked for just that. */
 export function createChooser(page: Page, shown: (plays: Shown[], asked: boolean, time?: number) => void): Chooser {
   const { core, about } = page;
-  const cage = createCage();
+  const hold = createHolding(page);
   const room = h('div', {});
   const element = h('details', { class: 'choices controls' }, h('summary', {}, 'Choose a contest'), room);
-  const usualMaze = about.mazes.find(({ width }) => width === 16) ?? about.mazes[0];
-  const picked: Picked = { world: '', mouse: usualMouse, beside: '', maze: usualMaze?.name ?? '' };
-  picked.world = worldNamed(about, '').name;
+  const picked = usualPick(about);
   /** Settings of the contest that are not the usual ones, until another world is chosen. */
   let unusual: Fields | null = null;
   /** Counts up with each choice; what comes of an older one is not wanted. */
   let number = 0;
   let mazes: MazeData[] = [];
 
-  function draw() {
-    const own = ownMice();
-    const choose = (change: Partial<Picked>) => {
-      Object.assign(picked, change);
-      if (change.world !== undefined) unusual = null;
-      const { mice, home } = worldNamed(about, picked.world);
-      const runs = (name: string) => mice.includes(name) || (home && name.startsWith('own:'));
-      if (!runs(picked.mouse)) picked.mouse = mice.includes(usualMouse) ? usualMouse : mice[0];
-      if (!runs(picked.beside)) picked.beside = '';
-      draw();
-      void play(true);
-    };
-    render(
-      <Form
-        {...{ picked, about, own, mazes, choose }}
-        open={() => page.choose()}
-        part={part}
-        conditions={
-          unusual
-            ? Object.entries(unusual)
-                .map((pair) => pair.join(' '))
-                .join(', ')
-            : ''
-        }
-      />,
-      room,
-    );
+  function choose(changes: Partial<Picked>) {
+    change(picked, changes, about);
+    if (changes.world !== undefined) unusual = null;
+    draw();
+    void play(true);
   }
-  async function contest(mouse: string, maze: MazeData, wanted: () => boolean): Promise<Shown | null> {
-    const work = ownMice().find((one) => ownName(one) === mouse);
-    if (!work) return ours(core, worldNamed(about, picked.world), mouse, maze, unusual ?? {});
-    const { language, text: program, name } = work;
-    return holdContest(core, cage, { language, program, name, maze, seed }, wanted);
+  function draw() {
+    const props = { picked, about, own: ownMice(), mazes, choose, part, conditions: inWords(unusual) };
+    render(<Form {...props} open={() => page.choose()} />, room);
   }
   function part() {
     const { settings, seed, ...contest } = about.parting;
@@ -237,13 +250,8 @@ export function createChooser(page: Page, shown: (plays: Shown[], asked: boolean
     element.setAttribute('aria-busy', 'true');
     try {
       const [maze] = await mazesOf(core, [mazes.find(({ name }) => name === picked.maze) ?? picked.maze]);
-      const plays: Shown[] = [];
-      for (const mouse of [picked.mouse, picked.beside]) {
-        const held = mouse === '' ? null : await contest(mouse, maze, wanted);
-        if (!wanted()) return;
-        if (held) plays.push(held);
-      }
-      shown(plays, asked, parts ? partingTime(plays[0].play) : undefined);
+      const plays = await hold({ ...picked }, maze, unusual, wanted);
+      if (plays) shown(plays, asked, parts ? partingTime(plays[0].play) : undefined);
     } catch (error) {
       if (wanted()) page.complain(error);
     } finally {
@@ -255,10 +263,8 @@ export function createChooser(page: Page, shown: (plays: Shown[], asked: boolean
     element,
     play: () => play(false),
     refresh(open) {
-      mazes = namedApart(
-        page.mazes(),
-        about.mazes.map(({ name }) => name),
-      );
+      const names = about.mazes.map(({ name }) => name);
+      mazes = namedApart(page.mazes(), names);
       element.open = open;
       draw();
     },

@@ -1,6 +1,7 @@
 // Which route of a maze wins for which robot, as one or two of its numbers vary: a form, the diagram, and a table.
 import { Stopped } from '../core/client';
 import type { MazeData, RobotKey, RobotValue, RouteRegion, RouteRegions, VariedRange } from '../core/types';
+import { button } from '../ui/controls';
 import { h } from '../ui/dom';
 import { complainAt, field } from '../ui/field';
 import { scrolling, table } from '../ui/table';
@@ -138,6 +139,44 @@ function createRange(label: string, keys: RobotKey[], optional: boolean) {
   };
 }
 
+/** The diagram, the table, and both as files; `address` is that of the diagram. */
+function diagramOf(page: Page, regions: RouteRegions, svg: string, address: string): HTMLElement[] {
+  const { vary, and, maze, robot } = regions;
+  const what = `Which route of ${maze} wins for which ${robot}, as ${vary.key}${and ? ` and ${and.key}` : ''} vary`;
+  const picture = h('img', { src: address, alt: `${what}. The table below has the same numbers.` });
+  const json = () => `${JSON.stringify(regions, null, 2)}\n`;
+  return [
+    scrolling('Diagram', picture, 'scroll'),
+    regionTable(regions),
+    h(
+      'p',
+      { class: 'note' },
+      'A route counts by the passages that it leads through. A region between two neighbours with the same route is missed.',
+    ),
+    h(
+      'div',
+      { class: 'row' },
+      button('Save diagram (SVG)', () => page.save(`${maze}-regions.svg`, svg, 'image/svg+xml')),
+      button('Save as JSON', () => page.save(`${maze}-regions.json`, json(), 'application/json')),
+    ),
+  ];
+}
+
+const sectionOf = (form: HTMLElement[], buttons: HTMLElement[], ...answer: HTMLElement[]) =>
+  h(
+    'section',
+    { class: 'regions', 'aria-label': 'Which route wins' },
+    h('h3', {}, 'Which route wins, for which robot'),
+    h(
+      'p',
+      { class: 'note' },
+      'Vary a number of this robot, or two: the regions are found in which one route of this maze stays the fastest.',
+    ),
+    h('div', { class: 'regions-form' }, ...form),
+    h('div', { class: 'row' }, ...buttons),
+    ...answer,
+  );
+
 /**
  * `subject` is null while there is no robot or no maze; `changed` hears before and after each question that is
  * asked here.
@@ -153,8 +192,8 @@ export function createRegions(
   const says = h('p', { class: 'note', role: 'status' });
   const found = h('div', { class: 'regions-found' });
   const ask = () => (changed(), void start().finally(changed));
-  const find = h('button', { type: 'button', class: 'main', onclick: ask }, 'Find which route wins');
-  const stop = h('button', { type: 'button', hidden: true, onclick: () => page.core.stop('regions') }, 'Stop');
+  const find = button('Find which route wins', ask, { class: 'main' });
+  const stop = button('Stop', () => page.core.stop('regions'), { hidden: true });
   let address = '';
   let offered = '';
   let number = 0;
@@ -167,31 +206,10 @@ export function createRegions(
     found.replaceChildren();
   }
   function show(regions: RouteRegions, svg: string) {
+    const { routes } = regions;
     address = URL.createObjectURL(new Blob([svg], { type: 'image/svg+xml' }));
-    const { vary, and, routes, maze, robot } = regions;
-    const what = `Which route of ${maze} wins for which ${robot}, as ${vary.key}${and ? ` and ${and.key}` : ''} vary`;
-    const save = (label: string, ending: string, content: string, type: string) =>
-      h('button', { type: 'button', onclick: () => page.save(`${maze}-regions.${ending}`, content, type) }, label);
     says.textContent = `${routes.length === 1 ? 'One route wins' : `${routes.length} routes win`} somewhere in this range.`;
-    found.append(
-      h(
-        'div',
-        { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'Diagram' },
-        h('img', { src: address, alt: `${what}. The table below has the same numbers.` }),
-      ),
-      regionTable(regions),
-      h(
-        'p',
-        { class: 'note' },
-        'A route counts by the passages that it leads through. A region between two neighbours with the same route is missed.',
-      ),
-      h(
-        'div',
-        { class: 'row' },
-        save('Save diagram (SVG)', 'svg', svg, 'image/svg+xml'),
-        save('Save as JSON', 'json', `${JSON.stringify(regions, null, 2)}\n`, 'application/json'),
-      ),
-    );
+    found.append(...diagramOf(page, regions, svg, address));
   }
   async function start() {
     const about = subject();
@@ -226,20 +244,7 @@ export function createRegions(
     complainAt({ vary: vary.field, and: along.field }, 'vary', words);
   }
   return {
-    element: h(
-      'section',
-      { class: 'regions', 'aria-label': 'Which route wins' },
-      h('h3', {}, 'Which route wins, for which robot'),
-      h(
-        'p',
-        { class: 'note' },
-        'Vary a number of this robot, or two: the regions are found in which one route of this maze stays the fastest.',
-      ),
-      h('div', { class: 'regions-form' }, vary.field, vary.row, along.field, along.row),
-      h('div', { class: 'row' }, find, stop),
-      says,
-      found,
-    ),
+    element: sectionOf([vary.field, vary.row, along.field, along.row], [find, stop], says, found),
     offer(values, maze) {
       const now = JSON.stringify([values, maze]);
       if (now === offered) return;

@@ -38,6 +38,12 @@ function showToggle(toggle: HTMLElement, running: boolean) {
   toggle.setAttribute('aria-label', toggle.title);
 }
 
+/** The place of the pair that a link names, from 1 on. */
+function indexOf(pair = 1): number {
+  if (pair <= pairs.length) return pair - 1;
+  throw new Error(`This link cannot be followed: there are ${pairs.length} races on the front door.`);
+}
+
 export function createHome(page: EarlyPage): View {
   const still = matchMedia('(prefers-reduced-motion: reduce)');
   let next = 0;
@@ -89,9 +95,7 @@ export function createHome(page: EarlyPage): View {
     address: async () => addressOf('home', { pair: ((next + pairs.length - 1) % pairs.length) + 1, time: race.time() }),
     async follow(hash) {
       const { pair, time } = readAddress(hash).moment;
-      if (pair !== undefined && pair > pairs.length)
-        throw new Error(`This link cannot be followed: there are ${pairs.length} races on the front door.`);
-      next = (pair ?? 1) - 1;
+      next = indexOf(pair);
       await begin(time);
     },
     hidden() {

@@ -33,11 +33,21 @@ async function placeInLink({ core, about }: Page, plays: Play[]): Promise<Partia
   return { ...contestsInMoment(contests, about), ...(await placeOf(core, about, plays[0].maze)) };
 }
 
+async function addressFor(page: Page, shown: Shown[], player: Player): Promise<string> {
+  if (shown.length === 0) return 'replay';
+  const place = await placeInLink(
+    page,
+    shown.slice(0, 2).map(({ play }) => play),
+  );
+  return addressOf('replay', { ...place, ...player.moment() });
+}
+
 /** The keys are the player's once it has the focus. */
-function makeFocusable({ element }: Player) {
+function sectionOf({ element }: Player): HTMLElement {
   element.tabIndex = -1;
   element.setAttribute('role', 'group');
   element.setAttribute('aria-label', 'Player');
+  return h('section', { class: 'replay', 'aria-label': 'Replay' }, h('h2', { class: 'unseen' }, 'Replay'), element);
 }
 
 export function createReplay(page: Page): View {
@@ -59,9 +69,7 @@ export function createReplay(page: Page): View {
     if (!linked || element.hidden || !location.hash.startsWith('#replay&')) return;
     history.replaceState(null, '', `#${addressOf('replay', { ...linked, ...now })}`);
   });
-  makeFocusable(player);
-  const title = h('h2', { class: 'unseen' }, 'Replay');
-  const element = h('section', { class: 'replay', 'aria-label': 'Replay' }, title, player.element);
+  const element = sectionOf(player);
   let now: Shown[] = [];
   /** What is shown was not asked for. */
   let isExample = true;
@@ -81,13 +89,6 @@ export function createReplay(page: Page): View {
     // The button that was pressed is gone; the keys are the player's now.
     if (!chosen) player.element.focus({ preventScroll: true });
   }
-  async function follow(hash: string) {
-    const { moment } = readAddress(hash);
-    const plays = await playsOf(page, moment);
-    page.keepPlays(plays);
-    show(plays, false, moment.time, moment.look);
-    linked = moment;
-  }
   return {
     element,
     shown() {
@@ -100,19 +101,18 @@ export function createReplay(page: Page): View {
       const { plays, time, look } = thing as { plays: Shown[]; time?: number; look?: Camera };
       show(plays, false, time, look);
     },
-    async address() {
-      if (now.length === 0) return 'replay';
-      const [{ play }, other] = now;
-      return addressOf('replay', {
-        ...(await placeInLink(page, other ? [play, other.play] : [play])),
-        ...player.moment(),
-      });
-    },
+    address: () => addressFor(page, now, player),
     async follow(hash) {
-      await follow(hash).catch((error) => {
+      try {
+        const { moment } = readAddress(hash);
+        const plays = await playsOf(page, moment);
+        page.keepPlays(plays);
+        show(plays, false, moment.time, moment.look);
+        linked = moment;
+      } catch (error) {
         if (now.length === 0) void chooser.play();
         throw error;
-      });
+      }
     },
   };
 }

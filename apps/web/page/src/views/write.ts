@@ -15,7 +15,7 @@ import '../styles/write.css';
 /** The parts of the view, and what they do to each other; `changed` hears of another program. */
 function createParts(page: Page, changed: (allowed: boolean) => void) {
   const prints = createPrints((frame) => display.player.seek(frame));
-  const controls = createControls(page, prints, {
+  const controls = createControls(page, {
     run: () => void jobs.run(),
     race: () => void jobs.race(),
     stop: () => jobs.stop(),

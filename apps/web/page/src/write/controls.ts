@@ -17,7 +17,7 @@ interface Acts {
   work(): Work | null;
 }
 
-export function createControls(page: Page, prints: HTMLElement, { run, race, stop, work }: Acts) {
+export function createControls(page: Page, { run, race, stop, work }: Acts) {
   const mazes = createMazeSelect(page);
   const form = createRaceForm(page);
   const starts = [button('Run', run, { class: 'main' }), button('Race', race)];
@@ -43,7 +43,6 @@ export function createControls(page: Page, prints: HTMLElement, { run, race, sto
       h('div', { class: 'row bar' }, maze, ...starts, end, bar),
       hint,
       verdict,
-      prints,
       form.element,
     ),
     mazes,

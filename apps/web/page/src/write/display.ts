@@ -16,6 +16,8 @@ export type Display = ReturnType<typeof createDisplay>;
 
 export function createDisplay(page: Page, desk: Desk, controls: Controls, prints: Prints) {
   const player = createPlayer(page, prints);
+  // The player updates it; it stands here, where it is seen also without a contest on the stage.
+  controls.verdict.after(prints);
   const standings = h('section', { class: 'race pictures standings', 'aria-label': 'Its race', hidden: true });
   /** What the player shows, and of which program. */
   let shown: { held: Held; text: string } | null = null;
