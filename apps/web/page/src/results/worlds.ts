@@ -66,6 +66,15 @@ const percent = (share: unknown) => isNumber(share) && 100 * share;
 const inner = (value: unknown, key: string): unknown =>
   typeof value === 'object' && value !== null ? (value as Fields)[key] : undefined;
 
+/** A column that is a field of the mouse. */
+const column = (title: string, key: string, digits: number, meaning: string, best?: FigureColumn['best']) => ({
+  title,
+  meaning,
+  value: (mouse: Fields) => mouse[key],
+  digits,
+  best,
+});
+
 const ratioColumn = (best: string): FigureColumn => ({
   title: `score / ${best}`,
   meaning: 'Mean over the solved contests of the score divided by the best possible one in that maze.',
@@ -93,26 +102,20 @@ const steps: Known = {
     words: String(result.last_words ?? ''),
   }),
   columns: [
-    {
-      title: 'score, solved',
-      meaning: 'Mean score over the solved contests, in steps.',
-      value: (mouse) => mouse.mean_score,
-      digits: 3,
-    },
+    column('score, solved', 'mean_score', 3, 'Mean score over the solved contests, in steps.'),
     ratioColumn('best'),
-    {
-      title: 'explor. steps',
-      meaning: 'Mean exploration steps of the solved contests, including the reset.',
-      value: (mouse) => mouse.mean_exploration_steps,
-      digits: 1,
-    },
-    {
-      title: 'steps too many',
-      meaning:
-        'Mean steps by which the speed runs of the solved contests were longer than the shortest run of their maze.',
-      value: (mouse) => mouse.mean_speed_over_optimum,
-      digits: 2,
-    },
+    column(
+      'explor. steps',
+      'mean_exploration_steps',
+      1,
+      'Mean exploration steps of the solved contests, including the reset.',
+    ),
+    column(
+      'steps too many',
+      'mean_speed_over_optimum',
+      2,
+      'Mean steps by which the speed runs of the solved contests were longer than the shortest run of their maze.',
+    ),
     {
       title: 'best runs, %',
       meaning: 'Percentage of all contests whose speed run was a shortest one.',
@@ -120,12 +123,12 @@ const steps: Known = {
       digits: 1,
       best: 'descending',
     },
-    {
-      title: 'µs a step',
-      meaning: 'Mean time per decision, in microseconds: the only figure that changes from race to race.',
-      value: (mouse) => mouse.microseconds_per_decision,
-      digits: 2,
-    },
+    column(
+      'µs a step',
+      'microseconds_per_decision',
+      2,
+      'Mean time per decision, in microseconds: the only figure that changes from race to race.',
+    ),
   ],
   again: (core, { budget }, contest) => core.call('run', { ...contest, ...(isNumber(budget) && { budget }) }),
 };
@@ -143,39 +146,17 @@ const inSeconds: Known = {
   contest: (result) => ({ score: seconds(inner(result.score, 'value')) }),
   columns: [
     ratioColumn('best'),
-    {
-      title: 'search, s',
-      meaning: 'Mean time of the contests until the first fast run began, in seconds.',
-      value: (mouse) => mouse.mean_search,
-      digits: 1,
-    },
-    {
-      title: 'best run, s',
-      meaning: 'Mean time of the best runs from rest at the start to the goal, in seconds.',
-      value: (mouse) => mouse.mean_best,
-      digits: 3,
-    },
+    column('search, s', 'mean_search', 1, 'Mean time of the contests until the first fast run began, in seconds.'),
+    column('best run, s', 'mean_best', 3, 'Mean time of the best runs from rest at the start to the goal, in seconds.'),
     {
       title: 'above fastest, %',
       meaning: 'How much longer the routes of the best runs take than the fastest route, in percent.',
       value: (mouse) => percent(mouse.mean_excess),
       digits: 2,
     },
-    {
-      title: 'best runs',
-      meaning: 'Contests whose best run took the fastest route.',
-      value: (mouse) => mouse.optimal,
-      digits: 0,
-      best: 'descending',
-    },
-    {
-      title: 'proven',
-      meaning: 'Contests in which the mouse knew that no route could be faster.',
-      value: (mouse) => mouse.proven,
-      digits: 0,
-      best: 'descending',
-    },
-    { title: 'runs', meaning: 'Mean number of starts in a contest.', value: (mouse) => mouse.mean_starts, digits: 1 },
+    column('best runs', 'optimal', 0, 'Contests whose best run took the fastest route.', 'descending'),
+    column('proven', 'proven', 0, 'Contests in which the mouse knew that no route could be faster.', 'descending'),
+    column('runs', 'mean_starts', 1, 'Mean number of starts in a contest.'),
   ],
   again: (core, { robot, rules }, contest) =>
     core.call('drive', {
@@ -185,12 +166,7 @@ const inSeconds: Known = {
     }),
 };
 
-const count = (title: string, key: string, meaning: string): FigureColumn => ({
-  title,
-  meaning,
-  value: (mouse) => mouse[key],
-  digits: 0,
-});
+const count = (title: string, key: string, meaning: string) => column(title, key, 0, meaning);
 
 /** The ends of an interval of shares, as whole per cent. */
 function shares(interval: unknown): string {
@@ -213,12 +189,12 @@ const physical: Known = {
       text: ({ finished_interval }) => shares(finished_interval),
       best: 'descending',
     },
-    {
-      title: 'penalised, s',
-      meaning: 'Mean score over all contests, in seconds; one without a score counts the time limit.',
-      value: (mouse) => mouse.penalised,
-      digits: 3,
-    },
+    column(
+      'penalised, s',
+      'penalised',
+      3,
+      'Mean score over all contests, in seconds; one without a score counts the time limit.',
+    ),
     ...inSeconds.columns.slice(0, 3),
     count('runs', 'starts', 'Runs that began at the start, searches among them.'),
     count('slid', 'slid', 'Runs that ended in a crash because the tyres did not hold.'),
@@ -254,12 +230,7 @@ const mms: Known = {
   }),
   columns: [
     ratioColumn('best'),
-    {
-      title: 'best run',
-      meaning: 'Mean of the best runs from start to goal, in steps of mms.',
-      value: (mouse) => mouse.mean_best_run,
-      digits: 1,
-    },
+    column('best run', 'mean_best_run', 1, 'Mean of the best runs from start to goal, in steps of mms.'),
   ],
 };
 

@@ -177,93 +177,114 @@ const sectionOf = (form: HTMLElement[], buttons: HTMLElement[], ...answer: HTMLE
     ...answer,
   );
 
+/** One number that varies, or two. */
+function createForm(keys: RobotKey[]) {
+  const vary = createRange('Vary', keys, false);
+  const along = createRange('and', keys, true);
+  return {
+    rows: [vary.field, vary.row, along.field, along.row],
+    offer(values: Values) {
+      vary.offer(values, usualKey);
+      along.offer(values, '');
+    },
+    choose(question: Question) {
+      vary.choose(question.vary);
+      along.choose(question.and);
+    },
+    /** Null where nothing is varied. */
+    read() {
+      const [across, second] = [vary.read(), along.read()];
+      return across && { vary: across, ...(second && { and: second }) };
+    },
+    /** Says it at the number that it names. */
+    complain(message: string) {
+      const words = message.replaceAll(/'(vary|and)\.(from|to|key)'/g, "'$1'");
+      complainAt({ vary: vary.field, and: along.field }, 'vary', words);
+    },
+  };
+}
+
+type Subjects = () => Subject | null;
+
+/** The regions that were found, or why there are none. */
+function createFound(page: Page) {
+  const says = h('p', { class: 'note', role: 'status' });
+  const element = h('div', { class: 'regions-found' });
+  let address = '';
+  return {
+    says,
+    element,
+    clear() {
+      if (address) URL.revokeObjectURL(address);
+      address = '';
+      element.replaceChildren();
+    },
+    show(regions: RouteRegions, svg: string) {
+      const { length } = regions.routes;
+      address = URL.createObjectURL(new Blob([svg], { type: 'image/svg+xml' }));
+      says.textContent = `${length === 1 ? 'One route wins' : `${length} routes win`} somewhere in this range.`;
+      element.append(...diagramOf(page, regions, svg, address));
+    },
+  };
+}
+
 /**
  * `subject` is null while there is no robot or no maze; `changed` hears before and after each question that is
  * asked here.
  */
-export function createRegions(
-  page: Page,
-  keys: RobotKey[],
-  subject: () => Subject | null,
-  changed: () => void,
-): Regions {
-  const vary = createRange('Vary', keys, false);
-  const along = createRange('and', keys, true);
-  const says = h('p', { class: 'note', role: 'status' });
-  const found = h('div', { class: 'regions-found' });
+export function createRegions(page: Page, keys: RobotKey[], subject: Subjects, changed: () => void): Regions {
+  const form = createForm(keys);
+  const found = createFound(page);
   const ask = () => (changed(), void start().finally(changed));
   const find = button('Find which route wins', ask, { class: 'main' });
   const stop = button('Stop', () => page.core.stop('regions'), { hidden: true });
-  let address = '';
+  const busy = (is: boolean) => (stop.hidden = !(find.disabled = is));
   let offered = '';
   let number = 0;
   let asked: Question = {};
 
-  function clear() {
-    if (address) URL.revokeObjectURL(address);
-    address = '';
-    asked = {};
-    found.replaceChildren();
-  }
-  function show(regions: RouteRegions, svg: string) {
-    const { routes } = regions;
-    address = URL.createObjectURL(new Blob([svg], { type: 'image/svg+xml' }));
-    says.textContent = `${routes.length === 1 ? 'One route wins' : `${routes.length} routes win`} somewhere in this range.`;
-    found.append(...diagramOf(page, regions, svg, address));
+  /** Whatever was asked and found goes, and this is said in its place. */
+  function begin(question: Question, words: string) {
+    form.complain('');
+    found.clear();
+    asked = question;
+    found.says.textContent = words;
   }
   async function start() {
     const about = subject();
-    const across = vary.read();
-    if (!about || !across) return (says.textContent = 'There is no robot, or no maze.');
-    const second = along.read();
+    const question = form.read();
+    if (!about || !question) return void (found.says.textContent = 'There is no robot, or no maze.');
     const mine = ++number;
-    complain('');
-    clear();
-    asked = { vary: across, ...(second && { and: second }) };
-    find.disabled = true;
-    stop.hidden = false;
-    says.textContent = 'Planning …';
+    begin(question, 'Planning …');
+    busy(true);
     try {
-      const answer = await page.core.call('regions', { ...about, vary: across, ...(second && { and: second }) });
-      if (mine === number) show(answer.regions, answer.svg);
+      const { regions, svg } = await page.core.call('regions', { ...about, ...question });
+      if (mine === number) found.show(regions, svg);
     } catch (error) {
       if (mine !== number) return;
-      asked = {};
-      says.textContent = error instanceof Stopped ? 'Stopped.' : '';
-      if (!(error instanceof Stopped)) complain(error instanceof Error ? error.message : String(error));
+      const isStopped = error instanceof Stopped;
+      begin({}, isStopped ? 'Stopped.' : '');
+      if (!isStopped) form.complain(error instanceof Error ? error.message : String(error));
     } finally {
-      if (mine === number) {
-        find.disabled = false;
-        stop.hidden = true;
-      }
+      if (mine === number) busy(false);
     }
   }
-  /** Says it at the number that it names. */
-  function complain(message: string) {
-    const words = message.replaceAll(/'(vary|and)\.(from|to|key)'/g, "'$1'");
-    complainAt({ vary: vary.field, and: along.field }, 'vary', words);
-  }
   return {
-    element: sectionOf([vary.field, vary.row, along.field, along.row], [find, stop], says, found),
+    element: sectionOf(form.rows, [find, stop], found.says, found.element),
     offer(values, maze) {
       const now = JSON.stringify([values, maze]);
       if (now === offered) return;
       offered = now;
-      vary.offer(values, usualKey);
-      along.offer(values, '');
-      const isOld = find.disabled || found.childElementCount > 0;
+      form.offer(values);
+      const isOld = find.disabled || found.element.childElementCount > 0;
       if (find.disabled) page.core.stop('regions');
       number += 1;
-      find.disabled = false;
-      stop.hidden = true;
-      complain('');
-      says.textContent = isOld ? 'The robot or the maze is another one now: find it again.' : '';
-      clear();
+      busy(false);
+      begin({}, isOld ? 'The robot or the maze is another one now: find it again.' : '');
     },
     question: () => asked,
     find(question) {
-      vary.choose(question.vary);
-      along.choose(question.and);
+      form.choose(question);
       void start();
     },
   };

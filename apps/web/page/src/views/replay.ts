@@ -50,8 +50,22 @@ function sectionOf({ element }: Player): HTMLElement {
   return h('section', { class: 'replay', 'aria-label': 'Replay' }, h('h2', { class: 'unseen' }, 'Replay'), element);
 }
 
+const still = matchMedia('(prefers-reduced-motion: reduce)');
+
+/** A link that was followed goes along, so that a reload of the page leads to this moment. */
+function goAlong(linked: Moment | null, now: Partial<Moment>) {
+  if (linked && location.hash.startsWith('#replay&'))
+    history.replaceState(null, '', `#${addressOf('replay', { ...linked, ...now })}`);
+}
+
+/** What the view is given, from a time on and seen from a place. */
+interface Given {
+  plays: Shown[];
+  time?: number;
+  look?: Camera;
+}
+
 export function createReplay(page: Page): View {
-  const still = matchMedia('(prefers-reduced-motion: reduce)');
   const chooser = createChooser(page, (plays, asked, time) => {
     // An example is nothing to come back to.
     isExample = !asked;
@@ -62,18 +76,15 @@ export function createReplay(page: Page): View {
   });
   const beside = createBeside(page, (plays) => show(plays));
   const player = createPlayer(page, h('div', { class: 'another' }, chooser.element, beside.element));
-  /** A link that was followed goes along, so that a reload of the page leads to this moment. */
   player.rested(() => {
     const now = player.moment();
     if (!isExample) page.keepMoment(addressOf('replay', now));
-    if (!linked || element.hidden || !location.hash.startsWith('#replay&')) return;
-    history.replaceState(null, '', `#${addressOf('replay', { ...linked, ...now })}`);
+    if (!element.hidden) goAlong(linked, now);
   });
   const element = sectionOf(player);
   let now: Shown[] = [];
   /** What is shown was not asked for. */
-  let isExample = true;
-  let isChosen = false;
+  let [isExample, isChosen] = [true, false];
   /** What the link says that led here; null where none did. */
   let linked: Moment | null = null;
   /** `chosen`: at the side of the player, where the focus stays. */
@@ -89,6 +100,7 @@ export function createReplay(page: Page): View {
     // The button that was pressed is gone; the keys are the player's now.
     if (!chosen) player.element.focus({ preventScroll: true });
   }
+  const open = ({ plays, time, look }: Given) => show(plays, false, time, look);
   return {
     element,
     shown() {
@@ -96,18 +108,15 @@ export function createReplay(page: Page): View {
       // What a link names is on its way.
       if (!location.hash.startsWith('#replay&')) void chooser.play();
     },
-    hidden: () => player.stop(),
-    accept(thing) {
-      const { plays, time, look } = thing as { plays: Shown[]; time?: number; look?: Camera };
-      show(plays, false, time, look);
-    },
+    hidden: player.stop,
+    accept: (thing) => open(thing as Given),
     address: () => addressFor(page, now, player),
     async follow(hash) {
       try {
         const { moment } = readAddress(hash);
         const plays = await playsOf(page, moment);
         page.keepPlays(plays);
-        show(plays, false, moment.time, moment.look);
+        open({ ...moment, plays });
         linked = moment;
       } catch (error) {
         if (now.length === 0) void chooser.play();
