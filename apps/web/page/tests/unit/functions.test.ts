@@ -1,4 +1,4 @@
-// No function of the page has more lines than fit on a screen. The list of those that do only shrinks.
+// No function of the page has more lines than fit on a screen.
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -6,7 +6,6 @@ import ts from 'typescript';
 import { expect, it } from 'vitest';
 
 const mostLines = 60;
-const stillLonger: string[] = [];
 
 const root = fileURLToPath(new URL('../../src', import.meta.url));
 const files = readdirSync(root, { recursive: true, encoding: 'utf8' }).filter((file) => /\.tsx?$/.test(file));
@@ -27,5 +26,5 @@ function longFunctions(file: string): string[] {
 }
 
 it(`no function has more than ${mostLines} lines`, () => {
-  expect(files.flatMap(longFunctions).sort()).toEqual(stillLonger);
+  expect(files.flatMap(longFunctions)).toEqual([]);
 });
