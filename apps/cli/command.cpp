@@ -120,12 +120,6 @@ void tell_remarks(const std::vector<std::string>& remarks) {
   for (const std::string& remark : remarks) tell("remark: " + remark + "\n");
 }
 
-void add_budget(Command& command, Rules& rules) {
-  command.add_option("--budget", rules.budget, "Step limit of a contest, for both runs together")
-      ->check(in_range(1, 1'000'000))
-      ->capture_default_str();
-}
-
 MazeCollection find_mazes(const std::vector<std::string>& paths, const Places& places) {
   MazeCollection collection = paths.empty() ? load_builtin_mazes() : load_mazes(paths);
   if (!collection.errors.empty()) throw UsageError(describe_all(collection.errors));

@@ -79,9 +79,6 @@ struct Output {
 /// is standard output, what the command prints goes to standard error from now on, so that a program can read it.
 void expect_outputs(std::initializer_list<Output> outputs);
 
-/// --budget, the steps of a contest.
-void add_budget(Command& command, Rules& rules);
-
 /// Whether to colour what goes to standard output: it is a terminal and NO_COLOR is not set.
 bool colours();
 

@@ -229,7 +229,10 @@ void Command::hand_over(const std::function<void(const std::vector<std::string>&
   app_->prefix_command();
   app_->callback([app = app_, action] { action(app->remaining()); });
 }
-std::size_t Command::count(const std::string& option) const { return app_->count(option); }
+std::size_t Command::count(const std::string& option) const {
+  const CLI::Option* found = app_->get_option_no_throw(option);
+  return found == nullptr ? 0 : found->count();
+}
 
 CommandLine::CommandLine(const std::string& program, const std::string& meaning, const std::string& version)
     : app_(std::make_unique<CLI::App>(meaning, program)), root_(*app_) {

@@ -111,7 +111,7 @@ class Command {
   /// The same with all words behind the command as they are, for another program that reads them.
   void hand_over(const std::function<void(const std::vector<std::string>&)>& action);
 
-  /// How often the option of that name was given.
+  /// How often the option of that name was given; 0 where the command has none.
   std::size_t count(const std::string& option) const;
   const std::list<Option>& options() const { return options_; }
 

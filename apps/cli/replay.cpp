@@ -1,10 +1,10 @@
 // labmouse replay: plays a record again. labmouse score: what it is worth.
+#include "replay.hpp"
+
 #include <fmt/format.h>
 
 #include <memory>
 
-#include "command.hpp"
-#include "explain.hpp"
 #include "labmouse/lab/mms/mms_drawing.hpp"
 #include "labmouse/lab/mms/mms_summary.hpp"
 #include "labmouse/lab/pictures/drive_picture.hpp"
@@ -19,14 +19,6 @@ namespace {
 struct ScoreOptions {
   const Command* command = nullptr;
   std::string file, maze;
-};
-
-struct ReplayOptions {
-  const Command* command = nullptr;
-  std::string file, maze, svg;
-  ExplainOptions explain;
-  bool watch = false;
-  int delay = 60;
 };
 
 int replay_in_seconds(const ReplayOptions& options, const std::string& text) {
@@ -53,20 +45,7 @@ int replay_in_mms(const ReplayOptions& options, const std::string& text) {
 
 int replay_file(const ReplayOptions& options) {
   expect_outputs({{"the record", options.file, Output::Kind::input}, {"--svg", options.svg}});
-  const std::string text = load_record_text(options.file);
-  if (is_drive_record(text)) return replay_in_seconds(options, text);
-  if (is_mms_record(text)) return replay_in_mms(options, text);
-  RecordFile file = load_record(options.file, text, options.maze);
-  if (!re_enact(options.file, file)) return exit_finding;
-  if (options.watch)
-    watch(file, options.delay);
-  else
-    print(summary_of(file));
-  if (const std::string checked = checked_line(file); !checked.empty()) print(checked + "\n");
-  explain(file, options.explain,
-          "The record has no reasons; to keep them, use `labmouse run` with --explain and --record.");
-  if (!options.svg.empty()) save(options.svg, picture_of(file));
-  return exit_good;
+  return replay_text(options, load_record_text(options.file));
 }
 
 /// A record's score counts only if it could have happened, so it is played first.
@@ -92,6 +71,29 @@ int score_file(const ScoreOptions& options) {
 
 }  // namespace
 
+void add_watch(Command& command, bool& watch, int& delay) {
+  command.add_flag("--watch", watch, "Draw every step");
+  command.add_option("--delay", delay, "Milliseconds to show each step")
+      ->check(in_range(0, 60'000))
+      ->capture_default_str();
+}
+
+int replay_text(const ReplayOptions& options, const std::string& text) {
+  if (is_drive_record(text)) return replay_in_seconds(options, text);
+  if (is_mms_record(text)) return replay_in_mms(options, text);
+  RecordFile file = load_record(options.file, text, options.maze);
+  if (!re_enact(options.file, file)) return exit_finding;
+  if (options.watch)
+    watch(file, options.delay);
+  else
+    print(summary_of(file));
+  if (const std::string checked = checked_line(file); !checked.empty()) print(checked + "\n");
+  explain(file, options.explain,
+          "The record has no reasons; to keep them, use `labmouse run` with --explain and --record.");
+  if (!options.svg.empty()) save(options.svg, picture_of(file));
+  return exit_good;
+}
+
 void add_replay(Command& app, int& exit) {
   auto options = std::make_shared<ReplayOptions>();
   Command* command = app.add_subcommand("replay", "Replay a record and check that it matches its maze");
@@ -99,10 +101,7 @@ void add_replay(Command& app, int& exit) {
   command->add_option("file", options->file, "Record")->required()->type_name("FILE");
   add_record_maze(*command, options->maze);
   add_explain(*command, options->explain);
-  command->add_flag("--watch", options->watch, "Draw every step");
-  command->add_option("--delay", options->delay, "Milliseconds to show each step")
-      ->check(in_range(0, 60'000))
-      ->capture_default_str();
+  add_watch(*command, options->watch, options->delay);
   command->add_option("--svg", options->svg, "Save a picture")->type_name("FILE");
   command->footer("Example: labmouse run certify capstone-1 --record walk.jsonl && labmouse replay walk.jsonl --watch");
   command->callback([options, &exit] { exit = replay_file(*options); });

@@ -5,20 +5,24 @@
 
 #include "command.hpp"
 #include "contests.hpp"
-#include "explain.hpp"
 #include "guests.hpp"
 #include "labmouse/contest/simulator.hpp"
 #include "labmouse/lab/mice/specs.hpp"
 #include "labmouse/lab/steps/steps_files.hpp"
+#include "labmouse/lab/text/printable.hpp"
+#include "records.hpp"
+#include "replay.hpp"
 #include "walk.hpp"
+#include "worlds.hpp"
 
 namespace labmouse::cli {
 namespace {
 
 struct RunOptions {
+  const Command* command = nullptr;
   std::string mouse, maze, svg, record;
   Places places;
-  Rules rules;
+  WorldChoice world;
   ExplainOptions explain;
   GuestOptions guests;
   std::uint64_t seed = 1;
@@ -26,18 +30,8 @@ struct RunOptions {
   int delay = 60;
 };
 
-void run_contest(const RunOptions& options) {
-  expect_outputs({{"--record", options.record}, {"--svg", options.svg}});
-  const std::vector<Contestant> mice = find_contestants({options.mouse}, options.guests);
-  if (mice.size() != 1) throw UsageError("error: `labmouse run` takes one mouse; to run several, use `labmouse race`");
-  const Contestant& mouse = mice.front();
-  const char* const hint = mouse.make      ? ""
-                           : mouse.program ? "; use `labmouse mms` or `labmouse race`"
-                                           : "; use `labmouse race`";
-  if (const std::string reason = refuse_to_walk(mouse); !reason.empty()) throw UsageError("error: " + reason + hint);
-  const NamedMaze maze = find_maze(options.maze, options.places);
-  for (const std::string& file : {options.maze, options.record, options.svg}) options.guests.hidden->add(file);
-  const Rules& rules = options.rules;
+/// A contest in steps, whose mouse is asked for its reasons.
+void run_in_steps(const RunOptions& options, const Rules& rules, const Contestant& mouse, const NamedMaze& maze) {
   const auto mind = mouse.make(maze.maze, rules, options.seed);
   if (options.explain.wanted) mind->keep_reasons();
   const RecordFile file = record_file_of(mouse, maze, rules, options.seed, labmouse::run(maze.maze, rules, *mind));
@@ -45,10 +39,49 @@ void run_contest(const RunOptions& options) {
     watch(file, options.delay);
   else
     print(summary_of(file));
-  print(freedom_note(mice));
+  print(freedom_note({mouse}));
   explain(file, options.explain, mouse.name + " kept no reasons.");
   if (!options.record.empty()) save(options.record, write_record(file));
   if (!options.svg.empty()) save(options.svg, picture_of(file));
+}
+
+/// A contest of any other world, which is shown as its record is.
+int run_in(std::shared_ptr<const World> world, const RunOptions& options, const Contestant& mouse,
+           const NamedMaze& maze) {
+  refuse_options(*options.command, {"--watch", "--delay", "--candidates"}, fmt::format("the world {}", world->name()));
+  Interruptible interruptible;
+  Race race;
+  race.order.world = std::move(world);
+  race.mice = {mouse};
+  race.mazes = {maze};
+  race.facts = {race.world().facts(maze.maze)};
+  ContestResult result;
+  result.seed = result.told = options.seed;
+  const Held held = race.world().hold(race, result, {true, false}, &interruptible.stopped());
+  if (!result.done) return exit_interrupted();
+  if (!options.record.empty()) save(options.record, held.record);
+  ReplayOptions shown_as;
+  shown_as.command = options.command;
+  shown_as.file = "the record of this run";
+  shown_as.svg = options.svg;
+  shown_as.explain = options.explain;
+  const int exit = replay_text(shown_as, held.record);
+  print(freedom_note(race.mice));
+  return exit;
+}
+
+int run_contest(const RunOptions& options) {
+  expect_outputs({{"--record", options.record}, {"--svg", options.svg}});
+  std::vector<Contestant> mice = find_contestants({options.mouse}, options.guests);
+  if (mice.size() != 1) throw UsageError("error: `labmouse run` takes one mouse; to run several, use `labmouse race`");
+  const std::shared_ptr<const World> world = options.world.enter_one(mice);
+  const NamedMaze maze = find_maze(options.maze, options.places);
+  for (const std::string& file : {options.maze, options.record, options.svg}) options.guests.hidden->add(file);
+  if (const std::string reason = world->refuse(maze.maze); !reason.empty())
+    throw UsageError(fmt::format("error: {} {}", shown(maze.name), reason));
+  if (!world->is_home()) return run_in(world, options, mice.front(), maze);
+  run_in_steps(options, world->lesson_rules(), mice.front(), maze);
+  return exit_good;
 }
 
 }  // namespace
@@ -56,30 +89,29 @@ void run_contest(const RunOptions& options) {
 void add_run(Command& app, int& exit) {
   auto options = std::make_shared<RunOptions>();
   Command* command = app.add_subcommand("run", "Run one mouse in one maze");
-  command->add_option("mouse", options->mouse, "Mouse: name[:key=value]..., capstone:FILE or guest:COMMAND")
+  options->command = command;
+  command
+      ->add_option("mouse", options->mouse,
+                   "Mouse: name[:key=value]..., capstone:FILE, guest:COMMAND, mms:COMMAND or pilot:COMMAND")
       ->required()
       ->type_name("MOUSE");
   command->add_option("maze", options->maze, "Maze file or built-in maze")->required()->type_name("MAZE");
   add_places(*command, options->places);
-  add_budget(*command, options->rules);
-  command->add_option("--seed", options->seed, "Seed for a mouse that throws dice")
+  options->world.add_to(*command);
+  command->add_option("--seed", options->seed, "Seed for a mouse or a world that throws dice")
       ->check(seed_number())
       ->capture_default_str();
   add_explain(*command, options->explain);
-  command->add_flag("--watch", options->watch, "Draw every step");
-  command->add_option("--delay", options->delay, "Milliseconds to show each step")
-      ->check(in_range(0, 60'000))
-      ->capture_default_str();
+  add_watch(*command, options->watch, options->delay);
   command->add_option("--svg", options->svg, "Save a picture")->type_name("FILE");
   command->add_option("--record", options->record, "Save the record; with --explain, include the reasons")
       ->type_name("FILE");
   add_python(*command, options->guests);
   add_guest_options(*command, options->guests);
-  command->footer("Example: labmouse run certify capstone-1 --watch --svg walk.svg");
-  command->callback([options, &exit] {
-    run_contest(*options);
-    exit = exit_good;
-  });
+  command->footer(
+      "Example: labmouse run certify capstone-1 --watch --svg walk.svg\n"
+      "         labmouse run festina contest-05 --world physical --noise 2 --explain --svg drive.svg");
+  command->callback([options, &exit] { exit = run_contest(*options); });
 }
 
 }  // namespace labmouse::cli

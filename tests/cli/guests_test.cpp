@@ -231,7 +231,7 @@ TEST_F(AHostOfGuests, RefusesWhatIsNoGuest) {
   is_refused({"race", "--mice", "python3 robot.py"}, "'python3 robot.py'", "'capstone:FILE'");
   is_refused({"race", "--mice", "Capstone"}, "'Capstone'", "'capstone:FILE'");
   is_refused({"race", "--mice", "guest:a\tb"}, "unprintable");
-  is_refused({"run", "mms:ls", "corridor.txt"}, "'mms:ls'", "`labmouse race`");
+  is_refused({"run", "mms:ls", "corridor.txt", "--world", "strides"}, "'mms:ls'", "mms");
   is_refused({"sweep", bad("end"), "--vary", "stride=1:2:1"}, "{stride}");
 }
 

@@ -99,8 +99,6 @@ TEST_F(AUser, IsToldWhichMiceHaveHindsight) {
   is_refused({"bound", "m.txt", "--hindsight", "festina"}, "error: ", "'festina'", "steps", "seconds");
   is_refused({"bound", "m.txt", "--hindsight", "pilot:true"}, "error: ", "steps", "physical");
   is_refused({"bound", "m.txt", "--hindsight", "mms:true"}, "error: ", "steps", "mms");
-  is_refused({"run", "festina", "m.txt"}, "error: ", "'festina'", "steps", "seconds", "`labmouse race`");
-  is_refused({"run", "mms:true", "m.txt"}, "error: ", "steps", "`labmouse mms`");
 }
 
 TEST_F(AUser, IsToldOfParametersWithoutEffectAndChoosesTheWorld) {
