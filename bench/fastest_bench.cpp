@@ -8,9 +8,9 @@
 #include <chrono>
 
 #include "bench_mazes.hpp"
-#include "labmouse/lab/bench/plain_fastest.hpp"
 #include "labmouse/lab/robots/robot_files.hpp"
 #include "labmouse/mouse/drive/fastest.hpp"
+#include "tests/mouse/plain_fastest.hpp"
 
 namespace labmouse {
 namespace {
@@ -97,7 +97,7 @@ void route(benchmark::State& state, const char* robot, bool empty) {
   for (std::size_t i = 0; i < mazes.size(); ++i) {
     for (int round = 0; round < 3; ++round)
       plain.measure(i, [&] {
-        const PlainFastest search(mazes[i].size(), tables, mazes[i].open_walls(), mazes[i].goals());
+        const test::PlainFastest search(mazes[i].size(), tables, mazes[i].open_walls(), mazes[i].goals());
         benchmark::DoNotOptimize(search.time_from(start_of(mazes[i])));
       });
     for (int round = 0; round < 31; ++round) warm.measure(i, [&] { plan(mazes[i]); });

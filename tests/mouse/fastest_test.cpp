@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <map>
 
-#include "labmouse/lab/bench/plain_fastest.hpp"
 #include "labmouse/lab/robots/robot_files.hpp"
 #include "tests/capstone_mazes.hpp"
 #include "tests/mouse/drive_robots.hpp"
+#include "tests/mouse/plain_fastest.hpp"
 #include "tests/slowness.hpp"
 #include "tests/strategies/random_mazes.hpp"
 
@@ -36,7 +36,7 @@ Pose start_of(const Maze& maze) { return {maze.start(), maze.start_heading()}; }
 bool fits(const Maze& maze) { return maze.size().width <= max_drive_side && maze.size().height <= max_drive_side; }
 
 /// Every time at every node where a turn can end, and the time from the start.
-void expect_same_times(const FastestRoutes& routes, const PlainFastest& plain, const Maze& maze,
+void expect_same_times(const FastestRoutes& routes, const test::PlainFastest& plain, const Maze& maze,
                        const DriveTables& tables) {
   for (int index = 0; index < maze.size().area(); ++index)
     for (const Heading heading : all_headings)
@@ -102,7 +102,7 @@ class AnyRobot : public testing::TestWithParam<NamedRobot> {
   void expect_exact(const Maze& maze) {
     FastestRoutes routes(maze.size(), model_.tables);
     routes.fill(maze.open_walls(), maze.goals());
-    const PlainFastest plain(maze.size(), model_.tables, maze.open_walls(), maze.goals());
+    const test::PlainFastest plain(maze.size(), model_.tables, maze.open_walls(), maze.goals());
     expect_same_times(routes, plain, maze, model_.tables);
     FastestRoutes& some =
         some_.try_emplace({maze.size().width, maze.size().height}, maze.size(), model_.tables).first->second;
@@ -196,7 +196,7 @@ TEST(ShakenTables, ArePlannedForExactly) {
     const Maze maze = i % 10 == 0 ? Maze(MazeDraft({9, 9}, MazeDraft::Inside::open)) : test::any_maze(dice, 14);
     FastestRoutes routes(maze.size(), tables), some(maze.size(), tables);
     routes.fill(maze.open_walls(), maze.goals());
-    expect_same_times(routes, PlainFastest(maze.size(), tables, maze.open_walls(), maze.goals()), maze, tables);
+    expect_same_times(routes, test::PlainFastest(maze.size(), tables, maze.open_walls(), maze.goals()), maze, tables);
     expect_same_routes(some, routes, maze, dice);
     if (testing::Test::HasFailure()) return;
   }
@@ -220,7 +220,7 @@ TEST(CoarseTimes, ArePlannedForExactly) {
       const Maze maze = test::any_maze(dice, 14);
       FastestRoutes routes(maze.size(), tables), some(maze.size(), tables);
       routes.fill(maze.open_walls(), maze.goals());
-      expect_same_times(routes, PlainFastest(maze.size(), tables, maze.open_walls(), maze.goals()), maze, tables);
+      expect_same_times(routes, test::PlainFastest(maze.size(), tables, maze.open_walls(), maze.goals()), maze, tables);
       expect_same_routes(some, routes, maze, dice);
       if (testing::Test::HasFailure()) return;
     }
@@ -240,7 +240,7 @@ TEST(OddTurns, ArePlannedForExactly) {
       const Maze maze = test::any_maze(dice, i % 10 == 0 ? 32 : 14);
       FastestRoutes routes(maze.size(), model.tables), some(maze.size(), model.tables);
       routes.fill(maze.open_walls(), maze.goals());
-      expect_same_times(routes, PlainFastest(maze.size(), model.tables, maze.open_walls(), maze.goals()), maze,
+      expect_same_times(routes, test::PlainFastest(maze.size(), model.tables, maze.open_walls(), maze.goals()), maze,
                         model.tables);
       expect_same_routes(some, routes, maze, dice);
       if (testing::Test::HasFailure()) return;
@@ -291,7 +291,7 @@ TEST(SomeTurns, ArePlannedForExactly) {
       const Maze maze = test::any_maze(dice, 14);
       FastestRoutes routes(maze.size(), model.tables);
       routes.fill(maze.open_walls(), maze.goals());
-      const PlainFastest plain(maze.size(), model.tables, maze.open_walls(), maze.goals());
+      const test::PlainFastest plain(maze.size(), model.tables, maze.open_walls(), maze.goals());
       expect_same_times(routes, plain, maze, model.tables);
       expect_good_route(routes, model.tables, maze);
     }

@@ -6,7 +6,6 @@
 #include <string>
 
 #include "labmouse/maze/generators/generator.hpp"
-#include "labmouse/mouse/known_moves.hpp"
 #include "labmouse/mouse/visits.hpp"
 
 namespace labmouse {
@@ -105,17 +104,6 @@ TEST(TieOrder, NamesEachOrderOnce) {
   }
   EXPECT_EQ(TieOrder("arbl").from(Heading::east),
             (std::array{Heading::east, Heading::south, Heading::west, Heading::north}));
-}
-
-TEST(KnownMoves, AreAllStraightOnesThroughPassages) {
-  WallSet passages;
-  passages.insert(wall_at({1, 1}, Heading::north));
-  passages.insert(wall_at({1, 2}, Heading::north));
-  passages.insert(wall_at({1, 1}, Heading::west));
-  const KnownMoves moves(passages, {1, 1}, 3);
-  EXPECT_EQ(std::vector<Move>(moves.begin(), moves.end()),
-            (std::vector<Move>{{Heading::north, 1}, {Heading::north, 2}, {Heading::west, 1}}));
-  EXPECT_TRUE(KnownMoves(passages, {5, 5}, 3).empty());
 }
 
 TEST(Visits, AreCountedCellByCell) {

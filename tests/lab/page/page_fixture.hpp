@@ -9,8 +9,8 @@
 
 #include "labmouse/lab/page/calls.hpp"
 #include "labmouse/lab/plays/maze_data.hpp"
-#include "labmouse/lab/shapes/check.hpp"
 #include "labmouse/lab/shapes/shapes.hpp"
+#include "tests/lab/page/shape_check.hpp"
 #include "tests/lab/races/race_fixture.hpp"
 
 namespace labmouse::test {

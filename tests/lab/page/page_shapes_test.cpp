@@ -6,9 +6,9 @@
 #include <sstream>
 
 #include "labmouse/lab/page/calls.hpp"
-#include "labmouse/lab/shapes/check.hpp"
 #include "labmouse/lab/shapes/shapes.hpp"
 #include "labmouse/lab/shapes/typescript.hpp"
+#include "tests/lab/page/shape_check.hpp"
 #include "tests/says.hpp"
 
 namespace labmouse {
@@ -51,7 +51,7 @@ TEST(PageShapes, NameOnlyShapesThatThereAre) {
   EXPECT_THAT(strangers(shapes::list(shapes::named("Nobody"))), ::testing::ElementsAre("Nobody"));
 }
 
-std::string wrong(const char* json, const Shape& shape) { return mismatch(ReadJson::parse(json), shape); }
+std::string wrong(const char* json, const Shape& shape) { return test::mismatch(ReadJson::parse(json), shape); }
 
 TEST(PageShapes, FindWhatIsMissingWhatIsOfAnotherKindAndWhatIsTooMuch) {
   using namespace shapes;

@@ -7,7 +7,7 @@
 #include "labmouse/mouse/pose.hpp"
 #include "labmouse/mouse/robot/tables.hpp"
 
-namespace labmouse {
+namespace labmouse::test {
 
 /// All times to the goals, by the algorithm of Dijkstra (1959) with a queue of the standard library. It knows no cells
 /// and no nodes but points on a lattice of half cells and eight directions, and a turn as the points that it passes.
@@ -56,4 +56,4 @@ class PlainFastest {
   std::vector<std::pair<DriveTime, std::size_t>> queue_;
 };
 
-}  // namespace labmouse
+}  // namespace labmouse::test

@@ -1,9 +1,9 @@
-#include "labmouse/lab/bench/plain_fastest.hpp"
+#include "tests/mouse/plain_fastest.hpp"
 
 #include <algorithm>
 #include <array>
 
-namespace labmouse {
+namespace labmouse::test {
 namespace {
 
 /// One step in each of the eight directions.
@@ -202,4 +202,4 @@ DriveTime PlainFastest::time_from(Pose start) const {
   return best;
 }
 
-}  // namespace labmouse
+}  // namespace labmouse::test

@@ -1,4 +1,4 @@
-#include "labmouse/lab/shapes/check.hpp"
+#include "tests/lab/page/shape_check.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 
 #include "labmouse/lab/shapes/shapes.hpp"
 
-namespace labmouse {
+namespace labmouse::test {
 namespace {
 
 using Kind = Shape::Kind;
@@ -126,4 +126,4 @@ std::string mismatch(const ReadJson& json, const Shape& shape, const std::string
   return "";
 }
 
-}  // namespace labmouse
+}  // namespace labmouse::test
