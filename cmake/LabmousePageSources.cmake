@@ -22,7 +22,7 @@ endforeach()
 foreach(name IN ITEMS dialogue mms/canvas mms/command mms/host mms/statistics protocol quoted_line verdict)
   list(APPEND LABMOUSE_PAGE_SOURCES ${PROJECT_SOURCE_DIR}/labmouse/guests/${name}.cpp)
 endforeach()
-foreach(wing IN ITEMS drawing steps seconds physical mms worlds plays page)
+foreach(wing IN ITEMS drawing steps drive mms worlds plays page)
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/labmouse/lab/${wing}/*.cpp)
   # What only terminals and files show.
   list(FILTER sources EXCLUDE REGEX "/(draw_text|draw_plot|mms_summary)[.]cpp$")

@@ -10,6 +10,7 @@
 
 namespace labmouse {
 namespace {
+namespace physical_table {
 
 using F = PhysicalFigure;
 using M = DriveMazeFigure;
@@ -163,10 +164,12 @@ constexpr std::array<Column, 13> table = {
      {"", "late", 5, count_text<F::late>},
      {"misread", "walls", 7, count_text<F::misreads>}}};
 
+}  // namespace physical_table
 }  // namespace
 
 const WorldFields& physical_fields() {
-  static constexpr WorldFields all = {contest_fields, csv_fields, mouse_fields, maze_fields, table};
+  static constexpr WorldFields all = {physical_table::contest_fields, physical_table::csv_fields,
+                                      physical_table::mouse_fields, physical_table::maze_fields, physical_table::table};
   return all;
 }
 

@@ -9,6 +9,7 @@
 
 namespace labmouse {
 namespace {
+namespace seconds_table {
 
 using F = SecondsFigure;
 using M = DriveMazeFigure;
@@ -137,10 +138,13 @@ constexpr std::array<Column, 10> table = {
 
 constexpr std::array<ComparedFigure, 2> compared = {{{"search_us", "search"}, {"best_us", "best run"}}};
 
+}  // namespace seconds_table
 }  // namespace
 
 const WorldFields& seconds_fields() {
-  static constexpr WorldFields all = {contest_fields, csv_fields, mouse_fields, maze_fields, table, compared};
+  static constexpr WorldFields all = {seconds_table::contest_fields, seconds_table::csv_fields,
+                                      seconds_table::mouse_fields,   seconds_table::maze_fields,
+                                      seconds_table::table,          seconds_table::compared};
   return all;
 }
 
