@@ -24,6 +24,9 @@ foreach(name IN ITEMS dialogue mms/canvas mms/command mms/host mms/statistics pr
 endforeach()
 foreach(wing IN ITEMS drawing steps drive mms worlds plays page)
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/labmouse/lab/${wing}/*.cpp)
+  if(NOT sources)
+    message(FATAL_ERROR "labmouse/lab/${wing} has no sources")
+  endif()
   # What only terminals and files show.
   list(FILTER sources EXCLUDE REGEX "/(draw_text|draw_plot|mms_summary)[.]cpp$")
   list(APPEND LABMOUSE_PAGE_SOURCES ${sources})
