@@ -48,7 +48,8 @@ class DriveWorld : public World {
   const DriveRules& rules() const { return rules_; }
   const DriveModel& model() const { return *model_; }
 
-  /// What a maze's cells are that can be reached; a trace is kept for records and pictures alone.
+  /// Holds the contest. `reachable`: the cells of the maze that a mouse can reach; `traced`: whether to keep where it
+  /// was between its moves, for a record or a picture.
   virtual DrivenContest drive(const Contestant& mouse, const Maze& maze, const ContestResult& contest,
                               const CellSet& reachable, bool traced, const std::atomic<bool>* stop) const = 0;
   /// The figures of a contest, in the order of the world's own list.
