@@ -98,7 +98,7 @@ void add_run(Command& app, int& exit) {
   command->add_option("maze", options->maze, "Maze file or built-in maze")->required()->type_name("MAZE");
   add_places(*command, options->places);
   options->world.add_to(*command);
-  command->add_option("--seed", options->seed, "Seed for a mouse or a world that throws dice")
+  command->add_option("--seed", options->seed, "Seed of a stochastic mouse or world")
       ->check(seed_number())
       ->capture_default_str();
   add_explain(*command, options->explain);

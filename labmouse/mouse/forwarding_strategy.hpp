@@ -1,4 +1,4 @@
-// A mind before another one.
+// A strategy in front of another one.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace labmouse {
 
-/// Passes every call on to another mind, which must outlive it. What derives from it overrides what it changes.
+/// Forwards every call to another strategy, which must outlive it. A class derived from it overrides what it changes.
 class ForwardingStrategy : public Strategy {
  public:
   explicit ForwardingStrategy(Strategy& mouse) : mouse_(mouse) {}

@@ -107,13 +107,13 @@ class PhysicalWorld : public DriveWorld {
     Briefing briefing = brief(maze, rules(), model(), contest.seed);
     briefing.sight = 1;
     briefing.drive.pace = conditions.pilot.pace;
-    const auto mind = mouse.drive(maze, briefing);
-    conditions.map = mind->map_kind().value_or(conditions.map);
-    Stoppable stoppable(*mind, stop);
+    const auto strategy = mouse.drive(maze, briefing);
+    conditions.map = strategy->map_kind().value_or(conditions.map);
+    Stoppable stoppable(*strategy, stop);
     DrivenContest driven = driven_of(contest_of(maze, conditions, contest.seed, stoppable), conditions);
     driven.coverage = coverage_of(driven.record, maze, reachable);
-    driven.words = mind->last_words();
-    driven.started = mind->started();
+    driven.words = strategy->last_words();
+    driven.started = strategy->started();
     return driven;
   }
 

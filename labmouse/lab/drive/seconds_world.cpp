@@ -44,13 +44,13 @@ class SecondsWorld final : public DriveWorld {
  private:
   DrivenContest drive(const Contestant& mouse, const Maze& maze, const ContestResult& contest, const CellSet& reachable,
                       bool /*traced*/, const std::atomic<bool>* stop) const override {
-    const auto mind = mouse.drive(maze, brief(maze, rules(), model(), contest.seed));
-    Stoppable stoppable(*mind, stop);
+    const auto strategy = mouse.drive(maze, brief(maze, rules(), model(), contest.seed));
+    Stoppable stoppable(*strategy, stop);
     DrivenContest driven;
     driven.record = labmouse::drive(maze, rules(), model(), stoppable);
     driven.coverage = coverage_of(driven.record, maze, reachable);
-    driven.words = mind->last_words();
-    driven.started = mind->started();
+    driven.words = strategy->last_words();
+    driven.started = strategy->started();
     return driven;
   }
 

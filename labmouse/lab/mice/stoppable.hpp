@@ -1,4 +1,4 @@
-// A mind that decides no more once its contest is stopped.
+// A strategy that decides no more once its contest is stopped.
 #pragma once
 
 #include <atomic>
@@ -8,8 +8,8 @@
 
 namespace labmouse {
 
-/// Stands before a mind, which must outlive it, and asks before each of its decisions. A contest that was stopped ends
-/// as a forfeit, interrupted.
+/// Stands in front of a strategy, which must outlive it, and asks before each of its decisions. A contest that was
+/// stopped ends as a forfeit, interrupted.
 class Stoppable final : public ForwardingStrategy {
  public:
   /// `stop` may be null: then nothing stops it.
