@@ -71,7 +71,7 @@ export async function opening(hash: string, selector: string, moves = false): Pr
   return { paint: paint / 1000, wall: wall / 1000, processor };
 }
 
-/** The front door, until its race moves. */
+/** The home page, until its race moves. */
 export const frontDoor = () => opening('', '.front-race .clock', true);
 
 /** A mouse in *Live*, until its walk is on the stage. */

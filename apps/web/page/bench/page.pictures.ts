@@ -32,7 +32,7 @@ async function scrub(page: Page, time: string) {
 }
 
 const views: View[] = [
-  { title: 'The front door', hash: '#home&pair=2&at=75', until: '.lane canvas' },
+  { title: 'The home page', hash: '#home&pair=2&at=75', until: '.lane canvas' },
   { title: 'Race', hash: '#race', until: '.race [aria-label="Leaderboard, table"]' },
   { title: 'Replay', hash: '#replay&mouse=ariadne&in=contest-01&seed=1&at=60', until: '.replay .stage canvas' },
   { title: 'Live', hash: '#live&mouse=certify&in=contest-02&seed=1&at=70', until: '.live .stage canvas' },

@@ -1,4 +1,4 @@
-// One of the two mice of the front door: its name, what it does, its best run, and what it knows and believes.
+// One of the two mice of the home page: its name, what it does, its best run, and what it knows and believes.
 import type { Core } from '../core/client';
 import type { Tone } from '../maze/palette';
 import { fetchBeliefs } from '../player/beliefs';

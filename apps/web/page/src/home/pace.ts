@@ -1,4 +1,4 @@
-// How fast time passes on the front door: searches quicker than they were, runs as they were.
+// How fast time passes on the home page: searches quicker than they were, runs as they were.
 import { runAt, type DriveTrack } from '../player/drive';
 
 const searching = 5;

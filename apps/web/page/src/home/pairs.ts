@@ -1,4 +1,4 @@
-// The races of the front door: which two mice meet where. Each has a story that can be seen.
+// The races of the home page: which two mice meet where. Each has a story that can be seen.
 import type { Core } from '../core/client';
 import type { Play } from '../core/types';
 

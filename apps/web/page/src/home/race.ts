@@ -1,4 +1,4 @@
-// A race that runs on the front door: two lanes, one clock, the gap.
+// A race that runs on the home page: two lanes, one clock, the gap.
 import type { Core } from '../core/client';
 import { count, createMeter } from '../player/meter';
 import { partingOf } from '../player/parting';

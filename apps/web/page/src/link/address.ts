@@ -17,7 +17,7 @@ export interface Moment {
   seeds: number[];
   /** Steps of a contest. */
   budget?: number;
-  /** Contests of each mouse that throws dice. */
+  /** Contests of each stochastic mouse. */
   runs?: number;
   /** Of contests in seconds. */
   robot?: string;
@@ -28,7 +28,7 @@ export interface Moment {
   /** Of the robot: the number, or the two, over which it is asked which route wins. */
   vary?: VariedRange;
   and?: VariedRange;
-  /** Which race of the front door. */
+  /** Which race of the home page. */
   pair?: number;
   /** On the clock of the contest: steps, or seconds in the other worlds. */
   time?: number;

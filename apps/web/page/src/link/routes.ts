@@ -1,7 +1,7 @@
 // What stands behind the # of the page's address: a view, after an & whatever that view adds, or a maze or a program in a link.
 
 export const viewNames = ['race', 'replay', 'live', 'draw', 'write', 'robot'] as const;
-/** The front door has no place among them: the name of the page leads there. */
+/** The home page has no place among them: the name of the page leads there. */
 export type ViewName = (typeof viewNames)[number] | 'home';
 
 /** `more`: whether the address says more than the view's name. */

@@ -167,7 +167,7 @@ function setSides(state: State, plays: Shown[], looked: (side: number, camera: C
   state.sides = two.map((shown, i) =>
     createSide(shown, names[i], layers, {
       looked: (camera) => looked(i, camera),
-      // Two mice are told apart by tone, as on the front door; one needs none.
+      // Two mice are told apart by tone, as on the home page; one needs none.
       hue: two.length > 1 ? tonesOfTwo[i] : undefined,
     }),
   );

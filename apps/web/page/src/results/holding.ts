@@ -10,7 +10,7 @@ export interface Order {
   mice: string[];
   /** Those that the core brings by their names. */
   mazes: (string | MazeData)[];
-  /** Contests of each mouse that throws dice, in each maze. */
+  /** Contests of each stochastic mouse, in each maze. */
   runs: number;
   seed: number;
   /** The world, with what is set of it; the home world where it is missing. */

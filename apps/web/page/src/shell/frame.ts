@@ -64,7 +64,7 @@ export function createFrame(notices: Notices, intake: Intake, shelf: Shelf, copy
     h(
       'h1',
       {},
-      h('a', { class: 'brand', href: '#home', title: 'To the front door' }, mark(), h('span', {}, 'labmouse')),
+      h('a', { class: 'brand', href: '#home', title: 'To the home page' }, mark(), h('span', {}, 'labmouse')),
     ),
     h('nav', { 'aria-label': 'Views' }, ...tabs.values()),
     notices.status,

@@ -1,4 +1,4 @@
-// The front door: a race that is already running, what this is, and where to go from here.
+// The home page: a race that is already running, what this is, and where to go from here.
 import { createFrontRace } from '../home/race';
 import { meet, pairs, type Met } from '../home/pairs';
 import { addressOf, readAddress } from '../link/address';
@@ -41,7 +41,7 @@ function showToggle(toggle: HTMLElement, running: boolean) {
 /** The place of the pair that a link names, from 1 on. */
 function indexOf(pair = 1): number {
   if (pair <= pairs.length) return pair - 1;
-  throw new Error(`This link cannot be followed: there are ${pairs.length} races on the front door.`);
+  throw new Error(`This link cannot be followed: there are ${pairs.length} races on the home page.`);
 }
 
 export function createHome(page: EarlyPage): View {

@@ -13,7 +13,7 @@ const javascript: Line[] = [
   ['goal X Y', 'a goal cell, a line for each'],
   ['stride N', 'the longest movement of one step, in cells'],
   ['budget N', 'the most steps of both runs together'],
-  ['seed N', 'for mice that throw dice'],
+  ['seed N', 'for stochastic mice'],
   ['begin', 'answer with the line: labmouse 1'],
   [
     'sense L A R',

@@ -23,7 +23,7 @@ async function expectNoBarriers(page: Page, place: string) {
 
 test.each(['light', 'dark'] as const)('every view is without barriers when %s', async (colorScheme) => {
   const page = await open('', { colorScheme, reducedMotion: 'reduce' });
-  await expectNoBarriers(page, 'the front door');
+  await expectNoBarriers(page, 'the home page');
   const views = page.getByRole('navigation', { name: 'Views' }).getByRole('link');
   const names = await views.allTextContents();
   expect(names.length).toBeGreaterThanOrEqual(4);

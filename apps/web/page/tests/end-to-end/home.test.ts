@@ -1,4 +1,4 @@
-// The front door: a race that runs at once, and where one goes from it.
+// The home page: a race that runs at once, and where one goes from it.
 import type { Page } from 'playwright-core';
 import { expect, test } from 'vitest';
 import { barriers, open, picture } from './harness';

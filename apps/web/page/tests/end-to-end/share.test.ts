@@ -246,7 +246,7 @@ test('which route wins for which robot goes into a link, and stays over a reload
   expect(await linkOf(page)).not.toContain('vary');
 });
 
-test('the drawing and the front door have links, too', async () => {
+test('the drawing and the home page have links, too', async () => {
   const draw = await opened('#draw&in=contest-02&zoom=3,8,8');
   await draw.getByRole('heading', { name: /contest-02/ }).waitFor();
   const link = await linkOf(draw);

@@ -25,7 +25,7 @@ test('the core behaves as the native program does', async () => {
   expect(signature).toBe(JSON.parse(native('bench', '--format', 'json')).signature);
 });
 
-test('a race moves on the front door', async () => {
+test('a race moves on the home page', async () => {
   const page = await open();
   await page.waitForSelector('.lane canvas');
   const picture = () => page.$eval('.lane canvas', (canvas) => (canvas as HTMLCanvasElement).toDataURL());

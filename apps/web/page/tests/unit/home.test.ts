@@ -1,4 +1,4 @@
-// The front door: who is ahead, how fast time passes, and which way a mouse believes in.
+// The home page: who is ahead, how fast time passes, and which way a mouse believes in.
 import { describe, expect, it } from 'vitest';
 import { gapInWords } from '../../src/home/gap';
 import { paceAt } from '../../src/home/pace';
