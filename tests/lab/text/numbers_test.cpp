@@ -136,5 +136,12 @@ TEST(NumbersInToml, ThatADoubleCannotHoldAreRefused) {
   EXPECT_EQ(parse_toml("\"\xC2\xB2\" = [0.0, 1e-400]").problems.front().column, 13);
 }
 
+TEST(WholeNumbers, AreDigitsAloneAndFitTheirType) {
+  EXPECT_EQ(whole_in<int>("-12"), -12);
+  EXPECT_EQ(whole_in<std::uint64_t>("18446744073709551615"), 18446744073709551615U);
+  for (const char* none : {"", "x", "1x", " 1", "+1", "-1", "0x1", "1.0", "18446744073709551616"})
+    EXPECT_EQ(whole_in<std::uint64_t>(none), std::nullopt) << none;
+}
+
 }  // namespace
 }  // namespace labmouse
