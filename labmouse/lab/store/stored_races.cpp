@@ -27,14 +27,16 @@ std::string sql_text(std::string_view text) {
   return quoted + "'";
 }
 
-Contestant mouse_of(const Statement& row) {
+/// Nothing where the parameters of a row cannot be read.
+std::optional<Contestant> mouse_of(const Statement& row) {
   Contestant mouse;
   mouse.name = row.text("name");
   if (const std::string spec = row.text("spec"); spec != mouse.name) mouse.spec = spec;
   const std::string& spec = spec_of(mouse);
   const RosterEntry* entry = find_mouse(spec.substr(0, spec.find(':')));
   const ReadJson parameters = read_json(row.text("parameters"));
-  if (entry != nullptr && parameters.is_object()) {
+  if (!parameters.is_object()) return std::nullopt;
+  if (entry != nullptr) {
     mouse.settings = Settings(entry->parameters);
     for (const Parameter& parameter : entry->parameters) {
       const auto found = parameters.find(parameter.name);
@@ -109,7 +111,14 @@ class Reader {
     Statement find = database_.prepare("SELECT text, name, spec, parameters, about FROM mice WHERE id = ?1");
     for (const auto& [id, place] : mice_) {
       find.bind(1, id);
-      while (find.next()) race.mice[place] = mouse_of(find);
+      while (find.next()) {
+        std::optional<Contestant> mouse = mouse_of(find);
+        if (!mouse) {
+          database_.fail("is damaged: it has a mouse whose parameters cannot be read");
+          return false;
+        }
+        race.mice[place] = *std::move(mouse);
+      }
     }
     return database_.good();
   }

@@ -754,6 +754,14 @@ TEST_F(AStore, MayHaveSeedsThatNoRaceHas) {
   }
 }
 
+TEST_F(AStore, MayHaveParametersThatNoMouseHas) {
+  race("flood");
+  for (const char* parameters : {"", "[]", "null", "{"}) {
+    change(std::string("UPDATE mice SET parameters = '") + parameters + "'");
+    EXPECT_THAT(stored_races(path(), {}).error, Says("damaged")) << parameters;
+  }
+}
+
 TEST_F(AStore, SaysThatItIsDamaged) {
   race(three_mice);
   const auto whole = fs::file_size(path());
